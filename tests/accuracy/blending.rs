@@ -12,8 +12,9 @@ use fixel::prelude::*;
 use fixel::shade::Translucent;
 use fixel::target::{Add, Alpha, Blending, Multiply, Native, Opacity, Storage};
 use fixel::view::Parallel;
-use proptest::prelude::*;
+use rand::Rng;
 
+use crate::common::random::cases;
 use crate::reference::blending::{add, multiply, over};
 
 static SQUARE: Mesh = shape!(plane(1, 1));
@@ -220,11 +221,11 @@ where
     blended::<C, LittleEndian>(colors, opacity);
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
-
-    #[test]
-    fn blended_colors_follow_the_formulas(bits in any::<[u32; 2]>(), opacity in any::<u8>()) {
+#[test]
+fn blended_colors_follow_the_formulas() {
+    cases(64, |random| {
+        let bits = random.random();
+        let opacity = random.random();
         every_storage::<Rgb555>(bits, opacity);
         every_storage::<Bgr555>(bits, opacity);
         every_storage::<Rgb565>(bits, opacity);
@@ -237,5 +238,5 @@ proptest! {
         every_storage::<Gray4>(bits, opacity);
         every_storage::<Gray2>(bits, opacity);
         every_storage::<BinaryColor>(bits, opacity);
-    }
+    });
 }

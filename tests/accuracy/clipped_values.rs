@@ -1,9 +1,13 @@
 //! Values over triangles that the view volume or the guard band clips.
 
+use std::array::from_fn;
+
 use fixel::prelude::*;
-use proptest::prelude::*;
+use rand::Rng;
 
 use crate::bounds::{self, Bound};
+use crate::common::random::{Random, cases};
+use crate::common::recorder::Seen;
 use crate::drawing::Drawing;
 use crate::mode::Mode;
 use crate::moves::{exact, rounded};
@@ -20,10 +24,9 @@ const SIZE: (u32, u32) = (160, 96);
 /// and the error of the position before is far smaller.
 const SNAP: f64 = 1. / 256.;
 
-/// Triangles around the eye.
-fn triangles() -> impl Strategy<Value = [Vec3; 3]> {
-    let corner = || [-30_f64..30., -30_f64..30., -60_f64..20.].prop_map(rounded);
-    [corner(), corner(), corner()]
+/// A position around the eye.
+fn around(random: &mut Random) -> Vec3 {
+    rounded([-30_f64..30., -30_f64..30., -60_f64..20.].map(|range| random.random_range(range)))
 }
 
 /// The piece that passes nearest to a pixel's center.
@@ -32,18 +35,46 @@ fn nearest<'a>(pieces: &'a [Piece<2>], pixel: [i32; 2]) -> Option<(f64, &'a Piec
     pieces.iter().map(gap).min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 250,
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    })]
+/// Checks that each center is drawn once if it is farther inside than corners may move, and not drawn if it is farther
+/// outside.
+fn check_coverage(pieces: &[Piece<2>], seen: &[Seen<2>]) {
+    let mut drawn = vec![0; SIZE.0 as usize * SIZE.1 as usize];
+    for seen in seen {
+        let [x, y] = seen.pixel;
+        drawn[usize::try_from(y * 160 + x).unwrap()] += 1;
+    }
+    for y in 0..96 {
+        for x in 0..160 {
+            let count = drawn[usize::try_from(y * 160 + x).unwrap()];
+            let gap = nearest(pieces, [x, y]).map_or(f64::MAX, |(gap, _)| gap);
+            // Twice the distance of the points `around`, which leaves room for the rounding of distances.
+            if gap > 2. * SNAP {
+                assert_eq!(count, 0, "at {:?}", [x, y]);
+                continue;
+            }
+            let covered = |aside: [f64; 2]| {
+                let [x, y] = center([x, y]);
+                pieces
+                    .iter()
+                    .any(|piece| to_triangle(&piece.screen, [x + aside[0], y + aside[1]]) == 0.)
+            };
+            let around = [[-SNAP, 0.], [SNAP, 0.], [0., -SNAP], [0., SNAP]];
+            if around.into_iter().all(covered) && covered([0., 0.]) {
+                assert_eq!(count, 1, "at {:?}", [x, y]);
+            } else if !around.into_iter().any(covered) {
+                assert_eq!(count, 0, "at {:?}", [x, y]);
+            }
+        }
+    }
+}
 
-    #[test]
-    fn values_of_clipped_triangles_are_the_models(
-        positions in triangles(),
-        values in prop::array::uniform2([-(4_i32 << 24)..4 << 24, 0..256, 0..1 << 24]),
-    ) {
+#[test]
+fn values_of_clipped_triangles_are_the_models() {
+    cases(250, |random| {
+        let positions: [Vec3; 3] = from_fn(|_| around(random));
+        let values: [[i32; 3]; 2] = from_fn(|_| {
+            [-(4 << 24)..4 << 24, 0..256, 0..1 << 24].map(|range| random.random_range(range))
+        });
         let mut drawing = Drawing {
             size: SIZE,
             options: DrawOptions::new().with_cull(Cull::Nothing),
@@ -69,33 +100,7 @@ proptest! {
         };
         let seen = drawing.all(&attributes);
 
-        // A center is drawn if it is farther inside than corners may move, and not drawn if it is farther outside.
-        let mut drawn = vec![0; SIZE.0 as usize * SIZE.1 as usize];
-        for seen in &seen {
-            let [x, y] = seen.pixel;
-            drawn[usize::try_from(y * 160 + x).unwrap()] += 1;
-        }
-        for y in 0..96 {
-            for x in 0..160 {
-                let count = drawn[usize::try_from(y * 160 + x).unwrap()];
-                let gap = nearest(&pieces, [x, y]).map_or(f64::MAX, |(gap, _)| gap);
-                // Twice the distance of the points `around`, which leaves room for the rounding of distances.
-                if gap > 2. * SNAP {
-                    prop_assert_eq!(count, 0, "at {:?}", [x, y]);
-                    continue;
-                }
-                let covered = |aside: [f64; 2]| {
-                    let [x, y] = center([x, y]);
-                    pieces.iter().any(|piece| to_triangle(&piece.screen, [x + aside[0], y + aside[1]]) == 0.)
-                };
-                let around = [[-SNAP, 0.], [SNAP, 0.], [0., -SNAP], [0., SNAP]];
-                if around.into_iter().all(covered) && covered([0., 0.]) {
-                    prop_assert_eq!(count, 1, "at {:?}", [x, y]);
-                } else if !around.into_iter().any(covered) {
-                    prop_assert_eq!(count, 0, "at {:?}", [x, y]);
-                }
-            }
-        }
+        check_coverage(&pieces, &seen);
 
         // The corners that clipping makes may be as near as the near plane, or as far as the far one.
         let w = pieces.iter().flat_map(|piece| piece.w);
@@ -103,10 +108,9 @@ proptest! {
         let mut farthest = [0_f64; SIZE.1 as usize];
         let mut models = Vec::with_capacity(seen.len());
         for seen in &seen {
-            let Some((gap, piece)) = nearest(&pieces, seen.pixel) else {
-                return Err(TestCaseError::fail("the model covers nothing there"));
-            };
-            prop_assert!(gap <= SNAP, "drawn {gap} outside at {:?}", seen.pixel);
+            let (gap, piece) =
+                nearest(&pieces, seen.pixel).expect("the model covers nothing there");
+            assert!(gap <= SNAP, "drawn {gap} outside at {:?}", seen.pixel);
             let model = piece.at(seen.pixel).unwrap();
             let row = &mut farthest[usize::try_from(seen.pixel[1]).unwrap()];
             *row = row.max(model.w);
@@ -115,33 +119,35 @@ proptest! {
         for mode in Mode::PERSPECTIVE {
             drawing.mode = mode;
             let again = drawing.all(&attributes);
-            let bounds = values.map(|corners| {
-                Bound::perspective(mode, corners, [ends[0], ends[1], ends[1]])
-            });
-            prop_assert_eq!(again.len(), seen.len());
+            let bounds = values
+                .map(|corners| Bound::perspective(mode, corners, [ends[0], ends[1], ends[1]]));
+            assert_eq!(again.len(), seen.len());
             for ((seen, model), first) in again.iter().zip(&models).zip(&seen) {
-                prop_assert_eq!(seen.pixel, first.pixel);
+                assert_eq!(seen.pixel, first.pixel);
                 let row = usize::try_from(seen.pixel[1]).unwrap();
                 for (k, bound) in bounds.iter().enumerate() {
                     let error = (f64::from(seen.values[k]) - model.attributes[k]).abs();
                     let gradient = model.dx[k].hypot(model.dy[k]);
                     // A corner made by clipping is rounded down twice.
                     let bound = SNAP * gradient + 2. + bound.at(model.w, farthest[row]);
-                    prop_assert!(
+                    assert!(
                         error <= bound,
                         "{mode:?}: {:?} gives {} at {:?}, not {}: an error of {error}, over {bound}",
-                        positions, seen.values[k], seen.pixel, model.attributes[k],
+                        positions,
+                        seen.values[k],
+                        seen.pixel,
+                        model.attributes[k],
                     );
                 }
                 let depth = view.projection.depth(model.w);
                 let gradient = model.inverse_w_gradient;
                 let moved = SNAP * 65535. * 0.25 * gradient[0].hypot(gradient[1]) + bounds::DEPTH;
                 let stored = f64::from(seen.depth);
-                prop_assert!(
+                assert!(
                     stored <= depth + moved && depth < stored + 1. + moved,
                     "{mode:?}: depth {stored} is not {depth}"
                 );
             }
         }
-    }
+    });
 }

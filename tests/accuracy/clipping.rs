@@ -7,9 +7,11 @@
 //! projection's to 28 bits. The model draws with planes moved inwards and outwards by the fraction [`PLANES`], and
 //! decides only where both results agree.
 
+use std::array::from_fn;
 use std::collections::HashMap;
 
 use crate::common::meshes::{Point, triangulation};
+use crate::common::random::{Random, cases, list};
 use crate::common::recorder::{Probe, Seen, record};
 use crate::common::{BOTH_SIDES, Counter};
 use crate::reference::coverage::{Bounds, center};
@@ -19,7 +21,7 @@ use crate::reference::silhouette::{Position, Silhouette};
 use crate::reference::{projection, raster, view};
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
-use proptest::prelude::*;
+use rand::Rng;
 
 const SIZE: (u32, u32) = (48, 32);
 const NEAR: f64 = 0.25;
@@ -120,24 +122,18 @@ impl Model {
     }
 
     /// Checks counts of drawn pixels against the model. No pixel may be drawn twice, unless a triangle may fold there.
-    fn check(&self, counts: &[u32]) -> Result<(), TestCaseError> {
+    fn check(&self, counts: &[u32]) {
         for (&count, pixel) in counts.iter().zip(Bounds::new(SIZE.0, SIZE.1).pixels()) {
             let expected = self.covers(pixel);
-            prop_assert!(
+            assert!(
                 expected.is_none_or(|covered| covered == (count > 0)),
-                "{:?}: drawn {} times, covered in the model: {:?}",
-                pixel,
-                count,
-                expected
+                "{pixel:?}: drawn {count} times, covered in the model: {expected:?}"
             );
-            prop_assert!(
+            assert!(
                 count < 2 || self.may_fold(pixel),
-                "{:?}: drawn {} times",
-                pixel,
-                count
+                "{pixel:?}: drawn {count} times"
             );
         }
-        Ok(())
     }
 }
 
@@ -155,24 +151,25 @@ fn count(
 /// In units of 2⁻¹⁶.
 const UNIT: i32 = 1 << 16;
 
-/// Positions all around the eye: some close to the near plane, some at the far plane, some behind the eye, some far
-/// to the side.
-fn around() -> impl Strategy<Value = Vec3> {
-    let z = prop_oneof![
-        4 => -30 * UNIT..10 * UNIT,
-        2 => -UNIT / 2..UNIT / 8,
-        1 => -26 * UNIT..-22 * UNIT,
-        1 => Just(-UNIT / 4),
-        1 => Just(0),
-    ];
-    let side = || {
-        prop_oneof![
-            4 => -3 * UNIT..3 * UNIT,
-            2 => -30 * UNIT..30 * UNIT,
-            1 => -200 * UNIT..200 * UNIT,
-        ]
+/// A position anywhere around the eye: maybe close to the near plane, at the far plane, behind the eye, or far to the
+/// side.
+fn around(random: &mut Random) -> Vec3 {
+    let [x, y] = from_fn(|_| {
+        let reach = match random.random_range(0..7) {
+            0..4 => 3 * UNIT,
+            4..6 => 30 * UNIT,
+            _ => 200 * UNIT,
+        };
+        random.random_range(-reach..reach)
+    });
+    let z = match random.random_range(0..9) {
+        0..4 => random.random_range(-30 * UNIT..10 * UNIT),
+        4..6 => random.random_range(-UNIT / 2..UNIT / 8),
+        6 => random.random_range(-26 * UNIT..-22 * UNIT),
+        7 => -UNIT / 4,
+        _ => 0,
     };
-    (side(), side(), z).prop_map(|(x, y, z)| Vec3::from_bits([x, y, z]))
+    Vec3::from_bits([x, y, z])
 }
 
 /// A function of the position on the screen that gives 1/w on a triangle's plane, and its gradient. With the plane
@@ -193,50 +190,73 @@ fn inverse_w(corners: [Vec3; 3]) -> impl Fn([f64; 2]) -> (f64, f64) {
     }
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(512))]
-
-    /// A triangle anywhere around the eye is drawn exactly where the model covers it, between the near and far planes,
-    /// and each pixel has the distance of the triangle's plane.
-    #[test]
-    fn triangles_around_the_eye_are_the_models(corners in [around(), around(), around()]) {
+/// A triangle anywhere around the eye is drawn exactly where the model covers it, between the near and far planes,
+/// and each pixel has the distance of the triangle's plane.
+#[test]
+fn triangles_around_the_eye_are_the_models() {
+    cases(512, |random| {
+        let corners = from_fn(|_| around(random));
         let (counts, drawn) = count(&corners, &[[0, 1, 2]], &BOTH_SIDES);
-        Model::new(&corners, &[[0, 1, 2]]).check(&counts)?;
+        Model::new(&corners, &[[0, 1, 2]]).check(&counts);
         let all: u32 = counts.iter().sum();
-        prop_assert!(drawn.drawn > 0 || all == 0);
+        assert!(
+            drawn.drawn > 0 || all == 0,
+            "{corners:?}: {all} pixels of no triangle"
+        );
 
         let mut pixels = vec![Gray8::new(0); counts.len()];
         let mesh = Mesh::new(&corners, &[[0, 1, 2]]).unwrap();
         let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
         // The interpolated distance.
-        let probe = Probe { values: &|corner| [corner.distance().to_bits()], color: None };
+        let probe = Probe {
+            values: &|corner| [corner.distance().to_bits()],
+            color: None,
+        };
         let record = record(probe, |recorder| {
             canvas.draw_with(&BOTH_SIDES, &mesh, &projection(), recorder);
         });
         let plane = inverse_w(corners);
-        for Seen { pixel, values: [distance], depth, .. } in record.seen {
+        for Seen {
+            pixel,
+            values: [distance],
+            depth,
+            ..
+        } in record.seen
+        {
             let w = f64::from(distance) / 65536.;
             // The corners' distances are below 64, 2^22 units, so the interpolant is distance · q · 2^-24, and q is at
             // least 2^30 · near/w. bounds.rs derives that the errors of both count as 56½ units of the interpolant at
             // most. In this small picture they stay within 51.
             let q = f64::from(1 << 30) * NEAR / FAR;
             let format = (f64::from(1 << 24) * 51. / q + 4.) / 65536.;
-            prop_assert!((NEAR - format..=FAR + format).contains(&w), "{:?}: {}", pixel, w);
+            assert!(
+                (NEAR - format..=FAR + format).contains(&w),
+                "{pixel:?}: {w}"
+            );
             // Corners moved by less than EDGE, so the plane has the value within that distance of the pixel's center.
             let (exact, gradient) = plane(center(pixel));
             let room = gradient * EDGE + 1e-6;
             let nearest = 1. / (exact + room);
-            prop_assert!(w > nearest - format, "{:?}: {} is nearer than {}", pixel, w, nearest);
+            assert!(
+                w > nearest - format,
+                "{pixel:?}: {w} is nearer than {nearest}"
+            );
             if exact > room {
                 let farthest = 1. / (exact - room);
-                prop_assert!(w < farthest + format, "{:?}: {} is farther than {}", pixel, w, farthest);
+                assert!(
+                    w < farthest + format,
+                    "{pixel:?}: {w} is farther than {farthest}"
+                );
             }
             // Depth is rounded down, and the error of 1/w, up to 40 units, is 40 · 2^-15 of a step.
             let step = 65535. * NEAR;
             let (least, most) = (step * (exact - room) - 1.01, step * (exact + room) + 0.01);
-            prop_assert!((least..=most).contains(&f64::from(depth)), "{:?}: {} not in {}..{}", pixel, depth, least, most);
+            assert!(
+                (least..=most).contains(&f64::from(depth)),
+                "{pixel:?}: {depth} not in {least}..{most}"
+            );
         }
-    }
+    });
 }
 
 /// A plane near the eye, as a map from the mesh's positions to space.
@@ -255,49 +275,49 @@ impl Ground {
     }
 }
 
-/// Floors, ceilings, walls and tilted ground, which reach from behind the eye to beyond the far plane.
-fn grounds() -> impl Strategy<Value = Ground> {
-    let height = prop_oneof![Just(1), Just(-1)]
-        .prop_flat_map(|side| (UNIT / 8..2 * UNIT).prop_map(move |height| side * height));
-    (height, -6..=6i32, -6..=6i32, any::<bool>()).prop_map(|(height, across, along, wall)| {
-        // v runs ahead. The tilt is small, so that the horizon is visible.
-        let (x, y) = ([32, across, 0], [0, along, -32]);
-        let turn = |[a, b, c]: [i32; 3]| if wall { [b, a, c] } else { [a, b, c] };
-        Ground {
-            origin: turn([0, height, 0]),
-            steps: [turn(x), turn(y)],
-        }
-    })
+/// A floor, a ceiling, a wall or tilted ground, which reaches from behind the eye to beyond the far plane.
+fn ground(random: &mut Random) -> Ground {
+    let side = if random.random() { 1 } else { -1 };
+    let height = side * random.random_range(UNIT / 8..2 * UNIT);
+    let [across, along] = from_fn(|_| random.random_range(-6..=6));
+    let wall = random.random();
+    // v runs ahead. The tilt is small, so that the horizon is visible.
+    let (x, y) = ([32, across, 0], [0, along, -32]);
+    let turn = |[a, b, c]: [i32; 3]| if wall { [b, a, c] } else { [a, b, c] };
+    Ground {
+        origin: turn([0, height, 0]),
+        steps: [turn(x), turn(y)],
+    }
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(128))]
-
-    /// Ground that continues below the eye and behind it, in triangles of every shape.
-    #[test]
-    fn meshes_through_the_near_plane_are_the_models(
-        slope in grounds(),
-        points in prop::collection::vec(
-            prop_oneof![
-                // 2^11 mesh units are one unit of space.
-                [-8000..8000i32, -8000..8000],
-                [-2000..2000i32, 0..3000],
-                [-30_000..30_000i32, -20_000..60_000],
-            ],
-            0..16,
-        ),
-        seed: u64,
-    ) {
+/// Ground that continues below the eye and behind it, in triangles of every shape.
+#[test]
+fn meshes_through_the_near_plane_are_the_models() {
+    cases(128, |random| {
+        let ground = ground(random);
+        let points = list(random, 0..16, |random| {
+            // 2^11 mesh units are one unit of space.
+            let ranges = match random.random_range(0..3) {
+                0 => [-8000..8000, -8000..8000],
+                1 => [-2000..2000, 0..3000],
+                _ => [-30_000..30_000, -20_000..60_000],
+            };
+            let [x, y] = ranges.map(|range| random.random_range(range));
+            [x, -y]
+        });
         let (left, right, back, front) = (-40_000, 40_000, -20_000, 60_000);
         let corners = [[left, front], [left, back], [right, back], [right, front]];
         let corners = corners.map(|[x, y]| [x, -y]);
-        let mesh = triangulation(corners, &points.iter().map(|&[x, y]| [x, -y]).collect::<Vec<_>>());
-        let mesh = mesh.shuffled(seed, true);
-        let positions: Vec<Vec3> = mesh.points.iter().map(|&[x, y]| slope.position([x, -y])).collect();
+        let mesh = triangulation(corners, &points).shuffled(random.random(), true);
+        let positions: Vec<Vec3> = mesh
+            .points
+            .iter()
+            .map(|&[x, y]| ground.position([x, -y]))
+            .collect();
         let (counts, drawn) = count(&positions, &mesh.faces, &BOTH_SIDES);
-        prop_assert!(drawn.clipped > 0);
-        Model::new(&positions, &mesh.faces).check(&counts)?;
-    }
+        assert!(drawn.clipped > 0, "{ground:?}: {mesh:?}");
+        Model::new(&positions, &mesh.faces).check(&counts);
+    });
 }
 
 /// Each triangle is thin, and both the near and the far plane clip it. Four of its corners are new and rounded. Its
@@ -353,7 +373,7 @@ fn each_plane_clips_one_two_and_three_corners() {
             let corners = corners.map(|p| Vec3::try_from(p).unwrap());
             for face in [[0, 1, 2], [1, 2, 0], [2, 1, 0]] {
                 let (counts, drawn) = count(&corners, &[face], &BOTH_SIDES);
-                Model::new(&corners, &[face]).check(&counts).unwrap();
+                Model::new(&corners, &[face]).check(&counts);
                 let (seen, clipped) = (outside < 3, outside == 1 || outside == 2);
                 assert_eq!(
                     (drawn.drawn, drawn.clipped),

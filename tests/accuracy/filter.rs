@@ -1,7 +1,9 @@
 //! Bilinear filtering: the crate's colors between the centers of texels, compared with the f64 model.
 
+use std::array::from_fn;
 use std::fmt::Debug;
 
+use crate::common::random::{Random, cases};
 use crate::reference::texture::{Blended, Wrap, bilinear};
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::raw::RawData;
@@ -12,7 +14,7 @@ use embedded_graphics::pixelcolor::{
 use fixel::prelude::*;
 use fixel::shade::{Lanes, Varyings};
 use fixel::texture::Blend;
-use proptest::prelude::*;
+use rand::Rng;
 
 /// A color with access to its channels.
 trait Parts: Blend + PixelColor + Debug {
@@ -86,10 +88,7 @@ fn shade<F: Shader>(shader: &F, numbers: Numbers<F>) -> F::Color {
 }
 
 /// Compares both addressing modes of a texture with the model, at some positions.
-fn compare<C: Parts, const W: usize, const H: usize>(
-    texels: &[[C; W]; H],
-    places: &[[i32; 2]],
-) -> Result<(), TestCaseError> {
+fn compare<C: Parts, const W: usize, const H: usize>(texels: &[[C; W]; H], places: &[[i32; 2]]) {
     let skin = Textured::new(texels).bilinear();
     let channels = [0, 1, 2].map(|k| channel(texels, k));
     for &place in places {
@@ -98,10 +97,9 @@ fn compare<C: Parts, const W: usize, const H: usize>(
             (Wrap::Clamp, shade(&skin.clamped(), place)),
         ];
         for (wrap, color) in shown {
-            compare_at(&channels, wrap, place, color.parts(), allowed::<C>)?;
+            compare_at(&channels, wrap, place, color.parts(), allowed::<C>);
         }
     }
-    Ok(())
 }
 
 /// Compares the channels of a color at one position with the model.
@@ -111,62 +109,49 @@ fn compare_at(
     place: [i32; 2],
     color: [f64; 3],
     allowed: fn(&Blended) -> f64,
-) -> Result<(), TestCaseError> {
+) {
     let at = place.map(|bits| f64::from(bits) / 65536.);
     for (k, (part, channel)) in color.into_iter().zip(channels).enumerate() {
         let model = bilinear(channel, wrap, at);
         let error = (part - model.value).abs();
-        prop_assert!(
+        assert!(
             error <= allowed(&model),
             "{wrap:?} channel {k} at {at:?}: {part} is not {model:?}"
         );
     }
-    Ok(())
 }
 
-/// Raw values of texels: any color, or the darkest, or the brightest.
-fn raw(count: usize) -> impl Strategy<Value = Vec<u32>> {
-    proptest::collection::vec(prop_oneof![any::<u32>(), Just(0), Just(!0)], count)
+/// The raw value of a texel: any color, or the darkest, or the brightest.
+fn raw(random: &mut Random) -> u32 {
+    match random.random_range(0..3) {
+        0 => random.random(),
+        1 => 0,
+        _ => !0,
+    }
 }
 
-fn texels<C: Parts, const W: usize, const H: usize>(raw: &[u32]) -> [[C; W]; H] {
-    assert_eq!(raw.len(), W * H);
-    std::array::from_fn(|v| std::array::from_fn(|u| C::of(raw[v * W + u])))
+fn texels<C: Parts, const W: usize, const H: usize>(random: &mut Random) -> [[C; W]; H] {
+    from_fn(|_| from_fn(|_| C::of(raw(random))))
 }
 
 /// A position: within the texture or near its edges, anywhere, or at the very end of the format.
-fn place() -> impl Strategy<Value = [i32; 2]> {
-    let axis = || {
-        let ends = i32::MAX - 100_000;
-        prop_oneof![
-            4 => -200_000..1_200_000,
-            2 => any::<i32>(),
-            1 => ends..=i32::MAX,
-            1 => i32::MIN..=-ends,
-        ]
-    };
-    [axis(), axis()]
+fn place(random: &mut Random) -> [i32; 2] {
+    let ends = i32::MAX - 100_000;
+    from_fn(|_| match random.random_range(0..8) {
+        0..4 => random.random_range(-200_000..1_200_000),
+        4..6 => random.random(),
+        6 => random.random_range(ends..=i32::MAX),
+        _ => random.random_range(i32::MIN..=-ends),
+    })
 }
 
-/// The texels of a large texture, of a narrow one, of a pair, and of a single texel, which is its own neighbor.
-type Textures = [Vec<u32>; 4];
-
-/// Checks any textures at any positions. It is not generic, so that proptest's code is compiled only once.
-fn check_any(check: fn(&Textures, &[[i32; 2]]) -> Result<(), TestCaseError>) {
-    let textures = [raw(16 * 8), raw(4), raw(2), raw(1)];
-    proptest!(|(textures in textures, places in proptest::collection::vec(place(), 32))| {
-        check(&textures, &places)?;
-    });
-}
-
-fn compare_all<C: Parts>(
-    [large, narrow, pair, single]: &Textures,
-    places: &[[i32; 2]],
-) -> Result<(), TestCaseError> {
-    compare(&texels::<C, 16, 8>(large), places)?;
-    compare(&texels::<C, 1, 4>(narrow), places)?;
-    compare(&texels::<C, 2, 1>(pair), places)?;
-    compare(&texels::<C, 1, 1>(single), places)
+/// Checks a large texture, a narrow one, a pair, and a single texel, which is its own neighbor.
+fn compare_any<C: Parts>(random: &mut Random) {
+    let places: [[i32; 2]; 32] = from_fn(|_| place(random));
+    compare(&texels::<C, 16, 8>(random), &places);
+    compare(&texels::<C, 1, 4>(random), &places);
+    compare(&texels::<C, 2, 1>(random), &places);
+    compare(&texels::<C, 1, 1>(random), &places);
 }
 
 /// A test for each color.
@@ -174,7 +159,7 @@ macro_rules! against_the_model {
     ($($name:ident $color:ident)+) => {$(
         #[test]
         fn $name() {
-            check_any(compare_all::<$color>);
+            cases(256, compare_any::<$color>);
         }
     )+};
 }
@@ -203,42 +188,41 @@ fn exact_at_centers<C: Parts>(texels: &[[C; 4]; 2]) {
     }
 }
 
-proptest! {
-    #[test]
-    fn centers_are_the_texels([rgb565, rgb666, rgb888, gray8] in [raw(8), raw(8), raw(8), raw(8)]) {
-        exact_at_centers::<Rgb565>(&texels(&rgb565));
-        exact_at_centers::<Rgb666>(&texels(&rgb666));
-        exact_at_centers::<Rgb888>(&texels(&rgb888));
-        exact_at_centers::<Gray8>(&texels(&gray8));
-    }
+#[test]
+fn centers_are_the_texels() {
+    cases(256, |random| {
+        exact_at_centers::<Rgb565>(&texels(random));
+        exact_at_centers::<Rgb666>(&texels(random));
+        exact_at_centers::<Rgb888>(&texels(random));
+        exact_at_centers::<Gray8>(&texels(random));
+    });
+}
 
-    /// Every storage of texels gives the same color, and so do light and vertex colors that leave it unchanged.
-    #[test]
-    fn palettes_lit_and_tinted_textures_are_filtered_alike(
-        indices in any::<[u8; 8]>(),
-        colors in raw(256),
-        place in place(),
-    ) {
-        let colors: [[Rgb565; 256]; 1] = texels(&colors);
-        let palette: PaletteArray<Rgb565, 4, 2> = PaletteArray::new(&indices, &colors[0]);
-        let mut list = indices.iter().map(|&index| colors[0][usize::from(index)]);
-        let rows: [[Rgb565; 4]; 2] =
-            std::array::from_fn(|_| std::array::from_fn(|_| list.next().unwrap()));
+/// Every storage of texels gives the same color, and so do light and vertex colors that leave it unchanged.
+#[test]
+fn palettes_lit_and_tinted_textures_are_filtered_alike() {
+    cases(256, |random| {
+        let indices: [u8; 8] = random.random();
+        let [colors]: [[Rgb565; 256]; 1] = texels(random);
+        let place = place(random);
+        let palette: PaletteArray<Rgb565, 4, 2> = PaletteArray::new(&indices, &colors);
+        let mut list = indices.iter().map(|&index| colors[usize::from(index)]);
+        let rows: [[Rgb565; 4]; 2] = from_fn(|_| from_fn(|_| list.next().unwrap()));
         let texture = TextureArray::from_texels(rows);
         let plain = Textured::new(&rows).bilinear();
         let color = shade(&plain, place);
         let edge = shade(&plain.clamped(), place);
         let [u, v] = place;
-        prop_assert_eq!(shade(&Textured::new(&texture).bilinear(), place), color);
+        assert_eq!(shade(&Textured::new(&texture).bilinear(), place), color);
         let skin = Textured::new(&palette);
-        prop_assert_eq!(shade(&skin.bilinear(), place), color);
-        prop_assert_eq!(shade(&skin.clamped().bilinear(), place), edge);
-        prop_assert_eq!(shade(&skin.bilinear().clamped(), place), edge);
+        assert_eq!(shade(&skin.bilinear(), place), color);
+        assert_eq!(shade(&skin.clamped().bilinear(), place), edge);
+        assert_eq!(shade(&skin.bilinear().clamped(), place), edge);
         let sun = Light::new(Vec3::Y, fx!(0), fx!(1)).unwrap();
-        prop_assert_eq!(shade(&skin.bilinear().lit(sun), [u, v, 1 << 16]), color);
+        assert_eq!(shade(&skin.bilinear().lit(sun), [u, v, 1 << 16]), color);
         let white = [u, v, 1 << 16, 1 << 16, 1 << 16];
-        prop_assert_eq!(shade(&skin.bilinear().tinted(), white), color);
-    }
+        assert_eq!(shade(&skin.bilinear().tinted(), white), color);
+    });
 }
 
 /// Pixels along the picture of the following tests, and texels along its texture.
@@ -269,12 +253,10 @@ fn steepest(picture: &[[f64; 3]]) -> f64 {
     across.chain(down).fold(0., f64::max)
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(32))]
-
-    #[test]
-    fn a_magnified_texture_is_smooth(raw in raw(TEXELS * TEXELS)) {
-        let texels: [[Rgb888; TEXELS]; TEXELS] = texels(&raw);
+#[test]
+fn a_magnified_texture_is_smooth() {
+    cases(32, |random| {
+        let texels: [[Rgb888; TEXELS]; TEXELS] = texels(random);
         let channels = [0, 1, 2].map(|k| channel(&texels, k));
         let scale = 1. / f64::from(RATIO);
         let skin = Textured::new(&texels).clamped();
@@ -286,23 +268,26 @@ proptest! {
                 let model = bilinear(&channels[k], Wrap::Clamp, at);
                 // The interpolated u and v are within 0.001 texel.
                 let allowed = allowed::<Rgb888>(&model) + 0.002 * (model.most - model.least);
-                prop_assert!((part - model.value).abs() <= allowed, "{at:?}: {part} is not {model:?}");
+                assert!(
+                    (part - model.value).abs() <= allowed,
+                    "{at:?}: {part} is not {model:?}"
+                );
             }
         }
         // The difference between neighboring pixels is a fraction of that between neighboring texels, plus the errors
         // of both pixels: of each position, 0.001 and half a 256th along each axis; and of each color, one step.
         let most = steepest(&nearest);
-        prop_assert!(steepest(&smooth) <= most * (scale + 4. * (0.001 + 1. / 512.)) + 2.);
-    }
+        let allowed = most * (scale + 4. * (0.001 + 1. / 512.)) + 2.;
+        assert!(steepest(&smooth) <= allowed, "{texels:?}");
+    });
 }
 
 /// Without the filter, each texel shows as a square.
 #[test]
 fn the_nearest_texel_is_not_smooth() {
     let (black, white) = (Rgb888::BLACK, Rgb888::WHITE);
-    let texels: [[Rgb888; TEXELS]; TEXELS] = std::array::from_fn(|v| {
-        std::array::from_fn(|u| if (u + v) % 2 == 0 { black } else { white })
-    });
+    let texels: [[Rgb888; TEXELS]; TEXELS] =
+        from_fn(|v| from_fn(|u| if (u + v) % 2 == 0 { black } else { white }));
     let skin = Textured::new(&texels).clamped();
     assert!(steepest(&picture(&skin)) >= 255.);
     // 255/16 per pixel. Positions are whole 256ths of a texel, so each of the two pixels has an error below a step.

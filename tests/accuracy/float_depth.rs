@@ -1,15 +1,16 @@
 //! Depth in each format, for increasing ratios of the far and the near plane.
 
+use std::array::from_fn;
+
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::target::{DepthBuffer, DepthFormat, Float, Linear, Native, WideFloat};
 use fixel::view::Perspective;
-use proptest::prelude::*;
-use proptest::strategy::ValueTree;
-use proptest::test_runner::TestRunner;
+use rand::Rng;
 
 use crate::bounds;
+use crate::common::random::{Random, cases};
 use crate::mode::Mode;
 use crate::triangle::Triangle;
 
@@ -173,20 +174,14 @@ fn code(depth: f64, exponent_bits: i32) -> f64 {
 const NEAR: f64 = 1. / 64.;
 
 /// A triangle in any part of the range up to `farthest`, in which the ratio of distances is at most 4,096.
-fn triangles(farthest: f64) -> impl Strategy<Value = [Vec3; 3]> {
-    let corner = || ([-8_f64..72., -8_f64..56.], 0_f64..1.);
-    let octaves = (farthest / 2000. * 32_768.).log2();
-    ([corner(), corner(), corner()], 0_f64..octaves, 0_f64..12.).prop_map(
-        move |(corners, nearest, octaves)| {
-            corners.map(|(at, along)| {
-                let w = NEAR * 1.02 * (nearest + octaves * along).exp2();
-                unproject(at, w.min(farthest))
-            })
-        },
-    )
-}
-
-fn triangle(positions: [Vec3; 3]) -> Triangle<Perspective, 0> {
+fn triangle(random: &mut Random, farthest: f64) -> Triangle<Perspective, 0> {
+    let nearest = random.random_range(0.0..(farthest / 2000. * 32_768.).log2());
+    let octaves = random.random_range(0.0..12_f64);
+    let positions = from_fn(|_| {
+        let at = [-8.0..72., -8.0..56.].map(|range| random.random_range(range));
+        let w = NEAR * 1.02 * (nearest + octaves * random.random_range(0.0..1.)).exp2();
+        unproject(at, w.min(farthest))
+    });
     let w = positions.map(|p| -p.z.to_num::<f64>());
     Triangle {
         size: SIZE,
@@ -201,12 +196,11 @@ fn triangle(positions: [Vec3; 3]) -> Triangle<Perspective, 0> {
 /// Draws triangles in every mode. Each depth must be the model's depth, rounded down to a step, within the error of
 /// interpolation.
 fn depths_are_the_models<F: DepthFormat>(exponent_bits: i32, farthest: f64) {
-    let mut runner = TestRunner::deterministic();
     let (mut pixels, mut most) = (0, 0_f64);
-    for _ in 0..2000 {
-        let triangle = triangle(triangles(farthest).new_tree(&mut runner).unwrap().current());
+    cases(2000, |random| {
+        let triangle = triangle(random, farthest);
         let Some(screen) = triangle.screen() else {
-            continue;
+            return;
         };
         let model = triangle.model(screen);
         let nearest = triangle.w.into_iter().fold(f64::MAX, f64::min);
@@ -234,7 +228,7 @@ fn depths_are_the_models<F: DepthFormat>(exponent_bits: i32, farthest: f64) {
                 }
             }
         }
-    }
+    });
     println!(
         "{pixels} depths with {exponent_bits} bits of exponent, {most:.3} outside their step at most"
     );

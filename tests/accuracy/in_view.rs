@@ -1,12 +1,15 @@
 //! Which boxes are in view: every box with a pixel must be, and no box that the model sees well outside may be.
 
+use std::array::from_fn;
+
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::mesh::Bounds;
 use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
-use proptest::prelude::*;
+use rand::Rng;
 
+use crate::common::random::{Random, cases};
 use crate::moves::{Move, exact, product, rounded};
 use crate::reference::linear::point;
 use crate::reference::projection::{self, Lens};
@@ -23,7 +26,7 @@ const PART: f64 = 0.0001;
 
 fn corners(bounds: &Bounds) -> [Vec3; 8] {
     let [a, b] = [bounds.least(), bounds.most()];
-    std::array::from_fn(|i| {
+    from_fn(|i| {
         let pick = |bit: usize, a: Scalar, b: Scalar| if i >> bit & 1 == 0 { a } else { b };
         Vec3::new(pick(0, a.x, b.x), pick(1, a.y, b.y), pick(2, a.z, b.z))
     })
@@ -130,12 +133,13 @@ fn is_size((found, size, noise): (u32, f64, f64)) -> bool {
     f64::from(found) <= size + noise && f64::from(found) + 1. >= size - noise
 }
 
+/// Compares a box's presence in some rows, and its size, with the model's.
 fn check<K: ProjectionKind>(
     (projection, lens): (Projection<K>, Lens),
     moves: &[Move],
     bounds: &Bounds,
     rows: [u32; 2],
-) -> (bool, bool, bool) {
+) {
     let (transform, eye) = product(moves);
     let mvp = projection * transform;
     let (width, height) = SIZE;
@@ -146,81 +150,75 @@ fn check<K: ProjectionKind>(
     };
     let mut pixels = vec![Gray8::new(0); (width * (rows[1] - rows[0])) as usize];
     let canvas = Canvas::band(&mut pixels, width, height, rows[0]).unwrap();
-    (
-        canvas.is_in_view(&DrawOptions::new(), bounds, &mvp),
-        has_pixels(bounds, &mvp, rows),
-        is_out(bounds, &view, rows),
-    )
+    let in_view = canvas.is_in_view(&DrawOptions::new(), bounds, &mvp);
+    let has_pixels = has_pixels(bounds, &mvp, rows);
+    assert!(
+        in_view || !has_pixels,
+        "{bounds:?} has pixels and is not in view"
+    );
+    let is_out = is_out(bounds, &view, rows);
+    assert!(
+        !in_view || !is_out,
+        "{bounds:?} is well outside and is in view"
+    );
+    let sizes = sizes((projection, lens), moves, bounds);
+    assert!(is_size(sizes), "{sizes:?}");
 }
 
-fn moves() -> impl Strategy<Value = Vec<Move>> {
-    let angle = || any::<u32>().prop_map(Angle::from_bits);
-    (
-        [-40.0..40., -30.0..30., -60.0..5.],
-        angle(),
-        angle(),
-        0.2..3.,
-    )
-        .prop_map(|(place, x, y, factor)| {
-            vec![
-                crate::moves::to(place),
-                Move::X(x),
-                Move::Y(y),
-                Move::Scale(rounded([factor; 3])),
-            ]
-        })
+fn moves(random: &mut Random) -> [Move; 4] {
+    let place = [-40.0..40., -30.0..30., -60.0..5.].map(|range| random.random_range(range));
+    [
+        crate::moves::to(place),
+        Move::X(Angle::from_bits(random.random())),
+        Move::Y(Angle::from_bits(random.random())),
+        Move::Scale(rounded([random.random_range(0.2..3.); 3])),
+    ]
 }
 
-fn boxes() -> impl Strategy<Value = Bounds> {
-    let point = || [-8.0..8., -8.0..8., -8.0..8.].prop_map(rounded);
-    (point(), point(), 0..4_u32).prop_map(|(a, b, small)| {
-        let b = Vec3::from_bits(std::array::from_fn(|i| {
-            let [a, b] = [a.to_bits()[i], b.to_bits()[i]];
-            a + ((b - a) >> (2 * small))
-        }));
-        Bounds::new(a, b)
-    })
+fn bounds(random: &mut Random) -> Bounds {
+    let [a, b] = from_fn(|_| rounded(from_fn(|_| random.random_range(-8.0..8.))));
+    let small = random.random_range(0..4);
+    let b = Vec3::from_bits(from_fn(|i| {
+        let [a, b] = [a.to_bits()[i], b.to_bits()[i]];
+        a + ((b - a) >> (2 * small))
+    }));
+    Bounds::new(a, b)
 }
 
-fn rows() -> impl Strategy<Value = [u32; 2]> {
-    (0..SIZE.1, 1..=SIZE.1).prop_map(|(start, count)| [start, (start + count).min(SIZE.1)])
+fn rows(random: &mut Random) -> [u32; 2] {
+    let start = random.random_range(0..SIZE.1);
+    [start, (start + random.random_range(1..=SIZE.1)).min(SIZE.1)]
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
-
-    #[test]
-    fn boxes_in_perspective_are_in_view_as_in_the_model(
-        moves in moves(),
-        bounds in boxes(),
-        rows in rows(),
-        fov in 20.0..120_f64,
-        near in 1.0..5_f64,
-    ) {
+#[test]
+fn boxes_in_perspective_are_in_view_as_in_the_model() {
+    cases(2000, |random| {
+        let (moves, bounds, rows) = (moves(random), bounds(random), rows(random));
+        let fov = random.random_range(20.0..120_f64);
         let fov = Angle::from_bits((fov / 360. * 2_f64.powi(32)) as u32);
-        let [near, far] = [near, 50.].map(|x| scalar(x).unwrap());
+        let [near, far] = [random.random_range(1.0..5.), 50.].map(|x| scalar(x).unwrap());
         let aspect = f64::from(SIZE.0) / f64::from(SIZE.1);
-        let lens = projection::perspective(crate::moves::radians(fov), aspect, near.to_num(), far.to_num());
+        let lens = projection::perspective(
+            crate::moves::radians(fov),
+            aspect,
+            near.to_num(),
+            far.to_num(),
+        );
         let projection = Projection::perspective(fov, SIZE, near, far).unwrap();
-        let (in_view, has_pixels, is_out) = check((projection, lens), &moves, &bounds, rows);
-        prop_assert!(in_view || !has_pixels, "{bounds:?} has pixels and is not in view");
-        prop_assert!(!in_view || !is_out, "{bounds:?} is well outside and is in view");
-        let sizes = sizes((projection, lens), &moves, &bounds);
-        prop_assert!(is_size(sizes), "{sizes:?}");
-    }
+        check((projection, lens), &moves, &bounds, rows);
+    });
+}
 
-    #[test]
-    fn boxes_in_parallel_are_in_view_as_in_the_model(
-        moves in moves(), bounds in boxes(), rows in rows(), half in 1.0..40_f64,
-    ) {
+#[test]
+fn boxes_in_parallel_are_in_view_as_in_the_model() {
+    cases(2000, |random| {
+        let (moves, bounds, rows) = (moves(random), bounds(random), rows(random));
+        let half = random.random_range(1.0..40_f64);
         let window = Window::centered(scalar(2. * half).unwrap(), scalar(1.5 * half).unwrap());
-        let [l, r, b, t] = [window.left, window.right, window.bottom, window.top].map(|x| x.to_num());
+        let [l, r, b, t] =
+            [window.left, window.right, window.bottom, window.top].map(|x| x.to_num());
         let lens = projection::orthographic(l, r, b, t, -20., 40.);
         let projection = Projection::orthographic(window, fx!(-20), fx!(40)).unwrap();
-        let (in_view, has_pixels, is_out) = check((projection, lens), &moves, &bounds, rows);
-        prop_assert!(in_view || !has_pixels, "{bounds:?} has pixels and is not in view");
-        prop_assert!(!in_view || !is_out, "{bounds:?} is well outside and is in view");
-        let sizes = sizes((projection, lens), &moves, &bounds);
-        prop_assert!(is_size(sizes), "{sizes:?}");
-    }
+        check((projection, lens), &moves, &bounds, rows);
+    });
 }

@@ -2,7 +2,9 @@
 
 use fixel::prelude::*;
 use fixel::view::{Segment, speed};
-use proptest::prelude::*;
+use rand::Rng;
+
+use crate::common::random::cases;
 
 use super::given::{STEP, UNIT_STEP, close, float, fx, unit, vec};
 
@@ -27,9 +29,11 @@ fn the_fraction_in_space() {
     close(q.to_num(), 0.5, UNIT_STEP * (0.5 + 0.5 * 4.0 / 2.56));
 }
 
-proptest! {
-    #[test]
-    fn depth_and_fraction_of_any_segment(z in [0.1..1000.0, 0.1..1000.0], q in 0.0..1.0) {
+#[test]
+fn depth_and_fraction_of_any_segment() {
+    cases(256, |random| {
+        let z = [0.1..1000.0, 0.1..1000.0].map(|range| random.random_range(range));
+        let q = random.random_range(0.0..1.0);
         let s = segment(z[0], z[1]);
         // The arguments after rounding to the crate's formats.
         let [z0, z1] = z.map(|z| float(fx(z)));
@@ -40,62 +44,70 @@ proptest! {
         let t = q * z0 / (z1 - q * (z1 - z0));
         close(s.in_space(unit(q)).unwrap().to_num(), t, 0.501 * UNIT_STEP);
         let back = q * z1 / (z0 + q * (z1 - z0));
-        close(s.on_screen(unit(q)).unwrap().to_num(), back, 0.501 * UNIT_STEP);
-    }
+        close(
+            s.on_screen(unit(q)).unwrap().to_num(),
+            back,
+            0.501 * UNIT_STEP,
+        );
+    });
+}
 
-    #[test]
-    fn both_forms_give_the_same_point(
-        w in [0.1..100.0, 0.1..100.0],
-        ends in [-100.0..100.0, -100.0..100.0],
-        f in 0.0..1.0,
-    ) {
-        let segment = segment(w[0], w[1]);
-        let f = unit(f);
-        let [a, b] = ends.map(fx);
+#[test]
+fn both_forms_give_the_same_point() {
+    cases(256, |random| {
+        let segment = segment(
+            random.random_range(0.1..100.0),
+            random.random_range(0.1..100.0),
+        );
+        let [a, b] = [-100.0..100.0, -100.0..100.0].map(|range| fx(random.random_range(range)));
+        let f = unit(random.random_range(0.0..1.0));
         // R = lerp(a/w0, b/w1, f) / lerp(1/w0, 1/w1, f).
         let homogeneous = segment.attribute(a, b, f).unwrap();
         // g = f / lerp(w1/w0, 1, f), then linear interpolation in space.
         let g: f64 = segment.in_space(f).unwrap().to_num();
         let in_space = float(a) + g * (float(b) - float(a));
         // The point is rounded once; g is rounded once, and multiplied by at most 200.
-        close(float(homogeneous), in_space, 0.501 * STEP + 200.0 * UNIT_STEP);
-    }
+        close(
+            float(homogeneous),
+            in_space,
+            0.501 * STEP + 200.0 * UNIT_STEP,
+        );
+    });
+}
 
-    #[test]
-    fn speed_along_a_line_follows_its_formula(
-        n in 0.1..10.0,
-        p in [-50.0..50.0, -50.0..50.0, -50.0..-1.0],
-        v in [-10.0..10.0, -10.0..10.0, -10.0..0.0],
-        t in 0.0..10.0,
-    ) {
-        let found = speed(fx(n), vec(p[0], p[1], p[2]), vec(v[0], v[1], v[2]), fx(t)).unwrap();
-        let [n, t] = [n, t].map(|x| float(fx(x)));
-        let [p, v] = [p, v].map(|x| x.map(|x| float(fx(x))));
-        for i in 0..2 {
-            let expected = -n * (v[i] * p[2] - p[i] * v[2]) / (p[2] + v[2] * t).powi(2);
-            // Rounded once.
-            close(float(found[i]), expected, 0.501 * STEP);
-        }
+fn check_speed(n: f64, p: [f64; 3], v: [f64; 3], t: f64) {
+    let found = speed(fx(n), vec(p[0], p[1], p[2]), vec(v[0], v[1], v[2]), fx(t)).unwrap();
+    let [n, t] = [n, t].map(|x| float(fx(x)));
+    let [p, v] = [p, v].map(|x| x.map(|x| float(fx(x))));
+    for i in 0..2 {
+        let expected = -n * (v[i] * p[2] - p[i] * v[2]) / (p[2] + v[2] * t).powi(2);
+        // Rounded once.
+        close(float(found[i]), expected, 0.501 * STEP);
     }
 }
 
-proptest! {
-    /// The formula's products have up to 94 bits.
-    #[test]
-    fn speed_at_the_ends_of_the_format(
-        n in 16000.0..32767.0,
-        p in [-32767.0..32767.0, 20000.0..32767.0, -32767.0..-20000.0],
-        v in [-32767.0..32767.0, -32767.0..-20000.0, -32767.0..-20000.0],
-        t in 1.0..2.0,
-    ) {
-        let found = speed(fx(n), vec(p[0], p[1], p[2]), vec(v[0], v[1], v[2]), fx(t)).unwrap();
-        let [n, t] = [n, t].map(|x| float(fx(x)));
-        let [p, v] = [p, v].map(|x| x.map(|x| float(fx(x))));
-        for i in 0..2 {
-            let expected = -n * (v[i] * p[2] - p[i] * v[2]) / (p[2] + v[2] * t).powi(2);
-            close(float(found[i]), expected, 0.501 * STEP);
-        }
-    }
+#[test]
+fn speed_along_a_line_follows_its_formula() {
+    cases(256, |random| {
+        let n = random.random_range(0.1..10.0);
+        let p = [-50.0..50.0, -50.0..50.0, -50.0..-1.0].map(|range| random.random_range(range));
+        let v = [-10.0..10.0, -10.0..10.0, -10.0..0.0].map(|range| random.random_range(range));
+        let t = random.random_range(0.0..10.0);
+        check_speed(n, p, v, t);
+    });
+}
+
+/// The formula's products have up to 94 bits.
+#[test]
+fn speed_at_the_ends_of_the_format() {
+    cases(256, |random| {
+        let n = random.random_range(16000.0..32767.0);
+        let p = [-32767.0..32767.0, 20000.0..32767.0, -32767.0..-20000.0];
+        let v = [-32767.0..32767.0, -32767.0..-20000.0, -32767.0..-20000.0];
+        let [p, v] = [p, v].map(|v| v.map(|range| random.random_range(range)));
+        let t = random.random_range(1.0..2.0);
+        check_speed(n, p, v, t);
+    });
 }
 
 #[test]

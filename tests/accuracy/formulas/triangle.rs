@@ -1,10 +1,13 @@
 //! Attributes over a drawn triangle.
 
+use std::array::from_fn;
+
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::mode::Exact;
 use fixel::prelude::*;
-use proptest::prelude::*;
+use rand::Rng;
 
+use crate::common::random::cases;
 use crate::common::recorder::{Probe, record};
 
 const SIZE: u32 = 64;
@@ -14,22 +17,22 @@ fn area(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-proptest! {
-    #[test]
-    fn attributes_over_z_are_linear_on_screen(
+#[test]
+fn attributes_over_z_are_linear_on_screen() {
+    cases(256, |random| {
         // Pixels from the middle, and distances in sixteenths. The coordinates, products with 1/64, are exact in space
         // and on the screen, so that rounding moves no vertex.
-        screen in [[-32..32, -32..32], [-32..32, -32..32], [-32..32, -32..32]],
-        z in [16..256, 16..256, 16..256],
-        values in [-1_000_000..1_000_000, -1_000_000..1_000_000, -1_000_000..1_000_000],
-    ) {
-        let position = |i: usize| -> Vec3 {
-            let (screen, z): ([[i32; 2]; 3], [i32; 3]) = (screen, z);
-            // x = sx·z/64 and y = −sy·z/64, in units of 2^-16: z is in units of 2^-4, and
-            // 2^(16 − 4 − 6) is 64.
-            Vec3::from_bits([screen[i][0] * z[i] * 64, -screen[i][1] * z[i] * 64, -z[i] * 4096])
-        };
-        let positions = [position(0), position(1), position(2)];
+        let screen: [[i32; 2]; 3] = from_fn(|_| from_fn(|_| random.random_range(-32..32)));
+        let z: [i32; 3] = from_fn(|_| random.random_range(16..256));
+        let values: [i32; 3] = from_fn(|_| random.random_range(-1_000_000..1_000_000));
+        // x = sx·z/64 and y = −sy·z/64, in units of 2^-16: z is in units of 2^-4, and 2^(16 − 4 − 6) is 64.
+        let positions: [Vec3; 3] = from_fn(|i| {
+            Vec3::from_bits([
+                screen[i][0] * z[i] * 64,
+                -screen[i][1] * z[i] * 64,
+                -z[i] * 4096,
+            ])
+        });
         let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
         let size = (SIZE, SIZE);
         let projection = Projection::from_focal_length(fx!(64), size, fx!(0.5), fx!(100)).unwrap();
@@ -43,7 +46,11 @@ proptest! {
             [values[at.unwrap()]]
         };
         let mvp = projection * Transform::IDENTITY;
-        let seen = record(Probe { values: &value, color: None }, |recorder| {
+        let probe = Probe {
+            values: &value,
+            color: None,
+        };
+        let seen = record(probe, |recorder| {
             canvas.draw_with(&both_sides, &mesh, &mvp, recorder);
         });
 
@@ -55,12 +62,14 @@ proptest! {
             let opposite = |i: usize| area(corners[(i + 1) % 3], corners[(i + 2) % 3], p);
             let weights = [0, 1, 2].map(|i| opposite(i) / whole);
             let sum = |of: fn(f64, f64) -> f64| {
-                (0..3).map(|i| weights[i] * of(f64::from(values[i]), f64::from(z[i]))).sum::<f64>()
+                (0..3)
+                    .map(|i| weights[i] * of(f64::from(values[i]), f64::from(z[i])))
+                    .sum::<f64>()
             };
             let expected = sum(|value, z| value / z) / sum(|_, z| 1.0 / z);
             // Values are rounded down. A million takes 20 bits, and the reciprocal has 30.
             let error = (f64::from(found) + 0.5 - expected).abs();
-            prop_assert!(error <= 1.0, "{} is not {}", found, expected);
+            assert!(error <= 1.0, "{found} is not {expected}");
         }
-    }
+    });
 }
