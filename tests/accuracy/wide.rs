@@ -10,11 +10,12 @@ use crate::reference::blending::over;
 use crate::reference::coverage::{Bounds, center, picture};
 use crate::reference::lines::share;
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
-use fixel::Drawn;
+use fixel::mode::Newton;
 use fixel::num::Subpixel;
 use fixel::prelude::*;
-use fixel::target::{Add, Depth, Native, Opacity};
-use fixel::view::Perspective;
+use fixel::target::{Add, Blending, Depth, Native, Opacity, TestAndWrite};
+use fixel::view::{ModelToPicture, Perspective};
+use fixel::{Drawn, LineStyle};
 use rand::Rng;
 
 /// A position in 24.8.
@@ -46,6 +47,27 @@ fn drawn(rows: u32, draw: &dyn Fn(&mut Frame<'_>, &Pen<'_, '_>) -> Drawn) -> Vec
     }
     all.sort_by_key(|seen| (seen.pixel[1], seen.pixel[0]));
     all
+}
+
+/// The pixels of a mesh's edges, in bands of `rows` rows.
+fn edges<B, L>(
+    rows: u32,
+    options: &DrawOptions<Newton, TestAndWrite, B, L>,
+    mesh: &Mesh<'_>,
+    mvp: &impl ModelToPicture,
+) -> Vec<Seen<1>>
+where
+    B: Blending<Gray8, Source = Gray8>,
+    L: LineStyle<Gray8>,
+{
+    drawn(rows, &|frame, pen| {
+        frame.draw_edges(options, mesh, mvp, pen)
+    })
+}
+
+/// A mesh of one edge.
+fn line<'a>(ends: &'a [Vec3; 2], edge: &'a [[u16; 2]; 1]) -> Mesh<'a> {
+    Mesh::new(ends, &[]).unwrap().with_edges(edge).unwrap()
 }
 
 /// How often each pixel was drawn.
@@ -154,28 +176,18 @@ fn wide_lines_are_the_models() {
         let width = width(half);
         let model = modelled(|pixel| on_line(ends, half.into(), pixel));
         let mut first = None;
-        for edge in [[0, 1], [1, 0]] {
-            let edges = [edge];
-            let mesh = Mesh::new(&positions, &[])
-                .unwrap()
-                .with_edges(&edges)
-                .unwrap();
+        for edge in [[[0, 1]], [[1, 0]]] {
+            let mesh = line(&positions, &edge);
             let options = DrawOptions::new();
-            let wide = drawn(SIZE.1, &|frame, pen| {
-                frame.draw_edges(&options.with_line(width), &mesh, &mvp, pen)
-            });
+            let wide = edges(SIZE.1, &options.with_line(width), &mesh, &mvp);
             assert_eq!(
                 picture(&counts(&wide), SIZE.0),
                 picture(&model, SIZE.0),
                 "{ends:?}, {half}"
             );
-            let bands = drawn(rows, &|frame, pen| {
-                frame.draw_edges(&options.with_line(width), &mesh, &mvp, pen)
-            });
+            let bands = edges(rows, &options.with_line(width), &mesh, &mvp);
             assert_eq!(bands, wide, "{ends:?}, {half}, {rows}");
-            let thin = drawn(SIZE.1, &|frame, pen| {
-                frame.draw_edges(&options, &mesh, &mvp, pen)
-            });
+            let thin = edges(SIZE.1, &options, &mesh, &mvp);
             if half == 128 {
                 assert_eq!(thin, wide, "{ends:?}");
             }
@@ -212,11 +224,7 @@ fn smooth_lines_are_the_models() {
         let rows = random.random_range(1..40);
         let mvp = pixel_lens(SIZE);
         let positions = ends.map(at_subpixel);
-        let edges = [[0, 1]];
-        let mesh = Mesh::new(&positions, &[])
-            .unwrap()
-            .with_edges(&edges)
-            .unwrap();
+        let mesh = line(&positions, &[[0, 1]]);
         let width = width(half);
         let options = DrawOptions::new();
         let gray = |rows: u32, mesh: &Mesh<'_>| {
@@ -278,16 +286,8 @@ fn smooth_lines_are_the_models() {
             }
         }
 
-        let smooth = drawn(SIZE.1, &|frame, pen| {
-            frame.draw_edges(&options.with_line(width.smooth()), &mesh, &mvp, pen)
-        });
-        check_values(
-            &smooth,
-            ends,
-            &drawn(SIZE.1, &|frame, pen| {
-                frame.draw_edges(&options, &mesh, &mvp, pen)
-            }),
-        );
+        let smooth = edges(SIZE.1, &options.with_line(width.smooth()), &mesh, &mvp);
+        check_values(&smooth, ends, &edges(SIZE.1, &options, &mesh, &mvp));
         assert!(
             counts(&smooth).iter().all(|&count| count <= 1),
             "{ends:?}, {half}"
@@ -313,24 +313,12 @@ fn bands_of_lines_in_perspective_equal_the_frame() {
         let positions = [ahead(random), ahead(random)];
         let width = width(random.random_range(128..=8192));
         let rows = random.random_range(1..40);
-        let edges = [[0, 1]];
-        let mesh = Mesh::new(&positions, &[])
-            .unwrap()
-            .with_edges(&edges)
-            .unwrap();
+        let mesh = line(&positions, &[[0, 1]]);
         let mvp = perspective();
         let options = DrawOptions::new();
-        let wide = |rows| {
-            drawn(rows, &|frame, pen| {
-                frame.draw_edges(&options.with_line(width), &mesh, &mvp, pen)
-            })
-        };
+        let wide = |rows| edges(rows, &options.with_line(width), &mesh, &mvp);
         assert_eq!(wide(rows), wide(SIZE.1), "{positions:?}, {width:?}, {rows}");
-        let smooth = |rows| {
-            drawn(rows, &|frame, pen| {
-                frame.draw_edges(&options.with_line(width.smooth()), &mesh, &mvp, pen)
-            })
-        };
+        let smooth = |rows| edges(rows, &options.with_line(width.smooth()), &mesh, &mvp);
         assert_eq!(
             smooth(rows),
             smooth(SIZE.1),
@@ -344,12 +332,8 @@ fn bands_of_lines_in_perspective_equal_the_frame() {
 fn smooth_lines_have_the_values_of_plain_ones() {
     cases(CASES, |random| {
         let positions = [ahead(random), ahead(random)];
-        let width = width(random.random_range(128..600));
-        let edges = [[0, 1]];
-        let mesh = Mesh::new(&positions, &[])
-            .unwrap()
-            .with_edges(&edges)
-            .unwrap();
+        let smooth = width(random.random_range(128..600)).smooth();
+        let mesh = line(&positions, &[[0, 1]]);
         let mvp = perspective();
         let plain = DrawOptions::new();
         let canvas_ends = |mvp: &Projection<_>| {
@@ -366,30 +350,22 @@ fn smooth_lines_have_the_values_of_plain_ones() {
         let Some(ends) = canvas_ends(&mvp) else {
             return;
         };
-        let thin = drawn(SIZE.1, &|frame, pen| {
-            frame.draw_edges(&plain, &mesh, &mvp, pen)
-        });
+        let thin = edges(SIZE.1, &plain, &mesh, &mvp);
         check_values(
-            &drawn(SIZE.1, &|frame, pen| {
-                frame.draw_edges(&plain.with_line(width.smooth()), &mesh, &mvp, pen)
-            }),
+            &edges(SIZE.1, &plain.with_line(smooth), &mesh, &mvp),
             ends,
             &thin,
         );
         // Blending does not change depths and values.
         let glass = plain.with_blending(Opacity(random.random()));
         check_values(
-            &drawn(SIZE.1, &|frame, pen| {
-                frame.draw_edges(&glass.with_line(width.smooth()), &mesh, &mvp, pen)
-            }),
+            &edges(SIZE.1, &glass.with_line(smooth), &mesh, &mvp),
             ends,
             &thin,
         );
         let light = plain.with_blending(Add);
         check_values(
-            &drawn(SIZE.1, &|frame, pen| {
-                frame.draw_edges(&light.with_line(width.smooth()), &mesh, &mvp, pen)
-            }),
+            &edges(SIZE.1, &light.with_line(smooth), &mesh, &mvp),
             ends,
             &thin,
         );
@@ -583,11 +559,7 @@ fn wide_outlines_widen_the_thin_outline() {
 fn blended_lines_are_the_models() {
     let ends = [[1500, 1200], [9000, 4700]];
     let positions = ends.map(at_subpixel);
-    let edges = [[0, 1]];
-    let mesh = Mesh::new(&positions, &[])
-        .unwrap()
-        .with_edges(&edges)
-        .unwrap();
+    let mesh = line(&positions, &[[0, 1]]);
     let width = LineWidth::new(fx!(2.5)).unwrap();
     let glass = DrawOptions::new().with_blending(Opacity(100));
     let mut colors = vec![Gray8::new(60); (SIZE.0 * SIZE.1) as usize];
