@@ -1,5 +1,8 @@
 //! Lines and points: their pixels, from exact integers; depth and attributes along a line, from the f64 model.
 
+use std::ops::Range;
+
+use crate::common::random::{Random, cases, list};
 use crate::common::recorder::{Probe, Seen, record};
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
 use crate::reference::clip::{ClipVertex, DEPTH_PLANES};
@@ -10,7 +13,7 @@ use crate::reference::{projection, view};
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
 use fixel::view::{Perspective, ProjectionKind};
-use proptest::prelude::*;
+use rand::Rng;
 
 /// A position in 24.8.
 type Point = [i32; 2];
@@ -69,68 +72,102 @@ fn modelled(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
 }
 
 /// Positions in and around the picture: on pixel corners, on centers, on any subpixel.
-fn places() -> impl Strategy<Value = Point> {
-    prop_oneof![
-        [-10..160i32, -10..40].prop_map(|p| p.map(|at| at * 256)),
-        [-10..160i32, -10..40].prop_map(|p| p.map(|at| at * 256 + 128)),
-        [-3000..42_000i32, -3000..10_000],
-        [-500_000..500_000i32, -500_000..500_000],
-    ]
+fn place(random: &mut Random) -> Point {
+    let kind = random.random_range(0..4);
+    let mut within = |x: Range<i32>, y: Range<i32>| [x, y].map(|range| random.random_range(range));
+    match kind {
+        0 => within(-10..160, -10..40).map(|at| at * 256),
+        1 => within(-10..160, -10..40).map(|at| at * 256 + 128),
+        2 => within(-3000..42_000, -3000..10_000),
+        _ => within(-500_000..500_000, -500_000..500_000),
+    }
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(512))]
-
-    /// A line draws exactly the model's pixels, once each, and the same pixels in the other direction.
-    #[test]
-    fn lines_are_the_models(ends in [places(), places()]) {
+/// A line draws exactly the model's pixels, once each, and the same pixels in the other direction.
+#[test]
+fn lines_are_the_models() {
+    cases(512, |random| {
+        let ends = [place(random), place(random)];
         let model = modelled(&ends, &[[0, 1]]);
         for edge in [[0, 1], [1, 0]] {
-            prop_assert_eq!(picture(&drawn(&ends, &[edge]), SIZE.0), picture(&model, SIZE.0));
+            assert_eq!(
+                picture(&drawn(&ends, &[edge]), SIZE.0),
+                picture(&model, SIZE.0),
+                "{ends:?}"
+            );
         }
-    }
+    });
+}
 
-    /// Lines joined end to end, all within 45° of the same axis direction, draw no pixel twice and leave no gap: one
-    /// pixel for each center from the first end to the last.
-    #[test]
-    fn polylines_draw_no_pixel_twice(
-        start in places(), steps in prop::collection::vec((0..900i32, -256..=256i32), 1..12), steep: bool, back: bool
-    ) {
-        let mut points = vec![start];
-        for (along, slope) in steps {
-            let last = points[points.len() - 1];
-            let across = (along * slope) >> 8;
+/// Lines joined end to end, all within 45° of the same axis direction, draw no pixel twice and leave no gap: one
+/// pixel for each center from the first end to the last.
+#[test]
+fn polylines_draw_no_pixel_twice() {
+    cases(512, |random| {
+        // All points are in the guard band: 500,000 plus 11 steps of 899 is less than 2048 pixels.
+        let (mut last, steep, back) = (place(random), random.random(), random.random());
+        let mut points = vec![last];
+        for _ in 0..random.random_range(1..12) {
+            let along = random.random_range(0..900);
+            let across: i32 = (along * random.random_range(-256..=256)) >> 8;
             // A line at exactly 45° counts as flat.
             let across = if across.abs() == along { 0 } else { across };
-            let step = if steep { [across, along] } else { [along, across] };
-            points.push([0, 1].map(|i| last[i] + if back { -step[i] } else { step[i] }));
+            let step = if steep {
+                [across, along]
+            } else {
+                [along, across]
+            };
+            last = [0, 1].map(|i| last[i] + if back { -step[i] } else { step[i] });
+            points.push(last);
         }
-        prop_assume!(points.iter().flatten().all(|at| at.abs() < 520_000));
-        let edges: Vec<[u16; 2]> = (1..u16::try_from(points.len()).unwrap()).map(|i| [i - 1, i]).collect();
+        let edges: Vec<[u16; 2]> = (1..u16::try_from(points.len()).unwrap())
+            .map(|i| [i - 1, i])
+            .collect();
         let counts = drawn(&points, &edges);
-        prop_assert!(counts.iter().all(|&count| count <= 1));
+        assert!(counts.iter().all(|&count| count <= 1), "{points:?}");
         // No pixel is missing: together, the lines have the model's pixels of all edges.
-        prop_assert_eq!(picture(&counts, SIZE.0), picture(&modelled(&points, &edges), SIZE.0));
-    }
+        assert_eq!(
+            picture(&counts, SIZE.0),
+            picture(&modelled(&points, &edges), SIZE.0),
+            "{points:?}"
+        );
+    });
+}
 
-    /// A point draws the pixel that contains it. A pixel contains its left and top edges.
-    #[test]
-    fn points_are_the_pixels_they_lie_in(points in prop::collection::vec(places(), 0..20)) {
+/// A point draws the pixel that contains it. A pixel contains its left and top edges.
+#[test]
+fn points_are_the_pixels_they_lie_in() {
+    cases(512, |random| {
+        let points = list(random, 0..20, place);
         let projection = pixel_lens(SIZE);
         let mut counter = Counter::new(SIZE);
         let positions: Vec<Vec3> = points.iter().copied().map(at_subpixel).collect();
-        let drawn = counter.draw_points(&DrawOptions::new(), &Mesh::new(&positions, &[]).unwrap(), &projection);
-        prop_assert_eq!((drawn.submitted as usize, drawn.drawn as usize), (points.len(), points.len()));
+        let drawn = counter.draw_points(
+            &DrawOptions::new(),
+            &Mesh::new(&positions, &[]).unwrap(),
+            &projection,
+        );
+        assert_eq!(
+            (drawn.submitted as usize, drawn.drawn as usize),
+            (points.len(), points.len())
+        );
         let mut expected = vec![0; (SIZE.0 * SIZE.1) as usize];
-        for [x, y] in points.iter().map(|point| point.map(|at| at.div_euclid(256))) {
+        for [x, y] in points
+            .iter()
+            .map(|point| point.map(|at| at.div_euclid(256)))
+        {
             if let (Ok(x), Ok(y)) = (u32::try_from(x), u32::try_from(y)) {
                 if x < SIZE.0 && y < SIZE.1 {
                     expected[(y * SIZE.0 + x) as usize] += 1;
                 }
             }
         }
-        prop_assert_eq!(picture(&counter.take(), SIZE.0), picture(&expected, SIZE.0));
-    }
+        assert_eq!(
+            picture(&counter.take(), SIZE.0),
+            picture(&expected, SIZE.0),
+            "{points:?}"
+        );
+    });
 }
 
 /// A drawn pixel, with its attribute and depth.
@@ -171,110 +208,182 @@ fn projection() -> Projection<Perspective> {
 const UNIT: i32 = 1 << 16;
 
 /// Positions around the eye: in front of it, behind it, beyond the far plane.
-fn around() -> impl Strategy<Value = Vec3> {
-    let z = prop_oneof![4 => -40 * UNIT..10 * UNIT, 2 => -2 * UNIT..-UNIT / 4];
-    (-12 * UNIT..12 * UNIT, -8 * UNIT..8 * UNIT, z).prop_map(|(x, y, z)| Vec3::from_bits([x, y, z]))
+fn around(random: &mut Random) -> Vec3 {
+    let z = if random.random_ratio(4, 6) {
+        -40 * UNIT..10 * UNIT
+    } else {
+        -2 * UNIT..-UNIT / 4
+    };
+    within(random, [-12 * UNIT..12 * UNIT, -8 * UNIT..8 * UNIT, z])
+}
+
+/// A position in a box.
+fn within(random: &mut Random, ranges: [Range<i32>; 3]) -> Vec3 {
+    Vec3::from_bits(ranges.map(|range| random.random_range(range)))
 }
 
 /// Any two ends, or two that make a line of more than 64 pixels in one row: y is below 1/32, so at a distance above 3
 /// the line is less than half a pixel from the middle.
-fn ends() -> impl Strategy<Value = [Vec3; 2]> {
-    let end = |x: std::ops::Range<i32>| {
-        (x, UNIT / 64..UNIT / 32, -8 * UNIT..-3 * UNIT)
-            .prop_map(|(x, y, z)| Vec3::from_bits([x, y, z]))
-    };
-    prop_oneof![
-        3 => [around(), around()],
-        1 => (end(-12 * UNIT..-9 * UNIT), end(9 * UNIT..12 * UNIT)).prop_map(|(a, b)| [a, b]),
-    ]
+fn ends(random: &mut Random) -> [Vec3; 2] {
+    if random.random_ratio(3, 4) {
+        [around(random), around(random)]
+    } else {
+        [-12 * UNIT..-9 * UNIT, 9 * UNIT..12 * UNIT]
+            .map(|x| within(random, [x, UNIT / 64..UNIT / 32, -8 * UNIT..-3 * UNIT]))
+    }
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1024))]
+/// The model's line; `None` if nothing of it is in view.
+fn line_of(ends: [Vec3; 2]) -> Option<Line<1>> {
+    let view = view::View {
+        eye: IDENTITY,
+        projection: projection::focal(FOCAL, SIZE, NEAR, FAR),
+        viewport: view::Viewport::new(SIZE.0, SIZE.1),
+    };
+    let float = |p: Vec3| p.to_bits().map(|bits| f64::from(bits) / 65536.);
+    Line::clipped(
+        ends.map(|end| ClipVertex {
+            position: view.clip(float(end)),
+            attributes: [float(end)[0]],
+            source: None,
+        }),
+        &view,
+        &DEPTH_PLANES,
+    )
+}
 
-    /// In perspective, clipped or not: every pixel is on the model's line and has the model's depth and attribute
-    /// there, and no pixel is missing.
-    ///
-    /// The ends are rounded to 1/256 pixel, which moves the line by less than 1/256 pixel, along and across. So where
-    /// the line crosses a center within that distance of a pixel's edge, it may draw the next pixel. Its values are the
-    /// model's at a point within that distance.
-    #[test]
-    fn lines_in_perspective_are_the_models(ends in ends()) {
-        const ROUNDING: f64 = 1. / 256.;
-        let mvp = projection().into();
-        let (pixels, depths) = recorded(&mvp, ends, [0, 1]);
-        // Drawn from its other end, the line is the same. The attribute of a clipped end is a blend of both ends'
-        // attributes, which differ by less than 2^21 units, with a weight in units of 2^-30. From either side it is
-        // rounded to the nearest unit, so the results may differ by one unit, and a pixel's, rounded down, by one more.
-        let (others, other_depths) = recorded(&mvp, ends, [1, 0]);
-        let places = |pixels: &[Drawn]| pixels.iter().map(|&(at, _, depth)| (at, depth)).collect::<Vec<_>>();
-        prop_assert_eq!((places(&pixels), &depths), (places(&others), &other_depths), "the other direction");
-        let apart = pixels.iter().zip(&others).map(|(a, b)| a.1.abs_diff(b.1)).max();
-        prop_assert!(apart.unwrap_or(0) <= 2, "{apart:?} units apart in the other direction");
+/// In perspective, clipped or not: every pixel is on the model's line and has the model's depth and attribute there,
+/// and no pixel is missing.
+#[test]
+fn lines_in_perspective_are_the_models() {
+    cases(1024, |random| {
+        loop {
+            let ends = ends(random);
+            let mvp = projection().into();
+            let (pixels, depths) = recorded(&mvp, ends, [0, 1]);
+            // Drawn from its other end, the line is the same. The attribute of a clipped end is a blend of both ends'
+            // attributes, which differ by less than 2^21 units, with a weight in units of 2^-30. From either side it is
+            // rounded to the nearest unit, so the results may differ by one unit, and a pixel's, rounded down, by one
+            // more.
+            let (others, other_depths) = recorded(&mvp, ends, [1, 0]);
+            let places = |pixels: &[Drawn]| {
+                pixels
+                    .iter()
+                    .map(|&(at, _, depth)| (at, depth))
+                    .collect::<Vec<_>>()
+            };
+            assert_eq!(
+                (places(&pixels), &depths),
+                (places(&others), &other_depths),
+                "the other direction"
+            );
+            let apart = pixels
+                .iter()
+                .zip(&others)
+                .map(|(a, b)| a.1.abs_diff(b.1))
+                .max();
+            assert!(
+                apart.unwrap_or(0) <= 2,
+                "{apart:?} units apart in the other direction"
+            );
 
-        let view = view::View {
-            eye: IDENTITY,
-            projection: projection::focal(FOCAL, SIZE, NEAR, FAR),
-            viewport: view::Viewport::new(SIZE.0, SIZE.1),
-        };
-        let float = |p: Vec3| p.to_bits().map(|bits| f64::from(bits) / 65536.);
-        let line = Line::clipped(
-            ends.map(|end| ClipVertex { position: view.clip(float(end)), attributes: [float(end)[0]], source: None }),
-            &view,
-            &DEPTH_PLANES,
+            let Some(line) = line_of(ends) else {
+                assert!(pixels.is_empty(), "{ends:?}");
+                break;
+            };
+            let extent = [0, 1].map(|i| (line.screen[1][i] - line.screen[0][i]).abs());
+            // Skip lines that rounding may make steep or flat, and lines of hardly any length.
+            if (extent[0] - extent[1]).abs() > 0.02 && extent[0].max(extent[1]) > 0.05 {
+                check_line(&line, extent, &pixels);
+                break;
+            }
+        }
+    });
+}
+
+/// Compares the pixels of a line with the model's line, whose extent along each axis is given.
+///
+/// The ends are rounded to 1/256 pixel, which moves the line by less than 1/256 pixel, along and across. So where the
+/// line crosses a center within that distance of a pixel's edge, it may draw the next pixel. Its values are the model's
+/// at a point within that distance.
+fn check_line(line: &Line<1>, extent: [f64; 2], pixels: &[Drawn]) {
+    const ROUNDING: f64 = 1. / 256.;
+    // Beyond the guard band, clipping makes new ends. Their error does not depend on the line's length in pixels.
+    let major = usize::from(extent[1] > extent[0]);
+    let minor = 1 - major;
+    let length = extent[major];
+    let low = line.screen[0][major].min(line.screen[1][major]);
+    let high = line.screen[0][major].max(line.screen[1][major]);
+
+    for &([x, y], attribute, depth) in pixels {
+        let pixel = [f64::from(x), f64::from(y)];
+        let q = line.fraction_at(major, pixel[major] + 0.5);
+        let value = line.at(q.clamp(0., 1.));
+        // Only rounding puts a pixel beyond the line's end or beside the line. Across, an error along the line counts
+        // too, times the slope.
+        assert!(
+            (low - ROUNDING..=high + ROUNDING).contains(&(pixel[major] + 0.5)),
+            "{:?} is not from {low} to {high} along the line",
+            [x, y]
         );
-        let Some(line) = line else {
-            prop_assert!(pixels.is_empty());
-            return Ok(());
-        };
-        let extent = [0, 1].map(|i| (line.screen[1][i] - line.screen[0][i]).abs());
-        // Skip lines that rounding may make steep or flat, and lines of hardly any length.
-        prop_assume!((extent[0] - extent[1]).abs() > 0.02 && extent[0].max(extent[1]) > 0.05);
-        // Beyond the guard band, clipping makes new ends. Their error does not depend on the line's length in pixels.
-        let major = usize::from(extent[1] > extent[0]);
-        let minor = 1 - major;
-        let length = extent[major];
-        let low = line.screen[0][major].min(line.screen[1][major]);
-        let high = line.screen[0][major].max(line.screen[1][major]);
+        let across = value.screen[minor] - pixel[minor];
+        assert!(
+            (-2. * ROUNDING..=1. + 2. * ROUNDING).contains(&across),
+            "{:?}: {across} across the line",
+            [x, y]
+        );
 
-        for &([x, y], attribute, depth) in &pixels {
-            let pixel = [f64::from(x), f64::from(y)];
-            let q = line.fraction_at(major, pixel[major] + 0.5);
-            let value = line.at(q.clamp(0., 1.));
-            // Only rounding puts a pixel beyond the line's end or beside the line. Across, an error along the line
-            // counts too, times the slope.
-            prop_assert!((low - ROUNDING..=high + ROUNDING).contains(&(pixel[major] + 0.5)));
-            let across = value.screen[minor] - pixel[minor];
-            prop_assert!((-2. * ROUNDING..=1. + 2. * ROUNDING).contains(&across), "{:?}: {} across the line", [x, y], across);
+        // 1/w is linear: `room` is its error at a position with an error of ROUNDING.
+        let inverse = 1. / value.w;
+        let room = (1. / line.w[0] - 1. / line.w[1]).abs() / length * ROUNDING * 1.01 + 1e-6;
+        let (least, most) = (
+            65535. * NEAR * (inverse - room) - 1.01,
+            65535. * NEAR * (inverse + room) + 0.01,
+        );
+        assert!(
+            (least..=most).contains(&f64::from(depth)),
+            "{:?}: depth {depth} not in {least}..{most}",
+            [x, y]
+        );
 
-            // 1/w is linear: `room` is its error at a position with an error of ROUNDING.
-            let inverse = 1. / value.w;
-            let room = (1. / line.w[0] - 1. / line.w[1]).abs() / length * ROUNDING * 1.01 + 1e-6;
-            let (least, most) = (65535. * NEAR * (inverse - room) - 1.01, 65535. * NEAR * (inverse + room) + 0.01);
-            prop_assert!((least..=most).contains(&f64::from(depth)), "{:?}: depth {} not in {}..{}", [x, y], depth, least, most);
+        // Attribute/w is linear too, and the error of the quotient is the sum of both errors. Attributes are below
+        // 2^20 units and scaled by 2^-21, and q is at least 2^30 · near/far. bounds.rs derives that the errors of
+        // the numerator and of q count as 56½ units of the numerator at most. In this small picture they stay
+        // within 51. Clipping adds two units, and rounding two.
+        let over_w = |i: usize| line.attributes[i][0] / line.w[i];
+        let room_over = (over_w(0) - over_w(1)).abs() / length * ROUNDING * 1.01;
+        let format = (f64::from(1 << 21) * 51. / (f64::from(1 << 30) * NEAR / FAR) + 4.) / 65536.;
+        let room = (room_over + value.attributes[0].abs() * room) / (inverse - room) + format;
+        let off = (f64::from(attribute) / 65536. - value.attributes[0]).abs();
+        assert!(
+            off <= room,
+            "{:?}: x {attribute} instead of {}: an error of {off}, over {room}",
+            [x, y],
+            value.attributes[0]
+        );
+    }
 
-            // Attribute/w is linear too, and the error of the quotient is the sum of both errors. Attributes are below
-            // 2^20 units and scaled by 2^-21, and q is at least 2^30 · near/far. bounds.rs derives that the errors of
-            // the numerator and of q count as 56½ units of the numerator at most. In this small picture they stay
-            // within 51. Clipping adds two units, and rounding two.
-            let over_w = |i: usize| line.attributes[i][0] / line.w[i];
-            let room_over = (over_w(0) - over_w(1)).abs() / length * ROUNDING * 1.01;
-            let format = (f64::from(1 << 21) * 51. / (f64::from(1 << 30) * NEAR / FAR) + 4.) / 65536.;
-            let room = (room_over + value.attributes[0].abs() * room) / (inverse - room) + format;
-            let off = (f64::from(attribute) / 65536. - value.attributes[0]).abs();
-            prop_assert!(off <= room, "{:?}: x {} instead of {}: an error of {}, over {}", [x, y], attribute, value.attributes[0], off, room);
-        }
-
-        // Where the line crosses a center inside the picture, it draws a pixel.
-        let (count, others) = if major == 0 { (SIZE.0, SIZE.1) } else { (SIZE.1, SIZE.0) };
-        for step in 0..i32::try_from(count).unwrap() {
-            let center = f64::from(step) + 0.5;
-            let across = line.at(line.fraction_at(major, center).clamp(0., 1.)).screen[minor];
-            let sure = (low + ROUNDING..=high - ROUNDING).contains(&center)
-                && (2. * ROUNDING..=f64::from(others) - 2. * ROUNDING).contains(&across);
-            let pixels = pixels.iter().filter(|(pixel, ..)| pixel[major] == step).count();
-            prop_assert!(pixels <= 1);
-            prop_assert!(!sure || pixels == 1, "no pixel at {} along axis {}", step, major);
-        }
+    // Where the line crosses a center inside the picture, it draws a pixel.
+    let (count, others) = if major == 0 {
+        (SIZE.0, SIZE.1)
+    } else {
+        (SIZE.1, SIZE.0)
+    };
+    for step in 0..i32::try_from(count).unwrap() {
+        let center = f64::from(step) + 0.5;
+        let across = line
+            .at(line.fraction_at(major, center).clamp(0., 1.))
+            .screen[minor];
+        let sure = (low + ROUNDING..=high - ROUNDING).contains(&center)
+            && (2. * ROUNDING..=f64::from(others) - 2. * ROUNDING).contains(&across);
+        let pixels = pixels
+            .iter()
+            .filter(|(pixel, ..)| pixel[major] == step)
+            .count();
+        assert!(pixels <= 1, "{pixels} pixels at {step} along axis {major}");
+        assert!(
+            !sure || pixels == 1,
+            "no pixel at {step} along axis {major}"
+        );
     }
 }

@@ -1,5 +1,7 @@
 //! Mipmaps: their levels, the level that a pixel shows, and how much a floor differs from one sampled by area.
 
+use std::array;
+
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr666, Gray8, GrayColor, Rgb565, Rgb888, RgbColor, WebColors,
 };
@@ -7,8 +9,9 @@ use fixel::prelude::*;
 use fixel::shade::Mipmapped;
 use fixel::texture::{Blend, Mipmap, MipmapArray};
 use fixel::view::Perspective;
-use proptest::prelude::*;
+use rand::Rng;
 
+use crate::common::random::cases;
 use crate::reference::mipmap::{area, level, reduced};
 
 const WIDTH: u32 = 320;
@@ -171,8 +174,7 @@ fn levels_bring_a_far_floor_closer_to_its_means() {
 fn check_levels<C, const W: usize, const H: usize, const LENGTH: usize>(
     array: &MipmapArray<C, W, H, LENGTH>,
     channels: fn(C) -> [u8; 3],
-) -> Result<(), TestCaseError>
-where
+) where
     C: Blend + PartialEq + std::fmt::Debug,
 {
     let mipmap = array.as_mipmap();
@@ -181,8 +183,8 @@ where
     let first = texels[0];
     texels[W * H..].fill(first);
     let built = Mipmap::build(&mut texels, W as u32, H as u32).unwrap();
-    prop_assert_eq!(built, mipmap);
-    prop_assert_eq!(Mipmap::new(mipmap.texels(), W as u32, H as u32), Ok(mipmap));
+    assert_eq!(built, mipmap);
+    assert_eq!(Mipmap::new(mipmap.texels(), W as u32, H as u32), Ok(mipmap));
     for channel in 0..3 {
         let value = |texel: &C| f64::from(channels(*texel)[channel]);
         let mut rest = mipmap.texels();
@@ -193,72 +195,92 @@ where
         for n in 0..mipmap.levels() {
             let (level, after) = rest.split_at((W * H) >> (2 * n));
             let found: Vec<f64> = level.iter().map(value).collect();
-            prop_assert_eq!(found, rows.concat(), "level {}", n);
+            assert_eq!(found, rows.concat(), "level {n}");
             rest = after;
             if n + 1 < mipmap.levels() {
                 rows = reduced(&rows);
             }
         }
-        prop_assert!(rest.is_empty());
+        assert!(rest.is_empty());
     }
-    Ok(())
 }
 
 fn rgb<C: RgbColor>(color: C) -> [u8; 3] {
     [color.r(), color.g(), color.b()]
 }
 
-proptest! {
-    #[test]
-    fn a_level_is_the_mean_of_the_level_before(seed in proptest::collection::vec(any::<u8>(), 64 * 3)) {
-        let short: &[u8; 128] = seed[..128].try_into().unwrap();
-        let bytes: &[u8; 64] = seed[..64].try_into().unwrap();
-        let long: &[u8; 192] = seed[..].try_into().unwrap();
-        check_levels(&MipmapArray::<Rgb565, 8, 8, 85>::rgb565(short), rgb)?;
-        check_levels(&MipmapArray::<Rgb565, 32, 2, 80>::rgb565_le(short), rgb)?;
-        check_levels(&MipmapArray::<Bgr555, 4, 16, 84>::bgr555(short), rgb)?;
-        check_levels(&MipmapArray::<Rgb888, 16, 4, 84>::rgb888(long), rgb)?;
-        check_levels(&MipmapArray::<Bgr666, 1, 64, 64>::bgr666_le(long), rgb)?;
-        check_levels(&MipmapArray::<Gray8, 8, 8, 85>::gray8(bytes), |gray| [gray.luma(); 3])?;
+#[test]
+fn a_level_is_the_mean_of_the_level_before() {
+    cases(256, |random| {
+        let bytes: &[u8; 64] = &random.random();
+        let short: &[u8; 128] = &random.random();
+        let long: &[u8; 192] = &random.random();
+        check_levels(&MipmapArray::<Rgb565, 8, 8, 85>::rgb565(short), rgb);
+        check_levels(&MipmapArray::<Rgb565, 32, 2, 80>::rgb565_le(short), rgb);
+        check_levels(&MipmapArray::<Bgr555, 4, 16, 84>::bgr555(short), rgb);
+        check_levels(&MipmapArray::<Rgb888, 16, 4, 84>::rgb888(long), rgb);
+        check_levels(&MipmapArray::<Bgr666, 1, 64, 64>::bgr666_le(long), rgb);
+        check_levels(&MipmapArray::<Gray8, 8, 8, 85>::gray8(bytes), |gray| {
+            [gray.luma(); 3]
+        });
         let expected = TextureArray::<Rgb565, 8, 8>::rgb565(short);
         let array = MipmapArray::<Rgb565, 8, 8, 85>::rgb565(short);
-        prop_assert_eq!(&array.as_mipmap().texels()[..64], expected.texels().as_flattened());
-    }
+        assert_eq!(
+            &array.as_mipmap().texels()[..64],
+            expected.texels().as_flattened()
+        );
+    });
+}
 
-    /// Each level is a gray proportional to its number, so a trilinear filter shows the level.
-    #[test]
-    fn the_level_of_a_pixel_follows_the_formula(
-        distance in 0.5..60_f64,
-        lean in [-0.95..0.95_f64, -0.95..0.95],
-        uvs in [[-4.0..4_f64, -4.0..4.], [-4.0..4., -4.0..4.], [-4.0..4., -4.0..4.]],
-        is_wide in any::<bool>(),
-    ) {
-        const SIZE: u32 = 48;
-        const STEPS: f64 = 40.;
+/// Each level is a gray proportional to its number, so a trilinear filter shows the level.
+#[test]
+fn the_level_of_a_pixel_follows_the_formula() {
+    const SIZE: u32 = 48;
+    const STEPS: f64 = 40.;
+    cases(256, |random| {
+        let distance = random.random_range(0.5..60.);
+        let lean: [f64; 2] = array::from_fn(|_| random.random_range(-0.95..0.95));
         // 1/z is linear on the screen, whose middle is at `distance`.
         let share = |u: f64, v: f64| 1. + lean[0] * u + lean[1] * v;
         let corners = [[-1.2, -1.2], [3.2, -1.2], [-1.2, 3.2]].map(|[u, v]| {
             let z = distance / share(u, v);
             (share(u, v) > 0.02).then_some([u * z, v * z, -z])
         });
-        let [Some(a), Some(b), Some(c)] = corners else { return Ok(()) };
+        let [Some(a), Some(b), Some(c)] = corners else {
+            return;
+        };
         let corners = [a, b, c];
-        let [Ok(a), Ok(b), Ok(c)] = corners.map(Vec3::try_from) else { return Ok(()) };
-        let uvs = uvs.map(|uv| uv.map(|at| (at * f64::from(1 << 20)).round() / f64::from(1 << 20)));
-        let side = |i: usize, axis: usize| uvs[i][axis] - uvs[0][axis];
-        prop_assume!((side(1, 0) * side(2, 1) - side(1, 1) * side(2, 0)).abs() > 0.05);
+        let [Ok(a), Ok(b), Ok(c)] = corners.map(Vec3::try_from) else {
+            return;
+        };
+        let (bits, uvs) = loop {
+            let bits: [[i32; 2]; 3] =
+                array::from_fn(|_| array::from_fn(|_| random.random_range(-4 << 20..4 << 20)));
+            let uvs = bits.map(|uv| uv.map(|at| f64::from(at) / f64::from(1 << 20)));
+            let side = |i: usize, axis: usize| uvs[i][axis] - uvs[0][axis];
+            if (side(1, 0) * side(2, 1) - side(1, 1) * side(2, 0)).abs() > 0.05 {
+                break (bits, uvs);
+            }
+        };
 
-        let (width, height) = if is_wide { (256, 64) } else { (64, 64) };
+        let (width, height) = if random.random() { (256, 64) } else { (64, 64) };
         let mut texels = Vec::new();
         for n in 0..7 {
             let gray = Gray8::new((40. * f64::from(n)) as u8);
-            texels.extend(std::iter::repeat_n(gray, (width * height) as usize >> (2 * n)));
+            texels.extend(std::iter::repeat_n(
+                gray,
+                (width * height) as usize >> (2 * n),
+            ));
         }
         let mipmap = Mipmap::new(&texels, width, height).unwrap();
-        let projection = Projection::from_focal_length(fx!(24), (SIZE, SIZE), fx!(0.25), fx!(4000)).unwrap();
-        let uv = uvs.map(|uv| Vec2::from_bits(uv.map(|at| (at * f64::from(1 << 20)) as i32)));
+        let projection =
+            Projection::from_focal_length(fx!(24), (SIZE, SIZE), fx!(0.25), fx!(4000)).unwrap();
+        let uv = bits.map(Vec2::from_bits);
         let positions = [a, b, c];
-        let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap().with_uvs(&uv, None).unwrap();
+        let mesh = Mesh::new(&positions, &[[0, 1, 2]])
+            .unwrap()
+            .with_uvs(&uv, None)
+            .unwrap();
         let size = [width, height].map(f64::from);
         let texels = uvs.map(|[u, v]| [u * size[0], v * size[1]]);
         let surface = Mipmapped::new(mipmap, &projection, (SIZE, SIZE)).unwrap();
@@ -268,8 +290,12 @@ proptest! {
             pixels
         };
         let options = DrawOptions::new().with_cull(Cull::Nothing);
-        let blended = draw(&|canvas| { canvas.draw_with(&options, &mesh, &projection, &surface.trilinear()); });
-        let nearest = draw(&|canvas| { canvas.draw_with(&options, &mesh, &projection, &surface); });
+        let blended = draw(&|canvas| {
+            canvas.draw_with(&options, &mesh, &projection, &surface.trilinear());
+        });
+        let nearest = draw(&|canvas| {
+            canvas.draw_with(&options, &mesh, &projection, &surface);
+        });
         for (i, (blended, nearest)) in blended.iter().zip(nearest).enumerate() {
             let [x, y] = [i % SIZE as usize, i / SIZE as usize].map(|at| at as f64 + 0.5 - 24.);
             let share = share(x / 24., -y / 24.);
@@ -283,11 +309,17 @@ proptest! {
             // The promise; the snapped corners, twice 0.0005 / 0.1 / ln 2; half a step and a truncated weight, 2^-8;
             // and the texels, 2^-8.
             let allowed = 1. / 8. + 0.015 + 0.5 / STEPS + 1. / 256. + 1. / 256.;
-            prop_assert!((shown - exact).abs() <= allowed, "{shown}, not {exact}, at {x}, {y}");
+            assert!(
+                (shown - exact).abs() <= allowed,
+                "{shown}, not {exact}, at {x}, {y}"
+            );
             let shown = f64::from(nearest.luma()) / STEPS;
-            prop_assert!((shown - exact).abs() <= 0.5 + 1. / 8. + 0.02, "{shown}, not {exact}, at {x}, {y}");
+            assert!(
+                (shown - exact).abs() <= 0.5 + 1. / 8. + 0.02,
+                "{shown}, not {exact}, at {x}, {y}"
+            );
         }
-    }
+    });
 }
 
 #[test]

@@ -1,10 +1,14 @@
 //! Products of transforms and projections, compared with f64: the position of a point, and its depth.
 
+use std::array;
+use std::ops::Range;
+
 use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::view::{Parallel, Perspective, ProjectionKind};
-use proptest::prelude::*;
+use rand::Rng;
 
+use crate::common::random::{Random, cases, list};
 use crate::drawing::{Drawing, Spot};
 use crate::mode::Mode;
 use crate::moves::{Move, exact, product, radians, relative, rounded, size};
@@ -16,32 +20,33 @@ const SIZE: (u32, u32) = (320, 240);
 /// Half of the guard band's width, in pixels.
 const GUARD: f64 = 2048.;
 
-fn angle() -> impl Strategy<Value = Angle> {
-    any::<u32>().prop_map(Angle::from_bits)
+/// How many inputs a test checks.
+const CASES: u64 = 3000;
+
+fn place(random: &mut Random, range: f64) -> Vec3 {
+    rounded(array::from_fn(|_| random.random_range(-range..range)))
 }
 
-fn places(range: f64) -> impl Strategy<Value = Vec3> {
-    [-range..range, -range..range, -range..range].prop_map(rounded)
-}
-
-fn step() -> impl Strategy<Value = Move> {
-    prop_oneof![
-        places(8.).prop_map(Move::To),
-        angle().prop_map(Move::X),
-        angle().prop_map(Move::Y),
-        angle().prop_map(Move::Z),
-        [0.2..3., 0.2..3., -3.0..-0.2].prop_map(|factors| Move::Scale(rounded(factors))),
-    ]
+fn step(random: &mut Random) -> Move {
+    let angle = Angle::from_bits(random.random());
+    match random.random_range(0..5) {
+        0 => Move::To(place(random, 8.)),
+        1 => Move::X(angle),
+        2 => Move::Y(angle),
+        3 => Move::Z(angle),
+        _ => {
+            let factors = [0.2..3., 0.2..3., -3.0..-0.2];
+            Move::Scale(rounded(factors.map(|factor| random.random_range(factor))))
+        }
+    }
 }
 
 /// Moves that put the surroundings of the origin at some distance in front of the eye.
-fn mvps() -> impl Strategy<Value = Vec<Move>> {
-    (0.0..60_f64, prop::collection::vec(step(), 0..4)).prop_map(
-        |(distance, mut moves): (f64, Vec<Move>)| {
-            moves.insert(0, crate::moves::to([0., 0., -distance]));
-            moves
-        },
-    )
+fn mvp(random: &mut Random) -> Vec<Move> {
+    let mut moves = list(random, 0..4, step);
+    let distance = random.random_range(0.0..60.);
+    moves.insert(0, crate::moves::to([0., 0., -distance]));
+    moves
 }
 
 /// One projection, made by the crate and by the model.
@@ -59,7 +64,7 @@ fn compare<K: ProjectionKind>(
     moves: &[Move],
     viewport: Viewport,
     points: &[Vec3],
-) -> Result<(), TestCaseError> {
+) {
     let (transform, eye) = product(moves);
     let drawing = Drawing {
         size: SIZE,
@@ -130,7 +135,7 @@ fn compare<K: ProjectionKind>(
             depth: stored,
         }) = spot
         else {
-            prop_assert!(
+            assert!(
                 !(wanted.w > 0. && clear(margin)),
                 "{p:?} is at {:?}, {} ahead, and was clipped",
                 wanted.screen,
@@ -138,137 +143,136 @@ fn compare<K: ProjectionKind>(
             );
             continue;
         };
-        prop_assert!(wanted.w > 0., "{p:?} is behind the eye");
+        assert!(wanted.w > 0., "{p:?} is behind the eye");
         for (axis, got) in [x, y].into_iter().enumerate() {
             let exact = wanted.screen[axis] * 256.;
             let by = (f64::from(got) - exact).abs();
-            prop_assert!(
+            assert!(
                 by <= 0.5 + 256. * error,
                 "{p:?}: {got} is not {exact}: an error of {by} subpixels, allowed {}",
                 0.5 + 256. * error
             );
         }
         let stored = f64::from(stored);
-        prop_assert!(
+        assert!(
             stored <= depth + depth_error && depth < stored + 1. + depth_error,
             "{p:?}: depth {stored} is not {depth}, within {depth_error}"
         );
     }
-    Ok(())
 }
 
 /// A point this close to a plane, relative to the size, may be clipped or not: the crate's near plane is farther away
 /// by 2⁻¹⁶ of its distance.
 const SIDE: f64 = 1. / 16384.;
 
-fn viewports() -> impl Strategy<Value = Viewport> {
-    (-50..200_i32, -50..100_i32, 1..400_u32, 1..300_u32)
-        .prop_map(|(x, y, width, height)| Viewport::new(x, y, width, height).unwrap())
+fn viewport(random: &mut Random) -> Viewport {
+    let (x, y) = (random.random_range(-50..200), random.random_range(-50..100));
+    let (width, height) = (random.random_range(1..400), random.random_range(1..300));
+    Viewport::new(x, y, width, height).unwrap()
 }
 
-fn points() -> impl Strategy<Value = Vec<Vec3>> {
-    prop::collection::vec(places(6.), 1..20)
+fn points(random: &mut Random) -> Vec<Vec3> {
+    list(random, 1..20, |random| place(random, 6.))
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 3000,
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    })]
+/// A window whose left and lower sides are in the first range, and whose sizes are in the second.
+fn window(random: &mut Random, corner: Range<f64>, size: Range<f64>) -> Window {
+    let [left, bottom] = [(); 2].map(|()| random.random_range(corner.clone()));
+    let [width, height] = [(); 2].map(|()| random.random_range(size.clone()));
+    let [left, right, bottom, top] =
+        [left, left + width, bottom, bottom + height].map(|x| scalar(x).unwrap());
+    Window {
+        left,
+        right,
+        bottom,
+        top,
+    }
+}
 
-    #[test]
-    fn transformed_points_are_the_models(moves in prop::collection::vec(step(), 0..6), p in places(100.)) {
+#[test]
+fn transformed_points_are_the_models() {
+    cases(CASES, |random| {
+        let (moves, p) = (list(random, 0..6, step), place(random, 100.));
         let (transform, matrix) = product(&moves);
         let (got, wanted) = (exact(transform.point(p)), point(&matrix, exact(p)));
         // Besides the mantissas, rounding the result adds half a unit.
         let error = 2_f64.powi(-17) + relative(&moves) * size(&moves, p);
         for axis in 0..3 {
             let by = (got[axis] - wanted[axis]).abs();
-            prop_assert!(by <= error, "{p:?} goes to {got:?}, not {wanted:?}: an error of {by}, over {error}");
+            assert!(
+                by <= error,
+                "{p:?} goes to {got:?}, not {wanted:?}: an error of {by}, over {error}"
+            );
         }
-    }
+    });
+}
 
-    #[test]
-    fn points_in_perspective_are_the_models(
-        fov in 20_f64..140.,
-        near in 0.01..2.,
-        far in 10_f64..1000.,
-        moves in mvps(),
-        viewport in viewports(),
-        points in points(),
-    ) {
-        let projection = perspective(Angle::try_from_degrees(fov).unwrap(), near, far);
-        compare(projection, &moves, viewport, &points)?;
-    }
+#[test]
+fn points_in_perspective_are_the_models() {
+    cases(CASES, |random| {
+        let fov = Angle::try_from_degrees(random.random_range(20.0..140.)).unwrap();
+        let [near, far] = [0.01..2., 10.0..1000.].map(|range| random.random_range(range));
+        let projection = perspective(fov, near, far);
+        compare(projection, &mvp(random), viewport(random), &points(random));
+    });
+}
 
-    #[test]
-    fn points_in_a_frustum_are_the_models(
-        left in -3_f64..1.,
-        bottom in -3_f64..1.,
-        size in [0.5..4., 0.5..4.],
-        near in 0.5..2.,
-        moves in mvps(),
-        points in points(),
-    ) {
-        let [l, r, b, t, n] = [left, left + size[0], bottom, bottom + size[1], near]
-            .map(|x| scalar(x).unwrap());
-        let window = Window { left: l, right: r, bottom: b, top: t };
-        let projection = Projection::frustum(window, n, fx!(100)).unwrap();
-        let [l, r, b, t, n] = [l, r, b, t, n].map(Scalar::to_num);
+#[test]
+fn points_in_a_frustum_are_the_models() {
+    cases(CASES, |random| {
+        let window = window(random, -3.0..1., 0.5..4.);
+        let near = scalar(random.random_range(0.5..2.)).unwrap();
+        let projection = Projection::frustum(window, near, fx!(100)).unwrap();
+        let [l, r, b, t, n] =
+            [window.left, window.right, window.bottom, window.top, near].map(Scalar::to_num);
         let model = projection::frustum(l, r, b, t, n, 100.);
         let viewport = Viewport::new(0, 0, SIZE.0, SIZE.1).unwrap();
-        compare((projection, model), &moves, viewport, &points)?;
-    }
+        compare((projection, model), &mvp(random), viewport, &points(random));
+    });
+}
 
-    #[test]
-    fn points_in_parallel_are_the_models(
-        left in -9_f64..1.,
-        bottom in -9_f64..1.,
-        size in [2.0..20., 2.0..20.],
-        near in -10.0..5.,
-        length in prop_oneof![1.0..100., 100.0..20_000.],
-        way in 0_f64..1.,
-        turn in prop::option::of((angle(), 0.0..2.)),
-        mut moves in mvps(),
-        viewport in viewports(),
-        points in points(),
-    ) {
-        let [l, r, b, t, n, f] =
-            [left, left + size[0], bottom, bottom + size[1], near, near + length]
-                .map(|x| scalar(x).unwrap());
-        let exact = [l, r, b, t, n, f].map(Scalar::to_num::<f64>);
-        let window = Window { left: l, right: r, bottom: b, top: t };
-        let projection: (Projection<Parallel>, Lens) = match turn {
-            None => {
-                let [l1, r1, b1, t1, n1, f1] = exact;
-                (
-                    Projection::orthographic(window, n, f).unwrap(),
-                    projection::orthographic(l1, r1, b1, t1, n1, f1),
-                )
-            }
-            Some((angle, ratio)) => {
-                let ratio = scalar(ratio).unwrap();
-                (
-                    Projection::oblique(angle, ratio, window, n, f).unwrap(),
-                    oblique(radians(angle), ratio.to_num(), exact),
-                )
-            }
+#[test]
+fn points_in_parallel_are_the_models() {
+    cases(CASES, |random| {
+        let window = window(random, -9.0..1., 2.0..20.);
+        let near = random.random_range(-10.0..5.);
+        let length = if random.random() {
+            random.random_range(1.0..100.)
+        } else {
+            random.random_range(100.0..20_000.)
         };
+        let [n, f] = [near, near + length].map(|x| scalar(x).unwrap());
+        let exact =
+            [window.left, window.right, window.bottom, window.top, n, f].map(Scalar::to_num::<f64>);
+        let projection: (Projection<Parallel>, Lens) = if random.random() {
+            let [l, r, b, t, n1, f1] = exact;
+            (
+                Projection::orthographic(window, n, f).unwrap(),
+                projection::orthographic(l, r, b, t, n1, f1),
+            )
+        } else {
+            let angle = Angle::from_bits(random.random());
+            let ratio = scalar(random.random_range(0.0..2.)).unwrap();
+            (
+                Projection::oblique(angle, ratio, window, n, f).unwrap(),
+                oblique(radians(angle), ratio.to_num(), exact),
+            )
+        };
+        let mut moves = mvp(random);
         // Move the points anywhere between the planes.
+        let way = random.random_range(0.0..1.);
         moves.insert(0, crate::moves::to([0., 0., -near - way * length]));
-        compare(projection, &moves, viewport, &points)?;
-    }
+        compare(projection, &moves, viewport(random), &points(random));
+    });
+}
 
-    #[test]
-    fn depth_falls_with_distance(
-        near in 0.01..2.,
-        far in 10_f64..1000.,
-        moves in mvps(),
-        points in points(),
-    ) {
+#[test]
+fn depth_falls_with_distance() {
+    cases(CASES, |random| {
+        let [near, far] = [0.01..2., 10.0..1000.].map(|range| random.random_range(range));
         let projection = perspective(Angle::from_degrees(90), near, far);
-        let (transform, _) = product(&moves);
+        let (transform, _) = product(&mvp(random));
+        let points = points(random);
         let drawing = Drawing {
             size: SIZE,
             options: DrawOptions::new(),
@@ -284,13 +288,15 @@ proptest! {
         // Points are sorted from far to near, as z rises. If they are less than one unit apart, either order is right.
         depths.sort_unstable();
         for pair in depths.windows(2) {
-            let [(far, far_depth), (near, near_depth)] = pair else { continue };
-            prop_assert!(
+            let [(far, far_depth), (near, near_depth)] = pair else {
+                continue;
+            };
+            assert!(
                 far_depth <= near_depth || near - far <= 1,
                 "depth {far_depth} at {far}, {near_depth} at {near}"
             );
         }
-    }
+    });
 }
 
 /// The model's oblique projection, moved so that it leaves the near plane in place, as the crate's does. The model's

@@ -1,7 +1,9 @@
 //! Outlines: the creases and the drawn edges are the model's, and lines leave no gap around a mesh.
 
+use std::array;
 use std::collections::HashMap;
 
+use crate::common::random::{Random, cases, list};
 use crate::common::recorder::{Probe, record};
 use crate::common::{BOTH_SIDES, Counter};
 use crate::reference::clip::{ClipVertex, DEPTH_PLANES, polygon};
@@ -13,7 +15,8 @@ use embedded_graphics::pixelcolor::Gray8;
 use fixel::mesh::{Buffers, obj};
 use fixel::prelude::*;
 use fixel::view::{Perspective, ProjectionKind};
-use proptest::prelude::*;
+use rand::Rng;
+use rand::seq::IndexedRandom;
 
 static BOX: Mesh = shape!(cuboid(vec3!(1, 0.7, 0.4)));
 static BALL: Mesh = shape!(sphere(12, 9));
@@ -25,7 +28,6 @@ static HOUSE: Mesh = include_obj!("../models/house.obj");
 
 const SIZE: (u32, u32) = (72, 64);
 
-/// Tests take an index of this list, because a failed test prints its input.
 const MESHES: [&Mesh; 7] = [&BOX, &BALL, &SMALL_BALL, &CAN, &RING, &GROUND, &HOUSE];
 
 fn float(place: Vec3) -> Vector {
@@ -147,23 +149,29 @@ fn an_outline_of_wrong_numbers_is_refused() {
 }
 
 /// Positions anywhere in the format, and faces between any of them, many of them repeated or without area.
-fn soup() -> impl Strategy<Value = (Vec<Vec3>, Vec<[u16; 3]>)> {
+fn soup(random: &mut Random) -> ([Vec3; 6], Vec<[u16; 3]>) {
     let far = [i32::MIN, i32::MIN + 1, -1, 0, 1, i32::MAX - 1, i32::MAX];
-    let number = prop_oneof![-3..3i32, prop::sample::select(far.to_vec()), any::<i32>()];
-    let place = [number.clone(), number.clone(), number].prop_map(Vec3::from_bits);
-    let faces = prop::collection::vec([0..6u16, 0..6u16, 0..6u16], 0..40);
-    (prop::collection::vec(place, 6), faces)
+    let mut number = || match random.random_range(0..3) {
+        0 => random.random_range(-3..3),
+        1 => *far.choose(random).unwrap(),
+        _ => random.random(),
+    };
+    let positions = array::from_fn(|_| Vec3::from_bits([number(), number(), number()]));
+    let faces = list(random, 0..40, |random| {
+        array::from_fn(|_| random.random_range(0..6))
+    });
+    (positions, faces)
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(512))]
-
-    /// For any mesh, nothing panics, and the sides of the outline's faces are sides of the mesh.
-    #[test]
-    fn any_mesh_has_an_outline((positions, faces) in soup(), limit in 0..=1u32 << 31) {
+/// For any mesh, nothing panics, and the sides of the outline's faces are sides of the mesh.
+#[test]
+fn any_mesh_has_an_outline() {
+    cases(512, |random| {
+        let (positions, faces) = soup(random);
         let mesh = Mesh::new(&positions, &faces).unwrap();
         let mut room = room(&mesh);
-        let outline = Outline::build(&mesh, Angle::from_bits(limit), &mut room).unwrap();
+        let limit = Angle::from_bits(random.random_range(0..=1 << 31));
+        let outline = Outline::build(&mesh, limit, &mut room).unwrap();
         let has = |corners: [u16; 3]| {
             let places = corners.map(|index| positions[usize::from(index)]);
             faces.iter().any(|face| {
@@ -172,10 +180,13 @@ proptest! {
             })
         };
         for &[a, b, c, d] in outline.edges() {
-            prop_assert!(has([a, b, c]));
-            prop_assert!(d == a || has([b, a, d]));
+            assert!(
+                has([a, b, c]) && (d == a || has([b, a, d])),
+                "{:?} of {faces:?} at {positions:?}",
+                [a, b, c, d]
+            );
         }
-    }
+    });
 }
 
 /// The ends of the edges that an outline draws, and how many pixels each edge has.
@@ -240,11 +251,13 @@ fn side(triangle: [Vector; 3], view: &view::View) -> Option<i32> {
     Some(if area > 0. { -1 } else { 1 })
 }
 
-fn pose([x, y, z]: [u32; 3], distance: Scalar) -> Transform {
-    Transform::translate(Vec3::new(fx!(0), fx!(0), -distance))
-        * Transform::rotate_x(Angle::from_bits(x))
-        * Transform::rotate_y(Angle::from_bits(y))
-        * Transform::rotate_z(Angle::from_bits(z))
+/// Turns at random, and moves to a distance in front of the eye.
+fn pose(random: &mut Random, distance: f64) -> Transform {
+    let [x, y, z] = random.random::<[u32; 3]>().map(Angle::from_bits);
+    Transform::translate(Vec3::new(fx!(0), fx!(0), -Scalar::from_num(distance)))
+        * Transform::rotate_x(x)
+        * Transform::rotate_y(y)
+        * Transform::rotate_z(z)
 }
 
 const NEAR: f64 = 0.5;
@@ -255,27 +268,29 @@ fn lens(far: Scalar) -> Projection<Perspective> {
     Projection::from_focal_length(fx!(60), SIZE, fx!(0.5), far).unwrap()
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
-
-    /// The drawn edges are the model's, also where the near or the far plane clips a face. If all corners of both faces
-    /// are within the guard band, the model decides from the snapped corners, which is exact. Otherwise it decides from
-    /// the faces' planes, unless rounding may turn a face over.
-    #[test]
-    fn drawn_edges_are_the_models(
-        mesh in 0..6_usize,
-        turn: [u32; 3], distance in 0.3..5., degrees in 0..180i32,
-        cull in prop::sample::select(vec![Cull::Nothing, Cull::Back, Cull::Front]),
-    ) {
-        let (mesh, distance, limit): (_, f64, _) = (MESHES[mesh], distance, Angle::from_degrees(degrees));
+/// The drawn edges are the model's, also where the near or the far plane clips a face. If all corners of both faces
+/// are within the guard band, the model decides from the snapped corners, which is exact. Otherwise it decides from
+/// the faces' planes, unless rounding may turn a face over.
+#[test]
+fn drawn_edges_are_the_models() {
+    cases(300, |random| {
+        let mesh = *MESHES[..6].choose(random).unwrap();
+        let distance = random.random_range(0.3..5.);
+        let cull = *[Cull::Nothing, Cull::Back, Cull::Front]
+            .choose(random)
+            .unwrap();
         let mut room = room(mesh);
+        let limit = Angle::from_degrees(random.random_range(0..180));
         let outline = Outline::build(mesh, limit, &mut room).unwrap();
-        let pose = pose(turn, Scalar::from_num(distance));
+        let pose = pose(random, distance);
         let mvp = lens(fx!(4)) * pose;
         let options = DrawOptions::new().with_cull(cull);
         let drawn = drawn(&options, mesh, &outline, &mvp);
         let view = view::View {
-            eye: pose.to_matrix().rows().map(|row| row.map(|x| f64::from(x.to_bits()) / 65536.)),
+            eye: pose
+                .to_matrix()
+                .rows()
+                .map(|row| row.map(|x| f64::from(x.to_bits()) / 65536.)),
             projection: projection::focal(FOCAL, SIZE, NEAR, FAR),
             viewport: view::Viewport::new(SIZE.0, SIZE.1),
         };
@@ -295,50 +310,79 @@ proptest! {
                 next = drawn.next();
             }
             let mut side_of = |face: [u16; 3]| {
-                let snapped: Option<Vec<_>> = face.iter().map(|&index| counter.snapped(&mvp, place(index))).collect();
+                let snapped: Option<Vec<_>> = face
+                    .iter()
+                    .map(|&index| counter.snapped(&mvp, place(index)))
+                    .collect();
                 if let Some(s) = snapped {
-                    let [b, c] = [1, 2].map(|to| [0, 1].map(|axis| i64::from(s[to][axis] - s[0][axis])));
+                    let [b, c] =
+                        [1, 2].map(|to| [0, 1].map(|axis| i64::from(s[to][axis] - s[0][axis])));
                     return Some(-((b[0] * c[1] - b[1] * c[0]).signum() as i32));
                 }
                 side(face.map(|index| float(place(index))), &view)
             };
-            let (left, right) = (side_of([a, b, c]), if d == a { Some(0) } else { side_of([b, a, d]) });
-            let (Some(left), Some(right)) = (left, right) else { continue };
+            let (left, right) = (
+                side_of([a, b, c]),
+                if d == a { Some(0) } else { side_of([b, a, d]) },
+            );
+            let (Some(left), Some(right)) = (left, right) else {
+                continue;
+            };
             let expected = is_drawn([left, right], i < outline.creases(), culled);
             // An edge without any part in the view is not drawn, whatever its faces show.
             let inside = |index: u16| counter.snapped(&mvp, place(index)).is_some();
             let mut inside = inside;
             let is_inside = inside(a) || inside(b);
-            prop_assert!(is_next == expected || !is_next && !is_inside, "edge {} of {:?}: {} and {}", i, mesh.counts(), left, right);
+            assert!(
+                is_next == expected || !is_next && !is_inside,
+                "edge {} of {:?}: {} and {}",
+                i,
+                mesh.counts(),
+                left,
+                right
+            );
             checked += u32::from(is_inside);
         }
-        prop_assert_eq!(next, None);
-        prop_assert!(checked > 0 || !(0.9..3.).contains(&distance));
-    }
+        assert_eq!(next, None);
+        assert!(
+            checked > 0 || !(0.9..3.).contains(&distance),
+            "nothing checked at a distance of {distance}"
+        );
+    });
+}
 
-    /// Around a closed mesh, every pixel of its border is on a line of the outline or beside one.
-    #[test]
-    fn outlines_have_no_gaps(
-        mesh in 0..5_usize, turn: [u32; 3], distance in 2.5..4.5,
-    ) {
-        let (mesh, distance): (_, f64) = (MESHES[mesh], distance);
+/// Around a closed mesh, every pixel of its border is on a line of the outline or beside one.
+#[test]
+fn outlines_have_no_gaps() {
+    cases(300, |random| {
+        let mesh = *MESHES[..5].choose(random).unwrap();
+        let distance = random.random_range(2.5..4.5);
         let mut room = room(mesh);
         let outline = Outline::build(mesh, deg!(180), &mut room).unwrap();
-        let mvp = lens(fx!(9)) * pose(turn, Scalar::from_num(distance));
+        let mvp = lens(fx!(9)) * pose(random, distance);
         let pixels = (SIZE.0 * SIZE.1) as usize;
         let (mut inside, mut lines) = (vec![Gray8::new(0); pixels], vec![Gray8::new(0); pixels]);
         let white = Flat::new(Gray8::new(1));
-        Canvas::new(&mut inside, SIZE.0, SIZE.1).unwrap().draw_with(&BOTH_SIDES, mesh, &mvp, &white);
-        Canvas::new(&mut lines, SIZE.0, SIZE.1).unwrap().draw_outline(&DrawOptions::new(), mesh, &outline, &mvp, &white);
-        let at = |picture: &[Gray8], x: usize, y: usize| picture[y * SIZE.0 as usize + x] != Gray8::new(0);
+        Canvas::new(&mut inside, SIZE.0, SIZE.1).unwrap().draw_with(
+            &BOTH_SIDES,
+            mesh,
+            &mvp,
+            &white,
+        );
+        Canvas::new(&mut lines, SIZE.0, SIZE.1)
+            .unwrap()
+            .draw_outline(&DrawOptions::new(), mesh, &outline, &mvp, &white);
+        let at = |picture: &[Gray8], x: usize, y: usize| {
+            picture[y * SIZE.0 as usize + x] != Gray8::new(0)
+        };
         for y in 1..SIZE.1 as usize - 1 {
             for x in 1..SIZE.0 as usize - 1 {
                 let beside = [[x - 1, y], [x + 1, y], [x, y - 1], [x, y + 1]];
                 if at(&inside, x, y) && beside.iter().any(|&[x, y]| !at(&inside, x, y)) {
                     let near = (y - 1..y + 2).any(|y| (x - 1..x + 2).any(|x| at(&lines, x, y)));
-                    prop_assert!(near, "no line at {x}, {y}");
+                    assert!(near, "no line at {x}, {y}");
                 }
             }
         }
-    }
+    });
 }

@@ -7,9 +7,10 @@ use fixel::Object;
 use fixel::prelude::*;
 use fixel::shade::PerFace;
 use fixel::view::ProjectionKind;
-use proptest::prelude::*;
+use rand::Rng;
 
 use crate::common::BOTH_SIDES;
+use crate::common::random::{Random, cases, list};
 
 const SIZE: (u32, u32) = (40, 30);
 const NEAR: f64 = 1.;
@@ -121,69 +122,63 @@ impl Scene {
 
     /// Checks that no triangle is drawn before one that is farther by more than `tolerance`, and that triangles at
     /// equal distances keep the order of the mesh.
-    fn check(
-        &self,
-        order: &[usize],
-        objects: usize,
-        tolerance: impl Fn(f64) -> f64,
-    ) -> Result<(), TestCaseError> {
+    fn check(&self, order: &[usize], objects: usize, tolerance: impl Fn(f64) -> f64) {
         for pair in order.windows(2) {
             let [first, second] = [self.farthest(pair[0]), self.farthest(pair[1])];
-            prop_assert!(
+            assert!(
                 first + tolerance(first) >= second,
                 "{pair:?}: {first} is drawn before {second}"
             );
             #[allow(clippy::float_cmp)] // two distances of one corner, or cut by the far plane
             let is_equal = first == second;
             let is_one_object = pair[0] % objects == pair[1] % objects;
-            prop_assert!(
+            assert!(
                 !(is_equal && is_one_object) || pair[0] < pair[1],
                 "{pair:?}: both at {first}, out of order"
             );
         }
-        Ok(())
     }
 }
 
 /// Triangles of which many distances are equal, or differ by as little as the order resolves. The near or the far plane
 /// clips some of them.
-fn scene() -> impl Strategy<Value = Scene> {
-    let corner =
-        (-160..160_i32, -160..160_i32, 0..120_i32, 0..4_i32).prop_map(|(x, y, z, step)| {
-            let z = f64::from(z) * 0.625 + f64::from(step) / 16384.;
-            [f64::from(x) / 16., f64::from(y) / 16., -z]
-        });
-    proptest::collection::vec(corner, 3..30).prop_flat_map(|corners| {
-        let count = u16::try_from(corners.len()).unwrap();
-        let face = [0..count, 0..count, 0..count];
-        let faces = proptest::collection::vec(face, 1..40);
-        faces.prop_map(move |faces| Scene {
-            corners: corners.clone(),
-            faces,
-        })
-    })
+fn scene(random: &mut Random) -> Scene {
+    let corners = list(random, 3..30, |random| {
+        let [x, y, z, step] = [-160..160, -160..160, 0..120, 0..4]
+            .map(|range| f64::from(random.random_range::<i32, _>(range)));
+        [x / 16., y / 16., -(z * 0.625 + step / 16384.)]
+    });
+    let count = corners.len() as u16;
+    let faces = list(random, 1..40, |random| {
+        [(); 3].map(|()| random.random_range(0..count))
+    });
+    Scene { corners, faces }
 }
 
-proptest! {
-    #[test]
-    fn farther_triangles_come_first_in_perspective(scene in scene()) {
+#[test]
+fn farther_triangles_come_first_in_perspective() {
+    cases(256, |random| {
+        let scene = scene(random);
         let projection = Projection::perspective(deg!(60), SIZE, fx!(1), fx!(64)).unwrap();
         // 1/w is truncated to 26 bits, the first of them set. The rounding of the reciprocal and of the projection's
         // coefficients at most doubles this error.
         let tolerance = |w| w * 2_f64.powi(-24);
-        scene.check(&scene.order(&projection), 1, tolerance)?;
-        scene.check(&scene.order_of_objects(&projection), 3, tolerance)?;
-    }
+        scene.check(&scene.order(&projection), 1, tolerance);
+        scene.check(&scene.order_of_objects(&projection), 3, tolerance);
+    });
+}
 
-    #[test]
-    fn farther_triangles_come_first_in_parallel(scene in scene()) {
+#[test]
+fn farther_triangles_come_first_in_parallel() {
+    cases(256, |random| {
+        let scene = scene(random);
         let window = Window::centered(fx!(12), fx!(9));
         let projection = Projection::orthographic(window, fx!(1), fx!(64)).unwrap();
         // Steps are 2^-26 of the distance between the planes. The rounding of coefficients adds less than another step.
         let step = (FAR - NEAR) * 2_f64.powi(-25);
-        scene.check(&scene.order(&projection), 1, |_| step)?;
-        scene.check(&scene.order_of_objects(&projection), 3, |_| step)?;
-    }
+        scene.check(&scene.order(&projection), 1, |_| step);
+        scene.check(&scene.order_of_objects(&projection), 3, |_| step);
+    });
 }
 
 /// Many triangles at one distance keep the order of the mesh, and those behind come before them.

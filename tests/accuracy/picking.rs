@@ -9,8 +9,10 @@ use fixel::Hit;
 use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
-use proptest::prelude::*;
+use rand::Rng;
+use rand::seq::IndexedRandom;
 
+use crate::common::random::{Random, cases, list};
 use crate::drawing::Drawing;
 use crate::mode::Mode;
 use crate::moves::{self, Move, exact, product, rounded};
@@ -48,9 +50,9 @@ fn depths(lens: &Lens, corners: &[Projected; 3], at: [f64; 2]) -> [f64; 2] {
 }
 
 /// Checks that the parts of a hit agree with each other and with the corners of its face.
-fn check_numbers(hit: &Hit, ray: Ray, corners: [Vec3; 3]) -> Result<(), TestCaseError> {
+fn check_numbers(hit: &Hit, ray: Ray, corners: [Vec3; 3]) {
     let sum: i32 = hit.barycentric.iter().map(|part| part.to_bits()).sum();
-    prop_assert_eq!(sum, 1 << 30);
+    assert_eq!(sum, 1 << 30, "{hit:?}");
     let parts = hit.barycentric.map(|part| part.to_num::<f64>());
     let face = corners.map(exact);
     for (axis, found) in exact(hit.point).into_iter().enumerate() {
@@ -59,15 +61,17 @@ fn check_numbers(hit: &Hit, ray: Ray, corners: [Vec3; 3]) -> Result<(), TestCase
             .zip(face)
             .map(|(part, at)| part * at[axis])
             .sum();
-        prop_assert!((mix - found).abs() <= 2_f64.powi(-16));
+        assert!(
+            (mix - found).abs() <= 2_f64.powi(-16),
+            "{hit:?}: {mix} along axis {axis}"
+        );
     }
     let along = crate::reference::linear::subtract(exact(hit.point), exact(ray.origin()));
     let distance = crate::reference::linear::length(along);
-    prop_assert!(
+    assert!(
         (distance - hit.distance.to_num::<f64>()).abs() <= 2_f64.powi(-14),
         "{hit:?}: {distance}"
     );
-    Ok(())
 }
 
 fn check<K: ProjectionKind>(
@@ -75,7 +79,7 @@ fn check<K: ProjectionKind>(
     moves: &[Move],
     positions: &[Vec3],
     cull: Cull,
-) -> Result<usize, TestCaseError> {
+) {
     let faces: Vec<[u16; 3]> = (0..positions.len() as u16 - 2)
         .map(|i| [i, i + 1, i + 2])
         .collect();
@@ -114,7 +118,7 @@ fn check<K: ProjectionKind>(
             .all(|corner| (lens.near..lens.far).contains(&corner.distance))
     };
     if !(0..faces.len()).all(whole) {
-        return Ok(0);
+        return;
     }
 
     let mut drawn = HashMap::new();
@@ -148,7 +152,7 @@ fn check<K: ProjectionKind>(
                 // A step of the depth buffer, and a tenth of a step for the errors of both depths.
                 a[0] - 1.1 < b[1] && b[0] - 1.1 < a[1]
             };
-            prop_assert!(
+            assert!(
                 picked == drawn || both.clone().any(is_beside) || is_as_deep(),
                 "{picked:?} was picked and {drawn:?} drawn at {x}, {y}"
             );
@@ -160,7 +164,7 @@ fn check<K: ProjectionKind>(
             let off = (place.screen[0] - center[0]).hypot(place.screen[1] - center[1]);
             // The point and the ray's origin are rounded to a unit along each of three axes.
             let allowed = 1e-4 + 2. * unit / nearest.min(lens.near.abs().max(0.1));
-            prop_assert!(
+            assert!(
                 off <= allowed,
                 "{hit:?} is {off} pixels from the ray, over {allowed}"
             );
@@ -168,64 +172,66 @@ fn check<K: ProjectionKind>(
                 &hit,
                 ray,
                 faces[hit.face].map(|at| positions[usize::from(at)]),
-            )?;
+            );
         }
     }
-    Ok(drawn.len())
 }
 
-fn moves() -> impl Strategy<Value = Vec<Move>> {
-    let angle = || any::<u32>().prop_map(Angle::from_bits);
-    (
-        4.0..30_f64,
-        angle(),
-        angle(),
-        [0.3..3., 0.3..3., 0.3..3.],
-        any::<bool>(),
-    )
-        .prop_map(
-            |(distance, x, y, [a, b, c], mirrored): (_, _, _, [f64; 3], _)| {
-                let c = if mirrored { -c } else { c };
-                vec![
-                    moves::to([0., 0., -distance]),
-                    Move::X(x),
-                    Move::Y(y),
-                    Move::Scale(rounded([a, b, c])),
-                ]
-            },
-        )
+fn moves(random: &mut Random) -> [Move; 4] {
+    let mut factors = [(); 3].map(|()| random.random_range(0.3..3.));
+    if random.random() {
+        factors[2] = -factors[2];
+    }
+    [
+        moves::to([0., 0., -random.random_range(4.0..30.)]),
+        Move::X(Angle::from_bits(random.random())),
+        Move::Y(Angle::from_bits(random.random())),
+        Move::Scale(rounded(factors)),
+    ]
 }
 
-fn positions() -> impl Strategy<Value = Vec<Vec3>> {
-    prop::collection::vec([-3.0..3., -3.0..3., -3.0..3.].prop_map(rounded), 3..12)
+fn positions(random: &mut Random) -> Vec<Vec3> {
+    list(random, 3..12, |random| {
+        rounded([(); 3].map(|()| random.random_range(-3.0..3.)))
+    })
 }
 
-fn culls() -> impl Strategy<Value = Cull> {
-    prop_oneof![Just(Cull::Nothing), Just(Cull::Back), Just(Cull::Front)]
+fn cull(random: &mut Random) -> Cull {
+    *[Cull::Nothing, Cull::Back, Cull::Front]
+        .choose(random)
+        .unwrap()
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
-
-    #[test]
-    fn picked_faces_are_the_drawn_ones_in_perspective(
-        moves in moves(), positions in positions(), cull in culls(), fov in 30..100_i32,
-    ) {
-        let fov = Angle::from_degrees(fov);
+#[test]
+fn picked_faces_are_the_drawn_ones_in_perspective() {
+    cases(150, |random| {
+        let fov = Angle::from_degrees(random.random_range(30..100));
         let aspect = f64::from(SIZE.0) / f64::from(SIZE.1);
         let lens = projection::perspective(moves::radians(fov), aspect, 0.25, 100.);
         let projection = Projection::perspective(fov, SIZE, fx!(0.25), fx!(100)).unwrap();
-        check((projection, lens), &moves, &positions, cull)?;
-    }
+        check(
+            (projection, lens),
+            &moves(random),
+            &positions(random),
+            cull(random),
+        );
+    });
+}
 
-    #[test]
-    fn picked_faces_are_the_drawn_ones_in_parallel(
-        moves in moves(), positions in positions(), cull in culls(), half in 3.0..12_f64,
-    ) {
+#[test]
+fn picked_faces_are_the_drawn_ones_in_parallel() {
+    cases(150, |random| {
+        let half = random.random_range(3.0..12.);
         let window = Window::centered(scalar(2. * half).unwrap(), scalar(1.5 * half).unwrap());
-        let [l, r, b, t] = [window.left, window.right, window.bottom, window.top].map(|x| x.to_num());
+        let [l, r, b, t] =
+            [window.left, window.right, window.bottom, window.top].map(|x| x.to_num());
         let lens = projection::orthographic(l, r, b, t, -20., 60.);
         let projection = Projection::orthographic(window, fx!(-20), fx!(60)).unwrap();
-        check((projection, lens), &moves, &positions, cull)?;
-    }
+        check(
+            (projection, lens),
+            &moves(random),
+            &positions(random),
+            cull(random),
+        );
+    });
 }

@@ -1,15 +1,14 @@
 //! The promises of the modes for textured triangles: for any that 320x240 pixels may show, and for the hardest ones.
 
-use std::ops::Range;
+use std::array;
 
 use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::view::Perspective;
-use proptest::prelude::*;
-use proptest::strategy::ValueTree;
-use proptest::test_runner::TestRunner;
+use rand::Rng;
 
 use crate::bounds::{self, Bound};
+use crate::common::random::{Random, cases};
 use crate::mode::Mode;
 use crate::triangle::Triangle;
 
@@ -28,83 +27,93 @@ struct Case {
     uv: [[f64; 3]; 2],
 }
 
+/// A position in or near the picture.
+fn about(random: &mut Random) -> [f64; 2] {
+    [-40.0..360., -40.0..280.].map(|range| random.random_range(range))
+}
+
 /// Triangles in and around the picture: of any shape, thin, small, of few rows, or with a row of any length.
-fn shapes() -> impl Strategy<Value = [[f64; 2]; 3]> {
-    let about = || [-40.0..360.0, -40.0..280.0];
-    let offset = || [-6.0..6.0, -6.0..6.0];
-    let sum = |a: [f64; 2], b: [f64; 2]| [a[0] + b[0], a[1] + b[1]];
-    prop_oneof![
-        1 => [about(), about(), about()],
-        2 => (about(), about(), -0.2..1.2, [-0.5..0.5, -0.5..0.5]).prop_map(
-            move |(a, b, way, aside)| {
-                let between = [0, 1].map(|i: usize| a[i] + way * (b[i] - a[i]));
-                [a, b, sum(between, aside)]
-            }
-        ),
-        2 => ([0.0..320.0, 0.0..240.0], [offset(), offset(), offset()])
-            .prop_map(move |(at, corners)| corners.map(|corner| sum(at, corner))),
-        4 => (0.0..240.0, [about(), about(), about()]).prop_map(|(y, corners)| {
-            corners.map(|corner: [f64; 2]| [corner[0], y + corner[1] / 80.])
-        }),
-        4 => (1..=320_u32, 0.0..1.0, 0..240_u32, 0.0..1.0).prop_map(|(length, x, y, apex)| {
+fn shape(random: &mut Random) -> [[f64; 2]; 3] {
+    match random.random_range(0..13) {
+        0 => [about(random), about(random), about(random)],
+        1..=2 => {
+            let (a, b, way) = (about(random), about(random), random.random_range(-0.2..1.2));
+            let beside = |i: usize| a[i] + way * (b[i] - a[i]) + random.random_range(-0.5..0.5);
+            [a, b, array::from_fn(beside)]
+        }
+        3..=4 => {
+            let at = [0.0..320., 0.0..240.].map(|range| random.random_range(range));
+            [at; 3].map(|corner| corner.map(|x| x + random.random_range(-6.0..6.)))
+        }
+        5..=8 => {
+            let top = random.random_range(0.0..240.);
+            [about(random), about(random), about(random)].map(|[x, y]| [x, top + y / 80.])
+        }
+        _ => {
             // The row through the middle is half as long as the base.
-            let (length, y) = (f64::from(length), f64::from(y));
-            let x = x * (320. - length);
-            [[x - length / 2., y], [x + 1.5 * length, y], [x + apex * length, y + 1.]]
-        }),
-    ]
+            let length = f64::from(random.random_range(1..=320));
+            let x = random.random_range(0.0..1.) * (320. - length);
+            let y = f64::from(random.random_range(0..240));
+            let apex = random.random_range(0.0..1.);
+            [
+                [x - length / 2., y],
+                [x + 1.5 * length, y],
+                [x + apex * length, y + 1.],
+            ]
+        }
+    }
 }
 
 /// The change of 1/w per pixel to the right and downwards, relative to the least 1/w in the picture.
-fn slopes() -> impl Strategy<Value = [f64; 2]> {
-    let sign = prop::sample::select(vec![-1., 1.]);
-    let steep = prop_oneof![
-        2 => (-14.0..-4_f64).prop_map(f64::exp2),
+fn slope(random: &mut Random) -> [f64; 2] {
+    if random.random_ratio(1, 4) {
+        // A floor, on which 1/w is constant or nearly constant along a row.
+        let across = if random.random() {
+            0.
+        } else {
+            random.random_range(-16.0..-8_f64).exp2()
+        };
+        return [across, random.random_range(-8.0..0_f64).exp2()];
+    }
+    let steep = match random.random_range(0..5) {
+        0..=1 => random.random_range(-14.0..-4_f64).exp2(),
         // Slopes around the limit beyond which a reciprocal is not computed from earlier ones.
-        2 => (0.97..1.01).prop_map(|part| part / 64.),
-        1 => (-5.0..2_f64).prop_map(f64::exp2),
-    ];
-    let along = (steep, sign, -1.0..1.0)
-        .prop_map(|(steep, sign, way): (f64, f64, f64)| [steep * sign, steep * way]);
-    // A floor, on which 1/w is constant or nearly constant along a row.
-    let floor = (-16.0..-8_f64, -8.0..0_f64, any::<bool>()).prop_map(|(across, down, is_level)| {
-        let across = if is_level { 0. } else { across.exp2() };
-        [across, down.exp2()]
-    });
-    prop_oneof![3 => along, 1 => floor]
+        2..=3 => random.random_range(0.97..1.01) / 64.,
+        _ => random.random_range(-5.0..2_f64).exp2(),
+    };
+    let across = if random.random() { steep } else { -steep };
+    [across, steep * random.random_range(-1.0..1.)]
 }
 
 /// Triangles with 1/w on a slope across the picture, or with any values of 1/w up to a ratio of 1000.
-fn cases() -> impl Strategy<Value = Case> {
-    let apart = (0.0..10_f64, [0.0..1.0, 0.0..1.0, 0.0..1.0])
-        .prop_map(|(spread, at)| at.map(|at: f64| (-spread * at).exp2()));
-    let along = |from: f64, to: f64| [from..to, from..to, from..to];
-    let both = |corners: [Range<f64>; 3]| [corners.clone(), corners];
-    let ends = || prop::array::uniform3(prop::sample::select(vec![0., 1.]));
-    let uv = prop_oneof![
-        3 => both(along(0., 1.)),
-        1 => both(along(0., 4.)),
-        // Both attributes have 28 bits.
-        2 => both(along(4., 7.)),
-        1 => [ends(), ends()],
-    ];
-    let w = prop_oneof![slopes().prop_map(Ok), apart.prop_map(Err)];
-    (shapes(), w, uv, 0.5..4.).prop_map(|(screen, w, uv, nearest)| {
-        let mut inverse_w = match w {
-            Ok(slope) => screen.map(|[x, y]| slope[0] * x + slope[1] * y),
-            Err(inverse_w) => inverse_w,
-        };
+fn case(random: &mut Random) -> Case {
+    let screen = shape(random);
+    let inverse_w = if random.random() {
+        let slope = slope(random);
+        let inverse_w = screen.map(|[x, y]| slope[0] * x + slope[1] * y);
         let least = inverse_w.into_iter().fold(f64::MAX, f64::min);
-        if w.is_ok() {
-            inverse_w = inverse_w.map(|q| q - least + 1.);
-        }
-        let most = inverse_w.into_iter().fold(0., f64::max);
-        Case {
-            screen,
-            inverse_w: inverse_w.map(|q| q / most / nearest),
-            uv,
-        }
-    })
+        inverse_w.map(|q| q - least + 1.)
+    } else {
+        let spread = random.random_range(0.0..10.);
+        [(); 3].map(|()| (-spread * random.random::<f64>()).exp2())
+    };
+    let most = inverse_w.into_iter().fold(0., f64::max);
+    let nearest = random.random_range(0.5..4.);
+    let kind = random.random_range(0..7);
+    let uv = [[(); 3]; 2].map(|corners| {
+        corners.map(|()| match kind {
+            0..=2 => random.random_range(0.0..1.),
+            3 => random.random_range(0.0..4.),
+            // Both attributes have 28 bits.
+            4..=5 => random.random_range(4.0..7.),
+            _ => f64::from(random.random_range(0..2)),
+        })
+    });
+    Case {
+        screen,
+        inverse_w: inverse_w.map(|q| q / most / nearest),
+        uv,
+    }
 }
 
 impl Case {
@@ -284,15 +293,10 @@ fn print(name: &str, worst: &[Worst; MODES]) {
     }
 }
 
-/// Random triangles, the same in every run.
 #[test]
 fn textured_triangles_keep_the_promises() {
-    let mut runner = TestRunner::deterministic();
     let mut worst = [Worst::default(); MODES];
-    for _ in 0..1200 {
-        let case = cases().new_tree(&mut runner).unwrap().current();
-        case.check(&mut worst);
-    }
+    cases(1200, |random| case(random).check(&mut worst));
     print("random triangles", &worst);
     for worst in worst {
         // The promises cover nearly all values.
@@ -303,28 +307,24 @@ fn textured_triangles_keep_the_promises() {
 /// Triangles with a corner 256 to 1,000 times as far as another, which `Exact` draws within 0.001 texel throughout.
 #[test]
 fn deep_triangles_keep_the_promises() {
-    let about = || [-40.0..360.0, -40.0..280.0];
-    let along = || [0.0..=1., 0.0..=1., 0.0..=1.];
-    // The nearest corner is far outside the picture, so that there are many far pixels.
-    let beyond = || [-1500.0..1800.0, -1500.0..1700.0];
-    let shape = [beyond(), about(), about()];
-    let deep = (shape, 8.01..9.96_f64, 0.5..1.0_f64, [along(), along()]);
-    let deep = deep.prop_map(|(screen, most, other, uv)| Case {
-        screen,
-        inverse_w: [1., (-most * other).exp2(), (-most).exp2()],
-        uv,
-    });
-    let mut runner = TestRunner::deterministic();
     let mut worst = [Worst::default(); MODES];
-    for _ in 0..200 {
-        deep.new_tree(&mut runner)
-            .unwrap()
-            .current()
-            .check(&mut worst);
-    }
+    cases(200, |random| {
+        // The nearest corner is far outside the picture, so that there are many far pixels.
+        let beyond = [-1500.0..1800., -1500.0..1700.].map(|range| random.random_range(range));
+        let most: f64 = random.random_range(8.01..9.96);
+        let other = random.random_range(0.5..1.);
+        let case = Case {
+            screen: [beyond, about(random), about(random)],
+            inverse_w: [1., (-most * other).exp2(), (-most).exp2()],
+            uv: [[(); 3]; 2].map(|corners| corners.map(|()| random.random_range(0.0..=1.))),
+        };
+        case.check(&mut worst);
+    });
     print("deep triangles", &worst);
     let [exact, ..] = worst;
-    assert!(exact.deep > 25_000, "{}", exact.deep);
+    // With other seeds, 200 triangles had 20,000 to 36,000 such values, 27,200 on average, with a standard deviation of
+    // 3,700.
+    assert!(exact.deep > 10_000, "{}", exact.deep);
 }
 
 /// A row of each possible length, on slopes of either sign, up to one too steep to compute a reciprocal from the

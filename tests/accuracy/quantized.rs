@@ -7,7 +7,9 @@ use fixel::mesh::Quantized;
 use fixel::mesh::flash::{StoredUvs, normals_of_8, quantized_8, quantized_16};
 use fixel::prelude::*;
 use fixel::shade::PerFace;
-use proptest::prelude::*;
+use rand::Rng;
+
+use crate::common::random::{Random, cases};
 
 /// Three normals and three texture coordinates.
 type Attributes = ([Vec3; 3], [Vec2; 3]);
@@ -47,12 +49,12 @@ fn seen(normals: &[Vec3; 3], uvs: StoredUvs<'_>, grid: fixel::mesh::flash::UvGri
     notes.get().unwrap()
 }
 
-fn bits() -> impl Strategy<Value = i32> {
-    prop_oneof![
-        Just(i32::MIN),
-        Just(i32::MAX),
-        (any::<i32>(), 0_u32..32).prop_map(|(bits, cut)| bits >> cut),
-    ]
+fn bits(random: &mut Random) -> i32 {
+    match random.random_range(0..3) {
+        0 => i32::MIN,
+        1 => i32::MAX,
+        _ => random.random::<i32>() >> random.random_range(0..32),
+    }
 }
 
 /// The angle between two vectors in degrees, from its sine and cosine.
@@ -72,41 +74,43 @@ fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
         .to_degrees()
 }
 
-proptest! {
-    #[test]
-    fn errors_of_rounded_attributes_are_within_the_bounds(
-        normals in prop::array::uniform3(prop::array::uniform3(bits())),
-        uvs in prop::array::uniform3(prop::array::uniform2(bits())),
-    ) {
-        let (normals, uvs) = (normals.map(Vec3::from_bits), uvs.map(Vec2::from_bits));
+#[test]
+fn errors_of_rounded_attributes_are_within_the_bounds() {
+    cases(256, |random| {
+        let normals = [(); 3].map(|()| Vec3::from_bits([(); 3].map(|()| bits(random))));
+        let uvs = [(); 3].map(|()| Vec2::from_bits([(); 2].map(|()| bits(random))));
         let (bytes, grid) = quantized_8::<3>(&uvs);
         let of_8 = seen(&normals, StoredUvs::Bytes(&bytes), grid);
         let (words, grid) = quantized_16::<3>(&uvs);
         let of_16 = seen(&normals, StoredUvs::Words(&words), grid);
-        prop_assert_eq!(of_8.0, of_16.0);
+        assert_eq!(of_8.0, of_16.0);
 
         for (normal, got) in normals.iter().zip(of_8.0) {
             let [a, b] = [*normal, got].map(|v| v.to_bits().map(f64::from));
             if *normal == Vec3::ZERO {
-                prop_assert_eq!(got, Vec3::ZERO);
+                assert_eq!(got, Vec3::ZERO);
                 continue;
             }
             // The largest of three components is 127, and each of the others has an error of at most half a unit.
             let bound = (0.5_f64.sqrt() / 127.).asin().to_degrees();
             let error = angle(a, b);
-            prop_assert!(error <= bound + 1e-9, "{normal:?} becomes {got:?}: {error} degrees");
+            assert!(
+                error <= bound + 1e-9,
+                "{normal:?} becomes {got:?}: {error} degrees"
+            );
         }
         for (got, most) in [(of_8.1, 255.), (of_16.1, 65_535.)] {
             for axis in 0..2 {
-                let [exact, got] = [uvs, got].map(|uvs| uvs.map(|uv| f64::from(uv.to_bits()[axis])));
+                let [exact, got] =
+                    [uvs, got].map(|uvs| uvs.map(|uv| f64::from(uv.to_bits()[axis])));
                 let range = exact.into_iter().fold(f64::MIN, f64::max)
                     - exact.into_iter().fold(f64::MAX, f64::min);
                 // A step is rounded up to a whole unit of 2^-20, and a coordinate to the nearest step.
                 let bound = range / most / 2. + 0.5;
                 for (exact, got) in exact.iter().zip(got) {
-                    prop_assert!((exact - got).abs() <= bound, "{exact} becomes {got}");
+                    assert!((exact - got).abs() <= bound, "{exact} becomes {got}");
                 }
             }
         }
-    }
+    });
 }

@@ -6,8 +6,9 @@ use embedded_graphics::pixelcolor::Gray8;
 use fixel::num::{scalar, tex_coord};
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
-use proptest::prelude::*;
+use rand::Rng;
 
+use crate::common::random::{Random, cases};
 use crate::moves::{self, Move, exact, product, relative, rounded, size};
 use crate::recorder::Probe;
 use crate::reference::linear::{Matrix, direction, inverse, length, point};
@@ -26,40 +27,39 @@ struct Kind {
     scale: f64,
 }
 
-fn kinds() -> impl Strategy<Value = Kind> {
-    let axis = [-2.0..2., -2.0..2., -2.0..2.].prop_map(rounded);
-    (
-        [0.5..8., 0.5..8.],
-        any::<bool>(),
-        prop::option::of(axis),
-        [-0.5..1.5, -0.5..1.5],
-        -2.0..2_f64,
-    )
-        .prop_map(|(size, in_pixels, axis, anchor, scale)| Kind {
-            size,
-            in_pixels,
-            axis,
-            anchor,
-            scale,
-        })
+fn kind(random: &mut Random) -> Kind {
+    Kind {
+        size: [(); 2].map(|()| random.random_range(0.5..8.)),
+        in_pixels: random.random(),
+        axis: random
+            .random_bool(0.5)
+            .then(|| rounded(anywhere(random, 2.))),
+        anchor: [(); 2].map(|()| random.random_range(-0.5..1.5)),
+        scale: random.random_range(-2.0..2.),
+    }
+}
+
+fn anywhere(random: &mut Random, range: f64) -> [f64; 3] {
+    [(); 3].map(|()| random.random_range(-range..range))
 }
 
 /// A camera, which is a rigid transform, and the transform of a model.
-fn places() -> impl Strategy<Value = [Vec<Move>; 2]> {
-    let angle = || any::<u32>().prop_map(Angle::from_bits);
-    let offset = || [-5.0..5., -5.0..5., -5.0..5.].prop_map(moves::to);
-    (
-        5.0..40_f64,
-        [angle(), angle(), angle()],
-        [offset(), offset()],
-        [0.2..3., 0.2..3., -3.0..-0.2],
-    )
-        .prop_map(|(distance, [a, b, c], [to, model], factors)| {
-            [
-                vec![moves::to([0., 0., -distance]), Move::X(a), Move::Y(b), to],
-                vec![model, Move::Z(c), Move::Scale(rounded(factors))],
-            ]
-        })
+fn places(random: &mut Random) -> [Vec<Move>; 2] {
+    let [x, y, z] = random.random::<[u32; 3]>().map(Angle::from_bits);
+    let factors = [0.2..3., 0.2..3., -3.0..-0.2].map(|range| random.random_range(range));
+    [
+        vec![
+            moves::to([0., 0., -random.random_range(5.0..40.)]),
+            Move::X(x),
+            Move::Y(y),
+            moves::to(anywhere(random, 5.)),
+        ],
+        vec![
+            moves::to(anywhere(random, 5.)),
+            Move::Z(z),
+            Move::Scale(rounded(factors)),
+        ],
+    ]
 }
 
 /// The bound of the error of a corner in eye space, along each axis.
@@ -118,7 +118,7 @@ fn check<K: ProjectionKind>(
     [camera, model]: &[Vec<Move>; 2],
     kind: Kind,
     position: Vec3,
-) -> Result<(), TestCaseError> {
+) {
     let all = [&camera[..], &model[..]].concat();
     let ((view, view_matrix), (place, _), (_, eye)) =
         (product(camera), product(model), product(&all));
@@ -140,7 +140,7 @@ fn check<K: ProjectionKind>(
         .unwrap();
     if let Some(axis) = kind.axis {
         let Ok(turning) = sprites.with_axis(axis) else {
-            return Ok(());
+            return;
         };
         sprites = turning;
     }
@@ -186,7 +186,7 @@ fn check<K: ProjectionKind>(
     let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
     canvas.draw_sprites(&DrawOptions::new(), &sprites, &mvp, &probe);
     if is_shown::<K>(&lens, &expected) {
-        prop_assert!(!seen.borrow().is_empty(), "{sprite:?} has no pixels");
+        assert!(!seen.borrow().is_empty(), "{sprite:?} has no pixels");
     }
     let (back, unit) = (inverse(&view_matrix).unwrap(), 2_f64.powi(-16));
     for (i, (at, world)) in seen.into_inner().into_iter().enumerate() {
@@ -204,7 +204,7 @@ fn check<K: ProjectionKind>(
         } else {
             second
         };
-        prop_assert!(
+        assert!(
             off(best, at) <= allowed,
             "{at:?} is not {best:?}, within {allowed}"
         );
@@ -213,44 +213,40 @@ fn check<K: ProjectionKind>(
         let allowed = 3_f64.sqrt() * allowed
             + unit
             + relative(camera) * (size(camera, at) + length(best) + size(camera, Vec3::ZERO));
-        prop_assert!(
+        assert!(
             off(there, world) <= allowed,
             "{world:?} is not {there:?} in the world"
         );
     }
-    Ok(())
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 3000, failure_persistence: None, ..ProptestConfig::default() })]
-
-    #[test]
-    fn corners_in_perspective_are_the_models(
-        places in places(),
-        kind in kinds(),
-        position in [-4.0..4., -4.0..4., -4.0..4.].prop_map(rounded),
-        fov in 40..120_i32,
-    ) {
-        let fov = Angle::from_degrees(fov);
+#[test]
+fn corners_in_perspective_are_the_models() {
+    cases(3000, |random| {
+        let fov = Angle::from_degrees(random.random_range(40..120));
         let (near, far) = (fx!(0.5), fx!(100));
         let aspect = f64::from(SIZE.0) / f64::from(SIZE.1);
         let lens = projection::perspective(moves::radians(fov), aspect, 0.5, 100.);
         let projection = Projection::perspective(fov, SIZE, near, far).unwrap();
-        check((projection, lens), &places, kind, position)?;
-    }
+        let position = rounded(anywhere(random, 4.));
+        check((projection, lens), &places(random), kind(random), position);
+    });
+}
 
-    #[test]
-    fn corners_in_parallel_are_the_models(
-        places in places(),
-        kind in kinds(),
-        position in [-4.0..4., -4.0..4., -4.0..4.].prop_map(rounded),
-        half in 4..20_i32,
-    ) {
-        let half = Scalar::from_num(half);
-        let window = Window { left: -half, right: half, bottom: -half, top: half };
+#[test]
+fn corners_in_parallel_are_the_models() {
+    cases(3000, |random| {
+        let half = Scalar::from_num(random.random_range(4..20));
+        let window = Window {
+            left: -half,
+            right: half,
+            bottom: -half,
+            top: half,
+        };
         let edge = half.to_num::<f64>();
         let lens = projection::orthographic(-edge, edge, -edge, edge, 0., 100.);
         let projection = Projection::orthographic(window, fx!(0), fx!(100)).unwrap();
-        check((projection, lens), &places, kind, position)?;
-    }
+        let position = rounded(anywhere(random, 4.));
+        check((projection, lens), &places(random), kind(random), position);
+    });
 }

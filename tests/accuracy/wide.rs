@@ -1,18 +1,22 @@
 //! Wide lines and large points: their pixels, from exact integers; sizes in world space and the shares of anti-aliased
 //! lines, from f64.
 
+use std::ops::Range;
+
+use crate::common::random::{Random, cases};
 use crate::common::recorder::{Probe, Recorder, Seen, record};
 use crate::common::{at_subpixel, pixel_lens};
 use crate::reference::blending::over;
 use crate::reference::coverage::{Bounds, center, picture};
 use crate::reference::lines::share;
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
-use fixel::Drawn;
+use fixel::mode::Newton;
 use fixel::num::Subpixel;
 use fixel::prelude::*;
-use fixel::target::{Add, Depth, Native, Opacity};
-
-use proptest::prelude::*;
+use fixel::target::{Add, Blending, Depth, Native, Opacity, TestAndWrite};
+use fixel::view::{ModelToPicture, Perspective};
+use fixel::{Drawn, LineStyle};
+use rand::Rng;
 
 /// A position in 24.8.
 type Point = [i32; 2];
@@ -43,6 +47,27 @@ fn drawn(rows: u32, draw: &dyn Fn(&mut Frame<'_>, &Pen<'_, '_>) -> Drawn) -> Vec
     }
     all.sort_by_key(|seen| (seen.pixel[1], seen.pixel[0]));
     all
+}
+
+/// The pixels of a mesh's edges, in bands of `rows` rows.
+fn edges<B, L>(
+    rows: u32,
+    options: &DrawOptions<Newton, TestAndWrite, B, L>,
+    mesh: &Mesh<'_>,
+    mvp: &impl ModelToPicture,
+) -> Vec<Seen<1>>
+where
+    B: Blending<Gray8, Source = Gray8>,
+    L: LineStyle<Gray8>,
+{
+    drawn(rows, &|frame, pen| {
+        frame.draw_edges(options, mesh, mvp, pen)
+    })
+}
+
+/// A mesh of one edge.
+fn line<'a>(ends: &'a [Vec3; 2], edge: &'a [[u16; 2]; 1]) -> Mesh<'a> {
+    Mesh::new(ends, &[]).unwrap().with_edges(edge).unwrap()
 }
 
 /// How often each pixel was drawn.
@@ -78,13 +103,10 @@ fn on_line([a, b]: [Point; 2], half: i64, pixel: [i32; 2]) -> bool {
     -half * length < distance && distance <= half * length
 }
 
-/// A position ahead of the eye, in units of 2⁻¹⁶.
-fn ahead() -> impl Strategy<Value = [i32; 3]> {
-    [
-        -5 << 16..5i32 << 16,
-        -3 << 16..3i32 << 16,
-        -20 << 16..-1i32 << 15,
-    ]
+/// A position ahead of the eye.
+fn ahead(random: &mut Random) -> Vec3 {
+    let ranges = [-5 << 16..5 << 16, -3 << 16..3 << 16, -20 << 16..-1 << 15];
+    Vec3::from_bits(ranges.map(|range| random.random_range(range)))
 }
 
 /// Compares the depths and values of a smooth line with those of a plain line, which has one pixel in each step along
@@ -110,165 +132,278 @@ fn check_values(smooth: &[Seen<1>], [a, b]: [Point; 2], plain: &[Seen<1>]) {
 }
 
 /// Positions in and around the picture: on pixel corners, on centers, on any subpixel.
-fn places() -> impl Strategy<Value = Point> {
-    prop_oneof![
-        [-10..100i32, -10..50].prop_map(|p| p.map(|at| at * 256)),
-        [-10..100i32, -10..50].prop_map(|p| p.map(|at| at * 256 + 128)),
-        [-3000..26_000i32, -3000..13_000],
-        [-500_000..500_000i32, -500_000..500_000],
-    ]
+fn place(random: &mut Random) -> Point {
+    let kind = random.random_range(0..4);
+    let mut within = |x: Range<i32>, y: Range<i32>| [x, y].map(|range| random.random_range(range));
+    match kind {
+        0 => within(-10..100, -10..50).map(|at| at * 256),
+        1 => within(-10..100, -10..50).map(|at| at * 256 + 128),
+        2 => within(-3000..26_000, -3000..13_000),
+        _ => within(-500_000..500_000, -500_000..500_000),
+    }
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+/// Half of a line's width, in units of 1/256 pixel: often that of a plain line, often a few pixels.
+fn half(random: &mut Random) -> i32 {
+    match random.random_range(0..3) {
+        0 => random.random_range(128..=8192),
+        1 => 128,
+        _ => random.random_range(128..600),
+    }
+}
 
-    /// A wide line draws exactly the model's pixels, once each, from either end, in bands and in a frame. Each pixel
-    /// has the values of the thin line beside it. Width 1 is the thin line.
-    #[test]
-    fn wide_lines_are_the_models(ends in [places(), places()], half in prop_oneof![128..=8192i32, Just(128), 128..600i32], rows in 1..40u32) {
+/// The width of a line, twice this many units of 1/256 pixel.
+fn width(half: i32) -> LineWidth {
+    LineWidth::new(Scalar::from_bits(half << 9)).unwrap()
+}
+
+/// How many inputs a test checks.
+const CASES: u64 = 400;
+
+fn perspective() -> Projection<Perspective> {
+    Projection::from_focal_length(fx!(40), SIZE, fx!(0.25), fx!(32)).unwrap()
+}
+
+/// A wide line draws exactly the model's pixels, once each, from either end, in bands and in a frame. Each pixel
+/// has the values of the thin line beside it. Width 1 is the thin line.
+#[test]
+fn wide_lines_are_the_models() {
+    cases(CASES, |random| {
+        let (ends, half) = ([place(random), place(random)], half(random));
+        let rows = random.random_range(1..40);
         let mvp = pixel_lens(SIZE);
         let positions = ends.map(at_subpixel);
-        let width = LineWidth::new(Scalar::from_bits(half << 9)).unwrap();
+        let width = width(half);
         let model = modelled(|pixel| on_line(ends, half.into(), pixel));
         let mut first = None;
-        for edge in [[0, 1], [1, 0]] {
-            let edges = [edge];
-            let mesh = Mesh::new(&positions, &[]).unwrap().with_edges(&edges).unwrap();
+        for edge in [[[0, 1]], [[1, 0]]] {
+            let mesh = line(&positions, &edge);
             let options = DrawOptions::new();
-            let wide = drawn(SIZE.1, &|frame, pen| frame.draw_edges(&options.with_line(width), &mesh, &mvp, pen));
-            prop_assert_eq!(picture(&counts(&wide), SIZE.0), picture(&model, SIZE.0));
-            let bands = drawn(rows, &|frame, pen| frame.draw_edges(&options.with_line(width), &mesh, &mvp, pen));
-            prop_assert_eq!(&bands, &wide);
-            let thin = drawn(SIZE.1, &|frame, pen| frame.draw_edges(&options, &mesh, &mvp, pen));
+            let wide = edges(SIZE.1, &options.with_line(width), &mesh, &mvp);
+            assert_eq!(
+                picture(&counts(&wide), SIZE.0),
+                picture(&model, SIZE.0),
+                "{ends:?}, {half}"
+            );
+            let bands = edges(rows, &options.with_line(width), &mesh, &mvp);
+            assert_eq!(bands, wide, "{ends:?}, {half}, {rows}");
+            let thin = edges(SIZE.1, &options, &mesh, &mvp);
             if half == 128 {
-                prop_assert_eq!(&thin, &wide);
+                assert_eq!(thin, wide, "{ends:?}");
             }
             let [dx, dy] = [0, 1].map(|axis| ends[0][axis].abs_diff(ends[1][axis]));
             let major = usize::from(dy > dx);
             for thin in thin {
-                let mut run = wide.iter().filter(|seen| seen.pixel[major] == thin.pixel[major]);
-                prop_assert!(run.all(|seen| (seen.values, seen.depth) == (thin.values, thin.depth)));
+                let mut run = wide
+                    .iter()
+                    .filter(|seen| seen.pixel[major] == thin.pixel[major]);
+                assert!(
+                    run.all(|seen| (seen.values, seen.depth) == (thin.values, thin.depth)),
+                    "{ends:?}, {half}: beside {thin:?}"
+                );
             }
-            prop_assert_eq!(first.get_or_insert(wide.len()), &wide.len());
+            assert_eq!(
+                first.get_or_insert(wide.len()),
+                &wide.len(),
+                "{ends:?}, {half}"
+            );
         }
-    }
+    });
+}
 
-    /// An anti-aliased line, white on black, is the model's: every pixel's share has an error of at most 1.3/256, so
-    /// its level has one of at most 1.3 and half a step. The line is the same from either end and in bands. On Rgb565,
-    /// shares are rounded to 32nds: a further error of 1/64, of 31 or 63 steps.
-    ///
-    /// Each pixel with a share above 0 is drawn once. A pixel beside a plain line has the values of the plain line's
-    /// pixel there, and a pixel beyond the ends has the values of the end.
-    #[test]
-    fn smooth_lines_are_the_models(ends in [places(), places()], half in prop_oneof![128..=8192i32, Just(128), 128..600i32], rows in 1..40u32) {
+/// An anti-aliased line, white on black, is the model's: every pixel's share has an error of at most 1.3/256, so
+/// its level has one of at most 1.3 and half a step. The line is the same from either end and in bands. On Rgb565,
+/// shares are rounded to 32nds: a further error of 1/64, of 31 or 63 steps.
+///
+/// Each pixel with a share above 0 is drawn once. A pixel beside a plain line has the values of the plain line's
+/// pixel there, and a pixel beyond the ends has the values of the end.
+#[test]
+fn smooth_lines_are_the_models() {
+    cases(CASES, |random| {
+        let (ends, half) = ([place(random), place(random)], half(random));
+        let rows = random.random_range(1..40);
         let mvp = pixel_lens(SIZE);
         let positions = ends.map(at_subpixel);
-        let edges = [[0, 1]];
-        let mesh = Mesh::new(&positions, &[]).unwrap().with_edges(&edges).unwrap();
-        let width = LineWidth::new(Scalar::from_bits(half << 9)).unwrap();
+        let mesh = line(&positions, &[[0, 1]]);
+        let width = width(half);
         let options = DrawOptions::new();
         let gray = |rows: u32, mesh: &Mesh<'_>| {
             let mut colors = vec![Gray8::BLACK; (SIZE.0 * SIZE.1) as usize];
-            for (first, rows) in (0..).step_by(rows as usize).zip(colors.chunks_mut((rows * SIZE.0) as usize)) {
+            for (first, rows) in (0..)
+                .step_by(rows as usize)
+                .zip(colors.chunks_mut((rows * SIZE.0) as usize))
+            {
                 let mut band = Canvas::band(rows, SIZE.0, SIZE.1, first).unwrap();
-                band.draw_edges(&options.with_line(width.smooth()), mesh, &mvp, &Flat::new(Gray8::WHITE));
+                band.draw_edges(
+                    &options.with_line(width.smooth()),
+                    mesh,
+                    &mvp,
+                    &Flat::new(Gray8::WHITE),
+                );
             }
             colors
         };
         let found = gray(SIZE.1, &mesh);
-        prop_assert_eq!(&gray(rows, &mesh), &found, "bands");
+        assert_eq!(&gray(rows, &mesh), &found, "bands");
         let turned = [[1, 0]];
-        prop_assert_eq!(&gray(SIZE.1, &mesh.with_edges(&turned).unwrap()), &found, "the other direction");
+        assert_eq!(
+            &gray(SIZE.1, &mesh.with_edges(&turned).unwrap()),
+            &found,
+            "the other direction"
+        );
 
         let mut colors = vec![Rgb565::BLACK; (SIZE.0 * SIZE.1) as usize];
         let mut canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
-        canvas.draw_edges(&options.with_line(width.smooth()), &mesh, &mvp, &Flat::new(Rgb565::WHITE));
+        canvas.draw_edges(
+            &options.with_line(width.smooth()),
+            &mesh,
+            &mvp,
+            &Flat::new(Rgb565::WHITE),
+        );
 
         let float = |[x, y]: Point| [x, y].map(|at| f64::from(at) / 256.);
         let (screen, pixels) = (ends.map(float), f64::from(half) / 128.);
-        for ((pixel, gray), color) in Bounds::new(SIZE.0, SIZE.1).pixels().zip(&found).zip(&colors) {
+        for ((pixel, gray), color) in Bounds::new(SIZE.0, SIZE.1)
+            .pixels()
+            .zip(&found)
+            .zip(&colors)
+        {
             let share = share(screen, pixels, center(pixel));
             let room = |steps: f64, extra: f64| steps * (1.3 / 256. + extra) + 0.5;
             let level = f64::from(gray.luma());
-            prop_assert!((level - share * 255.).abs() <= room(255., 0.), "{:?}: {} instead of {}", pixel, level, share * 255.);
+            assert!(
+                (level - share * 255.).abs() <= room(255., 0.),
+                "{pixel:?}: {level} instead of {}",
+                share * 255.
+            );
             for (level, steps) in [(color.r(), 31.), (color.g(), 63.), (color.b(), 31.)] {
                 let level = f64::from(level);
-                prop_assert!((level - share * steps).abs() <= room(steps, 1. / 64.), "{:?}: {} instead of {}", pixel, level, share * steps);
+                assert!(
+                    (level - share * steps).abs() <= room(steps, 1. / 64.),
+                    "{pixel:?}: {level} instead of {}",
+                    share * steps
+                );
             }
         }
 
-        let smooth = drawn(SIZE.1, &|frame, pen| frame.draw_edges(&options.with_line(width.smooth()), &mesh, &mvp, pen));
-        check_values(&smooth, ends, &drawn(SIZE.1, &|frame, pen| frame.draw_edges(&options, &mesh, &mvp, pen)));
-        prop_assert!(counts(&smooth).iter().all(|&count| count <= 1));
+        let smooth = edges(SIZE.1, &options.with_line(width.smooth()), &mesh, &mvp);
+        check_values(&smooth, ends, &edges(SIZE.1, &options, &mesh, &mvp));
+        assert!(
+            counts(&smooth).iter().all(|&count| count <= 1),
+            "{ends:?}, {half}"
+        );
         for seen in smooth.iter().filter(|seen| {
-            let major = usize::from(ends[0][0].abs_diff(ends[1][0]) < ends[0][1].abs_diff(ends[1][1]));
+            let major =
+                usize::from(ends[0][0].abs_diff(ends[1][0]) < ends[0][1].abs_diff(ends[1][1]));
             let at = seen.pixel[major] * 256 + 128;
             at < ends[0][major].min(ends[1][major]) || at > ends[0][major].max(ends[1][major])
         }) {
-            prop_assert!(positions.iter().any(|end| seen.values == [end.x.to_bits()]), "beyond the ends: {:?}", seen);
+            assert!(
+                positions.iter().any(|end| seen.values == [end.x.to_bits()]),
+                "beyond the ends: {seen:?}"
+            );
         }
-    }
+    });
+}
 
-    /// In perspective, wide and smooth lines drawn in bands have the same bits as in a frame.
-    #[test]
-    fn bands_of_lines_in_perspective_equal_the_frame(
-        ends in [ahead(), ahead()], half in 128..=8192i32, rows in 1..40u32,
-    ) {
-        let positions = ends.map(Vec3::from_bits);
-        let edges = [[0, 1]];
-        let mesh = Mesh::new(&positions, &[]).unwrap().with_edges(&edges).unwrap();
-        let width = LineWidth::new(Scalar::from_bits(half << 9)).unwrap();
-        let mvp = Projection::from_focal_length(fx!(40), SIZE, fx!(0.25), fx!(32)).unwrap();
+/// In perspective, wide and smooth lines drawn in bands have the same bits as in a frame.
+#[test]
+fn bands_of_lines_in_perspective_equal_the_frame() {
+    cases(CASES, |random| {
+        let positions = [ahead(random), ahead(random)];
+        let width = width(random.random_range(128..=8192));
+        let rows = random.random_range(1..40);
+        let mesh = line(&positions, &[[0, 1]]);
+        let mvp = perspective();
         let options = DrawOptions::new();
-        let wide = |rows| drawn(rows, &|frame, pen| frame.draw_edges(&options.with_line(width), &mesh, &mvp, pen));
-        prop_assert_eq!(wide(rows), wide(SIZE.1));
-        let smooth = |rows| drawn(rows, &|frame, pen| frame.draw_edges(&options.with_line(width.smooth()), &mesh, &mvp, pen));
-        prop_assert_eq!(smooth(rows), smooth(SIZE.1));
-    }
+        let wide = |rows| edges(rows, &options.with_line(width), &mesh, &mvp);
+        assert_eq!(wide(rows), wide(SIZE.1), "{positions:?}, {width:?}, {rows}");
+        let smooth = |rows| edges(rows, &options.with_line(width.smooth()), &mesh, &mvp);
+        assert_eq!(
+            smooth(rows),
+            smooth(SIZE.1),
+            "{positions:?}, {width:?}, {rows}"
+        );
+    });
+}
 
-    /// In perspective too, pixels beside a plain line have its depths and values.
-    #[test]
-    fn smooth_lines_have_the_values_of_plain_ones(ends in [ahead(), ahead()], half in 128..600i32, opacity: u8) {
-        let positions = ends.map(Vec3::from_bits);
-        let edges = [[0, 1]];
-        let mesh = Mesh::new(&positions, &[]).unwrap().with_edges(&edges).unwrap();
-        let width = LineWidth::new(Scalar::from_bits(half << 9)).unwrap();
-        let mvp = Projection::from_focal_length(fx!(40), SIZE, fx!(0.25), fx!(32)).unwrap();
+/// In perspective too, pixels beside a plain line have its depths and values.
+#[test]
+fn smooth_lines_have_the_values_of_plain_ones() {
+    cases(CASES, |random| {
+        let positions = [ahead(random), ahead(random)];
+        let smooth = width(random.random_range(128..600)).smooth();
+        let mesh = line(&positions, &[[0, 1]]);
+        let mvp = perspective();
         let plain = DrawOptions::new();
         let canvas_ends = |mvp: &Projection<_>| {
             let mut colors = vec![Gray8::BLACK; (SIZE.0 * SIZE.1) as usize];
             let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
-            let end = |at: usize| canvas.project(&plain, mvp, positions[at]).map(|at| [at.x, at.y].map(Subpixel::to_bits));
+            let end = |at: usize| {
+                canvas
+                    .project(&plain, mvp, positions[at])
+                    .map(|at| [at.x, at.y].map(Subpixel::to_bits))
+            };
             Some([end(0)?, end(1)?])
         };
         // Skip lines with clipped ends, because only the crate knows where these are on the screen.
         let Some(ends) = canvas_ends(&mvp) else {
-            return Ok(());
+            return;
         };
-        let thin = drawn(SIZE.1, &|frame, pen| frame.draw_edges(&plain, &mesh, &mvp, pen));
-        check_values(&drawn(SIZE.1, &|frame, pen| frame.draw_edges(&plain.with_line(width.smooth()), &mesh, &mvp, pen)), ends, &thin);
+        let thin = edges(SIZE.1, &plain, &mesh, &mvp);
+        check_values(
+            &edges(SIZE.1, &plain.with_line(smooth), &mesh, &mvp),
+            ends,
+            &thin,
+        );
         // Blending does not change depths and values.
-        let glass = plain.with_blending(Opacity(opacity));
-        check_values(&drawn(SIZE.1, &|frame, pen| frame.draw_edges(&glass.with_line(width.smooth()), &mesh, &mvp, pen)), ends, &thin);
+        let glass = plain.with_blending(Opacity(random.random()));
+        check_values(
+            &edges(SIZE.1, &glass.with_line(smooth), &mesh, &mvp),
+            ends,
+            &thin,
+        );
         let light = plain.with_blending(Add);
-        check_values(&drawn(SIZE.1, &|frame, pen| frame.draw_edges(&light.with_line(width.smooth()), &mesh, &mvp, pen)), ends, &thin);
-    }
+        check_values(
+            &edges(SIZE.1, &light.with_line(smooth), &mesh, &mvp),
+            ends,
+            &thin,
+        );
+    });
+}
 
-    /// A square covers the centers from half its size left of and above the point to half its size right of and below
-    /// it. Centers exactly on the right and lower sides count; those on the left and upper sides do not. A disc covers
-    /// the centers within half its size, and the pixel that contains the point.
-    #[test]
-    fn points_are_the_models(place in places(), bits in prop_oneof![1..=300i32 << 16, 1..1i32 << 19], is_round: bool, rows in 1..40u32) {
+/// A square covers the centers from half its size left of and above the point to half its size right of and below
+/// it. Centers exactly on the right and lower sides count; those on the left and upper sides do not. A disc covers
+/// the centers within half its size, and the pixel that contains the point.
+#[test]
+fn points_are_the_models() {
+    cases(CASES, |random| {
+        let (place, is_round) = (place(random), random.random());
+        let most = if random.random() {
+            300 << 16
+        } else {
+            (1 << 19) - 1
+        };
+        let bits = random.random_range(1..=most);
+        let rows = random.random_range(1..40);
         let mvp = pixel_lens(SIZE);
         let positions = [at_subpixel(place)];
         let mesh = Mesh::new(&positions, &[]).unwrap();
         let size = Scalar::from_bits(bits);
-        let style = if is_round { PointStyle::round(size) } else { PointStyle::square(size) }.unwrap();
-        let draw = |frame: &mut Frame<'_>, pen: &Pen<'_, '_>| frame.draw_sized_points(&DrawOptions::new(), &mesh, style, &mvp, pen);
+        let style = if is_round {
+            PointStyle::round(size)
+        } else {
+            PointStyle::square(size)
+        }
+        .unwrap();
+        let draw = |frame: &mut Frame<'_>, pen: &Pen<'_, '_>| {
+            frame.draw_sized_points(&DrawOptions::new(), &mesh, style, &mvp, pen)
+        };
         let seen = drawn(SIZE.1, &draw);
         let half = ((i64::from(bits) + 256) >> 9).clamp(128, 255 * 128);
         let model = modelled(|pixel| {
-            let [x, y] = [0, 1].map(|axis| i64::from(pixel[axis]) * 256 + 128 - i64::from(place[axis]));
+            let [x, y] =
+                [0, 1].map(|axis| i64::from(pixel[axis]) * 256 + 128 - i64::from(place[axis]));
             let is_own = [0, 1].map(|axis| place[axis].div_euclid(256)) == pixel;
             if is_round {
                 is_own || x * x + y * y <= half * half
@@ -276,63 +411,108 @@ proptest! {
                 [x, y].iter().all(|&away| -half < away && away <= half)
             }
         });
-        prop_assert_eq!(picture(&counts(&seen), SIZE.0), picture(&model, SIZE.0));
-        prop_assert_eq!(&drawn(rows, &draw), &seen);
-        prop_assert!(seen.iter().all(|seen| seen.values == [positions[0].x.to_bits()]));
+        let inputs = || format!("{style:?} at {place:?}, {rows} rows");
+        assert_eq!(
+            picture(&counts(&seen), SIZE.0),
+            picture(&model, SIZE.0),
+            "{}",
+            inputs()
+        );
+        assert_eq!(drawn(rows, &draw), seen, "{}", inputs());
+        assert!(
+            seen.iter()
+                .all(|seen| seen.values == [positions[0].x.to_bits()]),
+            "{}",
+            inputs()
+        );
         if bits == 1 << 16 && !is_round {
-            prop_assert_eq!(drawn(SIZE.1, &|frame, pen| frame.draw_points(&DrawOptions::new(), &mesh, &mvp, pen)), seen);
+            assert_eq!(
+                drawn(SIZE.1, &|frame, pen| frame.draw_points(
+                    &DrawOptions::new(),
+                    &mesh,
+                    &mvp,
+                    pen
+                )),
+                seen
+            );
         }
-    }
+    });
+}
 
-    /// Points with a size in world space: half of it is size · focal length / distance / 2 pixels, or, under a parallel
-    /// projection, size · height of the frame / height of the window / 2.
-    #[test]
-    fn attenuated_points_are_the_models(x in -2.0..2.0, z in -30.0..-0.6, size in 0.001..20., scale in 0.5..2., is_round: bool) {
-        let (x, z, size, scale): (f64, f64, f64, f64) = (x, z, size, scale);
-        let positions = [Vec3::new(Scalar::from_num(x), fx!(0), Scalar::from_num(z))];
-        let mesh = Mesh::new(&positions, &[]).unwrap();
-        let size = Scalar::from_num(size).max(Scalar::from_bits(1));
-        let style = if is_round { PointStyle::round(size) } else { PointStyle::square(size) }.unwrap().attenuated();
-        // A scale of the model moves the point, and does not change its size.
-        let scale = Scalar::from_num(scale);
-        let model = Transform::scale(scale);
-        let world = model.point(positions[0]);
-        let distance = -f64::from(world.z.to_bits()) / 65536.;
-        prop_assume!(distance > 0.51 && distance < 31.);
-        let focal = Projection::from_focal_length(fx!(50), SIZE, fx!(0.5), fx!(32)).unwrap();
-        let window = Projection::orthographic(Window::centered(fx!(9), fx!(4)), fx!(0.5), fx!(32)).unwrap();
-        let options = DrawOptions::new();
-        let size = f64::from(size.to_bits()) / 65536.;
-        let perspective = drawn(SIZE.1, &|frame, pen| frame.draw_sized_points(&options, &mesh, style, &(focal * model), pen));
-        let parallel = drawn(SIZE.1, &|frame, pen| frame.draw_sized_points(&options, &mesh, style, &(window * model), pen));
-        let mut colors = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
-        let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
-        let places = [canvas.project(&options, &(focal * model), positions[0]), canvas.project(&options, &(window * model), positions[0])];
-        let halves = [size * 50. / distance / 2., size * 10. / 2.];
-        for ((seen, place), half) in [perspective, parallel].iter().zip(places).zip(halves) {
-            let Some(place) = place else {
-                prop_assert!(seen.is_empty());
+/// Points with a size in world space: half of it is size · focal length / distance / 2 pixels, or, under a parallel
+/// projection, size · height of the frame / height of the window / 2.
+#[test]
+fn attenuated_points_are_the_models() {
+    cases(CASES, |random| {
+        loop {
+            let [x, z, size, scale] = [-2.0..2., -30.0..-0.6, 0.001..20., 0.5..2.]
+                .map(|range| Scalar::from_num(random.random_range::<f64, _>(range)));
+            let positions = [Vec3::new(x, fx!(0), z)];
+            let mesh = Mesh::new(&positions, &[]).unwrap();
+            let is_round: bool = random.random();
+            let style = if is_round {
+                PointStyle::round(size)
+            } else {
+                PointStyle::square(size)
+            }
+            .unwrap()
+            .attenuated();
+            // A scale of the model moves the point, and does not change its size.
+            let model = Transform::scale(scale);
+            let world = model.point(positions[0]);
+            let distance = -f64::from(world.z.to_bits()) / 65536.;
+            if distance <= 0.51 || distance >= 31. {
                 continue;
-            };
-            let half = half.clamp(0.5, 127.5);
-            // Half a size is rounded to the nearest 1/256. The crate divides by t, which exceeds w / near by 2^-16 of
-            // it.
-            let room = 0.5 / 256. + half * 2e-5 + 1e-9;
-            let counts = counts(seen);
-            for (pixel, &count) in Bounds::new(SIZE.0, SIZE.1).pixels().zip(&counts) {
-                let at = center(pixel);
-                let place = [place.x, place.y].map(|x| f64::from(x.to_bits()) / 256.);
-                let away = [0, 1].map(|axis| at[axis] - place[axis]);
-                let is_own = place.map(|x| x.floor() as i32) == pixel;
-                let away = if is_round { away[0].hypot(away[1]) } else { away[0].abs().max(away[1].abs()) };
-                if away < half - room || is_own {
-                    prop_assert_eq!(count, 1, "{:?}: {} of {}", pixel, away, half);
-                } else if away > half + room {
-                    prop_assert_eq!(count, 0, "{:?}: {} of {}", pixel, away, half);
+            }
+            let focal = Projection::from_focal_length(fx!(50), SIZE, fx!(0.5), fx!(32)).unwrap();
+            let window =
+                Projection::orthographic(Window::centered(fx!(9), fx!(4)), fx!(0.5), fx!(32))
+                    .unwrap();
+            let options = DrawOptions::new();
+            let size = f64::from(size.to_bits()) / 65536.;
+            let perspective = drawn(SIZE.1, &|frame, pen| {
+                frame.draw_sized_points(&options, &mesh, style, &(focal * model), pen)
+            });
+            let parallel = drawn(SIZE.1, &|frame, pen| {
+                frame.draw_sized_points(&options, &mesh, style, &(window * model), pen)
+            });
+            let mut colors = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
+            let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
+            let places = [
+                canvas.project(&options, &(focal * model), positions[0]),
+                canvas.project(&options, &(window * model), positions[0]),
+            ];
+            let halves = [size * 50. / distance / 2., size * 10. / 2.];
+            for ((seen, place), half) in [perspective, parallel].iter().zip(places).zip(halves) {
+                let Some(place) = place else {
+                    assert!(seen.is_empty(), "{world:?}");
+                    continue;
+                };
+                let half = half.clamp(0.5, 127.5);
+                // Half a size is rounded to the nearest 1/256. The crate divides by t, which exceeds w / near by 2^-16
+                // of it.
+                let room = 0.5 / 256. + half * 2e-5 + 1e-9;
+                let counts = counts(seen);
+                for (pixel, &count) in Bounds::new(SIZE.0, SIZE.1).pixels().zip(&counts) {
+                    let at = center(pixel);
+                    let place = [place.x, place.y].map(|x| f64::from(x.to_bits()) / 256.);
+                    let away = [0, 1].map(|axis| at[axis] - place[axis]);
+                    let is_own = place.map(|x| x.floor() as i32) == pixel;
+                    let away = if is_round {
+                        away[0].hypot(away[1])
+                    } else {
+                        away[0].abs().max(away[1].abs())
+                    };
+                    if away < half - room || is_own {
+                        assert_eq!(count, 1, "{pixel:?}: {away} of {half}");
+                    } else if away > half + room {
+                        assert_eq!(count, 0, "{pixel:?}: {away} of {half}");
+                    }
                 }
             }
+            break;
         }
-    }
+    });
 }
 
 /// An outline of width 1 is the thin outline; a smooth one covers its pixels, and a wide one has more pixels.
@@ -379,11 +559,7 @@ fn wide_outlines_widen_the_thin_outline() {
 fn blended_lines_are_the_models() {
     let ends = [[1500, 1200], [9000, 4700]];
     let positions = ends.map(at_subpixel);
-    let edges = [[0, 1]];
-    let mesh = Mesh::new(&positions, &[])
-        .unwrap()
-        .with_edges(&edges)
-        .unwrap();
+    let mesh = line(&positions, &[[0, 1]]);
     let width = LineWidth::new(fx!(2.5)).unwrap();
     let glass = DrawOptions::new().with_blending(Opacity(100));
     let mut colors = vec![Gray8::new(60); (SIZE.0 * SIZE.1) as usize];

@@ -1,6 +1,8 @@
 //! Drawing is total: no bits of vertices, matrices, texture coordinates or varyings cause a panic (test builds check
 //! for overflow), and bands still equal the frame.
 
+use std::ops::Range;
+
 use embedded_graphics::pixelcolor::{Gray8, Rgb888};
 use fixel::Drawn;
 use fixel::mode::{self, Affine, Compact, Exact, Fast, Newton};
@@ -8,53 +10,55 @@ use fixel::prelude::*;
 use fixel::shade::{Tolerance, Varyings};
 use fixel::target::{DepthBuffer, Float, Native, NoDepth, WideFloat};
 use fixel::view::ProjectionKind;
-use proptest::collection::vec;
-use proptest::prelude::*;
-use proptest::sample::select;
+use rand::Rng;
+use rand::seq::IndexedRandom;
 
+use crate::common::random::{Random, cases};
 use crate::mode::Mode;
 
 /// Any bits, with a preference for the ends of the format, the middle, and every magnitude between them.
-fn bits() -> impl Strategy<Value = i32> {
-    prop_oneof![
-        select(vec![i32::MAX, i32::MIN, 0, 1 << 16, -(1 << 16)]),
-        (any::<i32>(), 0_u32..32).prop_map(|(value, cut)| value >> cut),
-    ]
+fn bits(random: &mut Random) -> i32 {
+    if random.random() {
+        let special = [i32::MAX, i32::MIN, 0, 1 << 16, -(1 << 16)];
+        *special.choose(random).unwrap()
+    } else {
+        random.random::<i32>() >> random.random_range(0..32)
+    }
 }
 
-fn scalar() -> impl Strategy<Value = Scalar> {
-    bits().prop_map(Scalar::from_bits)
+fn scalar(random: &mut Random) -> Scalar {
+    Scalar::from_bits(bits(random))
 }
 
-fn vector() -> impl Strategy<Value = Vec3> {
-    prop::array::uniform3(bits()).prop_map(Vec3::from_bits)
+fn vector(random: &mut Random) -> Vec3 {
+    Vec3::from_bits([bits(random), bits(random), bits(random)])
 }
 
 /// A product of a few transforms with arbitrary numbers.
-fn transform() -> impl Strategy<Value = Transform> {
-    let angle = || any::<u32>().prop_map(Angle::from_bits);
-    let one = prop_oneof![
-        vector().prop_map(Transform::translate),
-        scalar().prop_map(Transform::scale),
-        vector().prop_map(Transform::scale_axes),
-        angle().prop_map(Transform::rotate_x),
-        angle().prop_map(Transform::rotate_y),
-        Just(Transform::translate(vec3!(0, 0, -3))),
-    ];
-    vec(one, 0..4).prop_map(|all| {
-        all.into_iter()
-            .fold(Transform::IDENTITY, |t, next| t * next)
-    })
+fn transform(random: &mut Random) -> Transform {
+    let mut product = Transform::IDENTITY;
+    for _ in 0..random.random_range(0..4) {
+        product = product
+            * match random.random_range(0..6) {
+                0 => Transform::translate(vector(random)),
+                1 => Transform::scale(scalar(random)),
+                2 => Transform::scale_axes(vector(random)),
+                3 => Transform::rotate_x(Angle::from_bits(random.random())),
+                4 => Transform::rotate_y(Angle::from_bits(random.random())),
+                _ => Transform::translate(vec3!(0, 0, -3)),
+            };
+    }
+    product
 }
 
 #[derive(Clone, Debug)]
 struct Scene {
-    positions: Vec<Vec3>,
+    positions: [Vec3; CORNERS],
     /// If present, positions of 16 bits and the number of their fraction bits, which replace the other positions.
-    short: Option<(Vec<[i16; 3]>, u32)>,
-    uvs: Vec<Vec2>,
-    faces: Vec<[u16; 3]>,
-    edges: Vec<[u16; 2]>,
+    short: Option<([[i16; 3]; CORNERS], u32)>,
+    uvs: [Vec2; CORNERS],
+    faces: [[u16; 3]; 4],
+    edges: [[u16; 2]; 4],
     options: DrawOptions,
     size: (u32, u32),
     /// The number of rows of a band.
@@ -87,81 +91,71 @@ enum What {
 const CORNERS: usize = 6;
 
 /// Any mode, with any tolerance.
-fn modes() -> impl Strategy<Value = Mode> {
-    let plain = vec![Mode::Newton, Mode::Exact, Mode::Compact, Mode::Affine];
-    prop_oneof![select(plain), scalar().prop_map(Mode::Fast)]
+fn any_mode(random: &mut Random) -> Mode {
+    if random.random() {
+        Mode::Fast(scalar(random))
+    } else {
+        let plain = [Mode::Newton, Mode::Exact, Mode::Compact, Mode::Affine];
+        *plain.choose(random).unwrap()
+    }
 }
 
-fn scene() -> impl Strategy<Value = Scene> {
-    let index = || 0..u16::try_from(CORNERS).unwrap();
-    let size = prop_oneof![
-        8 => (1_u32..40, 1_u32..40),
-        1 => select(vec![(1, 1), (2048, 3), (3, 2048)]),
-    ];
-    let near = prop::array::uniform3(-(1 << 18)..1 << 18).prop_map(Vec3::from_bits);
-    let short = prop_oneof![
-        2 => Just(None),
-        1 => (vec(any::<[i16; 3]>(), CORNERS), 0_u32..=16).prop_map(Some),
-    ];
-    let viewport = prop_oneof![
-        3 => Just(None),
-        1 => (-4096..4097, -4096..4097, 1_u32..4097, 1_u32..4097).prop_map(Some),
-        1 => (-40..40, -40..40, 1_u32..80, 1_u32..80).prop_map(Some),
-    ];
-    let cull = select(vec![Cull::Back, Cull::Nothing, Cull::Front]);
-    let options = (viewport, cull).prop_map(|(viewport, cull)| match viewport {
-        None => DrawOptions::new().with_cull(cull),
-        Some((x, y, width, height)) => DrawOptions::new()
-            .with_cull(cull)
-            .with_viewport(Viewport::new(x, y, width, height).unwrap()),
+fn viewport(random: &mut Random, at: Range<i32>, size: Range<u32>) -> Viewport {
+    let [x, y] = [(); 2].map(|()| random.random_range(at.clone()));
+    let [width, height] = [(); 2].map(|()| random.random_range(size.clone()));
+    Viewport::new(x, y, width, height).unwrap()
+}
+
+fn scene(random: &mut Random) -> Scene {
+    let positions = [(); CORNERS].map(|()| {
+        if random.random() {
+            vector(random)
+        } else {
+            Vec3::from_bits([(); 3].map(|()| random.random_range(-(1 << 18)..1 << 18)))
+        }
     });
-    let what = select(vec![
+    let is_short = random.random_ratio(1, 3);
+    let short = is_short.then(|| (random.random(), random.random_range(0..=16)));
+    let uvs = [(); CORNERS].map(|()| Vec2::from_bits([bits(random), bits(random)]));
+    let mut index = || random.random_range(0..CORNERS as u16);
+    let faces = [(); 4].map(|()| [index(), index(), index()]);
+    let edges = [(); 4].map(|()| [index(), index()]);
+    let cull = [Cull::Back, Cull::Nothing, Cull::Front];
+    let options = DrawOptions::new().with_cull(*cull.choose(random).unwrap());
+    let options = match random.random_range(0..5) {
+        0 => options.with_viewport(viewport(random, -4096..4097, 1..4097)),
+        1 => options.with_viewport(viewport(random, -40..40, 1..80)),
+        _ => options,
+    };
+    let size = if random.random_ratio(1, 9) {
+        *[(1, 1), (2048, 3), (3, 2048)].choose(random).unwrap()
+    } else {
+        (random.random_range(1..40), random.random_range(1..40))
+    };
+    let depth = [Format::Linear, Format::Float, Format::WideFloat];
+    let what = [
         What::Triangles,
         What::Edges,
         What::Points,
         What::Normals,
         What::Lit,
         What::Depth,
-    ]);
-    (
-        (
-            vec(prop_oneof![vector(), near], CORNERS),
-            short,
-            vec(
-                prop::array::uniform2(bits()).prop_map(Vec2::from_bits),
-                CORNERS,
-            ),
-            vec(prop::array::uniform3(index()), 4),
-            vec(prop::array::uniform2(index()), 4),
-        ),
-        (
-            options,
-            size,
-            1_u32..8,
-            select(vec![Format::Linear, Format::Float, Format::WideFloat]),
-            (what, modes()),
-            transform(),
-            transform(),
-        ),
-    )
-        .prop_map(|((positions, short, uvs, faces, edges), rest)| {
-            let (options, size, rows, depth, (what, mode), model, camera) = rest;
-            Scene {
-                positions,
-                short,
-                uvs,
-                faces,
-                edges,
-                options,
-                size,
-                rows,
-                depth,
-                what,
-                mode,
-                model,
-                camera,
-            }
-        })
+    ];
+    Scene {
+        positions,
+        short,
+        uvs,
+        faces,
+        edges,
+        options,
+        size,
+        rows: random.random_range(1..8),
+        depth: *depth.choose(random).unwrap(),
+        what: *what.choose(random).unwrap(),
+        mode: any_mode(random),
+        model: transform(random),
+        camera: transform(random),
+    }
 }
 
 /// Varyings of three numbers, each with a tolerance.
@@ -286,12 +280,9 @@ impl Scene {
     }
 
     /// Draws the frame at once and in bands, and compares all bits.
-    fn check<K: ProjectionKind>(
-        &self,
-        projection: Result<Projection<K>, Error>,
-    ) -> Result<(), TestCaseError> {
+    fn check<K: ProjectionKind>(&self, projection: Result<Projection<K>, Error>) {
         let Ok(projection) = projection else {
-            return Ok(());
+            return;
         };
         let (width, height) = self.size;
         let blank = || {
@@ -311,34 +302,51 @@ impl Scene {
             let canvas = Canvas::band(colors, width, height, first_row).unwrap();
             self.draw_with_depth(canvas, depths, projection);
         }
-        prop_assert_eq!(colors, band_colors);
-        prop_assert_eq!(depths, band_depths);
-        Ok(())
+        assert_eq!(colors, band_colors, "{self:?}, {projection:?}");
+        assert_eq!(depths, band_depths, "{self:?}, {projection:?}");
     }
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(6000))]
+/// How many inputs a test checks.
+const CASES: u64 = 6000;
 
-    #[test]
-    fn perspective_is_total(scene in scene(), fov in 1_u32..1 << 31, cut in 0_u32..16, near in scalar(), far in scalar()) {
-        let fov = Angle::from_bits((fov >> cut).max(1));
-        scene.check(Projection::perspective(fov, scene.size, near, far))?;
+/// A window with any sides.
+fn window(random: &mut Random) -> Window {
+    let [a, b, c, d] = [(); 4].map(|()| scalar(random));
+    Window {
+        left: a.min(b),
+        right: a.max(b),
+        bottom: c.min(d),
+        top: c.max(d),
     }
+}
 
-    #[test]
-    fn off_center_perspective_is_total(scene in scene(), edges in prop::array::uniform6(scalar())) {
-        let [l, r, b, t, n, f] = edges;
-        let window = Window { left: l.min(r), right: l.max(r), bottom: b.min(t), top: b.max(t) };
-        scene.check(Projection::frustum(window, n, f))?;
-    }
+#[test]
+fn perspective_is_total() {
+    cases(CASES, |random| {
+        let scene = scene(random);
+        let fov: u32 = random.random_range(1..1 << 31);
+        let fov = Angle::from_bits((fov >> random.random_range(0..16)).max(1));
+        let (near, far) = (scalar(random), scalar(random));
+        scene.check(Projection::perspective(fov, scene.size, near, far));
+    });
+}
 
-    #[test]
-    fn parallel_projections_are_total(scene in scene(), edges in prop::array::uniform6(scalar()), angle: u32) {
-        let [l, r, b, t, n, f] = edges;
-        let window = Window { left: l.min(r), right: l.max(r), bottom: b.min(t), top: b.max(t) };
-        scene.check(Projection::orthographic(window, n, f))?;
-        let angle = Angle::from_bits(angle);
-        scene.check(Projection::cabinet(angle, window, n, f))?;
-    }
+#[test]
+fn off_center_perspective_is_total() {
+    cases(CASES, |random| {
+        let (near, far) = (scalar(random), scalar(random));
+        scene(random).check(Projection::frustum(window(random), near, far));
+    });
+}
+
+#[test]
+fn parallel_projections_are_total() {
+    cases(CASES, |random| {
+        let (scene, window) = (scene(random), window(random));
+        let (near, far) = (scalar(random), scalar(random));
+        scene.check(Projection::orthographic(window, near, far));
+        let angle = Angle::from_bits(random.random());
+        scene.check(Projection::cabinet(angle, window, near, far));
+    });
 }
