@@ -1,10 +1,10 @@
 //! The edges of a mesh with their two faces, for silhouettes and creases.
 
 use super::sort::sort;
-use super::{Index, Mesh};
+use super::{Index, Mesh, Positions};
 use crate::Error;
 use crate::error::{check_count, ok};
-use crate::num::{Angle, Unit};
+use crate::num::Angle;
 
 /// The edges of a mesh that may be part of its outline, each with its two faces.
 ///
@@ -124,8 +124,8 @@ impl<'a> Outline<'a> {
 const USED: u32 = u32::MAX;
 
 /// The side of a face with this number, three for each face: its ends and the third corner.
-const fn side(mesh: &Mesh<'_>, number: usize) -> [Index; 3] {
-    let [a, b, c] = mesh.faces()[number / 3];
+const fn side(faces: &[[Index; 3]], number: usize) -> [Index; 3] {
+    let [a, b, c] = faces[number / 3];
     match number % 3 {
         0 => [a, b, c],
         1 => [b, c, a],
@@ -133,31 +133,23 @@ const fn side(mesh: &Mesh<'_>, number: usize) -> [Index; 3] {
     }
 }
 
-/// The bits of a position of the mesh.
-const fn position(mesh: &Mesh<'_>, index: Index) -> [i32; 3] {
-    match mesh.positions().get(index as usize) {
-        Some(position) => position.to_bits(),
-        // Every index of a mesh is in range.
-        None => [0; 3],
-    }
-}
-
 /// Whether two positions are the same, even under different indices.
-const fn are_same(mesh: &Mesh<'_>, a: Index, b: Index) -> bool {
+const fn are_same(positions: Positions<'_>, a: Index, b: Index) -> bool {
     if a == b {
         return true;
     }
-    let ([ax, ay, az], [bx, by, bz]) = (position(mesh, a), position(mesh, b));
+    let ([ax, ay, az], [bx, by, bz]) = (positions.bits(a), positions.bits(b));
     ax == bx && ay == by && az == bz
 }
 
+/// A hash of a position. Its products, of 32 and 31 bits, do not overflow: in the compiler, an operator takes a tenth of
+/// the time of a call such as `wrapping_mul`.
+#[allow(clippy::cast_sign_loss)]
 const fn hash([x, y, z]: [i32; 3]) -> u32 {
-    let mixed = x
-        .wrapping_mul(0x1E37_79B1)
-        .wrapping_add(y.wrapping_mul(0x05EB_CA77))
-        .wrapping_add(z.wrapping_mul(0x42B2_AE3D))
-        .cast_unsigned();
-    (mixed ^ mixed >> 15).wrapping_mul(0x2C1B_3C6D)
+    let mixed = (x as u32 as u64 * 0x1E37_79B1)
+        ^ (y as u32 as u64 * 0x05EB_CA77)
+        ^ (z as u32 as u64 * 0x42B2_AE3D);
+    (((mixed ^ mixed >> 27) as u32 as u64 * 0x2C1B_3C6D) >> 15) as u32
 }
 
 /// From one position to another; of 33 bits, the last is dropped where the first is needed.
@@ -167,38 +159,31 @@ const fn direction([a, b, c]: [i32; 3], [x, y, z]: [i32; 3]) -> [i64; 3] {
         y as i64 - b as i64,
         z as i64 - c as i64,
     ];
-    if bits(sides) > 31 {
+    if magnitude(sides) >> 31 > 0 {
         scaled(sides, 31)
     } else {
         sides
     }
 }
 
-/// How many bits the largest magnitude takes.
-const fn bits([x, y, z]: [i64; 3]) -> u32 {
-    64 - (x.unsigned_abs() | y.unsigned_abs() | z.unsigned_abs()).leading_zeros()
+/// A number of as many bits as the largest component takes besides its sign.
+const fn magnitude([x, y, z]: [i64; 3]) -> i64 {
+    (x ^ x >> 63) | (y ^ y >> 63) | (z ^ z >> 63)
 }
 
-/// The vector, shifted until its largest magnitude has `wanted` bits; a zero vector stays zero.
+/// The vector, shifted until its largest component takes `wanted` bits besides its sign; a zero vector stays zero.
 const fn scaled(vector: [i64; 3], wanted: u32) -> [i64; 3] {
     let [x, y, z] = vector;
-    let bits = bits(vector);
+    let bits = 64 - magnitude(vector).leading_zeros();
     if bits > wanted {
         let down = bits - wanted;
         // Towards zero, so that a vector and its negative remain each other's.
         let one = 1 << down;
         [x / one, y / one, z / one]
-    } else if bits > 0 {
+    } else {
         let up = wanted - bits;
         [x << up, y << up, z << up]
-    } else {
-        vector
     }
-}
-
-/// A normal of the face with these corners; its length is twice the face's area.
-const fn normal([a, b, c]: [[i32; 3]; 3]) -> [i64; 3] {
-    cross(direction(a, b), direction(a, c))
 }
 
 /// The cross product of vectors of at most 31 bits.
@@ -206,17 +191,30 @@ const fn cross([ax, ay, az]: [i64; 3], [bx, by, bz]: [i64; 3]) -> [i64; 3] {
     [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
 }
 
-/// The sine and the cosine of the angle at which the faces a b c and b a d meet, both times the same number, below 2^43.
-const fn turn(mesh: &Mesh<'_>, [a, b, c, d]: [Index; 4]) -> [i64; 2] {
-    let (a, b) = (position(mesh, a), position(mesh, b));
-    let (c, d) = (position(mesh, c), position(mesh, d));
+/// Whether the faces a b c and b a d meet at an angle above a limit, and above what counts as flat. The limit is given
+/// by its sine and cosine in units of 2^-30.
+const fn is_crease([a, b, c, d]: [[i32; 3]; 4], [limit_sine, limit_cosine]: [i128; 2]) -> bool {
     // The largest component of each takes 20 bits.
-    let n = scaled(normal([a, b, c]), 20);
-    let m = scaled(normal([b, a, d]), 20);
+    let side = direction(a, b);
+    let n = scaled(cross(side, direction(a, c)), 20);
+    let m = scaled(cross(direction(a, d), side), 20);
     let [x, y, z] = cross(n, m);
     let (x, y, z) = (x as i128, y as i128, z as i128);
-    let sine = (x * x + y * y + z * z).isqrt() as i64;
-    [sine, n[0] * m[0] + n[1] * m[1] + n[2] * m[2]]
+    // The squares of the angle's sine and cosine, both times the same number, below 2^84.
+    let sine = x * x + y * y + z * z;
+    let dot = (n[0] * m[0] + n[1] * m[1] + n[2] * m[2]) as i128;
+    let cosine = dot * dot;
+    if dot > 0 && sine << 20 <= cosine {
+        return false;
+    }
+    if (dot < 0) != (limit_cosine <= 0) {
+        // One angle is above 90 degrees, the other is not.
+        return dot < 0;
+    }
+    // The tangents, as products below 2^124. Above 90 degrees, the greater angle has the smaller tangent.
+    let this = (sine >> 20) * (limit_cosine * limit_cosine);
+    let limit = (cosine >> 20) * (limit_sine * limit_sine);
+    if dot < 0 { this < limit } else { this > limit }
 }
 
 /// Writes the outline of a mesh; returns how many edges it has, and how many of them are creases.
@@ -225,7 +223,8 @@ const fn write(
     crease: Angle,
     edges: &mut [[Index; 4]],
 ) -> Result<[usize; 2], Error> {
-    let sides = 3 * mesh.faces().len();
+    let (positions, faces) = (mesh.positions(), mesh.faces());
+    let sides = 3 * faces.len();
     let max = if edges.len() < USED as usize {
         edges.len()
     } else {
@@ -236,15 +235,15 @@ const fn write(
     let mut count = 0;
     let mut first = 0;
     while first < sides {
-        let [a, b, c] = side(mesh, first);
-        let corners = [position(mesh, a), position(mesh, b), position(mesh, c)];
+        let [a, b, c] = side(faces, first);
+        let (a, b, c) = (positions.bits(a), positions.bits(b), positions.bits(c));
         // Faces without area count as absent.
-        if bits(normal(corners)) > 0 {
-            let hashes = [hash(corners[0]), hash(corners[1]), hash(corners[2])];
+        if !matches!(cross(direction(a, b), direction(a, c)), [0, 0, 0]) {
+            let hashes = [hash(a), hash(b), hash(c)];
             let mut corner = 0;
             while corner < 3 {
                 // The same for both sides of an edge.
-                let hash = hashes[corner].wrapping_add(hashes[(corner + 1) % 3]);
+                let hash = hashes[corner] ^ hashes[(corner + 1) % 3];
                 let number = first + corner;
                 edges[count] = [
                     (hash >> 16) as Index,
@@ -260,19 +259,24 @@ const fn write(
     }
     sort(edges, 0, count, 24);
 
-    let limit = crease.sin_cos();
+    let (sine, cosine) = crease.sin_cos();
+    let limit = [sine.to_bits() as i128, cosine.to_bits() as i128];
     // An edge is written where its first side stood, or before.
     let (mut kept, mut creases) = (0, 0);
     let mut at = 0;
     while at < count {
         let entry = edges[at];
         if number_of(entry) != USED {
-            let [a, b, c] = side(mesh, number_of(entry) as usize);
+            let [a, b, c] = side(faces, number_of(entry) as usize);
             let (d, is_crease) = match partner(mesh, [a, b], entry, edges, (at + 1, count)) {
                 None => (a, false),
                 // No angle is above 180 degrees, the usual limit for silhouettes alone.
                 Some(d) if crease.to_bits() == 1 << 31 => (d, false),
-                Some(d) => (d, is_above(turn(mesh, [a, b, c, d]), limit)),
+                Some(d) => {
+                    let [from, to] = [positions.bits(a), positions.bits(b)];
+                    let faces = [from, to, positions.bits(c), positions.bits(d)];
+                    (d, is_crease(faces, limit))
+                }
             };
             // A crease takes the place of the first other edge.
             edges[kept] = edges[creases];
@@ -284,19 +288,6 @@ const fn write(
         at += 1;
     }
     Ok([kept, creases])
-}
-
-/// Whether an angle is above a limit, and above what counts as flat. Both are given by their sine and cosine.
-const fn is_above([sine, cosine]: [i64; 2], (limit_sine, limit_cosine): (Unit, Unit)) -> bool {
-    if sine <= cosine >> 10 {
-        return false;
-    }
-    let (limit_sine, limit_cosine) = (limit_sine.to_bits(), limit_cosine.to_bits());
-    if cosine < 0 && limit_cosine > 0 {
-        return true;
-    }
-    // The sine of the angle minus the limit is positive above it: the difference is well below 180 degrees.
-    sine as i128 * limit_cosine as i128 > cosine as i128 * limit_sine as i128
 }
 
 /// The number of an entry's side.
@@ -317,8 +308,8 @@ const fn partner(
     while at < end && entries[at][0] == entry[0] && entries[at][1] == entry[1] {
         let number = number_of(entries[at]);
         if number != USED {
-            let [from, to, third] = side(mesh, number as usize);
-            if are_same(mesh, from, b) && are_same(mesh, to, a) {
+            let [from, to, third] = side(mesh.faces(), number as usize);
+            if are_same(mesh.positions(), from, b) && are_same(mesh.positions(), to, a) {
                 entries[at][2] = Index::MAX;
                 entries[at][3] = Index::MAX;
                 return Some(third);
@@ -351,7 +342,8 @@ macro_rules! outline {
     ($mesh:expr, $crease:expr $(,)?) => {{
         const SIDES: usize = 3 * $mesh.faces().len();
         #[allow(long_running_const_eval)]
-        const FOUND: ([[$crate::Index; 4]; SIDES], [usize; 2]) = {
+        // A reference: each use of a constant by itself would copy it.
+        const FOUND: &([[$crate::Index; 4]; SIDES], [usize; 2]) = &{
             let mut edges = [[0; 4]; SIDES];
             let outline = $crate::mesh::Outline::build(&$mesh, $crease, &mut edges);
             let outline = $crate::mesh::flash::checked(outline, "outline");

@@ -78,13 +78,7 @@ impl<'a> Positions<'a> {
         if index >= self.len() {
             return None;
         }
-        Some(match self.list {
-            List::Long(positions) => positions[index],
-            List::Short { positions, up } => {
-                let [x, y, z] = positions[index];
-                Vec3::from_bits([(x as i32) << up, (y as i32) << up, (z as i32) << up])
-            }
-        })
+        Some(Vec3::from_bits(self.bits(index as Index)))
     }
 
     /// All positions, in order.
@@ -107,6 +101,17 @@ impl<'a> Positions<'a> {
                 position: *positions.get(index).unwrap_or(&[0; 3]),
                 up,
             },
+        }
+    }
+
+    /// The bits of the position at an index that a checked list holds, with few calls: they cost the compiler time.
+    pub(super) const fn bits(&self, index: Index) -> [i32; 3] {
+        match self.list {
+            List::Long(positions) => positions[index as usize].to_bits(),
+            List::Short { positions, up } => {
+                let [x, y, z] = positions[index as usize];
+                [(x as i32) << up, (y as i32) << up, (z as i32) << up]
+            }
         }
     }
 
