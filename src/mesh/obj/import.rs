@@ -82,10 +82,11 @@ macro_rules! include_obj {
     ($path:expr $(, $short:ident)? $(,)?) => {{
         const TEXT: &[u8] = ::core::include_bytes!($path);
         #[allow(long_running_const_eval)]
-        const READ: (
+        // A reference: each use of a constant by itself would copy it.
+        const READ: &(
             $crate::mesh::flash::Room<{ $crate::mesh::obj::import::room(TEXT) }>,
             $crate::mesh::Counts,
-        ) = $crate::mesh::obj::import::read(TEXT, $path);
+        ) = &$crate::mesh::obj::import::read(TEXT, $path);
         $crate::__mesh!(READ.0, READ.1 $(, $short)?)
     }};
 }

@@ -219,7 +219,8 @@ macro_rules! shape {
         );
         const COUNTS: $crate::mesh::Counts = SHAPE.counts();
         #[allow(long_running_const_eval)]
-        const ROOM: $crate::mesh::flash::Room<{ COUNTS.positions + COUNTS.faces + COUNTS.edges }> = {
+        // A reference: each use of a constant by itself would copy it.
+        const ROOM: &$crate::mesh::flash::Room<{ COUNTS.positions + COUNTS.faces + COUNTS.edges }> = &{
             let mut room = $crate::mesh::flash::Room::EMPTY;
             let _ = $crate::Mesh::checked(SHAPE.build(room.buffers()));
             room

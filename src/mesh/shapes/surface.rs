@@ -85,28 +85,41 @@ pub(super) const fn write(writer: &mut MeshWriter<'_>, shape: Shape) {
         return;
     }
     let Shape { columns, rows, .. } = shape;
+    // Until the last row is written, its positions hold what depends on the column alone: sine, cosine and u. To compute
+    // them for every vertex would take half of the time.
+    let last = rows * (columns + 1);
+    let mut column = 0;
+    while column <= columns {
+        let (sin, cos) = sin_cos(angle(column, columns, false));
+        writer.keep(
+            last + column,
+            [sin as i32, cos as i32, ratio(column, columns).to_bits()],
+        );
+        column += 1;
+    }
     let mut row = 0;
     while row <= rows {
         let ring = ring(shape, row);
         let is_pole = matches!(shape.surface, Surface::Sphere) && (row == 0 || row == rows);
+        let v = ratio(row, rows);
         let mut column = 0;
         while column <= columns {
+            let [sin, cos, u] = writer.kept(last + column);
             // At a pole, u lies halfway between the two other corners of the triangle.
             let u = if is_pole && column < columns {
                 ratio(2 * column + 1, 2 * columns)
             } else {
-                ratio(column, columns)
+                TexCoord::from_bits(u)
             };
-            let uv = [u, ratio(row, rows)];
             if let Surface::Plane = shape.surface {
                 let place = Vec3::new(across(column, columns), Scalar::ZERO, across(row, rows));
-                writer.place(place, Vec3::Y, uv);
+                writer.place(place, Vec3::Y, [u, v]);
             } else {
-                let (sin, cos) = sin_cos(angle(column, columns, false));
+                let (sin, cos) = (sin as i64, cos as i64);
                 writer.vertex(&Vertex {
                     position: [ring.radius * sin, ring.y, ring.radius * cos],
                     normal: [ring.out * sin, ring.up * ONE, ring.out * cos],
-                    uv,
+                    uv: [u, v],
                 });
             }
             column += 1;

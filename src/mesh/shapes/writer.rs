@@ -51,6 +51,15 @@ impl<'a> MeshWriter<'a> {
         self.positions
     }
 
+    /// Keeps numbers in place of a position that is written later.
+    pub(super) const fn keep(&mut self, at: u32, numbers: [i32; 3]) {
+        self.buffers.positions[at as usize] = Vec3::from_bits(numbers);
+    }
+
+    pub(super) const fn kept(&self, at: u32) -> [i32; 3] {
+        self.buffers.positions[at as usize].to_bits()
+    }
+
     pub(super) const fn vertex(&mut self, vertex: &Vertex) {
         let position = rounded(vertex.position);
         self.place(position, rounded(vertex.normal), vertex.uv);
