@@ -8,6 +8,7 @@ use fixel::view::ProjectionKind;
 use rand::Rng;
 
 use crate::common::random::{Random, cases, list};
+use crate::examples::scenes::SPHERE;
 
 const SIZE: (u32, u32) = (64, 48);
 const PIXELS: usize = 64 * 48;
@@ -145,8 +146,8 @@ fn shortened_positions_are_the_nearest() {
 /// distance times focal length / w, and by as much again for each unit of its slope x / w or y / w.
 #[test]
 fn rounding_moves_a_sphere_by_less_than_a_hundredth_of_a_pixel() {
-    static LONG: Mesh = shape!(sphere(32, 32));
-    static SHORT: Mesh = shape!(sphere(32, 32), short);
+    let (short, fraction) = SPHERE.shortened::<{ 33 * 33 }>().unwrap();
+    let short = Mesh::short(&short, fraction, &[]).unwrap();
     let projection =
         Projection::from_focal_length(fx!(200), (320, 240), fx!(0.25), fx!(100)).unwrap();
     let pose =
@@ -154,7 +155,7 @@ fn rounding_moves_a_sphere_by_less_than_a_hundredth_of_a_pixel() {
     let (mvp, mut colors) = (projection * pose, vec![Rgb565::BLACK; 320 * 240]);
     let canvas = Canvas::new(&mut colors, 320, 240).unwrap();
     let mut worst = 0_f64;
-    for (long, short) in LONG.positions().iter().zip(SHORT.positions().iter()) {
+    for (long, short) in SPHERE.positions().iter().zip(short.positions().iter()) {
         let eye = pose.point(long);
         let w = -eye.z.to_num::<f64>();
         let place = |point| {
