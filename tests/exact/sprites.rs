@@ -114,7 +114,7 @@ impl Shader for Bent {
 
 /// The texture coordinates of all pixels, sorted by pixel, and how often the shader was asked for its varyings.
 fn coordinates(
-    draw: impl Fn(
+    draw: &dyn Fn(
         &mut Canvas<'_, Rgb565, fixel::target::Native, fixel::target::Depth<'_>>,
         Coordinates<'_>,
     ),
@@ -191,10 +191,10 @@ fn check<K: ProjectionKind>(
 
     // Each of the two texture coordinates may have an error of up to 57 units. The tolerance of the mode adds nothing:
     // a sprite that faces the camera has one depth, and other sprites are drawn as the mesh's triangles.
-    let (found, asked) = coordinates(|canvas, shader| {
+    let (found, asked) = coordinates(&|canvas, shader| {
         canvas.draw_sprites(options, &sprites, &mvp, &shader);
     });
-    let (expected, asked_by_mesh) = coordinates(|canvas, shader| {
+    let (expected, asked_by_mesh) = coordinates(&|canvas, shader| {
         canvas.draw_with(&both, &mesh, &projection, &shader);
     });
     assert_eq!(found.len(), expected.len());
