@@ -44,7 +44,7 @@ fn pose() -> Transform {
 }
 
 /// The picture that `draw` draws, and its depths.
-fn picture(draw: impl FnOnce(&mut Screen<'_>)) -> (Vec<Rgb565>, Vec<u16>) {
+fn picture(draw: &dyn Fn(&mut Screen<'_>)) -> (Vec<Rgb565>, Vec<u16>) {
     let pixels = (WIDTH * HEIGHT) as usize;
     let (mut colors, mut depths) = (vec![Rgb565::BLACK; pixels], vec![0; pixels]);
     let canvas = Canvas::new(&mut colors, WIDTH, HEIGHT).unwrap();
@@ -123,10 +123,10 @@ fn everything<S: Shader<Color = Rgb565>>(canvas: &mut Screen<'_>, mode: impl Mod
 }
 
 fn check_wrappers<S: Shader<Color = Rgb565>>(mode: impl Mode, shader: S) {
-    let expected = picture(|canvas| everything(canvas, mode, &shader));
-    assert!(picture(|canvas| everything(canvas, mode, &Same(shader))) == expected);
-    assert!(picture(|canvas| everything(canvas, mode, &Same(Same(shader)))) == expected);
-    assert!(picture(|canvas| everything(canvas, mode, &WithFace(shader))) == expected);
+    let expected = picture(&|canvas| everything(canvas, mode, &shader));
+    assert!(picture(&|canvas| everything(canvas, mode, &Same(shader))) == expected);
+    assert!(picture(&|canvas| everything(canvas, mode, &Same(Same(shader)))) == expected);
+    assert!(picture(&|canvas| everything(canvas, mode, &WithFace(shader))) == expected);
 }
 
 #[test]
@@ -142,8 +142,8 @@ fn a_wrapper_of_ten_lines_draws_the_same() {
         FaceColors::new(&[Rgb565::RED, Rgb565::BLUE]).tinted(),
     );
     // The wrapper also works inside another shader.
-    let lit = picture(|canvas| everything(canvas, Newton, &skin.lit(sun())));
-    assert!(picture(|canvas| everything(canvas, Newton, &Same(skin).lit(sun()))) == lit);
+    let lit = picture(&|canvas| everything(canvas, Newton, &skin.lit(sun())));
+    assert!(picture(&|canvas| everything(canvas, Newton, &Same(skin).lit(sun()))) == lit);
 }
 
 /// A mesh with its shader.
@@ -189,8 +189,8 @@ fn a_list_holds_models_with_different_shaders() {
     let scene: [&dyn Draw; 3] = [&plain, &skin, &holes];
 
     let view = projection();
-    let drawn = picture(|canvas| scene.iter().for_each(|model| model.draw(canvas, &view)));
-    let expected = picture(|canvas| {
+    let drawn = picture(&|canvas| scene.iter().for_each(|model| model.draw(canvas, &view)));
+    let expected = picture(&|canvas| {
         canvas.draw(plain.mesh, &(view * plain.place), &plain.shader);
         canvas.draw(skin.mesh, &(view * skin.place), &skin.shader);
         canvas.draw(holes.mesh, &(view * holes.place), &holes.shader);
@@ -213,14 +213,14 @@ fn a_shader_may_compute_fog_from_depth() {
     let lit = Textured::new(&SKIN).lit(sun());
     let fog = lit.map(|at, color| Some(fogged(at.depth, color)));
     let mvp = projection() * pose();
-    let (foggy, _) = picture(|canvas| {
+    let (foggy, _) = picture(&|canvas| {
         canvas.draw(&BOX, &mvp, &fog);
     });
     // Compare with the surface without fog, pixel by pixel.
     let mut expected = vec![Rgb565::BLACK; foggy.len()];
     let mut nearest = vec![0; foggy.len()];
     let clear = record::<_, 0>(lit, |recorder| {
-        picture(|canvas| {
+        picture(&|canvas| {
             canvas.draw(&BOX, &mvp, recorder);
         });
     });
