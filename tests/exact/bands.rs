@@ -9,9 +9,11 @@ use fixel::prelude::*;
 use fixel::shade::PerFace;
 use fixel::target::Float;
 use fixel::view::ProjectionKind;
-use proptest::prelude::*;
+use rand::Rng;
 
 use crate::common;
+use crate::common::random::{Random, cases, list};
+use crate::examples::scenes::SPHERE;
 
 const WIDTH: u32 = 70;
 const HEIGHT: u32 = 37;
@@ -71,7 +73,7 @@ impl Shader for Index {
 }
 
 /// A mesh around the origin that fills the view or extends beyond it.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Scene {
     positions: Vec<Vec3>,
     faces: Vec<[u16; 3]>,
@@ -99,7 +101,9 @@ impl Scene {
 type Band<'b> = Canvas<'b, Rgb888, fixel::target::Native, fixel::target::Depth<'b>>;
 
 /// Draws a frame in bands of this many rows; the last band has the remaining rows.
-fn bands(rows: u32, mut draw: impl FnMut(&mut Band<'_>)) -> (Vec<Rgb888>, Vec<u16>) {
+///
+/// Not generic, so that it is compiled once.
+fn bands(rows: u32, draw: &mut dyn FnMut(&mut Band<'_>)) -> (Vec<Rgb888>, Vec<u16>) {
     let (mut colors, mut depths) = (vec![], vec![]);
     for first in (0..HEIGHT).step_by(rows as usize) {
         let pixels = (WIDTH * rows.min(HEIGHT - first)) as usize;
@@ -115,43 +119,33 @@ fn bands(rows: u32, mut draw: impl FnMut(&mut Band<'_>)) -> (Vec<Rgb888>, Vec<u1
 
 impl Scene {
     /// Checks the scene in every mode.
-    fn check<K: ProjectionKind>(&self, mvp: &Mvp<K>) -> Result<(), TestCaseError> {
-        self.check_mode(Exact, mvp)?;
-        self.check_mode(Newton, mvp)?;
+    fn check<K: ProjectionKind>(&self, mvp: &Mvp<K>) {
+        self.check_mode(Exact, mvp);
+        self.check_mode(Newton, mvp);
         // These modes draw whole spans at once, a few pixels at once, and single pixels.
-        self.check_mode(Fast::within(fx!(4)), mvp)?;
-        self.check_mode(Fast::within(fx!(0.0625)), mvp)?;
-        self.check_mode(Fast::within(fx!(0)), mvp)?;
-        self.check_mode(Affine, mvp)
+        self.check_mode(Fast::within(fx!(4)), mvp);
+        self.check_mode(Fast::within(fx!(0.0625)), mvp);
+        self.check_mode(Fast::within(fx!(0)), mvp);
+        self.check_mode(Affine, mvp);
     }
 
-    fn check_mode<I: Mode, K: ProjectionKind>(
-        &self,
-        mode: I,
-        mvp: &Mvp<K>,
-    ) -> Result<(), TestCaseError> {
+    fn check_mode<I: Mode, K: ProjectionKind>(&self, mode: I, mvp: &Mvp<K>) {
         let name = type_name::<I>();
-        let frame = bands(HEIGHT, |band| self.draw(mode, band, mvp));
+        let frame = bands(HEIGHT, &mut |band| self.draw(mode, band, mvp));
         for rows in BANDS {
-            let bands = bands(rows, |band| self.draw(mode, band, mvp));
+            let bands = bands(rows, &mut |band| self.draw(mode, band, mvp));
             let differs =
                 (0..frame.0.len()).find(|&i| (frame.0[i], frame.1[i]) != (bands.0[i], bands.1[i]));
-            prop_assert!(
+            assert!(
                 differs.is_none(),
-                "{name}: bands of {} rows differ at pixel {:?} of row order",
-                rows,
-                differs
+                "{name}: bands of {rows} rows differ at pixel {differs:?} of row order"
             );
         }
-        self.check_prepared(mode, mvp)
+        self.check_prepared(mode, mvp);
     }
 
     /// Checks that prepared triangles are drawn and counted like others.
-    fn check_prepared<I: Mode, K: ProjectionKind>(
-        &self,
-        mode: I,
-        mvp: &Mvp<K>,
-    ) -> Result<(), TestCaseError> {
+    fn check_prepared<I: Mode, K: ProjectionKind>(&self, mode: I, mvp: &Mvp<K>) {
         let name = type_name::<I>();
         let mesh = self.mesh();
         let window = Viewport::new(-9, 3, 64, 48).unwrap();
@@ -165,67 +159,77 @@ impl Scene {
             let prepared = list.prepare(&options, (WIDTH, HEIGHT), &mesh, mvp).unwrap();
             for rows in [HEIGHT].into_iter().chain(BANDS) {
                 let mut counts = [vec![], vec![]];
-                let given = bands(rows, |band| {
+                let given = bands(rows, &mut |band| {
                     band.clear(Rgb888::new(1, 2, 3));
                     counts[0].push(band.draw_prepared(&prepared, &Bits).unwrap());
                 });
-                let expected = bands(rows, |band| {
+                let expected = bands(rows, &mut |band| {
                     band.clear(Rgb888::new(1, 2, 3));
                     counts[1].push(band.draw_with(&options, &mesh, mvp, &Bits));
                 });
-                prop_assert!(given == expected, "{name}: bands of {rows} rows differ");
-                prop_assert_eq!(&counts[0], &counts[1]);
+                assert!(given == expected, "{name}: bands of {rows} rows differ");
+                assert_eq!(counts[0], counts[1]);
             }
         }
-        Ok(())
     }
 }
 
 /// The number 1, in units of 2⁻¹⁶.
 const UNIT: i32 = 1 << 16;
 
-fn scenes() -> impl Strategy<Value = Scene> {
-    let reach = prop_oneof![3 => Just(3 * UNIT), 1 => Just(40 * UNIT), 1 => Just(3000 * UNIT)];
-    let position = reach.prop_flat_map(|reach| {
-        let along = || -reach..reach;
-        (along(), along(), along()).prop_map(|(x, y, z)| Vec3::from_bits([x, y, z]))
+fn scene(random: &mut Random) -> Scene {
+    let positions = list(random, 3..12, |random| {
+        let reach = UNIT * [3, 3, 3, 40, 3000][random.random_range(0..5)];
+        Vec3::from_bits([(); 3].map(|()| random.random_range(-reach..reach)))
     });
-    prop::collection::vec(position, 3..12).prop_flat_map(|positions| {
-        let index = 0..u16::try_from(positions.len()).unwrap();
-        let faces = prop::collection::vec([index.clone(), index.clone(), index.clone()], 0..12);
-        let edges = prop::collection::vec([index.clone(), index], 0..12);
-        (faces, edges).prop_map(move |(faces, edges)| Scene {
-            positions: positions.clone(),
-            faces,
-            edges,
-        })
-    })
+    let end = positions.len() as u16;
+    Scene {
+        positions,
+        faces: list(random, 0..12, |random| {
+            [(); 3].map(|()| random.random_range(0..end))
+        }),
+        edges: list(random, 0..12, |random| {
+            [(); 2].map(|()| random.random_range(0..end))
+        }),
+    }
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(256))]
+#[test]
+fn bands_equal_the_frame_in_perspective() {
+    cases(256, |random| {
+        let scene = scene(random);
+        let turn = Transform::rotate_y(Angle::from_bits(random.random()));
+        let fov = Angle::from_degrees(random.random_range(10..150));
+        let projection = Projection::perspective(fov, (WIDTH, HEIGHT), fx!(0.1), fx!(50)).unwrap();
+        let model = Transform::translate(vec3!(0, 0, -4)) * turn;
+        scene.check(&(projection * model));
+    });
+}
 
-    #[test]
-    fn bands_equal_the_frame_in_perspective(scene in scenes(), turn: u32, fov in 10..150i32) {
-        let projection = Projection::perspective(Angle::from_degrees(fov), (WIDTH, HEIGHT), fx!(0.1), fx!(50)).unwrap();
-        let model = Transform::translate(vec3!(0, 0, -4)) * Transform::rotate_y(Angle::from_bits(turn));
-        scene.check(&(projection * model))?;
-    }
+#[test]
+fn bands_equal_the_frame_in_parallel() {
+    cases(256, |random| {
+        let scene = scene(random);
+        let turn = Transform::rotate_x(Angle::from_bits(random.random()));
+        let window = Window::centered(fx!(8), fx!(4));
+        let projection = Projection::cabinet(deg!(30), window, fx!(-20), fx!(20)).unwrap();
+        scene.check(&(projection * turn));
+    });
+}
 
-    #[test]
-    fn bands_equal_the_frame_in_parallel(scene in scenes(), turn: u32) {
-        let projection = Projection::cabinet(Angle::from_degrees(30), Window::centered(fx!(8), fx!(4)), fx!(-20), fx!(20)).unwrap();
-        scene.check(&(projection * Transform::rotate_x(Angle::from_bits(turn))))?;
-    }
-
-    /// The same with floating-point depths, for direct draw calls and for prepared triangles.
-    #[test]
-    fn bands_equal_the_frame_in_floating_depth(scene in scenes(), turn: u32) {
-        let projection = Projection::perspective(Angle::from_degrees(70), (WIDTH, HEIGHT), fx!(0.01), fx!(600)).unwrap();
-        let model = Transform::translate(vec3!(0, 0, -4)) * Transform::rotate_y(Angle::from_bits(turn));
+/// The same with floating-point depths, for direct draw calls and for prepared triangles.
+#[test]
+fn bands_equal_the_frame_in_floating_depth() {
+    cases(256, |random| {
+        let scene = scene(random);
+        let (near, far) = (fx!(0.01), fx!(600));
+        let projection = Projection::perspective(deg!(70), (WIDTH, HEIGHT), near, far).unwrap();
+        let turn = Transform::rotate_y(Angle::from_bits(random.random()));
+        let model = Transform::translate(vec3!(0, 0, -4)) * turn;
         let (mesh, mvp) = (scene.mesh(), projection * model);
         let mut list: TriangleList<12, 250> = TriangleList::new();
-        let prepared = list.prepare(&common::BOTH_SIDES, (WIDTH, HEIGHT), &mesh, &mvp).unwrap();
+        let prepared = list.prepare(&common::BOTH_SIDES, (WIDTH, HEIGHT), &mesh, &mvp);
+        let prepared = prepared.unwrap();
         let draw = |rows: u32, is_prepared: bool| {
             let (mut colors, mut depths) = (vec![], vec![]);
             for first in (0..HEIGHT).step_by(rows as usize) {
@@ -246,43 +250,52 @@ proptest! {
         };
         let frame = draw(HEIGHT, false);
         for rows in [HEIGHT].into_iter().chain(BANDS) {
-            prop_assert!(draw(rows, false) == frame, "bands of {rows} rows differ");
-            prop_assert!(draw(rows, true) == frame, "prepared bands of {rows} rows differ");
+            assert!(draw(rows, false) == frame, "bands of {rows} rows differ");
+            assert!(
+                draw(rows, true) == frame,
+                "prepared bands of {rows} rows differ"
+            );
         }
-    }
+    });
+}
 
-    /// Draws each triangle separately to find its depths. In every order of drawing, the nearest triangle must show at
-    /// each pixel; of triangles at equal depths, the last one drawn must show.
-    #[test]
-    fn the_nearest_triangle_shows_in_any_order(scene in scenes(), seed: u64) {
-        let projection = Projection::perspective(Angle::from_degrees(70), (WIDTH, HEIGHT), fx!(0.1), fx!(50)).unwrap();
+/// Draws each triangle separately to find its depths. In every order of drawing, the nearest triangle must show at
+/// each pixel; of triangles at equal depths, the last one drawn must show.
+#[test]
+fn the_nearest_triangle_shows_in_any_order() {
+    cases(256, |random| {
+        let scene = scene(random);
+        let (near, far) = (fx!(0.1), fx!(50));
+        let projection = Projection::perspective(deg!(70), (WIDTH, HEIGHT), near, far).unwrap();
         let mvp = projection * Transform::translate(vec3!(0, 0, -4));
         let draw = |faces: &[[u16; 3]]| {
             let pixels = (WIDTH * HEIGHT) as usize;
             let (mut color, mut depth) = (vec![Rgb888::default(); pixels], vec![0; pixels]);
             let canvas = Canvas::new(&mut color, WIDTH, HEIGHT).unwrap();
             let mesh = Mesh::new(&scene.positions, faces).unwrap();
-            canvas.with_depth(&mut depth).unwrap().draw_with(&common::BOTH_SIDES, &mesh, &mvp, &Index);
+            let mut canvas = canvas.with_depth(&mut depth).unwrap();
+            canvas.draw_with(&common::BOTH_SIDES, &mesh, &mvp, &Index);
             (color, depth)
         };
-        let mut faces = scene.faces.clone();
+        let mut faces = scene.faces;
+        let by = random.random_range(0..faces.len().max(1));
         for _ in 0..2 {
             let alone: Vec<_> = faces.iter().map(|&face| draw(&[face])).collect();
             let (color, depth) = draw(&faces);
             for pixel in 0..depth.len() {
                 let mut shown = (Rgb888::default(), 0);
-                for (index, (alone, depths)) in alone.iter().enumerate() {
+                for (index, (alone, depths)) in (0..).zip(&alone) {
                     if alone[pixel] != Rgb888::default() && depths[pixel] >= shown.1 {
-                        shown = (Rgb888::new(255, 0, u8::try_from(index).unwrap()), depths[pixel]);
+                        shown = (Rgb888::new(255, 0, index), depths[pixel]);
                     }
                 }
-                prop_assert_eq!((color[pixel], depth[pixel]), shown);
+                let found = (color[pixel], depth[pixel]);
+                assert_eq!(found, shown, "{pixel} of {faces:?}, {:?}", scene.positions);
             }
             faces.reverse();
-            let by = usize::try_from(seed).unwrap_or(0) % faces.len().max(1);
             faces.rotate_left(by);
         }
-    }
+    });
 }
 
 /// Prepares a ball in front of the eye, in a list with room for `TRIANGLES` and `VERTICES`.
@@ -294,31 +307,30 @@ fn prepare<const TRIANGLES: usize, const VERTICES: usize>() -> Result<u32, Error
     let mut list: TriangleList<TRIANGLES, VERTICES> = TriangleList::new();
     let ball = list.prepare(&DrawOptions::new(), (WIDTH, HEIGHT), &BALL, &mvp)?;
     let mut drawn = 0;
-    bands(HEIGHT, |band| {
+    bands(HEIGHT, &mut |band| {
         drawn = band.draw_prepared(&ball, &Bits).unwrap().drawn;
     });
     Ok(drawn)
 }
 
-/// The mesh has more vertices than the vertex cache holds.
+/// The mesh has 1089 vertices, more than the vertex cache holds.
 #[test]
 fn a_large_prepared_mesh_equals_the_frame() {
-    static BALL: Mesh = shape!(sphere(40, 20));
     let projection =
         Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10)).unwrap();
     // The near plane cuts the mesh.
     let mvp = projection * Transform::translate(vec3!(0, 0, -1.875));
-    let mut list: TriangleList<1600, 3000> = TriangleList::new();
-    let ball = list.prepare(&common::BOTH_SIDES, (WIDTH, HEIGHT), &BALL, &mvp);
+    let mut list: TriangleList<2100, 3500> = TriangleList::new();
+    let ball = list.prepare(&common::BOTH_SIDES, (WIDTH, HEIGHT), &SPHERE, &mvp);
     let ball = ball.unwrap();
     let mut clipped = 0;
-    let frame = bands(HEIGHT, |band| {
+    let frame = bands(HEIGHT, &mut |band| {
         clipped = band
-            .draw_with(&common::BOTH_SIDES, &BALL, &mvp, &Bits)
+            .draw_with(&common::BOTH_SIDES, &SPHERE, &mvp, &Bits)
             .clipped;
     });
     assert!(clipped > 10, "{clipped}");
-    let given = bands(5, |band| {
+    let given = bands(5, &mut |band| {
         band.draw_prepared(&ball, &Bits).unwrap();
     });
     assert!(given == frame);

@@ -18,7 +18,7 @@ const PASS: DrawOptions<Exact> = DrawOptions::new().with_mode(Exact);
 type Target<'a> = Canvas<'a, Rgb565, BigEndian, Depth<'a>>;
 
 /// The CRC-32 of the picture's bytes, more significant byte first, and the number of pixels drawn.
-fn picture(draw: impl FnOnce(&mut Target<'_>)) -> (u32, usize) {
+fn picture(draw: &dyn Fn(&mut Target<'_>)) -> (u32, usize) {
     let mut pixels = vec![[0; 2]; (WIDTH * HEIGHT) as usize];
     let mut depths = vec![0; pixels.len()];
     let canvas = Canvas::big_endian(&mut pixels, WIDTH, HEIGHT).unwrap();
@@ -30,15 +30,15 @@ fn picture(draw: impl FnOnce(&mut Target<'_>)) -> (u32, usize) {
 }
 
 /// The checksums of a scene's eight poses, and the mean number of pixels.
-fn poses(draw: impl Fn(i32, &mut Target<'_>)) -> ([u32; 8], usize) {
-    let poses = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| picture(|canvas| draw(k, canvas)));
+fn poses(draw: &dyn Fn(i32, &mut Target<'_>)) -> ([u32; 8], usize) {
+    let poses = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| picture(&|canvas| draw(k, canvas)));
     let pixels: usize = poses.iter().map(|pose| pose.1).sum();
     (poses.map(|pose| pose.0), pixels.div_ceil(8))
 }
 
 #[test]
 fn checksums_of_the_floor() {
-    let drawn = picture(|canvas| {
+    let drawn = picture(&|canvas| {
         scenes::floor(canvas, &PASS, &scenes::floor_mvp(0).unwrap());
     });
     assert_eq!(drawn, (0xcea2_0ac4, 47_610));
@@ -56,7 +56,7 @@ fn checksums_of_the_cube() {
         0x0c11_f830,
         0xedad_0d90,
     ];
-    let drawn = poses(|k, canvas| {
+    let drawn = poses(&|k, canvas| {
         scenes::cube(canvas, &PASS, &scenes::cube_mvp(k).unwrap());
     });
     assert_eq!(drawn, (CRC, 30_716));
@@ -74,7 +74,7 @@ fn checksums_of_the_sphere() {
         0x25c1_80f4,
         0x6570_3ab7,
     ];
-    let drawn = poses(|k, canvas| {
+    let drawn = poses(&|k, canvas| {
         scenes::sphere(canvas, &PASS, &scenes::sphere_mvp(k).unwrap());
     });
     assert_eq!(drawn, (CRC, 30_526));
@@ -92,7 +92,7 @@ fn checksums_of_the_flat_sphere() {
         0xf707_4a99,
         0x7d26_1f71,
     ];
-    let drawn = poses(|k, canvas| {
+    let drawn = poses(&|k, canvas| {
         scenes::sphere_flat(canvas, &PASS, &scenes::sphere_mvp(k).unwrap());
     });
     assert_eq!(drawn, (CRC, 30_526));
@@ -100,7 +100,7 @@ fn checksums_of_the_flat_sphere() {
 
 #[test]
 fn checksum_of_the_lighthouse() {
-    let (crc, _) = picture(|canvas| {
+    let (crc, _) = picture(&|canvas| {
         let projection = lighthouse::projection((WIDTH, HEIGHT)).unwrap();
         let mvp = projection * lighthouse::camera().unwrap() * Transform::IDENTITY;
         lighthouse::sky(canvas);
@@ -113,13 +113,13 @@ fn checksum_of_the_lighthouse() {
 /// Checksums of the scenes in a mode: the floor, and one pose of the cube and of the sphere.
 fn scenes_in<I: Mode>(mode: I) -> [u32; 3] {
     let options = DrawOptions::new().with_mode(mode);
-    let (floor, _) = picture(|canvas| {
+    let (floor, _) = picture(&|canvas| {
         scenes::floor(canvas, &options, &scenes::floor_mvp(0).unwrap());
     });
-    let (cube, _) = picture(|canvas| {
+    let (cube, _) = picture(&|canvas| {
         scenes::cube(canvas, &options, &scenes::cube_mvp(2).unwrap());
     });
-    let (sphere, _) = picture(|canvas| {
+    let (sphere, _) = picture(&|canvas| {
         scenes::sphere(canvas, &options, &scenes::sphere_mvp(1).unwrap());
     });
     [floor, cube, sphere]

@@ -9,7 +9,9 @@ use embedded_graphics::{Drawable, Pixel, prelude::Primitive as _, primitives::Pr
 use fixel::ScreenPoint;
 use fixel::num::Subpixel;
 use fixel::prelude::*;
-use proptest::prelude::*;
+use rand::Rng;
+
+use crate::common::random::{cases, list};
 
 static FLOOR: Mesh = shape!(plane(8, 8));
 static BALL: Mesh = shape!(sphere(16, 12));
@@ -96,30 +98,35 @@ fn the_middle_pixel_of_a_frame_of_odd_size_is_on_the_line_of_sight() {
     }
 }
 
-proptest! {
-    #[test]
-    fn no_ray_and_no_mesh_panics(
-        origin in any::<[i32; 3]>(),
-        direction in any::<[i32; 3]>(),
-        cut in 0..32_u32,
-        positions in prop::collection::vec(prop_oneof![any::<[i32; 3]>(), Just([i32::MIN; 3]), Just([i32::MAX; 3])], 3..9),
-        distance in any::<i32>(),
-    ) {
-        let direction = Vec3::from_bits(direction.map(|v| v >> cut));
-        let positions: Vec<Vec3> = positions.into_iter().map(Vec3::from_bits).collect();
-        let faces: Vec<[u16; 3]> = (0..positions.len() as u16 - 2).map(|i| [i, i + 1, i + 2]).collect();
+#[test]
+fn no_ray_and_no_mesh_panics() {
+    cases(256, |random| {
+        let origin = Vec3::from_bits(random.random());
+        let cut = random.random_range(0..32);
+        let direction = Vec3::from_bits(random.random::<[i32; 3]>().map(|v| v >> cut));
+        let positions = list(random, 3..9, |random| {
+            Vec3::from_bits(match random.random_range(0..3) {
+                0 => random.random(),
+                1 => [i32::MIN; 3],
+                _ => [i32::MAX; 3],
+            })
+        });
+        let distance = Scalar::from_bits(random.random());
+        let starts = 0..positions.len() as u16 - 2;
+        let faces: Vec<_> = starts.map(|i| [i, i + 1, i + 2]).collect();
         let mesh = Mesh::new(&positions, &faces).unwrap();
-        for origin in [Vec3::from_bits(origin), Vec3::from_bits([i32::MIN; 3]), positions[0]] {
+        for origin in [origin, Vec3::from_bits([i32::MIN; 3]), positions[0]] {
             if let Ok(ray) = Ray::new(origin, direction) {
-                let _ = (ray.hit(&mesh), ray.at(Scalar::from_bits(distance)));
+                let _ = (ray.hit(&mesh), ray.at(distance));
             }
             // A ray toward a point of a face meets the face there, or another face before it.
-            let middle = positions[0].lerp(positions[1], fx!(0.5)).lerp(positions[2], fx!(0.25));
+            let middle = positions[0].lerp(positions[1], fx!(0.5));
+            let middle = middle.lerp(positions[2], fx!(0.25));
             if let Ok(ray) = Ray::new(origin, middle - origin) {
                 let _ = ray.hit(&mesh);
             }
         }
-    }
+    });
 }
 
 /// A frame of 12x6 pixels whose right half is nearer than its left half.

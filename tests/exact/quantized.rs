@@ -4,38 +4,45 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::mesh::Quantized;
 use fixel::mesh::flash::{StoredUvs, UvGrid};
 use fixel::prelude::*;
-use proptest::collection::vec;
-use proptest::prelude::*;
+use rand::Rng;
+
+use crate::common::random::{Random, cases, list};
 
 const SIZE: (u32, u32) = (32, 24);
 const PIXELS: usize = 32 * 24;
 
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Model {
-    positions: Vec<Vec3>,
+    positions: [Vec3; 6],
     faces: Vec<[u16; 3]>,
-    normals: Vec<[i8; 3]>,
-    uvs: Vec<[u8; 2]>,
+    normals: [[i8; 3]; 6],
+    uvs: [[u8; 2]; 6],
     /// The triangles' indices of normals and texture coordinates, if they differ from those of positions.
     own: Option<Vec<[u16; 3]>>,
 }
 
-fn models() -> impl Strategy<Value = Model> {
-    let position = prop::array::uniform3(-0x2_0000..0x2_0000_i32).prop_map(Vec3::from_bits);
-    let faces = vec(prop::array::uniform3(0_u16..6), 1..9);
-    (vec(position, 6), faces).prop_flat_map(|(positions, faces)| {
-        // The first two values are the lowest and the highest of the grid.
-        let uvs = vec(any::<[u8; 2]>(), 4).prop_map(|uvs| [vec![[0; 2], [255; 2]], uvs].concat());
-        let index = prop_oneof![9 => 0_u16..6, 1 => Just(Mesh::NO_VALUE)];
-        let own = prop::option::of(vec(prop::array::uniform3(index), faces.len()));
-        (vec(any::<[i8; 3]>(), 6), uvs, own).prop_map(move |(normals, uvs, own)| Model {
-            positions: positions.clone(),
-            faces: faces.clone(),
-            normals,
-            uvs,
-            own,
-        })
-    })
+fn model(random: &mut Random) -> Model {
+    let faces = list(random, 1..9, |random| {
+        [(); 3].map(|()| random.random_range(0..6))
+    });
+    let position = |()| Vec3::from_bits([(); 3].map(|()| random.random_range(-0x2_0000..0x2_0000)));
+    let positions = [(); 6].map(position);
+    // The first two values are the lowest and the highest of the grid.
+    let mut uvs: [[u8; 2]; 6] = random.random();
+    [uvs[0], uvs[1]] = [[0; 2], [255; 2]];
+    Model {
+        positions,
+        normals: random.random(),
+        uvs,
+        own: random.random_bool(0.5).then(|| {
+            let mut index = |()| match random.random_range(0..10) {
+                0 => Mesh::NO_VALUE,
+                _ => random.random_range(0..6),
+            };
+            faces.iter().map(|_| [(); 3].map(&mut index)).collect()
+        }),
+        faces,
+    }
 }
 
 /// The picture of a mesh, which must be the same in a frame, in bands, and prepared.
@@ -65,41 +72,61 @@ static SKIN: TextureArray<Rgb565, 4, 4> = TextureArray::from_texels([
     [Rgb565::BLUE, Rgb565::WHITE, Rgb565::YELLOW, Rgb565::RED],
 ]);
 
-proptest! {
-    #[test]
-    fn pixels_equal_those_of_the_unquantized_mesh(model in models(), part in 0_usize..9) {
-        let normals = model.normals.iter();
-        let normals: Vec<_> = normals.map(|n| Vec3::from_bits(n.map(|x| i32::from(x) << 9))).collect();
+#[test]
+fn pixels_equal_those_of_the_unquantized_mesh() {
+    cases(256, |random| {
+        let model = model(random);
+        let part = random.random_range(0..9);
+        let normals = model.normals;
+        let normals = normals.map(|n| Vec3::from_bits(n.map(|x| i32::from(x) << 9)));
         let step = |x: u8| i32::from(x) * 9001 - (1 << 20);
-        let uvs: Vec<_> = model.uvs.iter().map(|uv| Vec2::from_bits(uv.map(step))).collect();
+        let uvs = model.uvs.map(|uv| Vec2::from_bits(uv.map(step)));
         let faces = model.own.as_deref();
         let bare = Mesh::new(&model.positions, &model.faces).unwrap();
-        let long = bare.with_normals(&normals, faces).unwrap().with_uvs(&uvs, faces).unwrap();
+        let long = bare.with_normals(&normals, faces).unwrap();
+        let long = long.with_uvs(&uvs, faces).unwrap();
 
         let own = faces.unwrap_or_default();
         let grid = UvGrid::around(&uvs, 255);
         let bytes = StoredUvs::Bytes(&model.uvs);
         let quantized = Quantized::new(bare, (&model.normals, own), (bytes, own), grid).unwrap();
-        let words: Vec<_> = model.uvs.iter().map(|uv| uv.map(u16::from)).collect();
+        let words = model.uvs.map(|uv| uv.map(u16::from));
         let of_16 = (StoredUvs::Words(&words), own);
         let of_16 = Quantized::new(bare, (&model.normals, own), of_16, grid).unwrap();
 
         let sun = Light::new(vec3!(1, 2, 3), fx!(0.1), fx!(0.9)).unwrap();
         let skin = Textured::new(&SKIN).lit(sun);
         let picture = drawn(&long, &skin);
-        prop_assert!(drawn(quantized.mesh(), &quantized.shader(skin)) == picture);
-        prop_assert!(drawn(of_16.mesh(), &of_16.shader(skin)) == picture);
+        assert!(
+            drawn(quantized.mesh(), &quantized.shader(skin)) == picture,
+            "{model:?}"
+        );
+        assert!(
+            drawn(of_16.mesh(), &of_16.shader(skin)) == picture,
+            "{model:?}"
+        );
         let rest = quantized.part(part..99);
         let picture = drawn(&long.part(part..99), &skin);
-        prop_assert!(drawn(rest.mesh(), &rest.shader(skin)) == picture);
+        assert!(
+            drawn(rest.mesh(), &rest.shader(skin)) == picture,
+            "{part}.. of {model:?}"
+        );
 
         let faces = vec![Rgb565::RED; part];
         let colors = FaceColors::new(&faces);
-        prop_assert!(drawn(quantized.mesh(), &quantized.shader(colors)) == drawn(&long, &colors));
+        let picture = drawn(&long, &colors);
+        assert!(
+            drawn(quantized.mesh(), &quantized.shader(colors)) == picture,
+            "{part} of {model:?}"
+        );
         let flat = quantized.without_normals().without_uvs();
         let clay = Flat::rgb(Rgb888::new(236, 214, 190)).lit(sun);
-        prop_assert!(drawn(flat.mesh(), &flat.shader(clay)) == drawn(&bare, &clay));
-    }
+        let picture = drawn(&bare, &clay);
+        assert!(
+            drawn(flat.mesh(), &flat.shader(clay)) == picture,
+            "{model:?}"
+        );
+    });
 }
 
 #[test]

@@ -4,24 +4,26 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::mode::{Exact, Mode};
 use fixel::prelude::*;
 use fixel::target::{Depth, Native};
-use fixel::view::{Perspective, ProjectionKind};
-use proptest::collection::vec;
-use proptest::prelude::*;
+use fixel::view::ProjectionKind;
+use rand::Rng;
+
+use crate::common::random::{Random, cases, list};
+use crate::examples::scenes::SPHERE;
 
 const SIZE: (u32, u32) = (64, 48);
 const PIXELS: usize = 64 * 48;
 
 /// Numbers of 16 bits; the smallest, the largest and zero are frequent.
-fn component() -> impl Strategy<Value = i16> {
-    prop_oneof![
-        Just(i16::MIN),
-        Just(i16::MAX),
-        Just(0),
-        (any::<i16>(), 0_u32..16).prop_map(|(bits, cut)| bits >> cut),
-    ]
+fn component(random: &mut Random) -> i16 {
+    match random.random_range(0..4) {
+        0 => i16::MIN,
+        1 => i16::MAX,
+        2 => 0,
+        _ => random.random::<i16>() >> random.random_range(0..16),
+    }
 }
 
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Model {
     positions: Vec<[i16; 3]>,
     fraction: u32,
@@ -29,19 +31,19 @@ struct Model {
     edges: Vec<[u16; 2]>,
 }
 
-fn models() -> impl Strategy<Value = Model> {
-    let positions = vec(prop::array::uniform3(component()), 3..9);
-    (positions, 0_u32..=16).prop_flat_map(|(positions, fraction)| {
-        let index = 0..u16::try_from(positions.len()).unwrap();
-        let faces = vec(prop::array::uniform3(index.clone()), 1..9);
-        let edges = vec(prop::array::uniform2(index), 0..5);
-        (faces, edges).prop_map(move |(faces, edges)| Model {
-            positions: positions.clone(),
-            fraction,
-            faces,
-            edges,
-        })
-    })
+fn model(random: &mut Random) -> Model {
+    let positions = list(random, 3..9, |random| [(); 3].map(|()| component(random)));
+    let end = positions.len() as u16;
+    Model {
+        positions,
+        fraction: random.random_range(0..=16),
+        faces: list(random, 1..9, |random| {
+            [(); 3].map(|()| random.random_range(0..end))
+        }),
+        edges: list(random, 0..5, |random| {
+            [(); 2].map(|()| random.random_range(0..end))
+        }),
+    }
 }
 
 type Board<'a> = Canvas<'a, Rgb565, Native, Depth<'a>>;
@@ -70,7 +72,7 @@ fn drawn<K: ProjectionKind, I: Mode>(
 }
 
 impl Model {
-    fn check<K: ProjectionKind>(&self, mvp: &Mvp<K>) -> Result<(), TestCaseError> {
+    fn check<K: ProjectionKind>(&self, mvp: &Mvp<K>) {
         let long: Vec<Vec3> = self
             .positions
             .iter()
@@ -82,65 +84,70 @@ impl Model {
         ];
         let [long, short] =
             meshes.map(|mesh| mesh.and_then(|mesh| mesh.with_edges(&self.edges)).unwrap());
-        prop_assert!(long.positions() == short.positions());
-        prop_assert_eq!(long.counts(), short.counts());
-        prop_assert!(drawn(&long, mvp, Exact) == drawn(&short, mvp, Exact));
-        Ok(())
+        assert!(long.positions() == short.positions(), "{self:?}");
+        assert_eq!(long.counts(), short.counts());
+        assert!(
+            drawn(&long, mvp, Exact) == drawn(&short, mvp, Exact),
+            "{self:?}, {mvp:?}"
+        );
     }
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1500))]
-
-    /// The pictures are equal bit for bit, from outside and from inside, and with a clipping plane through the mesh.
-    #[test]
-    fn short_positions_draw_what_long_positions_draw(
-        model in models(),
-        turn: [u32; 2],
+/// The pictures are equal bit for bit, from outside and from inside, and with a clipping plane through the mesh.
+#[test]
+fn short_positions_draw_what_long_positions_draw() {
+    cases(1500, |random| {
+        let model = model(random);
+        let [x, y] = [(); 2].map(|()| Angle::from_bits(random.random()));
         // The mesh is as large as the view, or much smaller or larger.
-        scale in -4_i32..6,
-        away in 0_i32..4,
-    ) {
-        let [x, y] = turn.map(Angle::from_bits);
+        let scale = random.random_range(-4..6);
+        let away = random.random_range(0..4);
         let size = i32::try_from(15 - model.fraction.min(15)).unwrap();
         let scale = Scalar::from_bits(1 << (16 + scale - size).clamp(0, 30));
-        let place = Transform::translate(Vec3::new(fx!(0), fx!(0), Scalar::from_num(-away)));
-        let pose = place * Transform::rotate_x(x) * Transform::rotate_y(y) * Transform::scale(scale);
-        let projection = Projection::perspective(Angle::from_degrees(60), SIZE, fx!(0.1), fx!(100)).unwrap();
-        model.check::<Perspective>(&(projection * pose))?;
-        let projection = Projection::orthographic(Window::centered(fx!(4), fx!(4)), fx!(-9), fx!(9)).unwrap();
-        model.check(&(projection * pose))?;
-    }
+        let place = Transform::translate(Vec3::from_ints(0, 0, -away));
+        let turn = Transform::rotate_x(x) * Transform::rotate_y(y);
+        let pose = place * turn * Transform::scale(scale);
+        let projection = Projection::perspective(deg!(60), SIZE, fx!(0.1), fx!(100)).unwrap();
+        model.check(&(projection * pose));
+        let window = Window::centered(fx!(4), fx!(4));
+        let projection = Projection::orthographic(window, fx!(-9), fx!(9)).unwrap();
+        model.check(&(projection * pose));
+    });
+}
 
-    /// Positions are rounded to the nearest 16-bit numbers. The largest of them uses at least 15 bits.
-    #[test]
-    fn shortened_positions_are_the_nearest(bits in prop::array::uniform3(any::<i32>()), cut in 0_u32..32) {
-        let position = bits.map(|bits| bits >> cut);
+/// Positions are rounded to the nearest 16-bit numbers. The largest of them uses at least 15 bits.
+#[test]
+fn shortened_positions_are_the_nearest() {
+    cases(256, |random| {
+        let cut = random.random_range(0..32);
+        let position = random.random::<[i32; 3]>().map(|bits| bits >> cut);
         let positions = [Vec3::ZERO, Vec3::from_bits(position)];
         let mesh = Mesh::new(&positions, &[[0, 0, 1]]).unwrap();
         let ([origin, short], fraction) = mesh.shortened::<2>().unwrap();
-        prop_assert_eq!(origin, [0; 3]);
+        assert_eq!(origin, [0; 3]);
         let unit = 1_i64 << (16 - fraction);
-        let most = position.into_iter().map(i64::from).max_by_key(|x| x.abs()).unwrap();
+        let most = i64::from(position.map(i32::unsigned_abs).into_iter().max().unwrap());
         for (short, long) in short.into_iter().zip(position) {
             let (short, long) = (i64::from(short), i64::from(long));
             // Numbers above 32767.5 saturate to the last whole number, 32767.
-            let off = if long > (i64::from(i16::MAX) << 16) { unit } else { unit / 2 };
-            prop_assert!((short * unit - long).abs() <= off, "{long} as {short} of {unit}");
+            let saturates = long > i64::from(i16::MAX) << 16;
+            let off = if saturates { unit } else { unit / 2 };
+            let is_near = (short * unit - long).abs() <= off;
+            assert!(is_near, "{long} as {short} of {unit}");
         }
         // Another fraction bit would not fit: the largest number is at least half of the largest that fits, minus its
         // rounding.
-        let is_full = fraction == 16 || most.abs() * 4 / unit >= (1 << 16) - 2;
-        prop_assert!(is_full, "{most} in units of {unit}");
-    }
+        let is_full = fraction == 16 || most * 4 / unit >= (1 << 16) - 2;
+        assert!(is_full, "{most} in units of {unit}");
+    });
 }
 
 /// Rounding moves a point by up to half a unit along each axis, √3/2 units in all. Its image moves by up to that
 /// distance times focal length / w, and by as much again for each unit of its slope x / w or y / w.
 #[test]
 fn rounding_moves_a_sphere_by_less_than_a_hundredth_of_a_pixel() {
-    static LONG: Mesh = shape!(sphere(32, 32));
-    static SHORT: Mesh = shape!(sphere(32, 32), short);
+    let (short, fraction) = SPHERE.shortened::<{ 33 * 33 }>().unwrap();
+    let short = Mesh::short(&short, fraction, &[]).unwrap();
     let projection =
         Projection::from_focal_length(fx!(200), (320, 240), fx!(0.25), fx!(100)).unwrap();
     let pose =
@@ -148,7 +155,7 @@ fn rounding_moves_a_sphere_by_less_than_a_hundredth_of_a_pixel() {
     let (mvp, mut colors) = (projection * pose, vec![Rgb565::BLACK; 320 * 240]);
     let canvas = Canvas::new(&mut colors, 320, 240).unwrap();
     let mut worst = 0_f64;
-    for (long, short) in LONG.positions().iter().zip(SHORT.positions().iter()) {
+    for (long, short) in SPHERE.positions().iter().zip(short.positions().iter()) {
         let eye = pose.point(long);
         let w = -eye.z.to_num::<f64>();
         let place = |point| {

@@ -7,6 +7,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::prelude::*;
 use fixel::shade::{Fog, Texels};
+use fixel::target::{Depth, Native};
 use fixel::view::ProjectionKind;
 
 use crate::common::recorder::Probe;
@@ -25,13 +26,12 @@ fn positions() -> Vec<Vec3> {
         .collect()
 }
 
+type Screen<'c> = Canvas<'c, Rgb565, Native, Depth<'c>>;
+
 type Picture = (Vec<Rgb565>, Vec<u16>);
 
 /// A picture drawn in bands of `rows` rows.
-fn picture(
-    rows: u32,
-    draw: &dyn Fn(&mut Canvas<'_, Rgb565, fixel::target::Native, fixel::target::Depth<'_>>),
-) -> Picture {
+fn picture(rows: u32, draw: &dyn Fn(&mut Screen<'_>)) -> Picture {
     let mut colors = vec![Rgb565::new(1, 2, 3); (WIDTH * HEIGHT) as usize];
     let mut depths = vec![0; colors.len()];
     let bands = colors
@@ -113,12 +113,7 @@ impl Shader for Bent {
 }
 
 /// The texture coordinates of all pixels, sorted by pixel, and how often the shader was asked for its varyings.
-fn coordinates(
-    draw: impl Fn(
-        &mut Canvas<'_, Rgb565, fixel::target::Native, fixel::target::Depth<'_>>,
-        Coordinates<'_>,
-    ),
-) -> (Vec<(Point, [i32; 2])>, usize) {
+fn coordinates(draw: &dyn Fn(&mut Screen<'_>, Coordinates<'_>)) -> (Vec<(Point, [i32; 2])>, usize) {
     let (found, asked) = (RefCell::new(Vec::new()), Cell::new(0));
     let shader = Coordinates {
         found: &found,
@@ -191,10 +186,10 @@ fn check<K: ProjectionKind>(
 
     // Each of the two texture coordinates may have an error of up to 57 units. The tolerance of the mode adds nothing:
     // a sprite that faces the camera has one depth, and other sprites are drawn as the mesh's triangles.
-    let (found, asked) = coordinates(|canvas, shader| {
+    let (found, asked) = coordinates(&|canvas, shader| {
         canvas.draw_sprites(options, &sprites, &mvp, &shader);
     });
-    let (expected, asked_by_mesh) = coordinates(|canvas, shader| {
+    let (expected, asked_by_mesh) = coordinates(&|canvas, shader| {
         canvas.draw_with(&both, &mesh, &projection, &shader);
     });
     assert_eq!(found.len(), expected.len());

@@ -53,16 +53,15 @@ const _: () = {
     both::<Error>();
 };
 
-/// Draws rows of the frame, starting at the given row, as many as the pixels hold.
-trait DrawRows: Fn(&mut [[u8; 2]], &mut [u16], u32) + Sync {}
-
-impl<F: Fn(&mut [[u8; 2]], &mut [u16], u32) + Sync> DrawRows for F {}
+/// Draws rows of the frame, starting at the given row, as many as the pixels hold. One type for all closures, so that
+/// threads are compiled once.
+type DrawRows<'d> = dyn Fn(&mut [[u8; 2]], &mut [u16], u32) + Sync + 'd;
 
 /// A band's first row, and its pixels.
 type Band<'a> = (u32, &'a mut [[u8; 2]]);
 
 /// Draws bands one after the other with one depth buffer for all of them, as a core would do.
-fn work(draw: &impl DrawRows, rows: u32, bands: Vec<Band<'_>>) {
+fn work(draw: &DrawRows<'_>, rows: u32, bands: Vec<Band<'_>>) {
     let mut depth = vec![7; (WIDTH * rows) as usize];
     for (first, pixels) in bands {
         let depth = &mut depth[..pixels.len()];
@@ -72,7 +71,7 @@ fn work(draw: &impl DrawRows, rows: u32, bands: Vec<Band<'_>>) {
 
 /// Draws the bands of a frame on two threads that start together. Each thread takes every other band, or half of the
 /// frame.
-fn check(draw: &impl DrawRows) {
+fn check(draw: &DrawRows<'_>) {
     let mut frame = vec![[0; 2]; (WIDTH * HEIGHT) as usize];
     let mut depth = vec![0; frame.len()];
     draw(&mut frame, &mut depth, 0);

@@ -4,7 +4,9 @@ use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use fixel::prelude::*;
 use fixel::target::{Biased, DepthTest, TestAndWrite};
 use fixel::view::ProjectionKind;
-use proptest::prelude::*;
+use rand::Rng;
+
+use crate::common::random::cases;
 
 const SIZE: (u32, u32) = (72, 64);
 const PIXELS: usize = (SIZE.0 * SIZE.1) as usize;
@@ -86,6 +88,19 @@ fn missing(drawn: &[Gray8], expected: &[Gray8]) -> [usize; 2] {
     [edge, drawn.iter().zip(expected).filter(missing).count()]
 }
 
+/// Checks that these edges, drawn over the mesh, have no gaps.
+fn check<K: ProjectionKind>(mesh: &Mesh, edges: &[[u16; 2]], mvp: &Mvp<K>) {
+    let drawn = over(mesh, mvp, Biased::behind(TestAndWrite));
+    let expected = alone(mesh, edges, mvp);
+    let [edge, gaps] = missing(&drawn, &expected);
+    assert!(
+        edge > 0 && gaps == 0,
+        "{gaps} gaps\n{}\n{}",
+        picture(&drawn),
+        picture(&expected)
+    );
+}
+
 /// Rotates the mesh, and places it at this distance.
 fn pose([x, y, z]: [u32; 3], distance: Scalar) -> Transform {
     Transform::translate(Vec3::new(fx!(0), fx!(0), -distance))
@@ -94,32 +109,22 @@ fn pose([x, y, z]: [u32; 3], distance: Scalar) -> Transform {
         * Transform::rotate_z(Angle::from_bits(z))
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1500))]
-
-    #[test]
-    fn edges_over_the_mesh_have_no_gaps(
-        mesh in prop::sample::select(vec![BOX, BALL, CAN]),
-        turn: [u32; 3],
-        distance in 3.0..9.0,
-        near in 0.05..0.5,
-    ) {
-        let (distance, near): (f64, f64) = (distance, near);
-        let pose = pose(turn, Scalar::from_num(distance));
-        let perspective = Projection::perspective(Angle::from_degrees(50), SIZE, Scalar::from_num(near), fx!(20)).unwrap();
-        let mvp = perspective * pose;
+#[test]
+fn edges_over_the_mesh_have_no_gaps() {
+    cases(1500, |random| {
+        let mesh = [BOX, BALL, CAN][random.random_range(0..3)];
+        let distance = Scalar::from_num(random.random_range(3.0..9.0));
+        let pose = pose(random.random(), distance);
+        let near = Scalar::from_num(random.random_range(0.05..0.5));
+        let perspective = Projection::perspective(deg!(50), SIZE, near, fx!(20)).unwrap();
         let edges = visible_edges(&mesh, |at| at, &pose);
-        let (drawn, expected) = (over(&mesh, &mvp, Biased::behind(TestAndWrite)), alone(&mesh, &edges, &mvp));
-        let [edge, gaps] = missing(&drawn, &expected);
-        prop_assert!(edge > 0 && gaps == 0, "{gaps} gaps\n{}\n{}", picture(&drawn), picture(&expected));
+        check(&mesh, &edges, &(perspective * pose));
 
-        let parallel = Projection::orthographic(Window::centered(fx!(4), fx!(4)), fx!(0), fx!(20)).unwrap();
-        let mvp = parallel * pose;
+        let window = Window::centered(fx!(4), fx!(4));
+        let parallel = Projection::orthographic(window, fx!(0), fx!(20)).unwrap();
         let edges = visible_edges(&mesh, |_| [0., 0., -1.], &pose);
-        let (drawn, expected) = (over(&mesh, &mvp, Biased::behind(TestAndWrite)), alone(&mesh, &edges, &mvp));
-        let [edge, gaps] = missing(&drawn, &expected);
-        prop_assert!(edge > 0 && gaps == 0, "{gaps} gaps\n{}\n{}", picture(&drawn), picture(&expected));
-    }
+        check(&mesh, &edges, &(parallel * pose));
+    });
 }
 
 /// For contrast: without a depth bias, the mesh hides some pixels of its edges.

@@ -21,7 +21,7 @@ pub struct Fields {
 
 impl Fields {
     /// The fields of a file that stores `pixel(column, row)`, with the bottom row first.
-    pub fn of(bits: u32, pixel: impl Fn(u32, u32) -> Vec<u8>) -> Self {
+    pub fn of(bits: u32, pixel: &dyn Fn(u32, u32) -> Vec<u8>) -> Self {
         let row = |y| (0..SIZE.0).flat_map(|x| pixel(x, y)).collect();
         Self {
             header: 40,
@@ -71,7 +71,7 @@ impl Fields {
     }
 
     /// The file, which shows the color `pixel(column, row)`.
-    fn file(&self, pixel: impl Fn(u32, u32) -> [u8; 3]) -> File {
+    fn file(&self, pixel: &dyn Fn(u32, u32) -> [u8; 3]) -> File {
         let (bits, header, used) = (self.bits, self.header, self.used);
         let (first, masks) = (if self.height < 0 { "top" } else { "bottom" }, self.masks);
         let name = format!(
@@ -98,9 +98,9 @@ fn word(x: u32, y: u32, red: u32, green: u32) -> u32 {
 pub fn bytes_of_24_and_32_bits() -> Vec<File> {
     let mut files = Vec::new();
     for header in [40, 108, 124] {
-        for fields in [Fields::of(24, blue_first), Fields::of(32, padded)] {
+        for fields in [Fields::of(24, &blue_first), Fields::of(32, &padded)] {
             let fields = Fields { header, ..fields };
-            files.extend([fields.file(color), fields.top_down().file(color)]);
+            files.extend([fields.file(&color), fields.top_down().file(&color)]);
         }
     }
     files
@@ -109,15 +109,15 @@ pub fn bytes_of_24_and_32_bits() -> Vec<File> {
 pub fn bit_fields_of_32_bits() -> Vec<File> {
     let mut files = Vec::new();
     for header in [40, 108, 124] {
-        let mut fields = Fields::of(32, padded);
+        let mut fields = Fields::of(32, &padded);
         (fields.header, fields.compression) = (header, 3);
         fields.masks = [0xff_0000, 0xff00, 0xff];
-        files.push(fields.file(color));
+        files.push(fields.file(&color));
         // With red first.
-        let mut fields = Fields::of(32, |x, y| padded(x, y).into_iter().rev().collect());
+        let mut fields = Fields::of(32, &|x, y| padded(x, y).into_iter().rev().collect());
         (fields.header, fields.compression) = (header, 3);
         fields.masks = [0xff00, 0xff_0000, 0xff00_0000];
-        files.push(fields.top_down().file(color));
+        files.push(fields.top_down().file(&color));
     }
     files
 }
@@ -129,15 +129,15 @@ pub fn words_of_16_bits() -> Vec<File> {
         let word = word(x, y, 10, 5);
         [word >> 10, word >> 5 & 31, word & 31].map(|value| widened(value, 31))
     };
-    let mut fields = Fields::of(16, pixel);
-    let plain = fields.file(expected);
+    let mut fields = Fields::of(16, &pixel);
+    let plain = fields.file(&expected);
     (fields.compression, fields.masks) = (3, [0x7c00, 0x3e0, 0x1f]);
-    let masked = fields.file(expected);
+    let masked = fields.file(&expected);
 
     let pixel = |x, y| (word(x, y, 11, 6) as u16).to_le_bytes().to_vec();
-    let mut fields = Fields::of(16, pixel);
+    let mut fields = Fields::of(16, &pixel);
     (fields.compression, fields.masks) = (3, [0xf800, 0x7e0, 0x1f]);
-    let wide_green = fields.top_down().file(|x, y| {
+    let wide_green = fields.top_down().file(&|x, y| {
         let word = word(x, y, 11, 6);
         let [red, blue] = [word >> 11, word & 31].map(|value| widened(value, 31));
         [red, widened(word >> 5 & 63, 63), blue]
@@ -147,7 +147,7 @@ pub fn words_of_16_bits() -> Vec<File> {
 
 /// Packed pixels of `bits` bits with the index (x + 2 y) mod `colors`.
 pub fn indexed(bits: u32, used: u32, colors: u32) -> Fields {
-    let mut fields = Fields::of(bits, |_, _| Vec::new());
+    let mut fields = Fields::of(bits, &|_, _| Vec::new());
     let row = |y: u32| {
         let mut bytes = vec![0; (SIZE.0 * bits).div_ceil(8) as usize];
         for x in 0..SIZE.0 {
@@ -172,7 +172,7 @@ pub fn indices_of_8_4_and_1_bits() -> Vec<File> {
     for (bits, used, colors) in [(8, 0, 256), (8, 5, 5), (4, 0, 16), (4, 3, 3), (1, 0, 2)] {
         let fields = indexed(bits, used, colors);
         let expected = |x, y| color((x + 2 * y) % colors, 0);
-        files.extend([fields.file(expected), fields.top_down().file(expected)]);
+        files.extend([fields.file(&expected), fields.top_down().file(&expected)]);
     }
     files
 }

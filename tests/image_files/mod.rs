@@ -24,7 +24,7 @@ pub struct File {
 
 impl File {
     /// A file that shows the color `pixel(column, row)`.
-    fn new(name: String, bytes: Vec<u8>, pixel: impl Fn(u32, u32) -> [u8; 3]) -> Self {
+    fn new(name: String, bytes: Vec<u8>, pixel: &dyn Fn(u32, u32) -> [u8; 3]) -> Self {
         let row = |y| (0..SIZE.0).map(move |x| (x, y));
         let pixels = (0..SIZE.1).flat_map(row).map(|(x, y)| pixel(x, y));
         Self {

@@ -24,7 +24,7 @@ impl Fields {
         image_type: u8,
         bits: u8,
         descriptor: u8,
-        pixel: impl Fn(u32, u32) -> Vec<u8>,
+        pixel: &dyn Fn(u32, u32) -> Vec<u8>,
     ) -> Self {
         let mut pixels = Vec::new();
         for row in 0..SIZE.1 {
@@ -71,7 +71,7 @@ impl Fields {
     }
 
     /// The file, which shows the color `pixel(column, row)`.
-    fn file(&self, pixel: impl Fn(u32, u32) -> [u8; 3]) -> File {
+    fn file(&self, pixel: &dyn Fn(u32, u32) -> [u8; 3]) -> File {
         let (kind, bits, descriptor) = (self.image_type, self.bits, self.descriptor);
         let (id, first, entry_bits) = (self.id.len(), self.first, self.entry_bits);
         let name = format!(
@@ -106,15 +106,15 @@ fn of_word(word: u16) -> [u8; 3] {
 pub fn true_color_from_any_corner() -> Vec<File> {
     let mut files = Vec::new();
     for origin in ORIGINS {
-        let mut fields = Fields::of(2, 24, origin, blue_first);
-        files.push(fields.file(color));
+        let mut fields = Fields::of(2, 24, origin, &blue_first);
+        files.push(fields.file(&color));
         fields.id = b"a remark".to_vec();
-        files.push(fields.file(color));
-        files.push(Fields::of(2, 32, origin | 8, padded).file(color));
+        files.push(fields.file(&color));
+        files.push(Fields::of(2, 32, origin | 8, &padded).file(&color));
         for bits in [15, 16] {
             let pixel = |x, y| (word(x, y) | 0x8000).to_le_bytes().to_vec();
-            let fields = Fields::of(2, bits, origin, pixel);
-            files.push(ours(fields.file(|x, y| of_word(word(x, y)))));
+            let fields = Fields::of(2, bits, origin, &pixel);
+            files.push(ours(fields.file(&|x, y| of_word(word(x, y)))));
         }
     }
     files
@@ -122,8 +122,8 @@ pub fn true_color_from_any_corner() -> Vec<File> {
 
 pub fn gray_from_any_corner() -> Vec<File> {
     let of = |origin| {
-        let fields = Fields::of(3, 8, origin, |x, y| color(x, y)[..1].to_vec());
-        fields.file(|x, y| [color(x, y)[0]; 3])
+        let fields = Fields::of(3, 8, origin, &|x, y| color(x, y)[..1].to_vec());
+        fields.file(&|x, y| [color(x, y)[0]; 3])
     };
     ORIGINS.map(of).into()
 }
@@ -134,30 +134,30 @@ pub fn indices_with_a_color_map() -> Vec<File> {
     let mut files = Vec::new();
     for origin in ORIGINS {
         let pixel = |x, y| [index(x, y) as u8].to_vec();
-        let mut fields = Fields::of(1, 8, origin, pixel);
+        let mut fields = Fields::of(1, 8, origin, &pixel);
         (fields.entry_bits, fields.id) = (24, b"id".to_vec());
         fields.table = (0..6).map(|index| blue_first(index, 0)).collect();
-        files.push(fields.file(expected));
+        files.push(fields.file(&expected));
         fields.entry_bits = 32;
         fields.table = (0..6).map(|index| padded(index, 0)).collect();
-        files.push(fields.file(expected));
+        files.push(fields.file(&expected));
         fields.entry_bits = 16;
         let entry = |index| word(index, 0).to_le_bytes().to_vec();
         fields.table = (0..6).map(entry).collect();
-        files.push(ours(fields.file(|x, y| of_word(word(index(x, y), 0)))));
+        files.push(ours(fields.file(&|x, y| of_word(word(index(x, y), 0)))));
     }
     // The map has three entries from index 2 on. Its first and last entries stand for all indices before and after
     // them.
-    let mut fields = Fields::of(1, 8, 0, |x, y| [index(x, y) as u8].to_vec());
+    let mut fields = Fields::of(1, 8, 0, &|x, y| [index(x, y) as u8].to_vec());
     (fields.first, fields.entry_bits) = (2, 24);
     fields.table = (2..5).map(|index| blue_first(index, 0)).collect();
-    files.push(ours(fields.file(|x, y| color(index(x, y).clamp(2, 4), 0))));
+    files.push(ours(fields.file(&|x, y| color(index(x, y).clamp(2, 4), 0))));
     files
 }
 
 pub fn a_map_of_true_color() -> Vec<File> {
-    let mut fields = Fields::of(2, 24, 0, blue_first);
+    let mut fields = Fields::of(2, 24, 0, &blue_first);
     fields.entry_bits = 24;
     fields.table = (0..3).map(|index| blue_first(index, 9)).collect();
-    vec![ours(fields.file(color))]
+    vec![ours(fields.file(&color))]
 }

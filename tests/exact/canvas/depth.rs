@@ -61,7 +61,7 @@ fn text_covers_the_picture_and_keeps_depths() {
 
 /// Draws a near triangle, calls `between`, and draws a farther one. Returns the pixels of gray 1 (near) and 2 (far).
 fn shown<F: DepthFormat>(
-    between: impl Fn(&mut Canvas<'_, Gray8, Native, fixel::target::Depth<'_, F>>),
+    between: fn(&mut Canvas<'_, Gray8, Native, fixel::target::Depth<'_, F>>),
 ) -> [usize; 2] {
     let mut pixels = [Gray8::BLACK; 64];
     let mut depths = [0; 64];

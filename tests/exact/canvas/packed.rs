@@ -17,9 +17,9 @@ use fixel::prelude::*;
 use fixel::shade::{Levels, NormalView};
 use fixel::target::{Blending, Contrast, DepthBuffer, ErrorDiffusion, Opacity, Replace, Storage};
 use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 
 use super::pictures::{self, HEIGHT, WIDTH};
+use crate::common::random::{Random, cases};
 
 /// A target that reduces each color to its lowest bits.
 struct Coarse<T>(T);
@@ -73,8 +73,7 @@ macro_rules! is_a_framebuffer {
         const BYTES: usize =
             buffer_size_bpp(WIDTH as usize, HEIGHT as usize, <$raw>::BITS_PER_PIXEL);
         const ROW: usize = BYTES / HEIGHT as usize;
-        for number in 0..500 {
-            let mut random = ChaCha8Rng::seed_from_u64(number);
+        cases(500, |random| {
             let (crops, band) = (random.random(), random.random_range(1..=HEIGHT as usize));
             let mut theirs = Framebuffer::<
                 $color,
@@ -89,18 +88,15 @@ macro_rules! is_a_framebuffer {
             let mut bytes = [0; BYTES];
             let mut canvas: Canvas<$color, _> = Canvas::packed(&mut bytes, WIDTH, HEIGHT).unwrap();
             pictures::draw(&mut Coarse(&mut canvas), &mut random.clone(), crops);
-            assert!(
-                no_padding(canvas.as_cells(), ROW) == no_padding(theirs.data(), ROW),
-                "{number}"
-            );
+            assert!(no_padding(canvas.as_cells(), ROW) == no_padding(theirs.data(), ROW));
             let drawn: Vec<$color> = canvas.pixels().collect();
 
             let mut native = [<$color>::from(<$raw>::from_u32(0)); (WIDTH * HEIGHT) as usize];
             let mut canvas = Canvas::new(&mut native, WIDTH, HEIGHT).unwrap();
             pictures::draw(&mut Coarse(&mut canvas), &mut random.clone(), crops);
-            assert!(drawn == native, "pixels {number}");
+            assert!(drawn == native, "pixels");
             if crops {
-                continue;
+                return;
             }
             let mut in_bands = [0; BYTES];
             let mut first = 0;
@@ -112,9 +108,9 @@ macro_rules! is_a_framebuffer {
             }
             assert!(
                 no_padding(&in_bands, ROW) == no_padding(theirs.data(), ROW),
-                "bands {number}"
+                "bands"
             );
-        }
+        });
     }};
 }
 
@@ -134,8 +130,7 @@ fn a_packed_canvas_is_a_framebuffer() {
 #[test]
 fn paged_canvases_show_the_same_as_packed_ones() {
     let pages = WIDTH * HEIGHT.div_ceil(8);
-    for number in 0..500 {
-        let mut random = ChaCha8Rng::seed_from_u64(number);
+    cases(500, |random| {
         let down = random.random_range(1..=4) * WIDTH as usize;
         let mut native = [BinaryColor::Off; (WIDTH * HEIGHT) as usize];
         let mut canvas = Canvas::new(&mut native, WIDTH, HEIGHT).unwrap();
@@ -144,7 +139,7 @@ fn paged_canvases_show_the_same_as_packed_ones() {
         let mut bytes = vec![0; pages as usize];
         let mut canvas = Canvas::pages(&mut bytes, WIDTH, HEIGHT).unwrap();
         pictures::draw(&mut Coarse(&mut canvas), &mut random.clone(), false);
-        assert!(canvas.pixels().eq(native), "{number}");
+        assert!(canvas.pixels().eq(native));
         for (i, pixel) in (0..).zip(native) {
             let (x, y) = (i % WIDTH, i / WIDTH);
             let byte = bytes[(y / 8 * WIDTH + x) as usize];
@@ -159,8 +154,8 @@ fn paged_canvases_show_the_same_as_packed_ones() {
             pictures::draw(&mut Coarse(&mut canvas), &mut random.clone(), false);
         }
         assert_eq!(first, HEIGHT);
-        assert!(in_bands == bytes, "bands {number}");
-    }
+        assert!(in_bands == bytes, "bands");
+    });
 }
 
 #[test]
@@ -286,7 +281,7 @@ fn packed_canvases_show_the_same_as_native_ones() {
 /// white that no error moves them past either.
 #[test]
 fn diffusion_loses_no_brightness() {
-    let mut random = ChaCha8Rng::seed_from_u64(1);
+    let mut random = Random::seed_from_u64(1);
     for (width, height) in [(1, 1), (1, 9), (2, 3), (17, 12), (70, 40)] {
         let pixels = (width * height) as usize;
         let mut gray = || Gray8::new(random.random_range(90..=165));
@@ -337,9 +332,8 @@ fn diffusion_keeps_the_brightness_of_every_window() {
     let mut errors = [0; SIZE.0 as usize];
     let mut diffusion = ErrorDiffusion::new(&mut errors);
     let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);
-    let mut random = ChaCha8Rng::seed_from_u64(2);
     let mut widest: f64 = 0.;
-    for _ in 0..500 {
+    cases(500, |random| {
         let [width, height] = [random.random_range(1..100_u32), random.random_range(1..100)];
         // The window must stay away from the sides of the frame, which have a rule of their own.
         let left = random.random_range(1..SIZE.0 - width);
@@ -358,7 +352,7 @@ fn diffusion_keeps_the_brightness_of_every_window() {
             "{width}x{height} at {left}, {top}: {excess}"
         );
         widest = widest.max(f64::abs(excess) / (w * h));
-    }
+    });
     // Some windows must differ by more than a gray; otherwise the bound tests nothing.
     assert!(widest > 1., "{widest}");
 }

@@ -17,7 +17,8 @@ use embedded_graphics::primitives::{
 };
 use embedded_graphics::text::{Alignment, Baseline, Text, TextStyleBuilder};
 use rand::Rng;
-use rand_chacha::ChaCha8Rng;
+
+use crate::common::random::{Random, list};
 
 pub const WIDTH: u32 = 41;
 pub const HEIGHT: u32 = 31;
@@ -98,7 +99,7 @@ impl DrawTarget for Target<'_> {
 /// its area, so a crop of a band differs from a band of the crop.
 pub fn draw(
     target: &mut impl DrawTarget<Color = Rgb565, Error = Infallible>,
-    random: &mut ChaCha8Rng,
+    random: &mut Random,
     crops: bool,
 ) {
     let mut target = Target(target);
@@ -123,7 +124,7 @@ pub fn draw(
 }
 
 /// Draws a shape, text or an image, or calls one of the target's methods.
-fn element(target: &mut Target<'_>, random: &mut ChaCha8Rng) {
+fn element(target: &mut Target<'_>, random: &mut Random) {
     let style = style(random);
     let Rectangle { top_left, size } = area(random);
     let [a, b, c] = [(); 3].map(|()| point(random));
@@ -164,13 +165,9 @@ fn element(target: &mut Target<'_>, random: &mut ChaCha8Rng) {
         }
         10 | 11 => text(target, random),
         12 | 13 => image(target, random),
-        14 => {
-            let count = random.random_range(0..40);
-            let pixels: Vec<_> = (0..count)
-                .map(|_| Pixel(far_point(random), color(random)))
-                .collect();
-            target.draw_iter(pixels)
-        }
+        14 => target.draw_iter(list(random, 0..40, |random| {
+            Pixel(far_point(random), color(random))
+        })),
         15 => {
             // The iterator yields as many colors as the area has pixels, or a few fewer or more.
             let count = (size.width * size.height + random.random_range(0..9)).saturating_sub(4);
@@ -185,7 +182,7 @@ fn element(target: &mut Target<'_>, random: &mut ChaCha8Rng) {
     let Ok(()) = done;
 }
 
-fn text(target: &mut Target<'_>, random: &mut ChaCha8Rng) -> Result<(), Infallible> {
+fn text(target: &mut Target<'_>, random: &mut Random) -> Result<(), Infallible> {
     const FONTS: [&MonoFont<'_>; 4] = [&FONT_4X6, &FONT_6X10, &FONT_9X15_BOLD, &FONT_10X20];
     const LINES: [&str; 5] = ["fps", "60\nHz", "É?", "a b", "|"];
     let mut style = MonoTextStyleBuilder::new().font(one(random, FONTS));
@@ -217,7 +214,7 @@ fn text(target: &mut Target<'_>, random: &mut ChaCha8Rng) -> Result<(), Infallib
         .map(|_| ())
 }
 
-fn image(target: &mut Target<'_>, random: &mut ChaCha8Rng) -> Result<(), Infallible> {
+fn image(target: &mut Target<'_>, random: &mut Random) -> Result<(), Infallible> {
     let Size { width, height } = Size::new(random.random_range(1..20), random.random_range(1..20));
     let bytes: Vec<u8> = (0..2 * width * height).map(|_| random.random()).collect();
     let raw = ImageRaw::<Rgb565>::new(&bytes, width);
@@ -228,22 +225,22 @@ fn image(target: &mut Target<'_>, random: &mut ChaCha8Rng) -> Result<(), Infalli
     Image::new(&part, point(random)).draw(target)
 }
 
-fn one<T: Copy, const N: usize>(random: &mut ChaCha8Rng, all: [T; N]) -> T {
+fn one<T: Copy, const N: usize>(random: &mut Random, all: [T; N]) -> T {
     all[random.random_range(0..N)]
 }
 
-fn color(random: &mut ChaCha8Rng) -> Rgb565 {
+fn color(random: &mut Random) -> Rgb565 {
     RawU16::new(random.random()).into()
 }
 
 /// A point inside the frame or around it.
-fn point(random: &mut ChaCha8Rng) -> Point {
+fn point(random: &mut Random) -> Point {
     Point::new(random.random_range(-25..65), random.random_range(-20..50))
 }
 
 /// A point inside, near or far from the frame, but not so far that embedded-graphics' adapters overflow when they add
 /// offsets.
-fn far_point(random: &mut ChaCha8Rng) -> Point {
+fn far_point(random: &mut Random) -> Point {
     if random.random_bool(0.9) {
         return point(random);
     }
@@ -251,21 +248,21 @@ fn far_point(random: &mut ChaCha8Rng) -> Point {
     Point::new(x, y)
 }
 
-fn number(random: &mut ChaCha8Rng) -> u32 {
+fn number(random: &mut Random) -> u32 {
     let most = one(random, [2, 12, 30, 80]);
     random.random_range(0..most)
 }
 
-fn size(random: &mut ChaCha8Rng) -> Size {
+fn size(random: &mut Random) -> Size {
     Size::new(number(random), number(random))
 }
 
 /// An area inside the frame, across an edge, outside, around the whole frame, or empty.
-fn area(random: &mut ChaCha8Rng) -> Rectangle {
+fn area(random: &mut Random) -> Rectangle {
     Rectangle::new(point(random), size(random))
 }
 
-fn style(random: &mut ChaCha8Rng) -> PrimitiveStyle<Rgb565> {
+fn style(random: &mut Random) -> PrimitiveStyle<Rgb565> {
     let mut style = PrimitiveStyleBuilder::new();
     if random.random() {
         style = style.fill_color(color(random));

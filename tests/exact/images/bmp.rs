@@ -69,7 +69,7 @@ fn read_at_run_time() {
 
 #[test]
 fn unsuitable_images_are_refused_as_texture_or_palette() {
-    let bytes = Fields::of(24, blue_first).bytes();
+    let bytes = Fields::of(24, &blue_first).bytes();
     let image = Image::from_bmp(&bytes).unwrap();
     let mut texels = [Rgb888::BLACK; 15];
     let error = image.read_texture(&mut texels).unwrap_err();
@@ -87,8 +87,8 @@ fn unsuitable_images_are_refused_as_texture_or_palette() {
 
 #[test]
 fn malformed_files_say_what_is_wrong() {
-    fn says(change: impl FnOnce(&mut Fields), expected: &str) {
-        let mut fields = Fields::of(24, blue_first);
+    fn says(change: fn(&mut Fields), expected: &str) {
+        let mut fields = Fields::of(24, &blue_first);
         change(&mut fields);
         let error = Image::from_bmp(&fields.bytes()).unwrap_err();
         assert_eq!(format!("{error}"), expected);
@@ -141,7 +141,7 @@ fn malformed_files_say_what_is_wrong() {
             (6_442_450_944_u64 << 31) + 54
         ),
     );
-    let bytes = Fields::of(24, blue_first).bytes();
+    let bytes = Fields::of(24, &blue_first).bytes();
     let error = Image::from_bmp(&bytes[..53]).unwrap_err();
     assert_eq!(
         format!("{error}"),
@@ -162,8 +162,8 @@ fn malformed_files_say_what_is_wrong() {
 #[test]
 fn no_header_causes_a_panic() {
     let files = [
-        Fields::of(24, blue_first),
-        Fields::of(32, padded),
+        Fields::of(24, &blue_first),
+        Fields::of(32, &padded),
         indexed(8, 5, 5),
         indexed(1, 0, 2),
     ];

@@ -2,9 +2,10 @@
 
 use fixel::mesh::{Buffers, obj};
 use fixel::prelude::*;
-use proptest::prelude::*;
+use rand::seq::IndexedRandom;
 
 use super::reading::{SQUARE, fails};
+use crate::common::random::{cases, list};
 
 #[test]
 fn malformed_numbers_are_refused() {
@@ -58,14 +59,21 @@ fn errors_name_their_line() {
     fails("\r\rv", 3, "3 numbers");
 }
 
-proptest! {
-    /// No input causes a panic.
-    #[test]
-    fn no_bytes_cause_a_panic(bytes in prop::collection::vec(prop::sample::select(&b"vvftnl 0123456789./-+eE\\\r\n\n#\t\xff"[..]), 0..200)) {
+/// No input causes a panic.
+#[test]
+fn no_bytes_cause_a_panic() {
+    cases(256, |random| {
+        let bytes = list(random, 0..200, |random| {
+            let characters = b"vvftnl 0123456789./-+eE\\\r\n\n#\t\xff";
+            *characters.choose(random).unwrap()
+        });
         if let Ok(counts) = obj::count(&bytes) {
-            let (mut positions, mut faces) = (vec![Vec3::ZERO; counts.positions], vec![[0; 3]; counts.faces]);
+            let mut positions = vec![Vec3::ZERO; counts.positions];
+            let mut faces = vec![[0; 3]; counts.faces];
             let mut edges = vec![[0; 2]; counts.edges];
-            let _ = obj::parse(&bytes, Buffers { edges: &mut edges, ..Buffers::new(&mut positions, &mut faces) });
+            let mut buffers = Buffers::new(&mut positions, &mut faces);
+            buffers.edges = &mut edges;
+            let _ = obj::parse(&bytes, buffers);
         }
-    }
+    });
 }

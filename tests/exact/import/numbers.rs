@@ -1,9 +1,10 @@
 //! How numbers are rounded, and their range.
 
 use fixel::prelude::*;
-use proptest::prelude::*;
+use rand::Rng;
 
 use super::reading::{SQUARE, fails, read};
+use crate::common::random::cases;
 
 /// Reads a position whose x is this number, and returns x.
 fn number(text: &str) -> Result<Scalar, Error> {
@@ -109,41 +110,57 @@ fn texture_coordinates_out_of_range_are_refused() {
     }
 }
 
-proptest! {
-    /// Numbers are rounded to the nearest unit, with halves away from zero. The expected value is computed exactly.
-    #[test]
-    fn numbers_round_exactly(value in -327_670_000_000_000_i64..327_670_000_000_000, point in 0..12_u32) {
+/// Numbers are rounded to the nearest unit, with halves away from zero. The expected value is computed exactly.
+#[test]
+fn numbers_round_exactly() {
+    cases(256, |random| {
+        let value = random.random_range(-327_670_000_000_000_i64..327_670_000_000_000);
+        let point = random.random_range(0..12);
         // f64 cannot hold value · 10^-10 exactly; 128-bit integers can.
         let scaled = i128::from(value) << 17;
         let quotient = scaled.abs() / 10_000_000_000;
         let nearest = (quotient + 1) / 2 * scaled.signum();
         let digits = 10_i64.pow(10);
-        let plain = format!("{}{}.{:010}", if value < 0 { "-" } else { "" }, value.abs() / digits, value.abs() % digits);
-        prop_assert_eq!(i128::from(number(&plain).unwrap().to_bits()), nearest);
-        let shifted = format!("{value}e{}", -10);
-        prop_assert_eq!(i128::from(number(&shifted).unwrap().to_bits()), nearest);
-        let padded = format!("{value}{:0<width$}E-{}", "", 10 + point, width = point as usize);
-        prop_assert_eq!(i128::from(number(&padded).unwrap().to_bits()), nearest);
-    }
+        let sign = if value < 0 { "-" } else { "" };
+        let (whole, rest) = (value.abs() / digits, value.abs() % digits);
+        for text in [
+            format!("{sign}{whole}.{rest:010}"),
+            format!("{value}e-10"),
+            format!("{value}{:0<point$}E-{}", "", 10 + point),
+        ] {
+            let bits = number(&text).unwrap().to_bits();
+            assert_eq!(i128::from(bits), nearest, "{text}");
+        }
+    });
+}
 
-    /// The same for the bits of a texture coordinate.
-    #[test]
-    fn texture_coordinates_round_exactly(
-        value in -204_600_000_000_000_000_i64..204_600_000_000_000_000,
-        fine in 0..10_u128.pow(21),
-        point in 0..12_u32,
-    ) {
+/// The same for the bits of a texture coordinate.
+#[test]
+fn texture_coordinates_round_exactly() {
+    cases(256, |random| {
+        let value = random.random_range(-204_600_000_000_000_000_i64..204_600_000_000_000_000);
+        let fine = random.random_range(0..10_u128.pow(21));
+        let point = random.random_range(0..12);
         let scaled = i128::from(value) << 21;
         let nearest = (scaled.abs() / 10_i128.pow(14) + 1) / 2 * scaled.signum();
         let digits = 10_i64.pow(14);
-        let plain = format!("{}{}.{:014}", if value < 0 { "-" } else { "" }, value.abs() / digits, value.abs() % digits);
-        prop_assert_eq!(i128::from(tex_coord(&plain, "0").unwrap()[0]), nearest);
-        let padded = format!("{value}{:0<width$}E-{}", "", 14 + point, width = point as usize);
-        prop_assert_eq!(i128::from(tex_coord(&padded, "0").unwrap()[0]), nearest);
+        let sign = if value < 0 { "-" } else { "" };
+        let (whole, rest) = (value.abs() / digits, value.abs() % digits);
+        for text in [
+            format!("{sign}{whole}.{rest:014}"),
+            format!("{value}{:0<point$}E-{}", "", 14 + point),
+        ] {
+            let [u, _] = tex_coord(&text, "0").unwrap();
+            assert_eq!(i128::from(u), nearest, "{text}");
+        }
         // This number needs all of its digits to decide the rounding.
         let nearest = ((fine << 21) / 10_u128.pow(21)).div_ceil(2) as i32;
-        for text in [format!("0.{fine:021}"), format!("{fine}e-21"), format!("0.{fine:021}9e0")] {
-            prop_assert_eq!(tex_coord(&text, "0").unwrap()[0], nearest, "{}", text);
+        for text in [
+            format!("0.{fine:021}"),
+            format!("{fine}e-21"),
+            format!("0.{fine:021}9e0"),
+        ] {
+            assert_eq!(tex_coord(&text, "0").unwrap()[0], nearest, "{text}");
         }
-    }
+    });
 }
