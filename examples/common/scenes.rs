@@ -75,18 +75,12 @@ pub static FACE_COLORS: [Rgb565; 1984] = {
     let mut at = 0;
     while at < colors.len() {
         let [a, b, c] = BALL.faces()[at];
-        let mut normal = [0; 3];
-        let mut axis = 0;
-        while axis < 3 {
-            let [a, b, c] = [
-                place(a as usize)[axis],
-                place(b as usize)[axis],
-                place(c as usize)[axis],
-            ];
-            normal[axis] = (a + b + c) / 3;
-            axis += 1;
-        }
-        let [r, g, b] = lit(normal);
+        let [a, b, c] = [place(a as usize), place(b as usize), place(c as usize)];
+        let [r, g, b] = lit([
+            (a[0] + b[0] + c[0]) / 3,
+            (a[1] + b[1] + c[1]) / 3,
+            (a[2] + b[2] + c[2]) / 3,
+        ]);
         colors[at] = Rgb565::new(r >> 3, g >> 2, b >> 3);
         at += 1;
     }
