@@ -10,6 +10,7 @@ use crate::bounds::Bound;
 use crate::drawing::{Drawing, Seen};
 use crate::mode::Mode;
 use crate::moves::{Move, exact, product, rounded};
+use crate::reference::attributes::Value;
 use crate::reference::coverage::{Bounds, center};
 use crate::reference::raster::{self, Piece, culled, pieces};
 use crate::reference::scenes::{SIZE, Shape, view};
@@ -61,6 +62,12 @@ pub struct Comparison {
     pub depth: Spread,
     /// How far the visible surface lies behind the nearest one, in steps of depth.
     pub order: Spread,
+    pub coverage: Coverage,
+}
+
+/// The differences in coverage, which are the same in all modes.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Coverage {
     /// Number of pairs of triangle and pixel that only the crate or only the model draws.
     pub not_alike: usize,
     /// Numbers of centers more than 1/256 pixel inside the silhouette whose pixel was drawn never, once, and more
@@ -68,6 +75,22 @@ pub struct Comparison {
     pub inside: [usize; 3],
     /// Number of centers more than 1/256 pixel outside the silhouette whose pixel was drawn.
     pub outside: usize,
+}
+
+/// The model's values at the drawn pixels, in order: the same for all modes.
+struct Model {
+    drawn: Vec<(usize, [i32; 2])>,
+    /// Given the crate's snapped vertices.
+    snapped: Vec<Value<2>>,
+    /// The same, with texture coordinates that were not rounded to the crate's format.
+    unrounded: Vec<Value<2>>,
+    /// Given the model's own vertices.
+    unsnapped: Vec<Value<2>>,
+    /// The farthest pixel of each face on each row.
+    farthest: HashMap<(usize, i32), f64>,
+    coverage: Coverage,
+    /// The faces with the crate's snapped vertices.
+    pieces: Vec<Piece<2>>,
 }
 
 impl Scene {
@@ -120,25 +143,41 @@ impl Scene {
 
     /// Draws and compares in some modes. Every vertex must lie between the near and far planes and in the guard band.
     pub fn compare(&self, modes: &[Mode]) -> Vec<(Mode, Comparison)> {
-        let mut all: Vec<(Mode, Comparison)> = Vec::with_capacity(modes.len());
-        for &mode in modes {
-            let first = all.first().map(|(_, first)| first);
-            all.push((mode, self.compare_in(mode, first)));
-        }
-        all
+        let mut model = None;
+        modes
+            .iter()
+            .map(|&mode| {
+                let drawing = self.drawing(mode);
+                let values = |vertex: &Corner<'_>| {
+                    let [u, v] = vertex.uv().to_bits();
+                    [u << 4, v << 4, vertex.distance().to_bits()]
+                };
+                let pixels = drawing.all(&values);
+                let model = model
+                    .get_or_insert_with(|| self.model(&pixels, drawing.places(&self.positions)));
+                assert_eq!(drawn(&pixels), model.drawn, "coverage in {mode:?}");
+                let mut comparison = Comparison {
+                    snapped: Spread::default(),
+                    unrounded: Spread::default(),
+                    unsnapped: Spread::default(),
+                    excess: Spread::default(),
+                    distance: Spread::default(),
+                    allowed: Spread::default(),
+                    depth: Spread::default(),
+                    order: Spread::default(),
+                    coverage: model.coverage,
+                    pixels,
+                };
+                comparison.attributes(mode, model, &self.view);
+                comparison.order(&drawing.shown(&values), model, &self.view);
+                (mode, comparison)
+            })
+            .collect()
     }
 
-    /// Draws and compares in one mode. If `other` is the comparison in another mode, coverage must be the same.
-    fn compare_in(&self, mode: Mode, other: Option<&Comparison>) -> Comparison {
+    /// The model of drawn pixels, which every mode must draw alike.
+    fn model(&self, pixels: &[Seen<3>], places: Vec<Option<[i32; 2]>>) -> Model {
         let Self { shape, view, .. } = self;
-        let drawing = self.drawing(mode);
-        let values = |vertex: &Corner<'_>| {
-            let [u, v] = vertex.uv().to_bits();
-            [u << 4, v << 4, vertex.distance().to_bits()]
-        };
-        let pixels = drawing.all(&values);
-        let places = drawing.places(&self.positions);
-
         let unsnapped = pieces(&shape.mesh(), view);
         let snap = |pieces: &[Piece<2>]| -> Vec<_> {
             pieces
@@ -152,70 +191,43 @@ impl Scene {
             ..shape.clone()
         };
         let unrounded = snap(&pieces(&unrounded.mesh(), view));
-        let mut comparison = Comparison {
-            snapped: Spread::default(),
-            unrounded: Spread::default(),
-            unsnapped: Spread::default(),
-            excess: Spread::default(),
-            distance: Spread::default(),
-            allowed: Spread::default(),
-            depth: Spread::default(),
-            order: Spread::default(),
-            not_alike: 0,
-            inside: [0; 3],
-            outside: 0,
-            pixels,
+        let all = |pieces: &[Piece<2>]| pixels.iter().map(|seen| at(pieces, seen)).collect();
+        let mut model = Model {
+            drawn: drawn(pixels),
+            snapped: all(&snapped),
+            unrounded: all(&unrounded),
+            unsnapped: all(&unsnapped),
+            farthest: HashMap::new(),
+            coverage: Coverage::default(),
+            pieces: snapped,
         };
-        comparison.attributes(mode, &snapped, &unsnapped, view);
-        comparison.unrounded(&unrounded);
-        match other {
-            None => comparison.coverage(snapped.clone(), unsnapped),
-            Some(other) => {
-                let pixels = |of: &[Seen<3>]| -> Vec<_> {
-                    of.iter().map(|seen| (seen.face, seen.pixel)).collect()
-                };
-                assert_eq!(pixels(&comparison.pixels), pixels(&other.pixels));
-                comparison.not_alike = other.not_alike;
-                comparison.inside = other.inside;
-                comparison.outside = other.outside;
-            }
+        for (seen, value) in pixels.iter().zip(&model.snapped) {
+            let row = model.farthest.entry((seen.face, seen.pixel[1]));
+            let farthest = row.or_default();
+            *farthest = farthest.max(value.w);
         }
-        comparison.order(&drawing.shown(&values), &snapped, view);
-        comparison
+        model.coverage = coverage(model.drawn.clone(), model.pieces.clone(), unsnapped);
+        model
     }
 }
 
-/// The model's hit of a drawn triangle at the drawn pixel.
-fn at(pieces: &[Piece<2>], seen: &Seen<3>) -> raster::Hit<2> {
+/// The faces and pixels that were drawn, in order.
+fn drawn(pixels: &[Seen<3>]) -> Vec<(usize, [i32; 2])> {
+    pixels.iter().map(|seen| (seen.face, seen.pixel)).collect()
+}
+
+/// The model's values of a drawn triangle at the drawn pixel.
+fn at(pieces: &[Piece<2>], seen: &Seen<3>) -> Value<2> {
     let piece = &pieces[seen.face];
     assert_eq!(piece.face, seen.face, "the face is clipped");
-    let value = piece.at(seen.pixel).expect("the triangle has no area");
-    raster::Hit {
-        face: seen.face,
-        piece: seen.face,
-        gap: 0.,
-        distance: value.w,
-        depth: 0.,
-        value,
-    }
+    piece.at(seen.pixel).expect("the triangle has no area")
 }
 
 impl Comparison {
-    fn attributes(
-        &mut self,
-        mode: Mode,
-        snapped: &[Piece<2>],
-        unsnapped: &[Piece<2>],
-        view: &View,
-    ) {
+    fn attributes(&mut self, mode: Mode, model: &Model, view: &View) {
         let unit = TEXELS / 2_f64.powi(UV_BITS);
-        // The farthest pixel of each face on each row.
-        let mut farthest: HashMap<(usize, i32), f64> = HashMap::new();
-        for seen in &self.pixels {
-            let row = farthest.entry((seen.face, seen.pixel[1])).or_default();
-            *row = row.max(at(snapped, seen).distance);
-        }
-        let bounds: Vec<_> = snapped
+        let bounds: Vec<_> = model
+            .pieces
             .iter()
             .map(|piece| {
                 let bound = |corners: [f64; 3], unit: f64| {
@@ -231,27 +243,30 @@ impl Comparison {
             .collect();
         for (i, seen) in self.pixels.iter().enumerate() {
             let texels = [0, 1].map(|k: usize| f64::from(seen.values[k]) * unit);
-            let error = |value: &[f64; 2], k: usize| (texels[k] - value[k] * TEXELS).abs();
+            let errors = |value: &Value<2>| {
+                [0, 1].map(|k: usize| (texels[k] - value.attributes[k] * TEXELS).abs())
+            };
 
-            let hit = at(snapped, seen);
-            let [u, v] = [0, 1].map(|k| error(&hit.value.attributes, k));
+            let value = &model.snapped[i];
+            let [u, v] = errors(value);
             self.snapped.add(u.max(v), i);
-            let distance = (f64::from(seen.values[2]) - hit.distance * 65536.).abs();
+            let distance = (f64::from(seen.values[2]) - value.w * 65536.).abs();
             self.distance.add(distance, i);
-            let farthest = farthest[&(seen.face, seen.pixel[1])];
-            let errors = [u / unit, v / unit, distance];
-            for (error, bound) in errors.into_iter().zip(&bounds[seen.face]) {
-                self.allowed
-                    .add(error / bound.at(hit.distance, farthest), i);
+            let farthest = model.farthest[&(seen.face, seen.pixel[1])];
+            let relative = [u / unit, v / unit, distance];
+            for (error, bound) in relative.into_iter().zip(&bounds[seen.face]) {
+                self.allowed.add(error / bound.at(value.w, farthest), i);
             }
-            let depth = view.projection.depth(hit.distance);
+            let depth = view.projection.depth(value.w);
             let stored = f64::from(seen.depth);
             self.depth
                 .add((stored - depth).max(depth - stored - 1.).max(0.), i);
 
-            let hit = at(unsnapped, seen);
-            let value = &hit.value;
-            let errors = [0, 1].map(|k| error(&value.attributes, k));
+            let [u, v] = errors(&model.unrounded[i]);
+            self.unrounded.add(u.max(v), i);
+
+            let value = &model.unsnapped[i];
+            let errors = errors(value);
             let excess =
                 [0, 1].map(|k: usize| errors[k] - SNAP * TEXELS * value.dx[k].hypot(value.dy[k]));
             self.unsnapped.add(errors[0].max(errors[1]), i);
@@ -259,64 +274,12 @@ impl Comparison {
         }
     }
 
-    fn unrounded(&mut self, pieces: &[Piece<2>]) {
-        let unit = TEXELS / 2_f64.powi(UV_BITS);
-        for (i, seen) in self.pixels.iter().enumerate() {
-            let wanted = at(pieces, seen).value.attributes;
-            let [u, v] = [0, 1]
-                .map(|k: usize| (f64::from(seen.values[k]) * unit - wanted[k] * TEXELS).abs());
-            self.unrounded.add(u.max(v), i);
-        }
-    }
-
-    fn coverage(&mut self, snapped: Vec<Piece<2>>, unsnapped: Vec<Piece<2>>) {
-        let bounds = Bounds::new(SIZE.0, SIZE.1);
-        let mut drawn: Vec<(usize, [i32; 2])> = self
-            .pixels
-            .iter()
-            .map(|seen| (seen.face, seen.pixel))
-            .collect();
-        drawn.sort_unstable();
-        let mut model: Vec<(usize, [i32; 2])> = culled(snapped, raster::Cull::Back)
-            .iter()
-            .flat_map(|piece| {
-                bounds
-                    .around(&piece.screen, 0.)
-                    .pixels()
-                    .filter(|&pixel| piece.covers(pixel))
-                    .map(|pixel| (piece.face, pixel))
-            })
-            .collect();
-        model.sort_unstable();
-        self.not_alike = difference(&drawn, &model) + difference(&model, &drawn);
-
-        let mut counts = vec![0_usize; SIZE.0 as usize * SIZE.1 as usize];
-        let place = |[x, y]: [i32; 2]| y as usize * SIZE.0 as usize + x as usize;
-        for (_, pixel) in &drawn {
-            counts[place(*pixel)] += 1;
-        }
-        let front: Vec<_> = culled(unsnapped, raster::Cull::Back)
-            .iter()
-            .map(|piece| piece.screen)
-            .collect();
-        let silhouette = Silhouette::new(&front, SIZE.0, SIZE.1);
-        for pixel in bounds.pixels() {
-            let count = counts[place(pixel)];
-            match silhouette.classify(center(pixel), SNAP) {
-                silhouette::Position::Inside => self.inside[count.min(2)] += 1,
-                silhouette::Position::Outside => self.outside += usize::from(count > 0),
-                silhouette::Position::Near => {}
-            }
-        }
-    }
-
-    fn order(&mut self, shown: &[Seen<3>], snapped: &[Piece<2>], view: &View) {
-        let place = |[x, y]: [i32; 2]| y as usize * SIZE.0 as usize + x as usize;
-        let depth = |seen: &Seen<3>| view.projection.depth(at(snapped, seen).distance);
+    fn order(&mut self, shown: &[Seen<3>], model: &Model, view: &View) {
+        let depth = |value: &Value<2>| view.projection.depth(value.w);
         let mut nearest = vec![0_f64; SIZE.0 as usize * SIZE.1 as usize];
-        for seen in &self.pixels {
+        for (seen, value) in self.pixels.iter().zip(&model.snapped) {
             let nearest = &mut nearest[place(seen.pixel)];
-            *nearest = nearest.max(depth(seen));
+            *nearest = nearest.max(depth(value));
         }
         let mut last = vec![None; nearest.len()];
         for seen in shown {
@@ -329,7 +292,7 @@ impl Comparison {
                 "pixel {i} is drawn in only one picture"
             );
             if let Some(seen) = last {
-                self.order.add(nearest - depth(seen), i);
+                self.order.add(nearest - depth(&at(&model.pieces, seen)), i);
             }
         }
     }
@@ -368,9 +331,56 @@ impl Comparison {
         println!("  behind the nearest: {:.5} steps", self.order.max());
         println!(
             "  different {}; inside, drawn never, once, more often: {:?}; outside, drawn: {}",
-            self.not_alike, self.inside, self.outside
+            self.coverage.not_alike, self.coverage.inside, self.coverage.outside
         );
     }
+}
+
+fn place([x, y]: [i32; 2]) -> usize {
+    y as usize * SIZE.0 as usize + x as usize
+}
+
+fn coverage(
+    mut drawn: Vec<(usize, [i32; 2])>,
+    snapped: Vec<Piece<2>>,
+    unsnapped: Vec<Piece<2>>,
+) -> Coverage {
+    let bounds = Bounds::new(SIZE.0, SIZE.1);
+    drawn.sort_unstable();
+    let mut model: Vec<(usize, [i32; 2])> = culled(snapped, raster::Cull::Back)
+        .iter()
+        .flat_map(|piece| {
+            bounds
+                .around(&piece.screen, 0.)
+                .pixels()
+                .filter(|&pixel| piece.covers(pixel))
+                .map(|pixel| (piece.face, pixel))
+        })
+        .collect();
+    model.sort_unstable();
+    let mut found = Coverage {
+        not_alike: difference(&drawn, &model) + difference(&model, &drawn),
+        ..Coverage::default()
+    };
+
+    let mut counts = vec![0_usize; SIZE.0 as usize * SIZE.1 as usize];
+    for (_, pixel) in &drawn {
+        counts[place(*pixel)] += 1;
+    }
+    let front: Vec<_> = culled(unsnapped, raster::Cull::Back)
+        .iter()
+        .map(|piece| piece.screen)
+        .collect();
+    let silhouette = Silhouette::new(&front, SIZE.0, SIZE.1);
+    for pixel in bounds.pixels() {
+        let count = counts[place(pixel)];
+        match silhouette.classify(center(pixel), SNAP) {
+            silhouette::Position::Inside => found.inside[count.min(2)] += 1,
+            silhouette::Position::Outside => found.outside += usize::from(count > 0),
+            silhouette::Position::Near => {}
+        }
+    }
+    found
 }
 
 /// The number of entries of the sorted `a` that are not in the sorted `b`; repeated entries count.

@@ -68,9 +68,10 @@ fn means(k: i16, repeats: f64) -> Vec<Option<[f64; 3]>> {
     let floor = floor(k);
     let colors = COLORS.map(parts);
     let texels = |[u, v]: [f64; 2]| [u * 64. * repeats, v * 64. * repeats];
-    let color = |at: [f64; 2]| {
+    // Which of the colors; coordinates are not negative, so that they are rounded down.
+    let index = |at: [f64; 2]| {
         let [u, v] = texels(at);
-        colors[checker(u.floor() as i64, v.floor() as i64)]
+        checker(u as i64, v as i64)
     };
     let square = |at: [f64; 2]| {
         let [u, v] = texels(at);
@@ -89,11 +90,13 @@ fn means(k: i16, repeats: f64) -> Vec<Option<[f64; 3]>> {
         };
         // Perspective keeps quadrilaterals convex: if a pixel's corners lie in one square, all of it does.
         if [b, c, d].map(square) == [square(a); 3] {
-            return Some(color(a));
+            return Some(colors[index(a)]);
         }
-        Some(area([x, y].map(f64::from), 16, |at| {
-            color(floor(at).unwrap())
-        }))
+        let share = area([x, y].map(f64::from), 16, |at| {
+            index(floor(at).unwrap()) as f64
+        });
+        let [one, other] = colors;
+        Some([0, 1, 2].map(|k| one[k] + (other[k] - one[k]) * share))
     })
     .collect()
 }

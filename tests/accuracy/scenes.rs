@@ -13,7 +13,7 @@ use crate::reference::scenes::{POSES, cube, floor, sphere};
 fn check(name: &str, scene: &Scene, is_convex: bool) {
     for (mode, picture) in scene.compare(&Mode::PERSPECTIVE) {
         check_mode(&format!("{name}, {mode:?}"), mode, &picture);
-        let [_, _, again] = picture.inside;
+        let [_, _, again] = picture.coverage.inside;
         // No part of a convex surface hides another.
         assert!(
             again == 0 || !is_convex,
@@ -52,14 +52,17 @@ fn check_mode(name: &str, mode: Mode, picture: &Comparison) {
         picture.order.max() <= 1. + 2. * bounds::DEPTH,
         "depth order"
     );
-    assert_eq!(picture.not_alike, 0, "coverage, given snapped vertices");
-    let [missed, ..] = picture.inside;
+    assert_eq!(
+        picture.coverage.not_alike, 0,
+        "coverage, given snapped vertices"
+    );
+    let [missed, ..] = picture.coverage.inside;
     assert_eq!(
         missed, 0,
         "centers inside the silhouette that were not drawn"
     );
     assert_eq!(
-        picture.outside, 0,
+        picture.coverage.outside, 0,
         "centers outside the silhouette that were drawn"
     );
 }

@@ -32,12 +32,13 @@ pub fn level(corners: [Vec3; 3], texels: [[f64; 2]; 3], focal: f64, z: f64) -> f
 }
 
 /// The mean of a function over a pixel, from `across` times `across` samples.
-pub fn area([x, y]: [f64; 2], across: u32, value: impl Fn([f64; 2]) -> [f64; 3]) -> [f64; 3] {
-    let mut sum = [0.; 3];
-    for i in 0..across * across {
-        let at = |k: u32| (f64::from(k) + 0.5) / f64::from(across);
-        let [r, g, b] = value([x + at(i % across), y + at(i / across)]);
-        sum = [sum[0] + r, sum[1] + g, sum[2] + b];
+pub fn area([x, y]: [f64; 2], across: u32, value: impl Fn([f64; 2]) -> f64) -> f64 {
+    let mut sum = 0.;
+    for i in 0..across {
+        for j in 0..across {
+            let at = |k: u32| (f64::from(k) + 0.5) / f64::from(across);
+            sum += value([x + at(j), y + at(i)]);
+        }
     }
-    sum.map(|sum| sum / f64::from(across * across))
+    sum / f64::from(across * across)
 }
