@@ -69,6 +69,7 @@ impl Scene {
             self.coverage(&first, &judged, &mut verdict.coverage);
         }
         let models = self.models(&first, &judged);
+        let ends = self.ends(&judged);
         for (mode, worst) in MODES.into_iter().zip(&mut verdict.texels) {
             drawing.mode = mode;
             let seen = drawing.all(&values);
@@ -78,15 +79,22 @@ impl Scene {
                     .collect()
             };
             assert_eq!(pixels(&seen), pixels(&first), "{mode:?} differs");
+            let bounds: Vec<_> = (0..self.faces.len())
+                .map(|face| {
+                    let [near, far] = ends[face];
+                    let texels = self.corner_texels(face);
+                    texels.map(|corners| Bound::perspective(mode, corners, [near, far, far]))
+                })
+                .collect();
             for (seen, (piece, about)) in seen.iter().zip(&models) {
                 if let Some(about) = about {
-                    self.values(mode, seen, piece, about, worst);
+                    self.values(mode, seen, piece, about, &bounds[seen.face], worst);
                 }
             }
         }
         for (seen, (_, about)) in first.iter().zip(&models) {
             if let Some(about) = about {
-                self.depth(seen, about, &mut verdict.depth);
+                self.depth(seen, about, ends[seen.face], &mut verdict.depth);
             }
         }
         verdict
@@ -285,21 +293,16 @@ impl Scene {
     ) -> Vec<(&'a Piece<2>, Option<About>)> {
         let mut farthest: HashMap<(usize, i32), f64> = HashMap::new();
         let off_at_corners = self.off_at_corners();
+        let ends = self.ends(pieces);
         let mut models: Vec<_> = seen
             .iter()
             .map(|seen| {
                 let own = pieces.iter().filter(|piece| piece.face == seen.face);
-                let (piece, _) = nearest(own.clone(), center(seen.pixel)).unwrap();
-                let ends = own
-                    .flat_map(|piece| piece.w)
-                    .fold([f64::MAX, 0.], |[least, most], w| {
-                        [least.min(w), most.max(w)]
-                    });
+                let (piece, _) = nearest(own, center(seen.pixel)).unwrap();
                 let about = self.about(piece, seen.pixel).map(|about| About {
-                    ends,
                     off: match piece.snapped {
                         Some(_) => off_at_corners,
-                        None => self.off(ends[0]),
+                        None => self.off(ends[seen.face][0]),
                     },
                     ..about
                 });
@@ -316,21 +319,38 @@ impl Scene {
         models
     }
 
+    /// The least and the greatest w of each face's pieces.
+    fn ends(&self, pieces: &[Piece<2>]) -> Vec<[f64; 2]> {
+        let mut ends = vec![[f64::MAX, 0.]; self.faces.len()];
+        for piece in pieces {
+            for w in piece.w {
+                widen(&mut ends[piece.face], w);
+            }
+        }
+        ends
+    }
+
+    /// Each of both texture coordinates at the corners of a face.
+    fn corner_texels(&self, face: usize) -> [[i32; 3]; 2] {
+        let corners = self.faces[face].map(usize::from);
+        [0, 1].map(|k| corners.map(|corner| self.texels[corner][k]))
+    }
+
     fn values(
         &self,
         mode: Mode,
         seen: &Seen<2>,
         piece: &Piece<2>,
         about: &About,
+        bounds: &[Bound; 2],
         worst: &mut Worst,
     ) {
-        let [near, far] = about.ends;
-        for (k, [least, most]) in about.values.into_iter().enumerate() {
-            let corners = self.faces[seen.face].map(|i| self.texels[usize::from(i)][k]);
+        let all = self.corner_texels(seen.face).into_iter().zip(bounds);
+        for (k, (corners, bound)) in all.enumerate() {
+            let [least, most] = about.values[k];
             let value = f64::from(seen.values[k]);
             let error = (least - value).max(value - most).max(0.);
-            let formats =
-                Bound::perspective(mode, corners, [near, far, far]).at(about.w, about.farthest);
+            let formats = bound.at(about.w, about.farthest);
             // Clipping rounds a new corner's attribute down twice, and its weight to 2⁻³⁰ at each of six planes. The
             // attribute also has the relative error of w in clip space, at both ends of the clipped edge.
             let [a, b, c] = corners.map(i32::unsigned_abs);
@@ -347,11 +367,10 @@ impl Scene {
         }
     }
 
-    fn depth(&self, seen: &Seen<2>, about: &About, worst: &mut Worst) {
+    fn depth(&self, seen: &Seen<2>, about: &About, [near, far]: [f64; 2], worst: &mut Worst) {
         let scale = 65535. * self.view.projection.near;
         let [least, most] = about.inverse_w.map(|q| q * scale);
         let stored = f64::from(seen.depth);
-        let [near, far] = about.ends;
         let bound = bounds::depth([near, far, far]) + 2. * most * about.off;
         let error = (stored - most).max(least - stored - 1.).max(0.);
         worst.add(error, bound, || {
@@ -366,8 +385,6 @@ struct About {
     w: f64,
     /// The greatest w of the face's pixels in the pixel's row.
     farthest: f64,
-    /// The least and the greatest w of the face.
-    ends: [f64; 2],
     /// The bound of the relative error of w.
     off: f64,
     /// The least and the greatest value of each attribute within reach.
@@ -380,7 +397,6 @@ impl About {
         Self {
             w,
             farthest: w,
-            ends: [w; 2],
             off: 0.,
             values: values.map(|value| [value; 2]),
             inverse_w: [1. / w; 2],
