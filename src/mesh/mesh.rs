@@ -52,21 +52,22 @@ pub(super) const fn check<const K: usize>(
     len: usize,
     exception: Option<Index>,
 ) -> Result<(), Error> {
-    let mut at = 0;
-    while at < lists.len() {
+    // A pattern: in the compiler, a call of `len` takes as long as several comparisons.
+    let mut rest = lists;
+    while let [list, others @ ..] = rest {
         let mut corner = 0;
         while corner < K {
-            let index = lists[at][corner];
+            let index = list[corner];
             if index as usize >= len && !matches!(exception, Some(except) if index == except) {
                 return Err(Error::Index {
-                    at,
+                    at: lists.len() - rest.len(),
                     index: index as u32,
                     len,
                 });
             }
             corner += 1;
         }
-        at += 1;
+        rest = others;
     }
     Ok(())
 }
