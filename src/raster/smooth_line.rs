@@ -7,6 +7,7 @@ use embedded_graphics::geometry::Point;
 
 use super::edge::first_center;
 use super::line::Course;
+use super::scissor::meet;
 use super::{ClippedVertex, LineWidth, Rasterizer, Scissor, point};
 use crate::num::block::BlockFloat;
 use crate::num::rsqrt::unit;
@@ -168,18 +169,13 @@ pub(crate) fn smooth_line(
     let (low, high) = if major(a) <= major(b) { (a, b) } else { (b, a) };
     let steps = first_center(major(low))..first_center(major(high));
     let part = |steps: Range<i32>| {
-        let meet = |range: &Range<i32>| range.start.max(steps.start)..range.end.min(steps.end);
-        let Scissor { columns, rows } = &bounds;
+        let Scissor { columns, rows } = bounds.clone();
         if is_steep {
-            Scissor {
-                columns: columns.clone(),
-                rows: meet(rows),
-            }
+            let rows = meet(&rows, &steps);
+            Scissor { columns, rows }
         } else {
-            Scissor {
-                columns: meet(columns),
-                rows: rows.clone(),
-            }
+            let columns = meet(&columns, &steps);
+            Scissor { columns, rows }
         }
     };
     for (end, beyond) in [(low, i32::MIN..steps.start), (high, steps.end..i32::MAX)] {
@@ -239,7 +235,6 @@ impl Strip {
 
     /// The strip's bounding box within the scissor.
     fn within(&self, scissor: &Scissor) -> Scissor {
-        let meet = |a: &Range<i32>, b: &Range<i32>| a.start.max(b.start)..a.end.min(b.end);
         Scissor {
             columns: meet(&self.bounds.columns, &scissor.columns),
             rows: meet(&self.bounds.rows, &scissor.rows),
