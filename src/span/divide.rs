@@ -15,14 +15,8 @@ pub(super) fn divide<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: DepthT
     mut cells: Cells<'_, S::Color, O, D>,
     mut pixels: Pixels<S, Z>,
 ) {
-    let Span {
-        mut q,
-        mut p,
-        dq,
-        dp,
-        down,
-        ..
-    } = span.clone();
+    let (mut q, mut p) = (span.q, span.p);
+    let (dq, dp, down) = (span.dq, span.dp, span.down);
     for cell in cells.first(usize::MAX) {
         if pixels.visible::<D>(&cell.1, q, down) {
             pixels.shade::<O, D>(cell, quotients::<S>(q, &p, &scales));

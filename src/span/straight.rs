@@ -14,14 +14,8 @@ pub(super) fn straight<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: Dept
     mut cells: Cells<'_, S::Color, O, D>,
     mut pixels: Pixels<S, Z>,
 ) {
-    let Span {
-        mut q,
-        mut p,
-        dq,
-        dp,
-        down,
-        ..
-    } = span;
+    let (mut q, mut p) = (span.q, span.p);
+    let (dq, dp, down) = (span.dq, span.dp, span.down);
     for cell in cells.first(usize::MAX) {
         if pixels.visible::<D>(&cell.1, q, down) {
             pixels.shade::<O, D>(cell, restore(&p));
