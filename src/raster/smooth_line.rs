@@ -49,14 +49,10 @@ use crate::num::wide::product;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SmoothLine {
-    width: LineWidth,
+    pub(super) width: LineWidth,
 }
 
 impl SmoothLine {
-    pub(crate) const fn new(width: LineWidth) -> Self {
-        Self { width }
-    }
-
     /// The width of the lines.
     #[must_use]
     pub const fn width(self) -> LineWidth {
@@ -158,7 +154,10 @@ pub(crate) fn smooth_line(
     let ends = [a.vertex.screen, b.vertex.screen];
     coverage.set(Coverage::new(ends, width));
     let strip = Strip::new(ends, width);
-    let bounds = strip.within(raster.scissor);
+    let bounds = Scissor {
+        columns: meet(&strip.bounds.columns, &raster.scissor.columns),
+        rows: meet(&strip.bounds.rows, &raster.scissor.rows),
+    };
 
     // Beyond the ends of the longer axis, values are those of the ends.
     let is_steep = ax.abs_diff(bx) < ay.abs_diff(by);
@@ -230,14 +229,6 @@ impl Strip {
             middle: (i64::from(ax) << 8) + ((slope * i64::from(128 - ay)) >> 8),
             slope,
             extent,
-        }
-    }
-
-    /// The strip's bounding box within the scissor.
-    fn within(&self, scissor: &Scissor) -> Scissor {
-        Scissor {
-            columns: meet(&self.bounds.columns, &scissor.columns),
-            rows: meet(&self.bounds.rows, &scissor.rows),
         }
     }
 

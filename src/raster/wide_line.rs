@@ -85,7 +85,7 @@ impl LineWidth {
     /// Anti-aliased lines of this width, measured at right angles to the line.
     #[must_use]
     pub const fn smooth(self) -> SmoothLine {
-        SmoothLine::new(self)
+        SmoothLine { width: self }
     }
 
     /// By how many rows a line of this width may reach beyond its ends, anti-aliased or not.
