@@ -67,7 +67,7 @@ pub(super) trait Stroke<C>: Copy {
         move |raster, ends| self.line(state, raster, ends)
     }
 
-    /// Draws all edges of a mesh.
+    /// Draws all edges of a mesh. All styles but [`Hairline`] share the code.
     #[inline]
     fn edges<K: ProjectionKind>(
         self,
@@ -75,19 +75,8 @@ pub(super) trait Stroke<C>: Copy {
         call: &Call<'_, K>,
         blitter: &mut dyn Blitter,
     ) -> Drawn {
-        edges(call, &self.bind(state), blitter)
+        run::edges(call, &self.bind(state) as DrawLine<'_>, blitter)
     }
-}
-
-/// Draws all edges of a mesh. It exists once for all styles but [`Hairline`].
-#[inline(never)]
-fn edges<K: ProjectionKind>(
-    call: &Call<'_, K>,
-    line: DrawLine<'_>,
-    blitter: &mut dyn Blitter,
-) -> Drawn {
-    let edges = call.shared.mesh.edges();
-    run::lines(call, blitter, edges, |_, _, _, &edge| Some(edge), line)
 }
 
 impl<C> Stroke<C> for Hairline {
@@ -117,7 +106,7 @@ impl<C> Stroke<C> for Hairline {
         call: &Call<'_, K>,
         blitter: &mut dyn Blitter,
     ) -> Drawn {
-        run::edges(call, blitter)
+        run::edges(call, raster::line, blitter)
     }
 }
 

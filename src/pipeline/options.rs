@@ -120,12 +120,8 @@ impl<M: Copy, Z: Copy, B: Copy, L: Copy> DrawOptions<M, Z, B, L> {
     /// ```
     #[must_use]
     pub const fn with_line<N: Copy>(self, line: N) -> DrawOptions<M, Z, B, N> {
-        self.with(
-            self.pixels.mode,
-            self.pixels.depth,
-            self.pixels.blending,
-            line,
-        )
+        let pixels = self.pixels;
+        self.with(pixels.mode, pixels.depth, pixels.blending, line)
     }
 
     /// The same options with these four, which may have other types.

@@ -79,15 +79,13 @@ pub(super) fn lines<K: ProjectionKind, E>(
 
 /// Draws all edges of a mesh as lines.
 #[inline(never)]
-pub(super) fn edges<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
+pub(super) fn edges<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    line: impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]),
+    blitter: &mut dyn Blitter,
+) -> Drawn {
     let edges = call.shared.mesh.edges();
-    lines(
-        call,
-        blitter,
-        edges,
-        |_, _, _, &edge| Some(edge),
-        raster::line,
-    )
+    lines(call, blitter, edges, |_, _, _, &edge| Some(edge), line)
 }
 
 /// Draws all positions of a mesh that are inside all planes, each by `point`.

@@ -121,13 +121,7 @@ fn uvs_of([left, right, top, bottom]: [TexCoord; 4]) -> [Vec2; 4] {
 
 /// A point plus an offset; `None` if it is out of range.
 fn moved(point: Vec3, offset: Vec3) -> Option<Vec3> {
-    let ([a, b, c], [x, y, z]) = (point.to_bits(), offset.to_bits());
-    let sum = [
-        a.saturating_add(x),
-        b.saturating_add(y),
-        c.saturating_add(z),
-    ];
-    Some(Vec3::from_bits(sum)).filter(|&sum| is_inside(sum))
+    Some(point + offset).filter(|&sum| is_inside(sum))
 }
 
 /// A scale, the corners of a sprite at this scale, and whether all of them are in range.

@@ -267,7 +267,11 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             computed = self.clip_position(index);
             let outcode = self.outcode(&computed);
             if outcode != 0 {
-                *to = ScreenVertex::outside(index, outcode);
+                *to = ScreenVertex {
+                    outcode,
+                    index,
+                    ..ScreenVertex::UNSET
+                };
                 return;
             }
             &computed

@@ -3,6 +3,7 @@
 use core::ops::Range;
 
 use super::edge::{Edge, first_center};
+use super::scissor::meet;
 use super::{ClippedVertex, Patch, Rasterizer, ScreenVertex};
 
 /// The default style of lines: one pixel wide, not anti-aliased.
@@ -101,7 +102,7 @@ impl Course {
         } else {
             (&scissor.columns, &scissor.rows)
         };
-        let steps = first_center(start).max(along.start)..first_center(end).min(along.end);
+        let steps = meet(&(first_center(start)..first_center(end)), along);
         if steps.is_empty() {
             return None;
         }

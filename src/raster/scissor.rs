@@ -15,12 +15,10 @@ impl Scissor {
     /// Intersects a viewport with `rows` of a frame of this width.
     pub(crate) fn new(viewport: &Viewport, width: u32, rows: &Range<u32>) -> Self {
         let [across, down] = viewport.pixels();
-        let meet = |a: Range<i32>, start: u32, end: u32| {
-            a.start.max(start.cast_signed())..a.end.min(end.cast_signed())
-        };
+        let rows = rows.start.cast_signed()..rows.end.cast_signed();
         Self {
-            columns: meet(across, 0, width),
-            rows: meet(down, rows.start, rows.end),
+            columns: meet(&across, &(0..width.cast_signed())),
+            rows: meet(&down, &rows),
         }
     }
 
@@ -28,4 +26,10 @@ impl Scissor {
     pub(crate) fn is_empty(&self) -> bool {
         self.columns.is_empty() || self.rows.is_empty()
     }
+}
+
+/// The intersection of two ranges of pixels.
+#[inline]
+pub(super) fn meet(a: &Range<i32>, b: &Range<i32>) -> Range<i32> {
+    a.start.max(b.start)..a.end.min(b.end)
 }

@@ -1,5 +1,6 @@
 //! Points of a size.
 
+use super::scissor::meet;
 use super::{Rasterizer, ScreenVertex, point};
 use crate::error::{check_extent, ok};
 use crate::{Error, Scalar};
@@ -107,7 +108,7 @@ pub(crate) fn sized_point(
     let [x, y] = at.screen;
     // A disc has its upper border, a square does not.
     let top = y - half - i32::from(is_round);
-    let rows = beyond(top).max(scissor.rows.start)..beyond(y + half).min(scissor.rows.end);
+    let rows = meet(&(beyond(top)..beyond(y + half)), &scissor.rows);
     if rows.is_empty() {
         return;
     }
@@ -129,8 +130,7 @@ pub(crate) fn sized_point(
         } else {
             beyond(x - half)..beyond(x + half)
         };
-        let columns =
-            columns.start.max(scissor.columns.start)..columns.end.min(scissor.columns.end);
+        let columns = meet(&columns, &scissor.columns);
         if !columns.is_empty() {
             raster.span(row, &columns);
         }

@@ -7,6 +7,7 @@ use embedded_graphics::geometry::Point;
 
 use super::edge::first_center;
 use super::line::Course;
+use super::scissor::meet;
 use super::{ClippedVertex, LineWidth, Rasterizer, Scissor, point};
 use crate::num::block::BlockFloat;
 use crate::num::rsqrt::unit;
@@ -48,14 +49,10 @@ use crate::num::wide::product;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SmoothLine {
-    width: LineWidth,
+    pub(super) width: LineWidth,
 }
 
 impl SmoothLine {
-    pub(crate) const fn new(width: LineWidth) -> Self {
-        Self { width }
-    }
-
     /// The width of the lines.
     #[must_use]
     pub const fn width(self) -> LineWidth {
@@ -157,7 +154,10 @@ pub(crate) fn smooth_line(
     let ends = [a.vertex.screen, b.vertex.screen];
     coverage.set(Coverage::new(ends, width));
     let strip = Strip::new(ends, width);
-    let bounds = strip.within(raster.scissor);
+    let bounds = Scissor {
+        columns: meet(&strip.bounds.columns, &raster.scissor.columns),
+        rows: meet(&strip.bounds.rows, &raster.scissor.rows),
+    };
 
     // Beyond the ends of the longer axis, values are those of the ends.
     let is_steep = ax.abs_diff(bx) < ay.abs_diff(by);
@@ -168,18 +168,13 @@ pub(crate) fn smooth_line(
     let (low, high) = if major(a) <= major(b) { (a, b) } else { (b, a) };
     let steps = first_center(major(low))..first_center(major(high));
     let part = |steps: Range<i32>| {
-        let meet = |range: &Range<i32>| range.start.max(steps.start)..range.end.min(steps.end);
-        let Scissor { columns, rows } = &bounds;
+        let Scissor { columns, rows } = bounds.clone();
         if is_steep {
-            Scissor {
-                columns: columns.clone(),
-                rows: meet(rows),
-            }
+            let rows = meet(&rows, &steps);
+            Scissor { columns, rows }
         } else {
-            Scissor {
-                columns: meet(columns),
-                rows: rows.clone(),
-            }
+            let columns = meet(&columns, &steps);
+            Scissor { columns, rows }
         }
     };
     for (end, beyond) in [(low, i32::MIN..steps.start), (high, steps.end..i32::MAX)] {
@@ -234,15 +229,6 @@ impl Strip {
             middle: (i64::from(ax) << 8) + ((slope * i64::from(128 - ay)) >> 8),
             slope,
             extent,
-        }
-    }
-
-    /// The strip's bounding box within the scissor.
-    fn within(&self, scissor: &Scissor) -> Scissor {
-        let meet = |a: &Range<i32>, b: &Range<i32>| a.start.max(b.start)..a.end.min(b.end);
-        Scissor {
-            columns: meet(&self.bounds.columns, &scissor.columns),
-            rows: meet(&self.bounds.rows, &scissor.rows),
         }
     }
 

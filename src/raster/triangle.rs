@@ -5,6 +5,7 @@ use core::ops::Range;
 use super::edge::first_center;
 use super::polygon::Part;
 use super::rasterizer::scan_convert;
+use super::scissor::meet;
 use super::{Barycentric, Patch, Rasterizer, Scissor, ScreenVertex};
 use crate::num::wide::cross;
 
@@ -46,14 +47,13 @@ impl<'a> Triangle<'a> {
         let [[ax, ay], [bx, by], [cx, cy]] = ScreenVertex::screens(vertices);
         let (top, bottom) = (ay.min(by).min(cy), ay.max(by).max(cy));
         // Rows first: most triangles that miss a band have none in it.
-        let rows =
-            first_center(top).max(scissor.rows.start)..first_center(bottom).min(scissor.rows.end);
+        let rows = meet(&(first_center(top)..first_center(bottom)), &scissor.rows);
         if rows.is_empty() {
             return None;
         }
         let (left, right) = (ax.min(bx).min(cx), ax.max(bx).max(cx));
-        let (first, end) = (first_center(left), first_center(right));
-        let inside = first.max(scissor.columns.start)..end.min(scissor.columns.end);
+        let columns = first_center(left)..first_center(right);
+        let inside = meet(&columns, &scissor.columns);
         if inside.is_empty() {
             return None;
         }
@@ -65,7 +65,7 @@ impl<'a> Triangle<'a> {
                 area,
             },
             rows,
-            is_cut: inside != (first..end),
+            is_cut: inside != columns,
         })
     }
 

@@ -28,16 +28,6 @@ impl ScreenVertex {
         index: 0,
     };
 
-    /// A vertex that is outside of some planes.
-    #[inline]
-    pub(crate) const fn outside(index: Index, outcode: u8) -> Self {
-        Self {
-            outcode,
-            index,
-            ..Self::UNSET
-        }
-    }
-
     /// The screen positions of three vertices.
     // Destructured by hand: optimized for size, a `map` over references compiles to arrays and loops.
     #[inline]

@@ -1,9 +1,8 @@
 //! Lines of a width.
 
-use core::ops::Range;
-
 use super::edge::Edge;
 use super::line::Course;
+use super::scissor::meet;
 use super::{ClippedVertex, Rasterizer, SmoothLine};
 use crate::{Error, Scalar};
 
@@ -86,7 +85,7 @@ impl LineWidth {
     /// Anti-aliased lines of this width, measured at right angles to the line.
     #[must_use]
     pub const fn smooth(self) -> SmoothLine {
-        SmoothLine::new(self)
+        SmoothLine { width: self }
     }
 
     /// By how many rows a line of this width may reach beyond its ends, anti-aliased or not.
@@ -124,10 +123,9 @@ pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], 
     };
     let (mut before, mut last) = (beside(-width.half - 128), beside(width.half - 128));
     let mut next = move || 1 - before.next()..1 - last.next();
-    let cut = |run: Range<i32>| run.start.max(across.start)..run.end.min(across.end);
     if steep {
         for row in steps {
-            let columns = cut(next());
+            let columns = meet(&next(), &across);
             if !columns.is_empty() {
                 raster.span(row, &columns);
             }
@@ -141,7 +139,7 @@ pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], 
     for column in steps.clone() {
         let following = next();
         if following != rows || column + 1 == steps.end {
-            for row in cut(rows) {
+            for row in meet(&rows, &across) {
                 raster.span(row, &(first..column + 1));
             }
             (first, rows) = (column + 1, following);

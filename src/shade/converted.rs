@@ -54,11 +54,7 @@ impl<S, C> Converted<S, C> {
     }
 }
 
-impl<S, C> Shader for Converted<S, C>
-where
-    S: Shader<Color: Source<Color: Into<Rgb888>>>,
-    C: Levels,
-{
+impl<S: Shader<Color: Source<Color: Into<Rgb888>>>, C: Levels> Shader for Converted<S, C> {
     type Color = <S::Color as Source>::With<C>;
     type Varyings = S::Varyings;
 

@@ -241,10 +241,7 @@ pub struct InFog<S, C, D = Linear> {
     pub(super) fog: Fog<C, D>,
 }
 
-impl<S: Shader, C: Blend, D: Density> Shader for InFog<S, C, D>
-where
-    S::Color: Source<Color = C>,
-{
+impl<S: Shader<Color: Source<Color = C>>, C: Blend, D: Density> Shader for InFog<S, C, D> {
     type Color = S::Color;
     type Varyings = (S::Varyings, Within<UNSEEN, [i32; 1]>);
 

@@ -31,12 +31,7 @@ pub struct Map<S, F> {
     pub(super) effect: F,
 }
 
-impl<S, C, F> Shader for Map<S, F>
-where
-    S: Shader,
-    C: Source,
-    F: Fn(&Fragment, S::Color) -> Option<C> + Copy,
-{
+impl<S: Shader, C: Source, F: Fn(&Fragment, S::Color) -> Option<C> + Copy> Shader for Map<S, F> {
     type Color = C;
     type Varyings = S::Varyings;
 

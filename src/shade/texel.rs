@@ -121,11 +121,7 @@ impl<S: Sampler, M: Sampler<Color: GrayColor>> Masked<S, M> {
     }
 }
 
-impl<S, M> Sampler for Masked<S, M>
-where
-    S: Sampler<Color: PixelColor>,
-    M: Sampler<Color: GrayColor>,
-{
+impl<S: Sampler<Color: PixelColor>, M: Sampler<Color: GrayColor>> Sampler for Masked<S, M> {
     type Color = Translucent<S::Color>;
 
     #[inline]

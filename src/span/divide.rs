@@ -9,25 +9,14 @@ use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
 /// Draws a span whose attributes are p / q · 2^bits at each pixel, rounded down.
 #[inline(always)]
-pub(super) fn divide<S, O, D, Z>(
+pub(super) fn divide<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
     span: &Span<Count<S>>,
     scales: Scales<S>,
     mut cells: Cells<'_, S::Color, O, D>,
     mut pixels: Pixels<S, Z>,
-) where
-    S: Painter,
-    O: Storage<S::Color>,
-    D: DepthBuffer,
-    Z: DepthTest,
-{
-    let Span {
-        mut q,
-        mut p,
-        dq,
-        dp,
-        down,
-        ..
-    } = span.clone();
+) {
+    let (mut q, mut p) = (span.q, span.p);
+    let (dq, dp, down) = (span.dq, span.dp, span.down);
     for cell in cells.first(usize::MAX) {
         if pixels.visible::<D>(&cell.1, q, down) {
             pixels.shade::<O, D>(cell, quotients::<S>(q, &p, &scales));
@@ -40,17 +29,12 @@ pub(super) fn divide<S, O, D, Z>(
 /// [`divide`], out of line for modes where it is the exception: inlined, it would take registers from the mode's own
 /// kernel.
 #[inline(never)]
-pub(super) fn divide_apart<S, O, D, Z>(
+pub(super) fn divide_apart<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
     span: &Span<Count<S>>,
     scales: Scales<S>,
     cells: Cells<'_, S::Color, O, D>,
     pixels: Pixels<S, Z>,
-) where
-    S: Painter,
-    O: Storage<S::Color>,
-    D: DepthBuffer,
-    Z: DepthTest,
-{
+) {
     divide(span, scales, cells, pixels);
 }
 
@@ -58,18 +42,13 @@ pub(super) fn divide_apart<S, O, D, Z>(
 /// where steps would accumulate too much rounding. Depths are stepped, as in all modes.
 #[cold]
 #[inline(never)]
-pub(super) fn divide_anew<S, O, D, Z>(
+pub(super) fn divide_anew<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
     span: &Span<Count<S>>,
     scales: Scales<S>,
     at: impl Fn(i32) -> (u32, Numbers<S>),
     mut cells: Cells<'_, S::Color, O, D>,
     mut pixels: Pixels<S, Z>,
-) where
-    S: Painter,
-    O: Storage<S::Color>,
-    D: DepthBuffer,
-    Z: DepthTest,
-{
+) {
     let mut span = span.clone();
     for (x, cell) in (0..).zip(cells.first(usize::MAX)) {
         if pixels.visible::<D>(&cell.1, span.q, span.down) {

@@ -16,16 +16,11 @@ pub(super) const FRACTION: u32 = Scale::AFFINE.bits();
 /// 1/w is from 2^29 to 2^31 at all pixels and changes by at most 2^-6 of itself per pixel; attributes have
 /// [`FRACTION`] bits.
 #[inline(always)]
-pub(super) fn newton<S, O, D, Z>(
+pub(super) fn newton<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
     span: &Span<Count<S>>,
     mut cells: Cells<'_, S::Color, O, D>,
     mut pixels: Pixels<S, Z>,
-) where
-    S: Painter,
-    O: Storage<S::Color>,
-    D: DepthBuffer,
-    Z: DepthTest,
-{
+) {
     let span = span.anew();
     let Span { dq, dp, down, .. } = span;
     // q is from 2^29 to 2^31, and so is r = 2^60 / q; p is 2^-28 q times the attribute.

@@ -12,18 +12,13 @@ use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 /// 1/w is from 2^29 to 2^31 at all pixels. The reciprocals at the ends of pieces have 16 bits; two Newton steps
 /// compute each from the last one.
 #[inline(always)]
-pub(super) fn pieces<S, O, D, Z>(
+pub(super) fn pieces<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
     span: &Span<Count<S>>,
     length: u32,
     scales: Scales<S>,
     mut cells: Cells<'_, S::Color, O, D>,
     mut pixels: Pixels<S, Z>,
-) where
-    S: Painter,
-    O: Storage<S::Color>,
-    D: DepthBuffer,
-    Z: DepthTest,
-{
+) {
     let mut span = span.clone();
     // Makes room for a reciprocal of up to 17 bits.
     span.p = Count::<S>::map(&span.p, |p| p >> 2);

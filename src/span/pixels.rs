@@ -46,22 +46,7 @@ impl<L: Lanes> Span<L> {
     /// some of them, and loads steps from the stack at every pixel.
     #[inline(always)]
     pub(super) fn anew(&self) -> Self {
-        let &Self {
-            q,
-            p,
-            dq,
-            dp,
-            down,
-            count,
-        } = black_box(self);
-        Self {
-            q,
-            p,
-            dq,
-            dp,
-            down,
-            count,
-        }
+        black_box(self).clone()
     }
 
     /// Moves to the next pixel.

@@ -8,25 +8,14 @@ use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
 /// Draws a span; `restore` turns interpolants into attributes.
 #[inline(always)]
-pub(super) fn straight<S, O, D, Z>(
+pub(super) fn straight<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
     span: Span<Count<S>>,
     restore: impl Fn(&Numbers<S>) -> Numbers<S>,
     mut cells: Cells<'_, S::Color, O, D>,
     mut pixels: Pixels<S, Z>,
-) where
-    S: Painter,
-    O: Storage<S::Color>,
-    D: DepthBuffer,
-    Z: DepthTest,
-{
-    let Span {
-        mut q,
-        mut p,
-        dq,
-        dp,
-        down,
-        ..
-    } = span;
+) {
+    let (mut q, mut p) = (span.q, span.p);
+    let (dq, dp, down) = (span.dq, span.dp, span.down);
     for cell in cells.first(usize::MAX) {
         if pixels.visible::<D>(&cell.1, q, down) {
             pixels.shade::<O, D>(cell, restore(&p));
@@ -42,33 +31,23 @@ pub(super) fn straight<S, O, D, Z>(
 /// [`straight`] for attributes that are fractions in units of 2^-30, each with its own scale; out of line because it is
 /// the exception.
 #[inline(never)]
-pub(super) fn scaled<S, O, D, Z>(
+pub(super) fn scaled<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
     span: &Span<Count<S>>,
     scales: Scales<S>,
     cells: Cells<'_, S::Color, O, D>,
     pixels: Pixels<S, Z>,
-) where
-    S: Painter,
-    O: Storage<S::Color>,
-    D: DepthBuffer,
-    Z: DepthTest,
-{
+) {
     let restore = |p: &Numbers<S>| Count::<S>::zip(p, &scales, |p, scale| scale.restore(*p));
     straight(span.anew(), restore, cells, pixels);
 }
 
 /// Draws a span whose pixels differ in nothing but their position.
 #[inline]
-pub(super) fn solid<S, O, D, Z>(
+pub(super) fn solid<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
     numbers: Numbers<S>,
     mut cells: Cells<'_, S::Color, O, D>,
     pixels: &mut Pixels<S, Z>,
-) where
-    S: Painter,
-    O: Storage<S::Color>,
-    D: DepthBuffer,
-    Z: DepthTest,
-{
+) {
     let draw = |pixels: &mut Pixels<S, Z>, cell: Cell<'_, S::Color, O, D>| {
         if pixels.visible::<D>(&cell.1, 0, 0) {
             pixels.shade::<O, D>(cell, numbers);

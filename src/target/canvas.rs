@@ -1,5 +1,6 @@
 //! The canvas: the caller's memory as a frame or a band of it.
 
+use core::marker::PhantomData;
 use core::ops::Range;
 
 use embedded_graphics::draw_target::DrawTarget;
@@ -306,7 +307,10 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
         check_length(depth.len(), (self.width * self.row_count()) as usize)?;
         Ok(Canvas {
             cells: self.cells,
-            depth: Depth::new(depth),
+            depth: Depth {
+                cells: depth,
+                format: PhantomData,
+            },
             width: self.width,
             height: self.height,
             rows: self.rows,

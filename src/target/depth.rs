@@ -73,17 +73,8 @@ pub struct NoDepth;
 /// ```
 #[derive(Debug)]
 pub struct Depth<'d, F = Linear> {
-    cells: &'d mut [u16],
-    format: PhantomData<F>,
-}
-
-impl<'d, F> Depth<'d, F> {
-    pub(super) const fn new(cells: &'d mut [u16]) -> Self {
-        Self {
-            cells,
-            format: PhantomData,
-        }
-    }
+    pub(super) cells: &'d mut [u16],
+    pub(super) format: PhantomData<F>,
 }
 
 impl DepthBuffer for NoDepth {}

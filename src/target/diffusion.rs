@@ -56,15 +56,12 @@ impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
     /// # Errors
     ///
     /// The display's own errors.
-    pub fn show_diffused<T>(
+    pub fn show_diffused<T: DrawTarget<Color: Levels<Channels = [i32; 1]>>>(
         &self,
         display: &mut T,
         contrast: Contrast,
         diffusion: &mut ErrorDiffusion<'_>,
-    ) -> Result<(), T::Error>
-    where
-        T: DrawTarget<Color: Levels<Channels = [i32; 1]>>,
-    {
+    ) -> Result<(), T::Error> {
         let last = self.frame_size().width as usize - 1;
         let colors = self
             .pixels()

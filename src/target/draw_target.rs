@@ -22,10 +22,7 @@ macro_rules! draw_target {
             type Color = C;
             type Error = Infallible;
 
-            fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Infallible>
-            where
-                I: IntoIterator<Item = Pixel<C>>,
-            {
+            fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
                 let area = self$(.$canvas)?.bounding_box();
                 for Pixel(point, color) in pixels {
                     $(let point = moved(point, self.$origin);)?

@@ -102,10 +102,7 @@ pub struct PackedCursor<'a> {
     end: usize,
 }
 
-impl<C> Storage<C> for Packed
-where
-    C: PixelColor<Raw: Bits + From<C>> + From<C::Raw>,
-{
+impl<C: PixelColor<Raw: Bits + From<C>> + From<C::Raw>> Storage<C> for Packed {
     type Cell = u8;
     type Cursor<'a> = PackedCursor<'a>;
     type PixelRef<'a> = (&'a Cell<u8>, u32);

@@ -234,10 +234,7 @@ impl<C: PixelColor> Storage<C> for Native {
     cells_are_pixels!(C);
 }
 
-impl<C> Storage<C> for BigEndian
-where
-    C: PixelColor + ToBytes<Bytes: Copy + AsRef<[u8]>> + From<C::Raw>,
-{
+impl<C: PixelColor + ToBytes<Bytes: Copy + AsRef<[u8]>> + From<C::Raw>> Storage<C> for BigEndian {
     type Cell = C::Bytes;
 
     #[inline]
@@ -253,9 +250,8 @@ where
     cells_are_pixels!(C::Bytes);
 }
 
-impl<C> Storage<C> for LittleEndian
-where
-    C: PixelColor + ToBytes<Bytes: Copy + AsRef<[u8]>> + From<C::Raw>,
+impl<C: PixelColor + ToBytes<Bytes: Copy + AsRef<[u8]>> + From<C::Raw>> Storage<C>
+    for LittleEndian
 {
     type Cell = C::Bytes;
 

@@ -89,10 +89,7 @@ impl<C: Copy, const W: usize, const H: usize> TextureArray<C, W, H> {
     }
 }
 
-impl<C, const W: usize, const H: usize> TextureArray<C, W, H>
-where
-    C: PixelColor + From<C::Raw>,
-{
+impl<C: PixelColor + From<C::Raw>, const W: usize, const H: usize> TextureArray<C, W, H> {
     /// A texture from raw bytes at run time. `O` is their byte order: embedded-graphics' `BigEndian` or
     /// `LittleEndian`. The texture is returned by value, so it passes through the stack.
     ///

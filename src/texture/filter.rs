@@ -1,8 +1,7 @@
 //! The color at a point between texels.
 
-use super::Addressing;
-use super::Sampler;
 use super::blend::{self, Blend};
+use super::{Addressing, Sampler};
 use crate::sealed::{Sealed, sealed};
 
 /// The color of a texture between the centers of its texels: [`Nearest`] or [`Bilinear`].

@@ -1,9 +1,6 @@
 //! Light in a color.
 
-use embedded_graphics::pixelcolor::Rgb888;
-
 use super::{Illumination, Lighting, Rgb, SurfacePoint};
-use crate::shade::Levels;
 
 /// A light in a color; see [`Lighting::colored`].
 ///
@@ -23,18 +20,9 @@ use crate::shade::Levels;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Colored<L> {
-    light: L,
+    pub(super) light: L,
     /// Red, green and blue, in units of 2⁻¹⁶.
-    color: [i32; 3],
-}
-
-impl<L> Colored<L> {
-    pub(super) fn new(light: L, color: Rgb888) -> Self {
-        Self {
-            light,
-            color: Rgb888::fractions(color),
-        }
-    }
+    pub(super) color: [i32; 3],
 }
 
 impl<L: Lighting> Lighting for Colored<L> {

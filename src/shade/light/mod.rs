@@ -28,6 +28,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 
 use crate::math::Direction;
 use crate::mesh::{Corner, Primitive};
+use crate::shade::Levels;
 use crate::{Error, Scalar, Vec3};
 
 /// Full brightness.
@@ -158,7 +159,10 @@ pub trait Lighting: Copy {
     #[must_use]
     #[inline]
     fn colored(self, color: Rgb888) -> Colored<Self> {
-        Colored::new(self, color)
+        Colored {
+            light: self,
+            color: Rgb888::fractions(color),
+        }
     }
 
     /// The same light for single sheets, which are seen from both sides: triangles that turn their back to the viewer

@@ -151,13 +151,8 @@ impl Lamp for PointLight {
 
     /// In products that take an instruction on Cortex-M4; tests/accuracy/lights.rs derives the error.
     fn diffuse(&self, point: &SurfacePoint) -> i32 {
-        let ([a, b, c], [x, y, z]) = (point.position.to_bits(), self.position.to_bits());
         // No range reaches where a difference saturates: see `SATURATED`.
-        let (x, y, z) = (
-            a.saturating_sub(x),
-            b.saturating_sub(y),
-            c.saturating_sub(z),
-        );
+        let [x, y, z] = (point.position - self.position).to_bits();
         // A bit is set below the sign where it differs from its upper neighbor.
         let edges = |way: i32| way ^ way << 1;
         let up = (edges(x) | edges(y) | edges(z)).leading_zeros() & 31;
