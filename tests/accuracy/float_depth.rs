@@ -11,6 +11,7 @@ use rand::Rng;
 
 use crate::bounds;
 use crate::common::random::{Random, cases};
+use crate::common::recorder::Probe;
 use crate::mode::Mode;
 use crate::triangle::Triangle;
 
@@ -55,7 +56,11 @@ fn wrong<D: DepthBuffer>(
     for (gray, scale) in [(1, 1.), (2, 1. + gap)] {
         let positions = wall(distances.map(|w| w * scale));
         let mesh = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 3]]).unwrap();
-        let shade = Flat::new(Gray8::new(gray));
+        // A shader with varyings, so that each mode interpolates.
+        let shade = Probe {
+            values: &|_| [0],
+            color: Some(Gray8::new(gray)),
+        };
         mode.draw(
             &mut canvas,
             &DrawOptions::new(),

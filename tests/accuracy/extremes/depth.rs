@@ -86,7 +86,7 @@ fn behind(projection: &Lens, w: f64) -> (Worst, bool) {
                 mvp,
             };
             let mut shown = std::collections::HashMap::new();
-            for seen in drawing.shown(&|_: &Corner<'_>| [0; 0]) {
+            for seen in drawing.faces() {
                 shown.insert(seen.pixel, order[seen.face]);
             }
             for (pixel, surface) in shown {
