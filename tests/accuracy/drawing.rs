@@ -47,15 +47,20 @@ impl<K: ProjectionKind> Drawing<'_, K> {
         self.record(values, true)
     }
 
-    /// Every pixel that passes the depth test, without values. All modes but `Compact` show the same faces, so this
-    /// draws in the default mode.
-    pub fn faces(&self) -> Vec<Seen<0>> {
+    /// The visible face at each pixel, row by row. All modes but `Compact` show the same ones, so this draws in the
+    /// default mode.
+    pub fn faces(&self) -> Vec<Option<usize>> {
         let (mut pixels, mut depth) = self.blank();
         let mut canvas = self.canvas(&mut pixels).with_depth(&mut depth).unwrap();
         let record = record(Flat::new(Gray8::new(255)), |recorder| {
             canvas.draw_with(&self.options, &self.mesh, &self.mvp, recorder);
         });
-        record.seen
+        let mut faces = vec![None; depth.len()];
+        for Seen::<0> { pixel, face, .. } in record.seen {
+            let [x, y] = pixel.map(|at| usize::try_from(at).unwrap());
+            faces[y * self.size.0 as usize + x] = Some(face);
+        }
+        faces
     }
 
     fn record<const N: usize>(&self, values: Values<'_, N>, draws: bool) -> Vec<Seen<N>>

@@ -8,8 +8,8 @@ use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;
 
-use crate::common::random::{Random, cases};
-use crate::moves::{self, Move, exact, product, relative, rounded, size};
+use crate::common::random::{Random, cases, within};
+use crate::moves::{self, Move, exact, number, product, relative, rounded, size};
 use crate::recorder::Probe;
 use crate::reference::linear::{Matrix, direction, inverse, length, point};
 use crate::reference::projection::{self, Lens};
@@ -29,24 +29,24 @@ struct Kind {
 
 fn kind(random: &mut Random) -> Kind {
     Kind {
-        size: [(); 2].map(|()| random.random_range(0.5..8.)),
+        size: within(random, [0.5..8., 0.5..8.]),
         in_pixels: random.random(),
         axis: random
             .random_bool(0.5)
             .then(|| rounded(anywhere(random, 2.))),
-        anchor: [(); 2].map(|()| random.random_range(-0.5..1.5)),
+        anchor: within(random, [-0.5..1.5, -0.5..1.5]),
         scale: random.random_range(-2.0..2.),
     }
 }
 
 fn anywhere(random: &mut Random, range: f64) -> [f64; 3] {
-    [(); 3].map(|()| random.random_range(-range..range))
+    within(random, [-range..range, -range..range, -range..range])
 }
 
 /// A camera, which is a rigid transform, and the transform of a model.
 fn places(random: &mut Random) -> [Vec<Move>; 2] {
     let [x, y, z] = random.random::<[u32; 3]>().map(Angle::from_bits);
-    let factors = [0.2..3., 0.2..3., -3.0..-0.2].map(|range| random.random_range(range));
+    let factors = within(random, [0.2..3., 0.2..3., -3.0..-0.2]);
     [
         vec![
             moves::to([0., 0., -random.random_range(5.0..40.)]),
@@ -124,7 +124,7 @@ fn check<K: ProjectionKind>(
         (product(camera), product(model), product(&all));
     let mvp = projection * Camera::from_view(view) * place;
 
-    let [width, height] = kind.size.map(|x| scalar(x).unwrap());
+    let [width, height] = kind.size.map(number);
     let positions = [position];
     let make = if kind.in_pixels {
         Sprites::in_pixels

@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use crate::common::random::{Random, cases};
+use crate::common::random::{Random, cases, within};
 use crate::common::recorder::{Probe, Recorder, Seen, record};
 use crate::common::{at_subpixel, pixel_lens};
 use crate::reference::blending::over;
@@ -106,7 +106,7 @@ fn on_line([a, b]: [Point; 2], half: i64, pixel: [i32; 2]) -> bool {
 /// A position ahead of the eye.
 fn ahead(random: &mut Random) -> Vec3 {
     let ranges = [-5 << 16..5 << 16, -3 << 16..3 << 16, -20 << 16..-1 << 15];
-    Vec3::from_bits(ranges.map(|range| random.random_range(range)))
+    Vec3::from_bits(within(random, ranges))
 }
 
 /// Compares the depths and values of a smooth line with those of a plain line, which has one pixel in each step along
@@ -134,12 +134,12 @@ fn check_values(smooth: &[Seen<1>], [a, b]: [Point; 2], plain: &[Seen<1>]) {
 /// Positions in and around the picture: on pixel corners, on centers, on any subpixel.
 fn place(random: &mut Random) -> Point {
     let kind = random.random_range(0..4);
-    let mut within = |x: Range<i32>, y: Range<i32>| [x, y].map(|range| random.random_range(range));
+    let mut at = |x: Range<i32>, y: Range<i32>| within(random, [x, y]);
     match kind {
-        0 => within(-10..100, -10..50).map(|at| at * 256),
-        1 => within(-10..100, -10..50).map(|at| at * 256 + 128),
-        2 => within(-3000..26_000, -3000..13_000),
-        _ => within(-500_000..500_000, -500_000..500_000),
+        0 => at(-10..100, -10..50).map(|at| at * 256),
+        1 => at(-10..100, -10..50).map(|at| at * 256 + 128),
+        2 => at(-3000..26_000, -3000..13_000),
+        _ => at(-500_000..500_000, -500_000..500_000),
     }
 }
 
