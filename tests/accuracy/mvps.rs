@@ -12,7 +12,7 @@ use crate::common::random::{Random, cases, list, within};
 use crate::drawing::{Drawing, Spot};
 use crate::mode::Mode;
 use crate::moves::{Move, exact, number, product, radians, relative, rounded, size};
-use crate::reference::linear::point;
+use crate::reference::linear::{Matrix, point};
 use crate::reference::projection::{self, Lens};
 use crate::reference::view::{View, Viewport as ModelViewport};
 
@@ -73,6 +73,23 @@ fn compare<K: ProjectionKind>(
         mesh: Mesh::new(&[], &[]).unwrap(),
         mvp: projection * transform,
     };
+    compare_spots(
+        points,
+        &drawing.spots(points),
+        (model, eye),
+        moves,
+        viewport,
+    );
+}
+
+/// Compares the positions and depths of points with the model's, given its projection and its transform to eye space.
+fn compare_spots(
+    points: &[Vec3],
+    spots: &[Option<Spot>],
+    (model, eye): (Lens, Matrix),
+    moves: &[Move],
+    viewport: Viewport,
+) {
     let view = View {
         eye,
         projection: model,
@@ -84,7 +101,7 @@ fn compare<K: ProjectionKind>(
         },
     };
     let middle = view.viewport.screen([0.; 2]);
-    for (&p, spot) in points.iter().zip(drawing.spots(points)) {
+    for (&p, &spot) in points.iter().zip(spots) {
         let wanted = view.project(exact(p));
         // The largest coefficient of the rows for x and y, in pixels, and for depth, which has the guard band's scale.
         let pixels = |axis: usize, size: u32| {

@@ -88,11 +88,15 @@ fn allowed(all: &[Move], eye: &Matrix, kind: Kind, sprite: &Sprite, ahead: f64) 
     unit + moved + largest * (growth + turn + 2_f64.powi(-27))
 }
 
+fn is_perspective(lens: &Lens) -> bool {
+    lens.kind == projection::Kind::Perspective
+}
+
 /// Whether a sprite with these corners is well inside the picture and certainly has a pixel.
-fn is_shown<K: ProjectionKind>(lens: &Lens, corners: &[[f64; 3]; 4]) -> bool {
+fn is_shown(lens: &Lens, corners: &[[f64; 3]; 4]) -> bool {
     // A circle whose radius is above √½ pixel contains a pixel's center. So a triangle with such a circle inside it,
     // well within the picture, has a pixel.
-    let w = |corner: &[f64; 3]| if K::PERSPECTIVE { -corner[2] } else { 1. };
+    let w = |corner: &[f64; 3]| if is_perspective(lens) { -corner[2] } else { 1. };
     let place = |corner: &[f64; 3], axis: usize| corner[axis] * lens.matrix[axis][axis] / w(corner);
     let is_inside = |corner: &[f64; 3]| {
         (1. ..90.).contains(&-corner[2])
@@ -115,14 +119,30 @@ fn is_shown<K: ProjectionKind>(lens: &Lens, corners: &[[f64; 3]; 4]) -> bool {
 
 fn check<K: ProjectionKind>(
     (projection, lens): (Projection<K>, Lens),
-    [camera, model]: &[Vec<Move>; 2],
+    places: &[Vec<Move>; 2],
     kind: Kind,
     position: Vec3,
 ) {
-    let all = [&camera[..], &model[..]].concat();
-    let ((view, view_matrix), (place, _), (_, eye)) =
-        (product(camera), product(model), product(&all));
+    let [(view, _), (place, _)] = [product(&places[0]), product(&places[1])];
     let mvp = projection * Camera::from_view(view) * place;
+    compare(lens, places, kind, position, &|canvas, sprites, probe| {
+        canvas.draw_sprites(&DrawOptions::new(), sprites, &mvp, probe);
+    });
+}
+
+/// Draws sprites with a shader that notes their corners.
+type Draw<'a> = &'a dyn Fn(&mut Canvas<'_, Gray8>, &Sprites<'_>, &Probe<'_, [i32; 1]>);
+
+/// Compares the corners that a function draws with the model's.
+fn compare(
+    lens: Lens,
+    [camera, model]: &[Vec<Move>; 2],
+    kind: Kind,
+    position: Vec3,
+    draw: Draw<'_>,
+) {
+    let all = [&camera[..], &model[..]].concat();
+    let ((_, view_matrix), (_, eye)) = (product(camera), product(&all));
 
     let [width, height] = kind.size.map(number);
     let positions = [position];
@@ -146,7 +166,7 @@ fn check<K: ProjectionKind>(
     }
 
     // In the model, a length in pixels is a length in eye space at the sprite's distance.
-    let ahead = if K::PERSPECTIVE {
+    let ahead = if is_perspective(&lens) {
         -point(&eye, exact(position))[2]
     } else {
         1.
@@ -184,8 +204,8 @@ fn check<K: ProjectionKind>(
     };
     let mut pixels = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
     let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
-    canvas.draw_sprites(&DrawOptions::new(), &sprites, &mvp, &probe);
-    if is_shown::<K>(&lens, &expected) {
+    draw(&mut canvas, &sprites, &probe);
+    if is_shown(&lens, &expected) {
         assert!(!seen.borrow().is_empty(), "{sprite:?} has no pixels");
     }
     let (back, unit) = (inverse(&view_matrix).unwrap(), 2_f64.powi(-16));
