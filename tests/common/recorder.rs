@@ -54,11 +54,8 @@ pub fn record<S: Shader, const N: usize>(
 }
 
 fn numbers<V: Varyings, const N: usize>(varyings: V) -> [i32; N] {
-    let mut first = [0; N];
-    for (first, number) in first.iter_mut().zip(varyings.split().0.as_ref()) {
-        *first = *number;
-    }
-    first
+    let (numbers, _) = varyings.split();
+    std::array::from_fn(|i| numbers.as_ref().get(i).copied().unwrap_or_default())
 }
 
 impl<S: Shader, const N: usize> Shader for Recorder<'_, S, N> {
