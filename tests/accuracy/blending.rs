@@ -9,8 +9,8 @@ use embedded_graphics::pixelcolor::{
 };
 use fixel::mode::Compact;
 use fixel::prelude::*;
-use fixel::shade::Translucent;
-use fixel::target::{Add, Alpha, Blending, Multiply, Native, Opacity, Storage};
+use fixel::shade::{Source, Translucent};
+use fixel::target::{Add, Alpha, Multiply, Native, Opacity, Storage};
 use fixel::view::Parallel;
 use rand::Rng;
 
@@ -22,16 +22,19 @@ static SQUARE: Mesh = shape!(plane(1, 1));
 const SIZE: u32 = 8;
 
 /// A color as a list of channels: the value of each, and its value in white.
+type Channels = Vec<[f64; 2]>;
+
+/// A color type whose channels are known.
 trait Parts: Levels + Debug + From<Self::Raw> {
     /// Whether the color is dithered.
     const IS_COARSE: bool = false;
-    fn parts(self) -> Vec<[f64; 2]>;
+    fn parts(self) -> Channels;
 }
 
 macro_rules! parts {
     (rgb: $($color:ident)+) => {$(
         impl Parts for $color {
-            fn parts(self) -> Vec<[f64; 2]> {
+            fn parts(self) -> Channels {
                 [[self.r(), Self::MAX_R], [self.g(), Self::MAX_G], [self.b(), Self::MAX_B]]
                     .map(|part| part.map(f64::from))
                     .to_vec()
@@ -41,7 +44,7 @@ macro_rules! parts {
     (gray: $($color:ident $white:literal $is_coarse:literal)+) => {$(
         impl Parts for $color {
             const IS_COARSE: bool = $is_coarse;
-            fn parts(self) -> Vec<[f64; 2]> {
+            fn parts(self) -> Channels {
                 vec![[self.luma().into(), $white]]
             }
         }
@@ -53,8 +56,27 @@ parts!(gray: Gray2 3. true Gray4 15. true Gray8 255. false);
 
 impl Parts for BinaryColor {
     const IS_COARSE: bool = true;
-    fn parts(self) -> Vec<[f64; 2]> {
+    fn parts(self) -> Channels {
         vec![[f64::from(u8::from(self.is_on())), 1.]]
+    }
+}
+
+/// A surface of a single color, or of a single color and opacity.
+#[derive(Clone, Copy)]
+struct Even<S>(S);
+
+impl<S: Source> Shader for Even<S> {
+    type Color = S;
+    type Varyings = ();
+
+    const READS_DEPTH: bool = false;
+
+    fn varyings(&self, _: &Primitive<'_>) -> [(); 3] {
+        [(); 3]
+    }
+
+    fn shade(&self, _: &Fragment, (): ()) -> Option<S> {
+        Some(self.0)
     }
 }
 
@@ -64,27 +86,21 @@ fn from_above() -> Mvp<Parallel> {
     projection.unwrap() * Camera::top(Vec3::ZERO, fx!(1))
 }
 
-/// Fills the frame with `below`, blends `above` over all of it, and returns the pixels. Draws in four bands.
-fn pixels<C, O, B>(below: C, above: B::Source, blending: B) -> Vec<C>
+/// Fills the frame with a color, draws over all of it, and returns the pixels. Draws in four bands.
+fn pixels<C, O>(below: C, draw: &dyn Fn(&mut Canvas<'_, C, O>)) -> Vec<Channels>
 where
-    C: PixelColor,
+    C: Parts,
     O: Storage<C>,
-    B: Blending<C, Source: PartialEq>,
     for<'a> Canvas<'a, C, O>: Banded<'a, C, O>,
 {
-    let mvp = from_above();
     let mut all = Vec::new();
     for first in (0..SIZE).step_by(2) {
         let mut cells = [O::store(below); 2 * SIZE as usize];
         let mut band = <Canvas<'_, C, O> as Banded<C, O>>::band(&mut cells, first);
-        // A pixel is blended alike in all modes; this one takes the compiler the least time.
-        let options = DrawOptions::new()
-            .with_mode(Compact)
-            .with_blending(blending);
-        // A surface of a single color, or of a single color and opacity.
-        let surface = Flat::new(below).map(|_, _| Some(above));
-        band.draw_with(&options, &SQUARE, &mvp, &surface);
-        all.extend(band.pixels());
+        draw(&mut band);
+        for color in band.pixels() {
+            all.push(color.parts());
+        }
     }
     all
 }
@@ -118,32 +134,81 @@ where
     }
 }
 
-/// The channels of two colors, and of the pixels that result from blending one over the other.
-struct Channels {
-    above: Vec<[f64; 2]>,
-    below: Vec<[f64; 2]>,
-    found: Vec<Vec<[f64; 2]>>,
+/// Two colors, and the pixels that result from every way to blend one over the other.
+struct Blended {
+    above: Channels,
+    below: Channels,
+    /// Whether the colors are dithered.
     is_coarse: bool,
+    /// An opacity in 255ths becomes a weight with an error of at most this.
+    weight: f64,
+    opacity: Vec<Channels>,
+    alpha: Vec<Channels>,
+    sum: Vec<Channels>,
+    product: Vec<Channels>,
+    /// With opacity 0.
+    none: Vec<Channels>,
+    /// With opacity 255.
+    all: Vec<Channels>,
 }
 
-impl Channels {
-    fn new<C: Parts>([above, below]: [C; 2], found: &[C]) -> Self {
+impl Blended {
+    /// Blends on a canvas with storage `O`.
+    fn new<C: Parts, O: Storage<C>>(above: C, below: C, opacity: u8) -> Self
+    where
+        for<'a> Canvas<'a, C, O>: Banded<'a, C, O>,
+    {
+        let mvp = from_above();
+        // A pixel is blended alike in all modes; this one takes the compiler the least time.
+        let options = DrawOptions::new().with_mode(Compact);
+        let with_opacity = |opacity| {
+            let options = options.with_blending(Opacity(opacity));
+            pixels::<C, O>(below, &|band| {
+                band.draw_with(&options, &SQUARE, &mvp, &Even(above));
+            })
+        };
+        let source = Translucent {
+            color: above,
+            opacity,
+        };
+        // Besides the rounding to 256ths: colors of 15 and 16 bits keep only 32nds.
+        let is_short = matches!(C::Raw::BITS_PER_PIXEL, 15 | 16);
         Self {
             above: above.parts(),
             below: below.parts(),
-            found: found.iter().map(|color| color.parts()).collect(),
             is_coarse: C::IS_COARSE,
+            weight: 0.5 / 256. + if is_short { 1. / 64. } else { 0. },
+            opacity: with_opacity(opacity),
+            alpha: pixels::<C, O>(below, &|band| {
+                let options = options.with_blending(Alpha);
+                band.draw_with(&options, &SQUARE, &mvp, &Even(source));
+            }),
+            sum: pixels::<C, O>(below, &|band| {
+                band.draw_with(&options.with_blending(Add), &SQUARE, &mvp, &Even(above));
+            }),
+            product: pixels::<C, O>(below, &|band| {
+                let options = options.with_blending(Multiply);
+                band.draw_with(&options, &SQUARE, &mvp, &Even(above));
+            }),
+            none: with_opacity(0),
+            all: with_opacity(255),
         }
     }
 
-    /// Compares all pixels with a formula of two channels from 0 to 1. `error` gives the allowed error in steps, for
-    /// two channels that differ by a number of steps.
-    fn compare(&self, what: &str, formula: &dyn Fn(f64, f64) -> f64, error: &dyn Fn(f64) -> f64) {
+    /// Compares pixels with a formula of two channels from 0 to 1. `error` gives the allowed error in steps, for two
+    /// channels that differ by a number of steps.
+    fn compare(
+        &self,
+        what: &str,
+        found: &[Channels],
+        formula: &dyn Fn(f64, f64) -> f64,
+        error: &dyn Fn(f64) -> f64,
+    ) {
         for (part, (above, below)) in self.above.iter().zip(&self.below).enumerate() {
             let white = above[1];
             let exact = formula(above[0] / white, below[0] / white) * white;
             let error = error((above[0] - below[0]).abs());
-            let values: Vec<f64> = self.found.iter().map(|parts| parts[part][0]).collect();
+            let values: Vec<f64> = found.iter().map(|parts| parts[part][0]).collect();
             let context = || format!("{what} of {above:?} and {below:?}: {exact}, not {values:?}");
             if self.is_coarse {
                 // Dithering gives the whole steps around the exact level. Its 64 thresholds are 1/64 apart, from 1/128.
@@ -168,57 +233,41 @@ impl Channels {
             }
         }
     }
+
+    /// Checks all blended pixels.
+    fn check(&self, opacity: u8) {
+        let share = f64::from(opacity) / 255.;
+        let over = |a, b| over(a, b, share);
+        self.compare("opacity", &self.opacity, &over, &|steps| {
+            self.weight * steps
+        });
+        assert_eq!(self.alpha, self.opacity);
+        self.compare("sum", &self.sum, &add, &|_| 0.);
+        // Sums of whole steps are whole steps, so dithering changes nothing.
+        assert!(self.sum.iter().all(|color| *color == self.sum[0]));
+        self.compare("product", &self.product, &multiply, &|_| 16. / 65_536.);
+        // Opacities 0 and 255 are exact.
+        assert!(self.none.iter().all(|color| *color == self.below));
+        assert!(self.all.iter().all(|color| *color == self.above));
+    }
 }
 
-/// Checks every way to blend two colors on a canvas with storage `O`.
-fn blended<C: Parts, O: Storage<C>>([above, below]: [C; 2], opacity: u8)
-where
-    for<'a> Canvas<'a, C, O>: Banded<'a, C, O>,
-{
-    let share = f64::from(opacity) / 255.;
-    // An opacity in 255ths becomes 256ths, with an error of at most 1/512. Colors of 15 and 16 bits keep only 32nds.
-    let is_short = C::Raw::BITS_PER_PIXEL == 16 || C::Raw::BITS_PER_PIXEL == 15;
-    let weight = 0.5 / 256. + if is_short { 1. / 64. } else { 0. };
-    let both = [above, below];
-    let found = pixels::<C, O, _>(below, above, Opacity(opacity));
-    let channels = Channels::new(both, &found);
-    channels.compare("opacity", &|a, b| over(a, b, share), &|steps| {
-        weight * steps
-    });
-    let source = Translucent {
-        color: above,
-        opacity,
-    };
-    assert_eq!(pixels::<C, O, _>(below, source, Alpha), found);
-    let found = pixels::<C, O, _>(below, above, Add);
-    Channels::new(both, &found).compare("sum", &add, &|_| 0.);
-    // Sums of whole steps are whole steps, so dithering changes nothing.
-    assert!(found.iter().all(|color| *color == found[0]));
-    let found = pixels::<C, O, _>(below, above, Multiply);
-    Channels::new(both, &found).compare("product", &multiply, &|_| 16. / 65_536.);
-
-    // Opacities 0 and 255 are exact.
-    assert!(
-        pixels::<C, O, _>(below, above, Opacity(0))
-            .iter()
-            .all(|color| *color == below)
-    );
-    assert!(
-        pixels::<C, O, _>(below, above, Opacity(255))
-            .iter()
-            .all(|color| *color == above)
-    );
+/// The color of these bits.
+fn color<C: Parts>(bits: u32) -> C {
+    C::Raw::from_u32(bits).into()
 }
 
+/// Checks every way to blend two colors, given as bits, in every storage.
 fn every_storage<C: Parts>(bits: [u32; 2], opacity: u8)
 where
     BigEndian: Storage<C>,
     LittleEndian: Storage<C>,
 {
-    let colors = bits.map(|bits| C::from(C::Raw::from_u32(bits)));
-    blended::<C, Native>(colors, opacity);
-    blended::<C, BigEndian>(colors, opacity);
-    blended::<C, LittleEndian>(colors, opacity);
+    let [above, below] = bits;
+    let (above, below) = (color::<C>(above), color(below));
+    Blended::new::<C, Native>(above, below, opacity).check(opacity);
+    Blended::new::<C, BigEndian>(above, below, opacity).check(opacity);
+    Blended::new::<C, LittleEndian>(above, below, opacity).check(opacity);
 }
 
 #[test]

@@ -3,10 +3,9 @@
 use std::array::from_fn;
 
 use fixel::prelude::*;
-use rand::Rng;
 
 use crate::bounds::{self, Bound};
-use crate::common::random::{Random, cases};
+use crate::common::random::{Random, cases, within};
 use crate::common::recorder::Seen;
 use crate::drawing::Drawing;
 use crate::mode::Mode;
@@ -26,7 +25,7 @@ const SNAP: f64 = 1. / 256.;
 
 /// A position around the eye.
 fn around(random: &mut Random) -> Vec3 {
-    rounded([-30_f64..30., -30_f64..30., -60_f64..20.].map(|range| random.random_range(range)))
+    rounded(within(random, [-30_f64..30., -30_f64..30., -60_f64..20.]))
 }
 
 /// The piece that passes nearest to a pixel's center.
@@ -72,9 +71,8 @@ fn check_coverage(pieces: &[Piece<2>], seen: &[Seen<2>]) {
 fn values_of_clipped_triangles_are_the_models() {
     cases(250, |random| {
         let positions: [Vec3; 3] = from_fn(|_| around(random));
-        let values: [[i32; 3]; 2] = from_fn(|_| {
-            [-(4 << 24)..4 << 24, 0..256, 0..1 << 24].map(|range| random.random_range(range))
-        });
+        let values: [[i32; 3]; 2] =
+            from_fn(|_| within(random, [-(4 << 24)..4 << 24, 0..256, 0..1 << 24]));
         let mut drawing = Drawing {
             size: SIZE,
             options: DrawOptions::new().with_cull(Cull::Nothing),

@@ -11,7 +11,7 @@ use std::array::from_fn;
 use std::collections::HashMap;
 
 use crate::common::meshes::{Point, triangulation};
-use crate::common::random::{Random, cases, list};
+use crate::common::random::{Random, cases, list, within};
 use crate::common::recorder::{Probe, Seen, record};
 use crate::common::{BOTH_SIDES, Counter};
 use crate::reference::coverage::{Bounds, center};
@@ -302,7 +302,7 @@ fn meshes_through_the_near_plane_are_the_models() {
                 1 => [-2000..2000, 0..3000],
                 _ => [-30_000..30_000, -20_000..60_000],
             };
-            let [x, y] = ranges.map(|range| random.random_range(range));
+            let [x, y] = within(random, ranges);
             [x, -y]
         });
         let (left, right, back, front) = (-40_000, 40_000, -20_000, 60_000);

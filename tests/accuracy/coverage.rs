@@ -5,11 +5,10 @@
 //! clipped triangles, which get new corners.
 
 use std::array::from_fn;
-use std::collections::HashMap;
 use std::ops::Range;
 
 use crate::common::meshes::{Flat, Point, fan, grid, triangulation};
-use crate::common::random::{Random, cases, list};
+use crate::common::random::{Random, cases, list, within};
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
 use crate::reference::coverage::{self, Bounds, Snapped, area2, center};
 use crate::reference::distance::to_segment;
@@ -78,8 +77,7 @@ fn slivers_cover_what_the_model_covers() {
     cases(256, |random| {
         let mut points = Vec::new();
         for _ in 0..random.random_range(1..12) {
-            let [a, b]: [Point; 2] =
-                from_fn(|_| [-2000..12_000, -2000..9000].map(|range| random.random_range(range)));
+            let [a, b]: [Point; 2] = from_fn(|_| within(random, [-2000..12_000, -2000..9000]));
             let part = random.random_range(0..=64);
             let c = from_fn(|i| a[i] + (b[i] - a[i]) * part / 64 + random.random_range(-3..=3));
             points.extend([a, b, c]);
@@ -253,7 +251,7 @@ fn triangles_in_perspective_cover_what_the_model_covers() {
                 -5 * METER..5 * METER,
                 -6 * METER..6 * METER,
             ];
-            Vec3::from_bits(ranges.map(|range| random.random_range(range)))
+            Vec3::from_bits(within(random, ranges))
         });
         let turn = Angle::from_bits(random.random());
         let size = (48, 32);
@@ -265,15 +263,20 @@ fn triangles_in_perspective_cover_what_the_model_covers() {
         let faces: Vec<[u16; 3]> = (0..count)
             .map(|i| [i, (i + 1) % count, (i + 2) % count])
             .collect();
-        let places: HashMap<u16, Point> = (0..count)
-            .filter_map(|i| Some((i, counter.snapped(&mvp, positions[usize::from(i)])?)))
-            .collect();
+        let mut places = Vec::new();
+        for &position in &positions {
+            places.push(counter.snapped(&mvp, position));
+        }
+        let place = |index: u16| places[usize::from(index)];
         // Other tests check clipped triangles, which get new corners.
         let whole: Vec<[u16; 3]> = faces
             .into_iter()
-            .filter(|face| face.iter().all(|index| places.contains_key(index)))
+            .filter(|face| face.iter().all(|&index| place(index).is_some()))
             .collect();
-        let triangles: Vec<Snapped> = whole.iter().map(|face| face.map(|i| places[&i])).collect();
+        let triangles: Vec<Snapped> = whole
+            .iter()
+            .map(|face| face.map(|i| place(i).unwrap()))
+            .collect();
         let mesh = Mesh::new(&positions, &whole).unwrap();
         for cull in [Cull::Nothing, Cull::Back, Cull::Front] {
             let drawn = counter.draw(&DrawOptions::new().with_cull(cull), &mesh, &mvp);
@@ -306,7 +309,7 @@ fn triangles_beyond_the_guard_band_cover_what_the_model_covers() {
             if random.random_ratio(3, 4) {
                 from_fn(|_| random.random_range(-32_000..32_000) * 256)
             } else {
-                [-1000..9000, -1000..7000].map(|range| random.random_range(range))
+                within(random, [-1000..9000, -1000..7000])
             }
         });
         let mut counter = Counter::new(SIZE);

@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
-use fixel::target::DepthFormat;
+use fixel::target::{DepthBuffer, DepthFormat, Native};
 use fixel::view::ProjectionKind;
 
 use crate::mode::Mode;
@@ -47,48 +47,69 @@ impl<K: ProjectionKind> Drawing<'_, K> {
         self.record(values, true)
     }
 
+    /// The visible face at each pixel, row by row. All modes but `Compact` show the same ones, so this draws in the
+    /// default mode.
+    pub fn faces(&self) -> Vec<Option<usize>> {
+        let (mut pixels, mut depth) = self.blank();
+        let mut canvas = self.canvas(&mut pixels).with_depth(&mut depth).unwrap();
+        let record = record(Flat::new(Gray8::new(255)), |recorder| {
+            canvas.draw_with(&self.options, &self.mesh, &self.mvp, recorder);
+        });
+        let mut faces = vec![None; depth.len()];
+        for Seen::<0> { pixel, face, .. } in record.seen {
+            let [x, y] = pixel.map(|at| usize::try_from(at).unwrap());
+            faces[y * self.size.0 as usize + x] = Some(face);
+        }
+        faces
+    }
+
     fn record<const N: usize>(&self, values: Values<'_, N>, draws: bool) -> Vec<Seen<N>>
     where
         [(); N]: Few<N>,
     {
-        let (width, height) = self.size;
-        let mut pixels = vec![Gray8::new(0); width as usize * height as usize];
-        let mut depth = vec![0; pixels.len()];
-        let mut canvas = Canvas::new(&mut pixels, width, height)
-            .unwrap()
-            .with_depth(&mut depth)
-            .unwrap();
-        let Self {
-            mode,
-            options,
-            mesh,
-            ..
-        } = self;
+        let (mut pixels, mut depth) = self.blank();
+        let mut canvas = self.canvas(&mut pixels).with_depth(&mut depth).unwrap();
         let probe = Probe {
             values: &|corner| Coordinates(values(corner)),
             color: draws.then_some(Gray8::new(255)),
         };
         let record = record(probe, |recorder| {
-            mode.draw(&mut canvas, options, mesh, &self.mvp, recorder);
+            self.draw(&mut canvas, recorder);
         });
         record.seen
     }
 
+    /// Black pixels, and depths of nothing.
+    fn blank(&self) -> (Vec<Gray8>, Vec<u16>) {
+        let (width, height) = self.size;
+        let count = width as usize * height as usize;
+        (vec![Gray8::new(0); count], vec![0; count])
+    }
+
+    fn canvas<'p>(&self, pixels: &'p mut [Gray8]) -> Canvas<'p, Gray8> {
+        Canvas::new(pixels, self.size.0, self.size.1).unwrap()
+    }
+
+    fn draw<S: Shader<Color = Gray8>, D: DepthBuffer>(
+        &self,
+        canvas: &mut Canvas<'_, Gray8, Native, D>,
+        shader: &S,
+    ) {
+        self.mode
+            .draw(canvas, &self.options, &self.mesh, &self.mvp, shader);
+    }
+
     /// The depths in a buffer of this format after drawing, row by row.
     pub fn depths<F: DepthFormat>(&self) -> Vec<u16> {
-        let (width, height) = self.size;
-        let mut pixels = vec![Gray8::new(0); width as usize * height as usize];
-        let mut depth = vec![0; pixels.len()];
-        let canvas = Canvas::new(&mut pixels, width, height).unwrap();
+        let (mut pixels, mut depth) = self.blank();
+        let canvas = self.canvas(&mut pixels);
         let mut canvas = canvas.with_depth_format::<F>(&mut depth).unwrap();
-        let Self {
-            mode,
-            options,
-            mesh,
-            ..
-        } = self;
         // A shader with varyings, so that each mode interpolates.
-        mode.draw(&mut canvas, options, mesh, &self.mvp, &Gouraud::new());
+        let probe = Probe {
+            values: &|_| [0],
+            color: Some(Gray8::new(255)),
+        };
+        self.draw(&mut canvas, &probe);
         depth
     }
 
@@ -102,9 +123,8 @@ impl<K: ProjectionKind> Drawing<'_, K> {
 
     /// The crate's positions and depths of points; `None` for points that it would clip.
     pub fn spots(&self, points: &[Vec3]) -> Vec<Option<Spot>> {
-        let (width, height) = self.size;
-        let mut pixels = vec![Gray8::new(0); width as usize * height as usize];
-        let canvas = Canvas::new(&mut pixels, width, height).unwrap();
+        let (mut pixels, _) = self.blank();
+        let canvas = self.canvas(&mut pixels);
         points
             .iter()
             .map(|&point| {

@@ -65,13 +65,21 @@ fn allowed<C: Parts>(model: &Blended) -> f64 {
     1. + (model.most - model.least) / C::UNITS
 }
 
-/// The rows of one channel.
-fn channel<C: Parts, const W: usize, const H: usize>(
-    texels: &[[C; W]; H],
-    k: usize,
-) -> Vec<Vec<f64>> {
-    let row = |row: &[C; W]| row.iter().map(|texel| texel.parts()[k]).collect();
-    texels.iter().map(row).collect()
+/// The texels of each channel, row by row.
+type Channels = [Vec<Vec<f64>>; 3];
+
+fn channels<C: Parts>(texels: &[C], width: usize) -> Channels {
+    let mut channels = Channels::default();
+    for row in texels.chunks(width) {
+        for (k, channel) in channels.iter_mut().enumerate() {
+            let mut values = Vec::new();
+            for texel in row {
+                values.push(texel.parts()[k]);
+            }
+            channel.push(values);
+        }
+    }
+    channels
 }
 
 /// The interpolated numbers of a shader.
@@ -90,13 +98,11 @@ fn shade<F: Shader>(shader: &F, numbers: Numbers<F>) -> F::Color {
 /// Compares both addressing modes of a texture with the model, at some positions.
 fn compare<C: Parts, const W: usize, const H: usize>(texels: &[[C; W]; H], places: &[[i32; 2]]) {
     let skin = Textured::new(texels).bilinear();
-    let channels = [0, 1, 2].map(|k| channel(texels, k));
+    let channels = channels(texels.as_flattened(), W);
     for &place in places {
-        let shown = [
-            (Wrap::Repeat, shade(&skin, place)),
-            (Wrap::Clamp, shade(&skin.clamped(), place)),
-        ];
-        for (wrap, color) in shown {
+        let repeated = (Wrap::Repeat, shade(&skin, place));
+        let clamped = (Wrap::Clamp, shade(&skin.clamped(), place));
+        for (wrap, color) in [repeated, clamped] {
             compare_at(&channels, wrap, place, color.parts(), allowed::<C>);
         }
     }
@@ -104,7 +110,7 @@ fn compare<C: Parts, const W: usize, const H: usize>(texels: &[[C; W]; H], place
 
 /// Compares the channels of a color at one position with the model.
 fn compare_at(
-    channels: &[Vec<Vec<f64>>; 3],
+    channels: &Channels,
     wrap: Wrap,
     place: [i32; 2],
     color: [f64; 3],
@@ -131,7 +137,11 @@ fn raw(random: &mut Random) -> u32 {
 }
 
 fn texels<C: Parts, const W: usize, const H: usize>(random: &mut Random) -> [[C; W]; H] {
-    from_fn(|_| from_fn(|_| C::of(raw(random))))
+    let mut texels = [[C::of(0); W]; H];
+    for texel in texels.as_flattened_mut() {
+        *texel = C::of(raw(random));
+    }
+    texels
 }
 
 /// A position: within the texture or near its edges, anywhere, or at the very end of the format.
@@ -145,9 +155,13 @@ fn place(random: &mut Random) -> [i32; 2] {
     })
 }
 
+fn places(random: &mut Random) -> [[i32; 2]; 32] {
+    from_fn(|_| place(random))
+}
+
 /// Checks a large texture, a narrow one, a pair, and a single texel, which is its own neighbor.
 fn compare_any<C: Parts>(random: &mut Random) {
-    let places: [[i32; 2]; 32] = from_fn(|_| place(random));
+    let places = places(random);
     compare(&texels::<C, 16, 8>(random), &places);
     compare(&texels::<C, 1, 4>(random), &places);
     compare(&texels::<C, 2, 1>(random), &places);
@@ -257,7 +271,7 @@ fn steepest(picture: &[[f64; 3]]) -> f64 {
 fn a_magnified_texture_is_smooth() {
     cases(32, |random| {
         let texels: [[Rgb888; TEXELS]; TEXELS] = texels(random);
-        let channels = [0, 1, 2].map(|k| channel(&texels, k));
+        let channels = channels(texels.as_flattened(), TEXELS);
         let scale = 1. / f64::from(RATIO);
         let skin = Textured::new(&texels).clamped();
         let (nearest, smooth) = (picture(&skin), picture(&skin.bilinear()));

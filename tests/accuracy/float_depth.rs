@@ -3,15 +3,16 @@
 use std::array::from_fn;
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::target::{DepthBuffer, DepthFormat, Float, Linear, Native, WideFloat};
 use fixel::view::Perspective;
 use rand::Rng;
 
 use crate::bounds;
-use crate::common::random::{Random, cases};
+use crate::common::random::{Random, cases, within};
+use crate::common::recorder::Probe;
 use crate::mode::Mode;
+use crate::moves::{number, rounded};
 use crate::triangle::Triangle;
 
 const SIZE: (u32, u32) = (64, 48);
@@ -22,12 +23,11 @@ const FOCAL: f64 = 40.;
 fn unproject([x, y]: [f64; 2], w: f64) -> Vec3 {
     let middle = [f64::from(SIZE.0) / 2., f64::from(SIZE.1) / 2.];
     let at = [(x - middle[0]) * w / FOCAL, (middle[1] - y) * w / FOCAL, -w];
-    let [x, y, z] = at.map(|at| scalar(at).unwrap());
-    Vec3::new(x, y, z)
+    rounded(at)
 }
 
 fn projection(near: f64, far: f64) -> Projection<Perspective> {
-    let [focal, near, far] = [FOCAL, near, far].map(|at| scalar(at).unwrap());
+    let [focal, near, far] = [FOCAL, near, far].map(number);
     Projection::from_focal_length(focal, SIZE, near, far).unwrap()
 }
 
@@ -55,7 +55,11 @@ fn wrong<D: DepthBuffer>(
     for (gray, scale) in [(1, 1.), (2, 1. + gap)] {
         let positions = wall(distances.map(|w| w * scale));
         let mesh = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 3]]).unwrap();
-        let shade = Flat::new(Gray8::new(gray));
+        // A shader with varyings, so that each mode interpolates.
+        let shade = Probe {
+            values: &|_| [0],
+            color: Some(Gray8::new(gray)),
+        };
         mode.draw(
             &mut canvas,
             &DrawOptions::new(),
@@ -178,7 +182,7 @@ fn triangle(random: &mut Random, farthest: f64) -> Triangle<Perspective, 0> {
     let nearest = random.random_range(0.0..(farthest / 2000. * 32_768.).log2());
     let octaves = random.random_range(0.0..12_f64);
     let positions = from_fn(|_| {
-        let at = [-8.0..72., -8.0..56.].map(|range| random.random_range(range));
+        let at = within(random, [-8.0..72., -8.0..56.]);
         let w = NEAR * 1.02 * (nearest + octaves * random.random_range(0.0..1.)).exp2();
         unproject(at, w.min(farthest))
     });

@@ -6,7 +6,7 @@ use fixel::shade::Fog;
 use fixel::texture::Blend;
 use rand::Rng;
 
-use crate::common::random::cases;
+use crate::common::random::{cases, within};
 use crate::reference::fog::{exponential, linear};
 
 const SIZE: u32 = 48;
@@ -99,7 +99,7 @@ fn check(
 fn fog_is_correct_in_perspective_at_every_pixel() {
     cases(400, |random| {
         let distance = random.random_range(0.5..60_f64);
-        let lean = [-0.6..0.6, -0.6..0.6].map(|range| random.random_range(range) * 0.9);
+        let lean = within(random, [-0.54..0.54, -0.54..0.54]);
         let near = random.random_range(0.1..1.5_f64);
         let length = random.random_range(0.1..3_f64);
         let density = random.random_range(0.0..3_f64);

@@ -9,8 +9,8 @@ use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;
 
-use crate::common::random::{Random, cases};
-use crate::moves::{Move, exact, product, rounded};
+use crate::common::random::{Random, cases, within};
+use crate::moves::{Move, exact, number, product, rounded};
 use crate::reference::linear::point;
 use crate::reference::projection::{self, Lens};
 use crate::reference::view::{View, Viewport as ModelViewport};
@@ -166,7 +166,7 @@ fn check<K: ProjectionKind>(
 }
 
 fn moves(random: &mut Random) -> [Move; 4] {
-    let place = [-40.0..40., -30.0..30., -60.0..5.].map(|range| random.random_range(range));
+    let place = within(random, [-40.0..40., -30.0..30., -60.0..5.]);
     [
         crate::moves::to(place),
         Move::X(Angle::from_bits(random.random())),
@@ -196,7 +196,7 @@ fn boxes_in_perspective_are_in_view_as_in_the_model() {
         let (moves, bounds, rows) = (moves(random), bounds(random), rows(random));
         let fov = random.random_range(20.0..120_f64);
         let fov = Angle::from_bits((fov / 360. * 2_f64.powi(32)) as u32);
-        let [near, far] = [random.random_range(1.0..5.), 50.].map(|x| scalar(x).unwrap());
+        let [near, far] = [random.random_range(1.0..5.), 50.].map(number);
         let aspect = f64::from(SIZE.0) / f64::from(SIZE.1);
         let lens = projection::perspective(
             crate::moves::radians(fov),

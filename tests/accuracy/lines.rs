@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::common::random::{Random, cases, list};
+use crate::common::random::{Random, cases, list, within};
 use crate::common::recorder::{Probe, Seen, record};
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
 use crate::reference::clip::{ClipVertex, DEPTH_PLANES};
@@ -74,12 +74,12 @@ fn modelled(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
 /// Positions in and around the picture: on pixel corners, on centers, on any subpixel.
 fn place(random: &mut Random) -> Point {
     let kind = random.random_range(0..4);
-    let mut within = |x: Range<i32>, y: Range<i32>| [x, y].map(|range| random.random_range(range));
+    let mut at = |x: Range<i32>, y: Range<i32>| within(random, [x, y]);
     match kind {
-        0 => within(-10..160, -10..40).map(|at| at * 256),
-        1 => within(-10..160, -10..40).map(|at| at * 256 + 128),
-        2 => within(-3000..42_000, -3000..10_000),
-        _ => within(-500_000..500_000, -500_000..500_000),
+        0 => at(-10..160, -10..40).map(|at| at * 256),
+        1 => at(-10..160, -10..40).map(|at| at * 256 + 128),
+        2 => at(-3000..42_000, -3000..10_000),
+        _ => at(-500_000..500_000, -500_000..500_000),
     }
 }
 
@@ -214,12 +214,8 @@ fn around(random: &mut Random) -> Vec3 {
     } else {
         -2 * UNIT..-UNIT / 4
     };
-    within(random, [-12 * UNIT..12 * UNIT, -8 * UNIT..8 * UNIT, z])
-}
-
-/// A position in a box.
-fn within(random: &mut Random, ranges: [Range<i32>; 3]) -> Vec3 {
-    Vec3::from_bits(ranges.map(|range| random.random_range(range)))
+    let ranges = [-12 * UNIT..12 * UNIT, -8 * UNIT..8 * UNIT, z];
+    Vec3::from_bits(within(random, ranges))
 }
 
 /// Any two ends, or two that make a line of more than 64 pixels in one row: y is below 1/32, so at a distance above 3
@@ -229,7 +225,8 @@ fn ends(random: &mut Random) -> [Vec3; 2] {
         [around(random), around(random)]
     } else {
         [-12 * UNIT..-9 * UNIT, 9 * UNIT..12 * UNIT]
-            .map(|x| within(random, [x, UNIT / 64..UNIT / 32, -8 * UNIT..-3 * UNIT]))
+            .map(|x| [x, UNIT / 64..UNIT / 32, -8 * UNIT..-3 * UNIT])
+            .map(|ranges| Vec3::from_bits(within(random, ranges)))
     }
 }
 

@@ -12,6 +12,7 @@ mod reference;
 
 use common::recorder;
 
+mod bands;
 mod blending;
 mod bounds;
 mod bumpy;
@@ -41,6 +42,7 @@ mod quantized;
 mod reference_model;
 mod scenes;
 mod sine;
+mod sized_points;
 mod spread;
 mod sprites;
 mod triangle;

@@ -32,9 +32,14 @@ pub fn y(radians: f64) -> Move {
     Move::Y(Angle::try_from_radians(radians).unwrap())
 }
 
+/// The crate's nearest number.
+pub fn number(x: f64) -> Scalar {
+    scalar(x).unwrap()
+}
+
 /// A point rounded to the crate's nearest numbers.
 pub fn rounded(point: [f64; 3]) -> Vec3 {
-    let [x, y, z] = point.map(|x| scalar(x).unwrap());
+    let [x, y, z] = point.map(number);
     Vec3::new(x, y, z)
 }
 

@@ -8,11 +8,11 @@ use fixel::prelude::*;
 use fixel::view::{Parallel, Perspective, ProjectionKind};
 use rand::Rng;
 
-use crate::common::random::{Random, cases, list};
+use crate::common::random::{Random, cases, list, within};
 use crate::drawing::{Drawing, Spot};
 use crate::mode::Mode;
-use crate::moves::{Move, exact, product, radians, relative, rounded, size};
-use crate::reference::linear::point;
+use crate::moves::{Move, exact, number, product, radians, relative, rounded, size};
+use crate::reference::linear::{Matrix, point};
 use crate::reference::projection::{self, Lens};
 use crate::reference::view::{View, Viewport as ModelViewport};
 
@@ -51,7 +51,7 @@ fn mvp(random: &mut Random) -> Vec<Move> {
 
 /// One projection, made by the crate and by the model.
 fn perspective(fov: Angle, near: f64, far: f64) -> (Projection<Perspective>, Lens) {
-    let [near, far] = [near, far].map(|x| scalar(x).unwrap());
+    let [near, far] = [near, far].map(number);
     (
         Projection::perspective(fov, SIZE, near, far).unwrap(),
         projection::perspective(radians(fov), 4. / 3., near.to_num(), far.to_num()),
@@ -73,6 +73,23 @@ fn compare<K: ProjectionKind>(
         mesh: Mesh::new(&[], &[]).unwrap(),
         mvp: projection * transform,
     };
+    compare_spots(
+        points,
+        &drawing.spots(points),
+        (model, eye),
+        moves,
+        viewport,
+    );
+}
+
+/// Compares the positions and depths of points with the model's, given its projection and its transform to eye space.
+fn compare_spots(
+    points: &[Vec3],
+    spots: &[Option<Spot>],
+    (model, eye): (Lens, Matrix),
+    moves: &[Move],
+    viewport: Viewport,
+) {
     let view = View {
         eye,
         projection: model,
@@ -84,7 +101,7 @@ fn compare<K: ProjectionKind>(
         },
     };
     let middle = view.viewport.screen([0.; 2]);
-    for (&p, spot) in points.iter().zip(drawing.spots(points)) {
+    for (&p, &spot) in points.iter().zip(spots) {
         let wanted = view.project(exact(p));
         // The largest coefficient of the rows for x and y, in pixels, and for depth, which has the guard band's scale.
         let pixels = |axis: usize, size: u32| {
@@ -179,8 +196,7 @@ fn points(random: &mut Random) -> Vec<Vec3> {
 fn window(random: &mut Random, corner: Range<f64>, size: Range<f64>) -> Window {
     let [left, bottom] = [(); 2].map(|()| random.random_range(corner.clone()));
     let [width, height] = [(); 2].map(|()| random.random_range(size.clone()));
-    let [left, right, bottom, top] =
-        [left, left + width, bottom, bottom + height].map(|x| scalar(x).unwrap());
+    let [left, right, bottom, top] = [left, left + width, bottom, bottom + height].map(number);
     Window {
         left,
         right,
@@ -211,7 +227,7 @@ fn transformed_points_are_the_models() {
 fn points_in_perspective_are_the_models() {
     cases(CASES, |random| {
         let fov = Angle::try_from_degrees(random.random_range(20.0..140.)).unwrap();
-        let [near, far] = [0.01..2., 10.0..1000.].map(|range| random.random_range(range));
+        let [near, far] = within(random, [0.01..2., 10.0..1000.]);
         let projection = perspective(fov, near, far);
         compare(projection, &mvp(random), viewport(random), &points(random));
     });
@@ -241,7 +257,7 @@ fn points_in_parallel_are_the_models() {
         } else {
             random.random_range(100.0..20_000.)
         };
-        let [n, f] = [near, near + length].map(|x| scalar(x).unwrap());
+        let [n, f] = [near, near + length].map(number);
         let exact =
             [window.left, window.right, window.bottom, window.top, n, f].map(Scalar::to_num::<f64>);
         let projection: (Projection<Parallel>, Lens) = if random.random() {
@@ -269,7 +285,7 @@ fn points_in_parallel_are_the_models() {
 #[test]
 fn depth_falls_with_distance() {
     cases(CASES, |random| {
-        let [near, far] = [0.01..2., 10.0..1000.].map(|range| random.random_range(range));
+        let [near, far] = within(random, [0.01..2., 10.0..1000.]);
         let projection = perspective(Angle::from_degrees(90), near, far);
         let (transform, _) = product(&mvp(random));
         let points = points(random);

@@ -57,7 +57,7 @@ fn smooth_normals_of_a_bumpy_surface_are_the_models() {
     let mut worst = 0_f64;
     // Only every third position, because the model searches all triangles for each normal.
     for at in (0..positions.len()).step_by(3) {
-        let expected = around(at, &points, &corners, |_| true);
+        let expected = around(at, &points, &corners, &|_| true);
         if expected.1 > 0. {
             worst = worst.max(error(normals[at], expected));
         }
@@ -96,7 +96,7 @@ fn normals_of_hills_of_every_size_are_the_models() {
         let mesh = Mesh::new(&positions, &faces).unwrap();
         mesh.with_smooth_normals(&mut smooth).unwrap();
         for (at, &normal) in smooth.iter().enumerate() {
-            let expected = around(at, &points, &corners, |_| true);
+            let expected = around(at, &points, &corners, &|_| true);
             if expected.1 > 0. {
                 let error = error(normal, expected);
                 assert!(error <= 1., "{at}: {error} of the error allowed");
@@ -113,7 +113,7 @@ fn normals_of_hills_of_every_size_are_the_models() {
                 let near = |normal| angle(own, normal) - limit;
                 // A cosine has an error of up to 2⁻²⁷, so an angle near 0° or 180° has an error of up to the root of
                 // that.
-                let around = |slack: f64| around(at, &points, &corners, |n| near(n) <= slack);
+                let around = |slack: f64| around(at, &points, &corners, &|n| near(n) <= slack);
                 let expected = around(2e-4);
                 if own[0].is_nan() {
                     assert_eq!(index, Mesh::NO_VALUE);

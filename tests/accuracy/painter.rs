@@ -42,18 +42,23 @@ struct Scene {
 }
 
 impl Scene {
+    /// The corners in units of this size.
+    fn positions(&self, unit: f64) -> Vec<Vec3> {
+        let mut positions = Vec::new();
+        for corner in &self.corners {
+            positions.push(Vec3::try_from(corner.map(|x| x / unit)).unwrap());
+        }
+        positions
+    }
+
     /// The drawing order of the triangles. Checks that the same triangles are drawn without sorting.
     fn order<K: ProjectionKind>(&self, projection: &Projection<K>) -> Vec<usize> {
-        let positions: Vec<Vec3> = self
-            .corners
-            .iter()
-            .map(|&corner| Vec3::try_from(corner).unwrap())
-            .collect();
+        let positions = self.positions(1.);
         let mesh = Mesh::new(&positions, &self.faces).unwrap();
         let mut list: TriangleList<40, 400> = TriangleList::new();
         let mut pixels = [Gray8::BLACK; (SIZE.0 * SIZE.1) as usize];
         let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
-        let [all, order] = [false, true].map(|is_sorted| {
+        let mut draw = |is_sorted| {
             let prepared = if is_sorted {
                 list.prepare_back_to_front(&BOTH_SIDES, SIZE, &mesh, projection)
             } else {
@@ -64,7 +69,8 @@ impl Scene {
                 .draw_prepared(&prepared.unwrap(), &Noted(&order))
                 .unwrap();
             order.into_inner()
-        });
+        };
+        let (all, order) = (draw(false), draw(true));
         let mut drawn = order.clone();
         drawn.sort_unstable();
         assert_eq!(drawn, all);
@@ -75,12 +81,7 @@ impl Scene {
     fn order_of_objects<K: ProjectionKind>(&self, projection: &Projection<K>) -> Vec<usize> {
         // The objects have different units, so they are transformed in different formats.
         let units = [1., 4., 1. / 16.];
-        let positions = units.map(|unit| -> Vec<Vec3> {
-            let corners = self.corners.iter();
-            corners
-                .map(|corner| Vec3::try_from(corner.map(|x| x / unit)).unwrap())
-                .collect()
-        });
+        let positions = units.map(|unit| self.positions(unit));
         let faces: [Vec<[u16; 3]>; 3] =
             std::array::from_fn(|i| self.faces.iter().copied().skip(i).step_by(3).collect());
         let meshes: [Mesh<'_>; 3] =
@@ -95,7 +96,7 @@ impl Scene {
             .unwrap();
         let mut pixels = [Gray8::BLACK; (SIZE.0 * SIZE.1) as usize];
         let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
-        let [all, order] = [false, true].map(|is_sorted| {
+        let mut draw = |is_sorted| {
             if is_sorted {
                 scene.sort_back_to_front();
             }
@@ -106,8 +107,9 @@ impl Scene {
                 all.extend(order.into_inner().iter().map(|face| 3 * face + object));
             }
             all
-        });
-        let (mut all, mut drawn) = (all, order.clone());
+        };
+        let (mut all, order) = (draw(false), draw(true));
+        let mut drawn = order.clone();
         all.sort_unstable();
         drawn.sort_unstable();
         assert_eq!(drawn, all);
@@ -122,7 +124,7 @@ impl Scene {
 
     /// Checks that no triangle is drawn before one that is farther by more than `tolerance`, and that triangles at
     /// equal distances keep the order of the mesh.
-    fn check(&self, order: &[usize], objects: usize, tolerance: impl Fn(f64) -> f64) {
+    fn check(&self, order: &[usize], objects: usize, tolerance: &dyn Fn(f64) -> f64) {
         for pair in order.windows(2) {
             let [first, second] = [self.farthest(pair[0]), self.farthest(pair[1])];
             assert!(
@@ -163,8 +165,8 @@ fn farther_triangles_come_first_in_perspective() {
         // 1/w is truncated to 26 bits, the first of them set. The rounding of the reciprocal and of the projection's
         // coefficients at most doubles this error.
         let tolerance = |w| w * 2_f64.powi(-24);
-        scene.check(&scene.order(&projection), 1, tolerance);
-        scene.check(&scene.order_of_objects(&projection), 3, tolerance);
+        scene.check(&scene.order(&projection), 1, &tolerance);
+        scene.check(&scene.order_of_objects(&projection), 3, &tolerance);
     });
 }
 
@@ -176,8 +178,8 @@ fn farther_triangles_come_first_in_parallel() {
         let projection = Projection::orthographic(window, fx!(1), fx!(64)).unwrap();
         // Steps are 2^-26 of the distance between the planes. The rounding of coefficients adds less than another step.
         let step = (FAR - NEAR) * 2_f64.powi(-25);
-        scene.check(&scene.order(&projection), 1, |_| step);
-        scene.check(&scene.order_of_objects(&projection), 3, |_| step);
+        scene.check(&scene.order(&projection), 1, &|_| step);
+        scene.check(&scene.order_of_objects(&projection), 3, &|_| step);
     });
 }
 

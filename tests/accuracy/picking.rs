@@ -1,8 +1,6 @@
 //! Picking, compared with pictures: the face that a ray meets is the face that is drawn, unless in the f64 model the
 //! pixel's center is too close to an edge or two faces are equally deep there.
 
-use std::collections::HashMap;
-
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::Hit;
@@ -121,10 +119,7 @@ fn check<K: ProjectionKind>(
         return;
     }
 
-    let mut drawn = HashMap::new();
-    for seen in drawing.shown::<0>(&|_| []) {
-        drawn.insert(seen.pixel, seen.face);
-    }
+    let visible = drawing.faces();
     let mut pixels = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
     let canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
     for y in 0..SIZE.1.cast_signed() {
@@ -133,7 +128,8 @@ fn check<K: ProjectionKind>(
                 .ray(&drawing.options, &drawing.mvp, Point::new(x, y))
                 .unwrap();
             let hit = ray.hit(&drawing.mesh);
-            let (picked, drawn) = (hit.map(|hit| hit.face), drawn.get(&[x, y]).copied());
+            let picked = hit.map(|hit| hit.face);
+            let drawn = visible[(y * SIZE.0.cast_signed() + x) as usize];
             let center = [f64::from(x) + 0.5, f64::from(y) + 0.5];
             let both = [picked, drawn].into_iter().flatten();
             let is_beside = |face: usize| {

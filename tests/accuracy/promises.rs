@@ -8,7 +8,7 @@ use fixel::view::Perspective;
 use rand::Rng;
 
 use crate::bounds::{self, Bound};
-use crate::common::random::{Random, cases};
+use crate::common::random::{Random, cases, within};
 use crate::mode::Mode;
 use crate::triangle::Triangle;
 
@@ -29,7 +29,7 @@ struct Case {
 
 /// A position in or near the picture.
 fn about(random: &mut Random) -> [f64; 2] {
-    [-40.0..360., -40.0..280.].map(|range| random.random_range(range))
+    within(random, [-40.0..360., -40.0..280.])
 }
 
 /// Triangles in and around the picture: of any shape, thin, small, of few rows, or with a row of any length.
@@ -42,7 +42,7 @@ fn shape(random: &mut Random) -> [[f64; 2]; 3] {
             [a, b, array::from_fn(beside)]
         }
         3..=4 => {
-            let at = [0.0..320., 0.0..240.].map(|range| random.random_range(range));
+            let at = within(random, [0.0..320., 0.0..240.]);
             [at; 3].map(|corner| corner.map(|x| x + random.random_range(-6.0..6.)))
         }
         5..=8 => {
@@ -310,7 +310,7 @@ fn deep_triangles_keep_the_promises() {
     let mut worst = [Worst::default(); MODES];
     cases(200, |random| {
         // The nearest corner is far outside the picture, so that there are many far pixels.
-        let beyond = [-1500.0..1800., -1500.0..1700.].map(|range| random.random_range(range));
+        let beyond = within(random, [-1500.0..1800., -1500.0..1700.]);
         let most: f64 = random.random_range(8.01..9.96);
         let other = random.random_range(0.5..1.);
         let case = Case {

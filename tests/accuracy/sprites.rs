@@ -8,8 +8,8 @@ use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;
 
-use crate::common::random::{Random, cases};
-use crate::moves::{self, Move, exact, product, relative, rounded, size};
+use crate::common::random::{Random, cases, within};
+use crate::moves::{self, Move, exact, number, product, relative, rounded, size};
 use crate::recorder::Probe;
 use crate::reference::linear::{Matrix, direction, inverse, length, point};
 use crate::reference::projection::{self, Lens};
@@ -29,24 +29,24 @@ struct Kind {
 
 fn kind(random: &mut Random) -> Kind {
     Kind {
-        size: [(); 2].map(|()| random.random_range(0.5..8.)),
+        size: within(random, [0.5..8., 0.5..8.]),
         in_pixels: random.random(),
         axis: random
             .random_bool(0.5)
             .then(|| rounded(anywhere(random, 2.))),
-        anchor: [(); 2].map(|()| random.random_range(-0.5..1.5)),
+        anchor: within(random, [-0.5..1.5, -0.5..1.5]),
         scale: random.random_range(-2.0..2.),
     }
 }
 
 fn anywhere(random: &mut Random, range: f64) -> [f64; 3] {
-    [(); 3].map(|()| random.random_range(-range..range))
+    within(random, [-range..range, -range..range, -range..range])
 }
 
 /// A camera, which is a rigid transform, and the transform of a model.
 fn places(random: &mut Random) -> [Vec<Move>; 2] {
     let [x, y, z] = random.random::<[u32; 3]>().map(Angle::from_bits);
-    let factors = [0.2..3., 0.2..3., -3.0..-0.2].map(|range| random.random_range(range));
+    let factors = within(random, [0.2..3., 0.2..3., -3.0..-0.2]);
     [
         vec![
             moves::to([0., 0., -random.random_range(5.0..40.)]),
@@ -88,11 +88,15 @@ fn allowed(all: &[Move], eye: &Matrix, kind: Kind, sprite: &Sprite, ahead: f64) 
     unit + moved + largest * (growth + turn + 2_f64.powi(-27))
 }
 
+fn is_perspective(lens: &Lens) -> bool {
+    lens.kind == projection::Kind::Perspective
+}
+
 /// Whether a sprite with these corners is well inside the picture and certainly has a pixel.
-fn is_shown<K: ProjectionKind>(lens: &Lens, corners: &[[f64; 3]; 4]) -> bool {
+fn is_shown(lens: &Lens, corners: &[[f64; 3]; 4]) -> bool {
     // A circle whose radius is above √½ pixel contains a pixel's center. So a triangle with such a circle inside it,
     // well within the picture, has a pixel.
-    let w = |corner: &[f64; 3]| if K::PERSPECTIVE { -corner[2] } else { 1. };
+    let w = |corner: &[f64; 3]| if is_perspective(lens) { -corner[2] } else { 1. };
     let place = |corner: &[f64; 3], axis: usize| corner[axis] * lens.matrix[axis][axis] / w(corner);
     let is_inside = |corner: &[f64; 3]| {
         (1. ..90.).contains(&-corner[2])
@@ -115,16 +119,32 @@ fn is_shown<K: ProjectionKind>(lens: &Lens, corners: &[[f64; 3]; 4]) -> bool {
 
 fn check<K: ProjectionKind>(
     (projection, lens): (Projection<K>, Lens),
-    [camera, model]: &[Vec<Move>; 2],
+    places: &[Vec<Move>; 2],
     kind: Kind,
     position: Vec3,
 ) {
-    let all = [&camera[..], &model[..]].concat();
-    let ((view, view_matrix), (place, _), (_, eye)) =
-        (product(camera), product(model), product(&all));
+    let [(view, _), (place, _)] = [product(&places[0]), product(&places[1])];
     let mvp = projection * Camera::from_view(view) * place;
+    compare(lens, places, kind, position, &|canvas, sprites, probe| {
+        canvas.draw_sprites(&DrawOptions::new(), sprites, &mvp, probe);
+    });
+}
 
-    let [width, height] = kind.size.map(|x| scalar(x).unwrap());
+/// Draws sprites with a shader that notes their corners.
+type Draw<'a> = &'a dyn Fn(&mut Canvas<'_, Gray8>, &Sprites<'_>, &Probe<'_, [i32; 1]>);
+
+/// Compares the corners that a function draws with the model's.
+fn compare(
+    lens: Lens,
+    [camera, model]: &[Vec<Move>; 2],
+    kind: Kind,
+    position: Vec3,
+    draw: Draw<'_>,
+) {
+    let all = [&camera[..], &model[..]].concat();
+    let ((_, view_matrix), (_, eye)) = (product(camera), product(&all));
+
+    let [width, height] = kind.size.map(number);
     let positions = [position];
     let make = if kind.in_pixels {
         Sprites::in_pixels
@@ -146,7 +166,7 @@ fn check<K: ProjectionKind>(
     }
 
     // In the model, a length in pixels is a length in eye space at the sprite's distance.
-    let ahead = if K::PERSPECTIVE {
+    let ahead = if is_perspective(&lens) {
         -point(&eye, exact(position))[2]
     } else {
         1.
@@ -184,8 +204,8 @@ fn check<K: ProjectionKind>(
     };
     let mut pixels = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
     let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
-    canvas.draw_sprites(&DrawOptions::new(), &sprites, &mvp, &probe);
-    if is_shown::<K>(&lens, &expected) {
+    draw(&mut canvas, &sprites, &probe);
+    if is_shown(&lens, &expected) {
         assert!(!seen.borrow().is_empty(), "{sprite:?} has no pixels");
     }
     let (back, unit) = (inverse(&view_matrix).unwrap(), 2_f64.powi(-16));

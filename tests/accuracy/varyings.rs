@@ -9,7 +9,7 @@ use rand::Rng;
 use rand::seq::IndexedRandom;
 
 use crate::bounds::{self, Bound};
-use crate::common::random::{Random, cases};
+use crate::common::random::{Random, cases, within};
 use crate::drawing::Seen;
 use crate::mode::Mode;
 use crate::reference::coverage::Snapped;
@@ -28,7 +28,7 @@ type Shape = [[f64; 2]; 3];
 
 /// A position in or near the picture.
 fn about(random: &mut Random) -> [f64; 2] {
-    [-40.0..200., -20.0..68.].map(|range| random.random_range(range))
+    within(random, [-40.0..200., -20.0..68.])
 }
 
 /// Triangles with corners in and around the picture, far outside it, all within a pixel or two, or nearly in a line.
@@ -37,7 +37,7 @@ fn shape(random: &mut Random) -> Shape {
         0 => [about(random), about(random), about(random)],
         1 => [[(); 2]; 3].map(|corner| corner.map(|()| random.random_range(-1900.0..1900.))),
         2 => {
-            let at = [0.0..160., 0.0..48.].map(|range| random.random_range(range));
+            let at = within(random, [0.0..160., 0.0..48.]);
             [at; 3].map(|corner| corner.map(|x| x + random.random_range(-1.5..1.5)))
         }
         _ => {

@@ -1,53 +1,20 @@
-//! Wide lines and large points: their pixels, from exact integers; sizes in world space and the shares of anti-aliased
-//! lines, from f64.
+//! Wide lines: their pixels, from exact integers; the shares of anti-aliased lines, from f64.
 
-use std::ops::Range;
-
-use crate::common::random::{Random, cases};
-use crate::common::recorder::{Probe, Recorder, Seen, record};
+use crate::bands::{CASES, Point, SIZE, counts, drawn, modelled, place};
+use crate::common::random::{Random, cases, within};
+use crate::common::recorder::Seen;
 use crate::common::{at_subpixel, pixel_lens};
 use crate::reference::blending::over;
 use crate::reference::coverage::{Bounds, center, picture};
 use crate::reference::lines::share;
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
+use fixel::LineStyle;
 use fixel::mode::Newton;
 use fixel::num::Subpixel;
 use fixel::prelude::*;
-use fixel::target::{Add, Blending, Depth, Native, Opacity, TestAndWrite};
+use fixel::target::{Add, Blending, Opacity, TestAndWrite};
 use fixel::view::{ModelToPicture, Perspective};
-use fixel::{Drawn, LineStyle};
 use rand::Rng;
-
-/// A position in 24.8.
-type Point = [i32; 2];
-
-const SIZE: (u32, u32) = (90, 40);
-
-type Frame<'f> = Canvas<'f, Gray8, Native, Depth<'f>>;
-type Pen<'p, 'v> = Recorder<'p, Probe<'v, [i32; 1]>, 1>;
-
-/// The pixels of a draw call in bands of `rows` rows, each with the interpolated x of the position.
-fn drawn(rows: u32, draw: &dyn Fn(&mut Frame<'_>, &Pen<'_, '_>) -> Drawn) -> Vec<Seen<1>> {
-    let values = |corner: &Corner<'_>| [corner.position().x.to_bits()];
-    let probe = Probe {
-        values: &values,
-        color: Some(Gray8::new(1)),
-    };
-    let (width, height) = SIZE;
-    let mut all = Vec::new();
-    for first in (0..height).step_by(rows as usize) {
-        let pixels = (width * rows.min(height - first)) as usize;
-        let (mut colors, mut depths) = (vec![Gray8::new(0); pixels], vec![0; pixels]);
-        let band = Canvas::band(&mut colors, width, height, first).unwrap();
-        let mut band = band.with_depth(&mut depths).unwrap();
-        let record = record(probe, |pen| {
-            draw(&mut band, pen);
-        });
-        all.extend(record.seen);
-    }
-    all.sort_by_key(|seen| (seen.pixel[1], seen.pixel[0]));
-    all
-}
 
 /// The pixels of a mesh's edges, in bands of `rows` rows.
 fn edges<B, L>(
@@ -68,20 +35,6 @@ where
 /// A mesh of one edge.
 fn line<'a>(ends: &'a [Vec3; 2], edge: &'a [[u16; 2]; 1]) -> Mesh<'a> {
     Mesh::new(ends, &[]).unwrap().with_edges(edge).unwrap()
-}
-
-/// How often each pixel was drawn.
-fn counts(seen: &[Seen<1>]) -> Vec<u32> {
-    let mut counts = vec![0; (SIZE.0 * SIZE.1) as usize];
-    for seen in seen {
-        counts[seen.pixel[1] as usize * SIZE.0 as usize + seen.pixel[0] as usize] += 1;
-    }
-    counts
-}
-
-fn modelled(has: impl Fn([i32; 2]) -> bool) -> Vec<u32> {
-    let pixels = Bounds::new(SIZE.0, SIZE.1).pixels();
-    pixels.map(|pixel| u32::from(has(pixel))).collect()
 }
 
 /// Whether a pixel belongs to the wide line between two snapped ends; `half` of the width is in units of 1/256 pixel.
@@ -106,7 +59,7 @@ fn on_line([a, b]: [Point; 2], half: i64, pixel: [i32; 2]) -> bool {
 /// A position ahead of the eye.
 fn ahead(random: &mut Random) -> Vec3 {
     let ranges = [-5 << 16..5 << 16, -3 << 16..3 << 16, -20 << 16..-1 << 15];
-    Vec3::from_bits(ranges.map(|range| random.random_range(range)))
+    Vec3::from_bits(within(random, ranges))
 }
 
 /// Compares the depths and values of a smooth line with those of a plain line, which has one pixel in each step along
@@ -131,18 +84,6 @@ fn check_values(smooth: &[Seen<1>], [a, b]: [Point; 2], plain: &[Seen<1>]) {
     }
 }
 
-/// Positions in and around the picture: on pixel corners, on centers, on any subpixel.
-fn place(random: &mut Random) -> Point {
-    let kind = random.random_range(0..4);
-    let mut within = |x: Range<i32>, y: Range<i32>| [x, y].map(|range| random.random_range(range));
-    match kind {
-        0 => within(-10..100, -10..50).map(|at| at * 256),
-        1 => within(-10..100, -10..50).map(|at| at * 256 + 128),
-        2 => within(-3000..26_000, -3000..13_000),
-        _ => within(-500_000..500_000, -500_000..500_000),
-    }
-}
-
 /// Half of a line's width, in units of 1/256 pixel: often that of a plain line, often a few pixels.
 fn half(random: &mut Random) -> i32 {
     match random.random_range(0..3) {
@@ -156,9 +97,6 @@ fn half(random: &mut Random) -> i32 {
 fn width(half: i32) -> LineWidth {
     LineWidth::new(Scalar::from_bits(half << 9)).unwrap()
 }
-
-/// How many inputs a test checks.
-const CASES: u64 = 400;
 
 fn perspective() -> Projection<Perspective> {
     Projection::from_focal_length(fx!(40), SIZE, fx!(0.25), fx!(32)).unwrap()
@@ -174,7 +112,7 @@ fn wide_lines_are_the_models() {
         let mvp = pixel_lens(SIZE);
         let positions = ends.map(at_subpixel);
         let width = width(half);
-        let model = modelled(|pixel| on_line(ends, half.into(), pixel));
+        let model = modelled(&|pixel| on_line(ends, half.into(), pixel));
         let mut first = None;
         for edge in [[[0, 1]], [[1, 0]]] {
             let mesh = line(&positions, &edge);
@@ -369,149 +307,6 @@ fn smooth_lines_have_the_values_of_plain_ones() {
             ends,
             &thin,
         );
-    });
-}
-
-/// A square covers the centers from half its size left of and above the point to half its size right of and below
-/// it. Centers exactly on the right and lower sides count; those on the left and upper sides do not. A disc covers
-/// the centers within half its size, and the pixel that contains the point.
-#[test]
-fn points_are_the_models() {
-    cases(CASES, |random| {
-        let (place, is_round) = (place(random), random.random());
-        let most = if random.random() {
-            300 << 16
-        } else {
-            (1 << 19) - 1
-        };
-        let bits = random.random_range(1..=most);
-        let rows = random.random_range(1..40);
-        let mvp = pixel_lens(SIZE);
-        let positions = [at_subpixel(place)];
-        let mesh = Mesh::new(&positions, &[]).unwrap();
-        let size = Scalar::from_bits(bits);
-        let style = if is_round {
-            PointStyle::round(size)
-        } else {
-            PointStyle::square(size)
-        }
-        .unwrap();
-        let draw = |frame: &mut Frame<'_>, pen: &Pen<'_, '_>| {
-            frame.draw_sized_points(&DrawOptions::new(), &mesh, style, &mvp, pen)
-        };
-        let seen = drawn(SIZE.1, &draw);
-        let half = ((i64::from(bits) + 256) >> 9).clamp(128, 255 * 128);
-        let model = modelled(|pixel| {
-            let [x, y] =
-                [0, 1].map(|axis| i64::from(pixel[axis]) * 256 + 128 - i64::from(place[axis]));
-            let is_own = [0, 1].map(|axis| place[axis].div_euclid(256)) == pixel;
-            if is_round {
-                is_own || x * x + y * y <= half * half
-            } else {
-                [x, y].iter().all(|&away| -half < away && away <= half)
-            }
-        });
-        let inputs = || format!("{style:?} at {place:?}, {rows} rows");
-        assert_eq!(
-            picture(&counts(&seen), SIZE.0),
-            picture(&model, SIZE.0),
-            "{}",
-            inputs()
-        );
-        assert_eq!(drawn(rows, &draw), seen, "{}", inputs());
-        assert!(
-            seen.iter()
-                .all(|seen| seen.values == [positions[0].x.to_bits()]),
-            "{}",
-            inputs()
-        );
-        if bits == 1 << 16 && !is_round {
-            assert_eq!(
-                drawn(SIZE.1, &|frame, pen| frame.draw_points(
-                    &DrawOptions::new(),
-                    &mesh,
-                    &mvp,
-                    pen
-                )),
-                seen
-            );
-        }
-    });
-}
-
-/// Points with a size in world space: half of it is size · focal length / distance / 2 pixels, or, under a parallel
-/// projection, size · height of the frame / height of the window / 2.
-#[test]
-fn attenuated_points_are_the_models() {
-    cases(CASES, |random| {
-        loop {
-            let [x, z, size, scale] = [-2.0..2., -30.0..-0.6, 0.001..20., 0.5..2.]
-                .map(|range| Scalar::from_num(random.random_range::<f64, _>(range)));
-            let positions = [Vec3::new(x, fx!(0), z)];
-            let mesh = Mesh::new(&positions, &[]).unwrap();
-            let is_round: bool = random.random();
-            let style = if is_round {
-                PointStyle::round(size)
-            } else {
-                PointStyle::square(size)
-            }
-            .unwrap()
-            .attenuated();
-            // A scale of the model moves the point, and does not change its size.
-            let model = Transform::scale(scale);
-            let world = model.point(positions[0]);
-            let distance = -f64::from(world.z.to_bits()) / 65536.;
-            if distance <= 0.51 || distance >= 31. {
-                continue;
-            }
-            let focal = Projection::from_focal_length(fx!(50), SIZE, fx!(0.5), fx!(32)).unwrap();
-            let window =
-                Projection::orthographic(Window::centered(fx!(9), fx!(4)), fx!(0.5), fx!(32))
-                    .unwrap();
-            let options = DrawOptions::new();
-            let size = f64::from(size.to_bits()) / 65536.;
-            let perspective = drawn(SIZE.1, &|frame, pen| {
-                frame.draw_sized_points(&options, &mesh, style, &(focal * model), pen)
-            });
-            let parallel = drawn(SIZE.1, &|frame, pen| {
-                frame.draw_sized_points(&options, &mesh, style, &(window * model), pen)
-            });
-            let mut colors = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
-            let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
-            let places = [
-                canvas.project(&options, &(focal * model), positions[0]),
-                canvas.project(&options, &(window * model), positions[0]),
-            ];
-            let halves = [size * 50. / distance / 2., size * 10. / 2.];
-            for ((seen, place), half) in [perspective, parallel].iter().zip(places).zip(halves) {
-                let Some(place) = place else {
-                    assert!(seen.is_empty(), "{world:?}");
-                    continue;
-                };
-                let half = half.clamp(0.5, 127.5);
-                // Half a size is rounded to the nearest 1/256. The crate divides by t, which exceeds w / near by 2^-16
-                // of it.
-                let room = 0.5 / 256. + half * 2e-5 + 1e-9;
-                let counts = counts(seen);
-                for (pixel, &count) in Bounds::new(SIZE.0, SIZE.1).pixels().zip(&counts) {
-                    let at = center(pixel);
-                    let place = [place.x, place.y].map(|x| f64::from(x.to_bits()) / 256.);
-                    let away = [0, 1].map(|axis| at[axis] - place[axis]);
-                    let is_own = place.map(|x| x.floor() as i32) == pixel;
-                    let away = if is_round {
-                        away[0].hypot(away[1])
-                    } else {
-                        away[0].abs().max(away[1].abs())
-                    };
-                    if away < half - room || is_own {
-                        assert_eq!(count, 1, "{pixel:?}: {away} of {half}");
-                    } else if away > half + room {
-                        assert_eq!(count, 0, "{pixel:?}: {away} of {half}");
-                    }
-                }
-            }
-            break;
-        }
     });
 }
 

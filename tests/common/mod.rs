@@ -35,7 +35,7 @@ impl Counter {
         }
     }
 
-    fn with(&mut self, draw: impl FnOnce(&mut Canvas<'_, Gray8>, &Count<'_>) -> Drawn) -> Drawn {
+    fn with(&mut self, draw: &dyn Fn(&mut Canvas<'_, Gray8>, &Count<'_>) -> Drawn) -> Drawn {
         let (width, height) = self.size;
         let mut canvas = Canvas::new(&mut self.pixels, width, height).unwrap();
         let mut drawn = Drawn::default();
@@ -56,7 +56,7 @@ impl Counter {
         mesh: &Mesh,
         mvp: &Mvp<K>,
     ) -> Drawn {
-        self.with(|canvas, count| canvas.draw_with(options, mesh, mvp, count))
+        self.with(&|canvas, count| canvas.draw_with(options, mesh, mvp, count))
     }
 
     /// Draws a mesh's edges.
@@ -66,7 +66,7 @@ impl Counter {
         mesh: &Mesh,
         mvp: &Mvp<K>,
     ) -> Drawn {
-        self.with(|canvas, count| canvas.draw_edges(options, mesh, mvp, count))
+        self.with(&|canvas, count| canvas.draw_edges(options, mesh, mvp, count))
     }
 
     /// Draws a mesh's positions.
@@ -76,7 +76,7 @@ impl Counter {
         mesh: &Mesh,
         mvp: &Mvp<K>,
     ) -> Drawn {
-        self.with(|canvas, count| canvas.draw_points(options, mesh, mvp, count))
+        self.with(&|canvas, count| canvas.draw_points(options, mesh, mvp, count))
     }
 
     /// The position that the crate computes for a point, before culling and the guard band.

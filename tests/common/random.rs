@@ -1,9 +1,10 @@
 //! Random inputs: a test runs for many of them, the same ones each time.
 
+use std::ops::Range;
 use std::vec::Vec;
 use std::{env, eprintln};
 
-use rand::distr::uniform::SampleRange;
+use rand::distr::uniform::{SampleRange, SampleUniform};
 use rand::{Rng, SeedableRng};
 
 /// The generator of the inputs.
@@ -40,6 +41,14 @@ impl Drop for Named {
 /// A number of any size: each count of bits has the same chance.
 pub fn number(random: &mut Random) -> i32 {
     random.random::<i32>() >> random.random_range(0..32)
+}
+
+/// A number in each of these ranges.
+pub fn within<T: SampleUniform + PartialOrd, const N: usize>(
+    random: &mut Random,
+    ranges: [Range<T>; N],
+) -> [T; N] {
+    ranges.map(|range| random.random_range(range))
 }
 
 /// A list of random items, whose length is in a range.

@@ -17,7 +17,7 @@ pub fn around(
     position: usize,
     positions: &[Vec3],
     faces: &[[usize; 3]],
-    accepted: impl Fn(Vec3) -> bool,
+    accepted: &dyn Fn(Vec3) -> bool,
 ) -> (Vec3, f64) {
     let (mut sum, mut weights) = ([0.; 3], 0.);
     for face in faces {

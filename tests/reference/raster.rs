@@ -142,17 +142,17 @@ pub fn pieces_clipped<const N: usize>(
             attributes: attributes[i],
             source: Some(indices[i]),
         });
-        for corners in fan(&polygon(&corners, planes)) {
-            let places = corners.map(|corner| view.place(corner.position));
+        for [a, b, c] in fan(&polygon(&corners, planes)) {
+            let [at_a, at_b, at_c] = [a, b, c].map(|corner| view.place(corner.position));
             pieces.push(Piece {
                 face,
-                sources: corners.map(|corner| corner.source),
-                clip: corners.map(|corner| corner.position),
-                screen: places.map(|place| place.screen),
+                sources: [a.source, b.source, c.source],
+                clip: [a.position, b.position, c.position],
+                screen: [at_a.screen, at_b.screen, at_c.screen],
                 snapped: None,
-                w: places.map(|place| place.w),
-                distance: places.map(|place| place.distance),
-                attributes: corners.map(|corner| corner.attributes),
+                w: [at_a.w, at_b.w, at_c.w],
+                distance: [at_a.distance, at_b.distance, at_c.distance],
+                attributes: [a.attributes, b.attributes, c.attributes],
             });
         }
     }

@@ -14,6 +14,7 @@ use crate::bounds;
 use crate::drawing::Drawing;
 use crate::mode::Mode;
 use crate::moves::{exact, rounded};
+use crate::reference::coverage::Bounds;
 use crate::reference::linear::{Vec3 as Vector, cross, dot, subtract};
 
 /// Ratios of far to near, each with a near and a far plane.
@@ -85,11 +86,11 @@ fn behind(projection: &Lens, w: f64) -> (Worst, bool) {
                 mesh: Mesh::new(&positions, &[[0, 1, 2], [3, 4, 5]]).unwrap(),
                 mvp,
             };
-            let mut shown = std::collections::HashMap::new();
-            for seen in drawing.shown(&|_: &Corner<'_>| [0; 0]) {
-                shown.insert(seen.pixel, order[seen.face]);
-            }
-            for (pixel, surface) in shown {
+            let pixels = Bounds::new(projection.size.0, projection.size.1).pixels();
+            for (pixel, face) in pixels.zip(drawing.faces()) {
+                let Some(surface) = face.map(|face| order[face]) else {
+                    continue;
+                };
                 let depths =
                     surfaces.map(|s| 65535. * projection.near * inverse_w(s, projection, pixel));
                 // Compare only where the nearer surface certainly covers the pixel: inside it, not at its edge.

@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::raw::BigEndian;
 use fixel::mesh::{Buffers, Shape};
 use fixel::mode::{Affine, Compact, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
-use fixel::target::{Depth, DepthBuffer, Float, NoDepth};
+use fixel::target::{Depth, DepthFormat, Float, Linear};
 use fixel::view::Perspective;
 
 use super::scene::Random;
@@ -88,36 +88,7 @@ fn models() -> [Model; 4] {
     ]
 }
 
-type Target<'a, D> = Canvas<'a, Rgb565, BigEndian, D>;
-
-/// A kind of depth buffer.
-trait Kept {
-    type Depth<'d>: DepthBuffer;
-
-    fn with<'a>(canvas: Target<'a, NoDepth>, depths: &'a mut [u16]) -> Target<'a, Self::Depth<'a>>;
-}
-
-struct Linear;
-struct Floating;
-
-impl Kept for Linear {
-    type Depth<'d> = Depth<'d>;
-
-    fn with<'a>(canvas: Target<'a, NoDepth>, depths: &'a mut [u16]) -> Target<'a, Depth<'a>> {
-        canvas.with_depth(depths).unwrap()
-    }
-}
-
-impl Kept for Floating {
-    type Depth<'d> = Depth<'d, Float>;
-
-    fn with<'a>(
-        canvas: Target<'a, NoDepth>,
-        depths: &'a mut [u16],
-    ) -> Target<'a, Depth<'a, Float>> {
-        canvas.with_depth_format::<Float>(depths).unwrap()
-    }
-}
+type Target<'a, F> = Canvas<'a, Rgb565, BigEndian, Depth<'a, F>>;
 
 /// Checksums of a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -127,9 +98,9 @@ struct Sums {
 }
 
 /// Draws a frame in bands of this many rows and returns its checksums.
-fn sums<B: Kept>(
+fn sums<F: DepthFormat>(
     rows: u32,
-    mut draw: impl FnMut(&mut Target<'_, B::Depth<'_>>, &Projection<Perspective>),
+    draw: &dyn Fn(&mut Target<'_, F>, &Projection<Perspective>),
 ) -> Sums {
     let projection = Projection::from_focal_length(fx!(200), SIZE, fx!(0.25), fx!(100)).unwrap();
     let mut colors = crc32fast::Hasher::new();
@@ -139,11 +110,10 @@ fn sums<B: Kept>(
         // The earlier contents must not show.
         let (mut color, mut depth) = (vec![[9; 2]; pixels], vec![7; pixels]);
         let band = Canvas::big_endian_band(&mut color, SIZE.0, SIZE.1, first).unwrap();
-        let mut band = B::with(band, &mut depth);
+        let mut band = band.with_depth_format::<F>(&mut depth).unwrap();
         band.clear(Rgb565::new(1, 2, 3));
         draw(&mut band, &projection);
         colors.update(band.as_bytes());
-        drop(band);
         for depth in depth {
             depths.update(&depth.to_le_bytes());
         }
@@ -154,10 +124,10 @@ fn sums<B: Kept>(
     }
 }
 
-fn frame<B: Kept>(mode: impl Mode, rows: u32, numbers: Numbers) -> Sums {
+fn frame<F: DepthFormat>(mode: impl Mode, rows: u32, numbers: Numbers) -> Sums {
     let options = DrawOptions::new().with_mode(mode);
     let models = models();
-    sums::<B>(rows, |band, projection| {
+    sums::<F>(rows, &|band, projection| {
         for model in &models {
             let mvp = *projection * model.place;
             band.draw_with(&options, &model.mesh(numbers), &mvp, &Textured::new(&SKIN));
@@ -166,11 +136,11 @@ fn frame<B: Kept>(mode: impl Mode, rows: u32, numbers: Numbers) -> Sums {
 }
 
 /// Draws twice, in bands of several heights, with positions of either kind; all checksums must agree. Returns them.
-fn bands<B: Kept>(mode: impl Mode) -> Sums {
-    let whole = frame::<B>(mode, SIZE.1, Numbers::Long);
+fn bands<F: DepthFormat>(mode: impl Mode) -> Sums {
+    let whole = frame::<F>(mode, SIZE.1, Numbers::Long);
     for rows in [1, 7, 16, 240] {
         for numbers in [Numbers::Long, Numbers::Short] {
-            let drawn = frame::<B>(mode, rows, numbers);
+            let drawn = frame::<F>(mode, rows, numbers);
             assert_eq!(drawn, whole, "bands of {rows}, {numbers:?}");
         }
     }
@@ -180,7 +150,7 @@ fn bands<B: Kept>(mode: impl Mode) -> Sums {
 #[test]
 fn bands_equal_the_frame() {
     fn with_either_depth(mode: impl Mode) {
-        let [linear, floating] = [bands::<Linear>(mode), bands::<Floating>(mode)];
+        let [linear, floating] = [bands::<Linear>(mode), bands::<Float>(mode)];
         // The depths have other values, but no two surfaces are so close to each other that the colors differ.
         assert_eq!(linear.colors, floating.colors);
         assert_ne!(linear.depths, floating.depths);
@@ -201,9 +171,9 @@ fn shuffled<T>(list: &mut [T], random: &mut Random) {
 
 /// Draws the models in another order, and the triangles of each in another order: depth alone decides which ones show.
 /// Of two triangles at the same position and depth, the last one would show, but there are no such triangles here.
-fn orders<B: Kept>() -> Sums {
+fn orders<F: DepthFormat>() -> Sums {
     let draw = |rows: u32, parts: &[(Vec<[u16; 3]>, Model)]| {
-        sums::<B>(rows, |band, projection| {
+        sums::<F>(rows, &|band, projection| {
             for (faces, model) in parts {
                 let mesh = Mesh::new(&model.positions, faces).unwrap();
                 band.draw(&mesh, &(*projection * model.place), &NormalView::new());
@@ -225,5 +195,5 @@ fn orders<B: Kept>() -> Sums {
 
 #[test]
 fn the_order_of_triangles_does_not_change_the_picture() {
-    assert_eq!(orders::<Linear>().colors, orders::<Floating>().colors);
+    assert_eq!(orders::<Linear>().colors, orders::<Float>().colors);
 }

@@ -8,7 +8,7 @@ use super::scene::{Lens, ONCE, Random};
 use super::table::{Cases, picture};
 use super::verdict::{Verdict, Worst};
 use crate::common::{BOTH_SIDES, Counter};
-use crate::moves::exact;
+use crate::moves::{exact, rounded};
 
 /// Columns and rows of vertices: one vertex less than the largest number, or just that number.
 const GRIDS: [(u16, u16); 2] = [(255, 257), (256, 256)];
@@ -27,8 +27,7 @@ fn rug(columns: u16, rows: u16) -> (Vec<Vec3>, Vec<[u16; 3]>) {
             let mut aside = || random.between(-0.1, 0.1);
             let at = [52. * x + aside(), 40. * y + aside()];
             let w = 4. + x + 0.1 * (9. * x + 5. * y).sin();
-            let [x, y, z] = projection.at(at, w).map(|x| fixel::num::scalar(x).unwrap());
-            positions.push(Vec3::new(x, y, z));
+            positions.push(rounded(projection.at(at, w)));
         }
     }
     let mut faces = Vec::new();

@@ -1,12 +1,11 @@
 //! Triangles with their view, for the crate and for the model.
 
-use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::view::Perspective;
 
 use super::verdict::Verdict;
 use crate::common::BOTH_SIDES;
-use crate::moves::{Move, exact, product, rounded};
+use crate::moves::{Move, exact, number, product, rounded};
 use crate::reference::projection::focal;
 use crate::reference::view::{self, View};
 
@@ -61,7 +60,6 @@ impl Lens {
     pub fn scene(&self, corners: Corners, texels: [[i32; 2]; 3]) -> Scene {
         let positions = corners.map(rounded).to_vec();
         let (transform, eye) = product(&self.moves);
-        let number = |x| scalar(x).unwrap();
         let (width, height) = self
             .viewport
             .map_or(self.size, |viewport| (viewport.width(), viewport.height()));

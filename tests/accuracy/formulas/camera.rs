@@ -6,14 +6,16 @@ use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
 use rand::Rng;
 
-use crate::common::random::{Random, cases};
+use crate::common::random::{Random, cases, within};
+use crate::moves::exact;
+use crate::reference::linear::{cross, dot, normalized, subtract};
 
-use super::given::{STEP, all_close, close, float, floats, vec};
+use super::given::{STEP, all_close, close, float, vec};
 
 /// For each axis, the length on the screen of an edge of length one along it, in an orthographic view.
 fn foreshortening(camera: &Camera) -> [f64; 3] {
     [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| {
-        let [x, y, _] = floats(camera.view().direction(axis));
+        let [x, y, _] = exact(camera.view().direction(axis));
         x.hypot(y)
     })
 }
@@ -55,25 +57,8 @@ fn axonometric_views_foreshorten_the_axes() {
     }
 }
 
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|i| a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3])
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn normalized(v: [f64; 3]) -> [f64; 3] {
-    let length = dot(v, v).sqrt();
-    v.map(|v| v / length)
-}
-
-fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|i| a[i] - b[i])
-}
-
 fn point(random: &mut Random) -> Vec3 {
-    let [x, y, z] = [-50.0..50.0, -50.0..50.0, -50.0..50.0].map(|range| random.random_range(range));
+    let [x, y, z] = within(random, [-50.0..50.0, -50.0..50.0, -50.0..50.0]);
     vec(x, y, z)
 }
 
@@ -82,10 +67,10 @@ fn look_at_follows_its_formula() {
     cases(256, |random| {
         let (eye, target, up, k, side) = loop {
             let [eye, target, up] = from_fn(|_| point(random));
-            let k = normalized(sub(floats(eye), floats(target)));
-            let side = cross(floats(up), k);
+            let k = normalized(subtract(exact(eye), exact(target)));
+            let side = cross(exact(up), k);
             // If up is nearly parallel to the line of sight, its rounding counts too much.
-            if dot(side, side) > 1e-4 * dot(floats(up), floats(up)) {
+            if dot(side, side) > 1e-4 * dot(exact(up), exact(up)) {
                 break (eye, target, up, k, side);
             }
         };
@@ -93,19 +78,19 @@ fn look_at_follows_its_formula() {
         let camera = Camera::look_at(eye, target, up).unwrap();
         let i = normalized(side);
         let j = cross(k, i);
-        let offset = sub(floats(p), floats(eye));
+        let offset = subtract(exact(p), exact(eye));
         // Axes have an error of up to 2^-28/0.01, over a distance of at most 174; the result is rounded once.
         let expected = [i, j, k].map(|axis| dot(axis, offset));
         all_close(
-            floats(camera.view().point(p)),
+            exact(camera.view().point(p)),
             expected,
             0.51 * STEP + 174.0 * 100.0 * 4e-9,
         );
         // The eye is at the origin of eye space, and the target is ahead on the axis.
-        all_close(floats(camera.view().point(eye)), [0.0; 3], STEP);
-        let distance = dot(sub(floats(eye), floats(target)), k);
+        all_close(exact(camera.view().point(eye)), [0.0; 3], STEP);
+        let distance = dot(subtract(exact(eye), exact(target)), k);
         all_close(
-            floats(camera.view().point(target)),
+            exact(camera.view().point(target)),
             [0.0, 0.0, -distance],
             STEP,
         );
@@ -127,7 +112,7 @@ fn the_inverse_undoes_a_rigid_transform() {
                     close(float(entry), f64::from(u8::from(i == j)), STEP);
                 }
             }
-            all_close(floats(both.point(p)), floats(p), STEP);
+            all_close(exact(both.point(p)), exact(p), STEP);
         }
     });
 }
@@ -145,8 +130,8 @@ fn a_camera_of_composed_moves_equals_look_at() {
         let turns = Transform::rotate_x(-tilt) * Transform::rotate_y(-turn);
         let reverse = turns * Transform::translate(-eye);
         all_close(
-            floats(composed.view().point(p)),
-            floats(reverse.point(p)),
+            exact(composed.view().point(p)),
+            exact(reverse.point(p)),
             STEP,
         );
         // The same pose by look-at. The target is 100 ahead, and rounded by up to half a step along
@@ -154,8 +139,8 @@ fn a_camera_of_composed_moves_equals_look_at() {
         let camera = Camera::look_at(eye, pose.point(vec3!(0, 0, -100)), Vec3::Y).unwrap();
         let slack = STEP + 174.0 * (STEP / 100.0) * 2.0 / 80_f64.to_radians().cos();
         all_close(
-            floats(composed.view().point(p)),
-            floats(camera.view().point(p)),
+            exact(composed.view().point(p)),
+            exact(camera.view().point(p)),
             slack,
         );
     });
@@ -218,12 +203,12 @@ fn a_line_projects_to_a_line() {
         let size = (320, 240);
         let projection = Projection::from_focal_length(fx!(100), size, fx!(0.5), fx!(100)).unwrap();
         // Multiples of four steps, so that the format represents every quarter of the way exactly.
-        let mut within = |range| {
+        let mut multiple = |range| {
             let v: f64 = random.random_range(range);
             (v * 16_384.0).round() / 16_384.0
         };
-        let p = [-3.0..3.0, -3.0..3.0, -9.0..-4.0].map(&mut within);
-        let v = [-1.0..1.0, -1.0..1.0, -1.0..1.0].map(within);
+        let p = [-3.0..3.0, -3.0..3.0, -9.0..-4.0].map(&mut multiple);
+        let v = [-1.0..1.0, -1.0..1.0, -1.0..1.0].map(multiple);
         for t in 0..=8 {
             let t = f64::from(t) / 4.0;
             let point = [0, 1, 2].map(|i| p[i] + t * v[i]);
@@ -241,8 +226,8 @@ fn a_line_projects_to_a_line() {
 #[test]
 fn lines_across_the_view_keep_their_slope() {
     cases(256, |random| {
-        let p = [-3.0..3.0, -3.0..3.0, -9.0..-2.0].map(|range| random.random_range(range));
-        let v = [0.5..2.0, -2.0..2.0].map(|range| random.random_range(range));
+        let p = within(random, [-3.0..3.0, -3.0..3.0, -9.0..-2.0]);
+        let v = within(random, [0.5..2.0, -2.0..2.0]);
         let fov = Angle::from_degrees(90);
         let projection = Projection::perspective(fov, (1, 1), fx!(1), fx!(100)).unwrap();
         let point = |t: f64| vec(p[0] + t * v[0], p[1] + t * v[1], p[2]);

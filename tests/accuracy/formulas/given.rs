@@ -1,16 +1,11 @@
 //! Helpers of the formulas' tests: conversions between the crate's formats and f64, and the steps of the formats.
 
-use fixel::num::scalar;
 use fixel::{Matrix4, Scalar, Unit, Vec3};
 
 /// A step of the coordinates' format. A value rounded once has an error of up to half a step.
 pub const STEP: f64 = 1.0 / 65_536.0;
 /// A step of sines, cosines and fractions.
 pub const UNIT_STEP: f64 = 1.0 / 1_073_741_824.0;
-
-pub fn fx(value: f64) -> Scalar {
-    scalar(value).unwrap()
-}
 
 pub fn unit(value: f64) -> Unit {
     Unit::from_num(value)
@@ -22,10 +17,6 @@ pub fn vec(x: f64, y: f64, z: f64) -> Vec3 {
 
 pub fn float(value: Scalar) -> f64 {
     value.to_num()
-}
-
-pub fn floats(v: Vec3) -> [f64; 3] {
-    [v.x, v.y, v.z].map(float)
 }
 
 pub fn close(found: f64, expected: f64, tolerance: f64) {

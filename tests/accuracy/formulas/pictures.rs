@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::BinaryColor;
 use fixel::prelude::*;
 use fixel::view::Perspective;
 
-use super::given::floats;
+use crate::moves::exact;
 
 const SIZE: u32 = 28;
 
@@ -62,7 +62,7 @@ fn picture(model: Transform) -> Vec<String> {
 
 /// The position of a model's point in the picture, projected in f64 from its position in eye space.
 fn place(model: Transform, point: Vec3) -> [f64; 2] {
-    let [x, y, z] = floats(model.point(point));
+    let [x, y, z] = exact(model.point(point));
     let half = f64::from(SIZE) / 2.0;
     [half - 2.0 * x / z * half, half + 2.0 * y / z * half]
 }

@@ -8,9 +8,10 @@ use fixel::prelude::*;
 use fixel::view::{Parallel, Perspective};
 use rand::Rng;
 
-use crate::common::random::cases;
+use crate::common::random::{cases, within};
+use crate::moves::{exact, number, rounded};
 
-use super::given::{STEP, all_close, close, float, fx, same_matrix, vec};
+use super::given::{STEP, all_close, close, float, same_matrix, vec};
 
 fn degrees(angle: Angle) -> f64 {
     f64::from(angle.to_bits()) / 4_294_967_296.0 * 360.0
@@ -123,11 +124,11 @@ fn frustum([l, r, b, t, n, f]: [f64; 6]) -> [[f64; 4]; 4] {
 #[test]
 fn a_frustums_matrix_is_a_product() {
     cases(256, |random| {
-        let [l, b] = [-4.0..0.0, -4.0..0.0].map(|range| random.random_range(range));
-        let [w, h, n] = [0.5..4.0, 0.5..4.0, 0.5..4.0].map(|range| random.random_range(range));
+        let [l, b] = within(random, [-4.0..0.0, -4.0..0.0]);
+        let [w, h, n] = within(random, [0.5..4.0, 0.5..4.0, 0.5..4.0]);
         let d = random.random_range(1.0..50.0);
-        let edges = [l, l + w, b, b + h, n, n + d].map(|v| float(fx(v)));
-        let [left, right, bottom, top, near, far] = edges.map(fx);
+        let edges = [l, l + w, b, b + h, n, n + d].map(|v| float(number(v)));
+        let [left, right, bottom, top, near, far] = edges.map(number);
         let window = Window {
             left,
             right,
@@ -163,14 +164,14 @@ fn the_other_depth_mapping() {
     let (n, f) = (2.0, 10.0);
     // With z positive ahead, the transform gives the same depth with the opposite sign.
     let depth = |z: f64| {
-        let matrix = Matrix4::perspective_transform(fx(n), fx(f));
+        let matrix = Matrix4::perspective_transform(number(n), number(f));
         -float(matrix.project(vec(0.0, 0.0, -z)).unwrap().z)
     };
     close(depth(n), n, 0.0);
     close(depth(f), f, 0.0);
     let mut last = f64::NEG_INFINITY;
     for i in 0..=1_000 {
-        let z = float(fx(n + (f - n) * f64::from(i) / 1_000.0));
+        let z = float(number(n + (f - n) * f64::from(i) / 1_000.0));
         close(depth(z), (n + f) - n * f / z, STEP / 2.0);
         assert!(depth(z) > last);
         last = depth(z);
@@ -180,7 +181,7 @@ fn the_other_depth_mapping() {
 #[test]
 fn orthographic_projections_map_a_box_to_the_cube() {
     let edges = [-3.0, 5.0, -1.0, 1.0, 2.0, 10.0];
-    let [l, r, b, t, n, f] = edges.map(fx);
+    let [l, r, b, t, n, f] = edges.map(number);
     let window = Window {
         left: l,
         right: r,
@@ -248,10 +249,10 @@ fn vanishing_points_follow_their_formula() {
         } else {
             0.1..100.0
         };
-        let v = [-100.0..100.0, -100.0..100.0, z].map(|range| random.random_range(range));
+        let v = within(random, [-100.0..100.0, -100.0..100.0, z]);
         let direction = vec(v[0], v[1], v[2]);
         let found = projection().vanishing_point(direction).unwrap().map(float);
-        let [x, y, z] = v.map(|v| float(fx(v)));
+        let [x, y, z] = exact(rounded(v));
         all_close(found, [-2.0 * x / z, -2.0 * y / z], 0.501 * STEP);
     });
 }
@@ -259,8 +260,8 @@ fn vanishing_points_follow_their_formula() {
 #[test]
 fn lines_approach_their_vanishing_points() {
     cases(256, |random| {
-        let p = [-10.0..10.0, -10.0..10.0].map(|range| random.random_range(range));
-        let v = [-1.0..1.0, -1.0..1.0].map(|range| random.random_range(range));
+        let p = within(random, [-10.0..10.0, -10.0..10.0]);
+        let v = within(random, [-1.0..1.0, -1.0..1.0]);
         let projection = projection();
         let end = projection
             .vanishing_point(vec(v[0], v[1], -1.0))

@@ -4,12 +4,13 @@ use fixel::prelude::*;
 use fixel::view::{Segment, speed};
 use rand::Rng;
 
-use crate::common::random::cases;
+use crate::common::random::{cases, within};
+use crate::moves::{exact, number, rounded};
 
-use super::given::{STEP, UNIT_STEP, close, float, fx, unit, vec};
+use super::given::{STEP, UNIT_STEP, close, float, unit, vec};
 
 fn segment(z0: f64, z1: f64) -> Segment {
-    Segment::new(fx(z0), fx(z1)).unwrap()
+    Segment::new(number(z0), number(z1)).unwrap()
 }
 
 #[test]
@@ -32,11 +33,11 @@ fn the_fraction_in_space() {
 #[test]
 fn depth_and_fraction_of_any_segment() {
     cases(256, |random| {
-        let z = [0.1..1000.0, 0.1..1000.0].map(|range| random.random_range(range));
+        let z = within(random, [0.1..1000.0, 0.1..1000.0]);
         let q = random.random_range(0.0..1.0);
         let s = segment(z[0], z[1]);
         // The arguments after rounding to the crate's formats.
-        let [z0, z1] = z.map(|z| float(fx(z)));
+        let [z0, z1] = z.map(|z| float(number(z)));
         let q: f64 = unit(q).to_num();
         let depth = 1.0 / (1.0 / z0 + q * (1.0 / z1 - 1.0 / z0));
         // Rounded once; f64 itself has a relative error of only 1e-13.
@@ -59,7 +60,7 @@ fn both_forms_give_the_same_point() {
             random.random_range(0.1..100.0),
             random.random_range(0.1..100.0),
         );
-        let [a, b] = [-100.0..100.0, -100.0..100.0].map(|range| fx(random.random_range(range)));
+        let [a, b] = within(random, [-100.0..100.0, -100.0..100.0]).map(number);
         let f = unit(random.random_range(0.0..1.0));
         // R = lerp(a/w0, b/w1, f) / lerp(1/w0, 1/w1, f).
         let homogeneous = segment.attribute(a, b, f).unwrap();
@@ -76,9 +77,15 @@ fn both_forms_give_the_same_point() {
 }
 
 fn check_speed(n: f64, p: [f64; 3], v: [f64; 3], t: f64) {
-    let found = speed(fx(n), vec(p[0], p[1], p[2]), vec(v[0], v[1], v[2]), fx(t)).unwrap();
-    let [n, t] = [n, t].map(|x| float(fx(x)));
-    let [p, v] = [p, v].map(|x| x.map(|x| float(fx(x))));
+    let found = speed(
+        number(n),
+        vec(p[0], p[1], p[2]),
+        vec(v[0], v[1], v[2]),
+        number(t),
+    )
+    .unwrap();
+    let [n, t] = [n, t].map(|x| float(number(x)));
+    let [p, v] = [p, v].map(|x| exact(rounded(x)));
     for i in 0..2 {
         let expected = -n * (v[i] * p[2] - p[i] * v[2]) / (p[2] + v[2] * t).powi(2);
         // Rounded once.
@@ -90,8 +97,8 @@ fn check_speed(n: f64, p: [f64; 3], v: [f64; 3], t: f64) {
 fn speed_along_a_line_follows_its_formula() {
     cases(256, |random| {
         let n = random.random_range(0.1..10.0);
-        let p = [-50.0..50.0, -50.0..50.0, -50.0..-1.0].map(|range| random.random_range(range));
-        let v = [-10.0..10.0, -10.0..10.0, -10.0..0.0].map(|range| random.random_range(range));
+        let p = within(random, [-50.0..50.0, -50.0..50.0, -50.0..-1.0]);
+        let v = within(random, [-10.0..10.0, -10.0..10.0, -10.0..0.0]);
         let t = random.random_range(0.0..10.0);
         check_speed(n, p, v, t);
     });
@@ -104,7 +111,7 @@ fn speed_at_the_ends_of_the_format() {
         let n = random.random_range(16000.0..32767.0);
         let p = [-32767.0..32767.0, 20000.0..32767.0, -32767.0..-20000.0];
         let v = [-32767.0..32767.0, -32767.0..-20000.0, -32767.0..-20000.0];
-        let [p, v] = [p, v].map(|v| v.map(|range| random.random_range(range)));
+        let [p, v] = [p, v].map(|v| within(random, v));
         let t = random.random_range(1.0..2.0);
         check_speed(n, p, v, t);
     });
@@ -115,7 +122,8 @@ fn equal_steps_in_depth_shrink_on_screen() {
     let projection =
         Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(1), fx!(1000)).unwrap();
     let at = |t: f64| float(projection.image(vec(0.0, -1.0, -1.0 - t)).unwrap()[1]);
-    let speed = |t: f64| float(speed(fx!(1), vec3!(0, -1, -1), vec3!(0, 0, -1), fx(t)).unwrap()[1]);
+    let speed =
+        |t: f64| float(speed(fx!(1), vec3!(0, -1, -1), vec3!(0, 0, -1), number(t)).unwrap()[1]);
     let mut last = f64::INFINITY;
     // The loop ends where the change between steps, 2/t³, is twice the rounding of three points.
     for t in 0..25 {

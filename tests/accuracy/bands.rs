@@ -1,0 +1,73 @@
+//! Drawing in bands with a shader that records its input: for the tests of wide lines and of sized points.
+
+use std::ops::Range;
+
+use crate::common::random::{Random, within};
+use crate::common::recorder::{Probe, Recorder, Seen, record};
+use crate::reference::coverage::Bounds;
+use embedded_graphics::pixelcolor::Gray8;
+use fixel::Drawn;
+use fixel::prelude::*;
+use fixel::target::{Depth, Native};
+use rand::Rng;
+
+/// How many inputs a test checks.
+pub const CASES: u64 = 400;
+
+/// A position in 24.8.
+pub type Point = [i32; 2];
+
+pub const SIZE: (u32, u32) = (90, 40);
+
+pub type Frame<'f> = Canvas<'f, Gray8, Native, Depth<'f>>;
+pub type Pen<'p, 'v> = Recorder<'p, Probe<'v, [i32; 1]>, 1>;
+
+/// The pixels of a draw call in bands of `rows` rows, each with the interpolated x of the position.
+pub fn drawn(rows: u32, draw: &dyn Fn(&mut Frame<'_>, &Pen<'_, '_>) -> Drawn) -> Vec<Seen<1>> {
+    let values = |corner: &Corner<'_>| [corner.position().x.to_bits()];
+    let probe = Probe {
+        values: &values,
+        color: Some(Gray8::new(1)),
+    };
+    let (width, height) = SIZE;
+    let mut all = Vec::new();
+    for first in (0..height).step_by(rows as usize) {
+        let pixels = (width * rows.min(height - first)) as usize;
+        let (mut colors, mut depths) = (vec![Gray8::new(0); pixels], vec![0; pixels]);
+        let band = Canvas::band(&mut colors, width, height, first).unwrap();
+        let mut band = band.with_depth(&mut depths).unwrap();
+        let record = record(probe, |pen| {
+            draw(&mut band, pen);
+        });
+        all.extend(record.seen);
+    }
+    all.sort_by_key(|seen| (seen.pixel[1], seen.pixel[0]));
+    all
+}
+
+/// How often each pixel was drawn.
+pub fn counts(seen: &[Seen<1>]) -> Vec<u32> {
+    let mut counts = vec![0; (SIZE.0 * SIZE.1) as usize];
+    for seen in seen {
+        counts[seen.pixel[1] as usize * SIZE.0 as usize + seen.pixel[0] as usize] += 1;
+    }
+    counts
+}
+
+/// How often the model draws each pixel.
+pub fn modelled(has: &dyn Fn([i32; 2]) -> bool) -> Vec<u32> {
+    let pixels = Bounds::new(SIZE.0, SIZE.1).pixels();
+    pixels.map(|pixel| u32::from(has(pixel))).collect()
+}
+
+/// Positions in and around the picture: on pixel corners, on centers, on any subpixel.
+pub fn place(random: &mut Random) -> Point {
+    let kind = random.random_range(0..4);
+    let mut at = |x: Range<i32>, y: Range<i32>| within(random, [x, y]);
+    match kind {
+        0 => at(-10..100, -10..50).map(|at| at * 256),
+        1 => at(-10..100, -10..50).map(|at| at * 256 + 128),
+        2 => at(-3000..26_000, -3000..13_000),
+        _ => at(-500_000..500_000, -500_000..500_000),
+    }
+}

@@ -1,0 +1,153 @@
+//! Sized points: their pixels, from exact integers; sizes in world space, from f64.
+
+use crate::bands::{CASES, Frame, Pen, SIZE, counts, drawn, modelled, place};
+use crate::common::random::{cases, within};
+use crate::common::{at_subpixel, pixel_lens};
+use crate::moves::number;
+use crate::reference::coverage::{Bounds, center, picture};
+use embedded_graphics::pixelcolor::Gray8;
+use fixel::prelude::*;
+use rand::Rng;
+
+/// A square covers the centers from half its size left of and above the point to half its size right of and below
+/// it. Centers exactly on the right and lower sides count; those on the left and upper sides do not. A disc covers
+/// the centers within half its size, and the pixel that contains the point.
+#[test]
+fn points_are_the_models() {
+    cases(CASES, |random| {
+        let (place, is_round) = (place(random), random.random());
+        let most = if random.random() {
+            300 << 16
+        } else {
+            (1 << 19) - 1
+        };
+        let bits = random.random_range(1..=most);
+        let rows = random.random_range(1..40);
+        let mvp = pixel_lens(SIZE);
+        let positions = [at_subpixel(place)];
+        let mesh = Mesh::new(&positions, &[]).unwrap();
+        let size = Scalar::from_bits(bits);
+        let style = if is_round {
+            PointStyle::round(size)
+        } else {
+            PointStyle::square(size)
+        }
+        .unwrap();
+        let draw = |frame: &mut Frame<'_>, pen: &Pen<'_, '_>| {
+            frame.draw_sized_points(&DrawOptions::new(), &mesh, style, &mvp, pen)
+        };
+        let seen = drawn(SIZE.1, &draw);
+        let half = ((i64::from(bits) + 256) >> 9).clamp(128, 255 * 128);
+        let model = modelled(&|pixel| {
+            let [x, y] =
+                [0, 1].map(|axis| i64::from(pixel[axis]) * 256 + 128 - i64::from(place[axis]));
+            let is_own = [0, 1].map(|axis| place[axis].div_euclid(256)) == pixel;
+            if is_round {
+                is_own || x * x + y * y <= half * half
+            } else {
+                [x, y].iter().all(|&away| -half < away && away <= half)
+            }
+        });
+        let inputs = || format!("{style:?} at {place:?}, {rows} rows");
+        assert_eq!(
+            picture(&counts(&seen), SIZE.0),
+            picture(&model, SIZE.0),
+            "{}",
+            inputs()
+        );
+        assert_eq!(drawn(rows, &draw), seen, "{}", inputs());
+        assert!(
+            seen.iter()
+                .all(|seen| seen.values == [positions[0].x.to_bits()]),
+            "{}",
+            inputs()
+        );
+        if bits == 1 << 16 && !is_round {
+            assert_eq!(
+                drawn(SIZE.1, &|frame, pen| frame.draw_points(
+                    &DrawOptions::new(),
+                    &mesh,
+                    &mvp,
+                    pen
+                )),
+                seen
+            );
+        }
+    });
+}
+
+/// Points with a size in world space: half of it is size · focal length / distance / 2 pixels, or, under a parallel
+/// projection, size · height of the frame / height of the window / 2.
+#[test]
+fn attenuated_points_are_the_models() {
+    cases(CASES, |random| {
+        loop {
+            let ranges = [-2.0..2., -30.0..-0.6, 0.001..20., 0.5..2.];
+            let [x, z, size, scale] = within(random, ranges).map(number);
+            let positions = [Vec3::new(x, fx!(0), z)];
+            let mesh = Mesh::new(&positions, &[]).unwrap();
+            let is_round: bool = random.random();
+            let style = if is_round {
+                PointStyle::round(size)
+            } else {
+                PointStyle::square(size)
+            }
+            .unwrap()
+            .attenuated();
+            // A scale of the model moves the point, and does not change its size.
+            let model = Transform::scale(scale);
+            let world = model.point(positions[0]);
+            let distance = -f64::from(world.z.to_bits()) / 65536.;
+            if distance <= 0.51 || distance >= 31. {
+                continue;
+            }
+            let focal = Projection::from_focal_length(fx!(50), SIZE, fx!(0.5), fx!(32)).unwrap();
+            let window =
+                Projection::orthographic(Window::centered(fx!(9), fx!(4)), fx!(0.5), fx!(32))
+                    .unwrap();
+            let options = DrawOptions::new();
+            let size = f64::from(size.to_bits()) / 65536.;
+            let perspective = drawn(SIZE.1, &|frame, pen| {
+                frame.draw_sized_points(&options, &mesh, style, &(focal * model), pen)
+            });
+            let parallel = drawn(SIZE.1, &|frame, pen| {
+                frame.draw_sized_points(&options, &mesh, style, &(window * model), pen)
+            });
+            let mut colors = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
+            let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
+            let places = [
+                canvas.project(&options, &(focal * model), positions[0]),
+                canvas.project(&options, &(window * model), positions[0]),
+            ];
+            let halves = [size * 50. / distance / 2., size * 10. / 2.];
+            for ((seen, place), half) in [perspective, parallel].iter().zip(places).zip(halves) {
+                let Some(place) = place else {
+                    assert!(seen.is_empty(), "{world:?}");
+                    continue;
+                };
+                let half = half.clamp(0.5, 127.5);
+                // Half a size is rounded to the nearest 1/256. The crate divides by t, which exceeds w / near by 2^-16
+                // of it.
+                let room = 0.5 / 256. + half * 2e-5 + 1e-9;
+                let counts = counts(seen);
+                for (pixel, &count) in Bounds::new(SIZE.0, SIZE.1).pixels().zip(&counts) {
+                    let at = center(pixel);
+                    let place = [place.x, place.y].map(|x| f64::from(x.to_bits()) / 256.);
+                    let away = [0, 1].map(|axis| at[axis] - place[axis]);
+                    let is_own = place.map(|x| x.floor() as i32) == pixel;
+                    let away = if is_round {
+                        away[0].hypot(away[1])
+                    } else {
+                        away[0].abs().max(away[1].abs())
+                    };
+                    if away < half - room || is_own {
+                        assert_eq!(count, 1, "{pixel:?}: {away} of {half}");
+                    } else if away > half + room {
+                        assert_eq!(count, 0, "{pixel:?}: {away} of {half}");
+                    }
+                }
+            }
+            break;
+        }
+    });
+}
