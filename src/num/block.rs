@@ -180,7 +180,7 @@ pub(crate) fn divide(numerator: i64, denominator: i64) -> Option<i32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::cases;
+    use crate::random::{cases, within};
     use rand::Rng;
 
     #[allow(clippy::cast_precision_loss)]
@@ -208,11 +208,7 @@ mod tests {
     fn normalizing_rounds_to_nearest() {
         cases(256, |random| {
             let v = random.random::<[i64; 3]>();
-            let cut = [
-                random.random_range(0_u32..64),
-                random.random_range(0..64),
-                random.random_range(0..64),
-            ];
+            let cut = within(random, [0_u32..64, 0..64, 0..64]);
             let exp = random.random_range(-20..70);
             let v: [i64; 3] = core::array::from_fn(|i| v[i] >> cut[i]);
             let (m, e) = normalized(v, exp);

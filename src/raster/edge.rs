@@ -150,7 +150,7 @@ impl ShortEdge {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::cases;
+    use crate::random::{cases, within};
     use rand::Rng;
 
     /// The height of an edge, and the height times its crossing of a row.
@@ -188,10 +188,7 @@ mod tests {
     #[test]
     fn short_edges_are_exact() {
         cases(4000, |random| {
-            let from = [
-                random.random_range(-2048_i32 << 8..2048 << 8),
-                random.random_range(-2048_i32 << 8..2048 << 8),
-            ];
+            let from = within(random, [-2048 << 8..2048 << 8, -2048 << 8..2048 << 8]);
             let dx = random.random_range(-SHORT..SHORT);
             let dy = random.random_range(1_i32..SHORT);
             let size = random.random_range(0_u32..15);

@@ -1,7 +1,7 @@
 //! The coefficients of projections against their formulas in f64, and refused arguments.
 
 use super::*;
-use crate::random::{Random, cases};
+use crate::random::{Random, cases, within};
 use crate::{Angle, Vec3};
 use core::f64::consts::TAU;
 use rand::Rng;
@@ -50,10 +50,7 @@ fn ordered(random: &mut Random) -> (Scalar, Scalar) {
 fn perspective_has_28_bits() {
     cases(256, |random| {
         let bits = random.random_range(1 << 16..1_u32 << 31);
-        let size = [
-            random.random_range(1_u32..8192),
-            random.random_range(1..8192),
-        ];
+        let size = within(random, [1_u32..8192, 1..8192]);
         let fov = Angle::from_bits(bits);
         let projection =
             Projection::perspective(fov, (size[0], size[1]), one(0.1), one(100.0)).unwrap();
