@@ -154,7 +154,7 @@ impl Scene {
                 };
                 let pixels = drawing.all(&values);
                 let model = model
-                    .get_or_insert_with(|| self.model(&pixels, drawing.places(&self.positions)));
+                    .get_or_insert_with(|| self.model(&pixels, &drawing.places(&self.positions)));
                 assert_eq!(drawn(&pixels), model.drawn, "coverage in {mode:?}");
                 let mut comparison = Comparison {
                     snapped: Spread::default(),
@@ -176,7 +176,7 @@ impl Scene {
     }
 
     /// The model of drawn pixels, which every mode must draw alike.
-    fn model(&self, pixels: &[Seen<3>], places: Vec<Option<[i32; 2]>>) -> Model {
+    fn model(&self, pixels: &[Seen<3>], places: &[Option<[i32; 2]>]) -> Model {
         let Self { shape, view, .. } = self;
         let unsnapped = pieces(&shape.mesh(), view);
         let snap = |pieces: &[Piece<2>]| -> Vec<_> {
