@@ -189,7 +189,7 @@
 //! let glass = DrawOptions::new()
 //!     .with_cull(Cull::Nothing) // both sides
 //!     .with_depth(TestOnly) // hides nothing that is drawn later
-//!     .with_blending(Opacity(96)); // of 256
+//!     .with_blending(Opacity(96)); // of 255
 //! let floor = DrawOptions::new().with_mode(Fast::within(fx!(0.25)));
 //! assert_eq!(glass.cull(), Cull::Nothing);
 //! assert_eq!(floor.cull(), Cull::Back);
@@ -266,7 +266,7 @@
 //! | what you see | what to check |
 //! |---|---|
 //! | nothing, and [`submitted`](crate::Drawn::submitted) is 0 | the mesh has no faces |
-//! | nothing, and [`drawn`](crate::Drawn::drawn) is 0 | all triangles are culled or out of view: if [`Cull::Nothing`](crate::Cull::Nothing) shows them, they run clockwise; [`Canvas::project`](crate::Canvas::project) gives the place of a point on the screen, or `None` if it is nearer than the near plane or beyond the far plane |
+//! | nothing, and [`drawn`](crate::Drawn::drawn) is 0 | all triangles are culled or out of view: if [`Cull::Nothing`](crate::Cull::Nothing) shows them, they run clockwise; [`Canvas::project`](crate::Canvas::project) gives the place of a point on the screen, or `None` if it is nearer than the near plane, beyond the far plane, or far outside the viewport |
 //! | nothing, although triangles are drawn | the depths of the last frame are left: call `clear` before each frame |
 //! | the inside of objects | the triangles run clockwise: see [Mesh](#mesh) |
 //! | one color in place of a texture or of vertex colors | [`missing`](crate::Drawn::missing): the mesh lacks texture coordinates or colors |

@@ -38,7 +38,6 @@ impl Direction {
         self.0.map(Unit::from_bits)
     }
 
-    /// Returns x, y and z in units of 2⁻³⁰.
     /// The cosine of the angle to another direction, in units of 2⁻³⁰, with an error of at most 4 units; 0 if one is
     /// [`NONE`](Self::NONE).
     #[inline]
@@ -60,6 +59,7 @@ impl Direction {
         Self(bits)
     }
 
+    /// Returns x, y and z in units of 2⁻³⁰.
     #[inline]
     pub(crate) const fn to_bits(self) -> [i32; 3] {
         self.0

@@ -117,7 +117,7 @@ impl Transform {
 
     /// Moves by `offset`.
     ///
-    /// An offset keeps 30 significant bits. If a component is ±8192 or more, the offset is rounded to nearest.
+    /// An offset keeps 30 significant bits. If a component is ±16,384 or more, the offset is rounded to nearest.
     #[must_use]
     pub fn translate(offset: Vec3) -> Self {
         let mut t = Self::IDENTITY;

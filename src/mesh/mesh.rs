@@ -106,9 +106,8 @@ impl<'a> Mesh<'a> {
     ///
     /// Rounding to these units moves a position by up to half a unit along each axis. On the screen, the position moves
     /// by up to √3/2 units times focal length / w, and by as much again times the slope x/w or y/w at which it is seen.
-    /// For a sphere that fills 320x240, with 14 fraction bits, this is 0.008 pixels. Compared with a 32-bit position,
-    /// it takes 7 more instructions to transform one on Cortex-M4, and 47 fewer on Cortex-M0+, which has no products
-    /// beyond 32 bits.
+    /// For a sphere that fills 320x240, with 14 fraction bits, this is 0.008 pixels. Such a position takes 7
+    /// instructions more to transform than a 32-bit one on Cortex-M4, and about 10 more on Cortex-M0+.
     ///
     /// [`shape!`](crate::shape) and [`include_obj!`](crate::include_obj) produce such meshes with the argument
     /// `short`; [`Mesh::shortened`] converts the positions of any mesh.

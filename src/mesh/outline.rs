@@ -86,7 +86,7 @@ impl<'a> Outline<'a> {
     /// static BALL: Mesh = shape!(sphere(8, 4));
     /// let mut room = [[0; 4]; 3 * 48];
     /// let ball = Outline::build(&BALL, deg!(60), &mut room)?;
-    /// // 48 triangles have 72 edges. Around the poles, they meet at more than 60 degrees.
+    /// // 48 triangles have 72 edges. Nowhere do they meet at more than 60 degrees.
     /// assert_eq!((ball.edges().len(), ball.creases()), (72, 0));
     /// # Ok::<(), Error>(())
     /// ```

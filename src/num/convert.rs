@@ -9,7 +9,7 @@ use crate::sealed::{Sealed, sealed};
 ///
 /// # Errors
 ///
-/// [`Error::NotRepresentable`] if `value` is not a number or its magnitude is beyond ±32768.
+/// [`Error::NotRepresentable`] if `value` is not a number, or lies outside −32768 to 32768 − 2⁻¹⁶ when rounded.
 ///
 /// ```
 /// use fixel::{Scalar, num::scalar};
@@ -25,7 +25,7 @@ pub const fn scalar(value: f64) -> Result<Scalar, Error> {
 ///
 /// # Errors
 ///
-/// [`Error::NotRepresentable`] if `value` is not a number or its magnitude is beyond ±2048.
+/// [`Error::NotRepresentable`] if `value` is not a number, or lies outside −2048 to 2048 − 2⁻²⁰ when rounded.
 ///
 /// ```
 /// use fixel::num::{TexCoord, tex_coord};

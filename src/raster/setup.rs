@@ -10,7 +10,7 @@ pub(crate) use super::scale::Scale;
 /// The most pixels of a span; every span computes its interpolants afresh.
 ///
 /// A step is rounded by up to half a unit of 2⁻³⁰, so a span adds at most 32 units of error. All modes use the same
-/// length and so get the same depths.
+/// length, so all but `Compact`, which has other planes, get the same depths.
 pub(crate) const SPAN: i32 = 64;
 
 /// The nearest corner's 1/w lies between 2^30 and 2^31. A corner with this 1/w or less is far: 1/w may change

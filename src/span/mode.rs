@@ -21,7 +21,7 @@ use crate::shade::{Lanes, Tolerance};
 /// | [`Newton`], the default | 0.001 | one Newton step of a reciprocal | all but the smallest cores |
 /// | [`Fast`] | its tolerance, plus 1/32 | additions | Cortex-M0+, large triangles |
 /// | [`Fast::NARROW`] | 1/16 | additions | Cortex-M0+, where a larger error would show |
-/// | [`Exact`] | 0.001, in triangles of any depth | a 31-bit reciprocal | a reference to compare with; 64-bit computers |
+/// | [`Exact`] | 0.001, also in triangles of great depth | a 31-bit reciprocal | a reference to compare with; 64-bit computers |
 /// | [`Affine`] | no bound | additions | surfaces that face the eye or are small |
 /// | [`Compact`] | 0.001 | a 31-bit reciprocal | programs that must be small |
 ///

@@ -89,10 +89,11 @@ pub trait ModelToPicture: Sealed {
     #[doc(hidden)]
     fn projection_of(&self) -> &Projection<Self::Kind>;
 
-    /// From model to world space.
+    /// From world to eye space.
     #[doc(hidden)]
     fn camera_of(&self) -> &Transform;
 
+    /// From model to world space.
     #[doc(hidden)]
     fn model_of(&self) -> &Transform;
 
