@@ -185,7 +185,7 @@ def places(instructions, other):
         ("an edge of an outline, drawn or not", "outline"),
         ("a point", "point"),
         ("a disc of 3 pixels", "disc-3-wide"),
-        ("a triangle of a list, sorted back to front (more than in the order of the mesh)", "sort"),
+        ("a triangle of a list, sorted back to front (added to its cost in the order of the mesh)", "sort"),
         ("a triangle tested against a ray", "ray"),
         ("a keyframe's vertex, with its normal", "keyframe"),
         ("a triangle of a mesh whose smooth normals are computed", "smooth-normals"),
@@ -198,7 +198,7 @@ def places(instructions, other):
         ("a gray, diffused to one of 8 pixels in a byte", "mono-diffused"),
     ]:
         row(BENCHMARKS, label, whole, *names)
-    says(BENCHMARKS, "| the same, prepared once ({}, {}, {}, {}) and drawn | {} | {} | {} | {} |",
+    says(BENCHMARKS, "| the same, prepared once (in these columns, for {}, {}, {}, {}) and drawn | {} | {} | {} | {} |",
          [whole(kernel(name, column)) for name in ["prepare-line", "prepared-line"] for column in COLUMNS])
 
     # Bytes.

@@ -3,8 +3,8 @@
 //! Read the pages in this order, or go straight to your question. The tests compile every program on these pages, and
 //! run those that can run on a computer.
 //!
-//! 1. **[Concepts](concepts)**: mesh, projection, camera, shader, options, canvas, depth and band, with diagrams; how to
-//!    write numbers; and what to check when the scene is wrong.
+//! 1. **[Concepts](concepts)**: mesh, projection, camera, shader, options, canvas, depth and band, with diagrams;
+//!    how to write numbers; and what to check when the scene is wrong.
 //! 2. **[Coming from](coming_from)** OpenGL, tgx, embedded-3dgfx or small3dlib: their terms, the terms of fixel, and
 //!    what differs.
 //! 3. **[Cookbook](cookbook)**: short programs with their pictures, one idea each.
