@@ -172,7 +172,7 @@ impl<'a> Sprites<'a> {
     }
 
     /// Divides the texture into a grid of columns and rows, and shows one cell of it, a frame, on each sprite. Frames
-    /// are counted from 0 at the top left, row by row. After the last frame, the first one follows.
+    /// are counted from 0 at the top left, row by row. Beyond the last frame, counting begins again with the first one.
     ///
     /// # Errors
     ///

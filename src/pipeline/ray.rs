@@ -13,7 +13,7 @@ use crate::target::{Canvas, Storage};
 use crate::view::ModelToPicture;
 use crate::{Error, Scalar, Unit, Vec3};
 
-/// A half-line without end: the points that are seen at a pixel, or the path of a shot.
+/// A half-line: the points that are seen at a pixel, or the path of a shot.
 ///
 /// [`Canvas::ray`] makes the ray of a pixel, and [`hit`](Self::hit) finds the face of a mesh that it meets first.
 ///

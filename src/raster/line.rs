@@ -8,9 +8,9 @@ use super::{ClippedVertex, Patch, Rasterizer, ScreenVertex};
 
 /// The default style of lines: one pixel wide, not anti-aliased.
 ///
-/// For each pixel center that the line passes along its longer axis, it gets one pixel: across that axis, the pixel
-/// that contains the line. A center at the left end (in steep lines, the upper end) belongs to the line; a center at
-/// the right (lower) end does not. So lines that continue each other along the same axis draw no pixel twice.
+/// For each pixel center that a line passes along its longer axis, one pixel is drawn: the one that contains the line
+/// there. A center at the left end (in steep lines, the upper end) belongs to the line; a center at the right (lower)
+/// end does not. So lines that continue each other along the same axis draw no pixel twice.
 ///
 /// ```text
 ///  pixels  |   ·   |   ·   |   ·   |   ·   |

@@ -8,7 +8,7 @@ use crate::{Error, Scalar};
 
 /// Lines of a width in pixels. For anti-aliased ones, see [`smooth`](Self::smooth).
 ///
-/// For each pixel center that a line passes along its longer axis, it gets a run of pixels across that axis: those
+/// For each pixel center that a line passes along its longer axis, a run of pixels is drawn across that axis: those
 /// whose centers are at most half the width away from the line. A center exactly on the upper or left end of the run
 /// does not belong to it; a center on the lower or right end does. So a line of width 1 has the pixels of a
 /// [`Hairline`](crate::Hairline), and a line of width n has n pixels in each run.

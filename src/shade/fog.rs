@@ -14,7 +14,8 @@ use crate::{Error, Scalar};
 #[cfg_attr(doc, doc = page_picture!("in_fog", "A row of rings that fade into gray"))]
 /// The distance z is measured from the eye along the view direction, as [`Corner::distance`](crate::Corner::distance)
 /// is. It is interpolated in correct perspective. Colors of 16 bits are blended in 32 steps, others in 256
-/// ([`Blend::WEIGHT_BITS`]). The remaining part of the surface has an error of at most half a step plus 1/100.
+/// ([`Blend::WEIGHT_BITS`]). The share of the surface that remains has an error of at most half of such a step plus
+/// 1/100.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, Gray4, GrayColor}};
@@ -179,8 +180,8 @@ impl Exponential {
 impl<C: Blend> Fog<C> {
     /// Fog that begins at the distance `near` and hides everything from `far` on.
     ///
-    /// If `far` − `near` is less than a unit, a triangle fades at the wrong place if it reaches beyond `far` by 65,536
-    /// times that length.
+    /// If `far` − `near` is less than a unit, a triangle that reaches beyond `far` by 65,536 times that length fades at
+    /// the wrong place.
     ///
     /// # Errors
     ///

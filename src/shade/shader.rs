@@ -28,7 +28,8 @@ pub struct Fragment {
     pub depth: u16,
 }
 
-/// Colors a surface: it computes values at the corners of each triangle, and a pixel's color from the interpolated values.
+/// Colors a surface: it computes values at the corners of each triangle, and a pixel's color from the interpolated
+/// values.
 ///
 #[cfg_attr(doc, doc = page_picture!("lit", "A ring that is lit"))]
 /// [`varyings`](Self::varyings) runs once for each triangle, edge or point. [`shade`](Self::shade) runs once for each

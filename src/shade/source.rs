@@ -84,8 +84,8 @@ pub struct Translucent<C> {
 }
 
 impl<C> Translucent<C> {
-    /// The same color with its opacity multiplied by another one, where 255 is 1: a sprite that fades away. Rounded to
-    /// nearest.
+    /// The same color with its opacity multiplied by another one, where 255 is 1, and rounded to nearest. Use it for a
+    /// sprite that fades away.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;

@@ -4,7 +4,7 @@ use super::lanes::{Lanes, MOST};
 
 /// The error that a varying may have if that saves the division by w.
 ///
-/// [`Varyings`] carry it in their types: [`Texels`], [`Within`], or plain numbers, which are exact.
+/// [`Varyings`] carry it in their types: [`Texels`], [`Within`], or plain numbers, whose tolerance is 0.
 ///
 /// ```
 /// use fixel::shade::{Texels, Tolerance, Varyings, Within};

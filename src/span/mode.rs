@@ -28,7 +28,8 @@ use crate::shade::{Lanes, Tolerance};
 /// Under a parallel projection, attributes are linear on the screen, so every mode only adds. Each mode draws the same
 /// pixels in bands and in whole frames, and on every target. Depths are the same in all modes but `Compact`.
 ///
-/// For each span of up to 64 pixels, a mode chooses among four kernels: straight, pieces, Newton, divide.
+/// A span is a piece of a row, of up to 64 pixels. For each span, a mode chooses among four loops over pixels, the
+/// kernels: straight, pieces, Newton, divide.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::{Exact, Mode}};

@@ -210,7 +210,7 @@ impl<'a> Canvas<'a, BinaryColor, Pages> {
     }
 
     /// A band of pages. The last page may reach below the frame. The first row in memory is the first bit of a page, so
-    /// for a display `first_row` is a multiple of 8.
+    /// `first_row` must be a multiple of 8 if the band is sent to such a display.
     ///
     /// # Errors
     ///
@@ -373,8 +373,8 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// Shows the canvas on a display of another color, as [`show`](Self::show) does. `color` converts the color at each
     /// point of the frame.
     ///
-    /// A canvas of [`ColorIndex`](super::ColorIndex) looks its colors up in a palette this way. A gray canvas can be dithered
-    /// once the whole frame is drawn and its [`Contrast`](super::Contrast) is known:
+    /// A canvas of [`ColorIndex`](super::ColorIndex) looks its colors up in a palette this way. A gray canvas can be
+    /// dithered once the whole frame is drawn and its [`Contrast`](super::Contrast) is known:
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{BinaryColor, Gray8, GrayColor};

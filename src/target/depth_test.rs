@@ -123,8 +123,8 @@ pub struct Biased<Z = super::TestAndWrite> {
 
 impl<Z> Biased<Z> {
     /// `test` with depths moved by `steps` steps of the depth buffer plus `slope` times the depth difference between
-    /// neighboring pixels, the greater of those across and down. Positive values move nearer. Depths saturate at both
-    /// ends.
+    /// neighboring pixels, across or down, whichever is greater. Positive values move a surface nearer. Depths saturate
+    /// at both ends.
     #[must_use]
     pub const fn new(test: Z, steps: i32, slope: Scalar) -> Self {
         Self {

@@ -35,8 +35,8 @@ impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
     /// with ordered dithering, but in a moving picture they change from frame to frame.
     ///
     /// The bands of a frame, shown one after the other, equal the whole frame. The display may be another canvas, for
-    /// example of [`Pages`](super::Pages). A display must consume every color, so such a canvas must have the size of
-    /// the frame.
+    /// example of [`Pages`](super::Pages). The display must consume every color that it is sent, so such a canvas must
+    /// have the size of the whole frame.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{BinaryColor, Gray8};

@@ -11,13 +11,12 @@ use super::depth::first;
 use super::storage::{RowSpan, Storage};
 use crate::sealed::sealed;
 
-/// A [`Storage`] with 8, 4 or 2 pixels in a byte, side by side: [`BinaryColor`], `Gray2`, `Gray4`, or a color of your own
-/// whose `Raw` is `RawU1`, `RawU2` or `RawU4`, such as an index into a palette of 16 colors.
+/// A [`Storage`] with 8, 4 or 2 pixels in a byte, side by side: [`BinaryColor`], `Gray2`, `Gray4`, or a color of your
+/// own whose `Raw` is `RawU1`, `RawU2` or `RawU4`, such as an index into a palette of 16 colors.
 ///
 /// The leftmost pixel has the most significant bits, and each row begins with a new byte, as in embedded-graphics'
-/// `Framebuffer`: a 128x64 frame of [`BinaryColor`] is 1 KiB. [`clear`](super::Canvas::clear) also fills the bits that are
-/// left at the end of a row. [`Canvas::packed`](super::Canvas::packed) makes a
-/// canvas.
+/// `Framebuffer`: a 128x64 frame of [`BinaryColor`] is 1 KiB. [`clear`](super::Canvas::clear) also fills the bits that
+/// are left at the end of a row. [`Canvas::packed`](super::Canvas::packed) makes a canvas.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray4, prelude::*};

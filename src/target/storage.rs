@@ -10,8 +10,8 @@ use crate::sealed::{Sealed, sealed};
 
 /// How a canvas stores colors of type `C`. Sealed: five types implement it.
 ///
-/// [`Native`] keeps the color itself. embedded-graphics' [`BigEndian`] and [`LittleEndian`] keep its raw bytes in
-/// that order, ready for a display's bus. [`Packed`](super::Packed) and [`Pages`](super::Pages) keep several pixels in a
+/// [`Native`] keeps the color itself. embedded-graphics' [`BigEndian`] and [`LittleEndian`] keep its raw bytes in that
+/// order, ready for a display's bus. [`Packed`](super::Packed) and [`Pages`](super::Pages) keep several pixels in a
 /// byte.
 ///
 /// ```

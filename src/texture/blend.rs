@@ -34,7 +34,8 @@ pub trait Blend: Copy {
     /// assert_eq!(Rgb565::BLACK.mix(Rgb565::YELLOW, 32), Rgb565::YELLOW);
     /// ```
     ///
-    /// Unless a color has a shorter way, [`blend`](Self::blend) must permit a weight of 1 too.
+    /// By default, this calls [`blend`](Self::blend) with this weight. So `blend` must then also accept the greatest
+    /// weight, which stands for 1.
     #[must_use]
     #[inline]
     fn mix(self, other: Self, weight: u32) -> Self {

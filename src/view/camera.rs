@@ -29,8 +29,8 @@ const ISOMETRIC_TILT: Angle = Angle::from_bits(420_720_557);
 impl Camera {
     /// Makes a camera at `eye` that shows `target` in the middle of the picture, with `up` upwards.
     ///
-    /// The axes of eye space are k = (eye − target)/‖·‖, i = up × k/‖·‖ and j = k × i. `up` may have any length, and
-    /// need not be orthogonal to the view direction.
+    /// The axes of eye space are k = (eye − target)/‖·‖, i = (up × k)/‖·‖ and j = k × i, where ‖·‖ is the length of the
+    /// vector before it. `up` may have any length, and need not be orthogonal to the view direction.
     ///
     /// # Errors
     ///
@@ -92,8 +92,8 @@ impl Camera {
     /// plane.
     ///
     /// A dome is a sphere seen from inside, with [`Cull::Front`](crate::Cull::Front): in colors by height
-    /// ([`Gradient`](crate::shade::Gradient)), or [`Textured`](crate::Textured) with a panorama. A sky box is a cube seen
-    /// from inside, with a texture for each side; the cookbook shows [both](crate::guide::cookbook).
+    /// ([`Gradient`](crate::shade::Gradient)), or [`Textured`](crate::Textured) with a panorama. A sky box is a cube
+    /// seen from inside, with a texture for each side; the cookbook shows [both](crate::guide::cookbook).
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -108,8 +108,8 @@ impl Camera {
         Self { view }
     }
 
-    /// Makes a camera at a `distance` from `target` that looks at it. The camera starts in front of the
-    /// target, turns to the right by `turn` and rises by `tilt`.
+    /// Makes a camera that looks at `target` from a `distance`. It starts in front of the target, on the side of +z,
+    /// turns to the right by `turn` and rises by `tilt`.
     ///
     /// Under an orthographic projection this is a trimetric view, unless the angles foreshorten two axes
     /// equally.

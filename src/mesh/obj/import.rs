@@ -51,9 +51,9 @@ pub const fn read<const N: usize>(text: &[u8], path: &str) -> (Room<N>, Counts) 
 /// The path is relative to the source file, as for [`include_str!`]. A mistake in the file stops compilation with a
 /// message that names its line. [`mesh::obj`](crate::mesh::obj) lists the statements it reads.
 ///
-/// A triangle takes the compiler about two milliseconds. For tens of thousands of triangles, let the simulator write the
-/// mesh as Rust source, which the compiler need not compute: `cargo run --release -p simulator -- model.obj --export
-/// model.rs`.
+/// A triangle takes the compiler about two milliseconds. For tens of thousands of triangles, let the simulator write
+/// the mesh as Rust source, which the compiler need not compute: `cargo run --release -p simulator -- model.obj
+/// --export model.rs`.
 ///
 /// ```standalone_crate
 /// use fixel::mesh::Quantized;
@@ -199,7 +199,7 @@ impl<const N: usize> Parts<N> {
 /// gives to this material. The result is a `&'static [Part]` for the mesh that [`include_obj!`](crate::include_obj)
 /// makes of the same OBJ file.
 ///
-/// These statements of an MTL file count; all others are ignored:
+/// These statements of an MTL file are read; all others are ignored:
 ///
 /// | statement | meaning |
 /// |---|---|
@@ -207,9 +207,10 @@ impl<const N: usize> Parts<N> {
 /// | `Kd r g b`, `Kd gray` | its color, each component from 0 to 1, rounded to the nearest 255th; white without this statement |
 /// | `map_Kd file`, `map_Kd -options … file` | the name of its texture; after options, the last word |
 ///
-/// Names extend to the end of their line or a comment, and may contain blanks. Faces before the first `usemtl` are a white
-/// part without a name. `mtllib` is ignored, because a macro cannot open files whose names it reads in another file. A
-/// mistake in a file stops compilation with a message that names its line; so does a material that the MTL file lacks.
+/// Names extend to the end of their line or a comment, and may contain blanks. Faces before the first `usemtl` are a
+/// white part without a name. `mtllib` is ignored, because a macro cannot open files whose names it reads in another
+/// file. A mistake in a file stops compilation with a message that names its line; so does a material that the MTL file
+/// lacks.
 ///
 /// ```standalone_crate
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};

@@ -50,9 +50,9 @@ impl Shape {
 
     /// A box from −`corner` to `corner`; the texture fills each of its six sides.
     ///
-    /// A side is two triangles. The sides follow each other in the order front (z), right (x), back (−z), left (−x), top
-    /// (y), bottom (−y), so that [`Mesh::part`] draws each with its own texture. Scaled by −1 along x, a box becomes a
-    /// sky box: a viewer inside it sees its sides and its textures the right way round.
+    /// A side is two triangles. The sides follow each other in the order front (z), right (x), back (−z), left (−x),
+    /// top (y), bottom (−y), so that [`Mesh::part`] draws each with its own texture. Scaled by −1 along x, a box
+    /// becomes a sky box: a viewer inside it sees its sides and its textures the right way round.
     ///
     /// # Errors
     ///

@@ -212,8 +212,8 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     /// | island with a lighthouse | 0.40 % | 19.1 KiB | 5.07 | 5.65 |
     /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 9.29 | 10.0 |
     ///
-    /// Sorting takes time for each triangle, and hidden pixels are drawn, too. But no pixel's depth is tested and stored,
-    /// which is most of the cost of a pixel of one color, such as the towers'.
+    /// Sorting takes time for each triangle, and hidden pixels are drawn, too. But no pixel's depth is tested and
+    /// stored, which is most of the cost of a pixel of one color, such as the towers'.
     ///
     /// No order is right for triangles that cross each other, or that cover each other in a circle. A large triangle
     /// may cover a small one in front of it if the small one's farthest corner is farther away. So draw a floor, or a

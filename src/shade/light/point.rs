@@ -34,9 +34,9 @@ pub enum Falloff {
 ///
 #[cfg_attr(doc, doc = page_picture!("point_light", "A floor and a ball beside a lamp"))]
 /// A surface with unit normal n at the distance d has the brightness b · f(d) · max(0, n·l): b is the lamp's
-/// brightness, f its [`Falloff`] and l the unit vector toward the lamp. The error is at most 9.2e-4, a quarter of a step
-/// of eight bits. Very near the lamp, the direction is less accurate because positions are in steps of 2⁻¹⁶; at the
-/// lamp itself, the brightness is 0.
+/// brightness, f its [`Falloff`] and l the unit vector toward the lamp. The error is at most 9.2e-4, a quarter of a
+/// step of eight bits. Very near the lamp, the direction is less accurate because positions are in steps of 2⁻¹⁶; at
+/// the lamp itself, the brightness is 0.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
