@@ -1,7 +1,7 @@
 //! The build script: tells `num/wide.rs` which products the target's core has.
 //!
-//! This file is not a module of the library. Stable Rust has no `cfg` that tells Cortex-M23 from Cortex-M33, or Cortex-M3
-//! from Cortex-M4; only the target's name does.
+//! This file is not a module of the library. Stable Rust has no `cfg` that tells Cortex-M23 from Cortex-M33, or
+//! Cortex-M3 from Cortex-M4; only the target's name does.
 
 use std::env;
 

@@ -399,7 +399,7 @@ impl From<Infallible> for Error {
 pub enum RefusedFloat {
     /// Not a number.
     Nan,
-    /// A number in thousandths, rounded towards zero; saturates.
+    /// A number in thousandths, rounded toward zero; saturates.
     Thousandths(i64),
 }
 

@@ -85,7 +85,7 @@
 //! | eye | right-handed: x right, y up, looking along −z | the world's | [`Camera`] |
 //! | clip | x right, y up, w = −z of eye space, or 1 under a parallel projection; a point is visible if −w ≤ x ≤ w, −w ≤ y ≤ w and it lies between the near and the far plane | homogeneous, 64 bits inside the crate | [`Projection`] |
 //! | screen | x right, y down from the frame's top left corner; pixel centers at halves | pixels, [`Subpixel`](num::Subpixel): 1/256 | [`Viewport`] |
-//! | depth | 65535 at the near plane, falling towards 0 with distance: greater is nearer | floor(65535 · near / w); under a parallel projection linear in the distance | [`Fragment::depth`] |
+//! | depth | 65535 at the near plane, falling toward 0 with distance: greater is nearer | floor(65535 · near / w); under a parallel projection linear in the distance | [`Fragment::depth`] |
 //! | texture | u right, v down from the top left corner | one repeat, [`TexCoord`] | [`Corner::uv`] |
 //!
 //! The module [`num`] lists all number formats with their range and resolution.

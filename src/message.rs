@@ -14,7 +14,7 @@ enum Piece<'a> {
 }
 use Piece::{Number, Scalar, Text};
 
-/// The text before the first such byte, and the text after it.
+/// Splits a text at the first such byte: the text before it, and the text after it, if there is such a byte.
 const fn cut(text: &str, byte: u8) -> (&str, Option<&str>) {
     let mut at = 0;
     while at < text.len() {

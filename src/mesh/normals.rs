@@ -32,9 +32,9 @@ fn measured(corners: [Vec3; 3]) -> Option<(Direction, [i32; 3])> {
 
 /// The angle between −`a` and `b`, both of length one in units of 2⁻³⁰, with a relative error below 2⁻¹³.
 ///
-/// A chord s of the unit circle belongs to an angle of 2 asin(s/2). Up to 90 degrees, that is s · P(s²/4) with a polynomial
-/// P; above, the chord to the opposite point is used. P is asin(√q)/√q, interpolated at the Chebyshev nodes of 0..1/2
-/// within 2⁻¹⁶.
+/// A chord s of the unit circle belongs to an angle of 2 asin(s/2). Up to 90 degrees, that is s · P(s²/4) with a
+/// polynomial P; above, the chord to the opposite point is used. P is asin(√q)/√q, interpolated at the Chebyshev nodes
+/// of 0..1/2 within 2⁻¹⁶.
 fn angle(a: [i32; 3], b: [i32; 3]) -> i32 {
     const P: [u32; 5] = [65_536, 10_893, 5_365, 640, 6_202];
     /// π.

@@ -142,8 +142,8 @@ const fn are_same(positions: Positions<'_>, a: Index, b: Index) -> bool {
     ax == bx && ay == by && az == bz
 }
 
-/// A hash of a position. Its products, of 32 and 31 bits, do not overflow, and of each result the lower 32 bits count: in
-/// the compiler, an operator takes a tenth of the time of a call such as `wrapping_mul`.
+/// A hash of a position. It multiplies 32 by 31 bits, which cannot overflow, and keeps the lower 32 bits: in the
+/// compiler, an operator takes a tenth of the time of a call such as `wrapping_mul`.
 #[allow(clippy::cast_sign_loss)]
 const fn hash([x, y, z]: [i32; 3]) -> u32 {
     let x = (x as u32 as u64 * 0x1E37_79B1) as u32;
@@ -153,7 +153,7 @@ const fn hash([x, y, z]: [i32; 3]) -> u32 {
     ((mixed ^ mixed >> 15) as u64 * 0x2C1B_3C6D) as u32
 }
 
-/// From one position to another; of 33 bits, the last is dropped where the first is needed.
+/// The vector from one position to another. If a component takes 32 bits and a sign, each loses its last bit.
 const fn direction([a, b, c]: [i32; 3], [x, y, z]: [i32; 3]) -> [i64; 3] {
     let sides = [
         x as i64 - a as i64,
@@ -167,7 +167,7 @@ const fn direction([a, b, c]: [i32; 3], [x, y, z]: [i32; 3]) -> [i64; 3] {
     }
 }
 
-/// A number of as many bits as the largest component takes besides its sign.
+/// A number that has as many bits as the largest component besides its sign.
 const fn magnitude([x, y, z]: [i64; 3]) -> i64 {
     (x ^ x >> 63) | (y ^ y >> 63) | (z ^ z >> 63)
 }

@@ -157,8 +157,8 @@ fn long_normal(short: [i8; 3]) -> Vec3 {
 }
 
 impl<'a> Quantized<'a> {
-    /// The mesh with these lists; it must have neither normals nor texture coordinates of its own. Lists of faces may be
-    /// empty.
+    /// The mesh with these lists; it must have neither normals nor texture coordinates of its own. Lists of faces may
+    /// be empty.
     ///
     /// # Errors
     ///

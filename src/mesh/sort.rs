@@ -1,5 +1,5 @@
-//! A radix sort for the compiler, where a step costs a microsecond: it takes linear time. It also finds the different
-//! ones of a list of edges.
+//! A radix sort for the compiler, where a step costs a microsecond: it takes linear time. It also removes duplicates
+//! from a list of edges.
 
 use super::Index;
 

@@ -30,7 +30,7 @@
 //!
 //! **The operators of single numbers belong to another crate.** [`Scalar`], [`TexCoord`], [`Subpixel`] and [`Unit`] are
 //! types of the crate [`fixed`]. When a result of their `+`, `-`, `*` or `/` is out of range, a debug build panics and
-//! a release build wraps; `/` by zero panics in both. `*` rounds down and `/` rounds towards zero. Where a result may
+//! a release build wraps; `/` by zero panics in both. `*` rounds down and `/` rounds toward zero. Where a result may
 //! leave the range, call a method whose name says what happens: `saturating_add`, `saturating_mul`, `checked_div` and
 //! so on.
 //!

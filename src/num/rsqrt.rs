@@ -30,8 +30,8 @@ const fn reciprocal_root(value: u32) -> u32 {
     // step end above the root, so y is below 2^31: where the root is that great, the step ends 9e-5 below it.
     let ty2 = ((value as u64 * (seed * seed) as u64) >> 18) as u32;
     let y = ((seed as u64 * ((3 << 30) - ty2) as u64) >> 9) as i32;
-    // y(1 + h/2 + 3h²/8) with h = 1 − ty² < 2^-11, which is negative only by rounding: y² has 30 fraction bits, t·y² 62,
-    // h 42.
+    // y(1 + h/2 + 3h²/8) with h = 1 − ty² < 2^-11, which is negative only by rounding: y² has 30 fraction bits, t·y²
+    // 62, h 42.
     let square = (product(y, y) >> 30).cast_unsigned() as u32;
     let h = (((1 << 62) - (value as u64 * square as u64).cast_signed()) >> 20) as i32;
     let gain = (h >> 1) + ((3 * (product(h, h) >> 32)) >> 13) as i32;
@@ -42,10 +42,10 @@ const fn reciprocal_root(value: u32) -> u32 {
     if y > 1 << 31 { 1 << 31 } else { y }
 }
 
-/// 1/√t at each 256th of t from 1/16 to 1, as lines in units of 2^-29, which begin at the entry itself. Its lower half
-/// is what the line gains per 2^-23 of t, with a sign. Each line is lowered by half of the distance between the chord to
-/// the next entry and the curve, so that lines lie on both sides of the curve, and raised by half a unit of 2^-13.
-/// Entries below 1/16 and above 3/4 are never read; with them, no index needs a check.
+/// Lines that approximate 1/√t, one for each 256th of t from 1/16 to 1. An entry is the value at the line's start, in
+/// units of 2^-29. Its lower half is also the line's gain for each 2^-23 of t, with a sign. Each line is lowered by half
+/// of the distance between the chord to the next entry and the curve, so that lines lie on both sides of the curve, and
+/// raised by half a unit of 2^-13. Entries below 1/16 and above 3/4 are never read; with them, no index needs a check.
 static ROOTS: [u32; 256] = roots();
 
 const fn roots() -> [u32; 256] {
@@ -70,8 +70,8 @@ const fn roots() -> [u32; 256] {
     table
 }
 
-/// Returns the reciprocal square root of t = `value` / 2^32 in its upper half, in units of 2^-13, for a `value` from 2^28
-/// to 3 · 2^30.
+/// Returns the reciprocal square root of t = `value` / 2^32 in its upper half, in units of 2^-13, for a `value` from
+/// 2^28 to 3 · 2^30.
 ///
 /// The relative error of the upper half is at most 2.3e-4. The chord contributes 1.9e-4 near t = 1/16, and less
 /// elsewhere. Rounding contributes half a unit in the table, a quarter in the slope and half in the result: at most

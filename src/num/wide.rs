@@ -2,8 +2,8 @@
 //!
 //! No other file asks which core it runs on. Each function here gives the same bits on all of them.
 
-/// Whether the core's products have only 32 bits, as on Armv6-M and the baseline of Armv8-M: Cortex-M0, M0+, M1 and M23.
-/// `src/build.rs` tells from the target's name.
+/// Whether the core's products have only 32 bits, as on Armv6-M and the baseline of Armv8-M: Cortex-M0, M0+, M1 and
+/// M23. `src/build.rs` tells from the target's name.
 ///
 /// On these cores the compiler calls a routine that multiplies 64 bits by 64. Four products of 16 bits take half as
 /// long.
@@ -70,7 +70,7 @@ pub(crate) const fn upper(a: u32, b: u32) -> u32 {
 /// Whether a number of 16 bits is at least `b`.
 #[inline]
 pub(crate) const fn at_least(a: u32, b: u16) -> bool {
-    // A core with numbers of 16 bits compares with one in memory.
+    // A 64-bit core compares 16 bits directly with a number in memory.
     if IS_WIDE {
         a as u16 >= b
     } else {
@@ -88,9 +88,9 @@ pub(crate) fn clamp_negative(value: i32, bits: u32) -> i32 {
     }
 }
 
-/// Does the same in two instructions. The first one saturates to a signed number of `bits` + 1 bits. In such a number,
-/// bit `bits` repeats the sign, so a shift by `bits` makes a mask that clears positive numbers. (The compiler would
-/// turn a shift by 31 back into a comparison.)
+/// Does what [`clamp_negative`] does, in two instructions. The first one saturates to a signed number of `bits` + 1
+/// bits. In such a number, bit `bits` repeats the sign, so a shift by `bits` makes a mask that clears positive numbers.
+/// (The compiler would turn a shift by 31 back into a comparison.)
 #[inline]
 fn saturate_negative(value: i32, bits: u32) -> i32 {
     let limited = value.clamp(-1 << bits, (1 << bits) - 1);
@@ -101,7 +101,7 @@ fn saturate_negative(value: i32, bits: u32) -> i32 {
 #[cold]
 pub(crate) const fn cold() {}
 
-/// Marks such a branch where registers have 64 bits.
+/// Marks a branch that is seldom taken, but only where registers have 64 bits.
 #[inline]
 pub(crate) fn seldom() {
     if IS_WIDE {
@@ -141,7 +141,7 @@ const fn short_newton_step(q: i32, guess: i32) -> i32 {
     guess.wrapping_add((product(guess, residual << 4) >> 32) as i32)
 }
 
-/// Returns the same by `smmls`, which subtracts a product from a number in the upper half.
+/// Returns [`newton_step`] by `smmls`, which subtracts a product from a number in the upper half.
 #[inline]
 #[allow(clippy::cast_lossless, clippy::cast_sign_loss)] // `u64::from` is not const
 const fn dsp_newton_step(q: i32, guess: i32) -> i32 {
@@ -151,7 +151,8 @@ const fn dsp_newton_step(q: i32, guess: i32) -> i32 {
     (raised.wrapping_sub(product(guess, excess).cast_unsigned()) >> 32) as i32
 }
 
-/// Does the same in fewer instructions. The shift discards less than a unit, so the guess may be added before it.
+/// Returns [`newton_step`] in fewer instructions, for 64-bit cores. The shift discards less than a unit, so the guess
+/// may be added before it.
 #[inline]
 const fn wide_newton_step(q: i64, guess: i64) -> i64 {
     let twice = (1_i64 << 29).wrapping_sub(q.wrapping_mul(guess) >> 32);
@@ -197,7 +198,7 @@ pub(crate) fn divide(numerator: i32, divisor: i32) -> (i32, i32) {
     }
     let divisor = divisor.max(1);
     let (quotient, remainder) = (numerator / divisor, numerator % divisor);
-    // Rounded towards zero so far.
+    // Rounded toward zero so far.
     let below = remainder >> 31;
     (quotient + below, remainder + (divisor & below))
 }
@@ -244,8 +245,8 @@ pub(crate) const fn plus_times_short(sum: i64, a: i64, b: i32) -> i64 {
     }
 }
 
-/// Returns [`plus_times_short`] by the halves of `a`, the lower one first: some cores add a product of 32 bits to 64 bits
-/// in one instruction.
+/// Returns [`plus_times_short`] by the halves of `a`, the lower one first: some cores add a product of 32 bits to 64
+/// bits in one instruction.
 #[inline]
 const fn plus_by_halves(sum: i64, a: i64, b: u32) -> i64 {
     let low = (a.cast_unsigned() as u32 as u64) * b as u64;
@@ -352,8 +353,8 @@ impl WholeRow {
 
 /// A row that is also cut: a coefficient is the sum of three parts, in units of 2^20, 2^10 and 1, each at most 2^9.
 ///
-/// Products with a number of at most 2^20 then take 30 bits, and sums of three of them 31: nine short products in place of
-/// twelve, and no carries between them.
+/// Products with a number of at most 2^20 then take 30 bits, and sums of three of them 31: nine short products in place
+/// of twelve, and no carries between them.
 #[cfg(any(test, narrow_core))]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CutRow {
@@ -400,7 +401,7 @@ impl CutRow {
         [sums[0] + dots[0], sums[1] + dots[1], sums[2] + dots[2]]
     }
 
-    /// Out of line, where its numbers find registers.
+    /// Out of line, so that its numbers stay in registers.
     #[inline(never)]
     fn small_dot(&self, x: i32, y: i32, z: i32) -> i64 {
         let [upper, middle, lower] = &self.parts;
@@ -603,7 +604,7 @@ mod tests {
             let q = random.random_range(1_i32 << 29..=i32::MAX);
             let part = random.random_range(-(1_i32 << 28)..=1 << 28);
             let cut = random.random_range(0..28);
-            // The guess is off by up to a quarter.
+            // The guess has a relative error of up to a quarter.
             let r = (1_i64 << 60) / i64::from(q);
             let guess = (r + ((r * i64::from(part >> cut)) >> 30)).min(i32::MAX.into());
             let short = short_newton_step(q, guess as i32);

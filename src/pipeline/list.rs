@@ -1,4 +1,4 @@
-//! Lists, prepared once for all bands of a frame: what those of triangles and of edges share.
+//! Lists that are prepared once for all bands of a frame: the code that lists of triangles and lists of edges share.
 //!
 //! [`triangles`] and [`edges`] hold a list of each kind, for one mesh; [`scene`] and [`edge_scene`] fill such a list
 //! with several objects. [`painter`] sorts triangles from back to front.

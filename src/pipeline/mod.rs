@@ -1,7 +1,7 @@
 //! The draw call: a mesh through its stages onto a canvas.
 //!
-//! [`run`] has the stages in order. This file has the methods of a canvas that start them; those that draw nothing are
-//! in [`on_screen`], where a point or a mesh is on the screen, and [`ray`], what is seen at a pixel.
+//! [`run`] has the stages in order. This file has the canvas's methods that start them. Its methods that draw nothing
+//! are in [`on_screen`] (where a point or a mesh is on the screen) and in [`ray`] (what is seen at a pixel).
 
 mod assemble;
 mod cache;
@@ -294,7 +294,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// mipmaps have), or a varying changes both across and down, as the light of a lamp does. It has the same pixels
     /// and depths as the triangles, and its varyings are as accurate.
     ///
-    /// Every shader works: to it, sprites are a mesh in eye space whose normals point towards the viewer. The two
+    /// Every shader works: to it, sprites are a mesh in eye space whose normals point toward the viewer. The two
     /// triangles of sprite i have the indices 2i and 2i + 1. Corners are rounded to the nearest
     /// [`Scalar`](crate::Scalar)s in eye space, which moves them by at most 2⁻¹⁶ · focal length / w pixels. A sprite
     /// with a corner beyond ±32,768 in eye space is not drawn.
@@ -374,7 +374,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         stages(&call, &mut blit)
     }
 
-    /// The same for primitives that are prepared.
+    /// Sets up a draw call for prepared primitives and runs it.
     #[inline]
     fn paint_prepared<M: Mode, Z: DepthTest, B, K: ProjectionKind, P: Painter<Color = C>>(
         &mut self,

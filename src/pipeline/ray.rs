@@ -229,7 +229,7 @@ impl RayView {
         // Each is at most 2^126 in magnitude, and so is their sum, which is twice the area of the triangle.
         let [_, second, third] = areas.map(i128::unsigned_abs);
         let sum: i128 = areas.iter().sum();
-        // Counter-clockwise is the front if the main axis points towards the viewer.
+        // Counter-clockwise is the front if the main axis points toward the viewer.
         let side = self.cull_sign * sum.signum() as i64;
         if !is_met || cull.leaves_out(side) {
             return None;
@@ -331,7 +331,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// let mut pixels = [Gray8::new(0); 32 * 24];
     /// let canvas = Canvas::new(&mut pixels, 32, 24)?;
     ///
-    /// // The side of the box with the least x has been turned towards the viewer.
+    /// // The side of the box with the least x has been turned toward the viewer.
     /// let touch = Point::new(16, 12);
     /// let hit = canvas.ray(&DrawOptions::new(), &mvp, touch).unwrap().hit(&BOX).unwrap();
     /// assert_eq!(hit.point.x, fx!(-1));

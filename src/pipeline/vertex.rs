@@ -233,7 +233,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         }
     }
 
-    /// The [`outcode`](Self::outcode) from each plane by itself.
+    /// The [`outcode`](Self::outcode), computed plane by plane.
     ///
     /// Out of line, because it is long and few vertices of visible triangles need it.
     #[inline(never)]
@@ -328,8 +328,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     #[inline(never)]
     pub(super) fn misses(&self, bounds: &Bounds, scissor: &Scissor) -> bool {
         let (least, most) = (bounds.least.to_bits(), bounds.most.to_bits());
-        // A plane's coefficients are rounded down twice, by up to half a unit each time, and multiplied by a corner. Its
-        // offset is rounded by one before it is multiplied by at most 2^19, and both are halved.
+        // A plane's coefficients are rounded down twice, by up to half a unit each time, and multiplied by a corner.
+        // Its offset is rounded by one before it is multiplied by at most 2^19, and both are halved.
         let mut error: i64 = 1 << 19;
         for (least, most) in least.iter().zip(&most) {
             error += i64::from(least.unsigned_abs().max(most.unsigned_abs()));

@@ -123,7 +123,7 @@ impl ShortEdge {
         if !DIVIDES || (raised | dy.cast_unsigned() << 1) >= 2 * SHORT.cast_unsigned() {
             return None;
         }
-        // step = 2^32 · dx / dy, rounded towards zero, 16 bits at a time.
+        // step = 2^32 · dx / dy, rounded toward zero, 16 bits at a time.
         let dy = dy.max(1);
         let (size, down) = (dx << 16, (row << 8) + 128 - y);
         let quotient = size / dy;

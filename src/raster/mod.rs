@@ -67,8 +67,8 @@ pub(crate) trait Blitter {
     /// Lays the interpolants over a patch, which is the whole primitive or a part of it.
     fn set_up(&mut self, patch: &Patch<'_>);
 
-    /// Draws these columns of consecutive rows, which lie within the canvas; some may be empty. If one is not and `patch`
-    /// has a patch, takes it and [sets it up](Self::set_up) before: for the many slivers that pass between all centers,
-    /// nothing is laid.
+    /// Draws these columns of consecutive rows, which lie within the canvas; some may be empty. If one is not and
+    /// `patch` has a patch, takes it and [sets it up](Self::set_up) before: for the many slivers that pass between all
+    /// centers, nothing is laid.
     fn rows(&mut self, patch: &mut Option<&Patch<'_>>, first: i32, columns: &[Columns]);
 }

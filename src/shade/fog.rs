@@ -109,7 +109,7 @@ const BITS: u32 = 14;
 /// c of the parabola, 0.1715, with as many bits.
 const C: u32 = 2810;
 
-/// Error of what is left that cannot be seen: 1/256.
+/// Error of the remaining share that cannot be seen: 1/256.
 const UNSEEN: u32 = 1 << (BITS - 8);
 
 /// The bits of a color's weight that fog computes: no more than it interpolates.
@@ -168,8 +168,8 @@ impl Exponential {
     /// What is left of the surface, in units of 2^-[`BITS`].
     #[inline]
     fn left(varying: i32) -> u32 {
-        // 2^-x for x up to 15: in the whole part a shift, and in the fraction f the parabola 1 − (½ + c) f + c f², which is
-        // exact at both ends. With c = 0.1715 its error is at most 0.0019.
+        // 2^-x for x up to 15: in the whole part a shift, and in the fraction f the parabola 1 − (½ + c) f + c f²,
+        // which is exact at both ends. With c = 0.1715 its error is at most 0.0019.
         let x = varying.clamp(0, (16 << BITS) - 1).cast_unsigned();
         let fraction = x & ((1 << BITS) - 1);
         let slope = (1 << (BITS - 1)) + C - ((C * fraction) >> BITS);

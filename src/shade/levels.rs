@@ -157,7 +157,7 @@ fn covered(below: [i32; 3], above: [i32; 3], coverage: u32) -> [i32; 3] {
 }
 
 /// A product of two steps from 0 to `most`, which is 2ⁿ − 1, over `most`, in levels. The error is at most 16 units of
-/// 2⁻¹⁶ step; what is rounded differs from a half by more.
+/// 2⁻¹⁶ step; a value that is rounded differs from a half by more.
 #[inline]
 const fn over(steps: i32, most: i32) -> i32 {
     // 2^16 = whole · most + rest, and rest/most is about rest/2ⁿ.

@@ -110,8 +110,8 @@ where
     #[inline(always)]
     fn near_rows(&mut self, first: i32, rows: &[Columns]) {
         let mut rest = (self, (first..).zip(rows));
-        // In memory: a loop over pixels takes all registers of a small core, and the compiler would rather keep this
-        // between rows in them. After this line, it must think that `rolled` changes it.
+        // Kept in memory: a loop over pixels takes all registers of a small core, but between rows, the compiler would
+        // rather keep this in registers. After this line, it must assume that `rolled` changes it.
         black_box(&mut rest);
         loop {
             rolled();
@@ -244,7 +244,7 @@ where
     }
 
     fn rows(&mut self, patch: &mut Option<&Patch<'_>>, first: i32, rows: &[Columns]) {
-        // Not negated: of a constant as it stands, the compiler does not even compile the branch that is not taken.
+        // Without a negation, the condition is a bare constant, and the branch that is not taken is not even compiled.
         if Self::VARIES {
             if patch.is_some() && rows.iter().all(|[start, end]| start >= end) {
                 return;

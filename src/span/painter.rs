@@ -60,8 +60,8 @@ impl<S: Shader, B: Blending<ColorOf<S>, Source = S::Color>> Painter for (S, B) {
     }
 }
 
-/// Whether all varyings of a rectangle are on planes: `halves` are its triangles abc and cbd. No varying has a value at d
-/// that is beyond those at a, b and c.
+/// Whether all varyings of a rectangle are on planes: `halves` are its triangles abc and cbd. No varying has a value at
+/// d that is beyond those at a, b and c.
 #[inline]
 pub(crate) fn is_plane<P: Painter>(painter: &P, halves: [&Primitive<'_>; 2]) -> bool {
     // Values of a face cannot be compared, but most shaders have none.

@@ -154,7 +154,7 @@ fn divided_spans_are_exact_quotients() {
     }
 }
 
-/// The same of interpolants that are found for each pixel, whatever the span's are.
+/// The same for interpolants that are computed anew for each pixel, whatever the span's are.
 #[test]
 fn spans_divided_anew_are_exact_quotients() {
     for (count, span, _) in spans() {
@@ -173,8 +173,8 @@ fn spans_divided_anew_are_exact_quotients() {
     }
 }
 
-/// An attribute is below 2^27, and a reciprocal is right to 2^-26 of itself and 12 δ⁴, as at the second pixel its guess is
-/// off by 3 δ². The attribute is rounded down.
+/// An attribute is below 2^27. A reciprocal has a relative error of 2^-26 plus 12 δ⁴, because the guess at the second
+/// pixel has an error of 3 δ². The attribute is rounded down.
 #[test]
 fn newton_spans_are_quotients_to_a_few_units() {
     for (count, span, delta) in spans() {
@@ -185,7 +185,7 @@ fn newton_spans_are_quotients_to_a_few_units() {
     }
 }
 
-/// A line of L pixels is off by |f′| δ L² / 4, and the ends by 2^-13 of the most that an attribute may be.
+/// A line of L pixels has an error of |f′| δ L² / 4, and its ends one of 2^-13 of the greatest possible attribute.
 #[test]
 fn pieces_are_quotients_to_their_tolerance() {
     for length in 1..=6 {
@@ -207,7 +207,7 @@ fn pieces_are_quotients_to_their_tolerance() {
     }
 }
 
-/// Of pixels at one depth the last drawn shows, of others the nearest.
+/// At equal depths, the pixel drawn last shows; otherwise the nearest one.
 #[test]
 fn the_later_of_two_pixels_at_one_depth_shows() {
     let (mut colors, mut depths) = ([Gray8::BLACK; 8], [0; 8]);

@@ -118,8 +118,8 @@ impl<'e> ErrorDiffusion<'e> {
         C::of_steps([steps; 3])
     }
 
-    /// Stores the error of a column of the next row. It is at most half a step, 2,040: so much if there is a single
-    /// column, which keeps all of its error; with more columns, 14/16 of that, and 3 for rounding.
+    /// Stores the error of a column of the next row. It is at most half a step, 2,040, which a single column reaches,
+    /// because it keeps all of its error. With more columns, it is at most 14/16 of that, and 3 for rounding.
     fn keep(&mut self, column: usize, error: i32) {
         if let Some(kept) = self.errors.get_mut(column) {
             *kept = error as i16;

@@ -17,8 +17,8 @@ use crate::sealed::{Sealed, sealed};
 /// }
 /// ```
 pub trait Filter<C>: Copy + Sealed {
-    /// The color at a column and a row: distances from the first texel's corner, in texels with 16 fraction bits. `None`
-    /// where the texture has a hole.
+    /// The color at a column and a row: distances from the first texel's corner, in texels with 16 fraction bits.
+    /// `None` where the texture has a hole.
     #[doc(hidden)]
     fn color<S: Sampler<Color = C>, A: Addressing>(&self, sampler: &S, at: [i32; 2]) -> Option<C>;
 }

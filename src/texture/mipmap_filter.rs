@@ -17,7 +17,8 @@ use crate::sealed::{Sealed, sealed};
 /// }
 /// ```
 pub trait MipmapFilter<C>: Copy + Sealed {
-    /// The color at a column and a row of level 0, in texels with 16 fraction bits, and at a level with 8 fraction bits.
+    /// The color at a column and a row of level 0, in texels with 16 fraction bits, and at a level with 8 fraction
+    /// bits.
     #[doc(hidden)]
     fn color<A: Addressing>(mipmap: &Mipmap<'_, C>, at: [i32; 2], level: i32) -> Option<C>;
 }

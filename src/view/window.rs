@@ -32,7 +32,7 @@ pub struct Window {
 impl Window {
     /// Makes a window of this width and height, centered on the line of sight.
     ///
-    /// Each edge is half the size away from the center, rounded towards zero to a multiple of 2⁻¹⁶.
+    /// Each edge is half the size away from the center, rounded toward zero to a multiple of 2⁻¹⁶.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -58,7 +58,7 @@ mod tests {
     #[test]
     fn centered_windows_are_symmetric_at_the_ends_of_the_format() {
         let window = Window::centered(Scalar::MAX, Scalar::MIN);
-        // 2^31 − 1 is odd: half of it is rounded towards zero.
+        // 2^31 − 1 is odd: half of it is rounded toward zero.
         assert_eq!(window.right.to_bits(), (1 << 30) - 1);
         assert_eq!(window.left, -window.right);
         assert_eq!(window.top.to_bits(), -(1 << 30));

@@ -20,7 +20,7 @@ impl Transform {
         }
     }
 
-    /// Rotates about the x axis, from y towards z.
+    /// Rotates about the x axis, from y toward z.
     ///
     /// Entries are accurate to 2.6e-9.
     #[must_use]
@@ -29,14 +29,14 @@ impl Transform {
         Self::from_rotation_rows([[ONE, 0, 0], [0, c, minus], [0, s, c]])
     }
 
-    /// Rotates about the y axis, from z towards x; as accurate as [`rotate_x`](Self::rotate_x).
+    /// Rotates about the y axis, from z toward x; as accurate as [`rotate_x`](Self::rotate_x).
     #[must_use]
     pub const fn rotate_y(angle: Angle) -> Self {
         let [s, minus, c] = sin_cos_29(angle);
         Self::from_rotation_rows([[c, 0, s], [0, ONE, 0], [minus, 0, c]])
     }
 
-    /// Rotates about the z axis, from x towards y; as accurate as [`rotate_x`](Self::rotate_x).
+    /// Rotates about the z axis, from x toward y; as accurate as [`rotate_x`](Self::rotate_x).
     #[must_use]
     pub const fn rotate_z(angle: Angle) -> Self {
         let [s, minus, c] = sin_cos_29(angle);
@@ -202,7 +202,7 @@ mod tests {
         rows.map(|row| [row[0] / norm, row[1] / norm, row[2] / norm, 0.0])
     }
 
-    /// The rotation about axis 0, 1 or 2, from the next axis towards the one after.
+    /// The rotation about axis 0, 1 or 2, from the next axis toward the one after.
     fn about(axis: usize, angle: u32) -> Real {
         let (sin, cos) = (f64::from(angle) / power(32) * TAU).sin_cos();
         let mut m = [[0.0; 4]; 3];

@@ -367,8 +367,8 @@ fn points_are_rounded_once() {
             (twice >> (exp - 16)).clamp(i32::MIN.into(), i32::MAX.into()) as i32
         });
         assert_eq!(t.point(point).to_bits(), exact);
-        // Block floats drop up to two bits of the products' 63, and the same of the translation, rounded each; and round
-        // again.
+        // Block floats drop up to two bits of the products' 63, and the same of the translation, rounded each; and
+        // round again.
         let bound = 1 + (4 >> linear_exp.min(3));
         for (far, exact) in t.far_point(point).to_bits().into_iter().zip(exact) {
             assert!(far.abs_diff(exact) <= bound);

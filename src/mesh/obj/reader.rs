@@ -122,8 +122,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads the rest of the line as a name, which may contain blanks, up to a comment; `problem` says why there must be
-    /// one.
+    /// Reads the rest of the line as a name, which may contain blanks, up to a comment; `problem` says why there must
+    /// be one.
     pub(super) const fn name(&mut self, problem: &'static str) -> Result<&'a str, Error> {
         if !self.word() {
             return self.error(problem);

@@ -85,8 +85,8 @@ pub(super) const fn write(writer: &mut MeshWriter<'_>, shape: Shape) {
         return;
     }
     let Shape { columns, rows, .. } = shape;
-    // Until the last row is written, its positions hold what depends on the column alone: sine, cosine and u. To compute
-    // them for every vertex would take half of the time.
+    // Until the last row is written, its positions hold what depends on the column alone: sine, cosine and u. To
+    // compute them for every vertex would take half of the time.
     let last = rows * (columns + 1);
     let mut column = 0;
     while column <= columns {
