@@ -63,6 +63,10 @@ macro_rules! operators {
             type Error = Error;
 
             #[doc = concat!("Rounds each component to the nearest [`", stringify!($Number), "`].")]
+            ///
+            /// # Errors
+            ///
+            /// [`Error::NotRepresentable`](crate::Error::NotRepresentable) if a component is not a number or out of range.
             fn try_from([$($part),+]: [f64; $len]) -> Result<Self, Error> {
                 Ok(Self::new($($convert($part)?),+))
             }
@@ -72,6 +76,10 @@ macro_rules! operators {
             type Error = Error;
 
             #[doc = concat!("Rounds each component to the nearest [`", stringify!($Number), "`].")]
+            ///
+            /// # Errors
+            ///
+            /// [`Error::NotRepresentable`](crate::Error::NotRepresentable) if a component is not a number or out of range.
             fn try_from(v: [f32; $len]) -> Result<Self, Error> {
                 Self::try_from(v.map(f64::from))
             }

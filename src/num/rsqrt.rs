@@ -43,9 +43,10 @@ const fn reciprocal_root(value: u32) -> u32 {
 }
 
 /// Lines that approximate 1/√t, one for each 256th of t from 1/16 to 1. An entry is the value at the line's start, in
-/// units of 2^-29. Its lower half is also the line's gain for each 2^-23 of t, with a sign. Each line is lowered by half
-/// of the distance between the chord to the next entry and the curve, so that lines lie on both sides of the curve, and
-/// raised by half a unit of 2^-13. Entries below 1/16 and above 3/4 are never read; with them, no index needs a check.
+/// units of 2^-29. Its lower half is also the line's gain for each 2^-23 of t, with a sign. Each line is lowered by
+/// half of the distance between the chord to the next entry and the curve, so that lines lie on both sides of the
+/// curve, and raised by half a unit of 2^-13. Entries below 1/16 and above 3/4 are never read; with them, no index
+/// needs a check.
 static ROOTS: [u32; 256] = roots();
 
 const fn roots() -> [u32; 256] {

@@ -68,7 +68,8 @@ impl PointStyle {
         }
     }
 
-    /// The side of the square or the diameter of the disc.
+    /// The side of the square or the diameter of the disc, in pixels; for an [attenuated](Self::attenuated) style, in
+    /// units of world space.
     #[must_use]
     pub const fn size(self) -> Scalar {
         self.size

@@ -34,8 +34,8 @@ impl<'a> PackedGray4<'a> {
     /// # Errors
     ///
     /// [`Error::PowerOfTwo`] if the width or the height is not a power of two, if one is above
-    /// [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE), or if the width is 1; [`Error::Length`] unless `bytes` has exactly
-    /// one element for each two texels.
+    /// [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE), or if the width is 1; [`Error::Length`] unless `bytes` has
+    /// exactly one element for each two texels.
     pub const fn new(bytes: &'a [u8], width: u32, height: u32) -> Result<Self, Error> {
         // Texels have columns of 15 bits.
         if !width.is_power_of_two() || width < 2 || width > 1 << 15 {

@@ -6,7 +6,8 @@ use crate::{Error, Scalar};
 
 /// The width of a picture relative to its height.
 ///
-/// It converts from a size in pixels, or from the ratio itself.
+/// It converts from a size in pixels, or from the ratio itself. The conversion accepts any number; a projection refuses
+/// a width or a height that is not above 0.
 ///
 /// ```
 /// use embedded_graphics::geometry::Size;
