@@ -150,7 +150,7 @@ errors! {
         /// The refused distance.
         near: Scalar,
     } = "near plane is at {near}: it must be above 0, in front of the eye";
-    /// A far plane that is not behind the near plane.
+    /// A far plane that is not behind the near plane, or a fog whose end is not behind its beginning.
     Far {
         /// The distance of the near plane.
         near: Scalar,
@@ -221,7 +221,7 @@ errors! {
         /// The refused height of the high color.
         top: Scalar,
     } = "gradient reaches from {bottom} to {top}: the second height must be above the first one";
-    /// A canvas, texture or viewport whose size is zero or too large.
+    /// A frame or viewport whose width or height is zero or too large.
     Size {
         /// The refused width in pixels.
         width: u32,
@@ -312,7 +312,7 @@ errors! {
         /// Number of elements that the list can hold.
         room: usize,
     } = "{needed} {of} are visible: the list must have room for all, and has room for {room}";
-    /// A shape with too few or too many parts.
+    /// Too few or too many parts of a shape, frames of a sprite's texture, or fraction bits of short positions.
     Parts {
         /// The kind of part.
         of: &'static str,
@@ -323,7 +323,7 @@ errors! {
         /// Most allowed.
         max: u32,
     } = "number of {of} is {given}: it must lie between {min} and {max}";
-    /// A dimension of a shape that is not positive, or too large.
+    /// A dimension of a shape, a sprite or a point that is not positive, or too large.
     Extent {
         /// The name of the dimension.
         of: &'static str,

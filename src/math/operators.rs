@@ -66,7 +66,8 @@ macro_rules! operators {
             ///
             /// # Errors
             ///
-            /// [`Error::NotRepresentable`](crate::Error::NotRepresentable) if a component is not a number or out of range.
+            /// [`Error::NotRepresentable`](crate::Error::NotRepresentable) if a component is not a number or is out of
+            /// range.
             fn try_from([$($part),+]: [f64; $len]) -> Result<Self, Error> {
                 Ok(Self::new($($convert($part)?),+))
             }
@@ -79,7 +80,8 @@ macro_rules! operators {
             ///
             /// # Errors
             ///
-            /// [`Error::NotRepresentable`](crate::Error::NotRepresentable) if a component is not a number or out of range.
+            /// [`Error::NotRepresentable`](crate::Error::NotRepresentable) if a component is not a number or is out of
+            /// range.
             fn try_from(v: [f32; $len]) -> Result<Self, Error> {
                 Self::try_from(v.map(f64::from))
             }

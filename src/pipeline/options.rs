@@ -109,8 +109,8 @@ impl<M: Copy, Z: Copy, B: Copy, L: Copy> DrawOptions<M, Z, B, L> {
         self.with(self.pixels.mode, self.pixels.depth, blending, self.line)
     }
 
-    /// Sets how lines are drawn: as one of the [`LineStyle`](crate::LineStyle)s. Only edges and outlines are drawn with
-    /// such options; triangles, points and sprites take options with [`Hairline`]s.
+    /// Sets how lines are drawn: as one of the [`LineStyle`](crate::LineStyle)s. The methods that draw edges and
+    /// outlines accept all styles; those that draw triangles, points and sprites accept only options with [`Hairline`].
     ///
     /// ```
     /// use fixel::prelude::*;

@@ -10,10 +10,10 @@
 //! | [`Mipmap`] | known at run time | a color, with reductions of the texture for triangles far away |
 //! | [`MipmapArray`] | in the type | the same |
 //!
-//! [`include_bmp!`](crate::include_bmp) and [`include_tga!`](crate::include_tga) turn a file into any of these at
-//! compile time; [`Image`] reads a file at run time. A shader takes a reference to any of them, or to your own
-//! [`Sampler`]. A [`Filter`] chooses the color between the centers of texels. Texels of
-//! [`Argb4444`] have an opacity, and those of [`Argb1555`] may be holes.
+//! [`include_bmp!`](crate::include_bmp) and [`include_tga!`](crate::include_tga) turn a file into any of the first four
+//! at compile time; [`Image`] reads a file at run time. A shader takes a reference to any of them or to your own
+//! [`Sampler`]; a [`MipmapArray`] is first borrowed by [`as_mipmap`](MipmapArray::as_mipmap). A [`Filter`] chooses the
+//! color between the centers of texels. Texels of [`Argb4444`] have an opacity, and those of [`Argb1555`] may be holes.
 
 // Files are read at compile time, where `From` is not const; offsets lie within a file.
 #![allow(

@@ -8,9 +8,9 @@ use crate::message;
 ///
 /// Width and height are powers of two.
 ///
-/// It is implemented for [`Texture`](super::Texture), [`Palette`](super::Palette) and [`Mipmap`](super::Mipmap), for
-/// references to them, and for references to [`TextureArray`](super::TextureArray),
-/// [`PaletteArray`](super::PaletteArray) and plain rows of texels:
+/// It is implemented for [`Texture`](super::Texture), [`Palette`](super::Palette), [`PackedGray4`](super::PackedGray4),
+/// [`Mipmap`](super::Mipmap) and [`Masked`](crate::shade::Masked), for references to them, and for references to
+/// [`TextureArray`](super::TextureArray), [`PaletteArray`](super::PaletteArray) and plain rows of texels:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb888;
