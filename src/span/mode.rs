@@ -21,7 +21,7 @@ use crate::shade::{Lanes, Tolerance};
 /// | [`Newton`], the default | 0.001 | one Newton step of a reciprocal | all but the smallest cores |
 /// | [`Fast`] | its tolerance, plus 1/32 | additions | Cortex-M0+, large triangles |
 /// | [`Fast::NARROW`] | 1/16 | additions | Cortex-M0+, where a larger error would show |
-/// | [`Exact`] | 0.001, also in triangles of great depth | a 31-bit reciprocal | a reference to compare with; 64-bit computers |
+/// | [`Exact`] | 0.001, up to a depth ratio of 1,000 within a triangle | a 31-bit reciprocal | a reference to compare with; 64-bit computers |
 /// | [`Affine`] | no bound | additions | surfaces that face the eye or are small |
 /// | [`Compact`] | 0.001 | a 31-bit reciprocal | programs that must be small |
 ///
@@ -133,10 +133,11 @@ pub(super) const WHOLE: u32 = 30;
 /// Kernels that compute a reciprocal from earlier ones require δ ≤ 2^-6.
 const STEEPEST: u32 = 6;
 
-/// A corner whose q is below this is more than 128 to 256 times as far away as the nearest corner, whose q is from
-/// 2^30 to 2^31. Interpolants are rounded to half a unit at the nearest corner's scale, and a span's steps add up to
-/// 32 units.
-pub(super) const STEEP: u32 = 1 << 23;
+/// A corner whose q is below this is more than 8 to 16 times as far away as the nearest corner, whose q is from 2^30 to
+/// 2^31. Interpolants are rounded to half a unit at the nearest corner's scale, and a span's steps add up to 32 units.
+/// A unit is 2^-6 of 2^-16 texel at the nearest corner, if 256 texels span the triangle, and grows with the distance:
+/// at 16 times the distance, 56½ units of 4¼ · 2^-6 are 60 of 2^-16 texel, and 0.001 texel is 65½.
+pub(super) const STEEP: u32 = 1 << 27;
 
 /// The left shift of a span's interpolants that brings q to 2^29 to 2^31 at all its pixels; `None` if q changes
 /// twofold along the span, or if δ exceeds 2^-6.
@@ -153,7 +154,7 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
 /// Perspective-correct, with the exact [`reciprocal`](crate::num::reciprocal) of 1/w at every pixel.
 ///
 /// No pixel depends on the pixels before it. An attribute is computed from the span's interpolants and rounded down
-/// to its unit; the reciprocal adds a relative error below 2⁻³⁰. In a triangle with a corner more than 128 to 256
+/// to its unit; the reciprocal adds a relative error below 2⁻³⁰. In a triangle with a corner more than 8 to 16
 /// times as far away as its nearest corner, each pixel computes its interpolants anew in 64 bits. So the error stays
 /// within a thousandth of a texel, for a texture of 256 texels and depth ratios of up to 1,000 within a triangle.
 ///

@@ -116,17 +116,17 @@ impl Bound {
     }
 }
 
-/// Whether `Exact` is certain to compute interpolants anew at each pixel: if a corner is below 2²³ units of 1/w, where
+/// Whether `Exact` is certain to compute interpolants anew at each pixel: if a corner is below 2²⁷ units of 1/w, where
 /// the nearest one has 2³⁰ to 2³¹.
 pub fn is_precise(corners_w: [f64; 3]) -> bool {
     let [nearest, farthest] = ends(corners_w);
-    farthest > 256.001 * nearest
+    farthest > 16.001 * nearest
 }
 
 /// Whether `Exact` may compute interpolants anew at each pixel.
 fn may_be_precise(corners_w: [f64; 3]) -> bool {
     let [nearest, farthest] = ends(corners_w);
-    farthest > 127.999 * nearest
+    farthest > 7.999 * nearest
 }
 
 /// The bound if interpolants are computed anew at each pixel, with all their bits: only the rounding of the corners
