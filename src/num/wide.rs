@@ -235,26 +235,6 @@ pub(crate) const fn times_short(a: i64, b: i32) -> i64 {
     }
 }
 
-/// Adds the product of a number and another one of 15 bits without a sign; wraps.
-#[inline]
-pub(crate) const fn plus_times_short(sum: i64, a: i64, b: i32) -> i64 {
-    if IS_NARROW || IS_WIDE {
-        sum.wrapping_add(times_short(a, b))
-    } else {
-        plus_by_halves(sum, a, b.cast_unsigned())
-    }
-}
-
-/// Returns [`plus_times_short`] by the halves of `a`, the lower one first: some cores add a product of 32 bits to 64
-/// bits in one instruction.
-#[inline]
-const fn plus_by_halves(sum: i64, a: i64, b: u32) -> i64 {
-    let low = (a.cast_unsigned() as u32 as u64) * b as u64;
-    let high = ((a.cast_unsigned() >> 32) as u32).wrapping_mul(b);
-    sum.wrapping_add(low.cast_signed())
-        .wrapping_add(((high as u64) << 32).cast_signed())
-}
-
 /// Returns [`times_short`] by products of 32 bits.
 #[inline]
 const fn by_halves(a: i64, b: i32) -> i64 {
@@ -696,18 +676,6 @@ mod tests {
             let b = random.random::<i16>();
             let b = i32::from(b);
             assert_eq!(by_halves(a, b), a.wrapping_mul(b.into()));
-        });
-    }
-
-    #[test]
-    fn sums_with_short_products_are_exact() {
-        cases(256, |random| {
-            let sum = random.random::<i64>();
-            let a = random.random::<i64>();
-            let b = random.random_range(0_i32..1 << 15);
-            let exact = sum.wrapping_add(a.wrapping_mul(b.into()));
-            assert_eq!(plus_times_short(sum, a, b), exact);
-            assert_eq!(plus_by_halves(sum, a, b.cast_unsigned()), exact);
         });
     }
 

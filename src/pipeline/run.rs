@@ -223,7 +223,7 @@ impl<'d> Draw<'d> {
 
     #[inline]
     fn start(&mut self, element: Element) {
-        self.raster.start(&self.shared.primitive(element));
+        self.raster.blitter.primitive(&self.shared.primitive(element));
     }
 
     /// Draws an edge, or a point if both ends are the same, by `line`.
@@ -250,7 +250,7 @@ impl Assembly for Draw<'_> {
         // By reference: moved, it would be copied.
         if let Some(triangle) = &Triangle::new(corners, None, area, &self.shared.scissor) {
             self.start(element);
-            triangle.draw(&mut self.raster);
+            triangle.draw(&mut self.raster, None);
             self.drawn.drawn += 1;
         }
     }

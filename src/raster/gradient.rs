@@ -2,7 +2,7 @@
 
 use super::{Patch, ScreenVertex};
 use crate::num::reciprocal;
-use crate::num::wide::{plus_times_short, product, times_short, upper};
+use crate::num::wide::{product, times_short, upper};
 
 /// An interpolant over a triangle: its value at every pixel center, accurate to one unit.
 ///
@@ -303,8 +303,8 @@ impl FarPlane {
     #[inline]
     fn fine(&self, x: i32, y: i32) -> i64 {
         // Columns and rows of a canvas have 11 bits; a product with a number without a sign is shorter.
-        let row = plus_times_short(self.start, self.dy, y & 0x7fff);
-        plus_times_short(row, self.dx, x & 0x7fff)
+        let row = self.start.wrapping_add(times_short(self.dy, y & 0x7fff));
+        row.wrapping_add(times_short(self.dx, x & 0x7fff))
     }
 
     /// The value at a pixel.

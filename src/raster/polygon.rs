@@ -112,7 +112,7 @@ impl<'a> Polygon<'a> {
             let triangle = Triangle::new(vertices(corners), Some(&places), area, raster.scissor);
             if let Some(triangle) = &triangle {
                 let part = Part { fan: self, at };
-                triangle.draw_part(raster, self.is_folded.then_some(&part));
+                triangle.draw(raster, self.is_folded.then_some(&part));
                 is_drawn = true;
             }
         }
@@ -122,7 +122,7 @@ impl<'a> Polygon<'a> {
 
 /// One triangle of a folded fan.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Part<'a> {
+pub(crate) struct Part<'a> {
     fan: &'a Polygon<'a>,
     at: usize,
 }

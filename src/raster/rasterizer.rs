@@ -3,16 +3,15 @@
 use core::hint::black_box;
 use core::ops::Range;
 
-use super::edge::{Edge, ShortEdge, first_center};
+use super::edge::{Edge, first_center};
 use super::{Blitter, Columns, Patch, Scissor, ScreenVertex, Triangle};
-use crate::mesh::Primitive;
 
 /// The most rows that a [`Blitter`] receives at once: all rows of a small triangle. They take 256 bytes of stack.
 const ROWS: i32 = 64;
 
 /// A blitter, the pixels that it may draw, and memory for the rows of a triangle.
 pub(crate) struct Rasterizer<'r> {
-    pub(super) blitter: &'r mut dyn Blitter,
+    pub(crate) blitter: &'r mut dyn Blitter,
     pub(super) scissor: &'r Scissor,
     rows: [Columns; ROWS as usize],
 }
@@ -25,12 +24,6 @@ impl<'r> Rasterizer<'r> {
             scissor,
             rows: [[0; 2]; ROWS as usize],
         }
-    }
-
-    /// Starts another triangle, edge or point of the mesh.
-    #[inline]
-    pub(crate) fn start(&mut self, primitive: &Primitive<'_>) {
-        self.blitter.primitive(primitive);
     }
 
     /// Draws some columns of one row, which lie within the scissor.
@@ -126,18 +119,11 @@ pub(super) fn scan_convert(
         };
         let side = usize::from(is_down == is_clockwise);
         let row = first + (start as u32).cast_signed();
-        // An empty statement keeps the compiler from unrolling the loops, because most edges pass few rows.
-        if let Some(mut edge) = ShortEdge::new(top.screen, bottom.screen, row) {
-            for columns in rows {
-                black_box(());
-                columns[side] = edge.next();
-            }
-        } else {
-            let mut edge = Edge::new(top.screen, bottom.screen, row);
-            for columns in rows {
-                black_box(());
-                columns[side] = edge.next() as i16;
-            }
+        let mut edge = Edge::new(top.screen, bottom.screen, row);
+        for columns in rows {
+            // Keeps the compiler from unrolling the loop, because most edges pass few rows.
+            black_box(());
+            columns[side] = edge.next() as i16;
         }
     }
 }

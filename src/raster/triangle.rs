@@ -69,14 +69,6 @@ impl<'a> Triangle<'a> {
         })
     }
 
-    /// Draws the part in the scissor.
-    ///
-    /// A center on a left or top edge belongs to the triangle, one on a right or bottom edge does not.
-    #[inline]
-    pub(crate) fn draw(&self, raster: &mut Rasterizer<'_>) {
-        self.draw_part(raster, None);
-    }
-
     /// Draws, within the scissor, the upright rectangle of which this triangle is a half. Interpolants are laid over
     /// the whole rectangle, so at the fourth corner none may be beyond its values at the other three.
     ///
@@ -90,9 +82,11 @@ impl<'a> Triangle<'a> {
         raster.fill_upright(&self.rows, ends);
     }
 
-    /// Draws the part in the scissor; of that part, if `part` is given, only the pixels that it selects.
+    /// Draws what lies in the scissor; of that, if `part` is given, only the pixels that it selects.
+    ///
+    /// A center on a left or top edge belongs to the triangle, one on a right or bottom edge does not.
     #[inline(never)]
-    pub(super) fn draw_part(&self, raster: &mut Rasterizer<'_>, part: Option<&Part<'_>>) {
+    pub(crate) fn draw(&self, raster: &mut Rasterizer<'_>, part: Option<&Part<'_>>) {
         let mut patch = Some(&self.patch);
         raster.fill(self, |blitter, first, columns| match part {
             None => blitter.rows(&mut patch, first, columns),
@@ -112,7 +106,7 @@ mod tests {
         let area = area(&vertices.map(|vertex| vertex.screen));
         let triangle = Triangle::new(vertices.each_ref(), None, area, scissor);
         if let Some(triangle) = &triangle {
-            triangle.draw(&mut Rasterizer::new(picture, scissor));
+            triangle.draw(&mut Rasterizer::new(picture, scissor), None);
         }
         triangle.is_some()
     }
