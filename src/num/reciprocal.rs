@@ -1,6 +1,6 @@
 //! The reciprocal behind every division by depth.
 
-use crate::num::wide::{DIVIDES, product, upper};
+use crate::num::wide::{DIVIDES, IS_WIDE, product, upper};
 
 /// Returns ⌊(2⁶¹ − 1) / q⌋ for a `q` from 2³⁰ to 2³¹ − 1; the result has the same range.
 ///
@@ -16,7 +16,7 @@ use crate::num::wide::{DIVIDES, product, upper};
 #[inline]
 #[must_use]
 pub const fn reciprocal(q: u32) -> u32 {
-    if cfg!(target_pointer_width = "64") {
+    if IS_WIDE {
         by_division(q)
     } else if DIVIDES {
         by_newton(q, divided_seed(q))

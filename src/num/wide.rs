@@ -14,7 +14,7 @@ const IS_NARROW: bool = cfg!(narrow_core);
 pub(crate) const DIVIDES: bool = !IS_NARROW;
 
 /// Whether the core counts leading zeros: the narrow ones do not, nor does RISC-V without Zbb.
-pub(crate) const COUNTS_ZEROS: bool =
+const COUNTS_ZEROS: bool =
     !IS_NARROW && !cfg!(all(target_arch = "riscv32", not(target_feature = "zbb")));
 
 /// Whether the core multiplies and adds to an upper half at once, as Cortex-M4 and M7 do. `src/build.rs` tells from the
@@ -410,6 +410,38 @@ const fn up_by_halves(value: i64, up: u32) -> i64 {
 
 // Out of line: a copy would be longer than the call.
 
+/// Shifts `q` left until its top bit is set. Lowers an exponent, which stands above `mantissa` bits, by the number of
+/// bits less one.
+#[inline]
+pub(crate) fn normalize(q: u32, exponent: u32, mantissa: u32) -> (u32, u32) {
+    if !COUNTS_ZEROS {
+        return normalize_by_steps(q, exponent, mantissa);
+    }
+    // The lowest bit limits the shift of a zero to 31.
+    let zeros = (q | 1).leading_zeros();
+    let exponent = exponent.wrapping_sub(zeros << mantissa);
+    (q << zeros, exponent.wrapping_add(1 << mantissa))
+}
+
+/// Returns [`normalize`] on cores that cannot count zeros. Most `q` of a triangle have 30 or 31 bits, because the scale
+/// is the triangle's own, so shifting by single bits is fast.
+#[inline]
+fn normalize_by_steps(q: u32, mut exponent: u32, mantissa: u32) -> (u32, u32) {
+    let mut normal = q << 1;
+    if normal.cast_signed() >= 0 {
+        normal |= 1;
+        while normal >> 24 == 0 {
+            normal <<= 8;
+            exponent = exponent.wrapping_sub(8 << mantissa);
+        }
+        while normal.cast_signed() >= 0 {
+            normal <<= 1;
+            exponent = exponent.wrapping_sub(1 << mantissa);
+        }
+    }
+    (normal, exponent)
+}
+
 #[inline(never)]
 const fn narrow_product(a: i32, b: i32) -> i64 {
     of_halves(a, b)
@@ -677,6 +709,28 @@ mod tests {
             let b = i32::from(b);
             assert_eq!(by_halves(a, b), a.wrapping_mul(b.into()));
         });
+    }
+
+    #[test]
+    fn normalizing_by_steps_agrees() {
+        for bit in 0..31 {
+            for q in [0, 1, 0x5555_5555, u32::MAX].map(|rest| 1 << bit | rest & ((1 << bit) - 1)) {
+                for mantissa in [11, 12] {
+                    let code = |(normal, exponent): (u32, u32)| {
+                        (normal >> (31 - mantissa))
+                            .wrapping_add(exponent)
+                            .cast_signed()
+                            .max(0)
+                    };
+                    for down in 15..64 {
+                        let exponent = 29u32.wrapping_sub(down) << mantissa;
+                        let [a, b] = [normalize, normalize_by_steps]
+                            .map(|normalize| code(normalize(q, exponent, mantissa)));
+                        assert_eq!(a, b, "{q} >> {down}, {mantissa} bits");
+                    }
+                }
+            }
+        }
     }
 
     #[test]

@@ -223,7 +223,9 @@ impl<'d> Draw<'d> {
 
     #[inline]
     fn start(&mut self, element: Element) {
-        self.raster.blitter.primitive(&self.shared.primitive(element));
+        self.raster
+            .blitter
+            .primitive(&self.shared.primitive(element));
     }
 
     /// Draws an edge, or a point if both ends are the same, by `line`.

@@ -7,7 +7,7 @@ use crate::num::wide::product;
 /// |attribute| · 17/16 < 2^(bits − 1), so the fraction attribute · 2^-bits is below 1/2, and stays below it with the
 /// rounding of interpolation added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Scale {
+pub(crate) struct Scale {
     bits: u32,
 }
 

@@ -40,13 +40,19 @@ use crate::shade::{Lanes, Tolerance};
 /// }
 /// let exact = options(Exact);
 /// ```
+#[allow(private_bounds)] // so that it is sealed
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not an interpolation mode",
+    note = "a mode is `Newton`, `Fast`, `Exact`, `Affine` or `Compact`, from `fixel::mode`"
+)]
 pub trait Mode: Policy {}
 
+#[diagnostic::do_not_recommend]
 impl<M: Policy> Mode for M {}
 
 /// The code that draws a span.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kernel {
+pub(crate) enum Kernel {
     /// Attributes are linear along the span, and stored multiplied by 4.
     Straight,
     /// Attributes are not divided by w and have a scale, which each pixel restores.
@@ -64,7 +70,7 @@ pub enum Kernel {
 }
 
 /// The changes of a triangle's interpolants along a row, and their scales.
-pub struct Slopes<L: Lanes> {
+pub(crate) struct Slopes<L: Lanes> {
     /// q′.
     pub q: i32,
     /// p′ of each attribute; its unit is 2^(bits − 30) units of the attribute.
@@ -75,7 +81,7 @@ pub struct Slopes<L: Lanes> {
 }
 
 /// The decisions of a mode.
-pub trait Policy: Copy {
+pub(crate) trait Policy: Copy {
     /// Whether attributes are divided by w at all.
     const DIVIDES: bool = true;
 

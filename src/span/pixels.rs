@@ -27,7 +27,7 @@ pub(super) type FaceOf<S> = <<S as Painter>::Varyings as Varyings>::Face;
 /// set. Each `p` is attribute · q · 2^-bits (see [`Scale`](crate::raster::Scale)), so that |p| ≤ q/2 apart from
 /// rounding.
 #[derive(Clone)]
-pub struct Span<L: Lanes> {
+pub(crate) struct Span<L: Lanes> {
     pub q: u32,
     pub p: L::Of<i32>,
     pub dq: i32,

@@ -28,6 +28,7 @@ use crate::num::wide::at_least;
 /// assert_eq!(depths, [0; 4]);
 /// # Ok::<(), Error>(())
 /// ```
+#[allow(private_bounds)] // so that it is sealed
 pub trait DepthBuffer: Buffer {}
 
 /// No depth buffer: later fragments cover earlier ones.
@@ -80,8 +81,8 @@ pub struct Depth<'d, F = Linear> {
 impl DepthBuffer for NoDepth {}
 impl<F: DepthFormat> DepthBuffer for Depth<'_, F> {}
 
-/// The working part of [`DepthBuffer`], public in name only.
-pub trait Buffer {
+/// The working part of [`DepthBuffer`].
+pub(crate) trait Buffer {
     /// The depth of one pixel, to be tested and changed.
     type Cell<'a>
     where

@@ -1,6 +1,6 @@
 //! How a depth is encoded in 16 bits.
 
-use crate::num::wide::COUNTS_ZEROS;
+use crate::num::wide::normalize;
 
 /// How a [`Depth`](super::Depth) buffer encodes depths: [`Linear`], [`Float`] or [`WideFloat`]. Sealed.
 ///
@@ -18,6 +18,7 @@ use crate::num::wide::COUNTS_ZEROS;
 /// let canvas = canvas::<WideFloat>(&mut [Gray8::new(0); 4], &mut [0; 4])?;
 /// # Ok::<(), Error>(())
 /// ```
+#[allow(private_bounds)] // so that it is sealed
 pub trait DepthFormat: Encode {}
 
 /// Depth in equal steps of 1/w: floor(65535 · near / w). The default.
@@ -83,8 +84,8 @@ impl DepthFormat for Linear {}
 impl DepthFormat for Float {}
 impl DepthFormat for WideFloat {}
 
-/// The working part of [`DepthFormat`], public in name only.
-pub trait Encode {
+/// The working part of [`DepthFormat`].
+pub(crate) trait Encode {
     /// Encodes the depth `q` · 2^-`down` in 16 bits, rounded down; a nearer depth is a greater code.
     ///
     /// The near plane has a depth of 2^16, infinity 0. `q` has 31 bits; `down` is at least 15.
@@ -134,42 +135,10 @@ fn float<const EXPONENT: u32>(q: u32, down: u32) -> u32 {
     // mantissa keeps its top bit, which adds one to this code, and `normalize` adds another, so the bias is 2 less.
     let bias = 13 + (1 << EXPONENT);
     let exponent = u32::wrapping_sub(bias, down) << mantissa;
-    let (normal, exponent) = if COUNTS_ZEROS {
-        normalize(q, exponent, mantissa)
-    } else {
-        narrow_normalize(q, exponent, mantissa)
-    };
+    let (normal, exponent) = normalize(q, exponent, mantissa);
     let code = (normal >> (31 - mantissa)).wrapping_add(exponent);
     // Depths below the least exponent give negative codes.
     code.cast_signed().max(0).cast_unsigned()
-}
-
-/// Shifts `q` left until its top bit is set, and lowers the exponent's code by the number of bits less one.
-#[inline]
-fn normalize(q: u32, exponent: u32, mantissa: u32) -> (u32, u32) {
-    // The lowest bit limits the shift of a zero to 31.
-    let zeros = (q | 1).leading_zeros();
-    let exponent = exponent.wrapping_sub(zeros << mantissa);
-    (q << zeros, exponent.wrapping_add(1 << mantissa))
-}
-
-/// [`normalize`] for cores that cannot count zeros. Most `q` of a triangle have 30 or 31 bits, because the scale is
-/// the triangle's own, so shifting by single bits is fast.
-#[inline]
-fn narrow_normalize(q: u32, mut exponent: u32, mantissa: u32) -> (u32, u32) {
-    let mut normal = q << 1;
-    if normal.cast_signed() >= 0 {
-        normal |= 1;
-        while normal >> 24 == 0 {
-            normal <<= 8;
-            exponent = exponent.wrapping_sub(8 << mantissa);
-        }
-        while normal.cast_signed() >= 0 {
-            normal <<= 1;
-            exponent = exponent.wrapping_sub(1 << mantissa);
-        }
-    }
-    (normal, exponent)
 }
 
 #[cfg(test)]
@@ -233,28 +202,6 @@ mod tests {
         }
     }
 
-    #[test]
-    fn cores_that_count_zeros_and_others_agree() {
-        for bit in 0..31 {
-            for q in [0, 1, 0x5555_5555, u32::MAX].map(|rest| 1 << bit | rest & ((1 << bit) - 1)) {
-                for mantissa in [11, 12] {
-                    let code = |(normal, exponent): (u32, u32)| {
-                        (normal >> (31 - mantissa))
-                            .wrapping_add(exponent)
-                            .cast_signed()
-                            .max(0)
-                    };
-                    for down in 15..=MOST_DOWN {
-                        let exponent = 29u32.wrapping_sub(down) << mantissa;
-                        let [a, b] = [normalize, narrow_normalize]
-                            .map(|normalize| code(normalize(q, exponent, mantissa)));
-                        assert_eq!(a, b, "{q} >> {down}, {mantissa} bits");
-                    }
-                }
-            }
-        }
-    }
-
     /// No number panics, not even one that no canvas produces.
     #[test]
     fn no_number_panics() {
@@ -263,7 +210,6 @@ mod tests {
                 let _ = Linear::encode(q, down);
                 let _ = Float::encode(q, down);
                 let _ = WideFloat::encode(q, down);
-                let _ = narrow_normalize(q, down, 12);
             }
         }
     }

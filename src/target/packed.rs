@@ -52,14 +52,14 @@ pub enum Pages {}
 
 sealed!(Packed, Pages);
 
-/// The raw data of a color that is smaller than a byte; public in name only.
+/// The raw data of a color that is smaller than a byte.
 #[diagnostic::on_unimplemented(
     message = "a packed canvas cannot store colors of raw type `{Self}`",
     label = "its pixels have 1, 2 or 4 bits",
     note = "the canvas takes the color of the shaders that are drawn to it: write `&shader.converted()`, and give the \
             canvas the type `Canvas<BinaryColor, _>` or that of `Gray2` or `Gray4`"
 )]
-pub trait Bits: RawData<Storage = u8> {}
+trait Bits: RawData<Storage = u8> {}
 
 impl Bits for RawU1 {}
 impl Bits for RawU2 {}
