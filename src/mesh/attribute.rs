@@ -5,7 +5,7 @@ use core::ops::Range;
 use embedded_graphics::pixelcolor::Rgb888;
 
 use super::mesh::check;
-use super::{Element, Index, Mesh};
+use super::{Index, Indices, Mesh};
 use crate::error::{check_length, ok};
 use crate::{Error, Vec2, Vec3};
 
@@ -37,12 +37,12 @@ impl<'a, T> Attribute<'a, T> {
 }
 
 impl<T: Copy> Attribute<'_, T> {
-    /// The value at `corner` (0, 1 or 2) of an element.
+    /// The value at `corner` (0, 1 or 2) of a primitive.
     #[inline]
-    pub(super) fn at(&self, element: Element, corner: usize) -> Option<T> {
+    pub(super) fn at(&self, indices: Indices, corner: usize) -> Option<T> {
         let indices = match self.faces {
-            None => element.indices,
-            Some(faces) => *faces.get(element.face?)?,
+            None => indices.corners,
+            Some(faces) => *faces.get(indices.face?)?,
         };
         self.values.get(usize::from(*indices.get(corner)?)).copied()
     }

@@ -44,7 +44,7 @@ pub use placement::Missing;
 pub(crate) use placement::Placement;
 pub use positions::Positions;
 pub(crate) use positions::StoredPosition;
-pub(crate) use primitive::Element;
+pub(crate) use primitive::Indices;
 pub use primitive::{Corner, Primitive};
 pub use quantized::Quantized;
 pub use shapes::Shape;

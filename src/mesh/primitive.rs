@@ -7,16 +7,29 @@ use super::{Index, Mesh, Placement};
 use crate::math::Direction;
 use crate::{Scalar, Vec2, Vec3};
 
-/// The primitive being drawn: its index in the mesh's list of faces, and its vertices.
-///
-/// An edge or a point has no face, so attributes with faces of their own have no value for it. Its last index is
-/// repeated.
+/// Where a primitive's data are in its mesh.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Element {
-    /// The triangle's index among the faces; `None` for an edge or a point.
+pub(crate) struct Indices {
+    /// The triangle among the faces. An edge or a point has none, so attributes with faces of their own have no value
+    /// for it.
     pub(crate) face: Option<usize>,
-    /// Indices of the three positions.
-    pub(crate) indices: [Index; 3],
+    /// Its three positions; an edge or a point repeats the last one.
+    pub(crate) corners: [Index; 3],
+}
+
+impl Indices {
+    #[inline]
+    pub(crate) const fn of_face(face: usize, corners: [Index; 3]) -> Self {
+        let face = Some(face);
+        Self { face, corners }
+    }
+
+    /// The indices of an edge, or of a point if both ends are the same.
+    #[inline]
+    pub(crate) const fn of_edge([a, b]: [Index; 2]) -> Self {
+        let (face, corners) = (None, [a, b, b]);
+        Self { face, corners }
+    }
 }
 
 /// A triangle, edge or point of a mesh that is about to be drawn.
@@ -57,7 +70,7 @@ pub(crate) struct Element {
 pub struct Primitive<'a> {
     pub(crate) mesh: &'a Mesh<'a>,
     pub(crate) placement: &'a Placement<'a>,
-    pub(crate) element: Element,
+    pub(crate) indices: Indices,
 }
 
 impl Primitive<'_> {
@@ -65,7 +78,7 @@ impl Primitive<'_> {
     #[must_use]
     #[inline]
     pub const fn index(&self) -> usize {
-        match self.element.face {
+        match self.indices.face {
             Some(face) => face,
             None => 0,
         }
@@ -75,7 +88,7 @@ impl Primitive<'_> {
     #[must_use]
     #[inline]
     pub const fn is_face(&self) -> bool {
-        self.element.face.is_some()
+        self.indices.face.is_some()
     }
 
     /// Calls `f` with each of the three corners and returns the results. For an edge, the second end comes twice; for
@@ -94,7 +107,7 @@ impl Primitive<'_> {
     /// The positions of the three corners in model space.
     #[must_use]
     pub fn positions(&self) -> [Vec3; 3] {
-        self.element.indices.map(|index| self.mesh.position(index))
+        self.indices.corners.map(|index| self.mesh.position(index))
     }
 
     /// The positions of the three corners in eye space, rounded to nearest; they saturate to the range of [`Scalar`].
@@ -186,14 +199,14 @@ pub struct Corner<'a> {
 impl Corner<'_> {
     #[inline]
     fn attribute<T: Copy>(&self, attribute: &Attribute<'_, T>) -> Option<T> {
-        attribute.at(self.primitive.element, self.corner)
+        attribute.at(self.primitive.indices, self.corner)
     }
 
     /// The position in model space.
     #[must_use]
     #[inline]
     pub fn position(&self) -> Vec3 {
-        let index = self.primitive.element.indices.get(self.corner);
+        let index = self.primitive.indices.corners.get(self.corner);
         index.map_or(Vec3::ZERO, |&index| self.primitive.mesh.position(index))
     }
 
@@ -275,10 +288,7 @@ mod tests {
             let primitive = Primitive {
                 mesh: &mesh,
                 placement: &Placement::new(&Transform::IDENTITY, Transform::IDENTITY),
-                element: Element {
-                    face: Some(0),
-                    indices: [0, 1, 2],
-                },
+                indices: Indices::of_face(0, [0, 1, 2]),
             };
             let [x, y, z] = primitive.world_middle().to_bits();
             let sum: i64 = corners.map(i64::from).iter().sum();

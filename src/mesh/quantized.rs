@@ -5,7 +5,7 @@ use core::ops::Range;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::attribute::Attribute;
-use super::{Element, Index, Mesh, Primitive};
+use super::{Index, Indices, Mesh, Primitive};
 use crate::error::ok;
 use crate::{Error, Vec2, Vec3, message};
 
@@ -241,14 +241,14 @@ impl<'a> Quantized<'a> {
         primitive: &Primitive<'_>,
         f: impl FnOnce(&Primitive<'_>) -> T,
     ) -> T {
-        let element = primitive.element;
+        let indices = primitive.indices;
         let normals = all(
-            |corner| Some(long_normal(self.normals.at(element, corner)?)),
+            |corner| Some(long_normal(self.normals.at(indices, corner)?)),
             || primitive.normal(),
         );
-        let uvs = all(|corner| self.uv(element, corner), Vec2::default);
+        let uvs = all(|corner| self.uv(indices, corner), Vec2::default);
         let colors = all(
-            |corner| primitive.mesh.colors.at(element, corner),
+            |corner| primitive.mesh.colors.at(indices, corner),
             || Rgb888::WHITE,
         );
         let positions = primitive.positions();
@@ -261,17 +261,17 @@ impl<'a> Quantized<'a> {
         f(&Primitive {
             mesh: &mesh,
             placement: primitive.placement,
-            element: Element {
-                face: element.face,
-                indices: [0, 1, 2],
+            indices: Indices {
+                face: indices.face,
+                corners: [0, 1, 2],
             },
         })
     }
 
-    fn uv(&self, element: Element, corner: usize) -> Option<Vec2> {
+    fn uv(&self, indices: Indices, corner: usize) -> Option<Vec2> {
         let steps = match self.uvs {
-            Uvs::Bytes(uvs) => uvs.at(element, corner)?.map(u16::from),
-            Uvs::Words(uvs) => uvs.at(element, corner)?,
+            Uvs::Bytes(uvs) => uvs.at(indices, corner)?.map(u16::from),
+            Uvs::Words(uvs) => uvs.at(indices, corner)?,
         };
         Some(self.grid.uv(steps))
     }

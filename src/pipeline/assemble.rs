@@ -4,17 +4,17 @@
 use super::cache::VertexCache;
 use super::call::Call;
 use super::clip::{ClippedPolygon, clip};
-use crate::mesh::{Element, Index};
+use crate::mesh::{Index, Indices};
 use crate::raster::{self, Barycentric, ClippedVertex, Polygon, ScreenVertex};
 use crate::view::ProjectionKind;
 
 /// Receives assembled triangles, to draw them or to list them.
 pub(super) trait Assembly {
     /// Receives a triangle that is inside all planes and not culled, and twice its area.
-    fn whole(&mut self, element: Element, corners: [&ScreenVertex; 3], area: i64);
+    fn whole(&mut self, indices: Indices, corners: [&ScreenVertex; 3], area: i64);
 
     /// Receives the part of a triangle that is inside all planes; it may be empty or face away.
-    fn clipped(&mut self, element: Element, polygon: &[ClippedVertex]);
+    fn clipped(&mut self, indices: Indices, polygon: &[ClippedVertex]);
 }
 
 /// Assembles one triangle of the mesh: rejects it, passes it on whole, or clips it.
@@ -22,32 +22,29 @@ pub(super) trait Assembly {
 pub(super) fn triangle<K: ProjectionKind>(
     call: &Call<'_, K>,
     vertices: &mut VertexCache,
-    (face, indices): (usize, &[Index; 3]),
+    (face, corners): (usize, &[Index; 3]),
     to: &mut impl Assembly,
 ) {
-    let element = || Element {
-        face: Some(face),
-        indices: *indices,
-    };
+    let indices = || Indices::of_face(face, *corners);
     let copies;
-    let [a, b, c] = if let Some(corners) = vertices.corners(&call.projector, *indices) {
-        corners
+    let [a, b, c] = if let Some(vertices) = vertices.corners(&call.projector, *corners) {
+        vertices
     } else {
-        copies = vertices.copies(&call.projector, *indices);
+        copies = vertices.copies(&call.projector, *corners);
         let [a, b, c] = &copies;
         [a, b, c]
     };
-    let planes = a.outcode | b.outcode | c.outcode;
-    if planes == 0 {
+    let outcode = a.outcode | b.outcode | c.outcode;
+    if outcode == 0 {
         // Back faces, half of most meshes, are rejected here, before any attribute is read.
         let area = raster::area(&[a.screen, b.screen, c.screen]);
         if !call.shared.cull.leaves_out(area) {
-            to.whole(element(), [a, b, c], area);
+            to.whole(indices(), [a, b, c], area);
         }
     } else if a.outcode & b.outcode & c.outcode == 0 {
         let mut polygon = ClippedPolygon::new();
-        clip(&call.projector, indices, planes, &mut polygon);
-        to.clipped(element(), &polygon);
+        clip(&call.projector, corners, outcode, &mut polygon);
+        to.clipped(indices(), &polygon);
     }
 }
 

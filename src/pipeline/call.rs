@@ -6,7 +6,7 @@ use embedded_graphics::geometry::Size;
 
 use super::vertex::Projector;
 use crate::Error;
-use crate::mesh::{Element, Mesh, Placement, Primitive};
+use crate::mesh::{Indices, Mesh, Placement, Primitive};
 use crate::raster::{Cull, Scissor};
 use crate::view::{ModelToPicture, ProjectionKind, Viewport};
 
@@ -52,11 +52,11 @@ pub(super) struct Shared<'m> {
 impl Shared<'_> {
     /// A triangle, edge or point in the form that shaders receive.
     #[inline]
-    pub(super) fn primitive(&self, element: Element) -> Primitive<'_> {
+    pub(super) fn primitive(&self, indices: Indices) -> Primitive<'_> {
         Primitive {
             mesh: self.mesh,
             placement: &self.placement,
-            element,
+            indices,
         }
     }
 }

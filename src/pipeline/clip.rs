@@ -34,7 +34,7 @@ type Polygon = Vec<ClipVertex, MOST_CORNERS>;
 pub(crate) fn clip<K: ProjectionKind>(
     projector: &Projector<'_, K>,
     corners: &[Index],
-    planes: u8,
+    outcode: u8,
     clipped: &mut ClippedPolygon,
 ) {
     let (mut polygon, mut inside) = (&mut Polygon::new(), &mut Polygon::new());
@@ -48,10 +48,10 @@ pub(crate) fn clip<K: ProjectionKind>(
             },
         );
     }
-    let mut planes = planes;
-    while planes != 0 {
-        let plane = planes.trailing_zeros();
-        planes &= planes - 1;
+    let mut rest = outcode;
+    while rest != 0 {
+        let plane = rest.trailing_zeros();
+        rest &= rest - 1;
         inside.clear();
         clip_to_plane(projector, plane, polygon, inside);
         (polygon, inside) = (inside, polygon);
@@ -170,14 +170,14 @@ mod tests {
             &Transform::IDENTITY,
             &viewport,
         );
-        let planes = [0, 1, 2].map(|index| {
+        let outcodes = [0, 1, 2].map(|index| {
             let mut vertex = ScreenVertex::UNSET;
             projector.project(index, &mut vertex);
             vertex.outcode
         });
         let mut clipped = ClippedPolygon::new();
-        let planes = planes[0] | planes[1] | planes[2];
-        clip(&projector, &[0, 1, 2], planes, &mut clipped);
+        let outcode = outcodes[0] | outcodes[1] | outcodes[2];
+        clip(&projector, &[0, 1, 2], outcode, &mut clipped);
         clipped
     }
 

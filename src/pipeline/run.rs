@@ -13,7 +13,7 @@ use super::assemble::{self, Assembly};
 use super::cache::VertexCache;
 use super::call::{Call, Shared};
 use super::clip::ClippedPolygon;
-use crate::mesh::{Element, Index, Primitive};
+use crate::mesh::{Index, Indices, Primitive};
 use crate::raster::{self, Blitter, ClippedVertex, Polygon, Rasterizer, ScreenVertex, Triangle};
 use crate::view::ProjectionKind;
 
@@ -178,11 +178,10 @@ fn rectangle<K: ProjectionKind>(
         return true;
     };
     let shared = &call.shared;
-    let element = |face, indices| Element {
-        face: Some(face),
-        indices,
-    };
-    let (one, other) = (element(first, one), element(first + 1, other));
+    let (one, other) = (
+        Indices::of_face(first, one),
+        Indices::of_face(first + 1, other),
+    );
     let is_plane = is_plane([&shared.primitive(one), &shared.primitive(other)]);
     if is_plane {
         draw.start(one);
@@ -222,24 +221,21 @@ impl<'d> Draw<'d> {
     }
 
     #[inline]
-    fn start(&mut self, element: Element) {
+    fn start(&mut self, indices: Indices) {
         self.raster
             .blitter
-            .primitive(&self.shared.primitive(element));
+            .primitive(&self.shared.primitive(indices));
     }
 
     /// Draws an edge, or a point if both ends are the same, by `line`.
     #[inline]
     pub(super) fn edge(
         &mut self,
-        [a, b]: [Index; 2],
+        ends: [Index; 2],
         is_clipped: bool,
         line: impl FnOnce(&mut Rasterizer<'d>),
     ) {
-        self.start(Element {
-            face: None,
-            indices: [a, b, b],
-        });
+        self.start(Indices::of_edge(ends));
         line(&mut self.raster);
         self.drawn.drawn += 1;
         self.drawn.clipped += u32::from(is_clipped);
@@ -248,19 +244,19 @@ impl<'d> Draw<'d> {
 
 impl Assembly for Draw<'_> {
     #[inline]
-    fn whole(&mut self, element: Element, corners: [&ScreenVertex; 3], area: i64) {
+    fn whole(&mut self, indices: Indices, corners: [&ScreenVertex; 3], area: i64) {
         // By reference: moved, it would be copied.
         if let Some(triangle) = &Triangle::new(corners, None, area, &self.shared.scissor) {
-            self.start(element);
+            self.start(indices);
             triangle.draw(&mut self.raster, None);
             self.drawn.drawn += 1;
         }
     }
 
     #[inline(never)]
-    fn clipped(&mut self, element: Element, polygon: &[ClippedVertex]) {
+    fn clipped(&mut self, indices: Indices, polygon: &[ClippedVertex]) {
         if let Some(polygon) = Polygon::new(polygon, self.shared.cull) {
-            self.start(element);
+            self.start(indices);
             let drawn = u32::from(polygon.draw(&mut self.raster));
             self.drawn.drawn += drawn;
             self.drawn.clipped += drawn;

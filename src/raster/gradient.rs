@@ -6,18 +6,18 @@ use crate::num::wide::{product, times_short, upper};
 
 /// An interpolant over a triangle: its value at every pixel center, accurate to one unit.
 ///
-/// Small triangles have near planes: a value is `start` plus a number of steps. In large triangles and in thin slivers,
-/// steps would accumulate too much rounding. They have far planes, with 30 bits more.
+/// Small triangles have small planes, of 32 bits: a value is `start` plus a number of steps. In large triangles and in
+/// thin slivers, steps would accumulate too much rounding. They have wide planes, with 30 bits more.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Gradient {
     /// Change from one column to the next, rounded to the nearest unit.
     pub(crate) step: i32,
-    /// Change from one row to the next, rounded to the nearest unit; near planes only.
+    /// Change from one row to the next, rounded to the nearest unit; small planes only.
     pub(crate) row: i32,
-    /// Value at the center of pixel (0, 0), modulo 2³²; near planes only.
+    /// Value at the center of pixel (0, 0), modulo 2³²; small planes only.
     start: i32,
-    pub(crate) far: FarPlane,
-    pub(crate) is_near: bool,
+    pub(crate) wide: WidePlane,
+    pub(crate) is_small: bool,
 }
 
 /// The value at the center of pixel (0, 0), plus half a unit, and its change per column and per row, in units of 2⁻³⁰.
@@ -25,7 +25,7 @@ pub(crate) struct Gradient {
 ///
 /// All are modulo 2⁶⁴; a value within the triangle takes 62 bits.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct FarPlane {
+pub(crate) struct WidePlane {
     start: i64,
     dx: i64,
     dy: i64,
@@ -37,11 +37,11 @@ impl Gradient {
         step: 0,
         row: 0,
         start: 0,
-        far: FarPlane::NONE,
-        is_near: false,
+        wide: WidePlane::NONE,
+        is_small: false,
     };
 
-    /// Adds 2^16 times this plane to `lower`; both are near. If the value of `lower` has 16 bits without a sign, it is
+    /// Adds 2^16 times this plane to `lower`; both are small. If the value of `lower` has 16 bits without a sign, it is
     /// the lower half of the sum's value, and this plane's value is the upper half.
     pub(super) fn pair_with(&self, lower: &mut Self) {
         let add = |to: &mut i32, upper: i32| *to = to.wrapping_add(upper << 16);
@@ -53,25 +53,25 @@ impl Gradient {
     /// The value at a pixel.
     #[inline]
     pub(crate) fn at(&self, x: i32, y: i32) -> i32 {
-        if self.is_near {
-            self.near(x, y)
+        if self.is_small {
+            self.small_at(x, y)
         } else {
-            self.far.at(x, y)
+            self.wide.at(x, y)
         }
     }
 
     /// The change per row, rounded to the nearest unit.
     pub(crate) const fn row(&self) -> i32 {
-        if self.is_near {
+        if self.is_small {
             self.row
         } else {
-            rounded(self.far.dy)
+            rounded(self.wide.dy)
         }
     }
 
-    /// The value of a near plane at a pixel.
+    /// The value of a small plane at a pixel.
     #[inline]
-    pub(crate) const fn near(&self, x: i32, y: i32) -> i32 {
+    pub(crate) const fn small_at(&self, x: i32, y: i32) -> i32 {
         let row = self.start.wrapping_add(self.row.wrapping_mul(y));
         row.wrapping_add(self.step.wrapping_mul(x))
     }
@@ -88,14 +88,14 @@ pub(crate) struct Basis {
     /// of 2^(`up` - 32).
     weights: [[i32; 2]; 2],
     up: u32,
-    /// Values whose range is below this make a near plane; 0 if the triangle's shape does not allow any.
+    /// Values whose range is below this make a small plane; 0 if the triangle's shape does not allow any.
     limit: u32,
-    far: Far,
+    wide: Wide,
 }
 
-/// The sides and the area of a triangle, for far planes.
+/// The sides and the area of a triangle, for wide planes.
 #[derive(Clone, Copy, Debug)]
-struct Far {
+struct Wide {
     /// From corner 0 to corners 1 and 2. Areas are stored without a sign, so the sides have the area's sign.
     sides: [[i32; 2]; 2],
     /// Twice the area is 2^-`shift` times a number of 32 bits with the top bit set, and `inverse` is 2⁶² / number; 0
@@ -107,20 +107,20 @@ struct Far {
     inverse: i32,
 }
 
-/// Limit for the width plus the height of a near triangle, in units of 1/256 pixel.
+/// Limit for the width plus the height of a small triangle, in units of 1/256 pixel.
 ///
 /// A step to the next column or row has an error of at most ¾ unit: ½ from its own rounding, and (|b| + |c|) · 2^-33
 /// from the rounding of the weights, which is at most ¼ because b and c, the shifted differences between corners, are
 /// below 2^30. From the first corner to the center of any pixel there are at most 43 steps. The rounding of `start`
 /// adds ½, and the reciprocal of the area, with an error of 2^-30, less than a unit of a range below 2^30. In all, this
 /// is 33¾ units.
-const NEAR: i32 = 43 << 8;
+const SMALL: i32 = 43 << 8;
 
 /// The most bits by which the differences between corners are shifted left.
 const MOST_UP: u32 = 7;
 
 impl Basis {
-    /// A triangle whose planes are all far.
+    /// A triangle whose planes are all wide.
     #[inline]
     pub(crate) fn without_weights(patch: &Patch<'_>) -> Self {
         let [[x, y], ..] = ScreenVertex::screens(patch.vertices);
@@ -129,7 +129,7 @@ impl Basis {
             weights: [[0; 2]; 2],
             up: 0,
             limit: 0,
-            far: Far {
+            wide: Wide {
                 sides: [[0; 2]; 2],
                 shift: 0,
                 inverse: 0,
@@ -143,7 +143,7 @@ impl Basis {
         let mut basis = Self::without_weights(patch);
         let [[x, y], [bx, by], [cx, cy]] = ScreenVertex::screens(patch.vertices);
         let [wide, high] = patch.size;
-        if wide + high > NEAR {
+        if wide + high > SMALL {
             return basis;
         }
         // Twice the area is then below 2^27. Let r be 2^62 / (area · 2^zeros), and s = side · 2^(zeros + 8 - up).
@@ -169,16 +169,16 @@ impl Basis {
         basis
     }
 
-    /// Whether values of this range make a near plane.
+    /// Whether values of this range make a small plane.
     #[inline]
-    pub(crate) const fn is_near(&self, range: u32) -> bool {
+    pub(crate) const fn is_small(&self, range: u32) -> bool {
         range < self.limit
     }
 
-    /// Prepares for far planes, unless that is done already.
+    /// Prepares for wide planes, unless that is done already.
     #[inline(never)]
-    pub(crate) fn start_far(&mut self, patch: &Patch<'_>) {
-        if self.far.inverse != 0 {
+    pub(crate) fn start_wide(&mut self, patch: &Patch<'_>) {
+        if self.wide.inverse != 0 {
             return;
         }
         let [[x, y], [bx, by], [cx, cy]] = ScreenVertex::screens(patch.vertices);
@@ -186,7 +186,7 @@ impl Basis {
         let area = patch.area.unsigned_abs();
         let zeros = area.leading_zeros();
         let number = (area << (zeros & 63) >> 32) as u32;
-        self.far = Far {
+        self.wide = Wide {
             sides: [
                 [(bx - x) * sign, (by - y) * sign],
                 [(cx - x) * sign, (cy - y) * sign],
@@ -202,7 +202,7 @@ impl Basis {
     #[inline]
     fn gains(&self, [a, b, c]: [i32; 3]) -> [i64; 2] {
         let (b, c) = (b.wrapping_sub(a), c.wrapping_sub(a));
-        let [[bx, by], [cx, cy]] = self.far.sides;
+        let [[bx, by], [cx, cy]] = self.wide.sides;
         // Differences take 31 bits and a sign, sides 20 bits, so the results take 52 bits.
         [
             product(b, cy) - product(c, by),
@@ -210,9 +210,9 @@ impl Basis {
         ]
     }
 
-    /// Lays a plane through 2^`raised` times the values at the corners, whose range [is near](Self::is_near).
+    /// Lays a plane through 2^`raised` times the values at the corners, whose range [is small](Self::is_small).
     #[inline(never)]
-    pub(crate) fn lay_near(&self, [a, b, c]: [i32; 3], raised: u32, gradient: &mut Gradient) {
+    pub(crate) fn lay_small(&self, [a, b, c]: [i32; 3], raised: u32, gradient: &mut Gradient) {
         let up = self.up + raised;
         let (b, c) = (
             b.wrapping_sub(a) << (up & 31),
@@ -224,13 +224,13 @@ impl Basis {
             ((product(b, weight_b) + product(c, weight_c) + (1 << 31)) >> 32) as i32
         };
         let (step, row) = (gain(b_step, c_step), gain(b_row, c_row));
-        gradient.is_near = true;
+        gradient.is_small = true;
         gradient.step = step;
         gradient.row = row;
         gradient.start = (a << (raised & 31)).wrapping_add(moved([step, row], self.to_center));
     }
 
-    /// Lays a near plane through the values at the corners, if their range allows that, or a far one.
+    /// Lays a small plane through the values at the corners, if their range allows that, or a wide one.
     #[inline]
     pub(crate) fn lay(
         &mut self,
@@ -239,30 +239,30 @@ impl Basis {
         patch: &Patch<'_>,
         gradient: &mut Gradient,
     ) {
-        if self.is_near(range) {
-            self.lay_near(values, 0, gradient);
+        if self.is_small(range) {
+            self.lay_small(values, 0, gradient);
         } else {
-            self.start_far(patch);
-            self.lay_far(values, gradient);
+            self.start_wide(patch);
+            self.lay_wide(values, gradient);
         }
     }
 
-    /// Lays a plane through the values at the corners of any triangle; needs [`start_far`](Self::start_far).
+    /// Lays a plane through the values at the corners of any triangle; needs [`start_wide`](Self::start_wide).
     #[inline(never)]
-    pub(crate) fn lay_far(&self, values: [i32; 3], gradient: &mut Gradient) {
+    pub(crate) fn lay_wide(&self, values: [i32; 3], gradient: &mut Gradient) {
         let [dx, dy] = self.gains(values);
         let [x, y] = self.to_center;
         // First to the center of the pixel that contains the corner.
-        let [near_x, near_y] = [x, y].map(|way| i64::from(((way + 127) & 255) - 127));
-        let moved = self.far.quotient(dx * near_x + dy * near_y);
+        let [part_x, part_y] = [x, y].map(|way| i64::from(((way + 127) & 255) - 127));
+        let moved = self.wide.quotient(dx * part_x + dy * part_y);
         // Times 256, they take 60 bits.
-        let [dx, dy] = [dx, dy].map(|gain| self.far.quotient(gain << 8));
+        let [dx, dy] = [dx, dy].map(|gain| self.wide.quotient(gain << 8));
         let [columns, rows] = [x, y].map(|way| (way + 127) >> 8);
         let rest = times_short(dx, columns).wrapping_add(times_short(dy, rows));
         let [corner, ..] = values;
-        gradient.is_near = false;
+        gradient.is_small = false;
         gradient.step = rounded(dx);
-        gradient.far = FarPlane {
+        gradient.wide = WidePlane {
             start: (i64::from(corner) << 30)
                 .wrapping_add(HALF)
                 .wrapping_add(moved)
@@ -273,7 +273,7 @@ impl Basis {
     }
 }
 
-impl Far {
+impl Wide {
     /// `numerator` / area in units of 2^-30, rounded down, modulo 2⁶⁴.
     #[inline(never)]
     fn quotient(self, numerator: i64) -> i64 {
@@ -291,7 +291,7 @@ impl Far {
     }
 }
 
-impl FarPlane {
+impl WidePlane {
     /// Nothing to interpolate.
     const NONE: Self = Self {
         start: 0,
@@ -411,9 +411,9 @@ mod tests {
         [(); 3].map(|()| base + random.random_range(0..=range))
     }
 
-    /// A far plane's reciprocal has an error of 2^-30, which is two units of a range below 2^31; rounding adds ½.
+    /// A wide plane's reciprocal has an error of 2^-30, which is two units of a range below 2^31; rounding adds ½.
     #[test]
-    fn near_planes_are_within_33_and_far_ones_within_two_units() {
+    fn small_planes_are_within_33_and_wide_ones_within_two_units() {
         cases(2000, |random| {
             let at = [(); 2].map(|()| random.random_range(-(2048_i32 << 8)..2048 << 8));
             let size = random.random_range(4_u32..15);
@@ -431,16 +431,16 @@ mod tests {
             let Some(gradient) = laid(screen, values) else {
                 return;
             };
-            let most = if gradient.is_near { 3375 } else { 250 };
+            let most = if gradient.is_small { 3375 } else { 250 };
             for [x, y] in pixels(screen) {
-                let value = if gradient.is_near {
-                    gradient.near(x, y)
+                let value = if gradient.is_small {
+                    gradient.small_at(x, y)
                 } else {
                     let fine = gradient
-                        .far
+                        .wide
                         .start
-                        .wrapping_add(gradient.far.dx.wrapping_mul(x.into()))
-                        .wrapping_add(gradient.far.dy.wrapping_mul(y.into()));
+                        .wrapping_add(gradient.wide.dx.wrapping_mul(x.into()))
+                        .wrapping_add(gradient.wide.dy.wrapping_mul(y.into()));
                     (fine >> 30) as i32
                 };
                 let error = 100 * i128::from(value) - hundredths(screen, values, [x, y]);
@@ -454,15 +454,15 @@ mod tests {
 
     /// The limits of shape and range, from both sides.
     #[test]
-    fn what_is_near() {
-        let is_near = |screen, values| laid(screen, values).unwrap().is_near;
+    fn triangles_and_ranges_up_to_the_limits_have_small_planes() {
+        let is_small = |screen, values| laid(screen, values).unwrap().is_small;
         let square = |side: i32| [[0, 0], [side, 0], [0, side]];
         // Width and height of 43 pixels, and a unit more.
-        assert!(is_near(square(NEAR / 2), [0, 1 << 29, 0]));
-        assert!(!is_near(square(NEAR / 2 + 1), [0, 1 << 29, 0]));
+        assert!(is_small(square(SMALL / 2), [0, 1 << 29, 0]));
+        assert!(!is_small(square(SMALL / 2 + 1), [0, 1 << 29, 0]));
         // A range of 30 bits.
-        assert!(is_near(square(4096), [-(1 << 29), (1 << 29) - 1, 0]));
-        assert!(!is_near(square(4096), [-(1 << 29), 1 << 29, 0]));
+        assert!(is_small(square(4096), [-(1 << 29), (1 << 29) - 1, 0]));
+        assert!(!is_small(square(4096), [-(1 << 29), 1 << 29, 0]));
         // A sliver ten pixels long: the thinner, the less the values may change.
         let sliver = |high: i32| [[0, 127], [2560, 127], [0, 127 + high]];
         for (high, bits) in [
@@ -473,9 +473,9 @@ mod tests {
             (16, 24),
             (8, 23),
         ] {
-            assert!(is_near(sliver(high), [0, (1 << bits) - 1, 0]), "{high}");
-            assert!(!is_near(sliver(high), [0, 1 << bits, 0]), "{high}");
+            assert!(is_small(sliver(high), [0, (1 << bits) - 1, 0]), "{high}");
+            assert!(!is_small(sliver(high), [0, 1 << bits, 0]), "{high}");
         }
-        assert!(!is_near(sliver(4), [0, 1, 0]));
+        assert!(!is_small(sliver(4), [0, 1, 0]));
     }
 }

@@ -30,7 +30,7 @@ pub(crate) use polygon::Polygon;
 pub(crate) use rasterizer::Rasterizer;
 pub(crate) use scissor::Scissor;
 pub(crate) use setup::{
-    Attribute, FAR, Interpolation, LEAST_WEIGHT, MOST_WEIGHT, SPAN, Scale, Setup, unpaired,
+    Attribute, Interpolation, LEAST_WEIGHT, MOST_WEIGHT, SHALLOW, SPAN, Scale, Setup, unpaired,
 };
 pub use sized_point::PointStyle;
 pub(crate) use sized_point::sized_point;

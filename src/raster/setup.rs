@@ -13,9 +13,9 @@ pub(crate) use super::scale::Scale;
 /// length, so all but `Compact`, which has other planes, get the same depths.
 pub(crate) const SPAN: i32 = 64;
 
-/// The nearest corner's 1/w lies between 2^30 and 2^31. A corner with this 1/w or less is far: 1/w may change
-/// fourfold within the triangle. (The value is 2^29 plus the rounding error at a pixel.)
-pub(crate) const FAR: u32 = (1 << 29) + 64;
+/// The nearest corner's 1/w lies between 2^30 and 2^31. If all corners have more than this 1/w, the
+/// triangle is shallow: 1/w changes less than fourfold. (The value is 2^29 plus the rounding error at a pixel.)
+pub(crate) const SHALLOW: u32 = (1 << 29) + 64;
 
 /// Lower clamp of 1/w: a span's rounding (at most 40 units) stays below 1/32 of it, for which [`weigh`] leaves room.
 ///
@@ -131,7 +131,7 @@ pub(crate) struct Setup {
     shift: DepthShift,
     /// 1/w (or depth).
     pub(crate) q: Gradient,
-    /// Whether all gradients are near, so that a value is its start plus a number of steps, and attributes are
+    /// Whether all planes are small, so that a value is its start plus a number of steps, and attributes are
     /// [paired](unpaired) if they may be.
     pub(crate) is_small: bool,
     /// The least 1/w of a corner; the greatest has bit 30 set.
@@ -195,26 +195,26 @@ impl Setup {
             _ => self.affine_range(attributes, change),
         };
         self.is_affine = affine.is_some();
-        self.is_small = self.q.is_near && self.interpolation != Interpolation::Paired;
+        self.is_small = self.q.is_small && self.interpolation != Interpolation::Paired;
         match affine {
             Some(range)
-                if patch.barycentric.is_none() && basis.is_near(range << Scale::AFFINE_UP) =>
+                if patch.barycentric.is_none() && basis.is_small(range << Scale::AFFINE_UP) =>
             {
                 if let (true, Interpolation::Paired, [first, second, third]) =
-                    (self.q.is_near, self.interpolation, &mut *attributes)
+                    (self.q.is_small, self.interpolation, &mut *attributes)
                 {
                     let cut =
                         |[a, b, c]: [i32; 3]| [a >> PAIR_DOWN, b >> PAIR_DOWN, c >> PAIR_DOWN];
-                    basis.lay_near(cut(first.corners), 0, &mut first.gradient);
-                    basis.lay_near(second.corners, Scale::AFFINE_UP, &mut second.gradient);
-                    basis.lay_near(cut(third.corners), 0, &mut third.gradient);
+                    basis.lay_small(cut(first.corners), 0, &mut first.gradient);
+                    basis.lay_small(second.corners, Scale::AFFINE_UP, &mut second.gradient);
+                    basis.lay_small(cut(third.corners), 0, &mut third.gradient);
                     third.gradient.pair_with(&mut first.gradient);
                     self.is_small = true;
                     return;
                 }
                 for attribute in attributes {
                     attribute.scale = Scale::AFFINE;
-                    basis.lay_near(attribute.corners, Scale::AFFINE_UP, &mut attribute.gradient);
+                    basis.lay_small(attribute.corners, Scale::AFFINE_UP, &mut attribute.gradient);
                 }
             }
             _ => self.lay_attributes(attributes, &mut basis, q, patch),
@@ -242,7 +242,7 @@ impl Setup {
     ) {
         let (weights, least_bits) = if self.interpolation == Interpolation::Linear {
             ([ONE; 3], self.least_bits)
-        } else if self.least > FAR {
+        } else if self.least > SHALLOW {
             (q, self.least_bits)
         } else {
             (q, 1)
@@ -265,20 +265,20 @@ impl Setup {
                 patch,
                 &mut attribute.gradient,
             );
-            self.is_small &= attribute.gradient.is_near;
+            self.is_small &= attribute.gradient.is_small;
         }
     }
 
-    /// Lays far planes through everything, for a mode that uses no others, or for [`precise_q`](Self::precise_q) and
-    /// `FarPlane::precise`.
+    /// Lays wide planes through everything, for a mode that uses no others, or for [`precise_q`](Self::precise_q) and
+    /// `WidePlane::precise`.
     #[cold]
     #[inline(never)]
-    pub(crate) fn lay_far(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
+    pub(crate) fn lay_wide(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
         let (q, exponent) = Self::weights(patch);
         self.down = self.shift.of(exponent);
         let mut basis = Basis::without_weights(patch);
-        basis.start_far(patch);
-        basis.lay_far(signed(q), &mut self.q);
+        basis.start_wide(patch);
+        basis.lay_wide(signed(q), &mut self.q);
         let weights = match self.interpolation {
             Interpolation::Linear => [ONE; 3],
             _ => q,
@@ -286,16 +286,16 @@ impl Setup {
         for attribute in attributes {
             let mut values = attribute.at(patch);
             attribute.scale = weigh(&mut values, weights, 1);
-            basis.lay_far(values, &mut attribute.gradient);
+            basis.lay_wide(values, &mut attribute.gradient);
         }
     }
 
     /// 1/w at a pixel, shifted left to 31 bits, and by how many bits it was shifted.
     pub(crate) fn precise_q(&self, at: [i32; 2]) -> (u32, u32) {
-        let coarse = self.q.far.precise(at, 0).cast_unsigned();
+        let coarse = self.q.wide.precise(at, 0).cast_unsigned();
         // Rounding up may add a bit.
         let up = (coarse | 1).leading_zeros().saturating_sub(2);
-        (self.q.far.precise(at, up).cast_unsigned(), up)
+        (self.q.wide.precise(at, up).cast_unsigned(), up)
     }
 
     /// The greatest change of 1/w from a pixel to the next, across or down.
@@ -334,7 +334,7 @@ mod tests {
     /// A mode asks for a number of bits, which needs a 1/w that changes less than fourfold. 200 takes 9 bits.
     #[test]
     fn scales_have_the_bits_that_a_mode_asks_for() {
-        assert_eq!(bits([1 << 30, 1 << 30, FAR + 1]), 28);
-        assert_eq!(bits([1 << 30, 1 << 30, FAR]), 9);
+        assert_eq!(bits([1 << 30, 1 << 30, SHALLOW + 1]), 28);
+        assert_eq!(bits([1 << 30, 1 << 30, SHALLOW]), 9);
     }
 }

@@ -5,7 +5,7 @@ use embedded_graphics::geometry::Point;
 use super::{Fragment, Lanes, Shader, Varyings};
 use crate::Mesh;
 use crate::math::Transform;
-use crate::mesh::{Element, Placement, Primitive};
+use crate::mesh::{Indices, Placement, Primitive};
 
 /// The identity transform.
 pub(super) const IDENTITY: Transform = scale([1 << 29; 3]);
@@ -30,10 +30,7 @@ pub(super) fn face<S: Shader>(
     let corners = shader.varyings(&Primitive {
         mesh,
         placement: &Placement::new(model, Transform::IDENTITY),
-        element: Element {
-            face: Some(index),
-            indices: mesh.faces()[index],
-        },
+        indices: Indices::of_face(index, mesh.faces()[index]),
     });
     (shader, corners)
 }
@@ -44,10 +41,7 @@ pub(super) fn edge<S: Shader>(shader: S, mesh: &Mesh<'_>, index: usize) -> [S::V
     let [start, end, _] = shader.varyings(&Primitive {
         mesh,
         placement: &Placement::new(&IDENTITY, Transform::IDENTITY),
-        element: Element {
-            face: None,
-            indices: [a, b, b],
-        },
+        indices: Indices::of_edge([a, b]),
     });
     [start, end]
 }

@@ -6,12 +6,12 @@ use core::ops::Range;
 use embedded_graphics::geometry::Point;
 
 use super::divide::{divide, divide_anew, divide_apart};
+use super::interpolator::Interpolator;
 use super::mode::{Kernel, Policy};
 use super::newton::newton;
 use super::painter::Painter;
 use super::pieces::pieces;
 use super::pixels::{Count, FaceOf, Numbers, Pixels, Span, rolled};
-use super::plan::Plan;
 use super::straight::{scaled, solid, straight};
 use crate::mesh::Primitive;
 use crate::raster::{Attribute, Blitter, Columns, DepthShift, Patch, SPAN, Scale, unpaired};
@@ -24,7 +24,7 @@ pub(crate) struct Blit<'p, 'c, S: Painter, O: Storage<S::Color>, D, K, M, Z> {
     canvas: &'p mut Canvas<'c, S::Color, O, D>,
     painter: S,
     test: Z,
-    plan: Plan<Count<S>, K, M>,
+    interpolator: Interpolator<Count<S>, K, M>,
     /// The values that all pixels of the current primitive share for the shader.
     face: FaceOf<S>,
 }
@@ -46,7 +46,7 @@ where
         Self::INTERPOLATES || D::IS_KEPT && (Z::TESTS || Z::WRITES) || S::READS_DEPTH;
 
     /// Whether attributes are divided by w.
-    const OVER_W: bool = Plan::<Count<S>, K, M>::OVER_W;
+    const OVER_W: bool = Interpolator::<Count<S>, K, M>::OVER_W;
 
     /// Whether small triangles carry two attributes in one number.
     const PAIRS: bool = S::Varyings::PAIRS && Self::OVER_W && !M::IS_COMPACT;
@@ -68,7 +68,7 @@ where
             canvas,
             painter,
             test,
-            plan: Plan::new(mode, &S::Varyings::tolerances(), Self::PAIRS, shift),
+            interpolator: Interpolator::new(mode, &S::Varyings::tolerances(), Self::PAIRS, shift),
             face: FaceOf::<S>::default(),
         }
     }
@@ -106,9 +106,9 @@ where
         }
     }
 
-    /// Draws rows of a near triangle whose attributes are linear.
+    /// Draws rows of a small triangle whose attributes are linear.
     #[inline(always)]
-    fn near_rows(&mut self, first: i32, rows: &[Columns]) {
+    fn small_rows(&mut self, first: i32, rows: &[Columns]) {
         let mut rest = (self, (first..).zip(rows));
         // Kept in memory: a loop over pixels takes all registers of a small core, but between rows, the compiler would
         // rather keep this in registers. After this line, it must assume that `rolled` changes it.
@@ -126,11 +126,15 @@ where
             let (x, y) = (columns.start, row);
             let pixels = blit.pixels(row, x);
             let mut span = Span::<Count<S>> {
-                q: blit.plan.setup.q.near(x, y).cast_unsigned(),
-                p: Count::<S>::map(&blit.plan.attributes, |p: &Attribute| p.gradient.near(x, y)),
-                dq: blit.plan.setup.q.step,
-                dp: Count::<S>::map(&blit.plan.attributes, |p: &Attribute| p.gradient.step),
-                down: blit.plan.setup.down,
+                q: blit.interpolator.setup.q.small_at(x, y).cast_unsigned(),
+                p: Count::<S>::map(&blit.interpolator.attributes, |p: &Attribute| {
+                    p.gradient.small_at(x, y)
+                }),
+                dq: blit.interpolator.setup.q.step,
+                dp: Count::<S>::map(&blit.interpolator.attributes, |p: &Attribute| {
+                    p.gradient.step
+                }),
+                down: blit.interpolator.setup.down,
                 count: columns.len(),
             };
             match (span.p.as_mut(), span.dp.as_mut()) {
@@ -139,7 +143,7 @@ where
                 _ => {}
             }
             if let Some(cells) = blit.cells(row, columns) {
-                straight(span, Self::restored_near, cells, pixels);
+                straight(span, Self::restored_small, cells, pixels);
             }
         }
     }
@@ -163,9 +167,12 @@ where
         let at = [columns.start, row];
         // By reference: moved, the span would be copied.
         let count = (columns.end - columns.start).cast_unsigned() as usize;
-        let (span, kernel) = &self.plan.begin(at, count);
-        let (pixels, scales) = (self.pixels(row, columns.start), self.plan.slopes.scales);
-        let plan = &self.plan;
+        let (span, kernel) = &self.interpolator.begin(at, count);
+        let (pixels, scales) = (
+            self.pixels(row, columns.start),
+            self.interpolator.derivatives.scales,
+        );
+        let interpolator = &self.interpolator;
         let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
         let Some(cells) = self.canvas.run(row.cast_unsigned(), columns) else {
             return;
@@ -174,7 +181,7 @@ where
             // Kernels that neither the mode nor the projection uses are left out.
             match *kernel {
                 Kernel::DivideAnew if Self::OVER_W && M::IS_PRECISE => {
-                    divide_anew(span, scales, |x| plan.anew(at, x), cells, pixels);
+                    divide_anew(span, scales, |x| interpolator.anew(at, x), cells, pixels);
                 }
                 _ if Self::OVER_W && (M::IS_PRECISE || M::IS_COMPACT) => {
                     divide(span, scales, cells, pixels);
@@ -195,7 +202,7 @@ where
 
     /// The attributes of interpolants that nothing divides, in a small triangle.
     #[inline(always)]
-    fn restored_near(p: &Numbers<S>) -> Numbers<S> {
+    fn restored_small(p: &Numbers<S>) -> Numbers<S> {
         let mut numbers = *p;
         match numbers.as_mut() {
             [first, second, third] if Self::PAIRS => {
@@ -230,16 +237,16 @@ where
         let [a, b, c] = self.painter.varyings(primitive);
         let ((a, face), (b, _), (c, _)) = (a.split(), b.split(), c.split());
         self.face = face;
-        self.plan.start([a, b, c]);
+        self.interpolator.start([a, b, c]);
     }
 
     fn set_up(&mut self, patch: &Patch<'_>) {
         if !Self::VARIES {
             return;
         }
-        self.plan.set_up(patch);
+        self.interpolator.set_up(patch);
         if Z::IS_BIASED {
-            self.test.triangle(self.plan.setup.steepness());
+            self.test.triangle(self.interpolator.setup.steepness());
         }
     }
 
@@ -252,8 +259,8 @@ where
             if let Some(patch) = patch.take() {
                 self.set_up(patch);
             }
-            if self.plan.is_near() {
-                self.near_rows(first, rows);
+            if self.interpolator.is_small() {
+                self.small_rows(first, rows);
             } else {
                 self.any_rows(first, rows);
             }

@@ -1,8 +1,8 @@
 //! From spans to pixels: interpolation, depth test, shader, blending, store.
 //!
-//! A [`plan`] starts each span and asks the [mode](mode) which of four kernels draws it; [`Blit`] calls that kernel:
-//! [`straight`] adds, [`pieces`] adds and computes a reciprocal at the ends of straight pieces, [`newton`] refines a
-//! reciprocal at every pixel, [`divide`] divides at every pixel.
+//! An [`interpolator`] starts each span and asks the [mode](mode) which of four kernels draws it; [`Blit`] calls that
+//! kernel: [`straight`] adds, [`pieces`] adds and computes a reciprocal at the ends of straight pieces, [`newton`]
+//! refines a reciprocal at every pixel, [`divide`] divides at every pixel.
 
 // Kernels are inlined: out of line, a kernel keeps its interpolants and steps in memory, which takes 8 instructions per
 // pixel on Cortex-M4 in addition to 18.
@@ -12,12 +12,12 @@
 
 mod blit;
 mod divide;
+mod interpolator;
 mod mode;
 mod newton;
 mod painter;
 mod pieces;
 mod pixels;
-mod plan;
 mod straight;
 #[cfg(test)]
 mod tests;

@@ -7,7 +7,7 @@
 use super::newton::FRACTION;
 use super::pixels::Span;
 use crate::Scalar;
-use crate::raster::{FAR, Scale};
+use crate::raster::{SHALLOW, Scale};
 use crate::shade::{Lanes, Tolerance};
 
 /// How attributes are interpolated between a triangle's corners, which trades accuracy for speed.
@@ -70,7 +70,7 @@ pub(crate) enum Kernel {
 }
 
 /// The changes of a triangle's interpolants along a row, and their scales.
-pub(crate) struct Slopes<L: Lanes> {
+pub(crate) struct Derivatives<L: Lanes> {
     /// q′.
     pub q: i32,
     /// p′ of each attribute; its unit is 2^(bits − 30) units of the attribute.
@@ -99,10 +99,10 @@ pub(crate) trait Policy: Copy {
     /// Whether it chooses [`Kernel::Pieces`].
     const HAS_PIECES: bool = false;
 
-    /// Whether triangles that have a corner with q below [`STEEP`] compute their interpolants anew at each pixel.
+    /// Whether triangles that have a corner with q below [`DEEP`] compute their interpolants anew at each pixel.
     const IS_PRECISE: bool = false;
 
-    /// Whether all triangles have far planes, and all spans are divided; then the items below are not used.
+    /// Whether all triangles have wide planes, and all spans are divided; then the items below are not used.
     const IS_COMPACT: bool = false;
 
     /// The kernel of a mode that has only one.
@@ -117,7 +117,7 @@ pub(crate) trait Policy: Copy {
 
     /// The kernel for all spans of a triangle that is not affine; `None` if it is chosen span by span.
     #[inline]
-    fn of_triangle<L: Lanes>(self, _slopes: &Slopes<L>) -> Option<Kernel> {
+    fn of_triangle<L: Lanes>(self, _slopes: &Derivatives<L>) -> Option<Kernel> {
         Some(Self::KERNEL)
     }
 
@@ -127,7 +127,7 @@ pub(crate) trait Policy: Copy {
         self,
         _of_triangle: Option<Kernel>,
         _span: &mut Span<L>,
-        _slopes: &Slopes<L>,
+        _slopes: &Derivatives<L>,
     ) -> Kernel {
         Self::KERNEL
     }
@@ -143,7 +143,7 @@ const STEEPEST: u32 = 6;
 /// 2^31. Interpolants are rounded to half a unit at the nearest corner's scale, and a span's steps add up to 32 units.
 /// A unit is 2^-6 of 2^-16 texel at the nearest corner, if 256 texels span the triangle, and grows with the distance:
 /// at 16 times the distance, 56½ units of 4¼ · 2^-6 are 60 of 2^-16 texel, and 0.001 texel is 65½.
-pub(super) const STEEP: u32 = 1 << 27;
+pub(super) const DEEP: u32 = 1 << 27;
 
 /// The left shift of a span's interpolants that brings q to 2^29 to 2^31 at all its pixels; `None` if q changes
 /// twofold along the span, or if δ exceeds 2^-6.
@@ -293,13 +293,13 @@ impl Policy for Newton {
     }
 
     #[inline]
-    fn of_triangle<L: Lanes>(self, slopes: &Slopes<L>) -> Option<Kernel> {
-        if !L::all(&slopes.scales, |scale| scale.bits() <= FRACTION) {
+    fn of_triangle<L: Lanes>(self, derivatives: &Derivatives<L>) -> Option<Kernel> {
+        if !L::all(&derivatives.scales, |scale| scale.bits() <= FRACTION) {
             return Some(Kernel::Divide);
         }
-        let is_gentle = slopes.least > FAR
-            && slopes.q.unsigned_abs() <= slopes.least >> STEEPEST
-            && L::all(&slopes.scales, |scale| scale.bits() == FRACTION);
+        let is_gentle = derivatives.least > SHALLOW
+            && derivatives.q.unsigned_abs() <= derivatives.least >> STEEPEST
+            && L::all(&derivatives.scales, |scale| scale.bits() == FRACTION);
         is_gentle.then_some(Kernel::Newton)
     }
 
@@ -308,7 +308,7 @@ impl Policy for Newton {
         self,
         of_triangle: Option<Kernel>,
         span: &mut Span<L>,
-        slopes: &Slopes<L>,
+        derivatives: &Derivatives<L>,
     ) -> Kernel {
         if of_triangle.is_none() {
             let Some(up) = room(span.q, span.dq, span.count) else {
@@ -320,8 +320,8 @@ impl Policy for Newton {
                 let (left, right) = scale.to(FRACTION, up);
                 nearest(*p << left, right)
             };
-            span.p = L::zip(&span.p, &slopes.scales, scaled);
-            span.dp = L::zip(&span.dp, &slopes.scales, scaled);
+            span.p = L::zip(&span.p, &derivatives.scales, scaled);
+            span.dp = L::zip(&span.dp, &derivatives.scales, scaled);
         }
         if is_level(span) {
             Kernel::Tangent
@@ -385,13 +385,13 @@ impl Fast {
     /// The exponent of the most pixels that a piece may have, where q is at least `least` and all values will be
     /// shifted left by `up`; `None` if even two pixels are too many, or if attributes have too many bits.
     #[inline]
-    fn length<L: Lanes>(self, least: u32, slopes: &Slopes<L>, up: u32) -> Option<u32> {
-        if self.tolerance == 0 || !L::all(&slopes.scales, |scale| scale.bits() <= MOST_BITS) {
+    fn length<L: Lanes>(self, least: u32, derivatives: &Derivatives<L>, up: u32) -> Option<u32> {
+        if self.tolerance == 0 || !L::all(&derivatives.scales, |scale| scale.bits() <= MOST_BITS) {
             return None;
         }
-        let step = slopes.q.unsigned_abs();
+        let step = derivatives.q.unsigned_abs();
         let mut most = 0;
-        L::zip(&slopes.p, &slopes.scales, |p, scale| {
+        L::zip(&derivatives.p, &derivatives.scales, |p, scale| {
             // |f′| = |p′ − f · q′| / q, where |f| is at most half as a fraction of 2^bits units: at most gain / q.
             // `most` is in units of 2^28 / q.
             let gain = p.unsigned_abs().saturating_add(step >> 1);
@@ -430,9 +430,9 @@ impl Policy for Fast {
     }
 
     #[inline]
-    fn of_triangle<L: Lanes>(self, slopes: &Slopes<L>) -> Option<Kernel> {
-        let length = if slopes.least > FAR {
-            self.length(slopes.least, slopes, 0)
+    fn of_triangle<L: Lanes>(self, derivatives: &Derivatives<L>) -> Option<Kernel> {
+        let length = if derivatives.least > SHALLOW {
+            self.length(derivatives.least, derivatives, 0)
         } else {
             None
         };
@@ -444,7 +444,7 @@ impl Policy for Fast {
         self,
         of_triangle: Option<Kernel>,
         span: &mut Span<L>,
-        slopes: &Slopes<L>,
+        derivatives: &Derivatives<L>,
     ) -> Kernel {
         if let Some(Kernel::Pieces(length)) = of_triangle {
             return Kernel::Pieces(length);
@@ -454,7 +454,7 @@ impl Policy for Fast {
             let others = (span.count as u32).wrapping_sub(1).cast_signed();
             let last = span.dq.wrapping_mul(others);
             let least = span.q.min(span.q.wrapping_add_signed(last));
-            self.length(least, slopes, up)
+            self.length(least, derivatives, up)
         });
         let (Some(up), Some(length)) = (up, length) else {
             return Kernel::Divide;

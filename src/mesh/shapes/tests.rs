@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::vec::Vec;
 
 use super::Shape;
-use crate::mesh::Element;
+use crate::mesh::Indices;
 use crate::mesh::{Buffers, Mesh};
 use crate::{Error, Scalar, Vec2, Vec3};
 use crate::{fx, shape, vec3};
@@ -108,11 +108,8 @@ fn normals_are_unit_vectors_that_point_outwards() {
             let side = |to: [f64; 3]| [to[0] - a[0], to[1] - a[1], to[2] - a[2]];
             let outwards = cross(side(b), side(c));
             for corner in 0..3 {
-                let element = Element {
-                    face: Some(face),
-                    indices: *indices,
-                };
-                let normal = float(mesh.normals.at(element, corner).unwrap());
+                let indices = Indices::of_face(face, *indices);
+                let normal = float(mesh.normals.at(indices, corner).unwrap());
                 // Three components rounded by up to 2^-17 each: √3 · 2^-17.
                 let length = dot(normal, normal).sqrt();
                 assert!((length - 1.0).abs() < 1.0 / 32768.0, "{name}: {length}");
@@ -172,11 +169,8 @@ fn positions_lie_on_the_mathematical_surface() {
 fn texture_coordinates_are_in_range_and_not_mirrored() {
     for (name, mesh) in &SHAPES {
         for (face, indices) in mesh.faces().iter().enumerate() {
-            let element = Element {
-                face: Some(face),
-                indices: *indices,
-            };
-            let uv = [0, 1, 2].map(|corner| mesh.uvs.at(element, corner).unwrap());
+            let indices = Indices::of_face(face, *indices);
+            let uv = [0, 1, 2].map(|corner| mesh.uvs.at(indices, corner).unwrap());
             for Vec2 { x, y } in uv {
                 assert!((0..=1 << 20).contains(&x.to_bits()), "{name}");
                 assert!((0..=1 << 20).contains(&y.to_bits()), "{name}");

@@ -7,7 +7,7 @@ use heapless::{Vec, VecView};
 
 use super::{Needed, PreparedCall, Slot, VertexWriter, painter, vertex};
 use crate::Error;
-use crate::mesh::{Element, Mesh};
+use crate::mesh::{Indices, Mesh};
 use crate::pipeline::assemble::Assembly;
 use crate::pipeline::call::Call;
 use crate::pipeline::clip::ClippedPolygon;
@@ -360,7 +360,7 @@ pub(super) fn fill<K: ProjectionKind>(
 }
 
 impl Filling<'_> {
-    fn add_triangle(&mut self, element: Element, rows: &Range<i32>, corners: Corners) {
+    fn add_triangle(&mut self, indices: Indices, rows: &Range<i32>, corners: Corners) {
         // Rows of a frame are 0 to 2048.
         let row = |row: i32| {
             let inside = row.max(self.scissor.rows.start).min(self.scissor.rows.end);
@@ -372,7 +372,7 @@ impl Filling<'_> {
         self.needed += 1;
         // If there is no room, the list will not be used.
         let _ = self.triangles.push(Entry {
-            face: element.face.unwrap_or_default() as u32,
+            face: indices.face.unwrap_or_default() as u32,
             rows,
             corners,
         });
@@ -380,14 +380,14 @@ impl Filling<'_> {
 }
 
 impl Assembly for Filling<'_> {
-    fn whole(&mut self, element: Element, corners: [&ScreenVertex; 3], area: i64) {
+    fn whole(&mut self, indices: Indices, corners: [&ScreenVertex; 3], area: i64) {
         if let Some(triangle) = &Triangle::new(corners, None, area, self.scissor) {
             let numbers = corners.map(|corner| self.vertices.number(corner));
-            self.add_triangle(element, &triangle.rows, Corners::Whole(numbers));
+            self.add_triangle(indices, &triangle.rows, Corners::Whole(numbers));
         }
     }
 
-    fn clipped(&mut self, element: Element, polygon: &[ClippedVertex]) {
+    fn clipped(&mut self, indices: Indices, polygon: &[ClippedVertex]) {
         let part = Polygon::new(polygon, self.cull);
         let Some(rows) = part.and_then(|part| part.rows(self.scissor)) else {
             return;
@@ -401,7 +401,7 @@ impl Assembly for Filling<'_> {
             // At most nine.
             count: polygon.len() as u16,
         };
-        self.add_triangle(element, &rows, corners);
+        self.add_triangle(indices, &rows, corners);
     }
 }
 
@@ -455,10 +455,7 @@ impl<K: ProjectionKind, M, Z, B> Prepared<'_, K, M, Z, B> {
             let Some(&indices) = self.call.mesh.faces().get(face) else {
                 continue;
             };
-            let element = Element {
-                face: Some(face),
-                indices,
-            };
+            let indices = Indices::of_face(face, indices);
             match entry.corners {
                 Corners::Whole([a, b, c]) => {
                     let vertex = |number| vertex(self.vertices, number);
@@ -466,11 +463,11 @@ impl<K: ProjectionKind, M, Z, B> Prepared<'_, K, M, Z, B> {
                     if let (Some(a), Some(b), Some(c)) = corners {
                         let corners = [&a, &b, &c];
                         let area = raster::area(&ScreenVertex::screens(corners));
-                        draw.whole(element, corners, area);
+                        draw.whole(indices, corners, area);
                     }
                 }
                 Corners::Clipped { first, count } => {
-                    draw.clipped(element, &self.polygon(first, count));
+                    draw.clipped(indices, &self.polygon(first, count));
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::mode::{Kernel, Policy, STEEP, Slopes, WHOLE};
+use super::mode::{DEEP, Derivatives, Kernel, Policy, WHOLE};
 use super::newton::tangent;
 use super::pixels::Span;
 use crate::raster::{Attribute, DepthShift, Gradient, Interpolation, Patch, Scale, Setup};
@@ -15,17 +15,17 @@ const _: () = assert!(4 * MOST_TOLERANCE <= i32::MAX.cast_unsigned());
 
 /// The data that the spans of a primitive share, whatever its shader and canvas: one copy of this code serves all
 /// shaders with the same number of interpolated numbers.
-pub(super) struct Plan<L: Lanes, K, M> {
+pub(super) struct Interpolator<L: Lanes, K, M> {
     mode: M,
     pub(super) setup: Setup,
     pub(super) attributes: L::Of<Attribute>,
-    pub(super) slopes: Slopes<L>,
+    pub(super) derivatives: Derivatives<L>,
     /// The kernel of all spans; `None` if the mode chooses span by span.
     kernel: Option<Kernel>,
     kind: PhantomData<K>,
 }
 
-impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
+impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
     /// Whether attributes are divided by w.
     pub(super) const OVER_W: bool = K::PERSPECTIVE && M::DIVIDES;
 
@@ -56,7 +56,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
             mode,
             setup: Setup::new(interpolation, Self::LEAST_BITS, shift),
             attributes,
-            slopes: Slopes {
+            derivatives: Derivatives {
                 q: 0,
                 p: L::splat(0),
                 scales: L::splat(Scale::UNSET),
@@ -83,11 +83,11 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
     #[inline(never)]
     pub(super) fn set_up(&mut self, patch: &Patch<'_>) {
         if M::IS_COMPACT {
-            self.setup.lay_far(self.attributes.as_mut(), patch);
+            self.setup.lay_wide(self.attributes.as_mut(), patch);
         } else {
             self.setup.lay(self.attributes.as_mut(), patch);
         }
-        self.slopes = Slopes {
+        self.derivatives = Derivatives {
             q: self.setup.q.step,
             p: L::map(&self.attributes, |p| p.gradient.step),
             scales: L::map(&self.attributes, |p| p.scale),
@@ -96,12 +96,12 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
         if L::COUNT == 0 || M::IS_COMPACT {
             return;
         }
-        let is_precise = Self::OVER_W && M::IS_PRECISE && self.setup.least < STEEP;
+        let is_precise = Self::OVER_W && M::IS_PRECISE && self.setup.least < DEEP;
         self.kernel = if is_precise {
-            self.setup.lay_far(self.attributes.as_mut(), patch);
+            self.setup.lay_wide(self.attributes.as_mut(), patch);
             Some(Kernel::DivideAnew)
         } else if !Self::OVER_W {
-            let is_whole = L::all(&self.slopes.scales, |scale| scale.bits() == WHOLE);
+            let is_whole = L::all(&self.derivatives.scales, |scale| scale.bits() == WHOLE);
             let is_whole = Self::LEAST_BITS == WHOLE && is_whole;
             Some(if is_whole {
                 Kernel::Straight
@@ -111,13 +111,13 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
         } else if self.setup.is_affine {
             Some(Kernel::Straight)
         } else {
-            self.mode.of_triangle(&self.slopes)
+            self.mode.of_triangle(&self.derivatives)
         };
     }
 
-    /// Whether all spans are straight, and begin at near planes.
+    /// Whether all spans are straight, and begin at small planes.
     #[inline(always)]
-    pub(super) fn is_near(&self) -> bool {
+    pub(super) fn is_small(&self) -> bool {
         let is_straight = L::COUNT == 0 || self.kernel == Some(Kernel::Straight);
         !M::IS_COMPACT && is_straight && self.setup.is_small
     }
@@ -129,7 +129,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
         let (x, y) = (x & 0x7fff, y & 0x7fff);
         let at = |gradient: &Gradient| {
             if M::IS_COMPACT {
-                gradient.far.at(x, y)
+                gradient.wide.at(x, y)
             } else {
                 gradient.at(x, y)
             }
@@ -137,8 +137,8 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
         let mut span = Span {
             q: at(&self.setup.q).cast_unsigned(),
             p: L::map(&self.attributes, |p: &Attribute| at(&p.gradient)),
-            dq: self.slopes.q,
-            dp: self.slopes.p,
+            dq: self.derivatives.q,
+            dp: self.derivatives.p,
             down: self.setup.down,
             count,
         };
@@ -154,7 +154,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
         {
             return (span, kernel);
         }
-        let kernel = self.mode.of_span(self.kernel, &mut span, &self.slopes);
+        let kernel = self.mode.of_span(self.kernel, &mut span, &self.derivatives);
         if kernel == Kernel::Tangent {
             tangent(&mut span);
             return (span, Kernel::Straight);
@@ -167,7 +167,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Plan<L, K, M> {
         let at = [first + x, y];
         let (q, up) = self.setup.precise_q(at);
         let p = L::map(&self.attributes, |p: &Attribute| {
-            p.gradient.far.precise(at, up)
+            p.gradient.wide.precise(at, up)
         });
         (q, p)
     }
