@@ -6,7 +6,8 @@
 //!
 #![cfg_attr(doc, doc = diagram!("pipeline"))]
 //! The [guide] leads from [concepts](guide::concepts) to [firmware](guide::firmware). If you know OpenGL or another
-//! library, begin with [coming from](guide::coming_from).
+//! library, begin with [coming from](guide::coming_from). To work on the crate itself, begin with [the path of a
+//! pixel](#the-path-of-a-pixel), the stages above function by function.
 //!
 //! # A picture
 //!
@@ -177,24 +178,25 @@
 //!
 //! # The path of a pixel
 //!
+//! These functions carry out the stages, in this order:
+//!
 //! ```text
 //!  mesh       in flash: positions, faces, attributes
 //!   │  Canvas::draw            1  a draw call: mesh, Mvp, shader                 pipeline/
 //!   │  run::triangles          2  each triangle in turn
 //!   ▼
-//!  vertex     VertexCache::vertex    3  projected now, or already for a neighbor
-//!   │         Projector::project     4  model → clip space → screen; an outcode
-//!   ▼
-//!  assemble   assemble::triangle     5  culled, whole, or clipped (clip::clip)
+//!  assemble   assemble::triangle     3  culled, whole, or clipped (clip::clip)
+//!   │         VertexCache::vertex    4  a corner: projected for a neighbor, or now
+//!   │         Projector::project     5  model → clip space → screen; an outcode
 //!   │         Draw::whole            6  inside the scissor?
 //!   ▼
 //!  raster     Blit::primitive        7  the shader's varyings at the corners     shade/
 //!   │         Triangle::draw         8                                           raster/
-//!   │         Setup::lay             9  gradients of 1/w, of attributes over w
-//!   │         scan_convert          10  top-left rule, row by row (Edge::next)
+//!   │         scan_convert           9  top-left rule, row by row (Edge::next)
 //!   ▼
-//!  span       Blit::rows            11  1/w and attributes at a row's start      span/
-//!   │         straight::straight    12  the attributes of each pixel; or pieces,
+//!  span       Blit::rows            10  1/w and attributes at a row's start      span/
+//!   │         Setup::lay            11  before the first row: their gradients    raster/
+//!   │         straight::straight    12  the attributes of each pixel; or pieces, span/
 //!   │                                   Newton, divide: Policy::of_span chooses
 //!   ▼
 //!  pixel      Pixels::visible       13  depth test                               target/
