@@ -191,7 +191,7 @@
 //!   │         Draw::whole            6  inside the scissor?
 //!   ▼
 //!  raster     Blit::primitive        7  the shader's varyings at the corners     shade/
-//!   │         Triangle::draw         8                                           raster/
+//!   │         Rasterizer::triangle   8                                           raster/
 //!   │         scan_convert           9  top-left rule, row by row (Edge::next)
 //!   ▼
 //!  span       Blit::rows            10  1/w and attributes at a row's start      span/

@@ -185,7 +185,7 @@ fn rectangle<K: ProjectionKind>(
     let is_plane = is_plane([&shared.primitive(one), &shared.primitive(other)]);
     if is_plane {
         draw.start(one);
-        half.draw_rectangle(&mut draw.raster);
+        draw.raster.rectangle(half);
         draw.drawn.drawn += 2;
     }
     is_plane
@@ -248,7 +248,7 @@ impl Assembly for Draw<'_> {
         // By reference: moved, it would be copied.
         if let Some(triangle) = &Triangle::new(corners, None, area, &self.shared.scissor) {
             self.start(indices);
-            triangle.draw(&mut self.raster, None);
+            self.raster.triangle(triangle, None);
             self.drawn.drawn += 1;
         }
     }

@@ -61,14 +61,16 @@ pub(crate) type Columns = [i16; 2];
 /// Everything before it, from the mesh's indices to rows of pixels, calls it through a `dyn`. This keeps a single
 /// copy of that code in a program, however many shaders and canvases there are. A call costs a few instructions.
 pub(crate) trait Blitter {
+    /// Whether anything is interpolated; if not, patches need not be set up.
+    fn varies(&self) -> bool;
+
     /// Starts another triangle, edge or point of the mesh.
     fn primitive(&mut self, primitive: &Primitive<'_>);
 
     /// Lays the interpolants over a patch, which is the whole primitive or a part of it.
     fn set_up(&mut self, patch: &Patch<'_>);
 
-    /// Draws these columns of consecutive rows, which lie within the canvas; some may be empty. If one is not and
-    /// `patch` has a patch, takes it and [sets it up](Self::set_up) before: for the many slivers that pass between all
-    /// centers, nothing is laid.
-    fn rows(&mut self, patch: &mut Option<&Patch<'_>>, first: i32, columns: &[Columns]);
+    /// Draws these columns of consecutive rows, which lie within the canvas; some may be empty. If one is not, the
+    /// patch has been [set up](Self::set_up).
+    fn rows(&mut self, first: i32, columns: &[Columns]);
 }

@@ -48,16 +48,17 @@ impl Picture {
 }
 
 impl Blitter for Picture {
+    fn varies(&self) -> bool {
+        true
+    }
+
     fn primitive(&mut self, _: &Primitive<'_>) {}
 
     fn set_up(&mut self, patch: &Patch<'_>) {
         self.screen = ScreenVertex::screens(patch.vertices);
     }
 
-    fn rows(&mut self, patch: &mut Option<&Patch<'_>>, first: i32, columns: &[Columns]) {
-        if let Some(patch) = patch.take() {
-            self.set_up(patch);
-        }
+    fn rows(&mut self, first: i32, columns: &[Columns]) {
         for (row, [start, end]) in (first..).zip(columns.iter().map(|ends| ends.map(i32::from))) {
             for column in start..end {
                 let [at_row, at_column] = [row, column].map(|at| usize::try_from(at).unwrap());

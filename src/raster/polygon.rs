@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use super::triangle::{Triangle, area, covers};
-use super::{Blitter, ClippedVertex, Columns, Cull, Patch, Rasterizer, Scissor, ScreenVertex};
+use super::{Blitter, ClippedVertex, Columns, Cull, Rasterizer, Scissor, ScreenVertex};
 
 /// The fan of triangles that a clipped triangle is drawn as; all share the first corner of its outline. For example,
 /// the corners 0 to 4 make the triangles 0 1 2, 0 2 3 and 0 3 4.
@@ -112,7 +112,7 @@ impl<'a> Polygon<'a> {
             let triangle = Triangle::new(vertices(corners), Some(&places), area, raster.scissor);
             if let Some(triangle) = &triangle {
                 let part = Part { fan: self, at };
-                triangle.draw(raster, self.is_folded.then_some(&part));
+                raster.triangle(triangle, self.is_folded.then_some(&part));
                 is_drawn = true;
             }
         }
@@ -131,17 +131,11 @@ impl Part<'_> {
     /// Draws those pixels of some rows that this triangle has to draw.
     #[cold]
     #[inline(never)]
-    pub(super) fn rows(
-        &self,
-        blitter: &mut dyn Blitter,
-        patch: &mut Option<&Patch<'_>>,
-        first: i32,
-        rows: &[Columns],
-    ) {
+    pub(super) fn rows(&self, blitter: &mut dyn Blitter, first: i32, rows: &[Columns]) {
         for (row, &[start, end]) in (first..).zip(rows) {
             for column in start..end {
                 if self.has([column.into(), row]) {
-                    blitter.rows(patch, row, &[[column, column + 1]]);
+                    blitter.rows(row, &[[column, column + 1]]);
                 }
             }
         }

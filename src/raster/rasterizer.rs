@@ -4,7 +4,8 @@ use core::hint::black_box;
 use core::ops::Range;
 
 use super::edge::{Edge, first_center};
-use super::{Blitter, Columns, Patch, Scissor, ScreenVertex, Triangle};
+use super::polygon::Part;
+use super::{Blitter, Columns, Scissor, ScreenVertex, Triangle};
 
 /// The most rows that a [`Blitter`] receives at once: all rows of a small triangle. They take 256 bytes of stack.
 const ROWS: i32 = 64;
@@ -13,6 +14,7 @@ const ROWS: i32 = 64;
 pub(crate) struct Rasterizer<'r> {
     pub(crate) blitter: &'r mut dyn Blitter,
     pub(super) scissor: &'r Scissor,
+    varies: bool,
     rows: [Columns; ROWS as usize],
 }
 
@@ -20,6 +22,7 @@ impl<'r> Rasterizer<'r> {
     #[inline]
     pub(crate) fn new(blitter: &'r mut dyn Blitter, scissor: &'r Scissor) -> Self {
         Self {
+            varies: blitter.varies(),
             blitter,
             scissor,
             rows: [[0; 2]; ROWS as usize],
@@ -28,40 +31,50 @@ impl<'r> Rasterizer<'r> {
 
     /// Draws some columns of one row, which lie within the scissor.
     pub(super) fn span(&mut self, row: i32, columns: &Range<i32>) {
-        self.blitter.rows(
-            &mut None,
-            row,
-            &[[columns.start as i16, columns.end as i16]],
-        );
+        self.blitter
+            .rows(row, &[[columns.start as i16, columns.end as i16]]);
     }
 
-    /// Finds the rows of a triangle; `each` receives the first row and the columns of some of them.
-    #[inline]
-    pub(super) fn fill(
-        &mut self,
-        triangle: &Triangle<'_>,
-        mut each: impl FnMut(&mut dyn Blitter, i32, &[Columns]),
-    ) {
+    /// Draws what lies in the scissor of a triangle; of that, if `part` is given, only the pixels that it selects.
+    ///
+    /// A center on a left or top edge belongs to the triangle, one on a right or bottom edge does not.
+    #[inline(never)]
+    pub(crate) fn triangle(&mut self, triangle: &Triangle<'_>, part: Option<&Part<'_>>) {
+        let (patch, mut is_set_up) = (&triangle.patch, !self.varies);
         let Range { start, end } = triangle.rows;
         let mut first = start;
         while first < end {
             let next = end.min(first + ROWS);
             let count = (next - first).cast_unsigned() as usize;
             let rows = self.rows.get_mut(..count).unwrap_or_default();
-            let Patch { vertices, area, .. } = &triangle.patch;
-            scan_convert(rows, first, vertices, *area > 0);
+            scan_convert(rows, first, &patch.vertices, patch.area > 0);
             if triangle.is_cut {
                 cut(rows, &self.scissor.columns);
             }
-            each(self.blitter, first, rows);
+            // For the many slivers that pass between all centers, nothing is laid.
+            if !is_set_up && rows.iter().any(|[start, end]| start < end) {
+                self.blitter.set_up(patch);
+                is_set_up = true;
+            }
+            match part {
+                None => self.blitter.rows(first, rows),
+                Some(part) => part.rows(self.blitter, first, rows),
+            }
             first = next;
         }
     }
 
-    /// Draws the same columns of some rows, as far as they are within the scissor.
-    #[inline]
-    pub(super) fn fill_upright(&mut self, rows: &Range<i32>, [start, end]: [i32; 2]) {
-        let columns = &self.scissor.columns;
+    /// Draws, within the scissor, the upright rectangle of which a triangle is a half. Interpolants are laid over the
+    /// whole rectangle, so at the fourth corner none may be beyond its values at the other three.
+    ///
+    /// It has the pixels of both halves. The errors of planes, which are derived from the width and the height of a
+    /// triangle, are the same.
+    #[inline(never)]
+    pub(crate) fn rectangle(&mut self, half: &Triangle<'_>) {
+        self.blitter.set_up(&half.patch);
+        let [[ax, _], [bx, _], [cx, _]] = ScreenVertex::screens(half.patch.vertices);
+        let [start, end] = [ax.min(bx).min(cx), ax.max(bx).max(cx)].map(first_center);
+        let (columns, rows) = (&self.scissor.columns, &half.rows);
         let columns = [start.max(columns.start) as i16, end.min(columns.end) as i16];
         let mut first = rows.start;
         while first < rows.end {
@@ -71,7 +84,7 @@ impl<'r> Rasterizer<'r> {
             for row in &mut *rows {
                 *row = columns;
             }
-            self.blitter.rows(&mut None, first, rows);
+            self.blitter.rows(first, rows);
             first = next;
         }
     }

@@ -3,10 +3,9 @@
 use core::ops::Range;
 
 use super::edge::first_center;
-use super::polygon::Part;
 use super::rasterizer::scan_convert;
 use super::scissor::meet;
-use super::{Barycentric, Patch, Rasterizer, Scissor, ScreenVertex};
+use super::{Barycentric, Patch, Scissor, ScreenVertex};
 use crate::num::wide::cross;
 
 /// A triangle on the screen.
@@ -68,36 +67,14 @@ impl<'a> Triangle<'a> {
             is_cut: inside != columns,
         })
     }
-
-    /// Draws, within the scissor, the upright rectangle of which this triangle is a half. Interpolants are laid over
-    /// the whole rectangle, so at the fourth corner none may be beyond its values at the other three.
-    ///
-    /// It has the pixels of both halves. The errors of planes, which are derived from the width and the height of a
-    /// triangle, are the same.
-    #[inline(never)]
-    pub(crate) fn draw_rectangle(&self, raster: &mut Rasterizer<'_>) {
-        raster.blitter.set_up(&self.patch);
-        let [[ax, _], [bx, _], [cx, _]] = ScreenVertex::screens(self.patch.vertices);
-        let ends = [ax.min(bx).min(cx), ax.max(bx).max(cx)].map(first_center);
-        raster.fill_upright(&self.rows, ends);
-    }
-
-    /// Draws what lies in the scissor; of that, if `part` is given, only the pixels that it selects.
-    ///
-    /// A center on a left or top edge belongs to the triangle, one on a right or bottom edge does not.
-    #[inline(never)]
-    pub(crate) fn draw(&self, raster: &mut Rasterizer<'_>, part: Option<&Part<'_>>) {
-        let mut patch = Some(&self.patch);
-        raster.fill(self, |blitter, first, columns| match part {
-            None => blitter.rows(&mut patch, first, columns),
-            Some(part) => part.rows(blitter, &mut patch, first, columns),
-        });
-    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::picture::{Picture, vertex};
+    use super::super::{
+        Rasterizer,
+        picture::{Picture, vertex},
+    };
     use super::*;
 
     /// Draws a triangle with its corners in quarters of a pixel; whether it is thought to have a pixel.
@@ -106,7 +83,7 @@ mod tests {
         let area = area(&vertices.map(|vertex| vertex.screen));
         let triangle = Triangle::new(vertices.each_ref(), None, area, scissor);
         if let Some(triangle) = &triangle {
-            triangle.draw(&mut Rasterizer::new(picture, scissor), None);
+            Rasterizer::new(picture, scissor).triangle(triangle, None);
         }
         triangle.is_some()
     }

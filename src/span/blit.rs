@@ -233,6 +233,10 @@ where
     M: Policy,
     Z: DepthTest,
 {
+    fn varies(&self) -> bool {
+        Self::VARIES
+    }
+
     fn primitive(&mut self, primitive: &Primitive<'_>) {
         let [a, b, c] = self.painter.varyings(primitive);
         let ((a, face), (b, _), (c, _)) = (a.split(), b.split(), c.split());
@@ -250,15 +254,9 @@ where
         }
     }
 
-    fn rows(&mut self, patch: &mut Option<&Patch<'_>>, first: i32, rows: &[Columns]) {
+    fn rows(&mut self, first: i32, rows: &[Columns]) {
         // Without a negation, the condition is a bare constant, and the branch that is not taken is not even compiled.
         if Self::VARIES {
-            if patch.is_some() && rows.iter().all(|[start, end]| start >= end) {
-                return;
-            }
-            if let Some(patch) = patch.take() {
-                self.set_up(patch);
-            }
             if self.interpolator.is_small() {
                 self.small_rows(first, rows);
             } else {
