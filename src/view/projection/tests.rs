@@ -270,6 +270,23 @@ fn invalid_arguments_are_refused() {
         height: low,
     };
     assert_eq!(Projection::perspective(fov, -low, low, high), Err(mirrored));
+    // The refused ratio keeps its fraction, and a size saturates.
+    let mirrored = Error::Aspect {
+        width: one(-0.25),
+        height: one(1.0),
+    };
+    assert_eq!(
+        Projection::perspective(fov, one(-0.25), low, high),
+        Err(mirrored)
+    );
+    let flat = Error::Aspect {
+        width: zero,
+        height: Scalar::MAX,
+    };
+    assert_eq!(
+        Projection::perspective(fov, (0, u32::MAX), low, high),
+        Err(flat)
+    );
     let pixels = zero;
     let refused = Projection::from_focal_length(pixels, (4, 3), low, high);
     assert_eq!(refused, Err(Error::FocalLength { pixels }));
