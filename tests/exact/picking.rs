@@ -217,3 +217,71 @@ fn labels_accept_any_place_and_any_area() {
         display.assert_pattern(&["RRRRRRKKKKKK"; 6].map(|row| row));
     }
 }
+
+/// Colors of columns from `i32::MIN` on, of which any number is skipped at once: red left of the origin, then blue.
+struct FromLeast(i64);
+
+impl Iterator for FromLeast {
+    type Item = Rgb565;
+
+    fn next(&mut self) -> Option<Rgb565> {
+        self.nth(0)
+    }
+
+    fn nth(&mut self, skipped: usize) -> Option<Rgb565> {
+        let column = self.0 + i64::try_from(skipped).unwrap();
+        self.0 = column + 1;
+        Some(if column < 0 {
+            Rgb565::RED
+        } else {
+            Rgb565::BLUE
+        })
+    }
+}
+
+/// The far side of a rectangle stays where it is if the near one lies below the range of `i32` in the frame.
+#[test]
+fn a_labels_rectangle_may_begin_below_the_range() {
+    for origin in [-5, 0, 3] {
+        let (display, _) = labelled(|canvas| {
+            let mut label = canvas.label(at(origin, origin, 150));
+            // In the frame, it ends after column and row 2 + `origin`.
+            let area = Rectangle::new(
+                Point::new(i32::MIN, i32::MIN),
+                Size::new((1 << 31) + 3, (1 << 31) + 3),
+            );
+            label.fill_solid(&area, Rgb565::GREEN).unwrap();
+            let sides = Rectangle::new(Point::new(i32::MIN, 1), Size::new((1 << 31) + 7, 1));
+            label
+                .fill_contiguous(&sides, FromLeast(i64::from(i32::MIN)))
+                .unwrap();
+        });
+        let expected = match origin {
+            -5 => [
+                "KKKKKKKKKKKK",
+                "KKKKKKKKKKKK",
+                "KKKKKKKKKKKK",
+                "KKKKKKKKKKKK",
+                "KKKKKKKKKKKK",
+                "KKKKKKKKKKKK",
+            ],
+            0 => [
+                "GGGKKKKKKKKK",
+                "BBBBBBKKKKKK",
+                "GGGKKKKKKKKK",
+                "KKKKKKKKKKKK",
+                "KKKKKKKKKKKK",
+                "KKKKKKKKKKKK",
+            ],
+            _ => [
+                "GGGGGGKKKKKK",
+                "GGGGGGKKKKKK",
+                "GGGGGGKKKKKK",
+                "GGGGGGKKKKKK",
+                "RRRBBBKKKKKK",
+                "GGGGGGKKKKKK",
+            ],
+        };
+        display.assert_pattern(&expected);
+    }
+}
