@@ -7,6 +7,7 @@ use micromath::F32Ext;
 
 use crate::error::RefusedFloat;
 use crate::num::Unit;
+use crate::num::convert::HALF;
 use crate::num::rsqrt as unit;
 use crate::num::wide::product;
 use crate::{Error, Scalar};
@@ -138,7 +139,7 @@ impl Angle {
             });
         }
         let units = value % turn / turn * TURN;
-        let half = if units < 0.0 { -0.5 } else { 0.5 };
+        let half = if units < 0.0 { -HALF } else { HALF };
         // Whole turns drop out.
         Ok(Self(((units + half) as i64).cast_unsigned() as u32))
     }
