@@ -137,14 +137,17 @@ impl<'a> Mesh<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::TooMany`] if `faces` has fewer elements than the mesh has triangles, or if there are more different
-    /// normals than `normals` has elements or than 65,535.
+    /// [`Error::CreaseAngle`] if `crease` is above 180 degrees; [`Error::TooMany`] if `faces` has fewer elements than the
+    /// mesh has triangles, or if there are more different normals than `normals` has elements or than 65,535.
     pub fn with_creased_normals(
         self,
         crease: Angle,
         normals: &'a mut [Vec3],
         faces: &'a mut [[Index; 3]],
     ) -> Result<Self, Error> {
+        if crease.to_bits() > Angle::HALF.to_bits() {
+            return Err(Error::CreaseAngle { angle: crease });
+        }
         // Four units for each of the two normals, so that triangles of one plane are always within the crease.
         let least = crease.cos().to_bits().saturating_sub(8);
         let faces = room(faces, self.faces().len())?;
@@ -254,6 +257,17 @@ mod tests {
                 .with_creased_normals(crease, &mut normals, &mut faces)
                 .unwrap();
             assert_eq!(mesh.counts().normals, count, "{crease}");
+        }
+    }
+
+    /// 270 degrees would count as 90.
+    #[test]
+    fn creases_above_180_degrees_are_refused() {
+        let mesh = Mesh::new(&CORNERS, &SIDES).unwrap();
+        for angle in [Angle::from_bits((1 << 31) + 1), deg!(270), deg!(-1)] {
+            let (mut normals, mut faces) = ([Vec3::ZERO; 8], [[0; 3]; 12]);
+            let refused = mesh.with_creased_normals(angle, &mut normals, &mut faces);
+            assert_eq!(refused, Err(Error::CreaseAngle { angle }));
         }
     }
 
