@@ -147,6 +147,22 @@ fn labelled(
     (display, depths)
 }
 
+#[test]
+fn the_distance_of_a_hit_is_rounded_to_nearest() {
+    // Not at a half: a direction is rounded, too.
+    for height in (65_536..65_546).filter(|height| height % 4 != 2) {
+        let corners = [[-9, 9], [9, 9], [0, -9]].map(|[x, z]| {
+            let [x, z] = [x, z].map(|v| v << 16);
+            Vec3::from_bits([x, height, z])
+        });
+        let mesh = Mesh::new(&corners, &[[0, 1, 2]]).unwrap();
+        // The distance is 5/4 of the height.
+        let hit = Ray::new(Vec3::ZERO, vec3!(3, 4, 0)).unwrap().hit(&mesh);
+        let nearest = (5 * height + 2) / 4;
+        assert_eq!(hit.unwrap().distance.to_bits(), nearest, "{height}");
+    }
+}
+
 fn at(x: i32, y: i32, depth: u16) -> ScreenPoint {
     ScreenPoint {
         x: Subpixel::from_bits(x * 256 + 255),
