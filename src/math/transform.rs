@@ -117,7 +117,7 @@ impl Transform {
 
     /// Moves by `offset`.
     ///
-    /// An offset keeps 30 significant bits. If a component is ±8192 or more, the offset is rounded to nearest.
+    /// An offset keeps 30 significant bits. If a component is ±16,384 or more, the offset is rounded to nearest.
     #[must_use]
     pub fn translate(offset: Vec3) -> Self {
         let mut t = Self::IDENTITY;
@@ -126,7 +126,8 @@ impl Transform {
         t
     }
 
-    /// Scales all axes by one factor about the origin; exact.
+    /// Scales all axes by one factor about the origin. The factor keeps 30 significant bits: from ±16,384 on, it is rounded
+    /// to nearest.
     ///
     /// `factor` is a [`Scalar`](crate::Scalar). The bound only improves the compiler's message if you pass a float.
     ///
