@@ -70,7 +70,9 @@ impl<'a> Mesh<'a> {
     ///
     /// A normal is the mean of the normals of the triangles around its position, weighted by their angles there, so it
     /// does not depend on how polygons were cut into triangles. It has length one. Its direction is accurate to 2⁻¹²
-    /// radians, if the triangles do not face away from one another. A position without triangles gets the zero vector.
+    /// radians, if the triangles do not face away from one another and their angles there are at least 0.1 degrees.
+    /// Angles are multiples of 2⁻²² radians. A position without triangles, or only with sharper ones, gets the zero
+    /// vector.
     ///
     /// The time grows in proportion to the number of triangles, so a mesh that moves can get new normals in each frame.
     ///
@@ -258,6 +260,41 @@ mod tests {
                 .unwrap();
             assert_eq!(mesh.counts().normals, count, "{crease}");
         }
+    }
+
+    /// Not at 1e-7 radians, where the angle is zero.
+    #[test]
+    fn normals_at_sharp_corners_are_accurate() {
+        let positions = |(y, z): (i32, i32)| {
+            let far = Vec3::from_ints(1000, 0, 0);
+            [Vec3::ZERO, far, far + Vec3::from_bits([0, y, z])]
+        };
+        for micro_degrees in [100_000, 200_000, 1_000_000] {
+            // The width at a distance of 1000, which is 2^16 · 1000 units.
+            let width = f64::from(micro_degrees) / 1e6 * std::f64::consts::PI / 180. * 65_536e3;
+            for turn in 0..64 {
+                let (sin, cos) = (f64::from(turn) * 0.1).sin_cos();
+                let (y, z) = ((cos * width).ceil() as i32, (sin * width).ceil() as i32);
+                let mut normals = [Vec3::ZERO; 3];
+                Mesh::new(&positions((y, z)), &[[0, 1, 2]])
+                    .unwrap()
+                    .with_smooth_normals(&mut normals)
+                    .unwrap();
+                let [_, j, k] = normals[0].to_bits().map(f64::from);
+                let (y, z) = (f64::from(y), f64::from(z));
+                // The normal is (0, −z, y).
+                let sine = (j * y + k * z) / (j.hypot(k) * y.hypot(z));
+                assert!(
+                    sine.abs() < f64::from(-12).exp2(),
+                    "{micro_degrees} {turn}: {sine}"
+                );
+            }
+        }
+        let needle = positions((4, 6));
+        let mut normals = [Vec3::X; 3];
+        let mesh = Mesh::new(&needle, &[[0, 1, 2]]).unwrap();
+        mesh.with_smooth_normals(&mut normals).unwrap();
+        assert_eq!(normals[0], Vec3::ZERO);
     }
 
     /// 270 degrees would count as 90.
