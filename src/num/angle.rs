@@ -113,7 +113,10 @@ impl Angle {
         Self::try_from_float(degrees, 360.0)
     }
 
-    /// Makes an angle from a float in radians, rounded to the nearest unit. Whole turns drop out.
+    /// Makes an angle from a float in radians. Whole turns drop out.
+    ///
+    /// It is accurate to one unit for up to ten million radians. Beyond, a turn is not 2π but the nearest `f64`, which adds
+    /// an error of 4e-17 of the float.
     ///
     /// # Errors
     ///
