@@ -9,7 +9,8 @@ use crate::sealed::{Sealed, sealed};
 ///
 /// # Errors
 ///
-/// [`Error::NotRepresentable`] if `value` is not a number or its magnitude is beyond ±32768.
+/// [`Error::NotRepresentable`] if `value` is not a number, or if it would be rounded to a number below −32768 or above
+/// 32768 − 2⁻¹⁶.
 ///
 /// ```
 /// use fixel::{Scalar, num::scalar};
@@ -25,7 +26,8 @@ pub const fn scalar(value: f64) -> Result<Scalar, Error> {
 ///
 /// # Errors
 ///
-/// [`Error::NotRepresentable`] if `value` is not a number or its magnitude is beyond ±2048.
+/// [`Error::NotRepresentable`] if `value` is not a number, or if it would be rounded to a number below −2048 or above
+/// 2048 − 2⁻²⁰.
 ///
 /// ```
 /// use fixel::num::{TexCoord, tex_coord};
