@@ -147,6 +147,34 @@ fn labelled(
     (display, depths)
 }
 
+/// As on a map that is moved by its window, whose place is far greater than its size.
+#[test]
+fn a_window_far_from_the_origin_shows_what_lies_in_it() {
+    let mut pixels = vec![Rgb565::BLACK; 320 * 240];
+    let canvas = Canvas::new(&mut pixels, 320, 240).unwrap();
+    for place in [0, 300, -7_001, 20_000, -32_760] {
+        let least = Vec3::from_bits([(place << 16) + 12_345, (place << 16) + 54_321, 0]);
+        let window = Window {
+            left: least.x,
+            right: least.x + fx!(8),
+            bottom: least.y,
+            top: least.y + fx!(6),
+        };
+        let projection = Projection::orthographic(window, fx!(-1), fx!(1)).unwrap();
+        // A unit has 40 pixels.
+        for [x, y] in [[0, 0], [8, 6], [4, 3], [1, 5]] {
+            let point = least + Vec3::from_ints(x, y, 0);
+            let at = canvas.project(&DrawOptions::new(), &projection, point);
+            let at = at.unwrap();
+            let expected = [x * 40, 240 - y * 40].map(i32::from);
+            for (found, expected) in [at.x, at.y].into_iter().zip(expected) {
+                let error = found.to_bits() - expected * 256;
+                assert!(error.abs() <= 1, "{place} {x} {y}: {error}");
+            }
+        }
+    }
+}
+
 #[test]
 fn the_distance_of_a_hit_is_rounded_to_nearest() {
     // Not at a half: a direction is rounded, too.
