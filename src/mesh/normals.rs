@@ -139,8 +139,8 @@ impl<'a> Mesh<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::CreaseAngle`] if `crease` is above 180 degrees; [`Error::TooMany`] if `faces` has fewer elements than the
-    /// mesh has triangles, or if there are more different normals than `normals` has elements or than 65,535.
+    /// [`Error::CreaseAngle`] if `crease` is above 180 degrees; [`Error::TooMany`] if `faces` has fewer elements than
+    /// the mesh has triangles, or if there are more different normals than `normals` has elements or than 65,535.
     pub fn with_creased_normals(
         self,
         crease: Angle,

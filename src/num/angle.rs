@@ -115,8 +115,8 @@ impl Angle {
 
     /// Makes an angle from a float in radians. Whole turns drop out.
     ///
-    /// It is accurate to one unit for up to ten million radians. Beyond, a turn is not 2π but the nearest `f64`, which adds
-    /// an error of 4e-17 of the float.
+    /// It is accurate to one unit for up to ten million radians. Beyond, a turn is not 2π but the nearest `f64`, which
+    /// adds an error of 4e-17 of the float.
     ///
     /// # Errors
     ///

@@ -16,8 +16,8 @@ const BITS: u32 = 12;
 /// high height on, and a proportional mixture between them.
 ///
 #[cfg_attr(doc, doc = page_picture!("gradient", "A ball that is blue at the bottom and pale yellow at the top"))]
-/// The color is computed at the vertices, with an error of at most 1/60 step of a channel of 6 bits and 1/15 step of one
-/// of 8 bits, and interpolated in correct perspective.
+/// The color is computed at the vertices, with an error of at most 1/60 step of a channel of 6 bits and 1/15 step of
+/// one of 8 bits, and interpolated in correct perspective.
 ///
 /// Draw a sky first, from inside, with a [camera that stays in its center](crate::Camera::sky), without depth:
 ///

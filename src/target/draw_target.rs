@@ -47,7 +47,7 @@ macro_rules! draw_target {
                 };
                 // The colors of pixels outside are consumed and dropped: first those of the rows above, then, row by
                 // row, those on the left and on the right.
-                let outside = |start: u32, of: i64| (i64::from(start) - of) as usize;
+                let outside = |start: u32, of: i64| (i64::from(start) - of).cast_unsigned() as usize;
                 let (width, left) = (size.width as usize, outside(inside.columns.start, corner[0]));
                 let right = width - left - inside.columns.len();
                 let above = outside(inside.rows.start, corner[1]);
@@ -119,7 +119,10 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
 /// The part of `bounds` within `length` from `start`; `None` if it is empty. `bounds` ends at 2048 or before.
 fn overlap(start: i64, length: u32, bounds: Range<u32>) -> Option<Range<u32>> {
     let end = start + i64::from(length);
-    let inside = |at: i64| at.max(bounds.start.into()).min(bounds.end.into()) as u32;
+    let inside = |at: i64| {
+        let inside = at.max(bounds.start.into()).min(bounds.end.into());
+        inside.cast_unsigned() as u32
+    };
     let (start, end) = (inside(start), inside(end));
     (start < end).then_some(start..end)
 }

@@ -166,10 +166,10 @@ impl<K: ProjectionKind> Projection<K> {
 
     /// Returns the window on the near plane.
     ///
-    /// Its edges are accurate to 2⁻²⁹ of the largest of the four, then rounded to the nearest 2⁻¹⁶; they saturate. There
-    /// are two exceptions: in perspective, the error is greater in proportion if the middle of the window is farther from
-    /// the line of sight than `near`; under an oblique projection, it is 1 + ratio times as great, and `near` counts like
-    /// an edge.
+    /// Its edges are accurate to 2⁻²⁹ of the largest of the four, then rounded to the nearest 2⁻¹⁶; they saturate.
+    /// There are two exceptions: in perspective, the error is greater in proportion if the middle of the window is
+    /// farther from the line of sight than `near`; under an oblique projection, it is 1 + ratio times as great, and
+    /// `near` counts like an edge.
     #[must_use]
     pub fn window(&self) -> Window {
         Window {
