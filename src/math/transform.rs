@@ -126,7 +126,8 @@ impl Transform {
         t
     }
 
-    /// Scales all axes by one factor about the origin; exact.
+    /// Scales all axes by one factor about the origin. The factor keeps 30 significant bits: from ±16,384 on, it is
+    /// rounded to nearest.
     ///
     /// `factor` is a [`Scalar`](crate::Scalar). The bound only improves the compiler's message if you pass a float.
     ///

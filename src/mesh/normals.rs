@@ -70,7 +70,9 @@ impl<'a> Mesh<'a> {
     ///
     /// A normal is the mean of the normals of the triangles around its position, weighted by their angles there, so it
     /// does not depend on how polygons were cut into triangles. It has length one. Its direction is accurate to 2⁻¹²
-    /// radians, if the triangles do not face away from one another. A position without triangles gets the zero vector.
+    /// radians, if the triangles do not face away from one another and their angles there are at least 0.1 degrees.
+    /// Angles are multiples of 2⁻²² radians. A position without triangles, or only with sharper ones, gets the zero
+    /// vector.
     ///
     /// The time grows in proportion to the number of triangles, so a mesh that moves can get new normals in each frame.
     ///
@@ -137,14 +139,17 @@ impl<'a> Mesh<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::TooMany`] if `faces` has fewer elements than the mesh has triangles, or if there are more different
-    /// normals than `normals` has elements or than 65,535.
+    /// [`Error::CreaseAngle`] if `crease` is above 180 degrees; [`Error::TooMany`] if `faces` has fewer elements than
+    /// the mesh has triangles, or if there are more different normals than `normals` has elements or than 65,535.
     pub fn with_creased_normals(
         self,
         crease: Angle,
         normals: &'a mut [Vec3],
         faces: &'a mut [[Index; 3]],
     ) -> Result<Self, Error> {
+        if crease.to_bits() > Angle::HALF.to_bits() {
+            return Err(Error::CreaseAngle { angle: crease });
+        }
         // Four units for each of the two normals, so that triangles of one plane are always within the crease.
         let least = crease.cos().to_bits().saturating_sub(8);
         let faces = room(faces, self.faces().len())?;
@@ -254,6 +259,52 @@ mod tests {
                 .with_creased_normals(crease, &mut normals, &mut faces)
                 .unwrap();
             assert_eq!(mesh.counts().normals, count, "{crease}");
+        }
+    }
+
+    /// Not at 1e-7 radians, where the angle is zero.
+    #[test]
+    fn normals_at_sharp_corners_are_accurate() {
+        let positions = |(y, z): (i32, i32)| {
+            let far = Vec3::from_ints(1000, 0, 0);
+            [Vec3::ZERO, far, far + Vec3::from_bits([0, y, z])]
+        };
+        for micro_degrees in [100_000, 200_000, 1_000_000] {
+            // The width at a distance of 1000, which is 2^16 · 1000 units.
+            let width = f64::from(micro_degrees) / 1e6 * std::f64::consts::PI / 180. * 65_536e3;
+            for turn in 0..64 {
+                let (sin, cos) = (f64::from(turn) * 0.1).sin_cos();
+                let (y, z) = ((cos * width).ceil() as i32, (sin * width).ceil() as i32);
+                let mut normals = [Vec3::ZERO; 3];
+                Mesh::new(&positions((y, z)), &[[0, 1, 2]])
+                    .unwrap()
+                    .with_smooth_normals(&mut normals)
+                    .unwrap();
+                let [_, j, k] = normals[0].to_bits().map(f64::from);
+                let (y, z) = (f64::from(y), f64::from(z));
+                // The normal is (0, −z, y).
+                let sine = (j * y + k * z) / (j.hypot(k) * y.hypot(z));
+                assert!(
+                    sine.abs() < f64::from(-12).exp2(),
+                    "{micro_degrees} {turn}: {sine}"
+                );
+            }
+        }
+        let needle = positions((4, 6));
+        let mut normals = [Vec3::X; 3];
+        let mesh = Mesh::new(&needle, &[[0, 1, 2]]).unwrap();
+        mesh.with_smooth_normals(&mut normals).unwrap();
+        assert_eq!(normals[0], Vec3::ZERO);
+    }
+
+    /// 270 degrees would count as 90.
+    #[test]
+    fn creases_above_180_degrees_are_refused() {
+        let mesh = Mesh::new(&CORNERS, &SIDES).unwrap();
+        for angle in [Angle::from_bits((1 << 31) + 1), deg!(270), deg!(-1)] {
+            let (mut normals, mut faces) = ([Vec3::ZERO; 8], [[0; 3]; 12]);
+            let refused = mesh.with_creased_normals(angle, &mut normals, &mut faces);
+            assert_eq!(refused, Err(Error::CreaseAngle { angle }));
         }
     }
 

@@ -7,6 +7,7 @@ use micromath::F32Ext;
 
 use crate::error::RefusedFloat;
 use crate::num::Unit;
+use crate::num::convert::HALF;
 use crate::num::rsqrt as unit;
 use crate::num::wide::product;
 use crate::{Error, Scalar};
@@ -112,7 +113,10 @@ impl Angle {
         Self::try_from_float(degrees, 360.0)
     }
 
-    /// Makes an angle from a float in radians, rounded to the nearest unit. Whole turns drop out.
+    /// Makes an angle from a float in radians. Whole turns drop out.
+    ///
+    /// It is accurate to one unit for up to ten million radians. Beyond, a turn is not 2π but the nearest `f64`, which
+    /// adds an error of 4e-17 of the float.
     ///
     /// # Errors
     ///
@@ -138,7 +142,7 @@ impl Angle {
             });
         }
         let units = value % turn / turn * TURN;
-        let half = if units < 0.0 { -0.5 } else { 0.5 };
+        let half = if units < 0.0 { -HALF } else { HALF };
         // Whole turns drop out.
         Ok(Self(((units + half) as i64).cast_unsigned() as u32))
     }

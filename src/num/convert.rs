@@ -41,14 +41,18 @@ pub const fn tex_coord(value: f64) -> Result<TexCoord, Error> {
     Ok(TexCoord::from_bits(bits))
 }
 
+/// The number below a half, which takes the place of a half where a sum is cut to an integer: the sum of 0.5 − 2^-54 and
+/// a half would be rounded to 1. From a half on, both sums are cut to the same integer.
+pub(super) const HALF: f64 = 0.5 - f64::EPSILON / 4.0;
+
 /// Returns the bits of the nearest number with `fraction` fraction bits, below 31.
 const fn nearest(value: f64, fraction: u32) -> Result<i32, Error> {
     // Half away from zero; in range, the cast drops the fraction and nothing else.
     let scaled = value * (1_u32 << fraction) as f64;
     let rounded = if scaled < 0.0 {
-        scaled - 0.5
+        scaled - HALF
     } else {
-        scaled + 0.5
+        scaled + HALF
     };
     if rounded > -2_147_483_649.0 && rounded < 2_147_483_648.0 {
         Ok(rounded as i32)
@@ -87,5 +91,49 @@ impl IntoScalar for Scalar {
     #[inline]
     fn into_scalar(self) -> Scalar {
         self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Angle;
+    use crate::random::cases;
+    use rand::Rng;
+
+    /// The nearest integer to a number, by its bits.
+    fn nearest_of(value: f64) -> i64 {
+        let whole = value.trunc();
+        #[allow(clippy::cast_possible_truncation)]
+        let bits = whole as i64;
+        let rest = (value - whole).abs();
+        bits + if rest < 0.5 { 0 } else { value.signum() as i64 }
+    }
+
+    #[test]
+    fn floats_next_to_a_half_are_rounded_to_nearest() {
+        let check = |half: f64| {
+            for value in [half.next_down(), half, half.next_up()] {
+                for value in [value, -value] {
+                    let found = scalar(value / 65_536.0).unwrap();
+                    assert_eq!(i64::from(found.to_bits()), nearest_of(value));
+                    let found = Angle::try_from_turns(value / 4_294_967_296.0).unwrap();
+                    assert_eq!(i64::from(found.to_bits().cast_signed()), nearest_of(value));
+                }
+            }
+        };
+        check(0.5);
+        cases(256, |random| {
+            let whole = random.random::<u32>() >> random.random_range(1..32) >> 1;
+            check(f64::from(whole) + 0.5);
+        });
+    }
+
+    #[test]
+    fn the_ends_of_the_range_are_next_to_a_half() {
+        let [most, least] = [2_147_483_647.5, -2_147_483_648.5].map(|bits| bits / 65_536.0);
+        assert_eq!(scalar(f64::next_down(most)), Ok(Scalar::MAX));
+        assert_eq!(scalar(f64::next_up(least)), Ok(Scalar::MIN));
+        assert!(scalar(most).is_err() && scalar(least).is_err());
     }
 }

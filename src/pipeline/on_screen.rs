@@ -168,10 +168,11 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 
     /// The size of `bounds` on the screen: the length of their diagonal, seen at the distance of their center, in
-    /// pixels, rounded down. Use it to choose among meshes with different levels of detail.
+    /// pixels, rounded to the nearest 1/256 and then down. Use it to choose among meshes with different levels of
+    /// detail.
     ///
-    /// It is `u32::MAX` if the eye is nearer to the center than half of the diagonal, or if the bounds are behind the
-    /// eye. Corners are rounded to [`Scalar`](crate::Scalar)s in eye space.
+    /// Under a perspective projection, it is `u32::MAX` unless the center is ahead of the eye by more than half of the
+    /// diagonal. Corners are rounded to [`Scalar`](crate::Scalar)s in eye space.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;

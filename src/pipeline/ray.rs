@@ -53,7 +53,7 @@ pub struct Hit {
     /// The point of the face, in model space. Its error is at most 2⁻²⁹ of the face's size before it is rounded to
     /// nearest.
     pub point: Vec3,
-    /// The distance of the point from the ray's origin, in the model's units; saturates.
+    /// The distance of the point from the ray's origin, in the model's units, rounded to nearest; saturates.
     pub distance: Scalar,
     /// The weights of the face's three corners at the point, from 0 to 1, accurate to 2⁻²⁹. Their sum is 1.
     pub barycentric: [Unit; 3],
@@ -250,7 +250,8 @@ impl RayView {
     /// The distance from the origin of a point `ahead` · 2^-46 ahead along the main axis; saturates.
     fn distance(&self, ahead: i64) -> Scalar {
         let along = u64::from(self.direction[self.main].unsigned_abs());
-        let distance = ahead.unsigned_abs().checked_div(along).unwrap_or_default();
+        let rounded = ahead.unsigned_abs() + along / 2;
+        let distance = rounded.checked_div(along).unwrap_or_default();
         Scalar::from_bits(distance.min(i32::MAX.unsigned_abs().into()) as i32)
     }
 }

@@ -56,17 +56,16 @@ pub(crate) struct Projector<'m, K> {
 fn scaled(row: &Row, unit: &BlockFloat, size: i32) -> AffineRow {
     let (factor, exp) = unit.times(BlockFloat::new(size.into(), 12)).rounded();
     // A factor has bit 29 set, so mantissas keep their bits and take at most one more.
-    let exp = row.exp + exp;
     let [x, y, z, offset] = row.m;
-    let mut row = [x, y, z];
-    for m in &mut row {
+    let mut linear = [x, y, z];
+    for m in &mut linear {
         *m = ((product(*m, factor) + (1 << 28)) >> 29) as i32;
     }
     AffineRow {
-        row,
-        exp: exp - 29,
+        row: linear,
+        exp: row.exp + exp - 29,
         offset: [offset, factor],
-        offset_exp: exp,
+        offset_exp: row.offset_exp + exp,
     }
 }
 

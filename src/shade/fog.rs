@@ -137,9 +137,10 @@ impl Density for Linear {
     /// Returns minus the part that fog leaves, in units of 2^-[`BITS`], plus half a step of the weight, so that a pixel
     /// rounds the weight by a shift alone.
     fn varying(&self, distance: Scalar, weight_bits: u32) -> i32 {
-        let beyond = distance.to_bits().saturating_sub(self.far);
+        // Of 33 bits: the range may be longer than the greatest number.
+        let beyond = i64::from(distance.to_bits()) - i64::from(self.far);
         let half = 1 << (BITS - weight_bits) >> 1;
-        limited(self.range.share(beyond.into()) + half)
+        limited(self.range.share(beyond) + half)
     }
 
     #[inline]
@@ -349,7 +350,6 @@ mod tests {
                 // In units of 2^-14, of which 32 are half a step of the weight.
                 let varying = fog.density.varying(distance, Gray8::WEIGHT_BITS);
                 let exact = (distance.to_num::<f64>() - far.to_num::<f64>())
-                    .clamp(-32_768., 32_768.)
                     / (far.to_num::<f64>() - near.to_num::<f64>())
                     * 16_384.
                     + 32.;

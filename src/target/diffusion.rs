@@ -87,17 +87,26 @@ impl<'e> ErrorDiffusion<'e> {
 
     /// The color of the next pixel of rows that end with the column `last`.
     fn color<C: Levels<Channels = [i32; 1]>>(&mut self, gray: Gray8, last: usize) -> C {
+        /// White, in 16ths of a step of [`Gray8`].
+        const WHITE: i32 = 255 * 16;
         let [most, ..] = C::MAX_STEPS;
-        // 255 is a multiple of 1, 3, 15 and 255.
-        let step = 255 * 16 / most;
+        // A color of a program may have only black, which is no step.
+        let half = (WHITE / 2).checked_div(most).unwrap_or(WHITE / 2);
         let at = self.column;
         let is_last = at >= last;
         let before = self.errors.get(at).copied().unwrap_or_default();
         let wanted = i32::from(gray.luma()) * 16 + i32::from(before) + self.right;
-        let steps = (wanted + step / 2).div_euclid(step).clamp(0, most);
+        let steps = (wanted * most + WHITE / 2)
+            .div_euclid(WHITE)
+            .min(most)
+            .max(0);
+        // Exact for 1, 3, 15 and 255 steps; other numbers do not divide 255.
+        let shown = (steps * WHITE + most / 2)
+            .checked_div(most)
+            .unwrap_or_default();
         // What neither black nor white can take up is dropped: it would pile up at the right border, which gets more
         // than it passes on, and smear into darker rows.
-        let error = (wanted - steps * step).clamp(-(step / 2), step / 2);
+        let error = (wanted - shown).max(-half).min(half);
 
         let (right, left, below) = ((error * 7) >> 4, (error * 3) >> 4, (error * 5) >> 4);
         let beyond = error - right - left - below;
@@ -124,5 +133,73 @@ impl<'e> ErrorDiffusion<'e> {
         if let Some(kept) = self.errors.get_mut(column) {
             *kept = error as i16;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use embedded_graphics::geometry::Point;
+    use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
+
+    /// A gray of a program: one of `MOST` + 1.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    struct Gray<const MOST: i32>(i32);
+
+    impl<const MOST: i32> PixelColor for Gray<MOST> {
+        type Raw = ();
+    }
+
+    impl<const MOST: i32> Levels for Gray<MOST> {
+        const MAX_STEPS: [i32; 3] = [MOST; 3];
+        type Channels = [i32; 1];
+
+        fn fractions(color: Rgb888) -> [i32; 3] {
+            Gray8::fractions(color)
+        }
+
+        fn steps(self) -> [i32; 3] {
+            [self.0; 3]
+        }
+
+        fn from_levels([level, ..]: [i32; 3], _: Point) -> Self {
+            Self((level + (1 << 15)) >> 16)
+        }
+    }
+
+    /// The first pixel of a frame of one gray, and the mean of 64 x 64 pixels.
+    fn shown<const MOST: i32>(gray: u8) -> (i32, f64) {
+        let mut errors = [0; 64];
+        let mut diffusion = ErrorDiffusion::new(&mut errors);
+        let mut steps = (0..64 * 64).map(|_| diffusion.color::<Gray<MOST>>(Gray8::new(gray), 63).0);
+        let first = steps.next().unwrap();
+        let sum: i32 = first + steps.sum::<i32>();
+        (first, f64::from(sum) / 4096.)
+    }
+
+    fn check<const MOST: i32>() {
+        for gray in 0..=255 {
+            let exact = f64::from(gray) / 255. * f64::from(MOST);
+            let (first, mean) = shown::<MOST>(gray);
+            assert!(
+                (f64::from(first) - exact).abs() <= 0.5,
+                "{gray} of {MOST}: {first}"
+            );
+            assert!((mean - exact).abs() < 0.05, "{gray} of {MOST}: {mean}");
+        }
+    }
+
+    /// Also with a number of grays that does not divide 255.
+    #[test]
+    fn each_pixel_gets_the_nearest_gray() {
+        check::<1>();
+        check::<3>();
+        check::<7>();
+        check::<15>();
+        check::<31>();
+        check::<63>();
+        check::<127>();
+        check::<255>();
+        assert_eq!(shown::<0>(200), (0, 0.));
     }
 }

@@ -40,16 +40,17 @@ macro_rules! draw_target {
                 I: IntoIterator<Item = C>,
             {
                 let (Rectangle { top_left, size }, mut colors) = (*area, colors.into_iter());
-                $(let top_left = moved(top_left, self.$origin);)?
-                let Some(inside) = self$(.$canvas)?.inside(top_left, size) else {
+                let corner = wide(top_left);
+                $(let corner = plus(corner, wide(self.$origin));)?
+                let Some(inside) = self$(.$canvas)?.inside(corner, size) else {
                     return Ok(());
                 };
                 // The colors of pixels outside are consumed and dropped: first those of the rows above, then, row by
                 // row, those on the left and on the right.
-                let outside = |start: u32, of: i32| start.cast_signed().abs_diff(of) as usize;
-                let (width, left) = (size.width as usize, outside(inside.columns.start, top_left.x));
+                let outside = |start: u32, of: i64| (i64::from(start) - of).cast_unsigned() as usize;
+                let (width, left) = (size.width as usize, outside(inside.columns.start, corner[0]));
                 let right = width - left - inside.columns.len();
-                let above = outside(inside.rows.start, top_left.y);
+                let above = outside(inside.rows.start, corner[1]);
                 skip(&mut colors, above.saturating_mul(width));
                 for y in inside.rows {
                     skip(&mut colors, left);
@@ -61,8 +62,9 @@ macro_rules! draw_target {
 
             fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
                 let Rectangle { top_left, size } = *area;
-                $(let top_left = moved(top_left, self.$origin);)?
-                if let Some(inside) = self$(.$canvas)?.inside(top_left, size) {
+                let corner = wide(top_left);
+                $(let corner = plus(corner, wide(self.$origin));)?
+                if let Some(inside) = self$(.$canvas)?.inside(corner, size) {
                     for y in inside.rows {
                         self.draw_row(y, &inside.columns, core::iter::repeat(color));
                     }
@@ -107,23 +109,35 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// The part of a rectangle that is in memory; `None` if it is empty.
     ///
     /// [`Rectangle::intersection`] adds a size to a corner in `i32`, which overflows for large areas.
-    pub(super) fn inside(&self, top_left: Point, size: Size) -> Option<Inside> {
-        let columns = overlap(top_left.x, size.width, 0..self.frame_size().width)?;
-        let rows = overlap(top_left.y, size.height, self.rows().clone())?;
+    pub(super) fn inside(&self, [x, y]: [i64; 2], size: Size) -> Option<Inside> {
+        let columns = overlap(x, size.width, 0..self.frame_size().width)?;
+        let rows = overlap(y, size.height, self.rows().clone())?;
         Some(Inside { columns, rows })
     }
 }
 
 /// The part of `bounds` within `length` from `start`; `None` if it is empty. `bounds` ends at 2048 or before.
-fn overlap(start: i32, length: u32, bounds: Range<u32>) -> Option<Range<u32>> {
-    // The end saturates at i32::MAX, which is beyond all bounds.
-    let end = start.saturating_add_unsigned(length);
-    let [start, end] = [start, end].map(|at| at.max(0).cast_unsigned());
-    let (start, end) = (start.max(bounds.start), end.min(bounds.end));
+fn overlap(start: i64, length: u32, bounds: Range<u32>) -> Option<Range<u32>> {
+    let end = start + i64::from(length);
+    let inside = |at: i64| {
+        let inside = at.max(bounds.start.into()).min(bounds.end.into());
+        inside.cast_unsigned() as u32
+    };
+    let (start, end) = (inside(start), inside(end));
     (start < end).then_some(start..end)
 }
 
-/// A point plus an offset; saturates.
+/// The corner of a rectangle. In 32 bits, its place in the frame would saturate, and the rectangle would reach as far
+/// beyond its other side.
+pub(super) fn wide(Point { x, y }: Point) -> [i64; 2] {
+    [x.into(), y.into()]
+}
+
+pub(super) const fn plus([x, y]: [i64; 2], [u, v]: [i64; 2]) -> [i64; 2] {
+    [x + u, y + v]
+}
+
+/// A point plus an offset; saturates, which leaves it outside of all frames.
 pub(super) const fn moved(point: Point, by: Point) -> Point {
     Point::new(point.x.saturating_add(by.x), point.y.saturating_add(by.y))
 }

@@ -11,7 +11,7 @@ use embedded_graphics::primitives::Rectangle;
 
 use super::canvas::Canvas;
 use super::depth::DepthBuffer;
-use super::draw_target::{draw_target, moved, skip};
+use super::draw_target::{draw_target, moved, plus, skip, wide};
 use super::storage::Storage;
 
 /// A canvas as an embedded-graphics [`DrawTarget`] whose origin is a point of the scene, and whose pixels are hidden by

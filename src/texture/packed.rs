@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::Gray4;
 use super::Sampler;
 use super::sampler::Grid;
 use crate::Error;
-use crate::error::ok;
+use crate::error::{check_parts, ok};
 
 /// A texture of 16 grays that takes half a byte for each texel: a mask, or a picture for a gray panel.
 ///
@@ -33,12 +33,16 @@ impl<'a> PackedGray4<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::PowerOfTwo`] if the width or the height is not a power of two, if one is above
-    /// [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE), or if the width is 1; [`Error::Length`] unless `bytes` has
-    /// exactly one element for each two texels.
+    /// [`Error::PowerOfTwo`] if the width or the height is not a power of two, or if one is above
+    /// [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE); [`Error::Parts`] if the width is 1; [`Error::Length`] if `bytes`
+    /// does not have exactly one element for each two texels.
     pub const fn new(bytes: &'a [u8], width: u32, height: u32) -> Result<Self, Error> {
+        // A power of two, so the error below would name no bound that it violates.
+        if width == 1 {
+            ok!(check_parts("columns", width, [2, 1 << 15]));
+        }
         // Texels have columns of 15 bits.
-        if !width.is_power_of_two() || width < 2 || width > 1 << 15 {
+        if !width.is_power_of_two() || width > 1 << 15 {
             let (of, given, max) = ("width", width, 1 << 15);
             return Err(Error::PowerOfTwo { of, given, max });
         }
@@ -71,7 +75,11 @@ mod tests {
     fn sizes_that_do_not_fit_are_refused() {
         let bytes = [0; 8];
         assert!(PackedGray4::new(&bytes, 4, 4).is_ok());
-        for (width, height) in [(1, 16), (3, 4), (0, 4), (4, 3), (1 << 16, 1)] {
+        assert_eq!(
+            std::string::ToString::to_string(&PackedGray4::new(&bytes, 1, 16).unwrap_err()),
+            "number of columns is 1: it must lie between 2 and 32768"
+        );
+        for (width, height) in [(3, 4), (0, 4), (4, 3), (1 << 16, 1)] {
             assert!(
                 matches!(
                     PackedGray4::new(&bytes, width, height),

@@ -34,7 +34,9 @@ impl Aspect {
         if self.width > 0 && self.height > 0 {
             Ok((self.width, self.height))
         } else {
-            let scalar = |v: i64| Scalar::saturating_from_num(v >> 16);
+            // A size in pixels may be out of range.
+            let scalar =
+                |v: i64| Scalar::from_bits(v.clamp(i32::MIN.into(), i32::MAX.into()) as i32);
             Err(Error::Aspect {
                 width: scalar(self.width),
                 height: scalar(self.height),

@@ -35,8 +35,8 @@ impl Camera {
     /// # Errors
     ///
     /// [`Error::EyeAtTarget`] if eye and target are equal; [`Error::UpAlongView`] if `up` is zero, or so close to the
-    /// view direction that the roll would be noise. An angle below 5e-7 radians (0.1 seconds of arc) is always refused,
-    /// one above 8e-6 never.
+    /// view direction that the roll would be noise. An angle below 1.9e-7 radians (0.04 seconds of arc) is always
+    /// refused, one above 8e-6 never.
     pub fn look_at(eye: Vec3, target: Vec3, up: Vec3) -> Result<Self, Error> {
         /// The largest mantissa of each vector is from 2^29 to 2^30. The product of lengths is at least
         /// 2^58, and a component of this size at most 2^-19 of it.
@@ -207,7 +207,7 @@ mod tests {
                     assert!(up == [0; 3] || sine < 8e-6, "{sine}");
                 }
                 Ok(camera) => {
-                    assert!(sine > 5e-7, "{sine}");
+                    assert!(sine > 1.9e-7, "{sine}");
                     let k = back.map(|v| v / length(back));
                     let side = cross(u, k);
                     let i = side.map(|v| v / length(side));
@@ -270,6 +270,14 @@ mod tests {
         for (aside, is_refused) in [(1 << 6, true), (1 << 14, false)] {
             let up = Vec3::from_bits([aside, 0, -(1 << 30)]);
             assert_eq!(Camera::look_at(Vec3::ZERO, ahead, up).is_err(), is_refused);
+        }
+        // At angles of 1.8e-7 and 2.2e-7, where both vectors are √3 times as long as their largest component.
+        let most = (1 << 30) - 1000;
+        let diagonal = Vec3::from_bits([most; 3]);
+        for (aside, is_refused) in [(418, true), (515, false)] {
+            let up = Vec3::from_bits([most, most, most + aside]);
+            let refused = Camera::look_at(diagonal, Vec3::ZERO, up).is_err();
+            assert_eq!(refused, is_refused, "{aside}");
         }
         let aside = target - eye + Vec3::from_bits([6, 0, 0]);
         assert!(Camera::look_at(eye, target, aside).is_ok());

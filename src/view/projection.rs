@@ -67,21 +67,31 @@ impl ProjectionKind for Parallel {
 pub(crate) struct Row {
     /// Mantissas, below 2^30 in magnitude.
     pub(crate) m: [i32; 4],
-    /// Values are mantissas · 2^-exp.
+    /// The first three values are mantissas · 2^-exp.
     pub(crate) exp: i32,
+    /// The same for the last one. If a window is far from the line of sight, it is much greater than the others, which
+    /// would lose their bits if they shared its exponent.
+    pub(crate) offset_exp: i32,
 }
 
 impl Row {
     /// Makes a row from its coefficients, each rounded once.
-    fn new(entries: [BlockFloat; 4]) -> Self {
-        let mut m = [0; 4];
-        let exp = block::normalize(&mut m, &entries);
-        Self { m, exp }
+    fn new(entries: [BlockFloat; 3], offset: BlockFloat) -> Self {
+        let mut linear = [0; 3];
+        let exp = block::normalize(&mut linear, &entries);
+        let (offset, offset_exp) = offset.rounded();
+        let [x, y, z] = linear;
+        Self {
+            m: [x, y, z, offset],
+            exp,
+            offset_exp,
+        }
     }
 
     /// Returns one coefficient.
     fn coefficient(&self, i: usize) -> BlockFloat {
-        BlockFloat::new(self.m[i].into(), self.exp)
+        let exp = if i < 3 { self.exp } else { self.offset_exp };
+        BlockFloat::new(self.m[i].into(), exp)
     }
 }
 
@@ -92,7 +102,8 @@ impl Row {
 /// `far` are distances ahead of the eye. A projection maps its frustum or box to normalized device
 /// coordinates, ±1 from edge to edge.
 ///
-/// The coefficients have 30 significant bits, whatever their size.
+/// The coefficients have 30 significant bits, whatever their size; if a coordinate of the picture depends both on x (or
+/// y) and on z, these are bits of the greater coefficient.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -155,7 +166,10 @@ impl<K: ProjectionKind> Projection<K> {
 
     /// Returns the window on the near plane.
     ///
-    /// Its edges are accurate to 2⁻³⁰ of the largest of the four, then rounded to the nearest 2⁻¹⁶; they saturate.
+    /// Its edges are accurate to 2⁻²⁹ of the largest of the four, then rounded to the nearest 2⁻¹⁶; they saturate.
+    /// There are two exceptions: in perspective, the error is greater in proportion if the middle of the window is
+    /// farther from the line of sight than `near`; under an oblique projection, it is 1 + ratio times as great, and
+    /// `near` counts like an edge.
     #[must_use]
     pub fn window(&self) -> Window {
         Window {

@@ -130,13 +130,8 @@ pub fn speed(near: Scalar, point: Vec3, velocity: Vec3, t: Scalar) -> Option<[Sc
     let part = |p: Scalar, v: Scalar| {
         // The quotient of units of 2^-48 and 2^-64 lacks 32 bits to units of 2^-16.
         let top = -bits(near) * (bits(v) * bits(point.z) - bits(p) * bits(velocity.z));
-        let bottom = z * z;
-        if top.unsigned_abs().leading_zeros() > 34 {
-            divide(top << 32, bottom)
-        } else {
-            divide(top, bottom >> 32)
-        }
-        .map(Scalar::from_bits)
+        // Its magnitude is at most 2^94.
+        divide(top << 32, z * z).map(Scalar::from_bits)
     };
     Some([part(point.x, velocity.x)?, part(point.y, velocity.y)?])
 }
@@ -171,6 +166,15 @@ mod tests {
                 s(v[7]),
             );
         });
+    }
+
+    /// The quotient is 1443359354.5 units, less 2^-33.
+    #[test]
+    fn speed_is_rounded_once() {
+        let point = Vec3::from_bits([-1_733_925_641, 0, -1_742_648_317]);
+        let velocity = Vec3::from_bits([618_897_721, 0, -i32::MAX]);
+        let found = speed(Scalar::MAX, point, velocity, Scalar::from_bits(28_391));
+        assert_eq!(found.unwrap()[0].to_bits(), 1_443_359_354);
     }
 
     #[test]

@@ -147,6 +147,50 @@ fn labelled(
     (display, depths)
 }
 
+/// As on a map that is moved by its window, whose place is far greater than its size.
+#[test]
+fn a_window_far_from_the_origin_shows_what_lies_in_it() {
+    let mut pixels = vec![Rgb565::BLACK; 320 * 240];
+    let canvas = Canvas::new(&mut pixels, 320, 240).unwrap();
+    for place in [0, 300, -7_001, 20_000, -32_760] {
+        let least = Vec3::from_bits([(place << 16) + 12_345, (place << 16) + 54_321, 0]);
+        let window = Window {
+            left: least.x,
+            right: least.x + fx!(8),
+            bottom: least.y,
+            top: least.y + fx!(6),
+        };
+        let projection = Projection::orthographic(window, fx!(-1), fx!(1)).unwrap();
+        // A unit has 40 pixels.
+        for [x, y] in [[0, 0], [8, 6], [4, 3], [1, 5]] {
+            let point = least + Vec3::from_ints(x, y, 0);
+            let at = canvas.project(&DrawOptions::new(), &projection, point);
+            let at = at.unwrap();
+            let expected = [x * 40, 240 - y * 40].map(i32::from);
+            for (found, expected) in [at.x, at.y].into_iter().zip(expected) {
+                let error = found.to_bits() - expected * 256;
+                assert!(error.abs() <= 1, "{place} {x} {y}: {error}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_distance_of_a_hit_is_rounded_to_nearest() {
+    // Not at a half: a direction is rounded, too.
+    for height in (65_536..65_546).filter(|height| height % 4 != 2) {
+        let corners = [[-9, 9], [9, 9], [0, -9]].map(|[x, z]| {
+            let [x, z] = [x, z].map(|v| v << 16);
+            Vec3::from_bits([x, height, z])
+        });
+        let mesh = Mesh::new(&corners, &[[0, 1, 2]]).unwrap();
+        // The distance is 5/4 of the height.
+        let hit = Ray::new(Vec3::ZERO, vec3!(3, 4, 0)).unwrap().hit(&mesh);
+        let nearest = (5 * height + 2) / 4;
+        assert_eq!(hit.unwrap().distance.to_bits(), nearest, "{height}");
+    }
+}
+
 fn at(x: i32, y: i32, depth: u16) -> ScreenPoint {
     ScreenPoint {
         x: Subpixel::from_bits(x * 256 + 255),
@@ -215,5 +259,73 @@ fn labels_accept_any_place_and_any_area() {
             label.clear(Rgb565::RED).unwrap();
         });
         display.assert_pattern(&["RRRRRRKKKKKK"; 6].map(|row| row));
+    }
+}
+
+/// Colors of columns from `i32::MIN` on, of which any number is skipped at once: red left of the origin, then blue.
+struct FromLeast(i64);
+
+impl Iterator for FromLeast {
+    type Item = Rgb565;
+
+    fn next(&mut self) -> Option<Rgb565> {
+        self.nth(0)
+    }
+
+    fn nth(&mut self, skipped: usize) -> Option<Rgb565> {
+        let column = self.0 + i64::try_from(skipped).unwrap();
+        self.0 = column + 1;
+        Some(if column < 0 {
+            Rgb565::RED
+        } else {
+            Rgb565::BLUE
+        })
+    }
+}
+
+/// The far side of a rectangle stays where it is if the near one lies below the range of `i32` in the frame.
+#[test]
+fn a_labels_rectangle_may_begin_below_the_range() {
+    for origin in [-5, 0, 3] {
+        let (display, _) = labelled(|canvas| {
+            let mut label = canvas.label(at(origin, origin, 150));
+            // In the frame, it ends after column and row 2 + `origin`.
+            let area = Rectangle::new(
+                Point::new(i32::MIN, i32::MIN),
+                Size::new((1 << 31) + 3, (1 << 31) + 3),
+            );
+            label.fill_solid(&area, Rgb565::GREEN).unwrap();
+            let sides = Rectangle::new(Point::new(i32::MIN, 1), Size::new((1 << 31) + 7, 1));
+            label
+                .fill_contiguous(&sides, FromLeast(i64::from(i32::MIN)))
+                .unwrap();
+        });
+        let expected = match origin {
+            -5 => [
+                "KKKKKKKKKKKK",
+                "KKKKKKKKKKKK",
+                "KKKKKKKKKKKK",
+                "KKKKKKKKKKKK",
+                "KKKKKKKKKKKK",
+                "KKKKKKKKKKKK",
+            ],
+            0 => [
+                "GGGKKKKKKKKK",
+                "BBBBBBKKKKKK",
+                "GGGKKKKKKKKK",
+                "KKKKKKKKKKKK",
+                "KKKKKKKKKKKK",
+                "KKKKKKKKKKKK",
+            ],
+            _ => [
+                "GGGGGGKKKKKK",
+                "GGGGGGKKKKKK",
+                "GGGGGGKKKKKK",
+                "GGGGGGKKKKKK",
+                "RRRBBBKKKKKK",
+                "GGGGGGKKKKKK",
+            ],
+        };
+        display.assert_pattern(&expected);
     }
 }

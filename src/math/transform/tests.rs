@@ -375,3 +375,22 @@ fn points_are_rounded_once() {
         }
     });
 }
+
+#[test]
+fn scales_and_offsets_below_16384_are_exact() {
+    let most = (1 << 30) - 1;
+    for bits in [most, -most, most - 1, 1 << 29 | 1] {
+        let value = Scalar::from_bits(bits);
+        let moved = Transform::translate(Vec3::new(value, Scalar::DELTA, -value));
+        assert_eq!(moved.point(Vec3::ZERO).to_bits(), [bits, 1, -bits]);
+        let scaled = Transform::scale(value).point(Vec3::from_ints(1, 0, -1));
+        assert_eq!(scaled.to_bits(), [bits, 0, -bits]);
+    }
+    // Beyond, to a multiple of two.
+    let value = Scalar::from_bits(1 << 30 | 1);
+    let moved = Transform::translate(Vec3::new(value, Scalar::ZERO, Scalar::ZERO));
+    let scaled = Transform::scale(value).point(Vec3::X);
+    for found in [moved.point(Vec3::ZERO), scaled] {
+        assert_eq!(found.to_bits(), [1 << 30 | 2, 0, 0]);
+    }
+}

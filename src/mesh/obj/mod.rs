@@ -50,8 +50,8 @@ use writer::Writer;
 ///
 /// # Errors
 ///
-/// [`Error::Obj`] with the line of the first mistake. Indices that name no element are reported only if there is no
-/// other mistake.
+/// [`Error::Obj`] with the line of the first mistake. A positive index that names no element is reported only if there
+/// is no other mistake, unless it is greater than the index of any element can be.
 ///
 /// ```
 /// use fixel::mesh::obj;

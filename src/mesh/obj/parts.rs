@@ -78,6 +78,23 @@ mod tests {
         assert_eq!(std::string::ToString::to_string(&error), line);
     }
 
+    /// The reader of the mesh counts as many faces, so that parts name the same ones.
+    #[test]
+    fn comments_do_not_move_parts() {
+        let text = "v 0 0 0\nusemtl a # b \\\nf 1 1 1\no c # d \\\nf 1 1 1\nusemtl e\nf 1 1 1";
+        let counts = super::super::count(text.as_bytes()).unwrap();
+        let runs = found(text).unwrap();
+        assert_eq!(runs, [(0, 2, String::from("a")), (2, 3, String::from("e"))]);
+        assert_eq!(counts.faces, 3);
+    }
+
+    #[test]
+    fn a_name_stays_on_its_line() {
+        let error = found("usemtl a\\\nf 1 2 3\nf 1 2 3").unwrap_err();
+        let line = "line 1: a name must not continue on the next line";
+        assert_eq!(std::string::ToString::to_string(&error), line);
+    }
+
     #[test]
     fn the_most_runs_fit() {
         let text = "f 1 2 3\nusemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3";

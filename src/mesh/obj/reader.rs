@@ -88,12 +88,17 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Skips to the end of the statement, across continued lines; a comment ends with its line.
-    pub(super) const fn skip(&mut self, comment: bool) {
+    /// Skips to the end of the statement, across continued lines; a comment, which begins after a blank, ends with its
+    /// line.
+    pub(super) const fn skip(&mut self, mut comment: bool) {
         loop {
             match self.rest {
                 [] | [b'\n' | b'\r', ..] => return,
-                [b'\\', b'\n' | b'\r', ..] if !comment => self.end_line(),
+                [b'\\', b'\n' | b'\r', ..] if !comment => {
+                    self.end_line();
+                    comment = matches!(self.rest, [b'#', ..]);
+                }
+                [b' ' | b'\t', b'#', rest @ ..] => (self.rest, comment) = (rest, true),
                 [_, rest @ ..] => self.rest = rest,
             }
         }
@@ -135,6 +140,10 @@ impl<'a> Reader<'a> {
                 [] | [b'\n' | b'\r', ..] => break,
                 // A comment begins after a blank.
                 [b'#', ..] if read > len => break,
+                // It would be in two pieces.
+                [b'\\', b'\n' | b'\r', ..] => {
+                    return self.error("a name must not continue on the next line");
+                }
                 [c, rest @ ..] => {
                     self.rest = rest;
                     read += 1;

@@ -45,7 +45,8 @@ const fn parts(of: &'static str, given: u32, min: u32) -> Result<(), Error> {
 }
 
 impl Shape {
-    /// The most parts in one direction: with the fewest parts in the other direction, indices still fit into 16 bits.
+    /// The most parts in one direction. A sphere and a plane can have so many, with the fewest parts in the other
+    /// direction; a torus and a cylinder can have one less, because indices have 16 bits.
     pub const MAX_PARTS: u32 = 16_384;
 
     /// A box from −`corner` to `corner`; the texture fills each of its six sides.

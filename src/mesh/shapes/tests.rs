@@ -226,6 +226,14 @@ fn bad_arguments_are_refused() {
         "65792 elements are too many: at most 65536 are allowed"
     );
     assert!(Shape::sphere(255, 255).is_ok() && Shape::cylinder(16_383).is_ok());
+    let most = Shape::MAX_PARTS;
+    assert!(Shape::sphere(most, 2).is_ok() && Shape::plane(1, most).is_ok());
+    for parts in [most - 1, most] {
+        let fits = parts < most;
+        assert_eq!(Shape::torus(fx!(0.5), parts, 3).is_ok(), fits);
+        assert_eq!(Shape::torus(fx!(0.5), 3, parts).is_ok(), fits);
+        assert_eq!(Shape::cylinder(parts).is_ok(), fits);
+    }
     assert!(Shape::cylinder(u32::MAX).is_err() && Shape::plane(0, 1).is_err());
     assert!(Shape::torus(Scalar::ZERO, 3, 3).is_err());
     assert_eq!(

@@ -103,6 +103,24 @@ fn floats_wrap_and_nonsense_is_refused() {
 }
 
 #[test]
+fn large_floats_in_radians_are_accurate_to_a_unit() {
+    // 2^96 / 2π, by which whole radians become units of 2^-96 of a turn.
+    const TURN: u128 = 12_609_553_696_233_175_933_233_255_924;
+    for radians in (0..10_000_000_u32).step_by(1009).chain([10_000_000]) {
+        let exact = ((TURN * u128::from(radians)) >> 64) as u32;
+        for (float, exact) in [
+            (f64::from(radians), exact),
+            (-f64::from(radians), exact.wrapping_neg()),
+        ] {
+            let found = Angle::try_from_radians(float).unwrap().to_bits();
+            let error = found.wrapping_sub(exact).cast_signed();
+            // The exact angle is cut, which is worth another unit.
+            assert!(error.abs() <= 2, "{float}: {error}");
+        }
+    }
+}
+
+#[test]
 fn radians_are_rounded_to_a_unit() {
     for bits in (i32::MIN..=i32::MAX).step_by(1_000_003).chain([i32::MAX]) {
         let radians = Scalar::from_bits(bits);

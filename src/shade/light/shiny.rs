@@ -65,7 +65,12 @@ impl<L: Lamp> Lighting for Shiny<L> {
         };
         Illumination {
             specular: Some(highlight),
-            ..Illumination::white(self.lamp.ambient() + share(light, facing >> 14))
+            // Saturating, so that a user's lamp cannot panic.
+            ..Illumination::white(
+                self.lamp
+                    .ambient()
+                    .saturating_add(share(light, facing >> 14)),
+            )
         }
     }
 }
@@ -84,5 +89,56 @@ fn power(base: i32, exponent: u8) -> i32 {
             return result;
         }
         square = times(square, square);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Direction;
+    use crate::shade::light::Matte;
+    use crate::{Vec3, fx};
+
+    /// A lamp of a program, as bright as numbers are.
+    #[derive(Clone, Copy)]
+    struct Brightest;
+
+    impl Lighting for Brightest {
+        type Diffuse = White;
+        type Specular = Matte;
+
+        fn at(&self, _: &SurfacePoint) -> Illumination {
+            Illumination::white(i32::MAX)
+        }
+    }
+
+    impl Lamp for Brightest {
+        fn ray(&self, _: &SurfacePoint) -> (Direction, i32) {
+            (Direction::of(Vec3::Y), i32::MAX)
+        }
+
+        fn ambient(&self) -> i32 {
+            i32::MAX
+        }
+    }
+
+    #[test]
+    fn the_brightest_lamp_saturates() {
+        let normal = Direction::of(Vec3::Y);
+        let point = SurfacePoint {
+            normal,
+            face: normal,
+            position: Vec3::ZERO,
+        };
+        let viewer = Viewer::at(Vec3::Y);
+        let shiny = Brightest.shiny(viewer, 8, fx!(1)).unwrap();
+        assert_eq!(shiny.at(&point).diffuse, [i32::MAX; 3]);
+        assert_eq!(
+            shiny
+                .colored(embedded_graphics::pixelcolor::Rgb888::new(255, 0, 0))
+                .at(&point)
+                .diffuse,
+            [i32::MAX, 0, 0]
+        );
     }
 }

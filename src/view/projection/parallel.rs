@@ -94,8 +94,8 @@ impl Projection<Parallel> {
         let (y, y_slope, y_offset) = row(window.bottom, window.top, shear[1])?;
         Ok(Self {
             rows: [
-                Row::new([x, BlockFloat::ZERO, x_slope, x_offset]),
-                Row::new([BlockFloat::ZERO, y, y_slope, y_offset]),
+                Row::new([x, BlockFloat::ZERO, x_slope], x_offset),
+                Row::new([BlockFloat::ZERO, y, y_slope], y_offset),
             ],
             near,
             far,

@@ -17,17 +17,11 @@ fn check_planes(near: Scalar, far: Scalar) -> Result<(), Error> {
 
 impl Projection<Perspective> {
     fn from_scales(x: BlockFloat, y: BlockFloat, near: Scalar, far: Scalar) -> Self {
-        let ((x, x_exp), (y, y_exp)) = (x.rounded(), y.rounded());
+        let zero = BlockFloat::ZERO;
         Self {
             rows: [
-                Row {
-                    m: [x, 0, 0, 0],
-                    exp: x_exp,
-                },
-                Row {
-                    m: [0, y, 0, 0],
-                    exp: y_exp,
-                },
+                Row::new([x, zero, zero], zero),
+                Row::new([zero, y, zero], zero),
             ],
             near,
             far,
@@ -115,8 +109,8 @@ impl Projection<Perspective> {
         let (double, zero) = (2 * bits(near), BlockFloat::ZERO);
         Ok(Self {
             rows: [
-                Row::new([ratio(double, width), zero, ratio(across, width), zero]),
-                Row::new([zero, ratio(double, height), ratio(up, height), zero]),
+                Row::new([ratio(double, width), zero, ratio(across, width)], zero),
+                Row::new([zero, ratio(double, height), ratio(up, height)], zero),
             ],
             near,
             far,

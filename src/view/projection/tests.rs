@@ -7,7 +7,15 @@ use core::f64::consts::TAU;
 use rand::Rng;
 
 fn real(row: &Row) -> [f64; 4] {
-    row.m.map(|m| f64::from(m) * f64::from(-row.exp).exp2())
+    let value = |(m, exp): (i32, i32)| f64::from(m) * f64::from(-exp).exp2();
+    let [x, y, z, offset] = row.m;
+    [
+        (x, row.exp),
+        (y, row.exp),
+        (z, row.exp),
+        (offset, row.offset_exp),
+    ]
+    .map(value)
 }
 
 fn float(value: Scalar) -> f64 {
@@ -193,6 +201,39 @@ fn no_accessor_panics() {
     });
 }
 
+/// However far from the line of sight it is, in proportion to its size.
+#[test]
+fn a_window_keeps_its_place() {
+    let check = |window: Window, found: Window, near: f64, ratio: f64| {
+        let edges = |w: Window| [w.left, w.right, w.bottom, w.top].map(float);
+        let largest = edges(window)
+            .into_iter()
+            .fold(0.0, |max: f64, v| max.max(v.abs()));
+        for (found, exact) in edges(found).into_iter().zip(edges(window)) {
+            // A half unit of the result.
+            let most = largest.max(near.abs()) * (1.0 + ratio.abs());
+            let allowed = f64::from(-17).exp2() + f64::from(-29).exp2() * most;
+            assert!((found - exact).abs() <= allowed, "{window:?} {found}");
+        }
+    };
+    cases(256, |random| {
+        let ((left, right), (bottom, top)) = (ordered(random), ordered(random));
+        let window = Window {
+            left,
+            right,
+            bottom,
+            top,
+        };
+        let (near, far) = ordered(random);
+        let projection = Projection::orthographic(window, near, far).unwrap();
+        check(window, projection.window(), 0.0, 0.0);
+        let angle = Angle::from_bits(random.random());
+        let ratio = Scalar::from_bits(random.random());
+        let projection = Projection::oblique(angle, ratio, window, near, far).unwrap();
+        check(window, projection.window(), float(near), float(ratio));
+    });
+}
+
 #[test]
 fn focal_length_is_exact() {
     let projection =
@@ -270,6 +311,23 @@ fn invalid_arguments_are_refused() {
         height: low,
     };
     assert_eq!(Projection::perspective(fov, -low, low, high), Err(mirrored));
+    // The refused ratio keeps its fraction, and a size saturates.
+    let mirrored = Error::Aspect {
+        width: one(-0.25),
+        height: one(1.0),
+    };
+    assert_eq!(
+        Projection::perspective(fov, one(-0.25), low, high),
+        Err(mirrored)
+    );
+    let flat = Error::Aspect {
+        width: zero,
+        height: Scalar::MAX,
+    };
+    assert_eq!(
+        Projection::perspective(fov, (0, u32::MAX), low, high),
+        Err(flat)
+    );
     let pixels = zero;
     let refused = Projection::from_focal_length(pixels, (4, 3), low, high);
     assert_eq!(refused, Err(Error::FocalLength { pixels }));

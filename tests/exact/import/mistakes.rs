@@ -52,6 +52,11 @@ fn errors_name_their_line() {
     first_at_5("vt", "2 numbers");
     first_at_5("vn 1 2", "3 numbers");
     first_at_5("vn 1 2 3 4", "too many");
+    // An element may follow its index, so the index is a mistake only if the whole text is right. No element has the
+    // greatest one.
+    fails(&format!("{SQUARE}f 1 2 65536\nv 0"), 6, "3 numbers");
+    first_at_5("f 1 2 65537\nv 0", "position that does not exist");
+    first_at_5("f 1 2 -5\nv 0", "position that does not exist");
     // In a statement that spans several lines, an error names the line where it occurs. A backslash does not continue a
     // comment.
     fails("# a\\\nv 0 0\\\n", 3, "3 numbers");
