@@ -34,7 +34,7 @@ use crate::num::Angle;
 /// assert_eq!((EDGES.edges().len(), EDGES.creases()), (18, 12));
 /// assert_eq!((RIMS.edges().len(), RIMS.creases()), (96, 32));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Outline<'a> {
     edges: &'a [[Index; 4]],
     creases: usize,

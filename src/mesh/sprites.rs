@@ -43,7 +43,7 @@ use crate::{Error, Scalar, Vec2, Vec3};
 /// ]);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Sprites<'a> {
     pub(crate) positions: &'a [Vec3],
     /// Width and height.
