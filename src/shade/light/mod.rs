@@ -270,10 +270,12 @@ mod tests {
             assert_eq!(lamp(fx!(1), range), Err(Error::LightRange { range }));
         }
         let spot = |axis, inner, outer| {
-            SpotLight::new(Vec3::ZERO, axis, (inner, outer), fx!(1), fx!(1)).map(|_| ())
+            SpotLight::new(Vec3::ZERO, axis, (inner, outer), fx!(1), fx!(1))
+                .map(|spot| spot.with_falloff(Falloff::Linear).falloff())
         };
         let degrees = Angle::from_degrees;
-        assert_eq!(spot(Vec3::X, degrees(0), degrees(90)), Ok(()));
+        let widest = spot(Vec3::X, degrees(0), degrees(90));
+        assert_eq!(widest, Ok(Falloff::Linear));
         assert_eq!(
             spot(Vec3::ZERO, degrees(0), degrees(9)),
             Err(Error::ZeroDirection)
