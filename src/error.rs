@@ -64,6 +64,14 @@ pub(crate) const fn check_extent(
     }
 }
 
+/// An error unless an angle can lie between two faces.
+pub(crate) const fn check_crease(angle: Angle) -> Result<(), Error> {
+    if angle.to_bits() > Angle::HALF.to_bits() {
+        return Err(Error::CreaseAngle { angle });
+    }
+    Ok(())
+}
+
 /// Declares [`Error`]: its variants with fields, then those without, each with its message.
 macro_rules! errors {
     ($(#[$about:meta])+ pub enum Error; $(
