@@ -70,8 +70,34 @@ pub struct Fragment {
 /// ```
 ///
 /// A shader that wraps another one passes on the inner [`Varyings`](Self::Varyings), alone or in a pair with its own,
-/// and calls the two inner methods. Nothing else needs to be passed on. Most effects need no type of their own: see
-/// [`map`](Self::map).
+/// and calls the two inner methods. Most effects need no type of their own: see [`map`](Self::map).
+///
+/// A wrapper that may stand under a light also passes on [`shade_lit`](Self::shade_lit). Otherwise the light dims a
+/// color that surfaces such as [`Flat::rgb`](super::Flat::rgb) and [`Gouraud`](super::Gouraud) have already rounded to
+/// the canvas's color:
+///
+/// ```
+/// # use fixel::prelude::*;
+/// # use fixel::shade::{ColorOf, Illumination};
+/// # #[derive(Clone, Copy)]
+/// # struct Wrapper<S>(S);
+/// # impl<S: Shader> Shader for Wrapper<S> {
+/// #     type Color = S::Color;
+/// #     type Varyings = S::Varyings;
+/// #     fn varyings(&self, primitive: &Primitive) -> [S::Varyings; 3] {
+/// #         self.0.varyings(primitive)
+/// #     }
+/// #     fn shade(&self, at: &Fragment, varyings: S::Varyings) -> Option<S::Color> {
+/// #         self.0.shade(at, varyings)
+/// #     }
+/// fn shade_lit(&self, at: &Fragment, varyings: S::Varyings, light: Illumination) -> Option<S::Color>
+/// where
+///     ColorOf<S>: Levels,
+/// {
+///     self.0.shade_lit(at, varyings, light)
+/// }
+/// # }
+/// ```
 ///
 /// Each stack of shaders is a type of its own, and there is no `dyn Shader`: a call for each pixel would take longer
 /// than most shaders. To keep objects with different shaders in one list, choose the shader once for each draw call: by
