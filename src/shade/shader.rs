@@ -183,6 +183,9 @@ pub trait Shader: Copy {
 
     /// Puts this surface under a light. The brightness is computed at the vertices and interpolated (Gouraud
     /// shading).
+    ///
+    /// It takes one varying, or three if light and canvas have colors, and one more for highlights. A stack of shaders
+    /// with more than eight [`Varyings`] does not compile.
     #[must_use]
     #[inline]
     fn lit<L: Lighting>(self, light: L) -> Lit<Self, L>
@@ -210,6 +213,8 @@ pub trait Shader: Copy {
     }
 
     /// Multiplies this surface by the mesh's vertex colors.
+    ///
+    /// The colors take three of the at most eight [`Varyings`], or one if the surface is gray.
     #[must_use]
     #[inline]
     fn tinted(self) -> Tinted<Self>
@@ -219,7 +224,7 @@ pub trait Shader: Copy {
         Tinted { surface: self }
     }
 
-    /// Puts this surface in fog.
+    /// Puts this surface in fog, which takes one of the at most eight [`Varyings`].
     #[must_use]
     #[inline]
     fn in_fog<D: Density>(self, fog: Fog<ColorOf<Self>, D>) -> InFog<Self, ColorOf<Self>, D>

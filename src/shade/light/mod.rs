@@ -155,7 +155,8 @@ pub trait Lighting: Copy {
     /// light has three equal channels.
     fn at(&self, point: &SurfacePoint) -> Illumination;
 
-    /// The same light, in a color. Highlights keep their brightness, and stay white.
+    /// The same light, in a color. Highlights keep their brightness, and stay white. On a canvas with colors,
+    /// it takes three of the at most eight [varyings](crate::shade::Varyings) of a shader.
     #[must_use]
     #[inline]
     fn colored(self, color: Rgb888) -> Colored<Self> {
