@@ -64,6 +64,14 @@ pub(crate) const fn check_extent(
     }
 }
 
+/// An error unless an angle can lie between two faces.
+pub(crate) const fn check_crease(angle: Angle) -> Result<(), Error> {
+    if angle.to_bits() > Angle::HALF.to_bits() {
+        return Err(Error::CreaseAngle { angle });
+    }
+    Ok(())
+}
+
 /// Declares [`Error`]: its variants with fields, then those without, each with its message.
 macro_rules! errors {
     ($(#[$about:meta])+ pub enum Error; $(
@@ -150,7 +158,7 @@ errors! {
         /// The refused distance.
         near: Scalar,
     } = "near plane is at {near}: it must be above 0, in front of the eye";
-    /// A far plane that is not behind the near plane, or a fog whose end is not behind its beginning.
+    /// A far plane that is not behind the near plane.
     Far {
         /// The distance of the near plane.
         near: Scalar,
@@ -209,6 +217,13 @@ errors! {
         /// Largest width allowed.
         max: Scalar,
     } = "line width is {width}: it must lie between 1 and {max} pixels";
+    /// A fog whose end is not behind its beginning.
+    FogRange {
+        /// The distance of the beginning.
+        near: Scalar,
+        /// The refused distance of the end.
+        far: Scalar,
+    } = "fog reaches from {near} to {far}: the second distance must be above the first one";
     /// A fog's density below 0.
     FogDensity {
         /// The refused density.

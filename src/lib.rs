@@ -59,7 +59,8 @@
 //! # assert!((0..24).any(|x| display.get_pixel(Point::new(x, 3)) == Some(Rgb565::YELLOW)));
 //! ```
 //!
-//! Import items of embedded-graphics one by one: its prelude has an `Angle` and a `Transform` of its own.
+//! Import items of embedded-graphics one by one: its prelude has an `Angle`, a `Primitive` and a `Transform` of its
+//! own.
 //!
 //! # Parts
 //!
@@ -315,7 +316,7 @@ struct Readme;
 
 /// Everything a drawing program needs.
 ///
-/// The prelude of embedded-graphics also has an `Angle` and a `Transform`. A program that imports both
+/// The prelude of embedded-graphics also has an `Angle`, a `Primitive` and a `Transform`. A program that imports both
 /// preludes must name the ones it means.
 pub mod prelude {
     #[doc(no_inline)]

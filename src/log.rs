@@ -5,7 +5,7 @@ use defmt::{Debug2Format, Display2Format, Format, Formatter};
 use crate::error::RefusedFloat;
 use crate::mesh::Shape;
 use crate::view::{Projection, ProjectionKind, Segment, Window};
-use crate::{Angle, Error, Hit, Matrix4, ScreenPoint, Vec2, Vec3};
+use crate::{Angle, Error, Hit, Matrix4, PointStyle, ScreenPoint, Vec2, Vec3};
 
 macro_rules! format {
     ($adapter:ident: $($({$K:ident: $bound:path})? $Type:ty),+) => {$(
@@ -18,14 +18,14 @@ macro_rules! format {
 }
 
 format!(Display2Format: Error, RefusedFloat, Angle, Vec2, Vec3);
-format!(Debug2Format: Hit, Matrix4, ScreenPoint, Segment, Shape, Window, {K: ProjectionKind} Projection<K>);
+format!(Debug2Format: Hit, Matrix4, PointStyle, ScreenPoint, Segment, Shape, Window, {K: ProjectionKind} Projection<K>);
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::mesh::{Counts, Missing};
-    use crate::mode::{Affine, Exact, Fast, Newton};
-    use crate::shade::{PerFace, Texels, Tolerance, Within};
+    use crate::mode::{Affine, Compact, Exact, Fast, Newton};
+    use crate::shade::{Colored, PerFace, Shiny, Texels, Tolerance, TwoSided, Within};
     use crate::target::{
         Biased, ColorIndex, Contrast, NoDepth, NoTest, TestAndWrite, TestOnly, WriteOnly,
     };
@@ -43,7 +43,8 @@ mod tests {
         }
         all!(Error RefusedFloat Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform);
         all!(Counts Missing Shape Fragment Light Tolerance Texels Within<8, Texels> PerFace<u8>);
-        all!(Hairline LineWidth SmoothLine Drawn DrawOptions ScreenPoint Cull Exact Affine Newton Fast);
+        all!(Colored<Light> Shiny<Light> TwoSided<Light> Hairline LineWidth SmoothLine PointStyle);
+        all!(Drawn DrawOptions ScreenPoint Cull Exact Affine Newton Fast Compact);
         all!(ColorIndex Contrast NoDepth NoTest TestAndWrite TestOnly WriteOnly Biased);
         all!(Repeat Clamp Nearest Bilinear Aspect Camera Mvp Projection Segment Viewport Window);
     }

@@ -11,8 +11,9 @@ enum Piece<'a> {
     Text(&'a str),
     Number(usize),
     Scalar(crate::Scalar),
+    Angle(crate::Angle),
 }
-use Piece::{Number, Scalar, Text};
+use Piece::{Angle, Number, Scalar, Text};
 
 /// Splits a text at the first such byte: the text before it, and the text after it, if there is such a byte.
 const fn cut(text: &str, byte: u8) -> (&str, Option<&str>) {
@@ -61,6 +62,9 @@ impl Message {
                 Piece::Text(text) => self.push(text),
                 Piece::Number(number) => self.number(number),
                 Piece::Scalar(value) => self.scalar(value),
+                Piece::Angle(angle) => self
+                    .decimal(angle.ten_thousandths(), 10_000)
+                    .push(" degrees"),
             };
             let ((_, Some(after)) | (after, None)) = cut(name, b'}');
             rest = after;
@@ -85,15 +89,20 @@ impl Message {
         let sign = if value.to_bits() < 0 { "-" } else { "" };
         // In units of 1/100000, rounded to nearest.
         let parts = (value.to_bits().unsigned_abs() as u64 * 100_000 + (1 << 15)) >> 16;
-        let mut message = self.push(sign).number((parts / 100_000) as usize);
-        let (mut decimals, mut unit) = (parts as usize % 100_000, 10_000);
+        self.push(sign).decimal(parts as usize, 100_000)
+    }
+
+    /// Pushes `parts` / `unit`, where `unit` is a power of ten.
+    const fn decimal(self, parts: usize, mut unit: usize) -> Self {
+        let mut message = self.number(parts / unit);
+        let mut decimals = parts % unit;
         if decimals > 0 {
             message = message.push(".");
         }
         while decimals > 0 {
+            unit /= 10;
             message = message.number(decimals / unit);
             decimals %= unit;
-            unit /= 10;
         }
         message
     }
@@ -146,7 +155,8 @@ pub const fn checked<T: Copy>(result: Result<T, Error>, name: &str) -> T {
         Error::Image { of, given, needed } => {
             [Text(of), Number(given as usize), Text(needed), NONE]
         }
-        // Angles and floats have no form at compile time.
+        Error::CreaseAngle { angle } => [Angle(angle), NONE, NONE, NONE],
+        // Nothing that is made at compile time has another error with fields.
         _ => [Text("the value"); 4],
     };
     let message = Message::new().push(name).push(": ");
@@ -223,7 +233,14 @@ pub(crate) const fn no_material(obj: &str, mtl: &str, name: &str) -> ! {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Scalar, fx};
+    use crate::{Scalar, deg, fx};
+
+    #[test]
+    #[should_panic(expected = "outline: crease angle is 200.025 degrees: it must lie between 0")]
+    fn angles_have_four_decimals() {
+        let angle = deg!(200.025);
+        checked::<()>(Err(Error::CreaseAngle { angle }), "outline");
+    }
 
     #[test]
     fn scalars_have_five_decimals() {

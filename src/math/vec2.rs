@@ -61,7 +61,7 @@ impl Vec2 {
 /// ```
 #[macro_export]
 macro_rules! vec2 {
-    ($x:literal, $y:literal $(,)?) => {
+    (@ $x:literal, $y:literal) => {
         const {
             #[allow(clippy::cast_lossless, clippy::unnecessary_cast)]
             $crate::Vec2::new(
@@ -69,6 +69,10 @@ macro_rules! vec2 {
                 $crate::num::literal_tex_coord($y as f64),
             )
         }
+    };
+    // Expressions first: see `fx!`.
+    ($x:expr, $y:expr $(,)?) => {
+        $crate::vec2!(@ $x, $y)
     };
     ($($other:tt)*) => {
         ::core::compile_error!(

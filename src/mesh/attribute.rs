@@ -10,7 +10,7 @@ use crate::error::{check_length, ok};
 use crate::{Error, Vec2, Vec3};
 
 /// The values of one attribute. Without `faces` of its own, it is indexed like the positions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Attribute<'a, T> {
     pub(super) values: &'a [T],
     pub(super) faces: Option<&'a [[Index; 3]]>,

@@ -162,6 +162,11 @@ macro_rules! __mesh {
             ));
         QUANTIZED
     }};
+    ($room:expr, $counts:expr, $other:ident) => {
+        ::core::compile_error!(
+            "the last argument must be `short`, `quantized_16`, `quantized_8` or nothing"
+        )
+    };
     ($room:expr, $counts:expr, @ $mesh:expr) => {{
         use $crate::mesh::flash::first;
         static FACES: [[$crate::Index; 3]; $counts.faces] = first(&$room.faces);

@@ -40,7 +40,7 @@ use crate::{Error, Scalar, Vec3, message};
 /// ]);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Keyframes<'a> {
     first: Mesh<'a>,
     /// Of the second mesh.

@@ -36,7 +36,7 @@ pub type Index = u16;
 /// assert_eq!(TRIANGLE.faces().len(), 1);
 /// assert!(Mesh::new(&[Vec3::ZERO], &[[0, 0, 1]]).is_err());
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Mesh<'a> {
     pub(super) positions: Positions<'a>,
     pub(super) faces: &'a [[Index; 3]],

@@ -2,6 +2,7 @@
 
 use super::buffers::room;
 use super::{Index, Mesh};
+use crate::error::check_crease;
 use crate::math::Direction;
 use crate::num::rsqrt::unit;
 use crate::{Angle, Error, Vec3};
@@ -147,9 +148,7 @@ impl<'a> Mesh<'a> {
         normals: &'a mut [Vec3],
         faces: &'a mut [[Index; 3]],
     ) -> Result<Self, Error> {
-        if crease.to_bits() > Angle::HALF.to_bits() {
-            return Err(Error::CreaseAngle { angle: crease });
-        }
+        check_crease(crease)?;
         // Four units for each of the two normals, so that triangles of one plane are always within the crease.
         let least = crease.cos().to_bits().saturating_sub(8);
         let faces = room(faces, self.faces().len())?;
@@ -319,6 +318,11 @@ mod tests {
             .with_creased_normals(deg!(0), &mut normals, &mut faces)
             .unwrap_err();
         assert_eq!(error, Error::TooMany { given: 6, max: 5 });
+        let angle = deg!(-30);
+        let error = mesh
+            .with_creased_normals(angle, &mut few, &mut faces)
+            .unwrap_err();
+        assert_eq!(error, Error::CreaseAngle { angle });
         let error = mesh
             .with_creased_normals(deg!(0), &mut few, &mut faces[1..])
             .unwrap_err();

@@ -3,7 +3,7 @@
 use super::sort::sort;
 use super::{Index, Mesh, Positions};
 use crate::Error;
-use crate::error::{check_count, ok};
+use crate::error::{check_count, check_crease, ok};
 use crate::num::Angle;
 
 /// The edges of a mesh that may be part of its outline, each with its two faces.
@@ -34,7 +34,7 @@ use crate::num::Angle;
 /// assert_eq!((EDGES.edges().len(), EDGES.creases()), (18, 12));
 /// assert_eq!((RIMS.edges().len(), RIMS.creases()), (96, 32));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Outline<'a> {
     edges: &'a [[Index; 4]],
     creases: usize,
@@ -99,9 +99,7 @@ impl<'a> Outline<'a> {
         crease: Angle,
         edges: &'a mut [[Index; 4]],
     ) -> Result<Self, Error> {
-        if crease.to_bits() > 1 << 31 {
-            return Err(Error::CreaseAngle { angle: crease });
-        }
+        ok!(check_crease(crease));
         let [edge_count, creases] = ok!(write(mesh, crease, edges));
         let (edges, _) = edges.split_at(edge_count);
         Ok(Self { edges, creases })

@@ -1,5 +1,7 @@
 //! A mesh's positions, with 32-bit or 16-bit components.
 
+use core::hash::{Hash, Hasher};
+
 use super::{Index, Mesh};
 use crate::error::{check_length, check_parts, ok};
 use crate::{Error, Vec3};
@@ -128,6 +130,14 @@ impl PartialEq for Positions<'_> {
     /// Whether both are the same points in the same order.
     fn eq(&self, other: &Self) -> bool {
         self.iter().eq(other.iter())
+    }
+}
+
+impl Hash for Positions<'_> {
+    /// Hashes the points, because equality does not depend on how many bits they have.
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        state.write_usize(self.len());
+        self.iter().for_each(|position| position.hash(state));
     }
 }
 

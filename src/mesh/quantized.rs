@@ -46,7 +46,7 @@ use crate::{Error, Vec2, Vec3, message};
 /// assert_ne!(pixels[4 * 8 + 4], Rgb565::BLACK);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Quantized<'a> {
     mesh: Mesh<'a>,
     normals: Attribute<'a, [i8; 3]>,
@@ -62,7 +62,7 @@ pub enum StoredUvs<'a> {
     Words(&'a [[u16; 2]]),
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Uvs<'a> {
     Bytes(Attribute<'a, [u8; 2]>),
     Words(Attribute<'a, [u16; 2]>),
@@ -70,7 +70,7 @@ enum Uvs<'a> {
 
 /// Equal steps from the least texture coordinate to the greatest: `origin` + n · `step`, in units of 2⁻²⁰.
 #[doc(hidden)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct UvGrid {
     origin: [i32; 2],
     step: [u32; 2],

@@ -79,6 +79,11 @@ impl Angle {
         Self((((degrees << 32) + 180) / 360) as u32)
     }
 
+    /// Returns degrees in units of 1/10000, rounded to nearest.
+    pub(crate) const fn ten_thousandths(self) -> usize {
+        ((self.0 as u64 * 3_600_000 + (1 << 31)) >> 32) as usize
+    }
+
     /// Makes an angle from turns; exact. Whole turns drop out.
     #[must_use]
     pub const fn from_turns(turns: Scalar) -> Self {
@@ -256,8 +261,7 @@ impl Angle {
 impl fmt::Display for Angle {
     /// Writes degrees from 0 to 360, rounded to four decimals.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // In units of 1/10000 degree.
-        let parts = (u64::from(self.0) * 3_600_000 + (1 << 31)) >> 32;
+        let parts = self.ten_thousandths();
         let (whole, mut decimals, mut width) = (parts / 10_000, parts % 10_000, 4);
         if decimals == 0 {
             return write!(f, "{whole} degrees");

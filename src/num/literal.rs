@@ -61,18 +61,22 @@ pub const fn literal_degrees(value: f64) -> Angle {
 /// ```
 /// ```compile_fail
 /// let x = 0.5;
-/// let _ = fixel::fx!(x); // error: fx! takes a literal, such as fx!(0.5); …
+/// let _ = fixel::fx!(-x); // error: fx! takes a literal, such as fx!(0.5); …
 /// ```
 #[macro_export]
 macro_rules! fx {
-    ($value:literal) => {
-        $crate::fx!(const $value)
-    };
     (const $value:expr) => {
         const {
             #[allow(clippy::cast_lossless, clippy::unnecessary_cast)]
             $crate::num::literal($value as f64)
         }
+    };
+    (@ $value:literal) => {
+        $crate::fx!(const $value)
+    };
+    // An expression first: `literal` alone would take the minus of `-x`, and then stop at x with a message of its own.
+    ($value:expr) => {
+        $crate::fx!(@ $value)
     };
     ($($other:tt)*) => {
         ::core::compile_error!(
@@ -99,18 +103,22 @@ macro_rules! fx {
 /// ```
 /// ```compile_fail
 /// let x = 0.5;
-/// let _ = fixel::deg!(x); // error: deg! takes a literal, such as deg!(62.5); …
+/// let _ = fixel::deg!(-x); // error: deg! takes a literal, such as deg!(62.5); …
 /// ```
 #[macro_export]
 macro_rules! deg {
-    ($value:literal) => {
-        $crate::deg!(const $value)
-    };
     (const $value:expr) => {
         const {
             #[allow(clippy::cast_lossless, clippy::unnecessary_cast)]
             $crate::num::literal_degrees($value as f64)
         }
+    };
+    (@ $value:literal) => {
+        $crate::deg!(const $value)
+    };
+    // An expression first: `literal` alone would take the minus of `-x`, and then stop at x with a message of its own.
+    ($value:expr) => {
+        $crate::deg!(@ $value)
     };
     ($($other:tt)*) => {
         ::core::compile_error!(
@@ -124,6 +132,12 @@ macro_rules! deg {
 mod tests {
     use crate::{Angle, Scalar, vec2, vec3};
 
+    macro_rules! negative {
+        ($value:literal) => {
+            vec3!(-$value, -$value, $value)
+        };
+    }
+
     #[test]
     fn constants_are_rounded_like_literals() {
         const THIRD: f64 = 1.0 / 3.0;
@@ -134,6 +148,7 @@ mod tests {
         // Literals pass through other macros, with their signs.
         assert_eq!(vec3!(-1, -0.5, 2).to_bits(), [-1 << 16, -1 << 15, 2 << 16]);
         assert_eq!(vec2!(-1, 0.5).to_bits(), [-1 << 20, 1 << 19]);
+        assert_eq!(negative!(0.5), vec3!(-0.5, -0.5, 0.5));
         assert_eq!(fx!(-32768), Scalar::MIN);
     }
 

@@ -6,7 +6,7 @@ use crate::mesh::{Primitive, Quantized};
 /// A shader that sees the attributes of a [`Quantized`] mesh; made by [`Quantized::shader`].
 ///
 #[cfg_attr(doc, doc = page_picture!("dequantized", "The same ring with numbers of 32 bits, and quantized"))]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Dequantized<'a, F> {
     mesh: &'a Quantized<'a>,
     shader: F,

@@ -186,10 +186,10 @@ impl<C: Blend> Fog<C> {
     ///
     /// # Errors
     ///
-    /// [`Error::Far`] if `far` is not beyond `near`.
+    /// [`Error::FogRange`] if `far` is not beyond `near`.
     pub const fn linear(color: C, near: Scalar, far: Scalar) -> Result<Self, Error> {
         let Some(range) = Ramp::new(near, far, BITS) else {
-            return Err(Error::Far { near, far });
+            return Err(Error::FogRange { near, far });
         };
         let far = far.to_bits();
         Ok(Self {
@@ -276,7 +276,8 @@ mod tests {
     fn bad_fog_is_refused() {
         let white = Gray8::WHITE;
         for (near, far) in [(fx!(2), fx!(2)), (fx!(3), fx!(2))] {
-            assert_eq!(Fog::linear(white, near, far), Err(Error::Far { near, far }));
+            let refused = Fog::linear(white, near, far);
+            assert_eq!(refused, Err(Error::FogRange { near, far }));
         }
         let density = fx!(-0.1);
         let refused = Fog::exponential(white, density);

@@ -70,8 +70,34 @@ pub struct Fragment {
 /// ```
 ///
 /// A shader that wraps another one passes on the inner [`Varyings`](Self::Varyings), alone or in a pair with its own,
-/// and calls the two inner methods. Nothing else needs to be passed on. Most effects need no type of their own: see
-/// [`map`](Self::map).
+/// and calls the two inner methods. Most effects need no type of their own: see [`map`](Self::map).
+///
+/// A wrapper that may stand under a light also passes on [`shade_lit`](Self::shade_lit). Otherwise the light dims a
+/// color that surfaces such as [`Flat::rgb`](super::Flat::rgb) and [`Gouraud`](super::Gouraud) have already rounded to
+/// the canvas's color:
+///
+/// ```
+/// # use fixel::prelude::*;
+/// # use fixel::shade::{ColorOf, Illumination};
+/// # #[derive(Clone, Copy)]
+/// # struct Wrapper<S>(S);
+/// # impl<S: Shader> Shader for Wrapper<S> {
+/// #     type Color = S::Color;
+/// #     type Varyings = S::Varyings;
+/// #     fn varyings(&self, primitive: &Primitive) -> [S::Varyings; 3] {
+/// #         self.0.varyings(primitive)
+/// #     }
+/// #     fn shade(&self, at: &Fragment, varyings: S::Varyings) -> Option<S::Color> {
+/// #         self.0.shade(at, varyings)
+/// #     }
+/// fn shade_lit(&self, at: &Fragment, varyings: S::Varyings, light: Illumination) -> Option<S::Color>
+/// where
+///     ColorOf<S>: Levels,
+/// {
+///     self.0.shade_lit(at, varyings, light)
+/// }
+/// # }
+/// ```
 ///
 /// Each stack of shaders is a type of its own, and there is no `dyn Shader`: a call for each pixel would take longer
 /// than most shaders. To keep objects with different shaders in one list, choose the shader once for each draw call: by
@@ -157,6 +183,9 @@ pub trait Shader: Copy {
 
     /// Puts this surface under a light. The brightness is computed at the vertices and interpolated (Gouraud
     /// shading).
+    ///
+    /// It takes one varying, or three if light and canvas have colors, and one more for highlights. A stack of shaders
+    /// with more than eight [`Varyings`] does not compile.
     #[must_use]
     #[inline]
     fn lit<L: Lighting>(self, light: L) -> Lit<Self, L>
@@ -184,6 +213,8 @@ pub trait Shader: Copy {
     }
 
     /// Multiplies this surface by the mesh's vertex colors.
+    ///
+    /// The colors take three of the at most eight [`Varyings`], or one if the surface is gray.
     #[must_use]
     #[inline]
     fn tinted(self) -> Tinted<Self>
@@ -193,7 +224,7 @@ pub trait Shader: Copy {
         Tinted { surface: self }
     }
 
-    /// Puts this surface in fog.
+    /// Puts this surface in fog, which takes one of the at most eight [`Varyings`].
     #[must_use]
     #[inline]
     fn in_fog<D: Density>(self, fog: Fog<ColorOf<Self>, D>) -> InFog<Self, ColorOf<Self>, D>

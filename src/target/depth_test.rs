@@ -107,6 +107,7 @@ depth_tests! {
 /// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
 /// canvas.clear(BinaryColor::Off);
 /// let behind = DrawOptions::new().with_depth(Biased::behind(TestAndWrite));
+/// assert_eq!((behind.depth().steps(), behind.depth().slope()), (-2, fx!(-1)));
 /// canvas.draw_with(&behind, &BOX, &mvp, &Flat::new(BinaryColor::Off));
 /// canvas.draw_edges(&DrawOptions::new(), &BOX, &mvp, &Flat::new(BinaryColor::On));
 /// # Ok::<(), Error>(())
@@ -140,6 +141,27 @@ impl<Z> Biased<Z> {
     #[must_use]
     pub const fn behind(test: Z) -> Self {
         Self::new(test, -2, crate::fx!(-1))
+    }
+
+    /// The test whose depths are moved.
+    #[must_use]
+    pub const fn test(&self) -> Z
+    where
+        Z: Copy,
+    {
+        self.test
+    }
+
+    /// The steps of the depth buffer by which depths are moved.
+    #[must_use]
+    pub const fn steps(&self) -> i32 {
+        self.steps
+    }
+
+    /// The factor of the depth difference between neighboring pixels.
+    #[must_use]
+    pub const fn slope(&self) -> Scalar {
+        Scalar::from_bits(self.slope)
     }
 }
 

@@ -20,6 +20,11 @@ pub trait File {
 }
 
 /// A color, and the `N` pixels of file `F` in it.
+#[diagnostic::on_unimplemented(
+    message = "an image file cannot become a texture of `{Self}`",
+    label = "`{Self}` is not a color of embedded-graphics",
+    note = "write a color of embedded-graphics, such as `Texture<Rgb565>` or `Texture<Gray8>`"
+)]
 pub trait Convert<F: File, const N: usize>: Copy + 'static {
     /// The pixels, row by row.
     const TEXELS: &'static [Self; N];

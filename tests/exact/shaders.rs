@@ -1,9 +1,9 @@
 //! Shaders that a program implements itself, and lists of models with different shaders.
 
-use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::{BinaryColor, Rgb565, Rgb888, RgbColor};
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
-use fixel::shade::{PerFace, Within};
+use fixel::shade::{ColorOf, Illumination, PerFace, Within};
 use fixel::target::{Depth, Native};
 use fixel::view::Perspective;
 use rand::Rng;
@@ -144,6 +144,52 @@ fn a_wrapper_of_ten_lines_draws_the_same() {
     // The wrapper also works inside another shader.
     let lit = picture(&|canvas| everything(canvas, Newton, &skin.lit(sun())));
     assert!(picture(&|canvas| everything(canvas, Newton, &Same(skin).lit(sun()))) == lit);
+}
+
+/// A wrapper that may stand under a light, too.
+#[derive(Clone, Copy)]
+struct SameUnderLight<S>(S);
+
+impl<S: Shader> Shader for SameUnderLight<S> {
+    type Color = S::Color;
+    type Varyings = S::Varyings;
+
+    fn varyings(&self, primitive: &Primitive<'_>) -> [S::Varyings; 3] {
+        self.0.varyings(primitive)
+    }
+
+    fn shade(&self, at: &Fragment, varyings: S::Varyings) -> Option<S::Color> {
+        self.0.shade(at, varyings)
+    }
+
+    fn shade_lit(
+        &self,
+        at: &Fragment,
+        varyings: S::Varyings,
+        light: Illumination,
+    ) -> Option<S::Color>
+    where
+        ColorOf<S>: Levels,
+    {
+        self.0.shade_lit(at, varyings, light)
+    }
+}
+
+/// A surface knows its color more exactly than black or white, but only `shade_lit` can light that color.
+#[test]
+fn a_wrapper_under_a_light_passes_on_shade_lit() {
+    fn drawn(shader: impl Shader<Color = BinaryColor>) -> Vec<BinaryColor> {
+        let mut pixels = vec![BinaryColor::Off; (WIDTH * HEIGHT) as usize];
+        let mut canvas = Canvas::new(&mut pixels, WIDTH, HEIGHT).unwrap();
+        canvas.draw(&BALL, &(projection() * pose()), &shader);
+        pixels
+    }
+    let gray = Flat::rgb(Rgb888::new(150, 150, 150));
+    let expected = drawn(gray.lit(sun()));
+    assert!(drawn(SameUnderLight(gray).lit(sun())) == expected);
+    assert!(drawn(Same(gray).lit(sun())) != expected);
+    let expected = drawn(Gouraud::new().lit_faces(sun()));
+    assert!(drawn(SameUnderLight(Gouraud::new()).lit_faces(sun())) == expected);
 }
 
 /// A mesh with its shader.

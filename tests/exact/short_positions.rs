@@ -1,5 +1,7 @@
 //! Positions of 16 bits are drawn like the same values in 32 bits, and are rounded no more than necessary.
 
+use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
+
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::mode::{Exact, Mode};
 use fixel::prelude::*;
@@ -84,7 +86,10 @@ impl Model {
         ];
         let [long, short] =
             meshes.map(|mesh| mesh.and_then(|mesh| mesh.with_edges(&self.edges)).unwrap());
-        assert!(long.positions() == short.positions(), "{self:?}");
+        let [one, other] = [&long, &short].map(Mesh::positions);
+        assert!(one == other, "{self:?}");
+        let hasher = BuildHasherDefault::<DefaultHasher>::default();
+        assert_eq!(hasher.hash_one(one), hasher.hash_one(other), "{self:?}");
         assert_eq!(long.counts(), short.counts());
         assert!(
             drawn(&long, mvp, Exact) == drawn(&short, mvp, Exact),

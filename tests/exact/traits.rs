@@ -6,8 +6,8 @@ use core::hash::Hash;
 
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::math::Direction;
-use fixel::mesh::{Buffers, Counts, Keyframes, Missing, Part, Positions, Quantized, Shape};
-use fixel::mode::{Affine, Exact, Fast, Newton};
+use fixel::mesh::{Bounds, Buffers, Counts, Keyframes, Missing, Part, Positions, Quantized, Shape};
+use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::shade::{
     Colored, Exponential, Falloff, Fog, Illumination, InFog, Shiny, SurfacePoint, TwoSided,
@@ -15,11 +15,12 @@ use fixel::shade::{
 use fixel::shade::{
     Converted, Dequantized, FaceLit, Lit, Map, PartColors, PerFace, Texels, Tinted,
 };
-use fixel::shade::{Gradient, Masked, Mipmapped, Tolerance, Translucent, Within};
+use fixel::shade::{Glossy, Gradient, Masked, Matte, Mipmapped, Rgb, Tolerance, Translucent};
+use fixel::shade::{White, Within};
 use fixel::target::{Add, Alpha, Multiply, Opacity, Replace};
 use fixel::target::{
-    Biased, ColorIndex, Contrast, Depth, ErrorDiffusion, Float, Linear, Native, NoDepth, NoTest,
-    Packed, Pages,
+    Biased, ColorIndex, Contrast, Depth, ErrorDiffusion, Float, Label, Linear, Native, NoDepth,
+    NoTest, Packed, Pages,
 };
 use fixel::target::{TestAndWrite, TestOnly, WideFloat, WriteOnly};
 use fixel::texture::{Argb1555, Argb4444, Mipmap, MipmapArray, PackedGray4, Trilinear};
@@ -34,7 +35,7 @@ use fixel::{PreparedEdgeScene, PreparedEdges};
 const fn any<T: Debug + Send + Sync + Unpin>() {}
 const fn shared<T: Clone + Debug + Send + Sync>() {}
 const fn value<T: Copy + Debug + Eq + Hash + Send + Sync + 'static>() {}
-const fn borrowed<T: Copy + Debug + Eq + Send + Sync>() {}
+const fn local<T: Copy + Debug>() {}
 const fn default<T: Default>() {}
 const fn shown<T: Display>() {}
 const fn error<T: StdError + Display>() {}
@@ -49,11 +50,12 @@ all!(value: Aspect Camera Mvp Mvp<Parallel> Parallel Perspective Projection Proj
 all!(value: Segment Viewport Window);
 all!(value: Add Alpha Multiply Opacity Replace Translucent<Rgb565> Gradient<Rgb565>);
 all!(value: Argb1555 Argb4444 Masked<u8, u8> PackedGray4<'static>);
-all!(value: Counts Hairline LineWidth Missing PointStyle Shape SmoothLine);
-all!(value: Affine Exact Fast Newton Cull DrawOptions DrawOptions<Fast, Biased> DrawOptions<Fast, Biased, Replace, LineWidth> Drawn ScreenPoint);
+all!(value: Bounds Counts Hairline LineWidth Missing PointStyle Shape SmoothLine);
+all!(value: Affine Compact Exact Fast Newton Cull DrawOptions DrawOptions<Fast, Biased> DrawOptions<Fast, Biased, Replace, LineWidth> Drawn ScreenPoint);
 all!(value: Hit Ray);
 all!(value: Flat<Rgb565> Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> Fragment Light);
 all!(value: Converted<Flat<Rgb565>, Rgb565> FaceLit<Flat<Rgb565>> Lit<Flat<Rgb565>> Tinted<Flat<Rgb565>>);
+all!(value: Glossy Matte Rgb White);
 all!(value: Colored<Light> Falloff Illumination PointLight Shiny<Light> SpotLight SurfacePoint TwoSided<Light> Viewer);
 all!(value: Fog<Rgb565> Fog<Rgb565, Exponential> InFog<Flat<Rgb565>, Rgb565>);
 all!(value: Textured<Texture<'static, Rgb565>> FaceColors<'static, Rgb565>);
@@ -65,14 +67,18 @@ all!(value: Biased Float Linear Native NoDepth NoTest TestAndWrite TestOnly Wide
 all!(value: ColorIndex Contrast Packed Pages);
 all!(value: Bilinear Clamp CutOut<Bilinear, Rgb565> Nearest Repeat);
 all!(value: Image<'static> Palette<'static, Rgb565> Texture<'static, Rgb565>);
-all!(borrowed: Keyframes<'static> Mesh<'static> Outline<'static> Positions<'static> Sprites<'static>);
-all!(borrowed: Dequantized<'static, Flat<Rgb565>> Quantized<'static>);
+all!(value: Keyframes<'static> Mesh<'static> Outline<'static> Positions<'static> Sprites<'static>);
+all!(value: Dequantized<'static, Flat<Rgb565>> Quantized<'static>);
 all!(shared: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>> Prepared<'static>);
 all!(shared: EdgeList<1, 1> PreparedEdges<'static>);
 all!(shared: Object<'static, u8> TriangleList<1, 1> TextureArray<Rgb565, 1, 1> PaletteArray<Rgb565, 1, 1>);
+all!(local: Corner<'static> Primitive<'static>);
+all!(any: Label<'static, Canvas<'static, Rgb565>>);
 all!(any: PreparedScene<'static, u8> PreparedEdgeScene<'static, u8> Buffers<'static> ErrorDiffusion<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, Depth<'static>>);
 
-all!(default: ColorIndex Contrast Trilinear);
+all!(default: Falloff Affine Compact Exact Newton TestAndWrite TestOnly WriteOnly NoTest NoDepth Hairline);
+all!(default: Biased Biased<NoTest> Add Alpha Multiply Replace Parallel Perspective PerFace<u8> Texels Within<1, Texels>);
+all!(default: Bilinear Clamp ColorIndex Contrast CutOut<Bilinear, Rgb565> Nearest Repeat Trilinear);
 all!(default: Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);
 all!(default: Drawn Missing Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> TriangleList<1, 1> EdgeList<1, 1>);
 all!(shown: Error RefusedFloat Angle Vec2 Vec3);

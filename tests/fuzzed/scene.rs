@@ -183,6 +183,8 @@ impl Changes {
             normals: option(u, |u| {
                 Ok(match option(u, angle)? {
                     None => Crease::None,
+                    // At most half a turn.
+                    Some(angle) if angle.to_bits() > 1 << 31 => Crease::Above(-angle),
                     Some(angle) => Crease::Above(angle),
                 })
             })?,

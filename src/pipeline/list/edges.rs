@@ -262,13 +262,15 @@ impl<'a, K, M, Z, B, L> PreparedEdges<'a, K, M, Z, B, L> {
     /// The same edges, drawn with another style of lines.
     ///
     /// ```
-    /// use fixel::prelude::*;
+    /// use fixel::{prelude::*, target::Replace};
     /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
     /// let projection = Projection::perspective(deg!(60), (2, 1), fx!(1), fx!(10))?;
     /// let mvp = projection * Transform::translate(vec3!(0, 0, -3));
     /// let mut list: EdgeList<12, 24> = EdgeList::new();
     /// let thin = list.prepare(&DrawOptions::new(), (24, 12), &BOX, &mvp)?;
     /// let wide = thin.with_line(LineWidth::new(fx!(3))?);
+    /// assert_eq!(wide.line().pixels(), 3);
+    /// assert_eq!(wide.blending(), Replace);
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
@@ -281,6 +283,24 @@ impl<'a, K, M, Z, B, L> PreparedEdges<'a, K, M, Z, B, L> {
             pixels: self.pixels,
             line,
         }
+    }
+
+    /// Returns how colors are blended with those on the canvas.
+    #[must_use]
+    pub const fn blending(&self) -> B
+    where
+        B: Copy,
+    {
+        self.pixels.blending
+    }
+
+    /// Returns how lines are drawn.
+    #[must_use]
+    pub const fn line(&self) -> L
+    where
+        L: Copy,
+    {
+        self.line
     }
 }
 

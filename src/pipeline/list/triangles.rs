@@ -410,11 +410,14 @@ impl<'a, K, M, Z, B> Prepared<'a, K, M, Z, B> {
     /// some objects are translucent.
     ///
     /// ```
-    /// use fixel::{Prepared, target::{Opacity, TestAndWrite}};
-    /// use fixel::{mode::Newton, view::Perspective};
-    /// fn glass(triangles: Prepared<'_>) -> Prepared<'_, Perspective, Newton, TestAndWrite, Opacity> {
-    ///     triangles.with_blending(Opacity(90))
-    /// }
+    /// use fixel::{prelude::*, target::Opacity};
+    /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+    /// let projection = Projection::perspective(deg!(60), (2, 1), fx!(1), fx!(10))?;
+    /// let mvp = projection * Transform::translate(vec3!(0, 0, -3));
+    /// let mut list: TriangleList<12, 24> = TriangleList::new();
+    /// let opaque = list.prepare(&DrawOptions::new(), (24, 12), &BOX, &mvp)?;
+    /// assert_eq!(opaque.with_blending(Opacity(90)).blending(), Opacity(90));
+    /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
     pub fn with_blending<A>(self, blending: A) -> Prepared<'a, K, M, Z, A> {
@@ -429,6 +432,15 @@ impl<'a, K, M, Z, B> Prepared<'a, K, M, Z, B> {
                 blending,
             },
         }
+    }
+
+    /// Returns how colors are blended with those on the canvas.
+    #[must_use]
+    pub const fn blending(&self) -> B
+    where
+        B: Copy,
+    {
+        self.pixels.blending
     }
 }
 

@@ -19,6 +19,7 @@ use super::{Illumination, Lighting, Rgb, SurfacePoint};
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Colored<L> {
     pub(super) light: L,
     /// Red, green and blue, in units of 2⁻¹⁶.

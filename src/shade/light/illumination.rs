@@ -6,6 +6,9 @@ use crate::shade::{Channels, Levels, Varyings};
 
 /// The light at a point of a surface, in units of 2⁻¹⁶ of full brightness.
 ///
+/// A light may exceed full brightness up to a thousand times, and be below 0, which takes away light of another one. A
+/// surface limits the sum of its lights to the range from 0 to full brightness.
+///
 /// ```
 /// use fixel::shade::Illumination;
 /// let half = Illumination::white(32_768);
@@ -31,7 +34,7 @@ impl Illumination {
         }
     }
 
-    /// The sum of two amounts of light.
+    /// The sum of two amounts of light, which saturates.
     #[must_use]
     #[inline]
     pub const fn plus(self, other: Self) -> Self {

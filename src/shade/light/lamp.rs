@@ -33,7 +33,8 @@ pub trait Lamp: Lighting {
     /// strength of the light at the point. n is the normal and h the direction halfway between light and viewer.
     ///
     /// An exponent of 8 makes a wide highlight, an exponent of 100 a small one. Highlights are computed at the corners
-    /// and interpolated, so a mesh must be fine enough to show them.
+    /// and interpolated, so a mesh must be fine enough to show them. They take one of the at most eight
+    /// [varyings](crate::shade::Varyings) of a shader.
     ///
     /// # Errors
     ///

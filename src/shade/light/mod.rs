@@ -155,7 +155,8 @@ pub trait Lighting: Copy {
     /// light has three equal channels.
     fn at(&self, point: &SurfacePoint) -> Illumination;
 
-    /// The same light, in a color. Highlights keep their brightness, and stay white.
+    /// The same light, in a color. Highlights keep their brightness, and stay white. On a canvas with colors,
+    /// it takes three of the at most eight [varyings](crate::shade::Varyings) of a shader.
     #[must_use]
     #[inline]
     fn colored(self, color: Rgb888) -> Colored<Self> {
@@ -270,10 +271,12 @@ mod tests {
             assert_eq!(lamp(fx!(1), range), Err(Error::LightRange { range }));
         }
         let spot = |axis, inner, outer| {
-            SpotLight::new(Vec3::ZERO, axis, (inner, outer), fx!(1), fx!(1)).map(|_| ())
+            SpotLight::new(Vec3::ZERO, axis, (inner, outer), fx!(1), fx!(1))
+                .map(|spot| spot.with_falloff(Falloff::Linear).falloff())
         };
         let degrees = Angle::from_degrees;
-        assert_eq!(spot(Vec3::X, degrees(0), degrees(90)), Ok(()));
+        let widest = spot(Vec3::X, degrees(0), degrees(90));
+        assert_eq!(widest, Ok(Falloff::Linear));
         assert_eq!(
             spot(Vec3::ZERO, degrees(0), degrees(9)),
             Err(Error::ZeroDirection)

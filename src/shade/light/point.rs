@@ -14,7 +14,7 @@ use crate::{Error, Scalar, Vec3};
 /// use fixel::prelude::*;
 /// use fixel::shade::{Falloff, PointLight};
 /// let lamp = PointLight::new(Vec3::ZERO, fx!(1), fx!(8))?.with_falloff(Falloff::Linear);
-/// # let _ = lamp;
+/// assert_eq!(lamp.falloff(), Falloff::Linear);
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -103,6 +103,12 @@ impl PointLight {
     #[must_use]
     pub const fn with_falloff(self, falloff: Falloff) -> Self {
         Self { falloff, ..self }
+    }
+
+    /// The lamp's falloff.
+    #[must_use]
+    pub const fn falloff(&self) -> Falloff {
+        self.falloff
     }
 
     /// The light at a distance that is `part` of the range, where `square` is the square of `part`; all in units of

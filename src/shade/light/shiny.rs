@@ -38,6 +38,7 @@ use super::{Glossy, Illumination, Lamp, Lighting, SurfacePoint, Viewer, White};
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Shiny<L> {
     pub(super) lamp: L,
     pub(super) viewer: Viewer,

@@ -97,6 +97,12 @@ impl SpotLight {
             ..self
         }
     }
+
+    /// The lamp's falloff.
+    #[must_use]
+    pub const fn falloff(&self) -> Falloff {
+        self.lamp.falloff()
+    }
 }
 
 impl Lamp for SpotLight {

@@ -25,6 +25,7 @@ use crate::math::Direction;
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TwoSided<L> {
     pub(super) light: L,
     pub(super) viewer: Viewer,
