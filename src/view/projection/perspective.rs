@@ -17,12 +17,15 @@ fn check_planes(near: Scalar, far: Scalar) -> Result<(), Error> {
 
 impl Projection<Perspective> {
     fn from_scales(x: BlockFloat, y: BlockFloat, near: Scalar, far: Scalar) -> Self {
-        let zero = BlockFloat::ZERO;
+        // Written out: `Row::new` would take a perspective program 100 bytes more.
+        let row = |m, exp| Row {
+            m,
+            exp,
+            offset_exp: 0,
+        };
+        let ((x, x_exp), (y, y_exp)) = (x.rounded(), y.rounded());
         Self {
-            rows: [
-                Row::new([x, zero, zero], zero),
-                Row::new([zero, y, zero], zero),
-            ],
+            rows: [row([x, 0, 0, 0], x_exp), row([0, y, 0, 0], y_exp)],
             near,
             far,
             kind: PhantomData,
