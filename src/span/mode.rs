@@ -3,6 +3,15 @@
 //! Notation, for values along a row of pixels: f is an attribute, q is 1/w, and p is f · q. f′, q′ and p′ are their
 //! changes from one pixel to the next, and δ = |q′| / q. q is scaled so that its greatest value in a triangle has bit
 //! 30 set.
+//!
+//! The [`interpolator`](super::interpolator) asks in this order:
+//!
+//! 1. Under a parallel projection and in [`Affine`], nothing is divided: the kernel is straight.
+//! 2. If a triangle's attributes are affine within the mode's tolerance ([`Policy::affine_within`]), the kernel is
+//!    straight, too. The set-up tells; its inequality stands at `Attribute::affine_range` in raster/setup.rs.
+//! 3. In [`Exact`], a deep triangle ([`DEEP`]) divides anew at each pixel.
+//! 4. [`Policy::of_triangle`] may choose for all spans of a triangle, and
+//! 5. [`Policy::of_span`] for a single one.
 
 use super::newton::FRACTION;
 use super::pixels::Span;
