@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::common::random::{Random, cases, list, within};
 use crate::common::recorder::{Probe, Seen, record};
-use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
+use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
 use crate::reference::clip::{ClipVertex, DEPTH_PLANES};
 use crate::reference::coverage::{Bounds, picture};
 use crate::reference::linear::IDENTITY;
@@ -42,7 +42,7 @@ fn on_line([a, b]: [Point; 2], pixel: [i32; 2]) -> bool {
 
 /// How often mesh edges, drawn as lines through the pixel projection, draw each pixel.
 fn drawn(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
-    let projection = pixel_lens(SIZE);
+    let projection = pixel_projection(SIZE);
     let mut counter = Counter::new(SIZE);
     let positions: Vec<Vec3> = points.iter().copied().map(at_subpixel).collect();
     let mesh = Mesh::new(&positions, &[])
@@ -139,7 +139,7 @@ fn polylines_draw_no_pixel_twice() {
 fn points_are_the_pixels_they_lie_in() {
     cases(512, |random| {
         let points = list(random, 0..20, place);
-        let projection = pixel_lens(SIZE);
+        let projection = pixel_projection(SIZE);
         let mut counter = Counter::new(SIZE);
         let positions: Vec<Vec3> = points.iter().copied().map(at_subpixel).collect();
         let drawn = counter.draw_points(

@@ -2,7 +2,7 @@
 
 use crate::bands::{CASES, Frame, Pen, SIZE, counts, drawn, modelled, place};
 use crate::common::random::{cases, within};
-use crate::common::{at_subpixel, pixel_lens};
+use crate::common::{at_subpixel, pixel_projection};
 use crate::moves::number;
 use crate::reference::coverage::{Bounds, center, picture};
 use embedded_graphics::pixelcolor::Gray8;
@@ -23,7 +23,7 @@ fn points_are_the_models() {
         };
         let bits = random.random_range(1..=most);
         let rows = random.random_range(1..40);
-        let mvp = pixel_lens(SIZE);
+        let mvp = pixel_projection(SIZE);
         let positions = [at_subpixel(place)];
         let mesh = Mesh::new(&positions, &[]).unwrap();
         let size = Scalar::from_bits(bits);

@@ -3,7 +3,7 @@
 use crate::bands::{CASES, Point, SIZE, counts, drawn, modelled, place};
 use crate::common::random::{Random, cases, within};
 use crate::common::recorder::Seen;
-use crate::common::{at_subpixel, pixel_lens};
+use crate::common::{at_subpixel, pixel_projection};
 use crate::reference::blending::over;
 use crate::reference::coverage::{Bounds, center, picture};
 use crate::reference::lines::share;
@@ -109,7 +109,7 @@ fn wide_lines_are_the_models() {
     cases(CASES, |random| {
         let (ends, half) = ([place(random), place(random)], half(random));
         let rows = random.random_range(1..40);
-        let mvp = pixel_lens(SIZE);
+        let mvp = pixel_projection(SIZE);
         let positions = ends.map(at_subpixel);
         let width = width(half);
         let model = modelled(&|pixel| on_line(ends, half.into(), pixel));
@@ -160,7 +160,7 @@ fn smooth_lines_are_the_models() {
     cases(CASES, |random| {
         let (ends, half) = ([place(random), place(random)], half(random));
         let rows = random.random_range(1..40);
-        let mvp = pixel_lens(SIZE);
+        let mvp = pixel_projection(SIZE);
         let positions = ends.map(at_subpixel);
         let mesh = line(&positions, &[[0, 1]]);
         let width = width(half);
@@ -363,7 +363,7 @@ fn blended_lines_are_the_models() {
     canvas.draw_edges(
         &glass.with_line(width.smooth()),
         &mesh,
-        &pixel_lens(SIZE),
+        &pixel_projection(SIZE),
         &pen,
     );
     let screen = ends.map(|end: Point| end.map(|at| f64::from(at) / 256.));

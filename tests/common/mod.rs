@@ -126,7 +126,7 @@ pub fn character(count: u32) -> char {
 /// Pixel coordinates are exact to the last of their eight fraction bits. The projection maps x to (2/width)·x − 1 with
 /// a factor rounded to 30 bits, and the viewport maps the result back to pixels. The error is less than 2⁻²⁹ · 4096
 /// pixels, which is far less than half of 1/256.
-pub fn pixel_lens((width, height): (u32, u32)) -> Mvp<Parallel> {
+pub fn pixel_projection((width, height): (u32, u32)) -> Mvp<Parallel> {
     let [width, height] = [width, height].map(Scalar::from_num);
     let projection = Projection::orthographic(
         Window {
@@ -141,7 +141,7 @@ pub fn pixel_lens((width, height): (u32, u32)) -> Mvp<Parallel> {
     projection.unwrap().into()
 }
 
-/// The position that [`pixel_lens`] maps to this point of the picture, given in 24.8 fixed point.
+/// The position that [`pixel_projection`] maps to this point of the picture, given in 24.8 fixed point.
 pub fn at_subpixel([x, y]: [i32; 2]) -> Vec3 {
     Vec3::from_bits([x << 8, -y << 8, 0])
 }

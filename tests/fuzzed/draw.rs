@@ -42,10 +42,10 @@ fn check_scene(scene: &Scene) -> Result<(), Error> {
     let mut rooms = [Room::EMPTY; 2];
     let mesh = &scene.mesh(&mut rooms)?;
     let (options, window) = (scene.options()?, scene.window()?);
-    let (camera, place) = (scene.eye.camera()?, scene.place.transform());
+    let (camera, model) = (scene.eye.camera()?, scene.model.transform());
     match scene.projection.projection(scene.size)? {
         Projected::Perspective(projection) => {
-            let mvp = projection * camera * place;
+            let mvp = projection * camera * model;
             check_call(
                 &Call {
                     scene,
@@ -57,7 +57,7 @@ fn check_scene(scene: &Scene) -> Result<(), Error> {
             )
         }
         Projected::Parallel(projection) => {
-            let mvp = projection * camera * place;
+            let mvp = projection * camera * model;
             check_call(
                 &Call {
                     scene,
@@ -122,13 +122,13 @@ where
             first = Some(record);
             return;
         };
-        let places = |record: &Record<N, Rgb565>| -> Vec<_> {
+        let pixels = |record: &Record<N, Rgb565>| -> Vec<_> {
             let seen = record.seen.iter();
             seen.map(|seen| (seen.face, seen.pixel, seen.depth))
                 .collect()
         };
         assert!(
-            places(first) == places(&record),
+            pixels(first) == pixels(&record),
             "{mode:?}: pixels or depths differ"
         );
     };

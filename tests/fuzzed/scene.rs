@@ -6,7 +6,7 @@ use fixel::mesh::Keyframes;
 use fixel::prelude::*;
 
 use super::numbers::{angle, bits, few, list, option, scalar, size, tex_coords, vector};
-use super::projection::Lens;
+use super::projection::ProjectionArguments;
 use super::shades::Shade;
 use super::steps::{Eye, Steps};
 
@@ -221,8 +221,8 @@ pub struct Scene {
     pub normals: Option<Attribute<Vec3>>,
     pub colors: Option<Attribute<Rgb888>>,
     pub eye: Eye,
-    pub place: Steps,
-    pub projection: Lens,
+    pub model: Steps,
+    pub projection: ProjectionArguments,
     /// Width and height of the canvas.
     pub size: (u32, u32),
     pub viewport: Option<[i32; 4]>,
@@ -258,7 +258,7 @@ impl Scene {
             16..32 => (u.int_in_range(1..=3)?, 2048),
             _ => (u.int_in_range(1..=80)?, u.int_in_range(1..=64)?),
         };
-        let projection = Lens::arbitrary(u)?;
+        let projection = ProjectionArguments::arbitrary(u)?;
         let mut positions = list(u, MOST, vector)?;
         if let (true, Some(&first)) = (u.ratio(1, 16)?, positions.first()) {
             positions.fill(first);
@@ -270,7 +270,7 @@ impl Scene {
         }
         let counts = (count, faces.len());
         let mut scene = Self {
-            place: Steps::arbitrary(u)?,
+            model: Steps::arbitrary(u)?,
             eye: Eye::arbitrary(u)?,
             cull: *u.choose(&[Cull::Nothing, Cull::Back, Cull::Front])?,
             uvs: option(u, |u| Attribute::arbitrary(u, counts, tex_coords))?,

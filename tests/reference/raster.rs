@@ -9,7 +9,7 @@ use super::clip::{ClipVertex, DEPTH_PLANES, Plane, fan, polygon};
 use super::coverage::{Bounds, Corners, Snapped, area2, area2_f64, center, covers, covers_f64};
 use super::distance::to_triangle;
 use super::linear::{Vec3, Vec4};
-use super::projection::Lens;
+use super::projection::Projection;
 use super::view::{View, Viewport, unsnap};
 
 /// The faces that are culled. Front faces run counter-clockwise on the screen.
@@ -196,7 +196,7 @@ pub struct Picture<const N: usize> {
 /// neighbor may cover the center instead.
 pub fn render<const N: usize>(
     pieces: &[Piece<N>],
-    projection: &Lens,
+    projection: &Projection,
     viewport: Viewport,
     (width, height): (u32, u32),
     margin: f64,

@@ -1,7 +1,7 @@
 //! The transform of a position in space to one on the screen.
 
 use super::linear::{Matrix, Vec3, Vec4, apply, apply_point, multiply};
-use super::projection::Lens;
+use super::projection::Projection;
 
 /// The part of the canvas that the picture fills, in whole pixels; y down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,7 +55,7 @@ pub struct View {
     /// Model space to eye space: camera · model.
     pub eye: Matrix,
     /// Eye space to clip space.
-    pub projection: Lens,
+    pub projection: Projection,
     /// Clip space to the screen.
     pub viewport: Viewport,
 }

@@ -20,7 +20,7 @@ use super::look::Look;
 use super::mode::{Mode, in_mode};
 use super::surface::{FaceValues, Show, Surface};
 use super::tinted::TintedLit;
-use super::view::{Lens, View};
+use super::view::{AnyProjection, View};
 use crate::args::{Filter, Shade};
 use crate::piece::{Finish, Piece};
 
@@ -392,11 +392,11 @@ macro_rules! each {
         let mut sum = Drawn::default();
         for Piece { mesh: $mesh, .. } in $posed.pieces {
             let drawn = match *projection {
-                Lens::Perspective(projection) => {
+                AnyProjection::Perspective(projection) => {
                     let $mvp = &(projection * *camera * $posed.pose);
                     $draw
                 }
-                Lens::Parallel(projection) => {
+                AnyProjection::Parallel(projection) => {
                     let $mvp = &(projection * *camera * $posed.pose);
                     $parallel
                 }

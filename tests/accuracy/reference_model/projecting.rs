@@ -6,7 +6,7 @@ use super::*;
 use projection::*;
 
 /// A point of eye space after the division by w.
-fn ndc(projection: &Lens, p: Vec3) -> Vec3 {
+fn ndc(projection: &Projection, p: Vec3) -> Vec3 {
     let [x, y, z, w] = linear::apply_point(&projection.matrix, p);
     [x / w, y / w, z / w]
 }
