@@ -6,12 +6,12 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
 use super::Result;
 use super::common::scenes;
 use crate::args::{Args, Color, SceneName};
+use crate::draw::{Shown, Style};
 use crate::export;
 use crate::idle::{self, name};
 use crate::job::{Measured, Model};
 use crate::look::Look;
 use crate::mode::Mode;
-use crate::paint::{Brush, Shown};
 use crate::report;
 use crate::sight;
 use crate::skin::{Skin, Texels};
@@ -44,7 +44,7 @@ pub fn run(args: &Args, given: &ArgMatches) -> Result<()> {
         return targets.fill(
             MEASURED,
             &|band, moment| measured.record(band, moment),
-            &|band, moment| measured.paint(band, moment, &surface),
+            &|band, moment| measured.draw(band, moment, &surface),
         );
     }
     let subject = Subject::load(args)?;
@@ -82,10 +82,10 @@ fn picture_in<C: Shown>(
     let texels: Vec<_> = subject.skins.iter().map(Skin::texels).collect();
     let textures: Vec<_> = texels.iter().map(Texels::texture).collect::<Result<_>>()?;
     let look = Look::new::<C>(args, model, subject.units.scale())?;
-    let brush = Brush::new::<C>(&look, &model.view, model.pieces, &textures, args.samples)?;
+    let style = Style::new::<C>(&look, &model.view, model.pieces, &textures, args.samples)?;
     targets.fill(
         args.size,
         &|band, moment| model.record(band, moment),
-        &|band, moment| model.paint(band, moment, &brush),
+        &|band, moment| model.draw(band, moment, &style),
     )
 }
