@@ -20,10 +20,14 @@ pub type Point = [i32; 2];
 pub const SIZE: (u32, u32) = (90, 40);
 
 pub type Frame<'f> = Canvas<'f, Gray8, Native, Depth<'f>>;
-pub type Pen<'p, 'v> = Recorder<'p, Probe<'v, [i32; 1]>, 1>;
+/// Records the interpolated x of the position.
+pub type XRecorder<'p, 'v> = Recorder<'p, Probe<'v, [i32; 1]>, 1>;
 
 /// The pixels of a draw call in bands of `rows` rows, each with the interpolated x of the position.
-pub fn drawn(rows: u32, draw: &dyn Fn(&mut Frame<'_>, &Pen<'_, '_>) -> Drawn) -> Vec<Seen<1>> {
+pub fn drawn(
+    rows: u32,
+    draw: &dyn Fn(&mut Frame<'_>, &XRecorder<'_, '_>) -> Drawn,
+) -> Vec<Seen<1>> {
     let values = |corner: &Corner<'_>| [corner.position().x.to_bits()];
     let probe = Probe {
         values: &values,
@@ -36,8 +40,8 @@ pub fn drawn(rows: u32, draw: &dyn Fn(&mut Frame<'_>, &Pen<'_, '_>) -> Drawn) ->
         let (mut colors, mut depths) = (vec![Gray8::new(0); pixels], vec![0; pixels]);
         let band = Canvas::band(&mut colors, width, height, first).unwrap();
         let mut band = band.with_depth(&mut depths).unwrap();
-        let record = record(probe, |pen| {
-            draw(&mut band, pen);
+        let record = record(probe, |recorder| {
+            draw(&mut band, recorder);
         });
         all.extend(record.seen);
     }

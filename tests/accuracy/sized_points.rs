@@ -1,6 +1,6 @@
 //! Sized points: their pixels, from exact integers; sizes in world space, from f64.
 
-use crate::bands::{CASES, Frame, Pen, SIZE, counts, drawn, modelled, place};
+use crate::bands::{CASES, Frame, SIZE, XRecorder, counts, drawn, modelled, place};
 use crate::common::random::{cases, within};
 use crate::common::{at_subpixel, pixel_projection};
 use crate::moves::number;
@@ -33,8 +33,8 @@ fn points_are_the_models() {
             PointStyle::square(size)
         }
         .unwrap();
-        let draw = |frame: &mut Frame<'_>, pen: &Pen<'_, '_>| {
-            frame.draw_sized_points(&DrawOptions::new(), &mesh, style, &mvp, pen)
+        let draw = |frame: &mut Frame<'_>, recorder: &XRecorder<'_, '_>| {
+            frame.draw_sized_points(&DrawOptions::new(), &mesh, style, &mvp, recorder)
         };
         let seen = drawn(SIZE.1, &draw);
         let half = ((i64::from(bits) + 256) >> 9).clamp(128, 255 * 128);
@@ -64,11 +64,11 @@ fn points_are_the_models() {
         );
         if bits == 1 << 16 && !is_round {
             assert_eq!(
-                drawn(SIZE.1, &|frame, pen| frame.draw_points(
+                drawn(SIZE.1, &|frame, recorder| frame.draw_points(
                     &DrawOptions::new(),
                     &mesh,
                     &mvp,
-                    pen
+                    recorder
                 )),
                 seen
             );
@@ -107,11 +107,11 @@ fn attenuated_points_are_the_models() {
                     .unwrap();
             let options = DrawOptions::new();
             let size = f64::from(size.to_bits()) / 65536.;
-            let perspective = drawn(SIZE.1, &|frame, pen| {
-                frame.draw_sized_points(&options, &mesh, style, &(focal * model), pen)
+            let perspective = drawn(SIZE.1, &|frame, recorder| {
+                frame.draw_sized_points(&options, &mesh, style, &(focal * model), recorder)
             });
-            let parallel = drawn(SIZE.1, &|frame, pen| {
-                frame.draw_sized_points(&options, &mesh, style, &(window * model), pen)
+            let parallel = drawn(SIZE.1, &|frame, recorder| {
+                frame.draw_sized_points(&options, &mesh, style, &(window * model), recorder)
             });
             let mut colors = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
             let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();

@@ -27,8 +27,8 @@ where
     B: Blending<Gray8, Source = Gray8>,
     L: LineStyle<Gray8>,
 {
-    drawn(rows, &|frame, pen| {
-        frame.draw_edges(options, mesh, mvp, pen)
+    drawn(rows, &|frame, recorder| {
+        frame.draw_edges(options, mesh, mvp, recorder)
     })
 }
 
@@ -319,20 +319,20 @@ fn wide_outlines_widen_the_thin_outline() {
     let camera = Camera::look_at(vec3!(1, 2, 3), Vec3::ZERO, Vec3::Y).unwrap();
     let mvp = projection * camera;
     let options = DrawOptions::new();
-    let thin = drawn(SIZE.1, &|frame, pen| {
-        frame.draw_outline(&options, &CAN, &RIMS, &mvp, pen)
+    let thin = drawn(SIZE.1, &|frame, recorder| {
+        frame.draw_outline(&options, &CAN, &RIMS, &mvp, recorder)
     });
     let wide = |width| {
         let wide = options.with_line(LineWidth::new(width).unwrap());
-        drawn(SIZE.1, &|frame, pen| {
-            frame.draw_outline(&wide, &CAN, &RIMS, &mvp, pen)
+        drawn(SIZE.1, &|frame, recorder| {
+            frame.draw_outline(&wide, &CAN, &RIMS, &mvp, recorder)
         })
     };
     assert_eq!(wide(fx!(1)), thin);
     // The center of each pixel of a plain line is within half a pixel of the line, so a smooth line draws it too.
     let smooth = options.with_line(LineWidth::new(fx!(1)).unwrap().smooth());
-    let smooth = drawn(SIZE.1, &|frame, pen| {
-        frame.draw_outline(&smooth, &CAN, &RIMS, &mvp, pen)
+    let smooth = drawn(SIZE.1, &|frame, recorder| {
+        frame.draw_outline(&smooth, &CAN, &RIMS, &mvp, recorder)
     });
     let smooth = counts(&smooth);
     assert!(
@@ -359,12 +359,12 @@ fn blended_lines_are_the_models() {
     let glass = DrawOptions::new().with_blending(Opacity(100));
     let mut colors = vec![Gray8::new(60); (SIZE.0 * SIZE.1) as usize];
     let mut canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
-    let pen = Flat::new(Gray8::new(240));
+    let gray = Flat::new(Gray8::new(240));
     canvas.draw_edges(
         &glass.with_line(width.smooth()),
         &mesh,
         &pixel_projection(SIZE),
-        &pen,
+        &gray,
     );
     let screen = ends.map(|end: Point| end.map(|at| f64::from(at) / 256.));
     let mut partly = 0;

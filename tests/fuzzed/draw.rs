@@ -5,12 +5,12 @@ use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 
+use super::call::Call;
 use super::model::Truth;
 use super::projection::Projected;
 use super::scene::{Room, Scene, What};
 use super::shaders::Bits;
 use super::shades::{self, Draw, Shade, Shine};
-use super::ways::Call;
 use crate::mode::Mode;
 use crate::recorder::{Few, Record};
 
@@ -87,19 +87,19 @@ fn check_call<K: ProjectionKind>(call: &Call<'_, K>, options: DrawOptions) -> Re
             between,
         } => {
             let lights = light.unwrap_or(Shine::DEFAULT).lights()?;
-            shades::draw(which, lights, color, between, Ways { call, options });
+            shades::draw(which, lights, color, between, DefaultMode { call, options });
         }
     }
     Ok(())
 }
 
 /// Checks a shader in the default mode.
-struct Ways<'a, 'c, K> {
+struct DefaultMode<'a, 'c, K> {
     call: &'a Call<'c, K>,
     options: DrawOptions,
 }
 
-impl<K: ProjectionKind> Draw for Ways<'_, '_, K> {
+impl<K: ProjectionKind> Draw for DefaultMode<'_, '_, K> {
     fn draw<F: Shader<Color = Rgb565>>(self, shader: &F) {
         // The checks with `Bits` cover what holds for the pixels of every shader.
         self.call.check_frames(&self.options, shader);

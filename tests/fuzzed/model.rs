@@ -7,8 +7,8 @@
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::prelude::{Canvas, Cull, DrawOptions, Vec3};
 
+use super::call::Call;
 use super::knowledge::Knowledge;
-use super::ways::Call;
 use crate::bounds::{self, Bound};
 use crate::mode::Mode;
 use crate::moves::exact;

@@ -139,13 +139,13 @@ impl Billboard {
 /// How a mesh changes at run time.
 #[derive(Clone, Debug)]
 pub struct Changes {
-    pose: Option<Pose>,
+    keyframe: Option<Keyframe>,
     normals: Option<Crease>,
 }
 
 /// A second keyframe, and the position between the two keyframes.
 #[derive(Clone, Debug)]
-struct Pose {
+struct Keyframe {
     positions: Vec<Vec3>,
     normals: Option<Vec<Vec3>>,
     t: Scalar,
@@ -160,7 +160,7 @@ enum Crease {
 
 impl Changes {
     const NONE: Self = Self {
-        pose: None,
+        keyframe: None,
         normals: None,
     };
 
@@ -170,8 +170,8 @@ impl Changes {
         normals: Option<usize>,
     ) -> Result<Self> {
         Ok(Self {
-            pose: option(u, |u| {
-                Ok(Pose {
+            keyframe: option(u, |u| {
+                Ok(Keyframe {
                     t: scalar(u)?,
                     positions: few(u, positions, vector)?,
                     normals: match normals {
@@ -334,9 +334,9 @@ impl Scene {
         mut mesh: Mesh<'m>,
         [room, of_normals]: &'m mut Rooms,
     ) -> Result<Mesh<'m>, Error> {
-        if let Some(pose) = &self.changes.pose {
-            let mut second = Mesh::new(&pose.positions, &self.faces)?;
-            if let (Some(first), Some(normals)) = (&self.normals, &pose.normals) {
+        if let Some(keyframe) = &self.changes.keyframe {
+            let mut second = Mesh::new(&keyframe.positions, &self.faces)?;
+            if let (Some(first), Some(normals)) = (&self.normals, &keyframe.normals) {
                 second = second.with_normals(normals, first.faces())?;
             }
             let frames = Keyframes::new(&mesh, &second)?;
@@ -344,7 +344,7 @@ impl Scene {
             assert_eq!(start.positions(), mesh.positions());
             let end = frames.blend(fx!(1), &mut room.positions, &mut room.normals)?;
             assert_eq!(end.positions(), second.positions());
-            mesh = frames.blend(pose.t, &mut room.positions, &mut room.normals)?;
+            mesh = frames.blend(keyframe.t, &mut room.positions, &mut room.normals)?;
         }
         let Room { normals, faces, .. } = of_normals;
         match self.changes.normals {

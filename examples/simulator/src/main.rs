@@ -64,9 +64,9 @@ use args::Args;
 type Result<T, E = Box<dyn Error>> = std::result::Result<T, E>;
 
 fn main() -> ExitCode {
-    let given = args::command().get_matches();
-    let args = Args::from_arg_matches(&given).unwrap_or_else(|error| error.exit());
-    let done = output::remove_on_interrupt().and_then(|()| render::run(&args, &given));
+    let matches = args::command().get_matches();
+    let args = Args::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    let done = output::remove_on_interrupt().and_then(|()| render::run(&args, &matches));
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {

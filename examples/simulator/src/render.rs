@@ -18,17 +18,17 @@ use crate::skin::{Skin, Texels};
 use crate::subject::Subject;
 use crate::targets::{self, Targets};
 
-/// Runs the program with `args`, of which the user has `given` some.
+/// Runs the program with `args`, of which the user has given those in `matches`.
 ///
 /// # Errors
 ///
 /// Any problem with the arguments or a file, in words.
-pub fn run(args: &Args, given: &ArgMatches) -> Result<()> {
+pub fn run(args: &Args, matches: &ArgMatches) -> Result<()> {
     targets::check_size(args)?;
     if let Some(scene) = args.scene {
         let targets = Targets::open(args, &[])?;
         let has_textures = matches!(scene, SceneName::Floor | SceneName::Cube);
-        report::notes(args, &idle::options(args, given, None, has_textures))?;
+        report::notes(args, &idle::options(args, matches, None, has_textures))?;
         let measured = Measured {
             scene,
             mode: Mode::new(args, 1.0)?,
@@ -52,7 +52,7 @@ pub fn run(args: &Args, given: &ArgMatches) -> Result<()> {
     let pieces = subject.pieces()?;
     let model = subject.model(args, &pieces)?;
     let has_textures = pieces.iter().any(|piece| piece.finish.texture.is_some());
-    let idle = idle::options(args, given, model.shade, has_textures);
+    let idle = idle::options(args, matches, model.shade, has_textures);
     report::notes(args, &idle)?;
     if let (None, false, Some(shade)) = (&args.model, model.is_scene, model.shade) {
         let note = format!("--shade {} leaves out the sea and the sky", name(&shade));

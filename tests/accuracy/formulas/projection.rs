@@ -11,7 +11,7 @@ use rand::Rng;
 use crate::common::random::{cases, within};
 use crate::moves::{exact, number, rounded};
 
-use super::given::{STEP, all_close, close, float, same_matrix, vec};
+use super::helpers::{STEP, all_close, close, float, same_matrix, vec};
 
 fn degrees(angle: Angle) -> f64 {
     f64::from(angle.to_bits()) / 4_294_967_296.0 * 360.0

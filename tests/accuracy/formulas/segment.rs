@@ -7,7 +7,7 @@ use rand::Rng;
 use crate::common::random::{cases, within};
 use crate::moves::{exact, number, rounded};
 
-use super::given::{STEP, UNIT_STEP, close, float, unit, vec};
+use super::helpers::{STEP, UNIT_STEP, close, float, unit, vec};
 
 fn segment(z0: f64, z1: f64) -> Segment {
     Segment::new(number(z0), number(z1)).unwrap()
