@@ -21,7 +21,7 @@ fn depth_halfway_along_a_projected_segment() {
 }
 
 #[test]
-fn the_fraction_in_space() {
+fn a_fraction_on_screen_converts_to_space_and_back() {
     let segment = segment(1.0, 4.0);
     let t = segment.in_space(unit(0.5)).unwrap();
     close(t.to_num(), 0.2, UNIT_STEP / 2.0);
@@ -54,7 +54,7 @@ fn depth_and_fraction_of_any_segment() {
 }
 
 #[test]
-fn both_forms_give_the_same_point() {
+fn both_forms_of_interpolation_give_the_same_point() {
     cases(256, |random| {
         let segment = segment(
             random.random_range(0.1..100.0),

@@ -56,7 +56,7 @@ fn a_frustum_is_a_product() {
 }
 
 #[test]
-fn the_practice_cube() {
+fn images_of_a_cubes_corners() {
     close(
         project_on_plane([1., -1., -3.], 2.).unwrap(),
         [2. / 3., -2. / 3.],
