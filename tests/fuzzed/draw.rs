@@ -41,37 +41,21 @@ impl Drop for Told<'_> {
 fn check_scene(scene: &Scene) -> Result<(), Error> {
     let mut rooms = [Room::EMPTY; 2];
     let mesh = &scene.mesh(&mut rooms)?;
-    let (options, window) = (scene.options()?, scene.window()?);
     let (camera, model) = (scene.eye.camera()?, scene.model.transform());
     match scene.projection.projection(scene.size)? {
-        Projected::Perspective(projection) => {
-            let mvp = projection * camera * model;
-            check_call(
-                &Call {
-                    scene,
-                    mesh,
-                    mvp,
-                    window,
-                },
-                options,
-            )
-        }
-        Projected::Parallel(projection) => {
-            let mvp = projection * camera * model;
-            check_call(
-                &Call {
-                    scene,
-                    mesh,
-                    mvp,
-                    window,
-                },
-                options,
-            )
-        }
+        Projected::Perspective(projection) => check_call(scene, mesh, projection * camera * model),
+        Projected::Parallel(projection) => check_call(scene, mesh, projection * camera * model),
     }
 }
 
-fn check_call<K: ProjectionKind>(call: &Call<'_, K>, options: DrawOptions) -> Result<(), Error> {
+fn check_call<K: ProjectionKind>(scene: &Scene, mesh: &Mesh, mvp: Mvp<K>) -> Result<(), Error> {
+    let (options, window) = (scene.options()?, scene.window()?);
+    let call = &Call {
+        scene,
+        mesh,
+        mvp,
+        window,
+    };
     call.check_picking(&options);
     call.check_parts(&options);
     call.check_panels(&options);

@@ -30,6 +30,8 @@ mod mode;
 #[path = "../accuracy/moves.rs"]
 #[allow(dead_code)]
 mod moves;
+#[path = "../common/owned.rs"]
+mod owned;
 #[path = "../common/recorder.rs"]
 mod recorder;
 #[path = "../reference/mod.rs"]
