@@ -68,7 +68,7 @@ fn has_pixels<K: ProjectionKind>(bounds: &Bounds, mvp: &Mvp<K>, [start, end]: [u
 
 /// Whether all corners lie well outside one plane of the model's view.
 fn is_out(bounds: &Bounds, view: &View, [start, end]: [u32; 2]) -> bool {
-    let clips = corners(bounds).map(|corner| view.place(view.clip(exact(corner))));
+    let clips = corners(bounds).map(|corner| view.on_screen(view.clip(exact(corner))));
     let model = &view.projection;
     let half = [f64::from(SIZE.0) / 2., f64::from(SIZE.1) / 2.];
     let (rows, all) = ([f64::from(start), f64::from(end)], f64::from(SIZE.0));

@@ -87,6 +87,7 @@ fn diffuse(light: &impl Lighting, point: &SurfacePoint) -> f64 {
 }
 
 /// Compares the diffuse brightness of a surface with the model's.
+#[track_caller]
 fn compare_diffuse(
     light: &impl Lighting,
     source: &Source,

@@ -23,14 +23,14 @@ const GUARD: f64 = 2048.;
 /// How many inputs a test checks.
 const CASES: u64 = 3000;
 
-fn place(random: &mut Random, range: f64) -> Vec3 {
+fn position(random: &mut Random, range: f64) -> Vec3 {
     rounded(array::from_fn(|_| random.random_range(-range..range)))
 }
 
 fn step(random: &mut Random) -> Move {
     let angle = Angle::from_bits(random.random());
     match random.random_range(0..5) {
-        0 => Move::To(place(random, 8.)),
+        0 => Move::To(position(random, 8.)),
         1 => Move::X(angle),
         2 => Move::Y(angle),
         3 => Move::Z(angle),
@@ -189,7 +189,7 @@ fn viewport(random: &mut Random) -> Viewport {
 }
 
 fn points(random: &mut Random) -> Vec<Vec3> {
-    list(random, 1..20, |random| place(random, 6.))
+    list(random, 1..20, |random| position(random, 6.))
 }
 
 /// A window whose left and lower sides are in the first range, and whose sizes are in the second.
@@ -208,7 +208,7 @@ fn window(random: &mut Random, corner: Range<f64>, size: Range<f64>) -> Window {
 #[test]
 fn transformed_points_are_the_models() {
     cases(CASES, |random| {
-        let (moves, p) = (list(random, 0..6, step), place(random, 100.));
+        let (moves, p) = (list(random, 0..6, step), position(random, 100.));
         let (transform, matrix) = product(&moves);
         let (got, wanted) = (exact(transform.point(p)), point(&matrix, exact(p)));
         // Besides the mantissas, rounding the result adds half a unit.

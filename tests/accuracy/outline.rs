@@ -235,7 +235,7 @@ fn side(triangle: [Vector; 3], view: &view::View) -> Option<i32> {
     let Some((first, rest)) = corners.split_first() else {
         return Some(0);
     };
-    let place = |corner: &ClipVertex<0>| view.place(corner.position).screen;
+    let place = |corner: &ClipVertex<0>| view.on_screen(corner.position).screen;
     let areas = rest
         .windows(2)
         .map(|side| area2_f64(&[place(first), place(&side[0]), place(&side[1])]));

@@ -1,6 +1,6 @@
 //! Sized points: their pixels, from exact integers; sizes in world space, from f64.
 
-use crate::bands::{CASES, Frame, SIZE, XRecorder, counts, drawn, modelled, place};
+use crate::bands::{CASES, Frame, SIZE, XRecorder, counts, drawn, modeled, point};
 use crate::common::random::{cases, within};
 use crate::common::{at_subpixel, pixel_projection};
 use crate::moves::number;
@@ -15,7 +15,7 @@ use rand::Rng;
 #[test]
 fn points_are_the_models() {
     cases(CASES, |random| {
-        let (place, is_round) = (place(random), random.random());
+        let (point, is_round) = (point(random, SIZE), random.random());
         let most = if random.random() {
             300 << 16
         } else {
@@ -24,7 +24,7 @@ fn points_are_the_models() {
         let bits = random.random_range(1..=most);
         let rows = random.random_range(1..40);
         let mvp = pixel_projection(SIZE);
-        let positions = [at_subpixel(place)];
+        let positions = [at_subpixel(point)];
         let mesh = Mesh::new(&positions, &[]).unwrap();
         let size = Scalar::from_bits(bits);
         let style = if is_round {
@@ -38,17 +38,17 @@ fn points_are_the_models() {
         };
         let seen = drawn(SIZE.1, &draw);
         let half = ((i64::from(bits) + 256) >> 9).clamp(128, 255 * 128);
-        let model = modelled(&|pixel| {
+        let model = modeled(&|pixel| {
             let [x, y] =
-                [0, 1].map(|axis| i64::from(pixel[axis]) * 256 + 128 - i64::from(place[axis]));
-            let is_own = [0, 1].map(|axis| place[axis].div_euclid(256)) == pixel;
+                [0, 1].map(|axis| i64::from(pixel[axis]) * 256 + 128 - i64::from(point[axis]));
+            let is_own = [0, 1].map(|axis| point[axis].div_euclid(256)) == pixel;
             if is_round {
                 is_own || x * x + y * y <= half * half
             } else {
                 [x, y].iter().all(|&away| -half < away && away <= half)
             }
         });
-        let inputs = || format!("{style:?} at {place:?}, {rows} rows");
+        let inputs = || format!("{style:?} at {point:?}, {rows} rows");
         assert_eq!(
             picture(&counts(&seen), SIZE.0),
             picture(&model, SIZE.0),

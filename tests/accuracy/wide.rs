@@ -1,6 +1,6 @@
 //! Wide lines: their pixels, from exact integers; the shares of anti-aliased lines, from f64.
 
-use crate::bands::{CASES, Point, SIZE, counts, drawn, modelled, place};
+use crate::bands::{CASES, Point, SIZE, counts, drawn, modeled, point};
 use crate::common::random::{Random, cases, within};
 use crate::common::recorder::Seen;
 use crate::common::{at_subpixel, pixel_projection};
@@ -107,12 +107,12 @@ fn perspective() -> Projection<Perspective> {
 #[test]
 fn wide_lines_are_the_models() {
     cases(CASES, |random| {
-        let (ends, half) = ([place(random), place(random)], half(random));
+        let (ends, half) = ([point(random, SIZE), point(random, SIZE)], half(random));
         let rows = random.random_range(1..40);
         let mvp = pixel_projection(SIZE);
         let positions = ends.map(at_subpixel);
         let width = width(half);
-        let model = modelled(&|pixel| on_line(ends, half.into(), pixel));
+        let model = modeled(&|pixel| on_line(ends, half.into(), pixel));
         let mut first = None;
         for edge in [[[0, 1]], [[1, 0]]] {
             let mesh = line(&positions, &edge);
@@ -158,7 +158,7 @@ fn wide_lines_are_the_models() {
 #[test]
 fn smooth_lines_are_the_models() {
     cases(CASES, |random| {
-        let (ends, half) = ([place(random), place(random)], half(random));
+        let (ends, half) = ([point(random, SIZE), point(random, SIZE)], half(random));
         let rows = random.random_range(1..40);
         let mvp = pixel_projection(SIZE);
         let positions = ends.map(at_subpixel);

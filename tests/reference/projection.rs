@@ -114,7 +114,7 @@ pub fn orthographic(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Projectio
 
 /// Oblique parallel rays: an orthographic view after a shear that leaves the plane z = 0 in place.
 ///
-/// A point at distance d moves by d·ratio towards `angle` (radians, from +x towards +y, so that edges recede to the
+/// A point at distance d moves by d·ratio toward `angle` (radians, from +x toward +y, so that edges recede to the
 /// upper right for 0 < angle < π/2); its distance does not change.
 pub fn oblique(
     angle: f64,

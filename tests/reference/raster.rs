@@ -143,7 +143,7 @@ pub fn pieces_clipped<const N: usize>(
             source: Some(indices[i]),
         });
         for [a, b, c] in fan(&polygon(&corners, planes)) {
-            let [at_a, at_b, at_c] = [a, b, c].map(|corner| view.place(corner.position));
+            let [at_a, at_b, at_c] = [a, b, c].map(|corner| view.on_screen(corner.position));
             pieces.push(Piece {
                 face,
                 sources: [a.source, b.source, c.source],

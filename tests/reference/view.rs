@@ -72,7 +72,7 @@ impl View {
     }
 
     /// A point of clip space on the screen.
-    pub fn place(&self, clip: Vec4) -> Projected {
+    pub fn on_screen(&self, clip: Vec4) -> Projected {
         let [x, y, _, w] = clip;
         Projected {
             clip,
@@ -84,11 +84,11 @@ impl View {
 
     /// A position of the mesh on the screen.
     pub fn project(&self, position: Vec3) -> Projected {
-        self.place(self.clip(position))
+        self.on_screen(self.clip(position))
     }
 }
 
-/// Rounds pixels to the nearest 1/256 pixel, ties towards +∞; saturates.
+/// Rounds pixels to the nearest 1/256 pixel, ties toward +∞; saturates.
 pub fn snap(screen: [f64; 2]) -> [i32; 2] {
     screen.map(|x| (x * 256. + 0.5).floor() as i32)
 }

@@ -23,7 +23,7 @@ pub struct View {
     pub projection: AnyProjection,
     pub camera: Camera,
     pub options: DrawOptions,
-    /// Towards the light, over the viewer's left shoulder.
+    /// Toward the light, over the viewer's left shoulder.
     pub sun: Vec3,
     /// Upwards, of any length.
     pub up: Vec3,
