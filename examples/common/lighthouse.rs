@@ -89,7 +89,7 @@ pub fn camera() -> Result<Camera, Error> {
     Camera::look_at(EYE, TARGET, Vec3::Y)
 }
 
-/// Towards the afternoon sun, on the right.
+/// Toward the afternoon sun, on the right.
 pub const SUN: Vec3 = vec3!(5, 5, 4);
 
 /// The light of the afternoon sun.
@@ -101,7 +101,7 @@ pub fn sun() -> Result<Light, Error> {
     Light::new(SUN, fx!(0.4), fx!(0.6))
 }
 
-/// Fills the canvas with a sky: blue above, pale towards the horizon; black if there are only black and white.
+/// Fills the canvas with a sky: blue above, pale toward the horizon; black if there are only black and white.
 pub fn sky<C, O, D>(canvas: &mut Canvas<'_, C, O, D>)
 where
     C: Levels,

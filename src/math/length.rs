@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn lengths_are_right() {
+    fn lengths_have_29_bits() {
         cases(256, |random| {
             let v = [(); 3].map(|()| number(random));
             let length = real_length(v.map(f64::from));
@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn distances_are_right() {
+    fn distances_have_29_bits() {
         cases(256, |random| {
             let a = [(); 3].map(|()| number(random));
             let b = [(); 3].map(|()| number(random));
@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn products_are_right() {
+    fn dot_and_cross_products_are_rounded_half_up_and_saturate() {
         cases(256, |random| {
             let a = [(); 3].map(|()| number(random));
             let b = [(); 3].map(|()| number(random));

@@ -214,7 +214,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_match_is_refused() {
+    fn meshes_that_differ_are_refused_as_keyframes() {
         let first = Mesh::new(&CORNERS, &FACES).unwrap();
         let refused = |second: Mesh<'_>| Keyframes::new(&first, &second).unwrap_err();
         assert_eq!(

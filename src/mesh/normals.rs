@@ -308,7 +308,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_fit_is_refused() {
+    fn normals_without_room_are_refused() {
         let mesh = Mesh::new(&CORNERS, &SIDES).unwrap();
         let (mut few, mut normals) = ([Vec3::ZERO; 7], [Vec3::ZERO; 5]);
         let error = mesh.with_smooth_normals(&mut few).unwrap_err();

@@ -322,7 +322,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_drawn_is_refused() {
+    fn sprites_of_bad_sizes_axes_or_lists_are_refused() {
         let size = (fx!(1), fx!(2));
         for (width, height) in [(fx!(0), fx!(1)), (fx!(1), fx!(-1))] {
             assert!(matches!(

@@ -281,7 +281,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_left_of_what_is_beyond() {
+    fn triangles_outside_the_view_volume_are_clipped_away() {
         // In front of the near plane; and beyond one side or another, but nowhere inside.
         let near = [[1, 1, 2], [5, 1, 3], [1, 5, 2]];
         let corner = [[-2100, 2000, 0], [-2100, 4000, 0], [-1000, 3100, 0]];

@@ -395,7 +395,7 @@ mod tests {
 
     /// The limits, from both sides.
     #[test]
-    fn what_is_outside() {
+    fn outcodes_change_at_each_plane() {
         let fov = Angle::from_degrees(60);
         let projection = Projection::perspective(fov, (320, 240), fx!(1), fx!(100)).unwrap();
         let mesh = Mesh::new(&[], &[]).unwrap();

@@ -287,7 +287,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_left_is_a_power_of_two() {
+    fn exponential_weights_are_powers_of_two() {
         for x in 0..20 << BITS {
             let one = f64::from(1 << BITS);
             let exact = (-f64::from(x) / one).exp2();

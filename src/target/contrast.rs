@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn the_ends_are_those_of_the_frame_without_what_is_ignored() {
+    fn contrast_ignores_the_darkest_and_the_brightest_pixels() {
         let mut grays: std::vec::Vec<Gray8> = (0..=255).map(|i| Gray8::new(i / 2 + 50)).collect();
         let canvas = Canvas::new(&mut grays, 16, 16).unwrap();
         assert_eq!(Contrast::of(&canvas, 0), Contrast::new(50, 177));

@@ -281,7 +281,7 @@ mod tests {
     }
 
     #[test]
-    fn lowest_bits() {
+    fn lowest_has_the_lowest_bit_of_each_lane() {
         assert_eq!(lowest(0x07e0_f81f), 0x0020_0801);
         assert_eq!(lowest(0x00ff_00ff), 0x0001_0001);
     }

@@ -1,6 +1,5 @@
-//! Drawing in bands with a shader that records its input: for the tests of wide lines and of sized points.
-
-use std::ops::Range;
+//! Drawing in bands with a shader that records its input, and positions to draw at: for the tests of lines and of sized
+//! points.
 
 use crate::common::random::{Random, within};
 use crate::common::recorder::{Probe, Recorder, Seen, record};
@@ -20,10 +19,14 @@ pub type Point = [i32; 2];
 pub const SIZE: (u32, u32) = (90, 40);
 
 pub type Frame<'f> = Canvas<'f, Gray8, Native, Depth<'f>>;
-pub type Pen<'p, 'v> = Recorder<'p, Probe<'v, [i32; 1]>, 1>;
+/// Records the interpolated x of the position.
+pub type XRecorder<'p, 'v> = Recorder<'p, Probe<'v, [i32; 1]>, 1>;
 
 /// The pixels of a draw call in bands of `rows` rows, each with the interpolated x of the position.
-pub fn drawn(rows: u32, draw: &dyn Fn(&mut Frame<'_>, &Pen<'_, '_>) -> Drawn) -> Vec<Seen<1>> {
+pub fn drawn(
+    rows: u32,
+    draw: &dyn Fn(&mut Frame<'_>, &XRecorder<'_, '_>) -> Drawn,
+) -> Vec<Seen<1>> {
     let values = |corner: &Corner<'_>| [corner.position().x.to_bits()];
     let probe = Probe {
         values: &values,
@@ -36,8 +39,8 @@ pub fn drawn(rows: u32, draw: &dyn Fn(&mut Frame<'_>, &Pen<'_, '_>) -> Drawn) ->
         let (mut colors, mut depths) = (vec![Gray8::new(0); pixels], vec![0; pixels]);
         let band = Canvas::band(&mut colors, width, height, first).unwrap();
         let mut band = band.with_depth(&mut depths).unwrap();
-        let record = record(probe, |pen| {
-            draw(&mut band, pen);
+        let record = record(probe, |recorder| {
+            draw(&mut band, recorder);
         });
         all.extend(record.seen);
     }
@@ -55,19 +58,22 @@ pub fn counts(seen: &[Seen<1>]) -> Vec<u32> {
 }
 
 /// How often the model draws each pixel.
-pub fn modelled(has: &dyn Fn([i32; 2]) -> bool) -> Vec<u32> {
+pub fn modeled(has: &dyn Fn([i32; 2]) -> bool) -> Vec<u32> {
     let pixels = Bounds::new(SIZE.0, SIZE.1).pixels();
     pixels.map(|pixel| u32::from(has(pixel))).collect()
 }
 
-/// Positions in and around the picture: on pixel corners, on centers, on any subpixel.
-pub fn place(random: &mut Random) -> Point {
-    let kind = random.random_range(0..4);
-    let mut at = |x: Range<i32>, y: Range<i32>| within(random, [x, y]);
-    match kind {
-        0 => at(-10..100, -10..50).map(|at| at * 256),
-        1 => at(-10..100, -10..50).map(|at| at * 256 + 128),
-        2 => at(-3000..26_000, -3000..13_000),
-        _ => at(-500_000..500_000, -500_000..500_000),
+/// A position in or around a picture: on a pixel's corner, on its center, or on any subpixel.
+pub fn point(random: &mut Random, (width, height): (u32, u32)) -> Point {
+    let [width, height] = [width, height].map(u32::cast_signed);
+    let pixels = [-10..width + 10, -10..height + 10];
+    match random.random_range(0..4) {
+        0 => within(random, pixels).map(|at| at * 256),
+        1 => within(random, pixels).map(|at| at * 256 + 128),
+        2 => within(
+            random,
+            pixels.map(|range| range.start * 256..range.end * 256),
+        ),
+        _ => within(random, [-500_000..500_000, -500_000..500_000]),
     }
 }

@@ -14,7 +14,7 @@ pub fn bumpy() -> Shape {
         for column in 0..=COLUMNS {
             let [u, v] = uv([row, column % COLUMNS]);
             let ((sin, cos), (sin_u, cos_u)) = ((v * PI).sin_cos(), (u * TAU).sin_cos());
-            // The bumps fade towards the poles, where all columns meet.
+            // The bumps fade toward the poles, where all columns meet.
             let bumps = 0.28 * sin * (5. * u * TAU + 2. * v).sin() * (7. * v).cos();
             let radius = 0.8 + bumps + 0.1 * cos;
             let point = [sin * cos_u, cos * 1.2, -sin * sin_u].map(|x| radius * x);

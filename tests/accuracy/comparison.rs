@@ -154,7 +154,7 @@ impl Scene {
                 };
                 let pixels = drawing.all(&values);
                 let model = model
-                    .get_or_insert_with(|| self.model(&pixels, &drawing.places(&self.positions)));
+                    .get_or_insert_with(|| self.model(&pixels, &drawing.snapped(&self.positions)));
                 assert_eq!(drawn(&pixels), model.drawn, "coverage in {mode:?}");
                 let mut comparison = Comparison {
                     snapped: Spread::default(),
@@ -278,12 +278,12 @@ impl Comparison {
         let depth = |value: &Value<2>| view.projection.depth(value.w);
         let mut nearest = vec![0_f64; SIZE.0 as usize * SIZE.1 as usize];
         for (seen, value) in self.pixels.iter().zip(&model.snapped) {
-            let nearest = &mut nearest[place(seen.pixel)];
+            let nearest = &mut nearest[pixel_index(seen.pixel)];
             *nearest = nearest.max(depth(value));
         }
         let mut last = vec![None; nearest.len()];
         for seen in shown {
-            last[place(seen.pixel)] = Some(seen);
+            last[pixel_index(seen.pixel)] = Some(seen);
         }
         for (i, (nearest, last)) in nearest.iter().zip(last).enumerate() {
             assert_eq!(
@@ -336,7 +336,8 @@ impl Comparison {
     }
 }
 
-fn place([x, y]: [i32; 2]) -> usize {
+/// The index of a pixel, row by row.
+fn pixel_index([x, y]: [i32; 2]) -> usize {
     y as usize * SIZE.0 as usize + x as usize
 }
 
@@ -365,7 +366,7 @@ fn coverage(
 
     let mut counts = vec![0_usize; SIZE.0 as usize * SIZE.1 as usize];
     for (_, pixel) in &drawn {
-        counts[place(*pixel)] += 1;
+        counts[pixel_index(*pixel)] += 1;
     }
     let front: Vec<_> = culled(unsnapped, raster::Cull::Back)
         .iter()
@@ -373,7 +374,7 @@ fn coverage(
         .collect();
     let silhouette = Silhouette::new(&front, SIZE.0, SIZE.1);
     for pixel in bounds.pixels() {
-        let count = counts[place(pixel)];
+        let count = counts[pixel_index(pixel)];
         match silhouette.classify(center(pixel), SNAP) {
             silhouette::Position::Inside => found.inside[count.min(2)] += 1,
             silhouette::Position::Outside => found.outside += usize::from(count > 0),

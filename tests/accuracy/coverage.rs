@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use crate::common::meshes::{Flat, Point, fan, grid, triangulation};
 use crate::common::random::{Random, cases, list, within};
-use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
+use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
 use crate::reference::coverage::{self, Bounds, Snapped, area2, center};
 use crate::reference::distance::to_segment;
 use crate::reference::view::unsnap;
@@ -20,7 +20,7 @@ use rand::seq::IndexedRandom;
 
 /// Draws a mesh through the pixel projection, after checking the position of each vertex.
 fn draw(mesh: &Flat, size: (u32, u32), options: &DrawOptions) -> Vec<u32> {
-    let projection = pixel_lens(size);
+    let projection = pixel_projection(size);
     let mut counter = Counter::new(size);
     let positions: Vec<Vec3> = mesh.points.iter().copied().map(at_subpixel).collect();
     for (&point, &position) in mesh.points.iter().zip(&positions) {
@@ -184,7 +184,7 @@ fn all_small_triangles_cover_what_the_model_covers() {
     const SIDE: i32 = 7;
     let size = (4, 4);
     let mut counter = Counter::new(size);
-    let projection = pixel_lens(size);
+    let projection = pixel_projection(size);
     for offset in [[0, 0], [1, 127], [-128, 0], [129, -1], [64, 200]] {
         let points: Vec<Point> = (0..SIDE * SIDE)
             .map(|i| [i % SIDE * 128 + offset[0], i / SIDE * 128 + offset[1]])
@@ -199,7 +199,7 @@ fn all_tiny_triangles_cover_what_the_model_covers() {
     const SIDE: i32 = 5;
     let size = (2, 2);
     let mut counter = Counter::new(size);
-    let projection = pixel_lens(size);
+    let projection = pixel_projection(size);
     for center in [[128, 128], [256, 256], [384, 128]] {
         let points: Vec<Point> = (0..SIDE * SIDE)
             .map(|i| [i % SIDE - 2 + center[0], i / SIDE - 2 + center[1]])
@@ -317,7 +317,7 @@ fn triangles_beyond_the_guard_band_cover_what_the_model_covers() {
         counter.draw(
             &BOTH_SIDES,
             &Mesh::new(&positions, &[[0, 1, 2]]).unwrap(),
-            &pixel_lens(SIZE),
+            &pixel_projection(SIZE),
         );
         let drawn = counter.take();
         for (count, pixel) in drawn.into_iter().zip(Bounds::new(SIZE.0, SIZE.1).pixels()) {
@@ -353,7 +353,7 @@ fn clipped_triangulations_cover_each_pixel_once() {
         let drawn = counter.draw(
             &DrawOptions::new(),
             &Mesh::new(&positions, &mesh.faces).unwrap(),
-            &pixel_lens(SIZE),
+            &pixel_projection(SIZE),
         );
         assert!(drawn.clipped > 0, "{mesh:?}");
         let picture = counter.picture();

@@ -114,7 +114,7 @@ impl<K: ProjectionKind> Drawing<'_, K> {
     }
 
     /// The crate's positions of points, in 1/256 pixel; `None` for points that it would clip.
-    pub fn places(&self, points: &[Vec3]) -> Vec<Option<[i32; 2]>> {
+    pub fn snapped(&self, points: &[Vec3]) -> Vec<Option<[i32; 2]>> {
         let spots = self.spots(points).into_iter();
         spots
             .map(|spot| spot.map(|spot| [spot.x, spot.y]))

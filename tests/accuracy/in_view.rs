@@ -12,7 +12,7 @@ use rand::Rng;
 use crate::common::random::{Random, cases, within};
 use crate::moves::{Move, exact, number, product, rounded};
 use crate::reference::linear::point;
-use crate::reference::projection::{self, Lens};
+use crate::reference::projection::{self, Projection as ModelProjection};
 use crate::reference::view::{View, Viewport as ModelViewport};
 
 const SIZE: (u32, u32) = (64, 48);
@@ -68,8 +68,8 @@ fn has_pixels<K: ProjectionKind>(bounds: &Bounds, mvp: &Mvp<K>, [start, end]: [u
 
 /// Whether all corners lie well outside one plane of the model's view.
 fn is_out(bounds: &Bounds, view: &View, [start, end]: [u32; 2]) -> bool {
-    let clips = corners(bounds).map(|corner| view.place(view.clip(exact(corner))));
-    let lens = &view.projection;
+    let clips = corners(bounds).map(|corner| view.on_screen(view.clip(exact(corner))));
+    let model = &view.projection;
     let half = [f64::from(SIZE.0) / 2., f64::from(SIZE.1) / 2.];
     let (rows, all) = ([f64::from(start), f64::from(end)], f64::from(SIZE.0));
     let slack = |w: f64| PIXELS * w.abs().max(1.);
@@ -79,15 +79,15 @@ fn is_out(bounds: &Bounds, view: &View, [start, end]: [u32; 2]) -> bool {
         &|p| p.clip[0] * half[0] > (all - half[0]) * p.w + slack(p.w),
         &|p| -p.clip[1] * half[1] < (rows[0] - half[1]) * p.w - slack(p.w),
         &|p| -p.clip[1] * half[1] > (rows[1] - half[1]) * p.w + slack(p.w),
-        &|p| p.distance < lens.near - PART * lens.near.abs().max(1.),
-        &|p| p.distance > lens.far * (1. + PART),
+        &|p| p.distance < model.near - PART * model.near.abs().max(1.),
+        &|p| p.distance > model.far * (1. + PART),
     ];
     planes.iter().any(|plane| clips.iter().all(plane))
 }
 
 /// The size of a box on the screen: the crate's, the model's, and the largest difference by rounding.
 fn sizes<K: ProjectionKind>(
-    (projection, lens): (Projection<K>, Lens),
+    (projection, model): (Projection<K>, ModelProjection),
     moves: &[Move],
     bounds: &Bounds,
 ) -> (u32, f64, f64) {
@@ -105,7 +105,7 @@ fn sizes<K: ProjectionKind>(
         .sum::<f64>()
         .sqrt();
     let ahead = -(a[2] + b[2]) / 2.;
-    let per_unit = lens.matrix[0][0] * f64::from(SIZE.0) / 2.;
+    let per_unit = model.matrix[0][0] * f64::from(SIZE.0) / 2.;
     let (size, noise) = if K::PERSPECTIVE {
         // Where the box begins to reach the eye, rounding decides.
         if (ahead - diagonal / 2.).abs() < 8. * 2_f64.powi(-16) {
@@ -135,7 +135,7 @@ fn is_size((found, size, noise): (u32, f64, f64)) -> bool {
 
 /// Compares a box's presence in some rows, and its size, with the model's.
 fn check<K: ProjectionKind>(
-    (projection, lens): (Projection<K>, Lens),
+    (projection, model): (Projection<K>, ModelProjection),
     moves: &[Move],
     bounds: &Bounds,
     rows: [u32; 2],
@@ -145,7 +145,7 @@ fn check<K: ProjectionKind>(
     let (width, height) = SIZE;
     let view = View {
         eye,
-        projection: lens,
+        projection: model,
         viewport: ModelViewport::new(width, height),
     };
     let mut pixels = vec![Gray8::new(0); (width * (rows[1] - rows[0])) as usize];
@@ -161,7 +161,7 @@ fn check<K: ProjectionKind>(
         !in_view || !is_out,
         "{bounds:?} is well outside and is in view"
     );
-    let sizes = sizes((projection, lens), moves, bounds);
+    let sizes = sizes((projection, model), moves, bounds);
     assert!(is_size(sizes), "{sizes:?}");
 }
 
@@ -198,14 +198,14 @@ fn boxes_in_perspective_are_in_view_as_in_the_model() {
         let fov = Angle::from_bits((fov / 360. * 2_f64.powi(32)) as u32);
         let [near, far] = [random.random_range(1.0..5.), 50.].map(number);
         let aspect = f64::from(SIZE.0) / f64::from(SIZE.1);
-        let lens = projection::perspective(
+        let model = projection::perspective(
             crate::moves::radians(fov),
             aspect,
             near.to_num(),
             far.to_num(),
         );
         let projection = Projection::perspective(fov, SIZE, near, far).unwrap();
-        check((projection, lens), &moves, &bounds, rows);
+        check((projection, model), &moves, &bounds, rows);
     });
 }
 
@@ -217,8 +217,8 @@ fn boxes_in_parallel_are_in_view_as_in_the_model() {
         let window = Window::centered(scalar(2. * half).unwrap(), scalar(1.5 * half).unwrap());
         let [l, r, b, t] =
             [window.left, window.right, window.bottom, window.top].map(|x| x.to_num());
-        let lens = projection::orthographic(l, r, b, t, -20., 40.);
+        let model = projection::orthographic(l, r, b, t, -20., 40.);
         let projection = Projection::orthographic(window, fx!(-20), fx!(40)).unwrap();
-        check((projection, lens), &moves, &bounds, rows);
+        check((projection, model), &moves, &bounds, rows);
     });
 }

@@ -86,6 +86,21 @@ fn diffuse(light: &impl Lighting, point: &SurfacePoint) -> f64 {
     f64::from(diffuse[0])
 }
 
+/// Compares the diffuse brightness of a surface with the model's.
+#[track_caller]
+fn compare_diffuse(
+    light: &impl Lighting,
+    source: &Source,
+    (point, exact): (&SurfacePoint, Point),
+    tolerance: f64,
+) {
+    let (found, expected) = (diffuse(light, point), source.diffuse(exact) * UNIT);
+    assert!(
+        (found - expected).abs() <= tolerance,
+        "{found} is not {expected}"
+    );
+}
+
 /// How many inputs a test checks.
 const CASES: u64 = 4000;
 
@@ -120,11 +135,7 @@ fn lamps_follow_lambert_and_their_falloff() {
             if (part - 1.).abs() <= RANGE_ERROR {
                 continue;
             }
-            let (found, expected) = (diffuse(&lamp, &point), source.diffuse(exact) * UNIT);
-            assert!(
-                (found - expected).abs() <= LAMP_ERROR,
-                "{found} is not {expected}"
-            );
+            compare_diffuse(&lamp, &source, (&point, exact), LAMP_ERROR);
             break;
         }
     });
@@ -167,11 +178,7 @@ fn lamps_light_nothing_beyond_the_longest_range() {
             if (length(way) / range.to_num::<f64>() - 1.).abs() <= RANGE_ERROR {
                 continue;
             }
-            let (found, expected) = (diffuse(&lamp, &point), source.diffuse(exact) * UNIT);
-            assert!(
-                (found - expected).abs() <= LAMP_ERROR,
-                "{found} is not {expected}"
-            );
+            compare_diffuse(&lamp, &source, (&point, exact), LAMP_ERROR);
             break;
         }
     });
@@ -217,12 +224,8 @@ fn spots_end_softly() {
                 falloff: light::Falloff::Smooth,
                 cone: Some((f64s(axis), cosines)),
             };
-            let (found, expected) = (diffuse(&spot, &point), source.diffuse(exact) * UNIT);
             let edge = 1.5 * UNIT * 8. / 2_f64.powi(30) / (cosines[0] - cosines[1]);
-            assert!(
-                (found - expected).abs() <= 11. + edge,
-                "{found} is not {expected}"
-            );
+            compare_diffuse(&spot, &source, (&point, exact), 11. + edge);
             break;
         }
     });
@@ -268,8 +271,7 @@ fn highlights_follow_blinn_and_phong() {
                 (found - expected).abs() <= 4. + wrong,
                 "{found} is not {expected}"
             );
-            let (found, expected) = (diffuse(&shiny, &point), source.diffuse(exact) * UNIT);
-            assert!((found - expected).abs() <= 4., "{found} is not {expected}");
+            compare_diffuse(&shiny, &source, (&point, exact), 4.);
             break;
         }
     });

@@ -1,10 +1,9 @@
 //! Lines and points: their pixels, from exact integers; depth and attributes along a line, from the f64 model.
 
-use std::ops::Range;
-
+use crate::bands::{Point, point};
 use crate::common::random::{Random, cases, list, within};
 use crate::common::recorder::{Probe, Seen, record};
-use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
+use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
 use crate::reference::clip::{ClipVertex, DEPTH_PLANES};
 use crate::reference::coverage::{Bounds, picture};
 use crate::reference::linear::IDENTITY;
@@ -14,9 +13,6 @@ use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
 use fixel::view::{Perspective, ProjectionKind};
 use rand::Rng;
-
-/// A position in 24.8.
-type Point = [i32; 2];
 
 /// Wider than two spans of 64 pixels; values are computed anew at the start of each span.
 const SIZE: (u32, u32) = (150, 28);
@@ -42,7 +38,7 @@ fn on_line([a, b]: [Point; 2], pixel: [i32; 2]) -> bool {
 
 /// How often mesh edges, drawn as lines through the pixel projection, draw each pixel.
 fn drawn(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
-    let projection = pixel_lens(SIZE);
+    let projection = pixel_projection(SIZE);
     let mut counter = Counter::new(SIZE);
     let positions: Vec<Vec3> = points.iter().copied().map(at_subpixel).collect();
     let mesh = Mesh::new(&positions, &[])
@@ -58,7 +54,7 @@ fn drawn(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
     counter.take()
 }
 
-fn modelled(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
+fn modeled(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
     let ends = |edge: &[u16; 2]| edge.map(|index| points[usize::from(index)]);
     Bounds::new(SIZE.0, SIZE.1)
         .pixels()
@@ -71,24 +67,12 @@ fn modelled(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
         .collect()
 }
 
-/// Positions in and around the picture: on pixel corners, on centers, on any subpixel.
-fn place(random: &mut Random) -> Point {
-    let kind = random.random_range(0..4);
-    let mut at = |x: Range<i32>, y: Range<i32>| within(random, [x, y]);
-    match kind {
-        0 => at(-10..160, -10..40).map(|at| at * 256),
-        1 => at(-10..160, -10..40).map(|at| at * 256 + 128),
-        2 => at(-3000..42_000, -3000..10_000),
-        _ => at(-500_000..500_000, -500_000..500_000),
-    }
-}
-
 /// A line draws exactly the model's pixels, once each, and the same pixels in the other direction.
 #[test]
 fn lines_are_the_models() {
     cases(512, |random| {
-        let ends = [place(random), place(random)];
-        let model = modelled(&ends, &[[0, 1]]);
+        let ends = [point(random, SIZE), point(random, SIZE)];
+        let model = modeled(&ends, &[[0, 1]]);
         for edge in [[0, 1], [1, 0]] {
             assert_eq!(
                 picture(&drawn(&ends, &[edge]), SIZE.0),
@@ -105,7 +89,7 @@ fn lines_are_the_models() {
 fn polylines_draw_no_pixel_twice() {
     cases(512, |random| {
         // All points are in the guard band: 500,000 plus 11 steps of 899 is less than 2048 pixels.
-        let (mut last, steep, back) = (place(random), random.random(), random.random());
+        let (mut last, steep, back) = (point(random, SIZE), random.random(), random.random());
         let mut points = vec![last];
         for _ in 0..random.random_range(1..12) {
             let along = random.random_range(0..900);
@@ -128,7 +112,7 @@ fn polylines_draw_no_pixel_twice() {
         // No pixel is missing: together, the lines have the model's pixels of all edges.
         assert_eq!(
             picture(&counts, SIZE.0),
-            picture(&modelled(&points, &edges), SIZE.0),
+            picture(&modeled(&points, &edges), SIZE.0),
             "{points:?}"
         );
     });
@@ -138,8 +122,8 @@ fn polylines_draw_no_pixel_twice() {
 #[test]
 fn points_are_the_pixels_they_lie_in() {
     cases(512, |random| {
-        let points = list(random, 0..20, place);
-        let projection = pixel_lens(SIZE);
+        let points = list(random, 0..20, |random| point(random, SIZE));
+        let projection = pixel_projection(SIZE);
         let mut counter = Counter::new(SIZE);
         let positions: Vec<Vec3> = points.iter().copied().map(at_subpixel).collect();
         let drawn = counter.draw_points(

@@ -13,7 +13,7 @@ use crate::drawing::{Drawing, Spot};
 use crate::mode::Mode;
 use crate::moves::{Move, exact, number, product, radians, relative, rounded, size};
 use crate::reference::linear::{Matrix, point};
-use crate::reference::projection::{self, Lens};
+use crate::reference::projection::{self, Projection as ModelProjection};
 use crate::reference::view::{View, Viewport as ModelViewport};
 
 const SIZE: (u32, u32) = (320, 240);
@@ -23,14 +23,14 @@ const GUARD: f64 = 2048.;
 /// How many inputs a test checks.
 const CASES: u64 = 3000;
 
-fn place(random: &mut Random, range: f64) -> Vec3 {
+fn position(random: &mut Random, range: f64) -> Vec3 {
     rounded(array::from_fn(|_| random.random_range(-range..range)))
 }
 
 fn step(random: &mut Random) -> Move {
     let angle = Angle::from_bits(random.random());
     match random.random_range(0..5) {
-        0 => Move::To(place(random, 8.)),
+        0 => Move::To(position(random, 8.)),
         1 => Move::X(angle),
         2 => Move::Y(angle),
         3 => Move::Z(angle),
@@ -50,7 +50,7 @@ fn mvp(random: &mut Random) -> Vec<Move> {
 }
 
 /// One projection, made by the crate and by the model.
-fn perspective(fov: Angle, near: f64, far: f64) -> (Projection<Perspective>, Lens) {
+fn perspective(fov: Angle, near: f64, far: f64) -> (Projection<Perspective>, ModelProjection) {
     let [near, far] = [near, far].map(number);
     (
         Projection::perspective(fov, SIZE, near, far).unwrap(),
@@ -60,7 +60,7 @@ fn perspective(fov: Angle, near: f64, far: f64) -> (Projection<Perspective>, Len
 
 /// Compares the position of a point with the model's.
 fn compare<K: ProjectionKind>(
-    (projection, model): (Projection<K>, Lens),
+    (projection, model): (Projection<K>, ModelProjection),
     moves: &[Move],
     viewport: Viewport,
     points: &[Vec3],
@@ -86,7 +86,7 @@ fn compare<K: ProjectionKind>(
 fn compare_spots(
     points: &[Vec3],
     spots: &[Option<Spot>],
-    (model, eye): (Lens, Matrix),
+    (model, eye): (ModelProjection, Matrix),
     moves: &[Move],
     viewport: Viewport,
 ) {
@@ -189,7 +189,7 @@ fn viewport(random: &mut Random) -> Viewport {
 }
 
 fn points(random: &mut Random) -> Vec<Vec3> {
-    list(random, 1..20, |random| place(random, 6.))
+    list(random, 1..20, |random| position(random, 6.))
 }
 
 /// A window whose left and lower sides are in the first range, and whose sizes are in the second.
@@ -208,7 +208,7 @@ fn window(random: &mut Random, corner: Range<f64>, size: Range<f64>) -> Window {
 #[test]
 fn transformed_points_are_the_models() {
     cases(CASES, |random| {
-        let (moves, p) = (list(random, 0..6, step), place(random, 100.));
+        let (moves, p) = (list(random, 0..6, step), position(random, 100.));
         let (transform, matrix) = product(&moves);
         let (got, wanted) = (exact(transform.point(p)), point(&matrix, exact(p)));
         // Besides the mantissas, rounding the result adds half a unit.
@@ -260,7 +260,7 @@ fn points_in_parallel_are_the_models() {
         let [n, f] = [near, near + length].map(number);
         let exact =
             [window.left, window.right, window.bottom, window.top, n, f].map(Scalar::to_num::<f64>);
-        let projection: (Projection<Parallel>, Lens) = if random.random() {
+        let projection: (Projection<Parallel>, ModelProjection) = if random.random() {
             let [l, r, b, t, n1, f1] = exact;
             (
                 Projection::orthographic(window, n, f).unwrap(),
@@ -317,7 +317,7 @@ fn depth_falls_with_distance() {
 
 /// The model's oblique projection, moved so that it leaves the near plane in place, as the crate's does. The model's
 /// own leaves the plane through the eye in place.
-fn oblique(angle: f64, ratio: f64, [l, r, b, t, n, f]: [f64; 6]) -> Lens {
+fn oblique(angle: f64, ratio: f64, [l, r, b, t, n, f]: [f64; 6]) -> ModelProjection {
     let (x, y) = (n * ratio * angle.cos(), n * ratio * angle.sin());
     projection::oblique(angle, ratio, (l + x, r + x, b + y, t + y), n, f)
 }

@@ -235,7 +235,7 @@ fn side(triangle: [Vector; 3], view: &view::View) -> Option<i32> {
     let Some((first, rest)) = corners.split_first() else {
         return Some(0);
     };
-    let place = |corner: &ClipVertex<0>| view.place(corner.position).screen;
+    let place = |corner: &ClipVertex<0>| view.on_screen(corner.position).screen;
     let areas = rest
         .windows(2)
         .map(|side| area2_f64(&[place(first), place(&side[0]), place(&side[1])]));
@@ -264,7 +264,7 @@ const NEAR: f64 = 0.5;
 const FAR: f64 = 4.;
 const FOCAL: f64 = 60.;
 
-fn lens(far: Scalar) -> Projection<Perspective> {
+fn projection(far: Scalar) -> Projection<Perspective> {
     Projection::from_focal_length(fx!(60), SIZE, fx!(0.5), far).unwrap()
 }
 
@@ -283,7 +283,7 @@ fn drawn_edges_are_the_models() {
         let limit = Angle::from_degrees(random.random_range(0..180));
         let outline = Outline::build(mesh, limit, &mut room).unwrap();
         let pose = pose(random, distance);
-        let mvp = lens(fx!(4)) * pose;
+        let mvp = projection(fx!(4)) * pose;
         let options = DrawOptions::new().with_cull(cull);
         let drawn = drawn(&options, mesh, &outline, &mvp);
         let view = view::View {
@@ -359,7 +359,7 @@ fn outlines_have_no_gaps() {
         let distance = random.random_range(2.5..4.5);
         let mut room = room(mesh);
         let outline = Outline::build(mesh, deg!(180), &mut room).unwrap();
-        let mvp = lens(fx!(9)) * pose(random, distance);
+        let mvp = projection(fx!(9)) * pose(random, distance);
         let pixels = (SIZE.0 * SIZE.1) as usize;
         let (mut inside, mut lines) = (vec![Gray8::new(0); pixels], vec![Gray8::new(0); pixels]);
         let white = Flat::new(Gray8::new(1));

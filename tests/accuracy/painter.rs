@@ -1,37 +1,23 @@
 //! Painter's order, compared with distances in f64.
 
-use std::cell::RefCell;
-
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use fixel::Object;
 use fixel::prelude::*;
-use fixel::shade::PerFace;
 use fixel::view::ProjectionKind;
 use rand::Rng;
 
 use crate::common::BOTH_SIDES;
 use crate::common::random::{Random, cases, list};
+use crate::common::recorder::{Recorder, record};
 
 const SIZE: (u32, u32) = (40, 30);
 const NEAR: f64 = 1.;
 const FAR: f64 = 64.;
 
-/// A shader that records the triangles in drawing order.
-#[derive(Clone, Copy)]
-struct Noted<'a>(&'a RefCell<Vec<usize>>);
-
-impl Shader for Noted<'_> {
-    type Color = Gray8;
-    type Varyings = PerFace<()>;
-
-    fn varyings(&self, face: &Primitive<'_>) -> [PerFace<()>; 3] {
-        self.0.borrow_mut().push(face.index());
-        [PerFace(()); 3]
-    }
-
-    fn shade(&self, _: &Fragment, _: PerFace<()>) -> Option<Gray8> {
-        None
-    }
+/// The triangles that a function draws, in drawing order.
+fn drawn(draw: impl FnOnce(&Recorder<'_, Flat<Gray8>, 0>)) -> Vec<usize> {
+    let record = record(Flat::new(Gray8::BLACK), draw);
+    record.corners.iter().map(|(face, _)| *face).collect()
 }
 
 /// Triangles in eye space.
@@ -64,16 +50,13 @@ impl Scene {
             } else {
                 list.prepare(&BOTH_SIDES, SIZE, &mesh, projection)
             };
-            let order = RefCell::new(Vec::new());
-            canvas
-                .draw_prepared(&prepared.unwrap(), &Noted(&order))
-                .unwrap();
-            order.into_inner()
+            let prepared = prepared.unwrap();
+            drawn(|recorder| _ = canvas.draw_prepared(&prepared, recorder).unwrap())
         };
         let (all, order) = (draw(false), draw(true));
-        let mut drawn = order.clone();
-        drawn.sort_unstable();
-        assert_eq!(drawn, all);
+        let mut sorted = order.clone();
+        sorted.sort_unstable();
+        assert_eq!(sorted, all);
         order
     }
 
@@ -102,17 +85,17 @@ impl Scene {
             }
             let mut all = Vec::new();
             for (&object, triangles) in scene.parts(&canvas).unwrap() {
-                let order = RefCell::new(Vec::new());
-                canvas.draw_prepared(&triangles, &Noted(&order)).unwrap();
-                all.extend(order.into_inner().iter().map(|face| 3 * face + object));
+                let order =
+                    drawn(|recorder| _ = canvas.draw_prepared(&triangles, recorder).unwrap());
+                all.extend(order.iter().map(|face| 3 * face + object));
             }
             all
         };
         let (mut all, order) = (draw(false), draw(true));
-        let mut drawn = order.clone();
+        let mut sorted = order.clone();
         all.sort_unstable();
-        drawn.sort_unstable();
-        assert_eq!(drawn, all);
+        sorted.sort_unstable();
+        assert_eq!(sorted, all);
         order
     }
 

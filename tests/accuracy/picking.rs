@@ -16,7 +16,7 @@ use crate::mode::Mode;
 use crate::moves::{self, Move, exact, product, rounded};
 use crate::reference::attributes::weights;
 use crate::reference::distance::to_segment;
-use crate::reference::projection::{self, Lens};
+use crate::reference::projection::{self, Projection as ModelProjection};
 use crate::reference::view::{Projected, View, Viewport as ModelViewport};
 
 const SIZE: (u32, u32) = (40, 30);
@@ -25,7 +25,7 @@ const LEFT: i32 = -7;
 const EDGE: f64 = 0.005;
 
 /// The least and the greatest depth of a face within [`EDGE`] of a position on the screen, in 1/65536.
-fn depths(lens: &Lens, corners: &[Projected; 3], at: [f64; 2]) -> [f64; 2] {
+fn depths(model: &ModelProjection, corners: &[Projected; 3], at: [f64; 2]) -> [f64; 2] {
     let screen = corners.map(|corner| corner.screen);
     let around = [-EDGE, EDGE];
     let found = around
@@ -38,7 +38,7 @@ fn depths(lens: &Lens, corners: &[Projected; 3], at: [f64; 2]) -> [f64; 2] {
                 weights
                     .iter()
                     .zip(corners)
-                    .map(|(w, corner)| w * lens.depth(corner.distance))
+                    .map(|(w, corner)| w * model.depth(corner.distance))
                     .sum::<f64>(),
             )
         });
@@ -73,7 +73,7 @@ fn check_numbers(hit: &Hit, ray: Ray, corners: [Vec3; 3]) {
 }
 
 fn check<K: ProjectionKind>(
-    (projection, lens): (Projection<K>, Lens),
+    (projection, model): (Projection<K>, ModelProjection),
     moves: &[Move],
     positions: &[Vec3],
     cull: Cull,
@@ -92,7 +92,7 @@ fn check<K: ProjectionKind>(
     };
     let view = View {
         eye,
-        projection: lens,
+        projection: model,
         viewport: ModelViewport {
             x: LEFT,
             y: 0,
@@ -105,7 +105,7 @@ fn check<K: ProjectionKind>(
         Move::Scale(by) => scale * exact(*by).map(f64::abs).into_iter().fold(0., f64::max),
         _ => scale,
     });
-    let focal = lens.matrix[0][0] * f64::from(SIZE.0) / 2.;
+    let focal = model.matrix[0][0] * f64::from(SIZE.0) / 2.;
     let unit = 2_f64.powi(-16) * scale * focal;
     let corners =
         |face: usize| faces[face].map(|at| view.project(exact(positions[usize::from(at)])));
@@ -113,7 +113,7 @@ fn check<K: ProjectionKind>(
     let whole = |face: usize| {
         corners(face)
             .iter()
-            .all(|corner| (lens.near..lens.far).contains(&corner.distance))
+            .all(|corner| (model.near..model.far).contains(&corner.distance))
     };
     if !(0..faces.len()).all(whole) {
         return;
@@ -144,7 +144,7 @@ fn check<K: ProjectionKind>(
                 let (Some(a), Some(b)) = (picked, drawn) else {
                     return false;
                 };
-                let [a, b] = [a, b].map(|face| depths(&lens, &corners(face), center));
+                let [a, b] = [a, b].map(|face| depths(&model, &corners(face), center));
                 // A step of the depth buffer, and a tenth of a step for the errors of both depths.
                 a[0] - 1.1 < b[1] && b[0] - 1.1 < a[1]
             };
@@ -159,7 +159,7 @@ fn check<K: ProjectionKind>(
             let nearest = if K::PERSPECTIVE { place.w } else { 1. };
             let off = (place.screen[0] - center[0]).hypot(place.screen[1] - center[1]);
             // The point and the ray's origin are rounded to a unit along each of three axes.
-            let allowed = 1e-4 + 2. * unit / nearest.min(lens.near.abs().max(0.1));
+            let allowed = 1e-4 + 2. * unit / nearest.min(model.near.abs().max(0.1));
             assert!(
                 off <= allowed,
                 "{hit:?} is {off} pixels from the ray, over {allowed}"
@@ -203,10 +203,10 @@ fn picked_faces_are_the_drawn_ones_in_perspective() {
     cases(150, |random| {
         let fov = Angle::from_degrees(random.random_range(30..100));
         let aspect = f64::from(SIZE.0) / f64::from(SIZE.1);
-        let lens = projection::perspective(moves::radians(fov), aspect, 0.25, 100.);
+        let model = projection::perspective(moves::radians(fov), aspect, 0.25, 100.);
         let projection = Projection::perspective(fov, SIZE, fx!(0.25), fx!(100)).unwrap();
         check(
-            (projection, lens),
+            (projection, model),
             &moves(random),
             &positions(random),
             cull(random),
@@ -221,10 +221,10 @@ fn picked_faces_are_the_drawn_ones_in_parallel() {
         let window = Window::centered(scalar(2. * half).unwrap(), scalar(1.5 * half).unwrap());
         let [l, r, b, t] =
             [window.left, window.right, window.bottom, window.top].map(|x| x.to_num());
-        let lens = projection::orthographic(l, r, b, t, -20., 60.);
+        let model = projection::orthographic(l, r, b, t, -20., 60.);
         let projection = Projection::orthographic(window, fx!(-20), fx!(60)).unwrap();
         check(
-            (projection, lens),
+            (projection, model),
             &moves(random),
             &positions(random),
             cull(random),

@@ -375,8 +375,8 @@ fn rows_at_the_ends_of_the_format_keep_the_promises() {
         for second in (60..400).step_by(11) {
             let ends = [first, second].map(f64::from);
             for flip in [false, true] {
-                for (corner, towards) in [(NEAREST + 3. * unit, -unit), (8. * NEAREST, unit)] {
-                    let mut ends = ends.map(|end| 4. * NEAREST + end * towards);
+                for (corner, toward) in [(NEAREST + 3. * unit, -unit), (8. * NEAREST, unit)] {
+                    let mut ends = ends.map(|end| 4. * NEAREST + end * toward);
                     if flip {
                         ends.reverse();
                     }

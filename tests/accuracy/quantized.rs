@@ -1,39 +1,18 @@
 //! Attributes stored in 8 and 16 bits, compared with the numbers before rounding.
 
-use std::cell::Cell;
+use std::cell::RefCell;
 
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::mesh::Quantized;
 use fixel::mesh::flash::{StoredUvs, normals_of_8, quantized_8, quantized_16};
 use fixel::prelude::*;
-use fixel::shade::PerFace;
 use rand::Rng;
 
 use crate::common::random::{Random, cases};
+use crate::common::recorder::Probe;
 
 /// Three normals and three texture coordinates.
 type Attributes = ([Vec3; 3], [Vec2; 3]);
-
-/// A shader that records the attributes of a triangle.
-#[derive(Clone, Copy)]
-struct Notes<'a>(&'a Cell<Option<Attributes>>);
-
-impl Shader for Notes<'_> {
-    type Color = Gray8;
-    type Varyings = PerFace<u8>;
-
-    fn varyings(&self, primitive: &Primitive<'_>) -> [PerFace<u8>; 3] {
-        #[allow(clippy::redundant_closure_for_method_calls)]
-        // The closure works for any lifetime; the path `Corner::normal` does not.
-        let normals = primitive.corners(|corner| corner.normal());
-        self.0.set(Some((normals, primitive.uvs())));
-        [PerFace(0); 3]
-    }
-
-    fn shade(&self, _: &Fragment, _: PerFace<u8>) -> Option<Gray8> {
-        None
-    }
-}
 
 /// The attributes that a shader sees.
 fn seen(normals: &[Vec3; 3], uvs: StoredUvs<'_>, grid: fixel::mesh::flash::UvGrid) -> Attributes {
@@ -44,9 +23,20 @@ fn seen(normals: &[Vec3; 3], uvs: StoredUvs<'_>, grid: fixel::mesh::flash::UvGri
     let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100)).unwrap();
     let mut pixels = [Gray8::new(0); 12];
     let mut canvas = Canvas::new(&mut pixels, 4, 3).unwrap();
-    let notes = Cell::new(None);
-    canvas.draw(mesh.mesh(), &projection, &mesh.shader(Notes(&notes)));
-    notes.get().unwrap()
+    let corners = RefCell::new(Vec::new());
+    let probe = Probe::<_, Gray8> {
+        values: &|corner| {
+            corners.borrow_mut().push((corner.normal(), corner.uv()));
+            [0; 1]
+        },
+        color: None,
+    };
+    canvas.draw(mesh.mesh(), &projection, &mesh.shader(probe));
+    let corners: [(Vec3, Vec2); 3] = corners.into_inner().try_into().unwrap();
+    (
+        corners.map(|corner| corner.0),
+        corners.map(|corner| corner.1),
+    )
 }
 
 fn bits(random: &mut Random) -> i32 {

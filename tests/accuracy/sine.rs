@@ -141,7 +141,7 @@ fn displaced(model: &Model) -> Displaced {
             (sin - angle.sin()).hypot(cos - angle.cos()) + 2_f64.powi(-17)
         });
         let places = [polynomial, approximation]
-            .map(|turn| model.drawing(turn(angles)).places(&model.positions));
+            .map(|turn| model.drawing(turn(angles)).snapped(&model.positions));
         for (i, &position) in model.positions.iter().enumerate() {
             let position = crate::moves::exact(position);
             let wanted = view.project(position).screen;

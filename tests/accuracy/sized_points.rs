@@ -1,8 +1,8 @@
 //! Sized points: their pixels, from exact integers; sizes in world space, from f64.
 
-use crate::bands::{CASES, Frame, Pen, SIZE, counts, drawn, modelled, place};
+use crate::bands::{CASES, Frame, SIZE, XRecorder, counts, drawn, modeled, point};
 use crate::common::random::{cases, within};
-use crate::common::{at_subpixel, pixel_lens};
+use crate::common::{at_subpixel, pixel_projection};
 use crate::moves::number;
 use crate::reference::coverage::{Bounds, center, picture};
 use embedded_graphics::pixelcolor::Gray8;
@@ -15,7 +15,7 @@ use rand::Rng;
 #[test]
 fn points_are_the_models() {
     cases(CASES, |random| {
-        let (place, is_round) = (place(random), random.random());
+        let (point, is_round) = (point(random, SIZE), random.random());
         let most = if random.random() {
             300 << 16
         } else {
@@ -23,8 +23,8 @@ fn points_are_the_models() {
         };
         let bits = random.random_range(1..=most);
         let rows = random.random_range(1..40);
-        let mvp = pixel_lens(SIZE);
-        let positions = [at_subpixel(place)];
+        let mvp = pixel_projection(SIZE);
+        let positions = [at_subpixel(point)];
         let mesh = Mesh::new(&positions, &[]).unwrap();
         let size = Scalar::from_bits(bits);
         let style = if is_round {
@@ -33,22 +33,22 @@ fn points_are_the_models() {
             PointStyle::square(size)
         }
         .unwrap();
-        let draw = |frame: &mut Frame<'_>, pen: &Pen<'_, '_>| {
-            frame.draw_sized_points(&DrawOptions::new(), &mesh, style, &mvp, pen)
+        let draw = |frame: &mut Frame<'_>, recorder: &XRecorder<'_, '_>| {
+            frame.draw_sized_points(&DrawOptions::new(), &mesh, style, &mvp, recorder)
         };
         let seen = drawn(SIZE.1, &draw);
         let half = ((i64::from(bits) + 256) >> 9).clamp(128, 255 * 128);
-        let model = modelled(&|pixel| {
+        let model = modeled(&|pixel| {
             let [x, y] =
-                [0, 1].map(|axis| i64::from(pixel[axis]) * 256 + 128 - i64::from(place[axis]));
-            let is_own = [0, 1].map(|axis| place[axis].div_euclid(256)) == pixel;
+                [0, 1].map(|axis| i64::from(pixel[axis]) * 256 + 128 - i64::from(point[axis]));
+            let is_own = [0, 1].map(|axis| point[axis].div_euclid(256)) == pixel;
             if is_round {
                 is_own || x * x + y * y <= half * half
             } else {
                 [x, y].iter().all(|&away| -half < away && away <= half)
             }
         });
-        let inputs = || format!("{style:?} at {place:?}, {rows} rows");
+        let inputs = || format!("{style:?} at {point:?}, {rows} rows");
         assert_eq!(
             picture(&counts(&seen), SIZE.0),
             picture(&model, SIZE.0),
@@ -64,11 +64,11 @@ fn points_are_the_models() {
         );
         if bits == 1 << 16 && !is_round {
             assert_eq!(
-                drawn(SIZE.1, &|frame, pen| frame.draw_points(
+                drawn(SIZE.1, &|frame, recorder| frame.draw_points(
                     &DrawOptions::new(),
                     &mesh,
                     &mvp,
-                    pen
+                    recorder
                 )),
                 seen
             );
@@ -107,11 +107,11 @@ fn attenuated_points_are_the_models() {
                     .unwrap();
             let options = DrawOptions::new();
             let size = f64::from(size.to_bits()) / 65536.;
-            let perspective = drawn(SIZE.1, &|frame, pen| {
-                frame.draw_sized_points(&options, &mesh, style, &(focal * model), pen)
+            let perspective = drawn(SIZE.1, &|frame, recorder| {
+                frame.draw_sized_points(&options, &mesh, style, &(focal * model), recorder)
             });
-            let parallel = drawn(SIZE.1, &|frame, pen| {
-                frame.draw_sized_points(&options, &mesh, style, &(window * model), pen)
+            let parallel = drawn(SIZE.1, &|frame, recorder| {
+                frame.draw_sized_points(&options, &mesh, style, &(window * model), recorder)
             });
             let mut colors = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
             let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();

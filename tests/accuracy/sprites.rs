@@ -12,7 +12,7 @@ use crate::common::random::{Random, cases, within};
 use crate::moves::{self, Move, exact, number, product, relative, rounded, size};
 use crate::recorder::Probe;
 use crate::reference::linear::{Matrix, direction, inverse, length, point};
-use crate::reference::projection::{self, Lens};
+use crate::reference::projection::{self, Projection as ModelProjection};
 use crate::reference::sprites::Sprite;
 
 const SIZE: (u32, u32) = (64, 48);
@@ -88,16 +88,23 @@ fn allowed(all: &[Move], eye: &Matrix, kind: Kind, sprite: &Sprite, ahead: f64) 
     unit + moved + largest * (growth + turn + 2_f64.powi(-27))
 }
 
-fn is_perspective(lens: &Lens) -> bool {
-    lens.kind == projection::Kind::Perspective
+fn is_perspective(projection: &ModelProjection) -> bool {
+    projection.kind == projection::Kind::Perspective
 }
 
 /// Whether a sprite with these corners is well inside the picture and certainly has a pixel.
-fn is_shown(lens: &Lens, corners: &[[f64; 3]; 4]) -> bool {
+fn is_shown(projection: &ModelProjection, corners: &[[f64; 3]; 4]) -> bool {
     // A circle whose radius is above √½ pixel contains a pixel's center. So a triangle with such a circle inside it,
     // well within the picture, has a pixel.
-    let w = |corner: &[f64; 3]| if is_perspective(lens) { -corner[2] } else { 1. };
-    let place = |corner: &[f64; 3], axis: usize| corner[axis] * lens.matrix[axis][axis] / w(corner);
+    let w = |corner: &[f64; 3]| {
+        if is_perspective(projection) {
+            -corner[2]
+        } else {
+            1.
+        }
+    };
+    let place =
+        |corner: &[f64; 3], axis: usize| corner[axis] * projection.matrix[axis][axis] / w(corner);
     let is_inside = |corner: &[f64; 3]| {
         (1. ..90.).contains(&-corner[2])
             && place(corner, 0).abs() < 0.9
@@ -118,14 +125,14 @@ fn is_shown(lens: &Lens, corners: &[[f64; 3]; 4]) -> bool {
 }
 
 fn check<K: ProjectionKind>(
-    (projection, lens): (Projection<K>, Lens),
+    (projection, model): (Projection<K>, ModelProjection),
     places: &[Vec<Move>; 2],
     kind: Kind,
     position: Vec3,
 ) {
     let [(view, _), (place, _)] = [product(&places[0]), product(&places[1])];
     let mvp = projection * Camera::from_view(view) * place;
-    compare(lens, places, kind, position, &|canvas, sprites, probe| {
+    compare(model, places, kind, position, &|canvas, sprites, probe| {
         canvas.draw_sprites(&DrawOptions::new(), sprites, &mvp, probe);
     });
 }
@@ -135,7 +142,7 @@ type Draw<'a> = &'a dyn Fn(&mut Canvas<'_, Gray8>, &Sprites<'_>, &Probe<'_, [i32
 
 /// Compares the corners that a function draws with the model's.
 fn compare(
-    lens: Lens,
+    projection: ModelProjection,
     [camera, model]: &[Vec<Move>; 2],
     kind: Kind,
     position: Vec3,
@@ -166,13 +173,13 @@ fn compare(
     }
 
     // In the model, a length in pixels is a length in eye space at the sprite's distance.
-    let ahead = if is_perspective(&lens) {
+    let ahead = if is_perspective(&projection) {
         -point(&eye, exact(position))[2]
     } else {
         1.
     };
     let factors = [(0, SIZE.0), (1, SIZE.1)].map(|(axis, size): (usize, u32)| {
-        let pixel = 2. / (lens.matrix[axis][axis] * f64::from(size));
+        let pixel = 2. / (projection.matrix[axis][axis] * f64::from(size));
         let unit = if kind.in_pixels {
             pixel * ahead.max(0.)
         } else {
@@ -205,7 +212,7 @@ fn compare(
     let mut pixels = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
     let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
     draw(&mut canvas, &sprites, &probe);
-    if is_shown(&lens, &expected) {
+    if is_shown(&projection, &expected) {
         assert!(!seen.borrow().is_empty(), "{sprite:?} has no pixels");
     }
     let (back, unit) = (inverse(&view_matrix).unwrap(), 2_f64.powi(-16));
@@ -246,10 +253,10 @@ fn corners_in_perspective_are_the_models() {
         let fov = Angle::from_degrees(random.random_range(40..120));
         let (near, far) = (fx!(0.5), fx!(100));
         let aspect = f64::from(SIZE.0) / f64::from(SIZE.1);
-        let lens = projection::perspective(moves::radians(fov), aspect, 0.5, 100.);
+        let model = projection::perspective(moves::radians(fov), aspect, 0.5, 100.);
         let projection = Projection::perspective(fov, SIZE, near, far).unwrap();
         let position = rounded(anywhere(random, 4.));
-        check((projection, lens), &places(random), kind(random), position);
+        check((projection, model), &places(random), kind(random), position);
     });
 }
 
@@ -264,9 +271,9 @@ fn corners_in_parallel_are_the_models() {
             top: half,
         };
         let edge = half.to_num::<f64>();
-        let lens = projection::orthographic(-edge, edge, -edge, edge, 0., 100.);
+        let model = projection::orthographic(-edge, edge, -edge, edge, 0., 100.);
         let projection = Projection::orthographic(window, fx!(0), fx!(100)).unwrap();
         let position = rounded(anywhere(random, 4.));
-        check((projection, lens), &places(random), kind(random), position);
+        check((projection, model), &places(random), kind(random), position);
     });
 }

@@ -47,7 +47,7 @@ impl<K: ProjectionKind, const N: usize> Triangle<K, N> {
 
     /// The corners' positions in 24.8; `None` if the triangle is clipped or two corners coincide.
     pub fn screen(&self) -> Option<Snapped> {
-        match self.drawing(Mode::Exact).places(&self.positions)[..] {
+        match self.drawing(Mode::Exact).snapped(&self.positions)[..] {
             [Some(a), Some(b), Some(c)] if a != b && b != c && c != a => Some([a, b, c]),
             _ => None,
         }

@@ -1,9 +1,9 @@
 //! Wide lines: their pixels, from exact integers; the shares of anti-aliased lines, from f64.
 
-use crate::bands::{CASES, Point, SIZE, counts, drawn, modelled, place};
+use crate::bands::{CASES, Point, SIZE, counts, drawn, modeled, point};
 use crate::common::random::{Random, cases, within};
 use crate::common::recorder::Seen;
-use crate::common::{at_subpixel, pixel_lens};
+use crate::common::{at_subpixel, pixel_projection};
 use crate::reference::blending::over;
 use crate::reference::coverage::{Bounds, center, picture};
 use crate::reference::lines::share;
@@ -27,8 +27,8 @@ where
     B: Blending<Gray8, Source = Gray8>,
     L: LineStyle<Gray8>,
 {
-    drawn(rows, &|frame, pen| {
-        frame.draw_edges(options, mesh, mvp, pen)
+    drawn(rows, &|frame, recorder| {
+        frame.draw_edges(options, mesh, mvp, recorder)
     })
 }
 
@@ -107,12 +107,12 @@ fn perspective() -> Projection<Perspective> {
 #[test]
 fn wide_lines_are_the_models() {
     cases(CASES, |random| {
-        let (ends, half) = ([place(random), place(random)], half(random));
+        let (ends, half) = ([point(random, SIZE), point(random, SIZE)], half(random));
         let rows = random.random_range(1..40);
-        let mvp = pixel_lens(SIZE);
+        let mvp = pixel_projection(SIZE);
         let positions = ends.map(at_subpixel);
         let width = width(half);
-        let model = modelled(&|pixel| on_line(ends, half.into(), pixel));
+        let model = modeled(&|pixel| on_line(ends, half.into(), pixel));
         let mut first = None;
         for edge in [[[0, 1]], [[1, 0]]] {
             let mesh = line(&positions, &edge);
@@ -158,9 +158,9 @@ fn wide_lines_are_the_models() {
 #[test]
 fn smooth_lines_are_the_models() {
     cases(CASES, |random| {
-        let (ends, half) = ([place(random), place(random)], half(random));
+        let (ends, half) = ([point(random, SIZE), point(random, SIZE)], half(random));
         let rows = random.random_range(1..40);
-        let mvp = pixel_lens(SIZE);
+        let mvp = pixel_projection(SIZE);
         let positions = ends.map(at_subpixel);
         let mesh = line(&positions, &[[0, 1]]);
         let width = width(half);
@@ -319,20 +319,20 @@ fn wide_outlines_widen_the_thin_outline() {
     let camera = Camera::look_at(vec3!(1, 2, 3), Vec3::ZERO, Vec3::Y).unwrap();
     let mvp = projection * camera;
     let options = DrawOptions::new();
-    let thin = drawn(SIZE.1, &|frame, pen| {
-        frame.draw_outline(&options, &CAN, &RIMS, &mvp, pen)
+    let thin = drawn(SIZE.1, &|frame, recorder| {
+        frame.draw_outline(&options, &CAN, &RIMS, &mvp, recorder)
     });
     let wide = |width| {
         let wide = options.with_line(LineWidth::new(width).unwrap());
-        drawn(SIZE.1, &|frame, pen| {
-            frame.draw_outline(&wide, &CAN, &RIMS, &mvp, pen)
+        drawn(SIZE.1, &|frame, recorder| {
+            frame.draw_outline(&wide, &CAN, &RIMS, &mvp, recorder)
         })
     };
     assert_eq!(wide(fx!(1)), thin);
     // The center of each pixel of a plain line is within half a pixel of the line, so a smooth line draws it too.
     let smooth = options.with_line(LineWidth::new(fx!(1)).unwrap().smooth());
-    let smooth = drawn(SIZE.1, &|frame, pen| {
-        frame.draw_outline(&smooth, &CAN, &RIMS, &mvp, pen)
+    let smooth = drawn(SIZE.1, &|frame, recorder| {
+        frame.draw_outline(&smooth, &CAN, &RIMS, &mvp, recorder)
     });
     let smooth = counts(&smooth);
     assert!(
@@ -359,12 +359,12 @@ fn blended_lines_are_the_models() {
     let glass = DrawOptions::new().with_blending(Opacity(100));
     let mut colors = vec![Gray8::new(60); (SIZE.0 * SIZE.1) as usize];
     let mut canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
-    let pen = Flat::new(Gray8::new(240));
+    let gray = Flat::new(Gray8::new(240));
     canvas.draw_edges(
         &glass.with_line(width.smooth()),
         &mesh,
-        &pixel_lens(SIZE),
-        &pen,
+        &pixel_projection(SIZE),
+        &gray,
     );
     let screen = ends.map(|end: Point| end.map(|at| f64::from(at) / 256.));
     let mut partly = 0;

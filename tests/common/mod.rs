@@ -8,9 +8,9 @@ pub mod random;
 pub mod recorder;
 
 use embedded_graphics::pixelcolor::Gray8;
+use fixel::Drawn;
 use fixel::prelude::*;
 use fixel::view::{Parallel, ProjectionKind};
-use fixel::{Drawn, ScreenPoint};
 
 use recorder::{Recorder, record};
 
@@ -79,22 +79,12 @@ impl Counter {
         self.with(&|canvas, count| canvas.draw_points(options, mesh, mvp, count))
     }
 
-    /// The position that the crate computes for a point, before culling and the guard band.
-    pub fn place<K: ProjectionKind>(
-        &mut self,
-        options: &DrawOptions,
-        mvp: &Mvp<K>,
-        point: Vec3,
-    ) -> Option<ScreenPoint> {
+    /// The position that the crate computes for a point, in 24.8 fixed point, before culling and the guard band.
+    pub fn snapped<K: ProjectionKind>(&mut self, mvp: &Mvp<K>, point: Vec3) -> Option<[i32; 2]> {
         let (width, height) = self.size;
         let canvas = Canvas::new(&mut self.pixels, width, height).unwrap();
-        canvas.project(options, mvp, point)
-    }
-
-    /// The position that the crate computes for a point, in 24.8 fixed point.
-    pub fn snapped<K: ProjectionKind>(&mut self, mvp: &Mvp<K>, point: Vec3) -> Option<[i32; 2]> {
-        let place = self.place(&DrawOptions::new(), mvp, point)?;
-        Some([place.x.to_bits(), place.y.to_bits()])
+        let at = canvas.project(&DrawOptions::new(), mvp, point)?;
+        Some([at.x.to_bits(), at.y.to_bits()])
     }
 
     /// How often each pixel was drawn since the last call, in row order.
@@ -126,7 +116,7 @@ pub fn character(count: u32) -> char {
 /// Pixel coordinates are exact to the last of their eight fraction bits. The projection maps x to (2/width)·x − 1 with
 /// a factor rounded to 30 bits, and the viewport maps the result back to pixels. The error is less than 2⁻²⁹ · 4096
 /// pixels, which is far less than half of 1/256.
-pub fn pixel_lens((width, height): (u32, u32)) -> Mvp<Parallel> {
+pub fn pixel_projection((width, height): (u32, u32)) -> Mvp<Parallel> {
     let [width, height] = [width, height].map(Scalar::from_num);
     let projection = Projection::orthographic(
         Window {
@@ -141,7 +131,7 @@ pub fn pixel_lens((width, height): (u32, u32)) -> Mvp<Parallel> {
     projection.unwrap().into()
 }
 
-/// The position that [`pixel_lens`] maps to this point of the picture, given in 24.8 fixed point.
+/// The position that [`pixel_projection`] maps to this point of the picture, given in 24.8 fixed point.
 pub fn at_subpixel([x, y]: [i32; 2]) -> Vec3 {
     Vec3::from_bits([x << 8, -y << 8, 0])
 }

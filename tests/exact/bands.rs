@@ -159,7 +159,7 @@ impl Scene {
             let prepared = list.prepare(&options, (WIDTH, HEIGHT), &mesh, mvp).unwrap();
             for rows in [HEIGHT].into_iter().chain(BANDS) {
                 let mut counts = [vec![], vec![]];
-                let given = bands(rows, &mut |band| {
+                let drawn = bands(rows, &mut |band| {
                     band.clear(Rgb888::new(1, 2, 3));
                     counts[0].push(band.draw_prepared(&prepared, &Bits).unwrap());
                 });
@@ -167,7 +167,7 @@ impl Scene {
                     band.clear(Rgb888::new(1, 2, 3));
                     counts[1].push(band.draw_with(&options, &mesh, mvp, &Bits));
                 });
-                assert!(given == expected, "{name}: bands of {rows} rows differ");
+                assert!(drawn == expected, "{name}: bands of {rows} rows differ");
                 assert_eq!(counts[0], counts[1]);
             }
         }
@@ -330,10 +330,10 @@ fn a_large_prepared_mesh_equals_the_frame() {
             .clipped;
     });
     assert!(clipped > 10, "{clipped}");
-    let given = bands(5, &mut |band| {
+    let drawn = bands(5, &mut |band| {
         band.draw_prepared(&ball, &Bits).unwrap();
     });
-    assert!(given == frame);
+    assert!(drawn == frame);
 }
 
 #[test]

@@ -172,14 +172,14 @@ fn a_canvas_of_another_frame_is_refused() {
 fn one_meshs_list_refuses_a_canvas_of_another_frame() {
     let mut list: TriangleList<300, 400> = TriangleList::new();
     let mut lines: EdgeList<300, 300> = EdgeList::new();
-    let (options, pen) = (DrawOptions::new(), Flat::new(Gray8::WHITE));
+    let (options, white) = (DrawOptions::new(), Flat::new(Gray8::WHITE));
     let ball = list.prepare(&options, SIZE, &BALL, &view()).unwrap();
     let edges = lines.prepare(&options, SIZE, &BALL, &view()).unwrap();
     let width = LineWidth::new(fx!(2)).unwrap();
     let mut color = [Gray8::BLACK; PIXELS];
     let mut band = Canvas::band(&mut color[..WIDTH as usize], WIDTH, HEIGHT, 7).unwrap();
-    assert!(band.draw_prepared(&ball, &pen).is_ok());
-    assert!(band.draw_prepared_edges(&edges, &pen).is_ok());
+    assert!(band.draw_prepared(&ball, &white).is_ok());
+    assert!(band.draw_prepared_edges(&edges, &white).is_ok());
     // A wider frame, and one with one row less.
     for (width_of_frame, height) in [(WIDTH * 2, HEIGHT / 2), (WIDTH, HEIGHT - 1)] {
         color.fill(Gray8::BLACK);
@@ -189,10 +189,10 @@ fn one_meshs_list_refuses_a_canvas_of_another_frame() {
             "canvas belongs to a frame of {width_of_frame}x{height}: the list was prepared for 48x36"
         );
         let all = [
-            canvas.draw_prepared(&ball, &pen),
-            canvas.draw_prepared_edges(&edges, &pen),
-            canvas.draw_prepared_edges(&edges.with_line(width), &pen),
-            canvas.draw_prepared_edges(&edges.with_line(width.smooth()), &pen),
+            canvas.draw_prepared(&ball, &white),
+            canvas.draw_prepared_edges(&edges, &white),
+            canvas.draw_prepared_edges(&edges.with_line(width), &white),
+            canvas.draw_prepared_edges(&edges.with_line(width.smooth()), &white),
         ];
         for refused in all {
             assert_eq!(refused.unwrap_err().to_string(), expected);
@@ -222,10 +222,10 @@ fn a_scene_of_edges_draws_outlines_or_all_edges() {
     let mut canvas = Canvas::new(&mut direct, WIDTH, HEIGHT).unwrap();
     let mut counts = Vec::new();
     for object in &objects {
-        let (mesh, mvp, pen) = (object.mesh, view() * object.model, &object.material);
+        let (mesh, mvp, shader) = (object.mesh, view() * object.model, &object.material);
         let drawn = match object.outline {
-            Some(outline) => canvas.draw_outline(&wide, mesh, outline, &mvp, pen),
-            None => canvas.draw_edges(&wide, mesh, &mvp, pen),
+            Some(outline) => canvas.draw_outline(&wide, mesh, outline, &mvp, shader),
+            None => canvas.draw_edges(&wide, mesh, &mvp, shader),
         };
         if drawn.drawn > 0 {
             counts.push(drawn);
@@ -242,7 +242,7 @@ fn a_scene_of_edges_draws_outlines_or_all_edges() {
             let mut band = Canvas::band(&mut color, WIDTH, HEIGHT, first).unwrap();
             let parts = scene.parts(&band).unwrap();
             let drawn: Vec<_> = parts
-                .map(|(pen, edges)| band.draw_prepared_edges(&edges, pen).unwrap())
+                .map(|(shader, edges)| band.draw_prepared_edges(&edges, shader).unwrap())
                 .collect();
             assert!(rows < HEIGHT || drawn == counts, "{drawn:?}: {counts:?}");
             frame.extend(color);
@@ -273,7 +273,7 @@ fn a_scene_of_edges_draws_outlines_or_all_edges() {
 #[test]
 fn prepared_edges_in_bands_equal_the_frame() {
     let near = view() * Transform::translate(vec3!(0, 0.2, 2.3)) * Transform::scale(fx!(1.3));
-    let (options, pen) = (DrawOptions::new(), Flat::new(Gray8::WHITE));
+    let (options, white) = (DrawOptions::new(), Flat::new(Gray8::WHITE));
     let mut lines: EdgeList<300, 600> = EdgeList::new();
     let picture = |rows: u32, draw: &dyn Fn(&mut Canvas<'_, Gray8>) -> Drawn| {
         let mut color = [Gray8::BLACK; PIXELS];
@@ -291,14 +291,14 @@ fn prepared_edges_in_bands_equal_the_frame() {
         for rows in [HEIGHT, 5, 1] {
             let edges = lines.prepare(&options, SIZE, &BALL, &near).unwrap();
             let (direct, counts) = picture(HEIGHT, &|canvas| {
-                canvas.draw_edges(&options, &BALL, &near, &pen)
+                canvas.draw_edges(&options, &BALL, &near, &white)
             });
             assert!(
                 counts[0].clipped > 10 && counts[0].drawn > 100,
                 "{counts:?}"
             );
             let (prepared, drawn) = picture(rows, &|band| {
-                band.draw_prepared_edges(&edges, &pen).unwrap()
+                band.draw_prepared_edges(&edges, &white).unwrap()
             });
             assert!(prepared == direct && drawn[0].submitted == counts[0].submitted);
             assert!(
@@ -306,20 +306,21 @@ fn prepared_edges_in_bands_equal_the_frame() {
                 "{drawn:?}"
             );
             let (direct, _) = picture(HEIGHT, &|canvas| {
-                canvas.draw_edges(&options.with_line(width), &BALL, &near, &pen)
+                canvas.draw_edges(&options.with_line(width), &BALL, &near, &white)
             });
             let wide = edges.with_line(width);
-            let (prepared, _) =
-                picture(rows, &|band| band.draw_prepared_edges(&wide, &pen).unwrap());
+            let (prepared, _) = picture(rows, &|band| {
+                band.draw_prepared_edges(&wide, &white).unwrap()
+            });
             assert!(prepared == direct);
             // With blending, too.
             let glass = options.with_blending(Opacity(99)).with_line(width.smooth());
             let (direct, _) = picture(HEIGHT, &|canvas| {
-                canvas.draw_edges(&glass, &BALL, &near, &pen)
+                canvas.draw_edges(&glass, &BALL, &near, &white)
             });
             let glass = edges.with_blending(Opacity(99)).with_line(width.smooth());
             let (prepared, _) = picture(rows, &|band| {
-                band.draw_prepared_edges(&glass, &pen).unwrap()
+                band.draw_prepared_edges(&glass, &white).unwrap()
             });
             assert!(prepared == direct);
 
@@ -327,10 +328,10 @@ fn prepared_edges_in_bands_equal_the_frame() {
                 .prepare_outline(&options, SIZE, &BALL, &OUTLINE, &near)
                 .unwrap();
             let (direct, counts) = picture(HEIGHT, &|canvas| {
-                canvas.draw_outline(&options, &BALL, &OUTLINE, &near, &pen)
+                canvas.draw_outline(&options, &BALL, &OUTLINE, &near, &white)
             });
             let (prepared, drawn) = picture(rows, &|band| {
-                band.draw_prepared_edges(&edges, &pen).unwrap()
+                band.draw_prepared_edges(&edges, &white).unwrap()
             });
             assert!(prepared == direct && drawn[0].submitted == counts[0].submitted);
         }

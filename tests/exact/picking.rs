@@ -130,7 +130,7 @@ fn no_ray_and_no_mesh_panics() {
 }
 
 /// A frame of 12x6 pixels whose right half is nearer than its left half.
-fn labelled(
+fn labeled(
     draw: impl FnOnce(&mut Canvas<'_, Rgb565, fixel::target::Native, fixel::target::Depth<'_>>),
 ) -> (MockDisplay<Rgb565>, Vec<u16>) {
     let mut colors = [Rgb565::BLACK; 12 * 6];
@@ -201,7 +201,7 @@ fn at(x: i32, y: i32, depth: u16) -> ScreenPoint {
 
 #[test]
 fn a_labels_point_gives_its_place_and_depth() {
-    let (display, depths) = labelled(|canvas| {
+    let (display, depths) = labeled(|canvas| {
         let style = PrimitiveStyle::with_fill(Rgb565::RED);
         let mut label = canvas.label(at(4, 2, 199));
         Rectangle::new(Point::new(-1, -1), Size::new(5, 2))
@@ -242,7 +242,7 @@ fn a_labels_point_gives_its_place_and_depth() {
 #[test]
 fn labels_accept_any_place_and_any_area() {
     for x in [i32::MIN >> 8, -1, 0, 5, i32::MAX >> 8] {
-        let (display, _) = labelled(|canvas| {
+        let (display, _) = labeled(|canvas| {
             let mut label = canvas.label(at(x, x, 150));
             let area = label.bounding_box();
             assert_eq!(area, Rectangle::new(Point::new(-x, -x), Size::new(12, 6)));
@@ -287,7 +287,7 @@ impl Iterator for FromLeast {
 #[test]
 fn a_labels_rectangle_may_begin_below_the_range() {
     for origin in [-5, 0, 3] {
-        let (display, _) = labelled(|canvas| {
+        let (display, _) = labeled(|canvas| {
             let mut label = canvas.label(at(origin, origin, 150));
             // In the frame, it ends after column and row 2 + `origin`.
             let area = Rectangle::new(

@@ -2,7 +2,7 @@
 //!
 //! Corners are given in pixels and fractions of a pixel. The center of a pixel is at one half.
 
-use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
+use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::prelude::*;
 use fixel::view::Parallel;
@@ -35,7 +35,7 @@ fn assert_picture(points: &[[f64; 2]], options: &DrawOptions, expected: &str) {
         .collect();
     assert_mesh(
         &Mesh::new(&positions, &faces).unwrap(),
-        &pixel_lens(SIZE),
+        &pixel_projection(SIZE),
         options,
         expected,
     );
@@ -340,7 +340,7 @@ fn triangles_that_slant_out_of_the_frame() {
     canvas.draw_with(
         &BOTH_SIDES,
         &mesh,
-        &pixel_lens(SIZE),
+        &pixel_projection(SIZE),
         &Flat::new(Rgb565::WHITE),
     );
     let drawn = pixels.map(|pixel| if pixel == Rgb565::BLACK { '.' } else { '1' });
@@ -353,7 +353,7 @@ fn triangles_that_slant_out_of_the_frame() {
 fn a_viewport_clips() {
     let everywhere = positions(&[[-900., -900.], [-900., 900.], [900., 900.], [900., -900.]]);
     let mesh = Mesh::new(&everywhere, &[[0, 1, 2], [0, 2, 3]]).unwrap();
-    let projection = pixel_lens(SIZE);
+    let projection = pixel_projection(SIZE);
     let within = |x, y, w, h| DrawOptions::new().with_viewport(Viewport::new(x, y, w, h).unwrap());
     assert_mesh(
         &mesh,
@@ -395,7 +395,7 @@ fn a_viewport_scales() {
     let right = DrawOptions::new().with_viewport(Viewport::new(4, 0, 4, 6).unwrap());
     assert_mesh(
         &mesh,
-        &pixel_lens(SIZE),
+        &pixel_projection(SIZE),
         &right,
         "
             ........
@@ -425,7 +425,7 @@ fn lines_omit_their_last_pixel() {
         .with_edges(&edges)
         .unwrap();
     let mut counter = Counter::new(SIZE);
-    counter.draw_edges(&DrawOptions::new(), &mesh, &pixel_lens(SIZE));
+    counter.draw_edges(&DrawOptions::new(), &mesh, &pixel_projection(SIZE));
     assert_counts(
         &mut counter,
         "

@@ -71,14 +71,15 @@ fn corners<K: ProjectionKind>(
 }
 
 /// A shader that keeps the texture coordinates of all pixels, in units of 2^-16 texel of 1024, and counts how often it
-/// is asked for varyings.
+/// is asked for varyings. (The shared recorder would give the two triangles of a sprite different varyings: their
+/// indices. So none would be drawn as a rectangle.)
 #[derive(Clone, Copy)]
-struct Coordinates<'a> {
+struct TexelRecorder<'a> {
     found: &'a RefCell<Vec<(Point, [i32; 2])>>,
     asked: &'a Cell<usize>,
 }
 
-impl Shader for Coordinates<'_> {
+impl Shader for TexelRecorder<'_> {
     type Color = Rgb565;
     type Varyings = Texels;
 
@@ -113,9 +114,11 @@ impl Shader for Bent {
 }
 
 /// The texture coordinates of all pixels, sorted by pixel, and how often the shader was asked for its varyings.
-fn coordinates(draw: &dyn Fn(&mut Screen<'_>, Coordinates<'_>)) -> (Vec<(Point, [i32; 2])>, usize) {
+fn coordinates(
+    draw: &dyn Fn(&mut Screen<'_>, TexelRecorder<'_>),
+) -> (Vec<(Point, [i32; 2])>, usize) {
     let (found, asked) = (RefCell::new(Vec::new()), Cell::new(0));
-    let shader = Coordinates {
+    let shader = TexelRecorder {
         found: &found,
         asked: &asked,
     };

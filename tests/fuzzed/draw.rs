@@ -5,12 +5,12 @@ use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 
+use super::call::Call;
 use super::model::Truth;
 use super::projection::Projected;
 use super::scene::{Room, Scene, What};
 use super::shaders::Bits;
 use super::shades::{self, Draw, Shade, Shine};
-use super::ways::Call;
 use crate::mode::Mode;
 use crate::recorder::{Few, Record};
 
@@ -41,37 +41,21 @@ impl Drop for Told<'_> {
 fn check_scene(scene: &Scene) -> Result<(), Error> {
     let mut rooms = [Room::EMPTY; 2];
     let mesh = &scene.mesh(&mut rooms)?;
-    let (options, window) = (scene.options()?, scene.window()?);
-    let (camera, place) = (scene.eye.camera()?, scene.place.transform());
+    let (camera, model) = (scene.eye.camera()?, scene.model.transform());
     match scene.projection.projection(scene.size)? {
-        Projected::Perspective(projection) => {
-            let mvp = projection * camera * place;
-            check_call(
-                &Call {
-                    scene,
-                    mesh,
-                    mvp,
-                    window,
-                },
-                options,
-            )
-        }
-        Projected::Parallel(projection) => {
-            let mvp = projection * camera * place;
-            check_call(
-                &Call {
-                    scene,
-                    mesh,
-                    mvp,
-                    window,
-                },
-                options,
-            )
-        }
+        Projected::Perspective(projection) => check_call(scene, mesh, projection * camera * model),
+        Projected::Parallel(projection) => check_call(scene, mesh, projection * camera * model),
     }
 }
 
-fn check_call<K: ProjectionKind>(call: &Call<'_, K>, options: DrawOptions) -> Result<(), Error> {
+fn check_call<K: ProjectionKind>(scene: &Scene, mesh: &Mesh, mvp: Mvp<K>) -> Result<(), Error> {
+    let (options, window) = (scene.options()?, scene.window()?);
+    let call = &Call {
+        scene,
+        mesh,
+        mvp,
+        window,
+    };
     call.check_picking(&options);
     call.check_parts(&options);
     call.check_panels(&options);
@@ -87,19 +71,19 @@ fn check_call<K: ProjectionKind>(call: &Call<'_, K>, options: DrawOptions) -> Re
             between,
         } => {
             let lights = light.unwrap_or(Shine::DEFAULT).lights()?;
-            shades::draw(which, lights, color, between, Ways { call, options });
+            shades::draw(which, lights, color, between, DefaultMode { call, options });
         }
     }
     Ok(())
 }
 
 /// Checks a shader in the default mode.
-struct Ways<'a, 'c, K> {
+struct DefaultMode<'a, 'c, K> {
     call: &'a Call<'c, K>,
     options: DrawOptions,
 }
 
-impl<K: ProjectionKind> Draw for Ways<'_, '_, K> {
+impl<K: ProjectionKind> Draw for DefaultMode<'_, '_, K> {
     fn draw<F: Shader<Color = Rgb565>>(self, shader: &F) {
         // The checks with `Bits` cover what holds for the pixels of every shader.
         self.call.check_frames(&self.options, shader);
@@ -122,13 +106,13 @@ where
             first = Some(record);
             return;
         };
-        let places = |record: &Record<N, Rgb565>| -> Vec<_> {
+        let pixels = |record: &Record<N, Rgb565>| -> Vec<_> {
             let seen = record.seen.iter();
             seen.map(|seen| (seen.face, seen.pixel, seen.depth))
                 .collect()
         };
         assert!(
-            places(first) == places(&record),
+            pixels(first) == pixels(&record),
             "{mode:?}: pixels or depths differ"
         );
     };

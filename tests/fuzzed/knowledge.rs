@@ -4,7 +4,7 @@ use fixel::prelude::*;
 
 use crate::moves::{Move, exact, product, relative, size};
 use crate::reference::clip::Plane;
-use crate::reference::projection::{Kind, Lens};
+use crate::reference::projection::{Kind, Projection as ModelProjection};
 use crate::reference::view::{Projected, View, Viewport as ModelViewport};
 
 /// Half the guard band's width in pixels.
@@ -22,7 +22,12 @@ pub struct Knowledge {
 }
 
 impl Knowledge {
-    pub fn new(moves: &[Move], projection: &Lens, window: Viewport, corners: [Vec3; 3]) -> Self {
+    pub fn new(
+        moves: &[Move],
+        projection: &ModelProjection,
+        window: Viewport,
+        corners: [Vec3; 3],
+    ) -> Self {
         let (_, eye) = product(moves);
         let view = View {
             eye,
@@ -87,7 +92,7 @@ impl Knowledge {
     /// z = a·w − b, where a = (f + n)/(f − n) and b = 2fn/(f − n), is above −k·w beyond the distance n′ if k = b/n′ −
     /// a.
     pub fn planes(&self, near: f64, far: f64) -> [Plane; 2] {
-        let Lens {
+        let ModelProjection {
             near: n, far: f, ..
         } = self.view.projection;
         let (a, b) = ((f + n) / (f - n), 2. * f * n / (f - n));

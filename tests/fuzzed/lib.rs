@@ -12,7 +12,7 @@
 //! | `draw` | a scene in every mode, and with one of the crate's shaders |
 //! | `shaders` | a shader whose color depends on every bit |
 //! | `shades` | the crate's shaders |
-//! | `ways` | a draw call in bands, prepared, as bytes and twice |
+//! | `call` | a draw call in bands, prepared, as bytes and twice |
 //! | `knowledge` | the f64 model's triangles, and bounds on the crate's deviation from them |
 //! | `model` | the comparison of pixels with the f64 model |
 //! | `obj` | OBJ text: arbitrary bytes, or plausible text with mistakes |
@@ -30,11 +30,14 @@ mod mode;
 #[path = "../accuracy/moves.rs"]
 #[allow(dead_code)]
 mod moves;
+#[path = "../common/owned.rs"]
+mod owned;
 #[path = "../common/recorder.rs"]
 mod recorder;
 #[path = "../reference/mod.rs"]
 mod reference;
 
+mod call;
 pub mod draw;
 mod knowledge;
 mod model;
@@ -45,4 +48,3 @@ mod scene;
 mod shaders;
 mod shades;
 mod steps;
-mod ways;

@@ -7,8 +7,8 @@
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::prelude::{Canvas, Cull, DrawOptions, Vec3};
 
+use super::call::Call;
 use super::knowledge::Knowledge;
-use super::ways::Call;
 use crate::bounds::{self, Bound};
 use crate::mode::Mode;
 use crate::moves::exact;
@@ -63,8 +63,8 @@ impl Truth {
         let mut pixels = vec![Rgb565::new(0, 0, 0); call.scene.pixels()];
         let canvas = Canvas::new(&mut pixels, width, height).unwrap();
         let window = call.window;
-        let moves = call.scene.eye.moves().zip(call.scene.place.moves());
-        let moves = moves.map(|(eye, place)| [eye, place].concat());
+        let moves = call.scene.eye.moves().zip(call.scene.model.moves());
+        let moves = moves.map(|(eye, model)| [eye, model].concat());
         let projection = call.scene.projection.model(call.scene.size);
         let place = |index: u16| {
             let position = call.mesh.positions().get(index.into()).unwrap();

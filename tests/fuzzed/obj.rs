@@ -1,9 +1,10 @@
 //! Checks OBJ text: arbitrary bytes, or plausible text with mistakes.
 
 use arbitrary::{Result, Unstructured};
-use embedded_graphics::pixelcolor::Rgb888;
 use fixel::mesh::{Buffers, Counts, obj};
 use fixel::prelude::*;
+
+use crate::owned::Owned;
 
 /// Reads the text that these bytes encode, and checks all invariants of the result.
 ///
@@ -23,64 +24,7 @@ pub fn check(bytes: &[u8]) {
     }
 }
 
-/// A mesh that owns its lists.
-#[derive(Debug, PartialEq)]
-struct Owned {
-    counts: Counts,
-    positions: Vec<Vec3>,
-    faces: Vec<[u16; 3]>,
-    edges: Vec<[u16; 2]>,
-    uvs: Vec<Vec2>,
-    uv_faces: Vec<[u16; 3]>,
-    normals: Vec<Vec3>,
-    normal_faces: Vec<[u16; 3]>,
-    colors: Vec<Rgb888>,
-}
-
 impl Owned {
-    fn new(counts: Counts) -> Self {
-        Self {
-            counts,
-            positions: vec![Vec3::ZERO; counts.positions],
-            faces: vec![[0; 3]; counts.faces],
-            edges: vec![[0; 2]; counts.edges],
-            uvs: vec![Vec2::default(); counts.uvs],
-            uv_faces: vec![[0; 3]; counts.uv_faces],
-            normals: vec![Vec3::ZERO; counts.normals],
-            normal_faces: vec![[0; 3]; counts.normal_faces],
-            colors: vec![Rgb888::default(); counts.colors],
-        }
-    }
-
-    /// Reads text into lists with room for `counts` elements.
-    fn read(text: &[u8], counts: Counts) -> Result<Self, Error> {
-        let mut owned = Self::new(counts);
-        let mesh = obj::parse(
-            text,
-            Buffers {
-                positions: &mut owned.positions,
-                faces: &mut owned.faces,
-                edges: &mut owned.edges,
-                uvs: &mut owned.uvs,
-                uv_faces: &mut owned.uv_faces,
-                normals: &mut owned.normals,
-                normal_faces: &mut owned.normal_faces,
-                colors: &mut owned.colors,
-            },
-        )?;
-        let counts = mesh.counts();
-        owned.counts = counts;
-        owned.positions.truncate(counts.positions);
-        owned.faces.truncate(counts.faces);
-        owned.edges.truncate(counts.edges);
-        owned.uvs.truncate(counts.uvs);
-        owned.uv_faces.truncate(counts.uv_faces);
-        owned.normals.truncate(counts.normals);
-        owned.normal_faces.truncate(counts.normal_faces);
-        owned.colors.truncate(counts.colors);
-        Ok(owned)
-    }
-
     /// Checks that every index is in range, and that edges are sorted and distinct.
     fn check(&self) {
         let below = |index: u16, list: usize| usize::from(index) < list;

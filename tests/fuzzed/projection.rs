@@ -6,11 +6,11 @@ use fixel::view::{Parallel, Perspective};
 
 use super::numbers::{angle, scalar, size};
 use crate::moves::radians;
-use crate::reference::projection::{self, Lens as Model};
+use crate::reference::projection::{self, Projection as ModelProjection};
 
-/// The numbers of a projection.
+/// A constructor of projections, with its arguments.
 #[derive(Clone, Copy, Debug)]
-pub enum Lens {
+pub enum ProjectionArguments {
     Perspective(Angle, Option<Scalar>, [Scalar; 2]),
     Focal(Scalar, [Scalar; 2]),
     /// Left, right, bottom, top, near, far.
@@ -67,7 +67,7 @@ fn field_of_view(u: &mut Unstructured<'_>) -> Result<Angle> {
     }
 }
 
-impl Lens {
+impl ProjectionArguments {
     pub fn arbitrary(u: &mut Unstructured<'_>) -> Result<Self> {
         Ok(match u.int_in_range(0..=7)? {
             0 => Self::Frustum(six(u)?),
@@ -104,7 +104,7 @@ impl Lens {
     }
 
     /// The model's projection for numbers that the crate accepted.
-    pub fn model(self, frame: (u32, u32)) -> Model {
+    pub fn model(self, frame: (u32, u32)) -> ModelProjection {
         let exact = |numbers: [Scalar; 6]| numbers.map(Scalar::to_num::<f64>);
         match self {
             Self::Perspective(fov, aspect, [near, far]) => {

@@ -6,7 +6,7 @@ use fixel::mesh::Keyframes;
 use fixel::prelude::*;
 
 use super::numbers::{angle, bits, few, list, option, scalar, size, tex_coords, vector};
-use super::projection::Lens;
+use super::projection::ProjectionArguments;
 use super::shades::Shade;
 use super::steps::{Eye, Steps};
 
@@ -139,13 +139,13 @@ impl Billboard {
 /// How a mesh changes at run time.
 #[derive(Clone, Debug)]
 pub struct Changes {
-    pose: Option<Pose>,
+    keyframe: Option<Keyframe>,
     normals: Option<Crease>,
 }
 
 /// A second keyframe, and the position between the two keyframes.
 #[derive(Clone, Debug)]
-struct Pose {
+struct Keyframe {
     positions: Vec<Vec3>,
     normals: Option<Vec<Vec3>>,
     t: Scalar,
@@ -160,7 +160,7 @@ enum Crease {
 
 impl Changes {
     const NONE: Self = Self {
-        pose: None,
+        keyframe: None,
         normals: None,
     };
 
@@ -170,8 +170,8 @@ impl Changes {
         normals: Option<usize>,
     ) -> Result<Self> {
         Ok(Self {
-            pose: option(u, |u| {
-                Ok(Pose {
+            keyframe: option(u, |u| {
+                Ok(Keyframe {
                     t: scalar(u)?,
                     positions: few(u, positions, vector)?,
                     normals: match normals {
@@ -221,8 +221,8 @@ pub struct Scene {
     pub normals: Option<Attribute<Vec3>>,
     pub colors: Option<Attribute<Rgb888>>,
     pub eye: Eye,
-    pub place: Steps,
-    pub projection: Lens,
+    pub model: Steps,
+    pub projection: ProjectionArguments,
     /// Width and height of the canvas.
     pub size: (u32, u32),
     pub viewport: Option<[i32; 4]>,
@@ -258,7 +258,7 @@ impl Scene {
             16..32 => (u.int_in_range(1..=3)?, 2048),
             _ => (u.int_in_range(1..=80)?, u.int_in_range(1..=64)?),
         };
-        let projection = Lens::arbitrary(u)?;
+        let projection = ProjectionArguments::arbitrary(u)?;
         let mut positions = list(u, MOST, vector)?;
         if let (true, Some(&first)) = (u.ratio(1, 16)?, positions.first()) {
             positions.fill(first);
@@ -270,7 +270,7 @@ impl Scene {
         }
         let counts = (count, faces.len());
         let mut scene = Self {
-            place: Steps::arbitrary(u)?,
+            model: Steps::arbitrary(u)?,
             eye: Eye::arbitrary(u)?,
             cull: *u.choose(&[Cull::Nothing, Cull::Back, Cull::Front])?,
             uvs: option(u, |u| Attribute::arbitrary(u, counts, tex_coords))?,
@@ -334,9 +334,9 @@ impl Scene {
         mut mesh: Mesh<'m>,
         [room, of_normals]: &'m mut Rooms,
     ) -> Result<Mesh<'m>, Error> {
-        if let Some(pose) = &self.changes.pose {
-            let mut second = Mesh::new(&pose.positions, &self.faces)?;
-            if let (Some(first), Some(normals)) = (&self.normals, &pose.normals) {
+        if let Some(keyframe) = &self.changes.keyframe {
+            let mut second = Mesh::new(&keyframe.positions, &self.faces)?;
+            if let (Some(first), Some(normals)) = (&self.normals, &keyframe.normals) {
                 second = second.with_normals(normals, first.faces())?;
             }
             let frames = Keyframes::new(&mesh, &second)?;
@@ -344,7 +344,7 @@ impl Scene {
             assert_eq!(start.positions(), mesh.positions());
             let end = frames.blend(fx!(1), &mut room.positions, &mut room.normals)?;
             assert_eq!(end.positions(), second.positions());
-            mesh = frames.blend(pose.t, &mut room.positions, &mut room.normals)?;
+            mesh = frames.blend(keyframe.t, &mut room.positions, &mut room.normals)?;
         }
         let Room { normals, faces, .. } = of_normals;
         match self.changes.normals {

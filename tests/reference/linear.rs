@@ -111,7 +111,7 @@ pub fn scale(by: Vec3) -> Matrix {
     m
 }
 
-/// Rotates about the x axis, y towards z.
+/// Rotates about the x axis, y toward z.
 pub fn rotate_x(angle: f64) -> Matrix {
     let (s, c) = angle.sin_cos();
     [
@@ -122,7 +122,7 @@ pub fn rotate_x(angle: f64) -> Matrix {
     ]
 }
 
-/// Rotates about the y axis, z towards x.
+/// Rotates about the y axis, z toward x.
 pub fn rotate_y(angle: f64) -> Matrix {
     let (s, c) = angle.sin_cos();
     [
@@ -133,7 +133,7 @@ pub fn rotate_y(angle: f64) -> Matrix {
     ]
 }
 
-/// Rotates about the z axis, x towards y.
+/// Rotates about the z axis, x toward y.
 pub fn rotate_z(angle: f64) -> Matrix {
     let (s, c) = angle.sin_cos();
     [

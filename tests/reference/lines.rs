@@ -69,7 +69,7 @@ impl<const N: usize> Line<N> {
     /// A segment of clip space, clipped to `planes`, which must keep w positive.
     pub fn clipped(ends: [ClipVertex<N>; 2], view: &View, planes: &[Plane]) -> Option<Self> {
         let ends = segment(ends, planes)?;
-        let places = ends.map(|end| view.place(end.position));
+        let places = ends.map(|end| view.on_screen(end.position));
         Some(Self {
             screen: places.map(|place| place.screen),
             w: places.map(|place| place.w),

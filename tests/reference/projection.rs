@@ -18,7 +18,7 @@ pub enum Kind {
 ///
 /// Clip space is OpenGL's: −w ≤ x, y, z ≤ w, the near plane at z = −w.
 #[derive(Clone, Copy, Debug)]
-pub struct Lens {
+pub struct Projection {
     /// Eye space to clip space.
     pub matrix: Matrix,
     /// Distance of the near plane.
@@ -29,7 +29,7 @@ pub struct Lens {
     pub kind: Kind,
 }
 
-impl Lens {
+impl Projection {
     /// The distance of a point in clip space ahead of the eye: −z in eye space.
     pub fn distance(&self, clip: Vec4) -> f64 {
         match self.kind {
@@ -61,8 +61,8 @@ impl Lens {
 }
 
 /// Off-center perspective, as in OpenGL: left, right, bottom and top of the window on the near plane, near and far.
-pub fn frustum(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Lens {
-    Lens {
+pub fn frustum(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Projection {
+    Projection {
         matrix: [
             [2. * n / (r - l), 0., (r + l) / (r - l), 0.],
             [0., 2. * n / (t - b), (t + b) / (t - b), 0.],
@@ -84,22 +84,22 @@ pub fn window(fov: f64, aspect: f64, near: f64) -> [f64; 4] {
 }
 
 /// Symmetric perspective; `fov` is the vertical field of view in radians, `aspect` width/height.
-pub fn perspective(fov: f64, aspect: f64, near: f64, far: f64) -> Lens {
+pub fn perspective(fov: f64, aspect: f64, near: f64, far: f64) -> Projection {
     let [l, r, b, t] = window(fov, aspect, near);
     frustum(l, r, b, t, near, far)
 }
 
 /// Symmetric perspective by a focal length in pixels, for a picture of width x height pixels:
 /// screen x = width/2 + focal·x/−z.
-pub fn focal(focal: f64, size: (u32, u32), near: f64, far: f64) -> Lens {
+pub fn focal(focal: f64, size: (u32, u32), near: f64, far: f64) -> Projection {
     let right = near * f64::from(size.0) / (2. * focal);
     let top = near * f64::from(size.1) / (2. * focal);
     frustum(-right, right, -top, top, near, far)
 }
 
 /// Parallel rays along −z: maps the box to the canonical cube.
-pub fn orthographic(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Lens {
-    Lens {
+pub fn orthographic(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Projection {
+    Projection {
         matrix: [
             [2. / (r - l), 0., 0., -(r + l) / (r - l)],
             [0., 2. / (t - b), 0., -(t + b) / (t - b)],
@@ -114,26 +114,32 @@ pub fn orthographic(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Lens {
 
 /// Oblique parallel rays: an orthographic view after a shear that leaves the plane z = 0 in place.
 ///
-/// A point at distance d moves by d·ratio towards `angle` (radians, from +x towards +y, so that edges recede to the
+/// A point at distance d moves by d·ratio toward `angle` (radians, from +x toward +y, so that edges recede to the
 /// upper right for 0 < angle < π/2); its distance does not change.
-pub fn oblique(angle: f64, ratio: f64, (l, r, b, t): (f64, f64, f64, f64), n: f64, f: f64) -> Lens {
+pub fn oblique(
+    angle: f64,
+    ratio: f64,
+    (l, r, b, t): (f64, f64, f64, f64),
+    n: f64,
+    f: f64,
+) -> Projection {
     let mut shear = IDENTITY;
     shear[0][2] = -ratio * angle.cos();
     shear[1][2] = -ratio * angle.sin();
     let straight = orthographic(l, r, b, t, n, f);
-    Lens {
+    Projection {
         matrix: multiply(&straight.matrix, &shear),
         ..straight
     }
 }
 
 /// [`oblique`] that shows receding edges at their full length.
-pub fn cavalier(angle: f64, window: (f64, f64, f64, f64), near: f64, far: f64) -> Lens {
+pub fn cavalier(angle: f64, window: (f64, f64, f64, f64), near: f64, far: f64) -> Projection {
     oblique(angle, 1., window, near, far)
 }
 
 /// [`oblique`] that shows receding edges at half their length.
-pub fn cabinet(angle: f64, window: (f64, f64, f64, f64), near: f64, far: f64) -> Lens {
+pub fn cabinet(angle: f64, window: (f64, f64, f64, f64), near: f64, far: f64) -> Projection {
     oblique(angle, 0.5, window, near, far)
 }
 

@@ -9,7 +9,7 @@ use super::clip::{ClipVertex, DEPTH_PLANES, Plane, fan, polygon};
 use super::coverage::{Bounds, Corners, Snapped, area2, area2_f64, center, covers, covers_f64};
 use super::distance::to_triangle;
 use super::linear::{Vec3, Vec4};
-use super::projection::Lens;
+use super::projection::Projection;
 use super::view::{View, Viewport, unsnap};
 
 /// The faces that are culled. Front faces run counter-clockwise on the screen.
@@ -143,7 +143,7 @@ pub fn pieces_clipped<const N: usize>(
             source: Some(indices[i]),
         });
         for [a, b, c] in fan(&polygon(&corners, planes)) {
-            let [at_a, at_b, at_c] = [a, b, c].map(|corner| view.place(corner.position));
+            let [at_a, at_b, at_c] = [a, b, c].map(|corner| view.on_screen(corner.position));
             pieces.push(Piece {
                 face,
                 sources: [a.source, b.source, c.source],
@@ -196,7 +196,7 @@ pub struct Picture<const N: usize> {
 /// neighbor may cover the center instead.
 pub fn render<const N: usize>(
     pieces: &[Piece<N>],
-    projection: &Lens,
+    projection: &Projection,
     viewport: Viewport,
     (width, height): (u32, u32),
     margin: f64,

@@ -1,7 +1,7 @@
 //! The transform of a position in space to one on the screen.
 
 use super::linear::{Matrix, Vec3, Vec4, apply, apply_point, multiply};
-use super::projection::Lens;
+use super::projection::Projection;
 
 /// The part of the canvas that the picture fills, in whole pixels; y down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,7 +55,7 @@ pub struct View {
     /// Model space to eye space: camera · model.
     pub eye: Matrix,
     /// Eye space to clip space.
-    pub projection: Lens,
+    pub projection: Projection,
     /// Clip space to the screen.
     pub viewport: Viewport,
 }
@@ -72,7 +72,7 @@ impl View {
     }
 
     /// A point of clip space on the screen.
-    pub fn place(&self, clip: Vec4) -> Projected {
+    pub fn on_screen(&self, clip: Vec4) -> Projected {
         let [x, y, _, w] = clip;
         Projected {
             clip,
@@ -84,11 +84,11 @@ impl View {
 
     /// A position of the mesh on the screen.
     pub fn project(&self, position: Vec3) -> Projected {
-        self.place(self.clip(position))
+        self.on_screen(self.clip(position))
     }
 }
 
-/// Rounds pixels to the nearest 1/256 pixel, ties towards +∞; saturates.
+/// Rounds pixels to the nearest 1/256 pixel, ties toward +∞; saturates.
 pub fn snap(screen: [f64; 2]) -> [i32; 2] {
     screen.map(|x| (x * 256. + 0.5).floor() as i32)
 }

@@ -212,7 +212,7 @@ impl Draft {
         if !is(Some(side), material) || height == OUTSIDE {
             return;
         }
-        // The neighbors, and the lower corners of the sides towards them, from left to right as seen from there.
+        // The neighbors, and the lower corners of the sides toward them, from left to right as seen from there.
         // The left and upper edges of the map have no neighbors: an index wraps to one that `cell` does not know.
         let sides = [
             (cell(column, row.wrapping_sub(1)), [right, z], [x, z]),

@@ -61,12 +61,12 @@ mod firmware {
     }
 
     /// Measures everything in one mode.
-    fn run_mode<I: Mode>(bench: &mut Bench, mode: &str, way: I) -> Result<(), Error> {
-        let options = DrawOptions::new().with_mode(way);
+    fn run_mode<I: Mode>(bench: &mut Bench, mode_name: &str, mode: I) -> Result<(), Error> {
+        let options = DrawOptions::new().with_mode(mode);
         for scene in Scene::ALL {
             for layout in Layout::ALL {
                 let (name, layout_name) = (scene.name(), layout.name());
-                let case = format_args!("scene={name} mode={mode} layout={layout_name}");
+                let case = format_args!("scene={name} mode={mode_name} layout={layout_name}");
                 let Figures {
                     pixels,
                     triangles,

@@ -23,8 +23,8 @@ enum Material {
     Island,
 }
 
-/// A pose of a scene.
-struct Pose {
+/// The objects of a scene in one pose, and their view.
+struct Scene {
     view: Mvp,
     objects: Vec<Object<'static, Material>>,
     /// How many of the objects are drawn first, unsorted.
@@ -34,11 +34,12 @@ struct Pose {
 /// The scenes' names.
 pub const SCENES: [&str; 5] = ["sphere", "rings", "towers", "island", "lighthouse"];
 
-fn pose(scene: &str, k: i32) -> Result<Pose, Error> {
+/// Makes a scene in pose `k`.
+fn scene(name: &str, k: i32) -> Result<Scene, Error> {
     let color = |r, g, b| Material::Color(Rgb888::new(r, g, b));
     let turned = |degrees: i32| Angle::from_degrees(degrees * k);
-    Ok(match scene {
-        "sphere" => Pose {
+    Ok(match name {
+        "sphere" => Scene {
             view: scenes::sphere_mvp(k)?,
             objects: vec![Object::new(
                 &scenes::SPHERE,
@@ -54,7 +55,7 @@ fn pose(scene: &str, k: i32) -> Result<Pose, Error> {
                 outer * Transform::rotate_x(turned(100)) * upright * Transform::scale(fx!(0.74));
             let cube = inner * Transform::rotate_z(turned(-150)) * Transform::scale(fx!(0.34));
             let camera = Camera::look_at(vec3!(0, 1.2, 3.2), Vec3::ZERO, Vec3::Y)?;
-            Pose {
+            Scene {
                 view: Projection::perspective(deg!(40), (4, 3), fx!(1), fx!(10))? * camera,
                 objects: vec![
                     Object::new(&RING, outer, color(255, 255, 255)),
@@ -83,7 +84,7 @@ fn pose(scene: &str, k: i32) -> Result<Pose, Error> {
             }
             let x = Scalar::from_num(k) / 2 - fx!(2);
             let camera = Camera::look_at(Vec3::new(x, fx!(2.5), fx!(6)), vec3!(1, 1, -8), Vec3::Y)?;
-            Pose {
+            Scene {
                 view: Projection::perspective(deg!(60), (4, 3), fx!(0.5), fx!(100))? * camera,
                 objects,
                 ground: 1,
@@ -92,11 +93,11 @@ fn pose(scene: &str, k: i32) -> Result<Pose, Error> {
         _ => {
             let island = Transform::rotate_y(turned(45));
             let mut objects = vec![Object::new(&lighthouse::ISLAND, island, Material::Island)];
-            if scene == "lighthouse" {
+            if name == "lighthouse" {
                 let sea = Transform::IDENTITY;
                 objects.insert(0, Object::new(&lighthouse::SEA, sea, Material::Sea));
             }
-            Pose {
+            Scene {
                 view: lighthouse::projection((WIDTH, HEIGHT))? * lighthouse::camera()?,
                 objects,
                 ground: 0,
@@ -143,15 +144,15 @@ fn draw_each<D: DepthBuffer>(
     Ok(())
 }
 
-/// A list with room for the visible triangles of any pose.
+/// A list with room for the visible triangles of any scene.
 type List = TriangleList<700, 1200>;
 
-/// How many bytes the list of a pose needs: 16 for each visible triangle and for each vertex of these.
-fn list_bytes(pose: &mut Pose) -> usize {
+/// How many bytes the list of a scene needs: 16 for each visible triangle and for each vertex of these.
+fn list_bytes(scene: &mut Scene) -> usize {
     let (options, size, others) = (
         DrawOptions::new(),
         (WIDTH, HEIGHT),
-        &mut pose.objects[pose.ground..],
+        &mut scene.objects[scene.ground..],
     );
     let mut bytes = 0;
     let mut needs = |error: Option<Error>| {
@@ -162,29 +163,30 @@ fn list_bytes(pose: &mut Pose) -> usize {
     let mut no_triangles = TriangleList::<0, 1200>::new();
     needs(
         no_triangles
-            .prepare_scene(&options, size, &pose.view, others)
+            .prepare_scene(&options, size, &scene.view, others)
             .err(),
     );
     let mut no_vertices = TriangleList::<700, 0>::new();
     needs(
         no_vertices
-            .prepare_scene(&options, size, &pose.view, others)
+            .prepare_scene(&options, size, &scene.view, others)
             .err(),
     );
     bytes
 }
 
-/// Draws a pose without a depth buffer.
+/// Draws a scene without a depth buffer.
 fn draw_sorted<D: DepthBuffer>(
     canvas: &mut Frame<'_, D>,
     list: &mut List,
-    pose: &mut Pose,
+    scene: &mut Scene,
 ) -> Result<(), Error> {
-    let (ground, others) = pose.objects.split_at_mut(pose.ground);
-    draw_each(canvas, &pose.view, ground)?;
-    let mut scene = list.prepare_scene(&DrawOptions::new(), (WIDTH, HEIGHT), &pose.view, others)?;
-    scene.sort_back_to_front();
-    for (material, triangles) in scene.parts(canvas)? {
+    let (ground, others) = scene.objects.split_at_mut(scene.ground);
+    draw_each(canvas, &scene.view, ground)?;
+    let mut prepared =
+        list.prepare_scene(&DrawOptions::new(), (WIDTH, HEIGHT), &scene.view, others)?;
+    prepared.sort_back_to_front();
+    for (material, triangles) in prepared.parts(canvas)? {
         with_shader!(material, shader => canvas.draw_prepared(&triangles, shader)?);
     }
     Ok(())
@@ -202,20 +204,20 @@ pub fn run(name: &str, way: Option<&str>) -> Result<(), Error> {
     let mut list = Box::new(List::new());
     let (mut wrong, mut most, mut bytes) = (0, 0, 0);
     for k in 0..POSES {
-        let mut pose = pose(name, k)?;
+        let mut scene = scene(name, k)?;
         let mut pictures = [vec![Rgb565::BLACK; PIXELS], vec![Rgb565::BLACK; PIXELS]];
         let mut depths = vec![0; PIXELS];
         let [buffered, sorted] = &mut pictures;
         if way != Some("sorted") {
             let mut canvas = Canvas::new(buffered, WIDTH, HEIGHT)?.with_depth(&mut depths)?;
-            only_drawing(|| draw_each(&mut canvas, &pose.view, &pose.objects))?;
+            only_drawing(|| draw_each(&mut canvas, &scene.view, &scene.objects))?;
         }
         if way != Some("depth") {
             let mut canvas = Canvas::new(sorted, WIDTH, HEIGHT)?;
-            only_drawing(|| draw_sorted(&mut canvas, &mut list, &mut pose))?;
+            only_drawing(|| draw_sorted(&mut canvas, &mut list, &mut scene))?;
         }
         if way.is_none() {
-            bytes = bytes.max(list_bytes(&mut pose));
+            bytes = bytes.max(list_bytes(&mut scene));
         }
         let [buffered, sorted] = &pictures;
         let differ = buffered

@@ -17,13 +17,13 @@ pub fn name(value: &impl ValueEnum) -> String {
 /// own scene may have no shade. `has_textures` says whether any face has a texture.
 pub fn options(
     args: &Args,
-    given: &ArgMatches,
+    matches: &ArgMatches,
     shade: Option<Shade>,
     has_textures: bool,
 ) -> Vec<String> {
     let mut idle = Vec::new();
     let mut check = |option: &str, is_idle: bool, why: &str| {
-        let is_given = given.value_source(option) == Some(ValueSource::CommandLine);
+        let is_given = matches.value_source(option) == Some(ValueSource::CommandLine);
         if is_given && is_idle {
             let option = option.replace('_', "-");
             idle.push(format!("--{option} has no effect {why}"));

@@ -13,9 +13,9 @@ use fixel::{Drawn, Mesh};
 use super::Result;
 use super::common::scenes;
 use super::depth::with_depth;
+use super::draw::{Board, Posed, Shown, Style, draw_surface_in, screen};
 use super::encoder::FRAME_MS;
 use super::mode::Mode;
-use super::paint::{Board, Brush, Posed, Shown, draw_surface_in, screen};
 use super::surface::Surface;
 use super::view::{View, direction};
 use super::window::Orbit;
@@ -135,14 +135,14 @@ impl Model<'_> {
     }
 
     /// Draws a band of a frame.
-    pub fn paint(&self, band: Band<'_, Rgb888>, moment: Moment, brush: &Brush<'_>) -> Result<Done> {
+    pub fn draw(&self, band: Band<'_, Rgb888>, moment: Moment, style: &Style<'_>) -> Result<Done> {
         let (origin, size) = (band.origin(), band.picture());
         let posed = self.posed(&self.view, moment, band.viewport)?;
         let (canvas, depth) = band.canvas()?;
         Ok(with_depth!(self.view.depth, canvas, depth, |canvas| {
-            brush.clear(canvas, origin, size.height);
-            let done = timed(|| posed.paint(canvas, brush));
-            brush.write(canvas, origin, size);
+            style.clear(canvas, origin, size.height);
+            let done = timed(|| posed.draw_in_style(canvas, style));
+            style.write(canvas, origin, size);
             done
         }))
     }
@@ -227,7 +227,7 @@ impl Measured {
     }
 
     /// Draws a band of the scene with its shader.
-    pub fn paint(
+    pub fn draw(
         self,
         band: Band<'_, Rgb888>,
         moment: Moment,

@@ -10,8 +10,8 @@ use fixel::texture::Blend;
 use super::Result;
 use super::common::lighthouse;
 use crate::args::{Args, Shade};
+use crate::draw::Backdrop;
 use crate::job::Model;
-use crate::paint::Backdrop;
 use crate::view::direction;
 
 /// Default ambient light, which reaches every face.

@@ -7,7 +7,7 @@
 //! 3. Choose the camera in the model's units: [`framing`], with the vectors of [`vector`].
 //! 4. Convert to fixed point: [`units`] chooses the scale, [`view`] makes camera and light, and [`parts`] makes meshes
 //!    of 16-bit indices. [`subject`] holds all of it; a [`piece`] is a mesh with its material.
-//! 5. Choose shaders: [`look`] has light and fog, and [`paint`] a shader for each piece. [`surface`] hides their types,
+//! 5. Choose shaders: [`look`] has light and fog, and [`draw`] a shader for each piece. [`surface`] hides their types,
 //!    and [`tinted`] is a shader that the library lacks. [`mode`] and [`depth`] choose the library's types at run time.
 //! 6. Check that something is visible: [`sight`].
 //! 7. Draw: [`job`] draws a band of a frame, [`tiles`] a picture of bands and tiles, and [`samples`] smooths edges.
@@ -22,6 +22,7 @@ mod args;
 #[path = "../../common/mod.rs"]
 mod common;
 mod depth;
+mod draw;
 mod dump;
 mod encoder;
 mod export;
@@ -32,7 +33,6 @@ mod look;
 mod mode;
 mod model;
 mod output;
-mod paint;
 mod parts;
 mod picture;
 mod piece;
@@ -64,9 +64,9 @@ use args::Args;
 type Result<T, E = Box<dyn Error>> = std::result::Result<T, E>;
 
 fn main() -> ExitCode {
-    let given = args::command().get_matches();
-    let args = Args::from_arg_matches(&given).unwrap_or_else(|error| error.exit());
-    let done = output::remove_on_interrupt().and_then(|()| render::run(&args, &given));
+    let matches = args::command().get_matches();
+    let args = Args::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    let done = output::remove_on_interrupt().and_then(|()| render::run(&args, &matches));
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {

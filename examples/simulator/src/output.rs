@@ -88,9 +88,9 @@ pub fn are_same(a: &Path, b: &Path) -> bool {
     a.file_name() == b.file_name() && folder(a).is_some() && folder(a) == folder(b)
 }
 
-/// How a complete file gets to its place.
+/// How a complete file gets to its name.
 #[derive(Debug)]
-enum Place {
+enum Delivery {
     Stream,
     /// Renamed, so that nobody ever sees an unfinished file.
     Rename(PathBuf, Option<Permissions>),
@@ -104,7 +104,7 @@ enum Place {
 #[derive(Debug)]
 pub struct Output {
     name: String,
-    place: Place,
+    delivery: Delivery,
     /// Name of the unfinished file.
     partial: PathBuf,
     writer: Option<Writer>,
@@ -139,7 +139,7 @@ impl Output {
             };
             return Ok(Self {
                 name,
-                place: Place::Stream,
+                delivery: Delivery::Stream,
                 partial: PathBuf::new(),
                 writer: Some(writer),
             });
@@ -149,14 +149,14 @@ impl Output {
             Ok(link) if link.is_symlink() => target(path).map_err(failed)?,
             _ => path.to_path_buf(),
         };
-        let place = match fs::metadata(&path) {
+        let delivery = match fs::metadata(&path) {
             Ok(is) if is.is_dir() => return Err(refuse("it is a directory".into()).into()),
             Ok(is) if is.permissions().readonly() => {
                 return Err(refuse("it is read-only".into()).into());
             }
-            Ok(is) if links(&is) > 1 => Place::Copy(path.clone()),
-            Ok(is) => Place::Rename(path.clone(), Some(is.permissions())),
-            Err(_) => Place::Rename(path.clone(), None),
+            Ok(is) if links(&is) > 1 => Delivery::Copy(path.clone()),
+            Ok(is) => Delivery::Rename(path.clone(), Some(is.permissions())),
+            Err(_) => Delivery::Rename(path.clone(), None),
         };
         if path.file_name().is_none() {
             return Err(refuse("it is not a file name".into()).into());
@@ -167,7 +167,7 @@ impl Output {
         files.push(partial.clone());
         Ok(Self {
             name,
-            place,
+            delivery,
             partial,
             writer: Some(Writer::File(BufWriter::new(file))),
         })
@@ -188,29 +188,29 @@ impl Output {
         let failed = self.failed();
         let flushed = self.flush();
         self.writer = None;
-        let placed = flushed.and_then(|()| match &self.place {
-            Place::Stream | Place::Left => Ok(()),
-            Place::Rename(path, permissions) => permissions
+        let delivered = flushed.and_then(|()| match &self.delivery {
+            Delivery::Stream | Delivery::Left => Ok(()),
+            Delivery::Rename(path, permissions) => permissions
                 .clone()
                 .map_or(Ok(()), |permissions| {
                     fs::set_permissions(&self.partial, permissions)
                 })
                 .and_then(|()| fs::rename(&self.partial, path)),
-            Place::Copy(path) => {
+            Delivery::Copy(path) => {
                 let reserved = reserve(&self.partial, path);
                 reserved.and_then(|(mut from, mut to)| {
                     let copied = io::copy(&mut from, &mut to)
                         .and_then(|length| to.set_len(length))
                         .and_then(|()| to.sync_all());
                     copied.map_err(|error| {
-                        self.place = Place::Left;
+                        self.delivery = Delivery::Left;
                         let partial = self.partial.display();
                         io::Error::other(format!("{error}: it is complete in {partial}"))
                     })
                 })
             }
         });
-        placed.map_err(|error| failed(error.into()))
+        delivered.map_err(|error| failed(error.into()))
     }
 }
 
@@ -281,9 +281,9 @@ impl Write for Output {
 impl Drop for Output {
     fn drop(&mut self) {
         self.writer = None;
-        if matches!(self.place, Place::Left) {
+        if matches!(self.delivery, Delivery::Left) {
             partial_files().retain(|path| *path != self.partial);
-        } else if !matches!(self.place, Place::Stream) {
+        } else if !matches!(self.delivery, Delivery::Stream) {
             let mut files = partial_files();
             // After `finish`, a file that was renamed is gone.
             let _ = fs::remove_file(&self.partial);

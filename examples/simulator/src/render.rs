@@ -6,29 +6,29 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888};
 use super::Result;
 use super::common::scenes;
 use crate::args::{Args, Color, SceneName};
+use crate::draw::{Shown, Style};
 use crate::export;
 use crate::idle::{self, name};
 use crate::job::{Measured, Model};
 use crate::look::Look;
 use crate::mode::Mode;
-use crate::paint::{Brush, Shown};
 use crate::report;
 use crate::sight;
 use crate::skin::{Skin, Texels};
 use crate::subject::Subject;
 use crate::targets::{self, Targets};
 
-/// Runs the program with `args`, of which the user has `given` some.
+/// Runs the program with `args`, of which the user has given those in `matches`.
 ///
 /// # Errors
 ///
 /// Any problem with the arguments or a file, in words.
-pub fn run(args: &Args, given: &ArgMatches) -> Result<()> {
+pub fn run(args: &Args, matches: &ArgMatches) -> Result<()> {
     targets::check_size(args)?;
     if let Some(scene) = args.scene {
         let targets = Targets::open(args, &[])?;
         let has_textures = matches!(scene, SceneName::Floor | SceneName::Cube);
-        report::notes(args, &idle::options(args, given, None, has_textures))?;
+        report::notes(args, &idle::options(args, matches, None, has_textures))?;
         let measured = Measured {
             scene,
             mode: Mode::new(args, 1.0)?,
@@ -44,7 +44,7 @@ pub fn run(args: &Args, given: &ArgMatches) -> Result<()> {
         return targets.fill(
             MEASURED,
             &|band, moment| measured.record(band, moment),
-            &|band, moment| measured.paint(band, moment, &surface),
+            &|band, moment| measured.draw(band, moment, &surface),
         );
     }
     let subject = Subject::load(args)?;
@@ -52,7 +52,7 @@ pub fn run(args: &Args, given: &ArgMatches) -> Result<()> {
     let pieces = subject.pieces()?;
     let model = subject.model(args, &pieces)?;
     let has_textures = pieces.iter().any(|piece| piece.finish.texture.is_some());
-    let idle = idle::options(args, given, model.shade, has_textures);
+    let idle = idle::options(args, matches, model.shade, has_textures);
     report::notes(args, &idle)?;
     if let (None, false, Some(shade)) = (&args.model, model.is_scene, model.shade) {
         let note = format!("--shade {} leaves out the sea and the sky", name(&shade));
@@ -82,10 +82,10 @@ fn picture_in<C: Shown>(
     let texels: Vec<_> = subject.skins.iter().map(Skin::texels).collect();
     let textures: Vec<_> = texels.iter().map(Texels::texture).collect::<Result<_>>()?;
     let look = Look::new::<C>(args, model, subject.units.scale())?;
-    let brush = Brush::new::<C>(&look, &model.view, model.pieces, &textures, args.samples)?;
+    let style = Style::new::<C>(&look, &model.view, model.pieces, &textures, args.samples)?;
     targets.fill(
         args.size,
         &|band, moment| model.record(band, moment),
-        &|band, moment| model.paint(band, moment, &brush),
+        &|band, moment| model.draw(band, moment, &style),
     )
 }

@@ -19,7 +19,7 @@ const MOST_LOG2: u32 = 10;
 pub struct Skin {
     picture: Picture,
     /// Width and height before it was resampled.
-    given: (u32, u32),
+    original: (u32, u32),
 }
 
 impl Skin {
@@ -62,27 +62,27 @@ impl Skin {
         let (width, height) = (picture.width, picture.height);
         Ok(Self {
             picture: picture.resampled(nearest(width), nearest(height)),
-            given: (width, height),
+            original: (width, height),
         })
     }
 
     /// Makes a skin from a picture without resampling it.
     fn whole(picture: Picture) -> Self {
         Self {
-            given: (picture.width, picture.height),
+            original: (picture.width, picture.height),
             picture,
         }
     }
 
     /// Returns the number of texels per texel of the given image, along the side where this number is smaller.
     pub fn resampled(&self) -> f64 {
-        let ratio = |now: u32, given: u32| f64::from(now) / f64::from(given);
-        ratio(self.picture.width, self.given.0).min(ratio(self.picture.height, self.given.1))
+        let ratio = |now: u32, original: u32| f64::from(now) / f64::from(original);
+        ratio(self.picture.width, self.original.0).min(ratio(self.picture.height, self.original.1))
     }
 
     /// Returns the larger side of the given image, in texels.
     pub fn side(&self) -> f64 {
-        self.given.0.max(self.given.1).into()
+        self.original.0.max(self.original.1).into()
     }
 
     /// Makes a skin from a texture that is compiled in.

@@ -18,7 +18,7 @@ use crate::report;
 use crate::skin::Skin;
 use crate::units::Units;
 use crate::vector::unit;
-use crate::view::{Lens, View};
+use crate::view::{AnyProjection, View};
 use crate::window::MOST_ZOOM;
 
 /// A model, with everything that belongs to it.
@@ -189,7 +189,7 @@ impl Subject {
             view.sun = lighthouse::SUN;
         }
         if self.is_scene && has_own_camera(args) {
-            view.projection = Lens::Perspective(lighthouse::projection(args.size)?);
+            view.projection = AnyProjection::Perspective(lighthouse::projection(args.size)?);
             view.camera = lighthouse::camera()?;
         }
         // A repeat counts as equally many texels along u and v, as if the given texture were square.

@@ -9,11 +9,11 @@ use fixel::{Drawn, Viewport};
 
 use super::Result;
 use crate::args::{Args, SceneName, Shade};
+use crate::draw::add;
 use crate::dump::{self, Record};
 use crate::encoder::{self, Encoder, Format};
 use crate::job::{Band, Done, Moment};
 use crate::output::{self, Output};
-use crate::paint::add;
 use crate::progress::Progress;
 use crate::report;
 use crate::samples;
@@ -88,7 +88,7 @@ impl<'a> Targets<'a> {
         size: (u32, u32),
         // The functions are behind pointers, so that this one is compiled only once and not for each color.
         record: &dyn Fn(Band<'_, Record>, Moment) -> Result<Done>,
-        paint: &dyn Fn(Band<'_, Rgb888>, Moment) -> Result<Done>,
+        draw_band: &dyn Fn(Band<'_, Rgb888>, Moment) -> Result<Done>,
     ) -> Result<()> {
         let args = self.args;
         let tiles = Tiles {
@@ -100,7 +100,7 @@ impl<'a> Targets<'a> {
         let mut colors = Vec::new();
         // Draws a frame; returns the pixels, and the time of the draw calls.
         let draw = |moment| -> Result<(Vec<Rgb888>, Duration)> {
-            let (drawn, (_, time)) = tiles.draw(|band| paint(band, moment))?;
+            let (drawn, (_, time)) = tiles.draw(|band| draw_band(band, moment))?;
             let side = args.samples as usize;
             Ok((samples::average(&drawn, tiles.size.0 as usize, side), time))
         };

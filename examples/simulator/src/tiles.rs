@@ -8,8 +8,8 @@ use fixel::Drawn;
 use fixel::Viewport;
 
 use super::Result;
+use crate::draw::add;
 use crate::job::{Band, Done};
-use crate::paint::add;
 
 /// How a picture is drawn.
 #[derive(Clone, Copy, Debug)]
@@ -27,14 +27,14 @@ impl Tiles {
     ///
     /// # Errors
     ///
-    /// `paint` fails.
+    /// `draw_band` fails.
     pub fn draw<C: PixelColor + Default>(
         &self,
-        paint: impl Fn(Band<'_, C>) -> Result<Done>,
+        draw_band: impl Fn(Band<'_, C>) -> Result<Done>,
     ) -> Result<(Vec<C>, Done)> {
         let (width, height) = self.size;
         let mut pixels = vec![C::default(); width as usize * height as usize];
-        let done = self.each(paint, |(x, y), tile_width, drawn| {
+        let done = self.each(draw_band, |(x, y), tile_width, drawn| {
             let rows = pixels.chunks_exact_mut(width as usize).skip(y as usize);
             for (to, from) in rows.zip(drawn.chunks_exact(tile_width as usize)) {
                 to[x as usize..][..from.len()].copy_from_slice(from);
@@ -47,10 +47,10 @@ impl Tiles {
     ///
     /// # Errors
     ///
-    /// `paint` fails.
+    /// `draw_band` fails.
     pub fn each<C: PixelColor + Default>(
         &self,
-        paint: impl Fn(Band<'_, C>) -> Result<Done>,
+        draw_band: impl Fn(Band<'_, C>) -> Result<Done>,
         mut take: impl FnMut((u32, u32), u32, &[C]),
     ) -> Result<Done> {
         let (width, height) = self.size;
@@ -66,7 +66,7 @@ impl Tiles {
                 let [left, top] = [x, y].map(|offset| -offset.cast_signed());
                 Some(Viewport::new(left, top, width, height)?)
             };
-            let (drawn, (counts, time)) = bands(tile, self.rows, viewport, &paint)?;
+            let (drawn, (counts, time)) = bands(tile, self.rows, viewport, &draw_band)?;
             take((x, y), tile.0, &drawn);
             sum = (add(sum.0, counts), sum.1 + time);
         }
@@ -79,7 +79,7 @@ fn bands<C: PixelColor + Default>(
     size: (u32, u32),
     rows: u32,
     viewport: Option<Viewport>,
-    paint: impl Fn(Band<'_, C>) -> Result<Done>,
+    draw_band: impl Fn(Band<'_, C>) -> Result<Done>,
 ) -> Result<(Vec<C>, Done)> {
     let width = size.0 as usize;
     let rows = rows.min(size.1) as usize;
@@ -89,7 +89,7 @@ fn bands<C: PixelColor + Default>(
     let mut first_row = 0;
     for band in pixels.chunks_mut(width * rows) {
         let len = band.len();
-        let (drawn, time) = paint(Band {
+        let (drawn, time) = draw_band(Band {
             pixels: band,
             depth: &mut depth[..len],
             size,

@@ -12,7 +12,7 @@ use crate::units::{self, Units};
 
 /// A projection of either kind.
 #[derive(Clone, Copy, Debug)]
-pub enum Lens {
+pub enum AnyProjection {
     Perspective(Projection<Perspective>),
     Parallel(Projection<Parallel>),
 }
@@ -20,10 +20,10 @@ pub enum Lens {
 /// Everything that is the same for each frame.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
-    pub projection: Lens,
+    pub projection: AnyProjection,
     pub camera: Camera,
     pub options: DrawOptions,
-    /// Towards the light, over the viewer's left shoulder.
+    /// Toward the light, over the viewer's left shoulder.
     pub sun: Vec3,
     /// Upwards, of any length.
     pub up: Vec3,
@@ -70,7 +70,7 @@ impl View {
         let far = scalar(units.length(framing.useful_far()))?;
         let projection = if args.projection == Kind::Perspective {
             let fov = Angle::try_from_degrees(framing.fov)?;
-            Lens::Perspective(Projection::perspective(fov, args.size, near, far)?)
+            AnyProjection::Perspective(Projection::perspective(fov, args.size, near, far)?)
         } else {
             let edge = |value| scalar(units.length(value));
             let [l, r, b, t] = framing.window();
@@ -81,7 +81,7 @@ impl View {
                 top: edge(t)?,
             };
             let angle = Angle::from_degrees(45);
-            Lens::Parallel(match args.projection {
+            AnyProjection::Parallel(match args.projection {
                 Kind::Cabinet => Projection::cabinet(angle, window, near, far)?,
                 Kind::Cavalier => Projection::cavalier(angle, window, near, far)?,
                 _ => Projection::orthographic(window, near, far)?,
@@ -108,8 +108,8 @@ impl View {
     /// The viewer's position.
     pub fn viewer(&self) -> Viewer {
         match self.projection {
-            Lens::Perspective(projection) => Viewer::of(&(projection * self.camera)),
-            Lens::Parallel(projection) => Viewer::of(&(projection * self.camera)),
+            AnyProjection::Perspective(projection) => Viewer::of(&(projection * self.camera)),
+            AnyProjection::Parallel(projection) => Viewer::of(&(projection * self.camera)),
         }
     }
 }

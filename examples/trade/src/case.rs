@@ -43,7 +43,7 @@ impl Shot {
         mesh: &'static Mesh<'static>,
         mvp: Mvp<Perspective>,
         eye: Matrix,
-        projection: Lens,
+        projection: FocalProjection,
     ) -> Self {
         Self {
             body: Body::Still(mesh),
@@ -53,7 +53,7 @@ impl Shot {
     }
 
     /// Triangles that are already in eye space, with the projection that shows them.
-    pub fn of_triangles(triangles: Triangles, projection: Lens) -> Result<Self> {
+    pub fn of_triangles(triangles: Triangles, projection: FocalProjection) -> Result<Self> {
         Ok(Self {
             body: Body::Made(triangles),
             mvp: projection.mvp()?,
@@ -71,16 +71,16 @@ impl Shot {
     }
 }
 
-/// A projection that is given by its focal length in pixels.
+/// A projection defined by its focal length in pixels.
 #[derive(Clone, Copy, Debug)]
-pub struct Lens {
+pub struct FocalProjection {
     pub focal: f64,
     pub size: (u32, u32),
     pub near: f64,
     pub far: f64,
 }
 
-impl Lens {
+impl FocalProjection {
     fn mvp(self) -> Result<Mvp<Perspective>> {
         let Self {
             focal,
@@ -127,7 +127,7 @@ pub struct Triangles {
 
 impl Triangles {
     /// Adds a convex polygon, as a fan.
-    pub fn add(&mut self, projection: Lens, corners: &[Corner]) -> Result<()> {
+    pub fn add(&mut self, projection: FocalProjection, corners: &[Corner]) -> Result<()> {
         let first = u16::try_from(self.positions.len())?;
         for corner in corners {
             let [x, y, z] = projection.point(corner.at, corner.w);

@@ -6,7 +6,7 @@ use fixel::prelude::*;
 use fixel::view::Perspective;
 
 use super::Result;
-use super::case::{Case, Lens, Shot};
+use super::case::{Case, FocalProjection, Shot};
 use super::reference::linear::{Matrix, multiply, product, rotate_x, rotate_y, translate};
 use super::scenes::{
     self, CUBE_AT, FLOOR_AT, FLOOR_PITCH, HEIGHT, POSES, SPHERE_AT, WIDTH, cube_turn, sphere_turn,
@@ -14,7 +14,7 @@ use super::scenes::{
 use super::surface::Surface;
 
 /// The scenes' projection.
-const LENS: Lens = Lens {
+const PROJECTION: FocalProjection = FocalProjection {
     focal: 200.,
     size: (WIDTH, HEIGHT),
     near: 0.25,
@@ -27,7 +27,7 @@ pub fn cases() -> Result<Vec<Case>> {
         &scenes::FLOOR,
         scenes::floor_mvp(0)?,
         multiply(&rotate_x(radians(FLOOR_PITCH)), &moved(FLOOR_AT)),
-        LENS,
+        PROJECTION,
     );
     let cube = poses(&scenes::CUBE, scenes::cube_mvp, CUBE_AT, cube_turn)?;
     let sphere = || poses(&scenes::SPHERE, scenes::sphere_mvp, SPHERE_AT, sphere_turn);
@@ -58,7 +58,7 @@ fn poses(
         .map(|k| {
             let [x, y] = turn(k).map(radians);
             let eye = product(&[moved(at), rotate_x(x), rotate_y(y)]);
-            Ok(Shot::of_mesh(mesh, mvp(k)?, eye, LENS))
+            Ok(Shot::of_mesh(mesh, mvp(k)?, eye, PROJECTION))
         })
         .collect()
 }

@@ -14,11 +14,11 @@ use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::Result;
-use super::case::{Case, Corner, Lens, Shot, Triangles};
+use super::case::{Case, Corner, FocalProjection, Shot, Triangles};
 use super::reference::coverage::area2_f64;
 use super::surface::{Side, Surface};
 
-const LENS: Lens = Lens {
+const PROJECTION: FocalProjection = FocalProjection {
     focal: 200.,
     size: (320, 240),
     near: 0.125,
@@ -42,12 +42,12 @@ pub fn cases(count: u32) -> Result<Vec<Case>> {
         let mut shots = Vec::new();
         for _ in 0..count {
             let mut triangles = Triangles::default();
-            triangles.add(LENS, &plane(&mut dice))?;
-            shots.push(Shot::of_triangles(triangles, LENS)?);
+            triangles.add(PROJECTION, &plane(&mut dice))?;
+            shots.push(Shot::of_triangles(triangles, PROJECTION)?);
         }
         cases.push(Case {
             name,
-            size: LENS.size,
+            size: PROJECTION.size,
             surface: Surface::Texture(Side::T64),
             texels_log2: 8,
             interpolates: true,
@@ -113,7 +113,7 @@ fn tilted(dice: &mut Dice) -> [Corner; 3] {
         }
         // The ray through (x, y, −1) meets the plane at 1/w = (cos tilt − sin tilt · (x, y) · way) / distance.
         let q = at.map(|at| {
-            let [x, y, _] = LENS.point(at, 1.);
+            let [x, y, _] = PROJECTION.point(at, 1.);
             tilt_cos - tilt_sin * (cos * x + sin * y)
         });
         let (near, far) = (

@@ -6,7 +6,7 @@
 use std::path::Path;
 
 use super::Result;
-use super::case::{Case, Corner, Lens, Shot, Triangles};
+use super::case::{Case, Corner, FocalProjection, Shot, Triangles};
 use super::measure::Figures;
 use super::spread::Spread;
 use super::surface::{Side, Surface};
@@ -153,8 +153,8 @@ pub fn sweeps(quick: bool) -> Result<Vec<Sweep>> {
     ])
 }
 
-fn projection(size: (u32, u32)) -> Lens {
-    Lens {
+fn projection(size: (u32, u32)) -> FocalProjection {
+    FocalProjection {
         focal: 0.625 * f64::from(size.0),
         size,
         near: 0.5,

@@ -149,7 +149,7 @@ fn identity_is_normalized() {
 }
 
 #[test]
-fn turns_go_the_right_way() {
+fn rotations_are_counter_clockwise() {
     let quarter = Angle::QUARTER;
     assert_eq!(Transform::rotate_x(quarter).point(Vec3::Y), Vec3::Z);
     assert_eq!(Transform::rotate_y(quarter).point(Vec3::Z), Vec3::X);

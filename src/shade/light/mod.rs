@@ -188,9 +188,9 @@ mod tests {
 
     /// As bright as x of the position, in units of 2⁻¹⁶.
     #[derive(Clone, Copy)]
-    struct Place;
+    struct BrightAsX;
 
-    impl Lighting for Place {
+    impl Lighting for BrightAsX {
         type Diffuse = White;
         type Specular = Matte;
 
@@ -206,9 +206,9 @@ mod tests {
             let positions = [a, b + vec3!(0, 1, 0), c + vec3!(0, 0, 1)];
             let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
             let white = Flat::new(Gray8::new(255));
-            let (_, corners) = face(white.lit_faces(Place), &IDENTITY, &mesh, 0);
+            let (_, corners) = face(white.lit_faces(BrightAsX), &IDENTITY, &mesh, 0);
             assert_eq!(corners.map(|((), light)| light.0.0), [[mean]; 3], "{xs:?}");
-            let (_, corners) = face(white.lit(Place), &IDENTITY, &mesh, 0);
+            let (_, corners) = face(white.lit(BrightAsX), &IDENTITY, &mesh, 0);
             assert_eq!(corners.map(|((), light)| light.0.0), xs.map(|x| [x]));
         }
     }

@@ -21,11 +21,11 @@ use crate::{Error, Vec3};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Viewer(Place);
+pub struct Viewer(Position);
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-enum Place {
+enum Position {
     At(Vec3),
     Toward(Direction),
 }
@@ -34,7 +34,7 @@ impl Viewer {
     /// A viewer at a point of world space.
     #[must_use]
     pub const fn at(position: Vec3) -> Self {
-        Self(Place::At(position))
+        Self(Position::At(position))
     }
 
     /// A viewer infinitely far away, in this direction from the scene.
@@ -45,7 +45,7 @@ impl Viewer {
     pub const fn toward(direction: Vec3) -> Result<Self, Error> {
         match Direction::of(direction) {
             Direction::NONE => Err(Error::ZeroDirection),
-            direction => Ok(Self(Place::Toward(direction))),
+            direction => Ok(Self(Position::Toward(direction))),
         }
     }
 
@@ -55,8 +55,8 @@ impl Viewer {
     pub fn of(picture: &impl ModelToPicture) -> Self {
         let from_eye = picture.camera_of().inverse_rigid();
         Self(match picture.projection_of().line_of_sight() {
-            None => Place::At(from_eye.point(Vec3::ZERO)),
-            Some(line) => Place::Toward(Direction::of(from_eye.direction(line))),
+            None => Position::At(from_eye.point(Vec3::ZERO)),
+            Some(line) => Position::Toward(Direction::of(from_eye.direction(line))),
         })
     }
 
@@ -64,8 +64,8 @@ impl Viewer {
     #[must_use]
     pub fn direction_from(&self, position: Vec3) -> Direction {
         match self.0 {
-            Place::Toward(direction) => direction,
-            Place::At(eye) => {
+            Position::Toward(direction) => direction,
+            Position::At(eye) => {
                 let way = position.way_to(eye);
                 Direction::from_bits(unit(way).unwrap_or_default())
             }
@@ -76,8 +76,8 @@ impl Viewer {
     /// nearer to the plane than 2^-14 may count as being on either side.
     pub(super) fn sees_back(&self, face: Direction, position: Vec3) -> bool {
         match self.0 {
-            Place::Toward(direction) => face.dot(direction) < 0,
-            Place::At(eye) => {
+            Position::Toward(direction) => face.dot(direction) < 0,
+            Position::At(eye) => {
                 // Without two bits, 31 remain.
                 let [x, y, z] = position.way_to(eye);
                 dot(

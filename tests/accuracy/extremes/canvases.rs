@@ -5,29 +5,28 @@
 
 use fixel::prelude::*;
 
-use super::scene::{Lens, Random, worst};
+use super::scene::{Random, TriangleView, worst};
 use super::table::{Cases, picture};
 use super::verdict::Verdict;
 
 /// Triangles all over a viewport and beyond it.
 fn on(size: (u32, u32), viewport: Option<Viewport>, count: usize) -> Verdict {
     let (width, height) = viewport.map_or(size, |viewport| (viewport.width(), viewport.height()));
-    let projection = Lens {
+    let view = TriangleView {
         size,
         viewport,
         // A focal length equal to the smaller side, except on the smallest canvases.
         focal: f64::from(width.min(height).max(8)),
-        ..Lens::ROOM
+        ..TriangleView::ROOM
     };
     let [wide, high] = [width, height].map(|size| f64::from(size) * 0.7);
     let mut random = Random(8);
     worst((0..count).map(|_| {
         let mut corner = || {
             let at = [random.between(-wide, wide), random.between(-high, high)];
-            projection.at(at, random.between(1., 4.))
+            view.at(at, random.between(1., 4.))
         };
-        projection
-            .scene([corner(), corner(), corner()], super::scene::ONCE)
+        view.scene([corner(), corner(), corner()], super::scene::ONCE)
             .judge()
     }))
 }
@@ -75,23 +74,23 @@ pub static CASES: Cases = Cases::new(|| {
 
 /// Triangles of a few pixels in the corners of the largest canvas, and one triangle that covers all of it.
 fn corners_of_the_largest() -> Verdict {
-    let projection = Lens {
+    let view = TriangleView {
         size: (2048, 2048),
         focal: 1024.,
-        ..Lens::ROOM
+        ..TriangleView::ROOM
     };
     let ends = [-1024_f64, 1024.];
     let corners = ends.into_iter().flat_map(|x| ends.map(|y| [x, y]));
     let judged = corners.map(|[x, y]| {
         let at = |along: f64, across: f64, w: f64| {
-            projection.at([x - x.signum() * along, y - y.signum() * across], w)
+            view.at([x - x.signum() * along, y - y.signum() * across], w)
         };
-        projection.judge([at(0., 0., 1.), at(9.3, 2., 2.), at(3., 12.4, 1.5)])
+        view.judge([at(0., 0., 1.), at(9.3, 2., 2.), at(3., 12.4, 1.5)])
     });
-    let thin = projection.judge([
-        projection.at([-1024., 1024.], 1.),
-        projection.at([1024., -1020.], 4.),
-        projection.at([1024., -1024.], 3.),
+    let thin = view.judge([
+        view.at([-1024., 1024.], 1.),
+        view.at([1024., -1020.], 4.),
+        view.at([1024., -1024.], 3.),
     ]);
     worst(judged.chain([thin]))
 }

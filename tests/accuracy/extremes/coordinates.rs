@@ -4,18 +4,18 @@
 //! and offsets add up to S, rounding moves a point at distance w by up to S/w · 2⁻¹⁶ · 0.15 pixels (`Scene::moved`),
 //! and its texels in proportion.
 
-use super::scene::{Corners, Lens, Random, worst};
+use super::scene::{Corners, Random, TriangleView, worst};
 use super::table::{Cases, picture};
 use super::verdict::Verdict;
 use crate::moves::{to, y};
 
 /// Triangles as wide as the picture and smaller ones, at distances around four.
-fn triangles(projection: &Lens, count: usize) -> Vec<Corners> {
+fn triangles(view: &TriangleView, count: usize) -> Vec<Corners> {
     let mut random = Random(2);
     let corner = |random: &mut Random| {
         let at = [random.between(-120., 120.), random.between(-90., 90.)];
         let w = random.between(2., 8.);
-        projection.at(at, w)
+        view.at(at, w)
     };
     (0..count)
         .map(|_| [0; 3].map(|_| corner(&mut random)))
@@ -24,21 +24,21 @@ fn triangles(projection: &Lens, count: usize) -> Vec<Corners> {
 
 /// A model far from its own origin, moved in front of the eye.
 fn placed(at: f64) -> Verdict {
-    let projection = Lens {
+    let view = TriangleView {
         moves: vec![to([-at, at, -at])],
-        ..Lens::ROOM
+        ..TriangleView::ROOM
     };
     let model = |[x, y, z]: [f64; 3]| [x + at, y - at, z + at];
-    let triangles = triangles(&projection, 40).into_iter();
-    worst(triangles.map(|corners| projection.judge(corners.map(model))))
+    let triangles = triangles(&view, 40).into_iter();
+    worst(triangles.map(|corners| view.judge(corners.map(model))))
 }
 
 /// A model in front of a camera that is turned and far from the world's origin.
 fn turned(at: f64) -> Verdict {
     let turn = 0.7_f64;
-    let projection = Lens {
+    let view = TriangleView {
         moves: vec![y(turn), to([-at, at / 2., at / 4.])],
-        ..Lens::ROOM
+        ..TriangleView::ROOM
     };
     let (sin, cos) = turn.sin_cos();
     let model = |[x, y, z]: [f64; 3]| {
@@ -48,37 +48,37 @@ fn turned(at: f64) -> Verdict {
             sin * x + cos * z - at / 4.,
         ]
     };
-    let triangles = triangles(&projection, 40).into_iter();
-    worst(triangles.map(|corners| projection.judge(corners.map(model))))
+    let triangles = triangles(&view, 40).into_iter();
+    worst(triangles.map(|corners| view.judge(corners.map(model))))
 }
 
 /// Distant triangles under a focal length of 2000 pixels.
 fn far_away(w: f64) -> Verdict {
-    let projection = Lens {
+    let view = TriangleView {
         focal: 2000.,
         far: 32_767.,
-        ..Lens::ROOM
+        ..TriangleView::ROOM
     };
     let mut random = Random(3);
     worst((0..40).map(|_| {
         let mut corner = || {
             let at = [random.between(-120., 120.), random.between(-90., 90.)];
-            projection.at(at, w * random.between(0.5, 1.))
+            view.at(at, w * random.between(0.5, 1.))
         };
-        projection.judge([corner(), corner(), corner()])
+        view.judge([corner(), corner(), corner()])
     }))
 }
 
 /// Triangles through the middle of the picture whose sides are `times` as long as the picture is wide.
 fn large(times: f64) -> Verdict {
-    let projection = Lens::ROOM;
+    let view = TriangleView::ROOM;
     let mut random = Random(4);
     worst((0..60).map(|_| {
         let turn = random.between(0., std::f64::consts::TAU);
         let corner = |third: f64, random: &mut Random| {
             let (sin, cos) = (turn + third * std::f64::consts::TAU / 3.).sin_cos();
             let reach = 160. * times * random.between(0.3, 0.6);
-            projection.at([reach * cos, reach * sin], random.between(0.5, 0.6))
+            view.at([reach * cos, reach * sin], random.between(0.5, 0.6))
         };
         let mut corners = [0., 1., 2.].map(|third| corner(third, &mut random));
         // Either a side runs through the middle, or the middle is well inside.
@@ -87,24 +87,24 @@ fn large(times: f64) -> Verdict {
             corners[2] = [0, 1, 2].map(|i: usize| -(a[i] + b[i]) / 2. * 0.9);
             corners[2][2] = -0.7;
         }
-        projection.judge(corners)
+        view.judge(corners)
     }))
 }
 
 /// Triangles with all corners in one region or in two regions, far outside the guard band or inside it.
 fn beyond_the_guard_band() -> Verdict {
-    let projection = Lens::ROOM;
+    let view = TriangleView::ROOM;
     let sides = [
         -3000., -2049., -2048., -2047., 0., 2047., 2048., 2049., 3000.,
     ];
     worst(sides.into_iter().flat_map(|x| {
         sides.map(|y| {
             let corners = [
-                projection.at([x, y], 4.),
-                projection.at([30., 20.], 3.),
-                projection.at([-40., 35.], 5.),
+                view.at([x, y], 4.),
+                view.at([30., 20.], 3.),
+                view.at([-40., 35.], 5.),
             ];
-            projection.judge(corners)
+            view.judge(corners)
         })
     }))
 }

@@ -7,7 +7,7 @@
 use fixel::prelude::*;
 use fixel::view::Perspective;
 
-use super::scene::{Lens, Random, worst};
+use super::scene::{Random, TriangleView, worst};
 use super::table::{Cases, figure, picture};
 use super::verdict::{Verdict, Worst};
 use crate::bounds;
@@ -29,78 +29,71 @@ const RATIOS: [(&str, f64, f64); 6] = [
 /// The distance of the farther surface, relative to the nearer one.
 const APART: f64 = 1.01;
 
-fn projection(near: f64, far: f64) -> Lens {
-    Lens {
+fn view(near: f64, far: f64) -> TriangleView {
+    TriangleView {
         near,
         far,
-        ..Lens::ROOM
+        ..TriangleView::ROOM
     }
 }
 
 /// Triangles that reach from the near to the far plane.
-fn reaching(projection: &Lens) -> Verdict {
+fn reaching(view: &TriangleView) -> Verdict {
     let mut random = Random(5);
     worst((0..12).map(|_| {
-        let end = (projection.far / projection.near).ln() - 1e-3;
+        let end = (view.far / view.near).ln() - 1e-3;
         let corner = |part: f64, random: &mut Random| {
-            let w = projection.near * (1e-3 + part * end).exp();
-            projection.at([random.between(-60., 60.), random.between(-50., 50.)], w)
+            let w = view.near * (1e-3 + part * end).exp();
+            view.at([random.between(-60., 60.), random.between(-50., 50.)], w)
         };
         let parts = [0., random.next(), 1.];
-        projection.judge(parts.map(|part| corner(part, &mut random)))
+        view.judge(parts.map(|part| corner(part, &mut random)))
     }))
 }
 
 /// 1/w of a plane at a pixel.
-fn inverse_w(corners: [Vec3; 3], projection: &Lens, [x, y]: [i32; 2]) -> f64 {
+fn inverse_w(corners: [Vec3; 3], view: &TriangleView, [x, y]: [i32; 2]) -> f64 {
     let [a, b, c]: [Vector; 3] = corners.map(exact);
     let normal = cross(subtract(b, a), subtract(c, a));
-    let at =
-        |pixel: i32, size: u32| (f64::from(pixel) + 0.5 - f64::from(size) / 2.) / projection.focal;
-    dot(
-        normal,
-        [at(x, projection.size.0), -at(y, projection.size.1), -1.],
-    ) / dot(normal, a)
+    let at = |pixel: i32, size: u32| (f64::from(pixel) + 0.5 - f64::from(size) / 2.) / view.focal;
+    dot(normal, [at(x, view.size.0), -at(y, view.size.1), -1.]) / dot(normal, a)
 }
 
 /// Draws two surfaces around a distance in either order. Returns how many steps the visible one is behind the nearest,
 /// and whether the farther one shows anywhere.
-fn behind(projection: &Lens, w: f64) -> (Worst, bool) {
+fn behind(view: &TriangleView, w: f64) -> (Worst, bool) {
     let mut all = Worst::default();
     let mut hidden = false;
     for tilt in [-0.2, 0., 0.3] {
         let corners = [[-60., -50.], [90., -40.], [-20., 80.]];
         let surface = |times: f64| {
             let depth = |[x, _]: [f64; 2]| w * times * (1. + tilt * x / 100.);
-            corners.map(|at| rounded(projection.at(at, depth(at))))
+            corners.map(|at| rounded(view.at(at, depth(at))))
         };
         let surfaces = [surface(1.), surface(APART)];
-        let scene = projection.scene([[0.; 3]; 3], [[0; 2]; 3]);
+        let scene = view.scene([[0.; 3]; 3], [[0; 2]; 3]);
         let mvp: Mvp<Perspective> = scene.mvp;
         for order in [[0, 1], [1, 0]] {
             let positions: Vec<Vec3> = order.iter().flat_map(|&i: &usize| surfaces[i]).collect();
             let drawing = Drawing {
-                size: projection.size,
+                size: view.size,
                 options: scene.options,
                 mode: Mode::Newton,
                 mesh: Mesh::new(&positions, &[[0, 1, 2], [3, 4, 5]]).unwrap(),
                 mvp,
             };
-            let pixels = Bounds::new(projection.size.0, projection.size.1).pixels();
+            let pixels = Bounds::new(view.size.0, view.size.1).pixels();
             for (pixel, face) in pixels.zip(drawing.faces()) {
                 let Some(surface) = face.map(|face| order[face]) else {
                     continue;
                 };
-                let depths =
-                    surfaces.map(|s| 65535. * projection.near * inverse_w(s, projection, pixel));
+                let depths = surfaces.map(|s| 65535. * view.near * inverse_w(s, view, pixel));
                 // Compare only where the nearer surface certainly covers the pixel: inside it, not at its edge.
                 let error = (depths[0].max(depths[1]) - depths[surface]).max(0.);
-                if surface == 1 && is_inside(pixel, corners, projection) {
+                if surface == 1 && is_inside(pixel, corners, view) {
                     hidden = true;
                     let bound = 1. + 2. * bounds::depth([w, 2. * w, 2. * w]);
-                    all.add(error, bound, || {
-                        format!("{pixel:?} at {w} of {projection:?}")
-                    });
+                    all.add(error, bound, || format!("{pixel:?} at {w} of {view:?}"));
                 }
             }
         }
@@ -112,10 +105,10 @@ fn behind(projection: &Lens, w: f64) -> (Worst, bool) {
 }
 
 /// Whether a pixel is at least one pixel inside a triangle on the screen.
-fn is_inside([x, y]: [i32; 2], corners: [[f64; 2]; 3], projection: &Lens) -> bool {
+fn is_inside([x, y]: [i32; 2], corners: [[f64; 2]; 3], view: &TriangleView) -> bool {
     let p = [
-        f64::from(x) + 0.5 - f64::from(projection.size.0) / 2.,
-        f64::from(projection.size.1) / 2. - f64::from(y) - 0.5,
+        f64::from(x) + 0.5 - f64::from(view.size.0) / 2.,
+        f64::from(view.size.1) / 2. - f64::from(y) - 0.5,
     ];
     [0, 1, 2].iter().all(|&i: &usize| {
         let (a, b) = (corners[i], corners[(i + 1) % 3]);
@@ -125,18 +118,15 @@ fn is_inside([x, y]: [i32; 2], corners: [[f64; 2]; 3], projection: &Lens) -> boo
 }
 
 /// How many steps the visible surface is at most behind the nearest one, from the near plane to the far plane.
-fn order(projection: &Lens) -> Worst {
+fn order(view: &TriangleView) -> Worst {
     let mut worst = Worst::default();
-    let mut w = projection.near * 1.5;
-    while w < projection.far / 1.5 {
-        let (steps, hidden) = behind(projection, w);
+    let mut w = view.near * 1.5;
+    while w < view.far / 1.5 {
+        let (steps, hidden) = behind(view, w);
         worst.merge(steps);
         // The farthest pixel is at a distance of 1.3 w.
-        if w * 1.3 * APART < 650. * projection.near {
-            assert!(
-                !hidden,
-                "the surface 1 % farther shows at {w} of {projection:?}"
-            );
+        if w * 1.3 * APART < 650. * view.near {
+            assert!(!hidden, "the surface 1 % farther shows at {w} of {view:?}");
         }
         w *= 1.7;
     }
@@ -147,12 +137,12 @@ pub static CASES: Cases = Cases::new(|| {
     let pictures = RATIOS.map(|(name, near, far)| {
         picture(
             &format!("near to far in one triangle, far/near {name}"),
-            reaching(&projection(near, far)),
+            reaching(&view(near, far)),
         )
     });
     let orders = RATIOS.map(|(name, near, far)| {
         let case = format!("surfaces 1 % apart: visible one behind the nearest, far/near {name}");
-        figure(&case, "steps", order(&projection(near, far)))
+        figure(&case, "steps", order(&view(near, far)))
     });
     pictures.into_iter().chain(orders).collect()
 });

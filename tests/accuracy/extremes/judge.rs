@@ -48,7 +48,7 @@ impl Scene {
             mesh,
             mvp: self.mvp,
         };
-        let places = drawing.places(&self.positions);
+        let places = drawing.snapped(&self.positions);
         let pieces = self.pieces();
         let is_whole = places.iter().all(Option::is_some);
         let mut verdict = Verdict::default();

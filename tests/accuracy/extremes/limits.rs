@@ -10,7 +10,7 @@ use fixel::target::MAX_SIZE;
 use fixel::texture::{MAX_TEXTURE_SIZE, Sampler};
 use fixel::view::{Perspective, ProjectionKind};
 
-use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
+use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
 
 #[test]
 fn canvases_beyond_their_limits_are_refused() {
@@ -41,7 +41,7 @@ fn canvases_beyond_their_limits_are_refused() {
 #[test]
 fn prepared_frames_beyond_their_limits_are_refused() {
     let mesh = Mesh::new(&[], &[]).unwrap();
-    let mvp = pixel_lens((1, 1));
+    let mvp = pixel_projection((1, 1));
     let mut list: TriangleList<1, 1> = TriangleList::new();
     for (side, is_allowed) in [
         (0, false),
@@ -123,7 +123,7 @@ fn vertices_of_a_list_beyond_their_limit_are_refused() {
             .collect();
         let mesh = Mesh::new(&positions, &faces).unwrap();
         let mut list = LIST.lock().unwrap();
-        let prepared = list.prepare(&BOTH_SIDES, size, &mesh, &pixel_lens(size));
+        let prepared = list.prepare(&BOTH_SIDES, size, &mesh, &pixel_projection(size));
         prepared.map(|_| ()).map_err(|error| error.to_string())
     };
     assert_eq!(prepare(MAX - 1), Ok(()));
@@ -264,7 +264,7 @@ fn triangles_beyond_the_guard_band_are_clipped() {
                 let positions = corners.map(at_subpixel);
                 let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
                 let mut counter = Counter::new(size);
-                let drawn = counter.draw(&BOTH_SIDES, &mesh, &pixel_lens(size));
+                let drawn = counter.draw(&BOTH_SIDES, &mesh, &pixel_projection(size));
                 // Rounding in clip space moves a corner by less than a subpixel.
                 if beyond.abs() > 1 {
                     assert_eq!(
@@ -304,7 +304,7 @@ fn screen_positions_are_within_the_guard_band() {
                 // Move each position by half a subpixel to either side: the last one must not be rounded up.
                 for half in [-128, 0, 127] {
                     let position = at_subpixel([x, y]) + Vec3::from_bits([half, half, 0]);
-                    let Some(place) = counter.snapped(&pixel_lens(size), position) else {
+                    let Some(place) = counter.snapped(&pixel_projection(size), position) else {
                         continue;
                     };
                     let from = [place[0] - 32 * 256, place[1] - 24 * 256];

@@ -4,7 +4,7 @@
 
 use fixel::prelude::*;
 
-use super::scene::{Lens, ONCE, Random};
+use super::scene::{ONCE, Random, TriangleView};
 use super::table::{Cases, picture};
 use super::verdict::{Verdict, Worst};
 use crate::common::{BOTH_SIDES, Counter};
@@ -17,7 +17,7 @@ const GRIDS: [(u16, u16); 2] = [(255, 257), (256, 256)];
 /// two triangles of each cell.
 fn rug(columns: u16, rows: u16) -> (Vec<Vec3>, Vec<[u16; 3]>) {
     let mut random = Random(11);
-    let projection = Lens::ROOM;
+    let view = TriangleView::ROOM;
     let mut positions = Vec::new();
     for row in 0..rows {
         for column in 0..columns {
@@ -27,7 +27,7 @@ fn rug(columns: u16, rows: u16) -> (Vec<Vec3>, Vec<[u16; 3]>) {
             let mut aside = || random.between(-0.1, 0.1);
             let at = [52. * x + aside(), 40. * y + aside()];
             let w = 4. + x + 0.1 * (9. * x + 5. * y).sin();
-            positions.push(rounded(projection.at(at, w)));
+            positions.push(rounded(view.at(at, w)));
         }
     }
     let mut faces = Vec::new();
@@ -44,8 +44,8 @@ fn rug(columns: u16, rows: u16) -> (Vec<Vec3>, Vec<[u16; 3]>) {
 fn covered_once((columns, rows): (u16, u16)) -> Verdict {
     let (positions, faces) = rug(columns, rows);
     assert!(positions.len() >= 65_535);
-    let scene = Lens::ROOM.scene([[0., 0., -1.]; 3], ONCE);
-    let mut counter = Counter::new(Lens::ROOM.size);
+    let scene = TriangleView::ROOM.scene([[0., 0., -1.]; 3], ONCE);
+    let mut counter = Counter::new(TriangleView::ROOM.size);
     let mut coverage = Worst::default();
     for &position in &positions {
         let place = counter.snapped(&scene.mvp, position).unwrap();
@@ -97,9 +97,9 @@ fn the_largest_indices_are_drawn_like_the_smallest() {
     ];
     positions[..3].copy_from_slice(&corners);
     positions[65_533..].copy_from_slice(&corners);
-    let mvp = Lens::ROOM.scene([[0., 0., -1.]; 3], ONCE).mvp;
+    let mvp = TriangleView::ROOM.scene([[0., 0., -1.]; 3], ONCE).mvp;
     let counts = [[0, 1, 2], [65_533, 65_534, 65_535]].map(|face| {
-        let mut counter = Counter::new(Lens::ROOM.size);
+        let mut counter = Counter::new(TriangleView::ROOM.size);
         let faces = [face];
         let mesh = Mesh::new(&positions, &faces).unwrap();
         counter.draw(&BOTH_SIDES, &mesh, &mvp);

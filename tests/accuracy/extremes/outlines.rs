@@ -7,14 +7,14 @@ use std::f64::consts::TAU;
 
 use fixel::prelude::*;
 
-use super::scene::{Corners, Lens, ONCE, Random};
+use super::scene::{Corners, ONCE, Random, TriangleView};
 use super::table::{Cases, picture};
 use super::verdict::Verdict;
 
 /// At a focal length of 2000 pixels, the guard band of ±2048 pixels reaches about as far to each side as it is distant.
 /// The near and far planes are at 1 and 2.
-fn projection(viewport: Viewport) -> Lens {
-    Lens {
+fn view(viewport: Viewport) -> TriangleView {
+    TriangleView {
         size: (64, 64),
         focal: 2000.,
         near: 1.,
@@ -42,7 +42,7 @@ fn nine_corners() -> Verdict {
     let mut found = 0;
     while found < 10 {
         let corners = triangle(&mut random);
-        let whole = projection(Viewport::new(0, 0, 4096, 4096).unwrap()).scene(corners, ONCE);
+        let whole = view(Viewport::new(0, 0, 4096, 4096).unwrap()).scene(corners, ONCE);
         let pieces = whole.pieces();
         // Nine corners make a fan of seven triangles.
         if pieces.len() < 7 {
@@ -53,7 +53,7 @@ fn nine_corners() -> Verdict {
             // The viewport puts the corner in the middle of the canvas.
             let [x, y] = [x, y].map(|at| 32 - at as i32);
             let viewport = Viewport::new(x, y, 4096, 4096).unwrap();
-            verdict.merge(projection(viewport).scene(corners, ONCE).judge());
+            verdict.merge(view(viewport).scene(corners, ONCE).judge());
         }
     }
     verdict

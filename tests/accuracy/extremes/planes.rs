@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use fixel::prelude::*;
 
-use super::scene::{Lens, ONCE, Random, worst};
+use super::scene::{ONCE, Random, TriangleView, worst};
 use super::table::{Cases, picture};
 use super::verdict::{MODES, Verdict};
 use crate::drawing::Drawing;
@@ -29,7 +29,7 @@ fn crossing(behind: usize) -> Verdict {
             [0.1, 0.6, -0.125],
         ];
         let corner = |i: usize| if i < behind { beyond[i] } else { ahead[i] };
-        Lens::ROOM.judge([corner(0), corner(1), corner(2)])
+        TriangleView::ROOM.judge([corner(0), corner(1), corner(2)])
     }))
 }
 
@@ -40,8 +40,8 @@ fn through_the_eye() -> Verdict {
         [0., 1. / 65536., 0.25].map(|off| {
             let at = |along: f64, z: f64| [along * cos - off * sin, along * sin + off * cos, z];
             worst([
-                Lens::ROOM.judge([at(-4., -8.), at(5., -6.), at(0.5, 7.)]),
-                Lens::ROOM.judge([at(0., 0.), at(3., -8.), at(-4., -8.)]),
+                TriangleView::ROOM.judge([at(-4., -8.), at(5., -6.), at(0.5, 7.)]),
+                TriangleView::ROOM.judge([at(0., 0.), at(3., -8.), at(-4., -8.)]),
             ])
         })
     }))
@@ -50,51 +50,51 @@ fn through_the_eye() -> Verdict {
 /// Triangles with corners or sides on the near plane, or wholly in it.
 fn on_the_plane() -> Verdict {
     worst([
-        Lens::ROOM.judge([[0., 0.1, -NEAR], [-2., -1., -4.], [2., -1., -5.]]),
-        Lens::ROOM.judge([[-0.2, 0.1, -NEAR], [0.15, 0.12, -NEAR], [0.3, -1., -5.]]),
-        Lens::ROOM.judge([[-0.2, 0.1, -NEAR], [0.15, 0.12, -NEAR], [0.1, -0.1, -NEAR]]),
+        TriangleView::ROOM.judge([[0., 0.1, -NEAR], [-2., -1., -4.], [2., -1., -5.]]),
+        TriangleView::ROOM.judge([[-0.2, 0.1, -NEAR], [0.15, 0.12, -NEAR], [0.3, -1., -5.]]),
+        TriangleView::ROOM.judge([[-0.2, 0.1, -NEAR], [0.15, 0.12, -NEAR], [0.1, -0.1, -NEAR]]),
     ])
 }
 
 /// A near plane at the least distance, 2⁻¹⁶, and corners 1 to 100 such units away.
 fn just_above_zero() -> Verdict {
     let unit = 1. / 65536.;
-    let projection = Lens {
+    let view = TriangleView {
         near: unit,
         far: 1.,
-        ..Lens::ROOM
+        ..TriangleView::ROOM
     };
     let mut random = Random(1);
     worst((0..200).map(|_| {
         let mut corner = || {
             let w = (random.between(0., 100_f64.ln()).exp() + 0.5).floor() * unit;
-            projection.at(
+            view.at(
                 [random.between(-300., 300.), random.between(-200., 200.)],
                 w,
             )
         };
-        projection.judge([corner(), corner(), corner()])
+        view.judge([corner(), corner(), corner()])
     }))
 }
 
 /// Floors from below the eye to the horizon: 1/w falls to a small fraction of its nearest value.
 fn grazing(near: f64, height: f64) -> Verdict {
-    let projection = Lens {
+    let view = TriangleView {
         near,
         far: 32_767.,
-        ..Lens::ROOM
+        ..TriangleView::ROOM
     };
     worst((-3..=3).map(|tilt| {
         let side = |y: f64| [32_000. * f64::from(tilt) / 8., y, -32_700.];
         worst([
-            projection.judge([
+            view.judge([
                 [-2. * near, -height, -near],
                 [2. * near, -height, -near],
                 side(-height),
             ]),
-            projection.judge([[-2., -height, 1.], [2., -height, 1.], side(-height)]),
+            view.judge([[-2., -height, 1.], [2., -height, 1.], side(-height)]),
             // The floor reaches beyond the far plane and beyond a side of the guard band.
-            projection.judge([
+            view.judge([
                 [-2., -height, 1.],
                 [32_000., -height, -32_000.],
                 side(-height - 1.),
@@ -149,20 +149,20 @@ fn triangles_behind_the_eye_are_not_drawn() {
 /// greatest value at a corner.
 #[test]
 fn values_stay_between_those_of_the_corners() {
-    let projection = Lens {
+    let view = TriangleView {
         near: 1. / 16_384.,
         far: 32_767.,
-        ..Lens::ROOM
+        ..TriangleView::ROOM
     };
     let mut random = Random(13);
     for _ in 0..200 {
         let spread = random.between(12., 28.);
         let mut corner = |y: f64, part: f64| {
             let w = 2_f64.powf(-13.9 + part * spread + random.between(0., 0.7));
-            projection.at([random.between(-60., 60.), y], w)
+            view.at([random.between(-60., 60.), y], w)
         };
         // The far side of the triangle runs through the centers of a row.
-        let scene = projection.scene([corner(-30., 0.), corner(0.5, 1.), corner(0.5, 1.)], ONCE);
+        let scene = view.scene([corner(-30., 0.), corner(0.5, 1.), corner(0.5, 1.)], ONCE);
         for mode in MODES {
             let drawing = Drawing {
                 size: scene.size,

@@ -2,7 +2,7 @@
 
 use fixel::prelude::*;
 
-use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
+use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
 use crate::reference::coverage::covers;
 
 /// Pixels along a side of the picture, which has as many pixels as a u64 has bits.
@@ -17,7 +17,7 @@ type Point = [i32; 2];
 fn drawn(corners: [Point; 3], counter: &mut Counter) -> u64 {
     let positions = corners.map(at_subpixel);
     let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
-    counter.draw(&BOTH_SIDES, &mesh, &pixel_lens((SIDE, SIDE)));
+    counter.draw(&BOTH_SIDES, &mesh, &pixel_projection((SIDE, SIDE)));
     let mut mask = 0;
     for (i, count) in counter.take().into_iter().enumerate() {
         assert!(count < 2, "{corners:?} drawn twice at {i}");

@@ -32,9 +32,10 @@ pub struct Scene {
     pub sums: Vec<f64>,
 }
 
-/// The view of triangles. The crate's formats must represent all of its numbers exactly.
+/// A view of triangles: a projection, the moves before it, and a viewport. The crate's formats must represent all of
+/// its numbers exactly.
 #[derive(Clone, Debug)]
-pub struct Lens {
+pub struct TriangleView {
     pub size: (u32, u32),
     /// Focal length in pixels.
     pub focal: f64,
@@ -45,7 +46,7 @@ pub struct Lens {
     pub viewport: Option<Viewport>,
 }
 
-impl Lens {
+impl TriangleView {
     /// A small picture of a room.
     pub const ROOM: Self = Self {
         size: (96, 72),

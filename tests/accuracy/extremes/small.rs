@@ -7,14 +7,14 @@ use std::f64::consts::TAU;
 
 use fixel::prelude::*;
 
-use super::scene::{Lens, ONCE, Random, worst};
+use super::scene::{ONCE, Random, TriangleView, worst};
 use super::table::{Cases, picture};
 use super::verdict::Verdict;
-use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_lens};
+use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
 
 /// Triangles at every slope, 5 to 100 pixels long and this wide at their middle.
 fn slivers(width: f64) -> Verdict {
-    let projection = Lens::ROOM;
+    let view = TriangleView::ROOM;
     let mut random = Random(6);
     worst((0..120).map(|step| {
         let (sin, cos) = (f64::from(step) / 120. * TAU).sin_cos();
@@ -22,7 +22,7 @@ fn slivers(width: f64) -> Verdict {
         let middle = [random.between(-10., 10.), random.between(-8., 8.)];
         let at = |along: f64, across: f64, w: f64| {
             let [x, y] = middle;
-            projection.at(
+            view.at(
                 [
                     x + along * cos - across * sin,
                     y + along * sin + across * cos,
@@ -36,23 +36,21 @@ fn slivers(width: f64) -> Verdict {
             at(half, 0., random.between(1., 4.)),
             at(between, width, random.between(1., 4.)),
         ];
-        projection.scene(corners, ONCE).judge()
+        view.scene(corners, ONCE).judge()
     }))
 }
 
 /// Triangles smaller than a pixel.
 fn specks() -> Verdict {
-    let projection = Lens::ROOM;
+    let view = TriangleView::ROOM;
     let mut random = Random(7);
     worst((0..2000).map(|_| {
         let at = [random.between(-40., 40.), random.between(-30., 30.)];
         let mut corner = || {
             let away = [random.between(-0.7, 0.7), random.between(-0.7, 0.7)];
-            projection.at([at[0] + away[0], at[1] + away[1]], random.between(1., 4.))
+            view.at([at[0] + away[0], at[1] + away[1]], random.between(1., 4.))
         };
-        projection
-            .scene([corner(), corner(), corner()], ONCE)
-            .judge()
+        view.scene([corner(), corner(), corner()], ONCE).judge()
     }))
 }
 
@@ -85,7 +83,7 @@ fn drawn(triangles: &[[[i32; 2]; 3]]) -> (usize, u32) {
         .collect();
     let mut counter = Counter::new(SIZE);
     let mesh = Mesh::new(&positions, &faces).unwrap();
-    let drawn = counter.draw(&BOTH_SIDES, &mesh, &pixel_lens(SIZE));
+    let drawn = counter.draw(&BOTH_SIDES, &mesh, &pixel_projection(SIZE));
     let pixels = counter
         .take()
         .into_iter()
@@ -128,7 +126,12 @@ fn corners_in_one_place_draw_nothing() {
     let faces = [[0, 0, 0], [0, 0, 1], [1, 0, 0], [0, 1, 0], [2, 2, 2]];
     let mut counter = Counter::new(SIZE);
     let mesh = Mesh::new(&positions, &faces).unwrap();
-    assert_eq!(counter.draw(&BOTH_SIDES, &mesh, &pixel_lens(SIZE)).drawn, 0);
+    assert_eq!(
+        counter
+            .draw(&BOTH_SIDES, &mesh, &pixel_projection(SIZE))
+            .drawn,
+        0
+    );
 }
 
 /// In a mesh with the largest number of vertices, all have the same position.

@@ -3,43 +3,42 @@
 //! An attribute keeps 30 bits of its largest value in the triangle. So for 32,000 texels the resolution is 1/16,384
 //! texel, and bounds are 125 times those for 256. `Fast` keeps 16 of these bits, 1/2 texel, and adds its tolerance.
 
-use super::scene::{Lens, Random, worst};
+use super::scene::{Random, TriangleView, worst};
 use super::table::{Cases, picture};
 use super::verdict::Verdict;
 
 /// A texture from one end of its range to the other, at many slopes.
 fn wide(most: i32) -> Verdict {
-    let projection = Lens::ROOM;
+    let view = TriangleView::ROOM;
     let mut random = Random(9);
     let ends = [-most, most].map(|texel| texel << 16);
     worst((0..80).map(|step: usize| {
         let corner = |random: &mut Random| {
             let at = [random.between(-70., 70.), random.between(-50., 50.)];
-            projection.at(at, random.between(1., 4.))
+            view.at(at, random.between(1., 4.))
         };
         let corners = [0; 3].map(|_| corner(&mut random));
         let pick = |bit: usize| ends[step >> bit & 1];
         let texels = [[pick(0), pick(3)], [pick(1), pick(4)], [pick(2), pick(5)]];
-        projection.scene(corners, texels).judge()
+        view.scene(corners, texels).judge()
     }))
 }
 
 /// Whole textures within a few pixels, at this distance.
 fn tiny(w: f64) -> Verdict {
-    let projection = Lens {
+    let view = TriangleView {
         far: 32_767.,
         focal: 60.,
-        ..Lens::ROOM
+        ..TriangleView::ROOM
     };
     let mut random = Random(10);
     worst((0..300).map(|_| {
         let [x, y] = [random.between(-40., 40.), random.between(-30., 30.)];
         let mut corner = || {
             let at = [x + random.between(-2., 2.), y + random.between(-2., 2.)];
-            projection.at(at, w * random.between(0.7, 1.))
+            view.at(at, w * random.between(0.7, 1.))
         };
-        projection
-            .scene([corner(), corner(), corner()], super::scene::ONCE)
+        view.scene([corner(), corner(), corner()], super::scene::ONCE)
             .judge()
     }))
 }
@@ -48,20 +47,18 @@ fn tiny(w: f64) -> Verdict {
 /// texture coordinate changes by many texels, up to 1000 in all. Rows that are drawn straight must be within the
 /// bounds.
 fn level() -> Verdict {
-    let projection = Lens {
+    let view = TriangleView {
         far: 32_767.,
-        ..Lens::ROOM
+        ..TriangleView::ROOM
     };
     let mut random = Random(15);
     worst((0..80).map(|_| {
         let roll = 2_f64.powf(random.between(-28., -21.));
-        let corner = |[x, y]: [f64; 2]| projection.at([x, y], 4000. / (1. + roll * x + 0.01 * y));
+        let corner = |[x, y]: [f64; 2]| view.at([x, y], 4000. / (1. + roll * x + 0.01 * y));
         let corners = [[-47., 31.], [45., 29.], [3., -33.]].map(corner);
         let texels = [random.between(100., 1000.) as i32 * 32_768; 2];
         let [u, v] = texels;
-        projection
-            .scene(corners, [[-u, v], [u, 0], [0, -v]])
-            .judge()
+        view.scene(corners, [[-u, v], [u, 0], [0, -v]]).judge()
     }))
 }
 

@@ -10,7 +10,7 @@ use crate::common::random::{Random, cases, within};
 use crate::moves::exact;
 use crate::reference::linear::{cross, dot, normalized, subtract};
 
-use super::given::{STEP, all_close, close, float, vec};
+use super::helpers::{STEP, all_close, close, float, vec};
 
 /// For each axis, the length on the screen of an edge of length one along it, in an orthographic view.
 fn foreshortening(camera: &Camera) -> [f64; 3] {

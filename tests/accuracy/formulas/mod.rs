@@ -5,7 +5,7 @@
 //! distances.
 
 mod camera;
-mod given;
+mod helpers;
 mod pictures;
 mod projection;
 mod segment;

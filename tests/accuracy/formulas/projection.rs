@@ -11,7 +11,7 @@ use rand::Rng;
 use crate::common::random::{cases, within};
 use crate::moves::{exact, number, rounded};
 
-use super::given::{STEP, all_close, close, float, same_matrix, vec};
+use super::helpers::{STEP, all_close, close, float, same_matrix, vec};
 
 fn degrees(angle: Angle) -> f64 {
     f64::from(angle.to_bits()) / 4_294_967_296.0 * 360.0
@@ -43,7 +43,7 @@ fn points_beside_and_behind_the_eye_have_no_image() {
 }
 
 #[test]
-fn the_practice_cube() {
+fn images_of_a_cubes_corners() {
     let projection =
         Projection::frustum(Window::centered(fx!(2), fx!(2)), fx!(2), fx!(10)).unwrap();
     for (z, size) in [(-3.0, 2.0 / 3.0), (-5.0, 2.0 / 5.0)] {
@@ -160,7 +160,7 @@ fn a_frustums_matrix_is_a_product() {
 }
 
 #[test]
-fn the_other_depth_mapping() {
+fn depths_of_the_perspective_transform_follow_their_formula() {
     let (n, f) = (2.0, 10.0);
     // With z positive ahead, the transform gives the same depth with the opposite sign.
     let depth = |z: f64| {

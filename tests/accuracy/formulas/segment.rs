@@ -7,7 +7,7 @@ use rand::Rng;
 use crate::common::random::{cases, within};
 use crate::moves::{exact, number, rounded};
 
-use super::given::{STEP, UNIT_STEP, close, float, unit, vec};
+use super::helpers::{STEP, UNIT_STEP, close, float, unit, vec};
 
 fn segment(z0: f64, z1: f64) -> Segment {
     Segment::new(number(z0), number(z1)).unwrap()
@@ -21,7 +21,7 @@ fn depth_halfway_along_a_projected_segment() {
 }
 
 #[test]
-fn the_fraction_in_space() {
+fn a_fraction_on_screen_converts_to_space_and_back() {
     let segment = segment(1.0, 4.0);
     let t = segment.in_space(unit(0.5)).unwrap();
     close(t.to_num(), 0.2, UNIT_STEP / 2.0);
@@ -54,7 +54,7 @@ fn depth_and_fraction_of_any_segment() {
 }
 
 #[test]
-fn both_forms_give_the_same_point() {
+fn both_forms_of_interpolation_give_the_same_point() {
     cases(256, |random| {
         let segment = segment(
             random.random_range(0.1..100.0),

@@ -7,7 +7,7 @@ use rand::Rng;
 
 use crate::common::random::{cases, list};
 
-use super::given::close;
+use super::helpers::close;
 
 /// A sine has an error of up to 1.6e-9, and 2^-32 of a turn is 1.5e-9 radians.
 const SINE: f64 = 3e-9;

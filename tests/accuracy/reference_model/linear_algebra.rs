@@ -49,7 +49,7 @@ fn the_last_factor_acts_first() {
 
 #[test]
 fn look_at_faces_the_target() {
-    // The eye is at (3, 0, 0) and looks towards the origin: right is −z, ahead is −x.
+    // The eye is at (3, 0, 0) and looks toward the origin: right is −z, ahead is −x.
     let m = look_at([3., 0., 0.], [0.; 3], [0., 1., 0.]).unwrap();
     close_matrix(
         &m,

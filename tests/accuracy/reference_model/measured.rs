@@ -13,12 +13,12 @@ fn count((shape, view): (scenes::Shape, view::View), cull: Cull) -> (usize, usiz
 }
 
 #[test]
-fn the_floor() {
+fn pixels_of_the_floor() {
     assert_eq!(count(scenes::floor(), Cull::Nothing), (2, 47_610));
 }
 
 #[test]
-fn the_cube() {
+fn pixels_of_the_cube() {
     let pixels: usize = (0..scenes::POSES)
         .map(|pose| count(scenes::cube(pose), Cull::Back).1)
         .sum();
@@ -26,7 +26,7 @@ fn the_cube() {
 }
 
 #[test]
-fn the_sphere() {
+fn pixels_of_the_sphere() {
     assert_eq!(scenes::sphere(0).0.faces.len(), 1984);
     let (mut faces, mut pixels) = (0, 0);
     for pose in 0..scenes::POSES {

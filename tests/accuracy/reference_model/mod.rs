@@ -3,7 +3,7 @@
 // As in the model: formulas keep textbook names, and f64 represents every integer used here exactly.
 #![allow(clippy::many_single_char_names, clippy::cast_precision_loss)]
 
-mod given;
+mod helpers;
 
 mod clipping;
 mod covering;
@@ -22,4 +22,4 @@ use crate::reference::{
     attributes, clip, coverage, distance, linear, lines, projection, raster, scenes, silhouette,
     view,
 };
-use given::{EPSILON, Random, Torus, close, close_matrix};
+use helpers::{EPSILON, Random, Torus, close, close_matrix};

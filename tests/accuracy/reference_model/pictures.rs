@@ -225,7 +225,7 @@ fn a_torus_has_no_seams() {
     // After snapping, front faces overlap or leave gaps only within the distance that contours move.
     let snapped = pieces
         .into_iter()
-        .map(|piece| piece.snap(|_, clip| view::snap(view.place(clip).screen)))
+        .map(|piece| piece.snap(|_, clip| view::snap(view.on_screen(clip).screen)))
         .collect();
     let pieces = culled(snapped, Cull::Back);
     let snapped = render(&pieces, &view.projection, view.viewport, size, 0.).counts();

@@ -6,7 +6,7 @@ use super::*;
 use projection::*;
 
 /// A point of eye space after the division by w.
-fn ndc(projection: &Lens, p: Vec3) -> Vec3 {
+fn ndc(projection: &Projection, p: Vec3) -> Vec3 {
     let [x, y, z, w] = linear::apply_point(&projection.matrix, p);
     [x / w, y / w, z / w]
 }
@@ -56,7 +56,7 @@ fn a_frustum_is_a_product() {
 }
 
 #[test]
-fn the_practice_cube() {
+fn images_of_a_cubes_corners() {
     close(
         project_on_plane([1., -1., -3.], 2.).unwrap(),
         [2. / 3., -2. / 3.],

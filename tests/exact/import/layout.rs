@@ -5,7 +5,7 @@ use fixel::mesh::{Counts, obj};
 use super::reading::{SQUARE, ok};
 
 #[test]
-fn layout_does_not_matter() {
+fn comments_spaces_and_line_breaks_do_not_change_the_mesh() {
     let expected = ok(&format!("{SQUARE}f 1 2 3 4"));
     for text in [
         "\u{feff}# a comment \\\r\n\r\nv 0 0 0\r\n  v\t1 0 0  \r\nv 1 1 0\r\nv 0 1 0 # last\r\nf 1 2 3 4\r\n",

@@ -7,5 +7,7 @@ mod layout;
 mod mistakes;
 mod numbers;
 mod other_reader;
+#[path = "../../common/owned.rs"]
+mod owned;
 mod reading;
 mod room;

@@ -1,57 +1,16 @@
 //! Helpers that read OBJ text into meshes.
 
-use embedded_graphics::pixelcolor::Rgb888;
-use fixel::mesh::{Buffers, Counts, obj};
+use fixel::mesh::{Counts, obj};
 use fixel::prelude::*;
 
-/// A mesh that owns its lists. Attributes are stored as their values at the triangles' corners.
-#[derive(Debug, PartialEq)]
-pub struct Owned {
-    pub counts: Counts,
-    pub positions: Vec<Vec3>,
-    pub faces: Vec<[u16; 3]>,
-    pub edges: Vec<[u16; 2]>,
-    pub uvs: Vec<Vec2>,
-    pub uv_faces: Vec<[u16; 3]>,
-    pub normals: Vec<Vec3>,
-    pub normal_faces: Vec<[u16; 3]>,
-    pub colors: Vec<Rgb888>,
-}
+use super::owned::Owned;
 
 pub fn read(text: &str) -> Result<Owned, Error> {
     let counts = obj::count(text.as_bytes())?;
-    let mut owned = Owned {
-        counts,
-        positions: vec![Vec3::ZERO; counts.positions],
-        faces: vec![[0; 3]; counts.faces],
-        edges: vec![[0; 2]; counts.edges],
-        uvs: vec![Vec2::default(); counts.uvs],
-        uv_faces: vec![[0; 3]; counts.uv_faces],
-        normals: vec![Vec3::ZERO; counts.normals],
-        normal_faces: vec![[0; 3]; counts.normal_faces],
-        colors: vec![Rgb888::default(); counts.colors],
-    };
-    let mesh = obj::parse(
-        text.as_bytes(),
-        Buffers {
-            positions: &mut owned.positions,
-            faces: &mut owned.faces,
-            edges: &mut owned.edges,
-            uvs: &mut owned.uvs,
-            uv_faces: &mut owned.uv_faces,
-            normals: &mut owned.normals,
-            normal_faces: &mut owned.normal_faces,
-            colors: &mut owned.colors,
-        },
-    )?;
-    assert_eq!(mesh.positions().len(), counts.positions);
-    assert_eq!(mesh.faces().len(), counts.faces);
-    assert_eq!(
-        (mesh.has_uvs(), mesh.has_normals(), mesh.has_colors()),
-        (counts.uvs > 0, counts.normals > 0, counts.colors > 0)
-    );
-    let edges = mesh.edges().len();
-    owned.edges.truncate(edges);
+    let owned = Owned::read(text.as_bytes(), counts)?;
+    // Duplicate edges are counted before they are removed.
+    let edges = owned.counts.edges;
+    assert_eq!(owned.counts, Counts { edges, ..counts });
     Ok(owned)
 }
 

@@ -9,8 +9,8 @@ use fixel::target::{Depth, Native};
 const ROWS: u32 = 8;
 
 static BALL: Mesh = shape!(sphere(32, 24));
-/// Strips in four colors between white ones, and white caps.
-static STRIPS: TextureArray<Rgb565, 8, 16> = {
+/// Stripes in four colors between white ones, and white caps.
+static STRIPES: TextureArray<Rgb565, 8, 16> = {
     let colors = [
         Rgb565::RED,
         Rgb565::CSS_ORANGE,
@@ -37,7 +37,7 @@ pub fn draw(display: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), E
     // Once a frame: the visible triangles. On a chip, list and memory are statics.
     let mut list = Box::new(TriangleList::<900, 900>::new());
     let triangles = list.prepare(&DrawOptions::new(), frame, &BALL, &mvp)?;
-    let shader = Textured::new(&STRIPS).lit(sun);
+    let shader = Textured::new(&STRIPES).lit(sun);
 
     let Size { width, height } = frame;
     let mut colors = vec![Rgb565::BLACK; (width * ROWS) as usize];

@@ -9,12 +9,12 @@ static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 static ROCK: Mesh = shape!(sphere(9, 6));
 
 /// Stars and gas in one direction. (Yours may come from files, with `include_bmp!`.)
-fn space(way: Vec3) -> Rgb565 {
-    let wave = |along: Vec3| Scalar::from_num(Angle::from_turns(way.dot(along)).sin());
+fn space(direction: Vec3) -> Rgb565 {
+    let wave = |along: Vec3| Scalar::from_num(Angle::from_turns(direction.dot(along)).sin());
     let bent = wave(vec3!(0.5, 0.2, 0.6)) / 4 + wave(vec3!(0.3, 1.1, -0.7)) / 8;
-    let gas = fx!(1) - (way.dot(vec3!(0.3, 0.9, 0.2)) + bent).abs() * 2;
+    let gas = fx!(1) - (direction.dot(vec3!(0.3, 0.9, 0.2)) + bent).abs() * 2;
     let red = wave(vec3!(0.4, 0.3, 0.1)) / 2 + fx!(0.5);
-    let [x, y, z] = way.to_bits().map(|bits| bits >> 10);
+    let [x, y, z] = direction.to_bits().map(|bits| bits >> 10);
     let random = x * 7919 + y * 5381 + z * 9973;
     if random.wrapping_mul(random) >> 9 & 255 < 2 {
         return Rgb565::WHITE;

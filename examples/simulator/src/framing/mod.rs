@@ -439,7 +439,7 @@ impl Framing {
         [middle - side, middle + side, middle - half, middle + half]
     }
 
-    /// Returns the direction towards the light: over the viewer's left shoulder.
+    /// Returns the direction toward the light: over the viewer's left shoulder.
     pub fn light(&self) -> Point {
         let [right, up, back] = self.axes;
         [0, 1, 2].map(|i| back[i] + up[i] * 0.9 - right[i] * 0.6)

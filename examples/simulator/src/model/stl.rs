@@ -53,12 +53,12 @@ fn binary(model: &mut Builder, bytes: &[u8], reading: &Reading) -> Result<(), St
     let mut unmarked = Unmarked(&mut file);
     let triangles = stl_io::create_stl_reader(&mut unmarked).map_err(|error| error.to_string())?;
     for (at, triangle) in triangles.enumerate() {
-        let place = header + at * each;
-        let triangle = triangle.map_err(|error| format!("byte {place}: {error}"))?;
+        let offset = header + at * each;
+        let triangle = triangle.map_err(|error| format!("byte {offset}: {error}"))?;
         model
             .triangle(&triangle)
-            .map_err(|problem| format!("byte {place}: {problem}"))?;
-        reading.set(at, place);
+            .map_err(|problem| format!("byte {offset}: {problem}"))?;
+        reading.set(at, offset);
     }
     Ok(())
 }
@@ -90,26 +90,26 @@ fn text(model: &mut Builder, bytes: &[u8], reading: &Reading) -> Result<(), Stri
         .to_ascii_lowercase()
         .replace("\r\n", "\n")
         .replace('\r', "\n");
-    let place = Place::default();
+    let position = TextPosition::default();
     let mut solid = 0;
-    while let Some(start) = next_solid(text.as_bytes(), &place)? {
+    while let Some(start) = next_solid(text.as_bytes(), &position)? {
         // A file may have several solids, and names may be missing. The reader accepts neither.
         let mut lines = Lines {
             text: text.as_bytes(),
-            place: &place,
+            position: &position,
             from: start,
             first: true,
         };
-        let at_line = |problem: String| format!("line {}: {problem}", place.line.get());
+        let at_line = |problem: String| format!("line {}: {problem}", position.line.get());
         let failed = |error: std::io::Error| {
-            let line = text.lines().nth(place.line.get().saturating_sub(1));
+            let line = text.lines().nth(position.line.get().saturating_sub(1));
             at_line(explain(line.unwrap_or_default(), &error.to_string()))
         };
         let triangles = stl_io::create_stl_reader(&mut lines).map_err(failed)?;
         for (at, triangle) in triangles.enumerate() {
             let triangle = triangle.map_err(failed)?;
             model.triangle(&triangle).map_err(at_line)?;
-            reading.set(at, place.byte.get());
+            reading.set(at, position.byte.get());
         }
         solid += 1;
     }
@@ -145,14 +145,14 @@ fn explain(line: &str, message: &str) -> String {
     format!("{what} needs 3 numbers, and has {}", numbers.len())
 }
 
-/// Where a reader is in the text.
+/// A reader's position in the text.
 #[derive(Clone, Default)]
-struct Place {
+struct TextPosition {
     byte: Cell<usize>,
     line: Cell<usize>,
 }
 
-impl Place {
+impl TextPosition {
     /// Takes the next line, with its end.
     fn line<'a>(&self, text: &'a [u8]) -> Option<&'a [u8]> {
         let rest = &text[self.byte.get()..];
@@ -168,17 +168,17 @@ impl Place {
 }
 
 /// Moves past the line that begins the next solid, and returns where that is; `None` at the end of the text.
-fn next_solid(text: &[u8], place: &Place) -> Result<Option<Place>, String> {
-    while let Some(line) = place.line(text) {
+fn next_solid(text: &[u8], position: &TextPosition) -> Result<Option<TextPosition>, String> {
+    while let Some(line) = position.line(text) {
         let line = line.trim_ascii();
         if line.starts_with(b"solid") {
-            return Ok(Some(place.clone()));
+            return Ok(Some(position.clone()));
         }
         if !line.is_empty() {
             let line = quote(line);
             return Err(format!(
                 "line {}: expected 'solid', and found {line}",
-                place.line.get()
+                position.line.get()
             ));
         }
     }
@@ -186,11 +186,11 @@ fn next_solid(text: &[u8], place: &Place) -> Result<Option<Place>, String> {
 }
 
 /// The lines of a text after the one at `from`, preceded by a line "solid ". A read returns at most one line, so
-/// `place` is the reader's position.
+/// `position` is the reader's.
 struct Lines<'a> {
     text: &'a [u8],
-    place: &'a Place,
-    from: Place,
+    position: &'a TextPosition,
+    from: TextPosition,
     first: bool,
 }
 
@@ -200,16 +200,16 @@ impl Read for Lines<'_> {
             self.first = false;
             b"solid \n"
         } else {
-            self.place.line(self.text).unwrap_or_default()
+            self.position.line(self.text).unwrap_or_default()
         };
         let count = line.len().min(out.len());
         out[..count].copy_from_slice(&line[..count]);
         if count < line.len() {
             // The rest comes next.
-            self.place
+            self.position
                 .byte
-                .set(self.place.byte.get() - (line.len() - count));
-            self.place.line.set(self.place.line.get() - 1);
+                .set(self.position.byte.get() - (line.len() - count));
+            self.position.line.set(self.position.line.get() - 1);
         }
         Ok(count)
     }
@@ -218,8 +218,8 @@ impl Read for Lines<'_> {
 impl Seek for Lines<'_> {
     /// Goes back to the start; the reader asks for nothing else.
     fn seek(&mut self, _: SeekFrom) -> IoResult<u64> {
-        self.place.byte.set(self.from.byte.get());
-        self.place.line.set(self.from.line.get());
+        self.position.byte.set(self.from.byte.get());
+        self.position.line.set(self.from.line.get());
         self.first = true;
         Ok(0)
     }
@@ -230,7 +230,7 @@ impl Seek for Lines<'_> {
 struct Builder {
     model: Model,
     ears: Ears,
-    places: HashMap<[u32; 3], u32>,
+    indices: HashMap<[u32; 3], u32>,
 }
 
 impl Builder {
@@ -243,7 +243,10 @@ impl Builder {
                 return Err(unusable(x));
             }
             let new = next(&self.model.positions)?;
-            corner.position = *self.places.entry(position.map(f32::to_bits)).or_insert(new);
+            corner.position = *self
+                .indices
+                .entry(position.map(f32::to_bits))
+                .or_insert(new);
             if corner.position == new {
                 self.model.positions.push(position.map(f64::from));
             }

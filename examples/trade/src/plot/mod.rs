@@ -46,20 +46,20 @@ pub fn fonts() -> Result<()> {
 pub fn save(stem: &Path, figure: &impl Figure) -> Result<()> {
     let (width, height) = figure.size();
     let mut bytes = vec![0; 3 * width as usize * height as usize];
-    paint(
+    draw(
         BitMapBackend::with_buffer(&mut bytes, (width, height)),
         figure,
     )?;
     RgbImage::from_raw(width, height, bytes)
         .ok_or("the plot has no pixels")?
         .save(stem.with_extension("png"))?;
-    paint(
+    draw(
         SVGBackend::new(&stem.with_extension("svg"), (width, height)),
         figure,
     )
 }
 
-fn paint<DB: DrawingBackend>(backend: DB, figure: &impl Figure) -> Result<()>
+fn draw<DB: DrawingBackend>(backend: DB, figure: &impl Figure) -> Result<()>
 where
     DB::ErrorType: 'static,
 {

@@ -20,7 +20,7 @@ use super::look::Look;
 use super::mode::{Mode, in_mode};
 use super::surface::{FaceValues, Show, Surface};
 use super::tinted::TintedLit;
-use super::view::{Lens, View};
+use super::view::{AnyProjection, View};
 use crate::args::{Filter, Shade};
 use crate::piece::{Finish, Piece};
 
@@ -279,8 +279,8 @@ pub enum Backdrop {
     Sky,
 }
 
-/// Everything that a picture needs besides the model.
-pub struct Brush<'a> {
+/// How a picture is drawn: everything that it needs besides the model.
+pub struct Style<'a> {
     /// A shader for each piece of the model.
     surfaces: Vec<Surface<'a>>,
     /// The color of lines.
@@ -300,8 +300,8 @@ pub struct Brush<'a> {
     silhouettes: bool,
 }
 
-impl<'a> Brush<'a> {
-    /// Makes a brush for a canvas of color `C`, for `pieces` with their `textures`, and for lines of `width` pixels.
+impl<'a> Style<'a> {
+    /// Makes the style for a canvas of color `C`, for `pieces` with their `textures`, and for lines of `width` pixels.
     ///
     /// # Errors
     ///
@@ -392,11 +392,11 @@ macro_rules! each {
         let mut sum = Drawn::default();
         for Piece { mesh: $mesh, .. } in $posed.pieces {
             let drawn = match *projection {
-                Lens::Perspective(projection) => {
+                AnyProjection::Perspective(projection) => {
                     let $mvp = &(projection * *camera * $posed.pose);
                     $draw
                 }
-                Lens::Parallel(projection) => {
+                AnyProjection::Parallel(projection) => {
                     let $mvp = &(projection * *camera * $posed.pose);
                     $parallel
                 }
@@ -481,14 +481,14 @@ impl Posed<'_> {
     fn draw_lines<D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, Rgb888, D>,
-        brush: &Brush<'_>,
+        style: &Style<'_>,
     ) -> Drawn {
         let options = &self.options();
-        let shader = &Flat::new(brush.line);
-        if brush.width.pixels() == fx!(1) {
+        let shader = &Flat::new(style.line);
+        if style.width.pixels() == fx!(1) {
             return self.draw_edges(canvas, shader);
         }
-        let options = &options.with_line(brush.width);
+        let options = &options.with_line(style.width);
         each!(self, |mesh, mvp| {
             canvas.draw_edges(options, mesh, mvp, shader)
         })
@@ -515,20 +515,20 @@ impl Posed<'_> {
         });
     }
 
-    /// Draws with `brush`.
-    pub fn paint<D: DepthBuffer>(
+    /// Draws the surfaces, the lines and the outline of `style`.
+    pub fn draw_in_style<D: DepthBuffer>(
         &self,
         canvas: &mut Board<'_, Rgb888, D>,
-        brush: &Brush<'_>,
+        style: &Style<'_>,
     ) -> Drawn {
-        if brush.only_edges {
-            return self.draw_lines(canvas, brush);
+        if style.only_edges {
+            return self.draw_lines(canvas, style);
         }
-        let drawn = self.draw_surfaces(canvas, &brush.surfaces, brush.wire);
-        if brush.wire {
-            self.draw_lines(canvas, brush);
+        let drawn = self.draw_surfaces(canvas, &style.surfaces, style.wire);
+        if style.wire {
+            self.draw_lines(canvas, style);
         }
-        if brush.silhouettes {
+        if style.silhouettes {
             self.draw_outline(canvas, &lighthouse::ISLAND, &lighthouse::SILHOUETTES);
         }
         drawn
