@@ -290,6 +290,9 @@ def places(instructions, other):
     for name in ["pico", "stm32f4", "esp32c3"]:
         says(FIRMWARE, f"| `{name}` | {{}} | {{}} |", [whole(other[f"{name} {kind}"]) for kind in ["flash", "RAM"]])
 
+    says(FIRMWARE, "reports about {} KB of flash at opt-level 3, including the mesh, the font, the HAL and the driver. It "
+         "reports {} bytes of RAM", [whole(other["pico flash"] / 1000), whole(other["pico RAM"])])
+
     # Types.
     mode = "src/span/mode.rs"
     says(mode, "takes {} KB of code in place of {} KB in mode [`Newton`], and",

@@ -110,7 +110,7 @@ mod tests {
 
     /// The module's documentation states these roundings.
     #[test]
-    fn operators_of_the_package_fixed_round_down_and_towards_zero() {
+    fn operators_of_the_package_fixed_round_down_and_toward_zero() {
         let (least, half) = (Scalar::from_bits(-1), Scalar::from_bits(1 << 15));
         assert_eq!((least * half).to_bits(), -1);
         assert_eq!((least / Scalar::from_bits(2 << 16)).to_bits(), 0);
