@@ -1,7 +1,7 @@
 //! Build script of programs for emulated boards: links them with the runtime crate's script and memory.x.
 //!
-//! It is not in .cargo/config.toml because the settings there also hold for the projects in boards/, which have memories
-//! and scripts of their own.
+//! It is not in .cargo/config.toml because the settings there also hold for the projects in boards/, which have
+//! memories and scripts of their own.
 
 use std::env::var;
 

@@ -41,8 +41,8 @@ pub const fn tex_coord(value: f64) -> Result<TexCoord, Error> {
     Ok(TexCoord::from_bits(bits))
 }
 
-/// The number below a half, which takes the place of a half where a sum is cut to an integer: the sum of 0.5 − 2^-54 and
-/// a half would be rounded to 1. From a half on, both sums are cut to the same integer.
+/// The number below a half, which takes the place of a half where a sum is cut to an integer: the sum of 0.5 − 2^-54
+/// and a half would be rounded to 1. From a half on, both sums are cut to the same integer.
 pub(super) const HALF: f64 = 0.5 - f64::EPSILON / 4.0;
 
 /// Returns the bits of the nearest number with `fraction` fraction bits, below 31.

@@ -16,10 +16,11 @@ use crate::reference::projection::{self, Projection as ModelProjection};
 use crate::reference::view::{View, Viewport as ModelViewport};
 
 const SIZE: (u32, u32) = (64, 48);
-/// A box this many pixels outside the view must count as out of view: one is for the pixel around the view, the rest for
-/// rounding. Four moves have a relative error of 2.7e-8 (`relative`), times at most 120 from the eye and 2,048 pixels,
-/// half the guard band. Coefficients of at most 3 are rounded to 27 bits, times at most 24 for the three coordinates of a
-/// corner. Together that is below 0.01 pixel at a distance of 1, so that a distance below 1 counts as 1.
+/// A box this many pixels outside the view must count as out of view: one is for the pixel around the view, the rest
+/// for rounding. Four moves have a relative error of 2.7e-8 (`relative`), times at most 120 from the eye and 2,048
+/// pixels, half the guard band. Coefficients of at most 3 are rounded to 27 bits, times at most 24 for the three
+/// coordinates of a corner. Together that is below 0.01 pixel at a distance of 1, so that a distance below 1 counts as
+/// 1.
 const PIXELS: f64 = 1.01;
 /// A box this far beyond the near or the far plane must count as out of view, as a fraction of the plane's distance.
 const PART: f64 = 0.0001;

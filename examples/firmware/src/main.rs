@@ -1,7 +1,7 @@
 //! The measured scenes on a microcontroller: the same pixels as on the host, in whole frames and in bands.
 //!
-//! `cargo run --profile speed -p firmware --target thumbv7em-none-eabi` runs it under QEMU. This needs QEMU with its Arm
-//! and RISC-V boards, and `ld.lld`. Other targets: thumbv6m-none-eabi, thumbv7m-none-eabi, thumbv8m.base-none-eabi,
+//! `cargo run --profile speed -p firmware --target thumbv7em-none-eabi` runs it under QEMU. This needs QEMU with its
+//! Arm and RISC-V boards, and `ld.lld`. Other targets: thumbv6m-none-eabi, thumbv7m-none-eabi, thumbv8m.base-none-eabi,
 //! thumbv8m.main-none-eabi, riscv32imc-unknown-none-elf.
 //!
 //! The program first prints the number of instructions in a tick. For each mode, scene and layout it then prints the

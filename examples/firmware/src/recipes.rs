@@ -1,8 +1,8 @@
 //! The cookbook's scenes on a microcontroller: the same pixels as on the host.
 //!
-//! `cargo run --profile speed -p firmware --bin recipes --target thumbv7em-none-eabi` prints a checksum of each picture,
-//! in 96x72, and the instructions that it took; `cargo run -p cookbook -- --crc --size 96x72` prints the host's checksums.
-//! Four scenes are missing: three use the standard library, and one draws with floats.
+//! `cargo run --profile speed -p firmware --bin recipes --target thumbv7em-none-eabi` prints a checksum of each
+//! picture, in 96x72, and the instructions that it took; `cargo run -p cookbook -- --crc --size 96x72` prints the
+//! host's checksums. Four scenes are missing: three use the standard library, and one draws with floats.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]

@@ -3,9 +3,9 @@
 //! A corner goes to eye space, is clipped where it has no place on the screen, and is divided by its distance. From
 //! there on, 1/w, u/w and v/w are linear on the screen.
 //!
-//! The crate rounds a corner's place to 1/256 of a pixel, in every mode. In a far plane that is seen from the side, this
-//! is worth more than the error of a mode, which is to be measured: so the place is the crate's. Corners that clipping
-//! made are rounded here.
+//! The crate rounds a corner's place to 1/256 of a pixel, in every mode. In a far plane that is seen from the side,
+//! this is worth more than the error of a mode, which is to be measured: so the place is the crate's. Corners that
+//! clipping made are rounded here.
 
 use heapless::Vec;
 

@@ -22,8 +22,8 @@ static MEMORY: Mutex<Memory> = Mutex::new(Memory {
     depths: [0; PIXELS],
 });
 
-/// Draws a band of the picture at a moment of the walk, a fraction of 2^32. Returns the band; null if its size is out of
-/// range.
+/// Draws a band of the picture at a moment of the walk, a fraction of 2^32. Returns the band; null if its size is out
+/// of range.
 #[allow(unsafe_code)] // promises that no other symbol has this name
 #[unsafe(no_mangle)]
 pub extern "C" fn draw(
