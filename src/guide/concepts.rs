@@ -23,7 +23,7 @@
 //! use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 //! use fixel::prelude::*;
 //!
-//! static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1))); // in flash
+//! static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1))); // in flash; from −1 to 1 along each axis
 //!
 //! fn main() -> Result<(), Error> {
 //!     // The memory is yours: on a microcontroller, statics.
@@ -61,7 +61,8 @@
 //! | `deg!(62.5)` | [`Angle`](crate::Angle): a fraction of a turn | one turn, in steps of 10⁻⁷ degrees |
 //!
 //! A literal beyond the range does not compile. For a number that is known only when the program runs, use
-//! [`num::scalar`](crate::num::scalar) (from a float), `Scalar::from_num` (from an integer), `Vec3::new`, and the
+//! [`num::scalar`](crate::num::scalar) and [`num::tex_coord`](crate::num::tex_coord) (from a float), `Scalar::from_num`
+//! and `TexCoord::from_num` (from an integer), `Vec3::new` and `Vec2::new` (from these), `Vec3::from_ints`, and the
 //! constructors of `Angle`.
 //!
 //! ```
