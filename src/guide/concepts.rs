@@ -178,9 +178,9 @@
 //!
 //! # Options
 //!
-//! [`Canvas::draw`](crate::Canvas::draw) culls back faces, tests depth, interpolates in correct perspective, and
-//! replaces the colors on the canvas. [`draw_with`](crate::Canvas::draw_with) takes [`DrawOptions`](crate::DrawOptions)
-//! that change this for one call:
+//! [`Canvas::draw`](crate::Canvas::draw) culls back faces (it leaves them out), tests depth, interpolates in correct
+//! perspective, and replaces the colors on the canvas. [`draw_with`](crate::Canvas::draw_with) takes
+//! [`DrawOptions`](crate::DrawOptions) that change this for one call:
 //!
 //! ```
 //! use fixel::mode::Fast;
