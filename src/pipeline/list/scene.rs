@@ -23,7 +23,7 @@ use crate::{Error, Transform};
 /// one.
 ///
 /// [`TriangleList::prepare_scene`] and [`EdgeList::prepare_scene`](super::EdgeList::prepare_scene) prepare a slice of
-/// objects.
+/// objects, and note in it which vertices are whose. So triangles and edges of one frame need a slice each: copy it.
 ///
 /// ```
 /// use fixel::{Object, prelude::*};
@@ -33,7 +33,9 @@ use crate::{Error, Transform};
 /// assert_eq!(crate_.material, "wood");
 /// ```
 ///
-/// All objects of a slice have one type of material. For different shaders, let it be a trait of your own:
+/// All objects of a slice have one type of material. For different shaders, let it be a trait of your own. (The types
+/// below are those of the default options; in mode `Fast`, for example, the triangles are a
+/// `Prepared<Perspective, Fast>`.)
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
