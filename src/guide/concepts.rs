@@ -23,7 +23,7 @@
 //! use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 //! use fixel::prelude::*;
 //!
-//! static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1))); // in flash
+//! static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1))); // in flash; from −1 to 1 along each axis
 //!
 //! fn main() -> Result<(), Error> {
 //!     // The memory is yours: on a microcontroller, statics.
@@ -61,7 +61,8 @@
 //! | `deg!(62.5)` | [`Angle`](crate::Angle): a fraction of a turn | one turn, in steps of 10⁻⁷ degrees |
 //!
 //! A literal beyond the range does not compile. For a number that is known only when the program runs, use
-//! [`num::scalar`](crate::num::scalar) (from a float), `Scalar::from_num` (from an integer), `Vec3::new`, and the
+//! [`num::scalar`](crate::num::scalar) and [`num::tex_coord`](crate::num::tex_coord) (from a float), `Scalar::from_num`
+//! and `TexCoord::from_num` (from an integer), `Vec3::new` and `Vec2::new` (from these), `Vec3::from_ints`, and the
 //! constructors of `Angle`.
 //!
 //! ```
@@ -177,9 +178,9 @@
 //!
 //! # Options
 //!
-//! [`Canvas::draw`](crate::Canvas::draw) culls back faces, tests depth, interpolates in correct perspective, and
-//! replaces the colors on the canvas. [`draw_with`](crate::Canvas::draw_with) takes [`DrawOptions`](crate::DrawOptions)
-//! that change this for one call:
+//! [`Canvas::draw`](crate::Canvas::draw) culls back faces (it leaves them out), tests depth, interpolates in correct
+//! perspective, and replaces the colors on the canvas. [`draw_with`](crate::Canvas::draw_with) takes
+//! [`DrawOptions`](crate::DrawOptions) that change this for one call:
 //!
 //! ```
 //! use fixel::mode::Fast;
@@ -273,6 +274,6 @@
 //! | lit surfaces are dark | the direction of a [`Light`](crate::Light) points to the light, in world space; surfaces that face away from it have only its ambient brightness |
 //! | a spot or a highlight with jagged edges, or none | light is computed at the corners of triangles: make the mesh finer |
 //! | distant surfaces flicker through each other | move the near plane away from the eye: see [Depth](#depth) |
-//! | lines on a surface are broken | draw the surface with [`Biased::behind`](crate::target::Biased::behind), slightly behind its true depth |
+//! | lines on a surface are broken | draw the surface with [`Biased::behind`](crate::target::Biased::behind), slightly behind its true depth; for silhouettes, [farther behind](crate::Canvas::draw_outline) |
 //!
 //! [Firmware](crate::guide::firmware#when-the-picture-is-wrong) has the same for displays.

@@ -43,6 +43,17 @@ use crate::{Error, Scalar, Vec2, Vec3};
 /// ]);
 /// # Ok::<(), Error>(())
 /// ```
+///
+/// Sprites are drawn in the order of their positions. Sort [blended](crate::target::Blending) ones from back to front:
+///
+/// ```
+/// use fixel::prelude::*;
+/// let view = Camera::look_at(vec3!(0, 2, 6), Vec3::ZERO, Vec3::Y)?.view();
+/// let mut smoke = [vec3!(0, 0, 2), vec3!(0, 1, -3), vec3!(0, 2, 0)];
+/// smoke.sort_unstable_by_key(|&place| view.point(place).z); // the eye looks along −z
+/// assert_eq!(smoke, [vec3!(0, 1, -3), vec3!(0, 2, 0), vec3!(0, 0, 2)]);
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Sprites<'a> {
     pub(crate) positions: &'a [Vec3],

@@ -344,6 +344,29 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// assert_eq!(beside.hit(&BOX), None);
     /// # Ok::<(), Error>(())
     /// ```
+    ///
+    /// The distances of hits on several objects are in the units of each. Compare their depths instead:
+    ///
+    /// ```
+    /// # use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
+    /// # use fixel::prelude::*;
+    /// # static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+    /// # static BALL: Mesh = shape!(sphere(12, 8));
+    /// # let view = Projection::perspective(deg!(60), (32, 24), fx!(0.5), fx!(20))?;
+    /// # let mut pixels = [Gray8::new(0); 32 * 24];
+    /// # let canvas = Canvas::new(&mut pixels, 32, 24)?;
+    /// # let (options, touch) = (DrawOptions::new(), Point::new(16, 12));
+    /// let far = Transform::translate(vec3!(0, 0, -9)) * Transform::scale(fx!(2));
+    /// let objects = [(&BOX, Transform::translate(vec3!(0, 0, -5))), (&BALL, far)];
+    /// let hits = objects.iter().enumerate().filter_map(|(object, &(mesh, model))| {
+    ///     let mvp = view * model;
+    ///     let hit = canvas.ray(&options, &mvp, touch)?.hit(mesh)?;
+    ///     Some((canvas.project(&options, &mvp, hit.point)?.depth, object, hit.face))
+    /// });
+    /// let nearest = hits.max_by_key(|&(depth, ..)| depth);
+    /// assert!(matches!(nearest, Some((_, 0, _)))); // the box, although its hit has the greater distance
+    /// # Ok::<(), Error>(())
+    /// ```
     #[must_use]
     pub fn ray<M, Z, B, L>(
         &self,

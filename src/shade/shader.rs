@@ -101,16 +101,21 @@ pub struct Fragment {
 ///
 /// Each stack of shaders is a type of its own, and there is no `dyn Shader`: a call for each pixel would take longer
 /// than most shaders. To keep objects with different shaders in one list, choose the shader once for each draw call: by
-/// an enum, or by a trait of your own whose method draws the object.
+/// an enum, or by a trait of your own whose method draws the object. (For a [`TriangleList`](crate::TriangleList), see
+/// [`Object`](crate::Object).)
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 /// use fixel::prelude::*;
+/// use fixel::target::{Depth, Native};
 ///
 /// static BALL: Mesh = shape!(sphere(16, 12));
+/// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+///
+/// type Frame<'a, 'd> = Canvas<'a, Rgb565, Native, Depth<'d>>;
 ///
 /// trait Draw {
-///     fn draw(&self, canvas: &mut Canvas<'_, Rgb565>, view: &Mvp);
+///     fn draw(&self, frame: &mut Frame, view: &Mvp);
 /// }
 ///
 /// struct Model<S> {
@@ -120,26 +125,26 @@ pub struct Fragment {
 /// }
 ///
 /// impl<S: Shader<Color = Rgb565>> Draw for Model<S> {
-///     fn draw(&self, canvas: &mut Canvas<'_, Rgb565>, view: &Mvp) {
-///         canvas.draw(self.mesh, &(*view * self.place), &self.shader);
+///     fn draw(&self, frame: &mut Frame, view: &Mvp) {
+///         frame.draw(self.mesh, &(*view * self.place), &self.shader);
 ///     }
 /// }
 ///
 /// let place = |x| Transform::translate(Vec3::new(x, fx!(0), fx!(0)));
 /// let sun = Light::new(vec3!(1, 1, 1), fx!(0.2), fx!(0.8))?;
 /// let lit = Flat::new(Rgb565::RED).lit(sun);
-/// let models: [&dyn Draw; 2] = [
-///     &Model { mesh: &BALL, place: place(fx!(-1)), shader: lit },
+/// let models: [&dyn Draw; 2] = [ // or Vec<Box<dyn Draw>>
+///     &Model { mesh: &BOX, place: place(fx!(-1.2)), shader: lit },
 ///     &Model { mesh: &BALL, place: place(fx!(1)), shader: NormalView::new() },
 /// ];
 /// let projection = Projection::perspective(deg!(45), (8, 6), fx!(1), fx!(10))?;
 /// let view = projection * Camera::look_at(vec3!(0, 0, 6), Vec3::ZERO, Vec3::Y)?;
-/// let mut pixels = [Rgb565::BLACK; 8 * 6];
-/// let mut canvas = Canvas::new(&mut pixels, 8, 6)?;
+/// let (mut pixels, mut depths) = ([Rgb565::BLACK; 8 * 6], [0; 8 * 6]);
+/// let mut frame = Canvas::new(&mut pixels, 8, 6)?.with_depth(&mut depths)?;
 /// for model in models {
-///     model.draw(&mut canvas, &view);
+///     model.draw(&mut frame, &view);
 /// }
-/// # // The middle of each ball: a red one, and one that is bluest where it faces the viewer.
+/// # // The middle of each: a red one, and one that is bluest where it faces the viewer.
 /// # assert!(pixels[3 * 8 + 2].r() > 10 && pixels[3 * 8 + 2].b() == 0 && pixels[3 * 8 + 5].b() > 25);
 /// # Ok::<(), Error>(())
 /// ```
@@ -235,6 +240,9 @@ pub trait Shader: Copy {
     }
 
     /// Applies a function to each pixel and its color: any effect in one line. `None` leaves the pixel as it is.
+    ///
+    /// The function may capture only [`Copy`] values. Surfaces made by an `rgb` function, such as
+    /// [`Flat::rgb`](super::Flat::rgb), do not know their color's type yet, so write it: `|_, color: Rgb565| …`.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};

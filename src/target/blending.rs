@@ -79,6 +79,9 @@ pub struct Opacity(pub u8);
 /// A [`Blending`]: each color covers the one on the canvas by an opacity of its own; see [`Translucent`]. As accurate
 /// as [`Opacity`].
 ///
+/// It takes only shaders of such colors. [`map`](crate::Shader::map) gives any surface an opacity, as in the example of
+/// [`Translucent`]; for one opacity everywhere, use [`Opacity`].
+///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 /// use fixel::{prelude::*, target::Alpha, texture::Argb4444};

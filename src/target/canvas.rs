@@ -58,6 +58,22 @@ pub const MAX_SIZE: u32 = 2048;
 /// assert!(canvas.pixels().all(|pixel| pixel == Rgb565::BLUE));
 /// # Ok::<(), Error>(())
 /// ```
+///
+/// `Canvas<Rgb565>` has no depth buffer. So a function that draws names the whole type, or takes any:
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+/// use fixel::prelude::*;
+/// use fixel::target::{Depth, DepthBuffer, Native, Storage};
+///
+/// fn with_depth(canvas: &mut Canvas<Rgb565, Native, Depth>) {
+///     on_any(canvas);
+/// }
+///
+/// fn on_any<O: Storage<Rgb565>, D: DepthBuffer>(canvas: &mut Canvas<Rgb565, O, D>) {
+///     canvas.clear(Rgb565::BLUE);
+/// }
+/// ```
 #[derive(Debug)]
 pub struct Canvas<'a, C, O: Storage<C> = Native, D = NoDepth> {
     cells: &'a mut [O::Cell],

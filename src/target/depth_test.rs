@@ -137,7 +137,8 @@ impl<Z> Biased<Z> {
     }
 
     /// `test` with depths moved away by two steps and by the depth difference between neighboring pixels. This is
-    /// enough for edges drawn over the mesh to have no gaps.
+    /// enough for edges drawn over the mesh to have no gaps. Silhouettes of round bodies need more: see
+    /// [`Canvas::draw_outline`](crate::Canvas::draw_outline).
     #[must_use]
     pub const fn behind(test: Z) -> Self {
         Self::new(test, -2, crate::fx!(-1))

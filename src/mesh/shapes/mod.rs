@@ -189,8 +189,10 @@ impl Shape {
 
 /// A mesh of a [`Shape`](crate::mesh::Shape), built at compile time and stored in flash.
 ///
-/// The argument is a constructor of `Shape` with constant arguments. Arguments that the constructor refuses do not
-/// compile.
+/// The argument is a constructor of `Shape` with constant arguments: [`cuboid`](crate::mesh::Shape::cuboid) (given half
+/// of its size), [`sphere`](crate::mesh::Shape::sphere), [`torus`](crate::mesh::Shape::torus),
+/// [`plane`](crate::mesh::Shape::plane) or [`cylinder`](crate::mesh::Shape::cylinder). Arguments that the constructor
+/// refuses do not compile.
 ///
 /// ```
 /// use fixel::prelude::*;

@@ -23,7 +23,7 @@ use crate::{Error, Transform};
 /// one.
 ///
 /// [`TriangleList::prepare_scene`] and [`EdgeList::prepare_scene`](super::EdgeList::prepare_scene) prepare a slice of
-/// objects.
+/// objects, and note in it which vertices are whose. So triangles and edges of one frame need a slice each: copy it.
 ///
 /// ```
 /// use fixel::{Object, prelude::*};
@@ -31,6 +31,42 @@ use crate::{Error, Transform};
 /// let mut crate_ = Object::new(&BOX, Transform::IDENTITY, "wood");
 /// crate_.model = Transform::rotate_y(deg!(30)); // in the next frame
 /// assert_eq!(crate_.material, "wood");
+/// ```
+///
+/// All objects of a slice have one type of material. For different shaders, let it be a trait of your own. (The types
+/// below are those of the default options; in mode `Fast`, for example, the triangles are a
+/// `Prepared<Perspective, Fast>`.)
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+/// use fixel::{Object, Prepared, PreparedScene, prelude::*, target::{Depth, Native}};
+/// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+/// static BALL: Mesh = shape!(sphere(16, 12));
+///
+/// type Band<'a, 'd> = Canvas<'a, Rgb565, Native, Depth<'d>>;
+///
+/// trait Material {
+///     fn draw(&self, band: &mut Band, triangles: &Prepared) -> Result<Drawn, Error>;
+/// }
+///
+/// impl<S: Shader<Color = Rgb565>> Material for S {
+///     fn draw(&self, band: &mut Band, triangles: &Prepared) -> Result<Drawn, Error> {
+///         band.draw_prepared(triangles, self)
+///     }
+/// }
+///
+/// fn draw(scene: &PreparedScene<&dyn Material>, band: &mut Band) -> Result<(), Error> {
+///     for (material, triangles) in scene.parts(band)? {
+///         material.draw(band, &triangles)?;
+///     }
+///     Ok(())
+/// }
+///
+/// let (red, normals) = (Flat::new(Rgb565::RED), NormalView::new());
+/// let objects: [Object<&dyn Material>; 2] = [
+///     Object::new(&BOX, Transform::translate(vec3!(-1, 0, 0)), &red),
+///     Object::new(&BALL, Transform::translate(vec3!(1, 0, 0)), &normals),
+/// ];
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Object<'m, T> {
