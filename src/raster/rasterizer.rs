@@ -3,7 +3,7 @@
 use core::hint::black_box;
 use core::ops::Range;
 
-use super::edge::{Edge, first_center};
+use super::edge::{Edge, ShortEdge, first_center};
 use super::polygon::Part;
 use super::{Blitter, Columns, Scissor, ScreenVertex, Triangle};
 
@@ -52,7 +52,7 @@ impl<'r> Rasterizer<'r> {
                 cut(rows, &self.scissor.columns);
             }
             // For the many slivers that pass between all centers, nothing is laid.
-            if !is_set_up && rows.iter().any(|[start, end]| start < end) {
+            if !is_set_up && rows.iter().any(has_pixels) {
                 self.blitter.set_up(patch);
                 is_set_up = true;
             }
@@ -132,13 +132,26 @@ pub(super) fn scan_convert(
         };
         let side = usize::from(is_down == is_clockwise);
         let row = first + (start as u32).cast_signed();
-        let mut edge = Edge::new(top.screen, bottom.screen, row);
-        for columns in rows {
-            // Keeps the compiler from unrolling the loop, because most edges pass few rows.
-            black_box(());
-            columns[side] = edge.next() as i16;
+        // An empty statement keeps the compiler from unrolling the loops, because most edges pass few rows.
+        if let Some(mut edge) = ShortEdge::new(top.screen, bottom.screen, row) {
+            for columns in rows {
+                black_box(());
+                columns[side] = edge.next();
+            }
+        } else {
+            let mut edge = Edge::new(top.screen, bottom.screen, row);
+            for columns in rows {
+                black_box(());
+                columns[side] = edge.next() as i16;
+            }
         }
     }
+}
+
+/// Whether a row has a pixel.
+fn has_pixels([start, end]: &Columns) -> bool {
+    black_box(()); // so that the loop over rows is not unrolled: most triangles have a pixel in the first one or two
+    start < end
 }
 
 /// Limits rows to the scissor. Apart, because most triangles are inside it.

@@ -206,11 +206,11 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     ///
     /// | scene | wrong pixels | list | millions of instructions with depth | sorted |
     /// |---|--:|--:|--:|--:|
-    /// | sphere | 0 | 17.1 KiB | 2.32 | 2.71 |
-    /// | two rings around a cube | 0 | 13.9 KiB | 1.54 | 1.84 |
-    /// | 27 towers, after the floor | 0 | 5.0 KiB | 2.88 | 1.15 |
-    /// | island with a lighthouse | 0.40 % | 19.1 KiB | 5.07 | 5.65 |
-    /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 9.29 | 10.0 |
+    /// | sphere | 0 | 17.1 KiB | 2.26 | 2.65 |
+    /// | two rings around a cube | 0 | 13.9 KiB | 1.57 | 1.89 |
+    /// | 27 towers, after the floor | 0 | 5.0 KiB | 2.89 | 1.17 |
+    /// | island with a lighthouse | 0.40 % | 19.1 KiB | 5.17 | 5.75 |
+    /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 9.39 | 10.1 |
     ///
     /// Sorting takes time for each triangle, and hidden pixels are drawn, too. But no pixel's depth is tested and
     /// stored, which is most of the cost of a pixel of one color, such as the towers'.
