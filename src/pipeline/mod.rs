@@ -167,9 +167,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// no gaps.
     ///
     /// To remove hidden lines, draw the faces first, in the color of the background and behind their true depth. For
-    /// creases, [`Biased::behind`](crate::target::Biased::behind) is far enough. The face beside a silhouette may be
-    /// narrower than a pixel, and the line then lies on the next face: without gaps, round bodies need a slope of about
-    /// −4. With more, lines close behind a surface show through.
+    /// creases, [`Biased::behind`](crate::target::Biased::behind) is far enough; silhouettes need
+    /// [`Biased::behind_outlines`](crate::target::Biased::behind_outlines).
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -182,7 +181,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// let (mut color, mut depth) = ([BinaryColor::Off; 24 * 24], [0; 24 * 24]);
     /// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
     /// canvas.clear(BinaryColor::Off);
-    /// let behind = DrawOptions::new().with_depth(Biased::new(TestAndWrite, -2, fx!(-4)));
+    /// let behind = DrawOptions::new().with_depth(Biased::behind_outlines(TestAndWrite));
     /// canvas.draw_with(&behind, &CAN, &mvp, &Flat::new(BinaryColor::Off));
     /// canvas.draw_outline(&DrawOptions::new(), &CAN, &RIMS, &mvp, &Flat::new(BinaryColor::On));
     /// let mut display = MockDisplay::new();

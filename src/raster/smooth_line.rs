@@ -24,8 +24,8 @@ use crate::num::wide::product;
 ///
 /// Depth and attributes vary along the longer axis, as on a hairline; beyond an end, they are those of the end. So a
 /// pixel has the depth of a place up to √2 · (width + 1)/2 pixels away. If a mesh hides the lines on it, draw it
-/// [`Biased`](crate::target::Biased) by that many pixels, as below; for silhouettes, by about four
-/// ([`draw_outline`](crate::Canvas::draw_outline) says why). Draw smooth lines last, with
+/// [`Biased`](crate::target::Biased) by that many pixels, as below; for silhouettes,
+/// [`behind_outlines`](crate::target::Biased::behind_outlines). Draw smooth lines last, with
 /// [`TestOnly`](crate::target::TestOnly): what is drawn later, behind a pixel that a line covers only in part, would
 /// not show through.
 ///

@@ -144,6 +144,19 @@ impl<Z> Biased<Z> {
         Self::new(test, -2, crate::fx!(-1))
     }
 
+    /// `test` with depths moved away by two steps and by four times the depth difference between neighboring pixels,
+    /// for [outlines](crate::Canvas::draw_outline) drawn over the mesh.
+    ///
+    /// Beside a silhouette of a round body, faces turn away so fast that one may be narrower than a pixel. Then the
+    /// line lies over the next, flatter face. So an outline needs a greater distance than edges inside the body:
+    /// measured on a ball and a can, at most 0.4 % of the pixels of silhouettes are missing, where
+    /// [`behind`](Self::behind) leaves out up to 9 %. The same distance lets lines shine through that are closely
+    /// behind a surface.
+    #[must_use]
+    pub const fn behind_outlines(test: Z) -> Self {
+        Self::new(test, -2, crate::fx!(-4))
+    }
+
     /// The test whose depths are moved.
     #[must_use]
     pub const fn test(&self) -> Z

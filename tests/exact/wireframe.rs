@@ -127,6 +127,47 @@ fn edges_over_the_mesh_have_no_gaps() {
     });
 }
 
+/// The outlines of round meshes over the meshes themselves, in many poses: the number of pixels, and how many of them the
+/// mesh hides if its depths are moved by `test`.
+fn hidden_outlines(test: impl DepthTest) -> [usize; 2] {
+    static ROUND_BALL: Mesh = shape!(sphere(24, 16));
+    static ROUND_CAN: Mesh = shape!(cylinder(24));
+    static MESHES: [(&Mesh, Outline); 2] = [
+        (&ROUND_BALL, outline!(ROUND_BALL, deg!(60))),
+        (&ROUND_CAN, outline!(ROUND_CAN, deg!(30))),
+    ];
+    let mut sums = [0; 2];
+    cases(200, |random| {
+        let (mesh, outline) = MESHES[random.random_range(0..2)];
+        let distance = Scalar::from_num(random.random_range(3.0..9.0));
+        let projection = Projection::perspective(deg!(50), SIZE, fx!(1), fx!(20)).unwrap();
+        let mvp = projection * pose(random.random(), distance);
+        let [alone, over] = [false, true].map(|is_hidden| {
+            let (mut colors, mut depths) = ([Gray8::BLACK; PIXELS], [0; PIXELS]);
+            let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
+            let mut canvas = canvas.with_depth(&mut depths).unwrap();
+            if is_hidden {
+                let options = DrawOptions::new().with_depth(test);
+                canvas.draw_with(&options, mesh, &mvp, &Flat::new(SURFACE));
+            }
+            canvas.draw_outline(&DrawOptions::new(), mesh, &outline, &mvp, &Flat::new(EDGE));
+            colors
+        });
+        for (sum, count) in sums.iter_mut().zip(missing(&over, &alone)) {
+            *sum += count;
+        }
+    });
+    sums
+}
+
+#[test]
+fn silhouettes_of_round_meshes_have_hardly_any_gaps() {
+    let [outlines, gaps] = hidden_outlines(Biased::behind_outlines(TestAndWrite));
+    assert!(gaps * 250 <= outlines, "{gaps} of {outlines}");
+    let [outlines, gaps] = hidden_outlines(Biased::behind(TestAndWrite));
+    assert!(gaps * 50 > outlines, "{gaps} of {outlines}");
+}
+
 /// For contrast: without a depth bias, the mesh hides some pixels of its edges.
 #[test]
 fn edges_over_a_mesh_without_bias_have_gaps() {

@@ -17,12 +17,11 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     canvas.clear(paper.into());
 
     // The faces hide the lines behind them. To spare the lines on their own borders, they
-    // move away from the eye, by the change of their depth over one and a half pixels. The
-    // lines move toward the eye: by 128 of about 7,000 steps from the tower to infinity.
-    let behind = DrawOptions::new().with_depth(Biased::new(TestAndWrite, -2, fx!(-1.5)));
+    // move away from the eye.
+    let behind = DrawOptions::new().with_depth(Biased::behind_outlines(TestAndWrite));
     canvas.draw_with(&behind, &ISLAND, &view, &Flat::rgb(paper));
     let lines = Flat::rgb(ink);
-    let before = DrawOptions::new().with_depth(Biased::new(TestOnly, 128, fx!(0)));
+    let before = DrawOptions::new().with_depth(TestOnly);
     let smooth = before.with_line(LineWidth::new(fx!(1))?.smooth());
     canvas.draw_outline(&smooth, &ISLAND, &OUTLINE, &view, &lines);
     Ok(())
