@@ -294,7 +294,9 @@ pub trait Shader: Copy {
 #[diagnostic::on_unimplemented(
     message = "the color of `{Self}` is not the canvas's color `{C}`",
     label = "not a shader of color `{C}`",
-    note = "write `&shader.converted()` to convert the color of each pixel, or give the canvas the shader's color type"
+    note = "write `&shader.converted()` to convert the color of each pixel, or give the canvas the shader's color type",
+    note = "with the blending `Alpha`, colors are `Translucent`: of `Argb4444` texels, of a `masked` texture or of your \
+            `.map(…)`; `Opacity` blends any color by one opacity"
 )]
 pub trait ShaderFor<C>: Shader<Color = C> {}
 
