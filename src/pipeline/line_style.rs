@@ -8,7 +8,7 @@ use crate::raster::{
     self, Blitter, ClippedVertex, Coverage, Hairline, LineWidth, Rasterizer, SmoothLine,
 };
 use crate::shade::{Levels, ShaderFor};
-use crate::span::{Painter, Smooth};
+use crate::span::{Shading, Smooth};
 use crate::target::Blending;
 use crate::view::ProjectionKind;
 
@@ -42,23 +42,23 @@ pub(super) type DrawLine<'l> = &'l dyn Fn(&mut Rasterizer<'_>, [&ClippedVertex; 
 
 /// What a [`LineStyle`] does.
 pub(super) trait Stroke<C>: Copy {
-    /// What the rasterizer tells the painter about each line.
+    /// What the rasterizer tells the shading about each line.
     type State: Default + 'static;
 
     /// Colors the pixels.
-    type Painter<'s, S: ShaderFor<B::Source>, B: Blending<C>>: Painter<Color = C>;
+    type Shading<'s, S: ShaderFor<B::Source>, B: Blending<C>>: Shading<Color = C>;
 
-    /// The painter of lines of this style, which reads `state`.
-    fn painter<S: ShaderFor<B::Source>, B: Blending<C>>(
+    /// The shading of lines of this style, which reads `state`.
+    fn shading<S: ShaderFor<B::Source>, B: Blending<C>>(
         state: &Self::State,
         shader: S,
         blending: B,
-    ) -> Self::Painter<'_, S, B>;
+    ) -> Self::Shading<'_, S, B>;
 
     /// By how many rows a line may reach beyond its ends.
     fn reach(self) -> i32;
 
-    /// Draws a line between two ends, and writes `state` for the painter.
+    /// Draws a line between two ends, and writes `state` for the shading.
     fn line(self, state: &Self::State, raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]);
 
     /// Returns [`line`](Self::line) with this style and this state, as a [`DrawLine`].
@@ -81,10 +81,10 @@ pub(super) trait Stroke<C>: Copy {
 
 impl<C> Stroke<C> for Hairline {
     type State = ();
-    type Painter<'s, S: ShaderFor<B::Source>, B: Blending<C>> = (S, B);
+    type Shading<'s, S: ShaderFor<B::Source>, B: Blending<C>> = (S, B);
 
     #[inline]
-    fn painter<S: ShaderFor<B::Source>, B: Blending<C>>((): &(), shader: S, blending: B) -> (S, B) {
+    fn shading<S: ShaderFor<B::Source>, B: Blending<C>>((): &(), shader: S, blending: B) -> (S, B) {
         (shader, blending)
     }
 
@@ -112,10 +112,10 @@ impl<C> Stroke<C> for Hairline {
 
 impl<C> Stroke<C> for LineWidth {
     type State = ();
-    type Painter<'s, S: ShaderFor<B::Source>, B: Blending<C>> = (S, B);
+    type Shading<'s, S: ShaderFor<B::Source>, B: Blending<C>> = (S, B);
 
     #[inline]
-    fn painter<S: ShaderFor<B::Source>, B: Blending<C>>((): &(), shader: S, blending: B) -> (S, B) {
+    fn shading<S: ShaderFor<B::Source>, B: Blending<C>>((): &(), shader: S, blending: B) -> (S, B) {
         (shader, blending)
     }
 
@@ -132,10 +132,10 @@ impl<C> Stroke<C> for LineWidth {
 
 impl<C: Levels> Stroke<C> for SmoothLine {
     type State = Cell<Coverage>;
-    type Painter<'s, S: ShaderFor<B::Source>, B: Blending<C>> = Smooth<'s, S, B>;
+    type Shading<'s, S: ShaderFor<B::Source>, B: Blending<C>> = Smooth<'s, S, B>;
 
     #[inline]
-    fn painter<S: ShaderFor<B::Source>, B: Blending<C>>(
+    fn shading<S: ShaderFor<B::Source>, B: Blending<C>>(
         coverage: &Self::State,
         shader: S,
         blending: B,

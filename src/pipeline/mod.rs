@@ -39,7 +39,7 @@ use crate::Error;
 use crate::mesh::{Mesh, Missing, Outline, Sprites};
 use crate::raster::{Blitter, PointStyle};
 use crate::shade::ShaderFor;
-use crate::span::{Blit, Mode, Painter, is_plane};
+use crate::span::{Blit, Mode, Shading, is_plane};
 use crate::target::{Blending, Canvas, DepthBuffer, DepthTest, Storage};
 use crate::view::{ModelToPicture, ProjectionKind};
 
@@ -97,8 +97,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         mvp: &impl ModelToPicture,
         shader: &impl ShaderFor<B::Source>,
     ) -> Drawn {
-        let painter = (*shader, options.pixels.blending);
-        self.paint(options, (mesh, mvp), painter, run::draw)
+        let shading = (*shader, options.pixels.blending);
+        self.run_stages(options, (mesh, mvp), shading, run::draw)
     }
 
     /// Draws the triangles that were [prepared](TriangleList::prepare) for this frame and meet this canvas's rows. The
@@ -112,9 +112,9 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         prepared: &Prepared<'_, K, M, Z, B>,
         shader: &impl ShaderFor<B::Source>,
     ) -> Result<Drawn, Error> {
-        let painter = (*shader, prepared.pixels.blending);
+        let shading = (*shader, prepared.pixels.blending);
         let list = (&prepared.call, &prepared.pixels);
-        self.paint_prepared(list, painter, |rows, blitter| prepared.draw(rows, blitter))
+        self.run_prepared(list, shading, |rows, blitter| prepared.draw(rows, blitter))
     }
 
     /// Draws the edges that were [prepared](EdgeList::prepare) for this frame and meet this canvas's rows. The pixels
@@ -136,9 +136,9 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         shader: &impl ShaderFor<B::Source>,
     ) -> Result<Drawn, Error> {
         let state = L::State::default();
-        let painter = L::painter(&state, *shader, prepared.pixels.blending);
+        let shading = L::shading(&state, *shader, prepared.pixels.blending);
         let list = (&prepared.call, &prepared.pixels);
-        self.paint_prepared(list, painter, |rows, blitter| {
+        self.run_prepared(list, shading, |rows, blitter| {
             let line = prepared.line.bind(&state);
             prepared.draw(&line, prepared.line.reach(), rows, blitter)
         })
@@ -154,8 +154,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         shader: &impl ShaderFor<B::Source>,
     ) -> Drawn {
         let state = L::State::default();
-        let painter = L::painter(&state, *shader, options.pixels.blending);
-        self.paint(options, (mesh, mvp), painter, |call, blitter| {
+        let shading = L::shading(&state, *shader, options.pixels.blending);
+        self.run_stages(options, (mesh, mvp), shading, |call, blitter| {
             options.line.edges(&state, call, blitter)
         })
     }
@@ -223,8 +223,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         shader: &impl ShaderFor<B::Source>,
     ) -> Drawn {
         let state = L::State::default();
-        let painter = L::painter(&state, *shader, options.pixels.blending);
-        self.paint(options, (mesh, mvp), painter, |call, blitter| {
+        let shading = L::shading(&state, *shader, options.pixels.blending);
+        self.run_stages(options, (mesh, mvp), shading, |call, blitter| {
             let line = options.line.bind(&state);
             outline::outline(call, outline, &line, blitter)
         })
@@ -238,8 +238,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         mvp: &impl ModelToPicture,
         shader: &impl ShaderFor<B::Source>,
     ) -> Drawn {
-        let painter = (*shader, options.pixels.blending);
-        self.paint(options, (mesh, mvp), painter, run::points)
+        let shading = (*shader, options.pixels.blending);
+        self.run_stages(options, (mesh, mvp), shading, run::points)
     }
 
     /// Draws a mesh's positions as squares or discs: see [`PointStyle`]. All pixels of a square or disc have the depth
@@ -281,8 +281,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ) -> Drawn {
         let screen = options.screen(self.frame_size());
         let half = points::HalfSize::new(style, mvp.projection_of(), &screen.viewport);
-        let painter = (*shader, options.pixels.blending);
-        self.paint(options, (mesh, mvp), painter, |call, blitter| {
+        let shading = (*shader, options.pixels.blending);
+        self.run_stages(options, (mesh, mvp), shading, |call, blitter| {
             points::sized_points(call, &half, style.is_round(), blitter)
         })
     }
@@ -352,41 +352,48 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         let screen = options.screen(self.frame_size());
         let scissor = screen.scissor(self.rows());
         let quads = Quads::new(sprites, mvp, &screen.viewport);
-        let painter = (*shader, options.pixels.blending);
+        let shading = (*shader, options.pixels.blending);
         let modes = (options.pixels.mode, options.pixels.depth);
         let depth_shift = quads.projector.depth_shift();
-        let mut blit = Blit::<_, _, _, V::Kind, _, _>::new(modes, self, painter, depth_shift);
-        quads.draw(&scissor, &|halves| is_plane(&painter, halves), &mut blit)
+        let mut blit = Blit::<_, _, _, V::Kind, _, _>::new(modes, self, shading, depth_shift);
+        quads.draw(&scissor, &|halves| is_plane(&shading, halves), &mut blit)
     }
 
     /// Sets up a draw call and runs it.
     #[inline]
-    fn paint<M: Mode, Z: DepthTest, B: Copy, L: Copy, V: ModelToPicture, P: Painter<Color = C>>(
+    fn run_stages<
+        M: Mode,
+        Z: DepthTest,
+        B: Copy,
+        L: Copy,
+        V: ModelToPicture,
+        P: Shading<Color = C>,
+    >(
         &mut self,
         options: &DrawOptions<M, Z, B, L>,
         (mesh, mvp): (&Mesh<'_>, &V),
-        painter: P,
+        shading: P,
         stages: impl FnOnce(&Call<'_, V::Kind>, &mut dyn Blitter) -> Drawn,
     ) -> Drawn {
         let call = Call::new(&options.screen(self.frame_size()), self.rows(), mesh, mvp);
         let modes = (options.pixels.mode, options.pixels.depth);
         let mut blit =
-            Blit::<_, _, _, V::Kind, _, _>::new(modes, self, painter, call.projector.depth_shift());
+            Blit::<_, _, _, V::Kind, _, _>::new(modes, self, shading, call.projector.depth_shift());
         stages(&call, &mut blit)
     }
 
     /// Sets up a draw call for prepared primitives and runs it.
     #[inline]
-    fn paint_prepared<M: Mode, Z: DepthTest, B, K: ProjectionKind, P: Painter<Color = C>>(
+    fn run_prepared<M: Mode, Z: DepthTest, B, K: ProjectionKind, P: Shading<Color = C>>(
         &mut self,
         (call, pixels): (&PreparedCall<'_, K>, &PixelOptions<M, Z, B>),
-        painter: P,
+        shading: P,
         stages: impl FnOnce(&Range<u32>, &mut dyn Blitter) -> Drawn,
     ) -> Result<Drawn, Error> {
         call.screen.check(self.frame_size())?;
         let rows = self.rows().clone();
         let modes = (pixels.mode, pixels.depth);
-        let mut blit = Blit::<_, _, _, K, _, _>::new(modes, self, painter, call.depth_shift);
+        let mut blit = Blit::<_, _, _, K, _, _>::new(modes, self, shading, call.depth_shift);
         Ok(stages(&rows, &mut blit))
     }
 }

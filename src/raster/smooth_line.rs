@@ -139,7 +139,7 @@ impl Coverage {
     }
 }
 
-/// Draws an anti-aliased line: all pixels that it may cover, once each. The blitter's painter finds in `coverage` how
+/// Draws an anti-aliased line: all pixels that it may cover, once each. The blitter's shading finds in `coverage` how
 /// much of each is covered.
 pub(crate) fn smooth_line(
     raster: &mut Rasterizer<'_>,
@@ -193,7 +193,7 @@ pub(crate) fn smooth_line(
 }
 
 /// The pixels that a line may cover: a strip around it, as long as its bounding box. It may be a little wider than the
-/// line, because the painter leaves out pixels that are not covered.
+/// line, because the shading leaves out pixels that are not covered.
 struct Strip {
     bounds: Scissor,
     /// Where the line crosses the centers of row 0, how far that moves from row to row, and the columns to both sides

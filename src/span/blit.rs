@@ -9,9 +9,9 @@ use super::divide::{divide, divide_anew, divide_apart};
 use super::interpolator::Interpolator;
 use super::mode::{Kernel, Policy};
 use super::newton::newton;
-use super::painter::Painter;
 use super::pieces::pieces;
 use super::pixels::{Count, FaceOf, Numbers, Pixels, Span, rolled};
+use super::shading::Shading;
 use super::straight::{scaled, solid, straight};
 use crate::mesh::Primitive;
 use crate::raster::{Attribute, Blitter, Columns, DepthShift, Patch, SPAN, Scale, unpaired};
@@ -20,9 +20,9 @@ use crate::target::{Canvas, Cells, DepthBuffer, DepthTest, Storage};
 use crate::view::ProjectionKind;
 
 /// The [`Blitter`] of shader and blending `S` in mode `M` under a projection of kind `K`.
-pub(crate) struct Blit<'p, 'c, S: Painter, O: Storage<S::Color>, D, K, M, Z> {
+pub(crate) struct Blit<'p, 'c, S: Shading, O: Storage<S::Color>, D, K, M, Z> {
     canvas: &'p mut Canvas<'c, S::Color, O, D>,
-    painter: S,
+    shading: S,
     test: Z,
     interpolator: Interpolator<Count<S>, K, M>,
     /// The values that all pixels of the current primitive share for the shader.
@@ -31,7 +31,7 @@ pub(crate) struct Blit<'p, 'c, S: Painter, O: Storage<S::Color>, D, K, M, Z> {
 
 impl<'p, 'c, S, O, D, K, M, Z> Blit<'p, 'c, S, O, D, K, M, Z>
 where
-    S: Painter,
+    S: Shading,
     O: Storage<S::Color>,
     D: DepthBuffer,
     K: ProjectionKind,
@@ -55,7 +55,7 @@ where
     pub(crate) fn new(
         (mode, test): (M, Z),
         canvas: &'p mut Canvas<'c, S::Color, O, D>,
-        painter: S,
+        shading: S,
         shift: DepthShift,
     ) -> Self {
         const {
@@ -66,7 +66,7 @@ where
         }
         Self {
             canvas,
-            painter,
+            shading,
             test,
             interpolator: Interpolator::new(mode, &S::Varyings::tolerances(), Self::PAIRS, shift),
             face: FaceOf::<S>::default(),
@@ -77,7 +77,7 @@ where
     #[inline(always)]
     fn pixels(&self, row: i32, column: i32) -> Pixels<S, Z> {
         Pixels {
-            painter: self.painter,
+            shading: self.shading,
             face: self.face,
             test: self.test,
             point: Point::new(column - 1, row),
@@ -89,7 +89,7 @@ where
     #[inline(always)]
     fn cells(&mut self, row: i32, columns: Range<i32>) -> Option<Cells<'_, S::Color, O, D>> {
         let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
-        self.canvas.run(row.cast_unsigned(), columns)
+        self.canvas.cells(row.cast_unsigned(), columns)
     }
 
     /// Draws rows of one color.
@@ -100,7 +100,7 @@ where
         for (row, &[start, end]) in (first..).zip(rows) {
             let columns = i32::from(start).cast_unsigned()..i32::from(end).cast_unsigned();
             pixels.point = Point::new(i32::from(start) - 1, row);
-            if let Some(cells) = memory.reborrow().run(row.cast_unsigned(), columns) {
+            if let Some(cells) = memory.reborrow().cells(row.cast_unsigned(), columns) {
                 solid(Count::<S>::splat(0), cells, &mut pixels);
             }
         }
@@ -174,7 +174,7 @@ where
         );
         let interpolator = &self.interpolator;
         let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
-        let Some(cells) = self.canvas.run(row.cast_unsigned(), columns) else {
+        let Some(cells) = self.canvas.cells(row.cast_unsigned(), columns) else {
             return;
         };
         if Self::INTERPOLATES {
@@ -226,7 +226,7 @@ where
 
 impl<S, O, D, K, M, Z> Blitter for Blit<'_, '_, S, O, D, K, M, Z>
 where
-    S: Painter,
+    S: Shading,
     O: Storage<S::Color>,
     D: DepthBuffer,
     K: ProjectionKind,
@@ -238,7 +238,7 @@ where
     }
 
     fn primitive(&mut self, primitive: &Primitive<'_>) {
-        let [a, b, c] = self.painter.varyings(primitive);
+        let [a, b, c] = self.shading.varyings(primitive);
         let ((a, face), (b, _), (c, _)) = (a.split(), b.split(), c.split());
         self.face = face;
         self.interpolator.start([a, b, c]);

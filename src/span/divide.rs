@@ -1,7 +1,7 @@
 //! The exact reciprocal of 1/w at every pixel.
 
-use super::painter::Painter;
 use super::pixels::{Count, Numbers, Pixels, Scales, Span};
+use super::shading::Shading;
 use crate::num::reciprocal;
 use crate::num::wide::product;
 use crate::shade::Lanes;
@@ -9,7 +9,7 @@ use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
 /// Draws a span whose attributes are p / q · 2^bits at each pixel, rounded down.
 #[inline(always)]
-pub(super) fn divide<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
+pub(super) fn divide<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
     span: &Span<Count<S>>,
     scales: Scales<S>,
     mut cells: Cells<'_, S::Color, O, D>,
@@ -29,7 +29,7 @@ pub(super) fn divide<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: DepthT
 /// [`divide`], out of line for modes where it is the exception: inlined, it would take registers from the mode's own
 /// kernel.
 #[inline(never)]
-pub(super) fn divide_apart<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
+pub(super) fn divide_apart<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
     span: &Span<Count<S>>,
     scales: Scales<S>,
     cells: Cells<'_, S::Color, O, D>,
@@ -42,7 +42,7 @@ pub(super) fn divide_apart<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: 
 /// where steps would accumulate too much rounding. Depths are stepped, as in all modes.
 #[cold]
 #[inline(never)]
-pub(super) fn divide_anew<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
+pub(super) fn divide_anew<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
     span: &Span<Count<S>>,
     scales: Scales<S>,
     at: impl Fn(i32) -> (u32, Numbers<S>),
@@ -60,7 +60,7 @@ pub(super) fn divide_anew<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: D
 }
 
 #[inline]
-fn quotients<S: Painter>(q: u32, p: &Numbers<S>, scales: &Scales<S>) -> Numbers<S> {
+fn quotients<S: Shading>(q: u32, p: &Numbers<S>, scales: &Scales<S>) -> Numbers<S> {
     let up = (q | 1).leading_zeros();
     // 31 bits, so that the product below is one of signed numbers.
     let r = reciprocal((q << up) >> 1).cast_signed();

@@ -15,13 +15,13 @@ mod divide;
 mod interpolator;
 mod mode;
 mod newton;
-mod painter;
 mod pieces;
 mod pixels;
+mod shading;
 mod straight;
 #[cfg(test)]
 mod tests;
 
 pub(crate) use blit::Blit;
 pub use mode::{Affine, Compact, Exact, Fast, Mode, Newton};
-pub(crate) use painter::{Painter, Smooth, is_plane};
+pub(crate) use shading::{Shading, Smooth, is_plane};

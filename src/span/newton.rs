@@ -1,7 +1,7 @@
 //! The reciprocal of 1/w at a pixel, from the reciprocals at the two pixels before it.
 
-use super::painter::Painter;
 use super::pixels::{Count, Pixels, Span, rolled};
+use super::shading::Shading;
 use crate::num::reciprocal;
 use crate::num::wide::{Word, high, newton_step, product, seldom};
 use crate::raster::Scale;
@@ -16,7 +16,7 @@ pub(super) const FRACTION: u32 = Scale::AFFINE.bits();
 /// 1/w is from 2^29 to 2^31 at all pixels and changes by at most 2^-6 of itself per pixel; attributes have
 /// [`FRACTION`] bits.
 #[inline(always)]
-pub(super) fn newton<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
+pub(super) fn newton<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
     span: &Span<Count<S>>,
     mut cells: Cells<'_, S::Color, O, D>,
     mut pixels: Pixels<S, Z>,

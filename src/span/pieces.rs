@@ -1,7 +1,7 @@
 //! Straight pieces between pixels whose attributes are correct in perspective.
 
-use super::painter::Painter;
 use super::pixels::{Count, Numbers, Pixels, Scales, Span, rolled};
+use super::shading::Shading;
 use crate::num::short_reciprocal;
 use crate::num::wide::{product, times_17_bits};
 use crate::shade::Lanes;
@@ -12,7 +12,7 @@ use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 /// 1/w is from 2^29 to 2^31 at all pixels. The reciprocals at the ends of pieces have 16 bits; two Newton steps
 /// compute each from the last one.
 #[inline(always)]
-pub(super) fn pieces<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
+pub(super) fn pieces<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
     span: &Span<Count<S>>,
     length: u32,
     scales: Scales<S>,
@@ -98,7 +98,7 @@ fn divided(change: i32, n: u32) -> i32 {
 
 /// The attributes at a pixel, where `inverse` is the reciprocal of 1/w.
 #[inline]
-fn attributes<S: Painter>(p: &Numbers<S>, scales: &Scales<S>, inverse: u32) -> Numbers<S> {
+fn attributes<S: Shading>(p: &Numbers<S>, scales: &Scales<S>, inverse: u32) -> Numbers<S> {
     Count::<S>::zip(p, scales, |p, scale| {
         // `inverse` is 2^46 / q, and p is already divided by 4, so the product is p / q in units of 2^-44.
         times_17_bits(*p, inverse) >> (30u32.wrapping_sub(scale.bits()) & 31)

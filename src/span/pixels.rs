@@ -4,7 +4,7 @@ use core::hint::black_box;
 
 use embedded_graphics::geometry::Point;
 
-use super::painter::Painter;
+use super::shading::Shading;
 use crate::raster::Scale;
 use crate::shade::{Fragment, Lanes, Varyings};
 use crate::target::{Buffer, DepthBuffer, DepthTest, Storage, linear};
@@ -16,10 +16,10 @@ pub(super) type Numbers<S> = <Count<S> as Lanes>::Of<i32>;
 pub(super) type Scales<S> = <Count<S> as Lanes>::Of<Scale>;
 
 /// The number of a shader's interpolated numbers.
-pub(super) type Count<S> = <<S as Painter>::Varyings as Varyings>::Lanes;
+pub(super) type Count<S> = <<S as Shading>::Varyings as Varyings>::Lanes;
 
 /// The values that all pixels of a primitive share for a shader.
-pub(super) type FaceOf<S> = <<S as Painter>::Varyings as Varyings>::Face;
+pub(super) type FaceOf<S> = <<S as Shading>::Varyings as Varyings>::Face;
 
 /// Interpolants at the first pixel of a span, and their change from one pixel to the next.
 ///
@@ -72,8 +72,8 @@ pub(super) fn rolled() {
 pub(super) type Cell<'c, C, O, D> = (<O as Storage<C>>::PixelRef<'c>, <D as Buffer>::Cell<'c>);
 
 /// Tests and shades the pixels of a span, one after the other.
-pub(super) struct Pixels<S: Painter, Z> {
-    pub(super) painter: S,
+pub(super) struct Pixels<S: Shading, Z> {
+    pub(super) shading: S,
     pub(super) face: FaceOf<S>,
     pub(super) test: Z,
     /// The current pixel; at first, the pixel before the span.
@@ -83,7 +83,7 @@ pub(super) struct Pixels<S: Painter, Z> {
     pub(super) stored: u32,
 }
 
-impl<S: Painter, Z: DepthTest> Pixels<S, Z> {
+impl<S: Shading, Z: DepthTest> Pixels<S, Z> {
     /// Moves to the next pixel, where 1/w is `q`, and returns whether it is visible.
     #[inline]
     pub(super) fn visible<D: DepthBuffer>(
@@ -114,8 +114,8 @@ impl<S: Painter, Z: DepthTest> Pixels<S, Z> {
         };
         let varyings = S::Varyings::join(numbers, self.face);
         let below = || O::get(&color);
-        if let Some(painted) = self.painter.paint(&at, varyings, below) {
-            O::set(color, painted);
+        if let Some(new) = self.shading.color(&at, varyings, below) {
+            O::set(color, new);
             if Z::WRITES {
                 D::store(depth, self.stored as u16);
             }

@@ -1,14 +1,14 @@
 //! Attributes that are linear along the span: only additions.
 
-use super::painter::Painter;
 use super::pixels::{Cell, Count, Numbers, Pixels, Scales, Span, rolled};
+use super::shading::Shading;
 use crate::num::wide::seldom;
 use crate::shade::Lanes;
 use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
 /// Draws a span; `restore` turns interpolants into attributes.
 #[inline(always)]
-pub(super) fn straight<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
+pub(super) fn straight<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
     span: Span<Count<S>>,
     restore: impl Fn(&Numbers<S>) -> Numbers<S>,
     mut cells: Cells<'_, S::Color, O, D>,
@@ -31,7 +31,7 @@ pub(super) fn straight<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: Dept
 /// [`straight`] for attributes that are fractions in units of 2^-30, each with its own scale; out of line because it is
 /// the exception.
 #[inline(never)]
-pub(super) fn scaled<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
+pub(super) fn scaled<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
     span: &Span<Count<S>>,
     scales: Scales<S>,
     cells: Cells<'_, S::Color, O, D>,
@@ -43,7 +43,7 @@ pub(super) fn scaled<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: DepthT
 
 /// Draws a span whose pixels differ in nothing but their position.
 #[inline]
-pub(super) fn solid<S: Painter, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
+pub(super) fn solid<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
     numbers: Numbers<S>,
     mut cells: Cells<'_, S::Color, O, D>,
     pixels: &mut Pixels<S, Z>,

@@ -50,14 +50,14 @@ fn numbers(
     let mut canvas = Canvas::new(&mut colors, 70, 1).unwrap();
     let columns = FIRST..FIRST + count;
     let pixels = Pixels {
-        painter: (Note(&seen), Replace),
+        shading: (Note(&seen), Replace),
         face: (),
         test: NoTest,
         point: Point::new(FIRST.cast_signed() - 1, 0),
         depth: 0,
         stored: 0,
     };
-    draw(canvas.run(0, columns.clone()).unwrap(), pixels);
+    draw(canvas.cells(0, columns.clone()).unwrap(), pixels);
     for (column, color) in (0..).zip(colors) {
         assert_eq!(color == Gray8::WHITE, columns.contains(&column), "{column}");
     }
@@ -215,7 +215,7 @@ fn the_later_of_two_pixels_at_one_depth_shows() {
     let mut canvas = canvas.with_depth(&mut depths).unwrap();
     let mut draw = |ink: u8, columns: core::ops::Range<u32>, q: u32| {
         let pixels = Pixels {
-            painter: (Flat::new(Gray8::new(ink)), Replace),
+            shading: (Flat::new(Gray8::new(ink)), Replace),
             face: (),
             test: TestAndWrite,
             point: Point::new(columns.start.cast_signed() - 1, 0),
@@ -230,7 +230,12 @@ fn the_later_of_two_pixels_at_one_depth_shows() {
             down: 15,
             count: columns.len(),
         };
-        straight(span, |none| *none, canvas.run(0, columns).unwrap(), pixels);
+        straight(
+            span,
+            |none| *none,
+            canvas.cells(0, columns).unwrap(),
+            pixels,
+        );
     };
     let depth = 1 << 30;
     draw(b'a', 0..6, depth);

@@ -470,10 +470,10 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         self.depth.clear();
     }
 
-    /// [`Memory::run`] for a single run of pixels.
+    /// [`Memory::cells`] for a single row.
     #[inline]
-    pub(crate) fn run(&mut self, row: u32, columns: Range<u32>) -> Option<Cells<'_, C, O, D>> {
-        self.memory().run(row, columns)
+    pub(crate) fn cells(&mut self, row: u32, columns: Range<u32>) -> Option<Cells<'_, C, O, D>> {
+        self.memory().cells(row, columns)
     }
 
     /// The memory of all pixels and depths.

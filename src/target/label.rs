@@ -43,7 +43,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Label<'_, Canvas<'_, C, O, D>> {
     /// Draws the pixels of `columns` of `row` that are not hidden.
     fn draw_row(&mut self, row: u32, columns: &Range<u32>, colors: impl Iterator<Item = C>) {
         let depth = u32::from(self.depth);
-        let Some(mut cells) = self.canvas.run(row, columns.clone()) else {
+        let Some(mut cells) = self.canvas.cells(row, columns.clone()) else {
             return;
         };
         let count = cells.len();

@@ -26,7 +26,7 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer> Memory<'a, C, O, D> {
     /// The pixels of `columns` of `row` with their depths. Both must lie within the canvas's area, as the rasterizer's
     /// do. It returns `None` and does not panic if memory ends before them, or if columns end before they start.
     #[inline]
-    pub(crate) fn run(self, row: u32, columns: Range<u32>) -> Option<Cells<'a, C, O, D>> {
+    pub(crate) fn cells(self, row: u32, columns: Range<u32>) -> Option<Cells<'a, C, O, D>> {
         let span = RowSpan::new(row - self.first_row, columns, self.width);
         let range = span.pixels.clone();
         let (cells, cursor) = O::locate(span);

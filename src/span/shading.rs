@@ -1,4 +1,4 @@
-//! A shader with the blending of its draw call.
+//! How a draw call colors a pixel: by a shader and a blending.
 
 use core::cell::Cell;
 
@@ -9,7 +9,7 @@ use crate::target::Blending;
 
 /// The source of the colors of a draw call's pixels: a [`Shader`], a [`Blending`] and, for [`Smooth`] lines, their
 /// coverage.
-pub(crate) trait Painter: Copy {
+pub(crate) trait Shading: Copy {
     /// The color of the canvas.
     type Color;
 
@@ -19,7 +19,7 @@ pub(crate) trait Painter: Copy {
     /// As for [`Shader`].
     const READS_DEPTH: bool;
 
-    /// Whether [`paint`](Self::paint) reads the color below.
+    /// Whether [`color`](Self::color) reads the color below.
     const READS_COLOR: bool;
 
     /// As for [`Shader`].
@@ -27,7 +27,7 @@ pub(crate) trait Painter: Copy {
 
     /// A pixel's new color, where `below` is the color on the canvas; `None` leaves its color and its depth as they
     /// are.
-    fn paint(
+    fn color(
         &self,
         at: &Fragment,
         varyings: Self::Varyings,
@@ -35,7 +35,7 @@ pub(crate) trait Painter: Copy {
     ) -> Option<Self::Color>;
 }
 
-impl<S: Shader, B: Blending<ColorOf<S>, Source = S::Color>> Painter for (S, B) {
+impl<S: Shader, B: Blending<ColorOf<S>, Source = S::Color>> Shading for (S, B) {
     type Color = ColorOf<S>;
     type Varyings = S::Varyings;
 
@@ -48,7 +48,7 @@ impl<S: Shader, B: Blending<ColorOf<S>, Source = S::Color>> Painter for (S, B) {
     }
 
     #[inline]
-    fn paint(
+    fn color(
         &self,
         at: &Fragment,
         varyings: S::Varyings,
@@ -63,12 +63,12 @@ impl<S: Shader, B: Blending<ColorOf<S>, Source = S::Color>> Painter for (S, B) {
 /// Whether all varyings of a rectangle are on planes: `halves` are its triangles abc and cbd. No varying has a value at
 /// d that is beyond those at a, b and c.
 #[inline]
-pub(crate) fn is_plane<P: Painter>(painter: &P, halves: [&Primitive<'_>; 2]) -> bool {
+pub(crate) fn is_plane<P: Shading>(shading: &P, halves: [&Primitive<'_>; 2]) -> bool {
     // Values of a face cannot be compared, but most shaders have none.
     if size_of::<<P::Varyings as Varyings>::Face>() > 0 {
         return false;
     }
-    let [one, other] = halves.map(|half| painter.varyings(half).map(|corner| corner.split().0));
+    let [one, other] = halves.map(|half| shading.varyings(half).map(|corner| corner.split().0));
     let ([a, b, c], [same_c, same_b, d]) = (&one, &other);
     let (b, c) = (
         b.as_ref().iter().zip(same_b.as_ref()),
@@ -89,7 +89,7 @@ pub(crate) struct Smooth<'l, S, B> {
     pub(crate) coverage: &'l Cell<Coverage>,
 }
 
-impl<S, B> Painter for Smooth<'_, S, B>
+impl<S, B> Shading for Smooth<'_, S, B>
 where
     S: Shader,
     ColorOf<S>: Levels,
@@ -107,7 +107,7 @@ where
     }
 
     #[inline]
-    fn paint(
+    fn color(
         &self,
         at: &Fragment,
         varyings: S::Varyings,
