@@ -33,6 +33,15 @@ pub trait DepthTest: Copy + Sealed {
         let _ = steepness;
     }
 
+    /// The same test for a span whose interpolants are shifted left by `up`.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn shifted(self, up: u32) -> Self {
+        let _ = up;
+        self
+    }
+
     /// The depth to test and store, from an interpolant `q` · 2^-`down`.
     #[doc(hidden)]
     #[inline]
@@ -120,6 +129,8 @@ pub struct Biased<Z = super::TestAndWrite> {
     slope: i32,
     /// The change of the current triangle's 1/w.
     added: i32,
+    /// The left shift of the current span's 1/w.
+    up: u32,
 }
 
 impl<Z> Biased<Z> {
@@ -133,6 +144,7 @@ impl<Z> Biased<Z> {
             steps,
             slope: slope.to_bits(),
             added: 0,
+            up: 0,
         }
     }
 
@@ -181,7 +193,14 @@ impl<Z: DepthTest> DepthTest for Biased<Z> {
     }
 
     #[inline]
+    fn shifted(self, up: u32) -> Self {
+        Self { up, ..self }
+    }
+
+    #[inline]
     fn biased<D: DepthBuffer>(&self, q: u32, down: u32) -> u32 {
+        // Shifted back, which loses no bit: the sum could need more bits than a span has.
+        let (q, down) = (q >> (self.up & 31), down.wrapping_sub(self.up));
         // 1/w has 31 bits, so the sum saturates where `i32` does.
         let sum = q.cast_signed().saturating_add(self.added);
         let q = sum.max(0).cast_unsigned();
