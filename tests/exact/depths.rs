@@ -1,10 +1,12 @@
 //! Depths do not depend on the shader, nor on the mode, except in `Compact`.
 
 use crate::common::BOTH_SIDES;
+use crate::common::random::cases;
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::mode::{Affine, Exact, Fast, Mode};
 use fixel::prelude::*;
 use fixel::target::{Biased, DepthFormat, DepthTest, Float, Linear, TestAndWrite};
+use rand::Rng;
 
 const SIZE: (u32, u32) = (96, 64);
 
@@ -75,4 +77,24 @@ fn a_slope_biases_all_modes_alike() {
             check::<Float, _>(&mesh, test, &mvp);
         }
     }
+}
+
+/// Triangles of up to 43 pixels whose nearest corner has almost twice the least 1/w of its exponent: though they are
+/// deep, they have small planes.
+#[test]
+fn small_deep_triangles_have_the_same_depths_in_all_modes() {
+    cases(1000, |random| {
+        // Up to ten pixels from the middle of the picture, at a distance in units of 1/256.
+        let mut corner = |w: i64| {
+            let mut aside = || ((random.random_range(-11_800..11_800) * w) >> 8) as i32;
+            Vec3::from_bits([aside(), aside(), -256 * w as i32])
+        };
+        let positions = [corner(400), corner(256 * 20), corner(256 * 30)];
+        let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
+        let mesh = mesh.with_uvs(&UVS[..3], None).unwrap();
+        let mvp = lens().into();
+        check::<Linear, _>(&mesh, TestAndWrite, &mvp);
+        check::<Float, _>(&mesh, TestAndWrite, &mvp);
+        check::<Float, _>(&mesh, Biased::behind(TestAndWrite), &mvp);
+    });
 }
