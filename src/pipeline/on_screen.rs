@@ -177,7 +177,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// detail.
     ///
     /// Under a perspective projection, it is `u32::MAX` unless the center is ahead of the eye by more than half of the
-    /// diagonal. Corners are rounded to [`Scalar`](crate::Scalar)s in eye space.
+    /// diagonal. Corners are rounded to [`Scalar`](crate::Scalar)s in eye space, and saturate there.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;
@@ -209,10 +209,10 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ) -> u32 {
         let view = mvp.model_view_of();
         let (a, b) = (view.point(bounds.least()), view.point(bounds.most()));
-        let diagonal = a.distance(b).to_bits();
+        let diagonal = a.wide_distance(b);
         // Twice the distance of the middle.
         let ahead = -(i64::from(a.z.to_bits()) + i64::from(b.z.to_bits()));
-        if V::Kind::PERSPECTIVE && ahead <= i64::from(diagonal) {
+        if V::Kind::PERSPECTIVE && ahead <= diagonal {
             return u32::MAX;
         }
         let viewport = options.screen(self.frame_size()).viewport;
@@ -222,7 +222,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         } else {
             width
         };
-        let size = BlockFloat::new(diagonal.into(), 16).over(pixel);
+        let size = BlockFloat::new(diagonal, 16).over(pixel);
         // Rounded to 2^-8, then down.
         u32::try_from(size.at(8) >> 8).unwrap_or(u32::MAX)
     }
