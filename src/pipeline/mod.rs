@@ -295,9 +295,10 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// and depths as the triangles, and its varyings are as accurate.
     ///
     /// Every shader works: to it, sprites are a mesh in eye space whose normals point toward the viewer. The two
-    /// triangles of sprite i have the indices 2i and 2i + 1. Corners are rounded to the nearest
-    /// [`Scalar`](crate::Scalar)s in eye space, which moves them by at most 2⁻¹⁶ · focal length / w pixels. A sprite
-    /// with a corner beyond ±32,768 in eye space is not drawn.
+    /// triangles of sprite i have the indices 2i and 2i + 1. A corner's way from the sprite's position is accurate to
+    /// 2⁻²⁶ of the longest one. Then corners are rounded to the nearest [`Scalar`](crate::Scalar)s in eye space, which
+    /// moves them by at most 2⁻¹⁶ · focal length / w pixels. A sprite with a corner beyond ±32,768 in eye space is not
+    /// drawn.
     ///
     /// With [`cut_out`](crate::Textured::cut_out), sprites may be drawn in any order, because holes leave depths as
     /// they are.
