@@ -149,7 +149,8 @@ impl<Z> Biased<Z> {
     }
 
     /// `test` with depths moved away by two steps and by the depth difference between neighboring pixels. This is
-    /// enough for edges drawn over the mesh to have no gaps.
+    /// enough for edges drawn over the mesh to have no gaps. (A sliver that the near plane cuts may hide a pixel of its
+    /// own edge, because its new corners, rounded to 1/256 pixel, tilt it.)
     #[must_use]
     pub const fn behind(test: Z) -> Self {
         Self::new(test, -2, crate::fx!(-1))
