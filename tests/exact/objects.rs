@@ -392,4 +392,15 @@ fn prepared_edges_count_in_the_bands_that_they_reach() {
             assert_eq!(drawn.drawn as usize, reached.count(), "{first} {reach}");
         }
     }
+    // In a viewport that begins with row 4, none of the rows above it.
+    let lower = DrawOptions::new().with_viewport(Viewport::new(0, 4, 6, 6).unwrap());
+    let listed = list
+        .prepare(&lower, size, &mesh, &pixel_lens(size))
+        .unwrap();
+    let counts = [2, 4].map(|first| {
+        let mut band = Canvas::band(&mut color, size.0, size.1, first).unwrap();
+        band.draw_prepared_edges(&listed, &pen).unwrap().drawn
+    });
+    let reached = middles.iter().filter(|&y| (0..2).contains(&(y >> 8)));
+    assert_eq!(counts, [0, reached.count() as u32]);
 }
