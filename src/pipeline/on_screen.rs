@@ -173,8 +173,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 
     /// The size of `bounds` on the screen: the length of their diagonal, seen at the distance of their center, in
-    /// pixels, rounded to the nearest 1/256 and then down. Use it to choose among meshes with different levels of
-    /// detail.
+    /// widths of pixels, rounded to the nearest 1/256 and then down. Use it to choose among meshes with different levels
+    /// of detail.
     ///
     /// Under a perspective projection, it is `u32::MAX` unless the center is ahead of the eye by more than half of the
     /// diagonal. Corners are rounded to [`Scalar`](crate::Scalar)s in eye space, and saturate there.

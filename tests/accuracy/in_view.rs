@@ -242,4 +242,8 @@ fn the_largest_boxes_have_their_sizes() {
     let lens = Projection::perspective(deg!(90), (1, 1), fx!(1), fx!(32767)).unwrap();
     let size = canvas.size_on_screen(&options, &bounds, &lens);
     assert_eq!(size, (diagonal * 4. / 29_500.) as u32);
+
+    // Pixels a quarter as high as wide: the width counts.
+    let tall = options.with_viewport(Viewport::new(0, 0, 8, 32).unwrap());
+    assert_eq!(canvas.size_on_screen(&tall, &bounds, &lens), size);
 }
