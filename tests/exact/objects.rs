@@ -362,7 +362,7 @@ fn prepared_edges_in_bands_equal_the_frame() {
 /// that pass its rows or, if they are wide, come within the reach of these.
 #[test]
 fn prepared_edges_count_in_the_bands_that_they_reach() {
-    let (size, rows) = ((6, 6), 2);
+    let (size, rows) = ((6, 6), 2_u32);
     let middles: Vec<i32> = (-30..=48).map(|third| third * 256 / 3).collect();
     let positions: Vec<Vec3> = middles
         .iter()
@@ -380,14 +380,15 @@ fn prepared_edges_count_in_the_bands_that_they_reach() {
     let width = LineWidth::new(fx!(3)).unwrap();
     let (wide, pen) = (thin.with_line(width), Flat::new(Gray8::new(9)));
     let mut color = [Gray8::new(0); 12];
-    for first in (0..size.1).step_by(rows) {
+    for first in (0..size.1).step_by(rows as usize) {
         let mut band = Canvas::band(&mut color, size.0, size.1, first).unwrap();
         // A run of 3 pixels reaches at most two rows beyond the one that the line passes.
         for (reach, drawn) in [
             (0, band.draw_prepared_edges(&thin, &pen).unwrap()),
             (2, band.draw_prepared_edges(&wide, &pen).unwrap()),
         ] {
-            let band = first as i32 - reach..(first as i32 + rows as i32) + reach;
+            let [start, end] = [first, first + rows].map(u32::cast_signed);
+            let band = start - reach..end + reach;
             let reached = middles.iter().filter(|&y| band.contains(&(y >> 8)));
             assert_eq!(drawn.drawn as usize, reached.count(), "{first} {reach}");
         }
