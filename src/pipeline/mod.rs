@@ -63,10 +63,10 @@ use crate::view::{ModelToPicture, ProjectionKind};
 pub struct Drawn {
     /// The number of triangles, edges or points in the mesh.
     pub submitted: u32,
-    /// The number of these that may have changed a pixel. Triangles count if they are not culled and the smallest upright
-    /// rectangle around them contains a pixel center of the viewport in the canvas's rows. Lines and points count if any
-    /// part of them lies between the near and the far plane and in the guard band, ±2048 pixels around the viewport's
-    /// center; prepared edges must also reach a row of the viewport in the canvas.
+    /// The number of these that may have changed a pixel. Triangles count if they are not culled and the smallest
+    /// upright rectangle around them contains a pixel center of the viewport in the canvas's rows. Lines and points
+    /// count if any part of them lies between the near and the far plane and in the guard band, ±2048 pixels around the
+    /// viewport's center; prepared edges must also reach a row of the viewport in the canvas.
     pub drawn: u32,
     /// The number of these that were clipped by a plane of the view volume or of the guard band.
     pub clipped: u32,

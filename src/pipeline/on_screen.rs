@@ -128,8 +128,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
 
     /// Whether a mesh within `bounds` may have a pixel in this canvas. If the result is `false`, it certainly has none,
     /// be it drawn as triangles, as points, or as lines in the style of the options. Points of a
-    /// [size](crate::PointStyle) and [sprites](crate::Sprites) reach beyond their positions: enlarge `bounds` by half of
-    /// that size.
+    /// [size](crate::PointStyle) and [sprites](crate::Sprites) reach beyond their positions: enlarge `bounds` by half
+    /// of that size.
     ///
     /// On a Cortex-M4 the test takes 4,800 instructions, most of them for a set-up that every draw call needs before
     /// its first vertex. So if you skip a mesh that is out of view, or in another band, it costs no more than that.
@@ -173,8 +173,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 
     /// The size of `bounds` on the screen: the length of their diagonal, seen at the distance of their center, in
-    /// widths of pixels, rounded to the nearest 1/256 and then down. Use it to choose among meshes with different levels
-    /// of detail.
+    /// widths of pixels, rounded to the nearest 1/256 and then down. Use it to choose among meshes with different
+    /// levels of detail.
     ///
     /// Under a perspective projection, it is `u32::MAX` unless the center is ahead of the eye by more than half of the
     /// diagonal. Corners are rounded to [`Scalar`](crate::Scalar)s in eye space, and saturate there.

@@ -323,8 +323,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         };
     }
 
-    /// Whether a box is certain to have no point in the scissor, nor within a pixel of it. The scissor may extend beyond
-    /// the viewport by half the width of a line.
+    /// Whether a box is certain to have no point in the scissor, nor within a pixel of it. The scissor may extend
+    /// beyond the viewport by half the width of a line.
     #[inline(never)]
     pub(super) fn misses(&self, bounds: &Bounds, scissor: &Scissor) -> bool {
         let (least, most) = (bounds.least.to_bits(), bounds.most.to_bits());
