@@ -2,7 +2,7 @@
 
 use super::Vec3;
 use crate::Scalar;
-use crate::num::block;
+use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt::{measure, unit};
 
 impl Vec3 {
@@ -84,6 +84,11 @@ impl Vec3 {
         ]))
     }
 
+    /// Returns the distance between two points in units of 2⁻¹⁶, which may be more than a [`Scalar`] holds: 34 bits.
+    pub(crate) const fn wide_distance(self, other: Self) -> i64 {
+        exact_length(self.way_to(other)).at(16)
+    }
+
     /// Returns the difference from here to another point: 33 bits.
     #[inline]
     pub(crate) const fn way_to(self, to: Self) -> [i64; 3] {
@@ -101,13 +106,19 @@ impl Vec3 {
 
 /// The length of a vector in units of 2^-16; saturates.
 const fn length(vector: [i64; 3]) -> Scalar {
+    let BlockFloat { value, exp } = exact_length(vector);
+    Scalar::from_bits(block::fixed(value, exp, 16))
+}
+
+/// The length of a vector in units of 2^-16, before it is rounded.
+#[inline]
+const fn exact_length(vector: [i64; 3]) -> BlockFloat {
     let Some(of) = measure(vector) else {
-        return Scalar::ZERO;
+        return BlockFloat::ZERO;
     };
     // √x = x · 1/√x, in units of 2^-62: below 2^63.
     let length = (of.square as u64 * of.root as u64).cast_signed();
-    let exp = 16 + of.up + 30 + of.half.cast_signed();
-    Scalar::from_bits(block::fixed(length, exp, 16))
+    BlockFloat::new(length, 16 + of.up + 30 + of.half.cast_signed())
 }
 
 #[cfg(test)]

@@ -63,9 +63,10 @@ use crate::view::{ModelToPicture, ProjectionKind};
 pub struct Drawn {
     /// The number of triangles, edges or points in the mesh.
     pub submitted: u32,
-    /// The number of these that may have changed a pixel. Triangles count if they are not culled and meet the viewport
-    /// and the canvas's rows. Lines and points count if any part of them lies between the near and the far plane and in
-    /// the guard band, ±2048 pixels around the viewport's center; prepared edges must also reach the canvas's rows.
+    /// The number of these that may have changed a pixel. Triangles count if they are not culled and the smallest
+    /// upright rectangle around them contains a pixel center of the viewport in the canvas's rows. Lines and points
+    /// count if any part of them lies between the near and the far plane and in the guard band, ±2048 pixels around the
+    /// viewport's center; prepared edges must also reach a row of the viewport in the canvas.
     pub drawn: u32,
     /// The number of these that were clipped by a plane of the view volume or of the guard band.
     pub clipped: u32,
@@ -296,9 +297,10 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// and depths as the triangles, and its varyings are as accurate.
     ///
     /// Every shader works: to it, sprites are a mesh in eye space whose normals point toward the viewer. The two
-    /// triangles of sprite i have the indices 2i and 2i + 1. Corners are rounded to the nearest
-    /// [`Scalar`](crate::Scalar)s in eye space, which moves them by at most 2⁻¹⁶ · focal length / w pixels. A sprite
-    /// with a corner beyond ±32,768 in eye space is not drawn.
+    /// triangles of sprite i have the indices 2i and 2i + 1. A corner's way from the sprite's position is accurate to
+    /// 2⁻²⁶ of the longest one. Then corners are rounded to the nearest [`Scalar`](crate::Scalar)s in eye space, which
+    /// moves them by at most 2⁻¹⁶ · focal length / w pixels. A sprite with a corner beyond ±32,768 in eye space is not
+    /// drawn.
     ///
     /// With [`cut_out`](crate::Textured::cut_out), sprites may be drawn in any order, because holes leave depths as
     /// they are.

@@ -323,7 +323,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         };
     }
 
-    /// Whether a box is certain to have no point in the scissor, nor within a pixel of it.
+    /// Whether a box is certain to have no point in the scissor, nor within a pixel of it. The scissor may extend
+    /// beyond the viewport by half the width of a line.
     #[inline(never)]
     pub(super) fn misses(&self, bounds: &Bounds, scissor: &Scissor) -> bool {
         let (least, most) = (bounds.least.to_bits(), bounds.most.to_bits());
@@ -360,7 +361,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             (y, y_offset, cy, &scissor.rows),
         ];
         sides.into_iter().any(|(row, offset, center, pixels)| {
-            // The ends are at most half a viewport and a pixel from its center, in units of 2^-19 of the guard band.
+            // The ends are at most half a viewport and 33 pixels from its center, in units of 2^-19 of the guard band.
             [(pixels.start - 1, 1), (pixels.end + 1, -1)]
                 .into_iter()
                 .any(|(end, sign)| {

@@ -90,7 +90,8 @@ impl LineWidth {
 
     /// By how many rows a line of this width may reach beyond its ends, anti-aliased or not.
     pub(crate) const fn reach(self) -> i32 {
-        ((self.half + 128) >> 8) + 1
+        // The center of a pixel that it covers is less than half the width and half a pixel away.
+        (self.half + 255) >> 8
     }
 
     /// The width in pixels.

@@ -79,7 +79,7 @@ where
         Pixels {
             shading: self.shading,
             face: self.face,
-            test: self.test,
+            test: self.test.shifted(0),
             point: Point::new(column - 1, row),
             depth: 0,
             stored: 0,
@@ -168,10 +168,14 @@ where
         // By reference: moved, the span would be copied.
         let count = (columns.end - columns.start).cast_unsigned() as usize;
         let (span, kernel) = &self.interpolator.begin(at, count);
-        let (pixels, scales) = (
+        let (mut pixels, scales) = (
             self.pixels(row, columns.start),
             self.interpolator.derivatives.scales,
         );
+        if Z::IS_BIASED {
+            let up = span.down.wrapping_sub(self.interpolator.setup.down);
+            pixels.test = pixels.test.shifted(up);
+        }
         let interpolator = &self.interpolator;
         let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
         let Some(cells) = self.canvas.cells(row.cast_unsigned(), columns) else {

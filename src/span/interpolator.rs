@@ -98,7 +98,11 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
         }
         let is_precise = Self::OVER_W && M::IS_PRECISE && self.setup.least < DEEP;
         self.kernel = if is_precise {
+            // Depths keep the plane that they have in all modes.
+            let mut q = self.setup.q;
             self.setup.lay_wide(self.attributes.as_mut(), patch);
+            q.wide = self.setup.q.wide;
+            self.setup.q = q;
             Some(Kernel::DivideAnew)
         } else if !Self::OVER_W {
             let is_whole = L::all(&self.derivatives.scales, |scale| scale.bits() == WHOLE);

@@ -214,7 +214,8 @@ impl Policy for Compact {
 #[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
 /// Under perspective, it bends textures, which no other mode does. Use it for surfaces that face the eye, are small, or
 /// are far away relative to their size. In addition, rounding adds an error of up to 37 units to an attribute (a
-/// two-thousandth of a texel to a texture coordinate).
+/// two-thousandth of a texel to a texture coordinate), and up to four times that if it exceeds 2²⁸ units (4096 texels)
+/// in the triangle.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Affine};

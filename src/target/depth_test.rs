@@ -33,6 +33,15 @@ pub trait DepthTest: Copy + Sealed {
         let _ = steepness;
     }
 
+    /// The same test for a span whose interpolants are shifted left by `up`.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn shifted(self, up: u32) -> Self {
+        let _ = up;
+        self
+    }
+
     /// The depth to test and store, from an interpolant `q` · 2^-`down`.
     #[doc(hidden)]
     #[inline]
@@ -120,6 +129,8 @@ pub struct Biased<Z = super::TestAndWrite> {
     slope: i32,
     /// The change of the current triangle's 1/w.
     added: i32,
+    /// The left shift of the current span's 1/w.
+    up: u32,
 }
 
 impl<Z> Biased<Z> {
@@ -133,12 +144,14 @@ impl<Z> Biased<Z> {
             steps,
             slope: slope.to_bits(),
             added: 0,
+            up: 0,
         }
     }
 
     /// `test` with depths moved away by two steps and by the depth difference between neighboring pixels. This is
-    /// enough for edges drawn over the mesh to have no gaps. Silhouettes of round bodies need more: see
-    /// [`Canvas::draw_outline`](crate::Canvas::draw_outline).
+    /// enough for edges drawn over the mesh to have no gaps. (A sliver that the near plane cuts may hide a pixel of its
+    /// own edge, because its new corners, rounded to 1/256 pixel, tilt it.) Silhouettes of round bodies need more: see
+    /// [`behind_outlines`](Self::behind_outlines).
     #[must_use]
     pub const fn behind(test: Z) -> Self {
         Self::new(test, -2, crate::fx!(-1))
@@ -195,7 +208,14 @@ impl<Z: DepthTest> DepthTest for Biased<Z> {
     }
 
     #[inline]
+    fn shifted(self, up: u32) -> Self {
+        Self { up, ..self }
+    }
+
+    #[inline]
     fn biased<D: DepthBuffer>(&self, q: u32, down: u32) -> u32 {
+        // Shifted back, which loses no bit: the sum could need more bits than a span has.
+        let (q, down) = (q >> (self.up & 31), down.wrapping_sub(self.up));
         // 1/w has 31 bits, so the sum saturates where `i32` does.
         let sum = q.cast_signed().saturating_add(self.added);
         let q = sum.max(0).cast_unsigned();

@@ -223,3 +223,28 @@ fn boxes_in_parallel_are_in_view_as_in_the_model() {
         check((projection, model), &moves, &bounds, rows);
     });
 }
+
+/// The diagonal of a box may be longer than a `Scalar`.
+#[test]
+fn the_largest_boxes_have_their_sizes() {
+    let mut pixels = [Gray8::new(0); 64];
+    let canvas = Canvas::new(&mut pixels, 8, 8).unwrap();
+    let options = DrawOptions::new();
+    let [side, depth] = [30_000_f64, 5_000.];
+    let bounds = Bounds::new(vec3!(-15000, -15000, -32000), vec3!(15000, 15000, -27000));
+    let diagonal = (2. * side * side + depth * depth).sqrt();
+
+    let window = Window::centered(fx!(500), fx!(500));
+    let flat = Projection::orthographic(window, fx!(0), fx!(32767)).unwrap();
+    let size = canvas.size_on_screen(&options, &bounds, &flat);
+    assert_eq!(size, (diagonal * 8. / 500.) as u32);
+
+    // Half of the diagonal reaches to 8,000 before the eye.
+    let lens = Projection::perspective(deg!(90), (1, 1), fx!(1), fx!(32767)).unwrap();
+    let size = canvas.size_on_screen(&options, &bounds, &lens);
+    assert_eq!(size, (diagonal * 4. / 29_500.) as u32);
+
+    // Pixels a quarter as high as wide: the width counts.
+    let tall = options.with_viewport(Viewport::new(0, 0, 8, 32).unwrap());
+    assert_eq!(canvas.size_on_screen(&tall, &bounds, &lens), size);
+}

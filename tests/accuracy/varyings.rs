@@ -1,7 +1,8 @@
 //! Values over random triangles: interpolation alone, given the snapped corners.
 
-use std::array;
+use std::array::{self, from_fn};
 
+use embedded_graphics::pixelcolor::Gray8;
 use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::view::{Perspective, ProjectionKind};
@@ -10,6 +11,8 @@ use rand::seq::IndexedRandom;
 
 use crate::bounds::{self, Bound};
 use crate::common::random::{Random, cases, within};
+use crate::common::recorder::{Probe, record};
+use crate::common::{BOTH_SIDES, at_subpixel, pixel_projection};
 use crate::drawing::Seen;
 use crate::mode::Mode;
 use crate::reference::coverage::Snapped;
@@ -241,4 +244,47 @@ fn values_in_parallel_are_within_the_bounds() {
             break;
         }
     });
+}
+
+/// An attribute that is drawn affinely has an error of up to 37 units, and more if it needs more than 30 bits.
+#[test]
+fn large_affine_attributes_are_less_exact() {
+    let size = (320, 240);
+    let options = BOTH_SIDES.with_mode(fixel::mode::Affine);
+    let errors = [28, 31].map(|bits| {
+        let mut worst = 0_f64;
+        cases(40, |random| {
+            let (width, height) = (
+                random.random_range(25_000..80_000),
+                random.random_range(25_000..60_000),
+            );
+            let positions = [[0, 0], [width, 0], [0, height]].map(at_subpixel);
+            let values: [i32; 3] = from_fn(|_| random.random::<i32>() >> (31 - bits));
+            let at = |corner: &Corner<'_>| {
+                let index = positions.iter().position(|&at| at == corner.position());
+                [values[index.unwrap()]]
+            };
+            let probe = Probe {
+                values: &at,
+                color: Some(Gray8::new(1)),
+            };
+            let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
+            let mut pixels = vec![Gray8::new(0); 320 * 240];
+            let mut canvas = Canvas::new(&mut pixels, size.0, size.1).unwrap();
+            let record = record::<_, 1>(probe, |pen| {
+                canvas.draw_with(&options, &mesh, &pixel_projection(size), pen);
+            });
+            let [a, b, c] = values.map(f64::from);
+            for seen in &record.seen {
+                let [x, y] = seen.pixel.map(|at| f64::from(at) * 256. + 128.);
+                let exact = a + (b - a) * x / f64::from(width) + (c - a) * y / f64::from(height);
+                worst = worst.max((f64::from(seen.values[0]) - exact).abs());
+            }
+        });
+        worst
+    });
+    assert!(
+        errors[0] <= 37. && errors[1] > 37. && errors[1] <= 4. * 37.,
+        "{errors:?}"
+    );
 }

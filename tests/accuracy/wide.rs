@@ -381,3 +381,42 @@ fn blended_lines_are_the_models() {
     }
     assert!(partly > 30);
 }
+
+/// A line that lies beside the canvas may have pixels in it, and its mesh is in view then.
+#[test]
+fn lines_that_reach_into_a_band_are_in_view() {
+    let (mut has_pixels, mut beside) = (0, 0);
+    cases(CASES, |random| {
+        let [a, b] = [0, 1].map(|_| within(random, [-12_000..35_000, -12_000..22_000]));
+        // A line beside the picture or in it, of up to ten pixels.
+        let ends = [a, [a[0] + b[0] / 20, a[1] + b[1] / 20]].map(at_subpixel);
+        let first = random.random_range(0..30);
+        let line = line(&ends, &[[0, 1]]);
+        let width = width(half(random));
+        let mut colors = [Gray8::BLACK; 10 * SIZE.0 as usize];
+        let mut band = Canvas::band(&mut colors, SIZE.0, SIZE.1, first).unwrap();
+        let (mvp, pen, thin) = (
+            pixel_projection(SIZE),
+            Flat::new(Gray8::WHITE),
+            DrawOptions::new(),
+        );
+        let (wide, smooth) = (thin.with_line(width), thin.with_line(width.smooth()));
+        band.draw_edges(&wide, &line, &mvp, &pen);
+        band.draw_edges(&smooth, &line, &mvp, &pen);
+        let is_drawn = band.pixels().any(|pixel| pixel != Gray8::BLACK);
+        let bounds = line.bounds();
+        if is_drawn {
+            assert!(band.is_in_view(&wide, &bounds, &mvp), "{ends:?} {width:?}");
+            assert!(
+                band.is_in_view(&smooth, &bounds, &mvp),
+                "{ends:?} {width:?}"
+            );
+            has_pixels += 1;
+            beside += u32::from(!band.is_in_view(&thin, &bounds, &mvp));
+        }
+    });
+    assert!(
+        beside > 5 && has_pixels > beside,
+        "{beside} of {has_pixels}"
+    );
+}

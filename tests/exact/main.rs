@@ -8,6 +8,7 @@ mod examples;
 
 mod bands;
 mod canvas;
+mod depths;
 mod golden;
 mod images;
 mod import;

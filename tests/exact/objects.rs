@@ -5,6 +5,7 @@ use fixel::prelude::*;
 use fixel::target::Opacity;
 use fixel::{Drawn, Object, PreparedScene};
 
+use crate::common::{at_subpixel, pixel_projection};
 use crate::examples::lighthouse;
 
 const WIDTH: u32 = 48;
@@ -244,7 +245,13 @@ fn a_scene_of_edges_draws_outlines_or_all_edges() {
             let drawn: Vec<_> = parts
                 .map(|(shader, edges)| band.draw_prepared_edges(&edges, shader).unwrap())
                 .collect();
-            assert!(rows < HEIGHT || drawn == counts, "{drawn:?}: {counts:?}");
+            if rows == HEIGHT {
+                assert_eq!(drawn[..2], counts[..2]);
+                // Most lines of the ball across the near plane lie above the frame. Drawn directly, they count.
+                let [listed, direct] = [drawn[2], counts[2]];
+                assert_eq!(listed.submitted, direct.submitted);
+                assert!(1 < listed.drawn && 2 * listed.drawn < direct.drawn);
+            }
             frame.extend(color);
         }
         assert!(frame == direct, "{rows} rows");
@@ -350,4 +357,52 @@ fn prepared_edges_in_bands_equal_the_frame() {
         ),
         "{error}"
     );
+}
+
+/// Lines at every third of a row, from above the frame to below it, in bands of two rows: in each, those are counted
+/// that pass its rows or, if they are wide, come within the reach of these.
+#[test]
+fn prepared_edges_count_in_the_bands_that_they_reach() {
+    let (size, rows) = ((6, 6), 2_u32);
+    let middles: Vec<i32> = (-30..=48).map(|third| third * 256 / 3).collect();
+    let positions: Vec<Vec3> = middles
+        .iter()
+        .flat_map(|&y| [[128, y], [1000, y]].map(at_subpixel))
+        .collect();
+    let edges: Vec<[u16; 2]> = (0..middles.len() as u16)
+        .map(|edge| [2 * edge, 2 * edge + 1])
+        .collect();
+    let mesh = Mesh::new(&positions, &[]).unwrap();
+    let mesh = mesh.with_edges(&edges).unwrap();
+    let mut list: EdgeList<100, 200> = EdgeList::new();
+    let thin = list
+        .prepare(&DrawOptions::new(), size, &mesh, &pixel_projection(size))
+        .unwrap();
+    let width = LineWidth::new(fx!(3)).unwrap();
+    let (wide, pen) = (thin.with_line(width), Flat::new(Gray8::new(9)));
+    let mut color = [Gray8::new(0); 12];
+    for first in (0..size.1).step_by(rows as usize) {
+        let mut band = Canvas::band(&mut color, size.0, size.1, first).unwrap();
+        // A run of 3 pixels reaches at most two rows beyond the one that the line passes.
+        for (reach, drawn) in [
+            (0, band.draw_prepared_edges(&thin, &pen).unwrap()),
+            (2, band.draw_prepared_edges(&wide, &pen).unwrap()),
+        ] {
+            let [start, end] = [first, first + rows].map(u32::cast_signed);
+            let band = start - reach..end + reach;
+            let reached = middles.iter().filter(|&y| band.contains(&(y >> 8)));
+            assert_eq!(drawn.drawn as usize, reached.count(), "{first} {reach}");
+        }
+    }
+    // In a viewport that begins with row 4, none of the rows above it.
+    let lower = DrawOptions::new().with_viewport(Viewport::new(0, 4, 6, 6).unwrap());
+    let listed = list
+        .prepare(&lower, size, &mesh, &pixel_projection(size))
+        .unwrap();
+    let counts = [2, 4].map(|first| {
+        let mut band = Canvas::band(&mut color, size.0, size.1, first).unwrap();
+        band.draw_prepared_edges(&listed, &pen).unwrap().drawn
+    });
+    let reached = middles.iter().filter(|&y| (0..2).contains(&(y >> 8)));
+    assert_eq!(counts, [0, reached.count() as u32]);
 }

@@ -459,3 +459,24 @@ fn corners_that_share_a_slot_of_the_vertex_cache() {
     };
     assert!(draw(&corners, [0, 1, 2]) == draw(&positions, [0, 64, 128]));
 }
+
+/// What counts as drawn is the smallest rectangle around a triangle, even if the triangle itself has no pixel.
+#[test]
+fn triangles_count_if_their_rectangles_have_a_center() {
+    let mut counter = Counter::new(SIZE);
+    for (points, count) in [
+        // Around the picture's upper left corner.
+        ([[-9., 5.], [5., -9.], [-9., -9.]], 1),
+        // Between centers, and up to one.
+        ([[1., 1.], [1.5, 1.], [1., 1.5]], 0),
+        ([[1., 1.], [1.6, 1.], [1., 1.6]], 1),
+        // Beside the picture.
+        ([[-3., 5.], [-1., 5.], [-3., 1.]], 0),
+    ] {
+        let positions = positions(&points.map(|at| at.map(|at: f64| (at * 256.).round() / 256.)));
+        let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
+        let drawn = counter.draw(&BOTH_SIDES, &mesh, &pixel_projection(SIZE));
+        assert_eq!(drawn.drawn, count, "{points:?}");
+    }
+    assert_counts(&mut counter, EMPTY);
+}

@@ -330,3 +330,26 @@ fn sprites_out_of_range_have_no_pixels() {
     });
     assert!(drawn.0.iter().all(|&color| color == Rgb565::new(1, 2, 3)));
 }
+
+/// The sides of sprites that take most of the format have errors of more than a unit, but of less than 2^-26.
+#[test]
+fn corners_of_the_largest_sprites_are_accurate_to_26_bits() {
+    let at = Vec3::from_bits([0, 0, -114_830_873]);
+    let (positions, scales) = ([at], [Scalar::from_bits(-221_200)]);
+    let lens = Projection::from_focal_length(fx!(64), (WIDTH, HEIGHT), fx!(1), Scalar::MAX);
+    let lens = lens.unwrap().into();
+    let errors = (0..50).map(|i| {
+        let size = Scalar::from_bits(26_300_479 + 1009 * i);
+        let sprites = Sprites::in_pixels(&positions, (size, fx!(9)))
+            .and_then(|sprites| sprites.with_scales(&scales))
+            .unwrap();
+        let corners = corners(&DrawOptions::new(), &sprites, &lens);
+        // A pixel takes a 64th of the distance.
+        let parts = [size, scales[0], at.z].map(|part| part.to_num::<f64>());
+        let half = parts.iter().product::<f64>() / 64. / 2. * 65_536.;
+        let error = (f64::from(corners[0].x.to_bits()) - half).abs();
+        assert!(error < 1. + half.abs() / 2_f64.powi(26), "{error}");
+        error
+    });
+    assert!(errors.fold(0., f64::max) > 1.);
+}

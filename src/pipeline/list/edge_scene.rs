@@ -116,15 +116,15 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
         self.edges.clear();
         self.vertices.clear();
         let lists = (&mut self.edges, &mut self.vertices);
-        let (screen, height) = (options.screen(frame), frame.height);
+        let screen = options.screen(frame);
         let (view, needed) = View::prepare(screen, view, objects, |call, object, needed| {
             let lists = (lists.0.as_mut_view(), lists.1.as_mut_view());
             if let Some(outline) = object.outline {
                 let edges = (outline.edges(), outline::ends_of(outline));
-                edges::add(call, height, edges, lists, needed);
+                edges::add(call, edges, lists, needed);
             } else {
                 let all = |_: &Call<'_, _>, _: &mut VertexCache, _, &edge: &_| Some(edge);
-                edges::add(call, height, (object.mesh.edges(), all), lists, needed);
+                edges::add(call, (object.mesh.edges(), all), lists, needed);
             }
         });
         needed.check::<EDGES, VERTICES>("edges")?;

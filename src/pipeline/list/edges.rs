@@ -66,8 +66,8 @@ pub struct EdgeList<const EDGES: usize, const VERTICES: usize> {
 pub(super) struct Edge {
     /// The mesh's positions at its ends.
     indices: [Index; 2],
-    /// The rows of the frame that it passes: the first, and the one after the last.
-    rows: [u16; 2],
+    /// The rows that it passes, which may be above or below the frame: the first, and the one after the last.
+    rows: [i16; 2],
     ends: Ends,
 }
 
@@ -179,7 +179,6 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
         let (list, vertices) = (&mut self.edges, &mut self.vertices);
         add(
             &call,
-            frame.height,
             (edges, ends_of),
             (list.as_mut_view(), vertices.as_mut_view()),
             &mut needed,
@@ -200,7 +199,6 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
 #[inline]
 pub(super) fn add<K: ProjectionKind, E>(
     call: &Call<'_, K>,
-    height: u32,
     (edges, ends_of): (
         &[E],
         impl Fn(&Call<'_, K>, &mut VertexCache, usize, &E) -> Option<[Index; 2]>,
@@ -214,7 +212,7 @@ pub(super) fn add<K: ProjectionKind, E>(
         // If there is no room, the list will not be used.
         let _ = list.push(Edge {
             indices,
-            rows: rows_of(ends.map(|end| end.vertex.screen[1]), height),
+            rows: rows_of(ends.map(|end| end.vertex.screen[1])),
             ends: if is_clipped {
                 let [first, _] = ends.map(|end| vertices.add_clipped(end));
                 Ends::Clipped(first)
@@ -235,10 +233,10 @@ impl Edge {
     }
 }
 
-/// The rows of a frame, 0 to 2048, that an edge passes between two places in units of 1/256 row.
-fn rows_of([a, b]: [i32; 2], height: u32) -> [u16; 2] {
-    let row = |row: i32| row.clamp(0, height.cast_signed()).cast_unsigned() as u16;
-    [row(a.min(b) >> 8), row((a.max(b) >> 8) + 1)]
+/// The rows that an edge passes between two places in units of 1/256 row. They lie within the guard band, whose center
+/// is at most 6144 rows from the frame's top.
+fn rows_of([a, b]: [i32; 2]) -> [i16; 2] {
+    [(a.min(b) >> 8) as i16, ((a.max(b) >> 8) + 1) as i16]
 }
 
 impl<'a, K, M, Z, B, L> PreparedEdges<'a, K, M, Z, B, L> {

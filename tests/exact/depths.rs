@@ -1,0 +1,100 @@
+//! Depths do not depend on the shader, nor on the mode, except in `Compact`.
+
+use crate::common::BOTH_SIDES;
+use crate::common::random::cases;
+use embedded_graphics::pixelcolor::Rgb565;
+use fixel::mode::{Affine, Exact, Fast, Mode};
+use fixel::prelude::*;
+use fixel::target::{Biased, DepthFormat, DepthTest, Float, Linear, TestAndWrite};
+use rand::Rng;
+
+const SIZE: (u32, u32) = (96, 64);
+
+static SKIN: TextureArray<Rgb565, 2, 2> =
+    TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x00, 0x1f, 0xff, 0xff]);
+
+fn depths<F: DepthFormat, M: Mode, Z: DepthTest>(
+    mesh: &Mesh<'_>,
+    (mode, test): (M, Z),
+    mvp: &Mvp,
+    is_textured: bool,
+) -> Vec<u16> {
+    let (width, height) = SIZE;
+    let mut color = vec![Rgb565::default(); (width * height) as usize];
+    let mut depth = vec![0; color.len()];
+    let canvas = Canvas::new(&mut color, width, height).unwrap();
+    let mut canvas = canvas.with_depth_format::<F>(&mut depth).unwrap();
+    let options = BOTH_SIDES.with_mode(mode).with_depth(test);
+    if is_textured {
+        canvas.draw_with(&options, mesh, mvp, &Textured::new(&SKIN));
+    } else {
+        canvas.draw_with(&options, mesh, mvp, &Flat::new(Rgb565::default()));
+    }
+    depth
+}
+
+/// Compares the depths of all modes with those of a plain color.
+fn check<F: DepthFormat, Z: DepthTest>(mesh: &Mesh<'_>, test: Z, mvp: &Mvp) {
+    let plain = depths::<F, _, _>(mesh, (fixel::mode::Newton, test), mvp, false);
+    let all = [
+        depths::<F, _, _>(mesh, (fixel::mode::Newton, test), mvp, true),
+        depths::<F, _, _>(mesh, (Fast::NARROW, test), mvp, true),
+        depths::<F, _, _>(mesh, (Fast::within(fx!(4)), test), mvp, true),
+        depths::<F, _, _>(mesh, (Affine, test), mvp, true),
+        depths::<F, _, _>(mesh, (Exact, test), mvp, true),
+    ];
+    for (mode, depths) in all.iter().enumerate() {
+        let differ = depths.iter().zip(&plain).filter(|(a, b)| a != b).count();
+        assert_eq!(differ, 0, "mode {mode}");
+    }
+}
+
+fn lens() -> Projection {
+    Projection::perspective(deg!(60), SIZE, fx!(0.1), fx!(1000)).unwrap()
+}
+
+const UVS: [Vec2; 4] = [vec2!(0, 0), vec2!(1, 0), vec2!(1, 1), vec2!(0, 1)];
+
+/// A floor, whose far spans the modes scale before they interpolate.
+#[test]
+fn a_slope_biases_all_modes_alike() {
+    let floor = [
+        vec3!(-3, -1, -1),
+        vec3!(3, -1, -1),
+        vec3!(9, -1, -60),
+        vec3!(-9, -1, -60),
+    ];
+    let corners = [[0, 1, 2], [0, 2, 3]];
+    let mesh = Mesh::new(&floor, &corners)
+        .unwrap()
+        .with_uvs(&UVS, None)
+        .unwrap();
+    for roll in [deg!(0), deg!(20), deg!(90)] {
+        let mvp = lens() * Transform::rotate_z(roll);
+        for slope in [fx!(-1), fx!(1), fx!(-7.5)] {
+            let test = Biased::new(TestAndWrite, -2, slope);
+            check::<Linear, _>(&mesh, test, &mvp);
+            check::<Float, _>(&mesh, test, &mvp);
+        }
+    }
+}
+
+/// Triangles of up to 43 pixels whose nearest corner has almost twice the least 1/w of its exponent: though they are
+/// deep, they have small planes.
+#[test]
+fn small_deep_triangles_have_the_same_depths_in_all_modes() {
+    cases(1000, |random| {
+        // Up to ten pixels from the middle of the picture, at a distance in units of 1/256.
+        let mut corner = |w: i64| {
+            let mut aside = || ((random.random_range(-11_800..11_800) * w) >> 8) as i32;
+            Vec3::from_bits([aside(), aside(), -256 * w as i32])
+        };
+        let positions = [corner(400), corner(256 * 20), corner(256 * 30)];
+        let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
+        let mesh = mesh.with_uvs(&UVS[..3], None).unwrap();
+        let mvp = lens().into();
+        check::<Linear, _>(&mesh, TestAndWrite, &mvp);
+        check::<Float, _>(&mesh, TestAndWrite, &mvp);
+        check::<Float, _>(&mesh, Biased::behind(TestAndWrite), &mvp);
+    });
+}
