@@ -100,8 +100,8 @@ depth_tests! {
 
 /// A depth test with depths that are moved before they are tested and stored.
 ///
-/// On a Cortex-M4, it costs 10 to 13 instructions for each drawn pixel and 7 for each hidden one; on a Cortex-M0+, 6 to
-/// 12 and 7 to 9.
+/// On a Cortex-M4, it costs 8 to 12 instructions for each drawn pixel and 5 to 8 for each hidden one; on a Cortex-M0+,
+/// 15 or 16 and 12 to 14.
 ///
 /// If a mesh is moved away from the eye, lines and decals on its surface are drawn without gaps:
 ///

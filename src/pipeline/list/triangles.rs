@@ -206,11 +206,11 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     ///
     /// | scene | wrong pixels | list | millions of instructions with depth | sorted |
     /// |---|--:|--:|--:|--:|
-    /// | sphere | 0 | 17.1 KiB | 2.26 | 2.65 |
-    /// | two rings around a cube | 0 | 13.9 KiB | 1.57 | 1.89 |
-    /// | 27 towers, after the floor | 0 | 5.0 KiB | 2.89 | 1.17 |
-    /// | island with a lighthouse | 0.40 % | 19.1 KiB | 5.17 | 5.75 |
-    /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 9.39 | 10.1 |
+    /// | sphere | 0 | 17.1 KiB | 2.23 | 2.62 |
+    /// | two rings around a cube | 0 | 13.9 KiB | 1.55 | 1.87 |
+    /// | 27 towers, after the floor | 0 | 5.0 KiB | 2.88 | 1.16 |
+    /// | island with a lighthouse | 0.40 % | 19.1 KiB | 5.14 | 5.73 |
+    /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 9.37 | 10.1 |
     ///
     /// Sorting takes time for each triangle, and hidden pixels are drawn, too. But no pixel's depth is tested and
     /// stored, which is most of the cost of a pixel of one color, such as the towers'.
