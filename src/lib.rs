@@ -182,35 +182,35 @@
 //! These functions carry out the stages, in this order:
 //!
 //! ```text
-//!  mesh       in flash: positions, faces, attributes
-//!   │  Canvas::draw            1  a draw call: mesh, Mvp, shader                 pipeline/
-//!   │  run::triangles          2  each triangle in turn
-//!   ▼
-//!  assemble   assemble::triangle     3  culled, whole, or clipped (clip::clip)
-//!   │         VertexCache::vertex    4  a corner: projected for a neighbor, or now
-//!   │         Projector::project     5  model → clip space → screen; an outcode
-//!   │         Draw::whole            6  inside the scissor?
-//!   ▼
-//!  raster     Blit::primitive        7  the shader's varyings at the corners     shade/
-//!   │         Rasterizer::triangle   8                                           raster/
-//!   │         scan_convert           9  top-left rule, row by row (Edge::next)
-//!   ▼
-//!  span       Blit::rows            10  1/w and attributes at a row's start      span/
-//!   │         Setup::lay            11  before the first row: their gradients    raster/
-//!   │         straight::straight    12  the attributes of each pixel; or pieces, span/
-//!   │                                   Newton, divide: Policy::of_span chooses
-//!   ▼
-//!  pixel      Pixels::visible       13  depth test                               target/
-//!   │         Pixels::shade         14
-//!   │         Shader::shade         15  varyings → color                         shade/
-//!   ▼         Storage::store        16  as a color or as bytes                   target/
-//!  canvas     your memory: a frame, or a band of one
+//! mesh      in flash: positions, faces, attributes
+//!  │         1  Canvas::draw          a draw call: mesh, Mvp, shader    pipeline/
+//!  │         2  run::triangles        each triangle in turn
+//!  ▼
+//! assemble   3  assemble::triangle    culled, whole, or clipped
+//!  │         4  VertexCache::vertex   projected for a neighbor, or now
+//!  │         5  Projector::project    model → clip space → screen
+//!  │         6  Draw::whole           inside the scissor?
+//!  ▼
+//! raster     7  Blit::primitive       the varyings of the corners       shade/
+//!  │         8  Rasterizer::triangle  in blocks of rows                 raster/
+//!  │         9  scan_convert          top-left rule, row by row
+//!  ▼
+//! span      10  Setup::lay            the gradients of 1/w, attributes
+//!  │        11  Blit::rows            their values where a row starts   span/
+//!  │        12  straight::straight    or pieces, Newton, divide,
+//!  │                                  as Policy::of_span chooses
+//!  ▼
+//! pixel     13  Pixels::visible       depth test                        target/
+//!  │        14  Pixels::shade
+//!  │        15  Shader::shade         varyings → color                  shade/
+//!  ▼        16  Storage::store        as a color or as bytes            target/
+//! canvas    your memory: a frame, or a band of one
 //! ```
 //!
-//! The column on the right names the folder. Each folder depends only on those before it in this list: `num`, `math`,
-//! `view`, `mesh`, `texture`, `shade`, `target`, `raster`, `span`, `pipeline`. A vertex's outcode has a bit for each
-//! clip plane outside of which it lies; varyings are the values that a shader wants interpolated. The four kernels
-//! (straight, pieces, Newton, divide) are private; each [mode] chooses among them.
+//! The column on the right names the folder; a line without one belongs to the folder above it. Each folder depends
+//! only on those before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`, `target`, `raster`, `span`,
+//! `pipeline`. Varyings are the values that a shader wants interpolated. The four kernels (straight, pieces, Newton,
+//! divide) are private; each [mode] chooses among them.
 #![no_std]
 #![forbid(unsafe_code)]
 
