@@ -52,7 +52,7 @@ impl<'r> Rasterizer<'r> {
                 cut(rows, &self.scissor.columns);
             }
             // For the many slivers that pass between all centers, nothing is laid.
-            if !is_set_up && rows.iter().any(has_pixels) {
+            if !is_set_up && rows.iter().copied().any(has_pixels) {
                 self.blitter.set_up(patch);
                 is_set_up = true;
             }
@@ -149,7 +149,7 @@ pub(super) fn scan_convert(
 }
 
 /// Whether a row has a pixel.
-fn has_pixels([start, end]: &Columns) -> bool {
+fn has_pixels([start, end]: Columns) -> bool {
     black_box(()); // so that the loop over rows is not unrolled: most triangles have a pixel in the first one or two
     start < end
 }
