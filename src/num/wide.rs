@@ -408,8 +408,6 @@ const fn up_by_halves(value: i64, up: u32) -> i64 {
     ((upper as u64) << 32 | (lower << (up & 31)) as u64).cast_signed()
 }
 
-// Out of line: a copy would be longer than the call.
-
 /// Shifts `q` left until its top bit is set. Lowers an exponent, which stands above `mantissa` bits, by the number of
 /// bits less one.
 #[inline]
@@ -441,6 +439,8 @@ fn normalize_by_steps(q: u32, mut exponent: u32, mantissa: u32) -> (u32, u32) {
     }
     (normal, exponent)
 }
+
+// Out of line: a copy would be longer than the call.
 
 #[inline(never)]
 const fn narrow_product(a: i32, b: i32) -> i64 {

@@ -1,7 +1,8 @@
 //! The draw call: a mesh through its stages onto a canvas.
 //!
-//! [`run`] has the stages in order. This file has the canvas's methods that start them. Its methods that draw nothing
-//! are in [`on_screen`] (where a point or a mesh is on the screen) and in [`ray`] (what is seen at a pixel).
+//! [`run`] has the stages in order. This file has the canvas's methods that start them. Two files have its
+//! methods that draw nothing: [`on_screen`] tells where a point or a mesh is on the screen, [`ray`] what is seen at a
+//! pixel.
 
 mod assemble;
 mod cache;

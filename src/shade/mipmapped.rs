@@ -196,8 +196,8 @@ impl<C: Texel, A: Addressing, F: MipmapFilter<C>> Shader for Mipmapped<'_, C, A,
 
 /// log₂(density / d), with 8 fraction bits, of a triangle with these corners in eye space and in texels.
 ///
-/// With n for the cross product of two sides in eye space and t for that of two sides in texels, the density is √(t /
-/// |n|), and d is |n · a| / |n| for a corner a. So the result is log₂(√(t · |n|) / |n · a|).
+/// Let n be the cross product of two sides in eye space, and t that of two sides in texels. The density is √(t / |n|).
+/// For a corner a, d is |n · a| / |n|. So the result is log₂(√(t · |n|) / |n · a|).
 #[inline(never)]
 fn density([a, b, c]: [[i32; 3]; 3], [d, e, f]: [[i32; 2]; 3]) -> i32 {
     let side = |from: i32, to: i32| i64::from(to) - i64::from(from);

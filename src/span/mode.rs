@@ -126,7 +126,7 @@ pub(crate) trait Policy: Copy {
 
     /// The kernel for all spans of a triangle that is not affine; `None` if it is chosen span by span.
     #[inline]
-    fn of_triangle<L: Lanes>(self, _slopes: &Derivatives<L>) -> Option<Kernel> {
+    fn of_triangle<L: Lanes>(self, _derivatives: &Derivatives<L>) -> Option<Kernel> {
         Some(Self::KERNEL)
     }
 
@@ -136,7 +136,7 @@ pub(crate) trait Policy: Copy {
         self,
         _of_triangle: Option<Kernel>,
         _span: &mut Span<L>,
-        _slopes: &Derivatives<L>,
+        _derivatives: &Derivatives<L>,
     ) -> Kernel {
         Self::KERNEL
     }

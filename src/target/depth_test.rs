@@ -134,9 +134,9 @@ pub struct Biased<Z = super::TestAndWrite> {
 }
 
 impl<Z> Biased<Z> {
-    /// `test` with depths moved by `steps` steps of the depth buffer plus `slope` times the depth difference between
-    /// neighboring pixels, across or down, whichever is greater. Positive values move a surface nearer. Depths saturate
-    /// at both ends.
+    /// `test` with depths moved by `steps` steps of the depth buffer and by `slope` times the depth difference between
+    /// neighboring pixels. That is the difference across or the one down, whichever is greater. Positive values move a
+    /// surface nearer. Depths saturate at both ends.
     #[must_use]
     pub const fn new(test: Z, steps: i32, slope: Scalar) -> Self {
         Self {

@@ -45,8 +45,8 @@ const fn parts(of: &'static str, given: u32, min: u32) -> Result<(), Error> {
 }
 
 impl Shape {
-    /// The most parts in one direction. A sphere and a plane can have so many, with the fewest parts in the other
-    /// direction; a torus and a cylinder can have one less, because indices have 16 bits.
+    /// The most parts in one direction. Because indices have 16 bits, a sphere or a plane of so many parts has the
+    /// fewest in the other direction, and a torus or a cylinder can have only one part less.
     pub const MAX_PARTS: u32 = 16_384;
 
     /// A box from −`corner` to `corner`; the texture fills each of its six sides.
