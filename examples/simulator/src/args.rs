@@ -6,13 +6,13 @@ use clap::{Command, CommandFactory, Parser, ValueEnum};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use crate::look::{Haze, Lamp};
-use crate::model::Format;
+use fixel_assets::Format;
 
 const EXAMPLES: &str = "\
 Examples (`cargo run --release -p simulator -- ` goes before the arguments):
   simulator                                             the project's own scene, as lighthouse.png
   simulator cow.obj --texture cow.png                   your own model, textured and lit
-  simulator part.stl --color mono --size 128x64         STL; with --features ply,gltf also PLY and glTF
+  simulator part.stl --color mono --size 128x64         STL; PLY, glTF and GLB likewise
   simulator cow.obj --export cow.rs --mesh short        also as Rust source, for firmware
   simulator teapot.obj --shade gouraud --frames 60 --out teapot.gif
                                                         a turntable: 60 frames, one turn
@@ -34,7 +34,7 @@ pub struct Args {
     /// Model to draw: Wavefront OBJ with its MTL materials, STL, PLY or glTF (.glb or .gltf).
     ///
     /// A material has one color or one texture, and vertices may have colors. The program computes normals and texture
-    /// coordinates if they are missing. PLY and glTF need a build with --features ply or --features gltf. In STL files,
+    /// coordinates if they are missing. In STL files,
     /// z points up, in all others y; --up changes this.
     #[arg(value_name = "MODEL")]
     pub model: Option<PathBuf>,

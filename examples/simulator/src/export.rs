@@ -15,12 +15,12 @@ use fixel::{Vec2, Vec3};
 
 use super::Result;
 use crate::args::{Args, MeshFormat};
-use crate::model::{Image, Model};
 use crate::output::{self, Output};
 use crate::parts::{self, Part, Run};
 use crate::piece::Finish;
 use crate::report;
 use crate::skin::Skin;
+use fixel_assets::{Image, Model};
 
 /// Files to write, each with its name and its bytes.
 pub type Files = Vec<(PathBuf, Vec<u8>)>;
@@ -146,7 +146,7 @@ fn bmp(skin: &Skin) -> Vec<u8> {
     ]);
     for row in rows.rev() {
         let start = file.len();
-        let bytes = |color: &Rgb888| [color.b(), color.g(), color.r()];
+        let bytes = |&[r, g, b, _]: &[u8; 4]| [b, g, r];
         file.extend(row.iter().flat_map(bytes));
         file.resize(start + row_len as usize, 0);
     }

@@ -31,10 +31,8 @@ mod idle;
 mod job;
 mod look;
 mod mode;
-mod model;
 mod output;
 mod parts;
-mod picture;
 mod piece;
 mod progress;
 mod render;
@@ -48,7 +46,6 @@ mod targets;
 mod tiles;
 mod tinted;
 mod units;
-mod vector;
 mod view;
 mod window;
 

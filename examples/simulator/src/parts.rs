@@ -8,9 +8,9 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use fixel::{Mesh, Vec2, Vec3};
 
 use super::Result;
-use super::model::{Model, Triangle};
 use super::skin::times;
-use super::vector::unit;
+use fixel_assets::vector::unit;
+use fixel_assets::{Model, Triangle};
 
 /// The largest number of values: indices have 16 bits, and the last one stands for no value.
 const MOST: usize = 65_535;

@@ -1,8 +1,11 @@
 //! Shows the progress of a long task in a line on the terminal.
 
-use std::cell::Cell;
+use std::cell::{Cell, OnceCell};
 use std::io::{self, IsTerminal, Write};
+use std::path::Path;
 use std::time::{Duration, Instant};
+
+use fixel_assets::{Disk, Files};
 
 /// The least time between two changes of the line.
 const PAUSE: Duration = Duration::from_millis(100);
@@ -61,5 +64,42 @@ impl Drop for Progress {
             // Move back to the start of the line, and erase it.
             write("\r\x1b[K");
         }
+    }
+}
+
+/// Models from this size on show their progress, in bytes.
+const BIG: usize = 16 << 20;
+
+/// The files of the disk, with a line of progress while a big model is read.
+pub struct Reading {
+    quiet: bool,
+    line: OnceCell<Progress>,
+}
+
+impl Reading {
+    /// Shows nothing if `quiet`.
+    pub fn new(quiet: bool) -> Self {
+        Self {
+            quiet,
+            line: OnceCell::new(),
+        }
+    }
+}
+
+impl Files for Reading {
+    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+        Disk.read(path)
+    }
+
+    fn has(&self, path: &Path) -> bool {
+        Disk.has(path)
+    }
+
+    fn progress(&self, done: usize, all: usize) {
+        let line = self.line.get_or_init(|| {
+            let is_long = all >= BIG && !self.quiet;
+            Progress::new("reading", all as u64 >> 20, "MB", is_long)
+        });
+        line.set(done as u64 >> 20);
     }
 }

@@ -42,9 +42,12 @@ pub fn answer(args: &Args, line: impl Display) -> Result<()> {
 /// # Errors
 ///
 /// Standard error cannot be written.
-pub fn notes(args: &Args, lines: &[String]) -> Result<()> {
-    for line in lines.iter().filter(|_| !args.quiet) {
-        writeln!(io::stderr(), "note: {line}")?;
+pub fn notes(args: &Args, notes: impl IntoIterator<Item = impl Display>) -> Result<()> {
+    if args.quiet {
+        return Ok(());
+    }
+    for note in notes {
+        writeln!(io::stderr(), "note: {note}")?;
     }
     Ok(())
 }

@@ -8,8 +8,7 @@ use embedded_graphics::pixelcolor::{PixelColor, Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
 
 use super::Result;
-use super::picture::Picture;
-use crate::model::Image;
+use fixel_assets::{Image, Picture};
 
 /// Exponent of the largest side, in texels.
 const MOST_LOG2: u32 = 10;
@@ -48,9 +47,8 @@ impl Skin {
                 .map_err(|problem| format!("cannot read texture {name}: {problem}"))?,
         };
         if color != [255; 3] {
-            for texel in &mut skin.picture.colors {
-                let [r, g, b] = times([texel.r(), texel.g(), texel.b()], color);
-                *texel = Rgb888::new(r, g, b);
+            for [r, g, b, _] in &mut skin.picture.pixels {
+                [*r, *g, *b] = times([*r, *g, *b], color);
             }
         }
         Ok(skin)
@@ -87,11 +85,14 @@ impl Skin {
 
     /// Makes a skin from a texture that is compiled in.
     pub fn of<const W: usize, const H: usize>(texture: &TextureArray<Rgb565, W, H>) -> Self {
-        let color = |&texel| Rgb888::from(texel);
+        let color = |&texel| {
+            let color = Rgb888::from(texel);
+            [color.r(), color.g(), color.b(), 255]
+        };
         Self::whole(Picture {
             width: u32::try_from(W).unwrap_or(0),
             height: u32::try_from(H).unwrap_or(0),
-            colors: texture.texels().as_flattened().iter().map(color).collect(),
+            pixels: texture.texels().as_flattened().iter().map(color).collect(),
         })
     }
 
@@ -100,33 +101,33 @@ impl Skin {
         let color = |at: u32| {
             let (x, y) = (at % 64, at / 64);
             if (x / 8 + y / 8) % 2 == 0 {
-                Rgb888::new(255, 255, 240)
+                [255, 255, 240, 255]
             } else {
-                Rgb888::new(70, 130, 180)
+                [70, 130, 180, 255]
             }
         };
         Self::whole(Picture {
             width: 64,
             height: 64,
-            colors: (0..64 * 64).map(color).collect(),
+            pixels: (0..64 * 64).map(color).collect(),
         })
     }
 
     /// Returns the size, and the texels row by row from the top.
-    pub fn rows(&self) -> ((u32, u32), impl DoubleEndedIterator<Item = &[Rgb888]>) {
+    pub fn rows(&self) -> ((u32, u32), impl DoubleEndedIterator<Item = &[[u8; 4]]>) {
         let Picture {
             width,
             height,
-            ref colors,
+            ref pixels,
         } = self.picture;
-        ((width, height), colors.chunks_exact(width.max(1) as usize))
+        ((width, height), pixels.chunks_exact(width.max(1) as usize))
     }
 
     /// Returns the texels in the color `C`.
     pub fn texels<C: Levels>(&self) -> Texels<C> {
-        let color = |&color| C::from_rgb(color, Point::zero());
+        let color = |&[r, g, b, _]: &[u8; 4]| C::from_rgb(Rgb888::new(r, g, b), Point::zero());
         Texels {
-            list: self.picture.colors.iter().map(color).collect(),
+            list: self.picture.pixels.iter().map(color).collect(),
             width: self.picture.width,
             height: self.picture.height,
         }

@@ -3,6 +3,8 @@
 use std::collections::HashMap;
 use std::path::PathBuf;
 
+use fixel_assets::vector::unit;
+
 use super::Result;
 use super::common::lighthouse;
 use crate::args::{Args, Filter, Kind, Shade};
@@ -11,13 +13,12 @@ use crate::export::{self, Files};
 use crate::framing::{Framing, Point, Solid, turntable};
 use crate::job::{self, Model, Turn};
 use crate::mode::Mode;
-use crate::model;
 use crate::parts::{self, Part};
 use crate::piece::{Finish, Piece};
+use crate::progress::Reading;
 use crate::report;
 use crate::skin::Skin;
 use crate::units::Units;
-use crate::vector::unit;
 use crate::view::{AnyProjection, View};
 use crate::window::MOST_ZOOM;
 
@@ -53,9 +54,10 @@ impl Subject {
         let Some(path) = &args.model else {
             return Self::own(args, skin);
         };
-        let mut model = model::read(path, args.quiet)?;
+        let mut model = fixel_assets::read(path, &Reading::new(args.quiet))?;
+        model.complete();
         let (finishes, skins) = finishes(&mut model, skin);
-        report::notes(args, &model.notes)?;
+        report::notes(args, model.notes.iter())?;
         let inputs = inputs(args, &model);
         let exports = export::files(args, &inputs, &model, (&finishes, &skins))?;
         if args.two_sided {
@@ -229,7 +231,7 @@ fn frame(args: &Args, points: &[Point], solid: &Solid, about: Point) -> Result<F
 }
 
 /// Returns all files that belong to a model.
-fn inputs(args: &Args, model: &model::Model) -> Vec<PathBuf> {
+fn inputs(args: &Args, model: &fixel_assets::Model) -> Vec<PathBuf> {
     let given = [&args.model, &args.texture].into_iter().flatten();
     given.chain(&model.files).cloned().collect()
 }
@@ -237,7 +239,7 @@ fn inputs(args: &Args, model: &model::Model) -> Vec<PathBuf> {
 /// Returns the finish of each material, then the finish of faces without one; and the textures that they need.
 ///
 /// `skin` replaces all materials. A texture that cannot be read is noted.
-fn finishes(model: &mut model::Model, skin: Option<Skin>) -> (Vec<Finish>, Vec<Skin>) {
+fn finishes(model: &mut fixel_assets::Model, skin: Option<Skin>) -> (Vec<Finish>, Vec<Skin>) {
     let count = model.materials.len();
     if let Some(skin) = skin {
         return (vec![Finish::textured(0); count + 1], vec![skin]);
@@ -258,7 +260,7 @@ fn finishes(model: &mut model::Model, skin: Option<Skin>) -> (Vec<Finish>, Vec<S
                     Err(problem) => {
                         model
                             .notes
-                            .push(format!("{problem}: its faces have one color"));
+                            .add(format!("{problem}: its faces have one color"));
                         None
                     }
                 }

@@ -493,14 +493,14 @@ impl<K: ProjectionKind, M, Z, B> Prepared<'_, K, M, Z, B> {
             .get(start..start.wrapping_add(usize::from(2 * count)));
         let mut polygon = ClippedPolygon::new();
         for pair in slots.unwrap_or_default().chunks_exact(2) {
-            if let [vertex, Slot::Barycentric(barycentric)] = *pair {
-                if let Some(vertex) = vertex.vertex() {
-                    // At most as many as were clipped.
-                    let _ = polygon.push(ClippedVertex {
-                        vertex,
-                        barycentric,
-                    });
-                }
+            if let [vertex, Slot::Barycentric(barycentric)] = *pair
+                && let Some(vertex) = vertex.vertex()
+            {
+                // At most as many as were clipped.
+                let _ = polygon.push(ClippedVertex {
+                    vertex,
+                    barycentric,
+                });
             }
         }
         polygon

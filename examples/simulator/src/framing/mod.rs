@@ -10,8 +10,8 @@ use crate::Result;
 use crate::args::{Args, DepthFormat, Kind};
 use crate::idle::name;
 use crate::look::Haze;
-use crate::vector::{along, cross, dot, largest, length, sub, unit};
 use fit::range;
+use fixel_assets::vector::{along, cross, dot, largest, length, sub, unit};
 
 /// The fraction of the picture's width or height that the model fills.
 const FILL: f64 = 0.94;
@@ -26,7 +26,7 @@ const FROM: Point = [0.55, 0.6, 1.0];
 /// The same for the oblique projections, which show the top and the side of a model seen from the front.
 const FRONT: Point = [0.0, 0.0, 1.0];
 
-pub use crate::vector::Vector as Point;
+pub use fixel_assets::vector::Vector as Point;
 
 /// A camera and its view.
 #[derive(Clone, Copy, Debug)]

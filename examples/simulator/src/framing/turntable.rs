@@ -1,7 +1,7 @@
 //! The space that a model occupies while it turns.
 
 use super::{Point, basis};
-use crate::vector::{along, dot, sub};
+use fixel_assets::vector::{along, dot, sub};
 
 /// Sides of the polygon around each circle.
 const SIDES: u32 = 72;

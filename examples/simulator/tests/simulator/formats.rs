@@ -29,16 +29,12 @@ fn write_all(directory: &Path) -> Vec<&'static str> {
     write("text.stl", make::stl_text().as_bytes());
     write("binary.stl", &make::stl_binary());
     let mut files = vec!["house.obj", "text.stl", "binary.stl"];
-    if cfg!(feature = "ply") {
-        write("text.ply", make::ply_text(false).as_bytes());
-        write("binary.ply", &make::ply_binary());
-        files.extend(["text.ply", "binary.ply"]);
-    }
-    if cfg!(feature = "gltf") {
-        write("house.glb", &make::glb(false, ""));
-        make::write_gltf(directory, "house.gltf", false, "");
-        files.extend(["house.glb", "house.gltf"]);
-    }
+    write("text.ply", make::ply_text(false).as_bytes());
+    write("binary.ply", &make::ply_binary());
+    files.extend(["text.ply", "binary.ply"]);
+    write("house.glb", &make::glb(false, ""));
+    make::write_gltf(directory, "house.gltf", false, "");
+    files.extend(["house.glb", "house.gltf"]);
     files
 }
 
@@ -101,14 +97,10 @@ fn vertices_have_their_colors() {
     };
     assert!(has(make::color(0)) && has(make::color(8)) && has(make::color(2)));
     let mut files = Vec::new();
-    if cfg!(feature = "ply") {
-        fs::write(directory.join("house.ply"), make::ply_text(true)).unwrap();
-        files.push("house.ply");
-    }
-    if cfg!(feature = "gltf") {
-        fs::write(directory.join("house.glb"), make::glb(true, "")).unwrap();
-        files.push("house.glb");
-    }
+    fs::write(directory.join("house.ply"), make::ply_text(true)).unwrap();
+    files.push("house.ply");
+    fs::write(directory.join("house.glb"), make::glb(true, "")).unwrap();
+    files.push("house.glb");
     for file in files {
         for (shade, expected) in &expected {
             let crc = crc(&directory, file, &format!("--shade {shade}"));
@@ -226,7 +218,6 @@ fn textures_of_a_model_are_not_overwritten() {
     assert_eq!(fs::read(directory.join("green.png")).unwrap(), texture);
 }
 
-#[cfg(feature = "gltf")]
 #[test]
 fn nodes_are_moved_and_mirrored() {
     let directory = directory("nodes");
@@ -259,30 +250,6 @@ fn nodes_are_moved_and_mirrored() {
     assert_eq!(
         crc_of(r#", "matrix": [-1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"#),
         mirrored
-    );
-}
-
-#[cfg(not(feature = "gltf"))]
-#[test]
-fn without_gltf_the_message_names_the_feature() {
-    let directory = directory("no-gltf");
-    fs::write(directory.join("house.glb"), make::glb(false, "")).unwrap();
-    refused(
-        &directory,
-        "house.glb",
-        &["built without glTF", "--features gltf"],
-    );
-}
-
-#[cfg(not(feature = "ply"))]
-#[test]
-fn without_ply_the_message_names_the_feature() {
-    let directory = directory("no-ply");
-    fs::write(directory.join("house.ply"), make::ply_text(false)).unwrap();
-    refused(
-        &directory,
-        "house.ply",
-        &["built without PLY", "--features ply"],
     );
 }
 
@@ -440,7 +407,6 @@ fn stl_line(fifth: &str) -> Vec<u8> {
     lines.replace('\n', "\r\n").into_bytes()
 }
 
-#[cfg(feature = "ply")]
 #[test]
 fn mistakes_in_ply_are_reported_in_one_line() {
     let directory = directory("wrong-ply");
@@ -525,7 +491,6 @@ fn mistakes_in_ply_are_reported_in_one_line() {
     refuse_all(&directory, cases);
 }
 
-#[cfg(feature = "gltf")]
 #[test]
 fn mistakes_in_gltf_are_reported_in_one_line() {
     let directory = directory("wrong-gltf");

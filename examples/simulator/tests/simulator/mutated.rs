@@ -59,24 +59,20 @@ fn mutated_models_are_drawn_or_refused() {
         ("text.stl", make::stl_text().into_bytes()),
         ("binary.stl", make::stl_binary()),
     ];
-    if cfg!(feature = "ply") {
-        models.push(("text.ply", make::ply_text(true).into_bytes()));
-        models.push(("binary.ply", make::ply_binary()));
-    }
-    if cfg!(feature = "gltf") {
-        let sparse = make::gltf(true, "", "").replace(
-            r#""type": "SCALAR"}"#,
-            r#""type": "SCALAR", "sparse": {"count": 2, "indices": {"bufferView": 2, "componentType": 5123},
-               "values": {"bufferView": 2}}}"#,
-        );
-        let data = r#", "uri": "a%20house.bin""#;
-        make::write_gltf(&directory, "m.gltf", true, "");
-        models.push(("m.glb", make::glb(true, r#", "rotation": [0, 1, 0, 0]"#)));
-        models.push((
-            "m.gltf",
-            sparse.replace("288", &format!("288{data}")).into_bytes(),
-        ));
-    }
+    models.push(("text.ply", make::ply_text(true).into_bytes()));
+    models.push(("binary.ply", make::ply_binary()));
+    let sparse = make::gltf(true, "", "").replace(
+        r#""type": "SCALAR"}"#,
+        r#""type": "SCALAR", "sparse": {"count": 2, "indices": {"bufferView": 2, "componentType": 5123},
+           "values": {"bufferView": 2}}}"#,
+    );
+    let data = r#", "uri": "a%20house.bin""#;
+    make::write_gltf(&directory, "m.gltf", true, "");
+    models.push(("m.glb", make::glb(true, r#", "rotation": [0, 1, 0, 0]"#)));
+    models.push((
+        "m.gltf",
+        sparse.replace("288", &format!("288{data}")).into_bytes(),
+    ));
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let rounds: usize = std::env::var("MUTATIONS").map_or(40, |count| count.parse().unwrap());
     for round in 0..rounds {

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use crate::model::{Corner, Model};
 use crate::vector::{cross, dot, sub};
+use crate::{Corner, Model};
 
 impl Model {
     /// Reverses the normals of each triangle whose three normals point to its back. On its front side, the corners run

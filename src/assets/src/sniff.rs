@@ -5,15 +5,19 @@ use std::path::Path;
 /// The format of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
+    /// Wavefront OBJ.
     Obj,
+    /// STL, text or binary.
     Stl,
+    /// PLY, text or binary.
     Ply,
-    /// Text or binary.
+    /// glTF 2.0, text or binary.
     Gltf,
 }
 
 impl Format {
     /// The format that the ending of `path` names.
+    #[must_use]
     pub fn of(path: &Path) -> Option<Self> {
         let ending = path.extension()?.to_ascii_lowercase();
         Some(match ending.to_str()? {

@@ -1,43 +1,55 @@
-//! Reads models in all formats.
+//! Reads models and pictures in any common format, for the crate `fixel`.
+//!
+//! [`read`] reads OBJ with its MTL materials, STL, PLY, and glTF, text or binary; [`Picture::decode`] reads PNG, JPEG,
+//! BMP, TGA, GIF and WebP. Both accept files that are not quite right, and say in [`Model::notes`] what they replaced or
+//! left out. The crate runs on the host: `fixel`'s macros put what it reads into flash.
 
 mod complete;
+mod files;
 #[cfg(feature = "gltf")]
 mod gltf;
 mod material;
 mod mtl;
+mod notes;
 mod obj;
+pub mod picture;
 #[cfg(feature = "ply")]
 mod ply;
 mod polygon;
-mod reading;
 mod sniff;
 mod stl;
 mod text;
+pub mod vector;
 mod winding;
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
-use fixel::num::tex_coord;
-
-use super::Result;
+use files::Folder;
+pub use files::{Disk, Files};
 pub use material::{Image, Material};
+pub use notes::Notes;
+pub use picture::Picture;
 use polygon::Ears;
-use reading::Reading;
 pub use sniff::Format;
 
 /// A model as read, in f64, before any rounding.
 #[derive(Debug, Default)]
 pub struct Model {
+    /// Positions of all vertices, in the file's units and axes.
     pub positions: Vec<[f64; 3]>,
+    /// Texture coordinates: u right, v down from the top left corner, 1 for one repeat.
     pub uvs: Vec<[f64; 2]>,
+    /// Normals, of any length except 0.
     pub normals: Vec<[f64; 3]>,
+    /// Colors: red, green and blue.
     pub colors: Vec<[u8; 3]>,
+    /// The triangles of all polygons, in the file's order.
     pub triangles: Vec<Triangle>,
     /// The outlines of the file's polygons, each edge once.
     pub edges: Vec<[u32; 2]>,
     /// The materials; empty if the file has none.
     pub materials: Vec<Material>,
+    /// The pictures that materials name.
     pub images: Vec<Image>,
     /// How many texture coordinates come from the file; the others were computed.
     pub own_uvs: usize,
@@ -45,13 +57,14 @@ pub struct Model {
     pub had_uvs: bool,
     /// The files that belong to the model: materials, buffers and pictures.
     pub files: Vec<PathBuf>,
-    /// Sentences for the user about parts that could not be read and are left out.
-    pub notes: Vec<String>,
+    /// What was replaced or left out.
+    pub notes: Notes,
 }
 
 /// A triangle.
 #[derive(Clone, Copy, Debug)]
 pub struct Triangle {
+    /// Its corners, counter-clockwise as seen from the front.
     pub corners: [Corner; 3],
     /// Index of its material.
     pub material: Option<u32>,
@@ -60,38 +73,48 @@ pub struct Triangle {
 /// Indices into a model's lists.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Corner {
+    /// Of a position.
     pub position: u32,
+    /// Of a texture coordinate.
     pub uv: Option<u32>,
+    /// Of a normal.
     pub normal: Option<u32>,
+    /// Of a color.
     pub color: Option<u32>,
 }
 
-/// Reads the model file at `path` and fills in missing normals and texture coordinates.
+/// Reads the model at `path`.
 ///
 /// # Errors
 ///
-/// The file cannot be read, is malformed, names an element that it does not have, or has nothing to draw. The message
-/// is one line, which names the file, the line or the byte, the value and what was expected.
-pub fn read(path: &Path, quiet: bool) -> Result<Model> {
+/// The file cannot be read, is not a model, ends too early, or has nothing to draw. The message is one line, which names
+/// the file, the line or the byte, the value and what was expected.
+pub fn read(path: &Path, files: &dyn Files) -> Result<Model, String> {
     let name = path.display();
-    let bytes = fs::read(path).map_err(|error| format!("cannot read model {name}: {error}"))?;
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let reading = Reading::new(bytes.len(), quiet);
+    let bytes = files
+        .read(path)
+        .map_err(|error| format!("cannot read model {name}: {error}"))?;
+    let folder = Folder {
+        files,
+        path: path.parent().unwrap_or(Path::new("")),
+        all: bytes.len(),
+    };
     let read = || -> Result<Model, String> {
         let mut model = match sniff::format(path, &bytes)? {
-            Format::Obj => obj::read(&bytes, folder, &reading)?,
-            Format::Stl => stl::read(&bytes, &reading)?,
-            Format::Ply => read_ply(&bytes, &reading)?,
-            Format::Gltf => read_gltf(&bytes, folder, quiet)?,
+            Format::Obj => obj::read(&bytes, folder)?,
+            Format::Stl => stl::read(&bytes, folder)?,
+            Format::Ply => read_ply(&bytes, folder)?,
+            Format::Gltf => read_gltf(&bytes, folder)?,
         };
         model.check()?;
-        model.complete();
+        model.edges.sort_unstable();
+        model.edges.dedup();
         model
             .files
             .extend(model.images.iter().filter_map(Image::file));
         Ok(model)
     };
-    read().map_err(|problem| format!("model {name}: {}", text::one_line(&problem)).into())
+    read().map_err(|problem| format!("model {name}: {}", text::one_line(&problem)))
 }
 
 #[cfg(feature = "ply")]
@@ -99,11 +122,8 @@ use ply::read as read_ply;
 
 /// Refuses a PLY file, because the code that reads it is not compiled in.
 #[cfg(not(feature = "ply"))]
-fn read_ply(_: &[u8], _: &Reading) -> Result<Model, String> {
-    Err(
-        "it is a PLY file, and this program was built without PLY: build it with --features ply"
-            .into(),
-    )
+fn read_ply(_: &[u8], _: Folder<'_>) -> Result<Model, String> {
+    Err("it is a PLY file, and this program was built without the feature ply".into())
 }
 
 #[cfg(feature = "gltf")]
@@ -111,11 +131,8 @@ use gltf::read as read_gltf;
 
 /// Refuses a glTF file, because the code that reads it is not compiled in.
 #[cfg(not(feature = "gltf"))]
-fn read_gltf(_: &[u8], _: &Path, _: bool) -> Result<Model, String> {
-    Err(
-        "it is a glTF file, and this program was built without glTF: build it with --features gltf"
-            .into(),
-    )
+fn read_gltf(_: &[u8], _: Folder<'_>) -> Result<Model, String> {
+    Err("it is a glTF file, and this program was built without the feature gltf".into())
 }
 
 /// The index of the next element of a list.
@@ -156,7 +173,7 @@ impl Model {
             }
         }
         for (at, uv) in self.uvs.iter().enumerate() {
-            if let Some(x) = uv.iter().find(|&&x| tex_coord(x).is_err()) {
+            if let Some(x) = uv.iter().find(|&&x| !is_tex_coord(x)) {
                 return Err(format!(
                     "texture coordinate {at}: {x} cannot be represented: it must lie between -2048 and 2047.99999"
                 ));
@@ -166,6 +183,7 @@ impl Model {
     }
 
     /// Whether faces have colors of their own.
+    #[must_use]
     pub fn is_colored(&self) -> bool {
         !self.colors.is_empty() || !self.materials.is_empty()
     }
@@ -179,4 +197,9 @@ fn is_usable(x: f64) -> bool {
 /// Says that a number is not usable.
 fn unusable(x: impl std::fmt::Display) -> String {
     format!("coordinate {x} cannot be represented: it must lie between -1e30 and 1e30")
+}
+
+/// Whether a texture coordinate fits into the library's format.
+fn is_tex_coord(x: f64) -> bool {
+    (-2048.0..2_047.999_995).contains(&x)
 }

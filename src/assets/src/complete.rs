@@ -61,10 +61,8 @@ fn smooth(faces: &[Vector]) -> Vec<Vector> {
 }
 
 impl Model {
-    /// Adds what the model lacks, and removes repeated edges.
-    pub(super) fn complete(&mut self) {
-        self.edges.sort_unstable();
-        self.edges.dedup();
+    /// Adds normals and texture coordinates where they are missing.
+    pub fn complete(&mut self) {
         self.own_uvs = self.uvs.len();
         let has_uvs =
             |triangle: &Triangle| triangle.corners.iter().all(|corner| corner.uv.is_some());

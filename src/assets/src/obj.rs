@@ -1,20 +1,17 @@
 //! Reads Wavefront OBJ of any size, in the dialect of the crate's own reader (`fixel::mesh::obj`).
 
 use std::collections::HashMap;
-use std::fs;
 use std::ops::Range;
-use std::path::Path;
 
-use fixel::num::tex_coord;
-
+use super::files::Folder;
+use super::is_tex_coord;
 use super::mtl;
 use super::polygon::Ears;
-use super::reading::Reading;
 use super::text::{Statements, after_keyword, number, quote, words};
 use super::{Corner, Model, is_usable, next, unusable};
 
 /// Reads OBJ text, and the materials that it names from `folder`.
-pub fn read(bytes: &[u8], folder: &Path, reading: &Reading) -> Result<Model, String> {
+pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
     let mut reader = Reader::default();
     let mut statements = Statements::new(bytes);
     while let Some((line, statement)) = statements.next() {
@@ -22,7 +19,7 @@ pub fn read(bytes: &[u8], folder: &Path, reading: &Reading) -> Result<Model, Str
         reader
             .statement(&statement)
             .map_err(|problem| format!("line {line}: {problem}"))?;
-        reading.set(line, statements.read());
+        folder.progress(line, statements.read());
     }
     reader.finish(folder, bytes)
 }
@@ -80,8 +77,8 @@ impl Reader {
                 let (u, v) = (numbers[0], numbers.get(1).copied().unwrap_or((b"0", 0.0)));
                 // In OBJ files, v points up. Here it points down, as an image's rows do.
                 for (word, fits, range) in [
-                    (u.0, tex_coord(u.1).is_ok(), "-2048 and 2047.99999"),
-                    (v.0, tex_coord(1.0 - v.1).is_ok(), "-2046.99999 and 2049"),
+                    (u.0, is_tex_coord(u.1), "-2048 and 2047.99999"),
+                    (v.0, is_tex_coord(1.0 - v.1), "-2046.99999 and 2049"),
                 ] {
                     if !fits {
                         return Err(format!(
@@ -192,7 +189,7 @@ impl Reader {
         Ok(from_0)
     }
 
-    fn finish(mut self, folder: &Path, bytes: &[u8]) -> Result<Model, String> {
+    fn finish(mut self, folder: Folder<'_>, bytes: &[u8]) -> Result<Model, String> {
         let model = &mut self.model;
         let lists = [model.positions.len(), model.uvs.len(), model.normals.len()];
         for (kind, len) in lists.into_iter().enumerate() {
@@ -255,7 +252,7 @@ impl Reader {
                 .zip(&found)
                 .filter(|(_, found)| found.is_none())
             {
-                model.notes.push(format!(
+                model.notes.add(format!(
                     "material {} is not defined: its faces are white",
                     quote(name.as_bytes())
                 ));
@@ -266,24 +263,24 @@ impl Reader {
 }
 
 /// Reads the materials that `mtllib` names: a file, or several. A missing file is only noted.
-fn read_library(model: &mut Model, names: &str, folder: &Path) -> Result<(), String> {
-    let whole = mtl::beside(folder, names);
-    let files = if whole.is_file() {
+fn read_library(model: &mut Model, names: &str, folder: Folder<'_>) -> Result<(), String> {
+    let whole = folder.beside(names);
+    let files = if folder.files.has(&whole) {
         vec![whole]
     } else {
         names
             .split_whitespace()
-            .map(|name| mtl::beside(folder, name))
+            .map(|name| folder.beside(name))
             .collect()
     };
     for file in files {
         model.files.push(file.clone());
-        match fs::read(&file) {
+        match folder.files.read(&file) {
             Ok(text) => mtl::read(model, &text, folder)
                 .map_err(|problem| format!("materials {}: {problem}", file.display()))?,
             Err(error) => model
                 .notes
-                .push(format!("cannot read materials {}: {error}", file.display())),
+                .add(format!("cannot read materials {}: {error}", file.display())),
         }
     }
     Ok(())

@@ -1,14 +1,13 @@
 //! Reads MTL, the materials of OBJ files.
 
-use std::path::{Path, PathBuf};
-
+use super::files::Folder;
 use super::text::{Statements, after_keyword, number, words};
 use super::{Image, Material, Model, next};
 
 /// Adds the materials of MTL text to a model.
 ///
 /// A texture replaces the color of its material, because programs write arbitrary colors next to a texture.
-pub fn read(model: &mut Model, bytes: &[u8], folder: &Path) -> Result<(), String> {
+pub fn read(model: &mut Model, bytes: &[u8], folder: Folder<'_>) -> Result<(), String> {
     let first = model.materials.len();
     for (line, statement) in Statements::new(bytes) {
         let Some(keyword) = words(&statement).next() else {
@@ -42,7 +41,7 @@ pub fn read(model: &mut Model, bytes: &[u8], folder: &Path) -> Result<(), String
             let name = texture(value).ok_or_else(|| at_line("map_Kd needs the name of a file"))?;
             material.texture = Some(image);
             material.color = [255; 3];
-            model.images.push(Image::File(beside(folder, &name)));
+            model.images.push(Image::File(folder.beside(&name)));
         }
     }
     Ok(())
@@ -87,15 +86,4 @@ fn texture(value: &[u8]) -> Option<String> {
         }
     }
     (!rest.is_empty()).then(|| String::from_utf8_lossy(rest).into_owned())
-}
-
-/// A file that a model names, relative to the model's `folder`. If it does not exist, for example because the model
-/// comes from another computer, only the last part of its name is used.
-pub fn beside(folder: &Path, name: &str) -> PathBuf {
-    let name = name.replace('\\', "/");
-    let path = folder.join(&name);
-    if path.exists() {
-        return path;
-    }
-    folder.join(name.rsplit('/').next().unwrap_or(&name))
 }

@@ -8,8 +8,8 @@ use ply_rs_bw::ply::{
     ScalarType,
 };
 
+use super::files::Folder;
 use super::polygon::Ears;
-use super::reading::Reading;
 use super::text::{number, quote, words};
 use super::{Corner, Model, is_usable, next, unusable};
 
@@ -17,7 +17,7 @@ use super::{Corner, Model, is_usable, next, unusable};
 const STEP: usize = 1 << 14;
 
 /// Reads a PLY file: its elements `vertex` and `face`.
-pub fn read(bytes: &[u8], reading: &Reading) -> Result<Model, String> {
+pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
     let mut reader = Reader::new(Cursor::new(bytes));
     let header = Parser::<Row>::new()
         .read_header(&mut reader)
@@ -48,7 +48,7 @@ pub fn read(bytes: &[u8], reading: &Reading) -> Result<Model, String> {
                     colors: names("red") && names("green") && names("blue"),
                     uvs: UVS.iter().any(|[u, v]| names(u) && names(v)),
                 };
-                file.rows(&element, reading, |row| {
+                file.rows(&element, folder, |row| {
                     let numbers = row.position.iter().chain(&row.normal);
                     if let Some(x) = numbers.into_iter().find(|x| !is_usable(**x)) {
                         return Err(unusable(x));
@@ -74,7 +74,7 @@ pub fn read(bytes: &[u8], reading: &Reading) -> Result<Model, String> {
                 let count = model.positions.len();
                 let vertices = next(&model.positions)?;
                 let mut corners = Vec::new();
-                file.rows(&element, reading, |row| {
+                file.rows(&element, folder, |row| {
                     if row.indices.len() < 3 {
                         return Err(format!("a face has {} corners: it needs at least 3", row.indices.len()));
                     }
@@ -103,7 +103,7 @@ pub fn read(bytes: &[u8], reading: &Reading) -> Result<Model, String> {
                     Ok(())
                 })?;
             }
-            _ => file.rows(&element, reading, |_| Ok(()))?,
+            _ => file.rows(&element, folder, |_| Ok(()))?,
         }
     }
     if model.triangles.is_empty() && !model.positions.is_empty() {
@@ -228,7 +228,7 @@ impl File<'_> {
     fn rows(
         &mut self,
         element: &ElementDef,
-        reading: &Reading,
+        folder: Folder<'_>,
         mut each: impl FnMut(Row) -> Result<(), String>,
     ) -> Result<(), String> {
         let parser = Parser::<Row>::new();
@@ -273,7 +273,7 @@ impl File<'_> {
             }
             done += count;
             #[allow(clippy::cast_possible_truncation)] // a position in memory
-            reading.set(
+            folder.progress(
                 done.next_multiple_of(STEP),
                 self.reader.get_ref().position() as usize,
             );

@@ -4,28 +4,28 @@ use std::cell::Cell;
 use std::collections::HashMap;
 use std::io::{Cursor, Read, Result as IoResult, Seek, SeekFrom};
 
+use super::files::Folder;
 use super::polygon::Ears;
-use super::reading::Reading;
 use super::sniff::{STL, is_binary_stl};
 use super::text::{number, quote, words};
 use super::{Corner, Model, is_usable, next, unusable};
 
 /// Reads an STL file. Its normals are ignored, because they only repeat those of the triangles, or are zero.
-pub fn read(bytes: &[u8], reading: &Reading) -> Result<Model, String> {
+pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
     let mut model = Builder::default();
     let begins = bytes.trim_ascii_start().get(..5);
     let is_text = begins.is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
         && !bytes.iter().take(1024).any(|&byte| byte == 0);
     // The header of a binary file may also begin with "solid".
     if is_text && !is_binary_stl(bytes) {
-        text(&mut model, bytes, reading)?;
+        text(&mut model, bytes, folder)?;
     } else {
-        binary(&mut model, bytes, reading)?;
+        binary(&mut model, bytes, folder)?;
     }
     Ok(model.model)
 }
 
-fn binary(model: &mut Builder, bytes: &[u8], reading: &Reading) -> Result<(), String> {
+fn binary(model: &mut Builder, bytes: &[u8], folder: Folder<'_>) -> Result<(), String> {
     let [header, each] = STL;
     let Some(count) = bytes.get(..header).and_then(<[u8]>::last_chunk::<4>) else {
         return Err(format!(
@@ -58,7 +58,7 @@ fn binary(model: &mut Builder, bytes: &[u8], reading: &Reading) -> Result<(), St
         model
             .triangle(&triangle)
             .map_err(|problem| format!("byte {offset}: {problem}"))?;
-        reading.set(at, offset);
+        folder.progress(at, offset);
     }
     Ok(())
 }
@@ -84,7 +84,7 @@ impl Seek for Unmarked<'_, '_> {
     }
 }
 
-fn text(model: &mut Builder, bytes: &[u8], reading: &Reading) -> Result<(), String> {
+fn text(model: &mut Builder, bytes: &[u8], folder: Folder<'_>) -> Result<(), String> {
     // The reader accepts only lower case and UTF-8.
     let text = String::from_utf8_lossy(bytes)
         .to_ascii_lowercase()
@@ -109,7 +109,7 @@ fn text(model: &mut Builder, bytes: &[u8], reading: &Reading) -> Result<(), Stri
         for (at, triangle) in triangles.enumerate() {
             let triangle = triangle.map_err(failed)?;
             model.triangle(&triangle).map_err(at_line)?;
-            reading.set(at, position.byte.get());
+            folder.progress(at, position.byte.get());
         }
         solid += 1;
     }

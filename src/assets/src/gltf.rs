@@ -1,8 +1,6 @@
 //! Reads glTF 2.0, text and binary.
 
 use std::cell::Cell;
-use std::fs;
-use std::path::Path;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -14,13 +12,13 @@ use gltf::json::validation::Checked;
 use gltf::mesh::Mode;
 use gltf::{Accessor, Document, Gltf, Node, Primitive, Semantic};
 
-use super::mtl::{beside, byte};
+use super::files::Folder;
+use super::mtl::byte;
 use super::polygon::Ears;
-use super::reading::Reading;
 use super::{Corner, Image, Material, Model, next};
 
 /// Reads a glTF file: the triangles of its default scene, or of its first one.
-pub fn read(bytes: &[u8], folder: &Path, quiet: bool) -> Result<Model, String> {
+pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
     if let (true, Some(Ok(len))) = (
         bytes.starts_with(b"glTF"),
         bytes.get(8..12).map(TryInto::try_into),
@@ -41,14 +39,17 @@ pub fn read(bytes: &[u8], folder: &Path, quiet: bool) -> Result<Model, String> {
         model: Model::default(),
         ears: Ears::default(),
         seen: vec![false; document.nodes().count()],
-        reading: Reading::new(buffers.iter().map(Vec::len).sum(), quiet),
+        folder: Folder {
+            all: buffers.iter().map(Vec::len).sum(),
+            ..folder
+        },
         elements: Cell::new(0),
         read: Cell::new(0),
     };
     for buffer in document.buffers() {
         match buffer.source() {
             Source::Uri(uri) if !uri.starts_with("data:") => {
-                reader.model.files.push(beside(folder, &decoded(uri)));
+                reader.model.files.push(folder.beside(&decoded(uri)));
             }
             _ => {}
         }
@@ -124,7 +125,7 @@ fn normal_matrix(m: &Matrix) -> ([[f64; 3]; 3], f64) {
 }
 
 /// Returns the contents of a URI, which is data itself, or names a file in `folder`.
-fn contents(uri: &str, folder: &Path) -> Result<Vec<u8>, String> {
+fn contents(uri: &str, folder: Folder<'_>) -> Result<Vec<u8>, String> {
     if let Some(data) = uri.strip_prefix("data:") {
         let (_, text) = data
             .split_once(";base64,")
@@ -133,8 +134,11 @@ fn contents(uri: &str, folder: &Path) -> Result<Vec<u8>, String> {
             .decode(text)
             .map_err(|error| format!("a data URI is not in base64: {error}"));
     }
-    let path = beside(folder, &decoded(uri));
-    fs::read(&path).map_err(|error| format!("cannot read {}: {error}", path.display()))
+    let path = folder.beside(&decoded(uri));
+    folder
+        .files
+        .read(&path)
+        .map_err(|error| format!("cannot read {}: {error}", path.display()))
 }
 
 /// A URI with its escapes, such as %20, decoded.
@@ -155,7 +159,7 @@ fn decoded(uri: &str) -> String {
 fn buffers(
     document: &Document,
     blob: Option<Vec<u8>>,
-    folder: &Path,
+    folder: Folder<'_>,
 ) -> Result<Vec<Vec<u8>>, String> {
     let mut blob = blob;
     let mut buffers = Vec::new();
@@ -186,7 +190,7 @@ struct Reader<'b> {
     ears: Ears,
     /// Which nodes have been added.
     seen: Vec<bool>,
-    reading: Reading,
+    folder: Folder<'b>,
     /// How many values, and how many bytes of the buffers, have been read.
     elements: Cell<usize>,
     read: Cell<usize>,
@@ -202,7 +206,7 @@ fn srgb(linear: f64) -> u8 {
 }
 
 impl Reader<'_> {
-    fn materials(&mut self, document: &Document, folder: &Path) -> Result<(), String> {
+    fn materials(&mut self, document: &Document, folder: Folder<'_>) -> Result<(), String> {
         for image in document.images() {
             let image = match image.source() {
                 Picture::View { view, .. } => {
@@ -217,7 +221,7 @@ impl Reader<'_> {
                         .map_err(|problem| format!("image {}: {problem}", image.index()))?;
                     Image::Bytes(format!("image-{}", image.index()), data)
                 }
-                Picture::Uri { uri, .. } => Image::File(beside(folder, &decoded(uri))),
+                Picture::Uri { uri, .. } => Image::File(folder.beside(&decoded(uri))),
             };
             self.model.images.push(image);
         }
@@ -226,10 +230,10 @@ impl Reader<'_> {
             let [r, g, b, _] = surface.base_color_factor();
             let texture = surface.base_color_texture();
             self.model.materials.push(Material {
-                name: material.name().unwrap_or_default().into(),
                 color: [r, g, b].map(|x| srgb(x.into())),
                 #[allow(clippy::cast_possible_truncation)] // an index in JSON text that was read into memory
                 texture: texture.map(|texture| texture.texture().source().index() as u32),
+                ..Material::new(material.name().unwrap_or_default().into())
             });
         }
         Ok(())
@@ -411,7 +415,7 @@ impl Reader<'_> {
             }
             self.elements.set(self.elements.get() + 1);
             self.read.set(self.read.get() + bytes.len());
-            self.reading.set(self.elements.get(), self.read.get());
+            self.folder.progress(self.elements.get(), self.read.get());
             value
         };
         let size = components * kind.size();

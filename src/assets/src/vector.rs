@@ -3,22 +3,32 @@
 /// A position or a direction.
 pub type Vector = [f64; 3];
 
+/// a − b.
+#[must_use]
 pub fn sub(a: Vector, b: Vector) -> Vector {
     [0, 1, 2].map(|i| a[i] - b[i])
 }
 
+/// a + b.
+#[must_use]
 pub fn add(a: Vector, b: Vector) -> Vector {
     [0, 1, 2].map(|i| a[i] + b[i])
 }
 
+/// A point moved along a direction.
+#[must_use]
 pub fn along(a: Vector, direction: Vector, by: f64) -> Vector {
     [0, 1, 2].map(|i| a[i] + direction[i] * by)
 }
 
+/// The dot product.
+#[must_use]
 pub fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+/// The cross product.
+#[must_use]
 pub fn cross(a: Vector, b: Vector) -> Vector {
     [
         a[1] * b[2] - a[2] * b[1],
@@ -27,16 +37,20 @@ pub fn cross(a: Vector, b: Vector) -> Vector {
     ]
 }
 
+/// The length.
+#[must_use]
 pub fn length(a: Vector) -> f64 {
     dot(a, a).sqrt()
 }
 
 /// The largest magnitude of a coordinate.
+#[must_use]
 pub fn largest(a: Vector) -> f64 {
     a.iter().fold(0.0, |most, x| x.abs().max(most))
 }
 
 /// The direction of `a` at length one; `None` if it has none.
+#[must_use]
 pub fn unit(a: Vector) -> Option<Vector> {
     let size = largest(a);
     let a = a.map(|x| x / size);
