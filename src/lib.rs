@@ -261,6 +261,8 @@ macro_rules! page_picture {
     };
 }
 
+#[cfg(feature = "assets")]
+mod assets_macros;
 mod error;
 #[cfg(any(doc, doctest))]
 pub mod guide;
@@ -286,6 +288,10 @@ pub mod mode {
 pub mod target;
 pub mod texture;
 pub mod view;
+
+#[cfg(feature = "assets")]
+#[doc(hidden)]
+pub use fixel_macros::assets as __assets;
 
 pub use error::{Error, RefusedFloat};
 pub use pipeline::{

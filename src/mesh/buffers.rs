@@ -149,7 +149,7 @@ impl<'a> Buffers<'a> {
                 first(self.normals, counts.normals),
                 first(self.normal_faces, counts.normal_faces),
             ),
-            first(self.colors, counts.colors),
+            (first(self.colors, counts.colors), &[]),
         )
     }
 }

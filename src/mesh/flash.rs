@@ -1,4 +1,4 @@
-//! Meshes built at compile time: the code that [`include_obj!`](crate::include_obj) and [`shape!`](crate::shape) share.
+//! Meshes built at compile time: the code that [`shape!`](crate::shape) and the macros for files expand to.
 
 pub use embedded_graphics::pixelcolor::Rgb888;
 
@@ -120,6 +120,93 @@ pub const fn quantized_8<const N: usize>(uvs: &[Vec2]) -> ([[u8; 2]; N], UvGrid)
     (steps, grid)
 }
 
+/// A list of integers from their little-endian bytes: the macros that read files write lists as bytes, because the
+/// compiler reads these several times as fast as numbers.
+///
+/// # Panics
+///
+/// If the length is wrong. Only the macros call these functions, at compile time.
+macro_rules! lists {
+    ($($name:ident: [$number:ident; $count:literal] = |$at:ident, $bytes:ident| $value:expr;)+) => {$(
+        #[must_use]
+        pub const fn $name<const N: usize, const K: usize>($bytes: &[u8]) -> [[$number; K]; N] {
+            let mut list = [[0; K]; N];
+            let (mut element, mut $at) = (0, 0);
+            while element < N {
+                let mut component = 0;
+                while component < K {
+                    list[element][component] = $value;
+                    component += 1;
+                    $at += $count;
+                }
+                element += 1;
+            }
+            list
+        }
+    )+};
+}
+
+lists! {
+    words: [u16; 2] = |at, bytes| bytes[at] as u16 | (bytes[at + 1] as u16) << 8;
+    signed_words: [i16; 2] = |at, bytes| (bytes[at] as u16 | (bytes[at + 1] as u16) << 8).cast_signed();
+}
+
+/// The number of 32 bits at an offset.
+macro_rules! bits {
+    ($bytes:ident[$at:expr]) => {{
+        let at = $at;
+        ($bytes[at] as u32
+            | ($bytes[at + 1] as u32) << 8
+            | ($bytes[at + 2] as u32) << 16
+            | ($bytes[at + 3] as u32) << 24)
+            .cast_signed()
+    }};
+}
+
+/// Vectors from the little-endian bytes of their bits.
+///
+/// # Panics
+///
+/// As for [`words`]; the same holds for the functions below.
+#[must_use]
+pub const fn vec3s<const N: usize>(bytes: &[u8]) -> [Vec3; N] {
+    let mut list = [Vec3::ZERO; N];
+    let mut at = 0;
+    while at < N {
+        list[at] = Vec3::from_bits([
+            bits!(bytes[12 * at]),
+            bits!(bytes[12 * at + 4]),
+            bits!(bytes[12 * at + 8]),
+        ]);
+        at += 1;
+    }
+    list
+}
+
+/// Texture coordinates from the little-endian bytes of their bits.
+#[must_use]
+pub const fn vec2s<const N: usize>(bytes: &[u8]) -> [Vec2; N] {
+    let mut list = [Vec2::ZERO; N];
+    let mut at = 0;
+    while at < N {
+        list[at] = Vec2::from_bits([bits!(bytes[8 * at]), bits!(bytes[8 * at + 4])]);
+        at += 1;
+    }
+    list
+}
+
+/// Colors from the bytes of red, green and blue.
+#[must_use]
+pub const fn colors<const N: usize>(bytes: &[u8]) -> [Rgb888; N] {
+    let mut list = [Rgb888::new(0, 0, 0); N];
+    let mut at = 0;
+    while at < N {
+        list[at] = Rgb888::new(bytes[3 * at], bytes[3 * at + 1], bytes[3 * at + 2]);
+        at += 1;
+    }
+    list
+}
+
 /// A mesh of the first elements in `$room`, as many as `$counts` says, in statics of exactly those lengths. With
 /// `short`, positions have 16 bits a component; with `quantized_16` or `quantized_8`, the result is a quantized mesh.
 #[doc(hidden)]
@@ -182,7 +269,7 @@ macro_rules! __mesh {
                 &EDGES,
                 (&UVS, &UV_FACES),
                 (&NORMALS, &NORMAL_FACES),
-                &COLORS,
+                (&COLORS, &[]),
             ),
         );
         MESH

@@ -194,12 +194,12 @@ impl<'a> Mesh<'a> {
         edges: &'a [[Index; 2]],
         (uvs, uv_faces): (&'a [Vec2], &'a [[Index; 3]]),
         (normals, normal_faces): (&'a [Vec3], &'a [[Index; 3]]),
-        colors: &'a [Rgb888],
+        (colors, color_faces): (&'a [Rgb888], &'a [[Index; 3]]),
     ) -> Result<Self, Error> {
         Ok(Self {
             uvs: ok!(self.listed(uvs, uv_faces)),
             normals: ok!(self.listed(normals, normal_faces)),
-            colors: ok!(self.listed(colors, &[])),
+            colors: ok!(self.listed(colors, color_faces)),
             ..ok!(self.with_edges(edges))
         })
     }

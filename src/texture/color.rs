@@ -1,34 +1,12 @@
-//! Colors of files as colors of textures, at run time and at compile time.
+//! The colors of pictures as colors of textures, at compile time.
 
 use embedded_graphics::pixelcolor::{
-    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565,
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565,
     Rgb666, Rgb888, RgbColor,
 };
 
-use super::include::{Convert, File};
-use super::pixel::{Entry, Pixel, byte, channels, entry, index, rgb, widened, word, write_colors};
-use crate::message;
-use crate::sealed::Sealed;
-
-/// A color that the pixels of a file can be converted to: any color of embedded-graphics.
-///
-/// Each channel is rounded to the nearest step, as in embedded-graphics. Gray is the BT.601 luma that
-/// [`Levels`](crate::shade::Levels) uses (0.299 red + 0.587 green + 0.114 blue), rounded once to the nearest step and
-/// not dithered. [`BinaryColor`] is on if the luma is at least half of white.
-///
-/// ```
-/// use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565};
-/// use fixel::texture::ImageColor;
-/// let orange = [255, 128, 0];
-/// assert_eq!(Rgb565::nearest(orange), Rgb565::new(31, 32, 0));
-/// assert_eq!(Gray4::nearest(orange), Gray4::new(9)); // 8.9
-/// assert_eq!(BinaryColor::nearest(orange), BinaryColor::On);
-/// ```
-pub trait ImageColor: PixelColor + Sealed {
-    /// The color nearest to red, green and blue, where 255 is full.
-    #[must_use]
-    fn nearest(rgb: [u8; 3]) -> Self;
-}
+use super::include::{Convert, File, Pixels};
+use super::{Argb1555, Argb4444};
 
 /// c/255 in units of 2⁻¹⁶, with an error of at most half a unit: 0 for 0, 65,536 for 255. A macro, like the following
 /// ones, because the compiler counts calls as steps.
@@ -56,39 +34,51 @@ macro_rules! luma {
     };
 }
 
+/// Colors that a picture can be converted to: `$nearest` is the one nearest to red, green, blue and alpha.
 macro_rules! colors {
-    ($($color:ident |$rgb:ident| $nearest:expr;)+) => {$(
-        impl Sealed for $color {}
-
-        impl ImageColor for $color {
-            #[inline]
-            fn nearest($rgb: [u8; 3]) -> Self {
-                $nearest
-            }
-        }
-
+    ($($color:ident |$rgba:ident| $nearest:expr;)+) => {$(
         impl<F: File, const N: usize> Convert<F, N> for $color {
+            #[allow(long_running_const_eval)]
             const TEXELS: &'static [Self; N] = &{
-                const BLACK: $color = {
-                    let $rgb = [0_u8; 3];
-                    $nearest
-                };
-                let mut texels = [BLACK; N];
-                write_colors!(texels[..N] = F::IMAGE, |$rgb| $nearest);
+                let colors = F::COLORS;
+                let $rgba = [colors[0], colors[1], colors[2], colors[3]];
+                // There are no more colors than pixels.
+                let mut table = [$nearest; N];
+                let mut at = 1;
+                while 4 * at < colors.len() {
+                    let $rgba = [colors[4 * at], colors[4 * at + 1], colors[4 * at + 2], colors[4 * at + 3]];
+                    table[at] = $nearest;
+                    at += 1;
+                }
+                let mut texels = table;
+                let mut at = 0;
+                match F::PIXELS {
+                    Pixels::Bytes(pixels) => while at < N {
+                        texels[at] = table[pixels[at] as usize];
+                        at += 1;
+                    },
+                    Pixels::Words(pixels) => while at < N {
+                        let from = 3 * at;
+                        texels[at] = table[pixels[from] as usize
+                            | (pixels[from + 1] as usize) << 8
+                            | (pixels[from + 2] as usize) << 16];
+                        at += 1;
+                    },
+                }
                 texels
             };
             const COLORS: &'static [Self; 256] = &{
-                let (image, path) = (F::IMAGE, F::PATH);
-                let (table, length) = (message::checked(image.table(), path), image.bytes.len());
-                let $rgb = entry!(table, image.bytes, length, 0);
-                let mut colors = [$nearest; 256];
-                let mut index = 1;
-                while index < 256 {
-                    let $rgb = entry!(table, image.bytes, length, index);
-                    colors[index] = $nearest;
-                    index += 1;
+                let colors = F::COLORS;
+                let last = colors.len() / 4 - 1;
+                let $rgba = [colors[4 * last], colors[4 * last + 1], colors[4 * last + 2], colors[4 * last + 3]];
+                let mut table = [$nearest; 256];
+                let mut at = 0;
+                while at < last && at < 256 {
+                    let $rgba = [colors[4 * at], colors[4 * at + 1], colors[4 * at + 2], colors[4 * at + 3]];
+                    table[at] = $nearest;
+                    at += 1;
                 }
-                colors
+                table
             };
         }
     )+};
@@ -112,6 +102,18 @@ colors! {
     Gray4 |rgb| Gray4::new(steps!((luma!(rgb)), 15));
     Gray8 |rgb| Gray8::new(steps!((luma!(rgb)), 255));
     BinaryColor |rgb| if luma!(rgb) >= 1 << 15 { BinaryColor::On } else { BinaryColor::Off };
+    Argb1555 |rgba| Argb1555::from_bits(
+        ((rgba[3] >> 7) as u16) << 15
+            | (steps!(fraction!(rgba[0]), 31) as u16) << 10
+            | (steps!(fraction!(rgba[1]), 31) as u16) << 5
+            | steps!(fraction!(rgba[2]), 31) as u16
+    );
+    Argb4444 |rgba| Argb4444::from_bits(
+        (steps!(fraction!(rgba[3]), 15) as u16) << 12
+            | (steps!(fraction!(rgba[0]), 15) as u16) << 8
+            | (steps!(fraction!(rgba[1]), 15) as u16) << 4
+            | steps!(fraction!(rgba[2]), 15) as u16
+    );
 }
 
 #[cfg(test)]
@@ -121,19 +123,58 @@ mod tests {
     use embedded_graphics::geometry::Point;
     use embedded_graphics::pixelcolor::GrayColor;
 
+    const COUNT: usize = 1024;
+
     /// Every value of each channel, with different values of the other channels.
-    fn samples() -> impl Iterator<Item = [u8; 3]> {
-        (0..=255).flat_map(|c: u8| {
+    const SAMPLES: [[u8; 4]; COUNT] = {
+        let mut samples = [[0; 4]; COUNT];
+        let mut at = 0;
+        while at < COUNT {
+            let c = (at / 4) as u8;
             let d = c.wrapping_mul(37) ^ 0x5a;
-            [[c, c, c], [c, 0, d], [d, c, 255], [255 - d, d, c]]
-        })
+            samples[at] = match at % 4 {
+                0 => [c, c, c, d],
+                1 => [c, 0, d, c],
+                2 => [d, c, 255, 255],
+                _ => [255 - d, d, c, 0],
+            };
+            at += 1;
+        }
+        samples
+    };
+
+    /// A picture of the samples, in the opposite order.
+    enum Sampled {}
+
+    impl File for Sampled {
+        const PATH: &'static str = "samples";
+        const SIZE: [u32; 2] = [COUNT as u32, 1];
+        const COLORS: &'static [u8] = SAMPLES.as_flattened();
+        const PIXELS: Pixels = {
+            const INDICES: [[u8; 3]; COUNT] = {
+                let mut indices = [[0; 3]; COUNT];
+                let mut at = 0;
+                while at < COUNT {
+                    let index = COUNT - 1 - at;
+                    indices[at] = [index as u8, (index >> 8) as u8, 0];
+                    at += 1;
+                }
+                indices
+            };
+            Pixels::Words(INDICES.as_flattened())
+        };
     }
 
-    fn as_levels<C: ImageColor + Levels + core::fmt::Debug>() {
-        for rgb in samples() {
-            let [r, g, b] = rgb;
+    /// The samples with their colors.
+    fn converted<C: Convert<Sampled, COUNT>>() -> impl Iterator<Item = ([u8; 4], C)> {
+        SAMPLES.into_iter().rev().zip(C::TEXELS.iter().copied())
+    }
+
+    fn as_levels<C: Convert<Sampled, COUNT> + Levels + core::fmt::Debug>() {
+        for (rgba, color) in converted::<C>() {
+            let [r, g, b, _] = rgba;
             let expected = C::from_rgb(Rgb888::new(r, g, b), Point::zero());
-            assert_eq!(C::nearest(rgb), expected, "{rgb:?}");
+            assert_eq!(color, expected, "{rgba:?}");
         }
     }
 
@@ -152,18 +193,31 @@ mod tests {
 
     #[test]
     fn gray_is_the_nearest_step_of_luma() {
-        for rgb in samples() {
-            let [r, g, b] = rgb.map(f64::from);
+        // The error of each of the three weights is at most 2^-15, as in Levels.
+        let near = |steps: u8, [r, g, b, _]: [u8; 4], max: f64| {
+            let [r, g, b] = [r, g, b].map(f64::from);
             let luma = (0.299 * r + 0.587 * g + 0.114 * b) / 255.0;
-            // The error of each of the three weights is at most 2^-15, as in Levels.
-            let near = |steps: u8, max: f64| {
-                (f64::from(steps) - luma * max).abs() <= 0.5 + max * 3.0 / 32768.0
-            };
-            assert!(near(Gray8::nearest(rgb).luma(), 255.0), "{rgb:?}");
-            assert!(near(Gray4::nearest(rgb).luma(), 15.0), "{rgb:?}");
-            assert!(near(Gray2::nearest(rgb).luma(), 3.0), "{rgb:?}");
-            let on = u8::from(BinaryColor::nearest(rgb).is_on());
-            assert!(near(on, 1.0), "{rgb:?}");
+            (f64::from(steps) - luma * max).abs() <= 0.5 + max * 3.0 / 32768.0
+        };
+        assert!(converted::<Gray8>().all(|(rgba, gray)| near(gray.luma(), rgba, 255.0)));
+        assert!(converted::<Gray4>().all(|(rgba, gray)| near(gray.luma(), rgba, 15.0)));
+        assert!(converted::<Gray2>().all(|(rgba, gray)| near(gray.luma(), rgba, 3.0)));
+        let mut all = converted::<BinaryColor>();
+        assert!(all.all(|(rgba, color)| near(u8::from(color.is_on()), rgba, 1.0)));
+    }
+
+    #[test]
+    fn opacity_is_rounded_like_channels() {
+        let steps = |byte: u8, most: f64| (f64::from(byte) / 255.0 * most).round() as u16;
+        for ([r, g, b, a], color) in converted::<Argb4444>() {
+            let bits = [a, r, g, b].map(|byte| steps(byte, 15.0));
+            let bits = bits[0] << 12 | bits[1] << 8 | bits[2] << 4 | bits[3];
+            assert_eq!(color, Argb4444::from_bits(bits));
+        }
+        for ([r, g, b, a], color) in converted::<Argb1555>() {
+            let bits = [r, g, b].map(|byte| steps(byte, 31.0));
+            let bits = steps(a, 1.0) << 15 | bits[0] << 10 | bits[1] << 5 | bits[2];
+            assert_eq!(color, Argb1555::from_bits(bits));
         }
     }
 }

@@ -10,8 +10,8 @@
 //! | [`Mipmap`] | known at run time | a color, with reductions of the texture for triangles far away |
 //! | [`MipmapArray`] | in the type | the same |
 //!
-//! [`include_bmp!`](crate::include_bmp) and [`include_tga!`](crate::include_tga) turn a file into any of the first four
-//! at compile time; [`Image`] reads a file at run time. A shader takes a reference to any of them or to your own
+//! [`include_texture!`](crate::include_texture) turns a picture file into any of the first four at compile time. A shader
+//! takes a reference to any of them or to your own
 //! [`Sampler`]; a [`MipmapArray`] is first borrowed by [`as_mipmap`](MipmapArray::as_mipmap). A [`Filter`] chooses the
 //! color between the centers of texels. Texels of [`Argb4444`] have an opacity, and those of [`Argb1555`] may be holes.
 
@@ -26,11 +26,8 @@ mod addressing;
 mod argb;
 mod array;
 mod blend;
-mod bmp;
 mod color;
 mod filter;
-mod header;
-mod image;
 #[doc(hidden)]
 pub mod include;
 mod mipmap;
@@ -39,20 +36,16 @@ mod mipmap_filter;
 mod packed;
 mod palette;
 mod palette_array;
-mod pixel;
 mod sampler;
 #[allow(clippy::module_inception)] // one type, one file
 mod texture;
-mod tga;
 
 pub(crate) use addressing::texels;
 pub use addressing::{Addressing, Clamp, Repeat};
 pub use argb::{Argb1555, Argb4444};
 pub use array::TextureArray;
 pub use blend::Blend;
-pub use color::ImageColor;
 pub use filter::{Bilinear, CutOut, Filter, Nearest};
-pub use image::Image;
 pub use mipmap::Mipmap;
 pub use mipmap_array::MipmapArray;
 pub use mipmap_filter::{MipmapFilter, Trilinear};

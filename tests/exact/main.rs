@@ -10,7 +10,6 @@ mod bands;
 mod canvas;
 mod depths;
 mod golden;
-mod images;
 mod import;
 mod objects;
 mod picking;

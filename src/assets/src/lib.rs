@@ -8,6 +8,7 @@ mod complete;
 mod files;
 #[cfg(feature = "gltf")]
 mod gltf;
+mod lists;
 mod material;
 mod mtl;
 mod notes;
@@ -26,7 +27,8 @@ use std::path::{Path, PathBuf};
 
 use files::Folder;
 pub use files::{Disk, Files};
-pub use material::{Image, Material};
+pub use lists::{Lists, Options, Run};
+pub use material::{Alpha, Image, Material};
 pub use notes::Notes;
 pub use picture::Picture;
 use polygon::Ears;

@@ -1,0 +1,165 @@
+//! `include_mesh!` and `include_materials!`.
+
+use std::fmt::Write;
+
+use fixel_assets::{Disk, Image, Lists, Model, Options};
+
+use crate::arguments::Arguments;
+use crate::expansion::Expansion;
+
+/// How the lists are stored.
+const FORMATS: [&str; 3] = ["short", "quantized_16", "quantized_8"];
+
+/// Reads the model, and adds what the compiler must know of its files.
+fn read(arguments: &Arguments, expansion: &mut Expansion) -> Result<Model, String> {
+    let model = fixel_assets::read(&arguments.path.path, &Disk)?;
+    expansion.depend(std::slice::from_ref(&arguments.path.path));
+    expansion.depend(&model.files);
+    Ok(model)
+}
+
+/// How the program wants the model.
+fn options(arguments: &Arguments) -> Result<Options, String> {
+    let z_up = match arguments.value("up") {
+        None => fixel_assets::Format::of(&arguments.path.path) == Some(fixel_assets::Format::Stl),
+        Some("y") => false,
+        Some("z") => true,
+        Some(other) => return Err(format!("up is {other}: it must be y or z")),
+    };
+    Ok(Options {
+        scale: arguments.number("scale")?.unwrap_or(1.0),
+        z_up,
+        part: arguments.text("part")?,
+    })
+}
+
+/// The little-endian bytes of a list.
+fn bytes<T: Copy, const N: usize, const SIZE: usize>(
+    list: &[[T; N]],
+    bytes: impl Fn(T) -> [u8; SIZE],
+) -> Vec<u8> {
+    list.iter().flatten().flat_map(|&x| bytes(x)).collect()
+}
+
+pub fn mesh(arguments: &Arguments) -> Result<Expansion, String> {
+    arguments.check(&["short", "quantized_16", "quantized_8", "scale", "up", "part"])?;
+    let formats: Vec<&str> = FORMATS.into_iter().filter(|format| arguments.has(format)).collect();
+    let format = match formats.as_slice() {
+        [] => None,
+        [format] => Some(*format),
+        _ => return Err(format!("{} exclude one another", formats.join(" and "))),
+    };
+    let mut expansion = Expansion::default();
+    let model = read(arguments, &mut expansion)?;
+    expansion.note(&arguments.path.value, &model.notes);
+    let lists = model.lists(&options(arguments)?)?;
+    write(&mut expansion, &lists, format);
+    Ok(expansion)
+}
+
+/// The statics of a mesh.
+fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
+    let mut list = |name: &str, kind: &str, reader: &str, count: usize, bytes: Vec<u8>| {
+        let bytes = out.bytes(bytes);
+        out.push(&format!(
+            "#[allow(long_running_const_eval)] static {name}: [{kind}; {count}] = fixel::mesh::flash::{reader}({bytes});"
+        ));
+    };
+    let index = "[fixel::Index; 3]";
+    let mut indices = |name: &str, faces: &[[u16; 3]]| {
+        list(name, index, "words", faces.len(), bytes(faces, u16::to_le_bytes));
+    };
+    indices("FACES", &lists.faces);
+    indices("UV_FACES", &lists.uv_faces);
+    indices("NORMAL_FACES", &lists.normal_faces);
+    indices("COLOR_FACES", &lists.color_faces);
+    list("EDGES", "[fixel::Index; 2]", "words", lists.edges.len(), bytes(&lists.edges, u16::to_le_bytes));
+    list("COLORS", "fixel::mesh::flash::Rgb888", "colors", lists.colors.len(), lists.colors.concat());
+    let mesh = if format.is_none() {
+        let positions = bytes(&lists.positions, i32::to_le_bytes);
+        list("POSITIONS", "fixel::Vec3", "vec3s", lists.positions.len(), positions);
+        "fixel::Mesh::new(&POSITIONS, &FACES)".to_string()
+    } else {
+        let (short, fraction) = lists.shortened();
+        list("POSITIONS", "[i16; 3]", "signed_words", short.len(), bytes(&short, i16::to_le_bytes));
+        format!("fixel::Mesh::short(&POSITIONS, {fraction}, &FACES)")
+    };
+    let uvs = bytes(&lists.uvs, i32::to_le_bytes);
+    let normals = bytes(&lists.normals, i32::to_le_bytes);
+    let (uv_count, normal_count) = (lists.uvs.len(), lists.normals.len());
+    match format {
+        None | Some("short") => {
+            list("UVS", "fixel::Vec2", "vec2s", uv_count, uvs);
+            list("NORMALS", "fixel::Vec3", "vec3s", normal_count, normals);
+            out.push(&format!(
+                "#[allow(long_running_const_eval)] static MESH: fixel::Mesh<'static> = \
+                 fixel::Mesh::checked(fixel::Mesh::checked({mesh}).with_lists(&EDGES, (&UVS, &UV_FACES), \
+                 (&NORMALS, &NORMAL_FACES), (&COLORS, &COLOR_FACES)));\nMESH"
+            ));
+        }
+        Some(quantized) => {
+            let (step, kind) = if quantized == "quantized_8" { ("u8", "Bytes") } else { ("u16", "Words") };
+            let (uvs, normals) = (out.bytes(uvs), out.bytes(normals));
+            out.push(&format!(
+                "use fixel::mesh::flash as assets;
+                 #[allow(long_running_const_eval)]
+                 const STORED: ([[{step}; 2]; {uv_count}], assets::UvGrid) =
+                     assets::{quantized}(&assets::vec2s::<{uv_count}>({uvs}));
+                 static STORED_UVS: [[{step}; 2]; {uv_count}] = STORED.0;
+                 #[allow(long_running_const_eval)]
+                 static STORED_NORMALS: [[i8; 3]; {normal_count}] =
+                     assets::normals_of_8(&assets::vec3s::<{normal_count}>({normals}));
+                 #[allow(long_running_const_eval)]
+                 static QUANTIZED: fixel::mesh::Quantized<'static> =
+                     fixel::mesh::Quantized::checked(fixel::mesh::Quantized::new(
+                         fixel::Mesh::checked(fixel::Mesh::checked({mesh}).with_lists(
+                             &EDGES, (&[], &[]), (&[], &[]), (&COLORS, &COLOR_FACES))),
+                         (&STORED_NORMALS, &NORMAL_FACES),
+                         (assets::StoredUvs::{kind}(&STORED_UVS), &UV_FACES),
+                         STORED.1,
+                     ));
+                 QUANTIZED"
+            ));
+        }
+    }
+}
+
+pub fn materials(arguments: &Arguments) -> Result<Expansion, String> {
+    arguments.check(&[])?;
+    let mut expansion = Expansion::default();
+    let model = read(arguments, &mut expansion)?;
+    let parts: Vec<String> = model
+        .runs()
+        .into_iter()
+        .map(|run| {
+            let material = run.material.and_then(|at| model.materials.get(at as usize));
+            let [r, g, b] = material.map_or([255; 3], |material| material.color);
+            let [start, end] = run.faces;
+            let mut part = format!(
+                "fixel::mesh::Part::new({start}..{end}, fixel::mesh::flash::Rgb888::new({r}, {g}, {b}))"
+            );
+            if let Some(material) = material {
+                let _ = write!(part, ".with_material({:?})", material.name);
+                let image = material.texture.and_then(|at| model.images.get(at as usize));
+                if let Some(name) = image.and_then(image_name) {
+                    let _ = write!(part, ".with_texture({name:?})");
+                }
+            }
+            part
+        })
+        .collect();
+    expansion.push(&format!(
+        "static PARTS: [fixel::mesh::Part<'static>; {}] = [{}]; PARTS.as_slice()",
+        parts.len(),
+        parts.join(", ")
+    ));
+    Ok(expansion)
+}
+
+/// The name of a picture: its file's, or the one in the model.
+fn image_name(image: &Image) -> Option<String> {
+    match image {
+        Image::File(path) => Some(path.file_name()?.to_string_lossy().into_owned()),
+        Image::Bytes(name, _) => Some(name.clone()),
+    }
+}

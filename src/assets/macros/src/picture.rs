@@ -1,0 +1,111 @@
+//! `include_texture!`.
+
+use std::collections::HashMap;
+use std::fs;
+use std::path::PathBuf;
+
+use fixel_assets::{Disk, Format, Image, Picture};
+
+use crate::arguments::Arguments;
+use crate::expansion::Expansion;
+
+/// The most pixels along a side of a texture.
+const MOST: u32 = 1 << 15;
+
+/// Reads the picture of a file, or the one that a model contains.
+fn read(arguments: &Arguments, out: &mut Expansion) -> Result<Picture, String> {
+    let path = &arguments.path.path;
+    if Format::of(path).is_none() {
+        if arguments.value("image").is_some() {
+            return Err("image is for the pictures of a model, and this file is a picture".into());
+        }
+        out.depend(std::slice::from_ref(path));
+        let bytes = fs::read(path).map_err(|error| format!("cannot read {}: {error}", path.display()))?;
+        return Picture::decode(&bytes);
+    }
+    let model = fixel_assets::read(path, &Disk)?;
+    out.depend(std::slice::from_ref(path));
+    let at = match arguments.value("image") {
+        None => 0,
+        Some(at) => at.parse::<usize>().map_err(|_| format!("image is {at}: it must be a whole number"))?,
+    };
+    let image = model.images.get(at);
+    let image = image.ok_or_else(|| format!("image {at} does not exist: there are {}, counted from 0", model.images.len()))?;
+    match image {
+        Image::File(path) => {
+            out.depend(&[PathBuf::from(path)]);
+            let bytes = fs::read(path).map_err(|error| format!("cannot read {}: {error}", path.display()))?;
+            Picture::decode(&bytes)
+        }
+        Image::Bytes(_, bytes) => Picture::decode(bytes),
+    }
+}
+
+/// The size that an option asks for, such as 256x256.
+fn size(text: &str) -> Option<(u32, u32)> {
+    let (width, height) = text.split_once('x')?;
+    Some((width.parse().ok()?, height.parse().ok()?))
+}
+
+pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
+    arguments.check(&["image", "size"])?;
+    let mut out = Expansion::default();
+    let mut picture = read(arguments, &mut out)?;
+    if let Some(text) = arguments.text("size")? {
+        let (width, height) = size(&text)
+            .ok_or_else(|| format!("size is {text}: it must be two whole numbers, such as \"256x256\""))?;
+        check(width, height)?;
+        picture = picture.resampled(width, height);
+    }
+    let (width, height) = (picture.width, picture.height);
+    check(width, height).map_err(|problem| {
+        #[allow(clippy::cast_sign_loss)] // at least 0
+        let near = |side: u32| 1 << f64::from(side.clamp(1, MOST)).log2().round() as u32;
+        let (width, height): (u32, u32) = (near(width), near(height));
+        format!("{problem}; with size = \"{width}x{height}\" it is resampled")
+    })?;
+    // Each color is converted once; the pixels are its indices.
+    let mut places: HashMap<[u8; 4], u32> = HashMap::new();
+    let mut colors = Vec::new();
+    let indices: Vec<u32> = picture
+        .pixels
+        .iter()
+        .map(|&pixel| {
+            *places.entry(pixel).or_insert_with(|| {
+                colors.push(pixel);
+                colors.len() as u32 - 1
+            })
+        })
+        .collect();
+    let count = colors.len();
+    let colors = out.bytes(colors.concat());
+    let (kind, list) = if count <= 256 {
+        ("Bytes", indices.iter().map(|&at| at as u8).collect::<Vec<u8>>())
+    } else {
+        ("Words", indices.iter().flat_map(|at| { let [a, b, c, _] = at.to_le_bytes(); [a, b, c] }).collect())
+    };
+    let list = out.bytes(list);
+    let pixels = picture.pixels.len();
+    let path = &arguments.path.value;
+    out.push(&format!(
+        "enum Asset {{}}
+         impl fixel::texture::include::File for Asset {{
+             const PATH: &'static str = {path:?};
+             const SIZE: [u32; 2] = [{width}, {height}];
+             const COLORS: &'static [u8] = {colors};
+             const PIXELS: fixel::texture::include::Pixels = fixel::texture::include::Pixels::{kind}({list});
+         }}
+         <_ as fixel::texture::include::FromFile<Asset, {pixels}>>::VALUE"
+    ));
+    Ok(out)
+}
+
+/// Refuses sides that a texture cannot have.
+fn check(width: u32, height: u32) -> Result<(), String> {
+    for (side, name) in [(width, "width"), (height, "height")] {
+        if !side.is_power_of_two() || side > MOST {
+            return Err(format!("{name} is {side}: it must be a power of two, at most {MOST}"));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,304 @@
+//! A model as the lists of a mesh in flash: fixed-point numbers, and indices of 16 bits.
+
+use std::collections::HashMap;
+
+use super::{Corner, Model, Triangle};
+
+/// The fraction bits of positions and normals, and of texture coordinates.
+const SCALAR: u32 = 16;
+const TEX_COORD: u32 = 20;
+
+/// The most positions that indices of 16 bits can count.
+const MOST: usize = 1 << 16;
+
+/// The index of a corner that lacks an attribute.
+const NO_VALUE: u16 = u16::MAX;
+
+/// How a model becomes the lists of a mesh.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Positions are multiplied by this number, which must not be 0.
+    pub scale: f64,
+    /// Whether z points up in the file. The model is turned so that y points up.
+    pub z_up: bool,
+    /// Only faces of the material with this name.
+    pub part: Option<String>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            scale: 1.0,
+            z_up: false,
+            part: None,
+        }
+    }
+}
+
+/// The lists of a mesh. Attributes without faces of their own are indexed like the positions.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Lists {
+    /// In units of 2^-16.
+    pub positions: Vec<[i32; 3]>,
+    /// Indices of positions.
+    pub faces: Vec<[u16; 3]>,
+    /// Pairs of positions: the sides of the file's polygons.
+    pub edges: Vec<[u16; 2]>,
+    /// In units of 2^-20.
+    pub uvs: Vec<[i32; 2]>,
+    /// Empty, or as many as faces.
+    pub uv_faces: Vec<[u16; 3]>,
+    /// In units of 2^-16.
+    pub normals: Vec<[i32; 3]>,
+    /// Empty, or as many as faces.
+    pub normal_faces: Vec<[u16; 3]>,
+    /// Red, green and blue.
+    pub colors: Vec<[u8; 3]>,
+    /// Empty, or as many as faces.
+    pub color_faces: Vec<[u16; 3]>,
+}
+
+/// A run of faces with one material.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Run {
+    /// The first face, and the one after the last.
+    pub faces: [usize; 2],
+    /// Index of the material; `None` for faces without one.
+    pub material: Option<u32>,
+}
+
+/// A number in units of 2^-`fraction`, rounded to nearest, halves away from zero.
+fn fixed(x: f64, fraction: u32) -> Option<i32> {
+    let units = (x * f64::from(1_u32 << fraction)).round();
+    #[allow(clippy::cast_possible_truncation)] // checked
+    let bits = units as i32;
+    (f64::from(bits).total_cmp(&(units + 0.0)).is_eq()).then_some(bits)
+}
+
+/// The faces of an attribute as indices of its values; no faces if the positions' indices serve as well.
+fn own_faces(
+    triangles: &[&Triangle],
+    (positions, values): (usize, usize),
+    index: impl Fn(&Corner) -> Option<u32>,
+) -> Vec<[u16; 3]> {
+    let mut corners = triangles.iter().flat_map(|triangle| &triangle.corners);
+    let is_own = values != positions
+        || corners.any(|corner| index(corner).is_none_or(|index| index != corner.position));
+    let faces = triangles.iter().map(|triangle| {
+        triangle
+            .corners
+            .map(|corner| index(&corner).map_or(NO_VALUE, narrow))
+    });
+    if is_own { faces.collect() } else { Vec::new() }
+}
+
+/// An index that [`Model::lists`] has checked.
+#[allow(clippy::cast_possible_truncation)]
+const fn narrow(index: u32) -> u16 {
+    index as u16
+}
+
+/// Keeps the values of a list that corners name, in their order, and renumbers the corners.
+fn compact<T: Clone>(
+    triangles: &mut [Triangle],
+    values: &[T],
+    index: impl Fn(&mut Corner) -> Option<&mut u32>,
+) -> Vec<T> {
+    let mut kept = Vec::new();
+    let mut places = HashMap::new();
+    let corners = triangles
+        .iter_mut()
+        .flat_map(|triangle| &mut triangle.corners);
+    for index in corners.filter_map(index) {
+        let old = *index as usize;
+        *index = *places.entry(old).or_insert_with(|| {
+            kept.push(values[old].clone());
+            u32::try_from(kept.len() - 1).unwrap_or(u32::MAX)
+        });
+    }
+    kept
+}
+
+impl Model {
+    /// The model without the faces of other materials, and without the values that only these used.
+    ///
+    /// # Errors
+    ///
+    /// No face has the material.
+    fn part(&self, name: &str) -> Result<Self, String> {
+        let is_wanted = |triangle: &Triangle| {
+            let material = triangle.material.map(|at| &self.materials[at as usize]);
+            material.is_some_and(|material| material.name == name)
+        };
+        let mut part = Self {
+            triangles: self.triangles.iter().copied().filter(is_wanted).collect(),
+            materials: self.materials.clone(),
+            ..Self::default()
+        };
+        if part.triangles.is_empty() {
+            let names: Vec<_> = self.materials.iter().map(|m| m.name.as_str()).collect();
+            return Err(format!(
+                "no face has the material '{name}': there are '{}'",
+                names.join("', '")
+            ));
+        }
+        let mut places = HashMap::new();
+        let old: Vec<u32> = part
+            .triangles
+            .iter()
+            .flat_map(|triangle| triangle.corners.map(|corner| corner.position))
+            .collect();
+        let triangles = &mut part.triangles;
+        part.positions = compact(triangles, &self.positions, |corner| {
+            Some(&mut corner.position)
+        });
+        part.uvs = compact(triangles, &self.uvs, |corner| corner.uv.as_mut());
+        part.normals = compact(triangles, &self.normals, |corner| corner.normal.as_mut());
+        part.colors = compact(triangles, &self.colors, |corner| corner.color.as_mut());
+        let new = triangles
+            .iter()
+            .flat_map(|triangle| triangle.corners.map(|corner| corner.position));
+        places.extend(old.into_iter().zip(new));
+        let edge = |edge: &[u32; 2]| Some([*places.get(&edge[0])?, *places.get(&edge[1])?]);
+        part.edges = self.edges.iter().filter_map(edge).collect();
+        for edge in &mut part.edges {
+            edge.sort_unstable();
+        }
+        part.edges.sort_unstable();
+        Ok(part)
+    }
+
+    /// The lists of a mesh.
+    ///
+    /// Positions are rounded to the nearest 2^-16, texture coordinates to the nearest 2^-20, halves away from zero.
+    ///
+    /// # Errors
+    ///
+    /// There are more than 65,536 values of a kind, or a position leaves the range from −32,768 to 32,768; or no face
+    /// has the material that the options name.
+    pub fn lists(&self, options: &Options) -> Result<Lists, String> {
+        let part;
+        let model = match &options.part {
+            Some(name) => {
+                part = self.part(name)?;
+                &part
+            }
+            None => self,
+        };
+        let kinds = [
+            (model.positions.len(), "positions"),
+            (model.uvs.len(), "texture coordinates"),
+            (model.normals.len(), "normals"),
+            (model.colors.len(), "colors"),
+        ];
+        for (count, kind) in kinds {
+            if count > MOST {
+                return Err(format!(
+                    "it has {count} {kind}: a mesh can have at most {MOST}; include the parts of its materials one by one"
+                ));
+            }
+        }
+        let turned = |[x, y, z]: [f64; 3]| if options.z_up { [x, z, -y] } else { [x, y, z] };
+        let largest = model.positions.iter().flatten();
+        let largest = largest.fold(0.0, |most: f64, x| most.max(x.abs()));
+        let position = |position: &[f64; 3]| -> Result<[i32; 3], String> {
+            let [x, y, z] = turned(*position).map(|x| fixed(x * options.scale, SCALAR));
+            x.zip(y).zip(z).map(|((x, y), z)| [x, y, z]).ok_or_else(|| {
+                let fits = (f64::from(32_767_u16) / largest).log2().floor().exp2();
+                format!(
+                    "a coordinate is {}: it must lie between -32768 and 32767.99999; with scale = {fits} it does",
+                    largest * options.scale
+                )
+            })
+        };
+        let positions: Vec<[i32; 3]> = model
+            .positions
+            .iter()
+            .map(position)
+            .collect::<Result<_, _>>()?;
+        let uv = |&[u, v]: &[f64; 2]| {
+            // OBJ's v points up: rounding it there keeps the halves of the file's number.
+            let up = fixed(1.0 - v, TEX_COORD).map(|v| (1 << TEX_COORD) - v);
+            [fixed(u, TEX_COORD).unwrap_or(0), up.unwrap_or(0)]
+        };
+        let normal = |normal: &[f64; 3]| {
+            let turned = turned(*normal);
+            let size = turned.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            // Only the direction matters, and it must not be lost by rounding.
+            let scale = if (0.01..16_384.0).contains(&size) {
+                1.0
+            } else {
+                1.0 / size
+            };
+            turned.map(|x| fixed(x * scale, SCALAR).unwrap_or(0))
+        };
+        let triangles: Vec<&Triangle> = model.triangles.iter().collect();
+        let has = |index: fn(&Corner) -> Option<u32>| {
+            let mut corners = triangles.iter().flat_map(|triangle| &triangle.corners);
+            corners.any(|corner| index(corner).is_some())
+        };
+        let mut lists = Lists {
+            faces: triangles
+                .iter()
+                .map(|triangle| triangle.corners.map(|corner| narrow(corner.position)))
+                .collect(),
+            edges: model.edges.iter().map(|edge| edge.map(narrow)).collect(),
+            ..Lists::default()
+        };
+        let count = positions.len();
+        if has(|corner| corner.uv) {
+            lists.uvs = model.uvs.iter().map(uv).collect();
+            lists.uv_faces = own_faces(&triangles, (count, model.uvs.len()), |corner| corner.uv);
+        }
+        if has(|corner| corner.normal) {
+            lists.normals = model.normals.iter().map(normal).collect();
+            lists.normal_faces = own_faces(&triangles, (count, model.normals.len()), |corner| {
+                corner.normal
+            });
+        }
+        if has(|corner| corner.color) {
+            lists.colors.clone_from(&model.colors);
+            lists.color_faces = own_faces(&triangles, (count, model.colors.len()), |corner| {
+                corner.color
+            });
+        }
+        lists.positions = positions;
+        Ok(lists)
+    }
+
+    /// The runs of faces with one material, in the order of the faces.
+    #[must_use]
+    pub fn runs(&self) -> Vec<Run> {
+        let mut runs: Vec<Run> = Vec::new();
+        for (at, triangle) in self.triangles.iter().enumerate() {
+            match runs.last_mut() {
+                Some(run) if run.material == triangle.material => run.faces[1] = at + 1,
+                _ => runs.push(Run {
+                    faces: [at, at + 1],
+                    material: triangle.material,
+                }),
+            }
+        }
+        runs
+    }
+}
+
+impl Lists {
+    /// The positions with 16-bit components, rounded to nearest, and their number of fraction bits: as many as the
+    /// largest component permits, at most 16.
+    #[must_use]
+    pub fn shortened(&self) -> (Vec<[i16; 3]>, u32) {
+        let units = |bits: i32, fraction: u32| {
+            let down = SCALAR - fraction;
+            (i64::from(bits) * 2 + (1 << down)) >> (down + 1)
+        };
+        let fits = |fraction: &u32| {
+            let mut all = self.positions.iter().flatten();
+            all.all(|&bits| i16::try_from(units(bits, *fraction)).is_ok())
+        };
+        let fraction = (0..=SCALAR).rev().find(fits).unwrap_or(0);
+        let short = |bits| i16::try_from(units(bits, fraction)).unwrap_or(i16::MAX);
+        let positions = self.positions.iter().map(|position| position.map(short));
+        (positions.collect(), fraction)
+    }
+}

@@ -1,0 +1,133 @@
+//! The macros that put files into flash. The package in the folder assets/macros expands them.
+
+/// A mesh from a model file, read by the compiler and stored in flash: OBJ, STL, PLY, glTF or GLB.
+///
+/// ```standalone_crate
+/// use fixel::mesh::Quantized;
+/// use fixel::prelude::*;
+/// static MODEL: Mesh = include_mesh!("../tests/models/house.obj");
+/// assert_eq!(MODEL.faces().len(), 14);
+///
+/// // With 16-bit positions, which take half the flash: see Mesh::short.
+/// static SMALL: Mesh = include_mesh!("../tests/models/house.obj", short);
+/// assert_eq!(SMALL.positions().len(), MODEL.positions().len());
+///
+/// // With small attributes too: see Quantized.
+/// static SMALLEST: Quantized = include_mesh!("../tests/models/house.obj", quantized_8);
+/// assert_eq!(SMALLEST.mesh().positions(), SMALL.positions());
+///
+/// // The faces of one material, twice as large.
+/// static ROOF: Mesh = include_mesh!("../tests/models/house.obj", part = "tiles", scale = 2);
+/// assert_eq!(ROOF.faces().len(), 4);
+/// ```
+///
+/// The path is relative to the source file. When the file changes, or a file that it names, the program is compiled
+/// again. A file that cannot be read stops compilation, with a message that names the file and the line or the byte.
+/// Whatever is replaced or left out, such as a normal that is not a number, is a warning of the compiler, one for each
+/// kind; `#[allow(deprecated)]` on the `static` silences it.
+///
+/// | option | meaning |
+/// |---|---|
+/// | `short` | positions of 16 bits: see [`Mesh::short`](crate::Mesh::short) |
+/// | `quantized_16`, `quantized_8` | a [`Quantized`](crate::mesh::Quantized) mesh, whose texture coordinates have 16 or 8 bits |
+/// | `part = "name"` | only the faces of the material with this name |
+/// | `scale = 0.01` | positions are multiplied by this number |
+/// | `up = z` | z points up in the file; the model is turned so that y does. This is the default for STL, `up = y` for other formats |
+///
+/// Positions are rounded to the nearest [`Scalar`](crate::Scalar), texture coordinates to the nearest
+/// [`TexCoord`](crate::TexCoord). A mesh has at most 65,536 positions. Polygons are cut into triangles, also concave
+/// ones; [`Mesh::edges`](crate::Mesh::edges) are the sides of the polygons. If only some corners have texture
+/// coordinates, the others get (0, 0); corners without a normal get their triangle's.
+///
+/// ```compile_fail
+/// use fixel::prelude::*;
+/// static MODEL: Mesh = include_mesh!("../tests/models/house.mtl");
+/// ```
+#[macro_export]
+macro_rules! include_mesh {
+    ($($input:tt)*) => {
+        $crate::__assets! { mesh $crate $($input)* }
+    };
+}
+
+/// The parts of a model's mesh with their materials, read by the compiler and stored in flash: a `&'static` list of
+/// [`Part`](crate::mesh::Part)s for the mesh that [`include_mesh!`] makes of the same file.
+///
+/// A part is a run of faces with one material. It has the material's color and perhaps the name of a texture: of the
+/// texture's file or, if the model contains the picture, of the picture. An OBJ file names its MTL files itself. Faces
+/// without a material are a white part without a name.
+///
+/// ```standalone_crate
+/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+/// use fixel::mesh::Part;
+/// use fixel::prelude::*;
+/// use fixel::shade::PartColors;
+/// static HOUSE: Mesh = include_mesh!("../tests/models/house.obj");
+/// static PARTS: &[Part] = include_materials!("../tests/models/house.obj");
+/// assert_eq!(PARTS.len(), 2);
+/// assert_eq!((PARTS[0].material(), PARTS[0].texture()), ("brick", Some("brick.tga")));
+/// assert_eq!((PARTS[1].material(), PARTS[1].faces()), ("tiles", 10..14));
+///
+/// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.5), fx!(100))?;
+/// let mvp = projection * Camera::look_at(vec3!(3, 2, 5), vec3!(0, 1, 0), Vec3::Y)?;
+/// let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?;
+/// let mut pixels = [Rgb565::BLACK; 32 * 24];
+/// let mut canvas = Canvas::new(&mut pixels, 32, 24)?;
+/// // All parts in one call ...
+/// canvas.draw(&HOUSE, &mvp, &PartColors::rgb(PARTS).lit_faces(sun));
+/// // ... or one by one.
+/// for part in PARTS {
+///     canvas.draw(&HOUSE.part(part.faces()), &mvp, &Flat::rgb(part.color()).lit_faces(sun));
+/// }
+/// # Ok::<(), Error>(())
+/// ```
+#[macro_export]
+macro_rules! include_materials {
+    ($($input:tt)*) => {
+        $crate::__assets! { materials $crate $($input)* }
+    };
+}
+
+/// A texture from a picture file, read by the compiler and stored in flash: PNG, JPEG, BMP, TGA, GIF or WebP, or a
+/// picture that a model contains.
+///
+/// The expected type decides the result: a [`Texture`](crate::Texture); a [`TextureArray`](crate::TextureArray) of the
+/// picture's size; or, for a picture of at most 256 colors, a [`Palette`](crate::texture::Palette) or a
+/// [`PaletteArray`](crate::texture::PaletteArray). The color may be any of embedded-graphics', rounded to the nearest
+/// step of each channel; gray is the BT.601 luma (0.299 red + 0.587 green + 0.114 blue). Only the texels are stored in
+/// flash, not the file.
+///
+/// ```standalone_crate
+/// use embedded_graphics::pixelcolor::{Gray8, Rgb565};
+/// use fixel::prelude::*;
+/// use fixel::texture::Palette;
+/// static SKIN: Texture<Rgb565> = include_texture!("texture/samples/brick.bmp");
+/// assert_eq!((SKIN.width(), SKIN.height()), (8, 4));
+///
+/// // In another color; with the size in the type; with its color table; in another size.
+/// static GRAY: Texture<Gray8> = include_texture!("texture/samples/brick.bmp");
+/// static FAST: TextureArray<Rgb565, 8, 4> = include_texture!("texture/samples/brick.tga");
+/// static TILES: Palette<Rgb565> = include_texture!("texture/samples/tiles.bmp");
+/// static SMALL: Texture<Rgb565> = include_texture!("texture/samples/brick.bmp", size = "4x2");
+/// assert_eq!(FAST.as_texture(), SKIN);
+/// assert_eq!((GRAY.texels().len(), TILES.indices().len(), SMALL.width()), (32, 8, 4));
+/// ```
+///
+/// | option | meaning |
+/// |---|---|
+/// | `size = "256x256"` | the picture is resampled to this size, in which width and height are powers of two, at most 32,768 |
+/// | `image = 1` | which picture of a model, counted from 0 |
+///
+/// The path is relative to the source file. A picture cannot become an array of another size:
+///
+/// ```compile_fail
+/// use embedded_graphics::pixelcolor::Rgb565;
+/// use fixel::prelude::*;
+/// static FAST: TextureArray<Rgb565, 4, 8> = include_texture!("texture/samples/brick.bmp");
+/// ```
+#[macro_export]
+macro_rules! include_texture {
+    ($($input:tt)*) => {
+        $crate::__assets! { texture $crate $($input)* }
+    };
+}
