@@ -347,22 +347,6 @@ errors! {
         /// Largest length allowed.
         max: Scalar,
     } = "{of} is {given}: it must be above 0 and at most {max}";
-    /// An image file in a format that cannot be read.
-    Image {
-        /// The field of the file's header.
-        of: &'static str,
-        /// The refused value of the field.
-        given: u32,
-        /// The values that can be read.
-        needed: &'static str,
-    } = "{of} is {given}: it must be {needed}";
-    /// An image file that ends before its picture does.
-    Truncated {
-        /// Number of bytes in the file.
-        given: usize,
-        /// Number of bytes needed, according to the file's header.
-        needed: usize,
-    } = "file has {given} bytes: it needs at least {needed}";
     /// OBJ text that cannot be read.
     Obj {
         /// The line number, counted from 1.

@@ -21,7 +21,7 @@
 //! const WIDTH: u32 = 64;
 //! const HEIGHT: u32 = 48;
 //!
-//! // Built by the compiler, stored in flash. For your own: include_obj!("model.obj").
+//! // Built by the compiler, stored in flash. For your own: include_mesh!("model.obj").
 //! static MODEL: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 //! static SKIN: TextureArray<Rgb565, 2, 2> =
 //!     TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x00, 0x1f, 0xff, 0xff]);
@@ -66,7 +66,7 @@
 //!
 //! | part | made by | used as |
 //! |---|---|---|
-//! | [`Mesh`] | [`include_obj!`], [`shape!`], [`mesh::obj`], [`mesh::Shape`], slices of your own | first argument of [`Canvas::draw`] |
+//! | [`Mesh`] | [`include_mesh!`], [`shape!`], [`mesh::obj`], [`mesh::Shape`], slices of your own | first argument of [`Canvas::draw`] |
 //! | [`Outline`]: edges with their faces, for silhouettes and creases | [`outline!`], [`Outline::build`] | third argument of [`Canvas::draw_outline`] |
 //! | [`Mvp`], the model-view-projection | `projection * camera * spin` of a [`Projection`], a [`Camera`] and [`Transform`]s | second argument |
 //! | [`Shader`] | [`shade`], or ten lines of your own | third argument |
@@ -104,9 +104,10 @@
 //! 4. **Watertight.** Triangles that share an edge cover each pixel center exactly once, clipped or not.
 //! 5. **Bands equal frames.** A frame drawn in bands equals the frame drawn whole, bit for bit.
 //! 6. **Pay for what you use.** Depth, storage, color, shading and interpolation mode are type parameters. What your
-//!    program does not use adds no code. The only feature flag is `defmt`, which is off by default: it
+//!    program does not use adds no code. The feature `defmt`, off by default,
 //!    implements `defmt::Format` for the types that a program may want to log, for example [`Error`], [`Vec3`] and
-//!    [`Drawn`].
+//!    [`Drawn`]. The features `assets`, `gltf` and `ply`, on by default, bring the macros that read files; a program
+//!    without files compiles faster with `default-features = false`.
 //!
 //! # Drawing to a display
 //!
@@ -172,7 +173,7 @@
 //! - **Pictures.** Versions that Cargo treats as compatible (0.1.0 and 0.1.7) draw the same bits. Checksums in the
 //!   tests enforce this. A new picture, even a better one, requires a new minor version, and the changelog says what
 //!   differs. A bug that breaks a promise above is fixed at once.
-//! - **Compiler.** The crate compiles with Rust 1.87. Only a new minor version may require a later compiler, which is
+//! - **Compiler.** The crate compiles with Rust 1.88. Only a new minor version may require a later compiler, which is
 //!   then at least six months old.
 //! - **Dependencies.** `fixed` and `embedded-graphics` appear in the interface. An incompatible new version of either
 //!   requires a new minor version of this crate.
@@ -334,7 +335,8 @@ pub mod prelude {
         TextureArray, Textured, Transform, TriangleList, Vec2, Vec3, Viewer, Viewport, Window,
     };
     #[doc(no_inline)]
-    pub use crate::{
-        deg, fx, include_bmp, include_mtl, include_obj, include_tga, outline, shape, vec2, vec3,
-    };
+    pub use crate::{deg, fx, outline, shape, vec2, vec3};
+    #[cfg(feature = "assets")]
+    #[doc(no_inline)]
+    pub use crate::{include_materials, include_mesh, include_texture};
 }

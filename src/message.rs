@@ -132,9 +132,7 @@ pub const fn checked<T: Copy>(result: Result<T, Error>, name: &str) -> T {
         Error::Obj { line, problem } => [Number(line), Text(problem), NONE, NONE],
         Error::TooMany { given, max } => [Number(given), Number(max), NONE, NONE],
         Error::Index { at, index, len } => [Number(index as usize), Number(at), Number(len), NONE],
-        Error::Length { given, needed } | Error::Truncated { given, needed } => {
-            [Number(given), Number(needed), NONE, NONE]
-        }
+        Error::Length { given, needed } => [Number(given), Number(needed), NONE, NONE],
         Error::FacesDiffer { at } => [Number(at), NONE, NONE, NONE],
         Error::Parts {
             of,
@@ -151,9 +149,6 @@ pub const fn checked<T: Copy>(result: Result<T, Error>, name: &str) -> T {
         Error::PowerOfTwo { of, given, max } => {
             hint = hint.push(", such as ").number(nearest(given, max) as usize);
             [Text(of), Number(given as usize), Number(max as usize), NONE]
-        }
-        Error::Image { of, given, needed } => {
-            [Text(of), Number(given as usize), Text(needed), NONE]
         }
         Error::CreaseAngle { angle } => [Angle(angle), NONE, NONE, NONE],
         // Nothing that is made at compile time has another error with fields.
@@ -216,17 +211,6 @@ pub(crate) const fn wrong_size(
         Number(type_width),
         Number(type_height),
     ];
-    panic!("{}", Message::new().fill(TEMPLATE, &pieces).text())
-}
-
-/// Stops compilation when the MTL file `mtl` lacks a material that the OBJ file `obj` uses.
-///
-/// # Panics
-///
-/// Always.
-pub(crate) const fn no_material(obj: &str, mtl: &str, name: &str) -> ! {
-    const TEMPLATE: &str = "{}: usemtl names the material {}, which {} does not have";
-    let pieces = [Text(obj), Text(name), Text(mtl)];
     panic!("{}", Message::new().fill(TEMPLATE, &pieces).text())
 }
 

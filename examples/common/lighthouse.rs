@@ -19,7 +19,7 @@ use fixel::view::{Aspect, Perspective, ProjectionKind};
 use fixel::{Drawn, Vec2};
 
 /// The island with the lighthouse; texture coordinates fit [`SKIN`].
-pub static ISLAND: Mesh = include_obj!("../assets/lighthouse.obj");
+pub static ISLAND: Mesh = include_mesh!("../assets/lighthouse.obj");
 /// The texture of the island.
 pub static SKIN: TextureArray<Rgb565, 128, 128> =
     TextureArray::rgb565(include_bytes!("../assets/lighthouse.rgb565"));

@@ -98,7 +98,7 @@
 //! # Mesh
 //!
 //! A [`Mesh`](crate::Mesh) borrows positions and faces, and optionally texture coordinates, normals, colors and edges.
-//! `shape!` and `include_obj!` make one while your program is compiled, so that it lies in flash. A mesh of your own
+//! `shape!` and `include_mesh!` make one while your program is compiled, so that it lies in flash. A mesh of your own
 //! slices can lie in flash, too:
 //!
 //! ```

@@ -109,7 +109,7 @@ impl<'a> Mesh<'a> {
     /// For a sphere that fills 320x240, with 14 fraction bits, this is 0.008 pixels. Such a position takes 7
     /// instructions more to transform than a 32-bit one on Cortex-M4, and about 10 more on Cortex-M0+.
     ///
-    /// [`shape!`](crate::shape) and [`include_obj!`](crate::include_obj) produce such meshes with the argument
+    /// [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) produce such meshes with the argument
     /// `short`; [`Mesh::shortened`] converts the positions of any mesh.
     ///
     /// ```
@@ -206,7 +206,7 @@ impl<'a> Mesh<'a> {
 
     /// The mesh without its edges. A `static` of the result takes no flash for them.
     ///
-    /// [`shape!`](crate::shape) and [`include_obj!`](crate::include_obj) make all lists, and those that a `static`
+    /// [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) make all lists, and those that a `static`
     /// keeps take flash. So drop the ones that no draw call reads:
     ///
     /// ```

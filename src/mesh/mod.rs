@@ -2,7 +2,7 @@
 //!
 //! | source | at compile time, in flash | at run time, in the caller's memory |
 //! |---|---|---|
-//! | an OBJ file | [`include_obj!`](crate::include_obj) | [`obj::parse`] |
+//! | an OBJ file | [`include_mesh!`](crate::include_mesh) | [`obj::parse`] |
 //! | a generated shape | [`shape!`](crate::shape) | [`Shape::build`] |
 //! | your own slices | [`Mesh::new`] in a `static`, unwrapped by [`Mesh::checked`] | [`Mesh::new`] |
 //!

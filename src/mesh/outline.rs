@@ -327,7 +327,7 @@ const fn partner(
 /// ```standalone_crate
 /// use fixel::mesh::Outline;
 /// use fixel::prelude::*;
-/// static HOUSE: Mesh = include_obj!("../../tests/models/house.obj");
+/// static HOUSE: Mesh = include_mesh!("../../tests/models/house.obj");
 /// static OUTLINE: Outline = outline!(HOUSE, deg!(30));
 /// assert!(OUTLINE.creases() > 0);
 /// ```

@@ -2,15 +2,15 @@
 
 use core::ops::Range;
 
-use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::Rgb888;
 
 use super::Mesh;
 
 /// A run of a mesh's faces that have one material: a color, and perhaps the name of a texture.
 ///
-/// [`include_mtl!`](crate::include_mtl) makes a list of them for the mesh of an OBJ file. [`PartColors`] draws all
-/// parts in their colors in one call; [`Mesh::part`](crate::Mesh::part) returns one part, to be drawn by itself, for
-/// example with its texture.
+/// [`include_materials!`](crate::include_materials) makes a list of them for the mesh of a file. [`PartColors`] draws
+/// all parts in their colors in one call; [`Mesh::part`](crate::Mesh::part) returns one part, to be drawn by itself,
+/// for example with its texture.
 ///
 /// [`PartColors`]: crate::shade::PartColors
 ///
@@ -53,9 +53,6 @@ pub struct Part<'a> {
 }
 
 impl<'a> Part<'a> {
-    /// The material of faces that have none: white.
-    pub(super) const NO_MATERIAL: Rgb888 = Rgb888::WHITE;
-
     /// A run of faces with a color. Its material has no name and no texture.
     #[must_use]
     pub const fn new(faces: Range<usize>, color: Rgb888) -> Self {

@@ -12,7 +12,7 @@ use crate::{Error, Vec2, Vec3, message};
 /// A mesh that takes less flash: positions have 16 bits a component, normals 8 bits, and texture coordinates 16 or 8
 /// bits.
 ///
-/// [`shape!`](crate::shape) and [`include_obj!`](crate::include_obj) make it with the argument `quantized_16` or
+/// [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) make it with the argument `quantized_16` or
 /// `quantized_8`; the number is the bits of a texture coordinate:
 ///
 /// | list | bytes in a [`Mesh`] | here | largest error |

@@ -16,7 +16,7 @@ pub struct PartColors<'a> {
 
 impl<'a> PartColors<'a> {
     /// A shader of the parts' colors, for a canvas of color `C`. Parts must be in the order of their faces, as
-    /// [`include_mtl!`](crate::include_mtl) makes them. A triangle finds its part by binary search.
+    /// [`include_materials!`](crate::include_materials) makes them. A triangle finds its part by binary search.
     ///
     /// Light dims a color first; then it is rounded, or dithered if `C` is coarse.
     ///

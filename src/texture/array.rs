@@ -26,8 +26,7 @@ use crate::message;
 ///
 /// There are three ways to create one:
 ///
-/// - [`include_bmp!`](crate::include_bmp) and [`include_tga!`](crate::include_tga) convert an image file at compile
-///   time.
+/// - [`include_texture!`](crate::include_texture) converts a picture file at compile time.
 /// - Constructors named after colors convert raw bytes. [`rgb565`](Self::rgb565) expects the high byte of a texel
 ///   first, like displays and embedded-graphics' `ImageRaw`; [`rgb565_le`](Self::rgb565_le) expects the low byte
 ///   first; and so on. [`argb4444`](Self::argb4444) and [`argb1555`](Self::argb1555) have an

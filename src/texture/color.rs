@@ -1,8 +1,8 @@
 //! The colors of pictures as colors of textures, at compile time.
 
 use embedded_graphics::pixelcolor::{
-    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565,
-    Rgb666, Rgb888, RgbColor,
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666,
+    Rgb888, RgbColor,
 };
 
 use super::include::{Convert, File, Pixels};

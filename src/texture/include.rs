@@ -72,7 +72,9 @@ const fn rows<F: File, T: Copy, const W: usize, const H: usize>(entries: &[T]) -
 const fn indices<F: File>() -> &'static [u8] {
     match F::PIXELS {
         Pixels::Bytes(indices) => indices,
-        Pixels::Words(_) => panic!("the picture has more than 256 colors: a palette has at most 256"),
+        Pixels::Words(_) => {
+            panic!("the picture has more than 256 colors: a palette has at most 256")
+        }
     }
 }
 
@@ -93,6 +95,5 @@ impl<F: File, C: Convert<F, N>, const N: usize> FromFile<F, N> for Palette<'stat
 impl<F: File, C: Convert<F, N>, const N: usize, const W: usize, const H: usize> FromFile<F, N>
     for PaletteArray<C, W, H>
 {
-    const VALUE: Self =
-        PaletteArray::from_rows(rows::<F, u8, W, H>(indices::<F>()), *C::COLORS);
+    const VALUE: Self = PaletteArray::from_rows(rows::<F, u8, W, H>(indices::<F>()), *C::COLORS);
 }

@@ -96,14 +96,13 @@ impl<'a, C: Copy> Mipmap<'a, C> {
 
     /// Computes all levels from level 0, with which `texels` begins; the rest of `texels` is overwritten.
     ///
-    /// An [`Image`](super::Image) that is read at run time becomes level 0:
-    ///
     /// ```standalone_crate
     /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-    /// use fixel::texture::{Image, Mipmap};
-    /// let image = Image::from_tga(include_bytes!("samples/brick.tga"))?; // or bytes read at run time
+    /// use fixel::prelude::*;
+    /// use fixel::texture::Mipmap;
+    /// static BRICK: Texture<Rgb565> = include_texture!("samples/brick.tga");
     /// let mut texels = [Rgb565::BLACK; Mipmap::<Rgb565>::len(8, 4)];
-    /// image.read_texture(&mut texels[..8 * 4])?;
+    /// texels[..8 * 4].copy_from_slice(BRICK.texels());
     /// let bricks = Mipmap::build(&mut texels, 8, 4)?;
     /// assert_eq!(bricks.levels(), 3);
     /// # Ok::<(), fixel::Error>(())

@@ -16,7 +16,7 @@ use crate::error::ok;
 /// ```standalone_crate
 /// use embedded_graphics::pixelcolor::Rgb565;
 /// use fixel::{prelude::*, texture::Sampler};
-/// static TILES: Palette<Rgb565> = include_bmp!("samples/tiles.bmp");
+/// static TILES: Palette<Rgb565> = include_texture!("samples/tiles.bmp");
 /// assert_eq!((TILES.width(), TILES.height()), (4, 2));
 /// assert_eq!(TILES.indices()[..4], [0, 1, 2, 3]);
 /// assert_eq!((&TILES).texel(1, 0), Rgb565::new(31, 0, 0));

@@ -8,15 +8,14 @@ use crate::error::ok;
 /// A texture that borrows its texels; its size is known at run time.
 ///
 /// Width and height are powers of two, at most [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE). The texels lie row by
-/// row, the top row first. There are three ways to create one: [`include_bmp!`](crate::include_bmp) and
-/// [`include_tga!`](crate::include_tga) convert a file at compile time;
-/// [`TextureArray::as_texture`](super::TextureArray::as_texture) borrows an array as a texture; [`new`](Self::new)
+/// row, the top row first. There are three ways to create one: [`include_texture!`](crate::include_texture)
+/// converts a picture file at compile time; [`TextureArray::as_texture`](super::TextureArray::as_texture) borrows an array as a texture; [`new`](Self::new)
 /// takes a slice. Textures of different sizes fit in one list:
 ///
 /// ```standalone_crate
 /// use embedded_graphics::pixelcolor::Rgb565;
 /// use fixel::prelude::*;
-/// static BRICK: Texture<Rgb565> = include_bmp!("samples/brick.bmp");
+/// static BRICK: Texture<Rgb565> = include_texture!("samples/brick.bmp");
 /// static STRIPES: TextureArray<Rgb565, 2, 1> = TextureArray::rgb565(&[0xf8, 0x00, 0x00, 0x1f]);
 /// static SKINS: [Texture<Rgb565>; 2] = [BRICK, STRIPES.as_texture()];
 /// assert_eq!(SKINS.map(|skin| (skin.width(), skin.height())), [(8, 4), (2, 1)]);

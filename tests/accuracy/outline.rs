@@ -24,7 +24,7 @@ static SMALL_BALL: Mesh = shape!(sphere(9, 6), short);
 static CAN: Mesh = shape!(cylinder(7));
 static RING: Mesh = shape!(torus(fx!(0.4), 14, 9));
 static GROUND: Mesh = shape!(plane(3, 2));
-static HOUSE: Mesh = include_obj!("../models/house.obj");
+static HOUSE: Mesh = include_mesh!("../models/house.obj");
 
 const SIZE: (u32, u32) = (72, 64);
 

@@ -6,6 +6,7 @@ mod common;
 #[path = "../../examples/common/mod.rs"]
 mod examples;
 
+mod assets;
 mod bands;
 mod canvas;
 mod depths;

@@ -186,8 +186,8 @@ fn rounding_moves_a_sphere_by_less_than_a_hundredth_of_a_pixel() {
 
 #[test]
 fn macros_make_the_same_meshes_with_short_positions() {
-    static LONG: Mesh = include_obj!("../models/house.obj");
-    static SHORT: Mesh = include_obj!("../models/house.obj", short);
+    static LONG: Mesh = include_mesh!("../models/house.obj");
+    static SHORT: Mesh = include_mesh!("../models/house.obj", short);
     static RING: Mesh = shape!(torus(fx!(0.25), 12, 8), short);
     static LONG_RING: Mesh = shape!(torus(fx!(0.25), 12, 8));
     assert_eq!(LONG.counts(), SHORT.counts());

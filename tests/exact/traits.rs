@@ -24,7 +24,7 @@ use fixel::target::{
 };
 use fixel::target::{TestAndWrite, TestOnly, WideFloat, WriteOnly};
 use fixel::texture::{Argb1555, Argb4444, Mipmap, MipmapArray, PackedGray4, Trilinear};
-use fixel::texture::{Bilinear, Clamp, CutOut, Image, Nearest, Repeat};
+use fixel::texture::{Bilinear, Clamp, CutOut, Nearest, Repeat};
 use fixel::view::{Parallel, Perspective, Segment};
 use fixel::{
     Hairline, Hit, Index, Matrix4, Object, Prepared, PreparedScene, RefusedFloat, ScreenPoint,
@@ -66,7 +66,6 @@ all!(value: PerFace<u8> Texels Tolerance Within<1, Texels>);
 all!(value: Biased Float Linear Native NoDepth NoTest TestAndWrite TestOnly WideFloat WriteOnly);
 all!(value: ColorIndex Contrast Packed Pages);
 all!(value: Bilinear Clamp CutOut<Bilinear, Rgb565> Nearest Repeat);
-all!(value: Image<'static> Palette<'static, Rgb565> Texture<'static, Rgb565>);
 all!(value: Keyframes<'static> Mesh<'static> Outline<'static> Positions<'static> Sprites<'static>);
 all!(value: Dequantized<'static, Flat<Rgb565>> Quantized<'static>);
 all!(shared: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>> Prepared<'static>);

@@ -53,8 +53,8 @@ mod scenes; // examples/common/scenes.rs of fixel, which colors the sphere at co
 ";
 
 const OWN: &str = "
-static MODEL: Mesh = include_obj!(\"model.obj\"); // with normals
-static SKIN: Texture<Rgb565> = include_bmp!(\"skin.bmp\");
+static MODEL: Mesh = include_mesh!(\"model.obj\"); // with normals
+static SKIN: Texture<Rgb565> = include_texture!(\"skin.bmp\");
 ";
 
 /// The imports of colors beside the display's, and the statics.

@@ -177,7 +177,7 @@ pub struct Args {
     pub dump: Option<PathBuf>,
 
     /// Also write the model as Rust source: a static `MESH` and, if it has materials, `PARTS`. With .bmp, write its
-    /// textures for `include_bmp!`. Repeat the option for both.
+    /// textures for `include_texture!`. Repeat the option for both.
     #[arg(
         long,
         value_name = "FILE.rs|FILE.bmp",
@@ -186,7 +186,7 @@ pub struct Args {
     )]
     pub export: Vec<PathBuf>,
 
-    /// Format of the exported mesh, with the name of the corresponding argument of `include_obj!`.
+    /// Format of the exported mesh, with the name of the corresponding argument of `include_mesh!`.
     #[arg(
         long,
         value_enum,

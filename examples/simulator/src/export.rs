@@ -1,6 +1,6 @@
 //! Writes models as Rust source and textures as BMP files, for firmware.
 //!
-//! The compiler reads these lists as they are. `include_obj!` parses a file while compiling, which takes minutes for a
+//! The compiler reads these lists as they are. `include_mesh!` parses a file while compiling, which takes minutes for a
 //! big one.
 
 use std::ffi::OsStr;
@@ -120,7 +120,7 @@ fn is_export(path: &Path) -> bool {
     fs::read(path).is_ok_and(|file| file.get(6..10) == Some(MARK))
 }
 
-/// Encodes a BMP file with 24 bits per texel, which `include_bmp!` can read.
+/// Encodes a BMP file with 24 bits per texel, which `include_texture!` can read.
 fn bmp(skin: &Skin) -> Vec<u8> {
     let ((width, height), rows) = skin.rows();
     // Rows are padded to a multiple of 4 bytes.
@@ -369,7 +369,7 @@ fn corners(uvs: &[Vec2]) -> Vec<[i32; 2]> {
         .collect()
 }
 
-/// Writes the static `PARTS` in the form that `include_mtl!` makes.
+/// Writes the static `PARTS` in the form that `include_materials!` makes.
 fn materials(
     out: &mut String,
     model: &Model,

@@ -16,7 +16,7 @@ pub struct Ears {
 
 impl Ears {
     /// Returns the triangles of a polygon, as indices of its `corners`. They form the fan around its first corner or,
-    /// if the fan leaves a concave polygon, lie within the polygon, as in `include_obj!`. Outlines that cross
+    /// if the fan leaves a concave polygon, lie within the polygon, as in `include_mesh!`. Outlines that cross
     /// themselves keep the fan.
     pub fn triangles(&mut self, positions: &[[f64; 3]], corners: &[Corner]) -> &[[usize; 3]] {
         self.triangles.clear();

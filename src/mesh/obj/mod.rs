@@ -1,7 +1,7 @@
-//! Meshes from Wavefront OBJ text, at compile time or at run time, without floats or allocation.
+//! Meshes from Wavefront OBJ text at run time, without floats or allocation: [`parse`] fills the caller's memory.
 //!
-//! [`include_obj!`](crate::include_obj) turns a file into a `static` mesh; [`parse`] fills the caller's memory. Both
-//! read this dialect:
+//! For a file that is known at compile time, use [`include_mesh!`](crate::include_mesh). This is the dialect that
+//! [`parse`] reads:
 //!
 //! | statement | meaning |
 //! |---|---|
@@ -9,11 +9,10 @@
 //! | `v x y z r g b` | a position with a color, each component from 0 to 1; the mesh has colors if every position has one |
 //! | `vt u`, `vt u v`, `vt u v w` | a texture coordinate; OBJ's v points up and [`Vec2`](crate::Vec2)'s points down, so v becomes 1 − v; w is ignored |
 //! | `vn x y z` | a normal, of any length |
-//! | `f 1 2 3`, `f 1/1 …`, `f 1//1 …`, `f 1/1/1 …` | a polygon of three or more corners, cut into a fan of triangles around its first corner; where this fan leaves a concave polygon, [`include_obj!`](crate::include_obj) cuts off ears instead |
+//! | `f 1 2 3`, `f 1/1 …`, `f 1//1 …`, `f 1/1/1 …` | a polygon of three or more corners, cut into a fan of triangles around its first corner |
 //! | `l 1 2 3` | edges between positions |
 //! | `# …` | a comment, to the end of the line |
-//! | `usemtl name` | the material of the faces that follow; only [`include_mtl!`](crate::include_mtl) reads it |
-//! | any other | ignored, whether OBJ defines it (`o`, `g`, `s`, `p`, `mtllib`, …) or not |
+//! | any other | ignored, whether OBJ defines it (`o`, `g`, `s`, `p`, `usemtl`, `mtllib`, …) or not |
 //!
 //! - Indices start from 1; −1 is the last element so far, −2 the one before it. A positive index may name an element
 //!   that comes later in the text.
@@ -29,12 +28,7 @@
 //!   skipped.
 
 mod decimal;
-mod ears;
 mod elements;
-#[doc(hidden)]
-pub mod import;
-mod mtl;
-mod parts;
 mod reader;
 mod writer;
 
@@ -82,7 +76,7 @@ const fn read(text: &[u8], buffers: &mut Buffers<'_>) -> Result<Counts, Error> {
 ///
 /// Texture coordinates, normals, colors and edges are left out if their slice is empty. Every polygon becomes a fan,
 /// which covers the wrong area if the polygon is concave: let the program that writes such a file cut its polygons into
-/// triangles, or use [`include_obj!`](crate::include_obj).
+/// triangles, or use [`include_mesh!`](crate::include_mesh).
 ///
 /// # Errors
 ///

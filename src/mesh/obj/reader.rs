@@ -30,11 +30,6 @@ macro_rules! word_end {
 }
 pub(super) use word_end;
 
-/// Whether two names are the same.
-pub(super) const fn are_same(a: &str, b: &str) -> bool {
-    matches!(after(a.as_bytes(), b.as_bytes()), Some([]))
-}
-
 /// What follows `start` in a text that begins with it.
 const fn after<'a>(mut text: &'a [u8], mut start: &[u8]) -> Option<&'a [u8]> {
     while let [wanted, later @ ..] = start {
@@ -125,54 +120,6 @@ impl<'a> Reader<'a> {
             }
             _ => false,
         }
-    }
-
-    /// Reads the rest of the line as a name, which may contain blanks, up to a comment; `problem` says why there must
-    /// be one.
-    pub(super) const fn name(&mut self, problem: &'static str) -> Result<&'a str, Error> {
-        if !self.word() {
-            return self.error(problem);
-        }
-        let text = self.rest;
-        let (mut len, mut read) = (0, 0);
-        loop {
-            match self.rest {
-                [] | [b'\n' | b'\r', ..] => break,
-                // A comment begins after a blank.
-                [b'#', ..] if read > len => break,
-                // It would be in two pieces.
-                [b'\\', b'\n' | b'\r', ..] => {
-                    return self.error("a name must not continue on the next line");
-                }
-                [c, rest @ ..] => {
-                    self.rest = rest;
-                    read += 1;
-                    if !matches!(c, b' ' | b'\t') {
-                        len = read;
-                    }
-                }
-            }
-        }
-        match core::str::from_utf8(text.split_at(len).0) {
-            Ok(name) => Ok(name),
-            Err(_) => self.error("a name must be UTF-8"),
-        }
-    }
-
-    /// Counts the words up to the end of the statement.
-    pub(super) const fn count_words(&mut self) -> usize {
-        let mut count = 0;
-        while self.word() {
-            count += 1;
-            // A word may begin with a backslash.
-            while let [_, rest @ ..] = self.rest {
-                self.rest = rest;
-                if let word_end!() = rest {
-                    break;
-                }
-            }
-        }
-        count
     }
 
     /// Reads the numbers up to the end of the statement; returns them and how many there are.

@@ -46,10 +46,10 @@ fn positive_index_may_refer_to_later_lines() {
     );
 }
 
-/// `include_obj!` gives the same mesh as reading at run time.
+/// `include_mesh!` gives the same mesh as reading at run time.
 #[test]
-fn include_obj_equals_reading_at_run_time() {
-    static HOUSE: Mesh = include_obj!("../../models/house.obj");
+fn include_mesh_equals_reading_at_run_time() {
+    static HOUSE: Mesh = include_mesh!("../../models/house.obj");
     let mesh = ok(include_str!("../../models/house.obj"));
     assert!(HOUSE.positions().iter().eq(mesh.positions.iter().copied()));
     assert_eq!(HOUSE.faces(), mesh.faces);

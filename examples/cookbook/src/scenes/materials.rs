@@ -6,9 +6,9 @@ use fixel::prelude::*;
 use fixel::shade::PartColors;
 use fixel::target::{Depth, Native};
 
-static CABIN: Mesh = include_obj!("../../../assets/cabin.obj");
-static PARTS: &[Part] = include_mtl!("../../../assets/cabin.obj", "../../../assets/cabin.mtl");
-static PLANKS: TextureArray<Rgb565, 32, 32> = include_tga!("../../../assets/planks.tga");
+static CABIN: Mesh = include_mesh!("../../../assets/cabin.obj");
+static PARTS: &[Part] = include_materials!("../../../assets/cabin.obj");
+static PLANKS: TextureArray<Rgb565, 32, 32> = include_texture!("../../../assets/planks.tga");
 static MEADOW: Mesh = shape!(plane(8, 8));
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {

@@ -5,7 +5,7 @@ use fixel::prelude::*;
 use fixel::target::{Depth, Native};
 
 /// Front and back are concave polygons of 32 corners, cut into triangles at compile time.
-static CLOVER: Mesh = include_obj!("../../../assets/clover.obj");
+static CLOVER: Mesh = include_mesh!("../../../assets/clover.obj");
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
     let size = canvas.frame_size();

@@ -8,7 +8,7 @@ use fixel::target::{Depth, Native, NoTest};
 static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 static ROCK: Mesh = shape!(sphere(9, 6));
 
-/// Stars and gas in one direction. (Yours may come from files, with `include_bmp!`.)
+/// Stars and gas in one direction. (Yours may come from files, with `include_texture!`.)
 fn space(direction: Vec3) -> Rgb565 {
     let wave = |along: Vec3| Scalar::from_num(Angle::from_turns(direction.dot(along)).sin());
     let bent = wave(vec3!(0.5, 0.2, 0.6)) / 4 + wave(vec3!(0.3, 1.1, -0.7)) / 8;

@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::prelude::*;
 use fixel::target::{Biased, Depth, Native, TestAndWrite, TestOnly};
 
-static ISLAND: Mesh = include_obj!("../../../assets/lighthouse.obj");
+static ISLAND: Mesh = include_mesh!("../../../assets/lighthouse.obj");
 // Edges between faces whose normals differ by more than 35 degrees are creases.
 static OUTLINE: Outline = outline!(ISLAND, deg!(35));
 

@@ -1,5 +1,5 @@
 //! Models as Rust source. The program must write the files of exported/, and these must draw the same as
-//! `include_obj!`.
+//! `include_mesh!`.
 
 use std::fs;
 
@@ -29,11 +29,11 @@ macro_rules! exported {
 }
 exported!(long short quantized_16 quantized_8);
 
-static LONG: Mesh = include_obj!("exported/tent.obj");
-static SHORT: Mesh = include_obj!("exported/tent.obj", short);
-static OF_16: Quantized = include_obj!("exported/tent.obj", quantized_16);
-static OF_8: Quantized = include_obj!("exported/tent.obj", quantized_8);
-static PARTS: &[Part] = include_mtl!("exported/tent.obj", "exported/tent.mtl");
+static LONG: Mesh = include_mesh!("exported/tent.obj");
+static SHORT: Mesh = include_mesh!("exported/tent.obj", short);
+static OF_16: Quantized = include_mesh!("exported/tent.obj", quantized_16);
+static OF_8: Quantized = include_mesh!("exported/tent.obj", quantized_8);
+static PARTS: &[Part] = include_materials!("exported/tent.obj");
 
 #[test]
 fn a_model_is_written_as_statics() {
@@ -67,7 +67,7 @@ fn picture<S: Shader<Color = Rgb565>>(mesh: &Mesh<'_>, shader: &S, eye: Vec3) ->
 }
 
 #[test]
-fn the_statics_draw_the_same_as_include_obj() {
+fn the_statics_draw_the_same_as_include_mesh() {
     let texels: Vec<Rgb565> = (0..64_u8)
         .map(|at| Rgb565::new(at % 8 * 4, at / 8 * 8, 31 - at % 32))
         .collect();

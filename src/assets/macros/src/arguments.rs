@@ -52,7 +52,11 @@ impl Arguments {
 
     /// Refuses options other than these.
     pub fn check(&self, known: &[&str]) -> Result<(), String> {
-        match self.options.iter().find(|(word, _)| !known.contains(&word.as_str())) {
+        match self
+            .options
+            .iter()
+            .find(|(word, _)| !known.contains(&word.as_str()))
+        {
             Some((word, _)) => Err(format!(
                 "'{word}' is not an option: there are {}",
                 known.join(", ")
@@ -63,7 +67,9 @@ impl Arguments {
 
     /// Whether a word stands there by itself.
     pub fn has(&self, word: &str) -> bool {
-        self.options.iter().any(|(option, value)| option == word && value.is_none())
+        self.options
+            .iter()
+            .any(|(option, value)| option == word && value.is_none())
     }
 
     /// The value of an option.
@@ -143,7 +149,10 @@ fn beside_source(span: Span, path: &str) -> PathBuf {
         // A documentation test has the path of the file that contains it.
         Some(package.as_deref()?.join(span.file())).filter(|source| source.is_file())
     });
-    let folder = source.as_deref().and_then(Path::parent).map(Path::to_path_buf);
+    let folder = source
+        .as_deref()
+        .and_then(Path::parent)
+        .map(Path::to_path_buf);
     let path = folder.or(package).unwrap_or_default().join(path);
     std::path::absolute(&path).unwrap_or(path)
 }

@@ -30,7 +30,10 @@ impl Expansion {
     pub fn depend(&mut self, files: &[PathBuf]) {
         for file in files.iter().filter(|file| file.is_file()) {
             let file = std::path::absolute(file).unwrap_or_else(|_| file.clone());
-            self.push(&format!("const _: &[u8] = ::core::include_bytes!({:?});", display(&file)));
+            self.push(&format!(
+                "const _: &[u8] = ::core::include_bytes!({:?});",
+                display(&file)
+            ));
         }
     }
 
@@ -60,7 +63,9 @@ impl Expansion {
             let mut token = match token {
                 TokenTree::Ident(word) => {
                     let word_text = word.to_string();
-                    let list = word_text.strip_prefix("list_").and_then(|at| at.parse::<usize>().ok());
+                    let list = word_text
+                        .strip_prefix("list_")
+                        .and_then(|at| at.parse::<usize>().ok());
                     match list.and_then(|at| self.lists.get(at)) {
                         Some(bytes) => TokenTree::Literal(Literal::byte_string(bytes)),
                         None if word_text == "fixel" => return fixel.clone(),

@@ -40,7 +40,9 @@ fn error(problem: &str, span: Span) -> TokenStream {
     let tokens = TokenStream::from(TokenTree::Literal(message));
     let mut group = Group::new(Delimiter::Brace, tokens);
     group.set_span(span);
-    let path = "::core::compile_error".parse::<TokenStream>().unwrap_or_default();
+    let path = "::core::compile_error"
+        .parse::<TokenStream>()
+        .unwrap_or_default();
     let path = path.into_iter().map(|mut token| {
         token.set_span(span);
         token

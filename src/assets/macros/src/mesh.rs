@@ -42,8 +42,18 @@ fn bytes<T: Copy, const N: usize, const SIZE: usize>(
 }
 
 pub fn mesh(arguments: &Arguments) -> Result<Expansion, String> {
-    arguments.check(&["short", "quantized_16", "quantized_8", "scale", "up", "part"])?;
-    let formats: Vec<&str> = FORMATS.into_iter().filter(|format| arguments.has(format)).collect();
+    arguments.check(&[
+        "short",
+        "quantized_16",
+        "quantized_8",
+        "scale",
+        "up",
+        "part",
+    ])?;
+    let formats: Vec<&str> = FORMATS
+        .into_iter()
+        .filter(|format| arguments.has(format))
+        .collect();
     let format = match formats.as_slice() {
         [] => None,
         [format] => Some(*format),
@@ -67,21 +77,51 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
     };
     let index = "[fixel::Index; 3]";
     let mut indices = |name: &str, faces: &[[u16; 3]]| {
-        list(name, index, "words", faces.len(), bytes(faces, u16::to_le_bytes));
+        list(
+            name,
+            index,
+            "words",
+            faces.len(),
+            bytes(faces, u16::to_le_bytes),
+        );
     };
     indices("FACES", &lists.faces);
     indices("UV_FACES", &lists.uv_faces);
     indices("NORMAL_FACES", &lists.normal_faces);
     indices("COLOR_FACES", &lists.color_faces);
-    list("EDGES", "[fixel::Index; 2]", "words", lists.edges.len(), bytes(&lists.edges, u16::to_le_bytes));
-    list("COLORS", "fixel::mesh::flash::Rgb888", "colors", lists.colors.len(), lists.colors.concat());
+    list(
+        "EDGES",
+        "[fixel::Index; 2]",
+        "words",
+        lists.edges.len(),
+        bytes(&lists.edges, u16::to_le_bytes),
+    );
+    list(
+        "COLORS",
+        "fixel::mesh::flash::Rgb888",
+        "colors",
+        lists.colors.len(),
+        lists.colors.concat(),
+    );
     let mesh = if format.is_none() {
         let positions = bytes(&lists.positions, i32::to_le_bytes);
-        list("POSITIONS", "fixel::Vec3", "vec3s", lists.positions.len(), positions);
+        list(
+            "POSITIONS",
+            "fixel::Vec3",
+            "vec3s",
+            lists.positions.len(),
+            positions,
+        );
         "fixel::Mesh::new(&POSITIONS, &FACES)".to_string()
     } else {
         let (short, fraction) = lists.shortened();
-        list("POSITIONS", "[i16; 3]", "signed_words", short.len(), bytes(&short, i16::to_le_bytes));
+        list(
+            "POSITIONS",
+            "[i16; 3]",
+            "signed_words",
+            short.len(),
+            bytes(&short, i16::to_le_bytes),
+        );
         format!("fixel::Mesh::short(&POSITIONS, {fraction}, &FACES)")
     };
     let uvs = bytes(&lists.uvs, i32::to_le_bytes);
@@ -98,7 +138,11 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
             ));
         }
         Some(quantized) => {
-            let (step, kind) = if quantized == "quantized_8" { ("u8", "Bytes") } else { ("u16", "Words") };
+            let (step, kind) = if quantized == "quantized_8" {
+                ("u8", "Bytes")
+            } else {
+                ("u16", "Words")
+            };
             let (uvs, normals) = (out.bytes(uvs), out.bytes(normals));
             out.push(&format!(
                 "use fixel::mesh::flash as assets;

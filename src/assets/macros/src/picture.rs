@@ -20,21 +20,30 @@ fn read(arguments: &Arguments, out: &mut Expansion) -> Result<Picture, String> {
             return Err("image is for the pictures of a model, and this file is a picture".into());
         }
         out.depend(std::slice::from_ref(path));
-        let bytes = fs::read(path).map_err(|error| format!("cannot read {}: {error}", path.display()))?;
+        let bytes =
+            fs::read(path).map_err(|error| format!("cannot read {}: {error}", path.display()))?;
         return Picture::decode(&bytes);
     }
     let model = fixel_assets::read(path, &Disk)?;
     out.depend(std::slice::from_ref(path));
     let at = match arguments.value("image") {
         None => 0,
-        Some(at) => at.parse::<usize>().map_err(|_| format!("image is {at}: it must be a whole number"))?,
+        Some(at) => at
+            .parse::<usize>()
+            .map_err(|_| format!("image is {at}: it must be a whole number"))?,
     };
     let image = model.images.get(at);
-    let image = image.ok_or_else(|| format!("image {at} does not exist: there are {}, counted from 0", model.images.len()))?;
+    let image = image.ok_or_else(|| {
+        format!(
+            "image {at} does not exist: there are {}, counted from 0",
+            model.images.len()
+        )
+    })?;
     match image {
         Image::File(path) => {
             out.depend(&[PathBuf::from(path)]);
-            let bytes = fs::read(path).map_err(|error| format!("cannot read {}: {error}", path.display()))?;
+            let bytes = fs::read(path)
+                .map_err(|error| format!("cannot read {}: {error}", path.display()))?;
             Picture::decode(&bytes)
         }
         Image::Bytes(_, bytes) => Picture::decode(bytes),
@@ -52,8 +61,9 @@ pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
     let mut out = Expansion::default();
     let mut picture = read(arguments, &mut out)?;
     if let Some(text) = arguments.text("size")? {
-        let (width, height) = size(&text)
-            .ok_or_else(|| format!("size is {text}: it must be two whole numbers, such as \"256x256\""))?;
+        let (width, height) = size(&text).ok_or_else(|| {
+            format!("size is {text}: it must be two whole numbers, such as \"256x256\"")
+        })?;
         check(width, height)?;
         picture = picture.resampled(width, height);
     }
@@ -80,9 +90,21 @@ pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
     let count = colors.len();
     let colors = out.bytes(colors.concat());
     let (kind, list) = if count <= 256 {
-        ("Bytes", indices.iter().map(|&at| at as u8).collect::<Vec<u8>>())
+        (
+            "Bytes",
+            indices.iter().map(|&at| at as u8).collect::<Vec<u8>>(),
+        )
     } else {
-        ("Words", indices.iter().flat_map(|at| { let [a, b, c, _] = at.to_le_bytes(); [a, b, c] }).collect())
+        (
+            "Words",
+            indices
+                .iter()
+                .flat_map(|at| {
+                    let [a, b, c, _] = at.to_le_bytes();
+                    [a, b, c]
+                })
+                .collect(),
+        )
     };
     let list = out.bytes(list);
     let pixels = picture.pixels.len();
@@ -104,7 +126,9 @@ pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
 fn check(width: u32, height: u32) -> Result<(), String> {
     for (side, name) in [(width, "width"), (height, "height")] {
         if !side.is_power_of_two() || side > MOST {
-            return Err(format!("{name} is {side}: it must be a power of two, at most {MOST}"));
+            return Err(format!(
+                "{name} is {side}: it must be a power of two, at most {MOST}"
+            ));
         }
     }
     Ok(())

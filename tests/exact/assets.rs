@@ -1,0 +1,79 @@
+//! Files in flash: the macros give what a person would write by hand.
+
+use embedded_graphics::pixelcolor::{Gray8, Rgb565, Rgb888};
+use fixel::mesh::Part;
+use fixel::prelude::*;
+use fixel::texture::{Argb4444, Palette, Sampler};
+
+#[test]
+fn a_part_has_only_its_own_values() {
+    static HOUSE: Mesh = include_mesh!("../models/house.obj");
+    static PARTS: &[Part] = include_materials!("../models/house.obj");
+    static ROOF: Mesh = include_mesh!("../models/house.obj", part = "tiles", scale = 2);
+    let whole = HOUSE.part(PARTS[1].faces());
+    assert_eq!(PARTS[1].material(), "tiles");
+    assert_eq!(ROOF.faces().len(), whole.faces().len());
+    assert!(ROOF.positions().len() < HOUSE.positions().len());
+    for (own, all) in ROOF.faces().iter().zip(whole.faces()) {
+        for (&own, &all) in own.iter().zip(all) {
+            let [own, all] = [(&ROOF, own), (&HOUSE, all)]
+                .map(|(mesh, at)| mesh.positions().get(usize::from(at)).unwrap());
+            assert_eq!(own, all * fx!(2));
+        }
+    }
+    assert!(!ROOF.edges().is_empty());
+}
+
+/// A turn around x by a quarter: what pointed along z points along y.
+#[test]
+fn z_may_point_up() {
+    static HOUSE: Mesh = include_mesh!("../models/house.obj");
+    static TURNED: Mesh = include_mesh!("../models/house.obj", up = z);
+    let turned = |p: Vec3| Vec3::new(p.x, p.z, -p.y);
+    let turned = HOUSE.positions().iter().map(turned);
+    assert!(TURNED.positions().iter().eq(turned));
+    assert_eq!(TURNED.faces(), HOUSE.faces());
+}
+
+#[test]
+fn materials_are_those_of_the_file() {
+    static PARTS: &[Part] = include_materials!("../../examples/assets/cabin.obj");
+    let expected = [
+        (0..10, Some("planks.tga"), "planks"),
+        (10..30, None, "paint"),
+        (30..50, None, "stone"),
+    ];
+    assert_eq!(PARTS.len(), expected.len());
+    for (part, (faces, texture, material)) in PARTS.iter().zip(expected) {
+        assert_eq!(
+            (part.faces(), part.texture(), part.material()),
+            (faces, texture, material)
+        );
+    }
+    assert_eq!(PARTS[1].color(), Rgb888::new(161, 51, 41)); // 0.63 0.2 0.16
+}
+
+#[test]
+fn a_picture_becomes_any_texture() {
+    static PLANKS: Texture<Rgb565> = include_texture!("../../examples/assets/planks.tga");
+    static ARRAY: TextureArray<Rgb565, 32, 32> =
+        include_texture!("../../examples/assets/planks.tga");
+    static GRAY: Texture<Gray8> = include_texture!("../../examples/assets/planks.tga");
+    static OPAQUE: Texture<Argb4444> = include_texture!("../../examples/assets/planks.tga");
+    static SMALL: Texture<Rgb888> =
+        include_texture!("../../examples/assets/planks.tga", size = "8x4");
+    assert_eq!(ARRAY.as_texture(), PLANKS);
+    assert_eq!((GRAY.width(), GRAY.height()), (32, 32));
+    assert!(
+        OPAQUE
+            .texels()
+            .iter()
+            .all(|texel| texel.opacity() == Argb4444::new(15, 0, 0, 0).opacity())
+    );
+    assert_eq!((SMALL.width(), SMALL.height()), (8, 4));
+    static TILES: Palette<Rgb565> = include_texture!("../../src/texture/samples/tiles.bmp");
+    static SAME: Texture<Rgb565> = include_texture!("../../src/texture/samples/tiles.bmp");
+    for (u, v) in (0..2).flat_map(|v| (0..4).map(move |u| (u, v))) {
+        assert_eq!((&TILES).texel(u, v), (&SAME).texel(u, v));
+    }
+}
