@@ -1,5 +1,6 @@
 //! Textures that [`include_texture!`](crate::include_texture) makes of files.
 
+pub use super::color::*;
 use super::sampler::{self, Grid};
 use super::{Palette, PaletteArray, Texture, TextureArray};
 use crate::message;
@@ -8,14 +9,12 @@ use crate::message;
 ///
 /// A trait's functions cannot run at compile time, but its constants can depend on types. So the macro declares a
 /// type for the picture, the compiler infers the color's type from the place of the macro, and a constant of the two
-/// holds the converted pixels.
+/// holds the converted pixels. The macro implements [`Convert`] for each color; only the one that is used is computed.
 pub trait File {
     /// The file's name, for errors.
     const PATH: &'static str;
     /// Columns and rows, which a texture may have.
     const SIZE: [u32; 2];
-    /// The colors that occur: red, green, blue and alpha of each.
-    const COLORS: &'static [u8];
     /// The pixels, row by row, as indices of colors.
     const PIXELS: Pixels;
 }

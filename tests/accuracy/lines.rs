@@ -140,10 +140,11 @@ fn points_are_the_pixels_they_lie_in() {
             .iter()
             .map(|point| point.map(|at| at.div_euclid(256)))
         {
-            if let (Ok(x), Ok(y)) = (u32::try_from(x), u32::try_from(y)) {
-                if x < SIZE.0 && y < SIZE.1 {
-                    expected[(y * SIZE.0 + x) as usize] += 1;
-                }
+            if let (Ok(x), Ok(y)) = (u32::try_from(x), u32::try_from(y))
+                && x < SIZE.0
+                && y < SIZE.1
+            {
+                expected[(y * SIZE.0 + x) as usize] += 1;
             }
         }
         assert_eq!(

@@ -62,6 +62,8 @@ fn a_picture_becomes_any_texture() {
     static OPAQUE: Texture<Argb4444> = include_texture!("../../examples/assets/planks.tga");
     static SMALL: Texture<Rgb888> =
         include_texture!("../../examples/assets/planks.tga", size = "8x4");
+    static TILES: Palette<Rgb565> = include_texture!("../../src/texture/samples/tiles.bmp");
+    static SAME: Texture<Rgb565> = include_texture!("../../src/texture/samples/tiles.bmp");
     assert_eq!(ARRAY.as_texture(), PLANKS);
     assert_eq!((GRAY.width(), GRAY.height()), (32, 32));
     assert!(
@@ -71,8 +73,6 @@ fn a_picture_becomes_any_texture() {
             .all(|texel| texel.opacity() == Argb4444::new(15, 0, 0, 0).opacity())
     );
     assert_eq!((SMALL.width(), SMALL.height()), (8, 4));
-    static TILES: Palette<Rgb565> = include_texture!("../../src/texture/samples/tiles.bmp");
-    static SAME: Texture<Rgb565> = include_texture!("../../src/texture/samples/tiles.bmp");
     for (u, v) in (0..2).flat_map(|v| (0..4).map(move |u| (u, v))) {
         assert_eq!((&TILES).texel(u, v), (&SAME).texel(u, v));
     }

@@ -28,7 +28,7 @@ pub fn run(args: &Args, matches: &ArgMatches) -> Result<()> {
     if let Some(scene) = args.scene {
         let targets = Targets::open(args, &[])?;
         let has_textures = matches!(scene, SceneName::Floor | SceneName::Cube);
-        report::notes(args, &idle::options(args, matches, None, has_textures))?;
+        report::notes(args, idle::options(args, matches, None, has_textures))?;
         let measured = Measured {
             scene,
             mode: Mode::new(args, 1.0)?,

@@ -249,7 +249,9 @@ fn tga(bytes: &[u8]) -> Result<Picture, String> {
         }
     };
     let mut pixels = vec![[0, 0, 0, 255]; width * height];
+    let mut count = 0;
     for pixel in file.pixels() {
+        count += 1;
         // The reader counts from the top left corner.
         #[allow(clippy::cast_sign_loss)] // within the picture
         let at = pixel.position.y as usize * width + pixel.position.x as usize;
@@ -270,6 +272,9 @@ fn tga(bytes: &[u8]) -> Result<Picture, String> {
             }
             _ => color(pixel.color, file.color_bpp()),
         };
+    }
+    if count < pixels.len() {
+        return Err(format!("it ends after {count} of {} pixels", pixels.len()));
     }
     Ok(Picture {
         width: size.width,

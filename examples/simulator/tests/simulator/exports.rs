@@ -113,11 +113,12 @@ fn textures_are_written_as_bmp() {
     stripes.save(directory.join("stripes.png")).unwrap();
     good(&directory, "tent.obj --export skin.bmp --export mesh.rs");
     let bmp = fs::read(directory.join("skin.bmp")).unwrap();
-    let image = fixel::texture::Image::from_bmp(&bmp).unwrap();
-    assert_eq!((image.width(), image.height()), (2, 4));
+    let format = image::ImageFormat::Bmp;
+    let image = image::load_from_memory_with_format(&bmp, format).unwrap();
+    let image = image.into_rgb8();
+    assert_eq!(image.dimensions(), (2, 4));
     for (x, y, pixel) in stripes.enumerate_pixels() {
-        let [r, g, b] = pixel.0;
-        assert_eq!(image.pixel(x, y), Some(Rgb888::new(r, g, b)), "{x}, {y}");
+        assert_eq!(image.get_pixel(x, y), pixel, "{x}, {y}");
     }
     let mesh = fs::read_to_string(directory.join("mesh.rs")).unwrap();
     assert!(mesh.contains(r#".with_texture("skin.bmp")"#), "{mesh}");

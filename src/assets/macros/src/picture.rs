@@ -12,6 +12,24 @@ use crate::expansion::Expansion;
 /// The most pixels along a side of a texture.
 const MOST: u32 = 1 << 15;
 
+/// The colors of textures, and the modules of `fixel` that convert pictures to them.
+const COLORS: [(&str, &str); 14] = [
+    ("Rgb555", "rgb555"),
+    ("Bgr555", "bgr555"),
+    ("Rgb565", "rgb565"),
+    ("Bgr565", "bgr565"),
+    ("Rgb666", "rgb666"),
+    ("Bgr666", "bgr666"),
+    ("Rgb888", "rgb888"),
+    ("Bgr888", "bgr888"),
+    ("Gray2", "gray2"),
+    ("Gray4", "gray4"),
+    ("Gray8", "gray8"),
+    ("BinaryColor", "binary"),
+    ("Argb1555", "argb1555"),
+    ("Argb4444", "argb4444"),
+];
+
 /// Reads the picture of a file, or the one that a model contains.
 fn read(arguments: &Arguments, out: &mut Expansion) -> Result<Picture, String> {
     let path = &arguments.path.path;
@@ -114,10 +132,22 @@ pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
          impl fixel::texture::include::File for Asset {{
              const PATH: &'static str = {path:?};
              const SIZE: [u32; 2] = [{width}, {height}];
-             const COLORS: &'static [u8] = {colors};
              const PIXELS: fixel::texture::include::Pixels = fixel::texture::include::Pixels::{kind}({list});
          }}
-         <_ as fixel::texture::include::FromFile<Asset, {pixels}>>::VALUE"
+         const COLORS: &[u8] = {colors};"
+    ));
+    for (color, module) in COLORS {
+        out.push(&format!(
+            "impl fixel::texture::include::Convert<Asset, {pixels}> for fixel::texture::include::{color} {{
+                 #[allow(long_running_const_eval)]
+                 const TEXELS: &'static [Self; {pixels}] = &fixel::texture::include::{module}::texels(
+                     COLORS, <Asset as fixel::texture::include::File>::PIXELS);
+                 const COLORS: &'static [Self; 256] = &fixel::texture::include::{module}::colors(COLORS);
+             }}"
+        ));
+    }
+    out.push(&format!(
+        "<_ as fixel::texture::include::FromFile<Asset, {pixels}>>::VALUE"
     ));
     Ok(out)
 }
