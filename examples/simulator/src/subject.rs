@@ -251,8 +251,8 @@ fn finishes(model: &mut fixel_assets::Model, skin: Option<Skin>) -> (Vec<Finish>
     let mut places: HashMap<(u32, [u8; 3]), Option<usize>> = HashMap::new();
     for material in &model.materials {
         let texture = material.texture.and_then(|image| {
-            *places.entry((image, material.color)).or_insert_with(|| {
-                match Skin::of_model(&model.images[image as usize], material.color) {
+            *places.entry((image, material.tint)).or_insert_with(|| {
+                match Skin::of_model(&model.images[image as usize], material.tint) {
                     Ok(skin) => {
                         skins.push(skin);
                         Some(skins.len() - 1)

@@ -231,6 +231,7 @@ impl Reader<'_> {
             let texture = surface.base_color_texture();
             self.model.materials.push(Material {
                 color: [r, g, b].map(|x| srgb(x.into())),
+                tint: [r, g, b].map(|x| srgb(x.into())),
                 #[allow(clippy::cast_possible_truncation)] // an index in JSON text that was read into memory
                 texture: texture.map(|texture| texture.texture().source().index() as u32),
                 ..Material::new(material.name().unwrap_or_default().into())

@@ -7,8 +7,10 @@ use std::path::PathBuf;
 pub struct Material {
     /// Its name, which may be empty.
     pub name: String,
-    /// The color of the surface; if there is a texture, its texels are multiplied by this color.
+    /// The color of the surface where no texture is drawn.
     pub color: [u8; 3],
+    /// The color by which a texture's texels are multiplied.
+    pub tint: [u8; 3],
     /// Index of an image of the model.
     pub texture: Option<u32>,
     /// Light that the surface sends out by itself, added to what it reflects.
@@ -41,6 +43,7 @@ impl Material {
         Self {
             name,
             color: [255; 3],
+            tint: [255; 3],
             texture: None,
             emission: [0; 3],
             opacity: 1.0,

@@ -6,7 +6,7 @@ use super::{Image, Material, Model, next};
 
 /// Adds the materials of MTL text to a model.
 ///
-/// A texture replaces the color of its material, because programs write arbitrary colors next to a texture.
+/// A material's color does not tint its texture, because programs write arbitrary colors next to a texture.
 pub fn read(model: &mut Model, bytes: &[u8], folder: Folder<'_>) -> Result<(), String> {
     let first = model.materials.len();
     for (line, statement) in Statements::new(bytes) {
@@ -34,13 +34,10 @@ pub fn read(model: &mut Model, bytes: &[u8], folder: Folder<'_>) -> Result<(), S
         };
         if keyword == b"Kd" {
             let color = color(value).map_err(|problem| at_line(&problem))?;
-            if material.texture.is_none() {
-                material.color = color;
-            }
+            material.color = color;
         } else {
             let name = texture(value).ok_or_else(|| at_line("map_Kd needs the name of a file"))?;
             material.texture = Some(image);
-            material.color = [255; 3];
             model.images.push(Image::File(folder.beside(&name)));
         }
     }

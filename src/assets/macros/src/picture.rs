@@ -136,11 +136,12 @@ pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
          }}
          const COLORS: &[u8] = {colors};"
     ));
+    // Generic, because the compiler evaluates every other constant, whether it is used or not.
     for (color, module) in COLORS {
         out.push(&format!(
-            "impl fixel::texture::include::Convert<Asset, {pixels}> for fixel::texture::include::{color} {{
+            "impl<const N: usize> fixel::texture::include::Convert<Asset, N> for fixel::texture::include::{color} {{
                  #[allow(long_running_const_eval)]
-                 const TEXELS: &'static [Self; {pixels}] = &fixel::texture::include::{module}::texels(
+                 const TEXELS: &'static [Self; N] = &fixel::texture::include::{module}::texels(
                      COLORS, <Asset as fixel::texture::include::File>::PIXELS);
                  const COLORS: &'static [Self; 256] = &fixel::texture::include::{module}::colors(COLORS);
              }}"
