@@ -111,6 +111,13 @@ fn rows_of(
 
 /// The indices of pixels that are stored as runs. Pixels that are left out have index 0.
 fn runs(mut data: &[u8], bits: usize, width: usize, height: usize) -> Result<Vec<u8>, String> {
+    // Runs have at most 255 pixels. Jumps can leave out more, but a short file must not claim much memory.
+    if width * height > 255 * (data.len() + (1 << 16)) {
+        let len = data.len();
+        return Err(format!(
+            "its {len} bytes are too few for {width}x{height} pixels"
+        ));
+    }
     let mut indices = vec![0; width * height];
     let (mut x, mut y) = (0, 0);
     while y < height {
