@@ -63,24 +63,29 @@ macro_rules! colors {
                 table(colors)
             }
 
-            /// The pixels of a picture, which has no more colors than pixels.
+            /// The pixels of a picture. With indices of three bytes, it has no more colors than pixels.
             #[must_use]
             pub const fn texels<const N: usize>(colors: &[u8], pixels: Pixels) -> [$color; N] {
-                let table = table::<N>(colors);
-                let mut texels = table;
+                let mut texels = table::<N>(colors);
                 let mut at = 0;
                 match pixels {
-                    Pixels::Bytes(pixels) => while at < N {
-                        texels[at] = table[pixels[at] as usize];
-                        at += 1;
-                    },
-                    Pixels::Words(pixels) => while at < N {
-                        let from = 3 * at;
-                        texels[at] = table[pixels[from] as usize
-                            | (pixels[from + 1] as usize) << 8
-                            | (pixels[from + 2] as usize) << 16];
-                        at += 1;
-                    },
+                    Pixels::Bytes(pixels) => {
+                        let table = table::<256>(colors);
+                        while at < N {
+                            texels[at] = table[pixels[at] as usize];
+                            at += 1;
+                        }
+                    }
+                    Pixels::Words(pixels) => {
+                        let table = texels;
+                        while at < N {
+                            let from = 3 * at;
+                            texels[at] = table[pixels[from] as usize
+                                | (pixels[from + 1] as usize) << 8
+                                | (pixels[from + 2] as usize) << 16];
+                            at += 1;
+                        }
+                    }
                 }
                 texels
             }

@@ -93,6 +93,7 @@ impl Skin {
             width: u32::try_from(W).unwrap_or(0),
             height: u32::try_from(H).unwrap_or(0),
             pixels: texture.texels().as_flattened().iter().map(color).collect(),
+            table: None,
         })
     }
 
@@ -110,6 +111,7 @@ impl Skin {
             width: 64,
             height: 64,
             pixels: (0..64 * 64).map(color).collect(),
+            table: None,
         })
     }
 
@@ -119,6 +121,7 @@ impl Skin {
             width,
             height,
             ref pixels,
+            ..
         } = self.picture;
         ((width, height), pixels.chunks_exact(width.max(1) as usize))
     }

@@ -3,11 +3,13 @@
 //! Each format has a reader of its own. The crate `image` would bring all of them, but also color management, which
 //! takes longer to compile than all of these readers together.
 
+mod bmp;
+mod tga;
+
+use std::collections::HashMap;
 use std::io::Cursor;
 
 use png::{ColorType, Decoder, Transformations};
-use tinytga::{Bpp, DataType, RawTga};
-use zune_bmp::BmpDecoder;
 use zune_core::bytestream::ZCursor;
 use zune_core::colorspace::ColorSpace;
 use zune_core::options::DecoderOptions;
@@ -25,6 +27,17 @@ pub struct Picture {
     pub height: u32,
     /// As many as columns times rows.
     pub pixels: Vec<[u8; 4]>,
+    /// The file's table of colors, if it has one.
+    pub table: Option<Table>,
+}
+
+/// A table of colors, and the pixels as indices into it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Table {
+    /// For each pixel, the index of its color.
+    pub indices: Vec<u8>,
+    /// At most 256 colors: red, green, blue and alpha.
+    pub colors: Vec<[u8; 4]>,
 }
 
 impl Picture {
@@ -39,13 +52,13 @@ impl Picture {
         } else if bytes.starts_with(&[0xff, 0xd8]) {
             jpeg(bytes)
         } else if bytes.starts_with(b"BM") {
-            bmp(bytes)
+            bmp::read(bytes)
         } else if bytes.starts_with(b"GIF8") {
             gif(bytes)
         } else if bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WEBP") {
             webp(bytes)
-        } else if is_tga(bytes) {
-            tga(bytes)
+        } else if tga::is(bytes) {
+            tga::read(bytes)
         } else {
             Err("it is not a PNG, JPEG, BMP, TGA, GIF or WebP".into())
         }?;
@@ -62,12 +75,35 @@ impl Picture {
         self.pixels.iter().any(|pixel| pixel[3] < 255)
     }
 
+    /// Returns the pixels as indices, and their colors, if there are at most 256: the file's table if it has one, and
+    /// otherwise the colors in the order in which they first occur.
+    #[must_use]
+    pub fn palette(&self) -> Option<(Vec<u8>, Vec<[u8; 4]>)> {
+        if let Some(Table { indices, colors }) = &self.table {
+            let from_table = indices.iter().map(|&at| colors.get(usize::from(at)));
+            if from_table.eq(self.pixels.iter().map(Some)) {
+                return Some((indices.clone(), colors.clone()));
+            }
+        }
+        let mut colors = Vec::new();
+        let mut places = HashMap::new();
+        let index = |&pixel: &[u8; 4]| {
+            let place = places.entry(pixel).or_insert_with(|| {
+                colors.push(pixel);
+                u8::try_from(colors.len() - 1).ok()
+            });
+            *place
+        };
+        let indices: Option<Vec<u8>> = self.pixels.iter().map(index).collect();
+        Some((indices?, colors))
+    }
+
     /// Returns the picture in another size. Each color is the mean of those around its place, weighted by a triangle
-    /// that is twice as wide as a pixel of the coarser size.
+    /// that is twice as wide as a pixel of the coarser size, and by their alpha: invisible colors have no weight.
     #[must_use]
     pub fn resampled(&self, width: u32, height: u32) -> Self {
         let (columns, rows) = (weights(self.width, width), weights(self.height, height));
-        let stride = self.width as usize;
+        let stride = self.width.max(1) as usize;
         let mean = |row: &[(usize, f32)], at: &dyn Fn(usize) -> [f32; 4]| {
             row.iter().fold([0.0; 4], |sum, &(from, weight)| {
                 let color = at(from);
@@ -76,22 +112,34 @@ impl Picture {
         };
         let mut wide = Vec::with_capacity(columns.len() * self.height as usize);
         for row in self.pixels.chunks_exact(stride) {
-            let at = |x: usize| row[x].map(f32::from);
+            let at = |x: usize| {
+                let [r, g, b, alpha] = row[x].map(f32::from);
+                let weight = alpha / 255.0;
+                [r * weight, g * weight, b * weight, alpha]
+            };
             wide.extend(columns.iter().map(|column| mean(column, &at)));
         }
         let mut pixels = Vec::with_capacity(columns.len() * rows.len());
         for row in &rows {
             for x in 0..columns.len() {
-                let at = |y: usize| wide[y * columns.len() + x];
+                let [r, g, b, alpha] = mean(row, &|y: usize| wide[y * columns.len() + x]);
+                // The weights' rounding errors must not move the mean of opaque colors.
+                let weight = match alpha {
+                    254.99.. => 1.0,
+                    0.5.. => alpha / 255.0,
+                    _ => f32::INFINITY,
+                };
                 #[allow(clippy::cast_sign_loss)] // a mean of bytes, and the cast saturates
-                let pixel = mean(row, &at).map(|value| (value + 0.5) as u8);
-                pixels.push(pixel);
+                let byte = |value: f32| (value + 0.5) as u8;
+                let [r, g, b] = [r, g, b].map(|sum| byte(sum / weight));
+                pixels.push([r, g, b, byte(alpha)]);
             }
         }
         Self {
             width,
             height,
             pixels,
+            table: None,
         }
     }
 }
@@ -114,13 +162,14 @@ fn weights(from: u32, to: u32) -> Vec<Vec<(usize, f32)>> {
     (0..to).map(one).collect()
 }
 
+/// Refuses pictures without pixels, and with too many.
 fn check(width: u64, height: u64) -> Result<(), String> {
-    if width * height > MOST {
-        return Err(format!(
-            "it is {width}x{height} pixels: at most {MOST} can be read"
-        ));
+    match width * height {
+        1..=MOST => Ok(()),
+        _ => Err(format!(
+            "it is {width}x{height} pixels: 1 to {MOST} can be read"
+        )),
     }
-    Ok(())
 }
 
 /// A picture of samples of this many channels: gray, gray and alpha, RGB or RGBA.
@@ -136,25 +185,101 @@ fn picture(
         [r, g, b] => [r, g, b, 255],
         _ => [s[0], s[1], s[2], s[3]],
     });
+    colored(width, height, pixels.collect())
+}
+
+/// A picture without a table.
+fn colored(width: usize, height: usize, pixels: Vec<[u8; 4]>) -> Result<Picture, String> {
     let side = |side: usize| u32::try_from(side).map_err(|_| format!("a side has {side} pixels"));
     Ok(Picture {
         width: side(width)?,
         height: side(height)?,
-        pixels: pixels.collect(),
+        pixels,
+        table: None,
     })
 }
 
+/// A picture whose pixels are indices of a table.
+fn indexed(
+    width: usize,
+    height: usize,
+    indices: Vec<u8>,
+    colors: Vec<[u8; 4]>,
+) -> Result<Picture, String> {
+    let color = |&at: &u8| colors.get(usize::from(at)).copied();
+    let pixels: Option<_> = indices.iter().map(color).collect();
+    let mut picture = colored(
+        width,
+        height,
+        pixels.ok_or("a color index leaves its table")?,
+    )?;
+    picture.table = Some(Table { indices, colors });
+    Ok(picture)
+}
+
+/// The indices of a row, which have 1, 2, 4 or 8 bits, the first in the highest bits of a byte.
+fn unpacked(row: &[u8], bits: usize, width: usize) -> impl Iterator<Item = u8> {
+    let mask = u8::MAX >> (8 - bits);
+    (0..width).map(move |x| row[x * bits / 8] >> (8 - bits - x * bits % 8) & mask)
+}
+
+/// The color of a pixel whose channels are the bits that masks select: red, green, blue and alpha. Without a mask, alpha
+/// is 255.
+fn masked(raw: &[u8], masks: [u32; 4]) -> [u8; 4] {
+    let bits = raw
+        .iter()
+        .rev()
+        .fold(0, |bits, &byte| bits << 8 | u32::from(byte));
+    let mut color = masks.map(|mask| {
+        let shift = mask.trailing_zeros() % 32;
+        let (value, most) = ((bits & mask) >> shift, (mask >> shift).max(1));
+        // At most 255, because the value is at most `most`.
+        ((u64::from(value) * 255 + u64::from(most) / 2) / u64::from(most)) as u8
+    });
+    if masks[3] == 0 {
+        color[3] = 255;
+    }
+    color
+}
+
+/// Makes pixels opaque if all of them are invisible: programs write 0 to a channel that they do not use.
+fn shown(mut pixels: Vec<[u8; 4]>) -> Vec<[u8; 4]> {
+    if pixels.iter().all(|pixel| pixel[3] == 0) {
+        for pixel in &mut pixels {
+            pixel[3] = 255;
+        }
+    }
+    pixels
+}
+
+/// Reverses the order of rows, the order of the pixels in each row, or both.
+fn turned<T>(mut list: Vec<T>, width: usize, vertically: bool, horizontally: bool) -> Vec<T> {
+    if vertically {
+        list.reverse();
+    }
+    if vertically != horizontally {
+        list.chunks_mut(width.max(1)).for_each(<[T]>::reverse);
+    }
+    list
+}
+
 /// An error of a reader as text.
-fn text(error: impl std::fmt::Debug + std::fmt::Display) -> String {
+fn text(error: impl std::fmt::Display) -> String {
     error.to_string()
 }
 
 fn png(bytes: &[u8]) -> Result<Picture, String> {
     let mut decoder = Decoder::new(Cursor::new(bytes));
-    decoder.set_transformations(Transformations::EXPAND | Transformations::STRIP_16);
+    let is_indexed = decoder.read_header_info().map_err(text)?.color_type == ColorType::Indexed;
+    decoder.set_transformations(if is_indexed {
+        Transformations::IDENTITY
+    } else {
+        Transformations::EXPAND | Transformations::STRIP_16
+    });
     let mut reader = decoder.read_info().map_err(text)?;
     let (width, height) = reader.info().size();
     check(width.into(), height.into())?;
+    let (width, height) = (width as usize, height as usize);
     let mut buffer = vec![0; reader.output_buffer_size().unwrap_or(0)];
     let frame = reader.next_frame(&mut buffer).map_err(text)?;
     let samples = &buffer[..frame.buffer_size()];
@@ -163,12 +288,32 @@ fn png(bytes: &[u8]) -> Result<Picture, String> {
         ColorType::GrayscaleAlpha => 2,
         ColorType::Rgb => 3,
         ColorType::Rgba => 4,
-        ColorType::Indexed => return Err("its palette was not read".into()),
+        ColorType::Indexed => {
+            let info = reader.info();
+            let colors = info.palette.as_deref().ok_or("it has no table of colors")?;
+            let alphas = info.trns.as_deref().unwrap_or_default().iter();
+            let alphas = alphas.copied().chain(std::iter::repeat(255));
+            let colors = colors.chunks_exact(3).zip(alphas);
+            let rows = samples.chunks_exact(frame.line_size);
+            let bits = frame.bit_depth as usize;
+            return indexed(
+                width,
+                height,
+                rows.flat_map(|row| unpacked(row, bits, width)).collect(),
+                colors
+                    .map(|(rgb, alpha)| [rgb[0], rgb[1], rgb[2], alpha])
+                    .collect(),
+            );
+        }
     };
-    picture(width as usize, height as usize, samples, channels)
+    picture(width, height, samples, channels)
 }
 
 fn jpeg(bytes: &[u8]) -> Result<Picture, String> {
+    // The reader would fill the missing part with gray.
+    if !bytes.windows(2).any(|marker| marker == [0xff, 0xd9]) {
+        return Err("it ends before its end marker".into());
+    }
     let options = DecoderOptions::default().jpeg_set_out_colorspace(ColorSpace::RGB);
     let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
     decoder.decode_headers().map_err(text)?;
@@ -178,35 +323,43 @@ fn jpeg(bytes: &[u8]) -> Result<Picture, String> {
     picture(info.width.into(), info.height.into(), &samples, 3)
 }
 
-fn bmp(bytes: &[u8]) -> Result<Picture, String> {
-    let words = |error: &dyn std::fmt::Debug| format!("{error:?}");
-    let mut decoder = BmpDecoder::new(ZCursor::new(bytes));
-    decoder.decode_headers().map_err(|error| words(&error))?;
-    let (width, height) = decoder.dimensions().ok_or("it has no header")?;
-    check(width as u64, height as u64)?;
-    let channels = decoder.colorspace().ok_or("it has no header")?;
-    let samples = decoder.decode().map_err(|error| words(&error))?;
-    picture(width, height, &samples, channels.num_components())
-}
-
 fn gif(bytes: &[u8]) -> Result<Picture, String> {
     let mut options = gif::DecodeOptions::new();
-    options.set_color_output(gif::ColorOutput::RGBA);
+    options.set_memory_limit(gif::MemoryLimit::Unlimited);
     let mut decoder = options.read_info(bytes).map_err(text)?;
     let (width, height) = (usize::from(decoder.width()), usize::from(decoder.height()));
     check(width as u64, height as u64)?;
-    let frame = decoder.read_next_frame().map_err(text)?;
+    let frame = decoder.next_frame_info().map_err(text)?;
     let frame = frame.ok_or("it has no picture")?;
-    // The first frame may cover a part of the picture; the rest is transparent.
-    let mut samples = vec![0; 4 * width * height];
-    let (left, across) = (usize::from(frame.left), usize::from(frame.width));
-    let rows = frame.buffer.chunks_exact(4 * across.max(1));
-    for (at, row) in (usize::from(frame.top)..height).zip(rows) {
-        let start = 4 * (at * width + left.min(width));
-        let len = row.len().min(4 * (width - left.min(width)));
-        samples[start..start + len].copy_from_slice(&row[..len]);
+    check(frame.width.into(), frame.height.into())?;
+    let frame = frame.clone();
+    let mut indices = vec![0; decoder.buffer_size()];
+    decoder.read_into_buffer(&mut indices).map_err(text)?;
+    let colors = frame.palette.as_deref().or(decoder.global_palette());
+    let mut colors: Vec<[u8; 4]> = colors
+        .ok_or("it has no table of colors")?
+        .chunks_exact(3)
+        .map(|rgb| [rgb[0], rgb[1], rgb[2], 255])
+        .collect();
+    let clear = frame.transparent.map(usize::from);
+    if let Some(color) = clear.and_then(|at| colors.get_mut(at)) {
+        color[3] = 0;
     }
-    picture(width, height, &samples, 4)
+    let (left, top) = (usize::from(frame.left), usize::from(frame.top));
+    let (across, down) = (usize::from(frame.width), usize::from(frame.height));
+    let frame = indexed(across, down, indices, colors)?;
+    if (left, top, across, down) == (0, 0, width, height) {
+        return Ok(frame);
+    }
+    // The first frame covers a part of the picture; the rest is transparent.
+    let mut pixels = vec![[0; 4]; width * height];
+    let rows = pixels.chunks_exact_mut(width).skip(top);
+    for (to, from) in rows.zip(frame.pixels.chunks_exact(across.max(1))) {
+        let to = &mut to[left.min(width)..];
+        let len = to.len().min(across);
+        to[..len].copy_from_slice(&from[..len]);
+    }
+    colored(width, height, pixels)
 }
 
 fn webp(bytes: &[u8]) -> Result<Picture, String> {
@@ -218,67 +371,4 @@ fn webp(bytes: &[u8]) -> Result<Picture, String> {
     decoder.read_image(&mut samples).map_err(text)?;
     let channels = if decoder.has_alpha() { 4 } else { 3 };
     picture(width as usize, height as usize, &samples, channels)
-}
-
-/// Whether a file may be a TGA. Because TGA has no signature at its start, this checks that the fields of its header
-/// make sense.
-fn is_tga(bytes: &[u8]) -> bool {
-    let Some(&[_, has_table, kind, .., bits, flags]) = bytes.first_chunk::<18>() else {
-        return false;
-    };
-    has_table <= 1
-        && matches!(kind & !8, 1..=3)
-        && matches!(bits, 8 | 15 | 16 | 24 | 32)
-        && flags >> 6 == 0
-}
-
-fn tga(bytes: &[u8]) -> Result<Picture, String> {
-    let file = RawTga::from_slice(bytes).map_err(|error| format!("{error:?}"))?;
-    let size = file.size();
-    check(size.width.into(), size.height.into())?;
-    let alpha = bytes[17] & 0xf;
-    let (width, height) = (size.width as usize, size.height as usize);
-    let color = |raw: u32, bits: Bpp| -> [u8; 4] {
-        let [b, g, r, a] = raw.to_le_bytes();
-        // A channel of 5 bits, widened to 255 steps and rounded to nearest.
-        let wide = |shift: u32| ((((raw >> shift) & 31) * 527 + 23) >> 6) as u8;
-        match bits {
-            Bpp::Bits32 if alpha > 0 => [r, g, b, a],
-            Bpp::Bits24 | Bpp::Bits32 => [r, g, b, 255],
-            _ => [wide(10), wide(5), wide(0), 255],
-        }
-    };
-    let mut pixels = vec![[0, 0, 0, 255]; width * height];
-    let mut count = 0;
-    for pixel in file.pixels() {
-        count += 1;
-        // The reader counts from the top left corner.
-        #[allow(clippy::cast_sign_loss)] // within the picture
-        let at = pixel.position.y as usize * width + pixel.position.x as usize;
-        let Some(place) = pixels.get_mut(at) else {
-            continue;
-        };
-        *place = match (file.data_type(), file.color_map()) {
-            (DataType::ColorMapped, Some(map)) => {
-                let entry = map.get_raw(pixel.color as usize);
-                color(
-                    entry.ok_or("a color index leaves its table")?,
-                    map.entry_bpp(),
-                )
-            }
-            (DataType::BlackAndWhite, _) => {
-                let gray = pixel.color as u8;
-                [gray, gray, gray, 255]
-            }
-            _ => color(pixel.color, file.color_bpp()),
-        };
-    }
-    if count < pixels.len() {
-        return Err(format!("it ends after {count} of {} pixels", pixels.len()));
-    }
-    Ok(Picture {
-        width: size.width,
-        height: size.height,
-        pixels,
-    })
 }

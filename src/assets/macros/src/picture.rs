@@ -93,37 +93,13 @@ pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
         format!("{problem}; with size = \"{width}x{height}\" it is resampled")
     })?;
     // Each color is converted once; the pixels are its indices.
-    let mut places: HashMap<[u8; 4], u32> = HashMap::new();
-    let mut colors = Vec::new();
-    let indices: Vec<u32> = picture
-        .pixels
-        .iter()
-        .map(|&pixel| {
-            *places.entry(pixel).or_insert_with(|| {
-                colors.push(pixel);
-                colors.len() as u32 - 1
-            })
-        })
-        .collect();
-    let count = colors.len();
-    let colors = out.bytes(colors.concat());
-    let (kind, list) = if count <= 256 {
-        (
-            "Bytes",
-            indices.iter().map(|&at| at as u8).collect::<Vec<u8>>(),
-        )
+    let (kind, list, colors) = if let Some((indices, colors)) = picture.palette() {
+        ("Bytes", indices, colors)
     } else {
-        (
-            "Words",
-            indices
-                .iter()
-                .flat_map(|at| {
-                    let [a, b, c, _] = at.to_le_bytes();
-                    [a, b, c]
-                })
-                .collect(),
-        )
+        let (indices, colors) = indexed(&picture.pixels);
+        ("Words", indices, colors)
     };
+    let colors = out.bytes(colors.concat());
     let list = out.bytes(list);
     let pixels = picture.pixels.len();
     let path = &arguments.path.value;
@@ -151,6 +127,20 @@ pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
         "<_ as fixel::texture::include::FromFile<Asset, {pixels}>>::VALUE"
     ));
     Ok(out)
+}
+
+/// The pixels as indices of three bytes, and the colors that occur.
+fn indexed(pixels: &[[u8; 4]]) -> (Vec<u8>, Vec<[u8; 4]>) {
+    let (mut places, mut colors) = (HashMap::new(), Vec::new());
+    let mut indices = Vec::with_capacity(3 * pixels.len());
+    for &pixel in pixels {
+        let place = *places.entry(pixel).or_insert_with(|| {
+            colors.push(pixel);
+            colors.len() - 1
+        });
+        indices.extend_from_slice(&place.to_le_bytes()[..3]);
+    }
+    (indices, colors)
 }
 
 /// Refuses sides that a texture cannot have.
