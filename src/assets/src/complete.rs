@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::{Corner, Model, Triangle};
+use super::{Corner, Model, Smoothing, Triangle};
 use crate::vector::{Vector, add, cross, dot, length, sub};
 
 /// Cosine of the largest angle, 60 degrees, between faces that are shaded as one surface.
@@ -80,7 +80,7 @@ impl Model {
     }
 
     /// Computes normals for the corners that have none: the mean of the faces around the point, weighted by area.
-    /// Only faces within 60 degrees count, so that the edges of a box stay sharp.
+    /// Of faces without smoothing group, only those within 60 degrees count, so that the edges of a box stay sharp.
     fn make_normals(&mut self) {
         let lacks = |corner: &Corner| corner.normal.is_none();
         if !self
@@ -119,7 +119,19 @@ impl Model {
                 .iter()
                 .map(|at| self.area_normal(&self.triangles[at / 3]))
                 .collect();
-            for (at, sum) in corners.into_iter().zip(smooth(&faces)) {
+            let mut sums = smooth(&faces);
+            let smoothing = |place: usize| self.triangles[corners[place] / 3].smoothing;
+            for (place, sum) in sums.iter_mut().enumerate() {
+                *sum = match smoothing(place) {
+                    Smoothing::Angle => continue,
+                    Smoothing::Flat => faces[place],
+                    group @ Smoothing::Group(_) => {
+                        let same = (0..faces.len()).filter(|&other| smoothing(other) == group);
+                        same.fold([0.0; 3], |sum, other| add(sum, faces[other]))
+                    }
+                };
+            }
+            for (at, sum) in corners.into_iter().zip(sums) {
                 let corner = &mut self.triangles[at / 3].corners[at % 3];
                 if corner.normal.is_some() {
                     continue;

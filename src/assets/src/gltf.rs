@@ -14,8 +14,7 @@ use gltf::{Accessor, Document, Gltf, Node, Primitive, Semantic};
 
 use super::files::Folder;
 use super::mtl::byte;
-use super::polygon::Ears;
-use super::{Corner, Image, Material, Model, next};
+use super::{Corner, Image, Material, Model, Smoothing, next};
 
 /// Reads a glTF file: the triangles of its default scene, or of its first one.
 pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
@@ -37,7 +36,6 @@ pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
     let mut reader = Reader {
         buffers: &buffers,
         model: Model::default(),
-        ears: Ears::default(),
         seen: vec![false; document.nodes().count()],
         folder: Folder {
             all: buffers.iter().map(Vec::len).sum(),
@@ -187,7 +185,6 @@ fn buffers(
 struct Reader<'b> {
     buffers: &'b [Vec<u8>],
     model: Model,
-    ears: Ears,
     /// Which nodes have been added.
     seen: Vec<bool>,
     folder: Folder<'b>,
@@ -336,29 +333,29 @@ impl Reader<'_> {
             } else {
                 [a, b, c]
             };
-            let corners = triangle.map(|index| Corner {
+            let mut corners = triangle.map(|index| Corner {
                 position: first[0] + index,
                 uv: has_uvs.as_ref().map(|_| first[1] + index),
                 normal: has_normals.as_ref().map(|_| first[2] + index),
                 color: has_colors.as_ref().map(|_| first[3] + index),
             });
-            self.model.polygon(&mut self.ears, &corners, material);
+            self.model.polygon(&mut corners, material, Smoothing::Angle)
         };
         match primitive.mode() {
             Mode::TriangleStrip => {
                 for (at, corners) in indices.windows(3).enumerate() {
                     let [a, b, c] = [corners[0], corners[1], corners[2]];
-                    triangle(if at % 2 == 0 { [a, b, c] } else { [b, a, c] });
+                    triangle(if at % 2 == 0 { [a, b, c] } else { [b, a, c] })?;
                 }
             }
             Mode::TriangleFan => {
                 for corners in indices.get(1..).unwrap_or_default().windows(2) {
-                    triangle([indices[0], corners[0], corners[1]]);
+                    triangle([indices[0], corners[0], corners[1]])?;
                 }
             }
             _ => {
                 for corners in indices.chunks_exact(3) {
-                    triangle([corners[0], corners[1], corners[2]]);
+                    triangle([corners[0], corners[1], corners[2]])?;
                 }
             }
         }

@@ -61,6 +61,7 @@ pub struct Model {
     pub files: Vec<PathBuf>,
     /// What was replaced or left out.
     pub notes: Notes,
+    ears: Ears,
 }
 
 /// A triangle.
@@ -70,6 +71,20 @@ pub struct Triangle {
     pub corners: [Corner; 3],
     /// Index of its material.
     pub material: Option<u32>,
+    /// How its edges are shaded where it has no normals.
+    pub smoothing: Smoothing,
+}
+
+/// Which faces around a point are shaded as one surface, where the file has no normals.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Smoothing {
+    /// Those that meet at 60 degrees or less.
+    #[default]
+    Angle,
+    /// None: each face is flat.
+    Flat,
+    /// Those of the same group.
+    Group(u32),
 }
 
 /// Indices into a model's lists.
@@ -108,7 +123,12 @@ pub fn read(path: &Path, files: &dyn Files) -> Result<Model, String> {
             Format::Ply => read_ply(&bytes, folder)?,
             Format::Gltf => read_gltf(&bytes, folder)?,
         };
-        model.check()?;
+        if model.triangles.is_empty() {
+            return Err(match model.notes.iter().next() {
+                Some(note) => format!("there is nothing to draw: {note}"),
+                None => "it has no faces: there is nothing to draw".into(),
+            });
+        }
         model.edges.sort_unstable();
         model.edges.dedup();
         model
@@ -144,19 +164,6 @@ fn next<T>(list: &[T]) -> Result<u32, String> {
 }
 
 impl Model {
-    /// Adds a polygon as triangles, and its outline.
-    fn polygon(&mut self, ears: &mut Ears, corners: &[Corner], material: Option<u32>) {
-        let triangles = ears.triangles(&self.positions, corners);
-        self.triangles
-            .extend(triangles.iter().map(|triangle| Triangle {
-                corners: triangle.map(|at| corners[at]),
-                material,
-            }));
-        for (at, corner) in corners.iter().enumerate() {
-            self.edge(corner.position, corners[(at + 1) % corners.len()].position);
-        }
-    }
-
     /// Adds an edge.
     fn edge(&mut self, from: u32, to: u32) {
         if from != to {
@@ -164,44 +171,9 @@ impl Model {
         }
     }
 
-    /// Refuses a model with nothing to draw, and numbers that no scale can bring into range.
-    fn check(&self) -> Result<(), String> {
-        if self.triangles.is_empty() {
-            return Err("it has no faces: there is nothing to draw".into());
-        }
-        for (at, position) in self.positions.iter().enumerate() {
-            if let Some(x) = position.iter().find(|x| !is_usable(**x)) {
-                return Err(format!("position {at}: {}", unusable(x)));
-            }
-        }
-        for (at, uv) in self.uvs.iter().enumerate() {
-            if let Some(x) = uv.iter().find(|&&x| !is_tex_coord(x)) {
-                return Err(format!(
-                    "texture coordinate {at}: {x} cannot be represented: it must lie between -2048 and 2047.99999"
-                ));
-            }
-        }
-        Ok(())
-    }
-
     /// Whether faces have colors of their own.
     #[must_use]
     pub fn is_colored(&self) -> bool {
         !self.colors.is_empty() || !self.materials.is_empty()
     }
-}
-
-/// Whether a number can be scaled to the library's range, and its square can be computed.
-fn is_usable(x: f64) -> bool {
-    x.abs() <= 1e30
-}
-
-/// Says that a number is not usable.
-fn unusable(x: impl std::fmt::Display) -> String {
-    format!("coordinate {x} cannot be represented: it must lie between -1e30 and 1e30")
-}
-
-/// Whether a texture coordinate fits into the library's format.
-fn is_tex_coord(x: f64) -> bool {
-    (-2048.0..2_047.999_995).contains(&x)
 }

@@ -1,42 +1,47 @@
 //! What a reader replaced or left out.
 
-use std::fmt;
-
 /// Sentences for the user about what was replaced or left out, one for each kind.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Notes(Vec<(String, usize)>);
+pub struct Notes {
+    sentences: Vec<(String, usize)>,
+    left_out: Vec<String>,
+}
 
 impl Notes {
     /// Adds a sentence, or counts it if it is there already.
-    pub fn add(&mut self, note: impl Into<String>) {
-        let note = note.into();
-        match self.0.iter_mut().find(|(other, _)| *other == note) {
+    pub fn add(&mut self, sentence: impl Into<String>) {
+        let sentence = sentence.into();
+        match self
+            .sentences
+            .iter_mut()
+            .find(|(other, _)| *other == sentence)
+        {
             Some((_, times)) => *times += 1,
-            None => self.0.push((note, 1)),
+            None => self.sentences.push((sentence, 1)),
+        }
+    }
+
+    /// Names something in the file that is not drawn. All such names share one sentence.
+    pub fn left_out(&mut self, feature: impl Into<String>) {
+        let feature = feature.into();
+        if !self.left_out.contains(&feature) {
+            self.left_out.push(feature);
         }
     }
 
     /// The sentences, in the order of their first occurrence.
-    pub fn iter(&self) -> impl Iterator<Item = impl fmt::Display + '_> {
-        self.0.iter().map(Note)
+    pub fn iter(&self) -> impl Iterator<Item = String> + '_ {
+        let sentences = self.sentences.iter().map(|(sentence, times)| match times {
+            1 => sentence.clone(),
+            _ => format!("{sentence} ({times} times)"),
+        });
+        let left_out = format!("not drawn: {}", self.left_out.join(", "));
+        sentences.chain((!self.left_out.is_empty()).then_some(left_out))
     }
 
     /// Whether there are none.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
-    }
-}
-
-struct Note<'a>(&'a (String, usize));
-
-impl fmt::Display for Note<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (note, times) = self.0;
-        f.write_str(note)?;
-        match times {
-            1 => Ok(()),
-            _ => write!(f, " ({times} times)"),
-        }
+        self.sentences.is_empty() && self.left_out.is_empty()
     }
 }

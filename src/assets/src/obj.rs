@@ -4,11 +4,9 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use super::files::Folder;
-use super::is_tex_coord;
 use super::mtl;
-use super::polygon::Ears;
 use super::text::{Statements, after_keyword, number, quote, words};
-use super::{Corner, Model, is_usable, next, unusable};
+use super::{Corner, Model, Smoothing, next};
 
 /// Reads OBJ text, and the materials that it names from `folder`.
 pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
@@ -57,11 +55,6 @@ impl Reader {
         match words.next() {
             Some(b"v") => {
                 let numbers = numbers(words, 3, 7)?;
-                for &(word, value) in &numbers[..3] {
-                    if !is_usable(value) {
-                        return Err(unusable(String::from_utf8_lossy(word)));
-                    }
-                }
                 let at = |at: usize| numbers[at].1;
                 // Three more numbers are a color; one more number is a weight.
                 if numbers.len() >= 6 {
@@ -76,25 +69,11 @@ impl Reader {
                 let numbers = numbers(words, 1, 2)?;
                 let (u, v) = (numbers[0], numbers.get(1).copied().unwrap_or((b"0", 0.0)));
                 // In OBJ files, v points up. Here it points down, as an image's rows do.
-                for (word, fits, range) in [
-                    (u.0, is_tex_coord(u.1), "-2048 and 2047.99999"),
-                    (v.0, is_tex_coord(1.0 - v.1), "-2046.99999 and 2049"),
-                ] {
-                    if !fits {
-                        return Err(format!(
-                            "coordinate {} cannot be represented: it must lie between {range}",
-                            String::from_utf8_lossy(word)
-                        ));
-                    }
-                }
                 self.model.uvs.push([u.1, 1.0 - v.1]);
             }
             Some(b"vn") => {
                 let numbers = numbers(words, 3, 3)?;
                 let normal = [numbers[0].1, numbers[1].1, numbers[2].1];
-                if let Some((word, _)) = numbers.iter().find(|(_, value)| !is_usable(*value)) {
-                    return Err(unusable(String::from_utf8_lossy(word)));
-                }
                 self.model.normals.push(normal);
             }
             Some(b"f") => {
@@ -214,7 +193,6 @@ impl Reader {
         if is_colored {
             model.colors.resize(model.positions.len(), [255; 3]);
         }
-        let mut ears = Ears::default();
         for Polygon { corners, material } in self.polygons {
             let corners = &mut self.corners[corners];
             for corner in corners.iter_mut() {
@@ -227,7 +205,7 @@ impl Reader {
                 }
             }
             let material = material.and_then(|name| materials[name as usize]);
-            model.polygon(&mut ears, corners, material);
+            model.polygon(corners, material, Smoothing::Angle)?;
         }
         Ok(self.model)
     }

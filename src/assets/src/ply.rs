@@ -9,9 +9,8 @@ use ply_rs_bw::ply::{
 };
 
 use super::files::Folder;
-use super::polygon::Ears;
 use super::text::{number, quote, words};
-use super::{Corner, Model, is_usable, next, unusable};
+use super::{Corner, Model, Smoothing, next};
 
 /// How many elements are read at a time, between two steps of the progress bar.
 const STEP: usize = 1 << 14;
@@ -32,7 +31,6 @@ pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
     };
     let mut model = Model::default();
     let mut has = Attributes::default();
-    let mut ears = Ears::default();
     let elements: Vec<ElementDef> = file.header.elements.values().cloned().collect();
     for element in elements {
         let names = |name: &str| element.properties.contains_key(name);
@@ -49,10 +47,6 @@ pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
                     uvs: UVS.iter().any(|[u, v]| names(u) && names(v)),
                 };
                 file.rows(&element, folder, |row| {
-                    let numbers = row.position.iter().chain(&row.normal);
-                    if let Some(x) = numbers.into_iter().find(|x| !is_usable(**x)) {
-                        return Err(unusable(x));
-                    }
                     model.positions.push(row.position);
                     if has.normals {
                         model.normals.push(row.normal);
@@ -99,8 +93,7 @@ pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
                             model.uvs.push([uv[0], 1.0 - uv[1]]);
                         }
                     }
-                    model.polygon(&mut ears, &corners, None);
-                    Ok(())
+                    model.polygon(&mut corners, None, Smoothing::Angle)
                 })?;
             }
             _ => file.rows(&element, folder, |_| Ok(()))?,
@@ -171,9 +164,6 @@ fn explain(line: &[u8], element: &ElementDef) -> Option<String> {
                 Err(problem) => return Some(problem),
                 Ok(value) => value,
             };
-            if !is_usable(value) {
-                return Some(unusable(String::from_utf8_lossy(word)));
-            }
             let is_fraction = matches!(kind, ScalarType::Float | ScalarType::Double);
             if !is_fraction && value.fract() != 0.0 {
                 return Some(format!("{} is not a whole number", quote(word)));

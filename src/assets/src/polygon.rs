@@ -1,9 +1,156 @@
-//! Triangulates polygons.
+//! Adds polygons to a model: replaces what cannot be used, and cuts them into triangles.
+
+use std::fmt;
 
 use earcut::{Earcut, deviation};
 
-use super::Corner;
-use crate::vector::sub;
+use crate::vector::{Vector, sub, unit};
+use crate::{Corner, Model, Smoothing, Triangle, next};
+
+/// The largest coordinate that is used: its square can be computed in f64, and every scale brings it into range.
+const MOST: f64 = 1e30;
+
+/// Texture coordinates beyond are brought near 0 by whole repeats. The mesh's format ends at 2048.
+const FAR: f64 = 1024.0;
+
+impl Model {
+    /// Adds a polygon as triangles, and its outline. What cannot be used is replaced or left out, and noted: a polygon
+    /// of less than 3 corners, or with a position that is missing or is no number; a texture coordinate likewise, and
+    /// one far from 0; a normal without direction.
+    ///
+    /// # Errors
+    ///
+    /// The model has more elements than can be counted.
+    pub(crate) fn polygon(
+        &mut self,
+        corners: &mut [Corner],
+        material: Option<u32>,
+        smoothing: Smoothing,
+    ) -> Result<(), String> {
+        if corners.len() < 3 {
+            self.notes.add("a face of fewer than 3 corners is left out");
+            return Ok(());
+        }
+        let is_usable = |corner: &Corner| {
+            let position = self.positions.get(corner.position as usize);
+            position.map(|position| position.iter().all(|x| x.abs() <= MOST))
+        };
+        for corner in &*corners {
+            match is_usable(corner) {
+                Some(true) => {}
+                Some(false) => {
+                    self.notes.add(
+                        "a face is left out: a coordinate of a corner is not a number from -1e30 to 1e30",
+                    );
+                    return Ok(());
+                }
+                None => {
+                    self.notes
+                        .add("a face is left out: it names a vertex that does not exist");
+                    return Ok(());
+                }
+            }
+        }
+        self.fix_uvs(corners)?;
+        self.fix_normals(corners)?;
+        let colors = self.colors.len();
+        for corner in &mut *corners {
+            corner.color = corner.color.filter(|&at| (at as usize) < colors);
+        }
+        let triangles = self.ears.triangles(&self.positions, corners);
+        self.triangles
+            .extend(triangles.iter().map(|triangle| Triangle {
+                corners: triangle.map(|at| corners[at]),
+                material,
+                smoothing,
+            }));
+        for (at, corner) in corners.iter().enumerate() {
+            self.edge(corner.position, corners[(at + 1) % corners.len()].position);
+        }
+        Ok(())
+    }
+
+    /// A texture needs coordinates at all corners, and near 0.
+    fn fix_uvs(&mut self, corners: &mut [Corner]) -> Result<(), String> {
+        if corners.iter().all(|corner| corner.uv.is_none()) {
+            return Ok(());
+        }
+        let uvs = corners.iter().map(|corner| {
+            let uv = *self.uvs.get(corner.uv? as usize)?;
+            uv.iter().all(|x| x.abs() <= MOST).then_some(uv)
+        });
+        let uvs: Option<Vec<[f64; 2]>> = uvs.collect();
+        let low = |uvs: &[[f64; 2]], axis: usize| {
+            let all = uvs.iter().map(|uv| uv[axis]);
+            all.fold(f64::MAX, f64::min).floor()
+        };
+        let Some(uvs) = uvs else {
+            self.notes
+                .add("a face's texture coordinates are left out: not every corner has them");
+            corners.iter_mut().for_each(|corner| corner.uv = None);
+            return Ok(());
+        };
+        if uvs.iter().flatten().all(|x| x.abs() <= FAR) {
+            return Ok(());
+        }
+        self.notes
+            .add("a face's texture coordinates beyond 1024 are brought near 0 by whole repeats");
+        let low = [low(&uvs, 0), low(&uvs, 1)];
+        for (corner, uv) in corners.iter_mut().zip(uvs) {
+            corner.uv = Some(next(&self.uvs)?);
+            self.uvs
+                .push([0, 1].map(|axis| (uv[axis] - low[axis]).min(FAR)));
+        }
+        Ok(())
+    }
+
+    /// Replaces normals without direction by the polygon's.
+    fn fix_normals(&mut self, corners: &mut [Corner]) -> Result<(), String> {
+        let mut own = None;
+        for at in 0..corners.len() {
+            let Some(index) = corners[at].normal else {
+                continue;
+            };
+            let normal = self.normals.get(index as usize);
+            if normal.is_some_and(|&normal| {
+                normal.iter().all(|x| x.abs() <= MOST) && unit(normal).is_some()
+            }) {
+                continue;
+            }
+            self.notes
+                .add("a normal is replaced by that of its face: it is missing or has no direction");
+            let replaced = match own {
+                Some(own) => own,
+                None => {
+                    let new = next(&self.normals)?;
+                    let direction = unit(newell(&self.positions, corners));
+                    self.normals.push(direction.unwrap_or([0.0, 0.0, 1.0]));
+                    *own.insert(new)
+                }
+            };
+            corners[at].normal = Some(replaced);
+        }
+        Ok(())
+    }
+}
+
+/// Newell's normal of a polygon, relative to the first corner, so that a polygon far from the origin loses no digits.
+fn newell(positions: &[Vector], corners: &[Corner]) -> Vector {
+    let origin = positions[corners[0].position as usize];
+    let relative = |corner: &Corner| sub(positions[corner.position as usize], origin);
+    let mut normal = [0.0; 3];
+    for (at, corner) in corners.iter().enumerate() {
+        let (p, q) = (
+            relative(corner),
+            relative(&corners[(at + 1) % corners.len()]),
+        );
+        for (axis, sum) in normal.iter_mut().enumerate() {
+            let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
+            *sum += (p[a] - q[a]) * (p[b] + q[b]);
+        }
+    }
+    normal
+}
 
 /// Cuts polygons into triangles.
 #[derive(Default)]
@@ -12,6 +159,12 @@ pub struct Ears {
     points: Vec<[f64; 2]>,
     indices: Vec<u32>,
     triangles: Vec<[usize; 3]>,
+}
+
+impl fmt::Debug for Ears {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Ears")
+    }
 }
 
 impl Ears {
@@ -31,28 +184,15 @@ impl Ears {
     /// Projects the corners along the axis nearest to the polygon's normal, so that the polygon is counter-clockwise;
     /// `false` for a polygon without area.
     fn project(&mut self, positions: &[[f64; 3]], corners: &[Corner]) -> bool {
-        let point = |corner: &Corner| positions[corner.position as usize];
-        // Newell's normal, relative to the first corner, so that a polygon far from the origin loses no digits.
-        let origin = point(&corners[0]);
-        let relative = |corner: &Corner| sub(point(corner), origin);
-        let mut normal = [0.0; 3];
-        for (at, corner) in corners.iter().enumerate() {
-            let (p, q) = (
-                relative(corner),
-                relative(&corners[(at + 1) % corners.len()]),
-            );
-            for (axis, sum) in normal.iter_mut().enumerate() {
-                let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
-                *sum += (p[a] - q[a]) * (p[b] + q[b]);
-            }
-        }
+        let origin = positions[corners[0].position as usize];
+        let normal = newell(positions, corners);
         let axis = (0..3)
             .max_by(|&a, &b| normal[a].abs().total_cmp(&normal[b].abs()))
             .unwrap_or(2);
         let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
         self.points.clear();
         self.points.extend(corners.iter().map(|corner| {
-            let p = relative(corner);
+            let p = sub(positions[corner.position as usize], origin);
             if normal[axis] > 0.0 {
                 [p[a], p[b]]
             } else {

@@ -5,10 +5,9 @@ use std::collections::HashMap;
 use std::io::{Cursor, Read, Result as IoResult, Seek, SeekFrom};
 
 use super::files::Folder;
-use super::polygon::Ears;
 use super::sniff::{STL, is_binary_stl};
 use super::text::{number, quote, words};
-use super::{Corner, Model, is_usable, next, unusable};
+use super::{Corner, Model, Smoothing, next};
 
 /// Reads an STL file. Its normals are ignored, because they only repeat those of the triangles, or are zero.
 pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
@@ -134,8 +133,6 @@ fn explain(line: &str, message: &str) -> String {
     for word in &numbers {
         match number(word) {
             Err(problem) => return problem,
-            // The number fits the format of these files, but not this program.
-            Ok(value) if !is_usable(value) => return unusable(String::from_utf8_lossy(word)),
             Ok(_) => {}
         }
     }
@@ -229,7 +226,6 @@ impl Seek for Lines<'_> {
 #[derive(Default)]
 struct Builder {
     model: Model,
-    ears: Ears,
     indices: HashMap<[u32; 3], u32>,
 }
 
@@ -239,9 +235,6 @@ impl Builder {
         for (corner, vertex) in corners.iter_mut().zip(&triangle.vertices) {
             // −0 and 0 are the same position.
             let position = [0, 1, 2].map(|axis| vertex.0[axis] + 0.0);
-            if let Some(x) = position.iter().find(|x| !is_usable(f64::from(**x))) {
-                return Err(unusable(x));
-            }
             let new = next(&self.model.positions)?;
             corner.position = *self
                 .indices
@@ -251,7 +244,6 @@ impl Builder {
                 self.model.positions.push(position.map(f64::from));
             }
         }
-        self.model.polygon(&mut self.ears, &corners, None);
-        Ok(())
+        self.model.polygon(&mut corners, None, Smoothing::Angle)
     }
 }
