@@ -30,6 +30,8 @@
 /// |---|---|
 /// | `short` | positions of 16 bits: see [`Mesh::short`](crate::Mesh::short) |
 /// | `quantized_16`, `quantized_8` | a [`Quantized`](crate::mesh::Quantized) mesh, whose texture coordinates have 16 or 8 bits |
+/// | `normals` | normals for corners that have none: the mean of the faces around the point that meet at 60 degrees or less or, in OBJ files, are in the same smoothing group |
+/// | `object = "name"` | only the faces of the object with this name: a glTF mesh, an OBJ object or group, an STL solid |
 /// | `part = "name"` | only the faces of the material with this name |
 /// | `scale = 0.01` | positions are multiplied by this number |
 /// | `up = z` | z points up in the file; the model is turned so that y does. This is the default for STL, `up = y` for other formats |
@@ -88,12 +90,34 @@ macro_rules! include_materials {
     };
 }
 
+/// The [`Outline`](crate::mesh::Outline) of the mesh that [`include_mesh!`] makes of the same file and options, found by
+/// the compiler and stored in flash.
+///
+/// ```standalone_crate
+/// use fixel::mesh::Outline;
+/// use fixel::prelude::*;
+/// static HOUSE: Mesh = include_mesh!("../tests/models/house.obj");
+/// static EDGES: Outline = include_outline!("../tests/models/house.obj", crease = 35);
+/// assert!(EDGES.creases() > 0);
+/// ```
+///
+/// The options are `object`, `part`, `scale` and `up`, as for the mesh, and `crease`: edges whose faces meet at more than
+/// this angle are creases. It is in degrees, from 0 to 180, and 30 without this option; 30 to 45 suit most models.
+/// [`Outline::build`](crate::mesh::Outline::build) describes which edges are found.
+#[macro_export]
+macro_rules! include_outline {
+    ($($input:tt)*) => {
+        $crate::__assets! { outline $crate $($input)* }
+    };
+}
+
 /// A texture from a picture file, read by the compiler and stored in flash: PNG, JPEG, BMP, TGA, GIF or WebP, or a
 /// picture that a model contains.
 ///
 /// The expected type decides the result: a [`Texture`](crate::Texture); a [`TextureArray`](crate::TextureArray) of the
 /// picture's size; or, for a picture of at most 256 colors, a [`Palette`](crate::texture::Palette) or a
-/// [`PaletteArray`](crate::texture::PaletteArray). The color may be any of embedded-graphics', rounded to the nearest
+/// [`PaletteArray`](crate::texture::PaletteArray); with the option `mipmap`, a [`Mipmap`](crate::texture::Mipmap) or a
+/// [`MipmapArray`](crate::texture::MipmapArray). The color may be any of embedded-graphics', rounded to the nearest
 /// step of each channel; gray is the BT.601 luma (0.299 red + 0.587 green + 0.114 blue). Only the texels are stored in
 /// flash, not the file.
 ///
@@ -116,6 +140,7 @@ macro_rules! include_materials {
 /// | option | meaning |
 /// |---|---|
 /// | `size = "256x256"` | the picture is resampled to this size, in which width and height are powers of two, at most 32,768 |
+/// | `mipmap` | all levels of a mipmap, each the mean of the picture's pixels |
 /// | `image = 1` | which picture of a model, counted from 0 |
 ///
 /// The path is relative to the source file. A picture cannot become an array of another size:

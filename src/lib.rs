@@ -338,5 +338,5 @@ pub mod prelude {
     pub use crate::{deg, fx, outline, shape, vec2, vec3};
     #[cfg(feature = "assets")]
     #[doc(no_inline)]
-    pub use crate::{include_materials, include_mesh, include_texture};
+    pub use crate::{include_materials, include_mesh, include_outline, include_texture};
 }

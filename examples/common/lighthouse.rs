@@ -184,7 +184,7 @@ pub const fn is_mono<C: Levels>() -> bool {
 }
 
 /// The outline against sky and sea; no edge is a crease.
-pub static SILHOUETTES: Outline = outline!(ISLAND, deg!(180));
+pub static SILHOUETTES: Outline = include_outline!("../assets/lighthouse.obj", crease = 180);
 
 /// The shader of the sea by night: black water with crests of waves.
 pub fn crests<C: Levels>() -> impl Shader<Color = C, Varyings = Texels> {

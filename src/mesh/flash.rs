@@ -3,7 +3,7 @@
 pub use embedded_graphics::pixelcolor::Rgb888;
 
 pub use super::quantized::{StoredUvs, UvGrid, short_normal};
-use super::{Buffers, Index, Mesh};
+use super::{Buffers, Index, Mesh, Outline};
 pub use crate::message::checked;
 use crate::{Vec2, Vec3};
 
@@ -46,6 +46,12 @@ impl<const N: usize> Room<N> {
             colors: &mut self.colors,
         }
     }
+}
+
+/// An outline that the macro has found.
+#[must_use]
+pub const fn outline<'a>(edges: &'a [[Index; 4]], creases: usize) -> Outline<'a> {
+    Outline::of(edges, creases)
 }
 
 /// The first elements of a list, as many as the result's length says.

@@ -2,7 +2,7 @@
 
 pub use super::color::*;
 use super::sampler::{self, Grid};
-use super::{Palette, PaletteArray, Texture, TextureArray};
+use super::{Mipmap, MipmapArray, Palette, PaletteArray, Texture, TextureArray};
 use crate::message;
 
 /// A picture that the macro has read.
@@ -15,7 +15,7 @@ pub trait File {
     const PATH: &'static str;
     /// Columns and rows, which a texture may have.
     const SIZE: [u32; 2];
-    /// The pixels, row by row, as indices of colors.
+    /// The pixels, row by row, as indices of colors; of a mipmap, those of all levels.
     const PIXELS: Pixels;
 }
 
@@ -45,7 +45,7 @@ pub trait Convert<F: File, const N: usize>: Copy + 'static {
 #[diagnostic::on_unimplemented(
     message = "a picture cannot become a `{Self}`",
     label = "expected a texture in a color of embedded-graphics",
-    note = "write the type as `Texture<Rgb565>`, `TextureArray<Rgb565, WIDTH, HEIGHT>`, `Palette<Rgb565>` or `PaletteArray<Rgb565, WIDTH, HEIGHT>`"
+    note = "write the type as `Texture<Rgb565>`, `TextureArray<Rgb565, WIDTH, HEIGHT>`, `Palette<Rgb565>`, `PaletteArray<Rgb565, WIDTH, HEIGHT>` or `Mipmap<Rgb565>`"
 )]
 pub trait FromFile<F: File, const N: usize>: Sized {
     /// The texture.
@@ -95,4 +95,23 @@ impl<F: File, C: Convert<F, N>, const N: usize, const W: usize, const H: usize> 
     for PaletteArray<C, W, H>
 {
     const VALUE: Self = PaletteArray::from_rows(rows::<F, u8, W, H>(indices::<F>()), *C::COLORS);
+}
+
+impl<F: File, C: Convert<F, N>, const N: usize> FromFile<F, N> for Mipmap<'static, C> {
+    const VALUE: Self = {
+        let [width, height] = F::SIZE;
+        message::checked(Mipmap::new(C::TEXELS, width, height), F::PATH)
+    };
+}
+
+impl<F: File, C: Convert<F, N>, const N: usize, const W: usize, const H: usize> FromFile<F, N>
+    for MipmapArray<C, W, H, N>
+{
+    const VALUE: Self = {
+        let [width, height] = F::SIZE;
+        if width as usize != W || height as usize != H {
+            message::wrong_size(F::PATH, F::SIZE, [W, H]);
+        }
+        MipmapArray::from_texels(*C::TEXELS)
+    };
 }

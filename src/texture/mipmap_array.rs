@@ -40,6 +40,12 @@ pub struct MipmapArray<C, const W: usize, const H: usize, const LENGTH: usize> {
 }
 
 impl<C: Copy, const W: usize, const H: usize, const LENGTH: usize> MipmapArray<C, W, H, LENGTH> {
+    /// A mipmap of the texels of all levels.
+    pub(super) const fn from_texels(texels: [C; LENGTH]) -> Self {
+        const { check::<W, H, LENGTH>() };
+        Self { texels }
+    }
+
     /// Borrows it as a [`Mipmap`], whose size is not part of the type.
     #[must_use]
     pub const fn as_mipmap(&self) -> Mipmap<'_, C> {

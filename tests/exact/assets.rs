@@ -1,9 +1,10 @@
 //! Files in flash: the macros give what a person would write by hand.
 
-use embedded_graphics::pixelcolor::{Gray8, Rgb565, Rgb888};
-use fixel::mesh::Part;
+use embedded_graphics::pixelcolor::{Gray8, Rgb565, Rgb888, RgbColor};
+use fixel::mesh::{Outline, Part};
 use fixel::prelude::*;
-use fixel::texture::{Argb4444, Palette, Sampler};
+use fixel::texture::{Argb4444, Mipmap, MipmapArray, Palette, Sampler};
+use fixel::{Angle, Index};
 
 #[test]
 fn a_part_has_only_its_own_values() {
@@ -76,4 +77,86 @@ fn a_picture_becomes_any_texture() {
     for (u, v) in (0..2).flat_map(|v| (0..4).map(move |u| (u, v))) {
         assert_eq!(TILES.texel(u, v), SAME.texel(u, v));
     }
+}
+
+/// The macro finds outlines in f64, `Outline::build` in integers.
+#[test]
+fn outlines_are_those_that_are_built() {
+    static HOUSE: Mesh = include_mesh!("../models/house.obj");
+    static CABIN: Mesh = include_mesh!("../../examples/assets/cabin.obj");
+    static LIGHTHOUSE: Mesh = include_mesh!("../../examples/assets/lighthouse.obj");
+    let cases: [(&Mesh, Outline, i32); 5] = [
+        (&HOUSE, include_outline!("../models/house.obj"), 30),
+        (
+            &CABIN,
+            include_outline!("../../examples/assets/cabin.obj", crease = 50),
+            50,
+        ),
+        (
+            &LIGHTHOUSE,
+            include_outline!("../../examples/assets/lighthouse.obj", crease = 0.0),
+            0,
+        ),
+        (
+            &LIGHTHOUSE,
+            include_outline!("../../examples/assets/lighthouse.obj", crease = 35),
+            35,
+        ),
+        (
+            &LIGHTHOUSE,
+            include_outline!("../../examples/assets/lighthouse.obj", crease = 180),
+            180,
+        ),
+    ];
+    for (mesh, outline, crease) in cases {
+        let mut room = vec![[0; 4]; 3 * mesh.faces().len()];
+        let limit = Angle::from_degrees(crease);
+        let built = Outline::build(mesh, limit, &mut room).unwrap();
+        let sorted = |outline: &Outline| {
+            let (creases, others) = outline.edges().split_at(outline.creases());
+            [creases, others].map(|edges| {
+                let position = |at: Index| mesh.positions().get(usize::from(at)).unwrap();
+                // Either side of an edge may be its first, and its ends may have several indices.
+                let mut edges: Vec<_> = edges
+                    .iter()
+                    .map(|edge| edge.map(position))
+                    .map(|[a, b, c, d]| {
+                        let (ab, ba) = ([a, b, c, d], [b, a, d, c]);
+                        if d != a && ba.map(key) < ab.map(key) {
+                            ba.map(key)
+                        } else {
+                            ab.map(key)
+                        }
+                    })
+                    .collect();
+                edges.sort_unstable();
+                edges
+            })
+        };
+        assert_eq!(sorted(&outline), sorted(&built), "{crease}");
+    }
+}
+
+fn key(p: Vec3) -> [i32; 3] {
+    [p.x, p.y, p.z].map(|x| x.to_bits())
+}
+
+#[test]
+fn a_mipmap_has_the_means_of_the_picture() {
+    static PLANKS: Texture<Rgb888> = include_texture!("../../examples/assets/planks.tga");
+    static LEVELS: Mipmap<Rgb888> = include_texture!("../../examples/assets/planks.tga", mipmap);
+    static ARRAY: MipmapArray<Rgb888, 32, 32, { Mipmap::<Rgb888>::len(32, 32) }> =
+        include_texture!("../../examples/assets/planks.tga", mipmap);
+    assert_eq!(ARRAY.as_mipmap(), LEVELS);
+    assert_eq!(LEVELS.texels()[..1024], *PLANKS.texels());
+    // The last texel is the mean of all, to the nearest 255th.
+    let sum = PLANKS
+        .texels()
+        .iter()
+        .map(|texel| u32::from(texel.r()))
+        .sum::<u32>();
+    assert_eq!(
+        u32::from(LEVELS.texels().last().unwrap().r()),
+        (sum + 512) / 1024
+    );
 }

@@ -81,7 +81,7 @@ impl Model {
 
     /// Computes normals for the corners that have none: the mean of the faces around the point, weighted by area.
     /// Of faces without smoothing group, only those within 60 degrees count, so that the edges of a box stay sharp.
-    fn make_normals(&mut self) {
+    pub fn make_normals(&mut self) {
         let lacks = |corner: &Corner| corner.normal.is_none();
         if !self
             .triangles

@@ -13,6 +13,7 @@ mod material;
 mod mtl;
 mod notes;
 mod obj;
+mod outline;
 pub mod picture;
 #[cfg(feature = "ply")]
 mod ply;
@@ -49,6 +50,8 @@ pub struct Model {
     pub triangles: Vec<Triangle>,
     /// The outlines of the file's polygons, each edge once.
     pub edges: Vec<[u32; 2]>,
+    /// The names of the file's objects: its meshes, groups or solids.
+    pub objects: Vec<String>,
     /// The materials; empty if the file has none.
     pub materials: Vec<Material>,
     /// The pictures that materials name.
@@ -62,6 +65,7 @@ pub struct Model {
     /// What was replaced or left out.
     pub notes: Notes,
     ears: Ears,
+    object: Option<u32>,
 }
 
 /// A triangle.
@@ -71,6 +75,8 @@ pub struct Triangle {
     pub corners: [Corner; 3],
     /// Index of its material.
     pub material: Option<u32>,
+    /// Index of its object.
+    pub object: Option<u32>,
     /// How its edges are shaded where it has no normals.
     pub smoothing: Smoothing,
 }
@@ -164,6 +170,16 @@ fn next<T>(list: &[T]) -> Result<u32, String> {
 }
 
 impl Model {
+    /// The polygons that follow belong to the object of this name.
+    #[allow(dead_code)]
+    fn begin_object(&mut self, name: &str) {
+        let found = self.objects.iter().position(|object| object == name);
+        if found.is_none() {
+            self.objects.push(name.into());
+        }
+        self.object = u32::try_from(found.unwrap_or(self.objects.len() - 1)).ok();
+    }
+
     /// Adds an edge.
     fn edge(&mut self, from: u32, to: u32) {
         if from != to {

@@ -1,7 +1,5 @@
 //! A model as the lists of a mesh in flash: fixed-point numbers, and indices of 16 bits.
 
-use std::collections::HashMap;
-
 use super::{Corner, Model, Triangle};
 
 /// The fraction bits of positions and normals, and of texture coordinates.
@@ -23,6 +21,8 @@ pub struct Options {
     pub z_up: bool,
     /// Only faces of the material with this name.
     pub part: Option<String>,
+    /// Only faces of the object with this name.
+    pub object: Option<String>,
 }
 
 impl Default for Options {
@@ -31,6 +31,7 @@ impl Default for Options {
             scale: 1.0,
             z_up: false,
             part: None,
+            object: None,
         }
     }
 }
@@ -98,74 +99,99 @@ const fn narrow(index: u32) -> u16 {
     index as u16
 }
 
-/// Keeps the values of a list that corners name, in their order, and renumbers the corners.
+/// Keeps the values of a list that corners or `others` name, in their order, and renumbers the corners. Returns them, and the new
+/// place of each old one.
 fn compact<T: Clone>(
-    triangles: &mut [Triangle],
     values: &[T],
+    triangles: &mut [Triangle],
+    others: &[[u32; 2]],
     index: impl Fn(&mut Corner) -> Option<&mut u32>,
-) -> Vec<T> {
-    let mut kept = Vec::new();
-    let mut places = HashMap::new();
-    let corners = triangles
-        .iter_mut()
-        .flat_map(|triangle| &mut triangle.corners);
-    for index in corners.filter_map(index) {
-        let old = *index as usize;
-        *index = *places.entry(old).or_insert_with(|| {
-            kept.push(values[old].clone());
-            u32::try_from(kept.len() - 1).unwrap_or(u32::MAX)
-        });
+) -> (Vec<T>, Vec<Option<u32>>) {
+    let mut places = vec![None; values.len()];
+    let mut each = |change: &mut dyn FnMut(&mut u32)| {
+        let corners = triangles
+            .iter_mut()
+            .flat_map(|triangle| &mut triangle.corners);
+        corners.filter_map(&index).for_each(change);
+    };
+    each(&mut |at| places[*at as usize] = Some(0));
+    for &at in others.as_flattened() {
+        places[at as usize] = Some(0);
     }
-    kept
+    let mut kept = Vec::new();
+    for (value, place) in values.iter().zip(&mut places) {
+        if let Some(place) = place {
+            *place = u32::try_from(kept.len()).unwrap_or(u32::MAX);
+            kept.push(value.clone());
+        }
+    }
+    each(&mut |at| *at = places[*at as usize].unwrap_or(*at));
+    (kept, places)
+}
+
+/// Finds a name in a list.
+fn find<'a>(
+    wanted: Option<&str>,
+    what: &str,
+    mut names: impl Iterator<Item = &'a str> + Clone,
+) -> Result<Option<u32>, String> {
+    let Some(wanted) = wanted else {
+        return Ok(None);
+    };
+    let all: Vec<&str> = names.clone().collect();
+    match names.position(|name| name == wanted) {
+        Some(at) => Ok(u32::try_from(at).ok()),
+        None => Err(format!(
+            "there is no {what} '{wanted}': there are '{}'",
+            all.join("', '")
+        )),
+    }
 }
 
 impl Model {
-    /// The model without the faces of other materials, and without the values that only these used.
-    ///
-    /// # Errors
-    ///
-    /// No face has the material.
-    fn part(&self, name: &str) -> Result<Self, String> {
-        let is_wanted = |triangle: &Triangle| {
-            let material = triangle.material.map(|at| &self.materials[at as usize]);
-            material.is_some_and(|material| material.name == name)
+    /// The model with only the faces that the options name, and only the values that these use.
+    fn selected(&self, options: &Options) -> Result<Self, String> {
+        let materials = self.materials.iter().map(|material| material.name.as_str());
+        let material = find(options.part.as_deref(), "material", materials)?;
+        let objects = self.objects.iter().map(String::as_str);
+        let object = find(options.object.as_deref(), "object", objects)?;
+        let is_wanted = |triangle: &&Triangle| {
+            (material.is_none() || triangle.material == material)
+                && (object.is_none() || triangle.object == object)
         };
-        let mut part = Self {
-            triangles: self.triangles.iter().copied().filter(is_wanted).collect(),
-            materials: self.materials.clone(),
-            ..Self::default()
-        };
-        if part.triangles.is_empty() {
-            let names: Vec<_> = self.materials.iter().map(|m| m.name.as_str()).collect();
-            return Err(format!(
-                "no face has the material '{name}': there are '{}'",
-                names.join("', '")
-            ));
+        let mut triangles: Vec<Triangle> =
+            self.triangles.iter().filter(is_wanted).copied().collect();
+        if triangles.is_empty() {
+            return Err(
+                "no face is both of this material and of this object, or there is none of it"
+                    .into(),
+            );
         }
-        let mut places = HashMap::new();
-        let old: Vec<u32> = part
-            .triangles
-            .iter()
-            .flat_map(|triangle| triangle.corners.map(|corner| corner.position))
-            .collect();
-        let triangles = &mut part.triangles;
-        part.positions = compact(triangles, &self.positions, |corner| {
+        // Lines that belong to no face are part of the whole mesh only.
+        let lines = if triangles.len() == self.triangles.len() {
+            &self.edges[..]
+        } else {
+            &[]
+        };
+        let (positions, places) = compact(&self.positions, &mut triangles, lines, |corner| {
             Some(&mut corner.position)
         });
-        part.uvs = compact(triangles, &self.uvs, |corner| corner.uv.as_mut());
-        part.normals = compact(triangles, &self.normals, |corner| corner.normal.as_mut());
-        part.colors = compact(triangles, &self.colors, |corner| corner.color.as_mut());
-        let new = triangles
-            .iter()
-            .flat_map(|triangle| triangle.corners.map(|corner| corner.position));
-        places.extend(old.into_iter().zip(new));
-        let edge = |edge: &[u32; 2]| Some([*places.get(&edge[0])?, *places.get(&edge[1])?]);
-        part.edges = self.edges.iter().filter_map(edge).collect();
-        for edge in &mut part.edges {
-            edge.sort_unstable();
-        }
-        part.edges.sort_unstable();
-        Ok(part)
+        let edge = |edge: &[u32; 2]| Some([places[edge[0] as usize]?, places[edge[1] as usize]?]);
+        Ok(Self {
+            edges: self.edges.iter().filter_map(edge).collect(),
+            positions,
+            uvs: compact(&self.uvs, &mut triangles, &[], |corner| corner.uv.as_mut()).0,
+            normals: compact(&self.normals, &mut triangles, &[], |corner| {
+                corner.normal.as_mut()
+            })
+            .0,
+            colors: compact(&self.colors, &mut triangles, &[], |corner| {
+                corner.color.as_mut()
+            })
+            .0,
+            triangles,
+            ..Self::default()
+        })
     }
 
     /// The lists of a mesh.
@@ -175,16 +201,9 @@ impl Model {
     /// # Errors
     ///
     /// There are more than 65,536 values of a kind, or a position leaves the range from −32,768 to 32,768; or no face
-    /// has the material that the options name.
+    /// is what the options name.
     pub fn lists(&self, options: &Options) -> Result<Lists, String> {
-        let part;
-        let model = match &options.part {
-            Some(name) => {
-                part = self.part(name)?;
-                &part
-            }
-            None => self,
-        };
+        let model = self.selected(options)?;
         let kinds = [
             (model.positions.len(), "positions"),
             (model.uvs.len(), "texture coordinates"),

@@ -98,8 +98,8 @@ impl Picture {
         Some((indices?, colors))
     }
 
-    /// Returns the picture in another size. Each color is the mean of those around its place, weighted by a triangle
-    /// that is twice as wide as a pixel of the coarser size, and by their alpha: invisible colors have no weight.
+    /// Returns the picture in another size. Where it shrinks, each color is the mean of the area that it covers; where it
+    /// grows, colors are interpolated. Both are weighted by alpha: invisible colors have no weight.
     #[must_use]
     pub fn resampled(&self, width: u32, height: u32) -> Self {
         let (columns, rows) = (weights(self.width, width), weights(self.height, height));
@@ -144,19 +144,22 @@ impl Picture {
     }
 }
 
-/// Returns, for each of `to` pixels in a row, which of the `from` pixels contribute to its mean, and their weights.
+/// Returns, for each of `to` pixels in a row, which of the `from` pixels contribute to it, and their weights: where a
+/// picture shrinks, the parts of them that it covers; where it grows, those of the two nearest.
 #[allow(clippy::cast_precision_loss, clippy::cast_sign_loss)] // below 2^24, and clamped to 0
 fn weights(from: u32, to: u32) -> Vec<Vec<(usize, f32)>> {
     let ratio = from as f32 / to as f32;
-    let reach = ratio.max(1.0);
+    let width = ratio.max(1.0);
     let one = |at: u32| {
-        let center = (at as f32 + 0.5) * ratio;
-        let first = (center - reach).floor().max(0.0) as u32;
-        let end = ((center + reach).ceil() as u32).min(from);
-        let weight = |pixel: u32| (1.0 - (pixel as f32 + 0.5 - center).abs() / reach).max(0.0);
-        let sum: f32 = (first..end).map(weight).sum();
-        (first..end)
-            .map(|pixel| (pixel as usize, weight(pixel) / sum))
+        let start = (at as f32 + 0.5) * ratio - width / 2.0;
+        let (first, end) = (start.floor().max(0.0) as u32, (start + width).ceil() as u32);
+        let covered = |pixel: u32| {
+            let pixel = pixel as f32;
+            ((pixel + 1.0).min(start + width) - pixel.max(start)).max(0.0)
+        };
+        let sum: f32 = (first..end.min(from)).map(covered).sum();
+        (first..end.min(from))
+            .map(|pixel| (pixel as usize, covered(pixel) / sum))
             .collect()
     };
     (0..to).map(one).collect()

@@ -62,6 +62,7 @@ impl Model {
             .extend(triangles.iter().map(|triangle| Triangle {
                 corners: triangle.map(|at| corners[at]),
                 material,
+                object: self.object,
                 smoothing,
             }));
         for (at, corner) in corners.iter().enumerate() {
@@ -87,7 +88,9 @@ impl Model {
         let Some(uvs) = uvs else {
             self.notes
                 .add("a face's texture coordinates are left out: not every corner has them");
-            corners.iter_mut().for_each(|corner| corner.uv = None);
+            for corner in corners {
+                corner.uv = None;
+            }
             return Ok(());
         };
         if uvs.iter().flatten().all(|x| x.abs() <= FAR) {
@@ -119,14 +122,13 @@ impl Model {
             }
             self.notes
                 .add("a normal is replaced by that of its face: it is missing or has no direction");
-            let replaced = match own {
-                Some(own) => own,
-                None => {
-                    let new = next(&self.normals)?;
-                    let direction = unit(newell(&self.positions, corners));
-                    self.normals.push(direction.unwrap_or([0.0, 0.0, 1.0]));
-                    *own.insert(new)
-                }
+            let replaced = if let Some(own) = own {
+                own
+            } else {
+                let direction = unit(newell(&self.positions, corners));
+                let new = next(&self.normals)?;
+                self.normals.push(direction.unwrap_or([0.0, 0.0, 1.0]));
+                *own.insert(new)
             };
             corners[at].normal = Some(replaced);
         }

@@ -884,18 +884,10 @@ fn invisible_colors_do_not_bleed() {
     let picture = Picture {
         width: 4,
         height: 1,
-        pixels: vec![red, red, clear, clear],
+        pixels: vec![red, clear, clear, clear],
         table: None,
     };
-    let small = picture.resampled(2, 1);
-    for pixel in &small.pixels {
-        assert_eq!(pixel[..3], [200, 0, 0], "{:?}", small.pixels);
-    }
-    assert!(
-        small.pixels[0][3] > 200 && small.pixels[1][3] < 55,
-        "{:?}",
-        small.pixels
-    );
+    assert_eq!(picture.resampled(2, 1).pixels, [[200, 0, 0, 128], [0; 4]]);
     let nothing = Picture {
         pixels: vec![clear; 4],
         ..picture

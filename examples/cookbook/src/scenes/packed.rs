@@ -9,7 +9,7 @@ use fixel::target::{Contrast, Depth, ErrorDiffusion, Native};
 const SIZE: (u32, u32) = (128, 64);
 static ISLAND: Mesh = include_mesh!("../../../assets/lighthouse.obj");
 // No edge is a crease: it has silhouettes only.
-static SILHOUETTES: Outline = outline!(ISLAND, deg!(180));
+static SILHOUETTES: Outline = include_outline!("../../../assets/lighthouse.obj", crease = 180);
 static SKIN: TextureArray<Rgb565, 128, 128> =
     TextureArray::rgb565(include_bytes!("../../../assets/lighthouse.rgb565"));
 

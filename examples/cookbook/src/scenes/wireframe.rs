@@ -6,7 +6,7 @@ use fixel::target::{Biased, Depth, Native, TestAndWrite, TestOnly};
 
 static ISLAND: Mesh = include_mesh!("../../../assets/lighthouse.obj");
 // Edges between faces whose normals differ by more than 35 degrees are creases.
-static OUTLINE: Outline = outline!(ISLAND, deg!(35));
+static OUTLINE: Outline = include_outline!("../../../assets/lighthouse.obj", crease = 35);
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
     let size = canvas.frame_size();

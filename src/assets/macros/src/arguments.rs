@@ -91,8 +91,8 @@ impl Arguments {
         let value = self.value(word).map(|value| {
             let number = value.replace('_', "").parse::<f64>().ok();
             number
-                .filter(|number| number.is_finite() && *number != 0.0)
-                .ok_or_else(|| format!("{word} is {value}: it must be a number other than 0"))
+                .filter(|number| number.is_finite())
+                .ok_or_else(|| format!("{word} is {value}: it must be a number"))
         });
         value.transpose()
     }

@@ -22,6 +22,7 @@ pub fn assets(input: TokenStream) -> TokenStream {
         let expansion = match name.to_string().as_str() {
             "mesh" => mesh::mesh(&arguments),
             "materials" => mesh::materials(&arguments),
+            "outline" => mesh::outline(&arguments),
             _ => picture::texture(&arguments),
         };
         Ok(expansion

@@ -10,6 +10,9 @@ use crate::expansion::Expansion;
 /// How the lists are stored.
 const FORMATS: [&str; 3] = ["short", "quantized_16", "quantized_8"];
 
+/// The options that say which faces become the mesh, and how it lies in space.
+const COMMON: [&str; 4] = ["object", "part", "scale", "up"];
+
 /// Reads the model, and adds what the compiler must know of its files.
 fn read(arguments: &Arguments, expansion: &mut Expansion) -> Result<Model, String> {
     let model = fixel_assets::read(&arguments.path.path, &Disk)?;
@@ -26,10 +29,15 @@ fn options(arguments: &Arguments) -> Result<Options, String> {
         Some("z") => true,
         Some(other) => return Err(format!("up is {other}: it must be y or z")),
     };
+    let scale = arguments.number("scale")?.unwrap_or(1.0);
+    if scale == 0.0 {
+        return Err("scale is 0: the mesh would be a point".into());
+    }
     Ok(Options {
-        scale: arguments.number("scale")?.unwrap_or(1.0),
+        scale,
         z_up,
         part: arguments.text("part")?,
+        object: arguments.text("object")?,
     })
 }
 
@@ -42,28 +50,42 @@ fn bytes<T: Copy, const N: usize, const SIZE: usize>(
 }
 
 pub fn mesh(arguments: &Arguments) -> Result<Expansion, String> {
-    arguments.check(&[
-        "short",
-        "quantized_16",
-        "quantized_8",
-        "scale",
-        "up",
-        "part",
-    ])?;
+    arguments.check(&[&FORMATS[..], &["normals"], &COMMON].concat())?;
     let formats: Vec<&str> = FORMATS
         .into_iter()
         .filter(|format| arguments.has(format))
         .collect();
-    let format = match formats.as_slice() {
-        [] => None,
-        [format] => Some(*format),
-        _ => return Err(format!("{} exclude one another", formats.join(" and "))),
-    };
+    if formats.len() > 1 {
+        return Err(format!("{} exclude one another", formats.join(" and ")));
+    }
     let mut expansion = Expansion::default();
-    let model = read(arguments, &mut expansion)?;
+    let mut model = read(arguments, &mut expansion)?;
+    if arguments.has("normals") {
+        model.make_normals();
+    }
     expansion.note(&arguments.path.value, &model.notes);
     let lists = model.lists(&options(arguments)?)?;
-    write(&mut expansion, &lists, format);
+    write(&mut expansion, &lists, formats.first().copied());
+    Ok(expansion)
+}
+
+pub fn outline(arguments: &Arguments) -> Result<Expansion, String> {
+    arguments.check(&[&["crease"], &COMMON[..]].concat())?;
+    let crease = arguments.number("crease")?.unwrap_or(30.0);
+    if !(0.0..=180.0).contains(&crease) {
+        return Err(format!(
+            "crease is {crease}: it must lie between 0 and 180 degrees"
+        ));
+    }
+    let mut expansion = Expansion::default();
+    let model = read(arguments, &mut expansion)?;
+    let (edges, creases) = model.lists(&options(arguments)?)?.outline(crease);
+    let list = expansion.bytes(bytes(&edges, u16::to_le_bytes));
+    expansion.push(&format!(
+        "#[allow(long_running_const_eval)] static EDGES: [[fixel::Index; 4]; {}] = fixel::mesh::flash::words({list});
+         fixel::mesh::flash::outline(&EDGES, {creases})",
+        edges.len(),
+    ));
     Ok(expansion)
 }
 

@@ -75,7 +75,7 @@ fn size(text: &str) -> Option<(u32, u32)> {
 }
 
 pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
-    arguments.check(&["image", "size"])?;
+    arguments.check(&["image", "mipmap", "size"])?;
     let mut out = Expansion::default();
     let mut picture = read(arguments, &mut out)?;
     if let Some(text) = arguments.text("size")? {
@@ -93,7 +93,14 @@ pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
         format!("{problem}; with size = \"{width}x{height}\" it is resampled")
     })?;
     // Each color is converted once; the pixels are its indices.
-    let (kind, list, colors) = if let Some((indices, colors)) = picture.palette() {
+    let (kind, list, colors) = if arguments.has("mipmap") {
+        // Each level is the mean of the whole picture, so that rounding does not add up.
+        let level = |level: u32| picture.resampled(width >> level, height >> level).pixels;
+        let smaller: Vec<_> = (1..=width.min(height).ilog2()).flat_map(level).collect();
+        picture.pixels.extend(smaller);
+        let (indices, colors) = indexed(&picture.pixels);
+        ("Words", indices, colors)
+    } else if let Some((indices, colors)) = picture.palette() {
         ("Bytes", indices, colors)
     } else {
         let (indices, colors) = indexed(&picture.pixels);

@@ -1,0 +1,63 @@
+//! The outline of a mesh: its edges with their two faces.
+
+use std::collections::{HashMap, VecDeque};
+
+use crate::Lists;
+use crate::vector::{cross, dot, length};
+
+/// Faces within this angle, in radians, of one plane are flat: their edge is no crease.
+const FLAT: f64 = 1.0 / 1024.0;
+
+impl Lists {
+    /// The edges of an outline, and how many of them are creases; these come first. The edges are those that
+    /// `fixel::mesh::Outline::build` finds, in the order of the faces.
+    ///
+    /// An edge a, b, c, d runs from a to b; its faces are a b c and b a d. A border has one face, and its d equals a.
+    /// Edges whose faces meet at more than `crease` degrees are creases.
+    #[must_use]
+    pub fn outline(&self, crease: f64) -> (Vec<[u16; 4]>, usize) {
+        let at = |index: u16| self.positions[usize::from(index)];
+        // Exact, because a component has 33 bits and a product 67.
+        let direction = |a: u16, b: u16| {
+            let (a, b) = (at(a), at(b));
+            [0, 1, 2].map(|i| i128::from(b[i]) - i128::from(a[i]))
+        };
+        let normal = |[a, b, c]: [u16; 3]| {
+            let ([px, py, pz], [qx, qy, qz]) = (direction(a, b), direction(a, c));
+            #[allow(clippy::cast_precision_loss)] // of the last bits
+            let normal =
+                [py * qz - pz * qy, pz * qx - px * qz, px * qy - py * qx].map(|x| x as f64);
+            normal
+        };
+        // Faces without area count as absent.
+        let has_area = |&&face: &&[u16; 3]| length(normal(face)) > 0.0;
+        let sides = self
+            .faces
+            .iter()
+            .filter(has_area)
+            .flat_map(|&[a, b, c]| [[a, b, c], [b, c, a], [c, a, b]]);
+        let mut edges: Vec<[u16; 4]> = Vec::new();
+        // Edges that still lack a face, by the positions of their ends.
+        let mut open: HashMap<[[i32; 3]; 2], VecDeque<usize>> = HashMap::new();
+        for [a, b, c] in sides {
+            if let Some(edge) = open.get_mut(&[at(b), at(a)]).and_then(VecDeque::pop_front) {
+                edges[edge][3] = c;
+            } else {
+                open.entry([at(a), at(b)])
+                    .or_default()
+                    .push_back(edges.len());
+                edges.push([a, b, c, a]);
+            }
+        }
+        let is_crease = |&[a, b, c, d]: &[u16; 4]| {
+            let (n, m) = (normal([a, b, c]), normal([b, a, d]));
+            let angle = length(cross(n, m)).atan2(dot(n, m));
+            d != a && angle > crease.to_radians().max(FLAT)
+        };
+        let (mut creases, others): (Vec<_>, Vec<_>) =
+            edges.iter().partition(|edge| is_crease(edge));
+        let count = creases.len();
+        creases.extend(others);
+        (creases, count)
+    }
+}
