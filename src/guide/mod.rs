@@ -57,6 +57,8 @@ pub mod coming_from {}
 
 #[doc = include_str!("cookbook.md")]
 #[doc = recipe!("Hello", "hello")]
+// Recipes marked `ignore` read files by paths relative to their own folder.
+#[doc = recipe!("Files", "files", "ignore")]
 #[doc = recipe!("Bands", "bands")]
 #[doc = recipe!("Two cores", "two_cores")]
 #[doc = recipe!("Lights", "lights")]
@@ -68,7 +70,6 @@ pub mod coming_from {}
 #[doc = recipe!("Cut-out textures", "cut_out")]
 #[doc = recipe!("Blending", "blending")]
 #[doc = recipe!("Painter's order", "painter")]
-// Recipes marked `ignore` read files by paths relative to their own folder.
 #[doc = recipe!("Wireframe", "wireframe", "ignore")]
 #[doc = recipe!("Points", "points")]
 #[doc = recipe!("Black and white", "packed", "ignore")]

@@ -5,6 +5,7 @@ mod bands;
 mod blending;
 mod cut_out;
 mod detail;
+mod files;
 mod fog;
 mod hello;
 #[cfg(not(target_os = "none"))]
@@ -48,6 +49,7 @@ pub const SCENES: &[(&str, Draw)] = &[
     ("blending", blending::draw),
     ("cut_out", cut_out::draw),
     ("detail", detail::draw),
+    ("files", files::draw),
     ("fog", fog::draw),
     ("hello", hello::draw),
     #[cfg(not(target_os = "none"))] // has arcs of embedded-graphics, which need floats
