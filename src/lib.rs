@@ -104,10 +104,10 @@
 //! 4. **Watertight.** Triangles that share an edge cover each pixel center exactly once, clipped or not.
 //! 5. **Bands equal frames.** A frame drawn in bands equals the frame drawn whole, bit for bit.
 //! 6. **Pay for what you use.** Depth, storage, color, shading and interpolation mode are type parameters. What your
-//!    program does not use adds no code. The feature `defmt`, off by default,
+//!    program does not use adds no code. The feature `assets`, on by default, brings the macros that read files; a
+//!    program without files compiles faster with `default-features = false`. The feature `defmt`, off by default,
 //!    implements `defmt::Format` for the types that a program may want to log, for example [`Error`], [`Vec3`] and
-//!    [`Drawn`]. The features `assets`, `gltf` and `ply`, on by default, bring the macros that read files; a program
-//!    without files compiles faster with `default-features = false`.
+//!    [`Drawn`].
 //!
 //! # Drawing to a display
 //!

@@ -1,98 +1,136 @@
 //! Reads glTF 2.0, text and binary.
 
-use std::cell::Cell;
-
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use gltf::accessor::{DataType, Dimensions};
-use gltf::buffer::{Source, View};
-use gltf::image::Source as Picture;
-use gltf::json::Index;
-use gltf::json::validation::Checked;
-use gltf::mesh::Mode;
-use gltf::{Accessor, Document, Gltf, Node, Primitive, Semantic};
+use serde_json::Value;
 
-use super::files::Folder;
-use super::mtl::byte;
-use super::{Corner, Image, Material, Model, Smoothing, next};
+use crate::files::Folder;
+use crate::mtl::byte;
+use crate::{Alpha, Corner, Image, Material, Model, Smoothing, next};
+
+/// Extensions without which the geometry cannot be read, and what they do.
+const COMPRESSED: [(&str, &str); 3] = [
+    ("KHR_draco_mesh_compression", "Draco"),
+    ("EXT_meshopt_compression", "meshopt"),
+    ("KHR_meshopt_compression", "meshopt"),
+];
+
+/// Extensions that are read, or that change nothing that is drawn.
+const READ: [&str; 7] = [
+    "KHR_mesh_quantization",
+    "KHR_materials_unlit",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_pbrSpecularGlossiness",
+    "KHR_texture_transform",
+    "EXT_texture_webp",
+    "KHR_xmp_json_ld",
+];
+
+/// The most values without bytes of their own: a short file must not be able to claim all memory.
+const MOST_ZEROS: usize = 1 << 24;
 
 /// Reads a glTF file: the triangles of its default scene, or of its first one.
 pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
-    if let (true, Some(Ok(len))) = (
-        bytes.starts_with(b"glTF"),
-        bytes.get(8..12).map(TryInto::try_into),
-    ) {
-        let (is, needed) = (bytes.len(), u32::from_le_bytes(len));
-        if (is as u64) < u64::from(needed) {
+    let (json, binary) = parts(bytes)?;
+    let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
+    let root: Value =
+        serde_json::from_slice(json).map_err(|error| format!("its JSON text: {error}"))?;
+    let version = root["asset"]["version"].as_str().unwrap_or("2.0");
+    if version.starts_with('1') || root["meshes"].is_object() {
+        return Err("it is glTF 1.0: only glTF 2.0 can be read".into());
+    }
+    for name in names(&root["extensionsRequired"]) {
+        if let Some((_, compression)) = COMPRESSED.iter().find(|(extension, _)| *extension == name)
+        {
             return Err(format!(
-                "byte {is}: it ends before the {needed} bytes that its header promises"
+                "its meshes are compressed with {compression} ({name}): save it without compression"
             ));
         }
     }
-    let Gltf { document, blob } =
-        Gltf::from_slice_without_validation(bytes).map_err(|error| error.to_string())?;
-    let document = validated(document)?;
-    let buffers = buffers(&document, blob, folder)?;
     let mut reader = Reader {
-        buffers: &buffers,
+        root: &root,
+        buffers: Vec::new(),
         model: Model::default(),
-        seen: vec![false; document.nodes().count()],
-        folder: Folder {
-            all: buffers.iter().map(Vec::len).sum(),
-            ..folder
-        },
-        elements: Cell::new(0),
-        read: Cell::new(0),
+        folder,
+        read: 0,
     };
-    for buffer in document.buffers() {
-        match buffer.source() {
-            Source::Uri(uri) if !uri.starts_with("data:") => {
-                reader.model.files.push(folder.beside(&decoded(uri)));
-            }
-            _ => {}
+    for name in names(&root["extensionsUsed"]).filter(|name| !READ.contains(name)) {
+        reader.model.notes.left_out(name);
+    }
+    for name in ["animations", "cameras"] {
+        if !list(&root, name).is_empty() {
+            reader.model.notes.left_out(name);
         }
     }
-    reader.materials(&document, folder)?;
-    let scene = document
-        .default_scene()
-        .or_else(|| document.scenes().next());
-    match scene {
-        Some(scene) => {
-            for node in scene.nodes() {
-                reader.node(&node, IDENTITY, MOST_LEVELS)?;
-            }
-        }
-        // The file is a library of meshes without a scene.
-        None => {
-            for mesh in document.meshes() {
-                for primitive in mesh.primitives() {
-                    reader.primitive(&primitive, IDENTITY)?;
-                }
-            }
-        }
+    reader.buffers(binary);
+    reader.images();
+    for material in list(&root, "materials") {
+        let material = reader.material(material);
+        reader.model.materials.push(material);
     }
+    reader.scene();
     Ok(reader.model)
 }
 
-/// Checks all indices and properties.
-fn validated(document: Document) -> Result<Document, String> {
-    let root = document.into_json();
-    // The library's own check assumes that positions exist.
-    let positions = Checked::Valid(Semantic::Positions);
-    for primitive in root.meshes.iter().flat_map(|mesh| &mesh.primitives) {
-        let accessor = primitive.attributes.get(&positions).map(Index::value);
-        if let Some(at) = accessor.filter(|&at| at >= root.accessors.len()) {
-            let count = root.accessors.len();
-            return Err(format!(
-                "accessor {at} does not exist: there are {count}, counted from 0"
-            ));
-        }
+/// The JSON text of a file and, of a binary one, the buffer in it.
+fn parts(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
+    let word = |at: usize| Some(u32::from_le_bytes(*bytes.get(at..)?.first_chunk()?) as usize);
+    if !bytes.starts_with(b"glTF") {
+        return Ok((bytes, None));
     }
-    Document::from_json(root).map_err(|error| error.to_string())
+    if word(4) == Some(1) {
+        return Err("it is glTF 1.0: only glTF 2.0 can be read".into());
+    }
+    if let Some(needed) = word(8).filter(|&needed| needed > bytes.len()) {
+        let is = bytes.len();
+        return Err(format!(
+            "byte {is}: it ends before the {needed} bytes that its header promises"
+        ));
+    }
+    let (mut at, mut json, mut binary) = (12, None, None);
+    while let (Some(length), Some(kind)) = (word(at), word(at + 4)) {
+        let chunk = bytes.get(at + 8..).and_then(|rest| rest.get(..length));
+        let chunk =
+            chunk.ok_or_else(|| format!("byte {at}: a part of {length} bytes leaves the file"))?;
+        match &kind.to_le_bytes()[..4] {
+            b"JSON" => json = Some(chunk),
+            b"BIN\0" => binary = Some(chunk),
+            _ => {}
+        }
+        at += 8 + length;
+    }
+    Ok((json.ok_or("it has no JSON text")?, binary))
 }
 
-/// The largest number of levels of nodes.
-const MOST_LEVELS: usize = 1000;
+/// The elements of a list; none if there is no list.
+fn list<'v>(object: &'v Value, name: &str) -> &'v [Value] {
+    object[name].as_array().map_or(&[], Vec::as_slice)
+}
+
+/// The texts of a list.
+fn names(list: &Value) -> impl Iterator<Item = &str> {
+    list.as_array()
+        .into_iter()
+        .flatten()
+        .filter_map(Value::as_str)
+}
+
+/// A number of elements or of bytes, or an index.
+fn whole(value: &Value) -> Option<usize> {
+    // Some programs write 3.0.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // checked
+    let float = value
+        .as_f64()
+        .filter(|x| x.fract() == 0.0 && (0.0..9e15).contains(x))
+        .map(|x| x as usize);
+    float
+}
+
+/// The numbers of a list; `None` if there are not `N`.
+fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
+    let numbers: Vec<f64> = value.as_array()?.iter().filter_map(Value::as_f64).collect();
+    numbers.try_into().ok()
+}
 
 /// A matrix as glTF stores it: a list of columns.
 type Matrix = [[f64; 4]; 4];
@@ -106,6 +144,11 @@ const IDENTITY: Matrix = [
 
 fn product(a: &Matrix, b: &Matrix) -> Matrix {
     b.map(|column| [0, 1, 2, 3].map(|row| (0..4).map(|k| a[k][row] * column[k]).sum()))
+}
+
+/// A list of 16 numbers as a matrix.
+fn matrix(numbers: [f64; 16]) -> Matrix {
+    [0, 1, 2, 3].map(|column| [0, 1, 2, 3].map(|row| numbers[4 * column + row]))
 }
 
 /// The matrix for normals: the cofactors of the upper left 3 x 3, which are its transposed inverse times its
@@ -122,21 +165,36 @@ fn normal_matrix(m: &Matrix) -> ([[f64; 3]; 3], f64) {
     (cofactors, determinant)
 }
 
-/// Returns the contents of a URI, which is data itself, or names a file in `folder`.
-fn contents(uri: &str, folder: Folder<'_>) -> Result<Vec<u8>, String> {
-    if let Some(data) = uri.strip_prefix("data:") {
-        let (_, text) = data
-            .split_once(";base64,")
-            .ok_or("a data URI is not in base64")?;
-        return STANDARD
-            .decode(text)
-            .map_err(|error| format!("a data URI is not in base64: {error}"));
+/// The matrix of a node, relative to its parent.
+fn local(node: &Value) -> Matrix {
+    if let Some(numbers) = numbers(&node["matrix"]) {
+        return matrix(numbers);
     }
-    let path = folder.beside(&decoded(uri));
-    folder
-        .files
-        .read(&path)
-        .map_err(|error| format!("cannot read {}: {error}", path.display()))
+    let [x, y, z, w] = numbers(&node["rotation"]).unwrap_or([0.0, 0.0, 0.0, 1.0]);
+    let scale = numbers(&node["scale"]).unwrap_or([1.0; 3]);
+    let [tx, ty, tz] = numbers(&node["translation"]).unwrap_or([0.0; 3]);
+    let axes = [
+        [
+            1.0 - 2.0 * (y * y + z * z),
+            2.0 * (x * y + w * z),
+            2.0 * (x * z - w * y),
+        ],
+        [
+            2.0 * (x * y - w * z),
+            1.0 - 2.0 * (x * x + z * z),
+            2.0 * (y * z + w * x),
+        ],
+        [
+            2.0 * (x * z + w * y),
+            2.0 * (y * z - w * x),
+            1.0 - 2.0 * (x * x + y * y),
+        ],
+    ];
+    let axis = |at: usize| {
+        let [x, y, z] = axes[at].map(|x| x * scale[at]);
+        [x, y, z, 0.0]
+    };
+    [axis(0), axis(1), axis(2), [tx, ty, tz, 1.0]]
 }
 
 /// A URI with its escapes, such as %20, decoded.
@@ -154,43 +212,16 @@ fn decoded(uri: &str) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-fn buffers(
-    document: &Document,
-    blob: Option<Vec<u8>>,
-    folder: Folder<'_>,
-) -> Result<Vec<Vec<u8>>, String> {
-    let mut blob = blob;
-    let mut buffers = Vec::new();
-    for buffer in document.buffers() {
-        let at = buffer.index();
-        let bytes = match buffer.source() {
-            Source::Bin => blob
-                .take()
-                .ok_or_else(|| format!("buffer {at}: the file has no binary part")),
-            Source::Uri(uri) => {
-                contents(uri, folder).map_err(|problem| format!("buffer {at}: {problem}"))
-            }
-        }?;
-        if bytes.len() < buffer.length() {
-            let (is, needed) = (bytes.len(), buffer.length());
-            return Err(format!(
-                "buffer {at}: it has {is} bytes, and needs {needed}"
-            ));
-        }
-        buffers.push(bytes);
-    }
-    Ok(buffers)
-}
-
-struct Reader<'b> {
-    buffers: &'b [Vec<u8>],
-    model: Model,
-    /// Which nodes have been added.
-    seen: Vec<bool>,
-    folder: Folder<'b>,
-    /// How many values, and how many bytes of the buffers, have been read.
-    elements: Cell<usize>,
-    read: Cell<usize>,
+/// The bytes of a URI that is data itself; `None` if it names a file.
+fn data(uri: &str) -> Option<Result<Vec<u8>, String>> {
+    let data = uri.strip_prefix("data:")?;
+    Some(match data.split_once(',') {
+        Some((kind, text)) if kind.ends_with(";base64") => STANDARD
+            .decode(text)
+            .map_err(|error| format!("a data URI is not in base64: {error}")),
+        Some((_, text)) => Ok(decoded(text).into_bytes()),
+        None => Err("a data URI has no comma".into()),
+    })
 }
 
 /// Converts a linear component of a color to sRGB.
@@ -202,153 +233,299 @@ fn srgb(linear: f64) -> u8 {
     })
 }
 
-impl Reader<'_> {
-    fn materials(&mut self, document: &Document, folder: Folder<'_>) -> Result<(), String> {
-        for image in document.images() {
-            let image = match image.source() {
-                Picture::View { view, .. } => {
-                    let name = image.name().unwrap_or("image");
-                    Image::Bytes(
-                        format!("{name}-{}", image.index()),
-                        self.slice(&view)?.to_vec(),
-                    )
-                }
-                Picture::Uri { uri, .. } if uri.starts_with("data:") => {
-                    let data = contents(uri, folder)
-                        .map_err(|problem| format!("image {}: {problem}", image.index()))?;
-                    Image::Bytes(format!("image-{}", image.index()), data)
-                }
-                Picture::Uri { uri, .. } => Image::File(folder.beside(&decoded(uri))),
-            };
-            self.model.images.push(image);
-        }
-        for material in document.materials() {
-            let surface = material.pbr_metallic_roughness();
-            let [r, g, b, _] = surface.base_color_factor();
-            let texture = surface.base_color_texture();
-            self.model.materials.push(Material {
-                color: [r, g, b].map(|x| srgb(x.into())),
-                tint: [r, g, b].map(|x| srgb(x.into())),
-                #[allow(clippy::cast_possible_truncation)] // an index in JSON text that was read into memory
-                texture: texture.map(|texture| texture.texture().source().index() as u32),
-                ..Material::new(material.name().unwrap_or_default().into())
-            });
-        }
-        Ok(())
+struct Reader<'a> {
+    root: &'a Value,
+    buffers: Vec<Vec<u8>>,
+    model: Model,
+    folder: Folder<'a>,
+    /// How many bytes of the buffers have been read.
+    read: usize,
+}
+
+impl<'a> Reader<'a> {
+    /// An element of one of the file's lists.
+    fn item(&self, of: &str, at: usize) -> Result<&'a Value, String> {
+        let items = list(self.root, of);
+        items.get(at).ok_or_else(|| {
+            let kind = of.strip_suffix('s').unwrap_or(of);
+            format!(
+                "{kind} {at} does not exist: there are {}, counted from 0",
+                items.len()
+            )
+        })
     }
 
-    /// Adds a node and all nodes below it, which may be up to `depth` levels deep.
-    fn node(&mut self, node: &Node<'_>, parent: Matrix, depth: usize) -> Result<(), String> {
-        let index = node.index();
-        let Some(depth) = depth.checked_sub(1) else {
-            return Err(format!(
-                "node {index}: it lies deeper than {MOST_LEVELS} levels"
-            ));
-        };
-        if std::mem::replace(&mut self.seen[index], true) {
-            return Err(format!("node {index}: it has two parents"));
+    fn buffers(&mut self, binary: Option<&[u8]>) {
+        for (at, buffer) in list(self.root, "buffers").iter().enumerate() {
+            let bytes = match buffer["uri"].as_str() {
+                None => binary
+                    .map(<[u8]>::to_vec)
+                    .ok_or_else(|| "the file has no binary part".into()),
+                Some(uri) => data(uri).unwrap_or_else(|| {
+                    let path = self.folder.beside(&decoded(uri));
+                    self.model.files.push(path.clone());
+                    let read = self.folder.files.read(&path);
+                    read.map_err(|error| format!("cannot read {}: {error}", path.display()))
+                }),
+            };
+            let needed = whole(&buffer["byteLength"]).unwrap_or(0);
+            let problem = match &bytes {
+                Ok(bytes) if bytes.len() >= needed => None,
+                Ok(bytes) => Some(format!("it has {} bytes, and needs {needed}", bytes.len())),
+                Err(problem) => Some(problem.clone()),
+            };
+            if let Some(problem) = problem {
+                self.model.notes.add(format!("buffer {at}: {problem}"));
+            }
+            self.buffers.push(bytes.unwrap_or_default());
         }
-        let matrix = product(
-            &parent,
-            &node
-                .transform()
-                .matrix()
-                .map(|column| column.map(f64::from)),
-        );
-        if let Some(mesh) = node.mesh() {
-            for primitive in mesh.primitives() {
-                self.primitive(&primitive, matrix)
-                    .map_err(|problem| format!("mesh {}: {problem}", mesh.index()))?;
+        self.folder.all = self.buffers.iter().map(Vec::len).sum();
+    }
+
+    fn images(&mut self) {
+        for (at, image) in list(self.root, "images").iter().enumerate() {
+            let name = format!("{}-{at}", image["name"].as_str().unwrap_or("image"));
+            let bytes = match (image["uri"].as_str(), whole(&image["bufferView"])) {
+                (Some(uri), _) => match data(uri) {
+                    None => {
+                        let path = self.folder.beside(&decoded(uri));
+                        self.model.images.push(Image::File(path));
+                        continue;
+                    }
+                    Some(bytes) => bytes,
+                },
+                (None, Some(view)) => self.view(view).map(|(bytes, _)| bytes.to_vec()),
+                (None, None) => Err("it names no file".into()),
+            };
+            if let Err(problem) = &bytes {
+                self.model.notes.add(format!("image {at}: {problem}"));
+            }
+            self.model
+                .images
+                .push(Image::Bytes(name, bytes.unwrap_or_default()));
+        }
+    }
+
+    fn material(&mut self, material: &Value) -> Material {
+        let glossy = &material["extensions"]["KHR_materials_pbrSpecularGlossiness"];
+        let metallic = &material["pbrMetallicRoughness"];
+        let (factor, texture) = surface(material);
+        let [r, g, b, alpha] = numbers(factor).unwrap_or([1.0; 4]);
+        let color = [r, g, b].map(srgb);
+        let strength =
+            &material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"];
+        let strength = strength.as_f64().unwrap_or(1.0);
+        let emission = numbers(&material["emissiveFactor"]).unwrap_or([0.0; 3]);
+        for (map, name) in [
+            (&material["normalTexture"], "normal maps"),
+            (&material["occlusionTexture"], "occlusion maps"),
+            (&material["emissiveTexture"], "emissive textures"),
+            (
+                &metallic["metallicRoughnessTexture"],
+                "metallic and rough surfaces",
+            ),
+            (
+                &glossy["specularGlossinessTexture"],
+                "specular and glossy surfaces",
+            ),
+        ] {
+            if map.is_object() {
+                self.model.notes.left_out(name);
             }
         }
-        for child in node.children() {
-            self.node(&child, matrix, depth)?;
+        let mode = material["alphaMode"].as_str().unwrap_or("OPAQUE");
+        let mut new = Material {
+            color,
+            tint: color,
+            emission: emission.map(|x: f64| srgb(x * strength)),
+            opacity: if mode == "BLEND" {
+                alpha.clamp(0.0, 1.0)
+            } else {
+                1.0
+            },
+            alpha: match mode {
+                "MASK" => {
+                    let cutoff = material["alphaCutoff"].as_f64().unwrap_or(0.5);
+                    // Of the texture's alpha times the factor's.
+                    Alpha::Cut(if alpha > 0.0 {
+                        byte(cutoff / alpha)
+                    } else {
+                        255
+                    })
+                }
+                "BLEND" => Alpha::Blended,
+                _ => Alpha::Ignored,
+            },
+            two_sided: material["doubleSided"].as_bool().unwrap_or(false),
+            ..Material::new(material["name"].as_str().unwrap_or_default().into())
+        };
+        let texture = whole(&texture["index"]).map(|at| self.texture(at, &mut new));
+        if let Some(Err(problem)) = texture {
+            self.model.notes.add(problem);
+        }
+        new
+    }
+
+    /// Fills in the image of a material, and how it is repeated.
+    fn texture(&mut self, at: usize, material: &mut Material) -> Result<(), String> {
+        let texture = self.item("textures", at)?;
+        let webp = whole(&texture["extensions"]["EXT_texture_webp"]["source"]);
+        if let Some(image) = webp.or(whole(&texture["source"])) {
+            self.item("images", image)?;
+            material.texture = u32::try_from(image).ok();
+        }
+        if let Some(sampler) = whole(&texture["sampler"]) {
+            let sampler = self.item("samplers", sampler)?;
+            let wraps = ["wrapS", "wrapT"].map(|wrap| whole(&sampler[wrap]));
+            material.clamp = wraps.map(|wrap| wrap == Some(33071));
+            if wraps.contains(&Some(33648)) {
+                self.model.notes.left_out("mirrored repeats of textures");
+            }
         }
         Ok(())
     }
 
-    fn primitive(&mut self, primitive: &Primitive<'_>, matrix: Matrix) -> Result<(), String> {
-        if matches!(
-            primitive.mode(),
-            Mode::Points | Mode::Lines | Mode::LineLoop | Mode::LineStrip
-        ) {
-            return Ok(());
-        }
-        let Some(positions) = primitive.get(&Semantic::Positions) else {
-            return Ok(());
+    /// Adds the meshes of the default scene, of the first one or, if there is none, all meshes.
+    fn scene(&mut self) {
+        let scenes = list(self.root, "scenes");
+        let scene = whole(&self.root["scene"])
+            .and_then(|at| scenes.get(at))
+            .or(scenes.first());
+        let Some(scene) = scene else {
+            for at in 0..list(self.root, "meshes").len() {
+                self.mesh(at, &Value::Null, &[], IDENTITY);
+            }
+            return;
         };
-        let first = [
-            next(&self.model.positions)?,
-            next(&self.model.uvs)?,
-            next(&self.model.normals)?,
-            next(&self.model.colors)?,
-        ];
-        let positions = self.floats::<3>(&positions)?;
-        let (normals, determinant) = normal_matrix(&matrix);
-        self.model.positions.extend(positions.iter().map(|p| {
-            [0, 1, 2].map(|row| matrix[3][row] + (0..3).map(|k| matrix[k][row] * p[k]).sum::<f64>())
-        }));
-        let count = positions.len();
-        let attribute = |semantic: Semantic| {
-            primitive
-                .get(&semantic)
-                .filter(|accessor| accessor.count() == count)
+        let nodes = list(self.root, "nodes");
+        let mut places: Vec<Option<Matrix>> = vec![None; nodes.len()];
+        let mut order = Vec::new();
+        let children = |of: &'a Value, name, parent: Matrix| {
+            let children = list(of, name).iter().rev().filter_map(whole);
+            children.map(move |child| (child, parent))
         };
-        let has_normals = attribute(Semantic::Normals);
-        if let Some(accessor) = &has_normals {
-            let list = self.floats::<3>(accessor)?;
-            self.model.normals.extend(list.iter().map(|n| {
-                let turned =
-                    [0, 1, 2].map(|row| (0..3).map(|k| normals[k][row] * n[k]).sum::<f64>());
-                turned.map(|x| x * determinant.signum())
-            }));
+        let mut next: Vec<(usize, Matrix)> = children(scene, "nodes", IDENTITY).collect();
+        while let Some((at, parent)) = next.pop() {
+            let Some(place) = places.get_mut(at) else {
+                self.model
+                    .notes
+                    .add("a node that does not exist is left out");
+                continue;
+            };
+            if place.is_some() {
+                self.model
+                    .notes
+                    .add("a node with two parents is drawn once");
+                continue;
+            }
+            let matrix = *place.insert(product(&parent, &local(&nodes[at])));
+            order.push(at);
+            next.extend(children(&nodes[at], "children", matrix));
         }
-        let material = primitive.material();
-        let set = material
-            .pbr_metallic_roughness()
-            .base_color_texture()
-            .map_or(0, |texture| texture.tex_coord());
-        let has_uvs = attribute(Semantic::TexCoords(set));
-        if let Some(accessor) = &has_uvs {
-            let list = self.floats::<2>(accessor)?;
-            self.model.uvs.extend(list);
+        for at in order {
+            if let Some(mesh) = whole(&nodes[at]["mesh"]) {
+                self.mesh(mesh, &nodes[at], &places, places[at].unwrap_or(IDENTITY));
+            }
         }
-        let has_colors = attribute(Semantic::Colors(0));
-        if let Some(accessor) = &has_colors {
-            let list = self.floats::<3>(accessor)?;
+    }
+
+    /// Adds a mesh of a node. `places` are those of all nodes, for skins.
+    fn mesh(&mut self, at: usize, node: &Value, places: &[Option<Matrix>], matrix: Matrix) {
+        let mut add = || {
+            let mesh = self.item("meshes", at)?;
+            let name = mesh["name"].as_str().or(node["name"].as_str());
+            if let Some(name) = name.filter(|name| !name.is_empty()) {
+                self.model.begin_object(name);
+            }
+            let joints = match whole(&node["skin"]) {
+                Some(skin) => self.joints(skin, places)?,
+                None => Vec::new(),
+            };
+            let weights = [&node["weights"], &mesh["weights"]]
+                .into_iter()
+                .find_map(Value::as_array);
+            let weights: Vec<f64> = weights
+                .into_iter()
+                .flatten()
+                .map(|x| x.as_f64().unwrap_or(0.0))
+                .collect();
+            for primitive in list(mesh, "primitives") {
+                self.primitive(primitive, &weights, &joints, matrix)?;
+            }
+            Ok(())
+        };
+        let added: Result<(), String> = add();
+        if let Err(problem) = added {
             self.model
-                .colors
-                .extend(list.iter().map(|color| color.map(srgb)));
+                .notes
+                .add(format!("mesh {at}: a part is left out: {problem}"));
         }
-        let indices = match primitive.indices() {
-            Some(accessor) => self.indices(&accessor, count)?,
-            None => (0..).take(count).collect(),
+    }
+
+    /// The matrices of a skin's joints, at rest.
+    fn joints(&mut self, skin: usize, places: &[Option<Matrix>]) -> Result<Vec<Matrix>, String> {
+        let skin = self.item("skins", skin)?;
+        let inverses = match whole(&skin["inverseBindMatrices"]) {
+            Some(at) => self.values::<16>(at)?,
+            None => Vec::new(),
         };
-        #[allow(clippy::cast_possible_truncation)] // as above
-        let material = material.index().map(|index| index as u32);
-        let mut triangle = |[a, b, c]: [u32; 3]| {
+        let joints = list(skin, "joints").iter().enumerate().map(|(at, joint)| {
+            let place = whole(joint).and_then(|joint| *places.get(joint)?);
+            let inverse = inverses
+                .get(at)
+                .map_or(IDENTITY, |numbers| matrix(*numbers));
+            product(&place.unwrap_or(IDENTITY), &inverse)
+        });
+        Ok(joints.collect())
+    }
+
+    fn primitive(
+        &mut self,
+        primitive: &Value,
+        weights: &[f64],
+        joints: &[Matrix],
+        node: Matrix,
+    ) -> Result<(), String> {
+        let mode = whole(&primitive["mode"]).unwrap_or(4);
+        if mode < 4 {
+            self.model
+                .notes
+                .left_out(if mode == 0 { "points" } else { "lines" });
+            return Ok(());
+        }
+        let material = whole(&primitive["material"]);
+        let material = material.filter(|&at| at < self.model.materials.len());
+        let vertices = self.vertices(primitive, material, weights, joints, node)?;
+        let indices = match whole(&primitive["indices"]) {
+            Some(at) => self
+                .values::<1>(at)?
+                .into_iter()
+                .map(|[index]| index)
+                .collect(),
+            #[allow(clippy::cast_precision_loss)] // below 2^53
+            None => (0..vertices.count)
+                .map(|at| at as f64)
+                .collect::<Vec<f64>>(),
+        };
+        let material = material.and_then(|at| u32::try_from(at).ok());
+        let mut triangle = |[a, b, c]: [f64; 3]| {
             // A mirror image reverses the winding of triangles.
-            let triangle = if determinant < 0.0 {
+            let triangle = if vertices.mirrored {
                 [a, c, b]
             } else {
                 [a, b, c]
             };
-            let mut corners = triangle.map(|index| Corner {
-                position: first[0] + index,
-                uv: has_uvs.as_ref().map(|_| first[1] + index),
-                normal: has_normals.as_ref().map(|_| first[2] + index),
-                color: has_colors.as_ref().map(|_| first[3] + index),
-            });
+            let mut corners = triangle.map(|index| vertices.corner(index));
             self.model.polygon(&mut corners, material, Smoothing::Angle)
         };
-        match primitive.mode() {
-            Mode::TriangleStrip => {
+        match mode {
+            5 => {
                 for (at, corners) in indices.windows(3).enumerate() {
                     let [a, b, c] = [corners[0], corners[1], corners[2]];
                     triangle(if at % 2 == 0 { [a, b, c] } else { [b, a, c] })?;
                 }
             }
-            Mode::TriangleFan => {
+            6 => {
                 for corners in indices.get(1..).unwrap_or_default().windows(2) {
                     triangle([indices[0], corners[0], corners[1]])?;
                 }
@@ -362,42 +539,148 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn indices(&self, accessor: &Accessor<'_>, count: usize) -> Result<Vec<u32>, String> {
-        let list = self.floats::<1>(accessor)?;
-        list.into_iter()
-            .map(|[index]| {
-                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-                // a whole number of 32 bits
-                let whole = index as u32;
-                if (whole as usize) < count {
-                    Ok(whole)
-                } else {
-                    Err(format!(
-                        "vertex {index} does not exist: there are {count}, counted from 0"
-                    ))
+    /// Adds the vertices of a primitive: morphed by `weights`, and moved by the matrix of its node or by its joints.
+    fn vertices(
+        &mut self,
+        primitive: &Value,
+        material: Option<usize>,
+        weights: &[f64],
+        joints: &[Matrix],
+        node: Matrix,
+    ) -> Result<Vertices, String> {
+        let attributes = &primitive["attributes"];
+        let positions = whole(&attributes["POSITION"]).ok_or("it has no positions")?;
+        let mut positions = self.values::<3>(positions)?;
+        let count = positions.len();
+        let mut normals = self.attribute::<3>(&attributes["NORMAL"], count)?;
+        for (target, &weight) in list(primitive, "targets").iter().zip(weights) {
+            for (name, values) in [("POSITION", &mut positions), ("NORMAL", &mut normals)] {
+                let moved = self.attribute::<3>(&target[name], count)?;
+                for (value, moved) in values.iter_mut().zip(moved) {
+                    *value = [0, 1, 2].map(|i| value[i] + weight * moved[i]);
                 }
-            })
-            .collect()
+            }
+        }
+        let (_, texture) = surface(match material {
+            Some(at) => &list(self.root, "materials")[at],
+            None => &Value::Null,
+        });
+        let uvs = self.uvs(attributes, texture, count)?;
+        let colors = self.attribute::<3>(&attributes["COLOR_0"], count)?;
+        let shares = match joints {
+            [] => Vec::new(),
+            _ => self.attribute::<4>(&attributes["WEIGHTS_0"], count)?,
+        };
+        let bones = self.attribute::<4>(&attributes["JOINTS_0"], count)?;
+        let bones: Vec<([f64; 4], [f64; 4])> = bones.into_iter().zip(shares).collect();
+
+        let model = &mut self.model;
+        let mut vertices = Vertices {
+            count,
+            position: next(&model.positions)?,
+            uv: (!uvs.is_empty()).then_some(next(&model.uvs)?),
+            normal: (!normals.is_empty()).then_some(next(&model.normals)?),
+            color: (!colors.is_empty()).then_some(next(&model.colors)?),
+            mirrored: normal_matrix(&node).1 < 0.0,
+        };
+        for (at, p) in positions.iter().enumerate() {
+            let matrix = bones
+                .get(at)
+                .and_then(|bone| blend(joints, bone))
+                .unwrap_or(node);
+            model
+                .positions
+                .push([0, 1, 2].map(|row| {
+                    matrix[3][row] + (0..3).map(|k| matrix[k][row] * p[k]).sum::<f64>()
+                }));
+            if let Some(n) = normals.get(at) {
+                let (matrix, determinant) = normal_matrix(&matrix);
+                vertices.mirrored = determinant < 0.0;
+                let normal =
+                    [0, 1, 2].map(|row| (0..3).map(|k| matrix[k][row] * n[k]).sum::<f64>());
+                model.normals.push(normal.map(|x| x * determinant.signum()));
+            }
+        }
+        model.uvs.extend(uvs);
+        model
+            .colors
+            .extend(colors.iter().map(|color| color.map(srgb)));
+        Ok(vertices)
     }
 
-    fn slice(&self, view: &View<'_>) -> Result<&[u8], String> {
-        let buffer = &self.buffers[view.buffer().index()];
-        let end = view.offset().checked_add(view.length());
-        end.and_then(|end| buffer.get(view.offset()..end))
-            .ok_or_else(|| {
-                let (at, len) = (view.index(), buffer.len());
-                format!("buffer view {at} leaves its buffer of {len} bytes")
-            })
+    /// The texture coordinates of a primitive's vertices.
+    fn uvs(
+        &mut self,
+        attributes: &Value,
+        texture: &Value,
+        count: usize,
+    ) -> Result<Vec<[f64; 2]>, String> {
+        let transform = &texture["extensions"]["KHR_texture_transform"];
+        let set = whole(&transform["texCoord"])
+            .or(whole(&texture["texCoord"]))
+            .unwrap_or(0);
+        let mut uvs = self.attribute::<2>(&attributes[format!("TEXCOORD_{set}")], count)?;
+        if transform.is_object() {
+            let [x, y] = numbers(&transform["offset"]).unwrap_or([0.0; 2]);
+            let [width, height] = numbers(&transform["scale"]).unwrap_or([1.0; 2]);
+            let (sin, cos) = transform["rotation"].as_f64().unwrap_or(0.0).sin_cos();
+            for uv in &mut uvs {
+                let [u, v] = [uv[0] * width, uv[1] * height];
+                *uv = [x + cos * u + sin * v, y - sin * u + cos * v];
+            }
+        }
+        Ok(uvs)
+    }
+
+    /// The values of an attribute, as many as there are positions; none if it is missing.
+    fn attribute<const N: usize>(
+        &mut self,
+        accessor: &Value,
+        count: usize,
+    ) -> Result<Vec<[f64; N]>, String> {
+        let Some(at) = whole(accessor) else {
+            return Ok(Vec::new());
+        };
+        let mut values = self.values(at)?;
+        if values.len() != count {
+            self.model
+                .notes
+                .add("an attribute with another number of values than positions is left out");
+            values.clear();
+        }
+        Ok(values)
+    }
+
+    /// The bytes of a buffer view, and the distance of its values if it says one.
+    fn view(&self, at: usize) -> Result<(&[u8], Option<usize>), String> {
+        let view = self.item("bufferViews", at)?;
+        let number = |name: &str| whole(&view[name]);
+        let (start, length) = (
+            number("byteOffset").unwrap_or(0),
+            number("byteLength").unwrap_or(0),
+        );
+        let buffer = number("buffer").unwrap_or(0);
+        self.item("buffers", buffer)?;
+        let buffer = &self.buffers[buffer];
+        let bytes = buffer.get(start..).and_then(|rest| rest.get(..length));
+        let bytes = bytes.ok_or_else(|| {
+            format!(
+                "bufferView {at} leaves its buffer of {} bytes",
+                buffer.len()
+            )
+        })?;
+        Ok((bytes, number("byteStride").filter(|&stride| stride > 0)))
     }
 
     /// The first `N` components of each value of an accessor, as numbers.
-    fn floats<const N: usize>(&self, accessor: &Accessor<'_>) -> Result<Vec<[f64; N]>, String> {
-        let at = accessor.index();
-        let components = match accessor.dimensions() {
-            Dimensions::Scalar => 1,
-            Dimensions::Vec2 => 2,
-            Dimensions::Vec3 => 3,
-            Dimensions::Vec4 => 4,
+    fn values<const N: usize>(&mut self, at: usize) -> Result<Vec<[f64; N]>, String> {
+        let accessor = self.item("accessors", at)?;
+        let components = match accessor["type"].as_str() {
+            Some("SCALAR") => 1,
+            Some("VEC2") => 2,
+            Some("VEC3") => 3,
+            Some("VEC4") => 4,
+            Some("MAT4") => 16,
             _ => 0,
         };
         if components < N {
@@ -405,76 +688,123 @@ impl Reader<'_> {
                 "accessor {at}: it has {components} components a value, and needs {N}"
             ));
         }
-        let kind = accessor.data_type();
+        let kind = whole(&accessor["componentType"]).unwrap_or(0);
+        let size = component_size(kind)
+            .ok_or_else(|| format!("accessor {at}: there is no componentType {kind}"))?;
+        let count = whole(&accessor["count"]).unwrap_or(0);
+        let normalized = accessor["normalized"].as_bool().unwrap_or(false);
         let value = |bytes: &[u8]| -> [f64; N] {
-            let mut value = [0.0; N];
-            for (component, bytes) in value.iter_mut().zip(bytes.chunks_exact(kind.size())) {
-                *component = number(kind, bytes, accessor.normalized());
-            }
-            self.elements.set(self.elements.get() + 1);
-            self.read.set(self.read.get() + bytes.len());
-            self.folder.progress(self.elements.get(), self.read.get());
-            value
+            let mut components = bytes
+                .chunks_exact(size)
+                .map(|bytes| number(kind, bytes, normalized));
+            [(); N].map(|()| components.next().unwrap_or(0.0))
         };
-        let size = components * kind.size();
-        let mut values = match accessor.view() {
+        let leaves = || format!("accessor {at} leaves its buffer view");
+        let offset = |object: &Value| whole(&object["byteOffset"]).unwrap_or(0);
+        let whole_size = components * size;
+        let sparse = &accessor["sparse"];
+        let mut values = match whole(&accessor["bufferView"]) {
             Some(view) => {
-                let stride = view.stride().unwrap_or(size);
-                rows(
-                    self.slice(&view)?,
-                    accessor.offset(),
-                    stride,
-                    size,
-                    accessor.count(),
-                )
-                .ok_or_else(|| format!("accessor {at} leaves its buffer view"))?
-                .map(value)
-                .collect()
+                let (bytes, stride) = self.view(view)?;
+                let stride = stride.unwrap_or(whole_size);
+                let rows =
+                    rows(bytes, offset(accessor), stride, whole_size, count).ok_or_else(leaves)?;
+                rows.map(value).collect()
             }
-            // Values without bytes of their own are zero. But a short file must not be able to claim all memory.
-            None if accessor.sparse().is_some() && accessor.count() <= 1 << 24 => {
-                vec![[0.0; N]; accessor.count()]
-            }
-            None if accessor.sparse().is_some() => {
-                let count = accessor.count();
+            None if count <= MOST_ZEROS => vec![[0.0; N]; count],
+            None => {
                 return Err(format!(
-                    "accessor {at} has {count} values but no bytes: at most 16777216 such values are read"
+                    "accessor {at} has {count} values but no bytes: at most {MOST_ZEROS} are read"
                 ));
             }
-            None => return Err(format!("accessor {at} has no values")),
         };
-        if let Some(sparse) = accessor.sparse() {
-            let leaves = || format!("the sparse values of accessor {at} leave their buffer view");
-            let (places, changed) = (sparse.indices(), sparse.values());
-            let kind = match places.index_type() {
-                gltf::accessor::sparse::IndexType::U8 => DataType::U8,
-                gltf::accessor::sparse::IndexType::U16 => DataType::U16,
-                gltf::accessor::sparse::IndexType::U32 => DataType::U32,
-            };
-            let (place_view, value_view) = (places.view(), changed.view());
-            let indices = rows(
-                self.slice(&place_view)?,
-                places.offset(),
-                kind.size(),
-                kind.size(),
-                sparse.count(),
-            );
+        if let Some(count) = whole(&sparse["count"]) {
+            let (places, changed) = (&sparse["indices"], &sparse["values"]);
+            let place_kind = whole(&places["componentType"]).unwrap_or(0);
+            let place_size = component_size(place_kind).ok_or_else(leaves)?;
+            let view =
+                |object: &Value| self.view(whole(&object["bufferView"]).unwrap_or(usize::MAX));
+            let (place_bytes, _) = view(places)?;
+            let (changed_bytes, _) = view(changed)?;
+            let indices = rows(place_bytes, offset(places), place_size, place_size, count)
+                .ok_or_else(leaves)?;
             let changed = rows(
-                self.slice(&value_view)?,
-                changed.offset(),
-                size,
-                size,
-                sparse.count(),
-            );
-            for (index, bytes) in indices.ok_or_else(leaves)?.zip(changed.ok_or_else(leaves)?) {
+                changed_bytes,
+                offset(changed),
+                whole_size,
+                whole_size,
+                count,
+            )
+            .ok_or_else(leaves)?;
+            for (index, bytes) in indices.zip(changed) {
                 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
                 // a whole number of 32 bits
-                let index = number(kind, index, false) as usize;
+                let index = number(place_kind, index, false) as usize;
                 *values.get_mut(index).ok_or_else(leaves)? = value(bytes);
             }
         }
+        self.read += count * whole_size;
+        self.folder
+            .files
+            .progress(self.read.min(self.folder.all), self.folder.all);
         Ok(values)
     }
+}
+
+/// The vertices of a primitive in the model's lists: how many, and where they begin.
+struct Vertices {
+    count: usize,
+    position: u32,
+    uv: Option<u32>,
+    normal: Option<u32>,
+    color: Option<u32>,
+    mirrored: bool,
+}
+
+impl Vertices {
+    /// The corner at a vertex. One that does not exist has no position in the model either.
+    fn corner(&self, index: f64) -> Corner {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        // a whole number of 32 bits
+        let index = index as u32;
+        if index as usize >= self.count {
+            return Corner {
+                position: u32::MAX,
+                ..Corner::default()
+            };
+        }
+        let of = |first: Option<u32>| first.map(|first| first + index);
+        Corner {
+            position: self.position + index,
+            uv: of(self.uv),
+            normal: of(self.normal),
+            color: of(self.color),
+        }
+    }
+}
+
+/// The mean of the matrices of a vertex's joints, by their weights; `None` without weights.
+fn blend(joints: &[Matrix], (which, weights): &([f64; 4], [f64; 4])) -> Option<Matrix> {
+    let all: f64 = weights.iter().sum();
+    let mut mean = [[0.0; 4]; 4];
+    for (&joint, weight) in which.iter().zip(weights) {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number
+        let joint = joints.get(joint as usize).unwrap_or(&IDENTITY);
+        for (sum, x) in mean.as_flattened_mut().iter_mut().zip(joint.as_flattened()) {
+            *sum += x * weight / all;
+        }
+    }
+    (all > 0.0).then_some(mean)
+}
+
+/// The base color of a material and its texture, in either description.
+fn surface(material: &Value) -> (&Value, &Value) {
+    let glossy = &material["extensions"]["KHR_materials_pbrSpecularGlossiness"];
+    if glossy.is_object() {
+        return (&glossy["diffuseFactor"], &glossy["diffuseTexture"]);
+    }
+    let surface = &material["pbrMetallicRoughness"];
+    (&surface["baseColorFactor"], &surface["baseColorTexture"])
 }
 
 /// Splits `bytes` from `offset` on into `count` values of `size` bytes that begin every `stride` bytes; `None` if they
@@ -496,17 +826,26 @@ fn rows(
     Some((0..count).map(move |at| &bytes[at * stride..][..size]))
 }
 
+/// How many bytes a component takes.
+fn component_size(kind: usize) -> Option<usize> {
+    match kind {
+        5120 | 5121 => Some(1),
+        5122 | 5123 => Some(2),
+        5125 | 5126 => Some(4),
+        _ => None,
+    }
+}
+
 /// A component of a value; `normalized` integers stand for fractions.
-fn number(kind: DataType, bytes: &[u8], normalized: bool) -> f64 {
-    let pair = || [bytes[0], bytes[1]];
-    let four = || [bytes[0], bytes[1], bytes[2], bytes[3]];
-    let (value, most) = match kind {
-        DataType::I8 => (i8::from_le_bytes([bytes[0]]).into(), 127.0),
-        DataType::U8 => (bytes[0].into(), 255.0),
-        DataType::I16 => (i16::from_le_bytes(pair()).into(), 32_767.0),
-        DataType::U16 => (u16::from_le_bytes(pair()).into(), 65_535.0),
-        DataType::U32 => (u32::from_le_bytes(four()).into(), f64::from(u32::MAX)),
-        DataType::F32 => (f32::from_le_bytes(four()).into(), 1.0),
+fn number(kind: usize, bytes: &[u8], normalized: bool) -> f64 {
+    let (value, most) = match (kind, bytes) {
+        (5120, &[a]) => (i8::from_le_bytes([a]).into(), 127.0),
+        (5121, &[a]) => (a.into(), 255.0),
+        (5122, &[a, b]) => (i16::from_le_bytes([a, b]).into(), 32_767.0),
+        (5123, &[a, b]) => (u16::from_le_bytes([a, b]).into(), 65_535.0),
+        (5125, &[a, b, c, d]) => (u32::from_le_bytes([a, b, c, d]).into(), f64::from(u32::MAX)),
+        (5126, &[a, b, c, d]) => return f32::from_le_bytes([a, b, c, d]).into(),
+        _ => return 0.0,
     };
     if normalized {
         f64::max(value / most, -1.0)

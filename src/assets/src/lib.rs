@@ -6,7 +6,6 @@
 
 mod complete;
 mod files;
-#[cfg(feature = "gltf")]
 mod gltf;
 mod lists;
 mod material;
@@ -15,7 +14,6 @@ mod notes;
 mod obj;
 mod outline;
 pub mod picture;
-#[cfg(feature = "ply")]
 mod ply;
 mod polygon;
 mod sniff;
@@ -126,8 +124,8 @@ pub fn read(path: &Path, files: &dyn Files) -> Result<Model, String> {
         let mut model = match sniff::format(path, &bytes)? {
             Format::Obj => obj::read(&bytes, folder)?,
             Format::Stl => stl::read(&bytes, folder)?,
-            Format::Ply => read_ply(&bytes, folder)?,
-            Format::Gltf => read_gltf(&bytes, folder)?,
+            Format::Ply => ply::read(&bytes, folder)?,
+            Format::Gltf => gltf::read(&bytes, folder)?,
         };
         if model.triangles.is_empty() {
             return Err(match model.notes.iter().next() {
@@ -145,24 +143,6 @@ pub fn read(path: &Path, files: &dyn Files) -> Result<Model, String> {
     read().map_err(|problem| format!("model {name}: {}", text::one_line(&problem)))
 }
 
-#[cfg(feature = "ply")]
-use ply::read as read_ply;
-
-/// Refuses a PLY file, because the code that reads it is not compiled in.
-#[cfg(not(feature = "ply"))]
-fn read_ply(_: &[u8], _: Folder<'_>) -> Result<Model, String> {
-    Err("it is a PLY file, and this program was built without the feature ply".into())
-}
-
-#[cfg(feature = "gltf")]
-use gltf::read as read_gltf;
-
-/// Refuses a glTF file, because the code that reads it is not compiled in.
-#[cfg(not(feature = "gltf"))]
-fn read_gltf(_: &[u8], _: Folder<'_>) -> Result<Model, String> {
-    Err("it is a glTF file, and this program was built without the feature gltf".into())
-}
-
 /// The index of the next element of a list.
 fn next<T>(list: &[T]) -> Result<u32, String> {
     u32::try_from(list.len())
@@ -171,7 +151,6 @@ fn next<T>(list: &[T]) -> Result<u32, String> {
 
 impl Model {
     /// The polygons that follow belong to the object of this name.
-    #[allow(dead_code)]
     fn begin_object(&mut self, name: &str) {
         let found = self.objects.iter().position(|object| object == name);
         if found.is_none() {

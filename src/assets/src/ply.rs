@@ -1,363 +1,451 @@
 //! Reads PLY, text and binary.
 
-use std::io::Cursor;
+use std::collections::HashMap;
 
-use ply_rs_bw::parser::{ParseError, Parser, Reader};
-use ply_rs_bw::ply::{
-    ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType,
-    ScalarType,
-};
+use crate::files::Folder;
+use crate::mtl::byte;
+use crate::text::{number, quote, words};
+use crate::{Corner, Image, Material, Model, Smoothing, next};
 
-use super::files::Folder;
-use super::text::{number, quote, words};
-use super::{Corner, Model, Smoothing, next};
-
-/// How many elements are read at a time, between two steps of the progress bar.
-const STEP: usize = 1 << 14;
-
-/// Reads a PLY file: its elements `vertex` and `face`.
+/// Reads a PLY file: its elements `vertex`, `face` and `tristrips`.
 pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
-    let mut reader = Reader::new(Cursor::new(bytes));
-    let header = Parser::<Row>::new()
-        .read_header(&mut reader)
-        .map_err(|error| refused(&error, bytes, None))?;
-    #[allow(clippy::cast_possible_truncation)] // a position in memory
-    let start = reader.get_ref().position() as usize;
-    let mut file = File {
-        reader,
-        header,
-        bytes,
-        start: Some(start),
-    };
     let mut model = Model::default();
-    let mut has = Attributes::default();
-    let elements: Vec<ElementDef> = file.header.elements.values().cloned().collect();
-    for element in elements {
-        let names = |name: &str| element.properties.contains_key(name);
-        match element.name.as_str() {
-            "vertex" => {
-                for axis in ["x", "y", "z"] {
-                    if !names(axis) {
-                        return Err(format!("its vertices have no property {axis}"));
-                    }
-                }
-                has = Attributes {
-                    normals: names("nx") && names("ny") && names("nz"),
-                    colors: names("red") && names("green") && names("blue"),
-                    uvs: UVS.iter().any(|[u, v]| names(u) && names(v)),
-                };
-                file.rows(&element, folder, |row| {
-                    model.positions.push(row.position);
-                    if has.normals {
-                        model.normals.push(row.normal);
-                    }
-                    if has.colors {
-                        model.colors.push(row.color);
-                    }
-                    if has.uvs {
-                        // In the file, v points up.
-                        model.uvs.push([row.uv[0], 1.0 - row.uv[1]]);
-                    }
-                    Ok(())
-                })?;
+    let mut file = File {
+        bytes,
+        at: 0,
+        line: 0,
+        order: Order::Text,
+    };
+    let elements = file.header(&mut model, folder)?;
+    let mut faces = Faces::default();
+    for element in &elements {
+        if let Err(problem) = file.element(element, &mut model, &mut faces, folder) {
+            // What was read before is drawn.
+            if faces.ends.is_empty() {
+                return Err(problem);
             }
-            "face" => {
-                if !names("vertex_indices") && !names("vertex_index") {
-                    return Err("its faces have no property vertex_indices".into());
-                }
-                let count = model.positions.len();
-                let vertices = next(&model.positions)?;
-                let mut corners = Vec::new();
-                file.rows(&element, folder, |row| {
-                    if row.indices.len() < 3 {
-                        return Err(format!("a face has {} corners: it needs at least 3", row.indices.len()));
-                    }
-                    corners.clear();
-                    for &index in &row.indices {
-                        let position = u32::try_from(index)
-                            .ok()
-                            .filter(|&index| index < vertices)
-                            .ok_or_else(|| {
-                                format!("vertex {index} does not exist: there are {count}, counted from 0")
-                            })?;
-                        corners.push(Corner {
-                            position,
-                            uv: has.uvs.then_some(position),
-                            normal: has.normals.then_some(position),
-                            color: has.colors.then_some(position),
-                        });
-                    }
-                    if row.uvs.len() == 2 * corners.len() {
-                        for (corner, uv) in corners.iter_mut().zip(row.uvs.chunks_exact(2)) {
-                            corner.uv = Some(next(&model.uvs)?);
-                            model.uvs.push([uv[0], 1.0 - uv[1]]);
-                        }
-                    }
-                    model.polygon(&mut corners, None, Smoothing::Angle)
-                })?;
-            }
-            _ => file.rows(&element, folder, |_| Ok(()))?,
+            model
+                .notes
+                .add(format!("the rest of the file is left out: {problem}"));
+            break;
         }
     }
-    if model.triangles.is_empty() && !model.positions.is_empty() {
-        return Err("it is a cloud of points: only faces are drawn, and it has none".into());
+    if faces.ends.is_empty() {
+        let has = |name: &str| {
+            elements
+                .iter()
+                .any(|element| element.name == name && element.count > 0)
+        };
+        if has("edge") {
+            return Err("it has edges, but no faces: only faces are drawn".into());
+        }
+        if has("vertex") {
+            return Err("it is a cloud of points: only faces are drawn, and it has none".into());
+        }
+    }
+    // A file may have its faces before its vertices, so they become polygons only now.
+    let material = (!model.materials.is_empty()).then_some(0);
+    let [uv, normal, color] = faces.attributes;
+    let mut corners = Vec::new();
+    let mut start = 0;
+    for (&end, &own_color) in faces.ends.iter().zip(&faces.colors) {
+        corners.clear();
+        corners.extend_from_slice(&faces.corners[start..end]);
+        start = end;
+        for corner in &mut corners {
+            let of = |first: Option<u32>| first?.checked_add(corner.position);
+            corner.uv = corner.uv.or(of(uv));
+            corner.normal = of(normal);
+            corner.color = own_color.or(of(color));
+        }
+        model.polygon(&mut corners, material, Smoothing::Angle)?;
     }
     Ok(model)
 }
 
-/// Explains why the reader refuses a file: names the mistake in its header, or in an element.
-fn refused(error: &ParseError, bytes: &[u8], element: Option<&ElementDef>) -> String {
-    // The reader's message begins with the line of a text.
-    let message = error.to_string();
-    let place = message
-        .strip_prefix("Line ")
-        .and_then(|rest| rest.split_once(':'));
-    let Some((at, rest)) = place.and_then(|(at, rest)| Some((at.parse::<usize>().ok()?, rest)))
-    else {
-        return message;
-    };
-    let problem = match (line(bytes, at), element) {
-        (None, _) => Some("the file ends here".into()),
-        (Some(line), Some(element)) => explain(line, element),
-        (Some(line), None) => Some(format!("{} is not a line of a PLY header", quote(line))),
-    };
-    format!(
-        "line {at}: {}",
-        problem.unwrap_or_else(|| rest.trim().into())
-    )
+/// How the numbers of a file are written.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Order {
+    Text,
+    Little,
+    Big,
 }
 
-/// A line of text, counted from 1.
-fn line(bytes: &[u8], at: usize) -> Option<&[u8]> {
-    bytes.split(|&byte| byte == b'\n').nth(at.checked_sub(1)?)
+/// The type of a number.
+#[derive(Clone, Copy)]
+struct Kind {
+    size: usize,
+    signed: bool,
+    float: bool,
 }
 
-/// Explains the mistake in a line of text with an element; `None` if there is no short explanation.
-fn explain(line: &[u8], element: &ElementDef) -> Option<String> {
-    let mut words = words(line);
-    for (name, property) in &element.properties {
-        let (count, kind) = match &property.data_type {
-            PropertyType::Scalar(kind) => (1, kind),
-            PropertyType::List(_, kind) => {
-                let Some(count) = words.next() else {
-                    return Some(format!("the list '{name}' is missing"));
-                };
-                match std::str::from_utf8(count)
-                    .ok()
-                    .and_then(|count| count.parse().ok())
-                {
-                    Some(count) => (count, kind),
-                    None => return Some(format!("{} is not a count", quote(count))),
-                }
-            }
+impl Kind {
+    fn of(name: &[u8]) -> Option<Self> {
+        let (size, signed, float) = match name {
+            b"char" | b"int8" => (1, true, false),
+            b"uchar" | b"uint8" => (1, false, false),
+            b"short" | b"int16" => (2, true, false),
+            b"ushort" | b"uint16" => (2, false, false),
+            b"int" | b"int32" => (4, true, false),
+            b"uint" | b"uint32" => (4, false, false),
+            b"float" | b"float32" => (4, true, true),
+            b"double" | b"float64" => (8, true, true),
+            _ => return None,
         };
-        for found in 0..count {
-            let Some(word) = words.next() else {
-                return Some(match property.data_type {
-                    PropertyType::Scalar(_) => format!("the value of '{name}' is missing"),
-                    PropertyType::List(..) => {
-                        format!("the list '{name}' has {found} values, and promises {count}")
-                    }
-                });
-            };
-            let value = match number(word) {
-                Err(problem) => return Some(problem),
-                Ok(value) => value,
-            };
-            let is_fraction = matches!(kind, ScalarType::Float | ScalarType::Double);
-            if !is_fraction && value.fract() != 0.0 {
-                return Some(format!("{} is not a whole number", quote(word)));
-            }
-        }
+        Some(Self {
+            size,
+            signed,
+            float,
+        })
     }
-    None
-}
 
-/// How many bytes a number takes in a binary file.
-fn size(kind: &ScalarType) -> usize {
-    match kind {
-        ScalarType::Char | ScalarType::UChar => 1,
-        ScalarType::Short | ScalarType::UShort => 2,
-        ScalarType::Int | ScalarType::UInt | ScalarType::Float => 4,
-        ScalarType::Double => 8,
+    /// A component of a color, of which a fraction is at most 1, and an integer at most the largest of its type.
+    fn color(self, value: f64) -> u8 {
+        let bits = i32::try_from(8 * self.size - usize::from(self.signed)).unwrap_or(8);
+        byte(if self.float {
+            value
+        } else {
+            value / (f64::from(bits).exp2() - 1.0)
+        })
     }
 }
 
-/// How many bytes an element takes in a binary file, if all take the same number.
-fn stride(element: &ElementDef) -> Option<usize> {
-    let sizes = element.properties.values().map(|property| {
-        let PropertyType::Scalar(kind) = &property.data_type else {
-            return None;
-        };
-        Some(size(kind))
-    });
-    sizes.sum()
+struct Property {
+    name: String,
+    /// Of the length of a list.
+    count: Option<Kind>,
+    kind: Kind,
 }
 
-/// The data that vertices have besides their position.
-#[derive(Clone, Copy, Default)]
-struct Attributes {
-    normals: bool,
-    colors: bool,
-    uvs: bool,
+struct Element {
+    name: String,
+    count: usize,
+    properties: Vec<Property>,
 }
 
-/// The names of texture coordinates.
-const UVS: [[&str; 2]; 3] = [["s", "t"], ["u", "v"], ["texture_u", "texture_v"]];
-
-struct File<'a> {
-    reader: Reader<Cursor<&'a [u8]>>,
-    header: Header,
-    bytes: &'a [u8],
-    /// Where the next elements begin, if it is known.
-    start: Option<usize>,
+/// The faces that have been read, until all vertices are.
+#[derive(Default)]
+struct Faces {
+    corners: Vec<Corner>,
+    /// Where the corners of each end, and its color.
+    ends: Vec<usize>,
+    colors: Vec<Option<u32>>,
+    /// The places of the faces' colors.
+    places: HashMap<[u8; 3], u32>,
+    /// Where the texture coordinates, normals and colors of the vertices begin.
+    attributes: [Option<u32>; 3],
 }
 
-impl File<'_> {
-    /// Calls `each` with every element of one kind.
-    fn rows(
+impl Faces {
+    /// Adds a face, which may have texture coordinates and a color of its own.
+    fn face(
         &mut self,
-        element: &ElementDef,
-        folder: Folder<'_>,
-        mut each: impl FnMut(Row) -> Result<(), String>,
+        model: &mut Model,
+        indices: &[f64],
+        uvs: &[f64],
+        color: Option<[u8; 3]>,
     ) -> Result<(), String> {
-        let parser = Parser::<Row>::new();
-        let is_text = self.header.encoding == Encoding::Ascii;
-        if element.properties.is_empty() && !is_text {
-            return Ok(());
-        }
-        let stride = stride(element);
-        let place = |at: usize| Some(self.start? + at * stride?);
-        let mut done = 0;
-        while done < element.count {
-            let count = STEP.min(element.count - done);
-            let part = ElementDef {
-                count,
-                ..element.clone()
-            };
-            let line = self.reader.line();
-            let rows = parser
-                .read_payload_for_element(&mut self.reader, &part, &self.header)
-                .map_err(|error| match error.kind() {
-                    std::io::ErrorKind::UnexpectedEof => format!(
-                        "byte {}: it ends within the {} elements '{}' that its header promises",
-                        self.bytes.len(),
-                        element.count,
-                        element.name
-                    ),
-                    _ => refused(&error, self.bytes, Some(element)),
-                })?;
-            for (at, row) in rows.into_iter().enumerate() {
-                each(row).map_err(|problem| {
-                    if is_text {
-                        let line = line + at;
-                        let text = self::line(self.bytes, line).unwrap_or_default();
-                        let problem = explain(text, element).unwrap_or(problem);
-                        return format!("line {line}: {problem}");
-                    }
-                    match place(done + at) {
-                        Some(byte) => format!("byte {byte}: {problem}"),
-                        None => format!("element '{}' {}: {problem}", element.name, done + at),
-                    }
-                })?;
+        let mut place = None;
+        if let Some(color) = color {
+            let new = next(&model.colors)?;
+            let found = *self.places.entry(color).or_insert(new);
+            if found == new {
+                model.colors.push(color);
             }
-            done += count;
-            #[allow(clippy::cast_possible_truncation)] // a position in memory
-            folder.progress(
-                done.next_multiple_of(STEP),
-                self.reader.get_ref().position() as usize,
-            );
+            place = Some(found);
         }
-        self.start = place(element.count);
+        let mut corners: Vec<Corner> = indices.iter().map(|&index| corner(index)).collect();
+        if uvs.len() == 2 * corners.len() {
+            for (corner, uv) in corners.iter_mut().zip(uvs.chunks_exact(2)) {
+                corner.uv = Some(next(&model.uvs)?);
+                model.uvs.push([uv[0], 1.0 - uv[1]]);
+            }
+        }
+        self.push(corners, place);
         Ok(())
     }
+
+    fn push(&mut self, corners: impl IntoIterator<Item = Corner>, color: Option<u32>) {
+        self.corners.extend(corners);
+        self.ends.push(self.corners.len());
+        self.colors.push(color);
+    }
 }
 
-/// The properties of an element that the program uses, whatever its kind.
-#[derive(Default)]
-struct Row {
-    position: [f64; 3],
-    normal: [f64; 3],
-    color: [u8; 3],
-    uv: [f64; 2],
-    indices: Vec<i64>,
-    uvs: Vec<f64>,
-}
-
-/// A property as a number, and as a component of a color. A component that is not an integer is a fraction.
-fn scalar(property: &Property) -> Option<(f64, u8)> {
-    let (value, most) = match *property {
-        Property::Char(x) => (x.into(), 127.0),
-        Property::UChar(x) => (x.into(), 255.0),
-        Property::Short(x) => (x.into(), 32_767.0),
-        Property::UShort(x) => (x.into(), 65_535.0),
-        Property::Int(x) => (x.into(), f64::from(i32::MAX)),
-        Property::UInt(x) => (x.into(), f64::from(u32::MAX)),
-        Property::Float(x) => (x.into(), 1.0),
-        Property::Double(x) => (x, 1.0),
-        _ => return None,
+/// A corner at a vertex; an index that is not one names a vertex that does not exist.
+fn corner(index: f64) -> Corner {
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // checked
+    let position = if index.fract() == 0.0 && (0.0..4e9).contains(&index) {
+        index as u32
+    } else {
+        u32::MAX
     };
-    Some((value, super::mtl::byte(value / most)))
+    Corner {
+        position,
+        ..Corner::default()
+    }
 }
 
-fn whole<T: Into<i64> + Copy>(list: &[T]) -> Vec<i64> {
-    list.iter().map(|&x| x.into()).collect()
+struct File<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    line: usize,
+    order: Order,
 }
 
-impl PropertyAccess for Row {
-    fn new() -> Self {
-        Self::default()
+impl<'a> File<'a> {
+    /// The next line without its end; `None` at the end of the file.
+    fn line(&mut self) -> Option<&'a [u8]> {
+        let rest = self.bytes.get(self.at..).filter(|rest| !rest.is_empty())?;
+        self.line += 1;
+        let end = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'));
+        let line = &rest[..end.unwrap_or(rest.len())];
+        let crlf = end.is_some_and(|end| rest[end..].starts_with(b"\r\n"));
+        self.at += line.len() + usize::from(end.is_some()) + usize::from(crlf);
+        Some(line)
     }
 
-    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
-        let place = match name {
-            "vertex_indices" | "vertex_index" => {
-                self.indices = match &property {
-                    Property::ListChar(list) => whole(list),
-                    Property::ListUChar(list) => whole(list),
-                    Property::ListShort(list) => whole(list),
-                    Property::ListUShort(list) => whole(list),
-                    Property::ListInt(list) => whole(list),
-                    Property::ListUInt(list) => whole(list),
-                    _ => return PropertyAccessResult::UnsupportedType,
-                };
-                return PropertyAccessResult::Set;
-            }
-            "texcoord" => {
-                match property {
-                    Property::ListFloat(list) => {
-                        self.uvs = list.into_iter().map(f64::from).collect();
-                    }
-                    Property::ListDouble(list) => self.uvs = list,
-                    _ => return PropertyAccessResult::Ignored,
+    /// Reads the header: the elements and their properties.
+    fn header(&mut self, model: &mut Model, folder: Folder<'_>) -> Result<Vec<Element>, String> {
+        let mut elements: Vec<Element> = Vec::new();
+        loop {
+            let line = self.line().ok_or("its header has no line 'end_header'")?;
+            let words: Vec<&[u8]> =
+                words(line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line)).collect();
+            let text = |word: &[u8]| String::from_utf8_lossy(word).into_owned();
+            let kind = |word: &[u8]| {
+                Kind::of(word)
+                    .ok_or_else(|| format!("line {}: {} is not a type", self.line, quote(word)))
+            };
+            match words.as_slice() {
+                [b"end_header"] => return Ok(elements),
+                [b"format", format, ..] => {
+                    self.order = match *format {
+                        b"ascii" => Order::Text,
+                        b"binary_little_endian" => Order::Little,
+                        b"binary_big_endian" => Order::Big,
+                        other => {
+                            return Err(format!(
+                                "line {}: there is no format {}",
+                                self.line,
+                                quote(other)
+                            ));
+                        }
+                    };
                 }
-                return PropertyAccessResult::Set;
-            }
-            "red" | "green" | "blue" => {
-                let at = ["red", "green", "blue"]
-                    .iter()
-                    .position(|&color| color == name);
-                if let (Some((_, byte)), Some(at)) = (scalar(&property), at) {
-                    self.color[at] = byte;
+                [b"comment", b"TextureFile", name @ ..]
+                    if !name.is_empty() && model.images.is_empty() =>
+                {
+                    let name: Vec<String> = name.iter().map(|word| text(word)).collect();
+                    model
+                        .images
+                        .push(Image::File(folder.beside(&name.join(" "))));
+                    model.materials.push(Material {
+                        texture: Some(0),
+                        ..Material::new(String::new())
+                    });
                 }
-                return PropertyAccessResult::Set;
+                [b"element", name, count] => {
+                    let count = number(count)
+                        .ok()
+                        .filter(|count| count.fract() == 0.0 && (0.0..1e15).contains(count));
+                    let count = count.ok_or_else(|| {
+                        format!("line {}: the number of elements is missing", self.line)
+                    })?;
+                    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // checked
+                    let count = count as usize;
+                    elements.push(Element {
+                        name: text(name),
+                        count,
+                        properties: Vec::new(),
+                    });
+                }
+                [b"property", b"list", count, values, name] => {
+                    let property = Property {
+                        name: text(name),
+                        count: Some(kind(count)?),
+                        kind: kind(values)?,
+                    };
+                    elements
+                        .last_mut()
+                        .ok_or("a property comes before its element")?
+                        .properties
+                        .push(property);
+                }
+                [b"property", value, name] => {
+                    let property = Property {
+                        name: text(name),
+                        count: None,
+                        kind: kind(value)?,
+                    };
+                    elements
+                        .last_mut()
+                        .ok_or("a property comes before its element")?
+                        .properties
+                        .push(property);
+                }
+                [] | [b"ply" | b"comment" | b"obj_info", ..] => {}
+                [_, ..] => model
+                    .notes
+                    .add("a line of the header that is not of PLY is left out"),
             }
-            "x" => &mut self.position[0],
-            "y" => &mut self.position[1],
-            "z" => &mut self.position[2],
-            "nx" => &mut self.normal[0],
-            "ny" => &mut self.normal[1],
-            "nz" => &mut self.normal[2],
-            "s" | "u" | "texture_u" => &mut self.uv[0],
-            "t" | "v" | "texture_v" => &mut self.uv[1],
-            _ => return PropertyAccessResult::Ignored,
-        };
-        match scalar(&property) {
-            Some((value, _)) => {
-                *place = value;
-                PropertyAccessResult::Set
-            }
-            None => PropertyAccessResult::UnsupportedType,
         }
+    }
+
+    /// The next number, in text after its words.
+    fn number(
+        &mut self,
+        kind: Kind,
+        words: &mut dyn Iterator<Item = &'a [u8]>,
+    ) -> Result<f64, String> {
+        if self.order == Order::Text {
+            let word = words.next().ok_or("a number is missing")?;
+            return number(word);
+        }
+        let bytes = self
+            .bytes
+            .get(self.at..)
+            .and_then(|rest| rest.get(..kind.size));
+        let bytes = bytes.ok_or("the file ends here")?;
+        self.at += kind.size;
+        let mut low_first = [0; 8];
+        for (at, &byte) in bytes.iter().enumerate() {
+            low_first[if self.order == Order::Big {
+                kind.size - 1 - at
+            } else {
+                at
+            }] = byte;
+        }
+        let bits = u64::from_le_bytes(low_first);
+        let unused = 64 - 8 * kind.size;
+        #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss)]
+        // 32 bits, unless it is a double
+        Ok(match kind {
+            Kind {
+                float: true,
+                size: 4,
+                ..
+            } => f32::from_bits(bits as u32).into(),
+            Kind { float: true, .. } => f64::from_bits(bits),
+            Kind { signed: true, .. } => ((bits << unused).cast_signed() >> unused) as f64,
+            Kind { .. } => bits as f64,
+        })
+    }
+
+    /// Reads the values of an element.
+    fn row(&mut self, element: &Element, row: &mut [Vec<f64>]) -> Result<(), String> {
+        let mut line: &[u8] = b"";
+        while self.order == Order::Text && line.trim_ascii().is_empty() {
+            line = self.line().ok_or("the file ends here")?;
+        }
+        let mut words = words(line);
+        for (property, values) in element.properties.iter().zip(row) {
+            values.clear();
+            let mut value = |kind| {
+                self.number(kind, &mut words)
+                    .map_err(|problem| format!("'{}': {problem}", property.name))
+            };
+            let count = property.count.map_or(Ok(1.0), &mut value)?;
+            for _ in 0..corner(count).position {
+                values.push(value(property.kind)?);
+            }
+        }
+        Ok(())
+    }
+
+    /// Reads all elements of one kind.
+    fn element(
+        &mut self,
+        element: &Element,
+        model: &mut Model,
+        faces: &mut Faces,
+        folder: Folder<'_>,
+    ) -> Result<(), String> {
+        let find = |names: &&[&str]| {
+            element
+                .properties
+                .iter()
+                .position(|property| names.contains(&property.name.as_str()))
+        };
+        let fields = |names: &[&[&str]]| names.iter().map(find).collect::<Option<Vec<usize>>>();
+        let position = fields(&[&["x"], &["y"], &["z"]]);
+        let normal = fields(&[&["nx"], &["ny"], &["nz"]]);
+        let uv = fields(&[
+            &["s", "u", "texture_u", "s0"],
+            &["t", "v", "texture_v", "t0"],
+        ]);
+        let color = fields(&[
+            &["red", "r", "diffuse_red"],
+            &["green", "g", "diffuse_green"],
+            &["blue", "b", "diffuse_blue"],
+        ]);
+        let [indices, uvs] = [
+            &["vertex_indices", "vertex_index"],
+            &["texcoord", "texcoords"],
+        ]
+        .map(|names| find(&&names[..]));
+        match element.name.as_str() {
+            "vertex" if position.is_none() => {
+                return Err("its vertices have no properties x, y and z".into());
+            }
+            "vertex" => {
+                faces.attributes = [
+                    uv.as_ref().map(|_| next(&model.uvs)).transpose()?,
+                    normal.as_ref().map(|_| next(&model.normals)).transpose()?,
+                    color.as_ref().map(|_| next(&model.colors)).transpose()?,
+                ];
+            }
+            "face" | "tristrips" if indices.is_none() => {
+                return Err("its faces have no property vertex_indices".into());
+            }
+            "face" | "tristrips" => {}
+            other => model.notes.left_out(format!("elements '{other}'")),
+        }
+        let mut row: Vec<Vec<f64>> = vec![Vec::new(); element.properties.len()];
+        for at in 0..element.count {
+            if element.properties.is_empty() && self.order != Order::Text {
+                break;
+            }
+            let start = self.at;
+            self.row(element, &mut row)
+                .map_err(|problem| match self.order {
+                    Order::Text => format!("line {}: {problem}", self.line),
+                    _ => format!(
+                        "byte {start}, '{}' {at} of {}: {problem}",
+                        element.name, element.count
+                    ),
+                })?;
+            let list = |property: Option<usize>| {
+                property.map_or(&[][..], |property| row[property].as_slice())
+            };
+            let value = |field: usize| row[field].first().copied().unwrap_or(0.0);
+            let three = |fields: &Vec<usize>| [0, 1, 2].map(|axis| value(fields[axis]));
+            let bytes = |fields: &Vec<usize>| {
+                [0, 1, 2].map(|at| element.properties[fields[at]].kind.color(value(fields[at])))
+            };
+            match element.name.as_str() {
+                "vertex" => {
+                    model.positions.extend(position.as_ref().map(three));
+                    model.normals.extend(normal.as_ref().map(three));
+                    model.colors.extend(color.as_ref().map(bytes));
+                    // In the file, v points up.
+                    model
+                        .uvs
+                        .extend(uv.as_ref().map(|uv| [value(uv[0]), 1.0 - value(uv[1])]));
+                }
+                "face" => faces.face(model, list(indices), list(uvs), color.as_ref().map(bytes))?,
+                "tristrips" => {
+                    for strip in list(indices).split(|&index| index < 0.0) {
+                        for (at, triangle) in strip.windows(3).enumerate() {
+                            let [a, b, c] = [triangle[at % 2], triangle[1 - at % 2], triangle[2]];
+                            faces.push([a, b, c].map(corner), None);
+                        }
+                    }
+                }
+                _ => {}
+            }
+            folder.progress(at, self.at);
+        }
+        Ok(())
     }
 }
