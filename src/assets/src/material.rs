@@ -1,6 +1,12 @@
 //! Materials, and the images that they name.
 
+use std::collections::HashMap;
 use std::path::PathBuf;
+
+use super::{Model, Triangle, next};
+
+/// A transform of texture coordinates: `[[a, b, c], [d, e, f]]` moves (u, v) to (a u + b v + c, d u + e v + f).
+pub type Affine = [[f64; 3]; 2];
 
 /// A material.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,5 +77,43 @@ impl Image {
             Self::File(path) => Some(path.clone()),
             Self::Bytes(..) => None,
         }
+    }
+}
+
+impl Model {
+    /// Transforms the texture coordinates of the faces of some materials. `transforms` has the material's index, and
+    /// the transform in the model's coordinates, whose v points down.
+    pub(crate) fn transform_uvs(
+        &mut self,
+        transforms: &HashMap<u32, Affine>,
+    ) -> Result<(), String> {
+        if transforms.is_empty() {
+            return Ok(());
+        }
+        let old = std::mem::take(&mut self.uvs);
+        let mut moved = HashMap::new();
+        for at in 0..self.triangles.len() {
+            let Triangle {
+                mut corners,
+                material,
+                ..
+            } = self.triangles[at];
+            let transform = material
+                .and_then(|at| transforms.get_key_value(&at))
+                .unzip();
+            for uv in corners.iter_mut().filter_map(|corner| corner.uv.as_mut()) {
+                let new = next(&self.uvs)?;
+                let from = old[*uv as usize];
+                *uv = *moved.entry((transform.0, *uv)).or_insert_with(|| {
+                    let moved =
+                        |affine: &Affine| affine.map(|[a, b, c]| a * from[0] + b * from[1] + c);
+                    self.uvs.push(transform.1.map_or(from, moved));
+                    new
+                });
+            }
+            self.fix_uvs(&mut corners)?;
+            self.triangles[at].corners = corners;
+        }
+        Ok(())
     }
 }
