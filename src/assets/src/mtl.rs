@@ -1,59 +1,46 @@
 //! Reads MTL, the materials of OBJ files.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
 
 use super::files::Folder;
 use super::material::Affine;
-use super::text::{after_keyword, number, numbers, quote, statements, words};
+use super::text::{first_word, number, numbers, quote, statements};
 use super::{Alpha, Image, Material, Model, Notes, merge, next};
 
 /// What no note names, because most files have it: ambient light, highlights and refraction.
-const UNUSED: &str = " Ka Ks Ni Ns Tf illum sharpness map_Ka map_aat ";
+const UNUSED: &str = " Ka Ks Ni Ns Tf Tr illum sharpness map_Ka map_aat";
 
 /// What a file says about its materials, besides the model's list of them.
 #[derive(Default)]
 pub struct Materials {
     places: HashMap<String, u32>,
-    /// Indices of the materials that faces name, and that no library has defined.
-    pub undefined: BTreeSet<u32>,
+    /// Indices of the materials that a library has defined.
+    pub defined: HashSet<u32>,
     /// Transforms of texture coordinates, by the index of the material.
     pub transforms: HashMap<u32, Affine>,
 }
 
 impl Materials {
-    /// The index of a material. If none has this name yet, it is added: white and undefined.
+    /// The index of a material. If none has this name yet, it is added, white.
     pub fn named(&mut self, model: &mut Model, name: &[u8]) -> Result<u32, String> {
         let name = String::from_utf8_lossy(name).into_owned();
-        let (material, count) = (Material::new(name.clone()), model.materials.len());
-        let place = merge(&mut model.materials, &mut self.places, name, material)?;
-        if model.materials.len() > count {
-            self.undefined.insert(place);
-        }
-        Ok(place)
+        let material = Material::new(name.clone());
+        merge(&mut model.materials, &mut self.places, name, material)
     }
 
     /// Adds the materials of MTL text to a model.
     ///
     /// A material's color does not tint its texture, because programs write arbitrary colors next to a texture.
-    pub fn read(
-        &mut self,
-        model: &mut Model,
-        text: &[u8],
-        folder: Folder<'_>,
-    ) -> Result<(), String> {
+    pub fn add(&mut self, model: &mut Model, mtl: &[u8], folder: Folder<'_>) -> Result<(), String> {
         let mut skipped = "a line before the first newmtl is skipped";
         let (mut current, mut has_d, mut masks) = (None, false, Vec::new());
-        for (_, line) in statements(text, |_, _| ()) {
-            let mut values = words(&line).take_while(|word| !word.starts_with(b"#"));
-            let (keyword, value) = (values.next().unwrap_or_default(), after_keyword(&line));
+        for (_, line) in statements(mtl, |_, _| ()) {
+            let (keyword, value) = first_word(&line).unwrap_or_default();
             if keyword == b"newmtl" {
                 let place = self.named(model, value)?;
-                (current, has_d) = (self.undefined.take(&place), false);
+                (current, has_d) = (self.defined.insert(place).then_some(place), false);
                 skipped = "a line of a second material of the same name is skipped";
-                continue;
-            }
-            if keyword.is_empty() {
                 continue;
             }
             let Some(place) = current else {
@@ -62,36 +49,35 @@ impl Materials {
             };
             let image = next(&model.images)?;
             let (material, notes) = (&mut model.materials[place as usize], &mut model.notes);
-            let read = match keyword {
-                b"Kd" => color(values, notes).map(|color| material.color = color),
-                b"Ke" => color(values, notes).map(|color| material.emission = color),
-                b"d" => fraction(values, notes).map(|d| (material.opacity, has_d) = (d, true)),
-                // Programs disagree about the meaning of Tr.
-                b"Tr" if has_d => Some(()),
-                b"Tr" => fraction(values, notes).map(|tr| material.opacity = 1.0 - tr),
-                b"map_d" => map(value, notes, folder).map(|(file, ..)| masks.push((place, file))),
-                b"map_Kd" => map(value, notes, folder).map(|(file, changes, clamp)| {
-                    (material.texture, material.alpha) = (Some(image), Alpha::Cut(128));
-                    material.clamp = [clamp; 2];
-                    model.images.push(Image::File(file));
-                    self.transforms.remove(&place);
-                    if changes != UNCHANGED {
-                        // In the file, v points up.
-                        let [[a, b], [u, v]] = changes;
-                        let transform = [[a, 0.0, u], [0.0, b, 1.0 - b - v]];
-                        self.transforms.insert(place, transform);
+            let mut define = || -> Option<()> {
+                match keyword {
+                    b"Kd" => material.color = color(value, notes)?,
+                    b"Ke" => material.emission = color(value, notes)?,
+                    b"d" => (material.opacity, has_d) = (fraction(value, notes)?, true),
+                    // Programs disagree about the meaning of Tr.
+                    b"Tr" if !has_d => material.opacity = 1.0 - fraction(value, notes)?,
+                    b"map_d" => masks.push((place, map(value, notes, folder)?.0)),
+                    b"map_Kd" => {
+                        let (file, changes, clamp) = map(value, notes, folder)?;
+                        (material.texture, material.alpha) = (Some(image), Alpha::Cut(128));
+                        material.clamp = [clamp; 2];
+                        model.images.push(Image::File(file));
+                        self.transforms.remove(&place);
+                        if changes != UNCHANGED {
+                            // In the file, v points up.
+                            let [[a, b], [u, v]] = changes;
+                            (self.transforms).insert(place, [[a, 0.0, u], [0.0, b, 1.0 - b - v]]);
+                        }
                     }
-                }),
-                _ if UNUSED.split(' ').any(|word| word.as_bytes() == keyword) => Some(()),
-                _ => {
-                    notes.left_out(quote(keyword));
-                    Some(())
+                    _ if UNUSED.split(' ').any(|word| word.as_bytes() == keyword) => {}
+                    _ => notes.left_out(quote(keyword)),
                 }
+                Some(())
             };
-            if read.is_none() {
+            if define().is_none() {
+                let keyword = quote(keyword);
                 notes.add(format!(
-                    "a line of an MTL file is skipped: {} cannot be read",
-                    quote(keyword)
+                    "a line of an MTL file is skipped: {keyword} cannot be read"
                 ));
             }
         }
@@ -107,19 +93,18 @@ impl Materials {
 }
 
 /// A color of three components, or of one for gray.
-fn color<'a>(values: impl Iterator<Item = &'a [u8]>, notes: &mut Notes) -> Option<[u8; 3]> {
-    match numbers(values, 1, notes).ok()? {
-        ([gray, ..], 1) => Some([byte(gray); 3]),
-        (_, 2) => None,
-        ([r, g, b, ..], _) => Some([r, g, b].map(byte)),
+fn color(value: &[u8], notes: &mut Notes) -> Option<[u8; 3]> {
+    match numbers(value, notes) {
+        [Some(gray), None, ..] => Some([byte(gray); 3]),
+        [Some(r), Some(g), Some(b), ..] => Some([r, g, b].map(byte)),
+        _ => None,
     }
 }
 
 /// A number from 0 to 1.
-fn fraction<'a>(values: impl Iterator<Item = &'a [u8]>, notes: &mut Notes) -> Option<f64> {
-    let values = values.filter(|&word| word != b"-halo");
-    let ([x, ..], _) = numbers(values, 1, notes).ok()?;
-    (!x.is_nan()).then_some(x.clamp(0.0, 1.0))
+fn fraction(value: &[u8], notes: &mut Notes) -> Option<f64> {
+    let [x, ..] = numbers(value.strip_prefix(b"-halo").unwrap_or(value), notes);
+    x.filter(|x| !x.is_nan()).map(|x| x.clamp(0.0, 1.0))
 }
 
 /// Converts a component of a color from 0 to 1.
@@ -139,7 +124,7 @@ const UNCHANGED: Changes = [[1.0; 2], [0.0; 2]];
 fn map(value: &[u8], notes: &mut Notes, folder: Folder<'_>) -> Option<(PathBuf, Changes, bool)> {
     let (mut rest, mut changes, mut clamp) = (value, UNCHANGED, false);
     let (mut option, mut count) = (b"".as_slice(), 0);
-    while let Some(word) = words(rest).next() {
+    while let Some((word, after)) = first_word(rest) {
         let number = number(word);
         let is_switch = matches!(word, b"on" | b"off");
         if word.starts_with(b"-") && number.is_err() {
@@ -157,7 +142,7 @@ fn map(value: &[u8], notes: &mut Notes, folder: Folder<'_>) -> Option<(PathBuf, 
             }
             count += 1;
         }
-        rest = after_keyword(rest);
+        rest = after;
     }
     let name = String::from_utf8_lossy(rest);
     (!rest.is_empty()).then(|| (folder.beside(&name), changes, clamp))

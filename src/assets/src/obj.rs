@@ -1,12 +1,11 @@
 //! Reads Wavefront OBJ of any size.
 
 use std::collections::HashSet;
-use std::ops::Range;
 
 use super::files::Folder;
 use super::mtl::{self, Materials};
-use super::text::{after_keyword, numbers, parse, quote, statements, words};
-use super::{Corner, Model, Smoothing};
+use super::text::{first_word, numbers, parse, quote, statements, words};
+use super::{Corner, Model, Smoothing, next};
 
 /// Reads OBJ text, and the materials that it names from `folder`.
 pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
@@ -25,16 +24,6 @@ pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
 /// The largest number of corners of a face. A face with more is a mistake that would fill the memory.
 const MOST_CORNERS: usize = 1_000_000;
 
-/// The color of positions without one: white, whatever the range of the others.
-const NO_COLOR: [f64; 3] = [f64::INFINITY; 3];
-
-/// A polygon: its corners, and how it looks.
-struct Polygon {
-    corners: Range<usize>,
-    material: Option<u32>,
-    smoothing: Smoothing,
-}
-
 #[derive(Default)]
 struct Reader {
     model: Model,
@@ -42,59 +31,52 @@ struct Reader {
     libraries: HashSet<Vec<u8>>,
     /// For each position up to the last with a color.
     colors: Vec<[f64; 3]>,
-    corners: Vec<Corner>,
-    polygons: Vec<Polygon>,
+    /// Their corners, materials and smoothing.
+    polygons: Vec<(Vec<Corner>, Option<u32>, Smoothing)>,
     material: Option<u32>,
     smoothing: Smoothing,
 }
 
 impl Reader {
     fn statement(&mut self, statement: &[u8], folder: Folder<'_>) -> Result<(), String> {
-        let mut words = words(statement).take_while(|word| !word.starts_with(b"#"));
-        let Some(keyword) = words.next() else {
-            return Ok(());
-        };
-        let value = after_keyword(statement);
+        let (keyword, value) = first_word(statement).unwrap_or_default();
         let model = &mut self.model;
         match keyword {
             b"v" => {
-                let ([x, y, z, r, g, b, _], count) = numbers(words, 3, &mut model.notes)
-                    .map_err(|problem| format!("{problem}: {}", quote(statement)))?;
-                // Three more numbers are a color; one more number is a weight.
-                if count >= 6 {
-                    self.colors.resize(model.positions.len(), NO_COLOR);
+                let numbers = numbers(value, &mut model.notes);
+                let [Some(x), Some(y), Some(z), r, g, b, _] = numbers else {
+                    let line = quote(statement);
+                    return Err(format!("{line} is not a position: it needs 3 numbers"));
+                };
+                // Three more numbers are a color; one more number is a weight. Infinite is white in every range.
+                if let (Some(r), Some(g), Some(b)) = (r, g, b) {
+                    self.colors
+                        .resize(model.positions.len(), [f64::INFINITY; 3]);
                     self.colors.push([r, g, b]);
                 }
                 model.positions.push([x, y, z]);
             }
-            b"vt" | b"vn" => {
-                let least = if keyword == b"vt" { 1 } else { 3 };
-                // What cannot be read is kept as NaN, because faces count it.
-                let read = numbers(words, least, &mut model.notes);
-                let [x, y, z, ..] = read.map_or([f64::NAN; 7], |(numbers, _)| numbers);
-                if keyword == b"vn" {
-                    model.normals.push([x, y, z]);
-                } else {
-                    // In OBJ files, v points up. Here it points down, as an image's rows do.
-                    model.uvs.push([x, 1.0 - y]);
-                }
+            // What cannot be read is kept as NaN, because faces count it.
+            b"vt" => {
+                let [u, v, ..] = numbers(value, &mut model.notes);
+                // In OBJ files, v points up. Here it points down, as an image's rows do.
+                (model.uvs).push([u.unwrap_or(f64::NAN), 1.0 - v.unwrap_or(0.0)]);
+            }
+            b"vn" => {
+                let [x, y, z, ..] = numbers(value, &mut model.notes);
+                (model.normals).push([x, y, z].map(|x| x.unwrap_or(f64::NAN)));
             }
             b"f" | b"fo" => {
-                let start = self.corners.len();
-                for word in words {
-                    if self.corners.len() - start == MOST_CORNERS {
-                        return Err(format!("a face has more than {MOST_CORNERS} corners"));
-                    }
-                    self.corners.push(corner(model, word));
+                let corners = words(value).map(|word| corner(model, word));
+                let corners: Vec<_> = corners.take(MOST_CORNERS + 1).collect();
+                if corners.len() > MOST_CORNERS {
+                    return Err(format!("a face has more than {MOST_CORNERS} corners"));
                 }
-                self.polygons.push(Polygon {
-                    corners: start..self.corners.len(),
-                    material: self.material,
-                    smoothing: self.smoothing,
-                });
+                (self.polygons).push((corners, self.material, self.smoothing));
             }
             b"l" => {
-                let ends: Vec<u32> = words.map(|word| corner(model, word).position).collect();
+                let position = |word: &[u8]| corner(model, word).position;
+                let ends: Vec<u32> = words(value).map(position).collect();
                 for ends in ends.windows(2) {
                     if ends.iter().all(|&at| model.is_usable(at) == Some(true)) {
                         model.edge(ends[0], ends[1]);
@@ -103,21 +85,16 @@ impl Reader {
                     }
                 }
             }
-            b"s" => {
-                self.smoothing = match words.next().unwrap_or_default() {
-                    b"off" | b"0" => Smoothing::Flat,
-                    b"on" => Smoothing::Group(1),
-                    group => parse(group).map_or(self.smoothing, Smoothing::Group),
-                };
-            }
+            b"s" => match words(value).next().map(|word| (word, parse(word))) {
+                Some((b"off", _) | (_, Some(0))) => self.smoothing = Smoothing::Flat,
+                Some((_, Some(group))) => self.smoothing = Smoothing::Group(group),
+                _ => (model.notes).add("a smoothing group is skipped: it is not a number"),
+            },
             b"usemtl" if value.is_empty() => self.material = None,
             b"usemtl" => self.material = Some(self.materials.named(model, value)?),
-            b"mtllib" => {
-                if self.libraries.insert(value.to_vec()) {
-                    self.library(&String::from_utf8_lossy(value), folder)?;
-                }
-            }
-            b"g" | b"o" => {}
+            b"mtllib" if !self.libraries.insert(value.to_vec()) => {}
+            b"mtllib" => self.library(&String::from_utf8_lossy(value), folder)?,
+            b"g" | b"o" | b"" => {}
             _ => model.notes.left_out(quote(keyword)),
         }
         Ok(())
@@ -125,21 +102,18 @@ impl Reader {
 
     /// Reads the materials that `mtllib` names: a file, or several. A missing file is only noted.
     fn library(&mut self, names: &str, folder: Folder<'_>) -> Result<(), String> {
-        let mut files: Vec<_> = names
-            .split_whitespace()
-            .map(|name| folder.beside(name))
-            .collect();
+        let parts = names.split_whitespace().map(|name| folder.beside(name));
+        let mut files: Vec<_> = parts.collect();
         let whole = folder.beside(names);
         if folder.files.has(&whole) || !files.iter().any(|file| folder.files.has(file)) {
             files = vec![whole];
         }
         let model = &mut self.model;
         for file in files {
+            let name = file.display();
             match folder.files.read(&file) {
-                Ok(text) => self.materials.read(model, &text, folder)?,
-                Err(error) => model
-                    .notes
-                    .add(format!("cannot read materials {}: {error}", file.display())),
+                Ok(text) => self.materials.add(model, &text, folder)?,
+                Err(error) => (model.notes).add(format!("cannot read materials {name}: {error}")),
             }
             model.files.push(file);
         }
@@ -148,44 +122,33 @@ impl Reader {
 
     fn finish(mut self) -> Result<Model, String> {
         let model = &mut self.model;
-        let is_colored = !self.colors.is_empty();
-        if is_colored {
-            self.colors.resize(model.positions.len(), NO_COLOR);
+        if !self.colors.is_empty() {
+            self.colors
+                .resize(model.positions.len(), [f64::INFINITY; 3]);
         }
-        let finite = self.colors.iter().flatten().filter(|x| x.is_finite());
+        let mut all = self.colors.iter().flatten();
         // Some programs write 1.0001 for 1.
-        let scale = if finite.fold(0.0, |most: f64, &x| most.max(x)) > 1.5 {
-            255.0
-        } else {
-            1.0
-        };
+        let is_byte = all.any(|x| (1.5..f64::INFINITY).contains(x));
+        let scale = if is_byte { 255.0 } else { 1.0 };
         let bytes = |color: [f64; 3]| color.map(|x| mtl::byte(x / scale));
         model.colors = self.colors.into_iter().map(bytes).collect();
 
-        let (uvs, normals) = (model.uvs.len(), model.normals.len());
-        let exists = |index: u32, len: usize| {
-            if (index as usize) < len {
-                index
-            } else {
-                u32::MAX
+        // Repairs make these lists longer.
+        let (uvs, normals) = (next(&model.uvs)?, next(&model.normals)?);
+        let known = |at: u32, count: u32| if at < count { at } else { u32::MAX };
+        for (mut corners, material, smoothing) in self.polygons {
+            for corner in &mut corners {
+                corner.uv = corner.uv.map(|at| known(at, uvs));
+                corner.normal = corner.normal.map(|at| known(at, normals));
             }
-        };
-        for polygon in self.polygons {
-            let corners = &mut self.corners[polygon.corners];
-            for corner in &mut *corners {
-                corner.color = is_colored.then_some(corner.position);
-                // Repairs will make these lists longer.
-                corner.uv = corner.uv.map(|at| exists(at, uvs));
-                corner.normal = corner.normal.map(|at| exists(at, normals));
-            }
-            model.polygon(corners, polygon.material, polygon.smoothing)?;
+            model.polygon(&mut corners, material, smoothing)?;
         }
-        if let Some(&first) = self.materials.undefined.first() {
-            let name = quote(model.materials[first as usize].name.as_bytes());
-            model.notes.add(match self.materials.undefined.len() {
-                1 => format!("material {name} is not defined: it is white"),
-                count => format!("{count} materials are not defined, {name} first: they are white"),
-            });
+        let is_undefined = |(at, _): &(u32, _)| !self.materials.defined.contains(at);
+        let mut undefined = (0..).zip(&model.materials).filter(is_undefined);
+        if let Some((_, first)) = undefined.next() {
+            let (count, name) = (undefined.count() + 1, quote(first.name.as_bytes()));
+            let note = format!("{count} materials have no definition, and are white: {name} first");
+            model.notes.add(note);
         }
         model.transform_uvs(&self.materials.transforms)?;
         Ok(self.model)
@@ -195,21 +158,19 @@ impl Reader {
 /// A corner: indices of its position, texture coordinate and normal. What cannot be read is missing: it has the largest
 /// index.
 fn corner(model: &Model, word: &[u8]) -> Corner {
-    let lens = [model.positions.len(), model.uvs.len(), model.normals.len()];
-    let mut indices = [None; 3];
-    let mut parts = word.split(|&byte| byte == b'/');
-    for ((index, len), part) in indices.iter_mut().zip(lens).zip(&mut parts) {
-        *index = (!part.is_empty()).then(|| self::index(part, len));
+    let mut corner = Corner::default();
+    for (at, part) in word.split(|&byte| byte == b'/').enumerate() {
+        match at {
+            0 => corner.position = index(part, model.positions.len()),
+            _ if part.is_empty() => {}
+            1 => corner.uv = Some(index(part, model.uvs.len())),
+            2 => corner.normal = Some(index(part, model.normals.len())),
+            _ => corner.position = u32::MAX,
+        }
     }
-    let [position, uv, normal] = indices;
-    Corner {
-        position: position
-            .filter(|_| parts.next().is_none())
-            .unwrap_or(u32::MAX),
-        uv,
-        normal,
-        color: None,
-    }
+    // Colors, if any, are those of the positions.
+    corner.color = Some(corner.position);
+    corner
 }
 
 /// An index from 0. In the file, indices count from 1, or backwards from the last of the `len` elements so far.

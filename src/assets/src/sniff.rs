@@ -20,12 +20,12 @@ pub enum Format {
 type Row = (Option<Format>, &'static str, &'static str, &'static str);
 
 const FORMATS: [Row; 17] = [
-    (Some(Format::Obj), "an OBJ", "obj", ""),
     (Some(Format::Stl), "an STL", "stl", ""),
-    (Some(Format::Ply), "a PLY", "ply", ""),
-    (Some(Format::Gltf), "a glTF", "glb gltf", ""),
+    (Some(Format::Obj), "an OBJ", "obj", ""),
+    (Some(Format::Ply), "a PLY", "ply", "ply"),
+    (Some(Format::Gltf), "a glTF", "glb gltf", "glTF"),
+    (Some(Format::Gltf), "a glTF", "glb gltf", "{"),
     (None, "an FBX", "fbx", "Kaydara FBX"),
-    (None, "an FBX", "fbx", "; FBX"),
     (None, "a COLLADA", "dae", "<COLLADA"),
     (None, "an X3D", "x3d", "<X3D"),
     (None, "a 3MF", "3mf", ""),
@@ -65,24 +65,12 @@ fn marked(bytes: &[u8]) -> Option<&'static Row> {
     let start = String::from_utf8_lossy(&bytes[..bytes.len().min(1024)]);
     let text = start.trim_start_matches('\u{feff}').trim_start();
     let lower = text.to_ascii_lowercase();
-    let is_solid = lower.starts_with("solid");
-    let format = if bytes.starts_with(b"glTF") || (text.starts_with('{') && text.contains('"')) {
-        Some(Format::Gltf)
-    } else if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") {
-        Some(Format::Ply)
-    } else if is_binary_stl(bytes)
-        || (is_solid && (lower.contains("facet") || lower.contains("endsolid")))
-    {
-        Some(Format::Stl)
-    } else {
-        None
-    };
-    let is_found = |(other, _, _, mark): &&Row| match mark.chars().next() {
-        _ if format.is_some() => *other == format,
+    let is_stl = is_binary_stl(bytes) || (lower.starts_with("solid") && lower.contains("facet"));
+    let is_found = |(format, _, _, mark): &&Row| match format {
+        Some(Format::Stl) => is_stl,
         // An XML file has declarations and comments first.
-        Some('<') => text.starts_with('<') && text.contains(mark),
-        Some(_) => text.starts_with(mark),
-        None => false,
+        _ if mark.starts_with('<') => text.starts_with('<') && text.contains(mark),
+        _ => !mark.is_empty() && text.starts_with(mark),
     };
     FORMATS.iter().find(is_found)
 }
@@ -101,16 +89,17 @@ pub fn format(path: &Path, bytes: &[u8]) -> Result<Format, String> {
     }
     let named = named(path);
     match (marked(bytes).or(named), named) {
-        (Some((Some(_), found, endings, _)), Some((Some(_), name, ..))) if found != name => {
-            let ending = endings.replace(' ', " or .");
+        (None, _) => Ok(Format::Obj),
+        (Some((None, name, ..)), _) => Err(format!(
+            "it is {name} file: OBJ, STL, PLY, glTF and GLB can be read"
+        )),
+        (Some((Some(_), found, ends, _)), Some((Some(_), name, ..))) if found != name => {
+            let what = format!("it is {found} file, not {name} file");
             Err(format!(
-                "it is {found} file, not {name} file: give it the ending .{ending}"
+                "{what}: give it the ending .{}",
+                ends.replace(' ', " or .")
             ))
         }
-        (Some((None, other, ..)), _) => Err(format!(
-            "it is {other} file: OBJ, STL, PLY, glTF and GLB can be read"
-        )),
         (Some((Some(format), ..)), _) => Ok(*format),
-        (None, _) => Ok(Format::Obj),
     }
 }

@@ -4,24 +4,17 @@ use std::collections::HashMap;
 
 use super::files::Folder;
 use super::sniff::is_binary_stl;
-use super::text::{line_end, numbers, words};
+use super::text::{first_word, line_end, number};
 use super::{Corner, Model, Smoothing, merge};
 
 /// Reads an STL file. Its normals are ignored, because they only repeat those of the triangles, or are zero.
 pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
     let mut reader = Reader::default();
-    let text = bytes
-        .strip_prefix(b"\xef\xbb\xbf")
-        .unwrap_or(bytes)
-        .trim_ascii_start();
-    let is_solid = text
-        .get(..5)
-        .is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
     // The header of a binary file may also begin with "solid".
-    if is_solid && !is_binary_stl(bytes) && !bytes.iter().take(1024).any(|&byte| byte == 0) {
-        reader.text(text, folder)?;
-    } else {
+    if is_binary_stl(bytes) || bytes.iter().take(1024).any(|&byte| byte == 0) {
         reader.binary(bytes, folder)?;
+    } else {
+        reader.text(bytes.trim_ascii_end(), folder)?;
     }
     Ok(reader.model)
 }
@@ -36,30 +29,34 @@ struct Reader {
 
 impl Reader {
     fn text(&mut self, text: &[u8], folder: Folder<'_>) -> Result<(), String> {
-        let (mut words, end) = (words(text), line_end(text));
-        let (mut corners, mut is_name) = (Vec::new(), false);
-        while let Some(word) = words.next() {
+        let (first, mut rest) = first_word(text).unwrap_or_default();
+        if !first.to_ascii_lowercase().ends_with(b"solid") {
+            return Err("it is text, and does not begin with 'solid'".into());
+        }
+        let (mut is_name, mut numbers, mut missing) = (true, Vec::new(), 0);
+        while !rest.is_empty() {
+            let (word, after) = first_word(rest).unwrap_or_default();
+            let read = text.len() - rest.len();
+            rest = after;
             let is = |keyword: &str| word.eq_ignore_ascii_case(keyword.as_bytes());
-            // A name may have any words.
+            // A solid's name may have any words.
             is_name = is("solid") || is("endsolid") || (is_name && !is("facet"));
-            let read = word.as_ptr().addr() - text.as_ptr().addr();
-            if is("vertex") && !is_name {
-                let ([x, y, z, ..], _) = numbers(words.by_ref().take(3), 3, &mut self.model.notes)
-                    .map_err(|problem| {
-                        let line = text[..read].split(|&byte| byte == end).count();
-                        format!("line {line}: {problem}")
-                    })?;
-                corners.push(self.corner([x, y, z], None)?);
+            if missing > 0 {
+                numbers.push(number(word).map_err(|problem| {
+                    let end = line_end(text);
+                    let line = text[..read].split(|&byte| byte == end).count();
+                    format!("line {line}: {problem}")
+                })?);
+                missing -= 1;
+            } else if is("vertex") && !is_name {
+                missing = 3;
             }
-            let is_end = is("facet") || is("endfacet");
-            if corners.len() == 3 || (is_end && !corners.is_empty()) {
-                self.model.polygon(&mut corners, None, Smoothing::Angle)?;
-                corners.clear();
+            let is_end = is("facet") || is("endfacet") || rest.is_empty();
+            if numbers.len() == 9 || (is_end && (missing > 0 || !numbers.is_empty())) {
+                self.facet(&numbers, None)?;
+                numbers.clear();
                 folder.progress(self.model.triangles.len(), read);
             }
-        }
-        if !corners.is_empty() {
-            self.model.polygon(&mut corners, None, Smoothing::Angle)?;
         }
         Ok(())
     }
@@ -67,30 +64,19 @@ impl Reader {
     fn binary(&mut self, bytes: &[u8], folder: Folder<'_>) -> Result<(), String> {
         let len = bytes.len();
         let Some((header, rest)) = bytes.split_first_chunk::<84>() else {
-            return Err(format!(
-                "it is neither text that begins with 'solid' nor binary: a header takes 84 bytes, and it has {len}"
-            ));
+            return Err(format!("it has {len} bytes: a header takes 84"));
         };
-        let is_text = |byte: &u8| byte.is_ascii_graphic() || byte.is_ascii_whitespace();
-        if header.iter().all(is_text) {
-            return Err("it is text, and does not begin with 'solid'".into());
-        }
         let [.., a, b, c, d] = *header;
         let promised = u32::from_le_bytes([a, b, c, d]) as usize;
         let (triangles, left) = rest.as_chunks::<50>();
         let has = triangles.len();
         // Programs that do not know the number beforehand write 0. Any bytes may follow the triangles.
-        let is_wrong = promised == 0 || left.is_empty();
-        let count = if is_wrong { has } else { has.min(promised) };
-        if has == 0 && promised > 0 {
-            return Err(format!(
-                "byte {len}: it ends within triangle 1 of {promised}"
-            ));
-        }
+        let is_right = promised > 0 && !left.is_empty();
+        let count = if is_right { has.min(promised) } else { has };
         if promised != has {
-            self.model.notes.add(format!(
-                "its header promises {promised} triangles, and there is room for {has}: {count} are read"
-            ));
+            let note =
+                format!("its header promises {promised} triangles: {count} of {has} are read");
+            self.model.notes.add(note);
         }
         // A program writes the color of the whole object to the header.
         let mark = header.windows(6).position(|at| at == b"COLOR=");
@@ -99,39 +85,43 @@ impl Reader {
         let is_colored = object.is_some() || triangles[..count].iter().any(is_marked);
         for (at, triangle) in triangles[..count].iter().enumerate() {
             let bits = u16::from_le_bytes([triangle[48], triangle[49]]);
-            let component = |shift: u32| ((bits >> shift & 31) * 255 / 31) as u8;
-            let color = match (object, is_marked(triangle)) {
-                (None, false) => [255; 3],
-                (None, true) => [10, 5, 0].map(component),
-                (Some(_), false) => [0, 5, 10].map(component),
-                (Some(object), true) => *object,
+            let components = if object.is_none() {
+                [10, 5, 0]
+            } else {
+                [0, 5, 10]
             };
-            let mut corners = [Corner::default(); 3];
-            // After the normal.
-            let numbers = &triangle.as_chunks::<4>().0[3..];
-            for (corner, numbers) in corners.iter_mut().zip(numbers.as_chunks::<3>().0) {
-                let position = numbers.map(|bytes| f32::from_le_bytes(bytes).into());
-                *corner = self.corner(position, is_colored.then_some(color))?;
-            }
-            self.model.polygon(&mut corners, None, Smoothing::Angle)?;
+            let color = components.map(|shift| ((bits >> shift & 31) * 33 / 4) as u8);
+            let is_own = is_marked(triangle) == object.is_none();
+            let color = if is_own {
+                color
+            } else {
+                *object.unwrap_or(&[255; 3])
+            };
+            let colors = &mut self.model.colors;
+            let color = is_colored.then(|| merge(colors, &mut self.colors, color, color));
+            let color = color.transpose()?;
+            let numbers = triangle.as_chunks::<4>().0.iter();
+            let numbers: Vec<_> = numbers.map(|&x| f32::from_le_bytes(x).into()).collect();
+            self.facet(&numbers[3..], color)?;
             folder.progress(at, 84 + 50 * at);
         }
         Ok(())
     }
 
-    /// A corner, with its position and color in the model's lists.
-    fn corner(&mut self, position: [f64; 3], color: Option<[u8; 3]>) -> Result<Corner, String> {
-        let model = &mut self.model;
-        // −0 and 0 are the same position.
-        let position = position.map(|x| x + 0.0);
-        let key = position.map(f64::to_bits);
-        let mut corner = Corner {
-            position: merge(&mut model.positions, &mut self.positions, key, position)?,
-            ..Corner::default()
-        };
-        if let Some(color) = color {
-            corner.color = Some(merge(&mut model.colors, &mut self.colors, color, color)?);
+    /// Adds a triangle by the coordinates of its corners.
+    fn facet(&mut self, numbers: &[f64], color: Option<u32>) -> Result<(), String> {
+        let mut corners = Vec::new();
+        for position in numbers.as_chunks::<3>().0 {
+            // −0 and 0 are the same position.
+            let position = position.map(|x| x + 0.0);
+            let (list, key) = (&mut self.model.positions, position.map(f64::to_bits));
+            let position = merge(list, &mut self.positions, key, position)?;
+            corners.push(Corner {
+                position,
+                color,
+                ..Corner::default()
+            });
         }
-        Ok(corner)
+        self.model.polygon(&mut corners, None, Smoothing::Angle)
     }
 }

@@ -28,15 +28,20 @@ pub fn one_line(message: &str) -> String {
 
 /// The byte that ends the lines of a text, maybe with another.
 pub fn line_end(text: &[u8]) -> u8 {
-    if text.contains(&b'\n') { b'\n' } else { b'\r' }
+    let count = |end| text.split(|&byte| byte == end).count();
+    if count(b'\r') > 2 * count(b'\n') {
+        b'\r'
+    } else {
+        b'\n'
+    }
 }
 
-/// The lines of OBJ and MTL text, each with its number. Comments are empty, and a line that ends with a backslash is
-/// joined with the next one. `progress` is told the number of each line, and of the bytes so far.
-pub fn statements(
-    text: &[u8],
-    progress: impl Fn(usize, usize),
-) -> impl Iterator<Item = (usize, Cow<'_, [u8]>)> {
+/// A line with its number.
+type Line<'a> = (usize, Cow<'a, [u8]>);
+
+/// The lines of OBJ and MTL text, without comments and empty ones. A line that ends with a backslash is joined with the
+/// next one. `progress` is told the number of each line, and of the bytes so far.
+pub fn statements(text: &[u8], progress: impl Fn(usize, usize)) -> impl Iterator<Item = Line<'_>> {
     let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
     let (end, mut read) = (line_end(text), 0);
     let lines = text.split(move |&byte| byte == end);
@@ -46,7 +51,7 @@ pub fn statements(
         let line = line.trim_ascii();
         (number, if line.starts_with(b"#") { b"" } else { line })
     });
-    iter::from_fn(move || {
+    let lines = iter::from_fn(move || {
         let (number, line) = lines.next()?;
         let mut line = Cow::Borrowed(line);
         while line.ends_with(b"\\") {
@@ -56,20 +61,23 @@ pub fn statements(
             line.extend(lines.next().map_or(b"".as_slice(), |(_, next)| next));
         }
         Some((number, line))
-    })
+    });
+    lines.filter(|(_, line)| !line.is_empty())
 }
 
-/// The words of a text.
+/// The words of a text before a comment.
 pub fn words(text: &[u8]) -> impl Iterator<Item = &[u8]> {
     let words = text.split(u8::is_ascii_whitespace);
-    words.filter(|word| !word.is_empty())
+    let words = words.filter(|word| !word.is_empty());
+    words.take_while(|word| !word.starts_with(b"#"))
 }
 
-/// The statement after its first word.
-pub fn after_keyword(statement: &[u8]) -> &[u8] {
-    let statement = statement.trim_ascii_start();
-    let end = statement.iter().position(u8::is_ascii_whitespace);
-    statement[end.unwrap_or(statement.len())..].trim_ascii()
+/// The first word of a text, and what follows it.
+pub fn first_word(text: &[u8]) -> Option<(&[u8], &[u8])> {
+    let text = text.trim_ascii_start();
+    let end = text.iter().position(u8::is_ascii_whitespace);
+    let (word, rest) = text.split_at(end.unwrap_or(text.len()));
+    (!word.is_empty()).then(|| (word, rest.trim_ascii()))
 }
 
 /// Reads a word as a number of a type.
@@ -79,35 +87,25 @@ pub fn parse<T: FromStr>(word: &[u8]) -> Option<T> {
 
 /// A number. A decimal comma is read as a point, and what C programs write for a value that is no number as NaN.
 pub fn number(word: &[u8]) -> Result<f64, String> {
-    let text = std::str::from_utf8(word).unwrap_or_default();
-    let with_point = || text.replacen(',', ".", 1).parse().ok();
-    let is_nan = text.contains(".#") || text.starts_with("nan(") || text.starts_with("-nan(");
-    let number = parse(word).or_else(with_point);
-    let number = number.or(is_nan.then_some(f64::NAN));
+    let text = || String::from_utf8_lossy(word).replacen(',', ".", 1);
+    let is_nan = || text().contains(".#") || text().contains("nan(");
+    let number = parse(word).or_else(|| text().parse().ok());
+    let number = number.or_else(|| is_nan().then_some(f64::NAN));
     number.ok_or_else(|| format!("{} is not a number", quote(word)))
 }
 
-/// At least `least` numbers, at most 7, and their count. The others are 0.
-pub fn numbers<'a>(
-    words: impl Iterator<Item = &'a [u8]>,
-    least: usize,
-    notes: &mut Notes,
-) -> Result<([f64; 7], usize), String> {
-    let (mut numbers, mut count) = ([0.0; 7], 0);
-    for word in words.take(7) {
-        let number = number(word);
-        if number.is_err() && count >= least {
-            notes.add("what follows the numbers of a line is not read");
+/// The numbers with which a text begins, at most 7.
+pub fn numbers(text: &[u8], notes: &mut Notes) -> [Option<f64>; 7] {
+    let mut numbers = [None; 7];
+    for (place, word) in numbers.iter_mut().zip(words(text)) {
+        *place = number(word).ok();
+        if place.is_none() {
+            notes.add("the rest of a line is not read: a word in it is not a number");
             break;
         }
-        numbers[count] = number?;
-        count += 1;
         if word.contains(&b',') {
             notes.add("a decimal comma is read as a point");
         }
     }
-    if count < least {
-        return Err(format!("it needs {least} numbers, and has {count}"));
-    }
-    Ok((numbers, count))
+    numbers
 }
