@@ -3,10 +3,13 @@
 use std::collections::HashMap;
 use std::path::PathBuf;
 
-use super::{Model, Triangle, next};
+use super::{Model, next};
 
 /// A transform of texture coordinates: `[[a, b, c], [d, e, f]]` moves (u, v) to (a u + b v + c, d u + e v + f).
 pub type Affine = [[f64; 3]; 2];
+
+/// The transform that changes nothing.
+const IDENTITY: Affine = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
 /// A material.
 #[derive(Clone, Debug, PartialEq)]
@@ -87,27 +90,23 @@ impl Model {
         &mut self,
         transforms: &HashMap<u32, Affine>,
     ) -> Result<(), String> {
-        if transforms.is_empty() {
+        if transforms.values().all(|affine| *affine == IDENTITY) {
             return Ok(());
         }
         let old = std::mem::take(&mut self.uvs);
         let mut moved = HashMap::new();
         for at in 0..self.triangles.len() {
-            let Triangle {
-                mut corners,
-                material,
-                ..
-            } = self.triangles[at];
-            let transform = material
-                .and_then(|at| transforms.get_key_value(&at))
-                .unzip();
+            let mut corners = self.triangles[at].corners;
+            let material = self.triangles[at].material;
+            let affine = material.and_then(|at| transforms.get(&at));
+            let affine = *affine.unwrap_or(&IDENTITY);
+            // Materials without a transform share coordinates.
+            let group = material.filter(|_| affine != IDENTITY);
             for uv in corners.iter_mut().filter_map(|corner| corner.uv.as_mut()) {
                 let new = next(&self.uvs)?;
-                let from = old[*uv as usize];
-                *uv = *moved.entry((transform.0, *uv)).or_insert_with(|| {
-                    let moved =
-                        |affine: &Affine| affine.map(|[a, b, c]| a * from[0] + b * from[1] + c);
-                    self.uvs.push(transform.1.map_or(from, moved));
+                let [u, v] = old[*uv as usize];
+                *uv = *moved.entry((group, *uv)).or_insert_with(|| {
+                    self.uvs.push(affine.map(|[a, b, c]| a * u + b * v + c));
                     new
                 });
             }

@@ -47,7 +47,6 @@ impl Materials {
                 model.notes.add(skipped);
                 continue;
             };
-            let image = next(&model.images)?;
             let (material, notes) = (&mut model.materials[place as usize], &mut model.notes);
             let mut define = || -> Option<()> {
                 match keyword {
@@ -59,15 +58,13 @@ impl Materials {
                     b"map_d" => masks.push((place, map(value, notes, folder)?.0)),
                     b"map_Kd" => {
                         let (file, changes, clamp) = map(value, notes, folder)?;
-                        (material.texture, material.alpha) = (Some(image), Alpha::Cut(128));
-                        material.clamp = [clamp; 2];
+                        material.texture = next(&model.images).ok();
                         model.images.push(Image::File(file));
-                        self.transforms.remove(&place);
-                        if changes != UNCHANGED {
-                            // In the file, v points up.
-                            let [[a, b], [u, v]] = changes;
-                            (self.transforms).insert(place, [[a, 0.0, u], [0.0, b, 1.0 - b - v]]);
-                        }
+                        (material.alpha, material.clamp) = (Alpha::Cut(128), [clamp; 2]);
+                        // In the file, v points up.
+                        let [[a, b], [u, v]] = changes;
+                        let transform = [[a, 0.0, u], [0.0, b, 1.0 - b - v]];
+                        self.transforms.insert(place, transform);
                     }
                     _ if UNUSED.split(' ').any(|word| word.as_bytes() == keyword) => {}
                     _ => notes.left_out(quote(keyword)),
@@ -75,10 +72,7 @@ impl Materials {
                 Some(())
             };
             if define().is_none() {
-                let keyword = quote(keyword);
-                notes.add(format!(
-                    "a line of an MTL file is skipped: {keyword} cannot be read"
-                ));
+                notes.add(format!("{} of a material cannot be read", quote(keyword)));
             }
         }
         // Only a texture's own alpha is used.
@@ -117,12 +111,10 @@ pub fn byte(component: f64) -> u8 {
 /// A scale and an offset of texture coordinates.
 type Changes = [[f64; 2]; 2];
 
-const UNCHANGED: Changes = [[1.0; 2], [0.0; 2]];
-
 /// Reads a texture: options, each with any number of values, and then the file's name, which may contain blanks.
 /// Returns the file, what the options change, and whether the texture does not repeat.
 fn map(value: &[u8], notes: &mut Notes, folder: Folder<'_>) -> Option<(PathBuf, Changes, bool)> {
-    let (mut rest, mut changes, mut clamp) = (value, UNCHANGED, false);
+    let (mut rest, mut changes, mut clamp) = (value, [[1.0; 2], [0.0; 2]], false);
     let (mut option, mut count) = (b"".as_slice(), 0);
     while let Some((word, after)) = first_word(rest) {
         let number = number(word);

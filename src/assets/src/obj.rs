@@ -60,11 +60,13 @@ impl Reader {
             b"vt" => {
                 let [u, v, ..] = numbers(value, &mut model.notes);
                 // In OBJ files, v points up. Here it points down, as an image's rows do.
-                (model.uvs).push([u.unwrap_or(f64::NAN), 1.0 - v.unwrap_or(0.0)]);
+                let uv = [u.unwrap_or(f64::NAN), 1.0 - v.unwrap_or(0.0)];
+                model.uvs.push(uv);
             }
             b"vn" => {
                 let [x, y, z, ..] = numbers(value, &mut model.notes);
-                (model.normals).push([x, y, z].map(|x| x.unwrap_or(f64::NAN)));
+                let normal = [x, y, z].map(|x| x.unwrap_or(f64::NAN));
+                model.normals.push(normal);
             }
             b"f" | b"fo" => {
                 let corners = words(value).map(|word| corner(model, word));
@@ -123,8 +125,7 @@ impl Reader {
     fn finish(mut self) -> Result<Model, String> {
         let model = &mut self.model;
         if !self.colors.is_empty() {
-            self.colors
-                .resize(model.positions.len(), [f64::INFINITY; 3]);
+            (self.colors).resize(model.positions.len(), [f64::INFINITY; 3]);
         }
         let mut all = self.colors.iter().flatten();
         // Some programs write 1.0001 for 1.
@@ -175,10 +176,7 @@ fn corner(model: &Model, word: &[u8]) -> Corner {
 
 /// An index from 0. In the file, indices count from 1, or backwards from the last of the `len` elements so far.
 fn index(part: &[u8], len: usize) -> u32 {
-    let from_0 = match parse::<i64>(part) {
-        Some(index) if index > 0 => index - 1,
-        Some(index) if index < 0 => len.cast_signed() as i64 + index,
-        _ => -1,
-    };
+    let (index, len) = (parse(part).unwrap_or(0), len.cast_signed() as i64);
+    let from_0 = index + if index < 0 { len } else { -1 };
     u32::try_from(from_0).unwrap_or(u32::MAX)
 }

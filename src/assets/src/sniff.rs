@@ -39,6 +39,8 @@ const FORMATS: [Row; 17] = [
     (None, "a VRML", "vrml wrl", "#VRML"),
 ];
 
+const CAN_BE_READ: &str = "OBJ, STL, PLY, glTF and GLB can be read";
+
 /// The row of the ending of `path`.
 fn named(path: &Path) -> Option<&'static Row> {
     let ending = path.extension()?.to_ascii_lowercase();
@@ -90,15 +92,11 @@ pub fn format(path: &Path, bytes: &[u8]) -> Result<Format, String> {
     let named = named(path);
     match (marked(bytes).or(named), named) {
         (None, _) => Ok(Format::Obj),
-        (Some((None, name, ..)), _) => Err(format!(
-            "it is {name} file: OBJ, STL, PLY, glTF and GLB can be read"
-        )),
+        (Some((None, name, ..)), _) => Err(format!("it is {name} file: {CAN_BE_READ}")),
         (Some((Some(_), found, ends, _)), Some((Some(_), name, ..))) if found != name => {
             let what = format!("it is {found} file, not {name} file");
-            Err(format!(
-                "{what}: give it the ending .{}",
-                ends.replace(' ', " or .")
-            ))
+            let ending = ends.replace(' ', " or .");
+            Err(format!("{what}: give it the ending .{ending}"))
         }
         (Some((Some(format), ..)), _) => Ok(*format),
     }

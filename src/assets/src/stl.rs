@@ -62,9 +62,8 @@ impl Reader {
     }
 
     fn binary(&mut self, bytes: &[u8], folder: Folder<'_>) -> Result<(), String> {
-        let len = bytes.len();
         let Some((header, rest)) = bytes.split_first_chunk::<84>() else {
-            return Err(format!("it has {len} bytes: a header takes 84"));
+            return Err(format!("it has {} bytes: a header takes 84", bytes.len()));
         };
         let [.., a, b, c, d] = *header;
         let promised = u32::from_le_bytes([a, b, c, d]) as usize;
@@ -74,8 +73,7 @@ impl Reader {
         let is_right = promised > 0 && !left.is_empty();
         let count = if is_right { has.min(promised) } else { has };
         if promised != has {
-            let note =
-                format!("its header promises {promised} triangles: {count} of {has} are read");
+            let note = format!("it promises {promised} triangles: {count} of {has} are read");
             self.model.notes.add(note);
         }
         // A program writes the color of the whole object to the header.
@@ -85,17 +83,11 @@ impl Reader {
         let is_colored = object.is_some() || triangles[..count].iter().any(is_marked);
         for (at, triangle) in triangles[..count].iter().enumerate() {
             let bits = u16::from_le_bytes([triangle[48], triangle[49]]);
-            let components = if object.is_none() {
-                [10, 5, 0]
-            } else {
-                [0, 5, 10]
-            };
-            let color = components.map(|shift| ((bits >> shift & 31) * 33 / 4) as u8);
-            let is_own = is_marked(triangle) == object.is_none();
-            let color = if is_own {
-                color
-            } else {
-                *object.unwrap_or(&[255; 3])
+            let rgb = |shifts: [u32; 3]| shifts.map(|at| ((bits >> at & 31) * 33 / 4) as u8);
+            let color = match (object, is_marked(triangle)) {
+                (None, true) => rgb([10, 5, 0]),
+                (Some(_), false) => rgb([0, 5, 10]),
+                _ => *object.unwrap_or(&[255; 3]),
             };
             let colors = &mut self.model.colors;
             let color = is_colored.then(|| merge(colors, &mut self.colors, color, color));
@@ -116,11 +108,9 @@ impl Reader {
             let position = position.map(|x| x + 0.0);
             let (list, key) = (&mut self.model.positions, position.map(f64::to_bits));
             let position = merge(list, &mut self.positions, key, position)?;
-            corners.push(Corner {
-                position,
-                color,
-                ..Corner::default()
-            });
+            let mut corner = Corner::default();
+            (corner.position, corner.color) = (position, color);
+            corners.push(corner);
         }
         self.model.polygon(&mut corners, None, Smoothing::Angle)
     }

@@ -1,17 +1,14 @@
 //! Helpers for the text of models, which may have any size and any encoding.
 
 use std::borrow::Cow;
-use std::iter;
 use std::str::FromStr;
 
 use super::Notes;
 
 /// A text of at most so many characters.
 fn cut(text: &str, most: usize) -> String {
-    match text.char_indices().nth(most) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.into(),
-    }
+    let end = text.char_indices().nth(most);
+    end.map_or_else(|| text.into(), |(end, _)| format!("{}…", &text[..end]))
 }
 
 /// A quotation of the file, short enough for a message.
@@ -29,11 +26,7 @@ pub fn one_line(message: &str) -> String {
 /// The byte that ends the lines of a text, maybe with another.
 pub fn line_end(text: &[u8]) -> u8 {
     let count = |end| text.split(|&byte| byte == end).count();
-    if count(b'\r') > 2 * count(b'\n') {
-        b'\r'
-    } else {
-        b'\n'
-    }
+    b"\n\r"[usize::from(count(b'\r') > 2 * count(b'\n'))]
 }
 
 /// A line with its number.
@@ -51,7 +44,7 @@ pub fn statements(text: &[u8], progress: impl Fn(usize, usize)) -> impl Iterator
         let line = line.trim_ascii();
         (number, if line.starts_with(b"#") { b"" } else { line })
     });
-    let lines = iter::from_fn(move || {
+    let lines = std::iter::from_fn(move || {
         let (number, line) = lines.next()?;
         let mut line = Cow::Borrowed(line);
         while line.ends_with(b"\\") {
@@ -94,16 +87,14 @@ pub fn number(word: &[u8]) -> Result<f64, String> {
     number.ok_or_else(|| format!("{} is not a number", quote(word)))
 }
 
-/// The numbers with which a text begins, at most 7.
+/// The words of a text as numbers, at most 7.
 pub fn numbers(text: &[u8], notes: &mut Notes) -> [Option<f64>; 7] {
     let mut numbers = [None; 7];
     for (place, word) in numbers.iter_mut().zip(words(text)) {
         *place = number(word).ok();
         if place.is_none() {
-            notes.add("the rest of a line is not read: a word in it is not a number");
-            break;
-        }
-        if word.contains(&b',') {
+            notes.add("a word of a line is skipped: it is not a number");
+        } else if word.contains(&b',') {
             notes.add("a decimal comma is read as a point");
         }
     }

@@ -188,7 +188,7 @@ fn missing_indices_are_replaced_or_left_out() {
 #[test]
 fn what_cannot_be_read_is_counted() {
     let text = format!("{SQUARE}vt\nvt 0.5 0\nvn up\nvn 0 0 4\nf 1/2/2 2/2/2 3/2/2\n");
-    let model = noted(&text, "a word in it is not a number");
+    let model = noted(&text, "a word of a line is skipped");
     let corner = model.triangles[0].corners[0];
     assert_eq!(model.uvs[corner.uv.unwrap() as usize], [0.5, 1.0]);
     assert_eq!(
@@ -404,7 +404,7 @@ fn mistakes_in_materials_are_noted() {
         assert!(
             notes
                 .iter()
-                .any(|note| note.contains("'Kd' cannot be read")),
+                .any(|note| note.contains("'Kd' of a material cannot be read")),
             "{value}: {notes:?}"
         );
         assert_eq!(
@@ -416,7 +416,7 @@ fn mistakes_in_materials_are_noted() {
         let keyword = line.split(' ').next().unwrap();
         let note = note(&format!("newmtl a\n{line}\n"));
         assert!(
-            note.contains(&format!("'{keyword}' cannot be read")),
+            note.contains(&format!("'{keyword}' of a material cannot be read")),
             "{note}"
         );
     }

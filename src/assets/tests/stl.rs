@@ -146,7 +146,7 @@ fn binary_is_read_whatever_it_promises() {
     };
     for promised in [0, 3, 5, u32::MAX] {
         let note = says(&binary(b"solid a", promised, [0; 4]));
-        let wanted = format!("its header promises {promised} triangles: 4 of 4 are read");
+        let wanted = format!("it promises {promised} triangles: 4 of 4 are read");
         assert_eq!(note, wanted);
     }
     let bytes = binary(b"", 4, [0; 4]);
@@ -164,7 +164,7 @@ fn binary_is_read_whatever_it_promises() {
     for end in [85, 133] {
         let problem = read(&[("a.stl", &bytes[..end])]).unwrap_err();
         assert!(
-            problem.contains("nothing to draw: its header promises 4 triangles: 0 of 0 are read"),
+            problem.contains("nothing to draw: it promises 4 triangles: 0 of 0 are read"),
             "{problem}"
         );
     }
