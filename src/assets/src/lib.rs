@@ -22,6 +22,8 @@ mod text;
 pub mod vector;
 mod winding;
 
+use std::collections::HashMap;
+use std::hash::Hash;
 use std::path::{Path, PathBuf};
 
 use files::Folder;
@@ -147,6 +149,21 @@ pub fn read(path: &Path, files: &dyn Files) -> Result<Model, String> {
 fn next<T>(list: &[T]) -> Result<u32, String> {
     u32::try_from(list.len())
         .map_err(|_| "it has more than 4,294,967,295 elements of a kind".into())
+}
+
+/// The index of a value in a list. It is added, unless `places` has its key.
+fn merge<K: Eq + Hash, T>(
+    list: &mut Vec<T>,
+    places: &mut HashMap<K, u32>,
+    key: K,
+    value: T,
+) -> Result<u32, String> {
+    let new = next(list)?;
+    let place = *places.entry(key).or_insert(new);
+    if place == new {
+        list.push(value);
+    }
+    Ok(place)
 }
 
 impl Model {

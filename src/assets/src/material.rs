@@ -1,6 +1,15 @@
 //! Materials, and the images that they name.
 
+use std::collections::HashMap;
 use std::path::PathBuf;
+
+use super::{Model, next};
+
+/// A transform of texture coordinates: `[[a, b, c], [d, e, f]]` moves (u, v) to (a u + b v + c, d u + e v + f).
+pub type Affine = [[f64; 3]; 2];
+
+/// The transform that changes nothing.
+const IDENTITY: Affine = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
 /// A material.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,5 +80,39 @@ impl Image {
             Self::File(path) => Some(path.clone()),
             Self::Bytes(..) => None,
         }
+    }
+}
+
+impl Model {
+    /// Transforms the texture coordinates of the faces of some materials. `transforms` has the material's index, and
+    /// the transform in the model's coordinates, whose v points down.
+    pub(crate) fn transform_uvs(
+        &mut self,
+        transforms: &HashMap<u32, Affine>,
+    ) -> Result<(), String> {
+        if transforms.values().all(|affine| *affine == IDENTITY) {
+            return Ok(());
+        }
+        let old = std::mem::take(&mut self.uvs);
+        let mut moved = HashMap::new();
+        for at in 0..self.triangles.len() {
+            let mut corners = self.triangles[at].corners;
+            let material = self.triangles[at].material;
+            let affine = material.and_then(|at| transforms.get(&at));
+            let affine = *affine.unwrap_or(&IDENTITY);
+            // Materials without a transform share coordinates.
+            let group = material.filter(|_| affine != IDENTITY);
+            for uv in corners.iter_mut().filter_map(|corner| corner.uv.as_mut()) {
+                let new = next(&self.uvs)?;
+                let [u, v] = old[*uv as usize];
+                *uv = *moved.entry((group, *uv)).or_insert_with(|| {
+                    self.uvs.push(affine.map(|[a, b, c]| a * u + b * v + c));
+                    new
+                });
+            }
+            self.fix_uvs(&mut corners)?;
+            self.triangles[at].corners = corners;
+        }
+        Ok(())
     }
 }

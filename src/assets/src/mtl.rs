@@ -1,56 +1,104 @@
 //! Reads MTL, the materials of OBJ files.
 
-use super::files::Folder;
-use super::text::{Statements, after_keyword, number, words};
-use super::{Image, Material, Model, next};
+use std::collections::{HashMap, HashSet};
+use std::path::PathBuf;
 
-/// Adds the materials of MTL text to a model.
-///
-/// A material's color does not tint its texture, because programs write arbitrary colors next to a texture.
-pub fn read(model: &mut Model, bytes: &[u8], folder: Folder<'_>) -> Result<(), String> {
-    let first = model.materials.len();
-    for (line, statement) in Statements::new(bytes) {
-        let Some(keyword) = words(&statement).next() else {
-            continue;
-        };
-        let value = after_keyword(&statement);
-        let at_line = |problem: &str| format!("line {line}: {problem}");
-        if keyword == b"newmtl" {
-            let name = String::from_utf8_lossy(value).into_owned();
-            model.materials.push(Material::new(name));
-            continue;
-        }
-        if keyword != b"Kd" && keyword != b"map_Kd" {
-            continue;
-        }
-        if model.materials.len() == first {
-            return Err(at_line(
-                "a color or a texture comes before the first newmtl",
-            ));
-        }
-        let image = next(&model.images)?;
-        let Some(material) = model.materials.last_mut() else {
-            continue;
-        };
-        if keyword == b"Kd" {
-            let color = color(value).map_err(|problem| at_line(&problem))?;
-            material.color = color;
-        } else {
-            let name = texture(value).ok_or_else(|| at_line("map_Kd needs the name of a file"))?;
-            material.texture = Some(image);
-            model.images.push(Image::File(folder.beside(&name)));
-        }
-    }
-    Ok(())
+use super::files::Folder;
+use super::material::Affine;
+use super::text::{first_word, number, numbers, quote, statements};
+use super::{Alpha, Image, Material, Model, Notes, merge, next};
+
+/// What no note names, because most files have it: ambient light, highlights and refraction.
+const UNUSED: &str = " Ka Ks Ni Ns Tf Tr illum sharpness map_Ka map_aat";
+
+/// What a file says about its materials, besides the model's list of them.
+#[derive(Default)]
+pub struct Materials {
+    places: HashMap<String, u32>,
+    /// Indices of the materials that a library has defined.
+    pub defined: HashSet<u32>,
+    /// Transforms of texture coordinates, by the index of the material.
+    pub transforms: HashMap<u32, Affine>,
 }
 
-fn color(value: &[u8]) -> Result<[u8; 3], String> {
-    let numbers: Vec<f64> = words(value).map(number).collect::<Result<_, _>>()?;
-    match numbers[..] {
-        [gray] => Ok([byte(gray); 3]),
-        [r, g, b, ..] => Ok([r, g, b].map(byte)),
-        _ => Err("a color needs 3 numbers, or 1 for gray".into()),
+impl Materials {
+    /// The index of a material. If none has this name yet, it is added, white.
+    pub fn named(&mut self, model: &mut Model, name: &[u8]) -> Result<u32, String> {
+        let name = String::from_utf8_lossy(name).into_owned();
+        let material = Material::new(name.clone());
+        merge(&mut model.materials, &mut self.places, name, material)
     }
+
+    /// Adds the materials of MTL text to a model.
+    ///
+    /// A material's color does not tint its texture, because programs write arbitrary colors next to a texture.
+    pub fn add(&mut self, model: &mut Model, mtl: &[u8], folder: Folder<'_>) -> Result<(), String> {
+        let mut skipped = "a line before the first newmtl is skipped";
+        let (mut current, mut has_d, mut masks) = (None, false, Vec::new());
+        for (_, line) in statements(mtl, |_, _| ()) {
+            let (keyword, value) = first_word(&line).unwrap_or_default();
+            if keyword == b"newmtl" {
+                let place = self.named(model, value)?;
+                (current, has_d) = (self.defined.insert(place).then_some(place), false);
+                skipped = "a line of a second material of the same name is skipped";
+                continue;
+            }
+            let Some(place) = current else {
+                model.notes.add(skipped);
+                continue;
+            };
+            let (material, notes) = (&mut model.materials[place as usize], &mut model.notes);
+            let mut define = || -> Option<()> {
+                match keyword {
+                    b"Kd" => material.color = color(value, notes)?,
+                    b"Ke" => material.emission = color(value, notes)?,
+                    b"d" => (material.opacity, has_d) = (fraction(value, notes)?, true),
+                    // Programs disagree about the meaning of Tr.
+                    b"Tr" if !has_d => material.opacity = 1.0 - fraction(value, notes)?,
+                    b"map_d" => masks.push((place, map(value, notes, folder)?.0)),
+                    b"map_Kd" => {
+                        let (file, changes, clamp) = map(value, notes, folder)?;
+                        material.texture = next(&model.images).ok();
+                        model.images.push(Image::File(file));
+                        (material.alpha, material.clamp) = (Alpha::Cut(128), [clamp; 2]);
+                        // In the file, v points up.
+                        let [[a, b], [u, v]] = changes;
+                        let transform = [[a, 0.0, u], [0.0, b, 1.0 - b - v]];
+                        self.transforms.insert(place, transform);
+                    }
+                    _ if UNUSED.split(' ').any(|word| word.as_bytes() == keyword) => {}
+                    _ => notes.left_out(quote(keyword)),
+                }
+                Some(())
+            };
+            if define().is_none() {
+                notes.add(format!("{} of a material cannot be read", quote(keyword)));
+            }
+        }
+        // Only a texture's own alpha is used.
+        for (place, file) in masks {
+            let texture = model.materials[place as usize].texture;
+            if texture.map(|at| &model.images[at as usize]) != Some(&Image::File(file)) {
+                model.notes.left_out(quote(b"map_d"));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A color of three components, or of one for gray.
+fn color(value: &[u8], notes: &mut Notes) -> Option<[u8; 3]> {
+    match numbers(value, notes) {
+        [Some(gray), None, ..] => Some([byte(gray); 3]),
+        [Some(r), Some(g), Some(b), ..] => Some([r, g, b].map(byte)),
+        _ => None,
+    }
+}
+
+/// A number from 0 to 1.
+fn fraction(value: &[u8], notes: &mut Notes) -> Option<f64> {
+    let [x, ..] = numbers(value.strip_prefix(b"-halo").unwrap_or(value), notes);
+    x.filter(|x| !x.is_nan()).map(|x| x.clamp(0.0, 1.0))
 }
 
 /// Converts a component of a color from 0 to 1.
@@ -60,27 +108,34 @@ pub fn byte(component: f64) -> u8 {
     byte
 }
 
-/// How many values follow an option of a texture.
-fn values(option: &[u8]) -> usize {
-    match option {
-        b"-mm" => 2,
-        b"-o" | b"-s" | b"-t" => 3,
-        _ => 1,
-    }
-}
+/// A scale and an offset of texture coordinates.
+type Changes = [[f64; 2]; 2];
 
-/// Returns a texture's file name, which follows the options and may contain blanks.
-fn texture(value: &[u8]) -> Option<String> {
-    let mut rest = value;
-    while rest.starts_with(b"-") {
-        let option = words(rest).next()?;
-        for at in 0..=values(option) {
-            // -o, -s and -t take one to three numbers.
-            if at > 1 && words(rest).next().is_some_and(|word| number(word).is_err()) {
-                break;
+/// Reads a texture: options, each with any number of values, and then the file's name, which may contain blanks.
+/// Returns the file, what the options change, and whether the texture does not repeat.
+fn map(value: &[u8], notes: &mut Notes, folder: Folder<'_>) -> Option<(PathBuf, Changes, bool)> {
+    let (mut rest, mut changes, mut clamp) = (value, [[1.0; 2], [0.0; 2]], false);
+    let (mut option, mut count) = (b"".as_slice(), 0);
+    while let Some((word, after)) = first_word(rest) {
+        let number = number(word);
+        let is_switch = matches!(word, b"on" | b"off");
+        if word.starts_with(b"-") && number.is_err() {
+            (option, count) = (word, 0);
+        } else {
+            match (option, number) {
+                (b"", _) => break,
+                (b"-s", Ok(x)) if count < 2 => changes[0][count] = x,
+                (b"-o", Ok(x)) if count < 2 => changes[1][count] = x,
+                (b"-clamp", _) if is_switch => clamp = word == b"on",
+                (b"-mm" | b"-t", Ok(_)) => notes.left_out(quote(option)),
+                (b"-imfchan" | b"-texres" | b"-type", _) if count == 0 => {}
+                (_, number) if !is_switch && number.is_err() => break,
+                _ => {}
             }
-            rest = after_keyword(rest);
+            count += 1;
         }
+        rest = after;
     }
-    (!rest.is_empty()).then(|| String::from_utf8_lossy(rest).into_owned())
+    let name = String::from_utf8_lossy(rest);
+    (!rest.is_empty()).then(|| (folder.beside(&name), changes, clamp))
 }

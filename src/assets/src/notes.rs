@@ -1,9 +1,13 @@
 //! What a reader replaced or left out.
 
+/// The most sentences, and the most names, that are kept. A file may have any number of them.
+const MOST: usize = 32;
+
 /// Sentences for the user about what was replaced or left out, one for each kind.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Notes {
     sentences: Vec<(String, usize)>,
+    others: usize,
     left_out: Vec<String>,
 }
 
@@ -11,12 +15,14 @@ impl Notes {
     /// Adds a sentence, or counts it if it is there already.
     pub fn add(&mut self, sentence: impl Into<String>) {
         let sentence = sentence.into();
+        let is_full = self.sentences.len() == MOST;
         match self
             .sentences
             .iter_mut()
             .find(|(other, _)| *other == sentence)
         {
             Some((_, times)) => *times += 1,
+            None if is_full => self.others += 1,
             None => self.sentences.push((sentence, 1)),
         }
     }
@@ -24,7 +30,7 @@ impl Notes {
     /// Names something in the file that is not drawn. All such names share one sentence.
     pub fn left_out(&mut self, feature: impl Into<String>) {
         let feature = feature.into();
-        if !self.left_out.contains(&feature) {
+        if self.left_out.len() < MOST && !self.left_out.contains(&feature) {
             self.left_out.push(feature);
         }
     }
@@ -35,8 +41,16 @@ impl Notes {
             1 => sentence.clone(),
             _ => format!("{sentence} ({times} times)"),
         });
-        let left_out = format!("not drawn: {}", self.left_out.join(", "));
-        sentences.chain((!self.left_out.is_empty()).then_some(left_out))
+        let more = if self.left_out.len() == MOST {
+            ", …"
+        } else {
+            ""
+        };
+        let left_out = format!("not drawn: {}{more}", self.left_out.join(", "));
+        let others = format!("there are {} other notes", self.others);
+        sentences
+            .chain((self.others > 0).then_some(others))
+            .chain((!self.left_out.is_empty()).then_some(left_out))
     }
 
     /// Whether there are none.

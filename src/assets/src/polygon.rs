@@ -31,12 +31,8 @@ impl Model {
             self.notes.add("a face of fewer than 3 corners is left out");
             return Ok(());
         }
-        let is_usable = |corner: &Corner| {
-            let position = self.positions.get(corner.position as usize);
-            position.map(|position| position.iter().all(|x| x.abs() <= MOST))
-        };
         for corner in &*corners {
-            match is_usable(corner) {
+            match self.is_usable(corner.position) {
                 Some(true) => {}
                 Some(false) => {
                     self.notes.add(
@@ -71,8 +67,14 @@ impl Model {
         Ok(())
     }
 
+    /// Whether a position can be drawn; `None` if it does not exist.
+    pub(crate) fn is_usable(&self, position: u32) -> Option<bool> {
+        let position = self.positions.get(position as usize)?;
+        Some(position.iter().all(|x| x.abs() <= MOST))
+    }
+
     /// A texture needs coordinates at all corners, and near 0.
-    fn fix_uvs(&mut self, corners: &mut [Corner]) -> Result<(), String> {
+    pub(crate) fn fix_uvs(&mut self, corners: &mut [Corner]) -> Result<(), String> {
         if corners.iter().all(|corner| corner.uv.is_none()) {
             return Ok(());
         }
@@ -88,7 +90,7 @@ impl Model {
         let Some(uvs) = uvs else {
             self.notes
                 .add("a face's texture coordinates are left out: not every corner has them");
-            for corner in corners {
+            for corner in &mut *corners {
                 corner.uv = None;
             }
             return Ok(());
@@ -125,8 +127,8 @@ impl Model {
             let replaced = if let Some(own) = own {
                 own
             } else {
-                let direction = unit(newell(&self.positions, corners));
                 let new = next(&self.normals)?;
+                let direction = unit(newell(&self.positions, corners));
                 self.normals.push(direction.unwrap_or([0.0, 0.0, 1.0]));
                 *own.insert(new)
             };

@@ -15,76 +15,73 @@ pub enum Format {
     Gltf,
 }
 
+/// A format, unless it cannot be read; its name with an article, its endings, and how its files begin, if that is
+/// enough to know them.
+type Row = (Option<Format>, &'static str, &'static str, &'static str);
+
+const FORMATS: [Row; 17] = [
+    (Some(Format::Stl), "an STL", "stl", ""),
+    (Some(Format::Obj), "an OBJ", "obj", ""),
+    (Some(Format::Ply), "a PLY", "ply", "ply"),
+    (Some(Format::Gltf), "a glTF", "glb gltf", "glTF"),
+    (Some(Format::Gltf), "a glTF", "glb gltf", "{"),
+    (None, "an FBX", "fbx", "Kaydara FBX"),
+    (None, "a COLLADA", "dae", "<COLLADA"),
+    (None, "an X3D", "x3d", "<X3D"),
+    (None, "a 3MF", "3mf", ""),
+    (None, "a USDZ", "usdz", ""),
+    (None, "an OFF", "off", "OFF"),
+    (None, "a Blender", "blend", "BLENDER"),
+    (None, "a STEP", "step stp", "ISO-10303-21"),
+    (None, "a MilkShape 3D", "ms3d", "MS3D000000"),
+    (None, "a 3D Studio", "3ds", ""),
+    (None, "an MD2", "md2", "IDP2"),
+    (None, "a VRML", "vrml wrl", "#VRML"),
+];
+
+const CAN_BE_READ: &str = "OBJ, STL, PLY, glTF and GLB can be read";
+
+/// The row of the ending of `path`.
+fn named(path: &Path) -> Option<&'static Row> {
+    let ending = path.extension()?.to_ascii_lowercase();
+    let has = |row: &&Row| row.2.split(' ').any(|other| ending == other);
+    FORMATS.iter().find(has)
+}
+
 impl Format {
     /// The format that the ending of `path` names.
     #[must_use]
     pub fn of(path: &Path) -> Option<Self> {
-        let ending = path.extension()?.to_ascii_lowercase();
-        Some(match ending.to_str()? {
-            "obj" => Self::Obj,
-            "stl" => Self::Stl,
-            "ply" => Self::Ply,
-            "gltf" | "glb" => Self::Gltf,
-            _ => return None,
-        })
-    }
-
-    /// Its name with an article, and its ending.
-    fn words(self) -> [&'static str; 2] {
-        match self {
-            Self::Obj => ["an OBJ", ".obj"],
-            Self::Stl => ["an STL", ".stl"],
-            Self::Ply => ["a PLY", ".ply"],
-            Self::Gltf => ["a glTF", ".glb or .gltf"],
-        }
+        named(path)?.0
     }
 }
-
-/// How many bytes an STL file has before its triangles, and for each.
-pub const STL: [usize; 2] = [84, 50];
 
 /// Whether the size of a file agrees with the header of a binary STL file.
 pub fn is_binary_stl(bytes: &[u8]) -> bool {
-    let Some(count) = bytes[..bytes.len().min(STL[0])].last_chunk::<4>() else {
-        return false;
-    };
-    bytes.len() >= STL[0]
-        && u64::from(u32::from_le_bytes(*count)) * STL[1] as u64 + STL[0] as u64
-            == bytes.len() as u64
+    let count = bytes.get(80..).and_then(<[u8]>::first_chunk);
+    count.is_some_and(|&count| u64::from(u32::from_le_bytes(count)) * 50 + 84 == bytes.len() as u64)
 }
 
-/// The format whose signature the file begins with; OBJ has none.
-fn marked(bytes: &[u8]) -> Option<Format> {
-    let start = &bytes[..bytes.len().min(1024)];
-    let text = start
-        .strip_prefix(b"\xef\xbb\xbf")
-        .unwrap_or(start)
-        .trim_ascii_start();
-    let has = |word: &[u8]| {
-        text.windows(word.len())
-            .any(|at| at.eq_ignore_ascii_case(word))
+/// The row of the format whose signature the file begins with; OBJ has none.
+fn marked(bytes: &[u8]) -> Option<&'static Row> {
+    let start = String::from_utf8_lossy(&bytes[..bytes.len().min(1024)]);
+    let text = start.trim_start_matches('\u{feff}').trim_start();
+    let lower = text.to_ascii_lowercase();
+    let is_stl = is_binary_stl(bytes) || (lower.starts_with("solid") && lower.contains("facet"));
+    let is_found = |(format, _, _, mark): &&Row| match format {
+        Some(Format::Stl) => is_stl,
+        // An XML file has declarations and comments first.
+        _ if mark.starts_with('<') => text.starts_with('<') && text.contains(mark),
+        _ => !mark.is_empty() && text.starts_with(mark),
     };
-    if bytes.starts_with(b"glTF") || (text.starts_with(b"{") && has(b"\"")) {
-        Some(Format::Gltf)
-    } else if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") {
-        Some(Format::Ply)
-    } else if is_binary_stl(bytes)
-        || (text
-            .get(..5)
-            .is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
-            && (has(b"facet") || has(b"endsolid")))
-    {
-        Some(Format::Stl)
-    } else {
-        None
-    }
+    FORMATS.iter().find(is_found)
 }
 
 /// The format of a file.
 ///
 /// # Errors
 ///
-/// The file is empty, is not in the format that its ending names, or is UTF-16 text.
+/// The file is empty, is not in the format that its ending names, is in one that cannot be read, or is UTF-16 text.
 pub fn format(path: &Path, bytes: &[u8]) -> Result<Format, String> {
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
         return Err("its text is UTF-16: save it as UTF-8".into());
@@ -92,14 +89,15 @@ pub fn format(path: &Path, bytes: &[u8]) -> Result<Format, String> {
     if bytes.trim_ascii().is_empty() {
         return Err("it is empty: it has no faces".into());
     }
-    let found = marked(bytes);
-    match (Format::of(path), found) {
-        (Some(named), Some(found)) if named != found => {
-            let ([found, ending], [named, _]) = (found.words(), named.words());
-            Err(format!(
-                "it is {found} file, not {named} file: give it the ending {ending}"
-            ))
+    let named = named(path);
+    match (marked(bytes).or(named), named) {
+        (None, _) => Ok(Format::Obj),
+        (Some((None, name, ..)), _) => Err(format!("it is {name} file: {CAN_BE_READ}")),
+        (Some((Some(_), found, ends, _)), Some((Some(_), name, ..))) if found != name => {
+            let what = format!("it is {found} file, not {name} file");
+            let ending = ends.replace(' ', " or .");
+            Err(format!("{what}: give it the ending .{ending}"))
         }
-        (named, found) => Ok(named.or(found).unwrap_or(Format::Obj)),
+        (Some((Some(format), ..)), _) => Ok(*format),
     }
 }

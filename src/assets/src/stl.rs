@@ -1,248 +1,116 @@
 //! Reads STL, text and binary.
 
-use std::cell::Cell;
 use std::collections::HashMap;
-use std::io::{Cursor, Read, Result as IoResult, Seek, SeekFrom};
 
 use super::files::Folder;
-use super::sniff::{STL, is_binary_stl};
-use super::text::{number, quote, words};
-use super::{Corner, Model, Smoothing, next};
+use super::sniff::is_binary_stl;
+use super::text::{first_word, line_end, number};
+use super::{Corner, Model, Smoothing, merge};
 
 /// Reads an STL file. Its normals are ignored, because they only repeat those of the triangles, or are zero.
 pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
-    let mut model = Builder::default();
-    let begins = bytes.trim_ascii_start().get(..5);
-    let is_text = begins.is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
-        && !bytes.iter().take(1024).any(|&byte| byte == 0);
+    let mut reader = Reader::default();
     // The header of a binary file may also begin with "solid".
-    if is_text && !is_binary_stl(bytes) {
-        text(&mut model, bytes, folder)?;
+    if is_binary_stl(bytes) || bytes.iter().take(1024).any(|&byte| byte == 0) {
+        reader.binary(bytes, folder)?;
     } else {
-        binary(&mut model, bytes, folder)?;
+        reader.text(bytes.trim_ascii_end(), folder)?;
     }
-    Ok(model.model)
-}
-
-fn binary(model: &mut Builder, bytes: &[u8], folder: Folder<'_>) -> Result<(), String> {
-    let [header, each] = STL;
-    let Some(count) = bytes.get(..header).and_then(<[u8]>::last_chunk::<4>) else {
-        return Err(format!(
-            "it is neither text that begins with 'solid' nor binary: a header takes {header} bytes, and it has {}",
-            bytes.len()
-        ));
-    };
-    if bytes[..header]
-        .iter()
-        .all(|byte| byte.is_ascii_graphic() || byte.is_ascii_whitespace())
-    {
-        return Err("it is text, and does not begin with 'solid'".into());
-    }
-    let count = u32::from_le_bytes(*count);
-    let room = (bytes.len() - header) / each;
-    if (room as u64) < u64::from(count) {
-        return Err(format!(
-            "byte {}: it ends within triangle {} of {count}",
-            bytes.len(),
-            room + 1
-        ));
-    }
-    let mut file = Cursor::new(bytes);
-    // The reader would take a header that begins with "solid" for text.
-    let mut unmarked = Unmarked(&mut file);
-    let triangles = stl_io::create_stl_reader(&mut unmarked).map_err(|error| error.to_string())?;
-    for (at, triangle) in triangles.enumerate() {
-        let offset = header + at * each;
-        let triangle = triangle.map_err(|error| format!("byte {offset}: {error}"))?;
-        model
-            .triangle(&triangle)
-            .map_err(|problem| format!("byte {offset}: {problem}"))?;
-        folder.progress(at, offset);
-    }
-    Ok(())
-}
-
-/// A binary file with zeros in place of its first five bytes.
-struct Unmarked<'a, 'b>(&'a mut Cursor<&'b [u8]>);
-
-impl Read for Unmarked<'_, '_> {
-    fn read(&mut self, out: &mut [u8]) -> IoResult<usize> {
-        let from = self.0.position();
-        let count = self.0.read(out)?;
-        for (at, byte) in (from..5).zip(&mut out[..count]) {
-            debug_assert!(at < 5);
-            *byte = 0;
-        }
-        Ok(count)
-    }
-}
-
-impl Seek for Unmarked<'_, '_> {
-    fn seek(&mut self, to: SeekFrom) -> IoResult<u64> {
-        self.0.seek(to)
-    }
-}
-
-fn text(model: &mut Builder, bytes: &[u8], folder: Folder<'_>) -> Result<(), String> {
-    // The reader accepts only lower case and UTF-8.
-    let text = String::from_utf8_lossy(bytes)
-        .to_ascii_lowercase()
-        .replace("\r\n", "\n")
-        .replace('\r', "\n");
-    let position = TextPosition::default();
-    let mut solid = 0;
-    while let Some(start) = next_solid(text.as_bytes(), &position)? {
-        // A file may have several solids, and names may be missing. The reader accepts neither.
-        let mut lines = Lines {
-            text: text.as_bytes(),
-            position: &position,
-            from: start,
-            first: true,
-        };
-        let at_line = |problem: String| format!("line {}: {problem}", position.line.get());
-        let failed = |error: std::io::Error| {
-            let line = text.lines().nth(position.line.get().saturating_sub(1));
-            at_line(explain(line.unwrap_or_default(), &error.to_string()))
-        };
-        let triangles = stl_io::create_stl_reader(&mut lines).map_err(failed)?;
-        for (at, triangle) in triangles.enumerate() {
-            let triangle = triangle.map_err(failed)?;
-            model.triangle(&triangle).map_err(at_line)?;
-            folder.progress(at, position.byte.get());
-        }
-        solid += 1;
-    }
-    debug_assert!(solid > 0);
-    Ok(())
-}
-
-/// Explains why the reader refuses a line; `message` is the reader's own.
-fn explain(line: &str, message: &str) -> String {
-    let mut words = words(line.as_bytes());
-    let (what, numbers): (_, Vec<_>) = match words.next() {
-        Some(b"vertex") => ("a vertex", words.collect()),
-        Some(b"facet") => ("a normal", words.skip(1).collect()),
-        _ => {
-            // Such as: expected ["endloop"], got ["endfacet"]
-            let quoted = message.replace("[\"", "'").replace("\"]", "'");
-            return quoted
-                .replace("\", \"", " ")
-                .replace(", got ", ", and found ");
-        }
-    };
-    for word in &numbers {
-        match number(word) {
-            Err(problem) => return problem,
-            Ok(_) => {}
-        }
-    }
-    if numbers.len() == 3 {
-        return message.into();
-    }
-    format!("{what} needs 3 numbers, and has {}", numbers.len())
-}
-
-/// A reader's position in the text.
-#[derive(Clone, Default)]
-struct TextPosition {
-    byte: Cell<usize>,
-    line: Cell<usize>,
-}
-
-impl TextPosition {
-    /// Takes the next line, with its end.
-    fn line<'a>(&self, text: &'a [u8]) -> Option<&'a [u8]> {
-        let rest = &text[self.byte.get()..];
-        if rest.is_empty() {
-            return None;
-        }
-        let end = rest.iter().position(|&byte| byte == b'\n');
-        let line = &rest[..end.map_or(rest.len(), |end| end + 1)];
-        self.byte.set(self.byte.get() + line.len());
-        self.line.set(self.line.get() + 1);
-        Some(line)
-    }
-}
-
-/// Moves past the line that begins the next solid, and returns where that is; `None` at the end of the text.
-fn next_solid(text: &[u8], position: &TextPosition) -> Result<Option<TextPosition>, String> {
-    while let Some(line) = position.line(text) {
-        let line = line.trim_ascii();
-        if line.starts_with(b"solid") {
-            return Ok(Some(position.clone()));
-        }
-        if !line.is_empty() {
-            let line = quote(line);
-            return Err(format!(
-                "line {}: expected 'solid', and found {line}",
-                position.line.get()
-            ));
-        }
-    }
-    Ok(None)
-}
-
-/// The lines of a text after the one at `from`, preceded by a line "solid ". A read returns at most one line, so
-/// `position` is the reader's.
-struct Lines<'a> {
-    text: &'a [u8],
-    position: &'a TextPosition,
-    from: TextPosition,
-    first: bool,
-}
-
-impl Read for Lines<'_> {
-    fn read(&mut self, out: &mut [u8]) -> IoResult<usize> {
-        let line = if self.first {
-            self.first = false;
-            b"solid \n"
-        } else {
-            self.position.line(self.text).unwrap_or_default()
-        };
-        let count = line.len().min(out.len());
-        out[..count].copy_from_slice(&line[..count]);
-        if count < line.len() {
-            // The rest comes next.
-            self.position
-                .byte
-                .set(self.position.byte.get() - (line.len() - count));
-            self.position.line.set(self.position.line.get() - 1);
-        }
-        Ok(count)
-    }
-}
-
-impl Seek for Lines<'_> {
-    /// Goes back to the start; the reader asks for nothing else.
-    fn seek(&mut self, _: SeekFrom) -> IoResult<u64> {
-        self.position.byte.set(self.from.byte.get());
-        self.position.line.set(self.from.line.get());
-        self.first = true;
-        Ok(0)
-    }
+    Ok(reader.model)
 }
 
 /// A model made of separate triangles.
 #[derive(Default)]
-struct Builder {
+struct Reader {
     model: Model,
-    indices: HashMap<[u32; 3], u32>,
+    positions: HashMap<[u64; 3], u32>,
+    colors: HashMap<[u8; 3], u32>,
 }
 
-impl Builder {
-    fn triangle(&mut self, triangle: &stl_io::Triangle) -> Result<(), String> {
-        let mut corners = [Corner::default(); 3];
-        for (corner, vertex) in corners.iter_mut().zip(&triangle.vertices) {
-            // −0 and 0 are the same position.
-            let position = [0, 1, 2].map(|axis| vertex.0[axis] + 0.0);
-            let new = next(&self.model.positions)?;
-            corner.position = *self
-                .indices
-                .entry(position.map(f32::to_bits))
-                .or_insert(new);
-            if corner.position == new {
-                self.model.positions.push(position.map(f64::from));
+impl Reader {
+    fn text(&mut self, text: &[u8], folder: Folder<'_>) -> Result<(), String> {
+        let (first, mut rest) = first_word(text).unwrap_or_default();
+        if !first.to_ascii_lowercase().ends_with(b"solid") {
+            return Err("it is text, and does not begin with 'solid'".into());
+        }
+        let (mut is_name, mut numbers, mut missing) = (true, Vec::new(), 0);
+        while !rest.is_empty() {
+            let (word, after) = first_word(rest).unwrap_or_default();
+            let read = text.len() - rest.len();
+            rest = after;
+            let is = |keyword: &str| word.eq_ignore_ascii_case(keyword.as_bytes());
+            // A solid's name may have any words.
+            is_name = is("solid") || is("endsolid") || (is_name && !is("facet"));
+            if missing > 0 {
+                numbers.push(number(word).map_err(|problem| {
+                    let end = line_end(text);
+                    let line = text[..read].split(|&byte| byte == end).count();
+                    format!("line {line}: {problem}")
+                })?);
+                missing -= 1;
+            } else if is("vertex") && !is_name {
+                missing = 3;
             }
+            let is_end = is("facet") || is("endfacet") || rest.is_empty();
+            if numbers.len() == 9 || (is_end && (missing > 0 || !numbers.is_empty())) {
+                self.facet(&numbers, None)?;
+                numbers.clear();
+                folder.progress(self.model.triangles.len(), read);
+            }
+        }
+        Ok(())
+    }
+
+    fn binary(&mut self, bytes: &[u8], folder: Folder<'_>) -> Result<(), String> {
+        let Some((header, rest)) = bytes.split_first_chunk::<84>() else {
+            return Err(format!("it has {} bytes: a header takes 84", bytes.len()));
+        };
+        let [.., a, b, c, d] = *header;
+        let promised = u32::from_le_bytes([a, b, c, d]) as usize;
+        let (triangles, left) = rest.as_chunks::<50>();
+        let has = triangles.len();
+        // Programs that do not know the number beforehand write 0. Any bytes may follow the triangles.
+        let is_right = promised > 0 && !left.is_empty();
+        let count = if is_right { has.min(promised) } else { has };
+        if promised != has {
+            let note = format!("it promises {promised} triangles: {count} of {has} are read");
+            self.model.notes.add(note);
+        }
+        // A program writes the color of the whole object to the header.
+        let mark = header.windows(6).position(|at| at == b"COLOR=");
+        let object = mark.and_then(|at| header.get(at + 6..)?.first_chunk::<3>());
+        let is_marked = |triangle: &[u8; 50]| triangle[49] & 0x80 > 0;
+        let is_colored = object.is_some() || triangles[..count].iter().any(is_marked);
+        for (at, triangle) in triangles[..count].iter().enumerate() {
+            let bits = u16::from_le_bytes([triangle[48], triangle[49]]);
+            let rgb = |shifts: [u32; 3]| shifts.map(|at| ((bits >> at & 31) * 33 / 4) as u8);
+            let color = match (object, is_marked(triangle)) {
+                (None, true) => rgb([10, 5, 0]),
+                (Some(_), false) => rgb([0, 5, 10]),
+                _ => *object.unwrap_or(&[255; 3]),
+            };
+            let colors = &mut self.model.colors;
+            let color = is_colored.then(|| merge(colors, &mut self.colors, color, color));
+            let color = color.transpose()?;
+            let numbers = triangle.as_chunks::<4>().0.iter();
+            let numbers: Vec<_> = numbers.map(|&x| f32::from_le_bytes(x).into()).collect();
+            self.facet(&numbers[3..], color)?;
+            folder.progress(at, 84 + 50 * at);
+        }
+        Ok(())
+    }
+
+    /// Adds a triangle by the coordinates of its corners.
+    fn facet(&mut self, numbers: &[f64], color: Option<u32>) -> Result<(), String> {
+        let mut corners = Vec::new();
+        for position in numbers.as_chunks::<3>().0 {
+            // −0 and 0 are the same position.
+            let position = position.map(|x| x + 0.0);
+            let (list, key) = (&mut self.model.positions, position.map(f64::to_bits));
+            let position = merge(list, &mut self.positions, key, position)?;
+            let mut corner = Corner::default();
+            (corner.position, corner.color) = (position, color);
+            corners.push(corner);
         }
         self.model.polygon(&mut corners, None, Smoothing::Angle)
     }

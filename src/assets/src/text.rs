@@ -1,116 +1,102 @@
 //! Helpers for the text of models, which may have any size and any encoding.
 
 use std::borrow::Cow;
+use std::str::FromStr;
 
-/// The largest number of characters in a quotation.
-const QUOTED: usize = 40;
+use super::Notes;
+
+/// A text of at most so many characters.
+fn cut(text: &str, most: usize) -> String {
+    let end = text.char_indices().nth(most);
+    end.map_or_else(|| text.into(), |(end, _)| format!("{}…", &text[..end]))
+}
 
 /// A quotation of the file, short enough for a message.
 pub fn quote(word: &[u8]) -> String {
-    let word = String::from_utf8_lossy(&word[..word.len().min(4 * QUOTED)]).into_owned();
-    if word.chars().count() <= QUOTED {
-        return format!("'{}'", word.escape_debug());
-    }
-    let start: String = word.chars().take(QUOTED).collect();
-    format!("'{}…'", start.escape_debug())
+    let word = String::from_utf8_lossy(&word[..word.len().min(160)]);
+    format!("'{}'", cut(&word, 40).escape_debug())
 }
 
 /// A message in one line of printable characters, cut after a few hundred of them.
 pub fn one_line(message: &str) -> String {
     let words: Vec<&str> = message.split_whitespace().collect();
-    let mut line: String = words
-        .join(" ")
-        .chars()
-        .filter(|c| !c.is_control())
-        .collect();
-    if let Some((end, _)) = line.char_indices().nth(300) {
-        line.truncate(end);
-        line.push('…');
-    }
-    line
+    cut(&words.join(" ").replace(char::is_control, ""), 300)
 }
 
-/// The statements of OBJ and MTL text, each with the number of its first line and the offset of its end. Comments are
-/// cut off, and lines that end with a backslash are joined with the next one.
-pub struct Statements<'a> {
-    text: &'a [u8],
-    at: usize,
-    line: usize,
+/// The byte that ends the lines of a text, maybe with another.
+pub fn line_end(text: &[u8]) -> u8 {
+    let count = |end| text.split(|&byte| byte == end).count();
+    b"\n\r"[usize::from(count(b'\r') > 2 * count(b'\n'))]
 }
 
-/// A statement: its line, and its text without comment.
-pub type Statement<'a> = (usize, Cow<'a, [u8]>);
+/// A line with its number.
+type Line<'a> = (usize, Cow<'a, [u8]>);
 
-impl<'a> Statements<'a> {
-    pub fn new(text: &'a [u8]) -> Self {
-        let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
-        Self {
-            text,
-            at: 0,
-            line: 0,
+/// The lines of OBJ and MTL text, without comments and empty ones. A line that ends with a backslash is joined with the
+/// next one. `progress` is told the number of each line, and of the bytes so far.
+pub fn statements(text: &[u8], progress: impl Fn(usize, usize)) -> impl Iterator<Item = Line<'_>> {
+    let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+    let (end, mut read) = (line_end(text), 0);
+    let lines = text.split(move |&byte| byte == end);
+    let mut lines = (1..).zip(lines).map(move |(number, line)| {
+        read += line.len() + 1;
+        progress(number, read);
+        let line = line.trim_ascii();
+        (number, if line.starts_with(b"#") { b"" } else { line })
+    });
+    let lines = std::iter::from_fn(move || {
+        let (number, line) = lines.next()?;
+        let mut line = Cow::Borrowed(line);
+        while line.ends_with(b"\\") {
+            let line = line.to_mut();
+            line.pop();
+            line.push(b' ');
+            line.extend(lines.next().map_or(b"".as_slice(), |(_, next)| next));
         }
-    }
-
-    /// How many bytes have been read.
-    pub fn read(&self) -> usize {
-        self.at
-    }
-
-    /// The next line of the file without its end, and whether it goes on in the next one.
-    fn line(&mut self) -> Option<(&'a [u8], bool)> {
-        let rest = self.text.get(self.at..).filter(|rest| !rest.is_empty())?;
-        self.line += 1;
-        let end = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'));
-        let line = &rest[..end.unwrap_or(rest.len())];
-        let crlf = end.is_some_and(|end| rest[end..].starts_with(b"\r\n"));
-        self.at += line.len() + usize::from(end.is_some()) + usize::from(crlf);
-        let comment = line.iter().position(|&byte| byte == b'#');
-        let line = line[..comment.unwrap_or(line.len())].trim_ascii_end();
-        Some(match line.strip_suffix(b"\\") {
-            Some(line) => (line, true),
-            None => (line, false),
-        })
-    }
+        Some((number, line))
+    });
+    lines.filter(|(_, line)| !line.is_empty())
 }
 
-impl<'a> Iterator for Statements<'a> {
-    type Item = Statement<'a>;
-
-    fn next(&mut self) -> Option<Self::Item> {
-        let (line, mut goes_on) = self.line()?;
-        let first = self.line;
-        let mut statement = Cow::Borrowed(line);
-        while goes_on {
-            let Some((line, more)) = self.line() else {
-                break;
-            };
-            let statement = statement.to_mut();
-            statement.push(b' ');
-            statement.extend_from_slice(line);
-            goes_on = more;
-        }
-        Some((first, statement))
-    }
+/// The words of a text before a comment.
+pub fn words(text: &[u8]) -> impl Iterator<Item = &[u8]> {
+    let words = text.split(u8::is_ascii_whitespace);
+    let words = words.filter(|word| !word.is_empty());
+    words.take_while(|word| !word.starts_with(b"#"))
 }
 
-/// The words of a statement.
-pub fn words(statement: &[u8]) -> impl Iterator<Item = &[u8]> {
-    statement
-        .split(u8::is_ascii_whitespace)
-        .filter(|word| !word.is_empty())
+/// The first word of a text, and what follows it.
+pub fn first_word(text: &[u8]) -> Option<(&[u8], &[u8])> {
+    let text = text.trim_ascii_start();
+    let end = text.iter().position(u8::is_ascii_whitespace);
+    let (word, rest) = text.split_at(end.unwrap_or(text.len()));
+    (!word.is_empty()).then(|| (word, rest.trim_ascii()))
 }
 
-/// The statement after its first word.
-pub fn after_keyword(statement: &[u8]) -> &[u8] {
-    let statement = statement.trim_ascii_start();
-    let end = statement.iter().position(u8::is_ascii_whitespace);
-    statement[end.unwrap_or(statement.len())..].trim_ascii()
+/// Reads a word as a number of a type.
+pub fn parse<T: FromStr>(word: &[u8]) -> Option<T> {
+    std::str::from_utf8(word).ok()?.parse().ok()
 }
 
-/// A number.
+/// A number. A decimal comma is read as a point, and what C programs write for a value that is no number as NaN.
 pub fn number(word: &[u8]) -> Result<f64, String> {
-    std::str::from_utf8(word)
-        .ok()
-        .and_then(|word| word.parse().ok())
-        .ok_or_else(|| format!("{} is not a number", quote(word)))
+    let text = || String::from_utf8_lossy(word).replacen(',', ".", 1);
+    let is_nan = || text().contains(".#") || text().contains("nan(");
+    let number = parse(word).or_else(|| text().parse().ok());
+    let number = number.or_else(|| is_nan().then_some(f64::NAN));
+    number.ok_or_else(|| format!("{} is not a number", quote(word)))
+}
+
+/// The words of a text as numbers, at most 7.
+pub fn numbers(text: &[u8], notes: &mut Notes) -> [Option<f64>; 7] {
+    let mut numbers = [None; 7];
+    for (place, word) in numbers.iter_mut().zip(words(text)) {
+        *place = number(word).ok();
+        if place.is_none() {
+            notes.add("a word of a line is skipped: it is not a number");
+        } else if word.contains(&b',') {
+            notes.add("a decimal comma is read as a point");
+        }
+    }
+    numbers
 }

@@ -1,0 +1,534 @@
+//! OBJ and MTL files as people have them are read, and notes say what was replaced or left out.
+
+#![allow(clippy::float_cmp)] // Numbers are exact.
+
+mod common;
+
+use common::{mutated, notes, read};
+use fixel_assets::{Alpha, Material, Model, Smoothing};
+
+/// A square of two triangles.
+const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+fn obj(text: &str) -> Result<Model, String> {
+    read(&[("a.obj", text)])
+}
+
+/// Reads a model that must be without notes.
+fn clean(text: &str) -> Model {
+    let model = obj(text).expect(text);
+    assert!(model.notes.is_empty(), "{text}: {:?}", notes(&model));
+    model
+}
+
+/// Reads a model with one note, which must contain `says`.
+#[track_caller]
+fn noted(text: &str, says: &str) -> Model {
+    let model = obj(text).expect(text);
+    let notes = notes(&model);
+    assert!(notes.len() == 1 && notes[0].contains(says), "{notes:?}");
+    model
+}
+
+/// Reads a square with a material, and returns the model.
+#[track_caller]
+fn with_mtl(mtl: &str) -> Model {
+    let uvs = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
+    let text = format!("mtllib a.mtl\n{SQUARE}{uvs}usemtl a\nf 1/1 2/2 3/3 4/4\n");
+    read(&[("a.obj", text.as_str()), ("a.mtl", mtl)]).expect(mtl)
+}
+
+/// The first material, of a file without notes.
+#[track_caller]
+fn material(mtl: &str) -> Material {
+    let model = with_mtl(mtl);
+    assert!(model.notes.is_empty(), "{mtl}: {:?}", notes(&model));
+    model.materials[0].clone()
+}
+
+/// The single note about a material, which must still be there.
+#[track_caller]
+fn note(mtl: &str) -> String {
+    let model = with_mtl(mtl);
+    assert_eq!(model.triangles.len(), 2);
+    let notes = notes(&model);
+    assert_eq!(notes.len(), 1, "{mtl}: {notes:?}");
+    notes[0].clone()
+}
+
+/// The texture coordinates of the square's corners, in the order of the file.
+fn uvs(model: &Model) -> [[f64; 2]; 4] {
+    let [first, second] = [0, 1].map(|at| model.triangles[at].corners);
+    [first[0], first[1], first[2], second[2]].map(|corner| {
+        let uv = corner.uv.expect("a texture coordinate");
+        model.uvs[uv as usize]
+    })
+}
+
+#[test]
+fn every_line_end_and_a_byte_order_mark_are_read() {
+    // A lone line end of another system does not matter.
+    for end in ["\n", "\r\n", "\r"] {
+        let text =
+            format!("\u{feff}# made by hand\n{SQUARE}\nf 1 2 3 4\n").replace('\n', end) + "\n# \r";
+        let model = clean(&text);
+        assert_eq!(model.triangles.len(), 2, "{end:?}");
+        let problem = obj(&text.replace("v 1 1 0", "v 1 1")).unwrap_err();
+        let wanted = "model a.obj: line 4: 'v 1 1' is not a position: it needs 3 numbers";
+        assert_eq!(problem, wanted);
+    }
+}
+
+#[test]
+fn a_backslash_joins_lines() {
+    let model = clean(&format!("{SQUARE}f 1 2 \\\n3 \\ \t\r\n 4\n"));
+    assert_eq!(model.triangles.len(), 2);
+    assert_eq!(clean(&format!("{SQUARE}f 1 2 3\\")).triangles.len(), 1);
+}
+
+#[test]
+fn numbers_have_comments_signs_and_weights() {
+    let text = "v +0 0 0 # first\nv 1 0 0 1\nv 0 1e0 0 1 1 #x\nvt 0 1 #\nvn 0 0 1 # up\nf +1 2 -1 # 4\nl 1 2 #3\n";
+    let model = clean(text);
+    let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    assert_eq!(model.positions, positions);
+    assert!(model.colors.is_empty());
+    let corners = model.triangles[0].corners.map(|corner| corner.position);
+    assert_eq!(corners, [0, 1, 2]);
+}
+
+#[test]
+fn lines_stay_edges() {
+    let model = clean(&format!("{SQUARE}f 1 2 3\nl 3 4/1 1\n"));
+    let edges = [[0, 1], [0, 2], [0, 3], [1, 2], [2, 3]];
+    assert_eq!(model.edges, edges);
+    let text = format!("{SQUARE}v nan 0 0\nf 1 2 3\nl 4 9\nl 4 5\nl 4 x\nl 4 0\n");
+    let model = noted(&text, "a line is left out: an end is missing (4 times)");
+    assert_eq!(model.edges.len(), 3);
+}
+
+#[test]
+fn decimal_commas_are_points() {
+    let model = noted("v 0,5 0 0\nv 1 0 0\nv 0 1,25 0\nf 1 2 3", "comma");
+    assert_eq!(model.positions[0], [0.5, 0.0, 0.0]);
+    assert_eq!(model.positions[2], [0.0, 1.25, 0.0]);
+}
+
+#[test]
+fn what_is_no_number_is_left_out() {
+    // Of a vertex that no face uses.
+    clean(&format!("{SQUARE}v nan inf -1.#IND\nf 1 2 3 4\n"));
+    let text = format!("{SQUARE}v nan 0 0\nf 1 2 3 4\nf 1 2 5\n");
+    let model = noted(&text, "a face is left out: a coordinate");
+    assert_eq!(model.triangles.len(), 2);
+    for normal in ["nan nan nan", "inf 0 0", "0 0 0", "-nan(ind) 0 0"] {
+        let model = noted(
+            &format!("{SQUARE}vn {normal}\nf 1//1 2//1 3//1\n"),
+            "a normal",
+        );
+        let normal = model.triangles[0].corners[0].normal.unwrap();
+        assert_eq!(model.normals[normal as usize], [0.0, 0.0, 1.0]);
+    }
+    let text = format!("{SQUARE}vt nan 0\nvt 0 0\nf 1/1 2/2 3/2\n");
+    let model = noted(&text, "texture coordinates are left out");
+    assert_eq!(model.triangles[0].corners[1].uv, None);
+    let problem = obj("v 1 2 x\n").unwrap_err();
+    assert!(
+        problem.contains("line 1: 'v 1 2 x' is not a position"),
+        "{problem}"
+    );
+}
+
+#[test]
+fn missing_indices_are_replaced_or_left_out() {
+    let lists = "vt 0 0\nvt 1 0\nvt 1 1\nvn 0 0 2\n";
+    for index in ["0", "2", "-2", "x", "1.5", "99999999999999999999"] {
+        let text = format!("{SQUARE}{lists}f 1//{index} 2//{index} 3//{index}\nf 1//1 3//1 4//2\n");
+        let model = obj(&text).unwrap();
+        assert!(notes(&model)[0].contains("a normal is replaced"));
+        for triangle in &model.triangles {
+            for corner in triangle.corners {
+                let [x, y, z] = model.normals[corner.normal.unwrap() as usize];
+                assert!(x == 0.0 && y == 0.0 && z > 0.0, "{index}");
+            }
+        }
+    }
+    for index in ["0", "4", "-4", "x"] {
+        let text = format!("{SQUARE}{lists}f 1/1 2/2 3/{index}\n");
+        let model = noted(&text, "not every corner");
+        assert_eq!(
+            model.triangles[0].corners.map(|corner| corner.uv),
+            [None; 3]
+        );
+    }
+    noted(&format!("{SQUARE}{lists}f 1/1 2/2 3\n"), "not every corner");
+    for face in [
+        "1 2 0",
+        "1 2 5",
+        "1 2 -5",
+        "1 2 x",
+        "1 2 /1/1",
+        "1 2 3/1/1/1",
+    ] {
+        let text = format!("{SQUARE}{lists}f 1 2 3 4\nf {face}\n");
+        let model = noted(&text, "it names a vertex that does not exist");
+        assert_eq!(model.triangles.len(), 2, "{face}");
+    }
+    for face in ["1", "1 2", ""] {
+        noted(
+            &format!("{SQUARE}f 1 2 3 4\nf {face}\n"),
+            "fewer than 3 corners",
+        );
+    }
+    // Elements may follow the faces that name them.
+    assert_eq!(clean(&format!("f 1 2 3 4\n{SQUARE}")).triangles.len(), 2);
+}
+
+/// A line that cannot be read has an index: the following ones keep theirs.
+#[test]
+fn what_cannot_be_read_is_counted() {
+    let text = format!("{SQUARE}vt\nvt 0.5 0\nvn up\nvn 0 0 4\nf 1/2/2 2/2/2 3/2/2\n");
+    let model = noted(&text, "a word of a line is skipped");
+    let corner = model.triangles[0].corners[0];
+    assert_eq!(model.uvs[corner.uv.unwrap() as usize], [0.5, 1.0]);
+    assert_eq!(
+        model.normals[corner.normal.unwrap() as usize],
+        [0.0, 0.0, 4.0]
+    );
+}
+
+#[test]
+fn colors_are_fractions_or_bytes() {
+    let colored = |first: &str, second: &str| {
+        let model = clean(&format!(
+            "v 0 0 0 {first}\nv 1 0 0\nv 1 1 0 {second}\nv 0 1 0\nf 1 2 3 4\n"
+        ));
+        let corners = model.triangles[0]
+            .corners
+            .map(|corner| corner.color.unwrap());
+        corners.map(|at| model.colors[at as usize])
+    };
+    let white = [255; 3];
+    assert_eq!(
+        colored("1 0 0.5", "0 1 0"),
+        [[255, 0, 128], white, [0, 255, 0]]
+    );
+    assert_eq!(
+        colored("255 0 128", "0 1 0"),
+        [[255, 0, 128], white, [0, 1, 0]]
+    );
+    assert_eq!(
+        colored("1.0001 0 0.5 1", "nan -1 0"),
+        [[255, 0, 128], white, [0; 3]]
+    );
+}
+
+#[test]
+fn smoothing_groups_are_read() {
+    let groups = |text: &str| {
+        let model = obj(&format!("{SQUARE}{text}")).unwrap();
+        let groups = model.triangles.iter().map(|triangle| triangle.smoothing);
+        (groups.collect::<Vec<_>>(), notes(&model))
+    };
+    assert_eq!(groups("f 1 2 3\n").0, [Smoothing::Angle]);
+    let (found, notes) = groups("s 1\nf 1 2 3\ns off\nf 1 2 3\ns 7 # x\nf 1 2 3\ns 0\nf 1 2 3\n");
+    let group = Smoothing::Group;
+    assert_eq!(
+        found,
+        [group(1), Smoothing::Flat, group(7), Smoothing::Flat]
+    );
+    assert!(notes.is_empty());
+    let (found, notes) = groups("s 2\ns all\nf 1 2 3\n");
+    assert_eq!(found, [group(2)]);
+    assert!(
+        notes.len() == 1 && notes[0].contains("smoothing"),
+        "{notes:?}"
+    );
+}
+
+#[test]
+fn what_is_not_drawn_is_named_once() {
+    let text =
+        format!("{SQUARE}g a\no b\nf 1 2 3\nvp 1 2\np 1\np 2\ncurv 0 1 1 2\nlod 1\nfoo\nfoo\n");
+    let model = noted(&text, "not drawn: 'vp', 'p', 'curv', 'lod', 'foo'");
+    assert_eq!(model.triangles.len(), 1);
+    // A file of garbage makes no list without end.
+    let words: Vec<String> = (0..100_000).map(|at| format!("w{at} x\n")).collect();
+    let words = words.concat();
+    let model = noted(&format!("{SQUARE}f 1 2 3\n{words}"), "'w0', 'w1', ");
+    assert!(notes(&model)[0].len() < 1000);
+}
+
+#[test]
+fn binary_files_are_refused() {
+    let binary = b"v \0\x01\x02\nf\n".repeat(9);
+    for bytes in [b"L\x01\0\0\x10".to_vec(), binary] {
+        let problem = read(&[("a.obj", bytes)]).unwrap_err();
+        assert_eq!(
+            problem,
+            "model a.obj: it is not text: an OBJ file must be text"
+        );
+    }
+    // A byte of 0 alone does not matter.
+    clean(&format!("{SQUARE}f 1 2 3\n# \0\n"));
+}
+
+#[test]
+fn names_may_contain_anything() {
+    let text = format!(
+        "{SQUARE}vt 0 0\nf 1 2 3\nmtllib my #1 lib.mtl\nusemtl wood #1\nf 1/1 2/1 3/1\nusemtl wood #2\nf 1 2 3\n"
+    );
+    let mtl = "newmtl wood #1\nKd 1 0 0 # red\nmap_Kd a #b.png\nnewmtl wood #2\nKd 0 0 1\n";
+    let model = read(&[("x/a.obj", text.as_str()), ("x/my #1 lib.mtl", mtl)]).unwrap();
+    assert!(model.notes.is_empty(), "{:?}", notes(&model));
+    let names: Vec<&str> = model.materials.iter().map(|m| m.name.as_str()).collect();
+    assert_eq!(names, ["wood #1", "wood #2"]);
+    let materials: Vec<_> = model
+        .triangles
+        .iter()
+        .map(|triangle| triangle.material)
+        .collect();
+    assert_eq!(materials, [None, Some(0), Some(1)]);
+    assert_eq!(model.materials[0].color, [255, 0, 0]);
+    let files: Vec<_> = model
+        .files
+        .iter()
+        .map(|file| file.to_str().unwrap())
+        .collect();
+    assert_eq!(files, ["x/my #1 lib.mtl", "x/a #b.png"]);
+}
+
+#[test]
+fn libraries_may_be_several_or_missing() {
+    let faces = "usemtl a\nf 1 2 3\nusemtl b\nf 1 3 4\n";
+    let libraries = [
+        ("a.mtl", "newmtl a\nKd 1 0 0\n"),
+        ("b.mtl", "newmtl b\nKd 0 1 0\n"),
+    ];
+    for lines in [
+        "mtllib a.mtl\nmtllib b.mtl\n",
+        "mtllib a.mtl b.mtl\n",
+        "mtllib b.mtl\nmtllib a.mtl\nmtllib b.mtl\n",
+    ] {
+        // They may also follow the faces.
+        for text in [
+            format!("{lines}{SQUARE}{faces}"),
+            format!("{SQUARE}{faces}{lines}"),
+        ] {
+            let model = read(&[("a.obj", text.as_str()), libraries[0], libraries[1]]).unwrap();
+            assert!(model.notes.is_empty(), "{text}: {:?}", notes(&model));
+            let color =
+                |at: usize| model.materials[model.triangles[at].material.unwrap() as usize].color;
+            assert_eq!([color(0), color(1)], [[255, 0, 0], [0, 255, 0]]);
+        }
+    }
+    let text = format!("mtllib my lib.mtl\n{SQUARE}{faces}usemtl\nf 1 2 4\n");
+    let model = obj(&text).unwrap();
+    let notes = notes(&model);
+    assert_eq!(notes.len(), 2, "{notes:?}");
+    assert!(
+        notes[0].contains("cannot read materials my lib.mtl: "),
+        "{notes:?}"
+    );
+    assert_eq!(
+        notes[1],
+        "2 materials have no definition, and are white: 'a' first"
+    );
+    let white = ["a", "b"].map(|name| Material::new(name.into()));
+    assert_eq!(model.materials, white);
+    let materials: Vec<_> = model
+        .triangles
+        .iter()
+        .map(|triangle| triangle.material)
+        .collect();
+    assert_eq!(materials, [Some(0), Some(1), None]);
+    let parts = [
+        ("a.obj", format!("mtllib a.mtl none.mtl\n{SQUARE}{faces}")),
+        ("a.mtl", libraries[0].1.into()),
+    ];
+    let notes = common::notes(&read(&parts).unwrap());
+    assert!(
+        notes[0].contains("none.mtl")
+            && notes[1] == "1 materials have no definition, and are white: 'b' first",
+        "{notes:?}"
+    );
+}
+
+#[test]
+fn materials_have_colors_opacity_and_emission() {
+    let red =
+        material("newmtl a\nKa 1 1 1\nKd 1 0.5 0\nKs 1 1 1\nNs 9\nNi 1\nillum 2\nKe 0 0 0.2\n");
+    assert_eq!((red.color, red.emission), ([255, 128, 0], [0, 0, 51]));
+    assert_eq!(material("newmtl a\nKd 0.2\n").color, [51; 3]);
+    let opacity = |lines: &str| material(&format!("newmtl a\n{lines}\n")).opacity;
+    let cases = [
+        ("", 1.0),
+        ("d 0.25", 0.25),
+        ("d -halo 0.25", 0.25),
+        ("Tr 0.25", 0.75),
+        ("d 1\nTr 1", 1.0),
+        ("Tr 1\nd 1", 1.0),
+        ("d 7", 1.0),
+    ];
+    for (lines, wanted) in cases {
+        assert!((opacity(lines) - wanted).abs() < 1e-9, "{lines}");
+    }
+}
+
+#[test]
+fn mistakes_in_materials_are_noted() {
+    let color = |mtl: &str, says: &str| {
+        let note = note(mtl);
+        assert!(note.contains(says), "{mtl}: {note}");
+        with_mtl(mtl).materials[0].color
+    };
+    assert_eq!(
+        color("newmtl a\nKd 0,8 0,4 0\n", "a decimal comma"),
+        [204, 102, 0]
+    );
+    assert_eq!(
+        color("Kd 1 0 0\nnewmtl a\n", "before the first newmtl"),
+        [255; 3]
+    );
+    let twice = "newmtl a\nKd 1 0 0\nnewmtl a\nKd 0 0 1\nd 0\n";
+    assert_eq!(
+        color(
+            twice,
+            "a second material of the same name is skipped (2 times)"
+        ),
+        [255, 0, 0]
+    );
+    for value in ["", "red", "xyz 0.4 0.3 0.2", "spectral a.rfl", "1 0"] {
+        let model = with_mtl(&format!("newmtl a\nKd {value}\nKe 1 0 0\n"));
+        let notes = notes(&model);
+        assert!(
+            notes
+                .iter()
+                .any(|note| note.contains("'Kd' of a material cannot be read")),
+            "{value}: {notes:?}"
+        );
+        assert_eq!(
+            (model.materials[0].color, model.materials[0].emission),
+            ([255; 3], [255, 0, 0])
+        );
+    }
+    for line in ["map_Kd", "map_Kd -clamp on", "d nan", "d"] {
+        let keyword = line.split(' ').next().unwrap();
+        let note = note(&format!("newmtl a\n{line}\n"));
+        assert!(
+            note.contains(&format!("'{keyword}' of a material cannot be read")),
+            "{note}"
+        );
+    }
+    let left_out =
+        note("newmtl a\nmap_Ks a.png\nmap_Bump b.png\nnorm c.png\nPr 1\nfoo\nmap_Ks a.png\n");
+    assert_eq!(
+        left_out,
+        "not drawn: 'map_Ks', 'map_Bump', 'norm', 'Pr', 'foo'"
+    );
+}
+
+#[test]
+fn textures_have_options() {
+    let file = |line: &str| {
+        let model = with_mtl(&format!("newmtl a\n{line}\n"));
+        assert!(model.notes.is_empty(), "{line}: {:?}", notes(&model));
+        let file = model.files.last().unwrap().to_str().unwrap().to_string();
+        (file, model.materials[0].clamp)
+    };
+    let repeats = [
+        "map_Kd my picture.png",
+        "map_Kd -s 2 my picture.png",
+        "map_Kd -s 2 2 2 -o 1 my picture.png",
+        "map_Kd -blendu on -bm 1 -imfchan r -texres 64 -type sphere -clamp off my picture.png",
+        "map_Kd -what 1 2 3 4 5 my picture.png",
+        "map_Kd -cc on -boost 1.5 C:\\elsewhere\\my picture.png",
+    ];
+    for line in repeats {
+        assert_eq!(file(line), ("my picture.png".into(), [false; 2]), "{line}");
+    }
+    assert_eq!(
+        file("map_Kd -clamp on -s 1 1 1 a.png"),
+        ("a.png".into(), [true; 2])
+    );
+    assert_eq!(note("newmtl a\nmap_Kd -mm 0 1 a.png\n"), "not drawn: '-mm'");
+}
+
+#[test]
+fn textures_with_alpha_have_holes() {
+    assert_eq!(material("newmtl a\nKd 1 0 0\n").alpha, Alpha::Ignored);
+    for mtl in [
+        "map_Kd a.png",
+        "map_Kd a.png\nmap_d a.png",
+        "map_d -imfchan m a.png\nmap_Kd a.png",
+    ] {
+        assert_eq!(
+            material(&format!("newmtl a\n{mtl}\n")).alpha,
+            Alpha::Cut(128),
+            "{mtl}"
+        );
+    }
+    for mtl in ["map_Kd a.png\nmap_d b.png", "map_d a.png"] {
+        assert_eq!(note(&format!("newmtl a\n{mtl}\n")), "not drawn: 'map_d'");
+    }
+}
+
+#[test]
+fn texture_coordinates_are_scaled_and_moved() {
+    let square = [[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]];
+    let moved = |options: &str| uvs(&with_mtl(&format!("newmtl a\nmap_Kd {options} a.png\n")));
+    assert_eq!(moved(""), square);
+    assert_eq!(moved("-s 1 1 1"), square);
+    // In the file, v points up: its 0 stays at the bottom.
+    assert_eq!(
+        moved("-s 2 3 1"),
+        [[0.0, 1.0], [2.0, 1.0], [2.0, -2.0], [0.0, -2.0]]
+    );
+    assert_eq!(
+        moved("-o 0.5 0.25"),
+        square.map(|[u, v]| [u + 0.5, v - 0.25])
+    );
+    assert_eq!(
+        moved("-s 2 -o 1 0"),
+        square.map(|[u, v]| [2.0 * u + 1.0, v])
+    );
+    // Faces of other materials share the coordinates, and keep theirs.
+    let text = format!(
+        "mtllib a.mtl\n{SQUARE}vt 1 0\nusemtl a\nf 1/1 2/1 3/1\nusemtl b\nf 1/1 3/1 4/1\nf 1 2 4\n"
+    );
+    let mtl = "newmtl a\nmap_Kd -s 2 2 a.png\nnewmtl b\nmap_Kd a.png\n";
+    let model = read(&[("a.obj", text.as_str()), ("a.mtl", mtl)]).unwrap();
+    let uv = |at: usize| {
+        model.triangles[at].corners[2]
+            .uv
+            .map(|at| model.uvs[at as usize])
+    };
+    assert_eq!(
+        [uv(0), uv(1), uv(2)],
+        [Some([2.0, 1.0]), Some([1.0, 1.0]), None]
+    );
+    assert_eq!(model.uvs.len(), 2);
+    // What is far from 0 after the change is brought near it.
+    let far = with_mtl("newmtl a\nmap_Kd -o 5000 0 a.png\n");
+    assert_eq!(uvs(&far), square);
+    assert!(notes(&far)[0].contains("beyond 1024"));
+}
+
+#[test]
+fn damaged_files_do_no_harm() {
+    let obj = format!(
+        "mtllib a.mtl\n{SQUARE}v 0 0 1 255 0 9\nvt 0 0\nvt 1,5 0\nvn 0 0 1\nusemtl a\ns 1\nf 1/1/1 2/2/1 3//1 \\\n4\nl 1 2 3\n\
+         usemtl b#1\nf -1/-1 -2/-2 -3/-1\np 1\n"
+    );
+    let mtl = "newmtl a\nKd 1 0 0\nd -halo 0.5\nmap_Kd -s 2 2 -o 1 -clamp on a.png\nmap_d b.png\nnewmtl b#1\nKe 1 1 1\n";
+    for seed in 0..500 {
+        let files = [
+            ("a.obj", mutated(obj.as_bytes(), seed)),
+            ("a.mtl", mutated(mtl.as_bytes(), seed + 500)),
+        ];
+        if let Ok(mut model) = read(&files) {
+            model.complete();
+            let _ = model.lists(&fixel_assets::Options::default());
+        }
+    }
+}
