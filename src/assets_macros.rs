@@ -31,7 +31,7 @@
 /// | `short` | positions of 16 bits: see [`Mesh::short`](crate::Mesh::short) |
 /// | `quantized_16`, `quantized_8` | a [`Quantized`](crate::mesh::Quantized) mesh, whose texture coordinates have 16 or 8 bits |
 /// | `normals` | normals for corners that have none: the mean of the faces around the point that meet at 60 degrees or less or, in OBJ files, are in the same smoothing group |
-/// | `object = "name"` | only the faces of the object with this name: a glTF mesh, an OBJ object or group, an STL solid |
+/// | `object = "name"` | only the faces of the object with this name: a glTF mesh, or an OBJ object or group |
 /// | `part = "name"` | only the faces of the material with this name |
 /// | `scale = 0.01` | positions are multiplied by this number |
 /// | `up = z` | z points up in the file; the model is turned so that y does. This is the default for STL, `up = y` for other formats |

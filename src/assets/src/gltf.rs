@@ -247,9 +247,13 @@ impl<'a> Reader<'a> {
     fn item(&self, of: &str, at: usize) -> Result<&'a Value, String> {
         let items = list(self.root, of);
         items.get(at).ok_or_else(|| {
-            let kind = of.strip_suffix('s').unwrap_or(of);
+            let one = if of == "meshes" {
+                "mesh"
+            } else {
+                of.trim_end_matches('s')
+            };
             format!(
-                "{kind} {at} does not exist: there are {}, counted from 0",
+                "{one} {at} does not exist: there are {}, counted from 0",
                 items.len()
             )
         })

@@ -50,7 +50,7 @@ pub struct Model {
     pub triangles: Vec<Triangle>,
     /// The outlines of the file's polygons, each edge once.
     pub edges: Vec<[u32; 2]>,
-    /// The names of the file's objects: its meshes, groups or solids.
+    /// The names of the file's objects: its meshes or groups.
     pub objects: Vec<String>,
     /// The materials; empty if the file has none.
     pub materials: Vec<Material>,
@@ -130,9 +130,10 @@ pub fn read(path: &Path, files: &dyn Files) -> Result<Model, String> {
             Format::Gltf => gltf::read(&bytes, folder)?,
         };
         if model.triangles.is_empty() {
-            return Err(match model.notes.iter().next() {
-                Some(note) => format!("there is nothing to draw: {note}"),
-                None => "it has no faces: there is nothing to draw".into(),
+            let notes: Vec<String> = model.notes.iter().collect();
+            return Err(match notes.as_slice() {
+                [] => "it has no faces: there is nothing to draw".into(),
+                notes => format!("there is nothing to draw: {}", notes.join("; ")),
             });
         }
         model.edges.sort_unstable();

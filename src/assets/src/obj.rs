@@ -24,6 +24,14 @@ pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
 /// The largest number of corners of a face. A face with more is a mistake that would fill the memory.
 const MOST_CORNERS: usize = 1_000_000;
 
+/// A polygon, and what was valid when it was read.
+struct Polygon {
+    corners: Vec<Corner>,
+    material: Option<u32>,
+    smoothing: Smoothing,
+    object: Option<u32>,
+}
+
 #[derive(Default)]
 struct Reader {
     model: Model,
@@ -31,8 +39,7 @@ struct Reader {
     libraries: HashSet<Vec<u8>>,
     /// For each position up to the last with a color.
     colors: Vec<[f64; 3]>,
-    /// Their corners, materials and smoothing.
-    polygons: Vec<(Vec<Corner>, Option<u32>, Smoothing)>,
+    polygons: Vec<Polygon>,
     material: Option<u32>,
     smoothing: Smoothing,
 }
@@ -74,7 +81,12 @@ impl Reader {
                 if corners.len() > MOST_CORNERS {
                     return Err(format!("a face has more than {MOST_CORNERS} corners"));
                 }
-                (self.polygons).push((corners, self.material, self.smoothing));
+                self.polygons.push(Polygon {
+                    corners,
+                    material: self.material,
+                    smoothing: self.smoothing,
+                    object: model.object,
+                });
             }
             b"l" => {
                 let position = |word: &[u8]| corner(model, word).position;
@@ -96,6 +108,9 @@ impl Reader {
             b"usemtl" => self.material = Some(self.materials.named(model, value)?),
             b"mtllib" if !self.libraries.insert(value.to_vec()) => {}
             b"mtllib" => self.library(&String::from_utf8_lossy(value), folder)?,
+            b"g" | b"o" if !value.is_empty() => {
+                model.begin_object(&String::from_utf8_lossy(value));
+            }
             b"g" | b"o" | b"" => {}
             _ => model.notes.left_out(quote(keyword)),
         }
@@ -137,12 +152,13 @@ impl Reader {
         // Repairs make these lists longer.
         let (uvs, normals) = (next(&model.uvs)?, next(&model.normals)?);
         let known = |at: u32, count: u32| if at < count { at } else { u32::MAX };
-        for (mut corners, material, smoothing) in self.polygons {
-            for corner in &mut corners {
+        for mut polygon in self.polygons {
+            model.object = polygon.object;
+            for corner in &mut polygon.corners {
                 corner.uv = corner.uv.map(|at| known(at, uvs));
                 corner.normal = corner.normal.map(|at| known(at, normals));
             }
-            model.polygon(&mut corners, material, smoothing)?;
+            model.polygon(&mut polygon.corners, polygon.material, polygon.smoothing)?;
         }
         let is_undefined = |(at, _): &(u32, _)| !self.materials.defined.contains(at);
         let mut undefined = (0..).zip(&model.materials).filter(is_undefined);

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use crate::files::Folder;
 use crate::mtl::byte;
 use crate::text::{number, quote, words};
-use crate::{Corner, Image, Material, Model, Smoothing, next};
+use crate::{Corner, Image, Material, Model, Smoothing, merge, next};
 
 /// Reads a PLY file: its elements `vertex`, `face` and `tristrips`.
 pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
@@ -145,15 +145,8 @@ impl Faces {
         uvs: &[f64],
         color: Option<[u8; 3]>,
     ) -> Result<(), String> {
-        let mut place = None;
-        if let Some(color) = color {
-            let new = next(&model.colors)?;
-            let found = *self.places.entry(color).or_insert(new);
-            if found == new {
-                model.colors.push(color);
-            }
-            place = Some(found);
-        }
+        let color = color.map(|color| merge(&mut model.colors, &mut self.places, color, color));
+        let color = color.transpose()?;
         let mut corners: Vec<Corner> = indices.iter().map(|&index| corner(index)).collect();
         if uvs.len() == 2 * corners.len() {
             for (corner, uv) in corners.iter_mut().zip(uvs.chunks_exact(2)) {
@@ -161,7 +154,7 @@ impl Faces {
                 model.uvs.push([uv[0], 1.0 - uv[1]]);
             }
         }
-        self.push(corners, place);
+        self.push(corners, color);
         Ok(())
     }
 

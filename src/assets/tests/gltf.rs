@@ -1,0 +1,556 @@
+//! glTF files as people have them are read, and notes say what was replaced or left out.
+
+mod common;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use common::{mutated, notes, read};
+use fixel_assets::{Alpha, Image, Model};
+use serde_json::{Value, json};
+
+/// A document, and the bytes of its buffer.
+struct Document {
+    root: Value,
+    bytes: Vec<u8>,
+}
+
+impl Document {
+    /// A square of two triangles in the plane z = 0, with texture coordinates, drawn by one node.
+    fn square() -> Self {
+        let mut document = Self {
+            root: json!({
+                "asset": {"version": "2.0"},
+                "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+                "meshes": [{"name": "square", "primitives": [{"attributes": {}, "material": 0}]}],
+                "materials": [{}], "accessors": [], "bufferViews": [], "buffers": [],
+            }),
+            bytes: Vec::new(),
+        };
+        let positions = document.floats(
+            "VEC3",
+            &[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0],
+        );
+        let uvs = document.floats("VEC2", &[0.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0]);
+        let indices = document.accessor("SCALAR", 5121, 6, &[0, 1, 2, 0, 2, 3]);
+        let primitive = document.primitive();
+        primitive["attributes"] = json!({"POSITION": positions, "TEXCOORD_0": uvs});
+        primitive["indices"] = json!(indices);
+        document
+    }
+
+    fn primitive(&mut self) -> &mut Value {
+        &mut self.root["meshes"][0]["primitives"][0]
+    }
+
+    /// Adds values; returns their accessor.
+    fn accessor(&mut self, kind: &str, component: u32, count: usize, bytes: &[u8]) -> usize {
+        self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
+        let view = json!({"buffer": 0, "byteOffset": self.bytes.len(), "byteLength": bytes.len()});
+        self.bytes.extend(bytes);
+        let views = self.root["bufferViews"].as_array_mut().unwrap();
+        views.push(view);
+        let accessor = json!({"bufferView": views.len() - 1, "type": kind, "componentType": component, "count": count});
+        let accessors = self.root["accessors"].as_array_mut().unwrap();
+        accessors.push(accessor);
+        accessors.len() - 1
+    }
+
+    fn floats(&mut self, kind: &str, values: &[f32]) -> usize {
+        let components = match kind {
+            "SCALAR" => 1,
+            "VEC2" => 2,
+            "VEC3" => 3,
+            "VEC4" => 4,
+            _ => 16,
+        };
+        let bytes: Vec<u8> = values.iter().flat_map(|x| x.to_le_bytes()).collect();
+        self.accessor(kind, 5126, values.len() / components, &bytes)
+    }
+
+    /// Adds a texture to the material.
+    fn texture(&mut self) {
+        self.root["images"] = json!([{"uri": "wood%20chip.png"}]);
+        self.root["textures"] = json!([{"source": 0}]);
+        self.root["materials"][0]["pbrMetallicRoughness"] =
+            json!({"baseColorTexture": {"index": 0}});
+    }
+
+    fn text(&self) -> Vec<u8> {
+        let mut root = self.root.clone();
+        let data = STANDARD.encode(&self.bytes);
+        root["buffers"] = json!([{
+            "byteLength": self.bytes.len(), "uri": format!("data:application/octet-stream;base64,{data}"),
+        }]);
+        root.to_string().into_bytes()
+    }
+
+    fn binary(&self) -> Vec<u8> {
+        let mut root = self.root.clone();
+        root["buffers"] = json!([{"byteLength": self.bytes.len()}]);
+        let mut text = root.to_string().into_bytes();
+        text.resize(text.len().next_multiple_of(4), b' ');
+        let mut bytes = self.bytes.clone();
+        bytes.resize(bytes.len().next_multiple_of(4), 0);
+        let length = |bytes: &[u8]| u32::try_from(bytes.len()).unwrap().to_le_bytes();
+        let mut file = [b"glTF", &2_u32.to_le_bytes()[..], &[0; 4]].concat();
+        file.extend(
+            [
+                &length(&text)[..],
+                b"JSON",
+                &text,
+                &length(&bytes)[..],
+                b"BIN\0",
+                &bytes,
+            ]
+            .concat(),
+        );
+        let all = length(&file);
+        file[8..12].copy_from_slice(&all);
+        file
+    }
+
+    #[track_caller]
+    fn read(&self) -> Model {
+        read(&[("a.gltf", self.text())]).expect("a model")
+    }
+
+    #[track_caller]
+    fn refused(&self) -> String {
+        read(&[("a.gltf", self.text())]).expect_err("no model")
+    }
+}
+
+/// The positions of all triangles, rounded to thousandths.
+fn triangles(model: &Model) -> Vec<[[f64; 3]; 3]> {
+    let position =
+        |at: u32| model.positions[at as usize].map(|x| (x * 1000.0).round() / 1000.0 + 0.0);
+    let corners = model.triangles.iter().map(|triangle| triangle.corners);
+    corners
+        .map(|corners| corners.map(|corner| position(corner.position)))
+        .collect()
+}
+
+/// The texture coordinates of the first triangle, rounded likewise.
+fn uvs(model: &Model) -> [[f64; 2]; 3] {
+    let corners = model.triangles[0].corners;
+    corners.map(|corner| {
+        model.uvs[corner.uv.unwrap() as usize].map(|x| (x * 1000.0).round() / 1000.0 + 0.0)
+    })
+}
+
+const SQUARE: [[[f64; 3]; 3]; 2] = [
+    [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]],
+    [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
+];
+
+#[test]
+fn text_binary_and_buffers_elsewhere() {
+    let document = Document::square();
+    assert_eq!(triangles(&document.read()), SQUARE);
+    let binary = document.binary();
+    assert_eq!(triangles(&read(&[("a.glb", &binary)]).unwrap()), SQUARE);
+    let short = read(&[("a.glb", &binary[..binary.len() - 1])]).unwrap_err();
+    assert!(short.contains("it ends before the"), "{short}");
+    let mut elsewhere = document.root.clone();
+    elsewhere["buffers"] = json!([{"byteLength": document.bytes.len(), "uri": "a%20b.bin"}]);
+    let text = elsewhere.to_string().into_bytes();
+    let model = read(&[
+        ("a.gltf", text.clone()),
+        ("a b.bin", document.bytes.clone()),
+    ])
+    .unwrap();
+    assert_eq!(triangles(&model), SQUARE);
+    let missing = read(&[("a.gltf", text)]).unwrap_err();
+    assert!(
+        missing.contains("buffer 0: cannot read a b.bin"),
+        "{missing}"
+    );
+}
+
+#[test]
+fn nodes_are_moved_mirrored_and_drawn_once() {
+    let mut document = Document::square();
+    let half = 0.5_f64.sqrt();
+    document.root["scenes"][0]["nodes"] = json!([1]);
+    let nodes = document.root["nodes"].as_array_mut().unwrap();
+    nodes.push(json!({"children": [0, 0, 9], "translation": [0, 0, 5]}));
+    nodes[0]["rotation"] = json!([0, 0, half, half]); // a quarter turn about z
+    nodes[0]["scale"] = json!([-2, 1, 1]);
+    let model = document.read();
+    // (x, y) → (−2x, y) → (−y, −2x); a mirror image keeps its front.
+    assert_eq!(
+        triangles(&model)[0],
+        [[0.0, 0.0, 5.0], [-1.0, -2.0, 5.0], [0.0, -2.0, 5.0]]
+    );
+    assert_eq!(
+        notes(&model),
+        [
+            "a node with two parents is drawn once",
+            "a node that does not exist is left out"
+        ]
+    );
+    // A cycle ends, and a file without a scene is a library of meshes.
+    document.root["nodes"][0]["children"] = json!([1]);
+    assert_eq!(document.read().triangles.len(), 2);
+    document.root["scenes"] = json!([]);
+    assert_eq!(triangles(&document.read()), SQUARE);
+}
+
+#[test]
+fn normals_turn_with_their_node() {
+    let mut document = Document::square();
+    let normals = document.floats(
+        "VEC3",
+        &[0.6, 0.0, 0.8, 0.6, 0.0, 0.8, 0.6, 0.0, 0.8, 0.6, 0.0, 0.8],
+    );
+    document.primitive()["attributes"]["NORMAL"] = json!(normals);
+    document.root["nodes"][0]["matrix"] = json!([-3, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
+    let normal = document.read().normals[0];
+    // A normal's x is divided by −3 where a position's is multiplied.
+    let ratio = normal[0] / normal[2];
+    assert!(
+        (ratio + 0.2 / 0.8).abs() < 1e-6 && normal[2] > 0.0,
+        "{normal:?}"
+    );
+}
+
+#[test]
+fn strips_and_fans() {
+    for (mode, expected) in [(5, [[0, 1, 2], [2, 1, 3]]), (6, [[0, 1, 2], [0, 2, 3]])] {
+        let mut document = Document::square();
+        document.primitive()["mode"] = json!(mode);
+        document
+            .primitive()
+            .as_object_mut()
+            .unwrap()
+            .remove("indices");
+        let model = document.read();
+        let corners = model
+            .triangles
+            .iter()
+            .map(|triangle| triangle.corners.map(|corner| corner.position));
+        assert!(corners.eq(expected), "{mode}");
+    }
+    let mut document = Document::square();
+    let lines = document.primitive().clone();
+    document.root["meshes"][0]["primitives"]
+        .as_array_mut()
+        .unwrap()
+        .push(lines);
+    document.root["meshes"][0]["primitives"][1]["mode"] = json!(1);
+    assert_eq!(notes(&document.read()), ["not drawn: lines"]);
+}
+
+#[test]
+fn components_of_every_type() {
+    let quarter: [(u32, &[u8], f64); 5] = [
+        (5120, &[0xc1], -63.0 / 127.0), // −63
+        (5121, &[51], 0.2),
+        (5122, &[0x00, 0x80], -1.0), // −32768 is −1, like −32767
+        (5123, &[0x33, 0x33], 0.2),
+        (5126, &[0, 0, 0x80, 0x3e], 0.25),
+    ];
+    for (component, bytes, expected) in quarter {
+        let mut document = Document::square();
+        let size = bytes.len();
+        // Each value is a pair, at a stride of 12 bytes.
+        let mut values = vec![0; 12 * 4];
+        for at in [0, 12, 24, 36] {
+            values[at..at + size].copy_from_slice(bytes);
+        }
+        let accessor = document.accessor("VEC2", component, 4, &values);
+        document.root["accessors"][accessor]["normalized"] = json!(component != 5126);
+        let view = document.root["accessors"][accessor]["bufferView"]
+            .as_u64()
+            .unwrap();
+        document.root["bufferViews"][usize::try_from(view).unwrap()]["byteStride"] = json!(12);
+        document.primitive()["attributes"]["TEXCOORD_0"] = json!(accessor);
+        let found = document.read().uvs[3];
+        assert!(
+            (found[0] - expected).abs() < 1e-9 && found[1] == 0.0,
+            "{component}: {found:?}"
+        );
+    }
+}
+
+#[test]
+fn sparse_values() {
+    let mut document = Document::square();
+    let places = document.accessor("SCALAR", 5123, 1, &2_u16.to_le_bytes());
+    let moved = document.floats("VEC3", &[5.0, 6.0, 7.0]);
+    let view = |accessor: usize| document.root["accessors"][accessor]["bufferView"].clone();
+    let sparse = json!({
+        "count": 1, "indices": {"bufferView": view(places), "componentType": 5123}, "values": {"bufferView": view(moved)},
+    });
+    document.root["accessors"][0]["sparse"] = sparse;
+    assert_eq!(document.read().positions[2], [5.0, 6.0, 7.0]);
+    // Without bytes of their own, the other values are 0.
+    document.root["accessors"][0]
+        .as_object_mut()
+        .unwrap()
+        .remove("bufferView");
+    let model = document.read();
+    assert_eq!(
+        (model.positions[1], model.positions[2]),
+        ([0.0; 3], [5.0, 6.0, 7.0])
+    );
+    document.root["accessors"][0]["count"] = json!(1_u64 << 40);
+    let said = document.refused();
+    assert!(said.contains("at most 16777216 are read"), "{said}");
+}
+
+#[test]
+fn materials() {
+    let mut document = Document::square();
+    document.texture();
+    document.root["samplers"] = json!([{"wrapS": 33071, "wrapT": 33648}]);
+    document.root["textures"][0]["sampler"] = json!(0);
+    let material = &mut document.root["materials"][0];
+    material["name"] = json!("oak");
+    material["alphaMode"] = json!("MASK");
+    material["alphaCutoff"] = json!(0.4);
+    material["emissiveFactor"] = json!([1, 0, 0.25]);
+    material["normalTexture"] = json!({"index": 0});
+    material["pbrMetallicRoughness"]["baseColorFactor"] = json!([1, 0.5, 0, 0.8]);
+    document.root["extensionsUsed"] = json!(["KHR_materials_unlit", "KHR_materials_sheen"]);
+    document.root["animations"] = json!([{}]);
+    let model = document.read();
+    let oak = &model.materials[0];
+    assert_eq!(model.images, [Image::File("wood chip.png".into())]);
+    assert_eq!((oak.name.as_str(), oak.texture), ("oak", Some(0)));
+    // Half the light is the sRGB byte 188, a quarter 137.
+    assert_eq!(
+        (oak.color, oak.tint, oak.emission),
+        ([255, 188, 0], [255, 188, 0], [255, 0, 137])
+    );
+    // 0.4 of an alpha that is multiplied by 0.8.
+    assert_eq!((oak.alpha, oak.opacity), (Alpha::Cut(128), 1.0));
+    assert_eq!((oak.clamp, oak.two_sided), ([true, false], false));
+    assert_eq!(
+        notes(&model),
+        ["not drawn: KHR_materials_sheen, animations, normal maps, mirrored repeats of textures"]
+    );
+    let material = &mut document.root["materials"][0];
+    material["alphaMode"] = json!("BLEND");
+    material["doubleSided"] = json!(true);
+    let model = document.read();
+    let oak = &model.materials[0];
+    assert_eq!((oak.alpha, oak.two_sided), (Alpha::Blended, true));
+    assert!((oak.opacity - 0.8).abs() < 1e-9);
+}
+
+#[test]
+fn extensions_of_materials() {
+    let mut document = Document::square();
+    document.texture();
+    document.root["images"] = json!([{"uri": "a.png"}, {"uri": "b.webp"}]);
+    document.root["textures"][0]["extensions"]["EXT_texture_webp"]["source"] = json!(1);
+    document.root["extensionsRequired"] = json!([
+        "EXT_texture_webp",
+        "KHR_texture_transform",
+        "KHR_mesh_quantization"
+    ]);
+    let texture = &mut document.root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
+    texture["extensions"]["KHR_texture_transform"] =
+        json!({"offset": [0.5, 0], "scale": [2, 3], "rotation": std::f64::consts::FRAC_PI_2});
+    let model = document.read();
+    assert_eq!(model.materials[0].texture, Some(1));
+    // (u, v) → (2u, 3v) → a quarter turn: (3v, −2u) → (3v + 0.5, −2u).
+    assert_eq!(uvs(&model), [[3.5, 0.0], [3.5, -2.0], [0.5, -2.0]]);
+    let glossy = json!({"diffuseFactor": [0, 1, 0, 1], "diffuseTexture": {"index": 0}});
+    document.root["materials"][0] =
+        json!({"extensions": {"KHR_materials_pbrSpecularGlossiness": glossy}});
+    let material = &document.read().materials[0];
+    assert_eq!((material.color, material.texture), ([0, 255, 0], Some(1)));
+    let strong = json!({"KHR_materials_emissive_strength": {"emissiveStrength": 4}});
+    document.root["materials"][0] = json!({"emissiveFactor": [0.25, 0, 0], "extensions": strong});
+    assert_eq!(document.read().materials[0].emission, [255, 0, 0]);
+}
+
+#[test]
+fn images_within_the_file() {
+    let mut document = Document::square();
+    document.texture();
+    let data = STANDARD.encode(b"picture");
+    document.root["images"] = json!([
+        {"uri": format!("data:image/png;base64,{data}")},
+        {"name": "skin", "bufferView": 0},
+        {"bufferView": 99},
+    ]);
+    let model = document.read();
+    assert_eq!(
+        model.images[0],
+        Image::Bytes("image-0".into(), b"picture".to_vec())
+    );
+    assert_eq!(
+        model.images[1],
+        Image::Bytes("skin-1".into(), document.bytes[..48].to_vec())
+    );
+    assert_eq!(
+        notes(&model),
+        ["image 2: bufferView 99 does not exist: there are 3, counted from 0"]
+    );
+}
+
+#[test]
+fn vertices_have_colors() {
+    let mut document = Document::square();
+    let colors = document.accessor(
+        "VEC4",
+        5121,
+        4,
+        &[255, 0, 0, 9, 0, 255, 0, 9, 0, 0, 128, 9, 0, 0, 0, 9],
+    );
+    document.root["accessors"][colors]["normalized"] = json!(true);
+    document.primitive()["attributes"]["COLOR_0"] = json!(colors);
+    let model = document.read();
+    let color = |at: usize| model.colors[model.triangles[0].corners[at].color.unwrap() as usize];
+    assert_eq!((color(0), color(2)), ([255, 0, 0], [0, 0, 188]));
+}
+
+#[test]
+fn shapes_are_morphed_and_bent() {
+    let mut document = Document::square();
+    let up = document.floats(
+        "VEC3",
+        &[0.0, 0.0, 4.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+    );
+    document.primitive()["targets"] = json!([{"POSITION": up}]);
+    document.root["meshes"][0]["weights"] = json!([0.5]);
+    assert_eq!(document.read().positions[0], [0.0, 0.0, 2.0]);
+    // A node's weights go before its mesh's.
+    document.root["nodes"][0]["weights"] = json!([0.25]);
+    assert_eq!(document.read().positions[0], [0.0, 0.0, 1.0]);
+
+    // The left side follows a joint at x = 10, the right side is the mean of it and one at rest.
+    let mut document = Document::square();
+    let joints = document.accessor(
+        "VEC4",
+        5121,
+        4,
+        &[0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0],
+    );
+    let shares = document.floats(
+        "VEC4",
+        &[
+            1.0, 0.0, 0.0, 0.0, 0.5, 0.5, 0.0, 0.0, 0.5, 0.5, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
+        ],
+    );
+    let mut inverse = [0.0; 32];
+    for at in [0, 5, 10, 15, 16, 21, 26, 31] {
+        inverse[at] = 1.0;
+    }
+    inverse[14] = 3.0; // along z
+    let inverses = document.floats("MAT4", &inverse);
+    let attributes = &mut document.primitive()["attributes"];
+    attributes["JOINTS_0"] = json!(joints);
+    attributes["WEIGHTS_0"] = json!(shares);
+    document.root["skins"] = json!([{"joints": [1, 2], "inverseBindMatrices": inverses}]);
+    document.root["nodes"] = json!([
+        {"mesh": 0, "skin": 0, "translation": [99, 99, 99], "children": [1, 2]},
+        {"translation": [-89, -99, -99]},
+        {"translation": [-99, -99, -99]},
+    ]);
+    let positions = document.read().positions;
+    assert_eq!(
+        positions,
+        [
+            [10.0, 0.0, 3.0],
+            [6.0, 0.0, 1.5],
+            [6.0, 1.0, 1.5],
+            [10.0, 1.0, 3.0]
+        ]
+    );
+}
+
+#[test]
+fn refusals_and_notes_name_the_element() {
+    let mut old = Document::square();
+    old.root["asset"]["version"] = json!("1.0");
+    assert!(old.refused().contains("it is glTF 1.0"));
+    let first = read(&[("a.glb", b"glTF\x01\0\0\0\x14\0\0\0\0\0\0\0\0\0\0\0")]).unwrap_err();
+    assert!(first.contains("it is glTF 1.0"), "{first}");
+    let mut draco = Document::square();
+    draco.root["extensionsRequired"] = json!(["KHR_draco_mesh_compression"]);
+    assert!(
+        draco
+            .refused()
+            .contains("its meshes are compressed with Draco")
+    );
+    let text = read(&[("a.gltf", b"{\"asset\": }".to_vec())]).unwrap_err();
+    assert!(
+        text.contains("its JSON text: expected value at line 1 column 11"),
+        "{text}"
+    );
+
+    type Change = fn(&mut Document);
+    let changes: [(Change, &str); 7] = [
+        (
+            |d| d.primitive()["attributes"]["POSITION"] = json!(7),
+            "accessor 7 does not exist: there are 3, counted from 0",
+        ),
+        (
+            |d| d.root["accessors"][0]["componentType"] = json!(5124),
+            "accessor 0: there is no componentType 5124",
+        ),
+        (
+            |d| d.root["accessors"][0]["type"] = json!("VEC2"),
+            "accessor 0: it has 2 components a value, and needs 3",
+        ),
+        (
+            |d| d.root["accessors"][0]["count"] = json!(400),
+            "accessor 0 leaves its buffer view",
+        ),
+        (
+            |d| d.root["bufferViews"][0]["byteLength"] = json!(4000),
+            "bufferView 0 leaves its buffer of",
+        ),
+        (
+            |d| d.root["bufferViews"][0]["buffer"] = json!(3),
+            "buffer 3 does not exist: there are 1, counted from 0",
+        ),
+        (
+            |d| d.root["nodes"][0]["mesh"] = json!(2),
+            "mesh 2 does not exist",
+        ),
+    ];
+    for (change, expected) in changes {
+        let mut document = Document::square();
+        change(&mut document);
+        let said = document.refused();
+        assert!(said.contains(expected), "no '{expected}' in: {said}");
+    }
+    // The other parts of a mesh are drawn.
+    let mut document = Document::square();
+    let whole = document.primitive().clone();
+    document.root["meshes"]
+        .as_array_mut()
+        .unwrap()
+        .push(json!({"primitives": [whole]}));
+    document.root["nodes"]
+        .as_array_mut()
+        .unwrap()
+        .push(json!({"mesh": 1}));
+    document.root["scenes"][0]["nodes"] = json!([0, 1]);
+    document.primitive()["attributes"]["POSITION"] = json!(7);
+    let model = document.read();
+    assert_eq!(triangles(&model), SQUARE);
+    assert_eq!(
+        notes(&model),
+        ["mesh 0: a part is left out: accessor 7 does not exist: there are 3, counted from 0"]
+    );
+}
+
+#[test]
+fn mutations_neither_panic_nor_hang() {
+    let mut document = Document::square();
+    document.texture();
+    let seeds = [document.text(), document.binary()];
+    for seed in 0..1000 {
+        let bytes = mutated(&seeds[usize::try_from(seed % 2).unwrap()], seed);
+        let _ = read(&[(
+            ["a.gltf", "a.glb"][usize::try_from(seed % 2).unwrap()],
+            bytes,
+        )]);
+    }
+}
