@@ -160,3 +160,17 @@ fn a_mipmap_has_the_means_of_the_picture() {
         (sum + 512) / 1024
     );
 }
+
+#[test]
+fn an_object_and_its_normals() {
+    static BASKET: Mesh = include_mesh!("../../examples/assets/balloon.glb", object = "basket");
+    static BALLOON: Mesh = include_mesh!("../../examples/assets/balloon.glb");
+    static HOUSE: Mesh = include_mesh!("../models/house.obj", normals);
+    static BARE: Mesh = include_mesh!("../models/house.obj");
+    let parts: &[Part] = include_materials!("../../examples/assets/balloon.glb");
+    assert_eq!(parts[1].material(), "wicker");
+    assert_eq!(BASKET.faces().len(), parts[1].faces().len());
+    assert!(BASKET.positions().iter().all(|p| p.y < 0) && !BASKET.has_uvs() && BALLOON.has_uvs());
+    // The house has none of its own; the balloon has.
+    assert!(HOUSE.has_normals() && !BARE.has_normals() && BALLOON.has_normals());
+}

@@ -164,7 +164,7 @@ impl Reader {
         let mut undefined = (0..).zip(&model.materials).filter(is_undefined);
         if let Some((_, first)) = undefined.next() {
             let (count, name) = (undefined.count() + 1, quote(first.name.as_bytes()));
-            let note = format!("{count} materials have no definition, and are white: {name} first");
+            let note = format!("undefined materials are white: {count}, the first is {name}");
             model.notes.add(note);
         }
         model.transform_uvs(&self.materials.transforms)?;

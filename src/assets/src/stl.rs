@@ -72,8 +72,8 @@ impl Reader {
         // Programs that do not know the number beforehand write 0. Any bytes may follow the triangles.
         let is_right = promised > 0 && !left.is_empty();
         let count = if is_right { has.min(promised) } else { has };
-        if promised != has {
-            let note = format!("it promises {promised} triangles: {count} of {has} are read");
+        if promised != count {
+            let note = format!("its header promises {promised} triangles: {count} are read");
             self.model.notes.add(note);
         }
         // A program writes the color of the whole object to the header.

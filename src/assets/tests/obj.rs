@@ -332,7 +332,7 @@ fn libraries_may_be_several_or_missing() {
     );
     assert_eq!(
         notes[1],
-        "2 materials have no definition, and are white: 'a' first"
+        "undefined materials are white: 2, the first is 'a'"
     );
     let white = ["a", "b"].map(|name| Material::new(name.into()));
     assert_eq!(model.materials, white);
@@ -349,7 +349,7 @@ fn libraries_may_be_several_or_missing() {
     let notes = common::notes(&read(&parts).unwrap());
     assert!(
         notes[0].contains("none.mtl")
-            && notes[1] == "1 materials have no definition, and are white: 'b' first",
+            && notes[1] == "undefined materials are white: 1, the first is 'b'",
         "{notes:?}"
     );
 }
