@@ -465,6 +465,8 @@ fn shapes_are_morphed_and_bent() {
     );
 }
 
+type Change = fn(&mut Document);
+
 #[test]
 fn refusals_and_notes_name_the_element() {
     let mut old = Document::square();
@@ -485,7 +487,6 @@ fn refusals_and_notes_name_the_element() {
         "{text}"
     );
 
-    type Change = fn(&mut Document);
     let changes: [(Change, &str); 7] = [
         (
             |d| d.primitive()["attributes"]["POSITION"] = json!(7),

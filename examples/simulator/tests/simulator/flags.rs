@@ -3,7 +3,6 @@
 use std::fs;
 use std::path::Path;
 
-use image::imageops::{FilterType, resize};
 use image::{Rgb, RgbImage};
 
 use super::program::{TRIANGLE, directory, good, printed, run};
@@ -128,7 +127,16 @@ fn a_tolerance_is_in_texels_of_the_given_texture() {
     }
     // The picture. The program reduces 2048 texels to 1024, so two given texels are one drawn texel.
     let given = noise(2048);
-    let drawn = resize(&given, 1024, 1024, FilterType::Triangle);
+    let drawn = RgbImage::from_fn(1024, 1024, |x, y| {
+        let four =
+            [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(i, j)| given.get_pixel(2 * x + i, 2 * y + j));
+        let sum = |channel: usize| {
+            four.iter()
+                .map(|pixel| u16::from(pixel[channel]))
+                .sum::<u16>()
+        };
+        Rgb([0, 1, 2].map(|channel| u8::try_from((sum(channel) + 2) / 4).unwrap()))
+    });
     given.save(directory.join("given.png")).unwrap();
     drawn.save(directory.join("drawn.png")).unwrap();
     let crc = |texture: &str, tolerance: f64| {
