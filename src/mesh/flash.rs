@@ -50,7 +50,7 @@ impl<const N: usize> Room<N> {
 
 /// An outline that the macro has found.
 #[must_use]
-pub const fn outline<'a>(edges: &'a [[Index; 4]], creases: usize) -> Outline<'a> {
+pub const fn outline(edges: &[[Index; 4]], creases: usize) -> Outline<'_> {
     Outline::of(edges, creases)
 }
 

@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::{Gray8, Rgb565, Rgb888, RgbColor};
 use fixel::mesh::{Outline, Part};
 use fixel::prelude::*;
 use fixel::texture::{Argb4444, Mipmap, MipmapArray, Palette, Sampler};
-use fixel::{Angle, Index};
+use fixel::{Angle, Index, Scalar};
 
 #[test]
 fn a_part_has_only_its_own_values() {
@@ -138,7 +138,7 @@ fn outlines_are_those_that_are_built() {
 }
 
 fn key(p: Vec3) -> [i32; 3] {
-    [p.x, p.y, p.z].map(|x| x.to_bits())
+    [p.x, p.y, p.z].map(Scalar::to_bits)
 }
 
 #[test]
