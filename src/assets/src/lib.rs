@@ -3,6 +3,33 @@
 //! [`read`] reads OBJ with its MTL materials, STL, PLY, and glTF, text or binary; [`Picture::decode`] reads PNG, JPEG,
 //! BMP, TGA, GIF and WebP. Both accept files that are not quite right, and say in [`Model::notes`] what they replaced or
 //! left out. The crate runs on the host: `fixel`'s macros put what it reads into flash.
+//!
+//! ```
+//! use std::io;
+//! use std::path::Path;
+//!
+//! use fixel_assets::{Files, Options};
+//!
+//! /// A file in memory. `Disk` are those of the disk.
+//! struct Memory(&'static str);
+//!
+//! impl Files for Memory {
+//!     fn read(&self, _: &Path) -> io::Result<Vec<u8>> {
+//!         Ok(self.0.into())
+//!     }
+//!     fn has(&self, _: &Path) -> bool {
+//!         true
+//!     }
+//! }
+//!
+//! let text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2\n";
+//! let model = fixel_assets::read(Path::new("square.obj"), &Memory(text))?;
+//! assert_eq!((model.positions.len(), model.triangles.len()), (4, 2));
+//! assert!(model.notes.iter().eq(["a face of fewer than 3 corners is left out"]));
+//! // In the fixed-point format of a mesh.
+//! assert_eq!(model.lists(&Options::default())?.positions[2], [1 << 16, 1 << 16, 0]);
+//! # Ok::<(), String>(())
+//! ```
 
 mod complete;
 mod files;
