@@ -55,8 +55,7 @@ macro_rules! include_mesh {
 /// The parts of a model's mesh with their materials, read by the compiler and stored in flash: a `&'static` list of
 /// [`Part`](crate::mesh::Part)s for the mesh that [`include_mesh!`] makes of the same file.
 ///
-/// A part is a run of faces with one material. It has the material's color and perhaps the name of a texture: of the
-/// texture's file or, if the model contains the picture, of the picture. An OBJ file names its MTL files itself. Faces
+/// A part is a run of faces with one [`Material`](crate::mesh::Material). An OBJ file names its MTL files itself. Faces
 /// without a material are a white part without a name.
 ///
 /// ```standalone_crate
@@ -67,8 +66,9 @@ macro_rules! include_mesh {
 /// static HOUSE: Mesh = include_mesh!("../tests/models/house.obj");
 /// static PARTS: &[Part] = include_materials!("../tests/models/house.obj");
 /// assert_eq!(PARTS.len(), 2);
-/// assert_eq!((PARTS[0].material(), PARTS[0].texture()), ("brick", Some("brick.tga")));
-/// assert_eq!((PARTS[1].material(), PARTS[1].faces()), ("tiles", 10..14));
+/// let [walls, roof] = [PARTS[0].material(), PARTS[1].material()];
+/// assert_eq!((walls.name, walls.texture), ("brick", Some("brick.tga")));
+/// assert_eq!((roof.name, PARTS[1].faces()), ("tiles", 10..14));
 ///
 /// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.5), fx!(100))?;
 /// let mvp = projection * Camera::look_at(vec3!(3, 2, 5), vec3!(0, 1, 0), Vec3::Y)?;
@@ -79,7 +79,7 @@ macro_rules! include_mesh {
 /// canvas.draw(&HOUSE, &mvp, &PartColors::rgb(PARTS).lit_faces(sun));
 /// // ... or one by one.
 /// for part in PARTS {
-///     canvas.draw(&HOUSE.part(part.faces()), &mvp, &Flat::rgb(part.color()).lit_faces(sun));
+///     canvas.draw(&HOUSE.part(part.faces()), &mvp, &Flat::rgb(part.material().color).lit_faces(sun));
 /// }
 /// # Ok::<(), Error>(())
 /// ```

@@ -39,7 +39,7 @@ pub use buffers::{Buffers, Counts};
 pub use keyframes::Keyframes;
 pub use mesh::{Index, Mesh};
 pub use outline::Outline;
-pub use part::Part;
+pub use part::{Material, Part, TextureAlpha};
 pub use placement::Missing;
 pub(crate) use placement::Placement;
 pub use positions::Positions;

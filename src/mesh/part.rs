@@ -6,7 +6,68 @@ use embedded_graphics::pixelcolor::Rgb888;
 
 use super::Mesh;
 
-/// A run of a mesh's faces that have one material: a color, and perhaps the name of a texture.
+/// What a model file says of a surface. [`include_materials!`](crate::include_materials) makes it.
+///
+/// It is data for the program, which decides how to draw: a texture by its name, a translucent part with
+/// [`Opacity`](crate::target::Opacity) after the opaque ones, one that is seen from both sides with
+/// [`Cull::None`](crate::Cull::None).
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+/// use fixel::mesh::Material;
+/// static GLASS: Material = Material { name: "glass", opacity: 80, ..Material::new(Rgb888::CYAN) };
+/// assert_eq!((GLASS.texture, GLASS.two_sided), (None, true));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Material<'a> {
+    /// Empty for faces without material.
+    pub name: &'a str,
+    /// The color where no texture is drawn.
+    pub color: Rgb888,
+    /// The name of the texture: that of its file or, if the model contains the picture, of the picture.
+    pub texture: Option<&'a str>,
+    /// What the texture's alpha means.
+    pub alpha: TextureAlpha,
+    /// From 0, which is invisible, to 255, which is opaque.
+    pub opacity: u8,
+    /// Light that the surface sends out by itself.
+    pub emission: Rgb888,
+    /// Whether faces are seen from behind, too.
+    pub two_sided: bool,
+    /// Whether the texture's border continues along u and v; otherwise, the texture repeats.
+    pub clamp: [bool; 2],
+}
+
+/// What the alpha of a texture means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum TextureAlpha {
+    /// Nothing: the texture is opaque.
+    Ignored,
+    /// Texels below this alpha are holes, the others are opaque. The holes of [`Argb1555`](crate::texture::Argb1555)
+    /// are those below 128.
+    Cut(u8),
+    /// The texels' opacity: see [`Argb4444`](crate::texture::Argb4444).
+    Blended,
+}
+
+impl Material<'_> {
+    /// An opaque surface of one color, seen from both sides.
+    #[must_use]
+    pub const fn new(color: Rgb888) -> Self {
+        Self {
+            name: "",
+            color,
+            texture: None,
+            alpha: TextureAlpha::Ignored,
+            opacity: 255,
+            emission: Rgb888::new(0, 0, 0),
+            two_sided: true,
+            clamp: [false; 2],
+        }
+    }
+}
+
+/// A run of a mesh's faces that have one material.
 ///
 /// [`include_materials!`](crate::include_materials) makes a list of them for the mesh of a file. [`PartColors`] draws
 /// all parts in their colors in one call; [`Mesh::part`](crate::Mesh::part) returns one part, to be drawn by itself,
@@ -16,14 +77,12 @@ use super::Mesh;
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888}, prelude::*};
-/// use fixel::mesh::Part;
+/// use fixel::mesh::{Material, Part};
 /// use fixel::prelude::*;
 /// use fixel::shade::PartColors;
 /// static SQUARE: Mesh = shape!(plane(2, 1));
-/// static PARTS: [Part; 2] = [
-///     Part::new(0..2, Rgb888::RED),
-///     Part::new(2..4, Rgb888::BLUE).with_texture("blue.tga"),
-/// ];
+/// static SEA: Material = Material { texture: Some("sea.png"), ..Material::new(Rgb888::BLUE) };
+/// static PARTS: [Part; 2] = [Part::new(0..2, Material::new(Rgb888::RED)), Part::new(2..4, SEA)];
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
 /// let mut pixels = [Rgb565::BLACK; 16];
@@ -34,7 +93,7 @@ use super::Mesh;
 /// display.assert_pattern(&["RRBB", "RRBB", "RRBB", "RRBB"]);
 ///
 /// canvas.clear(Rgb565::BLACK);
-/// for part in PARTS.iter().filter(|part| part.texture() == Some("blue.tga")) {
+/// for part in PARTS.iter().filter(|part| part.material().texture == Some("sea.png")) {
 ///     canvas.draw(&SQUARE.part(part.faces()), &mvp, &Flat::new(Rgb565::GREEN));
 /// }
 /// let mut display = MockDisplay::new();
@@ -44,37 +103,20 @@ use super::Mesh;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Part<'a> {
-    pub(super) start: usize,
-    pub(super) end: usize,
-    pub(super) color: Rgb888,
-    pub(super) material: &'a str,
-    /// Empty if there is none.
-    pub(super) texture: &'a str,
+    start: usize,
+    end: usize,
+    material: Material<'a>,
 }
 
 impl<'a> Part<'a> {
-    /// A run of faces with a color. Its material has no name and no texture.
+    /// A run of faces with a material.
     #[must_use]
-    pub const fn new(faces: Range<usize>, color: Rgb888) -> Self {
+    pub const fn new(faces: Range<usize>, material: Material<'a>) -> Self {
         Self {
             start: faces.start,
             end: faces.end,
-            color,
-            material: "",
-            texture: "",
+            material,
         }
-    }
-
-    /// Names the material.
-    #[must_use]
-    pub const fn with_material(self, material: &'a str) -> Self {
-        Self { material, ..self }
-    }
-
-    /// Names the texture, usually by its file; an empty name stands for none.
-    #[must_use]
-    pub const fn with_texture(self, texture: &'a str) -> Self {
-        Self { texture, ..self }
     }
 
     /// The faces, for [`Mesh::part`](crate::Mesh::part).
@@ -83,26 +125,10 @@ impl<'a> Part<'a> {
         self.start..self.end
     }
 
-    /// The material's color.
+    /// The material.
     #[must_use]
-    pub const fn color(&self) -> Rgb888 {
-        self.color
-    }
-
-    /// The material's name; empty for faces without material.
-    #[must_use]
-    pub const fn material(&self) -> &'a str {
-        self.material
-    }
-
-    /// The name of the material's texture.
-    #[must_use]
-    pub const fn texture(&self) -> Option<&'a str> {
-        if self.texture.is_empty() {
-            None
-        } else {
-            Some(self.texture)
-        }
+    pub const fn material(&self) -> &Material<'a> {
+        &self.material
     }
 }
 

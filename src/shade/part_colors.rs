@@ -22,10 +22,11 @@ impl<'a> PartColors<'a> {
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-    /// use fixel::mesh::Part;
+    /// use fixel::mesh::{Material, Part};
     /// use fixel::prelude::*;
     /// use fixel::shade::PartColors;
-    /// let parts = [Part::new(0..10, Rgb888::RED), Part::new(10..12, Rgb888::BLUE)];
+    /// let [red, blue] = [Rgb888::RED, Rgb888::BLUE].map(Material::new);
+    /// let parts = [Part::new(0..10, red), Part::new(10..12, blue)];
     /// let sun = Light::new(vec3!(1, 2, 3), fx!(0.2), fx!(0.8))?;
     /// let shader = PartColors::rgb::<Rgb565>(&parts).lit_faces(sun);
     /// # Ok::<(), Error>(())
@@ -42,7 +43,7 @@ impl<'a> PartColors<'a> {
             .parts
             .partition_point(|part| part.faces().start <= face);
         match after.checked_sub(1).and_then(|last| self.parts.get(last)) {
-            Some(part) if face < part.faces().end => part.color(),
+            Some(part) if face < part.faces().end => part.material().color,
             _ => Rgb888::WHITE,
         }
     }
@@ -68,6 +69,7 @@ impl Shader for PartColors<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mesh::Material;
 
     #[test]
     fn faces_have_the_color_of_their_part() {
@@ -76,7 +78,8 @@ mod tests {
             [0, 1, 2, 3, 4, usize::MAX].map(|face| shader.color(face))
         };
         let (red, blue, white) = (Rgb888::RED, Rgb888::BLUE, Rgb888::WHITE);
-        let parts = [Part::new(1..2, red), Part::new(2..4, blue)];
+        let parts = [(1..2, red), (2..4, blue)];
+        let parts = parts.map(|(faces, color)| Part::new(faces, Material::new(color)));
         assert_eq!(colors(&parts), [white, red, blue, blue, white, white]);
         assert_eq!(colors(&[]), [white; 6]);
         // A list in the wrong order does not cause a panic.

@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
 use fixel::mesh::flash::{StoredUvs, UvGrid, short_normal};
-use fixel::mesh::{Part, Quantized};
+use fixel::mesh::{Material, Part, Quantized};
 use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::shade::{PartColors, Translucent};
@@ -133,7 +133,8 @@ impl<K: ProjectionKind> Call<'_, K> {
         ends.sort_unstable();
         let [a, b, c] = ends;
         let parts = [(0..a, 0), (a..b, 120), (b..c, 250)];
-        let parts = parts.map(|(faces, level)| Part::new(faces, Rgb888::new(level, 50, 99)));
+        let parts =
+            parts.map(|(faces, level)| Part::new(faces, Material::new(Rgb888::new(level, 50, 99))));
 
         let colors = PartColors::rgb(&parts);
         let mut whole = self.blank();
@@ -143,7 +144,10 @@ impl<K: ProjectionKind> Call<'_, K> {
         let one_by_one = &mut |canvas: &mut Frame<'_>| {
             let mut drawn = Drawn::default();
             for part in &parts {
-                let (mesh, color) = (self.mesh.part(part.faces()), Flat::rgb(part.color()));
+                let (mesh, color) = (
+                    self.mesh.part(part.faces()),
+                    Flat::rgb(part.material().color),
+                );
                 drawn = canvas.draw_with(options, &mesh, &self.mvp, &color);
             }
             drawn

@@ -2,7 +2,7 @@
 
 use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888, RgbColor};
-use fixel::mesh::Part;
+use fixel::mesh::{Material, Part};
 use fixel::prelude::*;
 use fixel::shade::{Falloff, Fog, Gradient, Mipmapped, PartColors, Translucent};
 use fixel::texture::{Argb1555, Argb4444, Mipmap};
@@ -177,7 +177,12 @@ pub fn draw(which: u8, lights: Lights, color: Rgb888, between: [u16; 2], then: i
     let shiny = |lamp: Light| lamp.shiny(viewer, exponent, fx!(0.5)).unwrap();
     let faces = [Rgb565::new(31, 0, 0), color.into(), Rgb565::new(0, 0, 31)];
     // Parts may be in any order, and a range may be reversed.
-    let part = |depth: u16| Part::new((depth & 15).into()..(depth >> 4 & 15).into(), color);
+    let part = |depth: u16| {
+        Part::new(
+            (depth & 15).into()..(depth >> 4 & 15).into(),
+            Material::new(color),
+        )
+    };
     let parts = between.map(part);
     let (small, large) = (Textured::new(&SMALL), Textured::new(&LARGE));
     match which {

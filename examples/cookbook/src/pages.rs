@@ -6,7 +6,7 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::{Drawable, text::Text};
-use fixel::mesh::{Part, Quantized};
+use fixel::mesh::{Material, Part, Quantized};
 use fixel::mode::Affine;
 use fixel::prelude::*;
 use fixel::shade::{Fog, Gradient, Mipmapped, PartColors};
@@ -137,7 +137,7 @@ fn face_colors(canvas: &mut Frame<'_>) -> Drawn {
 
 fn part_colors(canvas: &mut Frame<'_>) -> Drawn {
     let faces = RING.faces().len();
-    let [red, white] = [Rgb888::new(220, 60, 50), Rgb888::new(250, 245, 235)];
+    let [red, white] = [Rgb888::new(220, 60, 50), Rgb888::new(250, 245, 235)].map(Material::new);
     let parts: Vec<_> = (0..8)
         .map(|at| {
             Part::new(

@@ -26,8 +26,9 @@ const READ: [&str; 7] = [
     "KHR_xmp_json_ld",
 ];
 
-/// The most values without bytes of their own: a short file must not be able to claim all memory.
-const MOST_ZEROS: usize = 1 << 24;
+/// The most values without bytes of their own, and the most vertices of nodes that share meshes: a short file must not
+/// be able to claim all memory.
+const MOST: usize = 1 << 22;
 
 /// Reads a glTF file: the triangles of its default scene, or of its first one.
 pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
@@ -556,6 +557,12 @@ impl<'a> Reader<'a> {
         let positions = whole(&attributes["POSITION"]).ok_or("it has no positions")?;
         let mut positions = self.values::<3>(positions)?;
         let count = positions.len();
+        let (all, bytes) = (self.model.positions.len() + count, self.folder.all);
+        if all > MOST.max(bytes) {
+            return Err(format!(
+                "with it, there are {all} vertices: at most {MOST} are read"
+            ));
+        }
         let mut normals = self.attribute::<3>(&attributes["NORMAL"], count)?;
         for (target, &weight) in list(primitive, "targets").iter().zip(weights) {
             for (name, values) in [("POSITION", &mut positions), ("NORMAL", &mut normals)] {
@@ -715,10 +722,10 @@ impl<'a> Reader<'a> {
                     rows(bytes, offset(accessor), stride, whole_size, count).ok_or_else(leaves)?;
                 rows.map(value).collect()
             }
-            None if count <= MOST_ZEROS => vec![[0.0; N]; count],
+            None if count <= MOST => vec![[0.0; N]; count],
             None => {
                 return Err(format!(
-                    "accessor {at} has {count} values but no bytes: at most {MOST_ZEROS} are read"
+                    "accessor {at} has {count} values but no bytes: at most {MOST} are read"
                 ));
             }
         };

@@ -1,8 +1,6 @@
 //! `include_mesh!` and `include_materials!`.
 
-use std::fmt::Write;
-
-use fixel_assets::{Disk, Image, Lists, Model, Options};
+use fixel_assets::{Disk, Image, Lists, Material, Model, Options};
 
 use crate::arguments::Arguments;
 use crate::expansion::Expansion;
@@ -198,20 +196,25 @@ pub fn materials(arguments: &Arguments) -> Result<Expansion, String> {
         .runs()
         .into_iter()
         .map(|run| {
-            let material = run.material.and_then(|at| model.materials.get(at as usize));
-            let [r, g, b] = material.map_or([255; 3], |material| material.color);
             let [start, end] = run.faces;
-            let mut part = format!(
-                "fixel::mesh::Part::new({start}..{end}, fixel::mesh::flash::Rgb888::new({r}, {g}, {b}))"
-            );
-            if let Some(material) = material {
-                let _ = write!(part, ".with_material({:?})", material.name);
-                let image = material.texture.and_then(|at| model.images.get(at as usize));
-                if let Some(name) = image.and_then(image_name) {
-                    let _ = write!(part, ".with_texture({name:?})");
-                }
-            }
-            part
+            let material = run.material.and_then(|at| model.materials.get(at as usize));
+            let plain = Material::new(String::new());
+            let material = material.unwrap_or(&plain);
+            let image = material.texture.and_then(|at| model.images.get(at as usize));
+            let texture = image.and_then(image_name);
+            let rgb = |[r, g, b]: [u8; 3]| format!("fixel::mesh::flash::Rgb888::new({r}, {g}, {b})");
+            let (color, emission) = (rgb(material.color), rgb(material.emission));
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // saturates
+            let opacity = (material.opacity * 255.0).round() as u8;
+            let (name, alpha, two_sided) = (&material.name, material.alpha, material.two_sided);
+            let clamp = material.clamp;
+            format!(
+                "fixel::mesh::Part::new({start}..{end}, fixel::mesh::Material {{
+                     name: {name:?}, color: {color}, texture: ::core::option::Option::{texture:?},
+                     alpha: fixel::mesh::TextureAlpha::{alpha:?}, opacity: {opacity}, emission: {emission},
+                     two_sided: {two_sided}, clamp: {clamp:?},
+                 }})"
+            )
         })
         .collect();
     expansion.push(&format!(
