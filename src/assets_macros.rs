@@ -115,9 +115,11 @@ macro_rules! include_outline {
 /// picture that a model contains.
 ///
 /// The expected type decides the result: a [`Texture`](crate::Texture); a [`TextureArray`](crate::TextureArray) of the
-/// picture's size; or, for a picture of at most 256 colors, a [`Palette`](crate::texture::Palette) or a
-/// [`PaletteArray`](crate::texture::PaletteArray); with the option `mipmap`, a [`Mipmap`](crate::texture::Mipmap) or a
-/// [`MipmapArray`](crate::texture::MipmapArray). The color may be any of embedded-graphics', rounded to the nearest
+/// picture's size; the texels alone, such as `&[Rgb565]`; for a picture of at most 256 colors, a
+/// [`Palette`](crate::texture::Palette) or a [`PaletteArray`](crate::texture::PaletteArray); with the option `mipmap`, a
+/// [`Mipmap`](crate::texture::Mipmap) or a [`MipmapArray`](crate::texture::MipmapArray). The color may be any of
+/// embedded-graphics', or [`Argb4444`](crate::texture::Argb4444) or [`Argb1555`](crate::texture::Argb1555), which keep
+/// the picture's alpha. It is rounded to the nearest
 /// step of each channel; gray is the BT.601 luma (0.299 red + 0.587 green + 0.114 blue). Only the texels are stored in
 /// flash, not the file.
 ///

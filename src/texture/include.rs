@@ -77,6 +77,10 @@ const fn indices<F: File>() -> &'static [u8] {
     }
 }
 
+impl<F: File, C: Convert<F, N>, const N: usize> FromFile<F, N> for &'static [C] {
+    const VALUE: Self = C::TEXELS;
+}
+
 impl<F: File, C: Convert<F, N>, const N: usize> FromFile<F, N> for Texture<'static, C> {
     const VALUE: Self = Texture::of(grid::<F, C>(C::TEXELS));
 }

@@ -1,7 +1,7 @@
 //! Files in flash: the macros give what a person would write by hand.
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb565, Rgb888, RgbColor};
-use fixel::mesh::{Outline, Part};
+use fixel::mesh::{Material, Outline, Part, TextureAlpha};
 use fixel::prelude::*;
 use fixel::texture::{Argb4444, Mipmap, MipmapArray, Palette, Sampler};
 use fixel::{Angle, Index, Scalar};
@@ -55,6 +55,40 @@ fn materials_are_those_of_the_file() {
 }
 
 #[test]
+fn a_material_has_its_appearance() {
+    static PARTS: &[Part] = include_materials!("../models/lantern.obj");
+    let [glass, flame, label] = [0, 1, 2].map(|at| *PARTS[at].material());
+    let named = |name, color| Material {
+        name,
+        ..Material::new(color)
+    };
+    let expected = Material {
+        opacity: 128,
+        ..named("glass", Rgb888::new(51, 102, 153))
+    };
+    assert_eq!(glass, expected);
+    let emission = Rgb888::new(255, 204, 0);
+    assert_eq!(
+        flame,
+        Material {
+            emission,
+            ..named("flame", Rgb888::BLACK)
+        }
+    );
+    let texture = Some("label.png");
+    let (alpha, clamp) = (TextureAlpha::Cut(128), [true; 2]);
+    assert_eq!(
+        label,
+        Material {
+            texture,
+            alpha,
+            clamp,
+            ..named("label", Rgb888::WHITE)
+        }
+    );
+}
+
+#[test]
 fn a_picture_becomes_any_texture() {
     static PLANKS: Texture<Rgb565> = include_texture!("../../examples/assets/planks.tga");
     static ARRAY: TextureArray<Rgb565, 32, 32> =
@@ -74,6 +108,8 @@ fn a_picture_becomes_any_texture() {
             .all(|texel| texel.opacity() == Argb4444::new(15, 0, 0, 0).opacity())
     );
     assert_eq!((SMALL.width(), SMALL.height()), (8, 4));
+    static TEXELS: &[Rgb565] = include_texture!("../../examples/assets/planks.tga");
+    assert_eq!(TEXELS, PLANKS.texels());
     for (u, v) in (0..2).flat_map(|v| (0..4).map(move |u| (u, v))) {
         assert_eq!(TILES.texel(u, v), SAME.texel(u, v));
     }
