@@ -121,7 +121,7 @@ fn what_is_no_number_is_left_out() {
     let text = format!("{SQUARE}v nan 0 0\nf 1 2 3 4\nf 1 2 5\n");
     let model = noted(&text, "a face is left out: a coordinate");
     assert_eq!(model.triangles.len(), 2);
-    for normal in ["nan nan nan", "inf 0 0", "0 0 0", "-nan(ind) 0 0"] {
+    for normal in ["nan nan nan", "1 0", "inf 0 0", "0 0 0", "-nan(ind) 0 0"] {
         let model = noted(
             &format!("{SQUARE}vn {normal}\nf 1//1 2//1 3//1\n"),
             "a normal",
