@@ -83,7 +83,7 @@ fn every_line_end_and_a_byte_order_mark_are_read() {
 fn a_backslash_joins_lines() {
     let model = clean(&format!("{SQUARE}f 1 2 \\\n3 \\ \t\r\n 4\n"));
     assert_eq!(model.triangles.len(), 2);
-    assert_eq!(clean(&format!("{SQUARE}f 1 2 3\\")).triangles.len(), 1);
+    assert_eq!(clean(&format!("{SQUARE}f 1 2\\\n3\\")).triangles.len(), 1);
 }
 
 #[test]
@@ -121,7 +121,7 @@ fn what_is_no_number_is_left_out() {
     let text = format!("{SQUARE}v nan 0 0\nf 1 2 3 4\nf 1 2 5\n");
     let model = noted(&text, "a face is left out: a coordinate");
     assert_eq!(model.triangles.len(), 2);
-    for normal in ["nan nan nan", "inf 0 0", "0 0 0", "-nan(ind) 0 0"] {
+    for normal in ["nan nan nan", "1 0", "inf 0 0", "0 0 0", "-nan(ind) 0 0"] {
         let model = noted(
             &format!("{SQUARE}vn {normal}\nf 1//1 2//1 3//1\n"),
             "a normal",
@@ -145,7 +145,12 @@ fn missing_indices_are_replaced_or_left_out() {
     for index in ["0", "2", "-2", "x", "1.5", "99999999999999999999"] {
         let text = format!("{SQUARE}{lists}f 1//{index} 2//{index} 3//{index}\nf 1//1 3//1 4//2\n");
         let model = obj(&text).unwrap();
-        assert!(notes(&model)[0].contains("a normal is replaced"));
+        // Neither does 2 name what replaces the first ones.
+        let note = &notes(&model)[0];
+        assert!(
+            note.contains("a normal is replaced") && note.contains("(4 times)"),
+            "{note}"
+        );
         for triangle in &model.triangles {
             for corner in triangle.corners {
                 let [x, y, z] = model.normals[corner.normal.unwrap() as usize];
@@ -162,6 +167,11 @@ fn missing_indices_are_replaced_or_left_out() {
         );
     }
     noted(&format!("{SQUARE}{lists}f 1/1 2/2 3\n"), "not every corner");
+    let text = format!("{SQUARE}{lists}vt 0 5000\nf 1/4 2/4 3/4\nf 1/5 2/6 3/7\n");
+    let uvs = obj(&text).unwrap().triangles[1]
+        .corners
+        .map(|corner| corner.uv);
+    assert_eq!(uvs, [None; 3]);
     for face in [
         "1 2 0",
         "1 2 5",
@@ -195,6 +205,13 @@ fn what_cannot_be_read_is_counted() {
         model.normals[corner.normal.unwrap() as usize],
         [0.0, 0.0, 4.0]
     );
+    let model = obj(&text.replace("/2", "/1")).unwrap();
+    let corner = model.triangles[0].corners[0];
+    assert_eq!(corner.uv, None);
+    assert_eq!(
+        model.normals[corner.normal.unwrap() as usize],
+        [0.0, 0.0, 1.0]
+    );
 }
 
 #[test]
@@ -203,10 +220,13 @@ fn colors_are_fractions_or_bytes() {
         let model = clean(&format!(
             "v 0 0 0 {first}\nv 1 0 0\nv 1 1 0 {second}\nv 0 1 0\nf 1 2 3 4\n"
         ));
-        let corners = model.triangles[0]
-            .corners
-            .map(|corner| corner.color.unwrap());
-        corners.map(|at| model.colors[at as usize])
+        let corners = model.triangles.iter().flat_map(|triangle| triangle.corners);
+        let colors: Vec<_> = corners
+            .map(|corner| model.colors[corner.color.unwrap() as usize])
+            .collect();
+        // The fourth vertex.
+        assert_eq!(colors[5], [255; 3]);
+        [colors[0], colors[1], colors[2]]
     };
     let white = [255; 3];
     assert_eq!(
@@ -260,7 +280,7 @@ fn what_is_not_drawn_is_named_once() {
 }
 
 #[test]
-fn binary_files_are_refused() {
+fn what_is_no_model_is_refused() {
     let binary = b"v \0\x01\x02\nf\n".repeat(9);
     for bytes in [b"L\x01\0\0\x10".to_vec(), binary] {
         let problem = read(&[("a.obj", bytes)]).unwrap_err();
@@ -269,6 +289,12 @@ fn binary_files_are_refused() {
             "model a.obj: it is not text: an OBJ file must be text"
         );
     }
+    let face = format!("{SQUARE}f{}", " 1".repeat(1_000_001));
+    let problem = obj(&face).unwrap_err();
+    assert!(
+        problem.contains("line 5: a face has more than 1000000 corners"),
+        "{problem}"
+    );
     // A byte of 0 alone does not matter.
     clean(&format!("{SQUARE}f 1 2 3\n# \0\n"));
 }
@@ -279,7 +305,12 @@ fn names_may_contain_anything() {
         "{SQUARE}vt 0 0\nf 1 2 3\nmtllib my #1 lib.mtl\nusemtl wood #1\nf 1/1 2/1 3/1\nusemtl wood #2\nf 1 2 3\n"
     );
     let mtl = "newmtl wood #1\nKd 1 0 0 # red\nmap_Kd a #b.png\nnewmtl wood #2\nKd 0 0 1\n";
-    let model = read(&[("x/a.obj", text.as_str()), ("x/my #1 lib.mtl", mtl)]).unwrap();
+    let files = [
+        ("x/a.obj", text.as_str()),
+        ("x/my #1 lib.mtl", mtl),
+        ("x/lib.mtl", ""),
+    ];
+    let model = read(&files).unwrap();
     assert!(model.notes.is_empty(), "{:?}", notes(&model));
     let names: Vec<&str> = model.materials.iter().map(|m| m.name.as_str()).collect();
     assert_eq!(names, ["wood #1", "wood #2"]);
@@ -451,6 +482,7 @@ fn textures_have_options() {
         file("map_Kd -clamp on -s 1 1 1 a.png"),
         ("a.png".into(), [true; 2])
     );
+    assert_eq!(file("map_Kd 7 up.png").0, "7 up.png");
     assert_eq!(note("newmtl a\nmap_Kd -mm 0 1 a.png\n"), "not drawn: '-mm'");
 }
 
