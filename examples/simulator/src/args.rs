@@ -13,7 +13,6 @@ Examples (`cargo run --release -p simulator -- ` goes before the arguments):
   simulator                                             the project's own scene, as lighthouse.png
   simulator cow.obj --texture cow.png                   your own model, textured and lit
   simulator part.stl --color mono --size 128x64         STL; PLY, glTF and GLB likewise
-  simulator cow.obj --export cow.rs --mesh short        also as Rust source, for firmware
   simulator teapot.obj --shade gouraud --frames 60 --out teapot.gif
                                                         a turntable: 60 frames, one turn
   simulator cow.obj --shade wire --size 128x64 --color mono
@@ -23,7 +22,8 @@ Examples (`cargo run --release -p simulator -- ` goes before the arguments):
   simulator --scene floor --dump floor.csv --crc        a measured scene, pixel by pixel
 
 Distances are in the model's own units, which may be of any size: the program scales and centers the model before it
-draws in fixed point. At the end, it prints the camera as options, for you to copy and change.";
+draws in fixed point. At the end, it prints the camera as options, for you to copy and change. A program for a
+microcontroller takes the model from the same file with the macro `fixel::include_mesh!`.";
 
 /// Draws a 3D model with integers only, as a microcontroller would, and saves the picture.
 /// Without a model it draws the project's own scene. Without camera options, the model fills the picture.
@@ -58,9 +58,9 @@ pub struct Args {
     #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true, help_heading = "Camera")]
     pub look_at: Option<[f64; 3]>,
 
-    /// Direction that points up in the picture; 0,0,1 for a model whose z axis points up. The default view and the
-    /// turntable follow it. [default: 0,1,0, or 0,0,1 for STL]
-    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true, help_heading = "Camera")]
+    /// Direction that points up in the picture, or the name of an axis: z for a model whose z axis points up. The
+    /// default view and the turntable follow it. [default: y, or z for STL]
+    #[arg(long, value_name = "X,Y,Z", value_parser = axis, allow_hyphen_values = true, help_heading = "Camera")]
     pub up: Option<[f64; 3]>,
 
     /// Vertical field of view in degrees, above 0 and below 180. [default: 40; with --eye, wide enough for the whole
@@ -98,23 +98,21 @@ pub struct Args {
     #[arg(long, value_enum, default_value = "newton", help_heading = "Look")]
     pub mode: Mode,
 
-    /// Largest error of --mode fast, from 0 to 32767 texels of the given texture. [default: 0.25]
-    #[arg(long, value_name = "TEXELS", value_parser = tolerance, allow_hyphen_values = true, help_heading = "Look")]
-    pub tolerance: Option<f64>,
-
     /// Format of the depth buffer. A wider range keeps surfaces in order even if --far is much larger than --near.
     #[arg(long, value_enum, default_value = "linear", help_heading = "Look")]
     pub depth: DepthFormat,
 
-    /// Also draw the backs of faces, and light both sides.
+    /// Hide the backs of faces, as programs for microcontrollers do by default. Without this option, only faces that
+    /// the file calls one-sided hide them.
     #[arg(long, help_heading = "Look")]
-    pub two_sided: bool,
+    pub cull: bool,
 
     /// Draw the model's edges over its surface.
     #[arg(long, help_heading = "Look")]
     pub wire: bool,
 
-    /// Color behind the model. [default: a dark color; in the project's own scene, a sky]
+    /// Color behind the model. [default: a dark color, or a bright one behind a dark model; in the project's own scene, a
+    /// sky]
     #[arg(long, value_name = "RRGGBB", value_parser = color, help_heading = "Look")]
     pub background: Option<Rgb888>,
 
@@ -155,14 +153,10 @@ pub struct Args {
     #[arg(long, value_name = "ROWS", value_parser = clap::value_parser!(u32).range(1..), help_heading = "Picture")]
     pub bands: Option<u32>,
 
-    /// Number of frames, in which the model turns once. Several frames are saved as .gif or .apng.
+    /// Number of frames of 40 ms, in which the model turns once. Several frames are saved as .gif or .apng.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000),
         default_value = "1", help_heading = "Animation")]
     pub frames: u32,
-
-    /// Turns of the model per minute; frames are 40 ms apart. [default: one turn over the frames]
-    #[arg(long, value_name = "R", value_parser = number, allow_hyphen_values = true, help_heading = "Animation")]
-    pub rpm: Option<f64>,
 
     /// File for the picture: .png, .gif or .apng (an animated PNG), or - for standard output. [default: a .png or .gif
     /// named after the model]
@@ -175,26 +169,6 @@ pub struct Args {
     /// linear steps. Numbers have all their digits. The file - is standard output.
     #[arg(long, value_name = "FILE.csv", help_heading = "Output")]
     pub dump: Option<PathBuf>,
-
-    /// Also write the model as Rust source: a static `MESH` and, if it has materials, `PARTS`. With .bmp, write its
-    /// textures for `include_texture!`. Repeat the option for both.
-    #[arg(
-        long,
-        value_name = "FILE.rs|FILE.bmp",
-        help_heading = "Output",
-        requires = "model"
-    )]
-    pub export: Vec<PathBuf>,
-
-    /// Format of the exported mesh, with the name of the corresponding argument of `include_mesh!`.
-    #[arg(
-        long,
-        value_enum,
-        default_value = "long",
-        help_heading = "Output",
-        requires = "export"
-    )]
-    pub mesh: MeshFormat,
 
     /// Print the CRC-32 of the last frame's pixels as big-endian RGB565, row by row from the top.
     #[arg(long, help_heading = "Output")]
@@ -220,7 +194,7 @@ pub enum SceneName {
     Cube,
     /// A sphere of 1,984 triangles, Gouraud
     Sphere,
-    /// The same sphere, one color per triangle, no depth buffer
+    /// The same sphere, one color per triangle
     SphereFlat,
 }
 
@@ -246,7 +220,7 @@ pub enum Shade {
     Flat,
     /// Its textures and colors, lit
     Lit,
-    /// Edges only
+    /// Edges only; outlines and creases where edges would fill the picture
     Wire,
     /// Depth as gray: near white, far black
     Depth,
@@ -268,7 +242,7 @@ pub enum Mode {
     Exact,
     /// Within a thousandth of a texel: the library's default
     Newton,
-    /// Straight pieces, within --tolerance
+    /// Straight pieces, within a quarter of a texel
     Fast,
     /// Without perspective within triangles
     Affine,
@@ -298,35 +272,10 @@ pub enum Color {
     Mono,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum MeshFormat {
-    /// 32 bits a component
-    Long,
-    /// Positions of 16 bits a component
-    Short,
-    /// Positions and texture coordinates of 16 bits a component, normals of 8
-    #[value(name = "quantized_16")]
-    Quantized16,
-    /// Positions of 16 bits a component, texture coordinates and normals of 8
-    #[value(name = "quantized_8")]
-    Quantized8,
-}
-
 /// The options that may be combined with `--scene`. The others concern a model or its picture, which measured scenes
 /// define themselves.
 const WITH_SCENE: &[&str] = &[
-    "scene",
-    "mode",
-    "tolerance",
-    "depth",
-    "color",
-    "tile",
-    "bands",
-    "frames",
-    "out",
-    "dump",
-    "crc",
-    "quiet",
+    "scene", "mode", "depth", "color", "tile", "bands", "frames", "out", "dump", "crc", "quiet",
     "window",
 ];
 
@@ -371,15 +320,6 @@ fn number(text: &str) -> Result<f64, String> {
     }
 }
 
-fn tolerance(text: &str) -> Result<f64, String> {
-    let texels = number(text)?;
-    if (0.0..=32_767.0).contains(&texels) {
-        Ok(texels)
-    } else {
-        Err("it must be between 0 and 32767 texels".into())
-    }
-}
-
 fn field_of_view(text: &str) -> Result<f64, String> {
     let degrees = number(text)?;
     // The library would accept 400 degrees as 40, because an angle is a fraction of a turn. So it is checked here.
@@ -400,6 +340,15 @@ fn point(text: &str) -> Result<[f64; 3], String> {
     numbers
         .try_into()
         .map_err(|_| "it must be three numbers with commas between, such as 0,1.5,-2".into())
+}
+
+fn axis(text: &str) -> Result<[f64; 3], String> {
+    match text {
+        "x" => Ok([1.0, 0.0, 0.0]),
+        "y" => Ok([0.0, 1.0, 0.0]),
+        "z" => Ok([0.0, 0.0, 1.0]),
+        _ => point(text),
+    }
 }
 
 fn part(text: &str) -> Result<f64, String> {

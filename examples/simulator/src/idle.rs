@@ -1,11 +1,9 @@
 //! Notes for the user about options without effect.
 
-use std::path::PathBuf;
-
 use clap::parser::ValueSource;
 use clap::{ArgMatches, ValueEnum};
 
-use crate::args::{Args, Kind, Mode, SceneName, Shade};
+use crate::args::{Args, Kind, SceneName, Shade};
 
 /// The name of an option's value, as the user writes it.
 pub fn name(value: &impl ValueEnum) -> String {
@@ -50,7 +48,7 @@ pub fn options(
     check("light", shade(&unlit), &named);
     check("ambient", shade(&unlit), &named);
     check("fog", shade(&unlit[1..]), &named);
-    check("two_sided", shade(&[Shade::Wire]), &named);
+    check("cull", args.model.is_none(), "without a model");
     check("wire", shade(&[Shade::Wire]), &named);
     let is_parallel = args.projection != Kind::Perspective;
     let projected = format!("with --projection {}", name(&args.projection));
@@ -58,37 +56,12 @@ pub fn options(
     let is_shown = args.dump.is_some();
     check("mode", is_parallel, &projected);
     check("mode", !is_parallel && !is_shown && shade(&exact), &named);
-    let is_fast = args.mode == Mode::Fast;
-    check("tolerance", !is_fast, "without --mode fast");
-    check("tolerance", is_fast && is_parallel, &projected);
-    // Numbers other than texture coordinates have tolerances of their own.
-    let is_seen = is_fast && !is_parallel && !is_shown;
-    check("tolerance", is_seen && is_untextured, &named);
-    check(
-        "tolerance",
-        is_seen && !is_untextured && !has_textures,
-        bare,
-    );
-    check("depth", !is_shown && shade(&[Shade::Wire]), &named);
-    let is_texture = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "bmp");
-    let is_mesh_exported = !args.export.iter().all(is_texture);
-    check("mesh", !is_mesh_exported, "without --export FILE.rs");
     let is_flat = args.scene == Some(SceneName::SphereFlat);
     check("mode", is_flat, "with --scene sphere-flat");
-    check(
-        "depth",
-        is_flat,
-        "with --scene sphere-flat, which has no depth buffer",
-    );
     check(
         "fov",
         is_parallel && args.eye.is_none(),
         &format!("{projected}, unless --eye is given too: the model fills the picture"),
-    );
-    check(
-        "rpm",
-        args.frames == 1 && !args.window,
-        "without --frames or --window",
     );
     if args.window && args.scene.is_some() {
         idle.push("in the window, a measured scene cannot be turned".into());

@@ -5,17 +5,21 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::shade::{Colored, Fog, Levels, Light, TwoSided, Viewer};
+use fixel::target::Contrast;
 use fixel::texture::Blend;
 
 use super::Result;
 use super::common::lighthouse;
 use crate::args::{Args, Shade};
-use crate::draw::Backdrop;
-use crate::job::Model;
+use crate::scene::{Moment, Motion, Scene};
 use crate::view::direction;
 
 /// Default ambient light, which reaches every face.
 const AMBIENT: f64 = 0.3;
+
+/// The default background, and the one behind dark models.
+pub const DARK: Rgb888 = Rgb888::new(34, 40, 52);
+pub const BRIGHT: Rgb888 = Rgb888::new(206, 212, 222);
 
 /// A light that the user chose.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,50 +37,78 @@ pub struct Haze {
     pub color: Option<Rgb888>,
 }
 
+/// The background of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Backdrop {
+    /// One color. It is converted to the color type of the canvas.
+    Color(Rgb888),
+    /// The sky of the project's own scene.
+    Sky,
+}
+
+impl Backdrop {
+    /// Returns the backdrop for a canvas of color `C`: the background that the user chose, or else one that suits the
+    /// shading and the color.
+    pub fn of<C: Levels>(args: &Args, scene: &Scene<'_>) -> Self {
+        Self::Color(match (args.background, scene.shade) {
+            (Some(color), _) => color,
+            (None, Some(Shade::Wire | Shade::Depth)) => Rgb888::BLACK,
+            // In the dithered formats, the background would show a pattern.
+            _ if C::MAX_STEPS[0] == 1 => Rgb888::BLACK,
+            _ if scene.is_own => return Self::Sky,
+            // A measured scene.
+            (None, None) => Rgb888::BLACK,
+            _ if C::MAX_STEPS[0] < 31 => Rgb888::BLACK,
+            _ => DARK,
+        })
+    }
+}
+
 /// Everything about a picture's colors except the surface itself.
 pub struct Look {
     /// `None` for the project's own scene as a microcontroller draws it.
     pub shade: Option<Shade>,
-    /// Whether it is the project's own scene, with sea and sky.
-    pub is_scene: bool,
     /// The background of the picture. Its color is not yet in the canvas's format, and differs from all shades.
     pub backdrop: Backdrop,
+    /// How grays are spread from black to white.
+    pub contrast: Option<Contrast>,
     lights: Vec<Colored<Light>>,
-    /// The lights, if all of them are white, which needs one number instead of three.
-    white: Option<Vec<Light>>,
     viewer: Viewer,
     haze: Option<(Scalar, Scalar, Rgb888)>,
-    /// Whether edges are drawn over the surface.
-    pub wire: bool,
 }
 
 impl Look {
-    /// Makes the look of `args` for `model` on a canvas of color `C`. `scale` is the length of one of the model's units
-    /// as it is drawn.
+    /// Makes the look of `args` for a `scene`. `scale` is the length of one of the model's units as it is drawn.
     ///
     /// # Errors
     ///
     /// A light or the fog is out of range.
-    pub fn new<C: Levels>(args: &Args, model: &Model<'_>, scale: f64) -> Result<Self> {
-        const WHITE: Rgb888 = Rgb888::WHITE;
+    pub fn new(
+        args: &Args,
+        scene: &Scene<'_>,
+        scale: f64,
+        backdrop: Backdrop,
+        contrast: Option<Contrast>,
+    ) -> Result<Self> {
+        let (sun, viewer) = match scene.motion {
+            Motion::Turning { view, .. } => (view.sun, view.mvp(Transform::IDENTITY).viewer()),
+            measured @ Motion::Measured(_) => (Vec3::Y, measured.mvp(Moment::default())?.viewer()),
+        };
         let ambient = scalar(args.ambient.unwrap_or(AMBIENT))?;
         let diffuse = scalar(1.0 - AMBIENT)?;
-        let mut lights = Vec::new();
         // The first lamp carries the ambient light.
         let mut shares = [ambient].into_iter();
-        let mut add = |toward, color: Rgb888| -> Result<()> {
+        let mut light = |toward, color: Rgb888| -> Result<Colored<Light>> {
             let light = Light::new(toward, shares.next().unwrap_or(fx!(0)), diffuse)?;
-            lights.push((light, color));
-            Ok(())
+            Ok(light.colored(color))
         };
+        let mut lights = Vec::new();
         for lamp in &args.light {
-            let toward = direction(lamp.direction)?;
-            add(toward, lamp.color)?;
+            lights.push(light(direction(lamp.direction)?, lamp.color)?);
         }
         if args.light.is_empty() {
-            add(model.view.sun, WHITE)?;
+            lights.push(light(sun, Rgb888::WHITE)?);
         }
-        let backdrop = backdrop::<C>(args.background, model);
         let far_away = match backdrop {
             Backdrop::Color(color) => color,
             // The approximate height of the horizon in the default view.
@@ -89,31 +121,17 @@ impl Look {
             Ok::<_, String>((number(near)?, number(far)?, color.unwrap_or(far_away)))
         });
         Ok(Self {
-            shade: model.shade,
-            is_scene: model.is_scene,
+            shade: scene.shade,
             backdrop,
-            white: lights
-                .iter()
-                .map(|&(light, color)| (color == WHITE).then_some(light))
-                .collect(),
-            lights: lights
-                .iter()
-                .map(|&(light, color)| light.colored(color))
-                .collect(),
-            viewer: model.view.viewer(),
+            contrast,
+            lights,
+            viewer,
             haze: haze.transpose()?,
-            wire: args.wire && model.shade != Some(Shade::Wire),
         })
     }
 
-    /// The lights, if all are white.
-    pub fn white(&self) -> Option<TwoSided<&[Light]>> {
-        let lights = self.white.as_deref()?;
-        Some(lights.two_sided(self.viewer))
-    }
-
-    /// The lights in their colors.
-    pub fn colored(&self) -> TwoSided<&[Colored<Light>]> {
+    /// The lights.
+    pub fn light(&self) -> TwoSided<&[Colored<Light>]> {
         self.lights.as_slice().two_sided(self.viewer)
     }
 
@@ -131,32 +149,9 @@ impl Look {
         let Some((near, far, color)) = self.haze else {
             return Ok(None);
         };
-        let color = C::from_rgb(color, Point::zero());
-        match Fog::linear(color, near, far) {
+        match Fog::linear(C::from_rgb(color, Point::zero()), near, far) {
             Ok(fog) => Ok(Some(fog)),
             Err(error) => Err(format!("--fog: {error}").into()),
         }
     }
-
-    /// The color of lines: white on black, and black on a surface.
-    pub fn line<C: Levels + Into<Rgb888>>(&self) -> Rgb888 {
-        let color = match self.shade {
-            Some(Shade::Wire) => Rgb888::WHITE,
-            _ => Rgb888::BLACK,
-        };
-        C::from_rgb(color, Point::zero()).into()
-    }
-}
-
-/// Returns the backdrop of a model: the background that the user chose, or else one that suits its shading and colors.
-fn backdrop<C: Levels>(background: Option<Rgb888>, model: &Model<'_>) -> Backdrop {
-    Backdrop::Color(match (background, model.shade) {
-        (Some(color), _) => color,
-        (None, Some(Shade::Wire | Shade::Depth)) => Rgb888::BLACK,
-        // In the dithered formats, the background would show a pattern.
-        _ if lighthouse::is_mono::<C>() => Rgb888::BLACK,
-        _ if model.is_scene => return Backdrop::Sky,
-        _ if C::MAX_STEPS[0] < 31 => Rgb888::BLACK,
-        _ => Rgb888::new(34, 40, 52),
-    })
 }

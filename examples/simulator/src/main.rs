@@ -3,48 +3,45 @@
 //! `cargo run --release -p simulator -- --help` lists its options. A run goes through the modules in this order:
 //!
 //! 1. Read the command line: [`args`]. [`idle`] notes options without effect.
-//! 2. Read files: [`model`] reads a mesh of any size in f64; [`picture`] and [`skin`] read textures.
-//! 3. Choose the camera in the model's units: [`framing`], with the vectors of [`vector`].
-//! 4. Convert to fixed point: [`units`] chooses the scale, [`view`] makes camera and light, and [`parts`] makes meshes
-//!    of 16-bit indices. [`subject`] holds all of it; a [`piece`] is a mesh with its material.
-//! 5. Choose shaders: [`look`] has light and fog, and [`draw`] a shader for each piece. [`surface`] hides their types,
-//!    and [`tinted`] is a shader that the library lacks. [`mode`] and [`depth`] choose the library's types at run time.
-//! 6. Check that something is visible: [`sight`].
-//! 7. Draw: [`job`] draws a band of a frame, [`tiles`] a picture of bands and tiles, and [`samples`] smooths edges.
-//!    [`render`] runs all of it in the chosen color.
-//! 8. Write: [`targets`] opens and fills all outputs: [`encoder`] writes pictures, [`dump`] tables, and [`export`] Rust
-//!    source. [`output`] makes sure that no file is lost.
+//! 2. Read files: `fixel_assets` reads a model of any size in f64, and [`skin`] reads textures.
+//! 3. Choose the camera in the model's units: [`framing`].
+//! 4. Convert to fixed point: [`units`] chooses the scale, [`view`] makes camera and light, and [`part`] makes meshes
+//!    of 16-bit indices. [`subject`] holds all of it, and a [`scene`] is what is drawn of it.
+//! 5. Look at it: [`sight`] checks that something will be visible, and [`advice`] what the user should know.
+//! 6. Choose shaders: [`look`] has light and fog, and [`paint`] a shader for each piece. [`surface`] hides their types,
+//!    and [`mode`] chooses the library's types at run time.
+//! 7. Draw: [`draw`] a frame or a band of it, [`tiles`] a picture of bands and tiles; [`samples`] smooths edges.
+//! 8. Write: [`targets`] opens and fills all outputs: [`encoder`] writes pictures, and [`dump`] tables. [`output`] makes
+//!    sure that no file is lost.
 //! 9. Tell the user: [`report`] prints lines, [`progress`] shows long tasks, and [`window`] shows the picture.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg(not(target_os = "none"))]
 
+mod advice;
 mod args;
 #[path = "../../common/mod.rs"]
 mod common;
-mod depth;
 mod draw;
 mod dump;
 mod encoder;
-mod export;
 mod framing;
 mod idle;
-mod job;
 mod look;
 mod mode;
 mod output;
-mod parts;
-mod piece;
+mod paint;
+mod part;
 mod progress;
-mod render;
 mod report;
+mod run;
 mod samples;
+mod scene;
 mod sight;
 mod skin;
 mod subject;
 mod surface;
 mod targets;
 mod tiles;
-mod tinted;
 mod units;
 mod view;
 mod window;
@@ -63,7 +60,7 @@ type Result<T, E = Box<dyn Error>> = std::result::Result<T, E>;
 fn main() -> ExitCode {
     let matches = args::command().get_matches();
     let args = Args::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
-    let done = output::remove_on_interrupt().and_then(|()| render::run(&args, &matches));
+    let done = output::remove_on_interrupt().and_then(|()| run::run(&args, &matches));
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {

@@ -1,12 +1,13 @@
-//! Modes chosen at run time.
+//! Modes and depth formats chosen at run time. In the library they are types, so that firmware links only those it
+//! uses.
 
 use fixel::mode::{Affine, Exact, Fast, Newton};
 use fixel::num::scalar;
 
 use super::Result;
-use crate::args::{self, Args};
+use crate::args;
 
-/// Default tolerance of mode fast, in texels.
+/// Tolerance of mode fast, in texels.
 const TOLERANCE: f64 = 0.25;
 
 /// An interpolation mode.
@@ -19,38 +20,37 @@ pub enum Mode {
 }
 
 impl Mode {
-    /// Returns the chosen mode. `texels` is the size of the drawn texture relative to the given one, to which the
-    /// tolerance refers.
-    pub fn new(args: &Args, texels: f64) -> Result<Self> {
-        let tolerance = args.tolerance.unwrap_or(TOLERANCE) * texels;
-        Ok(match args.mode {
+    /// Returns the chosen mode. A texel of the tolerance has this many units.
+    pub fn new(mode: args::Mode, texel: f64) -> Result<Self> {
+        Ok(match mode {
             args::Mode::Exact => Self::Exact(Exact),
             args::Mode::Newton => Self::Newton(Newton),
             // A tolerance that exceeds the format is larger than any texture.
-            args::Mode::Fast => Self::Fast(Fast::within(scalar(tolerance.min(32_767.0))?)),
+            args::Mode::Fast => {
+                Self::Fast(Fast::within(scalar((TOLERANCE * texel).min(32_767.0))?))
+            }
             args::Mode::Affine => Self::Affine(Affine),
         })
     }
 }
 
-/// Runs `$draw` with options in that mode. The library's modes are types, so that firmware links only the ones it
-/// uses.
+/// Runs `$draw` with options in that mode.
 macro_rules! in_mode {
     ($mode:expr, $options:expr, |$in_mode:ident| $draw:expr) => {
         match $mode {
-            Mode::Exact(mode) => {
+            $crate::mode::Mode::Exact(mode) => {
                 let $in_mode = &$options.with_mode(mode);
                 $draw
             }
-            Mode::Newton(mode) => {
+            $crate::mode::Mode::Newton(mode) => {
                 let $in_mode = &$options.with_mode(mode);
                 $draw
             }
-            Mode::Fast(mode) => {
+            $crate::mode::Mode::Fast(mode) => {
                 let $in_mode = &$options.with_mode(mode);
                 $draw
             }
-            Mode::Affine(mode) => {
+            $crate::mode::Mode::Affine(mode) => {
                 let $in_mode = &$options.with_mode(mode);
                 $draw
             }
@@ -58,3 +58,27 @@ macro_rules! in_mode {
     };
 }
 pub(crate) use in_mode;
+
+/// Runs `$draw` on `$canvas` with a depth buffer in `$format` over `$depth`.
+macro_rules! with_depth {
+    ($format:expr, $canvas:expr, $depth:expr, |$with:ident| $draw:expr) => {
+        match $format {
+            $crate::args::DepthFormat::Linear => {
+                let mut canvas = $canvas.with_depth($depth)?;
+                let $with = &mut canvas;
+                $draw
+            }
+            $crate::args::DepthFormat::Float => {
+                let mut canvas = $canvas.with_depth_format::<fixel::target::Float>($depth)?;
+                let $with = &mut canvas;
+                $draw
+            }
+            $crate::args::DepthFormat::Wide => {
+                let mut canvas = $canvas.with_depth_format::<fixel::target::WideFloat>($depth)?;
+                let $with = &mut canvas;
+                $draw
+            }
+        }
+    };
+}
+pub(crate) use with_depth;

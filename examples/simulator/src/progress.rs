@@ -7,6 +7,8 @@ use std::time::{Duration, Instant};
 
 use fixel_assets::{Disk, Files};
 
+use crate::args::Args;
+
 /// The least time between two changes of the line.
 const PAUSE: Duration = Duration::from_millis(100);
 
@@ -66,6 +68,20 @@ impl Drop for Progress {
         }
     }
 }
+
+/// Shows a step of work on a model of many triangles, until the result is dropped.
+pub fn step(args: &Args, triangles: usize, task: &'static str) -> Progress {
+    let is_long = triangles >= MANY && !args.quiet;
+    let line = Progress::new(task, 1, "", is_long);
+    if line.total > 0 {
+        line.is_shown.set(true);
+        write(&format!("\r{task} ..."));
+    }
+    line
+}
+
+/// Models of this many triangles show what is done with them.
+const MANY: usize = 100_000;
 
 /// Models from this size on show their progress, in bytes.
 const BIG: usize = 16 << 20;

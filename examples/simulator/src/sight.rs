@@ -1,54 +1,86 @@
-//! Checks, before a picture is drawn, that something will be visible in it.
+//! Looks at a scene before its picture is drawn: whether something will be visible in it, and how much of it.
 
+use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
 use fixel::Cull;
 
 use super::Result;
 use crate::args::{Args, Shade};
+use crate::draw::{Lines, Style};
 use crate::dump::Record;
-use crate::job::{Band, Model, Moment};
+use crate::scene::{Band, Done, Moment, Scene};
 
-/// Largest side of the small pictures in which back faces are counted.
+/// Largest side of the small pictures that are only counted.
 const SMALL: u32 = 256;
 /// Largest side that a picture in one piece can have.
 const LARGE: u32 = 2048;
 
-/// Returns hints for the user: most faces in view show their backs, which are not drawn; or fog hides all of them.
+/// Checks that something is visible, and adds hints for the user to `notes`. Chooses the lines to be drawn. If materials
+/// hide everything, both sides are drawn.
 ///
 /// # Errors
 ///
 /// Nothing is visible in any frame. The message says why, and what to do.
-pub fn check(model: &Model<'_>, args: &Args) -> Result<Vec<String>> {
-    let is_wire = model.shade == Some(Shade::Wire);
-    let cull = model.view.options.cull();
+pub fn check(scene: &mut Scene<'_>, args: &Args, notes: &mut Vec<String>) -> Result<Lines> {
+    let is_wire = scene.shade == Some(Shade::Wire);
     let (width, height) = args.size;
     let size = within((width * args.samples, height * args.samples), LARGE);
-    let any = |cull, edges| -> Result<bool> {
+    let any = |scene: &Scene<'_>, cull, edges| -> Result<bool> {
         for frame in 0..args.frames {
-            let records = model.look(size, frame, cull, edges)?;
-            if records.iter().any(Record::is_covered) {
+            if look(scene, size, frame, cull, edges)?
+                .iter()
+                .any(Record::is_covered)
+            {
                 return Ok(true);
             }
         }
         Ok(false)
     };
-    if !any(cull, is_wire)? {
-        let why = if any(Cull::Nothing, is_wire)? {
-            "all faces in view point away: try --two-sided"
-        } else if any(Cull::Nothing, true)? {
-            "the faces in view cover no pixel: try --shade wire"
+    if !any(scene, None, is_wire)? {
+        let why = if !any(scene, Some(Cull::Nothing), is_wire)? {
+            if any(scene, None, true)? {
+                "the faces in view cover no pixel: try --shade wire"
+            } else {
+                "the model is outside the picture or smaller than a pixel"
+            }
+        } else if args.cull || args.model.is_none() {
+            "all faces in view point away, and --cull hides their backs"
         } else {
-            "the model is outside the picture or smaller than a pixel"
+            notes.push(
+                "all faces in view point away, and their materials are one-sided: both sides are drawn"
+                    .into(),
+            );
+            for piece in &mut scene.pieces {
+                piece.finish.cull = Cull::Nothing;
+            }
+            ""
         };
-        return Err(format!("nothing is visible: {why}").into());
+        if !why.is_empty() {
+            return Err(format!("nothing is visible: {why}").into());
+        }
     }
-    let mut hints = Vec::new();
-    if is_wire || model.shade.is_none() {
-        return Ok(hints);
+    let mut lines = Lines::None;
+    if args.wire || is_wire {
+        lines = Lines::Edges;
+        let count = |edges| -> Result<usize> {
+            let records = look(scene, size, 0, None, edges)?;
+            Ok(records.iter().filter(|record| record.is_covered()).count())
+        };
+        let (edges, faces) = (count(true)?, count(false)?);
+        if args.model.is_some() && 2 * edges > faces && edges > 256 {
+            lines = Lines::Outline;
+            notes.push(
+                "the edges would fill most of the model: only outlines and creases are drawn"
+                    .into(),
+            );
+        }
+    }
+    if is_wire || scene.shade.is_none() {
+        return Ok(lines);
     }
     let size = within(size, SMALL);
-    let front = model.look(size, 0, cull, false)?;
+    let front = look(scene, size, 0, None, false)?;
     let is_foggy = matches!(
-        model.shade,
+        scene.shade,
         Some(Shade::Texture | Shade::Lit | Shade::Gouraud | Shade::Flat)
     );
     let is_beyond = |far: f64| {
@@ -56,18 +88,46 @@ pub fn check(model: &Model<'_>, args: &Args) -> Result<Vec<String>> {
         seen.all(|record| record.distance() >= far)
     };
     if is_foggy && args.fog.is_some_and(|fog| is_beyond(fog.far)) {
-        hints.push("all faces in view are behind the fog: see --fog".into());
+        notes.push("all faces in view are behind the fog: see --fog".into());
     }
-    if cull == Cull::Nothing {
-        return Ok(hints);
+    if args.model.is_some() {
+        let [shown, other] = [Cull::Nothing, Cull::Back];
+        let both = look(scene, size, 0, Some(shown), false)?;
+        let front = look(scene, size, 0, Some(other), false)?;
+        let seen = both.iter().filter(|record| record.is_covered()).count();
+        let away = both
+            .iter()
+            .zip(&front)
+            .filter(|(both, front)| both.hides(front))
+            .count();
+        let percent = away * 100 / seen.max(1);
+        if percent > 0 {
+            notes.push(if args.cull {
+                format!("--cull hides backs of faces in {percent} % of the model's picture")
+            } else {
+                format!(
+                    "a program that culls back faces would lose {percent} % of the model's picture: see --cull"
+                )
+            });
+        }
     }
-    let both = model.look(size, 0, Cull::Nothing, false)?;
-    let seen = both.iter().filter(|record| record.is_covered()).count();
-    let away = (both.iter().zip(&front)).filter(|(both, front)| both.hides(front));
-    if 2 * away.count() > seen {
-        hints.push("most faces in view point away: try --two-sided".into());
-    }
-    Ok(hints)
+    Ok(lines)
+}
+
+/// Returns the colors of the model in the first frame, drawn small.
+///
+/// # Errors
+///
+/// The library refuses the camera.
+pub fn colors(scene: &Scene<'_>, size: (u32, u32), style: &Style<'_>) -> Result<Vec<Rgb888>> {
+    let size = within(size, SMALL);
+    let colors = frame(size, |band| scene.draw(band, Moment::default(), style))?;
+    let records = look(scene, size, 0, None, false)?;
+    let covered = colors
+        .into_iter()
+        .zip(&records)
+        .filter(|(_, record)| record.is_covered());
+    Ok(covered.map(|(color, _)| color).collect())
 }
 
 /// Returns the size of a picture of the same shape, with sides of at most `most` pixels.
@@ -84,26 +144,30 @@ fn within((width, height): (u32, u32), most: u32) -> (u32, u32) {
     }
 }
 
-impl Model<'_> {
-    /// Records a whole frame, of faces or of edges.
-    fn look(&self, size: (u32, u32), frame: u32, cull: Cull, edges: bool) -> Result<Vec<Record>> {
-        let pixels = size.0 as usize * size.1 as usize;
-        let mut records = vec![Record::default(); pixels];
-        let mut depth = vec![0; pixels];
-        let mut view = self.view;
-        view.options = view.options.with_cull(cull);
-        let band = Band {
-            pixels: &mut records,
-            depth: &mut depth,
-            size,
-            first_row: 0,
-            viewport: None,
-        };
-        let moment = Moment {
-            frame,
-            ..Moment::default()
-        };
-        self.record_in(&view, band, moment, edges)?;
-        Ok(records)
-    }
+/// Draws a whole frame.
+fn frame<C: PixelColor + Default>(
+    size: (u32, u32),
+    draw: impl FnOnce(Band<'_, C>) -> Result<Done>,
+) -> Result<Vec<C>> {
+    let count = size.0 as usize * size.1 as usize;
+    let (mut pixels, mut depth) = (vec![C::default(); count], vec![0; count]);
+    draw(Band {
+        pixels: &mut pixels,
+        depth: &mut depth,
+        size,
+        first_row: 0,
+        viewport: None,
+    })?;
+    Ok(pixels)
+}
+
+/// Records a whole frame, of faces or of edges.
+fn look(
+    scene: &Scene<'_>,
+    size: (u32, u32),
+    at: u32,
+    cull: Option<Cull>,
+    edges: bool,
+) -> Result<Vec<Record>> {
+    frame(size, |band| scene.record(band, Moment::of(at), edges, cull))
 }

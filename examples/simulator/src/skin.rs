@@ -4,133 +4,110 @@ use std::fs;
 use std::path::Path;
 
 use embedded_graphics::geometry::Point;
-use embedded_graphics::pixelcolor::{PixelColor, Rgb565, Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
+use fixel::shade::Translucent;
+use fixel_assets::{Alpha, Image, Picture};
 
 use super::Result;
-use fixel_assets::{Image, Picture};
 
 /// Exponent of the largest side, in texels.
 const MOST_LOG2: u32 = 10;
 
-/// An image with sides that are powers of two.
+/// A picture with sides that are powers of two.
 #[derive(Debug)]
 pub struct Skin {
     picture: Picture,
-    /// Width and height before it was resampled.
-    original: (u32, u32),
+    /// The larger side of the given picture, in texels.
+    pub side: u32,
 }
 
 impl Skin {
-    /// Reads the picture at `path`; see [`decode`](Self::decode).
+    /// Reads the picture at `path`, which is drawn opaque.
     ///
     /// # Errors
     ///
     /// The file cannot be read, or has an unknown format.
-    pub fn read(path: &Path) -> Result<Self> {
-        let refuse = |problem: &dyn std::fmt::Display| {
-            format!("cannot read texture {}: {problem}", path.display())
-        };
-        let bytes = fs::read(path).map_err(|error| refuse(&error))?;
-        Ok(Self::decode(&bytes).map_err(|problem| refuse(&problem))?)
+    pub fn read(path: &Path) -> Result<Self, String> {
+        Self::of_image(&Image::File(path.into()), [255; 3], Alpha::Ignored)
     }
 
-    /// Reads an image of a model, with its texels multiplied by a material's color.
+    /// Reads a picture of a model, with its texels multiplied by a material's color. It is resampled to the nearest
+    /// powers of two, up to 1024.
     ///
     /// # Errors
     ///
     /// As for [`read`](Self::read).
-    pub fn of_model(image: &Image, color: [u8; 3]) -> Result<Self> {
-        let mut skin = match image {
-            Image::File(path) => Self::read(path)?,
-            Image::Bytes(name, bytes) => Self::decode(bytes)
-                .map_err(|problem| format!("cannot read texture {name}: {problem}"))?,
-        };
-        if color != [255; 3] {
-            for [r, g, b, _] in &mut skin.picture.pixels {
-                [*r, *g, *b] = times([*r, *g, *b], color);
+    pub fn of_image(image: &Image, tint: [u8; 3], alpha: Alpha) -> Result<Self, String> {
+        let (name, picture) = match image {
+            Image::File(path) => {
+                let bytes = fs::read(path).map_err(|error| error.to_string());
+                (
+                    path.display().to_string(),
+                    bytes.and_then(|bytes| Picture::decode(&bytes)),
+                )
             }
+            Image::Bytes(name, bytes) => (name.clone(), Picture::decode(bytes)),
+        };
+        let mut picture =
+            picture.map_err(|problem| format!("cannot read texture {name}: {problem}"))?;
+        for [r, g, b, a] in &mut picture.pixels {
+            [*r, *g, *b] = times([*r, *g, *b], tint);
+            *a = match alpha {
+                Alpha::Ignored => 255,
+                Alpha::Cut(least) if *a >= least => 255,
+                Alpha::Cut(_) => 0,
+                Alpha::Blended => *a,
+            };
         }
-        Ok(skin)
-    }
-
-    /// Decodes a picture and resamples it to the nearest powers of two, up to 1024.
-    fn decode(bytes: &[u8]) -> Result<Self, String> {
-        let picture = Picture::decode(bytes)?;
         let (width, height) = (picture.width, picture.height);
         Ok(Self {
             picture: picture.resampled(nearest(width), nearest(height)),
-            original: (width, height),
+            side: width.max(height),
         })
-    }
-
-    /// Makes a skin from a picture without resampling it.
-    fn whole(picture: Picture) -> Self {
-        Self {
-            original: (picture.width, picture.height),
-            picture,
-        }
-    }
-
-    /// Returns the number of texels per texel of the given image, along the side where this number is smaller.
-    pub fn resampled(&self) -> f64 {
-        let ratio = |now: u32, original: u32| f64::from(now) / f64::from(original);
-        ratio(self.picture.width, self.original.0).min(ratio(self.picture.height, self.original.1))
-    }
-
-    /// Returns the larger side of the given image, in texels.
-    pub fn side(&self) -> f64 {
-        self.original.0.max(self.original.1).into()
     }
 
     /// Makes a skin from a texture that is compiled in.
     pub fn of<const W: usize, const H: usize>(texture: &TextureArray<Rgb565, W, H>) -> Self {
-        let color = |&texel| {
-            let color = Rgb888::from(texel);
-            [color.r(), color.g(), color.b(), 255]
-        };
-        Self::whole(Picture {
-            width: u32::try_from(W).unwrap_or(0),
-            height: u32::try_from(H).unwrap_or(0),
-            pixels: texture.texels().as_flattened().iter().map(color).collect(),
-            table: None,
-        })
+        let texels = texture.texels().as_flattened().iter();
+        Self::from_texels(W, texels.map(|&texel| Rgb888::from(texel)))
     }
 
     /// A checker of 64x64 texels, with squares of 8x8 texels in two colors.
     pub fn checker() -> Self {
-        let color = |at: u32| {
-            let (x, y) = (at % 64, at / 64);
-            if (x / 8 + y / 8) % 2 == 0 {
-                [255, 255, 240, 255]
-            } else {
-                [70, 130, 180, 255]
-            }
-        };
-        Self::whole(Picture {
-            width: 64,
-            height: 64,
-            pixels: (0..64 * 64).map(color).collect(),
-            table: None,
-        })
+        let colors = [Rgb888::new(255, 255, 240), Rgb888::new(70, 130, 180)];
+        let color = |at: usize| colors[(at % 64 / 8 + at / 64 / 8) % 2];
+        Self::from_texels(64, (0..64 * 64).map(color))
     }
 
-    /// Returns the size, and the texels row by row from the top.
-    pub fn rows(&self) -> ((u32, u32), impl DoubleEndedIterator<Item = &[[u8; 4]]>) {
-        let Picture {
-            width,
-            height,
-            ref pixels,
-            ..
-        } = self.picture;
-        ((width, height), pixels.chunks_exact(width.max(1) as usize))
+    fn from_texels(width: usize, texels: impl Iterator<Item = Rgb888>) -> Self {
+        let pixels: Vec<_> = texels.map(|c| [c.r(), c.g(), c.b(), 255]).collect();
+        let side = |side: usize| u32::try_from(side).unwrap_or(u32::MAX);
+        let (width, height) = (side(width), side(pixels.len() / width.max(1)));
+        Self {
+            picture: Picture {
+                width,
+                height,
+                pixels,
+                table: None,
+            },
+            side: width.max(height),
+        }
+    }
+
+    /// Whether some texel is not opaque.
+    pub fn has_alpha(&self) -> bool {
+        self.picture.has_alpha()
     }
 
     /// Returns the texels in the color `C`.
     pub fn texels<C: Levels>(&self) -> Texels<C> {
-        let color = |&[r, g, b, _]: &[u8; 4]| C::from_rgb(Rgb888::new(r, g, b), Point::zero());
+        let texel = |&[r, g, b, opacity]: &[u8; 4]| Translucent {
+            color: C::from_rgb(Rgb888::new(r, g, b), Point::zero()),
+            opacity,
+        };
         Texels {
-            list: self.picture.pixels.iter().map(color).collect(),
+            list: self.picture.pixels.iter().map(texel).collect(),
             width: self.picture.width,
             height: self.picture.height,
         }
@@ -158,14 +135,14 @@ fn nearest(side: u32) -> u32 {
 /// Texels in one list.
 #[derive(Debug)]
 pub struct Texels<C> {
-    list: Vec<C>,
+    list: Vec<Translucent<C>>,
     width: u32,
     height: u32,
 }
 
-impl<C: PixelColor> Texels<C> {
+impl<C: Levels> Texels<C> {
     /// Returns these texels as a texture.
-    pub fn texture(&self) -> Result<Texture<'_, C>> {
+    pub fn texture(&self) -> Result<Texture<'_, Translucent<C>>> {
         Ok(Texture::new(&self.list, self.width, self.height)?)
     }
 }

@@ -3,20 +3,22 @@
 use std::collections::HashMap;
 use std::path::PathBuf;
 
+use embedded_graphics::pixelcolor::Rgb888;
+use fixel::Cull;
 use fixel_assets::vector::unit;
+use fixel_assets::{Alpha, Model};
 
 use super::Result;
 use super::common::lighthouse;
-use crate::args::{Args, Filter, Kind, Shade};
+use crate::advice;
+use crate::args::{Args, Color, Filter, Kind, Shade};
 use crate::dump::Recorder;
-use crate::export::{self, Files};
 use crate::framing::{Framing, Point, Solid, turntable};
-use crate::job::{self, Model, Turn};
 use crate::mode::Mode;
-use crate::parts::{self, Part};
-use crate::piece::{Finish, Piece};
-use crate::progress::Reading;
+use crate::part::{self, Finish, Outlined, Part, Piece};
+use crate::progress::{self, Reading};
 use crate::report;
+use crate::scene::{Motion, Scene};
 use crate::skin::Skin;
 use crate::units::Units;
 use crate::view::{AnyProjection, View};
@@ -36,11 +38,9 @@ pub struct Subject {
     /// `None` for the project's own scene as a microcontroller draws it.
     shade: Option<Shade>,
     /// Whether it is the project's own scene, with sea and sky.
-    is_scene: bool,
+    is_own: bool,
     /// The files from which the model was read.
     pub inputs: Vec<PathBuf>,
-    /// The files to which the model is exported.
-    pub exports: Files,
 }
 
 impl Subject {
@@ -55,40 +55,51 @@ impl Subject {
             return Self::own(args, skin);
         };
         let mut model = fixel_assets::read(path, &Reading::new(args.quiet))?;
+        let line = progress::step(args, model.triangles.len(), "computing normals");
         model.complete();
-        let (finishes, skins) = finishes(&mut model, skin);
+        drop(line);
+        let line = progress::step(args, model.triangles.len(), "preparing");
+        let (finishes, skins) = finishes(args, &mut model, skin);
         report::notes(args, model.notes.iter())?;
-        let inputs = inputs(args, &model);
-        let exports = export::files(args, &inputs, &model, (&finishes, &skins))?;
-        if args.two_sided {
+        let given = [&args.model, &args.texture].into_iter().flatten();
+        let inputs = given.chain(&model.files).cloned().collect();
+        if !args.cull {
             model.turn_normals();
         }
-        let solid = Solid::of(&model.positions)?;
-        let mut framing = frame(args, &model.positions, &solid, solid.middle)?;
+        let points = used(&model);
+        let solid = Solid::of(&points)?;
+        report::notes(args, advice::merging(&points, &solid))?;
+        report::notes(args, advice::lying(args, &model))?;
+        let mut framing = frame(args, &points, &solid, solid.middle)?;
         if args.window {
-            framing.widen(args, &model.positions, solid.middle, MOST_ZOOM.into());
+            framing.widen(args, &points, solid.middle, MOST_ZOOM.into());
         }
         let units = Units::new(args, &framing, &solid)?;
         for position in &mut model.positions {
             *position = units.point(*position);
         }
         let textured = args.texture.is_some() || model.had_uvs || model.is_colored();
-        let shade = if textured { Shade::Lit } else { Shade::Gouraud };
+        let shade = args
+            .shade
+            .unwrap_or(if textured { Shade::Lit } else { Shade::Gouraud });
+        let outlined = match args.color {
+            _ if args.wire || shade == Shade::Wire => Outlined::Creases,
+            Color::Mono => Outlined::Silhouettes,
+            _ => Outlined::Nothing,
+        };
+        let parts = part::split(&model, outlined)?;
+        drop(line);
+        let uvs = model.uvs.iter().flatten();
         Ok(Self {
-            parts: parts::split(&model)?,
+            parts,
             framing,
             units,
-            largest_uv: model
-                .uvs
-                .iter()
-                .flatten()
-                .fold(0.0, |all, x| x.abs().max(all)),
+            largest_uv: uvs.fold(0.0, |all, x| x.abs().max(all)),
             inputs,
-            exports,
             finishes,
             skins,
-            shade: Some(args.shade.unwrap_or(shade)),
-            is_scene: false,
+            shade: Some(shade),
+            is_own: false,
         })
     }
 
@@ -97,10 +108,9 @@ impl Subject {
     fn own(args: &Args, skin: Option<Skin>) -> Result<Self> {
         let is_plain = args.shade.is_none()
             && skin.is_none()
-            && !args.two_sided
             && !args.has_look()
             && args.filter == Filter::Nearest;
-        let is_scene = matches!(args.shade, None | Some(Shade::Texture | Shade::Lit));
+        let is_own = matches!(args.shade, None | Some(Shade::Texture | Shade::Lit));
         let points: Vec<Point> = lighthouse::ISLAND
             .positions()
             .iter()
@@ -108,9 +118,9 @@ impl Subject {
             .collect();
         let solid = Solid::of(&points)?;
         let frame = |args: &Args| frame(args, &points, &solid, [0.0; 3]);
-        let mut framing = if is_scene && has_own_camera(args) {
+        let mut framing = if is_own && has_own_camera(args) {
             frame(&with_own_camera(args))?
-        } else if is_scene {
+        } else if is_own {
             let framing = frame(args)?;
             // The sea begins in front of the island and continues behind it.
             let near = match args.projection {
@@ -129,7 +139,7 @@ impl Subject {
             framing.widen(args, &points, [0.0; 3], MOST_ZOOM.into());
         }
         let mut skins = vec![skin.unwrap_or_else(|| Skin::of(&lighthouse::SKIN))];
-        if is_scene {
+        if is_own {
             skins.push(Skin::of(&lighthouse::WAVES));
         }
         Ok(Self {
@@ -139,120 +149,121 @@ impl Subject {
             finishes: Vec::new(),
             skins,
             inputs: args.texture.iter().cloned().collect(),
-            exports: Vec::new(),
             largest_uv: 20.0,
             shade: args.shade.or((!is_plain).then_some(Shade::Lit)),
-            is_scene,
+            is_own,
         })
     }
 
-    /// Returns the pieces.
-    ///
-    /// # Errors
-    ///
-    /// None for a model that was read without an error.
-    pub fn pieces(&self) -> Result<Vec<Piece<'_>>> {
-        if self.parts.is_empty() {
-            let piece = |mesh, texture| Piece {
-                mesh,
-                finish: Finish::textured(texture),
-            };
-            let sea = self.is_scene.then(|| piece(lighthouse::SEA, 1));
-            let island = piece(lighthouse::ISLAND, 0);
-            return Ok(sea.into_iter().chain([island]).collect());
-        }
-        let finish = |part: &Part| {
-            let finish = match part.material {
-                Some(material) => self.finishes.get(material as usize),
-                None => self.finishes.last(),
-            };
-            finish.copied().unwrap_or(Finish::textured(0))
-        };
-        let mut pieces = Vec::new();
-        for part in &self.parts {
-            pieces.push(Piece {
-                mesh: part.mesh()?,
-                finish: finish(part),
-            });
-        }
-        Ok(pieces)
-    }
-
-    /// Returns the job of drawing it, with `pieces` of its own.
+    /// Returns the scene.
     ///
     /// # Errors
     ///
     /// The library refuses the camera.
-    pub fn model<'a>(&self, args: &Args, pieces: &'a [Piece<'a>]) -> Result<Model<'a>> {
-        // If there are several textures, the tolerance holds for each of them.
-        let resampled = self.least(Skin::resampled);
-        let mut view = View::new(args, &self.framing, &self.units, resampled)?;
-        if self.parts.is_empty() {
-            view.sun = lighthouse::SUN;
+    pub fn scene(&self, args: &Args) -> Result<Scene<'_>> {
+        let mut pieces = Vec::new();
+        for part in &self.parts {
+            let finish = match part.material {
+                Some(material) => self.finishes.get(material as usize),
+                None => self.finishes.last(),
+            };
+            pieces.push(part.piece(*finish.unwrap_or(&Finish::textured(0)))?);
         }
-        if self.is_scene && has_own_camera(args) {
+        let mut view = View::new(args, &self.framing, &self.units)?;
+        if pieces.is_empty() {
+            view.sun = lighthouse::SUN;
+            if self.is_own {
+                pieces.push(Piece::compiled(lighthouse::SEA, 1, None));
+            }
+            let outline = Some(lighthouse::SILHOUETTES);
+            pieces.push(Piece::compiled(lighthouse::ISLAND, 0, outline));
+        }
+        if self.is_own && has_own_camera(args) {
             view.projection = AnyProjection::Perspective(lighthouse::projection(args.size)?);
             view.camera = lighthouse::camera()?;
         }
-        // A repeat counts as equally many texels along u and v, as if the given texture were square.
+        // A repeat counts as equally many texels along u and v, as if the texture were square.
         let recorder = Recorder::new(self.largest_uv, self.units.exponent, args.mode);
-        let recorded = Mode::new(
-            args,
-            recorder.repeat() * self.least(|skin| 1.0 / skin.side()),
-        )?;
-        Ok(Model {
+        let side = self.skins.iter().map(|skin| skin.side).max().unwrap_or(1);
+        Ok(Scene {
             pieces,
-            view,
-            turn: Turn {
+            motion: Motion::Turning {
+                view,
                 axis: self.framing.up,
                 frames: args.frames,
-                rate: job::rate(args)?,
             },
+            mode: Mode::new(args.mode, 1.0)?,
+            depth: args.depth,
             shade: self.shade,
-            is_scene: self.is_scene,
-            recorded,
+            is_own: self.is_own,
+            recorded: Mode::new(args.mode, recorder.repeat() / f64::from(side))?,
             recorder,
         })
     }
+}
 
-    fn least(&self, number: impl Fn(&Skin) -> f64) -> f64 {
-        self.skins.iter().map(number).fold(f64::INFINITY, f64::min)
+/// Returns the positions that faces use.
+fn used(model: &Model) -> Vec<Point> {
+    let mut is_used = vec![false; model.positions.len()];
+    for corner in model.triangles.iter().flat_map(|triangle| triangle.corners) {
+        is_used[corner.position as usize] = true;
     }
+    let used = model
+        .positions
+        .iter()
+        .zip(is_used)
+        .filter(|(_, is_used)| *is_used);
+    used.map(|(point, _)| *point).collect()
 }
 
 /// Frames `points` or, if they turn, the space through which they turn, around the axis through `about`.
 fn frame(args: &Args, points: &[Point], solid: &Solid, about: Point) -> Result<Framing> {
     match unit(args.up()) {
-        Some(up) if args.frames > 1 || args.window && args.rpm.is_some() => {
+        Some(up) if args.frames > 1 => {
             Framing::new(args, &turntable::swept(points, about, up), solid)
         }
         _ => Framing::new(args, points, solid),
     }
 }
 
-/// Returns all files that belong to a model.
-fn inputs(args: &Args, model: &fixel_assets::Model) -> Vec<PathBuf> {
-    let given = [&args.model, &args.texture].into_iter().flatten();
-    given.chain(&model.files).cloned().collect()
-}
-
 /// Returns the finish of each material, then the finish of faces without one; and the textures that they need.
 ///
-/// `skin` replaces all materials. A texture that cannot be read is noted.
-fn finishes(model: &mut fixel_assets::Model, skin: Option<Skin>) -> (Vec<Finish>, Vec<Skin>) {
-    let count = model.materials.len();
-    if let Some(skin) = skin {
-        return (vec![Finish::textured(0); count + 1], vec![skin]);
+/// `skin` replaces all textures and colors. A texture that cannot be read is noted.
+fn finishes(args: &Args, model: &mut Model, skin: Option<Skin>) -> (Vec<Finish>, Vec<Skin>) {
+    let cull = |two_sided: bool| {
+        if args.cull || !two_sided {
+            Cull::Back
+        } else {
+            Cull::Nothing
+        }
+    };
+    if skin.is_some() || !model.is_colored() {
+        let sides = model.materials.iter().map(|material| material.two_sided);
+        let finish = |two_sided| Finish {
+            cull: cull(two_sided),
+            ..Finish::textured(0)
+        };
+        let finishes = sides.chain([true]).map(finish).collect();
+        return (finishes, vec![skin.unwrap_or_else(Skin::checker)]);
     }
-    if !model.is_colored() {
-        return (vec![Finish::textured(0)], vec![Skin::checker()]);
-    }
-    let (mut finishes, mut skins) = (Vec::new(), Vec::new());
-    let mut places: HashMap<(u32, [u8; 3]), Option<usize>> = HashMap::new();
+    let mut skins: Vec<Skin> = Vec::new();
+    let mut places: HashMap<_, Option<usize>> = HashMap::new();
+    let mut finishes = Vec::new();
     for material in &model.materials {
+        if material.opacity <= 0.0 {
+            model
+                .notes
+                .add("a material has the opacity 0: its faces are invisible");
+        }
+        if material.texture.is_some() && material.clamp[0] != material.clamp[1] {
+            model
+                .notes
+                .left_out("textures that continue their border along one side only");
+        }
         let texture = material.texture.and_then(|image| {
-            *places.entry((image, material.tint)).or_insert_with(|| {
-                match Skin::of_model(&model.images[image as usize], material.tint) {
+            let key = (image, material.tint, material.alpha);
+            *places.entry(key).or_insert_with(|| {
+                match Skin::of_image(&model.images[image as usize], material.tint, material.alpha) {
                     Ok(skin) => {
                         skins.push(skin);
                         Some(skins.len() - 1)
@@ -266,10 +277,31 @@ fn finishes(model: &mut fixel_assets::Model, skin: Option<Skin>) -> (Vec<Finish>
                 }
             })
         });
-        finishes.push(texture.map_or(Finish::plain(material.color), Finish::textured));
+        let has_alpha = texture.is_some_and(|at| skins[at].has_alpha());
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // saturates
+        let opacity = (material.opacity * 255.0).round() as u8;
+        finishes.push(Finish {
+            glow: rgb(material.emission),
+            opacity,
+            alpha: if has_alpha {
+                material.alpha
+            } else {
+                Alpha::Ignored
+            },
+            is_clamped: material.clamp == [true; 2],
+            cull: cull(material.two_sided),
+            ..texture.map_or(Finish::plain(rgb(material.color)), Finish::textured)
+        });
     }
-    finishes.push(Finish::plain([255; 3]));
+    finishes.push(Finish {
+        cull: cull(true),
+        ..Finish::plain(rgb([255; 3]))
+    });
     (finishes, skins)
+}
+
+fn rgb([r, g, b]: [u8; 3]) -> Rgb888 {
+    Rgb888::new(r, g, b)
 }
 
 /// Returns `args` with the camera of the project's own scene, which `lighthouse` defines in the library's formats.

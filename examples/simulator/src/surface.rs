@@ -7,9 +7,11 @@
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::raw::RawU16;
-use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use embedded_graphics::pixelcolor::{PixelColor, Rgb565, Rgb888};
 use embedded_graphics::prelude::RawData;
-use fixel::shade::{Gouraud, Lanes, PerFace, Texels, Tolerance, Varyings, Within};
+use fixel::shade::{
+    Gouraud, Lanes, PerFace, Source, Texels, Tolerance, Translucent, Varyings, Within,
+};
 use fixel::{Fragment, Primitive, Shader};
 
 /// The values of a face, as numbers: at most a light's three channels.
@@ -73,13 +75,8 @@ impl<A: FaceValues, B: FaceValues> FaceValues for (A, B) {
     }
 }
 
-/// A texture coordinate and a brightness, which suffice for most looks.
-pub type Few = ((Texels, Within<64, [i32; 1]>), PerFace<Face>);
-/// A texture coordinate, four channels of light and tint, and fog.
-pub type Many = (
-    (Texels, (Within<64, [i32; 4]>, Within<64, [i32; 1]>)),
-    PerFace<Face>,
-);
+/// A texture coordinate, four channels of light, tint and fog.
+pub type Many = ((Texels, Within<64, [i32; 4]>), PerFace<Face>);
 /// Three channels of a color that is computed at the corners, light and fog.
 pub type Channels = (
     (
@@ -94,7 +91,6 @@ pub type Pairs = <Gouraud<Rgb565> as Shader>::Varyings;
 /// A shader with the layout that it needs. Each of its colors is converted to the corresponding color of a computer's
 /// screen.
 pub enum Surface<'a> {
-    Few(Any<'a, Few>),
     Many(Any<'a, Many>),
     Channels(Any<'a, Channels>),
     Pairs(Any<'a, Pairs>),
@@ -103,13 +99,13 @@ pub enum Surface<'a> {
 /// A shader whose varyings are placed among those of `V`.
 trait Shade<V: Varyings> {
     fn varyings(&self, primitive: &Primitive<'_>) -> [V; 3];
-    fn shade(&self, at: &Fragment, varyings: V) -> Option<Rgb888>;
+    fn shade(&self, at: &Fragment, varyings: V) -> Option<Translucent<Rgb888>>;
 }
 
-struct Placed<S: Shader> {
+struct Placed<S, C> {
     shader: S,
     /// Converts a color at a pixel.
-    shown: Show<S::Color>,
+    shown: Show<C>,
     /// For each number of the shader, its place among the numbers of the layout.
     places: [usize; 8],
 }
@@ -128,9 +124,10 @@ fn places(wanted: &[Tolerance], offered: &[Tolerance]) -> Option<[usize; 8]> {
     Some(places)
 }
 
-impl<S, V> Shade<V> for Placed<S>
+impl<C, S, V> Shade<V> for Placed<S, C>
 where
-    S: Shader<Varyings: Varyings<Face: FaceValues>>,
+    C: PixelColor,
+    S: Shader<Color = Translucent<C>, Varyings: Varyings<Face: FaceValues>>,
     V: Varyings<Face: FaceValues>,
 {
     fn varyings(&self, primitive: &Primitive<'_>) -> [V; 3] {
@@ -146,7 +143,7 @@ where
         })
     }
 
-    fn shade(&self, at: &Fragment, varyings: V) -> Option<Rgb888> {
+    fn shade(&self, at: &Fragment, varyings: V) -> Option<Translucent<Rgb888>> {
         let (numbers, values) = varyings.split();
         let mut face = Face::default();
         values.put(&mut face);
@@ -155,8 +152,8 @@ where
             *number = numbers.as_ref()[place];
         }
         let varyings = S::Varyings::join(inner, FaceValues::take(&face));
-        let color = self.shader.shade(at, varyings)?;
-        Some((self.shown)(color, at.point))
+        let source = self.shader.shade(at, varyings)?;
+        Some(source.convert(|color| (self.shown)(color, at.point)))
     }
 }
 
@@ -172,24 +169,73 @@ impl<V: Varyings> Shader for &Any<'_, V> {
     }
 
     fn shade(&self, at: &Fragment, varyings: V) -> Option<Rgb888> {
-        self.0.shade(at, varyings)
+        Some(self.0.shade(at, varyings)?.color)
+    }
+}
+
+/// The same shader with its opacities.
+pub struct Glass<'s, 'a, V>(pub &'s Any<'a, V>);
+
+impl<V> Clone for Glass<'_, '_, V> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<V> Copy for Glass<'_, '_, V> {}
+
+impl<V: Varyings> Shader for Glass<'_, '_, V> {
+    type Color = Translucent<Rgb888>;
+    type Varyings = V;
+
+    fn varyings(&self, primitive: &Primitive<'_>) -> [V; 3] {
+        self.0.0.varyings(primitive)
+    }
+
+    fn shade(&self, at: &Fragment, varyings: V) -> Option<Self::Color> {
+        self.0.0.shade(at, varyings)
     }
 }
 
 impl<'a> Surface<'a> {
-    /// Wraps a shader, whose varyings have a place in a layout, such as [`Surface::Few`].
+    /// Wraps an opaque shader; see [`new`](Self::new).
+    ///
+    /// # Errors
+    ///
+    /// As for [`new`](Self::new).
+    pub fn opaque<C, V, S>(
+        layout: fn(Any<'a, V>) -> Self,
+        shader: S,
+        shown: Show<C>,
+    ) -> super::Result<Self>
+    where
+        C: PixelColor + 'a,
+        V: Varyings<Face: FaceValues>,
+        S: Shader<Color = C, Varyings: Varyings<Face: FaceValues>> + 'a,
+    {
+        let opaque = |_: &Fragment, color| {
+            Some(Translucent {
+                color,
+                opacity: 255,
+            })
+        };
+        Self::new(layout, shader.map(opaque), shown)
+    }
+
+    /// Wraps a shader, whose varyings have a place in a layout, such as [`Surface::Many`].
     ///
     /// # Errors
     ///
     /// They have no place, which is a mistake in this program.
-    pub fn new<V, S>(
+    pub fn new<C, V, S>(
         layout: fn(Any<'a, V>) -> Self,
         shader: S,
-        shown: Show<S::Color>,
+        shown: Show<C>,
     ) -> super::Result<Self>
     where
+        C: PixelColor + 'a,
         V: Varyings<Face: FaceValues>,
-        S: Shader<Varyings: Varyings<Face: FaceValues>> + 'a,
+        S: Shader<Color = Translucent<C>, Varyings: Varyings<Face: FaceValues>> + 'a,
     {
         let (wanted, offered) = (S::Varyings::tolerances(), V::tolerances());
         let places = places(wanted.as_ref(), offered.as_ref());

@@ -9,14 +9,14 @@ use fixel::{Drawn, Viewport};
 
 use super::Result;
 use crate::args::{Args, SceneName, Shade};
-use crate::draw::add;
+use crate::draw::{Style, add};
 use crate::dump::{self, Record};
 use crate::encoder::{self, Encoder, Format};
-use crate::job::{Band, Done, Moment};
 use crate::output::{self, Output};
 use crate::progress::Progress;
 use crate::report;
 use crate::samples;
+use crate::scene::{Band, Moment, Scene};
 use crate::tiles::Tiles;
 use crate::window::{self, Screen};
 
@@ -83,13 +83,9 @@ impl<'a> Targets<'a> {
     }
 
     /// Draws all frames, writes the files and prints a report.
-    pub fn fill(
-        mut self,
-        size: (u32, u32),
-        // The functions are behind pointers, so that this one is compiled only once and not for each color.
-        record: &dyn Fn(Band<'_, Record>, Moment) -> Result<Done>,
-        draw_band: &dyn Fn(Band<'_, Rgb888>, Moment) -> Result<Done>,
-    ) -> Result<()> {
+    pub fn fill(mut self, size: (u32, u32), scene: &Scene<'_>, style: &Style<'_>) -> Result<()> {
+        let edges = scene.shade == Some(Shade::Wire);
+        let record = |band: Band<'_, Record>, moment| scene.record(band, moment, edges, None);
         let args = self.args;
         let tiles = Tiles {
             size: (size.0 * args.samples, size.1 * args.samples),
@@ -100,7 +96,7 @@ impl<'a> Targets<'a> {
         let mut colors = Vec::new();
         // Draws a frame; returns the pixels, and the time of the draw calls.
         let draw = |moment| -> Result<(Vec<Rgb888>, Duration)> {
-            let (drawn, (_, time)) = tiles.draw(|band| draw_band(band, moment))?;
+            let (drawn, (_, time)) = tiles.draw(|band| scene.draw(band, moment, style))?;
             let side = args.samples as usize;
             Ok((samples::average(&drawn, tiles.size.0 as usize, side), time))
         };
@@ -111,10 +107,7 @@ impl<'a> Targets<'a> {
             let mut encoder =
                 Encoder::new(format, &mut output, size, args.frames).map_err(&failed)?;
             for frame in 0..args.frames {
-                let moment = Moment {
-                    frame,
-                    ..Moment::default()
-                };
+                let moment = Moment::of(frame);
                 let (pixels, mut time) = draw(moment)?;
                 if args.frames == 1 {
                     time = time.min(quickest(|| draw(moment))?);
@@ -139,7 +132,7 @@ impl<'a> Targets<'a> {
             output.finish()?;
         }
         if let Some(screen) = &mut self.screen {
-            let turns = args.frames > 1 || args.rpm.is_some();
+            let turns = args.frames > 1;
             let mut moment = Moment::default();
             colors = draw(moment)?.0;
             while let Some(orbit) = screen.show(&colors) {
@@ -152,10 +145,7 @@ impl<'a> Targets<'a> {
             }
         }
         if let Some(mut out) = self.dump.take() {
-            let last = Moment {
-                frame: args.frames - 1,
-                ..Moment::default()
-            };
+            let last = Moment::of(args.frames - 1);
             let (records, _) = tiles.draw(|band| record(band, last))?;
             let failed = out.failed();
             dump::write(&records, size.0 as usize, &mut out).map_err(failed)?;

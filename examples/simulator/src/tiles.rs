@@ -9,7 +9,7 @@ use fixel::Viewport;
 
 use super::Result;
 use crate::draw::add;
-use crate::job::{Band, Done};
+use crate::scene::{Band, Done};
 
 /// How a picture is drawn.
 #[derive(Clone, Copy, Debug)]

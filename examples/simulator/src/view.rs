@@ -5,8 +5,8 @@ use fixel::prelude::*;
 use fixel::view::{Parallel, Perspective};
 
 use super::Result;
-use super::mode::Mode;
-use crate::args::{Args, DepthFormat, Filter, Kind};
+use super::draw::AnyMvp;
+use crate::args::{Args, Kind};
 use crate::framing::Framing;
 use crate::units::{self, Units};
 
@@ -22,14 +22,10 @@ pub enum AnyProjection {
 pub struct View {
     pub projection: AnyProjection,
     pub camera: Camera,
-    pub options: DrawOptions,
     /// Toward the light, over the viewer's left shoulder.
     pub sun: Vec3,
     /// Upwards, of any length.
     pub up: Vec3,
-    pub filter: Filter,
-    pub mode: Mode,
-    pub depth: DepthFormat,
     /// Depths, in linear steps, of the nearest and the farthest point of the model.
     pub depths: [u16; 2],
 }
@@ -51,13 +47,12 @@ pub fn direction([x, y, z]: [f64; 3]) -> Result<Vec3> {
 }
 
 impl View {
-    /// Makes the view of `framing`, drawn in `units`. `texels` is the size of the textures relative to the given ones,
-    /// to which the mode's tolerance refers.
+    /// Makes the view of `framing`, drawn in `units`.
     ///
     /// # Errors
     ///
     /// The library refuses the camera, the projection or the light.
-    pub fn new(args: &Args, framing: &Framing, units: &Units, texels: f64) -> Result<Self> {
+    pub fn new(args: &Args, framing: &Framing, units: &Units) -> Result<Self> {
         let eye = units.point(framing.eye);
         // The target is as far away as possible, because only its direction counts.
         let ahead = [0, 1, 2].map(|i| eye[i] - framing.axes[2][i] * units::MOST);
@@ -87,29 +82,24 @@ impl View {
                 _ => Projection::orthographic(window, near, far)?,
             })
         };
-        let cull = if args.two_sided {
-            Cull::Nothing
-        } else {
-            Cull::Back
-        };
         Ok(Self {
             projection,
             camera,
-            options: DrawOptions::new().with_cull(cull),
             up: direction(framing.up)?,
             sun: Vec3::try_from(framing.light())?,
-            filter: args.filter,
-            mode: Mode::new(args, texels)?,
-            depth: args.depth,
             depths: framing.depths(),
         })
     }
 
-    /// The viewer's position.
-    pub fn viewer(&self) -> Viewer {
+    /// The way from the model in this pose to the picture.
+    pub fn mvp(&self, pose: Transform) -> AnyMvp {
         match self.projection {
-            AnyProjection::Perspective(projection) => Viewer::of(&(projection * self.camera)),
-            AnyProjection::Parallel(projection) => Viewer::of(&(projection * self.camera)),
+            AnyProjection::Perspective(projection) => {
+                AnyMvp::Perspective(projection * self.camera * pose)
+            }
+            AnyProjection::Parallel(projection) => {
+                AnyMvp::Parallel(projection * self.camera * pose)
+            }
         }
     }
 }

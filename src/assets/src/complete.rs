@@ -153,20 +153,15 @@ impl Model {
     /// Computes texture coordinates for the triangles that have none. Each triangle takes the coordinates of its
     /// projection to a side of the box around the model, the side that it faces most.
     fn make_uvs(&mut self) {
-        let low = |axis: usize| {
-            self.positions
-                .iter()
-                .map(|p| p[axis])
-                .fold(f64::MAX, f64::min)
-        };
-        let high = |axis: usize| {
-            self.positions
-                .iter()
-                .map(|p| p[axis])
-                .fold(f64::MIN, f64::max)
-        };
-        let lows = [low(0), low(1), low(2)];
-        let highs = [high(0), high(1), high(2)];
+        // Positions that no face uses do not count: they may be far away, or no numbers.
+        let corners = self.triangles.iter().flat_map(|triangle| triangle.corners);
+        let (mut lows, mut highs) = ([f64::MAX; 3], [f64::MIN; 3]);
+        for position in corners.map(|corner| self.positions[corner.position as usize]) {
+            for axis in 0..3 {
+                lows[axis] = lows[axis].min(position[axis]);
+                highs[axis] = highs[axis].max(position[axis]);
+            }
+        }
         let size = (0..3)
             .map(|axis| highs[axis] - lows[axis])
             .fold(0.0, f64::max);

@@ -35,7 +35,7 @@ pub struct Material {
 }
 
 /// What the alpha channel of a texture means.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Alpha {
     /// Nothing: the texture is opaque.
     Ignored,

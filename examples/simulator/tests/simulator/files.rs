@@ -17,7 +17,7 @@ fn without_arguments_it_draws_its_own_scene_and_says_where() {
 fn an_animation_is_a_gif_of_several_frames() {
     let directory = directory("animation");
     fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
-    let said = good(&directory, "t.obj --two-sided --size 32x32 --frames 4");
+    let said = good(&directory, "t.obj --size 32x32 --frames 4");
     assert!(said.contains("t.gif"), "{said}");
     let gif = fs::read(directory.join("t.gif")).unwrap();
     assert_eq!(&gif[..6], b"GIF89a");
@@ -28,7 +28,7 @@ fn an_animation_is_a_gif_of_several_frames() {
 #[test]
 fn help_names_options_and_examples() {
     let said = good(&directory("help"), "--help");
-    for part in ["Examples", "--two-sided", "default", "Camera:", "below 180"] {
+    for part in ["Examples", "--cull", "default", "Camera:", "below 180"] {
         assert!(said.contains(part), "no '{part}' in: {said}");
     }
 }

@@ -323,7 +323,7 @@ fn the_printed_camera_makes_the_same_picture() {
         "one.obj --size 90x20 --up 0,0,1",
         "one.obj --look-at 31,31,31",
         "one.obj --eye 34,35,36",
-        "one.obj --eye 31.1,31,31 --two-sided",
+        "one.obj --eye 31.1,31,31",
         "one.obj --frames 3",
         "one.obj --shade depth --depth float",
         "one.obj --projection orthographic",
@@ -430,8 +430,8 @@ fn a_turning_model_stays_in_the_picture() {
 }
 
 #[test]
-fn two_sided_light_leaves_the_fronts_as_they_are() {
-    let directory = directory("two-sided");
+fn both_sides_are_lit_alike() {
+    let directory = directory("both-sides");
     // Seen from +z with y up, the light is at (-0.6, 0.9, 1): this sheet shows its front and is turned away from it.
     let sheet = "v 0 0 0\nv 1 0 -1.2\nv 0 1 1.8\n";
     fs::write(directory.join("front.obj"), format!("{sheet}f 1 2 3\n")).unwrap();
@@ -441,9 +441,9 @@ fn two_sided_light_leaves_the_fronts_as_they_are() {
     let crc = |arguments: &str| {
         printed(&good(&directory, &format!("{arguments} --crc")), "crc").to_string()
     };
-    let front = crc(&format!("front.obj {view}"));
-    assert_eq!(front, crc(&format!("front.obj {view} --two-sided")));
-    assert_eq!(front, crc(&format!("back.obj {view} --two-sided")));
+    let front = crc(&format!("front.obj {view} --cull"));
+    assert_eq!(front, crc(&format!("front.obj {view}")));
+    assert_eq!(front, crc(&format!("back.obj {view}")));
     let brightest = |file: &str| {
         let picture = image::open(directory.join(file)).unwrap().into_rgb8();
         let background = picture.get_pixel(0, 0).0;
@@ -460,7 +460,7 @@ fn two_sided_light_leaves_the_fronts_as_they_are() {
                 good(&directory, &format!("box.obj {view}"));
                 image::open(directory.join("box.png")).unwrap().into_rgb8()
             };
-            let (front, both) = (draw(""), draw("--two-sided"));
+            let (front, both) = (draw("--cull"), draw(""));
             let background = *front.get_pixel(0, 0);
             for (x, y, pixel) in front.enumerate_pixels() {
                 let same = pixel == both.get_pixel(x, y);
@@ -489,44 +489,115 @@ fn faces_wound_against_their_normals_are_lit_from_where_they_are_seen() {
     for look in ["gouraud", "flat"] {
         let view = format!("--eye 0,1,5 --shade {look} --crc");
         let crc = |arguments: &str| printed(&good(&directory, arguments), "crc").to_string();
-        let plain = crc(&format!("right.obj {view}"));
-        assert_eq!(plain, crc(&format!("right.obj {view} --two-sided")));
-        assert_eq!(plain, crc(&format!("wrong.obj {view} --two-sided")));
+        let plain = crc(&format!("right.obj {view} --cull"));
+        assert_eq!(plain, crc(&format!("right.obj {view}")));
+        assert_eq!(plain, crc(&format!("wrong.obj {view}")));
     }
 }
 
+/// The notes of a run, which must succeed.
+fn notes(directory: &Path, arguments: &str) -> String {
+    let output = run(directory, arguments);
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success(), "{arguments}: {said}");
+    said
+}
+
 #[test]
-fn a_hint_names_faces_that_point_away() {
+fn faces_that_point_away_are_drawn_and_counted() {
     let directory = directory("away");
     write_box(&directory.join("box.obj"), |p| p);
     write_box(&directory.join("inside-out.obj"), |[x, y, z]| [-x, y, z]);
     fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
-    let hint = "most faces in view point away: try --two-sided";
-    let notes = |arguments: &str| {
-        let output = run(&directory, arguments);
-        assert!(output.status.success(), "{arguments}");
-        String::from_utf8(output.stderr).unwrap()
-    };
-    assert!(notes("inside-out.obj").contains(hint));
+    // All of it but pixels at the outline.
+    let lost = notes(&directory, "inside-out.obj");
+    let percent = printed(&lost, "a program that culls back faces would lose");
+    assert!(percent.parse::<u32>().unwrap() > 95, "{lost}");
+    let hidden = notes(&directory, "inside-out.obj --cull");
+    let percent = printed(&hidden, "--cull hides backs of faces in");
+    assert!(percent.parse::<u32>().unwrap() > 95, "{hidden}");
     for without in [
         "box.obj",
-        "inside-out.obj --two-sided",
+        "box.obj --cull",
         "inside-out.obj --shade wire",
         "t.obj",
         "",
     ] {
-        assert_eq!(notes(without), "", "{without}");
+        assert_eq!(notes(&directory, without), "", "{without}");
     }
     let behind = "t.obj --eye 0.3,0.3,-3 --look-at 0.3,0.3,0";
+    let culled = format!("{behind} --cull");
     refused(
         &directory,
-        behind,
-        &[
-            "nothing is visible: all faces in view point away",
-            "--two-sided",
-        ],
+        &culled,
+        &["nothing is visible", "--cull hides their backs"],
     );
-    good(&directory, &format!("{behind} --two-sided"));
+    good(&directory, behind);
+}
+
+#[test]
+fn positions_that_no_face_uses_do_not_count() {
+    let directory = directory("unused");
+    fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
+    fs::write(directory.join("u.obj"), format!("{TRIANGLE}v 1e6 -1e6 5\n")).unwrap();
+    let crc = |model: &str| {
+        let said = good(&directory, &format!("{model} --crc"));
+        let crc = printed(&said, "crc").to_string();
+        (crc, camera(&said).to_string())
+    };
+    assert_eq!(crc("t.obj"), crc("u.obj"));
+}
+
+#[test]
+fn merging_positions_are_noted_with_a_scale_that_keeps_them() {
+    let directory = directory("merging");
+    // A fan of 100 points around a circle.
+    let fan = |radius: f64| {
+        let mut text = String::from("v 0 0 0\n");
+        for at in 0..100 {
+            let (sin, cos) = (f64::from(at) * 0.0628).sin_cos();
+            writeln!(text, "v {} {} 0", cos * radius, sin * radius).unwrap();
+        }
+        for at in 2..101 {
+            writeln!(text, "f 1 {at} {}", at + 1).unwrap();
+        }
+        fs::write(directory.join("fan.obj"), text).unwrap();
+        notes(&directory, "fan.obj")
+    };
+    for radius in [1.0, 0.01, 1000.0] {
+        assert_eq!(fan(radius), "", "{radius}");
+    }
+    // Neighbors are 0.06 radii apart, about a third of a step at the first radius, and a thousandth at the second.
+    for (radius, least) in [(8e-5, 3.0), (2.4e-7, 1000.0)] {
+        let note = fan(radius);
+        assert!(note.contains("positions would merge"), "{note}");
+        let scale: f64 = printed(&note, "scale =").parse().unwrap();
+        assert!((least / 4.0..least * 8.0).contains(&scale), "{note}");
+        assert_eq!(fan(radius * scale), "", "{radius}");
+    }
+}
+
+#[test]
+fn a_model_that_lies_on_its_side_gets_a_hint() {
+    let directory = directory("lying");
+    // A pyramid on a square base, which stands on the plane z = 0 or y = 0.
+    let pyramid = |name: &str, swap: bool| {
+        let mut text = String::new();
+        for [x, y, z] in [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0], [0, 0, 2]] {
+            let [x, y, z] = if swap { [x, z, -y] } else { [x, y, z] };
+            writeln!(text, "v {x} {y} {z}").unwrap();
+        }
+        text += "f 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
+        fs::write(directory.join(name), text).unwrap();
+    };
+    pyramid("z.obj", false);
+    pyramid("y.obj", true);
+    write_box(&directory.join("box.obj"), |p| p);
+    let hint = "it has a flat base at its lowest z; see --up z";
+    assert!(notes(&directory, "z.obj").contains(hint));
+    for without in ["y.obj", "box.obj", "z.obj --up z"] {
+        assert_eq!(notes(&directory, without), "", "{without}");
+    }
 }
 
 #[test]
@@ -568,7 +639,7 @@ fn a_camera_that_shows_nothing_is_an_error() {
     // This sheet shows its back in the first frame and its front in a later one. One such frame suffices.
     let sheet = "v -1 0 0\nv 1 0 0\nv 1 1 0\nv -1 1 0\nf 4 3 2 1\n";
     fs::write(directory.join("sheet.obj"), sheet).unwrap();
-    let view = "sheet.obj --eye 0,0.5,9 --look-at 0,0.5,0";
+    let view = "sheet.obj --cull --eye 0,0.5,9 --look-at 0,0.5,0";
     refused(&directory, view, &["nothing is visible"]);
     good(&directory, &format!("{view} --frames 4"));
 }

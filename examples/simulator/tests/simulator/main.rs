@@ -2,7 +2,6 @@
 #![cfg(not(target_os = "none"))]
 
 mod dumps;
-mod exports;
 mod files;
 mod flags;
 mod formats;

@@ -141,10 +141,7 @@ fn each_ending_has_its_format() {
 #[test]
 fn an_animated_png_has_all_frames_and_repeats() {
     let directory = cow("apng");
-    good(
-        &directory,
-        "cow.obj --two-sided --size 16x12 --frames 5 --out t.apng",
-    );
+    good(&directory, "cow.obj --size 16x12 --frames 5 --out t.apng");
     let bytes = fs::read(directory.join("t.apng")).unwrap();
     let mut chunks = Vec::new();
     let mut rest = &bytes[8..];
@@ -174,7 +171,7 @@ fn an_animated_png_has_all_frames_and_repeats() {
 #[test]
 fn standard_output_takes_pictures_and_dumps() {
     let directory = cow("stdout");
-    let look = "cow.obj --two-sided --size 16x12";
+    let look = "cow.obj --size 16x12";
     good(&directory, &format!("{look} --out t.png --dump t.csv"));
     let file = |name: &str| fs::read(directory.join(name)).unwrap();
     let before = files(&directory);
@@ -212,69 +209,6 @@ fn quiet_prints_only_what_was_asked_for() {
         &directory,
         "cow.obj --quiet --out t.bmp",
         &["error: ", "t.bmp"],
-    );
-}
-
-#[test]
-fn an_option_without_effect_is_named() {
-    let directory = cow("notes");
-    for (arguments, option) in [
-        ("--shade flat --texture cow.png", "--texture"),
-        ("--shade gouraud --filter bilinear", "--filter"),
-        ("--shade texture --light 1,2,3", "--light"),
-        ("--shade normal --ambient 0.5", "--ambient"),
-        ("--shade depth --fog 1,9", "--fog"),
-        ("--shade wire --two-sided", "--two-sided"),
-        ("--shade wire --wire", "--wire"),
-        ("--projection cabinet --mode exact", "--mode"),
-        ("--shade wire --mode exact", "--mode"),
-        ("--shade wire --depth float", "--depth"),
-        ("--export skin.bmp --mesh short", "--mesh"),
-        ("--tolerance 1", "--tolerance"),
-        ("--shade gouraud --mode fast --tolerance 1", "--tolerance"),
-        ("--rpm 3", "--rpm"),
-    ] {
-        let output = run(
-            &directory,
-            &format!("cow.obj --out t.png --size 16x12 {arguments}"),
-        );
-        let said = String::from_utf8(output.stderr).unwrap();
-        assert!(output.status.success(), "{said}");
-        let note = format!("note: {option} has no effect ");
-        assert_eq!(said.matches("note: ").count(), 1, "{arguments}: {said}");
-        assert!(said.contains(&note), "{arguments}: {said}");
-    }
-    let output = run(&directory, "--scene sphere-flat --depth float");
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert!(said.contains("note: --depth has no effect"), "{said}");
-    // Options with an effect and defaults give no note.
-    for arguments in [
-        "",
-        "--shade texture --mode fast --tolerance 1",
-        "--mode fast --tolerance 1 --dump d.csv",
-        "--frames 2 --rpm 3",
-        "--fog 1,9 --ambient 0",
-    ] {
-        let output = run(
-            &directory,
-            &format!("cow.obj --out t.gif --size 16x12 {arguments}"),
-        );
-        let said = String::from_utf8(output.stderr).unwrap();
-        assert!(
-            output.status.success() && !said.contains("note"),
-            "{arguments}: {said}"
-        );
-    }
-}
-
-#[test]
-fn a_picture_of_nothing_is_an_error() {
-    let directory = cow("empty");
-    // The triangle points away from the viewer.
-    refused(
-        &directory,
-        "cow.obj --eye 0,0,-9 --look-at 0,0,0",
-        &["nothing is visible", "--two-sided"],
     );
 }
 
@@ -445,7 +379,7 @@ fn an_interrupt_leaves_no_file() {
     let before = files(&directory);
     for signal in ["INT", "TERM"] {
         let mut child = Command::new(env!("CARGO_BIN_EXE_simulator"))
-            .args("cow.obj --two-sided --frames 10000 --size 640x480 --out t.gif".split(' '))
+            .args("cow.obj --frames 10000 --size 640x480 --out t.gif".split(' '))
             .current_dir(&directory)
             .stderr(Stdio::null())
             .spawn()

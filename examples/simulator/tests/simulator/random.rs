@@ -10,7 +10,7 @@ use rand_chacha::ChaCha8Rng;
 use super::program::{TRIANGLE, directory, files, run};
 
 const SEED: u64 = 14;
-const LINES: u32 = 200;
+const LINES: u32 = 400;
 
 /// The options, each with good and bad values.
 const OPTIONS: &[(&str, &[&str])] = &[
@@ -18,7 +18,7 @@ const OPTIONS: &[(&str, &[&str])] = &[
     ("--scene", &["floor", "cube", "sphere", "sphere-flat"]),
     ("--eye", &["1,2,3", "0,0,0", "-900,4,1e3", "1e9,0,0"]),
     ("--look-at", &["0,0,0", "1,2,3", "0.3,0.3,0"]),
-    ("--up", &["0,0,1", "0,1,0", "0,0,0", "-1,1e-9,2"]),
+    ("--up", &["z", "0,1,0", "0,0,0", "-1,1e-9,2"]),
     ("--fov", &["1", "40", "100", "179.9", "0"]),
     ("--near", &["0.001", "0.5", "100", "-1"]),
     ("--far", &["2", "1000", "0.1"]),
@@ -34,9 +34,8 @@ const OPTIONS: &[(&str, &[&str])] = &[
     ),
     ("--filter", &["nearest", "bilinear"]),
     ("--mode", &["exact", "newton", "fast", "affine"]),
-    ("--tolerance", &["0", "0.5", "-5", "99999"]),
     ("--depth", &["linear", "float", "wide"]),
-    ("--two-sided", &[]),
+    ("--cull", &[]),
     ("--wire", &[]),
     ("--background", &["ffffff", "#102030", "blue"]),
     (
@@ -53,7 +52,6 @@ const OPTIONS: &[(&str, &[&str])] = &[
     ("--samples", &["1", "2", "4", "17"]),
     ("--bands", &["1", "7", "1000", "0"]),
     ("--frames", &["1", "3", "0"]),
-    ("--rpm", &["10", "-0.5", "1e12"]),
     (
         "--out",
         &[
@@ -64,7 +62,6 @@ const OPTIONS: &[(&str, &[&str])] = &[
         "--dump",
         &["out.csv", "skin.png", "t.obj", "-", "out.png", "none/x.csv"],
     ),
-    ("--export", &["mesh.rs", "skin.bmp", "t.obj"]),
     ("--crc", &[]),
     ("--quiet", &[]),
     ("--window", &[]),

@@ -1,0 +1,95 @@
+//! What a user should know about a model before a program takes it.
+
+use std::collections::HashSet;
+
+use fixel_assets::vector::{Vector, cross, length, sub};
+use fixel_assets::{Format, Model, Triangle};
+
+use crate::args::Args;
+use crate::framing::Solid;
+
+/// Steps of the library's positions in a unit.
+const STEPS: f64 = 65_536.0;
+/// The largest position of the library.
+const MOST: f64 = 32_767.0;
+
+/// The number of different positions at this scale.
+fn distinct(points: &[Vector], scale: f64) -> usize {
+    #[allow(clippy::cast_possible_truncation)] // saturates
+    let rounded = |point: &Vector| point.map(|x| (x * scale * STEPS).round() as i64);
+    points.iter().map(rounded).collect::<HashSet<_>>().len()
+}
+
+/// Returns a note if the model's units are so small that positions merge in the library's format. Positions within
+/// 1/65,536 of the model's size are the same anyway; a hundredth of the others may merge.
+pub fn merging(points: &[Vector], solid: &Solid) -> Option<String> {
+    let fine = (-solid.radius.log2().floor()).max(0.0);
+    let apart = distinct(points, fine.exp2());
+    let are_kept = |scale: f64| distinct(points, scale) * 100 >= apart * 99;
+    if fine == 0.0 || are_kept(1.0) {
+        return None;
+    }
+    let merged = apart.saturating_sub(distinct(points, 1.0));
+    let mut scale = 2.0;
+    while scale < fine.exp2() && !are_kept(scale) {
+        scale *= 2.0;
+    }
+    let far = points
+        .iter()
+        .flatten()
+        .fold(0.0, |far: f64, x| far.max(x.abs()));
+    let how = if far * scale <= MOST {
+        format!("scale = {scale} keeps them apart")
+    } else {
+        "move the model to its origin and scale it up".into()
+    };
+    let all = points.len();
+    Some(format!(
+        "in include_mesh!, {merged} of {all} positions would merge with others, because its steps are 1/65536: {how}"
+    ))
+}
+
+/// Returns a hint if the model seems to lie on its side: it has a flat base where another axis than the default one has
+/// its low end, but none where it should.
+pub fn lying(args: &Args, model: &Model) -> Option<String> {
+    let format = args.model.as_deref().and_then(Format::of);
+    // In glTF files, y always points up.
+    if args.up.is_some() || format == Some(Format::Gltf) {
+        return None;
+    }
+    let corners = |triangle: &Triangle| {
+        triangle
+            .corners
+            .map(|corner| model.positions[corner.position as usize])
+    };
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    for point in model.triangles.iter().flat_map(corners) {
+        for axis in 0..3 {
+            low[axis] = low[axis].min(point[axis]);
+            high[axis] = high[axis].max(point[axis]);
+        }
+    }
+    let size = sub(high, low);
+    // The shares of the lower and the upper side of the box around the model that its faces cover.
+    let covered = |axis: usize| {
+        let mut areas = [0.0; 2];
+        for [a, b, c] in model.triangles.iter().map(corners) {
+            let normal = cross(sub(b, a), sub(c, a));
+            if normal[axis].abs() < 0.999 * length(normal) {
+                continue;
+            }
+            for (area, end) in areas.iter_mut().zip([low, high]) {
+                if (a[axis] - end[axis]).abs() <= size[axis] * 0.01 {
+                    *area += normal[axis].abs() / 2.0;
+                }
+            }
+        }
+        areas.map(|area| area / (size[(axis + 1) % 3] * size[(axis + 2) % 3]))
+    };
+    let (up, other) = if args.up()[2] > 0.0 { (2, 1) } else { (1, 2) };
+    let [base, top] = covered(other);
+    let name = ["x", "y", "z"][other];
+    (base > 0.25 && top < base / 4.0 && covered(up)[0] < 0.05).then(|| {
+        format!("the model may lie on its side: it has a flat base at its lowest {name}; see --up {name}")
+    })
+}

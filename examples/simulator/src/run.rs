@@ -1,0 +1,167 @@
+//! The whole run, from arguments to pictures, in each color.
+
+use clap::ArgMatches;
+use embedded_graphics::geometry::Point;
+use embedded_graphics::pixelcolor::{
+    BinaryColor, Gray4, Gray8, GrayColor, Rgb565, Rgb888, RgbColor,
+};
+use fixel::shade::Levels;
+use fixel::target::Contrast;
+
+use super::Result;
+use super::common::scenes;
+use crate::args::{Args, Color, SceneName, Shade};
+use crate::draw::{Lines, Style};
+use crate::idle::{self, name};
+use crate::look::{BRIGHT, Backdrop, DARK, Look};
+use crate::paint::Shown;
+use crate::report;
+use crate::scene::Scene;
+use crate::sight;
+use crate::skin::{Skin, Texels};
+use crate::subject::Subject;
+use crate::targets::{self, Targets};
+
+/// Runs the program with `args`, of which the user has given those in `matches`.
+///
+/// # Errors
+///
+/// Any problem with the arguments or a file, in words.
+pub fn run(args: &Args, matches: &ArgMatches) -> Result<()> {
+    targets::check_size(args)?;
+    let idle = |shade, has_textures| {
+        report::notes(args, idle::options(args, matches, shade, has_textures))
+    };
+    if let Some(name) = args.scene {
+        let targets = Targets::open(args, &[])?;
+        idle(None, matches!(name, SceneName::Floor | SceneName::Cube))?;
+        let size = (scenes::WIDTH, scenes::HEIGHT);
+        return picture(
+            args,
+            &Scene::measured(args, name)?,
+            &[],
+            1.0,
+            Lines::None,
+            (targets, size),
+        );
+    }
+    let subject = Subject::load(args)?;
+    let targets = Targets::open(args, &subject.inputs)?;
+    let mut scene = subject.scene(args)?;
+    let is_textured = scene
+        .pieces
+        .iter()
+        .any(|piece| piece.finish.texture.is_some());
+    idle(scene.shade, is_textured)?;
+    if let (None, false, Some(shade)) = (&args.model, scene.is_own, scene.shade) {
+        let note = format!("--shade {} leaves out the sea and the sky", name(&shade));
+        report::notes(args, &[note])?;
+    }
+    let mut notes = Vec::new();
+    let lines = sight::check(&mut scene, args, &mut notes)?;
+    report::notes(args, notes)?;
+    let scale = subject.units.scale();
+    picture(
+        args,
+        &scene,
+        &subject.skins,
+        scale,
+        lines,
+        (targets, args.size),
+    )?;
+    report::say(args, format_args!("camera {}", subject.framing.options()))
+}
+
+/// Draws and writes the picture in the color of `args`.
+fn picture(
+    args: &Args,
+    scene: &Scene<'_>,
+    skins: &[Skin],
+    scale: f64,
+    lines: Lines,
+    to: (Targets<'_>, (u32, u32)),
+) -> Result<()> {
+    match args.color {
+        Color::Rgb565 => picture_in::<Rgb565>(args, scene, skins, scale, lines, to),
+        Color::Rgb888 => picture_in::<Rgb888>(args, scene, skins, scale, lines, to),
+        Color::Gray8 => picture_in::<Gray8>(args, scene, skins, scale, lines, to),
+        Color::Gray4 => picture_in::<Gray4>(args, scene, skins, scale, lines, to),
+        Color::Mono => picture_in::<BinaryColor>(args, scene, skins, scale, lines, to),
+    }
+}
+
+fn picture_in<C: Shown>(
+    args: &Args,
+    scene: &Scene<'_>,
+    skins: &[Skin],
+    scale: f64,
+    lines: Lines,
+    (targets, size): (Targets<'_>, (u32, u32)),
+) -> Result<()> {
+    let mut backdrop = Backdrop::of::<C>(args, scene);
+    let mut contrast = None;
+    let is_lit = !matches!(
+        scene.shade,
+        None | Some(Shade::Wire | Shade::Depth | Shade::Normal)
+    );
+    if args.model.is_some() && is_lit {
+        let texels: Vec<_> = skins.iter().map(Skin::texels).collect();
+        let textures: Vec<_> = texels.iter().map(Texels::texture).collect::<Result<_>>()?;
+        let look = Look::new(args, scene, scale, backdrop, None)?;
+        let style = Style::new::<Rgb888>(args, &look, scene, &textures, Lines::None)?;
+        let mut colors = sight::colors(scene, size, &style)?;
+        if args.color == Color::Mono {
+            contrast = stretched(&mut colors);
+        }
+        if args.background.is_none() {
+            backdrop = apart::<C>(backdrop, &colors);
+        }
+    }
+    let texels: Vec<_> = skins.iter().map(Skin::texels).collect();
+    let textures: Vec<_> = texels.iter().map(Texels::texture).collect::<Result<_>>()?;
+    let look = Look::new(args, scene, scale, backdrop, contrast)?;
+    let style = Style::new::<C>(args, &look, scene, &textures, lines)?;
+    targets.fill(size, scene, &style)
+}
+
+/// Stretches the grays of `colors` from black to white, but for two hundredths at each end; returns how.
+fn stretched(colors: &mut [Rgb888]) -> Option<Contrast> {
+    let gray = |&color: &Rgb888| Gray8::from_rgb(color, Point::zero());
+    let mut lumas: Vec<u8> = colors.iter().map(|color| gray(color).luma()).collect();
+    lumas.sort_unstable();
+    let ignored = lumas.len() / 50;
+    let (black, white) = (*lumas.get(ignored)?, *lumas.iter().rev().nth(ignored)?);
+    if white < black.saturating_add(16) {
+        return None;
+    }
+    let contrast = Contrast::new(black, white);
+    for color in colors {
+        *color = contrast.stretch(gray(color)).into();
+    }
+    Some(contrast)
+}
+
+/// Returns the given backdrop, or another one if the model has mostly its color.
+fn apart<C: Levels>(backdrop: Backdrop, colors: &[Rgb888]) -> Backdrop {
+    let hidden = |backdrop: &Backdrop| {
+        let Backdrop::Color(behind) = *backdrop else {
+            return 0;
+        };
+        let channels = |color: Rgb888| [color.r(), color.g(), color.b()];
+        let is_near = |&&color: &&Rgb888| {
+            let pairs = channels(color).into_iter().zip(channels(behind));
+            pairs.into_iter().all(|(a, b)| a.abs_diff(b) < 40)
+        };
+        colors.iter().filter(is_near).count()
+    };
+    let others = if C::MAX_STEPS[0] < 31 {
+        [Rgb888::WHITE, Rgb888::BLACK]
+    } else {
+        [BRIGHT, DARK]
+    };
+    if 2 * hidden(&backdrop) <= colors.len() {
+        return backdrop;
+    }
+    let others = others.map(Backdrop::Color).into_iter();
+    others.min_by_key(hidden).unwrap_or(backdrop)
+}

@@ -1,0 +1,206 @@
+//! What is drawn, and how it moves; draws a band of a frame.
+
+use std::time::{Duration, Instant};
+
+use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
+use fixel::prelude::*;
+use fixel::{Cull, Drawn};
+
+use super::Result;
+use super::common::scenes;
+use super::draw::{AnyMvp, Posed, Style};
+use super::mode::{Mode, with_depth};
+use super::view::{View, direction};
+use super::window::Orbit;
+use crate::args::{Args, DepthFormat, SceneName, Shade};
+use crate::dump::{Record, Recorder};
+use crate::part::Piece;
+
+/// A moment of an animation, and how the user turned the model in a window.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Moment {
+    pub frame: u32,
+    pub orbit: Orbit,
+}
+
+impl Moment {
+    pub fn of(frame: u32) -> Self {
+        Self {
+            frame,
+            ..Self::default()
+        }
+    }
+}
+
+/// A band of a frame, to be drawn.
+#[derive(Debug)]
+pub struct Band<'a, C> {
+    pub pixels: &'a mut [C],
+    pub depth: &'a mut [u16],
+    /// Width and height of the frame.
+    pub size: (u32, u32),
+    pub first_row: u32,
+    /// The viewport of the whole picture, if this frame is only a part of it.
+    pub viewport: Option<Viewport>,
+}
+
+/// The result of drawing a band, and the time of the draw calls.
+pub type Done = (Drawn, Duration);
+
+impl<'a, C: PixelColor> Band<'a, C> {
+    fn canvas(self) -> Result<(Canvas<'a, C>, &'a mut [u16])> {
+        let (width, height) = self.size;
+        let canvas = Canvas::band(self.pixels, width, height, self.first_row)?;
+        Ok((canvas, self.depth))
+    }
+
+    /// The position of the frame's top left corner in the whole picture.
+    fn origin(&self) -> Point {
+        self.viewport.map_or(Point::zero(), |viewport| {
+            Point::new(-viewport.x(), -viewport.y())
+        })
+    }
+
+    /// Width and height of the whole picture.
+    fn picture(&self) -> Size {
+        let (width, height) = self.size;
+        self.viewport.map_or(Size::new(width, height), |viewport| {
+            Size::new(viewport.width(), viewport.height())
+        })
+    }
+}
+
+/// Where a scene is seen from in each frame.
+#[derive(Clone, Copy, Debug)]
+pub enum Motion {
+    Measured(SceneName),
+    /// The model turns once about an axis through the origin, where `units` put its middle.
+    Turning {
+        view: View,
+        /// The direction that is up, of any length.
+        axis: [f64; 3],
+        frames: u32,
+    },
+}
+
+impl Motion {
+    pub fn mvp(&self, moment: Moment) -> Result<AnyMvp> {
+        match *self {
+            Self::Measured(scene) => {
+                let k = moment.frame.cast_signed() % scenes::POSES;
+                Ok(AnyMvp::Perspective(match scene {
+                    SceneName::Floor => scenes::floor_mvp(k)?,
+                    SceneName::Cube => scenes::cube_mvp(k)?,
+                    SceneName::Sphere | SceneName::SphereFlat => scenes::sphere_mvp(k)?,
+                }))
+            }
+            Self::Turning { view, axis, frames } => {
+                let part = (u64::from(moment.frame) << 32) / u64::from(frames);
+                #[allow(clippy::cast_possible_truncation)] // whole turns drop out
+                let angle = Angle::from_bits(part as u32);
+                let pose = if axis[0] == 0.0 && axis[2] == 0.0 && axis[1] > 0.0 {
+                    // Equal to the board's pose, bit for bit.
+                    Transform::rotate_y(angle)
+                } else {
+                    Transform::rotate(direction(axis)?, angle)?
+                };
+                Ok(view.mvp(moment.orbit.turned(pose, &view)))
+            }
+        }
+    }
+}
+
+/// A model, the project's own scene, or a measured one.
+pub struct Scene<'a> {
+    pub pieces: Vec<Piece<'a>>,
+    pub motion: Motion,
+    pub mode: Mode,
+    pub depth: DepthFormat,
+    /// `None` for the measured scenes, and for the project's own one as a microcontroller draws it.
+    pub shade: Option<Shade>,
+    /// Whether it is the project's own scene, with sea and sky.
+    pub is_own: bool,
+    /// The mode in which the recorder draws.
+    pub recorded: Mode,
+    pub recorder: Recorder,
+}
+
+impl Scene<'static> {
+    /// A measured scene.
+    ///
+    /// # Errors
+    ///
+    /// None: its numbers are constant.
+    pub fn measured(args: &Args, name: SceneName) -> Result<Self> {
+        let mesh = match name {
+            SceneName::Floor => scenes::FLOOR,
+            SceneName::Cube => scenes::CUBE,
+            SceneName::Sphere | SceneName::SphereFlat => scenes::SPHERE,
+        };
+        let recorder = Recorder::new(1.0, 0, args.mode);
+        Ok(Self {
+            pieces: vec![Piece::compiled(mesh, 0, None)],
+            motion: Motion::Measured(name),
+            mode: Mode::new(args.mode, 1.0)?,
+            depth: args.depth,
+            shade: None,
+            is_own: false,
+            // The checker has 64 texels.
+            recorded: Mode::new(args.mode, recorder.repeat() / 64.0)?,
+            recorder,
+        })
+    }
+}
+
+impl Scene<'_> {
+    fn posed(&self, moment: Moment, viewport: Option<Viewport>) -> Result<Posed<'_>> {
+        Ok(Posed {
+            pieces: &self.pieces,
+            mvp: self.motion.mvp(moment)?,
+            mode: self.mode,
+            cull: None,
+            viewport,
+        })
+    }
+
+    /// Draws a band of a frame.
+    pub fn draw(&self, band: Band<'_, Rgb888>, moment: Moment, style: &Style<'_>) -> Result<Done> {
+        let (origin, size) = (band.origin(), band.picture());
+        let posed = self.posed(moment, band.viewport)?;
+        let (canvas, depth) = band.canvas()?;
+        with_depth!(self.depth, canvas, depth, |canvas| {
+            style.clear(canvas, origin, size.height);
+            let start = Instant::now();
+            let drawn = posed.draw_in_style(canvas, style)?;
+            let time = start.elapsed();
+            style.finish(canvas, origin, size);
+            Ok((drawn, time))
+        })
+    }
+
+    /// Records a band of a frame: faces, or edges.
+    pub fn record(
+        &self,
+        band: Band<'_, Record>,
+        moment: Moment,
+        edges: bool,
+        cull: Option<Cull>,
+    ) -> Result<Done> {
+        let posed = Posed {
+            mode: self.recorded,
+            cull,
+            ..self.posed(moment, band.viewport)?
+        };
+        let (canvas, depth) = band.canvas()?;
+        with_depth!(self.depth, canvas, depth, |canvas| {
+            canvas.clear(Record::default());
+            let drawn = if edges {
+                posed.draw_edges(canvas, &self.recorder)
+            } else {
+                posed.draw(canvas, &self.recorder)
+            };
+            Ok((drawn, Duration::ZERO))
+        })
+    }
+}
