@@ -78,8 +78,10 @@ pub fn lying(args: &Args, model: &Model) -> Option<String> {
             if normal[axis].abs() < 0.999 * length(normal) {
                 continue;
             }
-            for (area, end) in areas.iter_mut().zip([low, high]) {
-                if (a[axis] - end[axis]).abs() <= size[axis] * 0.01 {
+            // A base points outward.
+            for (area, (end, sign)) in areas.iter_mut().zip([(low, -1.0), (high, 1.0)]) {
+                let is_at_end = (a[axis] - end[axis]).abs() <= size[axis] * 0.01;
+                if is_at_end && normal[axis] * sign > 0.0 {
                     *area += normal[axis].abs() / 2.0;
                 }
             }

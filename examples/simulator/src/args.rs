@@ -111,8 +111,7 @@ pub struct Args {
     #[arg(long, help_heading = "Look")]
     pub wire: bool,
 
-    /// Color behind the model. [default: a dark color, or a bright one behind a dark model; in the project's own scene, a
-    /// sky]
+    /// Color behind the model. [default: a dark color, or a bright one behind a dark model]
     #[arg(long, value_name = "RRGGBB", value_parser = color, help_heading = "Look")]
     pub background: Option<Rgb888>,
 
@@ -272,21 +271,18 @@ pub enum Color {
     Mono,
 }
 
-/// The options that may be combined with `--scene`. The others concern a model or its picture, which measured scenes
-/// define themselves.
-const WITH_SCENE: &[&str] = &[
-    "scene", "mode", "depth", "color", "tile", "bands", "frames", "out", "dump", "crc", "quiet",
-    "window",
+/// The options that need no model. The project's own scene and the measured ones define everything else themselves.
+const WITHOUT_MODEL: &[&str] = &[
+    "model", "scene", "mode", "depth", "color", "size", "samples", "tile", "bands", "frames",
+    "out", "dump", "crc", "quiet", "window",
 ];
 
 /// The command line.
 pub fn command() -> Command {
-    Args::command().mut_args(|arg| {
-        if WITH_SCENE.contains(&arg.get_id().as_str()) {
-            arg
-        } else {
-            arg.conflicts_with("scene")
-        }
+    Args::command().mut_args(|arg| match arg.get_id().as_str() {
+        "model" | "size" | "samples" => arg.conflicts_with("scene"),
+        id if WITHOUT_MODEL.contains(&id) => arg,
+        _ => arg.requires("model"),
     })
 }
 
@@ -300,15 +296,6 @@ impl Args {
             [0.0, 1.0, 0.0]
         };
         self.up.unwrap_or(up)
-    }
-
-    /// Whether any option changes light or background.
-    pub fn has_look(&self) -> bool {
-        self.wire
-            || self.background.is_some()
-            || !self.light.is_empty()
-            || self.ambient.is_some()
-            || self.fog.is_some()
     }
 }
 

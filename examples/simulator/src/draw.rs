@@ -72,7 +72,7 @@ impl<'a> Style<'a> {
         let is_mono = lighthouse::is_mono::<C>();
         let surfaces = match (scene.motion, look.shade) {
             (Motion::Measured(name), _) => vec![paint::measured::<C>(name)?],
-            (_, None) => paint::own_surfaces::<C>()?,
+            (_, None) => paint::own::<C>()?,
             (Motion::Turning { view, .. }, _) => {
                 let surface = |piece: &Piece<'_>| {
                     let texture = piece.finish.texture.and_then(|at| textures.get(at));

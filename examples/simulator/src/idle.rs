@@ -11,60 +11,52 @@ pub fn name(value: &impl ValueEnum) -> String {
     value.map_or(String::new(), |value| value.get_name().into())
 }
 
-/// Returns a sentence for each option that was given and changes nothing in a picture with this `shade`. The project's
-/// own scene may have no shade. `has_textures` says whether any face has a texture.
+/// Returns a sentence for each option that was given and changes nothing in a picture with this `shade`, which scenes
+/// other than models do not have. `has_textures` says whether any face has a texture.
 pub fn options(
     args: &Args,
     matches: &ArgMatches,
     shade: Option<Shade>,
     has_textures: bool,
 ) -> Vec<String> {
-    let mut idle = Vec::new();
-    let mut check = |option: &str, is_idle: bool, why: &str| {
-        let is_given = matches.value_source(option) == Some(ValueSource::CommandLine);
-        if is_given && is_idle {
-            let option = option.replace('_', "-");
-            idle.push(format!("--{option} has no effect {why}"));
-        }
-    };
-    let named = shade.map_or(String::new(), |shade| {
+    use Shade::{Depth, Flat, Lit, Normal, Texture, Wire};
+    let is = |wanted: &[Shade]| shade.is_some_and(|shade| wanted.contains(&shade));
+    let shaded = shade.map_or(String::new(), |shade| {
         format!("with --shade {}", name(&shade))
     });
-    let shade = |wanted: &[Shade]| shade.is_some_and(|shade| wanted.contains(&shade));
-    let untextured = [
-        Shade::Gouraud,
-        Shade::Flat,
-        Shade::Wire,
-        Shade::Depth,
-        Shade::Normal,
-    ];
-    let unlit = [Shade::Texture, Shade::Wire, Shade::Depth, Shade::Normal];
-    let exact = [Shade::Wire, Shade::Depth, Shade::Flat];
-    check("texture", shade(&untextured), &named);
-    let is_untextured = shade(&untextured);
-    let bare = "because the model has no texture";
-    check("filter", is_untextured, &named);
-    check("filter", !is_untextured && !has_textures, bare);
-    check("light", shade(&unlit), &named);
-    check("ambient", shade(&unlit), &named);
-    check("fog", shade(&unlit[1..]), &named);
-    check("cull", args.model.is_none(), "without a model");
-    check("wire", shade(&[Shade::Wire]), &named);
-    let is_parallel = args.projection != Kind::Perspective;
     let projected = format!("with --projection {}", name(&args.projection));
+    let is_parallel = args.projection != Kind::Perspective;
+    let unlit = is(&[Texture, Wire, Depth, Normal]);
+    let untextured = !is(&[Texture, Lit]);
     // A dump shows the mode in any shade.
-    let is_shown = args.dump.is_some();
-    check("mode", is_parallel, &projected);
-    check("mode", !is_parallel && !is_shown && shade(&exact), &named);
-    let is_flat = args.scene == Some(SceneName::SphereFlat);
-    check("mode", is_flat, "with --scene sphere-flat");
-    check(
-        "fov",
-        is_parallel && args.eye.is_none(),
-        &format!("{projected}, unless --eye is given too: the model fills the picture"),
-    );
-    if args.window && args.scene.is_some() {
-        idle.push("in the window, a measured scene cannot be turned".into());
+    let exact = args.dump.is_none() && is(&[Wire, Depth, Flat]);
+    let flat_scene = args.scene == Some(SceneName::SphereFlat);
+    let rows = [
+        ("texture", untextured, &*shaded),
+        ("filter", untextured, &shaded),
+        (
+            "filter",
+            !untextured && !has_textures,
+            "because the model has no texture",
+        ),
+        ("light", unlit, &shaded),
+        ("ambient", unlit, &shaded),
+        ("fog", is(&[Wire, Depth, Normal]), &shaded),
+        ("wire", is(&[Wire]), &shaded),
+        ("mode", is_parallel, &projected),
+        ("mode", exact && !is_parallel, &shaded),
+        ("mode", flat_scene, "with --scene sphere-flat"),
+        ("fov", is_parallel && args.eye.is_none(), &projected),
+    ];
+    let is_given = |option: &str| matches.value_source(option) == Some(ValueSource::CommandLine);
+    let mut notes = Vec::new();
+    for (option, is_idle, why) in rows {
+        if is_idle && is_given(option) {
+            notes.push(format!("--{option} has no effect {why}"));
+        }
     }
-    idle
+    if args.window && args.scene.is_some() {
+        notes.push("in the window, a measured scene cannot be turned".into());
+    }
+    notes
 }

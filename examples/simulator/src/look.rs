@@ -9,7 +9,6 @@ use fixel::target::Contrast;
 use fixel::texture::Blend;
 
 use super::Result;
-use super::common::lighthouse;
 use crate::args::{Args, Shade};
 use crate::scene::{Moment, Motion, Scene};
 use crate::view::direction;
@@ -50,14 +49,18 @@ impl Backdrop {
     /// Returns the backdrop for a canvas of color `C`: the background that the user chose, or else one that suits the
     /// shading and the color.
     pub fn of<C: Levels>(args: &Args, scene: &Scene<'_>) -> Self {
-        Self::Color(match (args.background, scene.shade) {
+        let Some(shade) = scene.shade else {
+            // In black and white, a dithered sky would hide the scene.
+            return if scene.is_own && C::MAX_STEPS[0] > 1 {
+                Self::Sky
+            } else {
+                Self::Color(Rgb888::BLACK)
+            };
+        };
+        Self::Color(match (args.background, shade) {
             (Some(color), _) => color,
-            (None, Some(Shade::Wire | Shade::Depth)) => Rgb888::BLACK,
+            (None, Shade::Wire | Shade::Depth) => Rgb888::BLACK,
             // In the dithered formats, the background would show a pattern.
-            _ if C::MAX_STEPS[0] == 1 => Rgb888::BLACK,
-            _ if scene.is_own => return Self::Sky,
-            // A measured scene.
-            (None, None) => Rgb888::BLACK,
             _ if C::MAX_STEPS[0] < 31 => Rgb888::BLACK,
             _ => DARK,
         })
@@ -66,7 +69,7 @@ impl Backdrop {
 
 /// Everything about a picture's colors except the surface itself.
 pub struct Look {
-    /// `None` for the project's own scene as a microcontroller draws it.
+    /// `None` for the measured scenes and the project's own one.
     pub shade: Option<Shade>,
     /// The background of the picture. Its color is not yet in the canvas's format, and differs from all shades.
     pub backdrop: Backdrop,
@@ -111,8 +114,7 @@ impl Look {
         }
         let far_away = match backdrop {
             Backdrop::Color(color) => color,
-            // The approximate height of the horizon in the default view.
-            Backdrop::Sky => lighthouse::sky_color(1, 3),
+            Backdrop::Sky => Rgb888::BLACK,
         };
         let haze = args.fog.map(|Haze { near, far, color }| {
             let number = |value: f64| {

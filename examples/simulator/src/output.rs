@@ -2,7 +2,7 @@
 
 use std::error::Error;
 use std::fs::{self, File, OpenOptions, Permissions};
-use std::io::{self, BufWriter, Read, Seek, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -88,25 +88,15 @@ pub fn are_same(a: &Path, b: &Path) -> bool {
     a.file_name() == b.file_name() && folder(a).is_some() && folder(a) == folder(b)
 }
 
-/// How a complete file gets to its name.
-#[derive(Debug)]
-enum Delivery {
-    Stream,
-    /// Renamed, so that nobody ever sees an unfinished file.
-    Rename(PathBuf, Option<Permissions>),
-    /// Copied into an existing file that also has other names.
-    Copy(PathBuf),
-    /// Left beside the file into which it should have been copied.
-    Left,
-}
-
 /// An output. [`finish`](Self::finish) gives a file its name; without `finish` it is removed.
 #[derive(Debug)]
 pub struct Output {
     name: String,
-    delivery: Delivery,
-    /// Name of the unfinished file.
-    partial: PathBuf,
+    /// The file, and the unfinished file that is renamed to it, so that nobody ever sees an unfinished one; `None` for a
+    /// stream.
+    file: Option<(PathBuf, PathBuf)>,
+    /// The permissions of the file that is replaced.
+    permissions: Option<Permissions>,
     writer: Option<Writer>,
 }
 
@@ -139,8 +129,8 @@ impl Output {
             };
             return Ok(Self {
                 name,
-                delivery: Delivery::Stream,
-                partial: PathBuf::new(),
+                file: None,
+                permissions: None,
                 writer: Some(writer),
             });
         }
@@ -149,14 +139,12 @@ impl Output {
             Ok(link) if link.is_symlink() => target(path).map_err(failed)?,
             _ => path.to_path_buf(),
         };
-        let delivery = match fs::metadata(&path) {
+        let permissions = match fs::metadata(&path) {
             Ok(is) if is.is_dir() => return Err(refuse("it is a directory".into()).into()),
             Ok(is) if is.permissions().readonly() => {
                 return Err(refuse("it is read-only".into()).into());
             }
-            Ok(is) if links(&is) > 1 => Delivery::Copy(path.clone()),
-            Ok(is) => Delivery::Rename(path.clone(), Some(is.permissions())),
-            Err(_) => Delivery::Rename(path.clone(), None),
+            found => found.ok().map(|is| is.permissions()),
         };
         if path.file_name().is_none() {
             return Err(refuse("it is not a file name".into()).into());
@@ -167,8 +155,8 @@ impl Output {
         files.push(partial.clone());
         Ok(Self {
             name,
-            delivery,
-            partial,
+            file: Some((path, partial)),
+            permissions,
             writer: Some(Writer::File(BufWriter::new(file))),
         })
     }
@@ -183,34 +171,21 @@ impl Output {
     ///
     /// # Errors
     ///
-    /// The file cannot be written or renamed. If old contents were damaged, the message says where the new ones are.
+    /// The file cannot be written or renamed.
     pub fn finish(mut self) -> Result<()> {
         let failed = self.failed();
-        let flushed = self.flush();
-        self.writer = None;
-        let delivered = flushed.and_then(|()| match &self.delivery {
-            Delivery::Stream | Delivery::Left => Ok(()),
-            Delivery::Rename(path, permissions) => permissions
-                .clone()
-                .map_or(Ok(()), |permissions| {
-                    fs::set_permissions(&self.partial, permissions)
-                })
-                .and_then(|()| fs::rename(&self.partial, path)),
-            Delivery::Copy(path) => {
-                let reserved = reserve(&self.partial, path);
-                reserved.and_then(|(mut from, mut to)| {
-                    let copied = io::copy(&mut from, &mut to)
-                        .and_then(|length| to.set_len(length))
-                        .and_then(|()| to.sync_all());
-                    copied.map_err(|error| {
-                        self.delivery = Delivery::Left;
-                        let partial = self.partial.display();
-                        io::Error::other(format!("{error}: it is complete in {partial}"))
-                    })
-                })
+        let mut finish = || {
+            self.flush()?;
+            self.writer = None;
+            if let Some((path, partial)) = &self.file {
+                if let Some(permissions) = self.permissions.take() {
+                    fs::set_permissions(partial, permissions)?;
+                }
+                fs::rename(partial, path)?;
             }
-        });
-        delivered.map_err(|error| failed(error.into()))
+            Ok(())
+        };
+        finish().map_err(|error: io::Error| failed(error.into()))
     }
 }
 
@@ -219,23 +194,6 @@ fn partial_name() -> String {
     static COUNT: AtomicU32 = AtomicU32::new(0);
     let count = COUNT.fetch_add(1, Ordering::Relaxed);
     format!(".fixel-{}-{count}.partial", process::id())
-}
-
-/// Opens `from` to be copied over the contents of `to`, and makes `to` large enough. So a full disk is noticed while
-/// the old contents are still there.
-fn reserve(from: &Path, to: &Path) -> io::Result<(File, File)> {
-    let from = File::open(from)?;
-    let mut to = OpenOptions::new().write(true).open(to)?;
-    let (old, new) = (to.metadata()?.len(), from.metadata()?.len());
-    let mut zeros = io::repeat(0).take(new.saturating_sub(old));
-    to.seek(io::SeekFrom::End(0))?;
-    let grown = io::copy(&mut zeros, &mut to).and_then(|_| to.sync_all());
-    if let Err(error) = grown {
-        to.set_len(old)?;
-        return Err(error);
-    }
-    to.rewind()?;
-    Ok((from, to))
 }
 
 /// The file to which a link points; it need not exist.
@@ -247,17 +205,6 @@ fn target(link: &Path) -> io::Result<PathBuf> {
         }
         found => found,
     }
-}
-
-/// How many names a file has.
-#[cfg(unix)]
-fn links(file: &fs::Metadata) -> u64 {
-    std::os::unix::fs::MetadataExt::nlink(file)
-}
-
-#[cfg(not(unix))]
-fn links(_: &fs::Metadata) -> u64 {
-    1
 }
 
 impl Write for Output {
@@ -281,13 +228,11 @@ impl Write for Output {
 impl Drop for Output {
     fn drop(&mut self) {
         self.writer = None;
-        if matches!(self.delivery, Delivery::Left) {
-            partial_files().retain(|path| *path != self.partial);
-        } else if !matches!(self.delivery, Delivery::Stream) {
+        if let Some((_, partial)) = &self.file {
             let mut files = partial_files();
             // After `finish`, a file that was renamed is gone.
-            let _ = fs::remove_file(&self.partial);
-            files.retain(|path| *path != self.partial);
+            let _ = fs::remove_file(partial);
+            files.retain(|path| path != partial);
         }
     }
 }

@@ -325,7 +325,7 @@ pub fn surface<'a, C: Shown>(
 /// # Errors
 ///
 /// None: the scene's numbers are constant.
-pub fn own_surfaces<C: Shown>() -> Result<Vec<Surface<'static>>> {
+pub fn own<C: Shown>() -> Result<Vec<Surface<'static>>> {
     Ok(if lighthouse::is_mono::<C>() {
         vec![
             Surface::opaque(Surface::Many, lighthouse::crests::<C>(), screen)?,

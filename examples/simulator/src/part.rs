@@ -74,12 +74,12 @@ pub struct Piece<'a> {
 
 impl<'a> Piece<'a> {
     /// A mesh that is compiled in, whose backs are culled.
-    pub const fn compiled(mesh: Mesh<'a>, texture: usize, outline: Option<Outline<'a>>) -> Self {
+    pub const fn compiled(mesh: Mesh<'a>, outline: Option<Outline<'a>>) -> Self {
         Self {
             mesh,
             finish: Finish {
                 cull: Cull::Back,
-                ..Finish::textured(texture)
+                ..Finish::plain(CLAY)
             },
             outline,
             part: None,

@@ -10,11 +10,12 @@ use fixel::target::Contrast;
 
 use super::Result;
 use super::common::scenes;
-use crate::args::{Args, Color, SceneName, Shade};
+use crate::args::{Args, Color, Shade};
 use crate::draw::{Lines, Style};
-use crate::idle::{self, name};
+use crate::idle;
 use crate::look::{BRIGHT, Backdrop, DARK, Look};
 use crate::paint::Shown;
+use crate::progress;
 use crate::report;
 use crate::scene::Scene;
 use crate::sight;
@@ -29,36 +30,29 @@ use crate::targets::{self, Targets};
 /// Any problem with the arguments or a file, in words.
 pub fn run(args: &Args, matches: &ArgMatches) -> Result<()> {
     targets::check_size(args)?;
-    let idle = |shade, has_textures| {
-        report::notes(args, idle::options(args, matches, shade, has_textures))
-    };
-    if let Some(name) = args.scene {
+    let Some(path) = &args.model else {
         let targets = Targets::open(args, &[])?;
-        idle(None, matches!(name, SceneName::Floor | SceneName::Cube))?;
-        let size = (scenes::WIDTH, scenes::HEIGHT);
-        return picture(
-            args,
-            &Scene::measured(args, name)?,
-            &[],
-            1.0,
-            Lines::None,
-            (targets, size),
-        );
-    }
-    let subject = Subject::load(args)?;
+        let (scene, size) = match args.scene {
+            Some(name) => (
+                Scene::measured(args, name)?,
+                (scenes::WIDTH, scenes::HEIGHT),
+            ),
+            None => (Scene::own(args)?, args.size),
+        };
+        report::notes(args, idle::options(args, matches, None, true))?;
+        return picture(args, &scene, &[], 1.0, Lines::None, (targets, size));
+    };
+    let subject = Subject::load(args, path)?;
     let targets = Targets::open(args, &subject.inputs)?;
     let mut scene = subject.scene(args)?;
-    let is_textured = scene
+    let has_textures = scene
         .pieces
         .iter()
         .any(|piece| piece.finish.texture.is_some());
-    idle(scene.shade, is_textured)?;
-    if let (None, false, Some(shade)) = (&args.model, scene.is_own, scene.shade) {
-        let note = format!("--shade {} leaves out the sea and the sky", name(&shade));
-        report::notes(args, &[note])?;
-    }
-    let mut notes = Vec::new();
+    let mut notes = idle::options(args, matches, scene.shade, has_textures);
+    let step = progress::step(args, scene.faces(), "looking");
     let lines = sight::check(&mut scene, args, &mut notes)?;
+    drop(step);
     report::notes(args, notes)?;
     let scale = subject.units.scale();
     picture(
@@ -148,9 +142,10 @@ fn apart<C: Levels>(backdrop: Backdrop, colors: &[Rgb888]) -> Backdrop {
             return 0;
         };
         let channels = |color: Rgb888| [color.r(), color.g(), color.b()];
+        // Holes have exactly its color.
         let is_near = |&&color: &&Rgb888| {
-            let pairs = channels(color).into_iter().zip(channels(behind));
-            pairs.into_iter().all(|(a, b)| a.abs_diff(b) < 40)
+            let mut pairs = channels(color).into_iter().zip(channels(behind));
+            color != behind && pairs.all(|(a, b)| a.abs_diff(b) < 56)
         };
         colors.iter().filter(is_near).count()
     };

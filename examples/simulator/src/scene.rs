@@ -8,10 +8,10 @@ use fixel::prelude::*;
 use fixel::{Cull, Drawn};
 
 use super::Result;
-use super::common::scenes;
+use super::common::{lighthouse, scenes};
 use super::draw::{AnyMvp, Posed, Style};
 use super::mode::{Mode, with_depth};
-use super::view::{View, direction};
+use super::view::{AnyProjection, View, direction};
 use super::window::Orbit;
 use crate::args::{Args, DepthFormat, SceneName, Shade};
 use crate::dump::{Record, Recorder};
@@ -117,7 +117,7 @@ pub struct Scene<'a> {
     pub motion: Motion,
     pub mode: Mode,
     pub depth: DepthFormat,
-    /// `None` for the measured scenes, and for the project's own one as a microcontroller draws it.
+    /// `None` for the measured scenes and the project's own one.
     pub shade: Option<Shade>,
     /// Whether it is the project's own scene, with sea and sky.
     pub is_own: bool,
@@ -127,6 +127,40 @@ pub struct Scene<'a> {
 }
 
 impl Scene<'static> {
+    /// The project's own scene, as a microcontroller draws it.
+    ///
+    /// # Errors
+    ///
+    /// None: its numbers are constant.
+    pub fn own(args: &Args) -> Result<Self> {
+        let view = View {
+            projection: AnyProjection::Perspective(lighthouse::projection(args.size)?),
+            camera: lighthouse::camera()?,
+            sun: lighthouse::SUN,
+            up: Vec3::Y,
+            depths: [0; 2],
+        };
+        let recorder = Recorder::new(20.0, 0, args.mode);
+        Ok(Self {
+            pieces: vec![
+                Piece::compiled(lighthouse::SEA, None),
+                Piece::compiled(lighthouse::ISLAND, Some(lighthouse::SILHOUETTES)),
+            ],
+            motion: Motion::Turning {
+                view,
+                axis: [0.0, 1.0, 0.0],
+                frames: args.frames,
+            },
+            mode: Mode::new(args.mode, 1.0)?,
+            depth: args.depth,
+            shade: None,
+            is_own: true,
+            // The larger texture has 128 texels.
+            recorded: Mode::new(args.mode, recorder.repeat() / 128.0)?,
+            recorder,
+        })
+    }
+
     /// A measured scene.
     ///
     /// # Errors
@@ -140,7 +174,7 @@ impl Scene<'static> {
         };
         let recorder = Recorder::new(1.0, 0, args.mode);
         Ok(Self {
-            pieces: vec![Piece::compiled(mesh, 0, None)],
+            pieces: vec![Piece::compiled(mesh, None)],
             motion: Motion::Measured(name),
             mode: Mode::new(args.mode, 1.0)?,
             depth: args.depth,
@@ -154,6 +188,14 @@ impl Scene<'static> {
 }
 
 impl Scene<'_> {
+    /// The number of faces.
+    pub fn faces(&self) -> usize {
+        self.pieces
+            .iter()
+            .map(|piece| piece.mesh.faces().len())
+            .sum()
+    }
+
     fn posed(&self, moment: Moment, viewport: Option<Viewport>) -> Result<Posed<'_>> {
         Ok(Posed {
             pieces: &self.pieces,

@@ -42,7 +42,7 @@ pub fn check(scene: &mut Scene<'_>, args: &Args, notes: &mut Vec<String>) -> Res
             } else {
                 "the model is outside the picture or smaller than a pixel"
             }
-        } else if args.cull || args.model.is_none() {
+        } else if args.cull {
             "all faces in view point away, and --cull hides their backs"
         } else {
             notes.push(
@@ -66,7 +66,7 @@ pub fn check(scene: &mut Scene<'_>, args: &Args, notes: &mut Vec<String>) -> Res
             Ok(records.iter().filter(|record| record.is_covered()).count())
         };
         let (edges, faces) = (count(true)?, count(false)?);
-        if args.model.is_some() && 2 * edges > faces && edges > 256 {
+        if 2 * edges > faces && edges > 256 {
             lines = Lines::Outline;
             notes.push(
                 "the edges would fill most of the model: only outlines and creases are drawn"
@@ -74,7 +74,7 @@ pub fn check(scene: &mut Scene<'_>, args: &Args, notes: &mut Vec<String>) -> Res
             );
         }
     }
-    if is_wire || scene.shade.is_none() {
+    if is_wire {
         return Ok(lines);
     }
     let size = within(size, SMALL);
@@ -90,26 +90,24 @@ pub fn check(scene: &mut Scene<'_>, args: &Args, notes: &mut Vec<String>) -> Res
     if is_foggy && args.fog.is_some_and(|fog| is_beyond(fog.far)) {
         notes.push("all faces in view are behind the fog: see --fog".into());
     }
-    if args.model.is_some() {
-        let [shown, other] = [Cull::Nothing, Cull::Back];
-        let both = look(scene, size, 0, Some(shown), false)?;
-        let front = look(scene, size, 0, Some(other), false)?;
-        let seen = both.iter().filter(|record| record.is_covered()).count();
-        let away = both
-            .iter()
-            .zip(&front)
-            .filter(|(both, front)| both.hides(front))
-            .count();
-        let percent = away * 100 / seen.max(1);
-        if percent > 0 {
-            notes.push(if args.cull {
+    let [shown, other] = [Cull::Nothing, Cull::Back];
+    let both = look(scene, size, 0, Some(shown), false)?;
+    let front = look(scene, size, 0, Some(other), false)?;
+    let seen = both.iter().filter(|record| record.is_covered()).count();
+    let away = both
+        .iter()
+        .zip(&front)
+        .filter(|(both, front)| both.hides(front))
+        .count();
+    let percent = away * 100 / seen.max(1);
+    if percent > 0 {
+        notes.push(if args.cull {
                 format!("--cull hides backs of faces in {percent} % of the model's picture")
             } else {
                 format!(
                     "a program that culls back faces would lose {percent} % of the model's picture: see --cull"
                 )
             });
-        }
     }
     Ok(lines)
 }

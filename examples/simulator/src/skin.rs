@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use embedded_graphics::geometry::Point;
-use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::Rgb888;
 use fixel::prelude::*;
 use fixel::shade::Translucent;
 use fixel_assets::{Alpha, Image, Picture};
@@ -67,31 +67,18 @@ impl Skin {
         })
     }
 
-    /// Makes a skin from a texture that is compiled in.
-    pub fn of<const W: usize, const H: usize>(texture: &TextureArray<Rgb565, W, H>) -> Self {
-        let texels = texture.texels().as_flattened().iter();
-        Self::from_texels(W, texels.map(|&texel| Rgb888::from(texel)))
-    }
-
     /// A checker of 64x64 texels, with squares of 8x8 texels in two colors.
     pub fn checker() -> Self {
-        let colors = [Rgb888::new(255, 255, 240), Rgb888::new(70, 130, 180)];
+        let colors = [[255, 255, 240, 255], [70, 130, 180, 255]];
         let color = |at: usize| colors[(at % 64 / 8 + at / 64 / 8) % 2];
-        Self::from_texels(64, (0..64 * 64).map(color))
-    }
-
-    fn from_texels(width: usize, texels: impl Iterator<Item = Rgb888>) -> Self {
-        let pixels: Vec<_> = texels.map(|c| [c.r(), c.g(), c.b(), 255]).collect();
-        let side = |side: usize| u32::try_from(side).unwrap_or(u32::MAX);
-        let (width, height) = (side(width), side(pixels.len() / width.max(1)));
         Self {
             picture: Picture {
-                width,
-                height,
-                pixels,
+                width: 64,
+                height: 64,
+                pixels: (0..64 * 64).map(color).collect(),
                 table: None,
             },
-            side: width.max(height),
+            side: 64,
         }
     }
 

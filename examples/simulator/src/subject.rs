@@ -1,7 +1,7 @@
-//! The model to draw, which is read from a file or is the project's own, and its placement.
+//! The model to draw, and its placement.
 
 use std::collections::HashMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use embedded_graphics::pixelcolor::Rgb888;
 use fixel::Cull;
@@ -9,24 +9,22 @@ use fixel_assets::vector::unit;
 use fixel_assets::{Alpha, Model};
 
 use super::Result;
-use super::common::lighthouse;
 use crate::advice;
-use crate::args::{Args, Color, Filter, Kind, Shade};
+use crate::args::{Args, Color, Shade};
 use crate::dump::Recorder;
 use crate::framing::{Framing, Point, Solid, turntable};
 use crate::mode::Mode;
-use crate::part::{self, Finish, Outlined, Part, Piece};
+use crate::part::{self, Finish, Outlined, Part};
 use crate::progress::{self, Reading};
 use crate::report;
 use crate::scene::{Motion, Scene};
 use crate::skin::Skin;
 use crate::units::Units;
-use crate::view::{AnyProjection, View};
+use crate::view::View;
 use crate::window::MOST_ZOOM;
 
 /// A model, with everything that belongs to it.
 pub struct Subject {
-    /// Empty for the project's own scene.
     parts: Vec<Part>,
     pub framing: Framing,
     pub units: Units,
@@ -35,25 +33,19 @@ pub struct Subject {
     /// The textures that the finishes name.
     pub skins: Vec<Skin>,
     largest_uv: f64,
-    /// `None` for the project's own scene as a microcontroller draws it.
-    shade: Option<Shade>,
-    /// Whether it is the project's own scene, with sea and sky.
-    is_own: bool,
+    shade: Shade,
     /// The files from which the model was read.
     pub inputs: Vec<PathBuf>,
 }
 
 impl Subject {
-    /// Reads the files that `args` name, and chooses the camera.
+    /// Reads the model at `path` and other files that `args` name, and chooses the camera.
     ///
     /// # Errors
     ///
     /// A file cannot be read, or the camera that `args` ask for shows nothing.
-    pub fn load(args: &Args) -> Result<Self> {
+    pub fn load(args: &Args, path: &Path) -> Result<Self> {
         let skin = args.texture.as_deref().map(Skin::read).transpose()?;
-        let Some(path) = &args.model else {
-            return Self::own(args, skin);
-        };
         let mut model = fixel_assets::read(path, &Reading::new(args.quiet))?;
         let line = progress::step(args, model.triangles.len(), "computing normals");
         model.complete();
@@ -98,60 +90,7 @@ impl Subject {
             inputs,
             finishes,
             skins,
-            shade: Some(shade),
-            is_own: false,
-        })
-    }
-
-    /// The project's own scene: sea and island, as on a microcontroller or in another look. In a shade without
-    /// textures, it is only the island.
-    fn own(args: &Args, skin: Option<Skin>) -> Result<Self> {
-        let is_plain = args.shade.is_none()
-            && skin.is_none()
-            && !args.has_look()
-            && args.filter == Filter::Nearest;
-        let is_own = matches!(args.shade, None | Some(Shade::Texture | Shade::Lit));
-        let points: Vec<Point> = lighthouse::ISLAND
-            .positions()
-            .iter()
-            .map(|p| p.to_bits().map(|bits| f64::from(bits) / 65536.0))
-            .collect();
-        let solid = Solid::of(&points)?;
-        let frame = |args: &Args| frame(args, &points, &solid, [0.0; 3]);
-        let mut framing = if is_own && has_own_camera(args) {
-            frame(&with_own_camera(args))?
-        } else if is_own {
-            let framing = frame(args)?;
-            // The sea begins in front of the island and continues behind it.
-            let near = match args.projection {
-                Kind::Perspective => 0.25,
-                _ => framing.near - 120.0,
-            };
-            frame(&Args {
-                near: args.near.or(Some(near)),
-                far: args.far.or(Some(framing.far + 120.0)),
-                ..args.clone()
-            })?
-        } else {
-            frame(args)?
-        };
-        if args.window {
-            framing.widen(args, &points, [0.0; 3], MOST_ZOOM.into());
-        }
-        let mut skins = vec![skin.unwrap_or_else(|| Skin::of(&lighthouse::SKIN))];
-        if is_own {
-            skins.push(Skin::of(&lighthouse::WAVES));
-        }
-        Ok(Self {
-            parts: Vec::new(),
-            units: Units::own(args, &framing, &solid)?,
-            framing,
-            finishes: Vec::new(),
-            skins,
-            inputs: args.texture.iter().cloned().collect(),
-            largest_uv: 20.0,
-            shade: args.shade.or((!is_plain).then_some(Shade::Lit)),
-            is_own,
+            shade,
         })
     }
 
@@ -169,19 +108,7 @@ impl Subject {
             };
             pieces.push(part.piece(*finish.unwrap_or(&Finish::textured(0)))?);
         }
-        let mut view = View::new(args, &self.framing, &self.units)?;
-        if pieces.is_empty() {
-            view.sun = lighthouse::SUN;
-            if self.is_own {
-                pieces.push(Piece::compiled(lighthouse::SEA, 1, None));
-            }
-            let outline = Some(lighthouse::SILHOUETTES);
-            pieces.push(Piece::compiled(lighthouse::ISLAND, 0, outline));
-        }
-        if self.is_own && has_own_camera(args) {
-            view.projection = AnyProjection::Perspective(lighthouse::projection(args.size)?);
-            view.camera = lighthouse::camera()?;
-        }
+        let view = View::new(args, &self.framing, &self.units)?;
         // A repeat counts as equally many texels along u and v, as if the texture were square.
         let recorder = Recorder::new(self.largest_uv, self.units.exponent, args.mode);
         let side = self.skins.iter().map(|skin| skin.side).max().unwrap_or(1);
@@ -194,8 +121,8 @@ impl Subject {
             },
             mode: Mode::new(args.mode, 1.0)?,
             depth: args.depth,
-            shade: self.shade,
-            is_own: self.is_own,
+            shade: Some(self.shade),
+            is_own: false,
             recorded: Mode::new(args.mode, recorder.repeat() / f64::from(side))?,
             recorder,
         })
@@ -302,32 +229,4 @@ fn finishes(args: &Args, model: &mut Model, skin: Option<Skin>) -> (Vec<Finish>,
 
 fn rgb([r, g, b]: [u8; 3]) -> Rgb888 {
     Rgb888::new(r, g, b)
-}
-
-/// Returns `args` with the camera of the project's own scene, which `lighthouse` defines in the library's formats.
-fn with_own_camera(args: &Args) -> Args {
-    Args {
-        eye: Some([3.4, 3.1, 8.4]),
-        look_at: Some([0.45, 1.62, 0.0]),
-        up: Some([0.0, 1.0, 0.0]),
-        fov: Some(40.0),
-        near: Some(1.0),
-        far: Some(140.0),
-        ..args.clone()
-    }
-}
-
-/// Returns whether `args` keep the camera of the project's own scene: every option given has its default value.
-fn has_own_camera(args: &Args) -> bool {
-    fn keeps<T: PartialEq + Copy>(given: Option<T>, own: Option<T>) -> bool {
-        given.is_none() || given == own
-    }
-    let own = with_own_camera(args);
-    args.projection == Kind::Perspective
-        && keeps(args.eye, own.eye)
-        && keeps(args.look_at, own.look_at)
-        && keeps(args.up, own.up)
-        && keeps(args.fov, own.fov)
-        && keeps(args.near, own.near)
-        && keeps(args.far, own.far)
 }

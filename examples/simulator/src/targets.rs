@@ -1,6 +1,6 @@
 //! Opens and fills the output files, and reports about them.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Duration;
 
 use embedded_graphics::pixelcolor::raw::ToBytes;
@@ -8,12 +8,13 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::{Drawn, Viewport};
 
 use super::Result;
-use crate::args::{Args, SceneName, Shade};
+use crate::args::{Args, Shade};
 use crate::draw::{Style, add};
 use crate::dump::{self, Record};
 use crate::encoder::{self, Encoder, Format};
+use crate::idle::name;
 use crate::output::{self, Output};
-use crate::progress::Progress;
+use crate::progress::{self, Progress};
 use crate::report;
 use crate::samples;
 use crate::scene::{Band, Moment, Scene};
@@ -43,11 +44,11 @@ impl<'a> Targets<'a> {
             (None, true) => PathBuf::new(),
             (None, false) => {
                 let stem = match (&args.model, args.scene) {
-                    (Some(model), _) => Path::new(model.file_stem().unwrap_or_default()),
-                    (None, Some(scene)) => Path::new(file_name(scene)),
-                    (None, None) => Path::new("lighthouse"),
+                    (Some(model), _) => PathBuf::from(model.file_stem().unwrap_or_default()),
+                    (None, Some(scene)) => PathBuf::from(name(&scene)),
+                    (None, None) => "lighthouse".into(),
                 };
-                encoder::free_name(stem, if several { ".gif" } else { ".png" }, inputs)?
+                encoder::free_name(&stem, if several { ".gif" } else { ".png" }, inputs)?
             }
         };
         let is_wanted = args.out.is_some() || !args.window;
@@ -70,16 +71,11 @@ impl<'a> Targets<'a> {
             screen,
             path,
         };
-        targets.refuse_inputs(inputs)?;
-        Ok(targets)
-    }
-
-    fn refuse_inputs(&self, inputs: &[PathBuf]) -> Result<()> {
-        let picture = self.picture.is_some().then_some(&self.path);
-        for path in picture.into_iter().chain(&self.args.dump) {
+        let picture = targets.picture.is_some().then_some(&targets.path);
+        for path in picture.into_iter().chain(&args.dump) {
             output::refuse_inputs(path, inputs)?;
         }
-        Ok(())
+        Ok(targets)
     }
 
     /// Draws all frames, writes the files and prints a report.
@@ -104,15 +100,20 @@ impl<'a> Targets<'a> {
             let failed = output.failed();
             let is_long = !args.quiet && args.frames > 1;
             let progress = Progress::new("drawing", args.frames.into(), "frames", is_long);
+            let step = progress::step(args, scene.faces(), "drawing");
             let mut encoder =
                 Encoder::new(format, &mut output, size, args.frames).map_err(&failed)?;
             for frame in 0..args.frames {
                 let moment = Moment::of(frame);
-                let (pixels, mut time) = draw(moment)?;
-                if args.frames == 1 {
-                    time = time.min(quickest(|| draw(moment))?);
+                let (pixels, first) = draw(moment)?;
+                // A single frame is drawn a few more times to measure the time, because caches were cold.
+                let (mut least, mut spent) = (first, first);
+                while args.frames == 1 && spent < 10 * first && spent < REPEATED {
+                    let (_, time) = draw(moment)?;
+                    least = least.min(time);
+                    spent += time.max(Duration::from_micros(1));
                 }
-                let mut covered = 0;
+                total.time += least;
                 // Bands would count triangles several times.
                 let whole = Tiles {
                     rows: u32::MAX,
@@ -120,14 +121,16 @@ impl<'a> Targets<'a> {
                 };
                 let (counts, _) = whole.each(
                     |band| record(band, moment),
-                    |_, _, records| covered += records.iter().filter(|at| at.is_covered()).count(),
+                    |_, _, records| {
+                        total.pixels += records.iter().filter(|at| at.is_covered()).count();
+                    },
                 )?;
-                total.add(counts, time, covered as u64);
+                total.counts = add(total.counts, counts);
                 encoder.frame(&pixels).map_err(&failed)?;
                 colors = pixels;
                 progress.set(u64::from(frame) + 1);
             }
-            drop(progress);
+            drop((progress, step));
             encoder.finish().map_err(&failed)?;
             output.finish()?;
         }
@@ -154,14 +157,6 @@ impl<'a> Targets<'a> {
         self.say(size, tiles, &total, &colors)
     }
 
-    fn what(&self) -> &'static str {
-        if self.args.shade == Some(Shade::Wire) {
-            "edges"
-        } else {
-            "triangles"
-        }
-    }
-
     fn say(
         &self,
         (width, height): (u32, u32),
@@ -171,6 +166,9 @@ impl<'a> Targets<'a> {
     ) -> Result<()> {
         let args = self.args;
         let say = |line: String| report::say(args, line);
+        if colors.len() > 1 && colors.iter().all(|color| *color == colors[0]) {
+            report::notes(args, ["all pixels of the picture have the same color"])?;
+        }
         if args.out.is_some() || self.screen.is_none() {
             say(format!("wrote {}, {width}x{height}", self.path.display()))?;
             let Drawn {
@@ -186,7 +184,10 @@ impl<'a> Targets<'a> {
             if most > tiles.most {
                 say(format!("tiles of up to {0}x{0}, all together:", tiles.most))?;
             }
-            let what = self.what();
+            let what = match args.shade {
+                Some(Shade::Wire) => "edges",
+                _ => "triangles",
+            };
             say(format!(
                 "{what} {submitted} in, {drawn} drawn, {clipped} of them clipped"
             ))?;
@@ -211,45 +212,15 @@ impl<'a> Targets<'a> {
     }
 }
 
-/// Returns the name of a measured scene's picture.
-fn file_name(scene: SceneName) -> &'static str {
-    match scene {
-        SceneName::Floor => "floor",
-        SceneName::Cube => "cube",
-        SceneName::Sphere => "sphere",
-        SceneName::SphereFlat => "sphere-flat",
-    }
-}
+/// How long a frame is drawn again.
+const REPEATED: Duration = Duration::from_millis(300);
 
 /// The sums over all frames.
 #[derive(Default)]
 struct Total {
     counts: Drawn,
     time: Duration,
-    pixels: u64,
-}
-
-impl Total {
-    fn add(&mut self, counts: Drawn, time: Duration, pixels: u64) {
-        self.counts = add(self.counts, counts);
-        self.time += time;
-        self.pixels += pixels;
-    }
-}
-
-/// Draws a frame a few more times only to measure the time, because caches were cold at the first time.
-fn quickest(draw: impl Fn() -> Result<(Vec<Rgb888>, Duration)>) -> Result<Duration> {
-    let mut least = Duration::MAX;
-    let mut spent = Duration::ZERO;
-    for _ in 0..9 {
-        let (_, time) = draw()?;
-        least = least.min(time);
-        spent += time;
-        if spent > Duration::from_millis(300) {
-            break;
-        }
-    }
-    Ok(least)
+    pixels: usize,
 }
 
 /// Refuses a size that no picture can have.

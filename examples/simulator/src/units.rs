@@ -21,21 +21,6 @@ pub struct Units {
 }
 
 impl Units {
-    /// Returns the units of a model that is already in the library's format.
-    ///
-    /// # Errors
-    ///
-    /// A distance is beyond that format. The message names the option.
-    pub fn own(args: &Args, framing: &Framing, solid: &Solid) -> Result<Self> {
-        framing.reach(args, solid, MOST)?;
-        let units = Self {
-            origin: [0.0; 3],
-            exponent: 0,
-        };
-        units.check_near(framing)?;
-        Ok(units)
-    }
-
     /// Returns the units in which `solid` and all distances of `framing` are as large as the format allows.
     ///
     /// # Errors

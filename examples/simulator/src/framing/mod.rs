@@ -358,27 +358,25 @@ impl Framing {
     fn planes(&mut self, args: &Args) -> Result<()> {
         let [low, high] = self.range;
         let is_perspective = self.is_perspective();
-        if is_perspective && high <= 0.0 && args.model.is_some() {
+        if is_perspective && high <= 0.0 {
             let (eye, target) = (written(self.eye), written(self.target));
             return Err(format!(
                 "nothing is visible: the whole model is behind an eye at {eye} that looks at {target}"
             )
             .into());
         }
-        if args.model.is_some() {
-            let place = format!(
-                "the model is {} to {} from the eye",
-                about(low),
-                about(high)
-            );
-            if let Some(near) = args.near.filter(|&near| near > high) {
-                let most = about(high);
-                return Err(format!("--near {near}: {place}: it must be below {most}").into());
-            }
-            if let Some(far) = args.far.filter(|&far| far < low) {
-                let least = about(low);
-                return Err(format!("--far {far}: {place}: it must be above {least}").into());
-            }
+        let place = format!(
+            "the model is {} to {} from the eye",
+            about(low),
+            about(high)
+        );
+        if let Some(near) = args.near.filter(|&near| near > high) {
+            let most = about(high);
+            return Err(format!("--near {near}: {place}: it must be below {most}").into());
+        }
+        if let Some(far) = args.far.filter(|&far| far < low) {
+            let least = about(low);
+            return Err(format!("--far {far}: {place}: it must be above {least}").into());
         }
         let margin = (high - low) * 0.02 + high.abs() * 0.001;
         let behind = about(high + margin);

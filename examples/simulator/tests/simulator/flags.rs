@@ -29,7 +29,6 @@ fn an_option_without_effect_is_named() {
         ("--mode affine", "t.obj --shade wire"),
         ("--mode fast", "t.obj --shade depth"),
         ("--mode exact", "t.obj --projection cabinet"),
-        ("--mode affine", "--projection orthographic"),
         ("--mode affine", "--scene sphere-flat"),
         ("--texture t.png", "t.obj --shade gouraud"),
         ("--texture t.png", "t.obj --shade normal"),
@@ -40,7 +39,6 @@ fn an_option_without_effect_is_named() {
         ("--ambient 0.5", "t.obj --shade normal"),
         ("--fog 1,9", "t.obj --shade depth"),
         ("--wire", "t.obj --shade wire"),
-        ("--cull", "--shade lit"),
         ("--fov 60", "t.obj --projection orthographic --shade normal"),
     ] {
         let (with, notes) = shot(&format!("{rest} {option}"));

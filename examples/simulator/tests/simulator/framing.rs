@@ -315,7 +315,6 @@ fn the_printed_camera_makes_the_same_picture() {
         write_box(&file, |p| p.map(|x| x * scale + offset));
     }
     let views = [
-        "",
         "one.obj",
         "small.obj",
         "large.obj",
@@ -355,21 +354,6 @@ fn the_printed_camera_makes_the_same_picture() {
             "{view}"
         );
     }
-}
-
-#[test]
-fn the_projects_own_scene_keeps_its_camera_if_an_option_restates_it() {
-    let directory = directory("restated");
-    let crc = |options: &str| {
-        let said = good(&directory, &format!("--crc {options}"));
-        printed(&said, "crc").to_string()
-    };
-    let said = good(&directory, "");
-    let own = "--eye 3.4,3.1,8.4 --look-at 0.45,1.62,0 --up 0,1,0 --fov 40 --near 1 --far 140";
-    assert_eq!(camera(&said), own);
-    let plain = crc("");
-    assert_eq!(plain, crc("--up 0,1,0 --projection perspective --fov 40"));
-    assert_ne!(plain, crc("--fov 30"));
 }
 
 #[test]
@@ -521,7 +505,6 @@ fn faces_that_point_away_are_drawn_and_counted() {
         "box.obj --cull",
         "inside-out.obj --shade wire",
         "t.obj",
-        "",
     ] {
         assert_eq!(notes(&directory, without), "", "{without}");
     }

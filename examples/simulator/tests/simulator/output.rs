@@ -307,31 +307,21 @@ fn a_file_name_may_have_the_maximum_length() {
 #[cfg(unix)]
 #[test]
 fn links_and_permissions_stay() {
-    use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
+    use std::os::unix::fs::{PermissionsExt, symlink};
     let directory = directory("links");
     fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
     let path = |name: &str| directory.join(name);
     fs::write(path("real.png"), "old").unwrap();
     symlink("real.png", path("link.png")).unwrap();
     symlink("later.png", path("dangling.png")).unwrap();
-    fs::write(path("one.png"), "old").unwrap();
-    fs::hard_link(path("one.png"), path("two.png")).unwrap();
-    // The old contents are longer than a picture.
-    fs::write(path("three.png"), "old".repeat(9999)).unwrap();
-    fs::hard_link(path("three.png"), path("four.png")).unwrap();
     fs::write(path("private.png"), "old").unwrap();
     fs::set_permissions(path("private.png"), fs::Permissions::from_mode(0o600)).unwrap();
-    for name in ["link", "dangling", "one", "three", "private"] {
+    for name in ["link", "dangling", "private"] {
         good(&directory, &format!("t.obj --size 16x12 --out {name}.png"));
     }
-    let is_png = |name| fs::read(path(name)).unwrap().starts_with(b"\x89PNG");
+    let is_png = |name: &str| fs::read(path(name)).unwrap().starts_with(b"\x89PNG");
     assert!(path("link.png").is_symlink() && is_png("real.png"));
     assert!(path("dangling.png").is_symlink() && is_png("later.png"));
-    assert!(is_png("two.png") && is_png("four.png"));
-    let private = fs::read(path("private.png")).unwrap();
-    assert!(fs::read(path("two.png")).unwrap() == private);
-    assert!(fs::read(path("four.png")).unwrap() == private);
-    assert_eq!(fs::metadata(path("two.png")).unwrap().nlink(), 2);
     let mode = fs::metadata(path("private.png"))
         .unwrap()
         .permissions()

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-use super::program::{directory, good, printed, refused, run};
+use super::program::{directory, good, refused, run};
 
 /// A square of two units in the plane z = 0 that faces the viewer, and one that lies behind it to the right.
 const SQUARES: &str = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n\
@@ -195,51 +195,6 @@ fn every_surface_takes_every_light_and_fog() {
     }
 }
 
-/// Lights and backgrounds change the project's own scene. It keeps its sea and, unless a background is given, its sky.
-#[test]
-fn the_own_scene_takes_every_light_and_fog() {
-    let directory = directory("own");
-    let picture = |look: &str| draw(&directory, &format!("--color rgb888 {look}"));
-    let covered = |look: &str| {
-        let said = good(&directory, &format!("{look} --out p.png"));
-        printed(&said, "pixels").to_string()
-    };
-    let plain = picture("");
-    let (sky, sea) = (plain[0], plain[235 * 320 + 300]);
-    assert_eq!(sky, [96, 156, 214]);
-    for look in [
-        "--light 1,2,3",
-        "--light 0,1,0,ff8800",
-        "--ambient 0.9",
-        "--fog 5,60",
-        "--wire",
-        "--filter bilinear",
-        "--shade texture",
-    ] {
-        let found = picture(look);
-        assert!(found != plain, "{look}");
-        assert_eq!(found[0], sky, "{look}");
-        assert_ne!(found[235 * 320 + 300], sky, "{look}");
-        assert_eq!(covered(look), covered(""), "{look}");
-    }
-    let blue = picture("--background 0000ff");
-    assert_eq!(blue[0], [0, 0, 255]);
-    // Without light, the sea has the colors of its texture.
-    assert_eq!(picture("--shade texture")[235 * 320 + 300], sea);
-    // Far out at sea, only fog is visible.
-    let row = (0..240)
-        .find(|row| plain[row * 320 + 319] != plain[row * 320])
-        .unwrap_or(160);
-    let fog = picture("--fog 5,30,ff0000");
-    assert!(fog[..(row + 60) * 320].contains(&[255, 0, 0]));
-    let output = run(&directory, "--shade flat --out p.png");
-    let notes = String::from_utf8(output.stderr).unwrap();
-    assert!(
-        notes.contains("--shade flat leaves out the sea and the sky"),
-        "{notes}"
-    );
-}
-
 /// Fog is in the model's own units, and may be as far as the format allows.
 #[test]
 fn fog_is_as_large_as_the_model() {
@@ -364,7 +319,7 @@ fn tiles_equal_the_whole_picture() {
         // The project's own scene.
         "",
         "--color mono --bands 9",
-        "--color gray4 --light 1,2,3 --fog 6,60",
+        "s.obj --color gray4 --light 1,2,3 --fog 6,60",
     ] {
         // First, tiles that are as wide as the picture.
         let look = format!("{look} --size 96x200");
