@@ -90,6 +90,8 @@ fn text_is_read_in_any_layout() {
 #[test]
 fn several_solids_are_one_model() {
     let twice = format!("{}\n{}", text(), text().replace("a part", "vertex"));
+    let model = stl(twice.replace("endsolid a part\n", ""));
+    assert_eq!((model.triangles.len(), model.positions.len()), (8, 4));
     let model = stl(twice);
     assert_eq!((model.triangles.len(), model.positions.len()), (8, 4));
 }
@@ -124,7 +126,9 @@ fn mistakes_in_text_are_named() {
     }
     // A file that ends too early has the triangles before.
     let end = text.rfind("vertex").unwrap();
-    for end in [end, end + 8] {
+    let facet = text.rfind("facet normal").unwrap();
+    let first = facet + text[facet..].find("vertex").unwrap();
+    for end in [end, end + 8, first + 8] {
         let model = stl(&text[..end]);
         assert_eq!(model.triangles.len(), 3);
         assert!(notes(&model)[0].contains("fewer than 3 corners"));
@@ -156,6 +160,7 @@ fn binary_is_read_whatever_it_promises() {
         assert!(notes(&model)[0].contains(&format!("promises 4 triangles: {count} are read")));
     }
     // More bytes than triangles.
+    says(&[&binary(b"", 0, [0; 4])[..], b"the end"].concat());
     assert!(whole([&bytes[..], b"the end"].concat()).is_empty());
     let model = stl([&bytes[..], &[1; 70]].concat());
     assert_eq!((model.triangles.len(), notes(&model).len()), (4, 0));
@@ -196,6 +201,8 @@ fn attributes_are_colors() {
         found,
         ([Some(blue), Some(green), Some(red), Some(white)], 4)
     );
+    let found = colors(b"COLOR=\x01\x02\x03", [0x1f; 4]);
+    assert_eq!(found, ([Some(red); 4], 1));
     let half = [0, 0, 132];
     assert_eq!(
         colors(b"", [0x8010, 0x8010, 0xffff, 0]),
