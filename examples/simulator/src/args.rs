@@ -133,20 +133,10 @@ pub struct Args {
     #[arg(long, value_enum, default_value = "rgb565", help_heading = "Look")]
     pub color: Color,
 
-    /// Picture size in pixels, up to 4096x4096. A picture larger than 2048x2048 is drawn in tiles.
+    /// Picture size in pixels, up to 2048x2048.
     #[arg(long, value_name = "WxH", value_parser = size, default_value = "320x240",
         allow_hyphen_values = true, help_heading = "Picture")]
     pub size: (u32, u32),
-
-    /// Smooth edges, for presentations: draw N x N pixels for each pixel of the picture, and average their light. This
-    /// is not what a microcontroller would show.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16), default_value = "1",
-        help_heading = "Picture", conflicts_with_all = ["crc", "dump"])]
-    pub samples: u32,
-
-    /// Largest width and height of a tile; for tests.
-    #[arg(long, hide = true, value_parser = clap::value_parser!(u32).range(8..=2048), default_value = "2048")]
-    pub tile: u32,
 
     /// Draw in bands of this many rows, as a microcontroller with little memory does. The picture stays the same.
     #[arg(long, value_name = "ROWS", value_parser = clap::value_parser!(u32).range(1..), help_heading = "Picture")]
@@ -273,14 +263,14 @@ pub enum Color {
 
 /// The options that need no model. The project's own scene and the measured ones define everything else themselves.
 const WITHOUT_MODEL: &[&str] = &[
-    "model", "scene", "mode", "depth", "color", "size", "samples", "tile", "bands", "frames",
-    "out", "dump", "crc", "quiet", "window",
+    "model", "scene", "mode", "depth", "color", "size", "bands", "frames", "out", "dump", "crc",
+    "quiet", "window",
 ];
 
 /// The command line.
 pub fn command() -> Command {
     Args::command().mut_args(|arg| match arg.get_id().as_str() {
-        "model" | "size" | "samples" => arg.conflicts_with("scene"),
+        "model" | "size" => arg.conflicts_with("scene"),
         id if WITHOUT_MODEL.contains(&id) => arg,
         _ => arg.requires("model"),
     })

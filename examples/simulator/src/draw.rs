@@ -1,6 +1,6 @@
 //! Draws a scene's pieces, in any mode and projection.
 
-use embedded_graphics::draw_target::{DrawTarget, DrawTargetExt};
+use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, PixelColor, Rgb888, RgbColor};
 use embedded_graphics::primitives::{PointsIter, Rectangle};
@@ -9,7 +9,7 @@ use fixel::prelude::*;
 use fixel::shade::{Flat, Levels, Varyings};
 use fixel::target::{Alpha, Biased, DepthBuffer, Native, Replace, TestAndWrite, TestOnly};
 use fixel::view::{Parallel, Perspective};
-use fixel::{Cull, Drawn, LineWidth};
+use fixel::{Cull, Drawn};
 use fixel_assets::Alpha as Meaning;
 
 use super::Result;
@@ -45,8 +45,6 @@ pub struct Style<'a> {
     lines: Lines,
     /// The color of lines.
     line: Rgb888,
-    /// The width of lines in pixels.
-    width: LineWidth,
     /// How far faces lie behind the lines on them.
     bias: Biased,
     backdrop: Backdrop,
@@ -107,26 +105,19 @@ impl<'a> Style<'a> {
                 .collect(),
             lines,
             line: paint::on_canvas::<C>(line, Point::zero()),
-            width: LineWidth::new(Scalar::from_num(args.samples))?,
             bias,
             backdrop: look.backdrop,
             color: paint::on_canvas::<C>,
-            // Averaging would make the caption unreadable.
-            caption: (scene.is_own && args.samples == 1).then_some(is_mono),
+            caption: scene.is_own.then_some(is_mono),
         })
     }
 
-    /// Fills the canvas, which is a part of a picture of this height; `origin` is its position in the picture.
-    pub fn clear<D: DepthBuffer>(
-        &self,
-        canvas: &mut Board<'_, Rgb888, D>,
-        origin: Point,
-        height: u32,
-    ) {
+    /// Fills the canvas.
+    pub fn clear<D: DepthBuffer>(&self, canvas: &mut Board<'_, Rgb888, D>) {
         canvas.clear(Rgb888::default());
+        let height = canvas.frame_size().height;
         let area = area(canvas);
         let colors = area.points().map(|at| {
-            let at = at + origin;
             let color = match self.backdrop {
                 Backdrop::Color(color) => color,
                 Backdrop::Sky => lighthouse::sky_color(at.y.cast_unsigned(), height),
@@ -136,23 +127,18 @@ impl<'a> Style<'a> {
         let Ok(()) = canvas.fill_contiguous(&area, colors);
     }
 
-    /// Converts blended colors to the canvas's color, and writes the caption, if there is one, into a picture of this
-    /// size; `origin` as for [`clear`](Self::clear).
-    pub fn finish<D: DepthBuffer>(
-        &self,
-        canvas: &mut Board<'_, Rgb888, D>,
-        origin: Point,
-        size: Size,
-    ) {
+    /// Converts blended colors to the canvas's color, and writes the caption, if there is one.
+    pub fn finish<D: DepthBuffer>(&self, canvas: &mut Board<'_, Rgb888, D>) {
         if self.is_blended.contains(&true) {
             let area = area(canvas);
             let colors: Vec<Rgb888> = (area.points().zip(canvas.pixels()))
-                .map(|(at, color)| (self.color)(color, at + origin))
+                .map(|(at, color)| (self.color)(color, at))
                 .collect();
             let Ok(()) = canvas.fill_contiguous(&area, colors);
         }
         if let Some(on_black) = self.caption {
-            lighthouse::caption_on(&mut canvas.translated(-origin), size, on_black);
+            let size = canvas.frame_size();
+            lighthouse::caption_on(canvas, size, on_black);
         }
     }
 }
@@ -210,8 +196,6 @@ pub struct Posed<'a> {
     pub mode: Mode,
     /// Which faces are culled, whatever their materials say.
     pub cull: Option<Cull>,
-    /// The viewport of the whole picture, if the canvas is only a part of it.
-    pub viewport: Option<Viewport>,
 }
 
 /// The options of the simulator's draw calls.
@@ -232,11 +216,7 @@ macro_rules! projected {
 
 impl Posed<'_> {
     fn options(&self, piece: &Piece<'_>) -> DrawOptions {
-        let options = DrawOptions::new().with_cull(self.cull.unwrap_or(piece.finish.cull));
-        match self.viewport {
-            Some(viewport) => options.with_viewport(viewport),
-            None => options,
-        }
+        DrawOptions::new().with_cull(self.cull.unwrap_or(piece.finish.cull))
     }
 
     /// Draws the faces of a piece.
@@ -287,38 +267,22 @@ impl Posed<'_> {
         style: &Style<'_>,
     ) -> Drawn {
         let shader = &Flat::new(style.line);
-        let mut sum = Drawn::default();
-        for piece in self.pieces {
-            let (thin, wide) = (
-                self.options(piece),
-                self.options(piece).with_line(style.width),
-            );
-            let is_thin = style.width.pixels() == fx!(1);
-            /// Draws edges or an outline in either width.
-            macro_rules! lines {
-                ($mvp:expr) => {
-                    match (style.lines, piece.outline) {
-                        (Lines::Edges, _) if is_thin => {
-                            canvas.draw_edges(&thin, &piece.mesh, $mvp, shader)
-                        }
-                        (Lines::Edges, _) => canvas.draw_edges(&wide, &piece.mesh, $mvp, shader),
-                        (Lines::Outline, Some(outline)) if is_thin => {
-                            canvas.draw_outline(&thin, &piece.mesh, &outline, $mvp, shader)
-                        }
-                        (Lines::Outline, Some(outline)) => {
-                            canvas.draw_outline(&wide, &piece.mesh, &outline, $mvp, shader)
-                        }
-                        _ => Drawn::default(),
-                    }
-                };
-            }
-            let drawn = match &self.mvp {
-                AnyMvp::Perspective(mvp) => lines!(mvp),
-                AnyMvp::Parallel(mvp) => lines!(mvp),
-            };
-            sum = add(sum, drawn);
+        if style.lines == Lines::Edges {
+            return self.draw_edges(canvas, shader);
         }
-        sum
+        let draw = |piece: &Piece<'_>| {
+            let (options, mesh) = (&self.options(piece), &piece.mesh);
+            match (&self.mvp, &piece.outline) {
+                (AnyMvp::Perspective(mvp), Some(outline)) => {
+                    canvas.draw_outline(options, mesh, outline, mvp, shader)
+                }
+                (AnyMvp::Parallel(mvp), Some(outline)) => {
+                    canvas.draw_outline(options, mesh, outline, mvp, shader)
+                }
+                _ => Drawn::default(),
+            }
+        };
+        self.pieces.iter().map(draw).fold(Drawn::default(), add)
     }
 
     /// Draws the surfaces and lines of `style`; counts surfaces, or lines if there are no others.

@@ -2,7 +2,6 @@
 
 use std::time::{Duration, Instant};
 
-use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
 use fixel::prelude::*;
 use fixel::{Cull, Drawn};
@@ -41,8 +40,6 @@ pub struct Band<'a, C> {
     /// Width and height of the frame.
     pub size: (u32, u32),
     pub first_row: u32,
-    /// The viewport of the whole picture, if this frame is only a part of it.
-    pub viewport: Option<Viewport>,
 }
 
 /// The result of drawing a band, and the time of the draw calls.
@@ -53,21 +50,6 @@ impl<'a, C: PixelColor> Band<'a, C> {
         let (width, height) = self.size;
         let canvas = Canvas::band(self.pixels, width, height, self.first_row)?;
         Ok((canvas, self.depth))
-    }
-
-    /// The position of the frame's top left corner in the whole picture.
-    fn origin(&self) -> Point {
-        self.viewport.map_or(Point::zero(), |viewport| {
-            Point::new(-viewport.x(), -viewport.y())
-        })
-    }
-
-    /// Width and height of the whole picture.
-    fn picture(&self) -> Size {
-        let (width, height) = self.size;
-        self.viewport.map_or(Size::new(width, height), |viewport| {
-            Size::new(viewport.width(), viewport.height())
-        })
     }
 }
 
@@ -196,27 +178,25 @@ impl Scene<'_> {
             .sum()
     }
 
-    fn posed(&self, moment: Moment, viewport: Option<Viewport>) -> Result<Posed<'_>> {
+    fn posed(&self, moment: Moment) -> Result<Posed<'_>> {
         Ok(Posed {
             pieces: &self.pieces,
             mvp: self.motion.mvp(moment)?,
             mode: self.mode,
             cull: None,
-            viewport,
         })
     }
 
     /// Draws a band of a frame.
     pub fn draw(&self, band: Band<'_, Rgb888>, moment: Moment, style: &Style<'_>) -> Result<Done> {
-        let (origin, size) = (band.origin(), band.picture());
-        let posed = self.posed(moment, band.viewport)?;
+        let posed = self.posed(moment)?;
         let (canvas, depth) = band.canvas()?;
         with_depth!(self.depth, canvas, depth, |canvas| {
-            style.clear(canvas, origin, size.height);
+            style.clear(canvas);
             let start = Instant::now();
             let drawn = posed.draw_in_style(canvas, style)?;
             let time = start.elapsed();
-            style.finish(canvas, origin, size);
+            style.finish(canvas);
             Ok((drawn, time))
         })
     }
@@ -232,7 +212,7 @@ impl Scene<'_> {
         let posed = Posed {
             mode: self.recorded,
             cull,
-            ..self.posed(moment, band.viewport)?
+            ..self.posed(moment)?
         };
         let (canvas, depth) = band.canvas()?;
         with_depth!(self.depth, canvas, depth, |canvas| {

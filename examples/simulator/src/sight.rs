@@ -1,19 +1,17 @@
 //! Looks at a scene before its picture is drawn: whether something will be visible in it, and how much of it.
 
-use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
+use embedded_graphics::pixelcolor::Rgb888;
 use fixel::Cull;
 
 use super::Result;
 use crate::args::{Args, Shade};
+use crate::bands::bands;
 use crate::draw::{Lines, Style};
 use crate::dump::Record;
-use crate::scene::{Band, Done, Moment, Scene};
+use crate::scene::{Band, Moment, Scene};
 
 /// Largest side of the small pictures that are only counted.
 const SMALL: u32 = 256;
-/// Largest side that a picture in one piece can have.
-const LARGE: u32 = 2048;
-
 /// Checks that something is visible, and adds hints for the user to `notes`. Chooses the lines to be drawn. If materials
 /// hide everything, both sides are drawn.
 ///
@@ -22,8 +20,7 @@ const LARGE: u32 = 2048;
 /// Nothing is visible in any frame. The message says why, and what to do.
 pub fn check(scene: &mut Scene<'_>, args: &Args, notes: &mut Vec<String>) -> Result<Lines> {
     let is_wire = scene.shade == Some(Shade::Wire);
-    let (width, height) = args.size;
-    let size = within((width * args.samples, height * args.samples), LARGE);
+    let size = args.size;
     let any = |scene: &Scene<'_>, cull, edges| -> Result<bool> {
         for frame in 0..args.frames {
             if look(scene, size, frame, cull, edges)?
@@ -77,7 +74,7 @@ pub fn check(scene: &mut Scene<'_>, args: &Args, notes: &mut Vec<String>) -> Res
     if is_wire {
         return Ok(lines);
     }
-    let size = within(size, SMALL);
+    let size = small(size);
     let front = look(scene, size, 0, None, false)?;
     let is_foggy = matches!(
         scene.shade,
@@ -118,8 +115,10 @@ pub fn check(scene: &mut Scene<'_>, args: &Args, notes: &mut Vec<String>) -> Res
 ///
 /// The library refuses the camera.
 pub fn colors(scene: &Scene<'_>, size: (u32, u32), style: &Style<'_>) -> Result<Vec<Rgb888>> {
-    let size = within(size, SMALL);
-    let colors = frame(size, |band| scene.draw(band, Moment::default(), style))?;
+    let size = small(size);
+    let (colors, _) = bands(size, u32::MAX, |band| {
+        scene.draw(band, Moment::default(), style)
+    })?;
     let records = look(scene, size, 0, None, false)?;
     let covered = colors
         .into_iter()
@@ -128,35 +127,11 @@ pub fn colors(scene: &Scene<'_>, size: (u32, u32), style: &Style<'_>) -> Result<
     Ok(covered.map(|(color, _)| color).collect())
 }
 
-/// Returns the size of a picture of the same shape, with sides of at most `most` pixels.
-fn within((width, height): (u32, u32), most: u32) -> (u32, u32) {
-    let largest = u64::from(width.max(height));
-    let side = |side: u32| {
-        let less = u64::from(side) * u64::from(most) / largest.max(1);
-        u32::try_from(less).unwrap_or(most).max(1)
-    };
-    if largest > u64::from(most) {
-        (side(width), side(height))
-    } else {
-        (width, height)
-    }
-}
-
-/// Draws a whole frame.
-fn frame<C: PixelColor + Default>(
-    size: (u32, u32),
-    draw: impl FnOnce(Band<'_, C>) -> Result<Done>,
-) -> Result<Vec<C>> {
-    let count = size.0 as usize * size.1 as usize;
-    let (mut pixels, mut depth) = (vec![C::default(); count], vec![0; count]);
-    draw(Band {
-        pixels: &mut pixels,
-        depth: &mut depth,
-        size,
-        first_row: 0,
-        viewport: None,
-    })?;
-    Ok(pixels)
+/// Returns the size of a picture of the same shape, with sides of at most [`SMALL`].
+fn small((width, height): (u32, u32)) -> (u32, u32) {
+    let largest = width.max(height).max(SMALL);
+    let side = |side: u32| (side * SMALL / largest).max(1);
+    (side(width), side(height))
 }
 
 /// Records a whole frame, of faces or of edges.
@@ -167,5 +142,6 @@ fn look(
     cull: Option<Cull>,
     edges: bool,
 ) -> Result<Vec<Record>> {
-    frame(size, |band| scene.record(band, Moment::of(at), edges, cull))
+    let draw = |band: Band<'_, Record>| scene.record(band, Moment::of(at), edges, cull);
+    Ok(bands(size, u32::MAX, draw)?.0)
 }

@@ -5,10 +5,11 @@ use std::time::Duration;
 
 use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::{Drawn, Viewport};
+use fixel::Drawn;
 
 use super::Result;
 use crate::args::{Args, Shade};
+use crate::bands::bands;
 use crate::draw::{Style, add};
 use crate::dump::{self, Record};
 use crate::encoder::{self, Encoder, Format};
@@ -16,9 +17,7 @@ use crate::idle::name;
 use crate::output::{self, Output};
 use crate::progress::{self, Progress};
 use crate::report;
-use crate::samples;
 use crate::scene::{Band, Moment, Scene};
-use crate::tiles::Tiles;
 use crate::window::{self, Screen};
 
 /// The output files.
@@ -83,18 +82,13 @@ impl<'a> Targets<'a> {
         let edges = scene.shade == Some(Shade::Wire);
         let record = |band: Band<'_, Record>, moment| scene.record(band, moment, edges, None);
         let args = self.args;
-        let tiles = Tiles {
-            size: (size.0 * args.samples, size.1 * args.samples),
-            most: args.tile,
-            rows: args.bands.unwrap_or(u32::MAX),
-        };
+        let rows = args.bands.unwrap_or(u32::MAX);
         let mut total = Total::default();
         let mut colors = Vec::new();
         // Draws a frame; returns the pixels, and the time of the draw calls.
         let draw = |moment| -> Result<(Vec<Rgb888>, Duration)> {
-            let (drawn, (_, time)) = tiles.draw(|band| scene.draw(band, moment, style))?;
-            let side = args.samples as usize;
-            Ok((samples::average(&drawn, tiles.size.0 as usize, side), time))
+            let (pixels, (_, time)) = bands(size, rows, |band| scene.draw(band, moment, style))?;
+            Ok((pixels, time))
         };
         if let Some((mut output, format)) = self.picture.take() {
             let failed = output.failed();
@@ -115,16 +109,8 @@ impl<'a> Targets<'a> {
                 }
                 total.time += least;
                 // Bands would count triangles several times.
-                let whole = Tiles {
-                    rows: u32::MAX,
-                    ..tiles
-                };
-                let (counts, _) = whole.each(
-                    |band| record(band, moment),
-                    |_, _, records| {
-                        total.pixels += records.iter().filter(|at| at.is_covered()).count();
-                    },
-                )?;
+                let (records, (counts, _)) = bands(size, u32::MAX, |band| record(band, moment))?;
+                total.pixels += records.iter().filter(|at| at.is_covered()).count();
                 total.counts = add(total.counts, counts);
                 encoder.frame(&pixels).map_err(&failed)?;
                 colors = pixels;
@@ -149,21 +135,15 @@ impl<'a> Targets<'a> {
         }
         if let Some(mut out) = self.dump.take() {
             let last = Moment::of(args.frames - 1);
-            let (records, _) = tiles.draw(|band| record(band, last))?;
+            let (records, _) = bands(size, rows, |band| record(band, last))?;
             let failed = out.failed();
             dump::write(&records, size.0 as usize, &mut out).map_err(failed)?;
             out.finish()?;
         }
-        self.say(size, tiles, &total, &colors)
+        self.say(size, &total, &colors)
     }
 
-    fn say(
-        &self,
-        (width, height): (u32, u32),
-        tiles: Tiles,
-        total: &Total,
-        colors: &[Rgb888],
-    ) -> Result<()> {
+    fn say(&self, (width, height): (u32, u32), total: &Total, colors: &[Rgb888]) -> Result<()> {
         let args = self.args;
         let say = |line: String| report::say(args, line);
         if colors.len() > 1 && colors.iter().all(|color| *color == colors[0]) {
@@ -179,10 +159,6 @@ impl<'a> Targets<'a> {
             } = total.counts;
             if args.frames > 1 {
                 say(format!("{} frames, all together:", args.frames))?;
-            }
-            let most = tiles.size.0.max(tiles.size.1);
-            if most > tiles.most {
-                say(format!("tiles of up to {0}x{0}, all together:", tiles.most))?;
             }
             let what = match args.shade {
                 Some(Shade::Wire) => "edges",
@@ -229,23 +205,10 @@ struct Total {
 ///
 /// The message says which sizes are possible.
 pub fn check_size(args: &Args) -> Result<()> {
-    const MOST: u32 = Viewport::MAX;
-    let ((width, height), samples) = (args.size, args.samples);
-    let refuse = |problem: String| Err(format!("--size {width}x{height}: {problem}").into());
-    let is_possible = |most: u32| {
-        let fits =
-            |side: u32| side > 0 && side.checked_mul(samples).is_some_and(|side| side <= most);
-        fits(width) && fits(height)
-    };
-    if !is_possible(MOST) {
-        let each = if samples > 1 {
-            format!(" divided by --samples {samples}")
-        } else {
-            String::new()
-        };
-        return refuse(format!(
-            "size is {width}x{height}: both must lie between 1 and {MOST}{each}"
-        ));
+    const MOST: u32 = 2048;
+    let (width, height) = args.size;
+    if [width, height].iter().all(|side| (1..=MOST).contains(side)) {
+        return Ok(());
     }
-    Ok(())
+    Err(format!("--size {width}x{height}: both must be from 1 to {MOST}").into())
 }

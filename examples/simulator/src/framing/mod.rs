@@ -9,7 +9,6 @@ pub mod turntable;
 use crate::Result;
 use crate::args::{Args, DepthFormat, Kind};
 use crate::idle::name;
-use crate::look::Haze;
 use fit::range;
 use fixel_assets::vector::{along, cross, dot, largest, length, sub, unit};
 
@@ -459,67 +458,38 @@ impl Framing {
     ///
     /// One exceeds `limit`; the message names the option.
     pub fn reach(&self, args: &Args, solid: &Solid, limit: f64) -> Result<f64> {
-        let far = self.useful_far();
-        let at_eye = largest(sub(self.eye, solid.middle));
+        let window = self.window().map(f64::abs);
         let window = if self.is_perspective() {
             0.0
         } else {
-            self.window()
-                .into_iter()
-                .fold(0.0, |most, edge| edge.abs().max(most))
+            window.into_iter().fold(0.0, f64::max)
         };
         // Fog is not a position: it may use the whole range of the format, which is twice as large.
         let fog = args
             .fog
-            .map_or(0.0, |fog| fog.near.abs().max(fog.far.abs()) / 2.0);
-        let reach = [
-            solid.radius,
-            at_eye,
-            window,
-            far.abs(),
-            self.near.abs(),
-            fog,
+            .map_or(0.0, |fog| fog.near.abs().max(fog.far.abs()));
+        let eye = largest(sub(self.eye, solid.middle));
+        let reaches = [
+            ("--look-at", largest(sub(self.target, solid.middle)) / 16.0),
+            ("--fog", fog / 2.0),
+            (if args.eye.is_some() { "--eye" } else { "--fov" }, eye),
+            ("--far", self.useful_far().abs()),
+            ("--near", self.near.abs()),
+            ("--fov", window),
+            ("the model", solid.radius),
         ];
-        let reach = reach.into_iter().fold(0.0, f64::max);
-        if reach <= limit {
-            return Ok(reach);
+        for (option, reach) in reaches {
+            if reach > limit {
+                return Err(format!(
+                    "{option}: it reaches {} from the middle of the model, {}: with this model, {} is the limit",
+                    about(reach),
+                    written(solid.middle.map(about)),
+                    about(limit)
+                )
+                .into());
+            }
         }
-        let at_target = largest(sub(self.target, solid.middle));
-        let (middle, limit) = (written(solid.middle.map(about)), about(limit));
-        let place = |option, point| {
-            format!(
-                "{option} {}: each coordinate must be within {limit} of the middle of the model, {middle}",
-                written(point)
-            )
-        };
-        Err(match *args {
-            Args { fog: Some(Haze { near, far, .. }), .. } if fog > limit => {
-                let most = limit * 2.0;
-                format!("--fog {near},{far}: both must be between -{most} and {most}")
-            }
-            Args { eye: Some(eye), .. } if at_eye > limit => place("--eye", eye),
-            Args { look_at: Some(target), .. } if at_target > limit / 16.0 => {
-                place("--look-at", target)
-            }
-            Args { far: Some(far), .. } if far > limit => {
-                format!("--far {far}: it must be at most {limit}")
-            }
-            Args { near: Some(near), .. } if near.abs() > limit => {
-                format!("--near {near}: it must be between -{limit} and {limit}")
-            }
-            Args { fov: Some(fov), eye: None, .. } if fov < FIELD_OF_VIEW => format!(
-                "--fov {fov}: to see the whole model, the eye must be {} away, more than {limit}: it must be at \
-                 least {}",
-                about(reach),
-                about(fov * reach / limit * 1.001)
-            ),
-            _ => format!(
-                "--fov {}: the picture reaches {} from the model: it must be at most {limit}",
-                self.fov,
-                about(window)
-            ),
-        }
-        .into())
+        Ok(reaches.iter().fold(0.0, |most, (_, reach)| reach.max(most)))
     }
 
     /// Returns the model's nearest and farthest stored depth.

@@ -4,9 +4,9 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-use super::program::{TRIANGLE, directory, good, printed, refused, run};
+use fixel_assets::vector::{Vector as Point, cross, dot, sub, unit};
 
-type Point = [f64; 3];
+use super::program::{TRIANGLE, directory, good, printed, refused, run};
 
 /// A closed box without symmetry.
 const CORNERS: [Point; 8] = [
@@ -46,33 +46,13 @@ fn point(camera: &str, name: &str) -> Point {
     option(camera, name).try_into().unwrap()
 }
 
-fn sub(a: Point, b: Point) -> Point {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: Point, b: Point) -> Point {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-fn unit(a: Point) -> Point {
-    a.map(|x| x / dot(a, a).sqrt())
-}
-
 /// Projects the box's corners with a printed camera. Returns the left, right, bottom and top of their picture, relative
 /// to its center in units of half the picture, and the distances of the nearest and the farthest corner.
 fn outline(camera: &str, size: [u32; 2], place: impl Fn(Point) -> Point) -> [[f64; 2]; 3] {
     let eye = point(camera, "--eye");
     let line = sub(eye, point(camera, "--look-at"));
-    let back = unit(line);
-    let right = unit(cross(point(camera, "--up"), back));
+    let back = unit(line).unwrap();
+    let right = unit(cross(point(camera, "--up"), back)).unwrap();
     let up = cross(back, right);
     let half = (option(camera, "--fov")[0].to_radians() / 2.0).tan();
     let aspect = f64::from(size[0]) / f64::from(size[1]);

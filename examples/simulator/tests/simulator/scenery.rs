@@ -223,11 +223,7 @@ fn fog_is_as_large_as_the_model() {
         }
     }
     let far = "s.obj --fog 1,1e20";
-    refused(
-        &directory,
-        far,
-        &["--fog 1,100000000000000000000", "between"],
-    );
+    refused(&directory, far, &["--fog: it reaches", "is the limit"]);
 }
 
 #[test]
@@ -251,106 +247,5 @@ fn edges_lie_over_the_surface() {
             }
             assert!(black > 60, "{black}");
         }
-    }
-}
-
-/// The light energy of an sRGB byte.
-fn energy(byte: u8) -> f64 {
-    let value = f64::from(byte) / 255.0;
-    if value <= 0.04045 {
-        value / 12.92
-    } else {
-        ((value + 0.055) / 1.055).powf(2.4)
-    }
-}
-
-#[test]
-fn samples_average_light() {
-    let directory = squares("samples");
-    let look = "s.obj --color rgb888 --shade lit";
-    let large = draw(&directory, &format!("{look} --size 96x72"));
-    let small = draw(&directory, &format!("{look} --size 32x24 --samples 3"));
-    for (at, found) in small.iter().enumerate() {
-        let (x, y) = (at % 32, at / 32);
-        for channel in 0..3 {
-            let sum: f64 = (0..9)
-                .map(|sample| large[(y * 3 + sample / 3) * 96 + x * 3 + sample % 3][channel])
-                .map(energy)
-                .sum();
-            // No other byte is nearer in light, except for the rounding of f32.
-            let error = |byte: u8| (energy(byte) - sum / 9.0).abs() - 1e-6;
-            let byte = found[channel];
-            let neighbors = [byte.saturating_sub(1), byte.saturating_add(1)];
-            assert!(
-                neighbors
-                    .iter()
-                    .all(|&other| error(byte) <= error(other) + 2e-6),
-                "{x},{y}"
-            );
-        }
-    }
-    assert_eq!(
-        draw(&directory, &format!("{look} --samples 1")),
-        draw(&directory, look)
-    );
-    refused(&directory, "s.obj --samples 0", &["--samples"]);
-    refused(
-        &directory,
-        "s.obj --samples 2 --crc",
-        &["cannot be used with"],
-    );
-    let large = [
-        "--size 2000x100",
-        "between 1 and 4096 divided by --samples 3",
-    ];
-    refused(&directory, "s.obj --size 2000x100 --samples 3", &large);
-}
-
-#[test]
-fn tiles_equal_the_whole_picture() {
-    let directory = squares("tiles");
-    for look in [
-        "s.obj --shade lit",
-        "s.obj --shade lit --filter bilinear --mode fast --fog 2,30",
-        "s.obj --shade flat --wire --color mono --background 808080",
-        "s.obj --shade depth --projection cabinet --color gray4",
-        "s.obj --shade normal --mode exact --bands 7",
-        "s.obj --shade wire --samples 2",
-        // The project's own scene.
-        "",
-        "--color mono --bands 9",
-        "s.obj --color gray4 --light 1,2,3 --fog 6,60",
-    ] {
-        // First, tiles that are as wide as the picture.
-        let look = format!("{look} --size 96x200");
-        let whole = draw(&directory, &look);
-        let tiled = draw(&directory, &format!("{look} --tile 192"));
-        assert!(tiled == whole, "{look}");
-        // In narrower tiles, rows begin at other pixels. Modes are exact to a thousandth of a texel, so hardly any
-        // color differs.
-        let tiled = draw(&directory, &format!("{look} --tile 40"));
-        let differ = tiled.iter().zip(&whole).filter(|(a, b)| a != b).count();
-        assert!(differ * 500 <= whole.len(), "{look}: {differ} differ");
-    }
-}
-
-#[test]
-fn pictures_beyond_a_canvas_are_drawn_in_tiles() {
-    let directory = squares("large");
-    let large = draw(
-        &directory,
-        "s.obj --size 2100x40 --shade flat --color gray8",
-    );
-    assert_eq!(large.len(), 2100 * 40);
-    refused(
-        &directory,
-        "s.obj --size 4097x40",
-        &["size is 4097x40", "between 1 and 4096"],
-    );
-    let scene = draw(&directory, "--size 2100x40");
-    assert_eq!(scene.len(), 2100 * 40);
-    // Both lower corners show the sea, below the sky.
-    for x in [0, 2099] {
-        assert_ne!(scene[39 * 2100 + x], scene[x]);
     }
 }
