@@ -1,53 +1,9 @@
-//! What a user should know about a model before a program takes it.
+//! A hint about a model that seems to lie on its side.
 
-use std::collections::HashSet;
-
-use fixel_assets::vector::{Vector, cross, length, sub};
+use fixel_assets::vector::{cross, length, sub};
 use fixel_assets::{Format, Model, Triangle};
 
 use crate::args::Args;
-use crate::framing::Solid;
-
-/// Steps of the library's positions in a unit.
-const STEPS: f64 = 65_536.0;
-/// The largest position of the library.
-const MOST: f64 = 32_767.0;
-
-/// The number of different positions at this scale.
-fn distinct(points: &[Vector], scale: f64) -> usize {
-    #[allow(clippy::cast_possible_truncation)] // saturates
-    let rounded = |point: &Vector| point.map(|x| (x * scale * STEPS).round() as i64);
-    points.iter().map(rounded).collect::<HashSet<_>>().len()
-}
-
-/// Returns a note if the model's units are so small that positions merge in the library's format. Positions within
-/// 1/65,536 of the model's size are the same anyway; a hundredth of the others may merge.
-pub fn merging(points: &[Vector], solid: &Solid) -> Option<String> {
-    let fine = (-solid.radius.log2().floor()).max(0.0);
-    let apart = distinct(points, fine.exp2());
-    let are_kept = |scale: f64| distinct(points, scale) * 100 >= apart * 99;
-    if fine == 0.0 || are_kept(1.0) {
-        return None;
-    }
-    let merged = apart.saturating_sub(distinct(points, 1.0));
-    let mut scale = 2.0;
-    while scale < fine.exp2() && !are_kept(scale) {
-        scale *= 2.0;
-    }
-    let far = points
-        .iter()
-        .flatten()
-        .fold(0.0, |far: f64, x| far.max(x.abs()));
-    let how = if far * scale <= MOST {
-        format!("scale = {scale} keeps them apart")
-    } else {
-        "move the model to its origin and scale it up".into()
-    };
-    let all = points.len();
-    Some(format!(
-        "in include_mesh!, {merged} of {all} positions would merge with others, because its steps are 1/65536: {how}"
-    ))
-}
 
 /// Returns a hint if the model seems to lie on its side: it has a flat base where another axis than the default one has
 /// its low end, but none where it should.

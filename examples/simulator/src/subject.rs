@@ -60,7 +60,11 @@ impl Subject {
         }
         let points = used(&model);
         let solid = Solid::of(&points)?;
-        report::notes(args, advice::merging(&points, &solid))?;
+        let merging = model.merging(1.0);
+        report::notes(
+            args,
+            merging.map(|note| format!("in include_mesh!, {note}")),
+        )?;
         report::notes(args, advice::lying(args, &model))?;
         let mut framing = frame(args, &points, &solid, solid.middle)?;
         if args.window {

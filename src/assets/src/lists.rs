@@ -1,5 +1,7 @@
 //! A model as the lists of a mesh in flash: fixed-point numbers, and indices of 16 bits.
 
+use std::collections::HashSet;
+
 use super::{Corner, Model, Triangle};
 
 /// The fraction bits of positions and normals, and of texture coordinates.
@@ -283,6 +285,52 @@ impl Model {
         }
         lists.positions = positions;
         Ok(lists)
+    }
+
+    /// A sentence about positions that become the same when they are multiplied by `scale` and rounded, with a scale that
+    /// keeps them apart; `None` if hardly any do. Positions within 1/65,536 of the model's size count as one, and a
+    /// hundredth of the others may merge.
+    #[must_use]
+    pub fn merging(&self, scale: f64) -> Option<String> {
+        let corners = self.triangles.iter().flat_map(|triangle| triangle.corners);
+        let used: HashSet<u32> = corners.map(|corner| corner.position).collect();
+        let points: Vec<[f64; 3]> = used.iter().map(|&at| self.positions[at as usize]).collect();
+        let side = |axis: usize| {
+            let all = points.iter().map(|point| point[axis]);
+            all.clone().fold(f64::MIN, f64::max) - all.fold(f64::MAX, f64::min)
+        };
+        let fine = 1.0 / side(0).max(side(1)).max(side(2));
+        let distinct = |scale: f64| {
+            let steps = scale * f64::from(1_u32 << SCALAR);
+            #[allow(clippy::cast_possible_truncation)] // saturates
+            let rounded = |point: &[f64; 3]| point.map(|x| (x * steps).round() as i64);
+            points.iter().map(rounded).collect::<HashSet<_>>().len()
+        };
+        if fine <= scale || !fine.is_finite() {
+            return None;
+        }
+        let (apart, kept) = (distinct(fine), distinct(scale));
+        let are_kept = |kept: usize| kept * 100 >= apart * 99;
+        if are_kept(kept) {
+            return None;
+        }
+        let mut enough = 2.0 * scale;
+        while enough < fine && !are_kept(distinct(enough)) {
+            enough *= 2.0;
+        }
+        let farthest = points
+            .iter()
+            .flatten()
+            .fold(0.0, |most: f64, x| most.max(x.abs()));
+        let how = if farthest * enough < 32_767.0 {
+            format!("scale = {enough} keeps them apart")
+        } else {
+            "move the model to its origin and scale it up".into()
+        };
+        let merged = apart.saturating_sub(kept);
+        Some(format!(
+            "{merged} of {apart} positions are the same as others in steps of 1/65536: {how}"
+        ))
     }
 
     /// The runs of faces with one material, in the order of the faces.

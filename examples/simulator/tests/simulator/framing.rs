@@ -533,7 +533,7 @@ fn merging_positions_are_noted_with_a_scale_that_keeps_them() {
     // Neighbors are 0.06 radii apart, about a third of a step at the first radius, and a thousandth at the second.
     for (radius, least) in [(8e-5, 3.0), (2.4e-7, 1000.0)] {
         let note = fan(radius);
-        assert!(note.contains("positions would merge"), "{note}");
+        assert!(note.contains("positions are the same as others"), "{note}");
         let scale: f64 = printed(&note, "scale =").parse().unwrap();
         assert!((least / 4.0..least * 8.0).contains(&scale), "{note}");
         assert_eq!(fan(radius * scale), "", "{radius}");

@@ -61,8 +61,12 @@ pub fn mesh(arguments: &Arguments) -> Result<Expansion, String> {
     if arguments.has("normals") {
         model.make_normals();
     }
+    let options = options(arguments)?;
+    if let Some(note) = model.merging(options.scale) {
+        model.notes.add(note);
+    }
     expansion.note(&arguments.path.value, &model.notes);
-    let lists = model.lists(&options(arguments)?)?;
+    let lists = model.lists(&options)?;
     write(&mut expansion, &lists, formats.first().copied());
     Ok(expansion)
 }
