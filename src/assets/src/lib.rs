@@ -214,6 +214,10 @@ impl Model {
     /// Whether faces have colors of their own.
     #[must_use]
     pub fn is_colored(&self) -> bool {
-        !self.colors.is_empty() || !self.materials.is_empty()
+        let is_plain = |material: &Material| {
+            let plain = Material::new(material.name.clone());
+            *material == plain
+        };
+        !self.colors.is_empty() || !self.materials.iter().all(is_plain)
     }
 }
