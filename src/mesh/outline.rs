@@ -1,6 +1,5 @@
 //! The edges of a mesh with their two faces, for silhouettes and creases.
 
-use super::sort::sort;
 use super::{Index, Mesh, Positions};
 use crate::Error;
 use crate::error::{check_count, check_crease, ok};
@@ -67,7 +66,12 @@ impl<'a> Outline<'a> {
     ) -> Result<Self, Error> {
         ok!(check_count(creases, edges.len()));
         ok!(super::mesh::check(edges, mesh.positions().len(), None));
-        Ok(Self { edges, creases })
+        Ok(Self::of(edges, creases))
+    }
+
+    /// An outline of edges that are known to be right.
+    pub(super) const fn of(edges: &'a [[Index; 4]], creases: usize) -> Self {
+        Self { edges, creases }
     }
 
     /// Finds the outline of a mesh. Edges at which the normals of the faces differ by more than `crease` are creases.
@@ -102,7 +106,7 @@ impl<'a> Outline<'a> {
         ok!(check_crease(crease));
         let [edge_count, creases] = ok!(write(mesh, crease, edges));
         let (edges, _) = edges.split_at(edge_count);
-        Ok(Self { edges, creases })
+        Ok(Self::of(edges, creases))
     }
 
     /// The edges, creases first: see [`new`](Self::new).
@@ -256,7 +260,7 @@ const fn write(
         }
         first += 3;
     }
-    sort(edges, 0, count, 24);
+    sort(edges, count);
 
     let (sine, cosine) = crease.sin_cos();
     let limit = [sine.to_bits() as i128, cosine.to_bits() as i128];
@@ -287,6 +291,40 @@ const fn write(
         at += 1;
     }
     Ok([kept, creases])
+}
+
+/// Sorts the first `count` entries by their numbers: a heap sort, which needs no memory and can run in the compiler.
+const fn sort(entries: &mut [[Index; 4]], count: usize) {
+    // First, every entry becomes the largest of those below it; then the largest ones go to the end, one by one.
+    let mut next = count / 2 + count;
+    while next > 1 {
+        next -= 1;
+        let (root, end) = if next < count {
+            (0, next)
+        } else {
+            (next - count, count)
+        };
+        if next < count {
+            entries.swap(0, next);
+        }
+        let mut at = root;
+        loop {
+            let mut child = 2 * at + 1;
+            if child + 1 < end && key(entries[child]) < key(entries[child + 1]) {
+                child += 1;
+            }
+            if child >= end || key(entries[child]) <= key(entries[at]) {
+                break;
+            }
+            entries.swap(at, child);
+            at = child;
+        }
+    }
+}
+
+/// An entry as one number.
+const fn key([a, b, c, d]: [Index; 4]) -> u64 {
+    (a as u64) << 48 | (b as u64) << 32 | (c as u64) << 16 | d as u64
 }
 
 /// The number of an entry's side.
