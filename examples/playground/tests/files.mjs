@@ -86,6 +86,19 @@ test("a model gets its material's picture, in sides that are powers of two", asy
   assert.notEqual(other, found);
 });
 
+test("a picture that a model contains is named by its number", async () => {
+  const image = (bytes) => ({ uri: `data:image/x-tga;base64,${Buffer.from(bytes).toString("base64")}` });
+  const model = structuredClone(gltf);
+  model.meshes[0].primitives[0].material = 0;
+  Object.assign(model, {
+    materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],
+    textures: [{ source: 1 }],
+    images: [image([0]), image(tga(8, 4))],
+  });
+  const [, , call] = await drawn({ "some data.bin": bytes, "a.gltf": JSON.stringify(model) });
+  assert.equal(call, 'include_texture!("a.gltf", image = 1)');
+});
+
 test("notes tell what is missing, and what the page leaves out", async () => {
   const notes = async (files) => (await drop({ "a.obj": painted, ...files })).join("\n");
   assert.match(await notes({}), /a\.mtl/);

@@ -88,8 +88,11 @@ pub fn read(
 /// Returns the scale in which the mesh's numbers hold the model, in few enough and enough steps of 2^-16: 1 if they do,
 /// or that of a radius near 1. One that is far from the origin then is moved there.
 fn fitted(model: &mut Model, call: &mut String, notes: &mut Vec<String>) -> f64 {
+    // The positions that faces use.
+    let corners = model.triangles.iter().flat_map(|triangle| triangle.corners);
+    let used = corners.map(|corner| model.positions[corner.position as usize]);
     let bound = |axis: usize, pick: fn(f64, f64) -> f64| {
-        let all = model.positions.iter().map(|at| at[axis]);
+        let all = used.clone().map(|at| at[axis]);
         all.reduce(pick).unwrap_or(0.0)
     };
     let low = [0, 1, 2].map(|axis| bound(axis, f64::min));

@@ -114,7 +114,8 @@ fn of_image(name: &str, model: &Model, at: u32, files: &Dropped) -> Result<Textu
         }
         Some(Image::Bytes(image, bytes)) => {
             let call = format!("{name:?}, image = {at}");
-            (image.clone(), Ok(bytes.clone()), call)
+            let name = format!("image {at} {image}");
+            (name.trim_end().into(), Ok(bytes.clone()), call)
         }
         None => (
             name.into(),
