@@ -1,5 +1,6 @@
 # Helpers for the other scripts: builds for other targets. They source this file in the project's root. A build uses the
-# target's library if rustup has installed it. Otherwise Debian's compiler builds core, too.
+# target's library if rustup has installed it. Otherwise Debian's compiler builds it, too: core, or what the variable
+# `library` names.
 targets=(thumbv6m-none-eabi thumbv7m-none-eabi thumbv7em-none-eabi thumbv8m.base-none-eabi thumbv8m.main-none-eabi riscv32imc-unknown-none-elf)
 
 has_target() { [ -d "$(rustc --print target-libdir --target "$1")" ]; }
@@ -18,7 +19,7 @@ cross() {
   if [ -n "$found" ]; then
     cargo "$@" "${flags[@]}" --target-dir target/cross
   else
-    RUSTC_BOOTSTRAP=1 RUSTC=/usr/bin/rustc /usr/bin/cargo "$@" -Zbuild-std=core "${flags[@]}" --target-dir target/cross
+    RUSTC_BOOTSTRAP=1 RUSTC=/usr/bin/rustc /usr/bin/cargo "$@" -Zbuild-std="${library:-core}" "${flags[@]}" --target-dir target/cross
   fi
 }
 

@@ -347,13 +347,6 @@ errors! {
         /// Largest length allowed.
         max: Scalar,
     } = "{of} is {given}: it must be above 0 and at most {max}";
-    /// OBJ text that cannot be read.
-    Obj {
-        /// The line number, counted from 1.
-        line: usize,
-        /// The mistake in the line.
-        problem: &'static str,
-    } = "line {line}: {problem}";
 
     without fields:
     /// A zero vector where a direction is needed.

@@ -66,7 +66,7 @@
 //!
 //! | part | made by | used as |
 //! |---|---|---|
-//! | [`Mesh`] | [`include_mesh!`], [`shape!`], [`mesh::obj`], [`mesh::Shape`], slices of your own | first argument of [`Canvas::draw`] |
+//! | [`Mesh`] | [`include_mesh!`], [`shape!`], [`mesh::Shape`], slices of your own | first argument of [`Canvas::draw`] |
 //! | [`Outline`]: edges with their faces, for silhouettes and creases | [`outline!`], [`Outline::build`] | third argument of [`Canvas::draw_outline`] |
 //! | [`Mvp`], the model-view-projection | `projection * camera * spin` of a [`Projection`], a [`Camera`] and [`Transform`]s | second argument |
 //! | [`Shader`] | [`shade`], or ten lines of your own | third argument |

@@ -129,7 +129,6 @@ pub const fn checked<T: Copy>(result: Result<T, Error>, name: &str) -> T {
     };
     let mut hint = Message::new();
     let pieces = match error {
-        Error::Obj { line, problem } => [Number(line), Text(problem), NONE, NONE],
         Error::TooMany { given, max } => [Number(given), Number(max), NONE, NONE],
         Error::Index { at, index, len } => [Number(index as usize), Number(at), Number(len), NONE],
         Error::Length { given, needed } => [Number(given), Number(needed), NONE, NONE],

@@ -25,10 +25,15 @@ fn main() -> io::Result<()> {
             let target = out.ancestors().nth(4)?;
             Some(target.join("wasm32-unknown-unknown/release"))
         });
-    for name in ["playground.wasm", "world.wasm"] {
+    // The reader is built for its size.
+    for (folder, name) in [
+        ("", "playground.wasm"),
+        ("", "world.wasm"),
+        ("../size", "reader.wasm"),
+    ] {
         let module = modules
             .as_ref()
-            .map(|folder| folder.join(name))
+            .map(|modules| modules.join(folder).join(name))
             .unwrap_or_default();
         println!("cargo::rerun-if-changed={}", module.display());
         let mut file = fs::File::create(out.join(format!("{name}.gz")))?;

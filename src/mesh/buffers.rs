@@ -1,6 +1,4 @@
-//! Memory for generated and imported meshes.
-
-use embedded_graphics::pixelcolor::Rgb888;
+//! Memory for generated meshes.
 
 use super::{Index, Mesh};
 use crate::error::{check_count, ok};
@@ -21,7 +19,7 @@ pub struct Counts {
     pub positions: usize,
     /// Triangles.
     pub faces: usize,
-    /// Edges. For OBJ text this is an upper bound, because duplicates are not yet removed.
+    /// Edges.
     pub edges: usize,
     /// Texture coordinates.
     pub uvs: usize,
@@ -49,7 +47,7 @@ impl Counts {
     };
 }
 
-/// Memory for a mesh that is built at run time: one slice per list, each at least as long as [`Counts`] says.
+/// Memory for a shape that is built at run time: one slice per list, each at least as long as [`Counts`] says.
 ///
 /// Attributes and edges are left out if their slice is empty.
 ///
@@ -72,14 +70,8 @@ pub struct Buffers<'a> {
     pub edges: &'a mut [[Index; 2]],
     /// For texture coordinates.
     pub uvs: &'a mut [Vec2],
-    /// For triangles as indices of texture coordinates.
-    pub uv_faces: &'a mut [[Index; 3]],
     /// For normals.
     pub normals: &'a mut [Vec3],
-    /// For triangles as indices of normals.
-    pub normal_faces: &'a mut [[Index; 3]],
-    /// For colors.
-    pub colors: &'a mut [Rgb888],
 }
 
 impl<'a> Buffers<'a> {
@@ -91,10 +83,7 @@ impl<'a> Buffers<'a> {
             faces,
             edges: &mut [],
             uvs: &mut [],
-            uv_faces: &mut [],
             normals: &mut [],
-            normal_faces: &mut [],
-            colors: &mut [],
         }
     }
 
@@ -106,24 +95,16 @@ impl<'a> Buffers<'a> {
         }
         if self.uvs.is_empty() {
             wanted.uvs = 0;
-            wanted.uv_faces = 0;
         }
         if self.normals.is_empty() {
             wanted.normals = 0;
-            wanted.normal_faces = 0;
-        }
-        if self.colors.is_empty() {
-            wanted.colors = 0;
         }
         let room = [
             (wanted.positions, self.positions.len()),
             (wanted.faces, self.faces.len()),
             (wanted.edges, self.edges.len()),
             (wanted.uvs, self.uvs.len()),
-            (wanted.uv_faces, self.uv_faces.len()),
             (wanted.normals, self.normals.len()),
-            (wanted.normal_faces, self.normal_faces.len()),
-            (wanted.colors, self.colors.len()),
         ];
         let mut list = 0;
         while list < room.len() {
@@ -141,15 +122,9 @@ impl<'a> Buffers<'a> {
         );
         ok!(mesh).with_lists(
             first(self.edges, counts.edges),
-            (
-                first(self.uvs, counts.uvs),
-                first(self.uv_faces, counts.uv_faces),
-            ),
-            (
-                first(self.normals, counts.normals),
-                first(self.normal_faces, counts.normal_faces),
-            ),
-            (first(self.colors, counts.colors), &[]),
+            (first(self.uvs, counts.uvs), &[]),
+            (first(self.normals, counts.normals), &[]),
+            (&[], &[]),
         )
     }
 }

@@ -14,10 +14,7 @@ pub struct Room<const N: usize> {
     pub faces: [[Index; 3]; N],
     pub edges: [[Index; 2]; N],
     pub uvs: [Vec2; N],
-    pub uv_faces: [[Index; 3]; N],
     pub normals: [Vec3; N],
-    pub normal_faces: [[Index; 3]; N],
-    pub colors: [Rgb888; N],
 }
 
 impl<const N: usize> Room<N> {
@@ -26,10 +23,7 @@ impl<const N: usize> Room<N> {
         faces: [[0; 3]; N],
         edges: [[0; 2]; N],
         uvs: [Vec2::ZERO; N],
-        uv_faces: [[0; 3]; N],
         normals: [Vec3::ZERO; N],
-        normal_faces: [[0; 3]; N],
-        colors: [Rgb888::new(0, 0, 0); N],
     };
 
     /// All lists, to be filled.
@@ -40,10 +34,7 @@ impl<const N: usize> Room<N> {
             faces: &mut self.faces,
             edges: &mut self.edges,
             uvs: &mut self.uvs,
-            uv_faces: &mut self.uv_faces,
             normals: &mut self.normals,
-            normal_faces: &mut self.normal_faces,
-            colors: &mut self.colors,
         }
     }
 }
@@ -243,14 +234,11 @@ macro_rules! __mesh {
         static STORED_UVS: [[$step; 2]; $counts.uvs] = STORED.0;
         #[allow(long_running_const_eval)]
         static STORED_NORMALS: [[i8; 3]; $counts.normals] = flash::normals_of_8(&$room.normals);
-        static UV_INDICES: [[$crate::Index; 3]; $counts.uv_faces] = flash::first(&$room.uv_faces);
-        static NORMAL_INDICES: [[$crate::Index; 3]; $counts.normal_faces] =
-            flash::first(&$room.normal_faces);
         static QUANTIZED: $crate::mesh::Quantized<'static> =
             $crate::mesh::Quantized::checked($crate::mesh::Quantized::new(
                 $crate::__mesh!($room, $counts, short).without_uvs().without_normals(),
-                (&STORED_NORMALS, &NORMAL_INDICES),
-                (StoredUvs::$list(&STORED_UVS), &UV_INDICES),
+                (&STORED_NORMALS, &[]),
+                (StoredUvs::$list(&STORED_UVS), &[]),
                 STORED.1,
             ));
         QUANTIZED
@@ -265,17 +253,14 @@ macro_rules! __mesh {
         static FACES: [[$crate::Index; 3]; $counts.faces] = first(&$room.faces);
         static EDGES: [[$crate::Index; 2]; $counts.edges] = first(&$room.edges);
         static UVS: [$crate::Vec2; $counts.uvs] = first(&$room.uvs);
-        static UV_FACES: [[$crate::Index; 3]; $counts.uv_faces] = first(&$room.uv_faces);
         static NORMALS: [$crate::Vec3; $counts.normals] = first(&$room.normals);
-        static NORMAL_FACES: [[$crate::Index; 3]; $counts.normal_faces] = first(&$room.normal_faces);
-        static COLORS: [$crate::mesh::flash::Rgb888; $counts.colors] = first(&$room.colors);
         #[allow(long_running_const_eval)]
         static MESH: $crate::Mesh<'static> = $crate::Mesh::checked(
             $crate::Mesh::checked($mesh).with_lists(
                 &EDGES,
-                (&UVS, &UV_FACES),
-                (&NORMALS, &NORMAL_FACES),
-                (&COLORS, &[]),
+                (&UVS, &[]),
+                (&NORMALS, &[]),
+                (&[], &[]),
             ),
         );
         MESH

@@ -2,7 +2,7 @@
 //!
 //! | source | at compile time, in flash | at run time, in the caller's memory |
 //! |---|---|---|
-//! | an OBJ file | [`include_mesh!`](crate::include_mesh) | [`obj::parse`] |
+//! | a file | [`include_mesh!`](crate::include_mesh) | |
 //! | a generated shape | [`shape!`](crate::shape) | [`Shape::build`] |
 //! | your own slices | [`Mesh::new`] in a `static`, unwrapped by [`Mesh::checked`] | [`Mesh::new`] |
 //!
@@ -23,7 +23,6 @@ mod keyframes;
 #[allow(clippy::module_inception)] // one type, one file
 mod mesh;
 mod normals;
-pub mod obj;
 mod outline;
 mod part;
 mod placement;
@@ -31,7 +30,6 @@ mod positions;
 mod primitive;
 mod quantized;
 mod shapes;
-mod sort;
 mod sprites;
 
 pub use bounds::Bounds;

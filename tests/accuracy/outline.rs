@@ -12,7 +12,6 @@ use crate::reference::linear::Vec3 as Vector;
 use crate::reference::outline::{Edge, edges, is_drawn};
 use crate::reference::{projection, view};
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::mesh::{Buffers, obj};
 use fixel::prelude::*;
 use fixel::view::{Perspective, ProjectionKind};
 use rand::Rng;
@@ -25,6 +24,7 @@ static CAN: Mesh = shape!(cylinder(7));
 static RING: Mesh = shape!(torus(fx!(0.4), 14, 9));
 static GROUND: Mesh = shape!(plane(3, 2));
 static HOUSE: Mesh = include_mesh!("../models/house.obj");
+static ISLAND: Mesh = include_mesh!("../../examples/assets/lighthouse.obj");
 
 const SIZE: (u32, u32) = (72, 64);
 
@@ -114,16 +114,7 @@ fn check_edges(mesh: &Mesh, degrees: f64) {
 
 #[test]
 fn edges_and_creases_are_the_models() {
-    // Reading it at compile time would take longer than all tests of this file.
-    let lighthouse = include_bytes!("../../examples/assets/lighthouse.obj");
-    let counts = obj::count(lighthouse).unwrap();
-    let (mut positions, mut faces) = (
-        vec![Vec3::ZERO; counts.positions],
-        vec![[0; 3]; counts.faces],
-    );
-    let buffers = Buffers::new(&mut positions, &mut faces);
-    let island = obj::parse(lighthouse, buffers).unwrap();
-    for mesh in MESHES.into_iter().chain([&island]) {
+    for mesh in MESHES.into_iter().chain([&ISLAND]) {
         for degrees in [0., 1., 20., 30., 59.9, 90., 90.1, 180.] {
             check_edges(mesh, degrees);
         }

@@ -11,7 +11,6 @@ mod bands;
 mod canvas;
 mod depths;
 mod golden;
-mod import;
 mod objects;
 mod picking;
 mod quantized;

@@ -1,7 +1,7 @@
 //! The fuzzed checks. Each makes an input from bytes, passes it to the crate, and checks the invariants of the result.
 //!
-//! The fuzz targets in tests/fuzz call [`draw`] and [`obj`] with bytes from libFuzzer; `replay.rs` calls them with the
-//! inputs that were kept. A check that fails panics.
+//! The fuzz targets in tests/fuzz call [`draw`] with bytes from libFuzzer; `replay.rs` calls it with the inputs that were
+//! kept. A check that fails panics.
 //!
 //! | file | contents |
 //! |---|---|
@@ -15,7 +15,6 @@
 //! | `call` | a draw call in bands, prepared, as bytes and twice |
 //! | `knowledge` | the f64 model's triangles, and bounds on the crate's deviation from them |
 //! | `model` | the comparison of pixels with the f64 model |
-//! | `obj` | OBJ text: arbitrary bytes, or plausible text with mistakes |
 
 // f64 holds every integer used here, and no pixel lies left of or above the picture.
 #![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]
@@ -30,8 +29,6 @@ mod mode;
 #[path = "../accuracy/moves.rs"]
 #[allow(dead_code)]
 mod moves;
-#[path = "../common/owned.rs"]
-mod owned;
 #[path = "../common/recorder.rs"]
 mod recorder;
 #[path = "../reference/mod.rs"]
@@ -42,7 +39,6 @@ pub mod draw;
 mod knowledge;
 mod model;
 mod numbers;
-pub mod obj;
 mod projection;
 mod scene;
 mod shaders;

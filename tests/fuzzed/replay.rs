@@ -25,8 +25,3 @@ fn inputs_that_once_failed_pass() {
 fn kept_draw_inputs_pass() {
     replay(include_str!("draw.base64"), fuzzed::draw::check);
 }
-
-#[test]
-fn kept_obj_inputs_pass() {
-    replay(include_str!("obj.base64"), fuzzed::obj::check);
-}

@@ -15,8 +15,8 @@ const scenes = [...document.querySelectorAll("#scenes input")];
 const tell = (id, text) => ($(id).textContent = text);
 const pause = (time) => new Promise((resume) => setTimeout(resume, time));
 const frame = () => new Promise(requestAnimationFrame);
-/** The module; and the visitor's model. */
-let crate, model;
+/** The module. */
+let crate;
 
 let beginnings = 0;
 /** Ends what waits, and shows the settings. Returns a function to wait with, which tells whether to go on. */
@@ -80,9 +80,9 @@ async function measure(goesOn) {
   const now = settings();
   const left = crate.ask("checksum", crate.ask("measure", now, SCRATCH));
   showNumbers(left, timed(now));
-  if (left.submitted === 0) tell("hint", "Drop a model here (.obj, .gltf or .glb), with a picture for its texture.");
+  if (left.submitted === 0) tell("hint", "Drop a model here (.obj, .stl, .ply, .gltf or .glb), with its materials and pictures.");
   else if (left.pixels === 0) tell("hint", "Nothing is seen: all triangles face away, or lie outside the picture.");
-  tell("code", (now.scene === OWN && model ? model.note : "") + crate.program(now));
+  tell("code", crate.program(now));
   tell("copy", "Copy");
   const marks = [];
   for (const [mode, name] of MODES.entries()) {
@@ -134,25 +134,18 @@ async function choose(scene) {
 }
 
 async function open(files) {
-  const { name } = files.find(({ name }) => /\.(obj|gltf|glb)$/i.test(name)) ?? files[0];
+  tell("status", "Reading …");
   try {
-    const found = await read(files);
-    if (found.model) {
-      crate.read("read_model", found.model.text);
-      const { submitted } = crate.ask("measure", crate.ask("home", { ...settings(), scene: OWN }), SCRATCH);
-      if (!submitted) throw new Error("it has no faces, so there is nothing to draw.");
-    }
+    const { model, texture, name, notes } = await read(files);
+    if (model) crate.read("read_model", model);
     // The last model's texture does not suit another one.
-    const texture = found.texture ?? PLAIN;
-    crate.read("read_texture", texture.data, texture);
-    model = found.model ?? model;
-    choose(OWN);
-    tell("status", `${name} is read.${found.texture ? "" : " Drop a picture too, to give it a texture."}`);
+    const { data, ...size } = texture ?? PLAIN;
+    crate.read("read_texture", data, size);
+    await choose(OWN);
+    if (!texture) notes.push("drop a picture too, to give it a texture");
+    tell("status", [`${name} is read.`, ...notes.map((note) => `${note[0].toUpperCase()}${note.slice(1)}.`)].join(" "));
   } catch (error) {
-    if (model) crate.read("read_model", model.text);
-    // Only OBJ files have the lines that the parser counts.
-    const message = /\.obj$/i.test(name) ? error.message : error.message.replace(/^line \d+: /, "");
-    tell("trouble", `${name} cannot be read: ${message}`);
+    tell("trouble", error.message);
     tell("status", "");
   }
 }

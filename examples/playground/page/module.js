@@ -4,16 +4,18 @@ export const MODES = ["Exact", "Newton", "Fast", "Affine", "Compact"];
 /** Scenes. The little world's pictures are drawn by a module of its own. */
 export const [FLOOR, FLAT_SPHERE, LIGHTHOUSE, OWN, WORLD] = [0, 3, 4, 5, 6];
 
-/** Starts the module in a compressed file beside the page. It needs no header from the server. */
-export async function load(path) {
+/** The bytes of a module in a compressed file beside the page. It needs no header from the server. */
+export async function fetched(path) {
   const response = await fetch(path);
   if (!response.ok) throw new Error(`${path} is missing here (${response.status}).`);
   const packed = await response.blob();
   const unpacked = packed.stream().pipeThrough(new DecompressionStream("gzip"));
   // Some servers unpack it themselves.
-  const bytes = await new Response(unpacked).arrayBuffer().catch(() => packed.arrayBuffer());
-  return (await WebAssembly.instantiate(bytes)).instance.exports;
+  return new Response(unpacked).arrayBuffer().catch(() => packed.arrayBuffer());
 }
+
+/** Starts a module. */
+export const load = async (path) => (await WebAssembly.instantiate(await fetched(path))).instance.exports;
 
 /** What a module does and holds. Its three pictures are in slots. */
 export class Crate {
@@ -71,9 +73,8 @@ export class Crate {
     return new ImageData(bytes, width, height);
   }
 
-  /** Reads bytes: "read_model" OBJ text, "read_texture" pixels of a size. */
+  /** Takes what files.js has read: "read_model" a mesh, "read_texture" pixels of a size. */
   read(action, bytes, size = {}) {
-    if (bytes.length > this.exports.input_size()) throw new Error("The file is too large: at most 16 MiB can be read.");
     this.numbers(Uint8Array, this.exports.input(), bytes.length).set(bytes);
     this.ask(action, size, bytes.length);
   }

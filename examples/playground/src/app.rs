@@ -23,8 +23,8 @@ use super::view::{CAMERA, CHECKSUM, COUNTS, ERRORS, FIELDS, INSTRUCTIONS, NAMES,
 const SLOTS: usize = 3;
 /// Most pixels of a picture.
 const PIXELS: usize = 640 * 480;
-/// Room for a model's text or a texture's pixels, in bytes.
-const INPUT: usize = 1 << 24;
+/// Room for a model's lists or a texture's pixels, in bytes.
+const INPUT: usize = 1 << 22;
 
 /// Runs `$work` in the view's mode. The library's modes are types.
 macro_rules! in_mode {
@@ -339,11 +339,11 @@ impl App {
         let view = View::new(&self.fields)?;
         self.text.clear();
         // It has room.
-        let _ = program::write(&view, &mut self.text);
+        let _ = program::write(&view, &self.model, &mut self.text);
         Ok(())
     }
 
-    /// Reads a model's OBJ text from the input.
+    /// Reads a model's lists from the input.
     pub fn read_model(&mut self, bytes: usize) -> Done {
         self.model.read(&self.input[..bytes.min(INPUT)])
     }

@@ -1,7 +1,6 @@
 //! The crate in a browser: the plain functions and the linear memory that examples/playground/page uses.
 //!
-//! `cargo build --release -p playground --lib --target wasm32-unknown-unknown` builds it, and
-//! `cargo run --release -p playground` serves it with the page.
+//! `main` tells how to build it; `cargo run --release -p playground` serves it with the page.
 //!
 //! | file | contents |
 //! |---|---|
@@ -14,6 +13,8 @@
 //! | `model` | the user's own model |
 //! | `program` | the program that draws the picture, as text |
 //! | `formats` | the picture in a display's colors |
+//! | `../reader` | a module of its own, which reads the user's files |
+//! | `../world` | another one, which draws the little world |
 //! | `main`, `server` | the program that serves the page, or writes it |
 //! | `../tests` | the page and its module under Node and in Chromium, and the printed programs: see `.ci/playground` |
 #![cfg_attr(target_arch = "wasm32", no_std)]
@@ -69,10 +70,8 @@ macro_rules! exports {
 exports! {
     /// The settings of the picture to draw next, and results: see `view::NAMES`.
     fn fields(app) -> *mut f64 { app.fields.as_mut_ptr() }
-    /// Where the page writes a model's text or a texture's pixels.
+    /// Where the page writes a model's lists or a texture's pixels.
     fn input(app) -> *mut u8 { app.input.as_mut_ptr() }
-    /// Room for input in bytes.
-    fn input_size(app) -> usize { app.input.len() }
     /// What the last call wrote, in UTF-8.
     fn text(app) -> *const u8 { app.text.as_ptr() }
     /// Length of the text in bytes.

@@ -33,9 +33,11 @@ fn main() -> ExitCode {
 
 /// Refuses to go on without a module.
 fn built() -> Result<(), String> {
-    const BUILD: &str = "cargo build --release --lib -p playground -p playground-world --target wasm32-unknown-unknown";
+    const BUILD: &str = "
+  cargo build --release --lib -p playground -p playground-world --target wasm32-unknown-unknown
+  cargo build --profile size -p playground-reader --target wasm32-unknown-unknown";
     match FILES.iter().find(|file| file.bytes.is_empty()) {
-        Some(File { name, .. }) => Err(format!("{name} was not built. First: {BUILD}")),
+        Some(File { name, .. }) => Err(format!("{name} was not built. First:{BUILD}")),
         None => Ok(()),
     }
 }

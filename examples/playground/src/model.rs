@@ -1,27 +1,69 @@
 //! The user's own model, in memory of a fixed size.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::mesh::{Buffers, Counts, obj};
 use fixel::prelude::*;
 
-/// Most triangles.
+/// Most triangles, and most elements of any other list.
 pub const FACES: usize = 65_536;
-const POSITIONS: usize = 65_535;
 /// Most texels along a side, and in all.
 pub const SIDE: u32 = 512;
 const TEXELS: usize = (SIDE * SIDE) as usize;
 
+/// How a macro is called for a file. One that has no room is left out.
+pub type Call = heapless::String<512>;
+
+/// A list in memory with room for the longest one.
+struct List<T> {
+    elements: [T; FACES],
+    len: usize,
+}
+
+impl<T: Copy> List<T> {
+    const fn new(element: T) -> Self {
+        Self {
+            elements: [element; FACES],
+            len: 0,
+        }
+    }
+
+    /// Takes `len` elements of `SIZE` bytes from the bytes. There may be fewer.
+    fn read<const SIZE: usize>(
+        &mut self,
+        len: usize,
+        bytes: &mut &[u8],
+        element: impl Fn([u8; SIZE]) -> T,
+    ) {
+        let (list, rest) = bytes.split_at(bytes.len().min(len * SIZE));
+        *bytes = rest;
+        self.len = 0;
+        for (to, &from) in self.elements.iter_mut().zip(list.as_chunks().0) {
+            *to = element(from);
+            self.len += 1;
+        }
+    }
+
+    fn elements(&self) -> &[T] {
+        &self.elements[..self.len]
+    }
+
+    /// The elements, if there are any.
+    fn some(&self) -> Option<&[T]> {
+        (self.len > 0).then(|| self.elements())
+    }
+}
+
 /// A mesh and its texture.
 pub struct Model {
-    counts: Counts,
-    positions: [Vec3; POSITIONS],
-    faces: [[u16; 3]; FACES],
-    uvs: [Vec2; POSITIONS],
-    uv_faces: [[u16; 3]; FACES],
-    normals: [Vec3; POSITIONS],
-    normal_faces: [[u16; 3]; FACES],
+    positions: List<Vec3>,
+    faces: List<[u16; 3]>,
+    uvs: List<Vec2>,
+    uv_faces: List<[u16; 3]>,
+    normals: List<Vec3>,
+    normal_faces: List<[u16; 3]>,
     texels: [Rgb565; TEXELS],
     size: [u32; 2],
+    /// What stands in the parentheses of `include_mesh!` and `include_texture!`; empty if there is no file.
+    pub calls: [Call; 2],
     /// The center of the box around it, and the distance of the farthest position from there.
     pub ball: [Scalar; 4],
 }
@@ -30,53 +72,45 @@ impl Model {
     #[allow(clippy::large_stack_arrays)] // the compiler evaluates it, for a static
     pub const fn new() -> Self {
         Self {
-            counts: Counts {
-                positions: 0,
-                faces: 0,
-                edges: 0,
-                uvs: 0,
-                uv_faces: 0,
-                normals: 0,
-                normal_faces: 0,
-                colors: 0,
-            },
-            positions: [Vec3::ZERO; POSITIONS],
-            faces: [[0; 3]; FACES],
-            uvs: [Vec2::from_bits([0; 2]); POSITIONS],
-            uv_faces: [[0; 3]; FACES],
-            normals: [Vec3::ZERO; POSITIONS],
-            normal_faces: [[0; 3]; FACES],
+            positions: List::new(Vec3::ZERO),
+            faces: List::new([0; 3]),
+            uvs: List::new(Vec2::from_bits([0; 2])),
+            uv_faces: List::new([0; 3]),
+            normals: List::new(Vec3::ZERO),
+            normal_faces: List::new([0; 3]),
             texels: [Rgb565::new(0, 0, 0); TEXELS],
             size: [0; 2],
+            calls: [Call::new(), Call::new()],
             ball: [fx!(0); 4],
         }
     }
 
-    /// Reads a model from OBJ text. One without normals gets smooth ones.
+    /// Reads a model from the bytes that the reader's module made.
     ///
     /// # Errors
     ///
-    /// Those of [`obj::parse`]: the line of a mistake, or a list that is too long.
-    pub fn read(&mut self, text: &[u8]) -> Result<(), Error> {
-        self.counts = Counts::default();
-        let counts = obj::count(text)?;
-        let buffers = Buffers {
-            uvs: &mut self.uvs,
-            uv_faces: &mut self.uv_faces,
-            normals: &mut self.normals,
-            normal_faces: &mut self.normal_faces,
-            ..Buffers::new(&mut self.positions, &mut self.faces)
+    /// Those of a mesh: the reader makes none of them.
+    pub fn read(&mut self, mut bytes: &[u8]) -> Result<(), Error> {
+        let (counts, rest) = bytes.split_at(bytes.len().min(24));
+        bytes = rest;
+        let mut counts = counts.as_chunks().0.iter();
+        let mut count = || {
+            counts
+                .next()
+                .map_or(0, |&count| u32::from_le_bytes(count) as usize)
         };
-        obj::parse(text, buffers)?;
-        self.counts = counts;
-        if counts.normals == 0 {
-            let (positions, faces) = (
-                &self.positions[..counts.positions],
-                &self.faces[..counts.faces],
-            );
-            Mesh::new(positions, faces)?.with_smooth_normals(&mut self.normals)?;
-            self.counts.normals = counts.positions;
-        }
+        let counts: [usize; 6] = core::array::from_fn(|_| count());
+        let bytes = &mut bytes;
+        self.positions.read(counts[0], bytes, vector);
+        self.faces.read(counts[1], bytes, indices);
+        self.uvs.read(counts[2], bytes, |list: [u8; 8]| {
+            Vec2::from_bits(numbers(list))
+        });
+        self.uv_faces.read(counts[3], bytes, indices);
+        self.normals.read(counts[4], bytes, vector);
+        self.normal_faces.read(counts[5], bytes, indices);
+        self.calls[0] = call(bytes);
+
         let mesh = self.mesh()?;
         let bounds = mesh.bounds();
         let center = bounds.least() / fx!(2) + bounds.most() / fx!(2);
@@ -94,42 +128,27 @@ impl Model {
     ///
     /// None for a model that was read.
     pub fn mesh(&self) -> Result<Mesh<'_>, Error> {
-        let Counts {
-            positions,
-            faces,
-            uvs,
-            uv_faces,
-            normals,
-            normal_faces,
-            ..
-        } = self.counts;
-        let mesh = Mesh::new(&self.positions[..positions], &self.faces[..faces])?;
-        let mesh = mesh.with_normals(
-            &self.normals[..normals],
-            (normal_faces > 0).then_some(&self.normal_faces[..normal_faces]),
-        )?;
-        if uvs == 0 {
-            return Ok(mesh);
-        }
-        mesh.with_uvs(
-            &self.uvs[..uvs],
-            (uv_faces > 0).then_some(&self.uv_faces[..uv_faces]),
-        )
+        Mesh::new(self.positions.elements(), self.faces.elements())?
+            .with_normals(self.normals.elements(), self.normal_faces.some())?
+            .with_uvs(self.uvs.elements(), self.uv_faces.some())
     }
 
-    /// Reads a texture from bytes of red, green, blue and opacity.
+    /// Reads a texture from bytes of red, green, blue and opacity, and the call after them.
     ///
     /// # Errors
     ///
     /// A side is not a power of two, or there are too many texels.
     pub fn read_texture(&mut self, bytes: &[u8], size: [u32; 2]) -> Result<(), Error> {
+        let count = size[0].saturating_mul(size[1]) as usize;
+        let (pixels, rest) = bytes.split_at(bytes.len().min(count.saturating_mul(4)));
         // A texture refuses a list that is too short for it.
-        let texels = self.texels.get_mut(..bytes.len() / 4).unwrap_or_default();
-        for (texel, rgba) in texels.iter_mut().zip(bytes.chunks_exact(4)) {
-            *texel = Rgb888::new(rgba[0], rgba[1], rgba[2]).into();
+        let texels = self.texels.get_mut(..pixels.len() / 4).unwrap_or_default();
+        for (texel, &[red, green, blue, _]) in texels.iter_mut().zip(pixels.as_chunks().0) {
+            *texel = Rgb888::new(red, green, blue).into();
         }
         Texture::new(&*texels, size[0], size[1])?;
         self.size = size;
+        self.calls[1] = call(rest);
         Ok(())
     }
 
@@ -140,4 +159,24 @@ impl Model {
         let [width, height] = self.size;
         Texture::new(&self.texels[..(width * height) as usize], width, height)
     }
+}
+
+/// Numbers in little-endian bytes.
+fn numbers<const SIZE: usize, const N: usize>(bytes: [u8; SIZE]) -> [i32; N] {
+    let mut numbers = bytes.as_chunks().0.iter().copied().map(i32::from_le_bytes);
+    core::array::from_fn(|_| numbers.next().unwrap_or_default())
+}
+
+fn vector(bytes: [u8; 12]) -> Vec3 {
+    Vec3::from_bits(numbers(bytes))
+}
+
+/// The indices of a face in little-endian bytes.
+fn indices([a, b, c, d, e, f]: [u8; 6]) -> [u16; 3] {
+    [[a, b], [c, d], [e, f]].map(u16::from_le_bytes)
+}
+
+fn call(bytes: &[u8]) -> Call {
+    let text = core::str::from_utf8(bytes).unwrap_or_default();
+    text.try_into().unwrap_or_default()
 }

@@ -4,6 +4,7 @@ use core::fmt::{self, Write};
 
 use fixel::prelude::*;
 
+use super::model::{Call, Model};
 use super::scene::Scene;
 use super::view::View;
 
@@ -52,9 +53,9 @@ const SPHERE: &str = "
 mod scenes; // examples/common/scenes.rs of fixel, which colors the sphere at compile time
 ";
 
-const OWN: &str = "
-static MODEL: Mesh = include_mesh!(\"model.obj\"); // with normals
-static SKIN: Texture<Rgb565> = include_texture!(\"skin.bmp\");
+/// The texture of a model that has none.
+const PLAIN: &str = "static SKIN: TextureArray<Rgb565, 1, 1> = TextureArray::from_texels([[Rgb565::new(26, 53, 26)]]);
+
 ";
 
 /// The imports of colors beside the display's, and the statics.
@@ -68,7 +69,7 @@ fn head(scene: Scene) -> [&'static str; 3] {
             "\nmod lighthouse; // examples/common/lighthouse.rs of fixel\n",
             "",
         ],
-        Scene::Own => ["Rgb565", OWN, ""],
+        Scene::Own => ["Rgb565", "", ""], // see `own`
         Scene::World => ["", "\nmod world; // examples/common/world of fixel\n", ""],
     }
 }
@@ -85,12 +86,30 @@ fn drawing(scene: Scene) -> Option<[&'static str; 2]> {
     })
 }
 
+/// The statics of the user's model, whose files the macros read.
+fn own(calls: &[Call; 2], to: &mut Text) -> fmt::Result {
+    let [mesh, texture] = calls;
+    let mesh = if mesh.is_empty() {
+        "\"model.obj\""
+    } else {
+        mesh
+    };
+    writeln!(to, "static MODEL: Mesh = include_mesh!({mesh});")?;
+    if texture.is_empty() {
+        return to.write_str(PLAIN);
+    }
+    writeln!(
+        to,
+        "static SKIN: Texture<Rgb565> = include_texture!({texture});\n"
+    )
+}
+
 /// Writes the program for a view.
 ///
 /// # Errors
 ///
 /// The text has no room for it.
-pub fn write(view: &View, to: &mut Text) -> fmt::Result {
+pub fn write(view: &View, model: &Model, to: &mut Text) -> fmt::Result {
     let is_world = view.scene == Scene::World;
     let mode = MODES[(view.mode as usize).min(MODES.len() - 1)];
     let format = (view.format as usize).min(FORMATS.len() - 1);
@@ -111,6 +130,9 @@ pub fn write(view: &View, to: &mut Text) -> fmt::Result {
         writeln!(to, "use fixel::mode::{mode};")?;
     }
     writeln!(to, "use fixel::prelude::*;\n{mesh}{texture}")?;
+    if view.scene == Scene::Own {
+        own(&model.calls, to)?;
+    }
     writeln!(to, "const WIDTH: u32 = {};", view.size.width)?;
     writeln!(to, "const HEIGHT: u32 = {};", view.size.height)?;
     writeln!(to, "const ROWS: u32 = {}; // of a band\n", view.band)?;

@@ -1,4 +1,5 @@
 // The page's modules and the crate's WebAssembly under Node, from the folder in the variable PAGE.
+import { File } from "node:buffer";
 import { readFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -18,7 +19,17 @@ globalThis.fetch = (path) => (/\.gz$/.test(path) ? new Response(readFileSync(`${
 const { Crate, load } = await page("module.js");
 export const crate = new Crate(await load("playground.wasm.gz"));
 crate.world = await load("world.wasm.gz");
-crate.read("read_texture", new Uint8Array(4).fill(215), { width: 1, height: 1 });
+const { read } = await page("files.js");
+
+/** Reads files, given by their names and contents, as the page does; returns the notes. */
+export async function drop(files) {
+  const dropped = Object.entries(files).map(([name, contents]) => new File([contents], name));
+  const { model, texture, notes } = await read(dropped);
+  if (model) crate.read("read_model", model);
+  const { data, ...size } = texture ?? { data: new Uint8Array(4).fill(215), width: 1, height: 1 };
+  crate.read("read_texture", data, size);
+  return notes;
+}
 
 const SETTINGS = { mode: 1, tolerance: -2, format: 0, band: 16, is_two_sided: 0, first_row: 0 };
 export const home = (scene) => crate.ask("home", { ...SETTINGS, scene });

@@ -3,10 +3,9 @@
 import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
-import { crate, page, view } from "./page.mjs";
+import { crate, drop, page, view } from "./page.mjs";
 
 const { MODES, OWN, WORLD } = await page("module.js");
-const { fitted } = await page("files.js");
 const FORMATS = ["Rgb565", "Rgb555", "Gray8", "Gray4", "Gray2", "BinaryColor"];
 const SIZES = ["128x64", "128x128", "160x128", "240x240", "320x240", "480x320", "640x480"];
 
@@ -15,28 +14,28 @@ const out = resolve(process.argv[2]);
 const sources = join(out, "src");
 mkdirSync(sources, { recursive: true });
 
-// A roof with a floor, off the origin, and a texture of its own.
-const OBJ = `v 3 1 4\nv 5 1 4\nv 5 1 2\nv 3 1 2\nv 4 3 3
+// A roof with a floor, off the origin and too large for the crate's numbers, and a texture of its own, which is not a
+// power of two wide.
+const CORNERS = [[3, 1, 4], [5, 1, 4], [5, 1, 2], [3, 1, 2], [4, 3, 3]];
+const OBJ = `${CORNERS.map((at) => `v ${at.map((x) => x * 20000).join(" ")}`).join("\n")}
 vt 0 0\nvt 1 0\nvt 0.5 1\nvn 0 1 2\nvn 2 1 0\nvn 0 1 -2\nvn -2 1 0\nvn 0 -1 0
 f 1/1/1 2/2/1 5/3/1\nf 2/1/2 3/2/2 5/3/2\nf 3/1/3 4/2/3 5/3/3\nf 4/1/4 1/2/4 5/3/4\nf 4/1/5 3/2/5 2/3/5 1/1/5\n`;
-const SIDE = 16;
-const texels = Array.from({ length: SIDE * SIDE }, (_, at) => [at, 255 - at, (at * 37) % 256]);
+const [WIDTH, HEIGHT] = [20, 16];
+const texels = Array.from({ length: WIDTH * HEIGHT }, (_, at) => [at % 256, 255 - (at % 256), (at * 37) % 256]);
 /** A BMP file of 24 bits a pixel: rows from the lowest up, blue first. */
 function bitmap() {
   const head = Buffer.alloc(54);
   head.write("BM");
-  const fields = [[54 + 3 * texels.length, 2], [54, 10], [40, 14], [SIDE, 18], [SIDE, 22]];
+  const fields = [[54 + 3 * texels.length, 2], [54, 10], [40, 14], [WIDTH, 18], [HEIGHT, 22]];
   for (const [value, at] of fields) head.writeUInt32LE(value, at);
   head.writeUInt16LE(1, 26);
   head.writeUInt16LE(24, 28);
-  const rows = Array.from({ length: SIDE }, (_, row) => texels.slice(row * SIDE, (row + 1) * SIDE)).reverse();
+  const rows = Array.from({ length: HEIGHT }, (_, row) => texels.slice(row * WIDTH, (row + 1) * WIDTH)).reverse();
   return Buffer.concat([head, Buffer.from(rows.flat().flatMap(([r, g, b]) => [b, g, r]))]);
 }
-writeFileSync(join(sources, "model.obj"), OBJ);
-writeFileSync(join(sources, "skin.bmp"), bitmap());
-crate.read("read_model", fitted(new TextEncoder().encode(OBJ)).text);
-const pixels = Uint8Array.from(texels.flatMap((rgb) => [...rgb, 255]));
-crate.read("read_texture", pixels, { width: SIDE, height: SIDE });
+const files = { "model.obj": OBJ, "skin.bmp": bitmap() };
+for (const [name, contents] of Object.entries(files)) writeFileSync(join(sources, name), contents);
+await drop(files);
 
 /** FNV-1a of red, green and blue. */
 function hash({ data }) {
