@@ -31,12 +31,12 @@ pub fn lying(args: &Args, model: &Model) -> Option<String> {
         let mut areas = [0.0; 2];
         for [a, b, c] in model.triangles.iter().map(corners) {
             let normal = cross(sub(b, a), sub(c, a));
-            if normal[axis].abs() < 0.999 * length(normal) {
+            if normal[axis].abs() < 0.97 * length(normal) {
                 continue;
             }
             // A base points outward.
             for (area, (end, sign)) in areas.iter_mut().zip([(low, -1.0), (high, 1.0)]) {
-                let is_at_end = (a[axis] - end[axis]).abs() <= size[axis] * 0.01;
+                let is_at_end = (a[axis] - end[axis]).abs() <= size[axis] * 0.03;
                 if is_at_end && normal[axis] * sign > 0.0 {
                     *area += normal[axis].abs() / 2.0;
                 }
@@ -47,7 +47,7 @@ pub fn lying(args: &Args, model: &Model) -> Option<String> {
     let (up, other) = if args.up()[2] > 0.0 { (2, 1) } else { (1, 2) };
     let [base, top] = covered(other);
     let name = ["x", "y", "z"][other];
-    (base > 0.25 && top < base / 4.0 && covered(up)[0] < 0.05).then(|| {
+    (base > 0.15 && top < base / 4.0 && covered(up)[0] < 0.05).then(|| {
         format!("the model may lie on its side: it has a flat base at its lowest {name}; see --up {name}")
     })
 }

@@ -39,7 +39,7 @@ pub struct Args {
     #[arg(value_name = "MODEL")]
     pub model: Option<PathBuf>,
 
-    /// Texture for the model: PNG, JPEG, BMP or TGA.
+    /// Texture for the model: PNG, JPEG, BMP, TGA, GIF or WebP.
     ///
     /// It replaces the model's materials. Its sides are resampled to powers of two, at most 1024. [default: the model's
     /// materials, or a checker]

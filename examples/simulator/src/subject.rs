@@ -15,7 +15,7 @@ use crate::dump::Recorder;
 use crate::framing::{Framing, Point, Solid, turntable};
 use crate::mode::Mode;
 use crate::part::{self, Finish, Outlined, Part};
-use crate::progress::{self, Reading};
+use crate::progress::{self, Progress, Reading};
 use crate::report;
 use crate::scene::{Motion, Scene};
 use crate::skin::Skin;
@@ -46,7 +46,9 @@ impl Subject {
     /// A file cannot be read, or the camera that `args` ask for shows nothing.
     pub fn load(args: &Args, path: &Path) -> Result<Self> {
         let skin = args.texture.as_deref().map(Skin::read).transpose()?;
-        let mut model = fixel_assets::read(path, &Reading::new(args.quiet))?;
+        let reading = Reading(Progress::new(args, "reading", true));
+        let mut model = fixel_assets::read(path, &reading)?;
+        drop(reading);
         let line = progress::step(args, model.triangles.len(), "computing normals");
         model.complete();
         drop(line);

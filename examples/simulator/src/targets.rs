@@ -92,9 +92,10 @@ impl<'a> Targets<'a> {
         };
         if let Some((mut output, format)) = self.picture.take() {
             let failed = output.failed();
-            let is_long = !args.quiet && args.frames > 1;
-            let progress = Progress::new("drawing", args.frames.into(), "frames", is_long);
-            let step = progress::step(args, scene.faces(), "drawing");
+            let progress = match args.frames {
+                1 => progress::step(args, scene.faces(), "drawing"),
+                _ => Progress::new(args, "drawing", true),
+            };
             let mut encoder =
                 Encoder::new(format, &mut output, size, args.frames).map_err(&failed)?;
             for frame in 0..args.frames {
@@ -114,9 +115,9 @@ impl<'a> Targets<'a> {
                 total.counts = add(total.counts, counts);
                 encoder.frame(&pixels).map_err(&failed)?;
                 colors = pixels;
-                progress.set(u64::from(frame) + 1);
+                progress.set(frame as usize + 1, args.frames as usize, "frames");
             }
-            drop((progress, step));
+            drop(progress);
             encoder.finish().map_err(&failed)?;
             output.finish()?;
         }
