@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, raw::ToBytes};
 use fixel::prelude::*;
 
-static RING: Mesh = shape!(torus(fx!(0.45), 48, 24)); // in flash; or include_mesh!("model.obj")
+static RING: Mesh = shape!(torus(fx!(0.45), 48, 24)); // in flash; or include_mesh!("model.glb")
 
 fn draw(color: &mut [Rgb565], depth: &mut [u16]) -> Result<(), Error> {
     let mut canvas = Canvas::new(color, 320, 240)?.with_depth(depth)?; // your memory

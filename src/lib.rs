@@ -21,7 +21,7 @@
 //! const WIDTH: u32 = 64;
 //! const HEIGHT: u32 = 48;
 //!
-//! // Built by the compiler, stored in flash. For your own: include_mesh!("model.obj").
+//! // Built by the compiler, stored in flash. For your own: include_mesh!("model.glb").
 //! static MODEL: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 //! static SKIN: TextureArray<Rgb565, 2, 2> =
 //!     TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x00, 0x1f, 0xff, 0xff]);

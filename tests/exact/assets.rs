@@ -93,6 +93,7 @@ fn a_picture_becomes_any_texture() {
     static PLANKS: Texture<Rgb565> = include_texture!("../../examples/assets/planks.tga");
     static ARRAY: TextureArray<Rgb565, 32, 32> =
         include_texture!("../../examples/assets/planks.tga");
+    static TEXELS: &[Rgb565] = include_texture!("../../examples/assets/planks.tga");
     static GRAY: Texture<Gray8> = include_texture!("../../examples/assets/planks.tga");
     static OPAQUE: Texture<Argb4444> = include_texture!("../../examples/assets/planks.tga");
     static SMALL: Texture<Rgb888> =
@@ -108,7 +109,6 @@ fn a_picture_becomes_any_texture() {
             .all(|texel| texel.opacity() == Argb4444::new(15, 0, 0, 0).opacity())
     );
     assert_eq!((SMALL.width(), SMALL.height()), (8, 4));
-    static TEXELS: &[Rgb565] = include_texture!("../../examples/assets/planks.tga");
     assert_eq!(TEXELS, PLANKS.texels());
     for (u, v) in (0..2).flat_map(|v| (0..4).map(move |u| (u, v))) {
         assert_eq!(TILES.texel(u, v), SAME.texel(u, v));
