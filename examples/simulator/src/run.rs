@@ -11,7 +11,7 @@ use fixel::target::Contrast;
 use super::Result;
 use super::common::scenes;
 use crate::args::{Args, Color, Shade};
-use crate::draw::{Lines, Style};
+use crate::draw::{Lines, Style, is_blended};
 use crate::idle;
 use crate::look::{BRIGHT, Backdrop, DARK, Look};
 use crate::paint::Shown;
@@ -53,6 +53,11 @@ pub fn run(args: &Args, matches: &ArgMatches) -> Result<()> {
     let step = progress::step(args, scene.faces(), "looking");
     let lines = sight::check(&mut scene, args, &mut notes)?;
     drop(step);
+    let is_coarse = matches!(args.color, Color::Gray4 | Color::Mono);
+    let mut pieces = scene.pieces.iter();
+    if is_coarse && pieces.any(|piece| is_blended(piece, scene.shade)) {
+        notes.push("few colors show blended faces as patterns: see --color".into());
+    }
     report::notes(args, notes)?;
     let scale = subject.units.scale();
     picture(
