@@ -11,7 +11,7 @@ use fixel::target::Contrast;
 use super::Result;
 use super::common::scenes;
 use crate::args::{Args, Color, Shade};
-use crate::draw::{Lines, Style};
+use crate::draw::{Lines, Style, is_blended};
 use crate::idle;
 use crate::look::{BRIGHT, Backdrop, DARK, Look};
 use crate::paint::Shown;
@@ -53,6 +53,11 @@ pub fn run(args: &Args, matches: &ArgMatches) -> Result<()> {
     let step = progress::step(args, scene.faces(), "looking");
     let lines = sight::check(&mut scene, args, &mut notes)?;
     drop(step);
+    let is_coarse = matches!(args.color, Color::Gray4 | Color::Mono);
+    let mut pieces = scene.pieces.iter();
+    if is_coarse && pieces.any(|piece| is_blended(piece, scene.shade)) {
+        notes.push("few colors show blended faces as patterns: see --color".into());
+    }
     report::notes(args, notes)?;
     let scale = subject.units.scale();
     picture(
@@ -65,6 +70,9 @@ pub fn run(args: &Args, matches: &ArgMatches) -> Result<()> {
     )?;
     report::say(args, format_args!("camera {}", subject.framing.options()))
 }
+
+/// The background of a picture of which only the model's colors are counted.
+const HOLE: Rgb888 = Rgb888::MAGENTA;
 
 /// Draws and writes the picture in the color of `args`.
 fn picture(
@@ -101,9 +109,10 @@ fn picture_in<C: Shown>(
     if args.model.is_some() && is_lit {
         let texels: Vec<_> = skins.iter().map(Skin::texels).collect();
         let textures: Vec<_> = texels.iter().map(Texels::texture).collect::<Result<_>>()?;
-        let look = Look::new(args, scene, scale, backdrop, None)?;
+        let look = Look::new(args, scene, scale, Backdrop::Color(HOLE), None)?;
         let style = Style::new::<Rgb888>(args, &look, scene, &textures, Lines::None)?;
         let mut colors = sight::colors(scene, size, &style)?;
+        colors.retain(|&color| color != HOLE);
         if args.color == Color::Mono {
             contrast = stretched(&mut colors);
         }
@@ -142,10 +151,9 @@ fn apart<C: Levels>(backdrop: Backdrop, colors: &[Rgb888]) -> Backdrop {
             return 0;
         };
         let channels = |color: Rgb888| [color.r(), color.g(), color.b()];
-        // Holes have exactly its color.
         let is_near = |&&color: &&Rgb888| {
             let mut pairs = channels(color).into_iter().zip(channels(behind));
-            color != behind && pairs.all(|(a, b)| a.abs_diff(b) < 56)
+            pairs.all(|(a, b)| a.abs_diff(b) < 56)
         };
         colors.iter().filter(is_near).count()
     };

@@ -8,6 +8,7 @@ mod formats;
 mod framing;
 mod looks;
 mod make;
+mod materials;
 mod models;
 mod mutated;
 mod output;

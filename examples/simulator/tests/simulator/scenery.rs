@@ -249,3 +249,76 @@ fn edges_lie_over_the_surface() {
         }
     }
 }
+
+/// A plate of this many squares along each side, in the plane z = 0.
+fn plate(squares: u32) -> String {
+    let mut text = String::new();
+    let at = |k: u32| f64::from(k) / f64::from(squares);
+    for (y, x) in (0..=squares).flat_map(|y| (0..=squares).map(move |x| (y, x))) {
+        writeln!(text, "v {} {} 0", at(x), at(y)).unwrap();
+    }
+    for (y, x) in (0..squares).flat_map(|y| (1..=squares).map(move |x| (y, x))) {
+        let [a, b] = [y * (squares + 1) + x, (y + 1) * (squares + 1) + x];
+        writeln!(text, "f {a} {} {} {b}", a + 1, b + 1).unwrap();
+    }
+    text
+}
+
+#[test]
+fn edges_that_would_fill_the_picture_become_an_outline() {
+    let directory = directory("dense");
+    fs::write(directory.join("p.obj"), plate(40)).unwrap();
+    for (size, is_dense) in [("64x48", true), ("640x480", false)] {
+        let look = format!("p.obj --size {size} --shade wire --color mono");
+        let output = run(&directory, &format!("{look} --out t.png"));
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(
+            said.contains("only outlines and creases"),
+            is_dense,
+            "{said}"
+        );
+        let picture = image::open(directory.join("t.png")).unwrap().into_luma8();
+        let white = picture.pixels().filter(|pixel| pixel.0[0] > 0).count();
+        // The outline's four sides, of 45 to 60 pixels each; or the edges.
+        assert_eq!(white < 250, is_dense, "{size}: {white}");
+        assert!(white > 100, "{size}: {white}");
+    }
+}
+
+/// Two squares in two grays, side by side.
+fn grays(left: f64, right: f64) -> String {
+    let mut text = String::new();
+    for (x, gray) in [(0.0, left), (1.0, right)] {
+        for (dx, y) in [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)] {
+            writeln!(text, "v {} {y} 0 {gray} {gray} {gray}", x + dx).unwrap();
+        }
+    }
+    text + "f 1 2 3 4\nf 5 6 7 8\n"
+}
+
+#[test]
+fn a_model_differs_from_its_background_and_in_mono_its_parts_differ() {
+    let directory = directory("apart");
+    let view = "--shade texture --eye 1,0.5,3 --look-at 1,0.5,0 --fov 50 --size 64x48";
+    let shot = |grays: String, look: &str| {
+        fs::write(directory.join("g.obj"), grays).unwrap();
+        draw(&directory, &format!("g.obj {view} {look}"))
+    };
+    for color in ["rgb888", "gray8", "gray4", "mono"] {
+        for gray in [0.0, 0.1, 1.0] {
+            let found = shot(grays(gray, gray), &format!("--color {color}"));
+            let (corner, middle) = (found[0][0], found[24 * 64 + 32][0]);
+            assert!(
+                corner.abs_diff(middle) > 40,
+                "{color} {gray}: {corner} {middle}"
+            );
+        }
+    }
+    // Without stretching, about half of the pixels of each would be white.
+    let found = shot(grays(0.48, 0.55), "--color mono");
+    let white = |from: usize| {
+        let inner = (18..30).flat_map(|y| (from..from + 8).map(move |x| y * 64 + x));
+        inner.filter(|&at| found[at][0] == 255).count()
+    };
+    assert_eq!([white(20), white(36)], [0, 96]);
+}
