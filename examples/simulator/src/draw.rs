@@ -365,7 +365,7 @@ impl Posed<'_> {
             .collect();
         let mut order: Vec<usize> = (0..keys.len()).collect();
         order.sort_by(|&a, &b| keys[a].total_cmp(&keys[b]));
-        #[allow(clippy::cast_precision_loss)] // at most 21,845 faces have room
+        #[allow(clippy::cast_precision_loss)] // far fewer than 2^53 faces
         let middle = keys.iter().sum::<f64>() / keys.len().max(1) as f64;
         (middle, order)
     }

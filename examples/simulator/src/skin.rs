@@ -61,8 +61,12 @@ impl Skin {
             };
         }
         let (width, height) = (picture.width, picture.height);
+        let mut picture = picture.resampled(nearest(width), nearest(height));
+        if picture.has_alpha() {
+            spread(&mut picture);
+        }
         Ok(Self {
-            picture: picture.resampled(nearest(width), nearest(height)),
+            picture,
             side: width.max(height),
         })
     }
@@ -97,6 +101,32 @@ impl Skin {
             list: self.picture.pixels.iter().map(texel).collect(),
             width: self.picture.width,
             height: self.picture.height,
+        }
+    }
+}
+
+/// Gives invisible texels the mean color of their visible neighbors, with which a bilinear filter blends them.
+fn spread(picture: &mut Picture) {
+    let (width, height) = (picture.width as usize, picture.height as usize);
+    let old = picture.pixels.clone();
+    for (at, pixel) in picture.pixels.iter_mut().enumerate() {
+        if pixel[3] > 0 {
+            continue;
+        }
+        let (x, y) = (at % width + width, at / width + height);
+        let (mut sum, mut count) = ([0_usize; 3], 0);
+        for (x, y) in (y - 1..=y + 1).flat_map(|y| (x - 1..=x + 1).map(move |x| (x, y))) {
+            let [r, g, b, alpha] = old[y % height * width + x % width];
+            if alpha > 0 {
+                count += 1;
+                for (sum, channel) in sum.iter_mut().zip([r, g, b]) {
+                    *sum += usize::from(channel);
+                }
+            }
+        }
+        for (to, sum) in pixel.iter_mut().zip(sum) {
+            // A mean of bytes.
+            *to = (sum / count.max(1)) as u8;
         }
     }
 }
