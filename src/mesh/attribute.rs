@@ -27,6 +27,12 @@ impl<'a, T> Attribute<'a, T> {
         }
     }
 
+    /// The attribute of lists that are known to fit the mesh. Without `faces`, values belong to the positions.
+    pub(super) const fn of_lists((values, faces): (&'a [T], &'a [[Index; 3]])) -> Self {
+        let faces = if faces.is_empty() { None } else { Some(faces) };
+        Self { values, faces }
+    }
+
     /// The attribute of a range of the faces, which must not reach beyond their end.
     pub(super) fn part(&self, range: &Range<usize>) -> Self {
         Self {
@@ -131,19 +137,6 @@ impl<'a> Mesh<'a> {
     #[must_use]
     pub const fn has_colors(&self) -> bool {
         !self.colors.values.is_empty()
-    }
-
-    /// An attribute; one without values if there are none. If `faces` is empty, values belong to the positions.
-    pub(super) const fn listed<T>(
-        &self,
-        values: &'a [T],
-        faces: &'a [[Index; 3]],
-    ) -> Result<Attribute<'a, T>, Error> {
-        if values.is_empty() {
-            return Ok(Attribute::NONE);
-        }
-        let faces = if faces.is_empty() { None } else { Some(faces) };
-        self.attribute(values, faces)
     }
 
     const fn attribute<T>(

@@ -1,6 +1,6 @@
 //! Memory for generated meshes.
 
-use super::{Index, Mesh};
+use super::{Index, Mesh, Positions};
 use crate::error::{check_count, ok};
 use crate::{Error, Vec2, Vec3};
 
@@ -116,16 +116,17 @@ impl<'a> Buffers<'a> {
 
     /// The mesh of the first elements of each list, as many as `counts` says.
     pub(super) const fn mesh(self, counts: Counts) -> Result<Mesh<'a>, Error> {
-        let mesh = Mesh::new(
-            first(self.positions, counts.positions),
-            first(self.faces, counts.faces),
-        );
-        ok!(mesh).with_lists(
-            first(self.edges, counts.edges),
+        ok!(check_count(counts.positions, Mesh::MAX_POSITIONS));
+        Ok(Mesh::of_lists(
+            Positions::long(first(self.positions, counts.positions)),
+            (
+                first(self.faces, counts.faces),
+                first(self.edges, counts.edges),
+            ),
             (first(self.uvs, counts.uvs), &[]),
             (first(self.normals, counts.normals), &[]),
             (&[], &[]),
-        )
+        ))
     }
 }
 

@@ -3,7 +3,7 @@
 pub use embedded_graphics::pixelcolor::Rgb888;
 
 pub use super::quantized::{StoredUvs, UvGrid, short_normal};
-use super::{Buffers, Index, Mesh, Outline};
+use super::{Buffers, Index, Mesh, Outline, Positions};
 pub use crate::message::checked;
 use crate::{Vec2, Vec3};
 
@@ -117,91 +117,84 @@ pub const fn quantized_8<const N: usize>(uvs: &[Vec2]) -> ([[u8; 2]; N], UvGrid)
     (steps, grid)
 }
 
-/// A list of integers from their little-endian bytes: the macros that read files write lists as bytes, because the
-/// compiler reads these several times as fast as numbers.
+/// Positions with 32-bit components.
+#[must_use]
+pub const fn long(positions: &[Vec3]) -> Positions<'_> {
+    Positions::long(positions)
+}
+
+/// Positions with 16-bit components.
 ///
 /// # Panics
 ///
-/// If the length is wrong. Only the macros call these functions, at compile time.
+/// If there are more than 16 fraction bits.
+#[must_use]
+pub const fn short(positions: &[[i16; 3]], fraction: u32) -> Positions<'_> {
+    checked(Positions::short(positions, fraction), "mesh")
+}
+
+/// A mesh of lists that are known to fit each other: checking them again would take the compiler most of its time.
+#[must_use]
+pub const fn mesh<'a>(
+    positions: Positions<'a>,
+    faces: (&'a [[Index; 3]], &'a [[Index; 2]]),
+    uvs: (&'a [Vec2], &'a [[Index; 3]]),
+    normals: (&'a [Vec3], &'a [[Index; 3]]),
+    colors: (&'a [Rgb888], &'a [[Index; 3]]),
+) -> Mesh<'a> {
+    Mesh::of_lists(positions, faces, uvs, normals, colors)
+}
+
+/// Lists from the little-endian bytes of their elements: the macros that read files write lists as bytes, because the
+/// compiler reads these several times as fast as numbers. Patterns and operators, because in the compiler, an index takes
+/// as long as several of them, and a call as long as ten.
+///
+/// # Panics
+///
+/// If there are more than `N` elements. Only the macros call these functions, at compile time.
 macro_rules! lists {
-    ($($name:ident: [$number:ident; $count:literal] = |$at:ident, $bytes:ident| $value:expr;)+) => {$(
+    ($($name:ident: [$element:ty] = $first:expr, [$($byte:ident)+] => $value:expr;)+) => {$(
         #[must_use]
-        pub const fn $name<const N: usize, const K: usize>($bytes: &[u8]) -> [[$number; K]; N] {
-            let mut list = [[0; K]; N];
-            let (mut element, mut $at) = (0, 0);
-            while element < N {
-                let mut component = 0;
-                while component < K {
-                    list[element][component] = $value;
-                    component += 1;
-                    $at += $count;
-                }
-                element += 1;
+        pub const fn $name<const N: usize>(bytes: &[u8]) -> [$element; N] {
+            let mut list = [$first; N];
+            let mut rest = bytes;
+            let mut at = 0;
+            while let &[$($byte,)+ ref others @ ..] = rest {
+                list[at] = $value;
+                rest = others;
+                at += 1;
             }
             list
         }
     )+};
 }
 
+/// An integer of two bytes.
+macro_rules! two {
+    ($a:ident $b:ident) => {
+        $a as u16 | ($b as u16) << 8
+    };
+}
+
+/// A signed integer of four bytes.
+macro_rules! four {
+    ($a:ident $b:ident $c:ident $d:ident) => {
+        ($a as u32 | ($b as u32) << 8 | ($c as u32) << 16 | ($d as u32) << 24) as i32
+    };
+}
+
 lists! {
-    words: [u16; 2] = |at, bytes| bytes[at] as u16 | (bytes[at + 1] as u16) << 8;
-    signed_words: [i16; 2] = |at, bytes| (bytes[at] as u16 | (bytes[at + 1] as u16) << 8).cast_signed();
-}
-
-/// The number of 32 bits at an offset.
-macro_rules! bits {
-    ($bytes:ident[$at:expr]) => {{
-        let at = $at;
-        ($bytes[at] as u32
-            | ($bytes[at + 1] as u32) << 8
-            | ($bytes[at + 2] as u32) << 16
-            | ($bytes[at + 3] as u32) << 24)
-            .cast_signed()
-    }};
-}
-
-/// Vectors from the little-endian bytes of their bits.
-///
-/// # Panics
-///
-/// As for [`words`]; the same holds for the functions below.
-#[must_use]
-pub const fn vec3s<const N: usize>(bytes: &[u8]) -> [Vec3; N] {
-    let mut list = [Vec3::ZERO; N];
-    let mut at = 0;
-    while at < N {
-        list[at] = Vec3::from_bits([
-            bits!(bytes[12 * at]),
-            bits!(bytes[12 * at + 4]),
-            bits!(bytes[12 * at + 8]),
-        ]);
-        at += 1;
-    }
-    list
-}
-
-/// Texture coordinates from the little-endian bytes of their bits.
-#[must_use]
-pub const fn vec2s<const N: usize>(bytes: &[u8]) -> [Vec2; N] {
-    let mut list = [Vec2::ZERO; N];
-    let mut at = 0;
-    while at < N {
-        list[at] = Vec2::from_bits([bits!(bytes[8 * at]), bits!(bytes[8 * at + 4])]);
-        at += 1;
-    }
-    list
-}
-
-/// Colors from the bytes of red, green and blue.
-#[must_use]
-pub const fn colors<const N: usize>(bytes: &[u8]) -> [Rgb888; N] {
-    let mut list = [Rgb888::new(0, 0, 0); N];
-    let mut at = 0;
-    while at < N {
-        list[at] = Rgb888::new(bytes[3 * at], bytes[3 * at + 1], bytes[3 * at + 2]);
-        at += 1;
-    }
-    list
+    edges: [[Index; 2]] = [0; 2], [a b c d] => [two!(a b), two!(c d)];
+    faces: [[Index; 3]] = [0; 3], [a b c d e f] => [two!(a b), two!(c d), two!(e f)];
+    outline_edges: [[Index; 4]] = [0; 4], [a b c d e f g h] =>
+        [two!(a b), two!(c d), two!(e f), two!(g h)];
+    shorts: [[i16; 3]] = [0; 3], [a b c d e f] =>
+        [(two!(a b)) as i16, (two!(c d)) as i16, (two!(e f)) as i16];
+    vec3s: [Vec3] = Vec3::ZERO, [a b c d e f g h i j k l] =>
+        Vec3::from_bits([four!(a b c d), four!(e f g h), four!(i j k l)]);
+    vec2s: [Vec2] = Vec2::ZERO, [a b c d e f g h] =>
+        Vec2::from_bits([four!(a b c d), four!(e f g h)]);
+    colors: [Rgb888] = Rgb888::new(0, 0, 0), [r g b] => Rgb888::new(r, g, b);
 }
 
 /// A mesh of the first elements in `$room`, as many as `$counts` says, in statics of exactly those lengths. With
@@ -212,14 +205,14 @@ macro_rules! __mesh {
     ($room:expr, $counts:expr) => {{
         static POSITIONS: [$crate::Vec3; $counts.positions] =
             $crate::mesh::flash::first(&$room.positions);
-        $crate::__mesh!($room, $counts, @ $crate::Mesh::new(&POSITIONS, &FACES))
+        $crate::__mesh!($room, $counts, @ $crate::mesh::flash::long(&POSITIONS))
     }};
     ($room:expr, $counts:expr, short) => {{
         #[allow(long_running_const_eval)]
         const SHORT: ([[i16; 3]; $counts.positions], u32) =
             $crate::mesh::flash::shortened(&$room.positions);
         static POSITIONS: [[i16; 3]; $counts.positions] = SHORT.0;
-        $crate::__mesh!($room, $counts, @ $crate::Mesh::short(&POSITIONS, SHORT.1, &FACES))
+        $crate::__mesh!($room, $counts, @ $crate::mesh::flash::short(&POSITIONS, SHORT.1))
     }};
     ($room:expr, $counts:expr, quantized_8) => {
         $crate::__mesh!($room, $counts, quantized_8 Bytes u8)
@@ -235,12 +228,12 @@ macro_rules! __mesh {
         #[allow(long_running_const_eval)]
         static STORED_NORMALS: [[i8; 3]; $counts.normals] = flash::normals_of_8(&$room.normals);
         static QUANTIZED: $crate::mesh::Quantized<'static> =
-            $crate::mesh::Quantized::checked($crate::mesh::Quantized::new(
+            $crate::mesh::Quantized::new(
                 $crate::__mesh!($room, $counts, short).without_uvs().without_normals(),
                 (&STORED_NORMALS, &[]),
                 (StoredUvs::$list(&STORED_UVS), &[]),
                 STORED.1,
-            ));
+            );
         QUANTIZED
     }};
     ($room:expr, $counts:expr, $other:ident) => {
@@ -248,20 +241,18 @@ macro_rules! __mesh {
             "the last argument must be `short`, `quantized_16`, `quantized_8` or nothing"
         )
     };
-    ($room:expr, $counts:expr, @ $mesh:expr) => {{
-        use $crate::mesh::flash::first;
+    ($room:expr, $counts:expr, @ $positions:expr) => {{
+        use $crate::mesh::flash::{first, mesh};
         static FACES: [[$crate::Index; 3]; $counts.faces] = first(&$room.faces);
         static EDGES: [[$crate::Index; 2]; $counts.edges] = first(&$room.edges);
         static UVS: [$crate::Vec2; $counts.uvs] = first(&$room.uvs);
         static NORMALS: [$crate::Vec3; $counts.normals] = first(&$room.normals);
-        #[allow(long_running_const_eval)]
-        static MESH: $crate::Mesh<'static> = $crate::Mesh::checked(
-            $crate::Mesh::checked($mesh).with_lists(
-                &EDGES,
-                (&UVS, &[]),
-                (&NORMALS, &[]),
-                (&[], &[]),
-            ),
+        static MESH: $crate::Mesh<'static> = mesh(
+            $positions,
+            (&FACES, &EDGES),
+            (&UVS, &[]),
+            (&NORMALS, &[]),
+            (&[], &[]),
         );
         MESH
     }};

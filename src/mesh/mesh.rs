@@ -140,30 +140,30 @@ impl<'a> Mesh<'a> {
     const fn of(positions: Positions<'a>, faces: &'a [[Index; 3]]) -> Result<Self, Error> {
         ok!(check_count(positions.len(), Self::MAX_POSITIONS));
         ok!(check(faces, positions.len(), None));
-        Ok(Self {
+        Ok(Self::of_lists(
             positions,
-            faces,
-            edges: &[],
-            uvs: Attribute::NONE,
-            normals: Attribute::NONE,
-            colors: Attribute::NONE,
-        })
+            (faces, &[]),
+            (&[], &[]),
+            (&[], &[]),
+            (&[], &[]),
+        ))
     }
 
-    /// A mesh whose faces are known to be in range. Each attribute has a value for each position, or none at all.
-    pub(crate) fn unchecked(
-        (positions, faces): (&'a [Vec3], &'a [[Index; 3]]),
-        normals: &'a [Vec3],
-        uvs: &'a [Vec2],
-        colors: &'a [Rgb888],
+    /// A mesh of lists that are known to fit each other. An attribute without faces belongs to the positions.
+    pub(crate) const fn of_lists(
+        positions: Positions<'a>,
+        (faces, edges): (&'a [[Index; 3]], &'a [[Index; 2]]),
+        uvs: (&'a [Vec2], &'a [[Index; 3]]),
+        normals: (&'a [Vec3], &'a [[Index; 3]]),
+        colors: (&'a [Rgb888], &'a [[Index; 3]]),
     ) -> Self {
         Self {
-            positions: Positions::long(positions),
+            positions,
             faces,
-            edges: &[],
-            uvs: Attribute::of_positions(uvs),
-            normals: Attribute::of_positions(normals),
-            colors: Attribute::of_positions(colors),
+            edges,
+            uvs: Attribute::of_lists(uvs),
+            normals: Attribute::of_lists(normals),
+            colors: Attribute::of_lists(colors),
         }
     }
 
@@ -185,23 +185,6 @@ impl<'a> Mesh<'a> {
     pub const fn with_edges(self, edges: &'a [[Index; 2]]) -> Result<Self, Error> {
         ok!(check(edges, self.positions.len(), None));
         Ok(Self { edges, ..self })
-    }
-
-    /// Adds edges and attributes. A list without elements adds nothing.
-    #[doc(hidden)]
-    pub const fn with_lists(
-        self,
-        edges: &'a [[Index; 2]],
-        (uvs, uv_faces): (&'a [Vec2], &'a [[Index; 3]]),
-        (normals, normal_faces): (&'a [Vec3], &'a [[Index; 3]]),
-        (colors, color_faces): (&'a [Rgb888], &'a [[Index; 3]]),
-    ) -> Result<Self, Error> {
-        Ok(Self {
-            uvs: ok!(self.listed(uvs, uv_faces)),
-            normals: ok!(self.listed(normals, normal_faces)),
-            colors: ok!(self.listed(colors, color_faces)),
-            ..ok!(self.with_edges(edges))
-        })
     }
 
     /// The mesh without its edges. A `static` of the result takes no flash for them.

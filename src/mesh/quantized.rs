@@ -5,9 +5,8 @@ use core::ops::Range;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::attribute::Attribute;
-use super::{Index, Indices, Mesh, Primitive};
-use crate::error::ok;
-use crate::{Error, Vec2, Vec3, message};
+use super::{Index, Indices, Mesh, Positions, Primitive};
+use crate::{Vec2, Vec3};
 
 /// A mesh that takes less flash: positions have 16 bits a component, normals 8 bits, and texture coordinates 16 or 8
 /// bits.
@@ -157,39 +156,25 @@ fn long_normal(short: [i8; 3]) -> Vec3 {
 }
 
 impl<'a> Quantized<'a> {
-    /// The mesh with these lists; it must have neither normals nor texture coordinates of its own. Lists of faces may
-    /// be empty.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Mesh::with_uvs`].
+    /// The mesh with these lists, which are known to fit it; it must have neither normals nor texture coordinates of its
+    /// own. Lists of faces may be empty.
     #[doc(hidden)]
+    #[must_use]
     pub const fn new(
         mesh: Mesh<'a>,
-        (normals, normal_faces): (&'a [[i8; 3]], &'a [[Index; 3]]),
+        normals: (&'a [[i8; 3]], &'a [[Index; 3]]),
         (uvs, uv_faces): (StoredUvs<'a>, &'a [[Index; 3]]),
         grid: UvGrid,
-    ) -> Result<Self, Error> {
-        Ok(Self {
-            normals: ok!(mesh.listed(normals, normal_faces)),
+    ) -> Self {
+        Self {
+            normals: Attribute::of_lists(normals),
             uvs: match uvs {
-                StoredUvs::Bytes(uvs) => Uvs::Bytes(ok!(mesh.listed(uvs, uv_faces))),
-                StoredUvs::Words(uvs) => Uvs::Words(ok!(mesh.listed(uvs, uv_faces))),
+                StoredUvs::Bytes(uvs) => Uvs::Bytes(Attribute::of_lists((uvs, uv_faces))),
+                StoredUvs::Words(uvs) => Uvs::Words(Attribute::of_lists((uvs, uv_faces))),
             },
             mesh,
             grid,
-        })
-    }
-
-    /// Unwraps a mesh at compile time.
-    ///
-    /// # Panics
-    ///
-    /// If `result` is an error.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn checked(result: Result<Self, Error>) -> Self {
-        message::checked(result, "mesh")
+        }
     }
 
     /// The mesh without normals and texture coordinates, to be drawn with a shader that [`shader`](Self::shader) made.
@@ -252,11 +237,12 @@ impl<'a> Quantized<'a> {
             || Rgb888::WHITE,
         );
         let positions = primitive.positions();
-        let mesh = Mesh::unchecked(
-            (&positions, &[]),
-            normals.as_slice().as_flattened(),
-            uvs.as_slice().as_flattened(),
-            colors.as_slice().as_flattened(),
+        let mesh = Mesh::of_lists(
+            Positions::long(&positions),
+            (&[], &[]),
+            (uvs.as_slice().as_flattened(), &[]),
+            (normals.as_slice().as_flattened(), &[]),
+            (colors.as_slice().as_flattened(), &[]),
         );
         f(&Primitive {
             mesh: &mesh,

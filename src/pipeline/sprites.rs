@@ -205,11 +205,12 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
                 colors.as_flattened()
             };
             let faces = FACES.get(..2 * positions.len()).unwrap_or_default();
-            let mesh = Mesh::unchecked(
-                (corners.as_flattened(), faces),
-                &[],
-                uvs.as_flattened(),
-                colors,
+            let mesh = Mesh::of_lists(
+                Positions::long(corners.as_flattened()),
+                (faces, &[]),
+                (uvs.as_flattened(), &[]),
+                (&[], &[]),
+                (colors, &[]),
             );
             let call = Call {
                 projector: self.projector.with_positions(mesh.positions()),

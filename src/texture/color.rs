@@ -45,13 +45,16 @@ macro_rules! colors {
 
             /// The first colors, as many as there is room for, and the last one for all further indices.
             const fn table<const N: usize>(colors: &[u8]) -> [$color; N] {
-                let last = colors.len() / 4 - 1;
-                let $rgba = [colors[4 * last], colors[4 * last + 1], colors[4 * last + 2], colors[4 * last + 3]];
+                let $rgba = match colors.last_chunk::<4>() {
+                    Some(last) => *last,
+                    None => [0; 4],
+                };
                 let mut table = [$nearest; N];
-                let mut at = 0;
-                while at < last && at < N {
-                    let $rgba = [colors[4 * at], colors[4 * at + 1], colors[4 * at + 2], colors[4 * at + 3]];
+                let (mut rest, mut at) = (colors, 0);
+                while let (&[r, g, b, alpha, ref others @ ..], true) = (rest, at < N) {
+                    let $rgba = [r, g, b, alpha];
                     table[at] = $nearest;
+                    rest = others;
                     at += 1;
                 }
                 table
@@ -68,21 +71,21 @@ macro_rules! colors {
             pub const fn texels<const N: usize>(colors: &[u8], pixels: Pixels) -> [$color; N] {
                 let mut texels = table::<N>(colors);
                 let mut at = 0;
+                // Patterns, because in the compiler, an index takes as long as several of them.
                 match pixels {
-                    Pixels::Bytes(pixels) => {
+                    Pixels::Bytes(mut pixels) => {
                         let table = table::<256>(colors);
-                        while at < N {
-                            texels[at] = table[pixels[at] as usize];
+                        while let &[pixel, ref others @ ..] = pixels {
+                            texels[at] = table[pixel as usize];
+                            pixels = others;
                             at += 1;
                         }
                     }
-                    Pixels::Words(pixels) => {
+                    Pixels::Words(mut pixels) => {
                         let table = texels;
-                        while at < N {
-                            let from = 3 * at;
-                            texels[at] = table[pixels[from] as usize
-                                | (pixels[from + 1] as usize) << 8
-                                | (pixels[from + 2] as usize) << 16];
+                        while let &[a, b, c, ref others @ ..] = pixels {
+                            texels[at] = table[a as usize | (b as usize) << 8 | (c as usize) << 16];
+                            pixels = others;
                             at += 1;
                         }
                     }

@@ -19,7 +19,7 @@ fn seen(normals: &[Vec3; 3], uvs: StoredUvs<'_>, grid: fixel::mesh::flash::UvGri
     let positions = [vec3!(-1, -1, -2), vec3!(1, -1, -2), vec3!(0, 1, -2)];
     let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
     let normals = normals_of_8::<3>(normals);
-    let mesh = Quantized::new(mesh, (&normals, &[]), (uvs, &[]), grid).unwrap();
+    let mesh = Quantized::new(mesh, (&normals, &[]), (uvs, &[]), grid);
     let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100)).unwrap();
     let mut pixels = [Gray8::new(0); 12];
     let mut canvas = Canvas::new(&mut pixels, 4, 3).unwrap();

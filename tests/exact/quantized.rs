@@ -89,10 +89,10 @@ fn pixels_equal_those_of_the_unquantized_mesh() {
         let own = faces.unwrap_or_default();
         let grid = UvGrid::around(&uvs, 255);
         let bytes = StoredUvs::Bytes(&model.uvs);
-        let quantized = Quantized::new(bare, (&model.normals, own), (bytes, own), grid).unwrap();
+        let quantized = Quantized::new(bare, (&model.normals, own), (bytes, own), grid);
         let words = model.uvs.map(|uv| uv.map(u16::from));
         let of_16 = (StoredUvs::Words(&words), own);
-        let of_16 = Quantized::new(bare, (&model.normals, own), of_16, grid).unwrap();
+        let of_16 = Quantized::new(bare, (&model.normals, own), of_16, grid);
 
         let sun = Light::new(vec3!(1, 2, 3), fx!(0.1), fx!(0.9)).unwrap();
         let skin = Textured::new(&SKIN).lit(sun);

@@ -181,7 +181,6 @@ impl<K: ProjectionKind> Call<'_, K> {
             (StoredUvs::Bytes(&bytes), &uv_faces),
             grid,
         );
-        let quantized = quantized.unwrap();
         let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7)).unwrap();
         let call = Call {
             mesh: quantized.mesh(),

@@ -84,7 +84,7 @@ pub fn outline(arguments: &Arguments) -> Result<Expansion, String> {
     let (edges, creases) = model.lists(&options(arguments)?)?.outline(crease);
     let list = expansion.bytes(bytes(&edges, u16::to_le_bytes));
     expansion.push(&format!(
-        "#[allow(long_running_const_eval)] static EDGES: [[fixel::Index; 4]; {}] = fixel::mesh::flash::words({list});
+        "#[allow(long_running_const_eval)] static EDGES: [[fixel::Index; 4]; {}] = fixel::mesh::flash::outline_edges({list});
          fixel::mesh::flash::outline(&EDGES, {creases})",
         edges.len(),
     ));
@@ -104,7 +104,7 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
         list(
             name,
             index,
-            "words",
+            "faces",
             faces.len(),
             bytes(faces, u16::to_le_bytes),
         );
@@ -116,7 +116,7 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
     list(
         "EDGES",
         "[fixel::Index; 2]",
-        "words",
+        "edges",
         lists.edges.len(),
         bytes(&lists.edges, u16::to_le_bytes),
     );
@@ -127,7 +127,7 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
         lists.colors.len(),
         lists.colors.concat(),
     );
-    let mesh = if format.is_none() {
+    let positions = if format.is_none() {
         let positions = bytes(&lists.positions, i32::to_le_bytes);
         list(
             "POSITIONS",
@@ -136,17 +136,17 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
             lists.positions.len(),
             positions,
         );
-        "fixel::Mesh::new(&POSITIONS, &FACES)".to_string()
+        "fixel::mesh::flash::long(&POSITIONS)".to_string()
     } else {
         let (short, fraction) = lists.shortened();
         list(
             "POSITIONS",
             "[i16; 3]",
-            "signed_words",
+            "shorts",
             short.len(),
             bytes(&short, i16::to_le_bytes),
         );
-        format!("fixel::Mesh::short(&POSITIONS, {fraction}, &FACES)")
+        format!("fixel::mesh::flash::short(&POSITIONS, {fraction})")
     };
     let uvs = bytes(&lists.uvs, i32::to_le_bytes);
     let normals = bytes(&lists.normals, i32::to_le_bytes);
@@ -156,9 +156,8 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
             list("UVS", "fixel::Vec2", "vec2s", uv_count, uvs);
             list("NORMALS", "fixel::Vec3", "vec3s", normal_count, normals);
             out.push(&format!(
-                "#[allow(long_running_const_eval)] static MESH: fixel::Mesh<'static> = \
-                 fixel::Mesh::checked(fixel::Mesh::checked({mesh}).with_lists(&EDGES, (&UVS, &UV_FACES), \
-                 (&NORMALS, &NORMAL_FACES), (&COLORS, &COLOR_FACES)));\nMESH"
+                "static MESH: fixel::Mesh<'static> = fixel::mesh::flash::mesh({positions}, (&FACES, &EDGES), \
+                 (&UVS, &UV_FACES), (&NORMALS, &NORMAL_FACES), (&COLORS, &COLOR_FACES));\nMESH"
             ));
         }
         Some(quantized) => {
@@ -177,15 +176,12 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
                  #[allow(long_running_const_eval)]
                  static STORED_NORMALS: [[i8; 3]; {normal_count}] =
                      assets::normals_of_8(&assets::vec3s::<{normal_count}>({normals}));
-                 #[allow(long_running_const_eval)]
-                 static QUANTIZED: fixel::mesh::Quantized<'static> =
-                     fixel::mesh::Quantized::checked(fixel::mesh::Quantized::new(
-                         fixel::Mesh::checked(fixel::Mesh::checked({mesh}).with_lists(
-                             &EDGES, (&[], &[]), (&[], &[]), (&COLORS, &COLOR_FACES))),
-                         (&STORED_NORMALS, &NORMAL_FACES),
-                         (assets::StoredUvs::{kind}(&STORED_UVS), &UV_FACES),
-                         STORED.1,
-                     ));
+                 static QUANTIZED: fixel::mesh::Quantized<'static> = fixel::mesh::Quantized::new(
+                     assets::mesh({positions}, (&FACES, &EDGES), (&[], &[]), (&[], &[]), (&COLORS, &COLOR_FACES)),
+                     (&STORED_NORMALS, &NORMAL_FACES),
+                     (assets::StoredUvs::{kind}(&STORED_UVS), &UV_FACES),
+                     STORED.1,
+                 );
                  QUANTIZED"
             ));
         }
