@@ -155,6 +155,7 @@ pub const fn mesh<'a>(
 macro_rules! lists {
     ($($name:ident: [$element:ty] = $first:expr, [$($byte:ident)+] => $value:expr;)+) => {$(
         #[must_use]
+        #[allow(clippy::cast_possible_wrap)] // the casts are meant, and a call of cast_signed takes long
         pub const fn $name<const N: usize>(bytes: &[u8]) -> [$element; N] {
             let mut list = [$first; N];
             let mut rest = bytes;
