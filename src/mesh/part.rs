@@ -10,7 +10,7 @@ use super::Mesh;
 ///
 /// It is data for the program, which decides how to draw: a texture by its name, a translucent part with
 /// [`Opacity`](crate::target::Opacity) after the opaque ones, one that is seen from both sides with
-/// [`Cull::None`](crate::Cull::None).
+/// [`Cull::Nothing`](crate::Cull::Nothing).
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
