@@ -142,6 +142,7 @@ macro_rules! include_outline {
 /// | option | meaning |
 /// |---|---|
 /// | `size = "256x256"` | the picture is resampled to this size, in which width and height are powers of two, at most 32,768 |
+/// | `raw = rgb565` | the bytes of all texels, row by row: a `&'static [u8; N]`; also `bgr565`, `rgb555`, `rgb666`, `rgb888` and so on. The high byte comes first, with `rgb565_le` the low one |
 /// | `mipmap` | all levels of a mipmap, each the mean of the picture's pixels |
 /// | `image = 1` | which picture of a model, counted from 0 |
 ///

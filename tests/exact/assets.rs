@@ -1,6 +1,8 @@
 //! Files in flash: the macros give what a person would write by hand.
 
-use embedded_graphics::pixelcolor::{Gray8, Rgb565, Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, Gray8, Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
+};
 use fixel::mesh::{Material, Outline, Part, TextureAlpha};
 use fixel::prelude::*;
 use fixel::texture::{Argb4444, Mipmap, MipmapArray, Palette, Sampler};
@@ -209,4 +211,21 @@ fn an_object_and_its_normals() {
     assert!(BASKET.positions().iter().all(|p| p.y < 0) && !BASKET.has_uvs() && BALLOON.has_uvs());
     // The house has none of its own; the balloon has.
     assert!(HOUSE.has_normals() && !BARE.has_normals() && BALLOON.has_normals());
+}
+
+/// The constructors from bytes give the texture that the macro makes.
+#[test]
+fn raw_bytes_are_those_of_the_texels() {
+    macro_rules! check {
+        ($($color:ident $format:ident)+) => {$({
+            static TEXELS: TextureArray<$color, 32, 32> =
+                include_texture!("../../examples/assets/planks.tga");
+            let bytes = include_texture!("../../examples/assets/planks.tga", raw = $format);
+            assert_eq!(TextureArray::$format(bytes), TEXELS, stringify!($format));
+        })+};
+    }
+    check! {
+        Rgb555 rgb555 Bgr555 bgr555_le Rgb565 rgb565 Rgb565 rgb565_le Bgr565 bgr565 Rgb666 rgb666
+        Bgr666 bgr666_le Rgb888 rgb888 Bgr888 bgr888_le
+    }
 }

@@ -75,7 +75,7 @@ fn size(text: &str) -> Option<(u32, u32)> {
 }
 
 pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
-    arguments.check(&["image", "mipmap", "size"])?;
+    arguments.check(&["image", "mipmap", "raw", "size"])?;
     let mut out = Expansion::default();
     let mut picture = read(arguments, &mut out)?;
     if let Some(text) = arguments.text("size")? {
@@ -92,6 +92,17 @@ pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
         let (width, height): (u32, u32) = (near(width), near(height));
         format!("{problem}; with size = \"{width}x{height}\" it is resampled")
     })?;
+    if let Some(format) = arguments.value("raw") {
+        let bytes = raw(&picture, format).ok_or_else(|| {
+            let names = RAW.map(|(name, ..)| name).join(", ");
+            format!(
+                "raw is {format}: it must be one of {names}, or end in _le for the low byte first"
+            )
+        })?;
+        let bytes = out.bytes(bytes);
+        out.push(&bytes);
+        return Ok(out);
+    }
     // Each color is converted once; the pixels are its indices.
     let (kind, list, colors) = if arguments.has("mipmap") {
         // Each level is the mean of the whole picture, so that rounding does not add up.
@@ -134,6 +145,46 @@ pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
         "<_ as fixel::texture::include::FromFile<Asset, {pixels}>>::VALUE"
     ));
     Ok(out)
+}
+
+/// Formats of raw texels: the lowest bits of red, green and blue, and their numbers of bits.
+const RAW: [(&str, [[u32; 2]; 3]); 8] = [
+    ("rgb555", [[10, 5], [5, 5], [0, 5]]),
+    ("bgr555", [[0, 5], [5, 5], [10, 5]]),
+    ("rgb565", [[11, 5], [5, 6], [0, 5]]),
+    ("bgr565", [[0, 5], [5, 6], [11, 5]]),
+    ("rgb666", [[12, 6], [6, 6], [0, 6]]),
+    ("bgr666", [[0, 6], [6, 6], [12, 6]]),
+    ("rgb888", [[16, 8], [8, 8], [0, 8]]),
+    ("bgr888", [[0, 8], [8, 8], [16, 8]]),
+];
+
+/// The bytes of texels in a format, the high byte first or, if it ends in `_le`, the low byte. Channels are rounded as
+/// `fixel` rounds them.
+fn raw(picture: &Picture, format: &str) -> Option<Vec<u8>> {
+    let low_first = format.strip_suffix("_le");
+    let (_, channels) = RAW
+        .iter()
+        .find(|(name, _)| *name == low_first.unwrap_or(format))?;
+    let size = channels
+        .iter()
+        .map(|[low, bits]| low + bits)
+        .max()?
+        .div_ceil(8) as usize;
+    let texel = |pixel: &[u8; 4]| {
+        let channels = channels.iter().zip(pixel).map(|(&[low, bits], &channel)| {
+            // c/255 in units of 2^-16, and then in steps.
+            let fraction = u32::from(channel) * 257 + u32::from(channel >> 7);
+            ((fraction * ((1 << bits) - 1) + (1 << 15)) >> 16) << low
+        });
+        let bytes = channels.sum::<u32>().to_le_bytes();
+        let mut bytes = bytes[..size].to_vec();
+        if low_first.is_none() {
+            bytes.reverse();
+        }
+        bytes
+    };
+    Some(picture.pixels.iter().flat_map(texel).collect())
 }
 
 /// The pixels as indices of three bytes, and the colors that occur.
