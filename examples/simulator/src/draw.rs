@@ -40,7 +40,7 @@ pub struct Style<'a> {
     surfaces: Vec<Surface<'a>>,
     /// Whether faces are drawn.
     has_faces: bool,
-    /// Which pieces are blended with what is behind them.
+    /// Which pieces are translucent.
     is_blended: Vec<bool>,
     lines: Lines,
     /// The color of lines.
@@ -81,7 +81,7 @@ impl<'a> Style<'a> {
         };
         let is_lit = !matches!(look.shade, Some(Shade::Depth | Shade::Normal)) && !look.has_fog();
         let lines = match lines {
-            // In black and white, silhouettes separate a model from what is behind it.
+            // In black and white, silhouettes set a model off from its background.
             Lines::None if is_mono && is_lit => Lines::Outline,
             lines => lines,
         };
@@ -161,7 +161,7 @@ fn lines_are_white(backdrop: Backdrop) -> bool {
     }
 }
 
-/// Whether a piece is blended with what is behind it.
+/// Whether a piece is translucent.
 pub fn is_blended(piece: &Piece<'_>, shade: Option<Shade>) -> bool {
     let has_alpha = piece.finish.alpha == Meaning::Blended;
     match shade {

@@ -6,7 +6,7 @@
 //! 2. Read files: `fixel_assets` reads a model of any size in f64, and [`skin`] reads textures.
 //! 3. Choose the camera in the model's units: [`framing`].
 //! 4. Convert to fixed point: [`units`] chooses the scale, [`view`] makes camera and light, and [`part`] makes meshes
-//!    of 16-bit indices. [`subject`] holds all of it, and a [`scene`] is what is drawn of it.
+//!    of 16-bit indices. [`subject`] holds the result, and [`scene`] draws it.
 //! 5. Look at it: [`sight`] checks that something will be visible, and [`advice`] what the user should know.
 //! 6. Choose shaders: [`look`] has light and fog, and [`paint`] a shader for each piece. [`surface`] hides their types,
 //!    and [`mode`] chooses the library's types at run time.

@@ -12,7 +12,7 @@ use crate::args::Args;
 /// The least time between two changes of the line.
 const PAUSE: Duration = Duration::from_millis(100);
 
-/// Models of this many triangles show what is done with them.
+/// From this many triangles on, a line says which step is being done.
 const MANY: usize = 100_000;
 /// Files of this many bytes show how much has been read.
 const BIG: usize = 16 << 20;

@@ -1,4 +1,4 @@
-//! What is drawn, and how it moves; draws a band of a frame.
+//! The scene and its motion, drawn band by band.
 
 use std::time::{Duration, Instant};
 

@@ -63,7 +63,6 @@ fn smooth(faces: &[Vector]) -> Vec<Vector> {
 impl Model {
     /// Adds normals and texture coordinates where they are missing.
     pub fn complete(&mut self) {
-        self.own_uvs = self.uvs.len();
         let has_uvs =
             |triangle: &Triangle| triangle.corners.iter().all(|corner| corner.uv.is_some());
         self.had_uvs = self.triangles.iter().all(has_uvs);

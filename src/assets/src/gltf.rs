@@ -1,8 +1,13 @@
 //! Reads glTF 2.0, text and binary.
 
+mod accessor;
+mod matrix;
+
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::Value;
+
+use matrix::{IDENTITY, Matrix, blend, local, matrix, normal_matrix, product};
 
 use crate::files::Folder;
 use crate::mtl::byte;
@@ -131,71 +136,6 @@ fn whole(value: &Value) -> Option<usize> {
 fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
     let numbers: Vec<f64> = value.as_array()?.iter().filter_map(Value::as_f64).collect();
     numbers.try_into().ok()
-}
-
-/// A matrix as glTF stores it: a list of columns.
-type Matrix = [[f64; 4]; 4];
-
-const IDENTITY: Matrix = [
-    [1.0, 0.0, 0.0, 0.0],
-    [0.0, 1.0, 0.0, 0.0],
-    [0.0, 0.0, 1.0, 0.0],
-    [0.0, 0.0, 0.0, 1.0],
-];
-
-fn product(a: &Matrix, b: &Matrix) -> Matrix {
-    b.map(|column| [0, 1, 2, 3].map(|row| (0..4).map(|k| a[k][row] * column[k]).sum()))
-}
-
-/// A list of 16 numbers as a matrix.
-fn matrix(numbers: [f64; 16]) -> Matrix {
-    [0, 1, 2, 3].map(|column| [0, 1, 2, 3].map(|row| numbers[4 * column + row]))
-}
-
-/// The matrix for normals: the cofactors of the upper left 3 x 3, which are its transposed inverse times its
-/// determinant; and the determinant.
-fn normal_matrix(m: &Matrix) -> ([[f64; 3]; 3], f64) {
-    let cofactors = [0, 1, 2].map(|column| {
-        let (a, b) = (&m[(column + 1) % 3], &m[(column + 2) % 3]);
-        [0, 1, 2].map(|row| {
-            let (i, j) = ((row + 1) % 3, (row + 2) % 3);
-            a[i] * b[j] - a[j] * b[i]
-        })
-    });
-    let determinant = (0..3).map(|row| m[0][row] * cofactors[0][row]).sum();
-    (cofactors, determinant)
-}
-
-/// The matrix of a node, relative to its parent.
-fn local(node: &Value) -> Matrix {
-    if let Some(numbers) = numbers(&node["matrix"]) {
-        return matrix(numbers);
-    }
-    let [x, y, z, w] = numbers(&node["rotation"]).unwrap_or([0.0, 0.0, 0.0, 1.0]);
-    let scale = numbers(&node["scale"]).unwrap_or([1.0; 3]);
-    let [tx, ty, tz] = numbers(&node["translation"]).unwrap_or([0.0; 3]);
-    let axes = [
-        [
-            1.0 - 2.0 * (y * y + z * z),
-            2.0 * (x * y + w * z),
-            2.0 * (x * z - w * y),
-        ],
-        [
-            2.0 * (x * y - w * z),
-            1.0 - 2.0 * (x * x + z * z),
-            2.0 * (y * z + w * x),
-        ],
-        [
-            2.0 * (x * z + w * y),
-            2.0 * (y * z - w * x),
-            1.0 - 2.0 * (x * x + y * y),
-        ],
-    ];
-    let axis = |at: usize| {
-        let [x, y, z] = axes[at].map(|x| x * scale[at]);
-        [x, y, z, 0.0]
-    };
-    [axis(0), axis(1), axis(2), [tx, ty, tz, 1.0]]
 }
 
 /// A URI with its escapes, such as %20, decoded.
@@ -434,7 +374,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Adds a mesh of a node. `places` are those of all nodes, for skins.
+    /// Adds a mesh of a node. `places` has the matrices of all nodes, which skins need.
     fn mesh(&mut self, at: usize, node: &Value, places: &[Option<Matrix>], matrix: Matrix) {
         let mut add = || {
             let mesh = self.item("meshes", at)?;
@@ -642,124 +582,6 @@ impl<'a> Reader<'a> {
         }
         Ok(uvs)
     }
-
-    /// The values of an attribute, as many as there are positions; none if it is missing.
-    fn attribute<const N: usize>(
-        &mut self,
-        accessor: &Value,
-        count: usize,
-    ) -> Result<Vec<[f64; N]>, String> {
-        let Some(at) = whole(accessor) else {
-            return Ok(Vec::new());
-        };
-        let mut values = self.values(at)?;
-        if values.len() != count {
-            self.model
-                .notes
-                .add("an attribute with another number of values than positions is left out");
-            values.clear();
-        }
-        Ok(values)
-    }
-
-    /// The bytes of a buffer view, and the distance of its values if it says one.
-    fn view(&self, at: usize) -> Result<(&[u8], Option<usize>), String> {
-        let view = self.item("bufferViews", at)?;
-        let number = |name: &str| whole(&view[name]);
-        let (start, length) = (
-            number("byteOffset").unwrap_or(0),
-            number("byteLength").unwrap_or(0),
-        );
-        let buffer = number("buffer").unwrap_or(0);
-        self.item("buffers", buffer)?;
-        let buffer = &self.buffers[buffer];
-        let bytes = buffer.get(start..).and_then(|rest| rest.get(..length));
-        let bytes = bytes.ok_or_else(|| {
-            format!(
-                "bufferView {at} leaves its buffer of {} bytes",
-                buffer.len()
-            )
-        })?;
-        Ok((bytes, number("byteStride").filter(|&stride| stride > 0)))
-    }
-
-    /// The first `N` components of each value of an accessor, as numbers.
-    fn values<const N: usize>(&mut self, at: usize) -> Result<Vec<[f64; N]>, String> {
-        let accessor = self.item("accessors", at)?;
-        let components = match accessor["type"].as_str() {
-            Some("SCALAR") => 1,
-            Some("VEC2") => 2,
-            Some("VEC3") => 3,
-            Some("VEC4") => 4,
-            Some("MAT4") => 16,
-            _ => 0,
-        };
-        if components < N {
-            return Err(format!(
-                "accessor {at}: it has {components} components a value, and needs {N}"
-            ));
-        }
-        let kind = whole(&accessor["componentType"]).unwrap_or(0);
-        let size = component_size(kind)
-            .ok_or_else(|| format!("accessor {at}: there is no componentType {kind}"))?;
-        let count = whole(&accessor["count"]).unwrap_or(0);
-        let normalized = accessor["normalized"].as_bool().unwrap_or(false);
-        let value = |bytes: &[u8]| -> [f64; N] {
-            let mut components = bytes
-                .chunks_exact(size)
-                .map(|bytes| number(kind, bytes, normalized));
-            [(); N].map(|()| components.next().unwrap_or(0.0))
-        };
-        let leaves = || format!("accessor {at} leaves its buffer view");
-        let offset = |object: &Value| whole(&object["byteOffset"]).unwrap_or(0);
-        let whole_size = components * size;
-        let sparse = &accessor["sparse"];
-        let mut values = match whole(&accessor["bufferView"]) {
-            Some(view) => {
-                let (bytes, stride) = self.view(view)?;
-                let stride = stride.unwrap_or(whole_size);
-                let rows =
-                    rows(bytes, offset(accessor), stride, whole_size, count).ok_or_else(leaves)?;
-                rows.map(value).collect()
-            }
-            None if count <= MOST => vec![[0.0; N]; count],
-            None => {
-                return Err(format!(
-                    "accessor {at} has {count} values but no bytes: at most {MOST} are read"
-                ));
-            }
-        };
-        if let Some(count) = whole(&sparse["count"]) {
-            let (places, changed) = (&sparse["indices"], &sparse["values"]);
-            let place_kind = whole(&places["componentType"]).unwrap_or(0);
-            let place_size = component_size(place_kind).ok_or_else(leaves)?;
-            let view =
-                |object: &Value| self.view(whole(&object["bufferView"]).unwrap_or(usize::MAX));
-            let (place_bytes, _) = view(places)?;
-            let (changed_bytes, _) = view(changed)?;
-            let indices = rows(place_bytes, offset(places), place_size, place_size, count)
-                .ok_or_else(leaves)?;
-            let changed = rows(
-                changed_bytes,
-                offset(changed),
-                whole_size,
-                whole_size,
-                count,
-            )
-            .ok_or_else(leaves)?;
-            for (index, bytes) in indices.zip(changed) {
-                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-                // a whole number of 32 bits
-                let index = number(place_kind, index, false) as usize;
-                *values.get_mut(index).ok_or_else(leaves)? = value(bytes);
-            }
-        }
-        self.read += count * whole_size;
-        self.folder
-            .files
-            .progress(self.read.min(self.folder.all), self.folder.all);
-        Ok(values)
-    }
 }
 
 /// The vertices of a primitive in the model's lists: how many, and where they begin.
@@ -794,20 +616,6 @@ impl Vertices {
     }
 }
 
-/// The mean of the matrices of a vertex's joints, by their weights; `None` without weights.
-fn blend(joints: &[Matrix], (which, weights): &([f64; 4], [f64; 4])) -> Option<Matrix> {
-    let all: f64 = weights.iter().sum();
-    let mut mean = [[0.0; 4]; 4];
-    for (&joint, weight) in which.iter().zip(weights) {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number
-        let joint = joints.get(joint as usize).unwrap_or(&IDENTITY);
-        for (sum, x) in mean.as_flattened_mut().iter_mut().zip(joint.as_flattened()) {
-            *sum += x * weight / all;
-        }
-    }
-    (all > 0.0).then_some(mean)
-}
-
 /// The base color of a material and its texture, in either description.
 fn surface(material: &Value) -> (&Value, &Value) {
     let glossy = &material["extensions"]["KHR_materials_pbrSpecularGlossiness"];
@@ -816,51 +624,4 @@ fn surface(material: &Value) -> (&Value, &Value) {
     }
     let surface = &material["pbrMetallicRoughness"];
     (&surface["baseColorFactor"], &surface["baseColorTexture"])
-}
-
-/// Splits `bytes` from `offset` on into `count` values of `size` bytes that begin every `stride` bytes; `None` if they
-/// do not fit.
-fn rows(
-    bytes: &[u8],
-    offset: usize,
-    stride: usize,
-    size: usize,
-    count: usize,
-) -> Option<impl Iterator<Item = &[u8]>> {
-    let end = match count.checked_sub(1) {
-        Some(last) => offset
-            .checked_add(stride.checked_mul(last)?)?
-            .checked_add(size)?,
-        None => offset,
-    };
-    let bytes = bytes.get(offset..end)?;
-    Some((0..count).map(move |at| &bytes[at * stride..][..size]))
-}
-
-/// How many bytes a component takes.
-fn component_size(kind: usize) -> Option<usize> {
-    match kind {
-        5120 | 5121 => Some(1),
-        5122 | 5123 => Some(2),
-        5125 | 5126 => Some(4),
-        _ => None,
-    }
-}
-
-/// A component of a value; `normalized` integers stand for fractions.
-fn number(kind: usize, bytes: &[u8], normalized: bool) -> f64 {
-    let (value, most) = match (kind, bytes) {
-        (5120, &[a]) => (i8::from_le_bytes([a]).into(), 127.0),
-        (5121, &[a]) => (a.into(), 255.0),
-        (5122, &[a, b]) => (i16::from_le_bytes([a, b]).into(), 32_767.0),
-        (5123, &[a, b]) => (u16::from_le_bytes([a, b]).into(), 65_535.0),
-        (5125, &[a, b, c, d]) => (u32::from_le_bytes([a, b, c, d]).into(), f64::from(u32::MAX)),
-        (5126, &[a, b, c, d]) => return f32::from_le_bytes([a, b, c, d]).into(),
-        _ => return 0.0,
-    };
-    if normalized {
-        f64::max(value / most, -1.0)
-    } else {
-        value
-    }
 }

@@ -83,8 +83,6 @@ pub struct Model {
     pub materials: Vec<Material>,
     /// The pictures that materials name.
     pub images: Vec<Image>,
-    /// How many texture coordinates come from the file; the others were computed.
-    pub own_uvs: usize,
     /// Whether every face has its own texture coordinates.
     pub had_uvs: bool,
     /// The files that belong to the model: materials, buffers and pictures.

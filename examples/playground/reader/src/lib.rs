@@ -1,5 +1,5 @@
-//! Reads the visitor's files in a browser: a module of its own, which the page loads when files are dropped, and starts
-//! anew for each drop.
+//! Reads the visitor's files in a browser. It is a separate module, which the page loads at the first drop; each drop
+//! gets a new instance.
 //!
 //! The page adds files, each as its name and its contents, and calls `read`. The parts of the answer are then:
 //!
@@ -39,7 +39,7 @@ fn reader() -> MutexGuard<'static, Reader> {
     READER.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Returns memory for so many bytes: a file's name, then its contents.
+/// Returns `size` bytes of memory for a file: its name, then its contents.
 #[allow(unsafe_code)] // promises that no other symbol has this name
 #[unsafe(no_mangle)]
 pub extern "C" fn add(size: usize) -> *mut u8 {

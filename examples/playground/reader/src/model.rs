@@ -85,8 +85,8 @@ pub fn read(
     Ok((mesh, model))
 }
 
-/// Returns the scale in which the mesh's numbers hold the model, in few enough and enough steps of 2^-16: 1 if they do,
-/// or that of a radius near 1. One that is far from the origin then is moved there.
+/// Returns the scale at which the model fits the mesh's format, whose steps are 2^-16: 1 if it fits as it is, otherwise
+/// the one that makes its radius about 1. If the model is then still far from the origin, moves it there.
 fn fitted(model: &mut Model, call: &mut String, notes: &mut Vec<String>) -> f64 {
     // The positions that faces use.
     let corners = model.triangles.iter().flat_map(|triangle| triangle.corners);

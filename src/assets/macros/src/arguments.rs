@@ -20,7 +20,7 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// Reads the tokens. `span` becomes that of the path, or of the mistake.
+    /// Reads the tokens, and sets `span` to that of the path or, if there is a mistake, of the mistake.
     pub fn parse(input: TokenStream, span: &mut Span) -> Result<Self, String> {
         let mut parts = split(input).into_iter();
         let first = parts.next().unwrap_or_default();
