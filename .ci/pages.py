@@ -305,7 +305,7 @@ def places(instructions, other):
          "{} million in place of {}.", [
              *(whole(kernel(name, (M0, "3"))) for name in ["newton", "fast-16"]),
              *(short_million(mean(M0, "3", mode, "cube")) for mode in ["newton", "fast"])])
-    says("src/target/canvas.rs", "takes {} instructions more on a canvas of pages and {} more on a packed one, on a "
+    says("src/canvas/canvas.rs", "takes {} instructions more on a canvas of pages and {} more on a packed one, on a "
          "Cortex-M4; on a Cortex-M0+, it takes {} and {} more", [
              whole(kernel(name, (target, "3")) - kernel("mono-native", (target, "3")))
              for target in [M4, M0] for name in ["mono-pages", "mono-packed"]])

@@ -201,15 +201,15 @@
 //!  │        12  straight::straight    or pieces, Newton, divide,
 //!  │                                  as Policy::of_span chooses
 //!  ▼
-//! pixel     13  Pixels::visible       depth test                        target/
+//! pixel     13  Pixels::visible       depth test                        canvas/
 //!  │        14  Pixels::shade
 //!  │        15  Shader::shade         varyings → color                  shade/
-//!  ▼        16  Storage::store        as a color or as bytes            target/
+//!  ▼        16  Storage::store        as a color or as bytes            canvas/
 //! canvas    your memory: a frame, or a band of one
 //! ```
 //!
 //! The column on the right names the folder; a line without one belongs to the folder above it. Each folder depends
-//! only on those before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`, `target`, `raster`, `span`,
+//! only on those before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`, `canvas`, `raster`, `span`,
 //! `pipeline`. Varyings are the values that a shader wants interpolated. The four kernels (straight, pieces, Newton,
 //! divide) are private; each [mode] chooses among them.
 #![no_std]
@@ -286,7 +286,7 @@ pub mod mode {
     pub use crate::span::{Affine, Compact, Exact, Fast, Mode, Newton};
 }
 
-pub mod target;
+pub mod canvas;
 pub mod texture;
 pub mod view;
 
@@ -304,6 +304,7 @@ pub use raster::{Cull, Hairline, LineWidth, PointStyle, SmoothLine};
 // These items are documented in their modules.
 #[doc(no_inline)]
 pub use {
+    canvas::Canvas,
     math::{Matrix4, Transform, Vec2, Vec3},
     mesh::{Corner, Index, Mesh, Outline, Primitive, Sprites},
     num::{Angle, Rate, Scalar, Spin, TexCoord, Unit},
@@ -311,7 +312,6 @@ pub use {
         Converted, DepthView, FaceColors, FaceLit, Flat, Fragment, Gouraud, Lamp, Levels, Light,
         Lighting, Lit, Map, NormalView, PointLight, Shader, SpotLight, Textured, Tinted, Viewer,
     },
-    target::Canvas,
     texture::{Palette, PaletteArray, Texture, TextureArray},
     view::{Aspect, Camera, Mvp, Projection, Viewport, Window},
 };

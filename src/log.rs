@@ -23,12 +23,12 @@ format!(Debug2Format: Hit, Matrix4, PointStyle, ScreenPoint, Segment, Shape, Win
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::canvas::{
+        Biased, ColorIndex, Contrast, NoDepth, NoTest, TestAndWrite, TestOnly, WriteOnly,
+    };
     use crate::mesh::{Counts, Missing};
     use crate::mode::{Affine, Compact, Exact, Fast, Newton};
     use crate::shade::{Colored, PerFace, Shiny, Texels, Tolerance, TwoSided, Within};
-    use crate::target::{
-        Biased, ColorIndex, Contrast, NoDepth, NoTest, TestAndWrite, TestOnly, WriteOnly,
-    };
     use crate::texture::{Bilinear, Clamp, Nearest, Repeat};
     use crate::{Aspect, Camera, Cull, DrawOptions, Drawn, Fragment, Light, Mvp, Rate, Spin};
     use crate::{Hairline, LineWidth, SmoothLine, Transform, Viewport, math::Direction};

@@ -11,9 +11,9 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii};
 use embedded_graphics::pixelcolor::{Gray4, GrayColor};
 use embedded_graphics::text::Text;
 use fixel::Prepared;
+use fixel::canvas::{DepthBuffer, Storage};
 use fixel::prelude::*;
 use fixel::shade::Light;
-use fixel::target::{DepthBuffer, Storage};
 
 /// Width of the panel in pixels.
 pub const WIDTH: u32 = 128;

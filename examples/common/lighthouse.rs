@@ -11,10 +11,10 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Gray8, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Alignment, Text};
+use fixel::canvas::{Contrast, DepthBuffer, Storage};
 use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::shade::{Flat, Levels, Light, Texels, Textured, Within};
-use fixel::target::{Contrast, DepthBuffer, Storage};
 use fixel::view::{Aspect, Perspective, ProjectionKind};
 use fixel::{Drawn, Vec2};
 

@@ -5,10 +5,10 @@
 //! microcontroller draws the same.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, WebColors};
+use fixel::canvas::{DepthBuffer, Storage};
 use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::shade::{FaceColors, Gouraud, Textured};
-use fixel::target::{DepthBuffer, Storage};
 use fixel::texture::TextureArray;
 use fixel::view::Perspective;
 use fixel::{Drawn, Vec2};

@@ -185,7 +185,7 @@
 //! ```
 //! use fixel::mode::Fast;
 //! use fixel::prelude::*;
-//! use fixel::target::{Opacity, TestOnly};
+//! use fixel::canvas::{Opacity, TestOnly};
 //!
 //! let glass = DrawOptions::new()
 //!     .with_cull(Cull::Nothing) // both sides
@@ -218,7 +218,7 @@
 //!
 //! `clear` sets all depths to 0, which is infinitely far. Half of the steps lie between the near plane and twice its
 //! distance. So put the near plane as far away as the scene allows; a distant far plane costs nothing. For scenes that
-//! reach far beyond 1,000 times the near plane's distance, use the format [`Float`](crate::target::Float).
+//! reach far beyond 1,000 times the near plane's distance, use the format [`Float`](crate::canvas::Float).
 //!
 //! A scene without a depth buffer must be drawn from back to front. A [`TriangleList`](crate::TriangleList) can sort
 //! it.
@@ -274,6 +274,6 @@
 //! | lit surfaces are dark | the direction of a [`Light`](crate::Light) points to the light, in world space; surfaces that face away from it have only its ambient brightness |
 //! | a spot or a highlight with jagged edges, or none | light is computed at the corners of triangles: make the mesh finer |
 //! | distant surfaces flicker through each other | move the near plane away from the eye: see [Depth](#depth) |
-//! | lines on a surface are broken | draw the surface with [`Biased::behind`](crate::target::Biased::behind), slightly behind its true depth; for silhouettes, [farther behind](crate::Canvas::draw_outline) |
+//! | lines on a surface are broken | draw the surface with [`Biased::behind`](crate::canvas::Biased::behind), slightly behind its true depth; for silhouettes, [farther behind](crate::Canvas::draw_outline) |
 //!
 //! [Firmware](crate::guide::firmware#when-the-picture-is-wrong) has the same for displays.

@@ -9,7 +9,7 @@ use super::Mesh;
 /// What a model file says of a surface. [`include_materials!`](crate::include_materials) makes it.
 ///
 /// It is data for the program, which decides how to draw: a texture by its name, a translucent part with
-/// [`Opacity`](crate::target::Opacity) after the opaque ones, one that is seen from both sides with
+/// [`Opacity`](crate::canvas::Opacity) after the opaque ones, one that is seen from both sides with
 /// [`Cull::Nothing`](crate::Cull::Nothing).
 ///
 /// ```

@@ -44,7 +44,7 @@ use crate::{Error, Scalar, Vec2, Vec3};
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// Sprites are drawn in the order of their positions. Sort [blended](crate::target::Blending) ones from back to front:
+/// Sprites are drawn in the order of their positions. Sort [blended](crate::canvas::Blending) ones from back to front:
 ///
 /// ```
 /// use fixel::prelude::*;

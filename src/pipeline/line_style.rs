@@ -4,12 +4,12 @@ use core::cell::Cell;
 
 use super::call::Call;
 use super::{Drawn, run};
+use crate::canvas::Blending;
 use crate::raster::{
     self, Blitter, ClippedVertex, Coverage, Hairline, LineWidth, Rasterizer, SmoothLine,
 };
 use crate::shade::{Levels, ShaderFor};
 use crate::span::{Shading, Smooth};
-use crate::target::Blending;
 use crate::view::ProjectionKind;
 
 /// A style of lines on a canvas of color `C`: [`Hairline`], [`LineWidth`] or, in a color of several

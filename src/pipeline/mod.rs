@@ -37,11 +37,11 @@ use options::PixelOptions;
 use sprites::Quads;
 
 use crate::Error;
+use crate::canvas::{Blending, Canvas, DepthBuffer, DepthTest, Storage};
 use crate::mesh::{Mesh, Missing, Outline, Sprites};
 use crate::raster::{Blitter, PointStyle};
 use crate::shade::ShaderFor;
 use crate::span::{Blit, Mode, Shading, is_plane};
-use crate::target::{Blending, Canvas, DepthBuffer, DepthTest, Storage};
 use crate::view::{ModelToPicture, ProjectionKind};
 
 /// The result of a draw call: how many triangles, edges or points there were, and how many were drawn.
@@ -169,12 +169,12 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// no gaps.
     ///
     /// To remove hidden lines, draw the faces first, in the color of the background and behind their true depth. For
-    /// creases, [`Biased::behind`](crate::target::Biased::behind) is far enough; silhouettes need
-    /// [`Biased::behind_outlines`](crate::target::Biased::behind_outlines).
+    /// creases, [`Biased::behind`](crate::canvas::Biased::behind) is far enough; silhouettes need
+    /// [`Biased::behind_outlines`](crate::canvas::Biased::behind_outlines).
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
-    /// use fixel::{prelude::*, target::{Biased, TestAndWrite}};
+    /// use fixel::{prelude::*, canvas::{Biased, TestAndWrite}};
     /// static CAN: Mesh = shape!(cylinder(16));
     /// static RIMS: Outline = outline!(CAN, deg!(30));
     /// let projection = Projection::perspective(deg!(40), (1, 1), fx!(1), fx!(9))?;

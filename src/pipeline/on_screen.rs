@@ -6,10 +6,10 @@ use embedded_graphics::pixelcolor::PixelColor;
 use super::vertex::Projector;
 use super::{DrawOptions, LineStyle};
 use crate::Vec3;
+use crate::canvas::{Canvas, DepthBuffer, Label, Storage};
 use crate::mesh::{Bounds, Positions};
 use crate::num::{Subpixel, block::BlockFloat};
 use crate::raster::ScreenVertex;
-use crate::target::{Canvas, DepthBuffer, Label, Storage};
 use crate::view::{ModelToPicture, ProjectionKind};
 
 /// The screen position of a point of model space; [`Canvas::project`] returns it.

@@ -3,9 +3,9 @@
 use embedded_graphics::geometry::Size;
 
 use super::call::Screen;
+use crate::canvas::{DepthTest, Replace, TestAndWrite};
 use crate::raster::{Cull, Hairline};
 use crate::span::{Fast, Mode, Newton};
-use crate::target::{DepthTest, Replace, TestAndWrite};
 use crate::view::Viewport;
 
 /// The options of a draw call: which faces are culled, which part of the frame is drawn to, the interpolation mode,

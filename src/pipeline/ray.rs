@@ -3,13 +3,13 @@
 use embedded_graphics::geometry::Point;
 
 use super::DrawOptions;
+use crate::canvas::{Canvas, Storage};
 use crate::math::{Direction, Transform};
 use crate::mesh::Mesh;
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt::{cross, unit};
 use crate::num::wide::{dot, product};
 use crate::raster::Cull;
-use crate::target::{Canvas, Storage};
 use crate::view::ModelToPicture;
 use crate::{Error, Scalar, Unit, Vec3};
 

@@ -19,21 +19,21 @@ use crate::num::wide::product;
 /// Let d be the distance from the pixel's center to the nearest point of the line, whose ends are exact to 1/256 pixel.
 /// Then the share is (width + 1)/2 − d, limited to 0 and 1. So ends are round, and, unlike a
 /// [`Hairline`](crate::Hairline), a line has the same width and strength in every direction. A share has an error of at
-/// most 1.3/256. Blending rounds as for [`Opacity`](crate::target::Opacity), and dithers coarse colors. On 1-bit
+/// most 1.3/256. Blending rounds as for [`Opacity`](crate::canvas::Opacity), and dithers coarse colors. On 1-bit
 /// panels, hairlines look better.
 ///
 /// Depth and attributes vary along the longer axis, as on a hairline; beyond an end, they are those of the end. So a
 /// pixel has the depth of a place up to √2 · (width + 1)/2 pixels away. If a mesh hides the lines on it, draw it
-/// [`Biased`](crate::target::Biased) by that many pixels, as below; for silhouettes,
-/// [`behind_outlines`](crate::target::Biased::behind_outlines). Draw smooth lines last, with
-/// [`TestOnly`](crate::target::TestOnly): what is drawn later, behind a pixel that a line covers only in part, would
+/// [`Biased`](crate::canvas::Biased) by that many pixels, as below; for silhouettes,
+/// [`behind_outlines`](crate::canvas::Biased::behind_outlines). Draw smooth lines last, with
+/// [`TestOnly`](crate::canvas::TestOnly): what is drawn later, behind a pixel that a line covers only in part, would
 /// not show through.
 ///
 /// The blending of the options is applied first; the share then blends its result with the canvas.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-/// use fixel::{prelude::*, target::{Biased, TestAndWrite, TestOnly}};
+/// use fixel::{prelude::*, canvas::{Biased, TestAndWrite, TestOnly}};
 /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 /// let projection = Projection::perspective(deg!(60), (1, 1), fx!(0.5), fx!(8))?;
 /// let mvp = projection * Transform::translate(vec3!(0, 0, -4)) * Transform::rotate_y(deg!(30));

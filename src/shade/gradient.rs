@@ -24,7 +24,7 @@ const BITS: u32 = 12;
 /// ```
 /// use embedded_graphics::mock_display::MockDisplay;
 /// use embedded_graphics::pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor};
-/// use fixel::{prelude::*, shade::Gradient, target::NoTest};
+/// use fixel::{prelude::*, shade::Gradient, canvas::NoTest};
 /// static DOME: Mesh = shape!(sphere(12, 8));
 /// let projection = Projection::perspective(deg!(90), (1, 1), fx!(0.5), fx!(100))?;
 /// let camera = Camera::look_at(vec3!(5, 2, 30), vec3!(5, 2, 0), Vec3::Y)?;

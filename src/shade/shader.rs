@@ -107,7 +107,7 @@ pub struct Fragment {
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 /// use fixel::prelude::*;
-/// use fixel::target::{Depth, Native};
+/// use fixel::canvas::{Depth, Native};
 ///
 /// static BALL: Mesh = shape!(sphere(16, 12));
 /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));

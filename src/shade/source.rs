@@ -55,11 +55,11 @@ impl<C: PixelColor> Source for C {
 /// A color with an opacity, by which it covers the color on the canvas: from 0 (not at all) to 255 (wholly).
 ///
 /// [Masked textures](crate::Textured::masked) and [`Argb4444`](crate::texture::Argb4444) have such colors, and so may a
-/// shader of your own. Draw them with the blending [`Alpha`](crate::target::Alpha).
+/// shader of your own. Draw them with the blending [`Alpha`](crate::canvas::Alpha).
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4};
-/// use fixel::{prelude::*, shade::Translucent, target::Alpha};
+/// use fixel::{prelude::*, shade::Translucent, canvas::Alpha};
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));

@@ -13,10 +13,10 @@ use super::pieces::pieces;
 use super::pixels::{Count, FaceOf, Numbers, Pixels, Span, rolled};
 use super::shading::Shading;
 use super::straight::{scaled, solid, straight};
+use crate::canvas::{Canvas, Cells, DepthBuffer, DepthTest, Storage};
 use crate::mesh::Primitive;
 use crate::raster::{Attribute, Blitter, Columns, DepthShift, Patch, SPAN, Scale, unpaired};
 use crate::shade::{Lanes, MOST_VARYINGS, Varyings};
-use crate::target::{Canvas, Cells, DepthBuffer, DepthTest, Storage};
 use crate::view::ProjectionKind;
 
 /// The [`Blitter`] of shader and blending `S` in mode `M` under a projection of kind `K`.

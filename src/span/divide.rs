@@ -2,10 +2,10 @@
 
 use super::pixels::{Count, Numbers, Pixels, Scales, Span};
 use super::shading::Shading;
+use crate::canvas::{Cells, DepthBuffer, DepthTest, Storage};
 use crate::num::reciprocal;
 use crate::num::wide::product;
 use crate::shade::Lanes;
-use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
 /// Draws a span whose attributes are p / q · 2^bits at each pixel, rounded down.
 #[inline(always)]

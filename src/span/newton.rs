@@ -2,11 +2,11 @@
 
 use super::pixels::{Count, Pixels, Span, rolled};
 use super::shading::Shading;
+use crate::canvas::{Cells, DepthBuffer, DepthTest, Storage};
 use crate::num::reciprocal;
 use crate::num::wide::{Word, high, newton_step, product, seldom};
 use crate::raster::Scale;
 use crate::shade::Lanes;
-use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
 /// The number of bits in an attribute's scale, and so the bits of a fraction p/q.
 pub(super) const FRACTION: u32 = Scale::AFFINE.bits();

@@ -2,10 +2,10 @@
 
 use super::pixels::{Count, Numbers, Pixels, Scales, Span, rolled};
 use super::shading::Shading;
+use crate::canvas::{Cells, DepthBuffer, DepthTest, Storage};
 use crate::num::short_reciprocal;
 use crate::num::wide::{product, times_17_bits};
 use crate::shade::Lanes;
-use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
 /// Draws a span in straight pieces of 2^`length` pixels, where `length` is 1 to 6.
 ///

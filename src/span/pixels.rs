@@ -5,9 +5,9 @@ use core::hint::black_box;
 use embedded_graphics::geometry::Point;
 
 use super::shading::Shading;
+use crate::canvas::{Buffer, DepthBuffer, DepthTest, Storage, linear};
 use crate::raster::Scale;
 use crate::shade::{Fragment, Lanes, Varyings};
-use crate::target::{Buffer, DepthBuffer, DepthTest, Storage, linear};
 
 /// The interpolated numbers of a shader, one `i32` in each lane.
 pub(super) type Numbers<S> = <Count<S> as Lanes>::Of<i32>;

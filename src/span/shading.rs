@@ -2,10 +2,10 @@
 
 use core::cell::Cell;
 
+use crate::canvas::Blending;
 use crate::mesh::Primitive;
 use crate::raster::Coverage;
 use crate::shade::{ColorOf, Fragment, Levels, Shader, Varyings};
-use crate::target::Blending;
 
 /// The source of the colors of a draw call's pixels: a [`Shader`], a [`Blending`] and, for [`Smooth`] lines, their
 /// coverage.

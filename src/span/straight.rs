@@ -2,9 +2,9 @@
 
 use super::pixels::{Cell, Count, Numbers, Pixels, Scales, Span, rolled};
 use super::shading::Shading;
+use crate::canvas::{Cells, DepthBuffer, DepthTest, Storage};
 use crate::num::wide::seldom;
 use crate::shade::Lanes;
-use crate::target::{Cells, DepthBuffer, DepthTest, Storage};
 
 /// Draws a span; `restore` turns interpolants into attributes.
 #[inline(always)]

@@ -12,10 +12,10 @@ use super::newton::newton;
 use super::pieces::pieces;
 use super::pixels::{Pixels, Span};
 use super::straight::{solid, straight};
+use crate::canvas::{Canvas, Cells, Native, NoDepth, NoTest, Replace, TestAndWrite};
 use crate::mesh::Primitive;
 use crate::raster::Scale;
 use crate::shade::{Flat, Fragment, Shader};
-use crate::target::{Canvas, Cells, Native, NoDepth, NoTest, Replace, TestAndWrite};
 
 /// Writes down the column and the number of each pixel.
 #[derive(Clone, Copy)]

@@ -91,7 +91,7 @@ impl Camera {
 
     /// The camera for a sky: it looks in the same direction, but from the origin of the world. So a mesh around the
     /// origin seems infinitely far away, however the camera moves. Draw the mesh first, with
-    /// [`NoTest`](crate::target::NoTest), so that it is behind everything; it must lie between the near and the far
+    /// [`NoTest`](crate::canvas::NoTest), so that it is behind everything; it must lie between the near and the far
     /// plane.
     ///
     /// A dome is a sphere seen from inside, with [`Cull::Front`](crate::Cull::Front): in colors by height

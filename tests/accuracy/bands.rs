@@ -6,8 +6,8 @@ use crate::common::recorder::{Probe, Recorder, Seen, record};
 use crate::reference::coverage::Bounds;
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::Drawn;
+use fixel::canvas::{Depth, Native};
 use fixel::prelude::*;
-use fixel::target::{Depth, Native};
 use rand::Rng;
 
 /// How many inputs a test checks.

@@ -7,10 +7,10 @@ use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor,
     Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
 };
+use fixel::canvas::{Add, Alpha, Multiply, Native, Opacity, Storage};
 use fixel::mode::Compact;
 use fixel::prelude::*;
 use fixel::shade::{Source, Translucent};
-use fixel::target::{Add, Alpha, Multiply, Native, Opacity, Storage};
 use fixel::view::Parallel;
 use rand::Rng;
 

@@ -1,8 +1,8 @@
 //! Drawing with a shader that records its input.
 
 use embedded_graphics::pixelcolor::Gray8;
+use fixel::canvas::{DepthBuffer, DepthFormat, Native};
 use fixel::prelude::*;
-use fixel::target::{DepthBuffer, DepthFormat, Native};
 use fixel::view::ProjectionKind;
 
 use crate::mode::Mode;

@@ -3,8 +3,8 @@
 use std::array::from_fn;
 
 use embedded_graphics::pixelcolor::Gray8;
+use fixel::canvas::{DepthBuffer, DepthFormat, Float, Linear, Native, WideFloat};
 use fixel::prelude::*;
-use fixel::target::{DepthBuffer, DepthFormat, Float, Linear, Native, WideFloat};
 use fixel::view::Perspective;
 use rand::Rng;
 

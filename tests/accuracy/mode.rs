@@ -1,9 +1,9 @@
 //! The interpolation modes as values, to iterate over.
 
 use embedded_graphics::pixelcolor::Gray8;
+use fixel::canvas::{DepthBuffer, Native};
 use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
-use fixel::target::{DepthBuffer, Native};
 use fixel::view::ProjectionKind;
 
 /// A mode with its tolerance.

@@ -1,7 +1,7 @@
 //! One triangle drawn by the crate and by the model.
 
+use fixel::canvas::DepthFormat;
 use fixel::prelude::*;
-use fixel::target::DepthFormat;
 use fixel::view::ProjectionKind;
 
 use crate::drawing::{Drawing, Seen};

@@ -9,10 +9,10 @@ use crate::reference::coverage::{Bounds, center, picture};
 use crate::reference::lines::share;
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
 use fixel::LineStyle;
+use fixel::canvas::{Add, Blending, Opacity, TestAndWrite};
 use fixel::mode::Newton;
 use fixel::num::Subpixel;
 use fixel::prelude::*;
-use fixel::target::{Add, Blending, Opacity, TestAndWrite};
 use fixel::view::{ModelToPicture, Perspective};
 use rand::Rng;
 

@@ -4,10 +4,10 @@
 use std::any::type_name;
 
 use embedded_graphics::pixelcolor::Rgb888;
+use fixel::canvas::Float;
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::shade::PerFace;
-use fixel::target::Float;
 use fixel::view::ProjectionKind;
 use rand::Rng;
 
@@ -98,7 +98,7 @@ impl Scene {
 }
 
 /// A band of a frame.
-type Band<'b> = Canvas<'b, Rgb888, fixel::target::Native, fixel::target::Depth<'b>>;
+type Band<'b> = Canvas<'b, Rgb888, fixel::canvas::Native, fixel::canvas::Depth<'b>>;
 
 /// Draws a frame in bands of this many rows; the last band has the remaining rows.
 ///

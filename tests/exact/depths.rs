@@ -3,9 +3,9 @@
 use crate::common::BOTH_SIDES;
 use crate::common::random::cases;
 use embedded_graphics::pixelcolor::Rgb565;
+use fixel::canvas::{Biased, DepthFormat, DepthTest, Float, Linear, TestAndWrite};
 use fixel::mode::{Affine, Exact, Fast, Mode};
 use fixel::prelude::*;
-use fixel::target::{Biased, DepthFormat, DepthTest, Float, Linear, TestAndWrite};
 use rand::Rng;
 
 const SIZE: (u32, u32) = (96, 64);

@@ -1,8 +1,8 @@
 //! Prepared lists of several objects.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+use fixel::canvas::Opacity;
 use fixel::prelude::*;
-use fixel::target::Opacity;
 use fixel::{Drawn, Object, PreparedScene};
 
 use crate::common::{at_subpixel, pixel_projection};

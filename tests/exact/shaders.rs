@@ -1,10 +1,10 @@
 //! Shaders that a program implements itself, and lists of models with different shaders.
 
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb565, Rgb888, RgbColor};
+use fixel::canvas::{Depth, Native};
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::shade::{ColorOf, Illumination, PerFace, Within};
-use fixel::target::{Depth, Native};
 use fixel::view::Perspective;
 use rand::Rng;
 

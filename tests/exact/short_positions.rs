@@ -3,9 +3,9 @@
 use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use fixel::canvas::{Depth, Native};
 use fixel::mode::{Exact, Mode};
 use fixel::prelude::*;
-use fixel::target::{Depth, Native};
 use fixel::view::ProjectionKind;
 use rand::Rng;
 

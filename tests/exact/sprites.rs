@@ -5,9 +5,9 @@ use std::cell::{Cell, RefCell};
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use fixel::canvas::{Depth, Native};
 use fixel::prelude::*;
 use fixel::shade::{Fog, Texels};
-use fixel::target::{Depth, Native};
 use fixel::view::ProjectionKind;
 
 use crate::common::recorder::Probe;

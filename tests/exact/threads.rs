@@ -5,9 +5,9 @@ use std::thread;
 
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888, RgbColor};
+use fixel::canvas::{Depth, Native, NoDepth};
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
-use fixel::target::{Depth, Native, NoDepth};
 use fixel::view::{Parallel, Perspective};
 use fixel::{Converted, FaceLit, Lit, Tinted};
 

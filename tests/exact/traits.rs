@@ -5,6 +5,12 @@ use core::fmt::{Debug, Display};
 use core::hash::Hash;
 
 use embedded_graphics::pixelcolor::Rgb565;
+use fixel::canvas::{Add, Alpha, Multiply, Opacity, Replace};
+use fixel::canvas::{
+    Biased, ColorIndex, Contrast, Depth, ErrorDiffusion, Float, Label, Linear, Native, NoDepth,
+    NoTest, Packed, Pages,
+};
+use fixel::canvas::{TestAndWrite, TestOnly, WideFloat, WriteOnly};
 use fixel::math::Direction;
 use fixel::mesh::{Bounds, Buffers, Counts, Keyframes, Missing, Part, Positions, Quantized, Shape};
 use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
@@ -17,12 +23,6 @@ use fixel::shade::{
 };
 use fixel::shade::{Glossy, Gradient, Masked, Matte, Mipmapped, Rgb, Tolerance, Translucent};
 use fixel::shade::{White, Within};
-use fixel::target::{Add, Alpha, Multiply, Opacity, Replace};
-use fixel::target::{
-    Biased, ColorIndex, Contrast, Depth, ErrorDiffusion, Float, Label, Linear, Native, NoDepth,
-    NoTest, Packed, Pages,
-};
-use fixel::target::{TestAndWrite, TestOnly, WideFloat, WriteOnly};
 use fixel::texture::{Argb1555, Argb4444, Mipmap, MipmapArray, PackedGray4, Trilinear};
 use fixel::texture::{Bilinear, Clamp, CutOut, Nearest, Repeat};
 use fixel::view::{Parallel, Perspective, Segment};

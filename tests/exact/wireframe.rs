@@ -1,8 +1,8 @@
 //! A mesh's edges drawn over the mesh itself: no visible edge has gaps.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+use fixel::canvas::{Biased, DepthTest, TestAndWrite};
 use fixel::prelude::*;
-use fixel::target::{Biased, DepthTest, TestAndWrite};
 use fixel::view::ProjectionKind;
 use rand::Rng;
 

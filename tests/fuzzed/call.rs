@@ -6,15 +6,15 @@ use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
+use fixel::canvas::{
+    Add, Alpha, Blending, ColorIndex, Contrast, Depth, DepthBuffer, ErrorDiffusion, Multiply,
+    Native, Opacity, Storage, TestAndWrite,
+};
 use fixel::mesh::flash::{StoredUvs, UvGrid, short_normal};
 use fixel::mesh::{Material, Part, Quantized};
 use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::shade::{PartColors, Translucent};
-use fixel::target::{
-    Add, Alpha, Blending, ColorIndex, Contrast, Depth, DepthBuffer, ErrorDiffusion, Multiply,
-    Native, Opacity, Storage, TestAndWrite,
-};
 use fixel::view::ProjectionKind;
 use fixel::{Drawn, Object, Prepared, PreparedEdges};
 

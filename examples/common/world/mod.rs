@@ -40,10 +40,10 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{GrayColor, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::text::{Alignment, Text};
+use fixel::canvas::{Add, DepthBuffer, Opacity, Storage, TestOnly};
 use fixel::mesh::Bounds;
 use fixel::prelude::*;
 use fixel::shade::{Colored, Fog, Mipmapped};
-use fixel::target::{Add, DepthBuffer, Opacity, Storage, TestOnly};
 use fixel::texture::Argb1555;
 
 const STOPS: usize = 8;

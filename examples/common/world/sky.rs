@@ -1,8 +1,8 @@
 //! The sky: colors by height and direction, stars, and a moon.
 
 use embedded_graphics::pixelcolor::{GrayColor, Rgb565, Rgb888};
+use fixel::canvas::{Add, DepthBuffer, NoTest, Storage};
 use fixel::prelude::*;
-use fixel::target::{Add, DepthBuffer, NoTest, Storage};
 
 use super::textures::{GLOW, MOON};
 

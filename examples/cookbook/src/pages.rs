@@ -6,11 +6,11 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::{Drawable, text::Text};
+use fixel::canvas::{Add, Blending, Multiply, Opacity, Replace, TestOnly};
 use fixel::mesh::{Material, Part, Quantized};
 use fixel::mode::Affine;
 use fixel::prelude::*;
 use fixel::shade::{Fog, Gradient, Mipmapped, PartColors};
-use fixel::target::{Add, Blending, Multiply, Opacity, Replace, TestOnly};
 use fixel::texture::{Mipmap, MipmapArray};
 
 use super::scenes::{Draw, Frame};

@@ -1,9 +1,9 @@
 //! Draws a scene in a layout and measures it.
 
 use crc32fast::Hasher;
+use fixel::canvas::DepthBuffer;
 use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::target::DepthBuffer;
 use fixel::view::Perspective;
 use static_cell::ConstStaticCell;
 

@@ -4,9 +4,9 @@
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::Prepared;
+use fixel::canvas::DepthBuffer;
 use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::target::DepthBuffer;
 use fixel::view::Perspective;
 
 use super::common::lighthouse;

@@ -59,10 +59,10 @@ fn main() -> Result<(), fixel::Error> {
 #[cfg(target_os = "none")]
 mod firmware {
     use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+    use fixel::canvas::{Add, Alpha, Multiply, Opacity};
     use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
     use fixel::prelude::*;
     use fixel::shade::{Fog, Gradient, Mipmapped};
-    use fixel::target::{Add, Alpha, Multiply, Opacity};
     use fixel::texture::{Argb4444, Mipmap, MipmapArray};
     use semihosting::println;
 

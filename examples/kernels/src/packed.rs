@@ -4,9 +4,9 @@
 use core::hint::black_box;
 
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8};
+use fixel::canvas::{Contrast, ErrorDiffusion, Storage};
 use fixel::mode::Affine;
 use fixel::prelude::*;
-use fixel::target::{Contrast, ErrorDiffusion, Storage};
 
 use super::ticks::Stopwatch;
 use super::wall::{self, ROWS, UVS};

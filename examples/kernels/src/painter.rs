@@ -2,8 +2,8 @@
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::Object;
+use fixel::canvas::{DepthBuffer, Native};
 use fixel::prelude::*;
-use fixel::target::{DepthBuffer, Native};
 
 use super::common::lighthouse;
 use super::common::scenes::{self, HEIGHT, POSES, WIDTH};

@@ -3,9 +3,9 @@
 use core::hint::black_box;
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::canvas::{Blending, DepthBuffer, TestAndWrite};
 use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::target::{Blending, DepthBuffer, TestAndWrite};
 use fixel::view::Perspective;
 use static_cell::ConstStaticCell;
 
@@ -144,7 +144,7 @@ impl Bench {
 /// Draws the wall to a canvas of this width.
 fn draw<I: Mode, B: Blending<Rgb565>, F: Shader<Color = B::Source>, D: DepthBuffer>(
     watch: &mut Stopwatch,
-    canvas: &mut Canvas<'_, Rgb565, fixel::target::Native, D>,
+    canvas: &mut Canvas<'_, Rgb565, fixel::canvas::Native, D>,
     width: u32,
     options: Options<I, B>,
     shader: &F,

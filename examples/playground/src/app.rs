@@ -5,9 +5,9 @@ use core::fmt::Write;
 
 use embedded_graphics::pixelcolor::{BinaryColor, IntoStorage, Rgb565, RgbColor};
 use fixel::Drawn;
+use fixel::canvas::NoDepth;
 use fixel::mode::{Affine, Compact, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
-use fixel::target::NoDepth;
 
 use super::common::lighthouse;
 use super::cost::{self, CORES};

@@ -2,9 +2,9 @@
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::Drawn;
+use fixel::canvas::{Depth, DepthBuffer, Native, NoDepth};
 use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::target::{Depth, DepthBuffer, Native, NoDepth};
 
 use super::common::{lighthouse, scenes};
 use super::model::Model;

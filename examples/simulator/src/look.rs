@@ -2,10 +2,10 @@
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use fixel::canvas::Contrast;
 use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::shade::{Colored, Fog, Levels, Light, TwoSided, Viewer};
-use fixel::target::Contrast;
 use fixel::texture::Blend;
 
 use super::Result;

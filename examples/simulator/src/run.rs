@@ -5,8 +5,8 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{
     BinaryColor, Gray4, Gray8, GrayColor, Rgb565, Rgb888, RgbColor,
 };
+use fixel::canvas::Contrast;
 use fixel::shade::Levels;
-use fixel::target::Contrast;
 
 use super::Result;
 use super::common::scenes;

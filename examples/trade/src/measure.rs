@@ -5,9 +5,9 @@ use std::cell::RefCell;
 use crc32fast::Hasher;
 use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::canvas::DepthBuffer;
 use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::target::DepthBuffer;
 
 use super::Result;
 use super::case::{Case, Shot};

@@ -1,8 +1,8 @@
 //! The shaders of the cases, for the crate and for the model.
 
 use embedded_graphics::pixelcolor::{Rgb565, WebColors};
+use fixel::canvas::{DepthBuffer, Native};
 use fixel::prelude::*;
-use fixel::target::{DepthBuffer, Native};
 
 use super::Result;
 use super::scenes;

@@ -4,9 +4,9 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::canvas::DepthBuffer;
 use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::target::DepthBuffer;
 
 use super::Result;
 use super::case::Case;

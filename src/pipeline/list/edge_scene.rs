@@ -8,13 +8,13 @@ use super::edges::{self, Edge};
 use super::scene::View;
 use super::{EdgeList, Object, PreparedEdges, Slot};
 use crate::Error;
+use crate::canvas::{Canvas, DepthTest, Replace, Storage, TestAndWrite, check_size};
 use crate::pipeline::cache::VertexCache;
 use crate::pipeline::call::Call;
 use crate::pipeline::options::PixelOptions;
 use crate::pipeline::{DrawOptions, outline};
 use crate::raster::Hairline;
 use crate::span::{Mode, Newton};
-use crate::target::{Canvas, DepthTest, Replace, Storage, TestAndWrite, check_size};
 use crate::view::{ModelToPicture, Perspective, ProjectionKind};
 
 /// Several objects' edges, ready to be drawn to every band of a frame.

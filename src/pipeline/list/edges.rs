@@ -7,6 +7,7 @@ use heapless::{Vec, VecView};
 
 use super::{Needed, PreparedCall, Slot, VertexWriter, vertex};
 use crate::Error;
+use crate::canvas::{DepthTest, Replace, TestAndWrite, check_size};
 use crate::mesh::{Index, Mesh, Outline};
 use crate::pipeline::cache::VertexCache;
 use crate::pipeline::call::Call;
@@ -16,7 +17,6 @@ use crate::pipeline::run::Draw;
 use crate::pipeline::{DrawOptions, Drawn, outline, run};
 use crate::raster::{Barycentric, Blitter, ClippedVertex, Hairline};
 use crate::span::{Mode, Newton};
-use crate::target::{DepthTest, Replace, TestAndWrite, check_size};
 use crate::view::{ModelToPicture, Perspective, ProjectionKind};
 
 /// Memory for the edges of a frame that is drawn in bands, like a [`TriangleList`](super::TriangleList) for triangles.
@@ -128,7 +128,7 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
     /// # Errors
     ///
     /// [`Error::Full`], with the length that is needed, if the list is too short for the visible edges; [`Error::Size`]
-    /// if a side of the frame is 0 or above [`MAX_SIZE`](crate::target::MAX_SIZE).
+    /// if a side of the frame is 0 or above [`MAX_SIZE`](crate::canvas::MAX_SIZE).
     pub fn prepare<'a, M: Mode, Z: DepthTest, B: Copy, L: Copy, V: ModelToPicture>(
         &'a mut self,
         options: &DrawOptions<M, Z, B, L>,
@@ -260,7 +260,7 @@ impl<'a, K, M, Z, B, L> PreparedEdges<'a, K, M, Z, B, L> {
     /// The same edges, drawn with another style of lines.
     ///
     /// ```
-    /// use fixel::{prelude::*, target::Replace};
+    /// use fixel::{prelude::*, canvas::Replace};
     /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
     /// let projection = Projection::perspective(deg!(60), (2, 1), fx!(1), fx!(10))?;
     /// let mvp = projection * Transform::translate(vec3!(0, 0, -3));

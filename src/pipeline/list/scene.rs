@@ -7,13 +7,13 @@ use embedded_graphics::geometry::Size;
 
 use super::triangles::{Corners, Entry, fill};
 use super::{Needed, Prepared, PreparedCall, Slot, TriangleList, painter};
+use crate::canvas::{Canvas, DepthTest, Replace, Storage, TestAndWrite, check_size};
 use crate::mesh::{Mesh, Outline};
 use crate::pipeline::DrawOptions;
 use crate::pipeline::call::{Call, Screen};
 use crate::pipeline::options::PixelOptions;
 use crate::raster::DepthShift;
 use crate::span::{Mode, Newton};
-use crate::target::{Canvas, DepthTest, Replace, Storage, TestAndWrite, check_size};
 use crate::view::{ModelToPicture, Mvp, Perspective, ProjectionKind};
 use crate::{Error, Transform};
 
@@ -39,7 +39,7 @@ use crate::{Error, Transform};
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-/// use fixel::{Object, Prepared, PreparedScene, prelude::*, target::{Depth, Native}};
+/// use fixel::{Object, Prepared, PreparedScene, prelude::*, canvas::{Depth, Native}};
 /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 /// static BALL: Mesh = shape!(sphere(16, 12));
 ///

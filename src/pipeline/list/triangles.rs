@@ -7,6 +7,7 @@ use heapless::{Vec, VecView};
 
 use super::{Needed, PreparedCall, Slot, VertexWriter, painter, vertex};
 use crate::Error;
+use crate::canvas::{DepthTest, Replace, TestAndWrite, check_size};
 use crate::mesh::{Indices, Mesh};
 use crate::pipeline::assemble::Assembly;
 use crate::pipeline::call::Call;
@@ -16,7 +17,6 @@ use crate::pipeline::run::{self, Draw};
 use crate::pipeline::{DrawOptions, Drawn};
 use crate::raster::{self, Blitter, ClippedVertex, Cull, Polygon, Scissor, ScreenVertex, Triangle};
 use crate::span::{Mode, Newton};
-use crate::target::{DepthTest, Replace, TestAndWrite, check_size};
 use crate::view::{ModelToPicture, Perspective, ProjectionKind};
 
 /// Memory for the triangles of a frame that is drawn in bands.
@@ -182,7 +182,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     /// # Errors
     ///
     /// [`Error::Full`], with the length that is needed, if the list is too short for the visible triangles;
-    /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](crate::target::MAX_SIZE).
+    /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](crate::canvas::MAX_SIZE).
     pub fn prepare<'a, M: Mode, Z: DepthTest, B: Copy, V: ModelToPicture>(
         &'a mut self,
         options: &DrawOptions<M, Z, B>,
@@ -410,7 +410,7 @@ impl<'a, K, M, Z, B> Prepared<'a, K, M, Z, B> {
     /// some objects are translucent.
     ///
     /// ```
-    /// use fixel::{prelude::*, target::Opacity};
+    /// use fixel::{prelude::*, canvas::Opacity};
     /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
     /// let projection = Projection::perspective(deg!(60), (2, 1), fx!(1), fx!(10))?;
     /// let mvp = projection * Transform::translate(vec3!(0, 0, -3));

@@ -5,10 +5,10 @@
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::BigEndian;
+use fixel::canvas::{Depth, DepthFormat, Float, Linear};
 use fixel::mesh::{Buffers, Shape};
 use fixel::mode::{Affine, Compact, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
-use fixel::target::{Depth, DepthFormat, Float, Linear};
 use fixel::view::Perspective;
 
 use super::scene::Random;

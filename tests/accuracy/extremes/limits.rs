@@ -3,10 +3,10 @@
 use std::sync::Mutex;
 
 use embedded_graphics::pixelcolor::Gray8;
+use fixel::canvas::MAX_SIZE;
 use fixel::mesh::Shape;
 use fixel::num::{scalar, tex_coord};
 use fixel::prelude::*;
-use fixel::target::MAX_SIZE;
 use fixel::texture::{MAX_TEXTURE_SIZE, Sampler};
 use fixel::view::{Perspective, ProjectionKind};
 

@@ -5,10 +5,10 @@ use std::ops::Range;
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb888};
 use fixel::Drawn;
+use fixel::canvas::{DepthBuffer, Float, Native, NoDepth, WideFloat};
 use fixel::mode::{self, Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::shade::{Tolerance, Varyings};
-use fixel::target::{DepthBuffer, Float, Native, NoDepth, WideFloat};
 use fixel::view::ProjectionKind;
 use rand::Rng;
 use rand::seq::IndexedRandom;

@@ -8,9 +8,9 @@ use embedded_graphics::mono_font::MonoTextStyle;
 use embedded_graphics::mono_font::ascii::FONT_6X10;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, GrayColor, PixelColor};
 use embedded_graphics::text::Text;
+use fixel::canvas::{DepthBuffer, DepthFormat, Float, Linear, Native, WideFloat};
 use fixel::num::scalar;
 use fixel::prelude::*;
-use fixel::target::{DepthBuffer, DepthFormat, Float, Linear, Native, WideFloat};
 
 /// Draws a triangle that covers the pixels below the diagonal of an 8x8 canvas.
 fn triangle<C: PixelColor, D: DepthBuffer>(
@@ -61,7 +61,7 @@ fn text_covers_the_picture_and_keeps_depths() {
 
 /// Draws a near triangle, calls `between`, and draws a farther one. Returns the pixels of gray 1 (near) and 2 (far).
 fn shown<F: DepthFormat>(
-    between: fn(&mut Canvas<'_, Gray8, Native, fixel::target::Depth<'_, F>>),
+    between: fn(&mut Canvas<'_, Gray8, Native, fixel::canvas::Depth<'_, F>>),
 ) -> [usize; 2] {
     let mut pixels = [Gray8::BLACK; 64];
     let mut depths = [0; 64];

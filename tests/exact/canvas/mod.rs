@@ -6,8 +6,8 @@ use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
+use fixel::canvas::{MAX_SIZE, Native, NoDepth};
 use fixel::prelude::*;
-use fixel::target::{MAX_SIZE, Native, NoDepth};
 
 mod depth;
 mod framebuffer;

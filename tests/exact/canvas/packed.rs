@@ -12,10 +12,10 @@ use embedded_graphics::pixelcolor::{
     BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor, Rgb565, Rgb888, RgbColor,
 };
 use embedded_graphics::primitives::Rectangle;
+use fixel::canvas::{Blending, Contrast, DepthBuffer, ErrorDiffusion, Opacity, Replace, Storage};
 use fixel::mode::{Compact, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::shade::{Levels, NormalView};
-use fixel::target::{Blending, Contrast, DepthBuffer, ErrorDiffusion, Opacity, Replace, Storage};
 use rand::{Rng, SeedableRng};
 
 use super::pictures::{self, HEIGHT, WIDTH};

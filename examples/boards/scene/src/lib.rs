@@ -15,7 +15,7 @@ use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics::text::Text;
 use fixel::mode::Fast;
 use fixel::prelude::*;
-use fixel::target::{DepthBuffer, Storage};
+use fixel::canvas::{DepthBuffer, Storage};
 
 /// The crate: 12 triangles in flash.
 static CRATE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));

@@ -2,8 +2,8 @@
 
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor, WebColors};
+use fixel::canvas::{Depth, Native};
 use fixel::prelude::*;
-use fixel::target::{Depth, Native};
 
 /// Rows of a band. At 320 columns, it takes 10 KiB; a whole frame takes 300 KiB.
 const ROWS: u32 = 8;

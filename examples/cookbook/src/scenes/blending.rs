@@ -1,8 +1,8 @@
 //! Glass, a shadow, the glow of a lamp and smoke.
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb565, Rgb888, RgbColor};
+use fixel::canvas::{Add, Alpha, Depth, Multiply, Native, Opacity, TestOnly};
 use fixel::prelude::*;
-use fixel::target::{Add, Alpha, Depth, Multiply, Native, Opacity, TestOnly};
 
 static SQUARE: Mesh = shape!(plane(1, 1));
 static BALL: Mesh = shape!(sphere(32, 24));

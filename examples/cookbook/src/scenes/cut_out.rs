@@ -2,8 +2,8 @@
 
 use core::array::from_fn;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use fixel::canvas::{Depth, Native};
 use fixel::prelude::*;
-use fixel::target::{Depth, Native};
 use fixel::texture::Argb1555;
 
 static SQUARE: Mesh = shape!(plane(1, 1));

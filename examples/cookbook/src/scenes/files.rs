@@ -1,9 +1,9 @@
 //! A model and its picture, as a modeling program saves them.
 
 use embedded_graphics::pixelcolor::Rgb565;
+use fixel::canvas::{Depth, Native};
 use fixel::mesh::Part;
 use fixel::prelude::*;
-use fixel::target::{Depth, Native};
 
 static BALLOON: Mesh = include_mesh!("../../../assets/balloon.glb", short);
 static PARTS: &[Part] = include_materials!("../../../assets/balloon.glb");

@@ -1,9 +1,9 @@
 //! Towers that fade with their distance.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use fixel::canvas::{Depth, Native};
 use fixel::prelude::*;
 use fixel::shade::Fog;
-use fixel::target::{Depth, Native};
 
 static FLOOR: Mesh = shape!(plane(1, 1));
 static TOWER: Mesh = shape!(cuboid(vec3!(1, 3, 1)));

@@ -1,8 +1,8 @@
 //! The smallest scene: a ring in the sun.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use fixel::canvas::{Depth, Native};
 use fixel::prelude::*;
-use fixel::target::{Depth, Native};
 
 static RING: Mesh = shape!(torus(fx!(0.45), 48, 24));
 

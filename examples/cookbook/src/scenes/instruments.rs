@@ -5,8 +5,8 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10, ascii::FONT_
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor, WebColors};
 use embedded_graphics::primitives::{Arc, Line, Primitive as _, PrimitiveStyle};
 use embedded_graphics::{Drawable, text::Alignment, text::Text};
+use fixel::canvas::{Depth, Native};
 use fixel::prelude::*;
-use fixel::target::{Depth, Native};
 
 static BALL: Mesh = shape!(sphere(32, 24));
 /// Sky above ground, and lines every 10 degrees, which are 7 rows.

@@ -1,9 +1,9 @@
 //! A bird in two poses, and a flock of birds between them.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use fixel::canvas::{Depth, Native};
 use fixel::mesh::Keyframes;
 use fixel::prelude::*;
-use fixel::target::{Depth, Native};
 
 /// Beak, back, two ends of a tail; and on each side a wing: two roots, two elbows, a tip.
 #[rustfmt::skip]

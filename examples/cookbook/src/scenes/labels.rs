@@ -3,8 +3,8 @@
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_4X6, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::{Drawable, geometry::Point, text::Text};
+use fixel::canvas::{Depth, Native};
 use fixel::prelude::*;
-use fixel::target::{Depth, Native};
 
 static BALL: Mesh = shape!(sphere(32, 24));
 static RING: Mesh = shape!(torus(fx!(0.006), 96, 4));

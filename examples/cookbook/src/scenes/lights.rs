@@ -1,8 +1,8 @@
 //! Lamps of several colors, a spot light, and a highlight.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use fixel::canvas::{Depth, Native};
 use fixel::prelude::*;
-use fixel::target::{Depth, Native};
 
 static FLOOR: Mesh = shape!(plane(40, 40));
 static BALL: Mesh = shape!(sphere(32, 24));

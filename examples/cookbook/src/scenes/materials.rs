@@ -1,10 +1,10 @@
 //! A model with materials: colors, and a texture that the program finds by its name.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use fixel::canvas::{Depth, Native};
 use fixel::mesh::Part;
 use fixel::prelude::*;
 use fixel::shade::PartColors;
-use fixel::target::{Depth, Native};
 
 static CABIN: Mesh = include_mesh!("../../../assets/cabin.obj");
 static PARTS: &[Part] = include_materials!("../../../assets/cabin.obj");

@@ -1,9 +1,9 @@
 //! A floor of tiles: on the left without mipmaps, on the right with them.
 
 use embedded_graphics::pixelcolor::{Rgb565, WebColors};
+use fixel::canvas::{Depth, Native};
 use fixel::prelude::*;
 use fixel::shade::Mipmapped;
-use fixel::target::{Depth, Native};
 use fixel::texture::{Mipmap, MipmapArray};
 
 /// Four tiles with dark joints, of 16x16 texels. The levels are made at compile time.

@@ -33,8 +33,8 @@ mod two_cores;
 mod wireframe;
 
 use embedded_graphics::pixelcolor::Rgb565;
+use fixel::canvas::{Depth, Native};
 use fixel::prelude::*;
-use fixel::target::{Depth, Native};
 
 /// The canvas that all scenes draw on.
 pub type Frame<'c> = Canvas<'c, Rgb565, Native, Depth<'c>>;

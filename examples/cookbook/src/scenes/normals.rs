@@ -1,8 +1,8 @@
 //! A model without normals, in flat faces, and with computed normals: creased, and smooth.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use fixel::canvas::{Depth, Native};
 use fixel::prelude::*;
-use fixel::target::{Depth, Native};
 
 /// Front and back are concave polygons of 32 corners, cut into triangles at compile time.
 static CLOVER: Mesh = include_mesh!("../../../assets/clover.obj");

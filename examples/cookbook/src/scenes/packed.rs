@@ -3,8 +3,8 @@
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888};
 use embedded_graphics::{prelude::*, primitives::Rectangle, text::Text};
+use fixel::canvas::{Contrast, Depth, ErrorDiffusion, Native};
 use fixel::prelude::*;
-use fixel::target::{Contrast, Depth, ErrorDiffusion, Native};
 
 const SIZE: (u32, u32) = (128, 64);
 static ISLAND: Mesh = include_mesh!("../../../assets/lighthouse.obj");

@@ -2,8 +2,8 @@
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::Object;
+use fixel::canvas::{Depth, Native, NoTest};
 use fixel::prelude::*;
-use fixel::target::{Depth, Native, NoTest};
 
 static RING: Mesh = shape!(torus(fx!(0.14), 36, 8));
 static BALL: Mesh = shape!(sphere(20, 14));

@@ -2,8 +2,8 @@
 
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, PixelColor, Rgb565};
 use embedded_graphics::{pixelcolor::raw::RawU16, prelude::*, primitives::Rectangle};
+use fixel::canvas::{ColorIndex, Depth, Native, Storage};
 use fixel::prelude::*;
-use fixel::target::{ColorIndex, Depth, Native, Storage};
 
 const SIZE: Size = Size::new(64, 32);
 const PIXELS: usize = 64 * 32;

@@ -4,8 +4,8 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_4X6, ascii::FONT_6
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::{Circle, Primitive as _, PrimitiveStyle};
 use embedded_graphics::{Drawable, geometry::Dimensions, geometry::Point, text::Text};
+use fixel::canvas::{Biased, Depth, Native, TestAndWrite};
 use fixel::prelude::*;
-use fixel::target::{Biased, Depth, Native, TestAndWrite};
 
 static RING: Mesh = shape!(torus(fx!(0.4), 28, 14));
 static BALL: Mesh = shape!(sphere(12, 8));

@@ -1,8 +1,8 @@
 //! A planet in a ring of thousands of discs, in front of stars: points of a size.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use fixel::canvas::{Depth, Native};
 use fixel::prelude::*;
-use fixel::target::{Depth, Native};
 
 static PLANET: Mesh = shape!(sphere(48, 32));
 const ROCKS: usize = 2400;

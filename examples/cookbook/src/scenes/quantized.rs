@@ -4,9 +4,9 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics::text::{Alignment, Text};
 use embedded_graphics::{Drawable, geometry::Point};
+use fixel::canvas::{Depth, Native};
 use fixel::mesh::Quantized;
 use fixel::prelude::*;
-use fixel::target::{Depth, Native};
 
 static RING: Mesh = shape!(torus(fx!(0.45), 48, 24));
 static SMALL_RING: Quantized = shape!(torus(fx!(0.45), 48, 24), quantized_8);

@@ -2,8 +2,8 @@
 
 use core::array::from_fn;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use fixel::canvas::{Depth, Native, NoTest};
 use fixel::prelude::*;
-use fixel::target::{Depth, Native, NoTest};
 
 static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 static ROCK: Mesh = shape!(sphere(9, 6));

@@ -1,9 +1,9 @@
 //! Firs, cut out of a texture, that turn about their trunks to face the viewer; and snow.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::canvas::{Depth, Native};
 use fixel::prelude::*;
 use fixel::shade::Fog;
-use fixel::target::{Depth, Native};
 
 static FLOOR: Mesh = shape!(plane(1, 1));
 static FIR: TextureArray<Rgb565, 32, 32> = TextureArray::from_texels(fir());

@@ -2,9 +2,9 @@
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::Index;
+use fixel::canvas::{Depth, Native};
 use fixel::prelude::*;
 use fixel::shade::{Fog, Gradient};
-use fixel::target::{Depth, Native};
 
 static WATER: Mesh = shape!(plane(1, 1));
 /// Squares along a side.

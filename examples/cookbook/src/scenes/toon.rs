@@ -1,8 +1,8 @@
 //! A cartoon: light in three steps, and a black line around each shape.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::canvas::{Biased, Depth, Native, TestAndWrite};
 use fixel::prelude::*;
-use fixel::target::{Biased, Depth, Native, TestAndWrite};
 
 static BALL: Mesh = shape!(sphere(48, 32));
 static EDGES: Outline = outline!(BALL, deg!(60));

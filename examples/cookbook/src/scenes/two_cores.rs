@@ -1,8 +1,8 @@
 //! Two cores draw one frame: each draws every other band, without a lock.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use fixel::canvas::{Depth, Native};
 use fixel::prelude::*;
-use fixel::target::{Depth, Native};
 
 const ROWS: u32 = 16; // of a band
 

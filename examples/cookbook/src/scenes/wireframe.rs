@@ -1,8 +1,8 @@
 //! A model in anti-aliased lines: its silhouettes and its creases, without hidden lines.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use fixel::canvas::{Biased, Depth, Native, TestAndWrite, TestOnly};
 use fixel::prelude::*;
-use fixel::target::{Biased, Depth, Native, TestAndWrite, TestOnly};
 
 static ISLAND: Mesh = include_mesh!("../../../assets/lighthouse.obj");
 // Edges between faces whose normals differ by more than 35 degrees are creases.

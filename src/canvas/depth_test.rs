@@ -10,7 +10,7 @@ use crate::sealed::Sealed;
 /// [`DrawOptions::with_depth`](crate::DrawOptions::with_depth) chooses it.
 ///
 /// ```
-/// use fixel::{prelude::*, target::TestOnly};
+/// use fixel::{prelude::*, canvas::TestOnly};
 /// let glass = DrawOptions::new().with_depth(TestOnly);
 /// ```
 pub trait DepthTest: Copy + Sealed {
@@ -70,7 +70,7 @@ depth_tests! {
         /// Draws a pixel if it is at least as near as the stored depth, and stores its depth: the default.
         ///
         /// ```
-        /// use fixel::{prelude::*, target::TestAndWrite};
+        /// use fixel::{prelude::*, canvas::TestAndWrite};
         /// assert_eq!(DrawOptions::new(), DrawOptions::new().with_depth(TestAndWrite));
         /// ```
         TestAndWrite true true;
@@ -78,21 +78,21 @@ depth_tests! {
         /// other surfaces that must not hide later ones.
         ///
         /// ```
-        /// use fixel::{prelude::*, target::TestOnly};
+        /// use fixel::{prelude::*, canvas::TestOnly};
         /// let glass = DrawOptions::new().with_depth(TestOnly);
         /// ```
         TestOnly true false;
         /// Draws every pixel and stores its depth.
         ///
         /// ```
-        /// use fixel::{prelude::*, target::WriteOnly};
+        /// use fixel::{prelude::*, canvas::WriteOnly};
         /// let first_in_the_frame = DrawOptions::new().with_depth(WriteOnly);
         /// ```
         WriteOnly false true;
         /// Draws every pixel and keeps the stored depths: for a sky, or an overlay.
         ///
         /// ```
-        /// use fixel::{prelude::*, target::NoTest};
+        /// use fixel::{prelude::*, canvas::NoTest};
         /// let sky = DrawOptions::new().with_cull(Cull::Nothing).with_depth(NoTest);
         /// ```
         NoTest false false;
@@ -107,7 +107,7 @@ depth_tests! {
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
-/// use fixel::{prelude::*, target::{Biased, TestAndWrite}};
+/// use fixel::{prelude::*, canvas::{Biased, TestAndWrite}};
 /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 /// let projection = Projection::perspective(Angle::from_degrees(60), (1, 1), fx!(0.5), fx!(8))?;
 /// let turn = Transform::rotate_x(deg!(25)) * Transform::rotate_y(deg!(30));

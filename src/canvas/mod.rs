@@ -13,6 +13,7 @@
 //! | blending of a draw call | [`Replace`], [`Opacity`], [`Alpha`], [`Add`] or [`Multiply`] |
 
 mod blending;
+#[allow(clippy::module_inception)] // one type, one file
 mod canvas;
 mod color_index;
 mod contrast;

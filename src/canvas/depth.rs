@@ -15,7 +15,7 @@ use crate::num::wide::at_least;
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
 /// use fixel::prelude::*;
-/// use fixel::target::{DepthBuffer, Native};
+/// use fixel::canvas::{DepthBuffer, Native};
 ///
 /// /// Draws a scene with or without a depth buffer.
 /// fn draw<D: DepthBuffer>(canvas: &mut Canvas<'_, Gray8, Native, D>) {
@@ -35,7 +35,7 @@ pub trait DepthBuffer: Buffer {}
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::target::{Canvas, Native, NoDepth};
+/// use fixel::canvas::{Canvas, Native, NoDepth};
 /// let mut pixels = [Gray8::new(0); 4];
 /// let canvas: Canvas<Gray8, Native, NoDepth> = Canvas::new(&mut pixels, 2, 2)?;
 /// # Ok::<(), fixel::Error>(())
@@ -67,7 +67,7 @@ pub struct NoDepth;
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::target::{Canvas, Depth, Native};
+/// use fixel::canvas::{Canvas, Depth, Native};
 /// let (mut pixels, mut depths) = ([Gray8::new(0); 4], [0; 4]);
 /// let canvas: Canvas<Gray8, Native, Depth> = Canvas::new(&mut pixels, 2, 2)?.with_depth(&mut depths)?;
 /// # Ok::<(), fixel::Error>(())

@@ -7,7 +7,7 @@ use crate::num::wide::normalize;
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
 /// use fixel::prelude::*;
-/// use fixel::target::{Depth, DepthFormat, Native, WideFloat};
+/// use fixel::canvas::{Depth, DepthFormat, Native, WideFloat};
 ///
 /// /// A canvas whose depth format the caller of this function chooses.
 /// fn canvas<'a, F: DepthFormat>(
@@ -28,7 +28,7 @@ pub trait DepthFormat: Encode {}
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::target::{Canvas, Depth, Linear, Native};
+/// use fixel::canvas::{Canvas, Depth, Linear, Native};
 /// let (mut pixels, mut depths) = ([Gray8::new(0); 4], [0; 4]);
 /// let canvas: Canvas<Gray8, Native, Depth<Linear>> =
 ///     Canvas::new(&mut pixels, 2, 2)?.with_depth(&mut depths)?;
@@ -51,7 +51,7 @@ pub enum Linear {}
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::target::{Canvas, Float};
+/// use fixel::canvas::{Canvas, Float};
 /// let (mut pixels, mut depths) = ([Gray8::new(0); 4], [0; 4]);
 /// let mut canvas = Canvas::new(&mut pixels, 2, 2)?.with_depth_format::<Float>(&mut depths)?;
 /// canvas.clear(Gray8::new(0));
@@ -71,7 +71,7 @@ pub enum Float {}
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::target::{Canvas, WideFloat};
+/// use fixel::canvas::{Canvas, WideFloat};
 /// let (mut pixels, mut depths) = ([Gray8::new(0); 4], [0; 4]);
 /// let mut canvas = Canvas::new(&mut pixels, 2, 2)?.with_depth_format::<WideFloat>(&mut depths)?;
 /// canvas.clear(Gray8::new(0));

@@ -16,7 +16,7 @@ use crate::sealed::{Sealed, sealed};
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor, raw::BigEndian};
-/// use fixel::target::Storage;
+/// use fixel::canvas::Storage;
 /// let cell = <BigEndian as Storage<Rgb565>>::store(Rgb565::RED);
 /// assert_eq!(cell, [0xf8, 0x00]);
 /// assert_eq!(<BigEndian as Storage<Rgb565>>::load(cell), Rgb565::RED);
@@ -161,7 +161,7 @@ macro_rules! cells_are_pixels {
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::target::{Canvas, Native};
+/// use fixel::canvas::{Canvas, Native};
 /// let mut pixels = [Gray8::new(0); 4];
 /// let canvas: Canvas<Gray8, Native> = Canvas::new(&mut pixels, 2, 2)?;
 /// # Ok::<(), fixel::Error>(())
@@ -176,7 +176,7 @@ pub enum Native {}
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 /// use fixel::prelude::*;
-/// use fixel::target::{Bytes, Storage};
+/// use fixel::canvas::{Bytes, Storage};
 ///
 /// fn send<C, O: Storage<C, Cell: Bytes>>(canvas: &Canvas<'_, C, O>, bus: &mut Vec<u8>) {
 ///     bus.extend_from_slice(canvas.as_bytes());

@@ -12,7 +12,7 @@ use super::storage::Storage;
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::{prelude::*, target::Contrast};
+/// use fixel::{prelude::*, canvas::Contrast};
 /// let mut grays = [40, 80, 120, 60].map(Gray8::new);
 /// let canvas = Canvas::new(&mut grays, 2, 2)?;
 /// let contrast = Contrast::of(&canvas, 0);

@@ -20,11 +20,11 @@ use crate::shade::{Levels, Source, Translucent};
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
 /// use fixel::prelude::*;
-/// use fixel::target::{Blending, TestOnly};
+/// use fixel::canvas::{Blending, TestOnly};
 /// fn ghostly<B: Blending<Rgb565>>(blending: B) -> DrawOptions<fixel::mode::Newton, TestOnly, B> {
 ///     DrawOptions::new().with_depth(TestOnly).with_blending(blending)
 /// }
-/// ghostly(fixel::target::Add);
+/// ghostly(fixel::canvas::Add);
 /// ```
 pub trait Blending<C>: Copy + Sealed {
     /// The output that a shader must have: `C`, or [`Translucent<C>`] for [`Alpha`].
@@ -45,7 +45,7 @@ sealed!(Replace, Opacity, Alpha, Add, Multiply);
 /// A [`Blending`]: the color replaces the one on the canvas. The default.
 ///
 /// ```
-/// use fixel::{prelude::*, target::Replace};
+/// use fixel::{prelude::*, canvas::Replace};
 /// assert_eq!(DrawOptions::new(), DrawOptions::new().with_blending(Replace));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -61,7 +61,7 @@ pub struct Replace;
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-/// use fixel::{prelude::*, target::Opacity};
+/// use fixel::{prelude::*, canvas::Opacity};
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
@@ -84,7 +84,7 @@ pub struct Opacity(pub u8);
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-/// use fixel::{prelude::*, target::Alpha, texture::Argb4444};
+/// use fixel::{prelude::*, canvas::Alpha, texture::Argb4444};
 /// static DROP: TextureArray<Argb4444, 2, 1> = TextureArray::from_texels([[
 ///     Argb4444::new(15, 0, 0, 15), // opacity, red, green, blue
 ///     Argb4444::new(8, 15, 15, 15),
@@ -110,7 +110,7 @@ pub struct Alpha;
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
-/// use fixel::{prelude::*, target::Add};
+/// use fixel::{prelude::*, canvas::Add};
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
@@ -132,7 +132,7 @@ pub struct Add;
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::{prelude::*, target::Multiply};
+/// use fixel::{prelude::*, canvas::Multiply};
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));

@@ -40,7 +40,7 @@ impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{BinaryColor, Gray8};
-    /// use fixel::{prelude::*, target::{Contrast, ErrorDiffusion}};
+    /// use fixel::{prelude::*, canvas::{Contrast, ErrorDiffusion}};
     /// let mut grays = [64; 64].map(Gray8::new);
     /// let gray = Canvas::new(&mut grays, 16, 4)?;
     /// let mut bytes = [0; 8];

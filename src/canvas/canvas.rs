@@ -64,7 +64,7 @@ pub const MAX_SIZE: u32 = 2048;
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 /// use fixel::prelude::*;
-/// use fixel::target::{Depth, DepthBuffer, Native, Storage};
+/// use fixel::canvas::{Depth, DepthBuffer, Native, Storage};
 ///
 /// fn with_depth(canvas: &mut Canvas<Rgb565, Native, Depth>) {
 ///     on_any(canvas);
@@ -306,7 +306,7 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;
     /// use fixel::prelude::*;
-    /// use fixel::target::Float;
+    /// use fixel::canvas::Float;
     /// let (mut pixels, mut depths) = ([Gray8::new(0); 4], [0; 4]);
     /// let mut canvas = Canvas::new(&mut pixels, 2, 2)?.with_depth_format::<Float>(&mut depths)?;
     /// canvas.clear(Gray8::new(0));
@@ -394,7 +394,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{BinaryColor, Gray8, GrayColor};
-    /// use fixel::{prelude::*, target::Contrast};
+    /// use fixel::{prelude::*, canvas::Contrast};
     /// let mut grays = [Gray8::new(40), Gray8::new(60)];
     /// let gray = Canvas::new(&mut grays, 2, 1)?;
     /// let mut bytes = [0; 1];
