@@ -309,8 +309,9 @@ pub use {
     mesh::{Corner, Index, Mesh, Outline, Primitive, Sprites},
     num::{Angle, Rate, Scalar, Spin, TexCoord, Unit},
     shade::{
-        Converted, DepthView, FaceColors, FaceLit, Flat, Fragment, Gouraud, Lamp, Levels, Light,
-        Lighting, Lit, Map, NormalView, PointLight, Shader, SpotLight, Textured, Tinted, Viewer,
+        Converted, DepthView, FaceColors, FaceLit, Flat, Fragment, Gouraud, Lamp, Light, Lighting,
+        Lit, Map, NormalView, PixelFormat, PointLight, Shader, ShaderFor, SpotLight, Textured,
+        Tinted, Viewer,
     },
     texture::{Palette, PaletteArray, Texture, TextureArray},
     view::{Aspect, Camera, Mvp, Projection, Viewport, Window},
@@ -329,10 +330,11 @@ pub mod prelude {
     #[doc(no_inline)]
     pub use crate::{
         Angle, Aspect, Camera, Canvas, Corner, Cull, DepthView, DrawOptions, Drawn, EdgeList,
-        Error, FaceColors, Flat, Fragment, Gouraud, Lamp, Levels, Light, Lighting, LineWidth, Mesh,
-        Mvp, NormalView, Outline, Palette, PaletteArray, PointLight, PointStyle, Primitive,
-        Projection, Rate, Ray, Scalar, Shader, Spin, SpotLight, Sprites, TexCoord, Texture,
-        TextureArray, Textured, Transform, TriangleList, Vec2, Vec3, Viewer, Viewport, Window,
+        Error, FaceColors, Flat, Fragment, Gouraud, Lamp, Light, Lighting, LineWidth, Mesh, Mvp,
+        NormalView, Outline, Palette, PaletteArray, PixelFormat, PointLight, PointStyle, Primitive,
+        Projection, Rate, Ray, Scalar, Shader, ShaderFor, Spin, SpotLight, Sprites, TexCoord,
+        Texture, TextureArray, Textured, Transform, TriangleList, Vec2, Vec3, Viewer, Viewport,
+        Window,
     };
     #[doc(no_inline)]
     pub use crate::{deg, fx, outline, shape, vec2, vec3};

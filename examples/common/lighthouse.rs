@@ -14,7 +14,7 @@ use embedded_graphics::text::{Alignment, Text};
 use fixel::canvas::{Contrast, DepthBuffer, Storage};
 use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::shade::{Flat, Levels, Light, Texels, Textured, Within};
+use fixel::shade::{Flat, Light, PixelFormat, Texels, Textured, Within};
 use fixel::view::{Aspect, Perspective, ProjectionKind};
 use fixel::{Drawn, Vec2};
 
@@ -104,7 +104,7 @@ pub fn sun() -> Result<Light, Error> {
 /// Fills the canvas with a sky: blue above, pale toward the horizon; black if there are only black and white.
 pub fn sky<C, O, D>(canvas: &mut Canvas<'_, C, O, D>)
 where
-    C: Levels,
+    C: PixelFormat,
     O: Storage<C>,
     D: DepthBuffer,
 {
@@ -140,7 +140,7 @@ pub fn sky_color(y: u32, height: u32) -> Rgb888 {
 pub type LitTexels = (Texels, Within<64, ([i32; 1], ())>);
 
 /// The shader of the sea.
-pub fn waves<C: Levels>() -> impl Shader<Color = C, Varyings = Texels> {
+pub fn waves<C: PixelFormat>() -> impl ShaderFor<C, Varyings = Texels> {
     Textured::new(&WAVES).converted()
 }
 
@@ -149,7 +149,7 @@ pub fn waves<C: Levels>() -> impl Shader<Color = C, Varyings = Texels> {
 /// # Errors
 ///
 /// None: the light's numbers are constant.
-pub fn skin<C: Levels>() -> Result<impl Shader<Color = C, Varyings = LitTexels>, Error> {
+pub fn skin<C: PixelFormat>() -> Result<impl ShaderFor<C, Varyings = LitTexels>, Error> {
     Ok(Textured::new(&SKIN).lit(sun()?).converted())
 }
 
@@ -164,7 +164,7 @@ pub fn draw<C, I, K, O, D>(
     mvp: &Mvp<K>,
 ) -> Result<[Drawn; 2], Error>
 where
-    C: Levels,
+    C: PixelFormat,
     I: Mode,
     K: ProjectionKind,
     O: Storage<C>,
@@ -179,7 +179,7 @@ where
 }
 
 /// Whether the format has only black and white. A dithered sky and sea would then be noise around the island.
-pub const fn is_mono<C: Levels>() -> bool {
+pub const fn is_mono<C: PixelFormat>() -> bool {
     C::MAX_STEPS[0] == 1
 }
 
@@ -187,7 +187,7 @@ pub const fn is_mono<C: Levels>() -> bool {
 pub static SILHOUETTES: Outline = include_outline!("../assets/lighthouse.obj", crease = 180);
 
 /// The shader of the sea by night: black water with crests of waves.
-pub fn crests<C: Levels>() -> impl Shader<Color = C, Varyings = Texels> {
+pub fn crests<C: PixelFormat>() -> impl ShaderFor<C, Varyings = Texels> {
     const CREST: u8 = 40;
     let gray = |luma| C::from_rgb(Gray8::new(luma).into(), Point::zero());
     let [black, white] = [0, 255].map(gray);
@@ -199,11 +199,14 @@ pub fn crests<C: Levels>() -> impl Shader<Color = C, Varyings = Texels> {
 /// # Errors
 ///
 /// None: the light's numbers are constant.
-pub fn stretched<C: Levels>() -> Result<impl Shader<Color = C, Varyings = LitTexels>, Error> {
+pub fn stretched<C: PixelFormat>() -> Result<impl ShaderFor<C, Varyings = LitTexels>, Error> {
     const CONTRAST: Contrast = Contrast::new(50, 170);
     Ok(Textured::new(&SKIN)
         .lit(sun()?)
-        .map(|_, color| Some(CONTRAST.stretch(color.into())))
+        .map(|at, color| {
+            let gray = color.converted::<Gray8>().finish(at.point);
+            Some(CONTRAST.stretch(gray))
+        })
         .converted())
 }
 
@@ -214,7 +217,7 @@ fn draw_mono<C, I, K, O, D>(
     mvp: &Mvp<K>,
 ) -> Result<[Drawn; 2], Error>
 where
-    C: Levels,
+    C: PixelFormat,
     I: Mode,
     K: ProjectionKind,
     O: Storage<C>,
@@ -231,7 +234,7 @@ where
 /// white.
 pub fn caption<C, O, D>(canvas: &mut Canvas<'_, C, O, D>)
 where
-    C: Levels,
+    C: PixelFormat,
     O: Storage<C>,
     D: DepthBuffer,
 {
@@ -242,7 +245,7 @@ where
 /// The same in a picture of this size, on black or on the picture.
 pub fn caption_on<T>(target: &mut T, Size { width, height }: Size, on_black: bool)
 where
-    T: DrawTarget<Color: Levels, Error = Infallible>,
+    T: DrawTarget<Color: PixelFormat, Error = Infallible>,
 {
     const TEXT: &str = "fixel: drawn with integers only";
     let fits = width as usize >= TEXT.len() * 6 + 10;

@@ -176,17 +176,17 @@ pub fn sphere_mvp(k: i32) -> Result<Mvp<Perspective>, Error> {
 }
 
 /// The shader of the floor and the cube.
-pub fn checkered() -> impl Shader<Color = Rgb565> {
+pub fn checkered() -> impl ShaderFor<Rgb565> {
     Textured::new(&CHECKER)
 }
 
 /// The shader of the sphere: its vertices' colors.
-pub fn shaded() -> impl Shader<Color = Rgb565> {
+pub fn shaded() -> impl ShaderFor<Rgb565> {
     Gouraud::new()
 }
 
 /// The shader of the flat sphere: its triangles' colors.
-pub fn faceted() -> impl Shader<Color = Rgb565> {
+pub fn faceted() -> impl ShaderFor<Rgb565> {
     FaceColors::new(&FACE_COLORS)
 }
 

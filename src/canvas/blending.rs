@@ -4,10 +4,10 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
 use crate::sealed::{Sealed, sealed};
-use crate::shade::{Levels, Source, Translucent};
+use crate::shade::{Output, PixelFormat, share};
 
 /// How the colors of a draw call are blended with the colors on a canvas of color `C`: [`Replace`], [`Opacity`],
-/// [`Alpha`], [`Add`] or [`Multiply`]. Sealed.
+/// [`Add`] or [`Multiply`]. Sealed.
 ///
 #[cfg_attr(doc, doc = page_picture!("blending", "A pane over stripes: Replace, Opacity, Add and Multiply"))]
 /// [`DrawOptions::with_blending`](crate::DrawOptions::with_blending) chooses it. Draw opaque surfaces first, then
@@ -15,7 +15,7 @@ use crate::shade::{Levels, Source, Translucent};
 /// nothing that is drawn later.
 ///
 /// Each channel is blended as it is stored, without gamma. The result is rounded to nearest, or dithered if the color
-/// is coarse (see [`Levels`]).
+/// is coarse (see [`PixelFormat`]).
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -27,9 +27,6 @@ use crate::shade::{Levels, Source, Translucent};
 /// ghostly(fixel::canvas::Add);
 /// ```
 pub trait Blending<C>: Copy + Sealed {
-    /// The output that a shader must have: `C`, or [`Translucent<C>`] for [`Alpha`].
-    type Source: Source<Color = C>;
-
     /// Whether [`blend`](Self::blend) reads what is below.
     #[doc(hidden)]
     const READS: bool = true;
@@ -37,10 +34,10 @@ pub trait Blending<C>: Copy + Sealed {
     /// The new color at a pixel of the frame, where `below` returns the old one; it is called only if the old color
     /// matters.
     #[doc(hidden)]
-    fn blend(self, source: Self::Source, below: impl FnOnce() -> C, at: Point) -> C;
+    fn blend<O: Output<Color = C>>(self, output: O, below: impl FnOnce() -> C, at: Point) -> C;
 }
 
-sealed!(Replace, Opacity, Alpha, Add, Multiply);
+sealed!(Replace, Opacity, Add, Multiply);
 
 /// A [`Blending`]: the color replaces the one on the canvas. The default.
 ///
@@ -75,33 +72,6 @@ pub struct Replace;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Opacity(pub u8);
-
-/// A [`Blending`]: each color covers the one on the canvas by an opacity of its own; see [`Translucent`]. As accurate
-/// as [`Opacity`].
-///
-/// It takes only shaders of such colors. [`map`](crate::Shader::map) gives any surface an opacity, as in the example of
-/// [`Translucent`]; for one opacity everywhere, use [`Opacity`].
-///
-/// ```
-/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-/// use fixel::{prelude::*, canvas::Alpha, texture::Argb4444};
-/// static DROP: TextureArray<Argb4444, 2, 1> = TextureArray::from_texels([[
-///     Argb4444::new(15, 0, 0, 15), // opacity, red, green, blue
-///     Argb4444::new(8, 15, 15, 15),
-/// ]]);
-/// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
-/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
-/// let mut pixels = [Rgb565::BLACK; 2];
-/// let mut canvas = Canvas::new(&mut pixels, 2, 1)?;
-/// let options = DrawOptions::new().with_blending(Alpha);
-/// canvas.draw_with(&options, &SQUARE, &mvp, &Textured::new(&DROP));
-/// assert_eq!(pixels, [Rgb565::BLUE, Rgb565::new(16, 33, 16)]);
-/// # Ok::<(), Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Alpha;
 
 /// A [`Blending`]: the color is added to the one on the canvas, channel by channel, at most to white. For fire, sparks,
 /// beams of light. Exact.
@@ -148,54 +118,31 @@ pub struct Add;
 pub struct Multiply;
 
 impl<C: PixelColor> Blending<C> for Replace {
-    type Source = C;
-
     const READS: bool = false;
 
     #[inline]
-    fn blend(self, source: C, _: impl FnOnce() -> C, _: Point) -> C {
-        source
+    fn blend<O: Output<Color = C>>(self, output: O, below: impl FnOnce() -> C, at: Point) -> C {
+        output.onto(below, at)
     }
 }
 
-impl<C: Levels> Blending<C> for Opacity {
-    type Source = C;
-
+impl<C: PixelFormat> Blending<C> for Opacity {
     #[inline]
-    fn blend(self, source: C, below: impl FnOnce() -> C, at: Point) -> C {
-        below().covered(source, share(self.0), at)
+    fn blend<O: Output<Color = C>>(self, output: O, below: impl FnOnce() -> C, at: Point) -> C {
+        output.cover(below(), share(self.0), at)
     }
 }
 
-impl<C: Levels> Blending<C> for Alpha {
-    type Source = Translucent<C>;
-
+impl<C: PixelFormat> Blending<C> for Add {
     #[inline]
-    fn blend(self, source: Translucent<C>, below: impl FnOnce() -> C, at: Point) -> C {
-        below().covered(source.color, share(source.opacity), at)
+    fn blend<O: Output<Color = C>>(self, output: O, below: impl FnOnce() -> C, at: Point) -> C {
+        output.plus(below(), at)
     }
 }
 
-impl<C: Levels> Blending<C> for Add {
-    type Source = C;
-
+impl<C: PixelFormat> Blending<C> for Multiply {
     #[inline]
-    fn blend(self, source: C, below: impl FnOnce() -> C, _: Point) -> C {
-        below().plus(source)
+    fn blend<O: Output<Color = C>>(self, output: O, below: impl FnOnce() -> C, at: Point) -> C {
+        output.times(below(), at)
     }
-}
-
-impl<C: Levels> Blending<C> for Multiply {
-    type Source = C;
-
-    #[inline]
-    fn blend(self, source: C, below: impl FnOnce() -> C, at: Point) -> C {
-        below().times(source, at)
-    }
-}
-
-/// 255ths as 256ths, with an error of at most half of one: 0 for 0, 256 for 255.
-#[inline]
-fn share(opacity: u8) -> u32 {
-    u32::from(opacity) + u32::from(opacity >> 7)
 }

@@ -6,7 +6,7 @@ use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use super::canvas::Canvas;
 use super::contrast::Contrast;
 use super::storage::Storage;
-use crate::shade::Levels;
+use crate::shade::PixelFormat;
 
 /// Memory of an error diffusion (Floyd and Steinberg, 1976), for [`Canvas::show_diffused`].
 ///
@@ -56,7 +56,7 @@ impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
     /// # Errors
     ///
     /// The display's own errors.
-    pub fn show_diffused<T: DrawTarget<Color: Levels<Channels = [i32; 1]>>>(
+    pub fn show_diffused<T: DrawTarget<Color: PixelFormat<Channels = [i32; 1]>>>(
         &self,
         display: &mut T,
         contrast: Contrast,
@@ -86,7 +86,7 @@ impl<'e> ErrorDiffusion<'e> {
     }
 
     /// The color of the next pixel of rows that end with the column `last`.
-    fn color<C: Levels<Channels = [i32; 1]>>(&mut self, gray: Gray8, last: usize) -> C {
+    fn color<C: PixelFormat<Channels = [i32; 1]>>(&mut self, gray: Gray8, last: usize) -> C {
         /// White, in 16ths of a step of [`Gray8`].
         const WHITE: i32 = 255 * 16;
         let [most, ..] = C::MAX_STEPS;
@@ -124,7 +124,7 @@ impl<'e> ErrorDiffusion<'e> {
             (self.column, self.right, self.below, self.below_right) =
                 (at + 1, right, below, beyond);
         }
-        C::of_steps([steps; 3])
+        C::from_steps([steps as u8; 3])
     }
 
     /// Stores the error of a column of the next row. It is at most half a step, 2,040, which a single column reaches,
@@ -150,7 +150,7 @@ mod tests {
         type Raw = ();
     }
 
-    impl<const MOST: i32> Levels for Gray<MOST> {
+    impl<const MOST: i32> PixelFormat for Gray<MOST> {
         const MAX_STEPS: [i32; 3] = [MOST; 3];
         type Channels = [i32; 1];
 

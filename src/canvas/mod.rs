@@ -27,7 +27,7 @@ mod memory;
 mod packed;
 mod storage;
 
-pub use blending::{Add, Alpha, Blending, Multiply, Opacity, Replace};
+pub use blending::{Add, Blending, Multiply, Opacity, Replace};
 pub(crate) use canvas::check_size;
 pub use canvas::{Canvas, MAX_SIZE};
 pub use color_index::ColorIndex;

@@ -167,7 +167,7 @@
 //!         [Rgb565::RED, Rgb565::WHITE],
 //!     ]);
 //!
-//! fn surface() -> Result<impl Shader<Color = Rgb565>, Error> {
+//! fn surface() -> Result<impl ShaderFor<Rgb565>, Error> {
 //!     // The direction points to the sun.
 //!     let sun = Light::new(vec3!(-1, 3, 2), fx!(0.3), fx!(0.7))?;
 //!     let fog = Fog::linear(Rgb565::WHITE, fx!(5), fx!(40))?;

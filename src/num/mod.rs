@@ -20,7 +20,7 @@
 //! | [short](crate::Mesh::short) positions | `[i16; 3]`, 0 to 16 fraction bits | ±2^15 units | 2^-fraction |
 //! | varyings of a shader, in general | `i32` in a unit of the shader's choice | ±2^31 | rounded down to that unit |
 //! | varyings: texels | 16 fraction bits ([`Textured`](crate::Textured)) | ±32768 texels | 1/65536 texel |
-//! | varyings: color levels | 16 fraction bits of a step ([`Levels`](crate::Levels)) | 0 to 255 steps | 1/65536 step |
+//! | varyings: color levels | 16 fraction bits of a step ([`PixelFormat`](crate::PixelFormat)) | 0 to 255 steps | 1/65536 step |
 //! | brightness, color fractions | `i32` ([`Light::brightness`](crate::Light::brightness)) | 0 to 65,536, which stands for 1 | 1/65536 |
 //!
 //! # Overflow and rounding

@@ -8,12 +8,12 @@ use crate::canvas::Blending;
 use crate::raster::{
     self, Blitter, ClippedVertex, Coverage, Hairline, LineWidth, Rasterizer, SmoothLine,
 };
-use crate::shade::{Levels, ShaderFor};
+use crate::shade::{PixelFormat, ShaderFor};
 use crate::span::{Shading, Smooth};
 use crate::view::ProjectionKind;
 
 /// A style of lines on a canvas of color `C`: [`Hairline`], [`LineWidth`] or, in a color of several
-/// [`Levels`], [`SmoothLine`]. Sealed.
+/// [`PixelFormat`], [`SmoothLine`]. Sealed.
 ///
 /// [`DrawOptions::with_line`](crate::DrawOptions::with_line) takes it.
 ///
@@ -30,7 +30,7 @@ use crate::view::ProjectionKind;
 #[allow(private_bounds)] // so that it is sealed
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot draw lines of color `{C}`",
-    note = "a line is a `Hairline`, a `LineWidth` or, in a color of several `Levels`, a `SmoothLine`"
+    note = "a line is a `Hairline`, a `LineWidth` or, in a color with channels (`PixelFormat`), a `SmoothLine`"
 )]
 pub trait LineStyle<C>: Copy + Stroke<C> {}
 
@@ -46,10 +46,10 @@ pub(super) trait Stroke<C>: Copy {
     type State: Default + 'static;
 
     /// Colors the pixels.
-    type Shading<'s, S: ShaderFor<B::Source>, B: Blending<C>>: Shading<Color = C>;
+    type Shading<'s, S: ShaderFor<C>, B: Blending<C>>: Shading<Color = C>;
 
     /// The shading of lines of this style, which reads `state`.
-    fn shading<S: ShaderFor<B::Source>, B: Blending<C>>(
+    fn shading<S: ShaderFor<C>, B: Blending<C>>(
         state: &Self::State,
         shader: S,
         blending: B,
@@ -81,10 +81,10 @@ pub(super) trait Stroke<C>: Copy {
 
 impl<C> Stroke<C> for Hairline {
     type State = ();
-    type Shading<'s, S: ShaderFor<B::Source>, B: Blending<C>> = (S, B);
+    type Shading<'s, S: ShaderFor<C>, B: Blending<C>> = (S, B);
 
     #[inline]
-    fn shading<S: ShaderFor<B::Source>, B: Blending<C>>((): &(), shader: S, blending: B) -> (S, B) {
+    fn shading<S: ShaderFor<C>, B: Blending<C>>((): &(), shader: S, blending: B) -> (S, B) {
         (shader, blending)
     }
 
@@ -112,10 +112,10 @@ impl<C> Stroke<C> for Hairline {
 
 impl<C> Stroke<C> for LineWidth {
     type State = ();
-    type Shading<'s, S: ShaderFor<B::Source>, B: Blending<C>> = (S, B);
+    type Shading<'s, S: ShaderFor<C>, B: Blending<C>> = (S, B);
 
     #[inline]
-    fn shading<S: ShaderFor<B::Source>, B: Blending<C>>((): &(), shader: S, blending: B) -> (S, B) {
+    fn shading<S: ShaderFor<C>, B: Blending<C>>((): &(), shader: S, blending: B) -> (S, B) {
         (shader, blending)
     }
 
@@ -130,12 +130,12 @@ impl<C> Stroke<C> for LineWidth {
     }
 }
 
-impl<C: Levels> Stroke<C> for SmoothLine {
+impl<C: PixelFormat> Stroke<C> for SmoothLine {
     type State = Cell<Coverage>;
-    type Shading<'s, S: ShaderFor<B::Source>, B: Blending<C>> = Smooth<'s, S, B>;
+    type Shading<'s, S: ShaderFor<C>, B: Blending<C>> = Smooth<'s, S, B>;
 
     #[inline]
-    fn shading<S: ShaderFor<B::Source>, B: Blending<C>>(
+    fn shading<S: ShaderFor<C>, B: Blending<C>>(
         coverage: &Self::State,
         shader: S,
         blending: B,

@@ -97,7 +97,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         options: &DrawOptions<M, Z, B>,
         mesh: &Mesh<'_>,
         mvp: &impl ModelToPicture,
-        shader: &impl ShaderFor<B::Source>,
+        shader: &impl ShaderFor<C>,
     ) -> Drawn {
         let shading = (*shader, options.pixels.blending);
         self.run_stages(options, (mesh, mvp), shading, run::draw)
@@ -112,7 +112,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     pub fn draw_prepared<M: Mode, Z: DepthTest, B: Blending<C>, K: ProjectionKind>(
         &mut self,
         prepared: &Prepared<'_, K, M, Z, B>,
-        shader: &impl ShaderFor<B::Source>,
+        shader: &impl ShaderFor<C>,
     ) -> Result<Drawn, Error> {
         let shading = (*shader, prepared.pixels.blending);
         let list = (&prepared.call, &prepared.pixels);
@@ -135,7 +135,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     >(
         &mut self,
         prepared: &PreparedEdges<'_, K, M, Z, B, L>,
-        shader: &impl ShaderFor<B::Source>,
+        shader: &impl ShaderFor<C>,
     ) -> Result<Drawn, Error> {
         let state = L::State::default();
         let shading = L::shading(&state, *shader, prepared.pixels.blending);
@@ -153,7 +153,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         options: &DrawOptions<M, Z, B, L>,
         mesh: &Mesh<'_>,
         mvp: &impl ModelToPicture,
-        shader: &impl ShaderFor<B::Source>,
+        shader: &impl ShaderFor<C>,
     ) -> Drawn {
         let state = L::State::default();
         let shading = L::shading(&state, *shader, options.pixels.blending);
@@ -222,7 +222,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         mesh: &Mesh<'_>,
         outline: &Outline<'_>,
         mvp: &impl ModelToPicture,
-        shader: &impl ShaderFor<B::Source>,
+        shader: &impl ShaderFor<C>,
     ) -> Drawn {
         let state = L::State::default();
         let shading = L::shading(&state, *shader, options.pixels.blending);
@@ -238,7 +238,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         options: &DrawOptions<M, Z, B>,
         mesh: &Mesh<'_>,
         mvp: &impl ModelToPicture,
-        shader: &impl ShaderFor<B::Source>,
+        shader: &impl ShaderFor<C>,
     ) -> Drawn {
         let shading = (*shader, options.pixels.blending);
         self.run_stages(options, (mesh, mvp), shading, run::points)
@@ -279,7 +279,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         mesh: &Mesh<'_>,
         style: PointStyle,
         mvp: &impl ModelToPicture,
-        shader: &impl ShaderFor<B::Source>,
+        shader: &impl ShaderFor<C>,
     ) -> Drawn {
         let screen = options.screen(self.frame_size());
         let half = points::HalfSize::new(style, mvp.projection_of(), &screen.viewport);
@@ -350,7 +350,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         options: &DrawOptions<M, Z, B>,
         sprites: &Sprites<'_>,
         mvp: &V,
-        shader: &impl ShaderFor<B::Source>,
+        shader: &impl ShaderFor<C>,
     ) -> Drawn {
         let screen = options.screen(self.frame_size());
         let scissor = screen.scissor(self.rows());

@@ -1,19 +1,23 @@
 //! The channels of a color that are interpolated.
 
 use super::Varyings;
-use super::levels::luma;
+use super::format::luma;
 use crate::sealed::{Sealed, sealed};
 
 /// The channels of a color that are worth interpolating, because they differ: three, or one for gray.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, Rgb565};
-/// use fixel::shade::{Channels, Levels};
-/// let gray = <Gray8 as Levels>::Channels::first([7, 7, 7]);
-/// let color = <Rgb565 as Levels>::Channels::first([1, 2, 3]);
+/// use fixel::shade::{Channels, PixelFormat};
+/// let gray = <Gray8 as PixelFormat>::Channels::first([7, 7, 7]);
+/// let color = <Rgb565 as PixelFormat>::Channels::first([1, 2, 3]);
 /// assert_eq!((gray, color), ([7], [1, 2, 3]));
 /// ```
 pub trait Channels: Varyings + Default + Sealed {
+    /// Whether all channels are equal.
+    #[doc(hidden)]
+    const IS_GRAY: bool;
+
     /// Those of three channels that differ.
     fn first(channels: [i32; 3]) -> Self;
 
@@ -28,6 +32,8 @@ pub trait Channels: Varyings + Default + Sealed {
 sealed!([i32; 3], [i32; 1]);
 
 impl Channels for [i32; 3] {
+    const IS_GRAY: bool = false;
+
     #[inline]
     fn first(channels: [i32; 3]) -> Self {
         channels
@@ -45,6 +51,8 @@ impl Channels for [i32; 3] {
 }
 
 impl Channels for [i32; 1] {
+    const IS_GRAY: bool = true;
+
     #[inline]
     fn first([channel, ..]: [i32; 3]) -> Self {
         [channel]

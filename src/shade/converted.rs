@@ -2,16 +2,13 @@
 
 use core::marker::PhantomData;
 
-use embedded_graphics::pixelcolor::Rgb888;
-
-use super::levels::{Levels, dimmed};
-use super::{ColorOf, Fragment, Illumination, Shader, Source};
+use super::{Fragment, Output, PixelFormat, Precise, Shader};
 use crate::mesh::Primitive;
 
 /// Shader `S` on a canvas of color format `C`; see [`Shader::converted`].
 ///
 #[cfg_attr(doc, doc = page_picture!("converted", "A ring in four grays, dithered"))]
-/// Colors are rounded, or dithered if `C` is coarse (see [`Levels`]).
+/// Colors are rounded, or dithered if `C` is coarse (see [`PixelFormat`]).
 ///
 /// For example, it draws a texture whose color format differs from the canvas's. Every pixel is converted, so a texture
 /// stored in the canvas's format is faster.
@@ -54,8 +51,8 @@ impl<S, C> Converted<S, C> {
     }
 }
 
-impl<S: Shader<Color: Source<Color: Into<Rgb888>>>, C: Levels> Shader for Converted<S, C> {
-    type Color = <S::Color as Source>::With<C>;
+impl<S: Shader<Color: Output<Color: PixelFormat>>, C: PixelFormat> Shader for Converted<S, C> {
+    type Color = <S::Color as Output>::With<C>;
     type Varyings = S::Varyings;
 
     const READS_DEPTH: bool = S::READS_DEPTH;
@@ -67,22 +64,7 @@ impl<S: Shader<Color: Source<Color: Into<Rgb888>>>, C: Levels> Shader for Conver
 
     #[inline]
     fn shade(&self, at: &Fragment, varyings: S::Varyings) -> Option<Self::Color> {
-        let source = self.shader.shade(at, varyings)?;
-        Some(source.convert(|color| C::from_rgb(color.into(), at.point)))
-    }
-
-    /// The color becomes levels of the canvas's color before it is dimmed, so that it is rounded or dithered only
-    /// once.
-    #[inline]
-    fn shade_lit(
-        &self,
-        at: &Fragment,
-        varyings: S::Varyings,
-        light: Illumination,
-    ) -> Option<Self::Color> {
-        let source = self.shader.shade(at, varyings)?;
-        let lit = |color: ColorOf<S>| dimmed::<C>(C::levels(color.into()), light);
-        Some(source.convert(|color| C::from_levels(lit(color), at.point)))
+        Some(self.shader.shade(at, varyings)?.map(Precise::converted))
     }
 }
 

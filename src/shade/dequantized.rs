@@ -1,6 +1,6 @@
 //! Attributes of a quantized mesh, unpacked for any shader.
 
-use super::{ColorOf, Fragment, Illumination, Levels, Shader};
+use super::{Fragment, Shader};
 use crate::mesh::{Primitive, Quantized};
 
 /// A shader that sees the attributes of a [`Quantized`] mesh; made by [`Quantized::shader`].
@@ -40,18 +40,5 @@ impl<F: Shader> Shader for Dequantized<'_, F> {
     #[inline]
     fn shade(&self, at: &Fragment, varyings: F::Varyings) -> Option<F::Color> {
         self.shader.shade(at, varyings)
-    }
-
-    #[inline]
-    fn shade_lit(
-        &self,
-        at: &Fragment,
-        varyings: F::Varyings,
-        light: Illumination,
-    ) -> Option<F::Color>
-    where
-        ColorOf<F>: Levels,
-    {
-        self.shader.shade_lit(at, varyings, light)
     }
 }

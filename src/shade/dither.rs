@@ -2,8 +2,6 @@
 
 use embedded_graphics::geometry::Point;
 
-use super::levels::whole;
-
 /// The 8x8 matrix of Bayer (1973): each number from 0 to 63 once, with consecutive numbers far apart.
 ///
 /// Each number is built from bits: those of x ^ y and of y, interleaved and in reverse order.
@@ -35,16 +33,9 @@ const fn bayer() -> [[u8; 8]; 8] {
 ///
 /// A whole step keeps its value even with an error of up to 511 units in either direction.
 #[inline]
-fn threshold(at: Point) -> i32 {
+pub(super) fn threshold(at: Point) -> i32 {
     let (x, y) = (at.x.cast_unsigned() & 7, at.y.cast_unsigned() & 7);
     i32::from(BAYER[y as usize][x as usize]) * 1024 + 512
-}
-
-/// The whole steps of a level, dithered: 0 for a negative level.
-#[inline]
-pub(super) fn dither(level: i32, at: Point) -> u8 {
-    // The least threshold is small, so the clamp keeps negative levels from wrapping.
-    whole(level.wrapping_add(threshold(at)).max(0))
 }
 
 #[cfg(test)]

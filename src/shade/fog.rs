@@ -1,11 +1,14 @@
 //! Fog: surfaces fade to a color with their distance.
 
+use core::marker::PhantomData;
+
+use embedded_graphics::geometry::Point;
+
 use super::ramp::Ramp;
-use super::{Fragment, Shader, Source, Within};
+use super::{Fragment, Illumination, Output, PixelFormat, Precise, Shader, Within};
 use crate::mesh::Primitive;
 use crate::num::wide::clamp_negative;
 use crate::sealed::{Sealed, sealed};
-use crate::texture::Blend;
 use crate::{Error, Scalar};
 
 /// Air that hides distant surfaces: a color, and how much of a surface is left at a distance; see
@@ -13,9 +16,7 @@ use crate::{Error, Scalar};
 ///
 #[cfg_attr(doc, doc = page_picture!("in_fog", "A row of rings that fade into gray"))]
 /// The distance z is measured from the eye along the view direction, as [`Corner::distance`](crate::Corner::distance)
-/// is. It is interpolated in correct perspective. Colors of 16 bits are blended in 32 steps, others in 256
-/// ([`Blend::WEIGHT_BITS`]). The share of the surface that remains has an error of at most half of such a step plus
-/// 1/100.
+/// is. It is interpolated in correct perspective. The share of the surface that remains has an error of at most 1/100.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, Gray4, GrayColor}};
@@ -37,18 +38,18 @@ use crate::{Error, Scalar};
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Fog<C, D = Linear> {
+pub struct Fog<C, D = LinearFog> {
     color: C,
     density: D,
 }
 
-/// How thick a fog is: [`Linear`] or [`Exponential`]. Sealed.
+/// How thick a fog is: [`LinearFog`] or [`ExponentialFog`]. Sealed.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 /// use fixel::prelude::*;
 /// use fixel::shade::{Density, Fog};
-/// fn hidden<D: Density>(fog: Fog<Rgb565, D>) -> impl Shader<Color = Rgb565> {
+/// fn hidden<D: Density>(fog: Fog<Rgb565, D>) -> impl ShaderFor<Rgb565> {
 ///     Flat::new(Rgb565::RED).in_fog(fog)
 /// }
 /// hidden(Fog::linear(Rgb565::WHITE, fx!(1), fx!(2))?);
@@ -57,15 +58,18 @@ pub struct Fog<C, D = Linear> {
 pub trait Density: Copy + Sealed {
     /// The number that is interpolated, which is linear in the distance.
     #[doc(hidden)]
-    fn varying(&self, distance: Scalar, weight_bits: u32) -> i32;
+    fn varying(&self, distance: Scalar) -> i32;
 
-    /// The part of the surface that fog leaves, from 0 to 2^`weight_bits` in units of 2^-`weight_bits`, rounded to
-    /// nearest.
+    /// The part of the surface that fog leaves, from 0 to 1 in units of 2^-14.
     #[doc(hidden)]
-    fn weight(varying: i32, weight_bits: u32) -> u32;
+    fn left(varying: i32) -> i32;
+
+    /// The same in units of 1/32, rounded to nearest.
+    #[doc(hidden)]
+    fn left_32(varying: i32) -> u32;
 }
 
-sealed!(Linear, Exponential);
+sealed!(LinearFog, ExponentialFog);
 
 /// A [`Density`]: the whole surface is left up to a first distance, and nothing from a second one on. Between them,
 /// what is left falls linearly.
@@ -73,14 +77,14 @@ sealed!(Linear, Exponential);
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 /// use fixel::prelude::*;
-/// use fixel::shade::{Fog, Linear};
-/// let fog: Fog<Gray8, Linear> = Fog::linear(Gray8::WHITE, fx!(2), fx!(30))?;
+/// use fixel::shade::{Fog, LinearFog};
+/// let fog: Fog<Gray8, LinearFog> = Fog::linear(Gray8::WHITE, fx!(2), fx!(30))?;
 /// # let _ = fog;
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Linear {
+pub struct LinearFog {
     /// In units of 2⁻¹⁶.
     far: i32,
     range: Ramp,
@@ -91,14 +95,14 @@ pub struct Linear {
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 /// use fixel::prelude::*;
-/// use fixel::shade::{Exponential, Fog};
-/// let fog: Fog<Gray8, Exponential> = Fog::exponential(Gray8::WHITE, fx!(0.1))?;
+/// use fixel::shade::{ExponentialFog, Fog};
+/// let fog: Fog<Gray8, ExponentialFog> = Fog::exponential(Gray8::WHITE, fx!(0.1))?;
 /// # let _ = fog;
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Exponential {
+pub struct ExponentialFog {
     /// In units of 2⁻¹⁶.
     density: i32,
 }
@@ -106,79 +110,66 @@ pub struct Exponential {
 /// The fraction bits of the varying. Interpolation rounds it by at most 57 units, which is 0.35 %.
 const BITS: u32 = 14;
 
+/// Half of 1/32.
+const HALF: i32 = 1 << (BITS - 6);
+
 /// c of the parabola, 0.1715, with as many bits.
 const C: u32 = 2810;
 
 /// Error of the remaining share that cannot be seen: 1/256.
 const UNSEEN: u32 = 1 << (BITS - 8);
 
-/// The bits of a color's weight that fog computes: no more than it interpolates.
-const fn weight_bits<C: Blend>() -> u32 {
-    if C::WEIGHT_BITS < BITS {
-        C::WEIGHT_BITS
-    } else {
-        BITS
-    }
-}
-
-/// The weight of a surface of color `C` in the blend with the fog's color, from 0 to 2^[`Blend::WEIGHT_BITS`].
-#[inline]
-fn weight<C: Blend, D: Density>(varying: i32) -> u32 {
-    let bits = weight_bits::<C>();
-    D::weight(varying, bits) << (C::WEIGHT_BITS - bits)
-}
-
 /// A number of 64 bits, limited to the range of varyings.
 fn limited(value: i64) -> i32 {
     value.clamp(-(1 << 30), (1 << 30) - 1) as i32
 }
 
-impl Density for Linear {
-    /// Returns minus the part that fog leaves, in units of 2^-[`BITS`], plus half a step of the weight, so that a pixel
-    /// rounds the weight by a shift alone.
-    fn varying(&self, distance: Scalar, weight_bits: u32) -> i32 {
+impl Density for LinearFog {
+    /// Returns minus the part that fog leaves, in units of 2^-[`BITS`], plus half of 1/32, so that a pixel rounds to
+    /// 32nds by a shift alone.
+    fn varying(&self, distance: Scalar) -> i32 {
         // Of 33 bits: the range may be longer than the greatest number.
         let beyond = i64::from(distance.to_bits()) - i64::from(self.far);
-        let half = 1 << (BITS - weight_bits) >> 1;
-        limited(self.range.share(beyond) + half)
+        limited(self.range.share(beyond) + i64::from(HALF))
     }
 
     #[inline]
-    fn weight(varying: i32, weight_bits: u32) -> u32 {
-        clamp_negative(varying >> (BITS - weight_bits), weight_bits)
+    fn left(varying: i32) -> i32 {
+        clamp_negative(varying.wrapping_sub(HALF), BITS).wrapping_neg()
+    }
+
+    #[inline]
+    fn left_32(varying: i32) -> u32 {
+        clamp_negative(varying >> (BITS - 5), 5)
             .wrapping_neg()
             .cast_unsigned()
     }
 }
 
-impl Density for Exponential {
-    fn varying(&self, distance: Scalar, _: u32) -> i32 {
+impl Density for ExponentialFog {
+    fn varying(&self, distance: Scalar) -> i32 {
         // 62 bits, cut to 46, times log₂ e in units of 2^-14.
         let product = i64::from(distance.to_bits()) * i64::from(self.density);
         limited(((product >> 16) * 23_637) >> (30 - BITS))
     }
 
     #[inline]
-    fn weight(varying: i32, weight_bits: u32) -> u32 {
-        let down = BITS - weight_bits;
-        (Self::left(varying) + (1 << down >> 1)) >> down
-    }
-}
-
-impl Exponential {
-    /// What is left of the surface, in units of 2^-[`BITS`].
-    #[inline]
-    fn left(varying: i32) -> u32 {
+    fn left(varying: i32) -> i32 {
         // 2^-x for x up to 15: in the whole part a shift, and in the fraction f the parabola 1 − (½ + c) f + c f²,
         // which is exact at both ends. With c = 0.1715 its error is at most 0.0019.
         let x = varying.clamp(0, (16 << BITS) - 1).cast_unsigned();
         let fraction = x & ((1 << BITS) - 1);
         let slope = (1 << (BITS - 1)) + C - ((C * fraction) >> BITS);
-        ((1 << BITS) - ((slope * fraction) >> BITS)) >> (x >> BITS)
+        (((1 << BITS) - ((slope * fraction) >> BITS)) >> (x >> BITS)).cast_signed()
+    }
+
+    #[inline]
+    fn left_32(varying: i32) -> u32 {
+        (Self::left(varying) + HALF).cast_unsigned() >> (BITS - 5)
     }
 }
 
-impl<C: Blend> Fog<C> {
+impl<C: PixelFormat> Fog<C> {
     /// Fog that begins at the distance `near` and hides everything from `far` on.
     ///
     /// If `far` − `near` is less than a unit, a triangle that reaches beyond `far` by 65,536 times that length fades at
@@ -194,12 +185,12 @@ impl<C: Blend> Fog<C> {
         let far = far.to_bits();
         Ok(Self {
             color,
-            density: Linear { far, range },
+            density: LinearFog { far, range },
         })
     }
 }
 
-impl<C: Blend> Fog<C, Exponential> {
+impl<C: PixelFormat> Fog<C, ExponentialFog> {
     /// Fog that is equally thick everywhere: at the distance z, e^(−`density` · z) is left of a surface.
     ///
     /// # Errors
@@ -211,7 +202,7 @@ impl<C: Blend> Fog<C, Exponential> {
         }
         Ok(Self {
             color,
-            density: Exponential {
+            density: ExponentialFog {
                 density: density.to_bits(),
             },
         })
@@ -238,13 +229,18 @@ impl<C: Blend> Fog<C, Exponential> {
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct InFog<S, C, D = Linear> {
+pub struct InFog<S, C, D = LinearFog> {
     pub(super) surface: S,
     pub(super) fog: Fog<C, D>,
 }
 
-impl<S: Shader<Color: Source<Color = C>>, C: Blend, D: Density> Shader for InFog<S, C, D> {
-    type Color = S::Color;
+impl<S, C, D> Shader for InFog<S, C, D>
+where
+    S: Shader<Color: Output<Color = C>>,
+    C: PixelFormat,
+    D: Density,
+{
+    type Color = Fogged<S::Color, D>;
     type Varyings = (S::Varyings, Within<UNSEEN, [i32; 1]>);
 
     const READS_DEPTH: bool = S::READS_DEPTH;
@@ -253,16 +249,86 @@ impl<S: Shader<Color: Source<Color = C>>, C: Blend, D: Density> Shader for InFog
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         let [a, b, c] = self.surface.varyings(primitive);
         let density = &self.fog.density;
-        let [x, y, z] = primitive
-            .corners(|corner| Within([density.varying(corner.distance(), weight_bits::<C>())]));
+        let [x, y, z] = primitive.corners(|corner| Within([density.varying(corner.distance())]));
         [(a, x), (b, y), (c, z)]
     }
 
     #[inline]
-    fn shade(&self, at: &Fragment, (inside, Within([x])): Self::Varyings) -> Option<S::Color> {
-        let source = self.surface.shade(at, inside)?;
-        let weight = weight::<C, D>(x);
-        Some(source.map(|color| self.fog.color.mix(color, weight)))
+    fn shade(&self, at: &Fragment, (inside, Within([x])): Self::Varyings) -> Option<Self::Color> {
+        Some(Fogged {
+            output: self.surface.shade(at, inside)?,
+            fog: self.fog.color,
+            varying: x,
+            density: PhantomData,
+        })
+    }
+}
+
+/// An output in fog that nobody has computed yet. Where nothing but the canvas follows, a plain color of 15 or 16 bits
+/// is blended in 32 steps by one product for all channels, which takes half of the time.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Fogged<O: Output, D> {
+    output: O,
+    fog: O::Color,
+    varying: i32,
+    density: PhantomData<D>,
+}
+
+impl<O: Output<Color: PixelFormat>, D: Density> Fogged<O, D> {
+    /// In full precision.
+    #[inline]
+    fn precise(self) -> O::With<O::Color> {
+        self.map(|color| color)
+    }
+}
+
+impl<O: Output<Color: PixelFormat>, D: Density> Output for Fogged<O, D> {
+    type Color = O::Color;
+    type With<T: PixelFormat> = O::With<T>;
+
+    const IS_OPAQUE: bool = O::IS_OPAQUE;
+
+    #[inline]
+    fn lit(self, light: Illumination) -> O::With<O::Color> {
+        self.map(|color| color.lit(light))
+    }
+
+    #[inline]
+    fn map<T: PixelFormat>(self, f: impl FnOnce(Precise<O::Color>) -> Precise<T>) -> O::With<T> {
+        let left = D::left(self.varying) << (16 - BITS);
+        let fog = Precise::from(self.fog);
+        self.output.map(|color| f(fog.mix(color, left)))
+    }
+
+    #[inline]
+    fn finish(self, at: Point) -> O::Color {
+        if O::IS_PLAIN {
+            let (color, left) = (self.output.finish(at), D::left_32(self.varying));
+            if let Some(mixed) = self.fog.mix_32(color, left) {
+                return mixed;
+            }
+        }
+        self.precise().finish(at)
+    }
+
+    #[inline]
+    fn onto(self, below: impl FnOnce() -> O::Color, at: Point) -> O::Color {
+        if O::IS_OPAQUE {
+            self.finish(at)
+        } else {
+            self.precise().onto(below, at)
+        }
+    }
+
+    #[inline]
+    fn cover(self, below: O::Color, share: u32, at: Point) -> O::Color {
+        self.precise().cover(below, share, at)
+    }
+
+    #[inline]
+    fn parts(self) -> (Precise<O::Color>, u32) {
+        self.precise().parts()
     }
 }
 
@@ -291,7 +357,7 @@ mod tests {
         for x in 0..20 << BITS {
             let one = f64::from(1 << BITS);
             let exact = (-f64::from(x) / one).exp2();
-            let left = f64::from(Exponential::left(x)) / one;
+            let left = f64::from(ExponentialFog::left(x)) / one;
             // Two products and the shift are cut.
             assert!((left - exact).abs() <= 0.0019 + 3. / one, "{x}: {left}");
         }
@@ -305,7 +371,7 @@ mod tests {
         for distance in (0..4 << 16).map(Scalar::from_bits) {
             let left = (far - distance).to_num::<f64>() / 2.;
             for bits in [5, 8] {
-                let weight = Linear::weight(fog.density.varying(distance, bits), bits);
+                let weight = LinearFog::weight(fog.density.varying(distance, bits), bits);
                 let exact = left.clamp(0., 1.) * f64::from(1 << bits);
                 // The varying is cut to 2^-BITS.
                 let tolerance = 0.5 + f64::from(1 << bits) / f64::from(1 << BITS);
@@ -317,7 +383,7 @@ mod tests {
             }
         }
         for bits in [5, 8] {
-            let weight = |distance| Linear::weight(fog.density.varying(distance, bits), bits);
+            let weight = |distance| LinearFog::weight(fog.density.varying(distance, bits), bits);
             assert_eq!([weight(near), weight(far)], [1 << bits, 0]);
         }
     }
@@ -336,11 +402,12 @@ mod tests {
         }
         let [near, far] = [fx!(1), fx!(3)];
         let linear = Fog::linear(Fine, near, far).unwrap().density;
-        let at = |distance| weight::<Fine, Linear>(linear.varying(distance, weight_bits::<Fine>()));
+        let at =
+            |distance| weight::<Fine, LinearFog>(linear.varying(distance, weight_bits::<Fine>()));
         assert_eq!([at(near), at(fx!(2)), at(far)], [1 << 15, 1 << 14, 0]);
         let exponential = Fog::exponential(Fine, fx!(1)).unwrap().density;
         let varying = exponential.varying(fx!(0), weight_bits::<Fine>());
-        assert_eq!(weight::<Fine, Exponential>(varying), 1 << 15);
+        assert_eq!(weight::<Fine, ExponentialFog>(varying), 1 << 15);
     }
 
     #[test]

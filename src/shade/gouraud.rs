@@ -2,15 +2,14 @@
 
 use core::marker::PhantomData;
 
-use super::levels::LEVEL;
-use super::raised::Raised;
-use super::{Fragment, Illumination, Levels, Shader, Within};
+use super::format::LEVEL;
+use super::{Fragment, PixelFormat, Precise, Shader, Within};
 use crate::mesh::Primitive;
 
 /// The mesh's vertex colors, interpolated in correct perspective; white if the mesh has none.
 ///
 #[cfg_attr(doc, doc = page_picture!("gouraud", "A cube whose corners' colors flow into each other"))]
-/// The canvas's color decides how they are interpolated and rounded: see [`Levels`](super::Levels). Gray is
+/// The canvas's color decides how they are interpolated and rounded: see [`PixelFormat`](super::PixelFormat). Gray is
 /// interpolated as one value.
 ///
 /// ```
@@ -48,28 +47,18 @@ impl<C> Gouraud<C> {
     }
 }
 
-impl<C: Levels> Shader for Gouraud<C> {
-    type Color = C;
-    type Varyings = Within<LEVEL, Raised<C>>;
+impl<C: PixelFormat> Shader for Gouraud<C> {
+    type Color = Precise<C>;
+    type Varyings = Within<LEVEL, Precise<C>>;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        primitive.corners(|corner| Within(Raised::new(corner.color())))
+        primitive.corners(|corner| Within(Precise::of_rgb(corner.color())))
     }
 
     #[inline]
-    fn shade(&self, at: &Fragment, Within(levels): Self::Varyings) -> Option<C> {
-        Some(levels.color(at.point))
-    }
-
-    #[inline]
-    fn shade_lit(
-        &self,
-        at: &Fragment,
-        Within(levels): Self::Varyings,
-        light: Illumination,
-    ) -> Option<C> {
-        Some(levels.lit(light, at.point))
+    fn shade(&self, _: &Fragment, Within(color): Self::Varyings) -> Option<Precise<C>> {
+        Some(color)
     }
 }
 

@@ -2,10 +2,9 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::levels::LEVEL;
-use super::raised::Raised;
+use super::format::LEVEL;
 use super::ramp::Ramp;
-use super::{Fragment, Illumination, Levels, Shader, Within};
+use super::{Fragment, PixelFormat, Precise, Shader, Within};
 use crate::mesh::Primitive;
 use crate::{Error, Scalar};
 
@@ -44,16 +43,16 @@ const BITS: u32 = 12;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Gradient<C: Levels> {
+pub struct Gradient<C: PixelFormat> {
     bottom: i32,
     ramp: Ramp,
-    /// Levels.
+    /// PixelFormat.
     low: [i32; 3],
     change: [i32; 3],
     color: core::marker::PhantomData<C>,
 }
 
-impl<C: Levels> Gradient<C> {
+impl<C: PixelFormat> Gradient<C> {
     /// The color of `low` up to its height, and the color of `high` from its height on. Heights are in the model's
     /// units.
     ///
@@ -65,7 +64,10 @@ impl<C: Levels> Gradient<C> {
         (top, high): (Scalar, Rgb888),
     ) -> Result<Self, Error> {
         let ramp = Ramp::new(bottom, top, BITS).ok_or(Error::Heights { bottom, top })?;
-        let (low, [r, g, b]) = (C::levels(low), C::levels(high));
+        let (low, [r, g, b]) = (
+            Precise::<C>::of_rgb(low).levels(),
+            Precise::<C>::of_rgb(high).levels(),
+        );
         Ok(Self {
             bottom: bottom.to_bits(),
             ramp,
@@ -86,31 +88,21 @@ impl<C: Levels> Gradient<C> {
     }
 }
 
-impl<C: Levels> Shader for Gradient<C> {
-    type Color = C;
-    type Varyings = Within<LEVEL, Raised<C>>;
+impl<C: PixelFormat> Shader for Gradient<C> {
+    type Color = Precise<C>;
+    type Varyings = Within<LEVEL, Precise<C>>;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         primitive.corners(|corner| {
             let levels = self.levels(corner.position().y);
-            Within(Raised::of_levels(levels))
+            Within(Precise::from_levels(levels))
         })
     }
 
     #[inline]
-    fn shade(&self, at: &Fragment, Within(levels): Self::Varyings) -> Option<C> {
-        Some(levels.color(at.point))
-    }
-
-    #[inline]
-    fn shade_lit(
-        &self,
-        at: &Fragment,
-        Within(levels): Self::Varyings,
-        light: Illumination,
-    ) -> Option<C> {
-        Some(levels.lit(light, at.point))
+    fn shade(&self, _: &Fragment, Within(color): Self::Varyings) -> Option<Precise<C>> {
+        Some(color)
     }
 }
 
@@ -122,7 +114,7 @@ mod tests {
     use embedded_graphics::pixelcolor::{Gray8, Rgb565, RgbColor};
     use rand::Rng;
 
-    fn compare<C: Levels>(heights: [i32; 3], colors: [[u8; 3]; 2]) {
+    fn compare<C: PixelFormat>(heights: [i32; 3], colors: [[u8; 3]; 2]) {
         let [bottom, top, _] = heights.map(Scalar::from_bits);
         let [low, high] = colors.map(|[r, g, b]| Rgb888::new(r, g, b));
         let made = Gradient::<C>::new((bottom, low), (top, high));
@@ -133,7 +125,10 @@ mod tests {
         assert!(top > bottom);
         let [bottom, top, height] = heights.map(f64::from);
         let share = ((height - bottom) / (top - bottom)).clamp(0., 1.);
-        let (low, high) = (C::levels(low), C::levels(high));
+        let (low, high) = (
+            Precise::<C>::of_rgb(low).levels(),
+            Precise::<C>::of_rgb(high).levels(),
+        );
         for ((found, (a, b)), most) in gradient
             .levels(Scalar::from_bits(heights[2]))
             .into_iter()

@@ -1,8 +1,8 @@
 //! Surfaces under a light.
 
-use super::levels::{FRACTION, Levels};
+use super::format::FRACTION;
 use super::light::{FULL, Gloss, Illumination, Light, Lighting, SurfacePoint, Tint};
-use super::{ColorOf, Fragment, PerFace, Shader, Source, Within};
+use super::{ColorOf, Fragment, Output, PerFace, PixelFormat, PreciseOf, Shader, Within};
 use crate::math::Direction;
 use crate::mesh::Primitive;
 
@@ -55,7 +55,7 @@ type Packed<L, C> = (
 );
 
 #[inline]
-fn pack<L: Lighting, C: Levels>(light: Illumination) -> Packed<L, C> {
+fn pack<L: Lighting, C: PixelFormat>(light: Illumination) -> Packed<L, C> {
     (
         L::Diffuse::pack::<C>(light.diffuse),
         L::Specular::pack(light.specular),
@@ -63,15 +63,15 @@ fn pack<L: Lighting, C: Levels>(light: Illumination) -> Packed<L, C> {
 }
 
 #[inline]
-fn unpack<L: Lighting, C: Levels>((diffuse, specular): Packed<L, C>) -> Illumination {
+fn unpack<L: Lighting, C: PixelFormat>((diffuse, specular): Packed<L, C>) -> Illumination {
     Illumination {
         diffuse: L::Diffuse::unpack::<C>(diffuse),
         specular: L::Specular::unpack(specular),
     }
 }
 
-impl<S: Shader<Color: Source<Color: Levels>>, L: Lighting> Shader for Lit<S, L> {
-    type Color = S::Color;
+impl<S: Shader<Color: Output<Color: PixelFormat>>, L: Lighting> Shader for Lit<S, L> {
+    type Color = PreciseOf<S>;
     type Varyings = (S::Varyings, Within<FRACTION, Packed<L, ColorOf<S>>>);
 
     const READS_DEPTH: bool = S::READS_DEPTH;
@@ -92,9 +92,13 @@ impl<S: Shader<Color: Source<Color: Levels>>, L: Lighting> Shader for Lit<S, L> 
     }
 
     #[inline]
-    fn shade(&self, at: &Fragment, (inside, Within(light)): Self::Varyings) -> Option<S::Color> {
-        self.surface
-            .shade_lit(at, inside, unpack::<L, ColorOf<S>>(light))
+    fn shade(
+        &self,
+        at: &Fragment,
+        (inside, Within(light)): Self::Varyings,
+    ) -> Option<PreciseOf<S>> {
+        let light = unpack::<L, ColorOf<S>>(light);
+        Some(self.surface.shade(at, inside)?.lit(light))
     }
 }
 
@@ -139,8 +143,8 @@ pub struct FaceLit<S, L = Light> {
     pub(super) light: L,
 }
 
-impl<S: Shader<Color: Source<Color: Levels>>, L: Lighting> Shader for FaceLit<S, L> {
-    type Color = S::Color;
+impl<S: Shader<Color: Output<Color: PixelFormat>>, L: Lighting> Shader for FaceLit<S, L> {
+    type Color = PreciseOf<S>;
     type Varyings = (S::Varyings, PerFace<Packed<L, ColorOf<S>>>);
 
     const READS_DEPTH: bool = S::READS_DEPTH;
@@ -158,9 +162,13 @@ impl<S: Shader<Color: Source<Color: Levels>>, L: Lighting> Shader for FaceLit<S,
     }
 
     #[inline]
-    fn shade(&self, at: &Fragment, (inside, PerFace(light)): Self::Varyings) -> Option<S::Color> {
-        self.surface
-            .shade_lit(at, inside, unpack::<L, ColorOf<S>>(light))
+    fn shade(
+        &self,
+        at: &Fragment,
+        (inside, PerFace(light)): Self::Varyings,
+    ) -> Option<PreciseOf<S>> {
+        let light = unpack::<L, ColorOf<S>>(light);
+        Some(self.surface.shade(at, inside)?.lit(light))
     }
 }
 
@@ -185,7 +193,7 @@ mod tests {
     }
 
     /// The brightness at the three corners.
-    fn lights<S: Shader<Color: Source<Color: Levels>>>(
+    fn lights<S: Shader<Color: Output<Color: PixelFormat>>>(
         lit: Lit<S>,
         mesh: &Mesh<'_>,
         index: usize,

@@ -1,6 +1,6 @@
 //! A function of the color of each pixel.
 
-use super::{Fragment, Shader, Source};
+use super::{Fragment, Output, Shader};
 use crate::mesh::Primitive;
 
 /// A shader and a function of each pixel that it colors; see [`Shader::map`].
@@ -31,7 +31,7 @@ pub struct Map<S, F> {
     pub(super) effect: F,
 }
 
-impl<S: Shader, C: Source, F: Fn(&Fragment, S::Color) -> Option<C> + Copy> Shader for Map<S, F> {
+impl<S: Shader, C: Output, F: Fn(&Fragment, S::Color) -> Option<C> + Copy> Shader for Map<S, F> {
     type Color = C;
     type Varyings = S::Varyings;
 

@@ -30,21 +30,22 @@ mod channels;
 mod converted;
 mod dequantized;
 mod dither;
+mod dithered;
 mod flat;
 mod fog;
+mod format;
 mod gouraud;
 mod gradient;
 mod lanes;
-mod levels;
 mod light;
 mod lit;
 mod map;
 mod mipmapped;
+mod output;
 mod part_colors;
-mod raised;
+mod precise;
 mod ramp;
 mod shader;
-mod source;
 mod texel;
 mod textured;
 mod tinted;
@@ -57,13 +58,16 @@ mod fixture;
 pub use channels::Channels;
 pub use converted::Converted;
 pub use dequantized::Dequantized;
+pub use dithered::Dithered;
 pub use flat::{FaceColors, Flat};
-pub use fog::{Density, Exponential, Fog, InFog, Linear};
+#[doc(hidden)]
+pub use fog::Fogged;
+pub use fog::{Density, ExponentialFog, Fog, InFog, LinearFog};
+pub use format::PixelFormat;
 pub use gouraud::Gouraud;
 pub use gradient::Gradient;
 pub use lanes::Lanes;
 pub(crate) use lanes::MOST as MOST_VARYINGS;
-pub use levels::Levels;
 pub use light::{
     Colored, Falloff, Gloss, Glossy, Illumination, Lamp, Light, Lighting, Matte, PointLight, Rgb,
     Shiny, SpotLight, SurfacePoint, Tint, TwoSided, Viewer, White,
@@ -71,9 +75,11 @@ pub use light::{
 pub use lit::{FaceLit, Lit};
 pub use map::Map;
 pub use mipmapped::Mipmapped;
+pub(crate) use output::share;
+pub use output::{ColorOf, Output, PreciseOf, Translucent};
 pub use part_colors::PartColors;
+pub use precise::Precise;
 pub use shader::{Fragment, Shader, ShaderFor};
-pub use source::{ColorOf, Source, Translucent};
 pub use texel::{Masked, Texel};
 pub use textured::Textured;
 pub use tinted::Tinted;

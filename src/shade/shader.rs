@@ -4,11 +4,10 @@
 use embedded_graphics::geometry::Point;
 
 use super::{
-    ColorOf, Converted, Density, FaceLit, Fog, Illumination, InFog, Levels, Lighting, Lit, Map,
-    Source, Tinted, Varyings,
+    ColorOf, Converted, Density, Dithered, FaceLit, Fog, InFog, Lighting, Lit, Map, Output,
+    PixelFormat, Tinted, Varyings,
 };
 use crate::mesh::Primitive;
-use crate::texture::Blend;
 
 /// A pixel about to be shaded.
 ///
@@ -72,31 +71,28 @@ pub struct Fragment {
 /// A shader that wraps another one passes on the inner [`Varyings`](Self::Varyings), alone or in a pair with its own,
 /// and calls the two inner methods. Most effects need no type of their own: see [`map`](Self::map).
 ///
-/// A wrapper that may stand under a light also passes on [`shade_lit`](Self::shade_lit). Otherwise the light dims a
-/// color that surfaces such as [`Flat::rgb`](super::Flat::rgb) and [`Gouraud`](super::Gouraud) have already rounded to
-/// the canvas's color:
+/// To change the color, it returns the output of the inner shader [`lit`](Output::lit) or [`mapped`](Output::map), which
+/// is a color in full precision:
 ///
 /// ```
-/// # use fixel::prelude::*;
-/// # use fixel::shade::{ColorOf, Illumination};
-/// # #[derive(Clone, Copy)]
-/// # struct Wrapper<S>(S);
-/// # impl<S: Shader> Shader for Wrapper<S> {
-/// #     type Color = S::Color;
-/// #     type Varyings = S::Varyings;
-/// #     fn varyings(&self, primitive: &Primitive) -> [S::Varyings; 3] {
-/// #         self.0.varyings(primitive)
-/// #     }
-/// #     fn shade(&self, at: &Fragment, varyings: S::Varyings) -> Option<S::Color> {
-/// #         self.0.shade(at, varyings)
-/// #     }
-/// fn shade_lit(&self, at: &Fragment, varyings: S::Varyings, light: Illumination) -> Option<S::Color>
-/// where
-///     ColorOf<S>: Levels,
-/// {
-///     self.0.shade_lit(at, varyings, light)
+/// # use fixel::{Fragment, PixelFormat, Primitive, Shader};
+/// # use fixel::shade::{ColorOf, Illumination, Output, PreciseOf};
+/// /// A surface at half of its brightness.
+/// #[derive(Clone, Copy)]
+/// struct Dim<S>(S);
+///
+/// impl<S: Shader<Color: Output<Color: PixelFormat>>> Shader for Dim<S> {
+///     type Color = PreciseOf<S>;
+///     type Varyings = S::Varyings;
+///
+///     fn varyings(&self, primitive: &Primitive) -> [S::Varyings; 3] {
+///         self.0.varyings(primitive)
+///     }
+///
+///     fn shade(&self, at: &Fragment, varyings: S::Varyings) -> Option<PreciseOf<S>> {
+///         Some(self.0.shade(at, varyings)?.lit(Illumination::white(32_768)))
+///     }
 /// }
-/// # }
 /// ```
 ///
 /// Each stack of shaders is a type of its own, and there is no `dyn Shader`: a call for each pixel would take longer
@@ -149,8 +145,9 @@ pub struct Fragment {
 /// # Ok::<(), Error>(())
 /// ```
 pub trait Shader: Copy {
-    /// The color of a pixel: the canvas's color type, or a [`Translucent`](super::Translucent) color.
-    type Color: Source;
+    /// The output for a pixel: the canvas's color, a [`Precise`](super::Precise) color, or a
+    /// [`Translucent`](super::Translucent) one of either.
+    type Color: Output;
 
     /// The values to interpolate.
     type Varyings: Varyings;
@@ -168,24 +165,6 @@ pub trait Shader: Copy {
     /// The color of a pixel, or `None` to leave both its color and its depth as they are.
     fn shade(&self, at: &Fragment, varyings: Self::Varyings) -> Option<Self::Color>;
 
-    /// The color of a pixel under a light.
-    ///
-    /// By default, this dims the color that [`shade`](Self::shade) returns. If a surface knows its color more exactly
-    /// than the canvas stores it, it should override this method and dim the exact color.
-    #[inline]
-    fn shade_lit(
-        &self,
-        at: &Fragment,
-        varyings: Self::Varyings,
-        light: Illumination,
-    ) -> Option<Self::Color>
-    where
-        ColorOf<Self>: Levels,
-    {
-        let source = self.shade(at, varyings)?;
-        Some(source.map(|color| color.lit(light, at.point)))
-    }
-
     /// Puts this surface under a light. The brightness is computed at the vertices and interpolated (Gouraud
     /// shading).
     ///
@@ -195,7 +174,7 @@ pub trait Shader: Copy {
     #[inline]
     fn lit<L: Lighting>(self, light: L) -> Lit<Self, L>
     where
-        ColorOf<Self>: Levels,
+        ColorOf<Self>: PixelFormat,
     {
         Lit {
             surface: self,
@@ -209,7 +188,7 @@ pub trait Shader: Copy {
     #[inline]
     fn lit_faces<L: Lighting>(self, light: L) -> FaceLit<Self, L>
     where
-        ColorOf<Self>: Levels,
+        ColorOf<Self>: PixelFormat,
     {
         FaceLit {
             surface: self,
@@ -224,7 +203,7 @@ pub trait Shader: Copy {
     #[inline]
     fn tinted(self) -> Tinted<Self>
     where
-        ColorOf<Self>: Levels,
+        ColorOf<Self>: PixelFormat,
     {
         Tinted { surface: self }
     }
@@ -234,7 +213,7 @@ pub trait Shader: Copy {
     #[inline]
     fn in_fog<D: Density>(self, fog: Fog<ColorOf<Self>, D>) -> InFog<Self, ColorOf<Self>, D>
     where
-        ColorOf<Self>: Blend,
+        ColorOf<Self>: PixelFormat,
     {
         InFog { surface: self, fog }
     }
@@ -260,7 +239,7 @@ pub trait Shader: Copy {
     /// ```
     #[must_use]
     #[inline]
-    fn map<C: Source, F: Fn(&Fragment, Self::Color) -> Option<C> + Copy>(
+    fn map<C: Output, F: Fn(&Fragment, Self::Color) -> Option<C> + Copy>(
         self,
         effect: F,
     ) -> Map<Self, F> {
@@ -273,12 +252,40 @@ pub trait Shader: Copy {
     /// Converts this surface to another color type: rounded, or dithered if that type is coarse.
     #[must_use]
     #[inline]
-    fn converted<C: Levels>(self) -> Converted<Self, C> {
+    fn converted<C: PixelFormat>(self) -> Converted<Self, C> {
         Converted::new(self)
+    }
+
+    /// Dithers this surface, whatever its format: the mean of 8x8 pixels then differs from the exact color by at most
+    /// 1/128 step. Formats of fewer than 5 bits per channel are dithered anyway; in 15 and 16 bits, it hides the bands
+    /// of soft light and fog. Call it last.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+    /// use fixel::prelude::*;
+    /// static SQUARE: Mesh = shape!(plane(1, 1));
+    /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+    /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+    /// let mut pixels = [Rgb565::new(0, 0, 0); 64];
+    /// let mut canvas = Canvas::new(&mut pixels, 8, 8)?;
+    /// // 60/255 of 31 steps is 7.3 steps.
+    /// canvas.draw(&SQUARE, &mvp, &Flat::rgb(Rgb888::new(60, 60, 60)).dithered());
+    /// let bright = canvas.pixels().filter(|&pixel| pixel == Rgb565::new(8, 15, 8)).count();
+    /// assert!((17..=20).contains(&bright));
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    #[inline]
+    fn dithered(self) -> Dithered<Self>
+    where
+        ColorOf<Self>: PixelFormat,
+    {
+        Dithered { surface: self }
     }
 }
 
-/// A [`Shader`] that a canvas of color `C` accepts, because its own color is `C`. Draw calls of
+/// A [`Shader`] that a canvas of color `C` accepts, because its output is a `C`, in full precision or not, with an
+/// opacity or without. Draw calls of
 /// [`Canvas`](crate::Canvas) require it.
 ///
 /// Every shader of that color implements this trait. For another color, the compiler's message says what to write:
@@ -294,12 +301,10 @@ pub trait Shader: Copy {
 #[diagnostic::on_unimplemented(
     message = "the color of `{Self}` is not the canvas's color `{C}`",
     label = "not a shader of color `{C}`",
-    note = "write `&shader.converted()` to convert the color of each pixel, or give the canvas the shader's color type",
-    note = "with the blending `Alpha`, colors are `Translucent`: of `Argb4444` texels, of a `masked` texture or of your \
-            `.map(…)`; `Opacity` blends any color by one opacity"
+    note = "write `&shader.converted()` to convert the color of each pixel, or give the canvas the shader's color type"
 )]
-pub trait ShaderFor<C>: Shader<Color = C> {}
+pub trait ShaderFor<C>: Shader<Color: Output<Color = C>> {}
 
 // Without this, the message would only say that the associated types differ.
 #[diagnostic::do_not_recommend]
-impl<C, S: Shader<Color = C>> ShaderFor<C> for S {}
+impl<C, S: Shader<Color: Output<Color = C>>> ShaderFor<C> for S {}

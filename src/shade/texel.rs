@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, PixelColor};
 
-use super::{Source, Translucent};
+use super::{Output, PixelFormat, Translucent};
 use crate::Error;
 use crate::texture::{Argb1555, Argb4444, Blend, Sampler};
 
@@ -21,7 +21,7 @@ use crate::texture::{Argb1555, Argb4444, Blend, Sampler};
 /// ```
 pub trait Texel: Copy {
     /// The output for a pixel that shows this texel.
-    type Source: Source;
+    type Source: Output;
 
     /// The texel as the source of a pixel; `None` for a hole.
     fn source(self) -> Option<Self::Source>;
@@ -36,7 +36,7 @@ impl<C: PixelColor> Texel for C {
     }
 }
 
-impl<C: PixelColor> Texel for Translucent<C> {
+impl<C: PixelFormat> Texel for Translucent<C> {
     type Source = Self;
 
     #[inline]

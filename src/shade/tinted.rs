@@ -1,7 +1,9 @@
 //! A surface times vertex colors.
 
-use super::levels::FRACTION;
-use super::{Channels, ColorOf, Fragment, Levels, Shader, Source, Within};
+use super::format::FRACTION;
+use super::{
+    Channels, ColorOf, Fragment, Illumination, Output, PixelFormat, PreciseOf, Shader, Within,
+};
 use crate::mesh::Primitive;
 
 /// A surface times the interpolated vertex color, channel by channel; see [`Shader::tinted`].
@@ -35,11 +37,11 @@ pub struct Tinted<S> {
     pub(super) surface: S,
 }
 
-impl<S: Shader<Color: Source<Color: Levels>>> Shader for Tinted<S> {
-    type Color = S::Color;
+impl<S: Shader<Color: Output<Color: PixelFormat>>> Shader for Tinted<S> {
+    type Color = PreciseOf<S>;
     type Varyings = (
         S::Varyings,
-        Within<FRACTION, <ColorOf<S> as Levels>::Channels>,
+        Within<FRACTION, <ColorOf<S> as PixelFormat>::Channels>,
     );
 
     const READS_DEPTH: bool = S::READS_DEPTH;
@@ -55,9 +57,12 @@ impl<S: Shader<Color: Source<Color: Levels>>> Shader for Tinted<S> {
     }
 
     #[inline]
-    fn shade(&self, at: &Fragment, (inside, Within(tint)): Self::Varyings) -> Option<S::Color> {
-        let source = self.surface.shade(at, inside)?;
-        Some(source.map(|color| color.filtered(tint.all(), at.point)))
+    fn shade(&self, at: &Fragment, (inside, Within(tint)): Self::Varyings) -> Option<PreciseOf<S>> {
+        let tint = Illumination {
+            diffuse: tint.all(),
+            specular: None,
+        };
+        Some(self.surface.shade(at, inside)?.lit(tint))
     }
 }
 

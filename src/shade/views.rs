@@ -4,8 +4,8 @@ use core::marker::PhantomData;
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::levels::LEVEL;
-use super::{Channels, Fragment, Levels, Shader, Within};
+use super::format::LEVEL;
+use super::{Fragment, PixelFormat, Precise, Shader, Within};
 use crate::mesh::Primitive;
 
 /// Depth as gray: white is near, black is far.
@@ -77,8 +77,8 @@ impl<C> Default for DepthView<C> {
     }
 }
 
-impl<C: Levels> Shader for DepthView<C> {
-    type Color = C;
+impl<C: PixelFormat> Shader for DepthView<C> {
+    type Color = Precise<C>;
     type Varyings = ();
 
     #[inline]
@@ -87,13 +87,13 @@ impl<C: Levels> Shader for DepthView<C> {
     }
 
     #[inline]
-    fn shade(&self, at: &Fragment, (): ()) -> Option<C> {
+    fn shade(&self, at: &Fragment, (): ()) -> Option<Precise<C>> {
         let above = at.depth.saturating_sub(self.far).min(self.range);
         // Before the last shift at most 2^31; white becomes 65,536 less at most two, because the gain is rounded
         // down.
         let fraction = ((u32::from(above) << self.shift) * self.gain) >> 15;
         let levels = C::MAX_STEPS.map(|white| white * fraction.cast_signed());
-        Some(C::from_levels(levels, at.point))
+        Some(Precise::from_levels(levels))
     }
 }
 
@@ -132,9 +132,9 @@ impl<C> NormalView<C> {
     }
 }
 
-impl<C: Levels> Shader for NormalView<C> {
-    type Color = C;
-    type Varyings = Within<LEVEL, C::Channels>;
+impl<C: PixelFormat> Shader for NormalView<C> {
+    type Color = Precise<C>;
+    type Varyings = Within<LEVEL, Precise<C>>;
 
     const READS_DEPTH: bool = false;
 
@@ -148,13 +148,13 @@ impl<C: Levels> Shader for NormalView<C> {
         primitive.corners(|corner| {
             let [x, y, z] = corner.world_normal().to_bits();
             let color = Rgb888::new(channel(x), channel(y), channel(z));
-            Within(C::Channels::first(C::levels(color)))
+            Within(Precise::of_rgb(color))
         })
     }
 
     #[inline]
-    fn shade(&self, at: &Fragment, Within(levels): Self::Varyings) -> Option<C> {
-        Some(C::from_levels(levels.all(), at.point))
+    fn shade(&self, _: &Fragment, Within(color): Self::Varyings) -> Option<Precise<C>> {
+        Some(color)
     }
 }
 

@@ -5,7 +5,7 @@ use core::cell::Cell;
 use crate::canvas::Blending;
 use crate::mesh::Primitive;
 use crate::raster::Coverage;
-use crate::shade::{ColorOf, Fragment, Levels, Shader, Varyings};
+use crate::shade::{ColorOf, Fragment, Output, PixelFormat, Shader, Varyings};
 
 /// The source of the colors of a draw call's pixels: a [`Shader`], a [`Blending`] and, for [`Smooth`] lines, their
 /// coverage.
@@ -35,12 +35,12 @@ pub(crate) trait Shading: Copy {
     ) -> Option<Self::Color>;
 }
 
-impl<S: Shader, B: Blending<ColorOf<S>, Source = S::Color>> Shading for (S, B) {
+impl<S: Shader, B: Blending<ColorOf<S>>> Shading for (S, B) {
     type Color = ColorOf<S>;
     type Varyings = S::Varyings;
 
     const READS_DEPTH: bool = S::READS_DEPTH;
-    const READS_COLOR: bool = B::READS;
+    const READS_COLOR: bool = B::READS || !S::Color::IS_OPAQUE;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [S::Varyings; 3] {
@@ -92,8 +92,8 @@ pub(crate) struct Smooth<'l, S, B> {
 impl<S, B> Shading for Smooth<'_, S, B>
 where
     S: Shader,
-    ColorOf<S>: Levels,
-    B: Blending<ColorOf<S>, Source = S::Color>,
+    ColorOf<S>: PixelFormat,
+    B: Blending<ColorOf<S>>,
 {
     type Color = ColorOf<S>;
     type Varyings = S::Varyings;

@@ -134,7 +134,7 @@ colors! {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Levels;
+    use crate::PixelFormat;
     use embedded_graphics::geometry::Point;
     use embedded_graphics::pixelcolor::GrayColor;
 
@@ -180,7 +180,7 @@ mod tests {
         SAMPLES.into_iter().rev().zip(texels)
     }
 
-    fn as_levels<C: Levels + core::fmt::Debug>(texels: impl Fn(&[u8], Pixels) -> [C; COUNT]) {
+    fn as_levels<C: PixelFormat + core::fmt::Debug>(texels: impl Fn(&[u8], Pixels) -> [C; COUNT]) {
         for (rgba, color) in converted(texels) {
             let [r, g, b, _] = rgba;
             let expected = C::from_rgb(Rgb888::new(r, g, b), Point::zero());
@@ -203,7 +203,7 @@ mod tests {
 
     #[test]
     fn gray_is_the_nearest_step_of_luma() {
-        // The error of each of the three weights is at most 2^-15, as in Levels.
+        // The error of each of the three weights is at most 2^-15, as in PixelFormat.
         let near = |steps: u8, [r, g, b, _]: [u8; 4], max: f64| {
             let [r, g, b] = [r, g, b].map(f64::from);
             let luma = (0.299 * r + 0.587 * g + 0.114 * b) / 255.0;

@@ -25,7 +25,7 @@ const SIZE: u32 = 8;
 type Channels = Vec<[f64; 2]>;
 
 /// A color type whose channels are known.
-trait Parts: Levels + Debug + From<Self::Raw> {
+trait Parts: PixelFormat + Debug + From<Self::Raw> {
     /// Whether the color is dithered.
     const IS_COARSE: bool = false;
     fn parts(self) -> Channels;

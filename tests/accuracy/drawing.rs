@@ -90,7 +90,7 @@ impl<K: ProjectionKind> Drawing<'_, K> {
         Canvas::new(pixels, self.size.0, self.size.1).unwrap()
     }
 
-    fn draw<S: Shader<Color = Gray8>, D: DepthBuffer>(
+    fn draw<S: ShaderFor<Gray8>, D: DepthBuffer>(
         &self,
         canvas: &mut Canvas<'_, Gray8, Native, D>,
         shader: &S,

@@ -246,7 +246,7 @@ const TEXELS: usize = 4;
 const RATIO: u32 = 16;
 
 /// Draws a square that fills the picture.
-fn picture<F: Shader<Color = Rgb888>>(shader: &F) -> Vec<[f64; 3]> {
+fn picture<F: ShaderFor<Rgb888>>(shader: &F) -> Vec<[f64; 3]> {
     static SQUARE: Mesh = shape!(plane(1, 1));
     let window = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2));
     let mvp = window.unwrap() * Camera::top(Vec3::ZERO, fx!(1));

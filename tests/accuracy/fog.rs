@@ -46,7 +46,7 @@ impl Plane {
 
 /// Draws the plane in black with white fog; returns the brightness of each pixel, from 0 to 1.
 fn white<C: Blend + PixelColor + 'static>(
-    shader: impl Shader<Color = C>,
+    shader: impl ShaderFor<C>,
     corners: &[Vec3; 3],
     black: C,
     luma: impl Fn(C) -> f64,

@@ -35,7 +35,7 @@ fn moved(k: i16) -> [f64; 2] {
     [f64::from(k) / 32., f64::from(k) / 16.]
 }
 
-fn picture(shader: &impl Shader<Color = Rgb888>, floor: &Mesh<'_>, k: i16) -> Vec<Rgb888> {
+fn picture(shader: &impl ShaderFor<Rgb888>, floor: &Mesh<'_>, k: i16) -> Vec<Rgb888> {
     let [x, z] = moved(k);
     let place = Vec3::try_from([-x, -1., z]).unwrap();
     let mvp = projection()
@@ -108,7 +108,7 @@ fn parts(color: Rgb888) -> [f64; 3] {
 /// The mean difference from a floor whose pixels are means over their areas, over all channels of all of the floor's
 /// pixels, in steps of 255.
 fn difference(
-    shader: &impl Shader<Color = Rgb888>,
+    shader: &impl ShaderFor<Rgb888>,
     floor: &Mesh<'_>,
     exact: &[Vec<Option<[f64; 3]>>],
 ) -> f64 {

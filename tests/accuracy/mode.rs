@@ -68,7 +68,7 @@ impl Mode {
     }
 
     /// Draws in this mode and ignores the mode of the options.
-    pub fn draw<K: ProjectionKind, F: Shader<Color = Gray8>, D: DepthBuffer>(
+    pub fn draw<K: ProjectionKind, F: ShaderFor<Gray8>, D: DepthBuffer>(
         self,
         canvas: &mut Canvas<'_, Gray8, Native, D>,
         options: &DrawOptions,

@@ -46,7 +46,7 @@ fn model(random: &mut Random) -> Model {
 }
 
 /// The picture of a mesh, which must be the same in a frame, in bands, and prepared.
-fn drawn(mesh: &Mesh, shader: &impl Shader<Color = Rgb565>) -> Vec<Rgb565> {
+fn drawn(mesh: &Mesh, shader: &impl ShaderFor<Rgb565>) -> Vec<Rgb565> {
     let projection = Projection::perspective(deg!(60), SIZE, fx!(0.1), fx!(100)).unwrap();
     let mvp = projection * Transform::translate(vec3!(0, 0, -4));
     let options = DrawOptions::new().with_cull(Cull::Nothing);

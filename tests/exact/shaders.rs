@@ -102,7 +102,7 @@ impl<S: Shader> Shader for WithFace<S> {
 }
 
 /// Draws every kind of element that a canvas can draw with a shader.
-fn everything<S: Shader<Color = Rgb565>>(canvas: &mut Screen<'_>, mode: impl Mode, shader: &S) {
+fn everything<S: ShaderFor<Rgb565>>(canvas: &mut Screen<'_>, mode: impl Mode, shader: &S) {
     let options = DrawOptions::new().with_mode(mode);
     let mvp = projection() * pose();
     canvas.draw_with(&options, &BOX, &mvp, shader);
@@ -122,7 +122,7 @@ fn everything<S: Shader<Color = Rgb565>>(canvas: &mut Screen<'_>, mode: impl Mod
     canvas.draw_prepared(&prepared, shader).unwrap();
 }
 
-fn check_wrappers<S: Shader<Color = Rgb565>>(mode: impl Mode, shader: S) {
+fn check_wrappers<S: ShaderFor<Rgb565>>(mode: impl Mode, shader: S) {
     let expected = picture(&|canvas| everything(canvas, mode, &shader));
     assert!(picture(&|canvas| everything(canvas, mode, &Same(shader))) == expected);
     assert!(picture(&|canvas| everything(canvas, mode, &Same(Same(shader)))) == expected);
@@ -169,7 +169,7 @@ impl<S: Shader> Shader for SameUnderLight<S> {
         light: Illumination,
     ) -> Option<S::Color>
     where
-        ColorOf<S>: Levels,
+        ColorOf<S>: PixelFormat,
     {
         self.0.shade_lit(at, varyings, light)
     }
@@ -178,7 +178,7 @@ impl<S: Shader> Shader for SameUnderLight<S> {
 /// A surface knows its color more exactly than black or white, but only `shade_lit` can light that color.
 #[test]
 fn a_wrapper_under_a_light_passes_on_shade_lit() {
-    fn drawn(shader: impl Shader<Color = BinaryColor>) -> Vec<BinaryColor> {
+    fn drawn(shader: impl ShaderFor<BinaryColor>) -> Vec<BinaryColor> {
         let mut pixels = vec![BinaryColor::Off; (WIDTH * HEIGHT) as usize];
         let mut canvas = Canvas::new(&mut pixels, WIDTH, HEIGHT).unwrap();
         canvas.draw(&BALL, &(projection() * pose()), &shader);
@@ -204,7 +204,7 @@ trait Draw {
     fn draw(&self, canvas: &mut Screen<'_>, view: &Projection<Perspective>);
 }
 
-impl<S: Shader<Color = Rgb565>> Draw for Model<'_, S> {
+impl<S: ShaderFor<Rgb565>> Draw for Model<'_, S> {
     fn draw(&self, canvas: &mut Screen<'_>, view: &Projection<Perspective>) {
         canvas.draw(self.mesh, &(*view * self.place), &self.shader);
     }

@@ -218,7 +218,7 @@ fn same_as_mesh<K: ProjectionKind>(
     sprites: &Sprites<'_>,
     mesh: &Mesh<'_>,
     (mvp, projection): (&Mvp<K>, &Projection<K>),
-    shader: &impl Shader<Color = Rgb565>,
+    shader: &impl ShaderFor<Rgb565>,
 ) -> Drawn {
     let total = Cell::new(Drawn::default());
     let frame = picture(HEIGHT, &|canvas| {

@@ -16,7 +16,7 @@ use fixel::mesh::{Bounds, Buffers, Counts, Keyframes, Missing, Part, Positions, 
 use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::shade::{
-    Colored, Exponential, Falloff, Fog, Illumination, InFog, Shiny, SurfacePoint, TwoSided,
+    Colored, ExponentialFog, Falloff, Fog, Illumination, InFog, Shiny, SurfacePoint, TwoSided,
 };
 use fixel::shade::{
     Converted, Dequantized, FaceLit, Lit, Map, PartColors, PerFace, Texels, Tinted,
@@ -57,7 +57,7 @@ all!(value: Flat<Rgb565> Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> Fr
 all!(value: Converted<Flat<Rgb565>, Rgb565> FaceLit<Flat<Rgb565>> Lit<Flat<Rgb565>> Tinted<Flat<Rgb565>>);
 all!(value: Glossy Matte Rgb White);
 all!(value: Colored<Light> Falloff Illumination PointLight Shiny<Light> SpotLight SurfacePoint TwoSided<Light> Viewer);
-all!(value: Fog<Rgb565> Fog<Rgb565, Exponential> InFog<Flat<Rgb565>, Rgb565>);
+all!(value: Fog<Rgb565> Fog<Rgb565, ExponentialFog> InFog<Flat<Rgb565>, Rgb565>);
 all!(value: Textured<Texture<'static, Rgb565>> FaceColors<'static, Rgb565>);
 all!(value: Mipmap<'static, Rgb565> Mipmapped<'static, Rgb565> Trilinear);
 all!(shared: MipmapArray<Rgb565, 1, 1, 1>);

@@ -54,7 +54,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     ) -> Drawn
     where
         I: Mode,
-        F: Shader<Color = Rgb565>,
+        F: ShaderFor<Rgb565>,
         O: Storage<Rgb565>,
         D: DepthBuffer,
     {
@@ -244,7 +244,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     ) -> Record<N, Rgb565>
     where
         I: Mode,
-        F: Shader<Color = Rgb565>,
+        F: ShaderFor<Rgb565>,
     {
         let mut colors = vec![BACKGROUND; self.scene.pixels()];
         let (width, height) = self.scene.size;
@@ -303,7 +303,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     ) -> Record<N, Rgb565>
     where
         I: Mode,
-        F: Shader<Color = Rgb565>,
+        F: ShaderFor<Rgb565>,
     {
         let record = self.record(options, *shader);
         let expected = self.depth_test(options, *shader, &record.seen);
@@ -316,7 +316,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     pub fn check_frames<I, F>(&self, options: &DrawOptions<I>, shader: &F) -> Picture
     where
         I: Mode,
-        F: Shader<Color = Rgb565>,
+        F: ShaderFor<Rgb565>,
     {
         let mut frame = self.blank();
         let draw = &mut |canvas: &mut Frame<'_>| self.draw(canvas, options, shader);
@@ -343,7 +343,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     ) -> Picture
     where
         I: Mode,
-        F: Shader<Color = Rgb565>,
+        F: ShaderFor<Rgb565>,
     {
         let mut expected = self.blank();
         let mut visible = Vec::new();
@@ -381,7 +381,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         drawn: Drawn,
     ) where
         I: Mode,
-        F: Shader<Color = Rgb565>,
+        F: ShaderFor<Rgb565>,
     {
         let mut list = List::new();
         let prepared: Prepared<'_, K, I, _> = list
@@ -433,7 +433,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     fn check_prepared_edges<I, F>(&self, options: &DrawOptions<I>, shader: &F, expected: &Picture)
     where
         I: Mode,
-        F: Shader<Color = Rgb565>,
+        F: ShaderFor<Rgb565>,
     {
         let (mesh, size) = (self.mesh, self.scene.size);
         let mut list: EdgeList<96, 400> = EdgeList::new();
@@ -509,7 +509,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     pub fn check_bytes<I, F>(&self, options: &DrawOptions<I>, shader: &F)
     where
         I: Mode,
-        F: Shader<Color = Rgb565>,
+        F: ShaderFor<Rgb565>,
     {
         let (width, height) = self.scene.size;
         let mut colors = vec![BACKGROUND; self.scene.pixels()];
@@ -533,7 +533,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     pub fn check_packed<I, F>(&self, options: &DrawOptions<I>, shader: &F)
     where
         I: Mode,
-        F: Shader<Color = Rgb565>,
+        F: ShaderFor<Rgb565>,
     {
         let (width, height) = self.scene.size;
         let coarse = shader.map(|_, color| Some(BinaryColor::from(color.g() & 1 == 1)));
@@ -596,7 +596,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     pub fn check_blended<I, F>(&self, options: &DrawOptions<I>, shader: &F)
     where
         I: Mode,
-        F: Shader<Color = Rgb565>,
+        F: ShaderFor<Rgb565>,
     {
         self.check_blending(
             &options.with_blending(Opacity(self.scene.depths[0] as u8)),
@@ -615,7 +615,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     where
         I: Mode,
         B: Blending<Rgb565>,
-        F: Shader<Color = B::Source>,
+        F: ShaderFor<B::Source>,
     {
         // Triangles suffice: edges and points reach the pixels by the same path.
         let mut frame = self.blank();

@@ -84,7 +84,7 @@ struct DefaultMode<'a, 'c, K> {
 }
 
 impl<K: ProjectionKind> Draw for DefaultMode<'_, '_, K> {
-    fn draw<F: Shader<Color = Rgb565>>(self, shader: &F) {
+    fn draw<F: ShaderFor<Rgb565>>(self, shader: &F) {
         // The checks with `Bits` cover what holds for the pixels of every shader.
         self.call.check_frames(&self.options, shader);
     }

@@ -105,7 +105,7 @@ impl Shine {
 
 /// Work to be done with any shader.
 pub trait Draw {
-    fn draw<F: Shader<Color = Rgb565>>(self, shader: &F);
+    fn draw<F: ShaderFor<Rgb565>>(self, shader: &F);
 }
 
 /// Texels that all differ from their neighbors.
@@ -256,11 +256,11 @@ fn thinned(_: &Fragment, Translucent { color, opacity }: Translucent<Rgb565>) ->
 }
 
 /// A shader whose colors are converted to the canvas's color type.
-fn wide(shader: impl Shader<Color = Rgb888>) -> impl Shader<Color = Rgb565> {
+fn wide(shader: impl ShaderFor<Rgb888>) -> impl ShaderFor<Rgb565> {
     shader.map(|_, color| Some(color.into()))
 }
 
 /// The same for a shader with few grays.
-fn wide_gray(shader: impl Shader<Color: Into<Rgb888>>) -> impl Shader<Color = Rgb888> {
+fn wide_gray(shader: impl Shader<Color: Into<Rgb888>>) -> impl ShaderFor<Rgb888> {
     shader.map(|_, color| Some(color.into()))
 }

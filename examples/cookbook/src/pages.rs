@@ -10,7 +10,7 @@ use fixel::canvas::{Add, Blending, Multiply, Opacity, Replace, TestOnly};
 use fixel::mesh::{Material, Part, Quantized};
 use fixel::mode::Affine;
 use fixel::prelude::*;
-use fixel::shade::{Fog, Gradient, Mipmapped, PartColors};
+use fixel::shade::{Fog, Gradient, Mipmapped, Output, PartColors};
 use fixel::texture::{Mipmap, MipmapArray};
 
 use super::scenes::{Draw, Frame};
@@ -94,7 +94,7 @@ fn sun() -> Result<Light, Error> {
 }
 
 /// A ring that is tilted to the left.
-fn ring<S: Shader<Color = Rgb565>>(canvas: &mut Frame<'_>, mesh: &Mesh, shader: &S) -> Drawn {
+fn ring<S: ShaderFor<Rgb565>>(canvas: &mut Frame<'_>, mesh: &Mesh, shader: &S) -> Drawn {
     canvas.clear(SLATE);
     let mvp = view(canvas)? * Transform::rotate_z(deg!(25));
     canvas.draw(mesh, &mvp, shader);
@@ -102,7 +102,7 @@ fn ring<S: Shader<Color = Rgb565>>(canvas: &mut Frame<'_>, mesh: &Mesh, shader: 
 }
 
 /// A ball that fills the picture.
-fn ball<S: Shader<Color = Rgb565>>(canvas: &mut Frame<'_>, mesh: &Mesh, shader: &S) -> Drawn {
+fn ball<S: ShaderFor<Rgb565>>(canvas: &mut Frame<'_>, mesh: &Mesh, shader: &S) -> Drawn {
     canvas.clear(SLATE);
     let mvp = view(canvas)? * Transform::scale(fx!(1.15));
     canvas.draw(mesh, &mvp, shader);
@@ -110,7 +110,7 @@ fn ball<S: Shader<Color = Rgb565>>(canvas: &mut Frame<'_>, mesh: &Mesh, shader: 
 }
 
 /// A cube on its edge.
-fn cube<S: Shader<Color = Rgb565>>(canvas: &mut Frame<'_>, mesh: &Mesh, shader: &S) -> Drawn {
+fn cube<S: ShaderFor<Rgb565>>(canvas: &mut Frame<'_>, mesh: &Mesh, shader: &S) -> Drawn {
     canvas.clear(SLATE);
     let mvp = view(canvas)? * Transform::rotate_y(deg!(35)) * Transform::scale(fx!(0.78));
     canvas.draw(mesh, &mvp, shader);
@@ -263,7 +263,8 @@ fn map(canvas: &mut Frame<'_>) -> Drawn {
         Rgb565::new(24, 34, 4),
         Rgb565::new(31, 50, 10),
     ];
-    let steps = Flat::new(Rgb565::WHITE).lit(sun()?).map(move |_, lit| {
+    let steps = Flat::new(Rgb565::WHITE).lit(sun()?).map(move |at, lit| {
+        let lit = lit.finish(at.point);
         let step = usize::from(lit.g() > 26) + usize::from(lit.g() > 52); // white is 63
         Some(ink[step])
     });
@@ -271,11 +272,13 @@ fn map(canvas: &mut Frame<'_>) -> Drawn {
 }
 
 /// A surface as a canvas of color `C` shows it.
-fn shown_in<C>(surface: impl Shader<Color = Rgb888>) -> impl Shader<Color = Rgb565>
+fn shown_in<C>(surface: impl ShaderFor<Rgb888>) -> impl ShaderFor<Rgb565>
 where
-    C: Levels + Into<Rgb888>,
+    C: PixelFormat + Into<Rgb888>,
 {
-    surface.map(|at, color| Some(C::from_rgb(color, at.point).into().into()))
+    surface
+        .converted::<C>()
+        .map(|at, color| Some(Rgb565::from(color.finish(at.point).into())))
 }
 
 fn converted(canvas: &mut Frame<'_>) -> Drawn {
@@ -406,11 +409,7 @@ fn options(canvas: &mut Frame<'_>) -> Drawn {
 
 /// A pane over stripes, blended in four ways.
 fn blending(canvas: &mut Frame<'_>) -> Drawn {
-    fn pane<B: Blending<Rgb565, Source = Rgb565>>(
-        canvas: &mut Frame<'_>,
-        at: i32,
-        blending: B,
-    ) -> Drawn {
+    fn pane<B: Blending<Rgb565>>(canvas: &mut Frame<'_>, at: i32, blending: B) -> Drawn {
         let projection =
             Projection::orthographic(Window::centered(fx!(3), fx!(2)), fx!(0), fx!(4))?;
         let mvp = projection
@@ -464,7 +463,7 @@ fn modes(canvas: &mut Frame<'_>) -> Drawn {
 
 /// A ball in 16 bits of color, in four grays, in black and white.
 fn formats(canvas: &mut Frame<'_>) -> Drawn {
-    fn ball(canvas: &mut Frame<'_>, at: i32, shader: &impl Shader<Color = Rgb565>) -> Drawn {
+    fn ball(canvas: &mut Frame<'_>, at: i32, shader: &impl ShaderFor<Rgb565>) -> Drawn {
         let (third, height) = (SIZE.width / 3, SIZE.height);
         let projection = Projection::perspective(deg!(52), (third, height), fx!(0.1), fx!(50))?;
         let camera = Camera::front(Vec3::ZERO, fx!(5));
@@ -491,7 +490,7 @@ fn shaders(canvas: &mut Frame<'_>) -> Drawn {
         canvas: &mut Frame<'_>,
         at: i32,
         mesh: &Mesh,
-        shader: &impl Shader<Color = Rgb565>,
+        shader: &impl ShaderFor<Rgb565>,
     ) -> Drawn {
         let (width, height) = (SIZE.width / 4, SIZE.height / 2);
         let projection = Projection::perspective(deg!(40), (width, height), fx!(0.1), fx!(50))?;
@@ -527,7 +526,8 @@ fn shaders(canvas: &mut Frame<'_>) -> Drawn {
         &BALL,
         &orange.lit(sun.shiny(viewer, 30, fx!(0.7))?),
     )?;
-    let steps = Flat::new(Rgb565::WHITE).lit(sun).map(|_, lit| {
+    let steps = Flat::new(Rgb565::WHITE).lit(sun).map(|at, lit| {
+        let lit = lit.finish(at.point);
         let bright = u8::from(lit.g() > 26) + u8::from(lit.g() > 52); // white is 63
         Some(Rgb565::new(13 + 9 * bright, 18 + 18 * bright, 2))
     });

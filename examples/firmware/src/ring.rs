@@ -49,7 +49,7 @@ mod firmware {
 
     impl Bench {
         /// Prints a line for each kind of bands.
-        fn measure<M: Mode, S: Shader<Color = Rgb565>>(
+        fn measure<M: Mode, S: ShaderFor<Rgb565>>(
             &mut self,
             name: &str,
             options: &DrawOptions<M>,
@@ -71,7 +71,7 @@ mod firmware {
         }
 
         /// The ticks of all poses.
-        fn frames<M: Mode, S: Shader<Color = Rgb565>>(
+        fn frames<M: Mode, S: ShaderFor<Rgb565>>(
             &mut self,
             options: &DrawOptions<M>,
             shader: &S,

@@ -59,7 +59,7 @@ fn main() -> Result<(), fixel::Error> {
 #[cfg(target_os = "none")]
 mod firmware {
     use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-    use fixel::canvas::{Add, Alpha, Multiply, Opacity};
+    use fixel::canvas::{Add, Multiply, Opacity};
     use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
     use fixel::prelude::*;
     use fixel::shade::{Fog, Gradient, Mipmapped};
@@ -156,7 +156,7 @@ mod firmware {
         let affine = DrawOptions::new().with_mode(Affine);
         let glass = affine.with_blending(Opacity(100));
         bench.blended("affine-opacity", glass, &skin, Depths::None)?;
-        let alpha = affine.with_blending(Alpha);
+        let alpha = affine;
         bench.blended(
             "affine-argb4444",
             alpha,

@@ -67,7 +67,7 @@ impl Bench {
     }
 
     /// Prints the cost of opaque pixels.
-    pub fn kernel<I: Mode, F: Shader<Color = Rgb565>>(
+    pub fn kernel<I: Mode, F: ShaderFor<Rgb565>>(
         &mut self,
         name: &str,
         mode: I,
@@ -78,7 +78,7 @@ impl Bench {
     }
 
     /// Prints the cost of pixels: of 48 columns beyond 16, and of 240 beyond 48.
-    pub fn blended<I: Mode, B: Blending<Rgb565>, F: Shader<Color = B::Source>>(
+    pub fn blended<I: Mode, B: Blending<Rgb565>, F: ShaderFor<Rgb565>>(
         &mut self,
         name: &str,
         options: Options<I, B>,
@@ -100,7 +100,7 @@ impl Bench {
     }
 
     /// Draws a frame, which the wall covers completely, and returns its ticks.
-    fn frame<I: Mode, B: Blending<Rgb565>, F: Shader<Color = B::Source>>(
+    fn frame<I: Mode, B: Blending<Rgb565>, F: ShaderFor<Rgb565>>(
         &mut self,
         width: u32,
         options: Options<I, B>,
@@ -127,7 +127,7 @@ impl Bench {
     }
 
     /// A row of the widest frame, drawn with a shader.
-    pub fn row<I: Mode, F: Shader<Color = Rgb565>>(
+    pub fn row<I: Mode, F: ShaderFor<Rgb565>>(
         &mut self,
         mode: I,
         shader: &F,
@@ -142,7 +142,7 @@ impl Bench {
 }
 
 /// Draws the wall to a canvas of this width.
-fn draw<I: Mode, B: Blending<Rgb565>, F: Shader<Color = B::Source>, D: DepthBuffer>(
+fn draw<I: Mode, B: Blending<Rgb565>, F: ShaderFor<Rgb565>, D: DepthBuffer>(
     watch: &mut Stopwatch,
     canvas: &mut Canvas<'_, Rgb565, fixel::canvas::Native, D>,
     width: u32,

@@ -395,7 +395,7 @@ struct Bench<'a> {
 
 impl<'a> Bench<'a> {
     /// Draws the scene's meshes with shaders made for each, from the mesh and the number of triangles before it.
-    fn draw<M: Mode, S: Shader<Color = Rgb565>>(
+    fn draw<M: Mode, S: ShaderFor<Rgb565>>(
         self,
         view: &View,
         mode: M,

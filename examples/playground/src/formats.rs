@@ -26,7 +26,7 @@ pub fn show(picture: &[Rgb565], sky: Option<&[u16]>, size: Size, format: u32, sh
 }
 
 /// The rows of a picture, converted and dithered.
-fn each<C: Levels + Into<Rgb888>>(
+fn each<C: PixelFormat + Into<Rgb888>>(
     picture: &[Rgb565],
     sky: Option<&[u16]>,
     size: Size,

@@ -142,7 +142,7 @@ pub fn flat<M: Mode>(
 /// # Errors
 ///
 /// The view's camera is out of range.
-pub fn lighthouse<C: Levels, M: Mode>(
+pub fn lighthouse<C: PixelFormat, M: Mode>(
     canvas: &mut Canvas<'_, C, Native, Depth<'_>>,
     view: &View,
     mode: M,

@@ -7,7 +7,7 @@ use embedded_graphics::primitives::{PointsIter, Rectangle};
 use fixel::canvas::{Alpha, Biased, DepthBuffer, Native, Replace, TestAndWrite, TestOnly};
 use fixel::mode::Newton;
 use fixel::prelude::*;
-use fixel::shade::{Flat, Levels, Varyings};
+use fixel::shade::{Flat, PixelFormat, Varyings};
 use fixel::view::{Parallel, Perspective};
 use fixel::{Cull, Drawn};
 use fixel_assets::Alpha as Meaning;

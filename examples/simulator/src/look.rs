@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use fixel::canvas::Contrast;
 use fixel::num::scalar;
 use fixel::prelude::*;
-use fixel::shade::{Colored, Fog, Levels, Light, TwoSided, Viewer};
+use fixel::shade::{Colored, Fog, Light, PixelFormat, TwoSided, Viewer};
 use fixel::texture::Blend;
 
 use super::Result;
@@ -48,7 +48,7 @@ pub enum Backdrop {
 impl Backdrop {
     /// Returns the backdrop for a canvas of color `C`: the background that the user chose, or else one that suits the
     /// shading and the color.
-    pub fn of<C: Levels>(args: &Args, scene: &Scene<'_>) -> Self {
+    pub fn of<C: PixelFormat>(args: &Args, scene: &Scene<'_>) -> Self {
         let Some(shade) = scene.shade else {
             // In black and white, a dithered sky would hide the scene.
             return if scene.is_own && C::MAX_STEPS[0] > 1 {
@@ -147,7 +147,7 @@ impl Look {
     /// # Errors
     ///
     /// The fog ends before it begins.
-    pub fn fog<C: Levels + Blend>(&self) -> Result<Option<Fog<C>>> {
+    pub fn fog<C: PixelFormat + Blend>(&self) -> Result<Option<Fog<C>>> {
         let Some((near, far, color)) = self.haze else {
             return Ok(None);
         };

@@ -4,8 +4,8 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
 use fixel::shade::{
-    Channels, ColorOf, Converted, DepthView, FaceColors, Flat, Gouraud, Illumination, Levels,
-    Lighting, Matte, NormalView, Rgb, Source, Texels, Textured, Translucent, Varyings, Within,
+    Channels, ColorOf, Converted, DepthView, FaceColors, Flat, Gouraud, Illumination, Lighting,
+    Matte, NormalView, PixelFormat, Rgb, Source, Texels, Textured, Translucent, Varyings, Within,
 };
 use fixel::texture::{Bilinear, Blend, Clamp, Nearest, Repeat};
 use fixel::{Fragment, Primitive};
@@ -21,7 +21,7 @@ use crate::view::View;
 
 /// A color that textures are stored in.
 pub trait Stored:
-    Levels<Channels: Varyings<Face: FaceValues> + FaceValues> + Blend + Into<Rgb888> + 'static
+    PixelFormat<Channels: Varyings<Face: FaceValues> + FaceValues> + Blend + Into<Rgb888> + 'static
 {
 }
 
@@ -31,7 +31,7 @@ impl Stored for Gray8 {}
 
 /// A canvas's color, and the texture's color for it.
 pub trait Shown:
-    Levels<Channels: Varyings<Face: FaceValues> + FaceValues> + Into<Rgb888> + Default + 'static
+    PixelFormat<Channels: Varyings<Face: FaceValues> + FaceValues> + Into<Rgb888> + Default + 'static
 {
     /// The color that a texture is stored in. For dithered formats it is a finer color, because the picture must be
     /// dithered, not the texture.
@@ -141,11 +141,14 @@ struct TintedLit<S, L> {
 
 impl<S, L> Shader for TintedLit<S, L>
 where
-    S: Shader<Color: Source<Color: Levels>>,
+    S: Shader<Color: Source<Color: PixelFormat>>,
     L: Lighting<Diffuse = Rgb, Specular = Matte>,
 {
     type Color = S::Color;
-    type Varyings = (S::Varyings, Within<64, <ColorOf<S> as Levels>::Channels>);
+    type Varyings = (
+        S::Varyings,
+        Within<64, <ColorOf<S> as PixelFormat>::Channels>,
+    );
 
     const READS_DEPTH: bool = S::READS_DEPTH;
 

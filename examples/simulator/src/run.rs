@@ -6,7 +6,7 @@ use embedded_graphics::pixelcolor::{
     BinaryColor, Gray4, Gray8, GrayColor, Rgb565, Rgb888, RgbColor,
 };
 use fixel::canvas::Contrast;
-use fixel::shade::Levels;
+use fixel::shade::PixelFormat;
 
 use super::Result;
 use super::common::scenes;
@@ -145,7 +145,7 @@ fn stretched(colors: &mut [Rgb888]) -> Option<Contrast> {
 }
 
 /// Returns the given backdrop, or another one if the model has mostly its color.
-fn apart<C: Levels>(backdrop: Backdrop, colors: &[Rgb888]) -> Backdrop {
+fn apart<C: PixelFormat>(backdrop: Backdrop, colors: &[Rgb888]) -> Backdrop {
     let hidden = |backdrop: &Backdrop| {
         let Backdrop::Color(behind) = *backdrop else {
             return 0;

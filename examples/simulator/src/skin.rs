@@ -92,7 +92,7 @@ impl Skin {
     }
 
     /// Returns the texels in the color `C`.
-    pub fn texels<C: Levels>(&self) -> Texels<C> {
+    pub fn texels<C: PixelFormat>(&self) -> Texels<C> {
         let texel = |&[r, g, b, opacity]: &[u8; 4]| Translucent {
             color: C::from_rgb(Rgb888::new(r, g, b), Point::zero()),
             opacity,
@@ -157,7 +157,7 @@ pub struct Texels<C> {
     height: u32,
 }
 
-impl<C: Levels> Texels<C> {
+impl<C: PixelFormat> Texels<C> {
     /// Returns these texels as a texture.
     pub fn texture(&self) -> Result<Texture<'_, Translucent<C>>> {
         Ok(Texture::new(&self.list, self.width, self.height)?)

@@ -211,7 +211,7 @@ impl<'a> Surface<'a> {
     where
         C: PixelColor + 'a,
         V: Varyings<Face: FaceValues>,
-        S: Shader<Color = C, Varyings: Varyings<Face: FaceValues>> + 'a,
+        S: ShaderFor<C, Varyings: Varyings<Face: FaceValues>> + 'a,
     {
         let opaque = |_: &Fragment, color| {
             Some(Translucent {

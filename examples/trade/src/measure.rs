@@ -130,7 +130,7 @@ struct Drawing<'a, I> {
 }
 
 impl<I: Mode> Job for Drawing<'_, I> {
-    fn run<D: DepthBuffer, F: Shader<Color = Rgb565>>(
+    fn run<D: DepthBuffer, F: ShaderFor<Rgb565>>(
         self,
         canvas: &mut Target<'_, D>,
         shader: &F,

@@ -49,7 +49,7 @@ pub type Target<'a, D> = Canvas<'a, Rgb565, Native, D>;
 /// Work to be done with a canvas and a shader.
 pub trait Job {
     /// Does the work.
-    fn run<D: DepthBuffer, F: Shader<Color = Rgb565>>(
+    fn run<D: DepthBuffer, F: ShaderFor<Rgb565>>(
         self,
         canvas: &mut Target<'_, D>,
         shader: &F,

@@ -50,7 +50,7 @@ struct Timing<'a, I> {
 }
 
 impl<I: Mode> Job for Timing<'_, I> {
-    fn run<D: DepthBuffer, F: Shader<Color = Rgb565>>(
+    fn run<D: DepthBuffer, F: ShaderFor<Rgb565>>(
         self,
         canvas: &mut Target<'_, D>,
         shader: &F,

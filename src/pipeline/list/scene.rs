@@ -49,7 +49,7 @@ use crate::{Error, Transform};
 ///     fn draw(&self, band: &mut Band, triangles: &Prepared) -> Result<Drawn, Error>;
 /// }
 ///
-/// impl<S: Shader<Color = Rgb565>> Material for S {
+/// impl<S: ShaderFor<Rgb565>> Material for S {
 ///     fn draw(&self, band: &mut Band, triangles: &Prepared) -> Result<Drawn, Error> {
 ///         band.draw_prepared(triangles, self)
 ///     }

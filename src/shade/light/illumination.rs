@@ -2,7 +2,7 @@
 
 use super::FULL;
 use crate::sealed::{Sealed, sealed};
-use crate::shade::{Channels, Levels, Varyings};
+use crate::shade::{Channels, PixelFormat, Varyings};
 
 /// The light at a point of a surface, in units of 2⁻¹⁶ of full brightness.
 ///
@@ -75,13 +75,13 @@ pub trait Tint: Sealed {
 
     /// The varyings on a canvas of color `C`.
     #[doc(hidden)]
-    type Channels<C: Levels>: Varyings + Default;
+    type Channels<C: PixelFormat>: Varyings + Default;
 
     #[doc(hidden)]
-    fn pack<C: Levels>(diffuse: [i32; 3]) -> Self::Channels<C>;
+    fn pack<C: PixelFormat>(diffuse: [i32; 3]) -> Self::Channels<C>;
 
     #[doc(hidden)]
-    fn unpack<C: Levels>(channels: Self::Channels<C>) -> [i32; 3];
+    fn unpack<C: PixelFormat>(channels: Self::Channels<C>) -> [i32; 3];
 }
 
 /// Light without color: a [`Tint`].
@@ -113,30 +113,30 @@ sealed!(White, Rgb, Matte, Glossy);
 
 impl Tint for White {
     type Or<T: Tint> = T;
-    type Channels<C: Levels> = [i32; 1];
+    type Channels<C: PixelFormat> = [i32; 1];
 
     #[inline]
-    fn pack<C: Levels>([light, ..]: [i32; 3]) -> [i32; 1] {
+    fn pack<C: PixelFormat>([light, ..]: [i32; 3]) -> [i32; 1] {
         [limited(light)]
     }
 
     #[inline]
-    fn unpack<C: Levels>([light]: [i32; 1]) -> [i32; 3] {
+    fn unpack<C: PixelFormat>([light]: [i32; 1]) -> [i32; 3] {
         [light; 3]
     }
 }
 
 impl Tint for Rgb {
     type Or<T: Tint> = Self;
-    type Channels<C: Levels> = C::Channels;
+    type Channels<C: PixelFormat> = C::Channels;
 
     #[inline]
-    fn pack<C: Levels>([r, g, b]: [i32; 3]) -> C::Channels {
+    fn pack<C: PixelFormat>([r, g, b]: [i32; 3]) -> C::Channels {
         C::Channels::of_rgb([limited(r), limited(g), limited(b)])
     }
 
     #[inline]
-    fn unpack<C: Levels>(channels: C::Channels) -> [i32; 3] {
+    fn unpack<C: PixelFormat>(channels: C::Channels) -> [i32; 3] {
         channels.all()
     }
 }

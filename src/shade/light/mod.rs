@@ -28,7 +28,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 
 use crate::math::Direction;
 use crate::mesh::{Corner, Primitive};
-use crate::shade::Levels;
+use crate::shade::PixelFormat;
 use crate::{Error, Scalar, Vec3};
 
 /// Full brightness.

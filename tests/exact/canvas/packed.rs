@@ -15,7 +15,7 @@ use embedded_graphics::primitives::Rectangle;
 use fixel::canvas::{Blending, Contrast, DepthBuffer, ErrorDiffusion, Opacity, Replace, Storage};
 use fixel::mode::{Compact, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
-use fixel::shade::{Levels, NormalView};
+use fixel::shade::{NormalView, PixelFormat};
 use rand::{Rng, SeedableRng};
 
 use super::pictures::{self, HEIGHT, WIDTH};
@@ -201,7 +201,7 @@ static BALL: Mesh = shape!(sphere(9, 7));
 /// Draws a ball and its edges: near, far, across the borders of the frame, and outside it.
 fn ball<C, O, D, I, B>(canvas: &mut Canvas<'_, C, O, D>, number: i16, mode: I, blending: B)
 where
-    C: Levels,
+    C: PixelFormat,
     O: Storage<C>,
     D: DepthBuffer,
     I: Mode,

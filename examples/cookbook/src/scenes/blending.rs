@@ -1,7 +1,7 @@
 //! Glass, a shadow, the glow of a lamp and smoke.
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{Add, Alpha, Depth, Multiply, Native, Opacity, TestOnly};
+use fixel::canvas::{Add, Depth, Multiply, Native, Opacity, TestOnly};
 use fixel::prelude::*;
 
 static SQUARE: Mesh = shape!(plane(1, 1));
@@ -53,6 +53,6 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     let puffs = [fx!(0.5), fx!(1.2), fx!(2)].map(|y| Vec3::new(fx!(2.3), y, fx!(0.8)));
     let smoke = Sprites::new(&puffs, (fx!(2), fx!(2)))?;
     let smoke = smoke.with_scales(&[fx!(0.5), fx!(0.7), fx!(0.9)])?;
-    canvas.draw_sprites(&seen.with_blending(Alpha), &smoke, &view, &cloud);
+    canvas.draw_sprites(&seen, &smoke, &view, &cloud);
     Ok(())
 }

@@ -16,7 +16,7 @@ fn show<C: PixelColor + Default, O: Storage<C>>(
     canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>,
     place: Size,
     panel: Canvas<'_, C, O>,
-    shader: &impl Shader<Color = C>,
+    shader: &impl ShaderFor<C>,
     color_of: impl Fn(C) -> Rgb565,
 ) -> Result<(), Error> {
     let view = Projection::perspective(deg!(35), SIZE, fx!(0.5), fx!(20))?
@@ -54,6 +54,6 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     show(canvas, Size::new(0, 1), panel, &clay, Rgb565::from)?;
     let panel = Canvas::new(&mut indices, 64, 32)?;
     let color = |ColorIndex(index)| RawU16::new(GLOW[usize::from(index)]).into();
-    let glow = clay.map(|_, gray| Some(ColorIndex(gray.luma() / 32)));
+    let glow = clay.map(|at, gray| Some(ColorIndex(gray.finish(at.point).luma() / 32)));
     show(canvas, Size::new(1, 1), panel, &glow, color)
 }

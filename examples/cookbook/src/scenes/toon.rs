@@ -48,7 +48,8 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     }
     for (place, radii, ink) in DUCK {
         let mvp = view * Transform::translate(place) * Transform::scale_axes(radii);
-        let steps = Flat::new(Rgb565::WHITE).lit(sun).map(move |_, lit| {
+        let steps = Flat::new(Rgb565::WHITE).lit(sun).map(move |at, lit| {
+            let lit = lit.finish(at.point);
             let step = usize::from(lit.g() > 26) + usize::from(lit.g() > 59); // white is 63
             Some(ink[step])
         });

@@ -1,0 +1,203 @@
+//! Color formats: a color's channels in steps of its own format, and back by rounding or dithering.
+
+use embedded_graphics::geometry::Point;
+use embedded_graphics::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor,
+    Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
+};
+
+use super::{Channels, Precise};
+use crate::texture::Blend;
+
+/// A color whose channels can be interpolated, lit, tinted, blended, and rounded or dithered.
+///
+/// Implemented for the colors of embedded-graphics. There are three channels: red, green and blue. A gray color has
+/// three equal ones, of which only the first is used; gray is the BT.601 luma of the stored values (without gamma):
+/// 0.299 red + 0.587 green + 0.114 blue, with weights rounded to 2⁻¹⁴. A *step* is a unit of a channel in the color's
+/// own format, 0 to 31 for the red of [`Rgb565`]. [`Precise`] is such a color with fraction bits.
+///
+/// Colors with 5 or more bits per channel are rounded to nearest. [`Gray4`], [`Gray2`] and [`BinaryColor`] (on is
+/// white) are dithered by an 8x8 ordered matrix that is fixed to the frame. The mean of 8x8 pixels that show one level
+/// differs from it by at most 1/128 step; black stays black, and white stays white.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::{BinaryColor, Rgb565, Rgb888}, prelude::*};
+/// use fixel::prelude::*;
+/// let orange = Rgb888::new(255, 128, 0);
+/// assert_eq!(Rgb565::from_rgb(orange, Point::zero()), Rgb565::new(31, 32, 0));
+/// // Orange has about 0.6 of white's luma, so this share of the pixels is on.
+/// let on = (0..64).filter(|i| BinaryColor::from_rgb(orange, Point::new(i % 8, i / 8)).is_on());
+/// assert_eq!(on.count(), 38);
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no channels to compute with",
+    label = "not a color that can be lit, tinted, blended or converted",
+    note = "the colors of embedded-graphics have channels; for another color, implement `fixel::PixelFormat`"
+)]
+pub trait PixelFormat: PixelColor {
+    /// White, in whole steps: 31, 63, 31 for [`Rgb565`]; each is 2ⁿ − 1, at most 255.
+    const MAX_STEPS: [i32; 3];
+
+    /// Whether the format is so coarse that it is dithered.
+    const IS_DITHERED: bool = Self::MAX_STEPS[0] < 1 << 4;
+
+    /// The channels that are interpolated: `[i32; 3]`, or `[i32; 1]` for gray.
+    type Channels: Channels;
+
+    /// The channels of `color` as fractions, 0 to 65,536; for gray, its luma.
+    fn fractions(color: Rgb888) -> [i32; 3];
+
+    /// The channels in whole steps, 0 to [`MAX_STEPS`](Self::MAX_STEPS).
+    fn steps(self) -> [i32; 3];
+
+    /// The color of whole steps. Bits above those of the format are dropped.
+    #[must_use]
+    fn from_steps(steps: [u8; 3]) -> Self;
+
+    /// The color nearest to `color`, or its dithered value at a pixel of the frame.
+    #[must_use]
+    #[inline]
+    fn from_rgb(color: Rgb888, at: Point) -> Self {
+        Precise::of_rgb(color).finish(at)
+    }
+
+    /// This color, covered by another one in a share of `coverage`/256, where `coverage` is 0 to 256; rounded or
+    /// dithered. For colors of 15 and 16 bits, the share is first rounded to 1/32.
+    #[must_use]
+    #[inline]
+    fn covered(self, by: Self, coverage: u32, at: Point) -> Self {
+        // In this order, one color and one share are prepared before a loop.
+        match by.mix_32(self, 32 - ((coverage + 4) >> 3)) {
+            Some(mixed) => mixed,
+            None => Precise::of_mixture([self, by], coverage).finish(at),
+        }
+    }
+
+    /// This color and `weight`/32 of another one, if the format has a product for all channels at once.
+    #[doc(hidden)]
+    #[must_use]
+    #[inline]
+    fn mix_32(self, other: Self, weight: u32) -> Option<Self> {
+        let _ = (other, weight);
+        None
+    }
+}
+
+/// Converts three channels. Not `array::map`: optimized for size, that is a loop over memory.
+#[inline]
+pub(super) fn each([r, g, b]: [i32; 3], f: impl Fn(i32) -> i32) -> [i32; 3] {
+    [f(r), f(g), f(b)]
+}
+
+/// `f` of each two channels.
+#[inline]
+pub(super) fn zip(
+    [r, g, b]: [i32; 3],
+    [x, y, z]: [i32; 3],
+    f: impl Fn(i32, i32) -> i32,
+) -> [i32; 3] {
+    [f(r, x), f(g, y), f(b, z)]
+}
+
+/// Tolerance of a level: 1/8 step, which no rounding or dithering shows as more than a step in one of eight pixels.
+pub(super) const LEVEL: u32 = 1 << 13;
+
+/// Tolerance of a fraction: 1/1024.
+pub(super) const FRACTION: u32 = 1 << 6;
+
+/// c/255 in units of 2⁻¹⁶, with an error of at most half a unit: 0 for 0, 65,536 for 255.
+#[inline]
+const fn fraction(c: u8) -> i32 {
+    // 65,536/255 = 257 + 1/255, and c/255 rounds to the top bit of c.
+    c as i32 * 257 + (c >> 7) as i32
+}
+
+#[inline]
+fn rgb_fractions(color: Rgb888) -> [i32; 3] {
+    [
+        fraction(color.r()),
+        fraction(color.g()),
+        fraction(color.b()),
+    ]
+}
+
+/// The luma of fractions.
+#[inline]
+pub(super) fn luma([r, g, b]: [i32; 3]) -> i32 {
+    // The sum of the weights is 2^14, and the luma of white is 2^30.
+    (4899 * r + 9617 * g + 1868 * b + (1 << 13)) >> 14
+}
+
+/// The whole steps of a level that is in range.
+#[inline]
+pub(super) fn whole(level: i32) -> u8 {
+    (level >> 16).cast_unsigned() as u8
+}
+
+macro_rules! rgb {
+    ($($color:ident)+) => {$(
+        impl PixelFormat for $color {
+            type Channels = [i32; 3];
+
+            const MAX_STEPS: [i32; 3] = [
+                $color::MAX_R as i32,
+                $color::MAX_G as i32,
+                $color::MAX_B as i32,
+            ];
+
+            #[inline]
+            fn fractions(color: Rgb888) -> [i32; 3] {
+                rgb_fractions(color)
+            }
+
+            #[inline]
+            fn steps(self) -> [i32; 3] {
+                [self.r().into(), self.g().into(), self.b().into()]
+            }
+
+            #[inline]
+            fn from_steps([r, g, b]: [u8; 3]) -> Self {
+                Self::new(r, g, b)
+            }
+
+            #[inline]
+            fn mix_32(self, other: Self, weight: u32) -> Option<Self> {
+                (Self::WEIGHT_BITS == 5).then(|| self.mix(other, weight))
+            }
+        }
+    )+};
+}
+
+macro_rules! gray {
+    ($($color:ident $white:literal $step:ident |$steps:ident| $from:expr;)+) => {$(
+        impl PixelFormat for $color {
+            type Channels = [i32; 1];
+
+            const MAX_STEPS: [i32; 3] = [$white; 3];
+
+            #[inline]
+            fn fractions(color: Rgb888) -> [i32; 3] {
+                [luma(rgb_fractions(color)); 3]
+            }
+
+            #[inline]
+            fn steps(self) -> [i32; 3] {
+                [i32::from(self.$step()); 3]
+            }
+
+            #[inline]
+            fn from_steps([$steps, ..]: [u8; 3]) -> Self {
+                $from
+            }
+        }
+    )+};
+}
+
+rgb!(Rgb555 Bgr555 Rgb565 Bgr565 Rgb666 Bgr666 Rgb888 Bgr888);
+
+gray! {
+    Gray2 3 luma |steps| Self::new(steps);
+    Gray4 15 luma |steps| Self::new(steps);
+    Gray8 255 luma |steps| Self::new(steps);
+    BinaryColor 1 is_on |steps| Self::from(steps & 1 != 0);
+}

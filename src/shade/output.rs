@@ -1,0 +1,347 @@
+//! The output of shaders: colors, in full precision or not, with or without an opacity.
+
+use embedded_graphics::geometry::Point;
+use embedded_graphics::pixelcolor::PixelColor;
+
+use super::format::zip;
+use super::{Illumination, PixelFormat, Precise, Shader};
+
+/// The output of a [`Shader`] for a pixel: a color of the canvas, a [`Precise`] color, or a [`Translucent`] one of
+/// either.
+///
+/// An adapter changes the color by [`lit`](Self::lit) or [`map`](Self::map), in full precision and without touching
+/// the opacity. A color that no adapter changes is stored as it is.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+/// use fixel::shade::{Illumination, Output, Translucent};
+/// let glass = Translucent { color: Gray8::new(55), opacity: 9 };
+/// let lit = glass.lit(Illumination::white(32_768));
+/// assert_eq!((lit.color.finish(Point::zero()), lit.opacity), (Gray8::new(28), 9));
+/// ```
+pub trait Output: Copy {
+    /// The color of the canvas.
+    type Color: PixelColor;
+
+    /// The same output in full precision, and in another format.
+    type With<D: PixelFormat>: Output<Color = D>;
+
+    /// Whether the output hides what is below.
+    #[doc(hidden)]
+    const IS_OPAQUE: bool = true;
+
+    /// Whether the output is the canvas's color itself.
+    #[doc(hidden)]
+    const IS_PLAIN: bool = false;
+
+    /// This output under a light.
+    #[must_use]
+    fn lit(self, light: Illumination) -> Self::With<Self::Color>
+    where
+        Self::Color: PixelFormat;
+
+    /// Applies a function to the color in full precision.
+    #[must_use]
+    fn map<D: PixelFormat>(
+        self,
+        f: impl FnOnce(Precise<Self::Color>) -> Precise<D>,
+    ) -> Self::With<D>
+    where
+        Self::Color: PixelFormat;
+
+    /// The color as a canvas stores it at a pixel of the frame, without its opacity: rounded, or dithered if the format
+    /// is coarse.
+    #[must_use]
+    fn finish(self, at: Point) -> Self::Color;
+
+    /// The new color of a pixel, where `below` returns the old one.
+    #[doc(hidden)]
+    #[inline]
+    fn onto(self, below: impl FnOnce() -> Self::Color, at: Point) -> Self::Color {
+        let _ = below;
+        self.finish(at)
+    }
+
+    /// The new color of a pixel that is covered in a share of at most `share`/256.
+    #[doc(hidden)]
+    fn cover(self, below: Self::Color, share: u32, at: Point) -> Self::Color
+    where
+        Self::Color: PixelFormat;
+
+    /// The color and its share, from 0 to 256.
+    #[doc(hidden)]
+    fn parts(self) -> (Precise<Self::Color>, u32)
+    where
+        Self::Color: PixelFormat;
+
+    /// The color below plus this one.
+    #[doc(hidden)]
+    #[inline]
+    fn plus(self, below: Self::Color, at: Point) -> Self::Color
+    where
+        Self::Color: PixelFormat,
+    {
+        self.change(below, at, Precise::plus)
+    }
+
+    /// The color below times this one, where white is 1.
+    #[doc(hidden)]
+    #[inline]
+    fn times(self, below: Self::Color, at: Point) -> Self::Color
+    where
+        Self::Color: PixelFormat,
+    {
+        self.change(below, at, |below, color| below.times(color.fractions()))
+    }
+
+    /// A function of the color below and this one, in the share of this one.
+    #[doc(hidden)]
+    #[inline]
+    fn change(
+        self,
+        below: Self::Color,
+        at: Point,
+        f: impl FnOnce(Precise<Self::Color>, Precise<Self::Color>) -> Precise<Self::Color>,
+    ) -> Self::Color
+    where
+        Self::Color: PixelFormat,
+    {
+        let ((color, share), below) = (self.parts(), Precise::from(below));
+        let changed = f(below, color);
+        below.mix(changed, (share << 8).cast_signed()).finish(at)
+    }
+}
+
+/// The color of the canvas that a shader is for.
+pub type ColorOf<S> = <<S as Shader>::Color as Output>::Color;
+
+/// The output of a shader in full precision: what an adapter of it returns.
+pub type PreciseOf<S> = <<S as Shader>::Color as Output>::With<ColorOf<S>>;
+
+impl<C: PixelColor> Output for C {
+    type Color = C;
+    type With<D: PixelFormat> = Precise<D>;
+
+    const IS_PLAIN: bool = true;
+
+    #[inline]
+    fn lit(self, light: Illumination) -> Precise<C>
+    where
+        C: PixelFormat,
+    {
+        // Exact, because the steps have no fraction.
+        Precise::of_products(self.steps(), light.diffuse).glossed(light.specular)
+    }
+
+    #[inline]
+    fn map<D: PixelFormat>(self, f: impl FnOnce(Precise<C>) -> Precise<D>) -> Precise<D>
+    where
+        C: PixelFormat,
+    {
+        f(self.into())
+    }
+
+    #[inline]
+    fn finish(self, _: Point) -> C {
+        self
+    }
+
+    #[inline]
+    fn cover(self, below: C, share: u32, at: Point) -> C
+    where
+        C: PixelFormat,
+    {
+        below.covered(self, share, at)
+    }
+
+    #[inline]
+    fn parts(self) -> (Precise<C>, u32)
+    where
+        C: PixelFormat,
+    {
+        (self.into(), 256)
+    }
+
+    #[inline]
+    fn plus(self, below: C, _: Point) -> C
+    where
+        C: PixelFormat,
+    {
+        let sums = zip(self.steps(), below.steps(), |a, b| a + b);
+        let [r, g, b] = zip(sums, C::MAX_STEPS, Ord::min);
+        C::from_steps([r as u8, g as u8, b as u8])
+    }
+
+    #[inline]
+    fn times(self, below: C, at: Point) -> C
+    where
+        C: PixelFormat,
+    {
+        Precise::of_step_products(self.steps(), below.steps()).finish(at)
+    }
+}
+
+impl<C: PixelFormat> Output for Precise<C> {
+    type Color = C;
+    type With<D: PixelFormat> = Precise<D>;
+
+    #[inline]
+    fn lit(self, light: Illumination) -> Self {
+        self.times(light.diffuse).glossed(light.specular)
+    }
+
+    #[inline]
+    fn map<D: PixelFormat>(self, f: impl FnOnce(Self) -> Precise<D>) -> Precise<D> {
+        f(self)
+    }
+
+    #[inline]
+    fn finish(self, at: Point) -> C {
+        Self::finish(self, at)
+    }
+
+    #[inline]
+    fn cover(self, below: C, share: u32, at: Point) -> C {
+        let below = Self::from(below);
+        below.mix(self, (share << 8).cast_signed()).finish(at)
+    }
+
+    #[inline]
+    fn parts(self) -> (Self, u32) {
+        (self, 256)
+    }
+}
+
+/// A color with an opacity, by which it covers the color on the canvas: from 0 (not at all) to 255 (wholly).
+///
+/// [Masked textures](crate::Textured::masked) and [`Argb4444`](crate::texture::Argb4444) have such colors, and so may a
+/// shader of your own. Draw opaque surfaces first, then translucent ones, from back to front, with the depth test
+/// [`TestOnly`](crate::canvas::TestOnly), so that they hide nothing that is drawn later.
+///
+/// For plain colors of 15 and 16 bits, the share has 32 steps: the error is at most 1.1 steps in a channel of 5 bits,
+/// 1.7 steps in one of 6 bits. It is half a step for other colors. An opacity of 0 keeps the color on the canvas, and
+/// 255 replaces it.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4};
+/// use fixel::{prelude::*, shade::Translucent};
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Gray4::new(0); 16];
+/// let mut canvas = Canvas::new(&mut pixels, 8, 2)?;
+/// // Invisible on the left, opaque on the right. Colors of 4 bits are dithered.
+/// let curtain = Flat::new(Gray4::new(15))
+///     .map(|at, color| Some(Translucent { color, opacity: at.point.x as u8 * 36 }));
+/// canvas.draw(&SQUARE, &mvp, &curtain);
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&["02468BCF", "02569ADF"]);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Translucent<C> {
+    /// The color.
+    pub color: C,
+    /// The color's share of the result, in 255ths; the color on the canvas has the rest.
+    pub opacity: u8,
+}
+
+impl<C> Translucent<C> {
+    /// The same color with its opacity multiplied by another one, where 255 is 1, and rounded to nearest. Use it for a
+    /// sprite that fades away.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::Gray8;
+    /// use fixel::shade::Translucent;
+    /// let leaf = Translucent { color: Gray8::new(9), opacity: 200 };
+    /// assert_eq!(leaf.faded(128).opacity, 100);
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn faded(self, opacity: u8) -> Self {
+        // p/255, rounded: exact for products of 8 bits.
+        let product = u32::from(self.opacity) * u32::from(opacity) + 128;
+        Self {
+            color: self.color,
+            opacity: ((product + (product >> 8)) >> 8) as u8,
+        }
+    }
+
+    /// The share in 256ths, with an error of at most half of one: 0 for 0, 256 for 255.
+    #[inline]
+    fn share(&self) -> u32 {
+        share(self.opacity)
+    }
+}
+
+/// 255ths as 256ths, with an error of at most half of one: 0 for 0, 256 for 255.
+#[inline]
+pub(crate) fn share(opacity: u8) -> u32 {
+    u32::from(opacity) + u32::from(opacity >> 7)
+}
+
+impl<O: Output<Color: PixelFormat>> Output for Translucent<O> {
+    type Color = O::Color;
+    type With<D: PixelFormat> = Translucent<O::With<D>>;
+
+    const IS_OPAQUE: bool = false;
+
+    #[inline]
+    fn lit(self, light: Illumination) -> Self::With<O::Color> {
+        Translucent {
+            color: self.color.lit(light),
+            opacity: self.opacity,
+        }
+    }
+
+    #[inline]
+    fn map<D: PixelFormat>(self, f: impl FnOnce(Precise<O::Color>) -> Precise<D>) -> Self::With<D> {
+        Translucent {
+            color: self.color.map(f),
+            opacity: self.opacity,
+        }
+    }
+
+    #[inline]
+    fn finish(self, at: Point) -> O::Color {
+        self.color.finish(at)
+    }
+
+    #[inline]
+    fn onto(self, below: impl FnOnce() -> O::Color, at: Point) -> O::Color {
+        self.color.cover(below(), self.share(), at)
+    }
+
+    #[inline]
+    fn cover(self, below: O::Color, share: u32, at: Point) -> O::Color {
+        // Rounded to the nearest 256th.
+        let share = (self.share() * share + 128) >> 8;
+        self.color.cover(below, share, at)
+    }
+
+    #[inline]
+    fn parts(self) -> (Precise<O::Color>, u32) {
+        let (color, share) = self.color.parts();
+        (color, (self.share() * share + 128) >> 8)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use embedded_graphics::pixelcolor::Gray8;
+
+    #[test]
+    fn opacities_multiply_to_the_nearest_255th() {
+        for a in 0..=255_u8 {
+            for b in 0..=255_u8 {
+                let color = Gray8::new(1);
+                let faded = Translucent { color, opacity: a }.faded(b);
+                let exact = f64::from(a) * f64::from(b) / 255.;
+                assert!((f64::from(faded.opacity) - exact).abs() <= 0.5, "{a} {b}");
+            }
+        }
+    }
+}

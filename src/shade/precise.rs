@@ -1,0 +1,267 @@
+//! Colors in full precision: what adapters compute with until the canvas stores the color.
+
+use core::marker::PhantomData;
+
+use embedded_graphics::geometry::Point;
+use embedded_graphics::pixelcolor::Rgb888;
+
+use super::dither::threshold;
+use super::format::{each, luma, whole, zip};
+use super::{Channels, Lanes, PixelFormat, Tolerance, Varyings};
+
+/// A color of format `C` whose channels keep 16 fraction bits.
+///
+/// Light, tint, fog and every other adapter return such a color, so a whole stack of them is rounded or dithered once,
+/// where the canvas stores the result. A *level* is a channel in steps of the format: red of [`Rgb565`] runs from 0 to
+/// 31 · 65,536. A *fraction* is a share of full brightness, which is 65,536. Gray formats use only the first of three
+/// levels.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::{Gray4, Rgb565}, prelude::*};
+/// use fixel::shade::Precise;
+/// let color = Precise::from(Rgb565::new(3, 10, 31)).times([32_768; 3]);
+/// assert_eq!(color.levels(), [98_304, 327_680, 1_015_808]); // 1.5, 5, 15.5 steps
+/// assert_eq!(color.finish(Point::zero()), Rgb565::new(2, 5, 16));
+/// // Two halves are a quarter, in the mean of 8x8 pixels, too.
+/// let gray = Precise::from(Gray4::new(1)).times([32_768; 3]).times([32_768; 3]);
+/// let mean: u32 = (0..64).map(|i| u32::from(gray.finish(Point::new(i % 8, i / 8)).luma())).sum();
+/// assert_eq!(mean, 16);
+/// ```
+///
+/// [`Rgb565`]: embedded_graphics::pixelcolor::Rgb565
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Precise<C> {
+    /// The levels, raised by half a step so that cutting rounds: the addition is needed once per vertex where they are
+    /// interpolated, and not at every pixel.
+    raised: [i32; 3],
+    format: PhantomData<C>,
+}
+
+/// Half a step.
+const HALF: i32 = 1 << 15;
+
+impl<C: PixelFormat> From<C> for Precise<C> {
+    #[inline]
+    fn from(color: C) -> Self {
+        Self::from_levels(each(color.steps(), |step| step << 16))
+    }
+}
+
+impl<C: PixelFormat> Precise<C> {
+    /// Bits that a product with a fraction drops from a level first. A dithered format has few steps, and drops no more
+    /// bits than those take: the error of a product is below 1/1000 step. That of other formats is at most 1/250 step.
+    const DOWN: u32 = if C::IS_DITHERED {
+        32 - C::MAX_STEPS[0].leading_zeros()
+    } else {
+        8
+    };
+
+    #[inline]
+    const fn of_raised(raised: [i32; 3]) -> Self {
+        Self {
+            raised,
+            format: PhantomData,
+        }
+    }
+
+    /// The color of these levels.
+    ///
+    /// They may lie outside black to white by up to 511 units of 2⁻¹⁶, far more than the error of interpolation.
+    /// Beyond that, the color is unspecified.
+    #[must_use]
+    #[inline]
+    pub fn from_levels(levels: [i32; 3]) -> Self {
+        Self::of_raised(each(levels, |level| level.wrapping_add(HALF)))
+    }
+
+    /// Red, green and blue in steps of the format, with 16 fraction bits.
+    #[must_use]
+    #[inline]
+    pub fn levels(self) -> [i32; 3] {
+        each(self.raised, |level| level.wrapping_sub(HALF))
+    }
+
+    /// A color of 24 bits, with an error of at most 0.003 step; exact for black and white.
+    #[must_use]
+    #[inline]
+    pub fn of_rgb(color: Rgb888) -> Self {
+        Self::of_products(C::MAX_STEPS, C::fractions(color))
+    }
+
+    /// Steps times fractions: exact.
+    #[inline]
+    pub(super) fn of_products(steps: [i32; 3], fractions: [i32; 3]) -> Self {
+        // Below 2^24. Wrapping, so that numbers from a user's shader cannot panic.
+        Self::from_levels(zip(steps, fractions, i32::wrapping_mul))
+    }
+
+    /// The products of steps, where white is 1. The error of a product below 2^16 is at most 0.02 step.
+    #[inline]
+    pub(super) fn of_step_products(a: [i32; 3], b: [i32; 3]) -> Self {
+        let products = zip(a, b, i32::wrapping_mul);
+        Self::from_levels(zip(products, C::MAX_STEPS, over))
+    }
+
+    /// `below`, covered by `above` in a share of `coverage`/256: exact.
+    #[inline]
+    pub(super) fn of_mixture([below, above]: [C; 2], coverage: u32) -> Self {
+        let share = (coverage << 8).cast_signed();
+        Self::from_levels(zip(below.steps(), above.steps(), |below, above| {
+            // 9 bits times 17 bits.
+            let more = above.wrapping_sub(below).wrapping_mul(share);
+            (below << 16).wrapping_add(more)
+        }))
+    }
+
+    /// The color that a canvas stores at a pixel of the frame: rounded to nearest, or dithered if the format is coarse.
+    #[must_use]
+    #[inline]
+    pub fn finish(self, at: Point) -> C {
+        let Self { raised, .. } = if C::IS_DITHERED {
+            self.raised_by_threshold(at)
+        } else {
+            self
+        };
+        let [r, g, b] = raised;
+        C::from_steps([whole(r), whole(g), whole(b)])
+    }
+
+    /// The color, dithered to whole steps at a pixel of the frame, in any format.
+    #[must_use]
+    #[inline]
+    pub(super) fn dithered(self, at: Point) -> Self {
+        if C::IS_DITHERED {
+            self
+        } else {
+            self.raised_by_threshold(at)
+        }
+    }
+
+    #[inline]
+    fn raised_by_threshold(self, at: Point) -> Self {
+        let threshold = threshold(at) - HALF;
+        // The least sum of a level in range is positive; the clamp keeps others from wrapping.
+        Self::of_raised(each(self.raised, |level| {
+            level.wrapping_add(threshold).max(0)
+        }))
+    }
+
+    /// A level, or a difference of two, times a fraction.
+    #[inline]
+    fn part(level: i32, fraction: i32) -> i32 {
+        // 16 bits and a sign times 15 bits, so that cores without a long multiply do not need one.
+        (level >> Self::DOWN).wrapping_mul(fraction >> 2) >> (14 - Self::DOWN)
+    }
+
+    /// This color, channel by channel, times fractions from 0 to 65,536.
+    #[must_use]
+    #[inline]
+    pub fn times(self, fractions: [i32; 3]) -> Self {
+        Self::from_levels(zip(self.levels(), fractions, Self::part))
+    }
+
+    /// The sum of two colors, channel by channel, at most white.
+    #[must_use]
+    #[inline]
+    pub fn plus(self, other: Self) -> Self {
+        Self::of_raised(zip(
+            zip(self.raised, other.levels(), i32::wrapping_add),
+            C::MAX_STEPS,
+            |level, most| level.min((most << 16) + HALF),
+        ))
+    }
+
+    /// This color, covered by another one in a share from 0 to 65,536.
+    #[must_use]
+    #[inline]
+    pub fn mix(self, other: Self, share: i32) -> Self {
+        Self::of_raised(zip(self.raised, other.raised, |below, above| {
+            below.wrapping_add(Self::part(above.wrapping_sub(below), share))
+        }))
+    }
+
+    /// This color with a highlight, if there is one.
+    #[inline]
+    pub(super) fn glossed(self, specular: Option<i32>) -> Self {
+        let Some(specular) = specular else {
+            return self;
+        };
+        Self::of_raised(zip(self.raised, C::MAX_STEPS, |level, most| {
+            let glossed = level.wrapping_add(specular.wrapping_mul(most));
+            glossed.min((most << 16) + HALF)
+        }))
+    }
+
+    /// The channels as fractions, 0 to 65,536.
+    #[must_use]
+    #[inline]
+    pub fn fractions(self) -> [i32; 3] {
+        zip(self.levels(), C::MAX_STEPS, fraction)
+    }
+
+    /// This color in another format.
+    #[must_use]
+    #[inline]
+    pub fn converted<D: PixelFormat>(self) -> Precise<D> {
+        let fractions = self.fractions();
+        let fractions = if D::Channels::IS_GRAY && !C::Channels::IS_GRAY {
+            [luma(fractions); 3]
+        } else if C::Channels::IS_GRAY {
+            [fractions[0]; 3]
+        } else {
+            fractions
+        };
+        Precise::of_products(D::MAX_STEPS, fractions)
+    }
+
+    /// The channels in the form in which they are interpolated.
+    #[inline]
+    fn channels(self) -> C::Channels {
+        C::Channels::first(self.raised)
+    }
+}
+
+/// s/m in units of 2^-16, for m = 2ⁿ − 1 and s up to m².
+#[inline]
+const fn over(steps: i32, most: i32) -> i32 {
+    // 2^16 = whole · most + rest, and rest/most is about rest/2ⁿ.
+    let n = 32 - most.cast_unsigned().leading_zeros();
+    let (whole, rest) = if most > 0 {
+        (65_536 / most, 65_536 % most)
+    } else {
+        (0, 0)
+    };
+    steps
+        .wrapping_mul(whole)
+        .wrapping_add(steps.wrapping_mul(rest) >> n)
+}
+
+/// A level as a fraction of `most` steps, 2ⁿ − 1: 65,536 for white, and for each level of 8 bits the nearest one.
+#[inline]
+const fn fraction(level: i32, most: i32) -> i32 {
+    // A level of at most 24 bits loses 8, so that the product has 24.
+    over(level >> 8, most).wrapping_add(1 << 7) >> 8
+}
+
+impl<C: PixelFormat> Varyings for Precise<C> {
+    type Lanes = <C::Channels as Varyings>::Lanes;
+    type Face = <C::Channels as Varyings>::Face;
+
+    const PAIRS: bool =
+        Self::Lanes::COUNT == 3 && C::MAX_STEPS[0] < 1 << 5 && C::MAX_STEPS[2] < 1 << 5;
+
+    #[inline]
+    fn tolerances() -> <Self::Lanes as Lanes>::Of<Tolerance> {
+        C::Channels::tolerances()
+    }
+
+    #[inline]
+    fn split(self) -> (<Self::Lanes as Lanes>::Of<i32>, Self::Face) {
+        self.channels().split()
+    }
+
+    #[inline]
+    fn join(numbers: <Self::Lanes as Lanes>::Of<i32>, face: Self::Face) -> Self {
+        Self::of_raised(C::Channels::join(numbers, face).all())
+    }
+}
