@@ -4,7 +4,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
 use crate::sealed::{Sealed, sealed};
-use crate::shade::{Output, PixelFormat, share};
+use crate::shade::{Output, PixelFormat, fraction};
 
 /// How the colors of a draw call are blended with the colors on a canvas of color `C`: [`Replace`], [`Opacity`],
 /// [`Add`] or [`Multiply`]. Sealed.
@@ -129,7 +129,7 @@ impl<C: PixelColor> Blending<C> for Replace {
 impl<C: PixelFormat> Blending<C> for Opacity {
     #[inline]
     fn blend<O: Output<Color = C>>(self, output: O, below: impl FnOnce() -> C, at: Point) -> C {
-        output.cover(below(), share(self.0), at)
+        output.cover(below(), fraction(self.0), at)
     }
 }
 

@@ -139,7 +139,6 @@ impl<'e> ErrorDiffusion<'e> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use embedded_graphics::geometry::Point;
     use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
 
     /// A gray of a program: one of `MOST` + 1.
@@ -162,8 +161,8 @@ mod tests {
             [self.0; 3]
         }
 
-        fn from_levels([level, ..]: [i32; 3], _: Point) -> Self {
-            Self((level + (1 << 15)) >> 16)
+        fn from_steps([steps, ..]: [u8; 3]) -> Self {
+            Self(steps.into())
         }
     }
 

@@ -74,7 +74,7 @@ mod tests {
     use super::super::fixture::{IDENTITY, face, fragment, shade};
     use super::*;
     use crate::{Mesh, Vec3};
-    use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, RgbColor};
+    use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888, RgbColor};
 
     #[test]
     fn the_inner_shader_computes_the_color() {
@@ -90,10 +90,20 @@ mod tests {
     fn coarse_colors_are_dithered() {
         let gray = Converted::<_, Gray4>::new(super::super::Flat::new(Rgb888::new(8, 8, 8)));
         // 8/255 of 15 steps is 0.47 of a step.
-        let lit =
-            (0..64).filter(|i| gray.shade(&fragment(i % 8, i / 8), ()) == Some(Gray4::new(1)));
+        let lit = (0..64).filter(|i| {
+            gray.shade(&fragment(0, 0), ())
+                .unwrap()
+                .finish(fragment(i % 8, i / 8).point)
+                == Gray4::new(1)
+        });
         assert_eq!(lit.count(), 30);
         let white = Converted::<_, BinaryColor>::new(super::super::Flat::new(Rgb565::WHITE));
-        assert!((0..64).all(|i| white.shade(&fragment(i % 8, i / 8), ()) == Some(BinaryColor::On)));
+        assert!((0..64).all(|i| {
+            white
+                .shade(&fragment(0, 0), ())
+                .unwrap()
+                .finish(fragment(i % 8, i / 8).point)
+                == BinaryColor::On
+        }));
     }
 }

@@ -2,7 +2,7 @@
 
 use embedded_graphics::geometry::Point;
 
-use super::{Fragment, Lanes, Shader, Varyings};
+use super::{ColorOf, Fragment, Lanes, Output, Shader, Varyings};
 use crate::Mesh;
 use crate::math::Transform;
 use crate::mesh::{Indices, Placement, Primitive};
@@ -55,8 +55,9 @@ pub(super) const fn fragment(x: i32, y: i32) -> Fragment {
 }
 
 /// The color of the pixel at (0, 0).
-pub(super) fn shade<S: Shader>(shader: &S, varyings: S::Varyings) -> S::Color {
-    shader.shade(&fragment(0, 0), varyings).unwrap()
+pub(super) fn shade<S: Shader>(shader: &S, varyings: S::Varyings) -> ColorOf<S> {
+    let at = fragment(0, 0);
+    shader.shade(&at, varyings).unwrap().finish(at.point)
 }
 
 /// How many numbers a shader interpolates.

@@ -322,12 +322,12 @@ impl<O: Output<Color: PixelFormat>, D: Density> Output for Fogged<O, D> {
     }
 
     #[inline]
-    fn cover(self, below: O::Color, share: u32, at: Point) -> O::Color {
+    fn cover(self, below: O::Color, share: i32, at: Point) -> O::Color {
         self.precise().cover(below, share, at)
     }
 
     #[inline]
-    fn parts(self) -> (Precise<O::Color>, u32) {
+    fn parts(self) -> (Precise<O::Color>, i32) {
         self.precise().parts()
     }
 }
@@ -363,51 +363,30 @@ mod tests {
         }
     }
 
-    /// At every distance from before the nearest to beyond the farthest, for colors of 16 and of 24 bits.
+    /// At every distance from before the nearest to beyond the farthest.
     #[test]
     fn linear_weights_are_rounded_to_nearest() {
         let [near, far] = [fx!(1), fx!(3)];
         let fog = Fog::linear(Gray8::WHITE, near, far).unwrap();
         for distance in (0..4 << 16).map(Scalar::from_bits) {
             let left = (far - distance).to_num::<f64>() / 2.;
-            for bits in [5, 8] {
-                let weight = LinearFog::weight(fog.density.varying(distance, bits), bits);
-                let exact = left.clamp(0., 1.) * f64::from(1 << bits);
-                // The varying is cut to 2^-BITS.
-                let tolerance = 0.5 + f64::from(1 << bits) / f64::from(1 << BITS);
-                let error = f64::from(weight) - exact;
-                assert!(
-                    error.abs() <= tolerance,
-                    "{distance}: {weight}, not {exact}"
-                );
-            }
+            let varying = fog.density.varying(distance);
+            let parts = f64::from(1 << BITS);
+            // The varying is cut to 2^-BITS.
+            let found = f64::from(LinearFog::left(varying));
+            assert!(
+                (found - left.clamp(0., 1.) * parts).abs() <= 1.,
+                "{distance}: {found}"
+            );
+            let found = f64::from(LinearFog::left_32(varying));
+            let error = found - left.clamp(0., 1.) * 32.;
+            assert!(error.abs() <= 0.5 + 32. / parts, "{distance}: {found}");
         }
-        for bits in [5, 8] {
-            let weight = |distance| LinearFog::weight(fog.density.varying(distance, bits), bits);
-            assert_eq!([weight(near), weight(far)], [1 << bits, 0]);
+        for (distance, whole) in [(near, 1), (far, 0)] {
+            let varying = fog.density.varying(distance);
+            assert_eq!(LinearFog::left(varying), whole << BITS);
+            assert_eq!(LinearFog::left_32(varying), 32 * whole.cast_unsigned());
         }
-    }
-
-    /// A color may have weights of 15 bits, more than fog interpolates.
-    #[test]
-    fn the_finest_weights_reach_from_nothing_to_the_whole() {
-        #[derive(Clone, Copy)]
-        struct Fine;
-        impl Blend for Fine {
-            const WEIGHT_BITS: u32 = 15;
-
-            fn blend([[first, _], _]: [[Self; 2]; 2], _: [u32; 2]) -> Self {
-                first
-            }
-        }
-        let [near, far] = [fx!(1), fx!(3)];
-        let linear = Fog::linear(Fine, near, far).unwrap().density;
-        let at =
-            |distance| weight::<Fine, LinearFog>(linear.varying(distance, weight_bits::<Fine>()));
-        assert_eq!([at(near), at(fx!(2)), at(far)], [1 << 15, 1 << 14, 0]);
-        let exponential = Fog::exponential(Fine, fx!(1)).unwrap().density;
-        let varying = exponential.varying(fx!(0), weight_bits::<Fine>());
-        assert_eq!(weight::<Fine, ExponentialFog>(varying), 1 << 15);
     }
 
     #[test]
@@ -415,12 +394,12 @@ mod tests {
         for (near, far) in [(Scalar::MIN, Scalar::MAX), (fx!(0), Scalar::DELTA)] {
             let fog = Fog::linear(Gray8::WHITE, near, far).unwrap();
             for distance in [Scalar::MIN, fx!(0), Scalar::MAX] {
-                // In units of 2^-14, of which 32 are half a step of the weight.
-                let varying = fog.density.varying(distance, Gray8::WEIGHT_BITS);
+                // In units of 2^-14, of which 256 are half of 1/32.
+                let varying = fog.density.varying(distance);
                 let exact = (distance.to_num::<f64>() - far.to_num::<f64>())
                     / (far.to_num::<f64>() - near.to_num::<f64>())
                     * 16_384.
-                    + 32.;
+                    + 256.;
                 let exact = exact.clamp(-(2_f64.powi(30)), 2_f64.powi(30));
                 assert!(
                     (f64::from(varying) - exact).abs() <= 1.01,
@@ -429,7 +408,7 @@ mod tests {
             }
         }
         let fog = Fog::exponential(Gray8::WHITE, Scalar::MAX).unwrap();
-        assert_eq!(fog.density.varying(Scalar::MAX, 8), (1 << 30) - 1);
-        assert_eq!(fog.density.varying(Scalar::MIN, 8), -(1 << 30));
+        assert_eq!(fog.density.varying(Scalar::MAX), (1 << 30) - 1);
+        assert_eq!(fog.density.varying(Scalar::MIN), -(1 << 30));
     }
 }

@@ -61,15 +61,16 @@ pub trait PixelFormat: PixelColor {
         Precise::of_rgb(color).finish(at)
     }
 
-    /// This color, covered by another one in a share of `coverage`/256, where `coverage` is 0 to 256; rounded or
-    /// dithered. For colors of 15 and 16 bits, the share is first rounded to 1/32.
+    /// This color, covered by another one in a share from 0 to 65,536; rounded or dithered. For colors of 15 and 16
+    /// bits, the share is first rounded to 1/32.
     #[must_use]
     #[inline]
-    fn covered(self, by: Self, coverage: u32, at: Point) -> Self {
+    fn covered(self, by: Self, share: i32, at: Point) -> Self {
         // In this order, one color and one share are prepared before a loop.
-        match by.mix_32(self, 32 - ((coverage + 4) >> 3)) {
+        let left_32 = 32_i32.wrapping_sub(share.wrapping_add(1 << 10) >> 11);
+        match by.mix_32(self, left_32.cast_unsigned()) {
             Some(mixed) => mixed,
-            None => Precise::of_mixture([self, by], coverage).finish(at),
+            None => Precise::of_mixture([self, by], share).finish(at),
         }
     }
 
@@ -107,7 +108,7 @@ pub(super) const FRACTION: u32 = 1 << 6;
 
 /// c/255 in units of 2⁻¹⁶, with an error of at most half a unit: 0 for 0, 65,536 for 255.
 #[inline]
-const fn fraction(c: u8) -> i32 {
+pub(crate) const fn fraction(c: u8) -> i32 {
     // 65,536/255 = 257 + 1/255, and c/255 rounds to the top bit of c.
     c as i32 * 257 + (c >> 7) as i32
 }
@@ -200,4 +201,147 @@ gray! {
     Gray4 15 luma |steps| Self::new(steps);
     Gray8 255 luma |steps| Self::new(steps);
     BinaryColor 1 is_on |steps| Self::from(steps & 1 != 0);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shade::{Illumination, Output};
+
+    const ORIGIN: Point = Point::zero();
+
+    fn pixels() -> impl Iterator<Item = Point> {
+        // Away from the origin, because the pattern belongs to the frame.
+        (0..64).map(|i| Point::new(3 + i % 8, i / 8 - 5))
+    }
+
+    #[test]
+    fn rgb_rounds_to_nearest_for_every_value() {
+        for c in 0..=255 {
+            let color = Rgb565::from_rgb(Rgb888::new(c, c, c), ORIGIN);
+            let steps = [color.r(), color.g()].map(f64::from);
+            let exact = [31.0, 63.0].map(|max| f64::from(c) * max / 255.0);
+            assert!((steps[0] - exact[0]).abs() < 0.5 && (steps[1] - exact[1]).abs() < 0.5);
+            assert_eq!(color, Rgb565::from(Rgb888::new(c, c, c)));
+            let other = Rgb888::new(c, 255 - c, c ^ 0x55);
+            assert_eq!(Rgb888::from_rgb(other, ORIGIN), other);
+            assert_eq!(Bgr888::from_rgb(other, ORIGIN), other.into());
+            assert_eq!(Bgr565::from_rgb(other, ORIGIN), other.into());
+            assert_eq!(Rgb666::from_rgb(other, ORIGIN), other.into());
+            assert_eq!(Gray8::from_rgb(Rgb888::new(c, c, c), ORIGIN), Gray8::new(c));
+        }
+    }
+
+    #[test]
+    fn gray_is_luma() {
+        for (color, weight) in [
+            (Rgb888::RED, 0.299),
+            (Rgb888::GREEN, 0.587),
+            (Rgb888::BLUE, 0.114),
+        ] {
+            let [level, ..] = Precise::<Gray8>::of_rgb(color).levels();
+            // The error of a weight is at most 2^-15, which is 0.008 step.
+            assert!((f64::from(level) / 65536.0 - weight * 255.0).abs() < 0.012);
+        }
+    }
+
+    fn dithers<C: PixelFormat>(step: impl Fn(C) -> i32) {
+        let [white, ..] = C::MAX_STEPS;
+        for level in (0..=white << 16).step_by(97) {
+            let sum: i32 = pixels()
+                .map(|at| step(Precise::<C>::from_levels([level; 3]).finish(at)))
+                .sum();
+            // One step of the sum is 1/64 step of the mean; the error is at most half a step of the sum.
+            let error = (sum << 16) - level * 64;
+            assert!(error.abs() <= 1 << 15, "level {level}: sum {sum}");
+        }
+        for at in pixels() {
+            for error in [-511, -2, 0, 2, 511] {
+                assert_eq!(step(Precise::<C>::from_levels([error; 3]).finish(at)), 0);
+                let level = (white << 16) + error;
+                assert_eq!(
+                    step(Precise::<C>::from_levels([level; 3]).finish(at)),
+                    white
+                );
+            }
+            assert_eq!(step(C::from_rgb(Rgb888::BLACK, at)), 0);
+            assert_eq!(step(C::from_rgb(Rgb888::WHITE, at)), white);
+        }
+    }
+
+    #[test]
+    fn dithering_keeps_the_mean_and_the_ends() {
+        dithers(|color: Gray4| color.luma().into());
+        dithers(|color: Gray2| color.luma().into());
+        dithers(|color: BinaryColor| color.is_on().into());
+    }
+
+    #[test]
+    fn half_white_is_a_checker() {
+        let rows: std::vec::Vec<std::string::String> = (0..4)
+            .map(|y| {
+                (0..8)
+                    .map(
+                        |x| match Precise::from_levels([1 << 15; 3]).finish(Point::new(x, y)) {
+                            BinaryColor::On => '#',
+                            BinaryColor::Off => '.',
+                        },
+                    )
+                    .collect()
+            })
+            .collect();
+        assert_eq!(rows, [".#.#.#.#", "#.#.#.#.", ".#.#.#.#", "#.#.#.#."]);
+    }
+
+    #[test]
+    fn interpolation_errors_do_not_wrap() {
+        for error in [-2, 2] {
+            let ends = [Rgb565::BLACK, Rgb565::WHITE].map(|end| {
+                let levels = Precise::<Rgb565>::of_rgb(end.into()).levels();
+                Precise::<Rgb565>::from_levels(levels.map(|level| level + error)).finish(ORIGIN)
+            });
+            assert_eq!(ends, [Rgb565::BLACK, Rgb565::WHITE]);
+            let gray = Precise::<Gray8>::from_levels([error; 3]).finish(ORIGIN);
+            assert_eq!(gray, Gray8::BLACK);
+            assert_eq!(
+                Rgb888::WHITE
+                    .lit(Illumination::white(65536 + error))
+                    .finish(ORIGIN),
+                Rgb888::WHITE
+            );
+            assert_eq!(
+                Rgb888::WHITE.lit(Illumination::white(error)).finish(ORIGIN),
+                Rgb888::BLACK
+            );
+        }
+    }
+
+    #[test]
+    fn light_scales_and_no_number_panics() {
+        assert_eq!(
+            Rgb565::new(30, 40, 11)
+                .lit(Illumination::white(1 << 15))
+                .finish(ORIGIN),
+            Rgb565::new(15, 20, 6)
+        );
+        assert_eq!(
+            Gray8::new(201)
+                .lit(Illumination::white(65536))
+                .finish(ORIGIN),
+            Gray8::new(201)
+        );
+        let full = Precise::<Rgb888>::of_rgb(Rgb888::WHITE).times([65536; 3]);
+        assert_eq!(full.levels(), [255 << 16; 3]);
+        for n in [i32::MIN, -1, i32::MAX] {
+            let light = Illumination {
+                specular: Some(n),
+                ..Illumination::white(n)
+            };
+            let _ = (
+                Rgb565::WHITE.lit(light).finish(ORIGIN),
+                Precise::<Rgb565>::from_levels([n; 3]).lit(light),
+            );
+            let _ = Precise::<BinaryColor>::from_levels([n; 3]).finish(Point::new(n, n));
+        }
+    }
 }

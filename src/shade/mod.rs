@@ -64,6 +64,7 @@ pub use flat::{FaceColors, Flat};
 pub use fog::Fogged;
 pub use fog::{Density, ExponentialFog, Fog, InFog, LinearFog};
 pub use format::PixelFormat;
+pub(crate) use format::fraction;
 pub use gouraud::Gouraud;
 pub use gradient::Gradient;
 pub use lanes::Lanes;
@@ -75,7 +76,6 @@ pub use light::{
 pub use lit::{FaceLit, Lit};
 pub use map::Map;
 pub use mipmapped::Mipmapped;
-pub(crate) use output::share;
 pub use output::{ColorOf, Output, PreciseOf, Translucent};
 pub use part_colors::PartColors;
 pub use precise::Precise;

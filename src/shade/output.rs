@@ -3,7 +3,7 @@
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
-use super::format::zip;
+use super::format::{fraction, zip};
 use super::{Illumination, PixelFormat, Precise, Shader};
 
 /// The output of a [`Shader`] for a pixel: a color of the canvas, a [`Precise`] color, or a [`Translucent`] one of
@@ -62,15 +62,15 @@ pub trait Output: Copy {
         self.finish(at)
     }
 
-    /// The new color of a pixel that is covered in a share of at most `share`/256.
+    /// The new color of a pixel that is covered in a share of at most `share`/65,536.
     #[doc(hidden)]
-    fn cover(self, below: Self::Color, share: u32, at: Point) -> Self::Color
+    fn cover(self, below: Self::Color, share: i32, at: Point) -> Self::Color
     where
         Self::Color: PixelFormat;
 
-    /// The color and its share, from 0 to 256.
+    /// The color and its share, from 0 to 65,536.
     #[doc(hidden)]
-    fn parts(self) -> (Precise<Self::Color>, u32)
+    fn parts(self) -> (Precise<Self::Color>, i32)
     where
         Self::Color: PixelFormat;
 
@@ -108,7 +108,7 @@ pub trait Output: Copy {
     {
         let ((color, share), below) = (self.parts(), Precise::from(below));
         let changed = f(below, color);
-        below.mix(changed, (share << 8).cast_signed()).finish(at)
+        below.mix(changed, share).finish(at)
     }
 }
 
@@ -147,7 +147,7 @@ impl<C: PixelColor> Output for C {
     }
 
     #[inline]
-    fn cover(self, below: C, share: u32, at: Point) -> C
+    fn cover(self, below: C, share: i32, at: Point) -> C
     where
         C: PixelFormat,
     {
@@ -155,11 +155,11 @@ impl<C: PixelColor> Output for C {
     }
 
     #[inline]
-    fn parts(self) -> (Precise<C>, u32)
+    fn parts(self) -> (Precise<C>, i32)
     where
         C: PixelFormat,
     {
-        (self.into(), 256)
+        (self.into(), 1 << 16)
     }
 
     #[inline]
@@ -201,14 +201,14 @@ impl<C: PixelFormat> Output for Precise<C> {
     }
 
     #[inline]
-    fn cover(self, below: C, share: u32, at: Point) -> C {
+    fn cover(self, below: C, share: i32, at: Point) -> C {
         let below = Self::from(below);
-        below.mix(self, (share << 8).cast_signed()).finish(at)
+        below.mix(self, share).finish(at)
     }
 
     #[inline]
-    fn parts(self) -> (Self, u32) {
-        (self, 256)
+    fn parts(self) -> (Self, i32) {
+        (self, 1 << 16)
     }
 }
 
@@ -269,17 +269,17 @@ impl<C> Translucent<C> {
         }
     }
 
-    /// The share in 256ths, with an error of at most half of one: 0 for 0, 256 for 255.
+    /// The share of at most `most`/65,536.
     #[inline]
-    fn share(&self) -> u32 {
-        share(self.opacity)
+    fn share(&self, most: i32) -> i32 {
+        // 16 bits times 15 bits.
+        let share = fraction(self.opacity);
+        if most == 1 << 16 {
+            share
+        } else {
+            (share >> 1).wrapping_mul(most >> 1) >> 14
+        }
     }
-}
-
-/// 255ths as 256ths, with an error of at most half of one: 0 for 0, 256 for 255.
-#[inline]
-pub(crate) fn share(opacity: u8) -> u32 {
-    u32::from(opacity) + u32::from(opacity >> 7)
 }
 
 impl<O: Output<Color: PixelFormat>> Output for Translucent<O> {
@@ -311,20 +311,18 @@ impl<O: Output<Color: PixelFormat>> Output for Translucent<O> {
 
     #[inline]
     fn onto(self, below: impl FnOnce() -> O::Color, at: Point) -> O::Color {
-        self.color.cover(below(), self.share(), at)
+        self.color.cover(below(), self.share(1 << 16), at)
     }
 
     #[inline]
-    fn cover(self, below: O::Color, share: u32, at: Point) -> O::Color {
-        // Rounded to the nearest 256th.
-        let share = (self.share() * share + 128) >> 8;
-        self.color.cover(below, share, at)
+    fn cover(self, below: O::Color, share: i32, at: Point) -> O::Color {
+        self.color.cover(below, self.share(share), at)
     }
 
     #[inline]
-    fn parts(self) -> (Precise<O::Color>, u32) {
+    fn parts(self) -> (Precise<O::Color>, i32) {
         let (color, share) = self.color.parts();
-        (color, (self.share() * share + 128) >> 8)
+        (color, self.share(share))
     }
 }
 

@@ -102,10 +102,9 @@ impl<C: PixelFormat> Precise<C> {
         Self::from_levels(zip(products, C::MAX_STEPS, over))
     }
 
-    /// `below`, covered by `above` in a share of `coverage`/256: exact.
+    /// `below`, covered by `above` in a share from 0 to 65,536: exact.
     #[inline]
-    pub(super) fn of_mixture([below, above]: [C; 2], coverage: u32) -> Self {
-        let share = (coverage << 8).cast_signed();
+    pub(super) fn of_mixture([below, above]: [C; 2], share: i32) -> Self {
         Self::from_levels(zip(below.steps(), above.steps(), |below, above| {
             // 9 bits times 17 bits.
             let more = above.wrapping_sub(below).wrapping_mul(share);

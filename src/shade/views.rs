@@ -168,7 +168,8 @@ mod tests {
 
     fn gray(view: DepthView<Gray8>, depth: u16) -> u8 {
         let point = Point::zero();
-        view.shade(&Fragment { point, depth }, ()).unwrap().luma()
+        let color = view.shade(&Fragment { point, depth }, ()).unwrap();
+        color.finish(point).luma()
     }
 
     #[test]
@@ -196,7 +197,7 @@ mod tests {
             for (depth, color) in [(0, BinaryColor::Off), (65535, BinaryColor::On)] {
                 let point = Point::new(i % 8, i / 8);
                 let shown = DepthView::<BinaryColor>::new().shade(&Fragment { point, depth }, ());
-                assert_eq!(shown, Some(color));
+                assert_eq!(shown.unwrap().finish(point), color);
             }
         }
     }

@@ -120,6 +120,6 @@ where
         let source = self.shader.shade(at, varyings)?;
         let below = below();
         let color = self.blending.blend(source, || below, at.point);
-        Some(below.covered(color, coverage, at.point))
+        Some(below.covered(color, (coverage << 8).cast_signed(), at.point))
     }
 }

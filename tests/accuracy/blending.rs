@@ -7,10 +7,10 @@ use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor,
     Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
 };
-use fixel::canvas::{Add, Alpha, Multiply, Native, Opacity, Storage};
+use fixel::canvas::{Add, Multiply, Native, Opacity, Storage};
 use fixel::mode::Compact;
 use fixel::prelude::*;
-use fixel::shade::{Source, Translucent};
+use fixel::shade::{Output, Translucent};
 use fixel::view::Parallel;
 use rand::Rng;
 
@@ -65,7 +65,7 @@ impl Parts for BinaryColor {
 #[derive(Clone, Copy)]
 struct Even<S>(S);
 
-impl<S: Source> Shader for Even<S> {
+impl<S: Output> Shader for Even<S> {
     type Color = S;
     type Varyings = ();
 
@@ -171,16 +171,15 @@ impl Blended {
             color: above,
             opacity,
         };
-        // Besides the rounding to 256ths: colors of 15 and 16 bits keep only 32nds.
         let is_short = matches!(C::Raw::BITS_PER_PIXEL, 15 | 16);
         Self {
             above: above.parts(),
             below: below.parts(),
             is_coarse: C::IS_COARSE,
-            weight: 0.5 / 256. + if is_short { 1. / 64. } else { 0. },
+            // Half of 2^-16; colors of 15 and 16 bits keep only 32nds.
+            weight: 0.5 / 65_536. + if is_short { 1. / 64. } else { 0. },
             opacity: with_opacity(opacity),
             alpha: pixels::<C, O>(below, &|band| {
-                let options = options.with_blending(Alpha);
                 band.draw_with(&options, &SQUARE, &mvp, &Even(source));
             }),
             sum: pixels::<C, O>(below, &|band| {

@@ -210,7 +210,7 @@ fn triangles_around_the_eye_are_the_models() {
         // The interpolated distance.
         let probe = Probe {
             values: &|corner| [corner.distance().to_bits()],
-            color: None,
+            color: None::<Gray8>,
         };
         let record = record(probe, |recorder| {
             canvas.draw_with(&BOTH_SIDES, &mesh, &projection(), recorder);

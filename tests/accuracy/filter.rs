@@ -12,7 +12,7 @@ use embedded_graphics::pixelcolor::{
     RgbColor,
 };
 use fixel::prelude::*;
-use fixel::shade::{Lanes, Varyings};
+use fixel::shade::{ColorOf, Lanes, Output, Varyings};
 use fixel::texture::Blend;
 use rand::Rng;
 
@@ -86,13 +86,14 @@ fn channels<C: Parts>(texels: &[C], width: usize) -> Channels {
 type Numbers<F> = <<<F as Shader>::Varyings as Varyings>::Lanes as Lanes>::Of<i32>;
 
 /// The color that a shader returns for given interpolated numbers.
-fn shade<F: Shader>(shader: &F, numbers: Numbers<F>) -> F::Color {
+fn shade<F: Shader>(shader: &F, numbers: Numbers<F>) -> ColorOf<F> {
     let sample = Fragment {
         point: Point::zero(),
         depth: 0,
     };
     let varyings = F::Varyings::join(numbers, Default::default());
-    shader.shade(&sample, varyings).unwrap()
+    let output = shader.shade(&sample, varyings).unwrap();
+    output.finish(sample.point)
 }
 
 /// Compares both addressing modes of a texture with the model, at some positions.

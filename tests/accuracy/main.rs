@@ -45,6 +45,7 @@ mod sine;
 mod sized_points;
 mod spread;
 mod sprites;
+mod stacks;
 mod triangle;
 mod varyings;
 mod wide;

@@ -24,7 +24,7 @@ fn edges<B, L>(
     mvp: &impl ModelToPicture,
 ) -> Vec<Seen<1>>
 where
-    B: Blending<Gray8, Source = Gray8>,
+    B: Blending<Gray8>,
     L: LineStyle<Gray8>,
 {
     drawn(rows, &|frame, recorder| {

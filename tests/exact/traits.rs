@@ -5,7 +5,7 @@ use core::fmt::{Debug, Display};
 use core::hash::Hash;
 
 use embedded_graphics::pixelcolor::Rgb565;
-use fixel::canvas::{Add, Alpha, Multiply, Opacity, Replace};
+use fixel::canvas::{Add, Multiply, Opacity, Replace};
 use fixel::canvas::{
     Biased, ColorIndex, Contrast, Depth, ErrorDiffusion, Float, Label, Linear, Native, NoDepth,
     NoTest, Packed, Pages,
@@ -48,7 +48,7 @@ all!(value: Error RefusedFloat Scalar TexCoord Unit Index Angle Rate Spin);
 all!(value: Vec2 Vec3 Direction Matrix4 Transform);
 all!(value: Aspect Camera Mvp Mvp<Parallel> Parallel Perspective Projection Projection<Parallel>);
 all!(value: Segment Viewport Window);
-all!(value: Add Alpha Multiply Opacity Replace Translucent<Rgb565> Gradient<Rgb565>);
+all!(value: Add Multiply Opacity Replace Translucent<Rgb565> Gradient<Rgb565>);
 all!(value: Argb1555 Argb4444 Masked<u8, u8> PackedGray4<'static>);
 all!(value: Bounds Counts Hairline LineWidth Missing PointStyle Shape SmoothLine);
 all!(value: Affine Compact Exact Fast Newton Cull DrawOptions DrawOptions<Fast, Biased> DrawOptions<Fast, Biased, Replace, LineWidth> Drawn ScreenPoint);
@@ -76,7 +76,7 @@ all!(any: Label<'static, Canvas<'static, Rgb565>>);
 all!(any: PreparedScene<'static, u8> PreparedEdgeScene<'static, u8> Buffers<'static> ErrorDiffusion<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, Depth<'static>>);
 
 all!(default: Falloff Affine Compact Exact Newton TestAndWrite TestOnly WriteOnly NoTest NoDepth Hairline);
-all!(default: Biased Biased<NoTest> Add Alpha Multiply Replace Parallel Perspective PerFace<u8> Texels Within<1, Texels>);
+all!(default: Biased Biased<NoTest> Add Multiply Replace Parallel Perspective PerFace<u8> Texels Within<1, Texels>);
 all!(default: Bilinear Clamp ColorIndex Contrast CutOut<Bilinear, Rgb565> Nearest Repeat Trilinear);
 all!(default: Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);
 all!(default: Drawn Missing Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> TriangleList<1, 1> EdgeList<1, 1>);

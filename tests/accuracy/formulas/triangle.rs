@@ -48,7 +48,7 @@ fn attributes_over_z_are_linear_on_screen() {
         let mvp = projection * Transform::IDENTITY;
         let probe = Probe {
             values: &value,
-            color: None,
+            color: None::<Gray8>,
         };
         let seen = record(probe, |recorder| {
             canvas.draw_with(&both_sides, &mesh, &mvp, recorder);

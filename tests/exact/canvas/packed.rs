@@ -205,7 +205,7 @@ where
     O: Storage<C>,
     D: DepthBuffer,
     I: Mode,
-    B: Blending<C, Source = C>,
+    B: Blending<C>,
 {
     let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.25), fx!(30)).unwrap();
     let [x, y] = [number % 7 - 3, number % 5 - 2].map(Scalar::from_num);
