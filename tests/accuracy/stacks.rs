@@ -14,21 +14,59 @@ use fixel::prelude::*;
 use fixel::shade::{Fog, Illumination, Output, Precise, PreciseOf, Translucent};
 use fixel::view::Parallel;
 
+use rand::Rng;
+
+use crate::common::random::{Random, cases};
 use crate::reference::blending::over;
 use crate::reference::fog::linear;
 
 const SIDE: u32 = 8;
 static SQUARE: Mesh = shape!(plane(1, 1));
 
-/// The color at all corners of [`SQUARE`], by which tints multiply and which [`Gouraud`] shows.
-const TINT: Rgb888 = Rgb888::new(200, 90, 150);
-const SURFACE: Rgb888 = Rgb888::new(230, 140, 60);
-/// Brightness in 65,536ths.
-const LIGHT: i32 = 41_234;
-/// Opacity in 255ths.
-const OPACITY: u8 = 171;
-/// The square is this far away in fog from 1 to 9, with 3/8 of the way to go.
+/// The square is this far away, in fog from 1 to 9.
 const DISTANCE: f64 = 6.;
+
+/// The values of a scene, which are the same at all pixels.
+#[derive(Clone, Copy, Debug)]
+struct Scene {
+    surface: Rgb888,
+    /// The color at all corners of [`SQUARE`], by which tints multiply and which [`Gouraud`] shows.
+    tint: Rgb888,
+    ground: Rgb888,
+    /// Brightness in 65,536ths.
+    light: i32,
+    /// Opacity in 255ths.
+    opacity: u8,
+}
+
+impl Scene {
+    fn random(random: &mut Random) -> Self {
+        let mut color = || {
+            let [r, g, b] = random.random();
+            Rgb888::new(r, g, b)
+        };
+        Self {
+            surface: color(),
+            tint: color(),
+            ground: color(),
+            light: random.random_range(0..=1 << 16),
+            opacity: random.random(),
+        }
+    }
+
+    /// A color of the canvas between black and white, unless it has only these.
+    fn ground<C: Channels>(&self) -> C {
+        C::from_rgb(self.ground, Default::default())
+    }
+
+    fn sun(&self) -> Light {
+        Light::new(vec3!(0, 1, 0), Scalar::from_bits(self.light), fx!(0)).unwrap()
+    }
+
+    fn share(&self) -> f64 {
+        f64::from(self.light) / 65_536.
+    }
+}
 
 /// A color of a canvas, and its channels from 0 to 1.
 trait Channels: PixelFormat + Default {
@@ -84,11 +122,6 @@ channels! {
 
 fn each(a: [f64; 3], b: [f64; 3], f: impl Fn(f64, f64) -> f64) -> [f64; 3] {
     [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2])]
-}
-
-/// A color of the canvas between black and white, unless it has only these.
-fn ground<C: Channels>() -> C {
-    C::from_rgb(Rgb888::new(64, 160, 224), Default::default())
 }
 
 /// A stack whose type is forgotten: all corners of [`SQUARE`] have the same varyings, which it has kept. So a test of
@@ -156,6 +189,7 @@ type Exact = [f64; 3];
 /// The tests of one triangle in one format.
 struct Tests<'a> {
     triangle: &'a Primitive<'a>,
+    scene: Scene,
 }
 
 impl Tests<'_> {
@@ -178,8 +212,8 @@ impl Tests<'_> {
             kept.get().unwrap()
         };
         let erased = Erased(&precise);
-        check(name, &erased, exact, None);
-        check(name, &erased, exact, Some(OPACITY));
+        self.check(name, &erased, exact, None);
+        self.check(name, &erased, exact, Some(self.scene.opacity));
         if more > 0 {
             self.adapters(name, erased, exact, more - 1);
         }
@@ -192,9 +226,8 @@ impl Tests<'_> {
         exact: Exact,
         more: usize,
     ) {
-        let sun = Light::new(vec3!(0, 1, 0), Scalar::from_bits(LIGHT), fx!(0)).unwrap();
-        let share = f64::from(LIGHT) / 65_536.;
-        let lit = exact.map(|channel| channel * share);
+        let (scene, sun) = (self.scene, self.scene.sun());
+        let lit = exact.map(|channel| channel * scene.share());
         self.stack(&format!("{name}.lit"), shader.lit(sun), lit, more);
         self.stack(
             &format!("{name}.lit_faces"),
@@ -202,72 +235,80 @@ impl Tests<'_> {
             lit,
             more,
         );
-        let tinted = each(exact, C::exact(TINT), |a, b| a * b);
+        let tinted = each(exact, C::exact(scene.tint), |a, b| a * b);
         self.stack(&format!("{name}.tinted"), shader.tinted(), tinted, more);
-        let fog = Fog::linear(ground::<C>(), fx!(1), fx!(9)).unwrap();
+        let fog = Fog::linear(scene.ground::<C>(), fx!(1), fx!(9)).unwrap();
         let left = linear(DISTANCE, 1., 9.);
-        let foggy = each(exact, ground::<C>().channels(), |a, b| over(a, b, left));
+        let foggy = each(exact, scene.ground::<C>().channels(), |a, b| {
+            over(a, b, left)
+        });
         self.stack(&format!("{name}.in_fog"), shader.in_fog(fog), foggy, more);
         let same = shader.map(|_, color| Some(color));
         self.stack(&format!("{name}.map"), same, exact, more);
         let half = exact.map(|channel| channel / 2.);
         self.stack(&format!("{name}.half"), Half(shader), half, more);
     }
-}
 
-/// Draws a stack over a ground, and compares the mean of all pixels with the model.
-fn check<C: Channels>(name: &str, shader: &Erased<'_, C>, exact: Exact, opacity: Option<u8>) {
-    let mut pixels = [ground::<C>(); (SIDE * SIDE) as usize];
-    let mut canvas = Canvas::new(&mut pixels, SIDE, SIDE).unwrap();
-    let mut expected = exact;
-    if let Some(opacity) = opacity {
-        let options = DrawOptions::new().with_blending(Opacity(opacity));
-        canvas.draw_with(&options, &SQUARE, &from_above(), shader);
-        let share = f64::from(opacity) / 255.;
-        expected = each(exact, ground::<C>().channels(), |above, below| {
-            over(above, below, share)
-        });
-    } else {
-        canvas.draw(&SQUARE, &from_above(), shader);
-    }
-    let sum = pixels.iter().fold([0.; 3], |sum, pixel| {
-        each(sum, pixel.channels(), |a, b| a + b)
-    });
-    let steps = C::MAX_STEPS.map(f64::from);
-    for ((sum, expected), steps) in sum.into_iter().zip(expected).zip(steps) {
-        let error = (sum / f64::from(SIDE * SIDE) - expected) * steps;
-        // A dithered mean is within 1/128 step of the level, which leaves as much for the level. Other formats are
-        // rounded to nearest; each of up to four products drops less than 1/250 step, and the 2^-16ths of a color of 24
-        // bits and the weights of a luma (2^-15 each) are less than 0.012 of 255 steps.
-        let tolerance = if C::IS_DITHERED {
-            1. / 64.
+    /// Draws a stack over a ground, and compares the mean of all pixels with the model.
+    fn check<C: Channels>(
+        &self,
+        name: &str,
+        shader: &Erased<'_, C>,
+        exact: Exact,
+        opacity: Option<u8>,
+    ) {
+        let ground = self.scene.ground::<C>();
+        let mut pixels = [ground; (SIDE * SIDE) as usize];
+        let mut canvas = Canvas::new(&mut pixels, SIDE, SIDE).unwrap();
+        let mut expected = exact;
+        if let Some(opacity) = opacity {
+            let options = DrawOptions::new().with_blending(Opacity(opacity));
+            canvas.draw_with(&options, &SQUARE, &from_above(), shader);
+            let share = f64::from(opacity) / 255.;
+            expected = each(exact, ground.channels(), |above, below| {
+                over(above, below, share)
+            });
         } else {
-            0.5 + 4. / 250. + 0.012
-        };
-        assert!(
-            error.abs() <= tolerance,
-            "{name} over {opacity:?} is {error} steps from {} of {}",
-            expected * steps,
-            core::any::type_name::<C>(),
-        );
+            canvas.draw(&SQUARE, &from_above(), shader);
+        }
+        let sum = pixels.iter().fold([0.; 3], |sum, pixel| {
+            each(sum, pixel.channels(), |a, b| a + b)
+        });
+        let steps = C::MAX_STEPS.map(f64::from);
+        for ((sum, expected), steps) in sum.into_iter().zip(expected).zip(steps) {
+            let error = (sum / f64::from(SIDE * SIDE) - expected) * steps;
+            // A dithered mean is within 1/128 step of the level, which leaves as much for the level. Other formats are
+            // rounded to nearest; each of up to four products drops less than 1/250 step, and the 2^-16ths of a color of 24
+            // bits and the weights of a luma (2^-15 each) are less than 0.012 of 255 steps.
+            let tolerance = if C::IS_DITHERED {
+                1. / 64.
+            } else {
+                0.5 + 4. / 250. + 0.012
+            };
+            assert!(
+                error.abs() <= tolerance,
+                "{name} covering {opacity:?} is {error} steps from {} of {} in {:?}",
+                expected * steps,
+                core::any::type_name::<C>(),
+                self.scene,
+            );
+        }
     }
 }
 
 /// All stacks of up to three adapters over a surface of the canvas's own color, one of 24 bits, and vertex colors.
-fn all<C: Channels>() {
-    let colors = [TINT; 4];
+fn all<C: Channels>(scene: Scene) {
+    let colors = [scene.tint; 4];
     let mesh = SQUARE.with_colors(&colors, None).unwrap();
     let hook = |triangle: &Primitive<'_>| {
-        let tests = Tests { triangle };
-        let plain = C::from_rgb(SURFACE, Default::default());
+        let tests = Tests { triangle, scene };
+        let plain = C::from_rgb(scene.surface, Default::default());
         tests.adapters::<C>("plain", Flat::new(plain), plain.channels(), 2);
-        tests.stack::<C>("rgb", Flat::rgb(SURFACE), C::exact(SURFACE), 3);
-        tests.stack::<C>("vertex colors", Gouraud::new(), C::exact(TINT), 3);
-        let wide = Flat::new(SURFACE);
-        let share = f64::from(LIGHT) / 65_536.;
-        let sun = Light::new(vec3!(0, 1, 0), Scalar::from_bits(LIGHT), fx!(0)).unwrap();
-        let lit = C::exact(SURFACE).map(|channel| channel * share);
-        tests.stack::<C>("lit.converted", wide.lit(sun).converted(), lit, 1);
+        tests.stack::<C>("rgb", Flat::rgb(scene.surface), C::exact(scene.surface), 3);
+        tests.stack::<C>("vertex colors", Gouraud::new(), C::exact(scene.tint), 3);
+        let lit = C::exact(scene.surface).map(|channel| channel * scene.share());
+        let wide = Flat::new(scene.surface).lit(scene.sun());
+        tests.stack::<C>("lit.converted", wide.converted(), lit, 1);
     };
     let mut pixel = [Gray8::new(0)];
     let mut canvas = Canvas::new(&mut pixel, 1, 1).unwrap();
@@ -276,24 +317,30 @@ fn all<C: Channels>() {
 
 #[test]
 fn dithered_formats_show_the_product() {
-    all::<BinaryColor>();
-    all::<Gray2>();
-    all::<Gray4>();
+    cases(8, |random| {
+        let scene = Scene::random(random);
+        all::<BinaryColor>(scene);
+        all::<Gray2>(scene);
+        all::<Gray4>(scene);
+    });
 }
 
 #[test]
 fn rounded_formats_show_the_product() {
-    all::<Rgb565>();
-    all::<Rgb666>();
-    all::<Rgb888>();
-    all::<Gray8>();
+    cases(8, |random| {
+        let scene = Scene::random(random);
+        all::<Rgb565>(scene);
+        all::<Rgb666>(scene);
+        all::<Rgb888>(scene);
+        all::<Gray8>(scene);
+    });
 }
 
 /// A translucent surface keeps its opacity through all adapters.
 #[test]
 fn translucent_surfaces_keep_their_opacity() {
     let surface = Flat::new(Gray4::new(12)).map(|_, color| {
-        let opacity = OPACITY;
+        let opacity = 171;
         Some(Translucent { color, opacity })
     });
     let sun = Light::new(vec3!(0, 1, 0), fx!(0.5), fx!(0)).unwrap();
@@ -301,7 +348,7 @@ fn translucent_surfaces_keep_their_opacity() {
     let mut canvas = Canvas::new(&mut pixels, SIDE, SIDE).unwrap();
     canvas.draw(&SQUARE, &from_above(), &surface.lit(sun).lit_faces(sun));
     let sum: u32 = pixels.iter().map(|pixel| u32::from(pixel.luma())).sum();
-    let exact = 12. / 4. * f64::from(OPACITY) / 255.;
+    let exact = 12. / 4. * 171. / 255.;
     let mean = f64::from(sum) / f64::from(SIDE * SIDE);
     assert!((mean - exact).abs() <= 1. / 64., "{mean}, not {exact}");
 }
