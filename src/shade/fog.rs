@@ -313,6 +313,11 @@ impl<O: Output<Color: PixelFormat>, D: Density> Output for Fogged<O, D> {
     }
 
     #[inline]
+    fn opacity(self) -> u8 {
+        self.output.opacity()
+    }
+
+    #[inline]
     fn onto(self, below: impl FnOnce() -> O::Color, at: Point) -> O::Color {
         if O::IS_OPAQUE {
             self.finish(at)

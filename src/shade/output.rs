@@ -54,6 +54,13 @@ pub trait Output: Copy {
     #[must_use]
     fn finish(self, at: Point) -> Self::Color;
 
+    /// The share, in 255ths, by which the color covers the one on the canvas.
+    #[must_use]
+    #[inline]
+    fn opacity(self) -> u8 {
+        255
+    }
+
     /// The new color of a pixel, where `below` returns the old one.
     #[doc(hidden)]
     #[inline]
@@ -307,6 +314,11 @@ impl<O: Output<Color: PixelFormat>> Output for Translucent<O> {
     #[inline]
     fn finish(self, at: Point) -> O::Color {
         self.color.finish(at)
+    }
+
+    #[inline]
+    fn opacity(self) -> u8 {
+        self.faded(self.color.opacity()).opacity
     }
 
     #[inline]

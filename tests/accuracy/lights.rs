@@ -374,7 +374,6 @@ fn corners_and_faces_are_lit_in_world_space() {
                 }
             }
             for color in at_faces.seen.iter().filter_map(|seen| seen.color) {
-                let color = color.finish(Default::default());
                 let found = [color.r(), color.g(), color.b()];
                 for (found, expected) in found.into_iter().zip(expected(middle)) {
                     let error = f64::from(found) - expected * 255.;

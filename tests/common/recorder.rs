@@ -7,7 +7,7 @@ use std::cell::RefCell;
 
 use embedded_graphics::pixelcolor::{Gray8, PixelColor};
 use fixel::prelude::*;
-use fixel::shade::{Lanes, PerFace, Tolerance, Varyings};
+use fixel::shade::{ColorOf, Lanes, Output, PerFace, Tolerance, Varyings};
 
 /// A shader's input and output at a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,6 +18,7 @@ pub struct Seen<const N: usize, C = Gray8> {
     pub face: usize,
     /// The first `N` interpolated numbers; 0 if the shader has fewer.
     pub values: [i32; N],
+    /// As the canvas stores it.
     pub color: Option<C>,
 }
 
@@ -34,14 +35,14 @@ pub struct Record<const N: usize, C = Gray8> {
 #[derive(Clone, Copy)]
 pub struct Recorder<'a, S: Shader, const N: usize> {
     shader: S,
-    record: &'a RefCell<Record<N, S::Color>>,
+    record: &'a RefCell<Record<N, ColorOf<S>>>,
 }
 
 /// Records the input of a draw call's shader.
 pub fn record<S: Shader, const N: usize>(
     shader: S,
     draw: impl FnOnce(&Recorder<'_, S, N>),
-) -> Record<N, S::Color> {
+) -> Record<N, ColorOf<S>> {
     let record = RefCell::new(Record {
         seen: Vec::new(),
         corners: Vec::new(),
@@ -70,15 +71,15 @@ impl<S: Shader, const N: usize> Shader for Recorder<'_, S, N> {
     }
 
     fn shade(&self, at: &Fragment, (inside, PerFace(face)): Self::Varyings) -> Option<S::Color> {
-        let color = self.shader.shade(at, inside);
+        let output = self.shader.shade(at, inside);
         self.record.borrow_mut().seen.push(Seen {
             pixel: [at.point.x, at.point.y],
             depth: at.depth,
             face,
             values: numbers(inside),
-            color,
+            color: output.map(|output| output.finish(at.point)),
         });
-        color
+        output
     }
 }
 

@@ -1,6 +1,5 @@
 //! Shaders that a program implements itself, and lists of models with different shaders.
 
-use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb565, Rgb888, RgbColor};
 use fixel::canvas::{Depth, Native};
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
@@ -245,11 +244,7 @@ fn a_shader_may_compute_fog_from_depth() {
         let at = y * WIDTH as usize + x;
         if seen.depth >= nearest[at] {
             nearest[at] = seen.depth;
-            let color = seen
-                .color
-                .unwrap()
-                .finish(Point::new(seen.pixel[0], seen.pixel[1]));
-            expected[at] = fogged(seen.depth, color);
+            expected[at] = fogged(seen.depth, seen.color.unwrap());
         }
     }
     assert_eq!(foggy, expected);

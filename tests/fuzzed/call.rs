@@ -7,14 +7,14 @@ use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
 use fixel::canvas::{
-    Add, Alpha, Blending, ColorIndex, Contrast, Depth, DepthBuffer, ErrorDiffusion, Multiply,
-    Native, Opacity, Storage, TestAndWrite,
+    Add, Blending, ColorIndex, Contrast, Depth, DepthBuffer, ErrorDiffusion, Multiply, Native,
+    Opacity, Storage, TestAndWrite,
 };
 use fixel::mesh::flash::{StoredUvs, UvGrid, short_normal};
 use fixel::mesh::{Material, Part, Quantized};
 use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::shade::{PartColors, Translucent};
+use fixel::shade::{Output, PartColors, Translucent};
 use fixel::view::ProjectionKind;
 use fixel::{Drawn, Object, Prepared, PreparedEdges};
 
@@ -536,7 +536,8 @@ impl<K: ProjectionKind> Call<'_, K> {
         F: ShaderFor<Rgb565>,
     {
         let (width, height) = self.scene.size;
-        let coarse = shader.map(|_, color| Some(BinaryColor::from(color.g() & 1 == 1)));
+        let coarse =
+            shader.map(|at, color| Some(BinaryColor::from(color.finish(at.point).g() & 1 == 1)));
         let mut colors = vec![BinaryColor::Off; self.scene.pixels()];
         let mut canvas = Canvas::new(&mut colors, width, height).unwrap();
         canvas.draw_with(options, self.mesh, &self.mvp, &coarse);
@@ -608,14 +609,14 @@ impl<K: ProjectionKind> Call<'_, K> {
             let opacity = (at.point.x ^ at.point.y).cast_unsigned() as u8;
             Some(Translucent { color, opacity })
         });
-        self.check_blending(&options.with_blending(Alpha), &translucent);
+        self.check_blending(&options.with_blending(fixel::canvas::Replace), &translucent);
     }
 
     fn check_blending<I, B, F>(&self, options: &DrawOptions<I, TestAndWrite, B>, shader: &F)
     where
         I: Mode,
         B: Blending<Rgb565>,
-        F: ShaderFor<B::Source>,
+        F: ShaderFor<Rgb565>,
     {
         // Triangles suffice: edges and points reach the pixels by the same path.
         let mut frame = self.blank();

@@ -4,7 +4,7 @@ use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888, RgbColor};
 use fixel::mesh::{Material, Part};
 use fixel::prelude::*;
-use fixel::shade::{Falloff, Fog, Gradient, Mipmapped, PartColors, Translucent};
+use fixel::shade::{Falloff, Fog, Gradient, Mipmapped, Output, PartColors, Translucent};
 use fixel::texture::{Argb1555, Argb4444, Mipmap};
 
 use super::numbers::{option, scalar, vector};
@@ -257,10 +257,10 @@ fn thinned(_: &Fragment, Translucent { color, opacity }: Translucent<Rgb565>) ->
 
 /// A shader whose colors are converted to the canvas's color type.
 fn wide(shader: impl ShaderFor<Rgb888>) -> impl ShaderFor<Rgb565> {
-    shader.map(|_, color| Some(color.into()))
+    shader.map(|at, color| Some(Rgb565::from(color.finish(at.point))))
 }
 
 /// The same for a shader with few grays.
-fn wide_gray(shader: impl Shader<Color: Into<Rgb888>>) -> impl ShaderFor<Rgb888> {
-    shader.map(|_, color| Some(color.into()))
+fn wide_gray<C: PixelFormat>(shader: impl ShaderFor<C>) -> impl ShaderFor<Rgb888> {
+    shader.converted()
 }

@@ -4,7 +4,7 @@ use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, PixelColor, Rgb888, RgbColor};
 use embedded_graphics::primitives::{PointsIter, Rectangle};
-use fixel::canvas::{Alpha, Biased, DepthBuffer, Native, Replace, TestAndWrite, TestOnly};
+use fixel::canvas::{Biased, DepthBuffer, Native, Replace, TestAndWrite, TestOnly};
 use fixel::mode::Newton;
 use fixel::prelude::*;
 use fixel::shade::{Flat, PixelFormat, Varyings};
@@ -18,7 +18,7 @@ use super::look::{Backdrop, Look};
 use super::mode::{Mode, in_mode};
 use super::paint::{self, Shown, Skin};
 use super::scene::{Motion, Scene};
-use super::surface::{Any, Glass, Show, Surface};
+use super::surface::{Any, Glass, Surface};
 use crate::args::{Args, Shade};
 use crate::part::Piece;
 
@@ -49,7 +49,7 @@ pub struct Style<'a> {
     bias: Biased,
     backdrop: Backdrop,
     /// The color of the canvas at a pixel.
-    color: Show<Rgb888>,
+    color: fn(Rgb888, Point) -> Rgb888,
     /// Whether the project's name is written into the picture, and if so, whether it is on black.
     caption: Option<bool>,
 }
@@ -220,11 +220,11 @@ impl Posed<'_> {
     }
 
     /// Draws the faces of a piece.
-    fn draw_piece<S: Shader<Color: PixelColor>, D: DepthBuffer>(
+    fn draw_piece<C: PixelColor, D: DepthBuffer>(
         &self,
-        canvas: &mut Board<'_, S::Color, D>,
+        canvas: &mut Board<'_, C, D>,
         piece: &Piece<'_>,
-        shader: &S,
+        shader: &impl ShaderFor<C>,
         bias: Biased,
     ) -> Drawn {
         let options: Options = self.options(piece).with_depth(bias);
@@ -234,10 +234,10 @@ impl Posed<'_> {
     }
 
     /// Draws the faces of all pieces.
-    pub fn draw<S: Shader<Color: PixelColor>, D: DepthBuffer>(
+    pub fn draw<C: PixelColor, D: DepthBuffer>(
         &self,
-        canvas: &mut Board<'_, S::Color, D>,
-        shader: &S,
+        canvas: &mut Board<'_, C, D>,
+        shader: &impl ShaderFor<C>,
     ) -> Drawn {
         let draw =
             |piece| self.draw_piece(canvas, piece, shader, Biased::new(TestAndWrite, 0, fx!(0)));
@@ -245,10 +245,10 @@ impl Posed<'_> {
     }
 
     /// Draws the edges as lines one pixel wide.
-    pub fn draw_edges<S: Shader<Color: PixelColor>, D: DepthBuffer>(
+    pub fn draw_edges<C: PixelColor, D: DepthBuffer>(
         &self,
-        canvas: &mut Board<'_, S::Color, D>,
-        shader: &S,
+        canvas: &mut Board<'_, C, D>,
+        shader: &impl ShaderFor<C>,
     ) -> Drawn {
         let draw = |piece: &Piece<'_>| {
             let options = &self.options(piece);
@@ -340,10 +340,7 @@ impl Posed<'_> {
         shader: &Any<'_, V>,
     ) -> Drawn {
         let shader = &Glass(shader);
-        let options: Options<TestOnly, Alpha> = self
-            .options(piece)
-            .with_depth(TestOnly)
-            .with_blending(Alpha);
+        let options: Options<TestOnly> = self.options(piece).with_depth(TestOnly);
         projected!(self, options, |options, mvp| {
             canvas.draw_with(options, &piece.mesh, mvp, shader)
         })

@@ -6,7 +6,6 @@ use fixel::canvas::Contrast;
 use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::shade::{Colored, Fog, Light, PixelFormat, TwoSided, Viewer};
-use fixel::texture::Blend;
 
 use super::Result;
 use crate::args::{Args, Shade};
@@ -142,12 +141,12 @@ impl Look {
         self.haze.is_some()
     }
 
-    /// The fog, in the texture's color type.
+    /// The fog, in the canvas's color type.
     ///
     /// # Errors
     ///
     /// The fog ends before it begins.
-    pub fn fog<C: PixelFormat + Blend>(&self) -> Result<Option<Fog<C>>> {
+    pub fn fog<C: PixelFormat>(&self) -> Result<Option<Fog<C>>> {
         let Some((near, far, color)) = self.haze else {
             return Ok(None);
         };

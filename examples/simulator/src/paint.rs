@@ -5,7 +5,8 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888, R
 use fixel::prelude::*;
 use fixel::shade::{
     Channels, ColorOf, Converted, DepthView, FaceColors, Flat, Gouraud, Illumination, Lighting,
-    Matte, NormalView, PixelFormat, Rgb, Source, Texels, Textured, Translucent, Varyings, Within,
+    Matte, NormalView, Output, PixelFormat, Precise, PreciseOf, Rgb, Texels, Textured, Translucent,
+    Varyings, Within,
 };
 use fixel::texture::{Bilinear, Blend, Clamp, Nearest, Repeat};
 use fixel::{Fragment, Primitive};
@@ -14,7 +15,7 @@ use fixel_assets::Alpha;
 use super::Result;
 use super::common::{lighthouse, scenes};
 use super::look::{Backdrop, Look};
-use super::surface::{FaceValues, Show, Surface};
+use super::surface::{FaceValues, Surface};
 use crate::args::{Filter, SceneName, Shade};
 use crate::part::{Finish, Piece};
 use crate::view::View;
@@ -57,37 +58,35 @@ impl Shown for BinaryColor {
 /// A texture of colors and opacities.
 pub type Skin<'a, T> = Texture<'a, Translucent<T>>;
 
-type Sampled<'a, T, A, F> = Textured<&'a Skin<'a, T>, A, F>;
+type Sampled<'a, C, A, F> = Converted<Textured<&'a Skin<'a, <C as Shown>::Texel>, A, F>, C>;
 
 /// A surface without light: one color, or a texture in one of four ways.
 #[derive(Clone, Copy)]
-enum Base<'a, T> {
-    Plain(Converted<Flat<Rgb888>, T>),
-    Repeated(Sampled<'a, T, Repeat, Nearest>),
-    Clamped(Sampled<'a, T, Clamp, Nearest>),
-    RepeatedSmooth(Sampled<'a, T, Repeat, Bilinear>),
-    ClampedSmooth(Sampled<'a, T, Clamp, Bilinear>),
+enum Base<'a, C: Shown> {
+    Plain(Converted<Flat<Rgb888>, C>),
+    Repeated(Sampled<'a, C, Repeat, Nearest>),
+    Clamped(Sampled<'a, C, Clamp, Nearest>),
+    RepeatedSmooth(Sampled<'a, C, Repeat, Bilinear>),
+    ClampedSmooth(Sampled<'a, C, Clamp, Bilinear>),
 }
 
-fn opaque<T>(color: T) -> Translucent<T> {
-    Translucent {
-        color,
-        opacity: 255,
-    }
-}
-
-impl<'a, T: Stored> Base<'a, T> {
-    fn new(texture: Option<&'a Skin<'a, T>>, finish: &Finish, filter: Filter, white: bool) -> Self {
+impl<'a, C: Shown> Base<'a, C> {
+    fn new(
+        texture: Option<&'a Skin<'a, C::Texel>>,
+        finish: &Finish,
+        filter: Filter,
+        white: bool,
+    ) -> Self {
         let Some(texture) = texture else {
             let color = if white { Rgb888::WHITE } else { finish.color };
             return Self::Plain(Flat::rgb(color));
         };
         let skin = Textured::new(texture);
         match (filter, finish.is_clamped) {
-            (Filter::Nearest, false) => Self::Repeated(skin),
-            (Filter::Nearest, true) => Self::Clamped(skin.clamped()),
-            (Filter::Bilinear, false) => Self::RepeatedSmooth(skin.bilinear()),
-            (Filter::Bilinear, true) => Self::ClampedSmooth(skin.clamped().bilinear()),
+            (Filter::Nearest, false) => Self::Repeated(skin.converted()),
+            (Filter::Nearest, true) => Self::Clamped(skin.clamped().converted()),
+            (Filter::Bilinear, false) => Self::RepeatedSmooth(skin.bilinear().converted()),
+            (Filter::Bilinear, true) => Self::ClampedSmooth(skin.clamped().bilinear().converted()),
         }
     }
 }
@@ -105,8 +104,8 @@ macro_rules! sampled {
     };
 }
 
-impl<T: Stored> Shader for Base<'_, T> {
-    type Color = Translucent<T>;
+impl<C: Shown> Shader for Base<'_, C> {
+    type Color = Translucent<Precise<C>>;
     type Varyings = Texels;
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [Texels; 3] {
@@ -115,16 +114,10 @@ impl<T: Stored> Shader for Base<'_, T> {
     }
 
     fn shade(&self, at: &Fragment, texels: Texels) -> Option<Self::Color> {
+        let opacity = 255;
+        let opaque = |color| Translucent { color, opacity };
         sampled!(self, |flat| flat.shade(at, ()).map(opaque), |skin| skin
             .shade(at, texels))
-    }
-
-    fn shade_lit(&self, at: &Fragment, texels: Texels, light: Illumination) -> Option<Self::Color> {
-        sampled!(
-            self,
-            |flat| flat.shade_lit(at, (), light).map(opaque),
-            |skin| { skin.shade_lit(at, texels, light) }
-        )
     }
 }
 
@@ -141,10 +134,10 @@ struct TintedLit<S, L> {
 
 impl<S, L> Shader for TintedLit<S, L>
 where
-    S: Shader<Color: Source<Color: PixelFormat>>,
+    S: Shader<Color: Output<Color: PixelFormat>>,
     L: Lighting<Diffuse = Rgb, Specular = Matte>,
 {
-    type Color = S::Color;
+    type Color = PreciseOf<S>;
     type Varyings = (
         S::Varyings,
         Within<64, <ColorOf<S> as PixelFormat>::Channels>,
@@ -169,23 +162,17 @@ where
         })
     }
 
-    fn shade(&self, at: &Fragment, (inside, Within(light)): Self::Varyings) -> Option<S::Color> {
+    fn shade(
+        &self,
+        at: &Fragment,
+        (inside, Within(light)): Self::Varyings,
+    ) -> Option<PreciseOf<S>> {
         let light = Illumination {
             diffuse: light.all(),
             specular: None,
         };
-        self.surface.shade_lit(at, inside, light)
+        Some(self.surface.shade(at, inside)?.lit(light))
     }
-}
-
-/// Converts a color of the canvas to the color that a computer's screen shows.
-fn screen<C: Into<Rgb888>>(color: C, _: Point) -> Rgb888 {
-    color.into()
-}
-
-/// Shows a texture's color at a pixel of a canvas of color `C`.
-fn shown<C: Shown>(texel: C::Texel, at: Point) -> Rgb888 {
-    on_canvas::<C>(texel.into(), at)
 }
 
 /// The color of a canvas of color `C` that is nearest to `color` at a pixel.
@@ -193,31 +180,29 @@ pub fn on_canvas<C: Shown>(color: Rgb888, at: Point) -> Rgb888 {
     C::from_rgb(color, at).into()
 }
 
-/// The shader of a piece that needs more than a color and light. It computes in the texture's color, and the result is
-/// then `shown`.
-fn stored<'a, T: Stored>(
+/// The shader of a piece that needs more than a color and light.
+fn rich<'a, C: Shown>(
     look: &'a Look,
     filter: Filter,
     piece: &Piece<'_>,
-    texture: Option<&'a Skin<'a, T>>,
-    shown: Show<T>,
+    texture: Option<&'a Skin<'a, C::Texel>>,
 ) -> Result<Surface<'a>> {
     let finish = piece.finish;
     let has_colors = piece.mesh.has_colors();
-    let base = Base::new(texture, &finish, filter, has_colors);
+    let base = Base::<C>::new(texture, &finish, filter, has_colors);
     let (light, contrast) = (look.light(), look.contrast);
-    let glow = T::from_rgb(finish.glow, Point::zero());
+    let glow = Precise::of_rgb(finish.glow);
     // Where a texture is reduced or smooth, the border of a hole lies at half of its alpha.
     let least = if matches!(finish.alpha, Alpha::Cut(_)) {
         128
     } else {
         0
     };
-    let touch = move |_: &Fragment, source: Translucent<T>| {
+    let touch = move |at: &Fragment, source: Translucent<Precise<C>>| {
         let color = source.color.plus(glow);
         let color = contrast.map_or(color, |contrast| {
-            let gray = Gray8::from_rgb(color.into(), Point::zero());
-            T::from_rgb(contrast.stretch(gray).into(), Point::zero())
+            let gray = color.converted::<Gray8>().finish(at.point);
+            Precise::of_rgb(contrast.stretch(gray).into())
         });
         let opacity = match finish.alpha {
             Alpha::Blended => source.faded(finish.opacity).opacity,
@@ -225,13 +210,13 @@ fn stored<'a, T: Stored>(
         };
         (source.opacity >= least).then_some(Translucent { color, opacity })
     };
-    let fog = look.fog::<T>()?;
+    let fog = look.fog::<C>()?;
     /// Wraps a shader with what comes after the light.
     macro_rules! surface {
         ($shader:expr) => {
             match fog {
-                Some(fog) => Surface::new(Surface::Many, $shader.map(touch).in_fog(fog), shown),
-                None => Surface::new(Surface::Many, $shader.map(touch), shown),
+                Some(fog) => Surface::new(Surface::Many, $shader.map(touch).in_fog(fog), C::into),
+                None => Surface::new(Surface::Many, $shader.map(touch), C::into),
             }
         };
     }
@@ -251,22 +236,19 @@ fn stored<'a, T: Stored>(
 /// The shader of a piece that has only colors and light. Each color is dithered once, from the exact color.
 fn bare<'a, C: Shown>(look: &'a Look, piece: &Piece<'_>) -> Result<Surface<'a>> {
     let light = look.light();
-    let screen: Show<C> = screen;
     if piece.mesh.has_colors() {
         let colors = Gouraud::<C>::new();
         match look.shade {
             Some(Shade::Texture) => vertex_colors::<C>(),
-            Some(Shade::Flat) => {
-                Surface::opaque(Surface::Channels, colors.lit_faces(light), screen)
-            }
-            _ => Surface::opaque(Surface::Channels, colors.lit(light), screen),
+            Some(Shade::Flat) => Surface::new(Surface::Channels, colors.lit_faces(light), C::into),
+            _ => Surface::new(Surface::Channels, colors.lit(light), C::into),
         }
     } else {
         let color = Flat::<C>::rgb(piece.finish.color);
         match look.shade {
-            Some(Shade::Texture) => Surface::opaque(Surface::Many, color, screen),
-            Some(Shade::Flat) => Surface::opaque(Surface::Many, color.lit_faces(light), screen),
-            _ => Surface::opaque(Surface::Many, color.lit(light), screen),
+            Some(Shade::Texture) => Surface::new(Surface::Many, color, C::into),
+            Some(Shade::Flat) => Surface::new(Surface::Many, color.lit_faces(light), C::into),
+            _ => Surface::new(Surface::Many, color.lit(light), C::into),
         }
     }
 }
@@ -275,9 +257,9 @@ fn bare<'a, C: Shown>(look: &'a Look, piece: &Piece<'_>) -> Result<Surface<'a>> 
 fn vertex_colors<C: Shown>() -> Result<Surface<'static>> {
     let colors = Gouraud::<C>::new();
     if <Gouraud<C> as Shader>::Varyings::PAIRS {
-        Surface::opaque(Surface::Pairs, colors, screen)
+        Surface::new(Surface::Pairs, colors, C::into)
     } else {
-        Surface::opaque(Surface::Channels, colors, screen)
+        Surface::new(Surface::Channels, colors, C::into)
     }
 }
 
@@ -297,19 +279,19 @@ pub fn surface<'a, C: Shown>(
     let is_textured = matches!(look.shade, Some(Shade::Texture | Shade::Lit));
     let texture = texture.filter(|_| is_textured);
     match look.shade {
-        Some(Shade::Normal) => Surface::opaque(Surface::Channels, NormalView::<C>::new(), screen),
+        Some(Shade::Normal) => Surface::new(Surface::Channels, NormalView::<C>::new(), C::into),
         // What an outline hides has the color of the background.
         Some(Shade::Wire) => {
             let Backdrop::Color(color) = look.backdrop else {
                 return Err("a wire has a background of one color".into());
             };
-            Surface::opaque(Surface::Many, Flat::new(color), on_canvas::<C>)
+            Surface::new(Surface::Many, Flat::<C>::rgb(color), C::into)
         }
         Some(Shade::Depth) => {
             let [near, far] = view.depths;
             // The farthest point must remain visible on black.
             let far = far.saturating_sub((near.saturating_sub(far)) / 6);
-            Surface::opaque(Surface::Many, DepthView::<C>::between(far, near), screen)
+            Surface::new(Surface::Many, DepthView::<C>::between(far, near), C::into)
         }
         _ if texture.is_some()
             || look.has_fog()
@@ -317,7 +299,7 @@ pub fn surface<'a, C: Shown>(
             || finish.glow != Rgb888::BLACK
             || finish.opacity < 255 =>
         {
-            stored(look, filter, piece, texture, shown::<C>)
+            rich::<C>(look, filter, piece, texture)
         }
         _ => bare::<C>(look, piece),
     }
@@ -331,13 +313,13 @@ pub fn surface<'a, C: Shown>(
 pub fn own<C: Shown>() -> Result<Vec<Surface<'static>>> {
     Ok(if lighthouse::is_mono::<C>() {
         vec![
-            Surface::opaque(Surface::Many, lighthouse::crests::<C>(), screen)?,
-            Surface::opaque(Surface::Many, lighthouse::stretched::<C>()?, screen)?,
+            Surface::new(Surface::Many, lighthouse::crests::<C>(), C::into)?,
+            Surface::new(Surface::Many, lighthouse::stretched::<C>()?, C::into)?,
         ]
     } else {
         vec![
-            Surface::opaque(Surface::Many, lighthouse::waves::<C>(), screen)?,
-            Surface::opaque(Surface::Many, lighthouse::skin::<C>()?, screen)?,
+            Surface::new(Surface::Many, lighthouse::waves::<C>(), C::into)?,
+            Surface::new(Surface::Many, lighthouse::skin::<C>()?, C::into)?,
         ]
     })
 }
@@ -351,12 +333,12 @@ pub fn measured<C: Shown>(scene: SceneName) -> Result<Surface<'static>> {
     match scene {
         SceneName::Floor | SceneName::Cube => {
             let checker = Textured::new(&scenes::CHECKER).converted::<C>();
-            Surface::opaque(Surface::Many, checker, screen)
+            Surface::new(Surface::Many, checker, C::into)
         }
         SceneName::Sphere => vertex_colors::<C>(),
         SceneName::SphereFlat => {
             let colors = FaceColors::new(&scenes::FACE_COLORS).converted::<C>();
-            Surface::opaque(Surface::Many, colors, screen)
+            Surface::new(Surface::Many, colors, C::into)
         }
     }
 }

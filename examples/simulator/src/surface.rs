@@ -5,14 +5,13 @@
 //! different varyings share a rasterizer that interpolates enough numbers for all of them. A number that a shader does
 //! not use is 0 everywhere, so it changes no pixel.
 
-use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::raw::RawU16;
 use embedded_graphics::pixelcolor::{PixelColor, Rgb565, Rgb888};
 use embedded_graphics::prelude::RawData;
 use fixel::shade::{
-    Gouraud, Lanes, PerFace, Source, Texels, Tolerance, Translucent, Varyings, Within,
+    Gouraud, Lanes, Output, PerFace, Texels, Tolerance, Translucent, Varyings, Within,
 };
-use fixel::{Fragment, Primitive, Shader};
+use fixel::{Fragment, Primitive, Shader, ShaderFor};
 
 /// The values of a face, as numbers: at most a light's three channels.
 type Face = [i32; 3];
@@ -104,14 +103,13 @@ trait Shade<V: Varyings> {
 
 struct Placed<S, C> {
     shader: S,
-    /// Converts a color at a pixel.
-    shown: Show<C>,
+    screen: Screen<C>,
     /// For each number of the shader, its place among the numbers of the layout.
     places: [usize; 8],
 }
 
-/// Converts a color at a pixel to the color that a computer's screen shows.
-pub type Show<C> = fn(C, Point) -> Rgb888;
+/// Converts a color to the one that a computer's screen shows.
+pub type Screen<C> = fn(C) -> Rgb888;
 
 /// Gives each wanted number its own place with the same tolerance; `None` if there are too few places.
 fn places(wanted: &[Tolerance], offered: &[Tolerance]) -> Option<[usize; 8]> {
@@ -127,7 +125,7 @@ fn places(wanted: &[Tolerance], offered: &[Tolerance]) -> Option<[usize; 8]> {
 impl<C, S, V> Shade<V> for Placed<S, C>
 where
     C: PixelColor,
-    S: Shader<Color = Translucent<C>, Varyings: Varyings<Face: FaceValues>>,
+    S: ShaderFor<C, Varyings: Varyings<Face: FaceValues>>,
     V: Varyings<Face: FaceValues>,
 {
     fn varyings(&self, primitive: &Primitive<'_>) -> [V; 3] {
@@ -152,8 +150,11 @@ where
             *number = numbers.as_ref()[place];
         }
         let varyings = S::Varyings::join(inner, FaceValues::take(&face));
-        let source = self.shader.shade(at, varyings)?;
-        Some(source.convert(|color| (self.shown)(color, at.point)))
+        let output = self.shader.shade(at, varyings)?;
+        Some(Translucent {
+            color: (self.screen)(output.finish(at.point)),
+            opacity: output.opacity(),
+        })
     }
 }
 
@@ -198,30 +199,6 @@ impl<V: Varyings> Shader for Glass<'_, '_, V> {
 }
 
 impl<'a> Surface<'a> {
-    /// Wraps an opaque shader; see [`new`](Self::new).
-    ///
-    /// # Errors
-    ///
-    /// As for [`new`](Self::new).
-    pub fn opaque<C, V, S>(
-        layout: fn(Any<'a, V>) -> Self,
-        shader: S,
-        shown: Show<C>,
-    ) -> super::Result<Self>
-    where
-        C: PixelColor + 'a,
-        V: Varyings<Face: FaceValues>,
-        S: ShaderFor<C, Varyings: Varyings<Face: FaceValues>> + 'a,
-    {
-        let opaque = |_: &Fragment, color| {
-            Some(Translucent {
-                color,
-                opacity: 255,
-            })
-        };
-        Self::new(layout, shader.map(opaque), shown)
-    }
-
     /// Wraps a shader, whose varyings have a place in a layout, such as [`Surface::Many`].
     ///
     /// # Errors
@@ -230,19 +207,19 @@ impl<'a> Surface<'a> {
     pub fn new<C, V, S>(
         layout: fn(Any<'a, V>) -> Self,
         shader: S,
-        shown: Show<C>,
+        screen: Screen<C>,
     ) -> super::Result<Self>
     where
         C: PixelColor + 'a,
         V: Varyings<Face: FaceValues>,
-        S: Shader<Color = Translucent<C>, Varyings: Varyings<Face: FaceValues>> + 'a,
+        S: ShaderFor<C, Varyings: Varyings<Face: FaceValues>> + 'a,
     {
         let (wanted, offered) = (S::Varyings::tolerances(), V::tolerances());
         let places = places(wanted.as_ref(), offered.as_ref());
         match places.filter(|_| S::Varyings::PAIRS == V::PAIRS) {
             Some(places) => Ok(layout(Any(Box::new(Placed {
                 shader,
-                shown,
+                screen,
                 places,
             })))),
             None => Err("no rasterizer of the simulator interpolates what this look needs".into()),
