@@ -172,7 +172,7 @@ def places(instructions, other):
         ("a textured pixel, `Opacity`", "affine-opacity", "affine"),
         ("a textured pixel, `Add`", "affine-add", "affine"),
         ("a textured pixel, `Multiply`", "affine-multiply", "affine"),
-        ("a pixel of `Argb4444` texels, `Alpha`", "affine-argb4444", "affine"),
+        ("a pixel of `Argb4444` texels", "affine-argb4444", "affine"),
         ("a pixel with a mip level, nearest", "affine-mipmap", "affine"),
         ("a pixel with a mip level, bilinear (without: `Bilinear`)", "affine-mipmap-bilinear", "affine-bilinear"),
         ("a trilinear pixel (without: `Bilinear`)", "affine-trilinear", "affine-bilinear"),

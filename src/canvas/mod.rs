@@ -10,7 +10,7 @@
 //! | storage of a color | [`Native`]; bytes: embedded-graphics' `BigEndian` and `LittleEndian`; bits: [`Packed`] and [`Pages`] |
 //! | depth buffer | [`NoDepth`], or [`Depth`] in format [`Linear`], [`Float`] or [`WideFloat`] |
 //! | depth test of a draw call | [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], or [`Biased`] around one of these |
-//! | blending of a draw call | [`Replace`], [`Opacity`], [`Alpha`], [`Add`] or [`Multiply`] |
+//! | blending of a draw call | [`Replace`], [`Opacity`], [`Add`] or [`Multiply`] |
 
 mod blending;
 #[allow(clippy::module_inception)] // one type, one file

@@ -107,15 +107,14 @@ impl<S: Sampler, A: Addressing> Textured<S, A> {
 
 impl<S: Sampler<Color: PixelColor>, A: Addressing, F> Textured<S, A, F> {
     /// Gives each texel the opacity that a gray texture of the same size, the mask, has there: white is opaque, and
-    /// black leaves both color and depth of the canvas as they were. Draw it with the blending
-    /// [`Alpha`](crate::canvas::Alpha).
+    /// black leaves both color and depth of the canvas as they were.
     ///
     /// A bilinear filter blends colors and opacities separately, so give invisible texels the colors of their
     /// neighbors.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-    /// use fixel::{prelude::*, canvas::Alpha, texture::PackedGray4};
+    /// use fixel::{prelude::*, texture::PackedGray4};
     /// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[200, 200]);
     /// static SQUARE: Mesh = shape!(plane(1, 1));
     /// let mask = PackedGray4::new(&[0x3f], 2, 1)?; // a fifth, and the whole
@@ -123,8 +122,7 @@ impl<S: Sampler<Color: PixelColor>, A: Addressing, F> Textured<S, A, F> {
     /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
     /// let mut pixels = [Gray8::new(100); 2];
     /// let mut canvas = Canvas::new(&mut pixels, 2, 1)?;
-    /// let (alpha, drop) = (DrawOptions::new().with_blending(Alpha), Textured::new(&SKIN).masked(&mask)?);
-    /// canvas.draw_with(&alpha, &SQUARE, &mvp, &drop);
+    /// canvas.draw(&SQUARE, &mvp, &Textured::new(&SKIN).masked(&mask)?);
     /// assert_eq!(pixels, [Gray8::new(120), Gray8::new(200)]);
     /// # Ok::<(), Error>(())
     /// ```

@@ -6,7 +6,7 @@ use super::blend::{self, Blend};
 
 /// A texel of 16 bits with an opacity of 4 bits, and 4 bits each of red, green and blue.
 ///
-/// Its color is [`Rgb565`]; draw it with the blending [`Alpha`](crate::canvas::Alpha). A texel of opacity 0 leaves both
+/// Its color is [`Rgb565`]. A texel of opacity 0 leaves both
 /// color and depth of the canvas as they were. A bilinear filter blends colors whatever their opacities, so give texels
 /// of opacity 0 the colors of their neighbors.
 ///

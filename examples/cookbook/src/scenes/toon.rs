@@ -49,8 +49,8 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     for (place, radii, ink) in DUCK {
         let mvp = view * Transform::translate(place) * Transform::scale_axes(radii);
         let steps = Flat::new(Rgb565::WHITE).lit(sun).map(move |at, lit| {
-            let lit = lit.finish(at.point);
-            let step = usize::from(lit.g() > 26) + usize::from(lit.g() > 59); // white is 63
+            let green = lit.finish(at.point).g(); // white is 63
+            let step = usize::from(green > 26) + usize::from(green > 59);
             Some(ink[step])
         });
         canvas.draw_with(&behind, &BALL, &mvp, &steps);
