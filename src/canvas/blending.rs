@@ -4,7 +4,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
 use crate::sealed::{Sealed, sealed};
-use crate::shade::{Output, PixelFormat, fraction};
+use crate::shade::{Output, PixelFormat, Precise, fraction};
 
 /// How the colors of a draw call are blended with the colors on a canvas of color `C`: [`Replace`], [`Opacity`],
 /// [`Add`] or [`Multiply`]. Sealed.
@@ -136,13 +136,15 @@ impl<C: PixelFormat> Blending<C> for Opacity {
 impl<C: PixelFormat> Blending<C> for Add {
     #[inline]
     fn blend<O: Output<Color = C>>(self, output: O, below: impl FnOnce() -> C, at: Point) -> C {
-        output.plus(below(), at)
+        output.change(below(), at, Precise::of_sum, Precise::plus)
     }
 }
 
 impl<C: PixelFormat> Blending<C> for Multiply {
     #[inline]
     fn blend<O: Output<Color = C>>(self, output: O, below: impl FnOnce() -> C, at: Point) -> C {
-        output.times(below(), at)
+        output.change(below(), at, Precise::of_product, |below, color| {
+            below.times(color.fractions())
+        })
     }
 }

@@ -100,9 +100,6 @@ pub(super) fn zip(
     [f(r, x), f(g, y), f(b, z)]
 }
 
-/// Tolerance of a level: 1/8 step, which no rounding or dithering shows as more than a step in one of eight pixels.
-pub(super) const LEVEL: u32 = 1 << 13;
-
 /// Tolerance of a fraction: 1/1024.
 pub(super) const FRACTION: u32 = 1 << 6;
 

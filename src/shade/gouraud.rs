@@ -2,8 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::format::LEVEL;
-use super::{Fragment, PixelFormat, Precise, Shader, Within};
+use super::{Fragment, PixelFormat, Precise, Shader};
 use crate::mesh::Primitive;
 
 /// The mesh's vertex colors, interpolated in correct perspective; white if the mesh has none.
@@ -49,15 +48,15 @@ impl<C> Gouraud<C> {
 
 impl<C: PixelFormat> Shader for Gouraud<C> {
     type Color = Precise<C>;
-    type Varyings = Within<LEVEL, Precise<C>>;
+    type Varyings = Precise<C>;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        primitive.corners(|corner| Within(Precise::of_rgb(corner.color())))
+        primitive.corners(|corner| Precise::of_rgb(corner.color()))
     }
 
     #[inline]
-    fn shade(&self, _: &Fragment, Within(color): Self::Varyings) -> Option<Precise<C>> {
+    fn shade(&self, _: &Fragment, color: Precise<C>) -> Option<Precise<C>> {
         Some(color)
     }
 }

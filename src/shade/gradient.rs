@@ -2,9 +2,8 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::format::LEVEL;
 use super::ramp::Ramp;
-use super::{Fragment, PixelFormat, Precise, Shader, Within};
+use super::{Fragment, PixelFormat, Precise, Shader};
 use crate::mesh::Primitive;
 use crate::{Error, Scalar};
 
@@ -90,18 +89,18 @@ impl<C: PixelFormat> Gradient<C> {
 
 impl<C: PixelFormat> Shader for Gradient<C> {
     type Color = Precise<C>;
-    type Varyings = Within<LEVEL, Precise<C>>;
+    type Varyings = Precise<C>;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         primitive.corners(|corner| {
             let levels = self.levels(corner.position().y);
-            Within(Precise::from_levels(levels))
+            Precise::from_levels(levels)
         })
     }
 
     #[inline]
-    fn shade(&self, _: &Fragment, Within(color): Self::Varyings) -> Option<Precise<C>> {
+    fn shade(&self, _: &Fragment, color: Precise<C>) -> Option<Precise<C>> {
         Some(color)
     }
 }

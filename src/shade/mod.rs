@@ -15,7 +15,8 @@
 //! | [`DepthView`] | depth as gray | 0 |
 //! | [`NormalView`] | the direction of the normal as a color | 3, or 1 for gray |
 //!
-//! An adapter changes a surface. Adapters can be stacked in any order and number:
+//! An adapter changes a surface. Adapters can be stacked in any order and number: they compute in [full
+//! precision](Precise), and the canvas rounds or dithers the result once.
 //!
 //! | adapter | color of a pixel | more varyings |
 //! |---|---|---|
@@ -24,6 +25,7 @@
 //! | [`.tinted()`](Shader::tinted) | the surface × the mesh's vertex colors | 3, or 1 for gray |
 //! | [`.in_fog(fog)`](Shader::in_fog) | the surface, fading to the fog's color with distance | 1 |
 //! | [`.map(effect)`](Shader::map) | a function of the surface's color | 0 |
+//! | [`.dithered()`](Shader::dithered) | the surface, dithered although its format is fine | 0 |
 //! | [`.converted()`](Shader::converted) | the surface in another color format, dithered if that format is coarse | 0 |
 
 mod channels;

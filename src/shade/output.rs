@@ -3,7 +3,7 @@
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
-use super::format::{fraction, zip};
+use super::format::fraction;
 use super::{Illumination, PixelFormat, Precise, Shader};
 
 /// The output of a [`Shader`] for a pixel: a color of the canvas, a [`Precise`] color, or a [`Translucent`] one of
@@ -81,41 +81,23 @@ pub trait Output: Copy {
     where
         Self::Color: PixelFormat;
 
-    /// The color below plus this one.
-    #[doc(hidden)]
-    #[inline]
-    fn plus(self, below: Self::Color, at: Point) -> Self::Color
-    where
-        Self::Color: PixelFormat,
-    {
-        self.change(below, at, Precise::plus)
-    }
-
-    /// The color below times this one, where white is 1.
-    #[doc(hidden)]
-    #[inline]
-    fn times(self, below: Self::Color, at: Point) -> Self::Color
-    where
-        Self::Color: PixelFormat,
-    {
-        self.change(below, at, |below, color| below.times(color.fractions()))
-    }
-
-    /// A function of the color below and this one, in the share of this one.
+    /// A function of the color below and this one, in the share of this one. `plain` is the same function of colors that
+    /// have no fraction bits.
     #[doc(hidden)]
     #[inline]
     fn change(
         self,
         below: Self::Color,
         at: Point,
-        f: impl FnOnce(Precise<Self::Color>, Precise<Self::Color>) -> Precise<Self::Color>,
+        plain: impl FnOnce(Self::Color, Self::Color) -> Precise<Self::Color>,
+        precise: impl FnOnce(Precise<Self::Color>, Precise<Self::Color>) -> Precise<Self::Color>,
     ) -> Self::Color
     where
         Self::Color: PixelFormat,
     {
+        let _ = plain;
         let ((color, share), below) = (self.parts(), Precise::from(below));
-        let changed = f(below, color);
-        below.mix(changed, share).finish(at)
+        below.mix(precise(below, color), share).finish(at)
     }
 }
 
@@ -170,21 +152,17 @@ impl<C: PixelColor> Output for C {
     }
 
     #[inline]
-    fn plus(self, below: C, _: Point) -> C
+    fn change(
+        self,
+        below: C,
+        at: Point,
+        plain: impl FnOnce(C, C) -> Precise<C>,
+        _: impl FnOnce(Precise<C>, Precise<C>) -> Precise<C>,
+    ) -> C
     where
         C: PixelFormat,
     {
-        let sums = zip(self.steps(), below.steps(), |a, b| a + b);
-        let [r, g, b] = zip(sums, C::MAX_STEPS, Ord::min);
-        C::from_steps([r as u8, g as u8, b as u8])
-    }
-
-    #[inline]
-    fn times(self, below: C, at: Point) -> C
-    where
-        C: PixelFormat,
-    {
-        Precise::of_step_products(self.steps(), below.steps()).finish(at)
+        plain(below, self).finish(at)
     }
 }
 

@@ -56,6 +56,9 @@ impl<C: PixelFormat> Precise<C> {
         8
     };
 
+    /// Tolerance of interpolation: 1/8 step, of which rounding hides most, or 1/64 step, which dithering shows.
+    const TOLERANCE: u32 = if C::IS_DITHERED { 1 << 10 } else { 1 << 13 };
+
     #[inline]
     const fn of_raised(raised: [i32; 3]) -> Self {
         Self {
@@ -95,10 +98,18 @@ impl<C: PixelFormat> Precise<C> {
         Self::from_levels(zip(steps, fractions, i32::wrapping_mul))
     }
 
-    /// The products of steps, where white is 1. The error of a product below 2^16 is at most 0.02 step.
+    /// The sum of two colors, at most white: exact.
     #[inline]
-    pub(super) fn of_step_products(a: [i32; 3], b: [i32; 3]) -> Self {
-        let products = zip(a, b, i32::wrapping_mul);
+    pub(crate) fn of_sum(a: C, b: C) -> Self {
+        let sums = zip(a.steps(), b.steps(), |a, b| a + b);
+        let sums = zip(sums, C::MAX_STEPS, Ord::min);
+        Self::from_levels(each(sums, |sum| sum << 16))
+    }
+
+    /// The product of two colors, where white is 1. The error is at most 16/65,536 step.
+    #[inline]
+    pub(crate) fn of_product(a: C, b: C) -> Self {
+        let products = zip(a.steps(), b.steps(), i32::wrapping_mul);
         Self::from_levels(zip(products, C::MAX_STEPS, over))
     }
 
@@ -251,7 +262,7 @@ impl<C: PixelFormat> Varyings for Precise<C> {
 
     #[inline]
     fn tolerances() -> <Self::Lanes as Lanes>::Of<Tolerance> {
-        C::Channels::tolerances()
+        <Self::Lanes as Lanes>::splat(Tolerance::Units(Self::TOLERANCE))
     }
 
     #[inline]

@@ -120,7 +120,7 @@ pub struct Fragment {
 ///     shader: S,
 /// }
 ///
-/// impl<S: Shader<Color = Rgb565>> Draw for Model<S> {
+/// impl<S: ShaderFor<Rgb565>> Draw for Model<S> {
 ///     fn draw(&self, frame: &mut Frame, view: &Mvp) {
 ///         frame.draw(self.mesh, &(*view * self.place), &self.shader);
 ///     }

@@ -4,8 +4,7 @@ use core::marker::PhantomData;
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::format::LEVEL;
-use super::{Fragment, PixelFormat, Precise, Shader, Within};
+use super::{Fragment, PixelFormat, Precise, Shader};
 use crate::mesh::Primitive;
 
 /// Depth as gray: white is near, black is far.
@@ -134,7 +133,7 @@ impl<C> NormalView<C> {
 
 impl<C: PixelFormat> Shader for NormalView<C> {
     type Color = Precise<C>;
-    type Varyings = Within<LEVEL, Precise<C>>;
+    type Varyings = Precise<C>;
 
     const READS_DEPTH: bool = false;
 
@@ -148,12 +147,12 @@ impl<C: PixelFormat> Shader for NormalView<C> {
         primitive.corners(|corner| {
             let [x, y, z] = corner.world_normal().to_bits();
             let color = Rgb888::new(channel(x), channel(y), channel(z));
-            Within(Precise::of_rgb(color))
+            Precise::of_rgb(color)
         })
     }
 
     #[inline]
-    fn shade(&self, _: &Fragment, Within(color): Self::Varyings) -> Option<Precise<C>> {
+    fn shade(&self, _: &Fragment, color: Precise<C>) -> Option<Precise<C>> {
         Some(color)
     }
 }

@@ -239,7 +239,7 @@ fn bare<'a, C: Shown>(look: &'a Look, piece: &Piece<'_>) -> Result<Surface<'a>> 
     if piece.mesh.has_colors() {
         let colors = Gouraud::<C>::new();
         match look.shade {
-            Some(Shade::Texture) => vertex_colors::<C>(),
+            Some(Shade::Texture) => interpolated(Gouraud::<C>::new()),
             Some(Shade::Flat) => Surface::new(Surface::Channels, colors.lit_faces(light), C::into),
             _ => Surface::new(Surface::Channels, colors.lit(light), C::into),
         }
@@ -253,10 +253,12 @@ fn bare<'a, C: Shown>(look: &'a Look, piece: &Piece<'_>) -> Result<Surface<'a>> 
     }
 }
 
-/// The shader of the vertices' colors, without light.
-fn vertex_colors<C: Shown>() -> Result<Surface<'static>> {
-    let colors = Gouraud::<C>::new();
-    if <Gouraud<C> as Shader>::Varyings::PAIRS {
+/// Wraps a shader of interpolated colors, without light.
+fn interpolated<'a, C: Shown, S>(colors: S) -> Result<Surface<'a>>
+where
+    S: ShaderFor<C, Varyings = Precise<C>> + 'a,
+{
+    if S::Varyings::PAIRS {
         Surface::new(Surface::Pairs, colors, C::into)
     } else {
         Surface::new(Surface::Channels, colors, C::into)
@@ -279,7 +281,7 @@ pub fn surface<'a, C: Shown>(
     let is_textured = matches!(look.shade, Some(Shade::Texture | Shade::Lit));
     let texture = texture.filter(|_| is_textured);
     match look.shade {
-        Some(Shade::Normal) => Surface::new(Surface::Channels, NormalView::<C>::new(), C::into),
+        Some(Shade::Normal) => interpolated(NormalView::<C>::new()),
         // What an outline hides has the color of the background.
         Some(Shade::Wire) => {
             let Backdrop::Color(color) = look.backdrop else {
@@ -335,7 +337,7 @@ pub fn measured<C: Shown>(scene: SceneName) -> Result<Surface<'static>> {
             let checker = Textured::new(&scenes::CHECKER).converted::<C>();
             Surface::new(Surface::Many, checker, C::into)
         }
-        SceneName::Sphere => vertex_colors::<C>(),
+        SceneName::Sphere => interpolated(Gouraud::<C>::new()),
         SceneName::SphereFlat => {
             let colors = FaceColors::new(&scenes::FACE_COLORS).converted::<C>();
             Surface::new(Surface::Many, colors, C::into)

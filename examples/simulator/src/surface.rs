@@ -76,10 +76,10 @@ impl<A: FaceValues, B: FaceValues> FaceValues for (A, B) {
 
 /// A texture coordinate, four channels of light, tint and fog.
 pub type Many = ((Texels, Within<64, [i32; 4]>), PerFace<Face>);
-/// Three channels of a color that is computed at the corners, light and fog.
+/// Three channels of a color that is computed at the corners, or a gray to be dithered, light and fog.
 pub type Channels = (
     (
-        Within<8192, [i32; 3]>,
+        (Within<8192, [i32; 3]>, Within<1024, [i32; 1]>),
         (Within<64, [i32; 3]>, Within<64, [i32; 1]>),
     ),
     PerFace<Face>,
