@@ -1,11 +1,10 @@
 //! The depth buffer, or its absence.
 
+use core::fmt;
 use core::marker::PhantomData;
-use core::mem;
-use core::ops::Range;
 
-use super::format::{DepthFormat, Linear, linear};
-use crate::num::wide::at_least;
+use super::format::{DepthFormat, LinearDepth};
+use crate::sealed::Sealed;
 
 /// A canvas's depth buffer: [`NoDepth`] or [`Depth`]. Sealed.
 ///
@@ -28,8 +27,35 @@ use crate::num::wide::at_least;
 /// assert_eq!(depths, [0; 4]);
 /// # Ok::<(), Error>(())
 /// ```
-#[allow(private_bounds)] // so that it is sealed
-pub trait DepthBuffer: Buffer {}
+pub trait DepthBuffer: Sealed {
+    /// The depth of a pixel in memory.
+    #[doc(hidden)]
+    type Cell: Copy;
+
+    /// Whether depths are tested and stored.
+    #[doc(hidden)]
+    const IS_KEPT: bool;
+
+    /// The depths of all pixels, row by row; more than there are pixels if none are kept.
+    #[doc(hidden)]
+    fn cells(&self) -> &[Self::Cell];
+
+    /// The same, to be changed.
+    #[doc(hidden)]
+    fn cells_mut(&mut self) -> &mut [Self::Cell];
+
+    /// Encodes the depth `q` · 2^-`down` in 16 bits; see [`DepthFormat::encode`].
+    #[doc(hidden)]
+    fn encode(q: u32, down: u32) -> u32;
+
+    /// Converts an encoded depth to its stored form.
+    #[doc(hidden)]
+    fn store(depth: u16) -> Self::Cell;
+
+    /// The depth that is stored for a pixel; `None` if none are kept.
+    #[doc(hidden)]
+    fn load(cell: Self::Cell) -> Option<u16>;
+}
 
 /// No depth buffer: later fragments cover earlier ones.
 ///
@@ -40,19 +66,21 @@ pub trait DepthBuffer: Buffer {}
 /// let canvas: Canvas<Gray8, Native, NoDepth> = Canvas::new(&mut pixels, 2, 2)?;
 /// # Ok::<(), fixel::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct NoDepth;
+#[derive(Clone, Copy)]
+pub struct NoDepth {
+    /// One for each pixel, like the depths of a buffer. They take no memory.
+    cells: [(); usize::MAX],
+}
 
 /// The caller's depth buffer, 16 bits per pixel. 65535 is the near plane, 0 is infinitely far.
 ///
 #[cfg_attr(doc, doc = diagram!("depth"))]
-/// `F` is the format of a depth: [`Linear`], [`Float`](super::Float) or [`WideFloat`](super::WideFloat). In each
+/// `F` is the format of a depth: [`LinearDepth`], [`FloatDepth`](super::FloatDepth) or [`WideFloatDepth`](super::WideFloatDepth). In each
 /// format, a nearer depth is a greater number, so the depth test is the same comparison. The formats differ in cost,
 /// and in the ratio far/near that they resolve. The table lists the greatest depth step, relative to the distance, at
 /// the far end. "None" means that every depth at the far end is stored as 0.
 ///
-/// | far / near | [`Linear`] | [`Float`](super::Float) | [`WideFloat`](super::WideFloat) |
+/// | far / near | [`LinearDepth`] | [`FloatDepth`](super::FloatDepth) | [`WideFloatDepth`](super::WideFloatDepth) |
 /// |---:|---:|---:|---:|
 /// | 100 | 0.15 % | 0.024 % | 0.049 % |
 /// | 1,000 | 1.5 % | 0.024 % | 0.049 % |
@@ -62,7 +90,7 @@ pub struct NoDepth;
 ///
 /// Surfaces that are closer together than a step have equal depths, and the later one wins.
 ///
-/// Under a parallel projection, depth is linear in the distance itself: use [`Linear`]. Shaders see the same linear
+/// Under a parallel projection, depth is linear in the distance itself: use [`LinearDepth`]. Shaders see the same linear
 /// [`Fragment::depth`](crate::Fragment::depth) with every format.
 ///
 /// ```
@@ -73,133 +101,77 @@ pub struct NoDepth;
 /// # Ok::<(), fixel::Error>(())
 /// ```
 #[derive(Debug)]
-pub struct Depth<'d, F = Linear> {
-    pub(super) cells: &'d mut [u16],
-    pub(super) format: PhantomData<F>,
+pub struct Depth<'d, F = LinearDepth> {
+    cells: &'d mut [u16],
+    format: PhantomData<F>,
 }
 
-impl DepthBuffer for NoDepth {}
-impl<F: DepthFormat> DepthBuffer for Depth<'_, F> {}
-
-/// The working part of [`DepthBuffer`].
-pub(crate) trait Buffer {
-    /// The depth of one pixel, to be tested and changed.
-    type Cell<'a>
-    where
-        Self: 'a;
-
-    /// The depths of a run of pixels.
-    type Cells<'a>
-    where
-        Self: 'a;
-
-    /// Whether depths are tested and stored.
-    const IS_KEPT: bool;
-
-    /// Borrows the depths of a run of pixels; `None` if the buffer ends before them.
-    fn cells(&mut self, range: Range<usize>) -> Option<Self::Cells<'_>>;
-
-    /// Splits off the first `count` depths of a run, or all that are left.
-    fn first<'a>(cells: &mut Self::Cells<'a>, count: usize) -> Self::Cells<'a>
-    where
-        Self: 'a;
-
-    /// Iterates over the depths; endlessly if none are kept.
-    fn each<'a>(cells: Self::Cells<'a>) -> impl Iterator<Item = Self::Cell<'a>>
-    where
-        Self: 'a;
-
-    /// Encodes the depth `q` · 2^-`down` in 16 bits; see [`Encode::encode`](super::format::Encode::encode).
-    fn encode(q: u32, down: u32) -> u32;
-
-    /// Whether a fragment of this encoded depth is drawn.
-    fn passes(cell: &Self::Cell<'_>, depth: u32) -> bool;
-
-    /// Stores the depth of a fragment that was drawn.
-    fn store(cell: Self::Cell<'_>, depth: u16);
-
-    /// Sets every depth to infinity.
-    fn clear(&mut self);
+impl NoDepth {
+    pub(super) const NEW: Self = Self {
+        cells: [(); usize::MAX],
+    };
 }
 
-impl Buffer for NoDepth {
-    type Cell<'a> = ();
-    type Cells<'a> = ();
+impl fmt::Debug for NoDepth {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("NoDepth")
+    }
+}
+
+impl<'d, F> Depth<'d, F> {
+    pub(super) const fn new(cells: &'d mut [u16]) -> Self {
+        Self {
+            cells,
+            format: PhantomData,
+        }
+    }
+}
+
+impl Sealed for NoDepth {}
+impl<F> Sealed for Depth<'_, F> {}
+
+impl DepthBuffer for NoDepth {
+    type Cell = ();
 
     const IS_KEPT: bool = false;
 
     #[inline]
-    fn cells(&mut self, _: Range<usize>) -> Option<()> {
-        Some(())
+    fn cells(&self) -> &[()] {
+        &self.cells
     }
 
     #[inline]
-    fn first<'a>((): &mut (), _: usize)
-    where
-        Self: 'a,
-    {
-    }
-
-    #[inline]
-    fn each<'a>((): ()) -> impl Iterator<Item = ()>
-    where
-        Self: 'a,
-    {
-        // An iterator over a slice of units zips with the colors' iterator without a second check
-        // for the end.
-        const ANY: &[()] = &[(); usize::MAX];
-        ANY.iter().copied()
+    fn cells_mut(&mut self) -> &mut [()] {
+        &mut self.cells
     }
 
     #[inline]
     fn encode(q: u32, down: u32) -> u32 {
-        linear(q, down)
+        LinearDepth::encode(q, down)
     }
 
     #[inline]
-    fn passes((): &(), _: u32) -> bool {
-        true
+    fn store(_: u16) {}
+
+    #[inline]
+    fn load((): ()) -> Option<u16> {
+        None
     }
-
-    #[inline]
-    fn store((): (), _: u16) {}
-
-    #[inline]
-    fn clear(&mut self) {}
 }
 
-impl<F: DepthFormat> Buffer for Depth<'_, F> {
-    type Cell<'a>
-        = &'a mut u16
-    where
-        Self: 'a;
-    type Cells<'a>
-        = &'a mut [u16]
-    where
-        Self: 'a;
+impl<F: DepthFormat> DepthBuffer for Depth<'_, F> {
+    type Cell = u16;
 
     const IS_KEPT: bool = true;
 
     #[inline]
-    fn cells(&mut self, range: Range<usize>) -> Option<&mut [u16]> {
-        self.cells.get_mut(range)
+    fn cells(&self) -> &[u16] {
+        self.cells
     }
 
     #[inline]
-    #[allow(clippy::mut_mut)] // the slice is replaced by its rest
-    fn first<'a>(cells: &mut &'a mut [u16], count: usize) -> &'a mut [u16]
-    where
-        Self: 'a,
-    {
-        first(cells, count)
-    }
-
-    #[inline]
-    fn each<'a>(cells: &'a mut [u16]) -> impl Iterator<Item = &'a mut u16>
-    where
-        Self: 'a,
-    {
-        cells.iter_mut()
+    fn cells_mut(&mut self) -> &mut [u16] {
+        self.cells
     }
 
     #[inline]
@@ -208,27 +180,12 @@ impl<F: DepthFormat> Buffer for Depth<'_, F> {
     }
 
     #[inline]
-    fn passes(cell: &&mut u16, depth: u32) -> bool {
-        at_least(depth, **cell)
+    fn store(depth: u16) -> u16 {
+        depth
     }
 
     #[inline]
-    fn store(cell: &mut u16, depth: u16) {
-        *cell = depth;
+    fn load(depth: u16) -> Option<u16> {
+        Some(depth)
     }
-
-    #[inline]
-    fn clear(&mut self) {
-        self.cells.fill(0);
-    }
-}
-
-/// Splits off the first `count` elements of a slice, or all that are left.
-#[inline]
-#[allow(clippy::mut_mut)] // the slice is replaced by its rest
-pub(super) fn first<'a, T>(slice: &mut &'a mut [T], count: usize) -> &'a mut [T] {
-    let all = mem::take(slice);
-    let (first, rest) = all.split_at_mut(count.min(all.len()));
-    *slice = rest;
-    first
 }

@@ -1,25 +1,16 @@
 //! How a depth is encoded in 16 bits.
 
 use crate::num::wide::normalize;
+use crate::sealed::{Sealed, sealed};
 
-/// How a [`Depth`](super::Depth) buffer encodes depths: [`Linear`], [`Float`] or [`WideFloat`]. Sealed.
-///
-/// ```
-/// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::prelude::*;
-/// use fixel::canvas::{Depth, DepthFormat, Native, WideFloat};
-///
-/// /// A canvas whose depth format the caller of this function chooses.
-/// fn canvas<'a, F: DepthFormat>(
-///     pixels: &'a mut [Gray8], depths: &'a mut [u16],
-/// ) -> Result<Canvas<'a, Gray8, Native, Depth<'a, F>>, Error> {
-///     Canvas::new(pixels, 2, 2)?.with_depth_format(depths)
-/// }
-/// let canvas = canvas::<WideFloat>(&mut [Gray8::new(0); 4], &mut [0; 4])?;
-/// # Ok::<(), Error>(())
-/// ```
-#[allow(private_bounds)] // so that it is sealed
-pub trait DepthFormat: Encode {}
+/// How a [`Depth`](super::Depth) buffer encodes depths: [`LinearDepth`], [`FloatDepth`] or [`WideFloatDepth`]. Sealed.
+#[doc(hidden)]
+pub trait DepthFormat: Sealed {
+    /// Encodes the depth `q` · 2^-`down` in 16 bits, rounded down; a nearer depth is a greater code.
+    ///
+    /// The near plane has a depth of 2^16, infinity 0. `q` has 31 bits; `down` is at least 15.
+    fn encode(q: u32, down: u32) -> u32;
+}
 
 /// Depth in equal steps of 1/w: floor(65535 · near / w). The default.
 ///
@@ -28,14 +19,14 @@ pub trait DepthFormat: Encode {}
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::canvas::{Canvas, Depth, Linear, Native};
+/// use fixel::canvas::{Canvas, Depth, LinearDepth, Native};
 /// let (mut pixels, mut depths) = ([Gray8::new(0); 4], [0; 4]);
-/// let canvas: Canvas<Gray8, Native, Depth<Linear>> =
+/// let canvas: Canvas<Gray8, Native, Depth<LinearDepth>> =
 ///     Canvas::new(&mut pixels, 2, 2)?.with_depth(&mut depths)?;
 /// # Ok::<(), fixel::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Linear {}
+pub enum LinearDepth {}
 
 /// Depth in floating point, with 4 bits of exponent and 12 of mantissa, for far/near up to 65,536.
 ///
@@ -45,25 +36,25 @@ pub enum Linear {}
 /// Within one triangle, the error of the interpolated 1/w is 2⁻²⁴ of its largest value. If a triangle's far end is
 /// more than 3,000 times as far away as its near end, this error exceeds half a step there.
 ///
-/// A tested fragment takes 7 to 9 instructions more than with [`Linear`] on Cortex-M4: in the default mode, a quarter
+/// A tested fragment takes 7 to 9 instructions more than with [`LinearDepth`] on Cortex-M4: in the default mode, a quarter
 /// more for the benchmark's floor and cube. On Cortex-M0+, which cannot count leading zeros, a fragment takes 9 to 19
 /// more.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::canvas::{Canvas, Float};
+/// use fixel::canvas::{Canvas, FloatDepth};
 /// let (mut pixels, mut depths) = ([Gray8::new(0); 4], [0; 4]);
-/// let mut canvas = Canvas::new(&mut pixels, 2, 2)?.with_depth_format::<Float>(&mut depths)?;
+/// let mut canvas = Canvas::new(&mut pixels, 2, 2)?.with_depth_format::<FloatDepth>(&mut depths)?;
 /// canvas.clear(Gray8::new(0));
 /// # Ok::<(), fixel::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Float {}
+pub enum FloatDepth {}
 
 /// Depth in floating point, with 5 bits of exponent and 11 of mantissa, for every far/near that a
 /// [`Projection`](crate::Projection) accepts.
 ///
-/// A step is 2⁻¹² to 2⁻¹¹ of the distance (0.024 to 0.049 %) up to 2³² · near. This is twice as coarse as [`Float`],
+/// A step is 2⁻¹² to 2⁻¹¹ of the distance (0.024 to 0.049 %) up to 2³² · near. This is twice as coarse as [`FloatDepth`],
 /// at the same cost.
 ///
 /// Within one triangle, the error of the interpolated 1/w is 2⁻²⁴ of its largest value. If a triangle's far end is
@@ -71,57 +62,41 @@ pub enum Float {}
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::canvas::{Canvas, WideFloat};
+/// use fixel::canvas::{Canvas, WideFloatDepth};
 /// let (mut pixels, mut depths) = ([Gray8::new(0); 4], [0; 4]);
-/// let mut canvas = Canvas::new(&mut pixels, 2, 2)?.with_depth_format::<WideFloat>(&mut depths)?;
+/// let mut canvas = Canvas::new(&mut pixels, 2, 2)?.with_depth_format::<WideFloatDepth>(&mut depths)?;
 /// canvas.clear(Gray8::new(0));
 /// # Ok::<(), fixel::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum WideFloat {}
+pub enum WideFloatDepth {}
 
-impl DepthFormat for Linear {}
-impl DepthFormat for Float {}
-impl DepthFormat for WideFloat {}
+sealed!(LinearDepth, FloatDepth, WideFloatDepth);
 
-/// The working part of [`DepthFormat`].
-pub(crate) trait Encode {
-    /// Encodes the depth `q` · 2^-`down` in 16 bits, rounded down; a nearer depth is a greater code.
-    ///
-    /// The near plane has a depth of 2^16, infinity 0. `q` has 31 bits; `down` is at least 15.
-    fn encode(q: u32, down: u32) -> u32;
-}
-
-impl Encode for Linear {
+impl DepthFormat for LinearDepth {
     #[inline]
     fn encode(q: u32, down: u32) -> u32 {
-        linear(q, down)
+        // 31 bits shifted right by 31 are already 0.
+        q >> down.min(31)
     }
 }
 
-impl Encode for Float {
+impl DepthFormat for FloatDepth {
     #[inline]
     fn encode(q: u32, down: u32) -> u32 {
         float::<4>(q, down)
     }
 }
 
-impl Encode for WideFloat {
+impl DepthFormat for WideFloatDepth {
     #[inline]
     fn encode(q: u32, down: u32) -> u32 {
         float::<5>(q, down)
     }
 }
 
-/// Encodes a depth in linear steps.
-#[inline]
-pub(crate) const fn linear(q: u32, down: u32) -> u32 {
-    // 31 bits shifted right by 31 are already 0.
-    q >> if down < 31 { down } else { 31 }
-}
-
 // With 16 bits for 32 octaves, a logarithm would be the finest: log2(1 + m) ≈ m + 0.344 m (1 − m) has steps of 0.036
-// % instead of 0.049 %. But it was measured at 23 more instructions per textured fragment than `Linear` on Cortex-M4,
+// % instead of 0.049 %. But it was measured at 23 more instructions per textured fragment than `LinearDepth` on Cortex-M4,
 // where a float takes 7 more, and at 24 instead of 13 on Cortex-M0+. Surfaces that are 1 % apart do not need it.
 /// Encodes a depth as a float with `EXPONENT` bits of exponent and 16 − `EXPONENT` bits of mantissa.
 ///
@@ -150,7 +125,7 @@ mod tests {
 
     /// Checks every code at its lower end and just below it, at every shift. So codes rise with 1/w, and a value of
     /// 1/w has one code however its triangle is scaled.
-    fn codes_rise<F: Encode, const EXPONENT: u32>() {
+    fn codes_rise<F: DepthFormat, const EXPONENT: u32>() {
         let mantissa = 16 - EXPONENT;
         for code in 0..=0xffff_u32 {
             // The least depth of a code is (2^mantissa + m) · 2^(e - mantissa).
@@ -176,12 +151,12 @@ mod tests {
 
     #[test]
     fn float_codes_rise_with_the_interpolant() {
-        codes_rise::<Float, 4>();
+        codes_rise::<FloatDepth, 4>();
     }
 
     #[test]
     fn wide_float_codes_rise_with_the_interpolant() {
-        codes_rise::<WideFloat, 5>();
+        codes_rise::<WideFloatDepth, 5>();
     }
 
     /// Depths below 1 in the narrow formats, and below 2^-16 in the wide one, are encoded as infinitely far at every
@@ -192,11 +167,11 @@ mod tests {
             for q in [0, 1, 2, 1 << 14, (1 << 31) - 1] {
                 let depth = f64::from(q) / 2_f64.powi(down.cast_signed());
                 if depth < 1. {
-                    assert_eq!(Linear::encode(q, down), 0, "{q} >> {down}");
-                    assert_eq!(Float::encode(q, down), 0, "{q} >> {down}");
+                    assert_eq!(LinearDepth::encode(q, down), 0, "{q} >> {down}");
+                    assert_eq!(FloatDepth::encode(q, down), 0, "{q} >> {down}");
                 }
                 if depth < 1. / 65_536. {
-                    assert_eq!(WideFloat::encode(q, down), 0, "{q} >> {down}");
+                    assert_eq!(WideFloatDepth::encode(q, down), 0, "{q} >> {down}");
                 }
             }
         }
@@ -207,9 +182,9 @@ mod tests {
     fn no_number_panics() {
         for q in [0, 1, 1 << 31, u32::MAX] {
             for down in [0, 14, 32, 1 << 20, u32::MAX] {
-                let _ = Linear::encode(q, down);
-                let _ = Float::encode(q, down);
-                let _ = WideFloat::encode(q, down);
+                let _ = LinearDepth::encode(q, down);
+                let _ = FloatDepth::encode(q, down);
+                let _ = WideFloatDepth::encode(q, down);
             }
         }
     }

@@ -5,7 +5,8 @@ use core::hint::black_box;
 use embedded_graphics::geometry::Point;
 
 use super::shading::Shading;
-use crate::canvas::{Buffer, DepthBuffer, DepthTest, Storage, linear};
+use crate::canvas::{DepthBuffer, DepthFormat, DepthTest, LinearDepth, Storage};
+use crate::num::wide::at_least;
 use crate::raster::Scale;
 use crate::shade::{Fragment, Lanes, Varyings};
 
@@ -69,7 +70,10 @@ pub(super) fn rolled() {
 }
 
 /// A pixel in memory.
-pub(super) type Cell<'c, C, O, D> = (<O as Storage<C>>::PixelRef<'c>, <D as Buffer>::Cell<'c>);
+pub(super) type Cell<'c, C, O, D> = (
+    &'c mut <O as Storage<C>>::Cell,
+    &'c mut <D as DepthBuffer>::Cell,
+);
 
 /// Tests and shades the pixels of a span, one after the other.
 pub(super) struct Pixels<S: Shading, Z> {
@@ -88,24 +92,24 @@ impl<S: Shading, Z: DepthTest> Pixels<S, Z> {
     #[inline]
     pub(super) fn visible<D: DepthBuffer>(
         &mut self,
-        depth: &D::Cell<'_>,
+        depth: &D::Cell,
         q: u32,
         down: u32,
     ) -> bool {
         self.point.x += 1;
-        self.depth = linear(q, down);
-        if !D::IS_KEPT {
+        self.depth = LinearDepth::encode(q, down);
+        let Some(stored) = D::load(*depth) else {
             return true;
-        }
+        };
         self.stored = self.test.biased::<D>(q, down);
-        !Z::TESTS || D::passes(depth, self.stored)
+        !Z::TESTS || at_least(self.stored, stored)
     }
 
     /// Shades the current pixel, after [`visible`](Self::visible) returned `true`.
     #[inline]
-    pub(super) fn shade<'c, O: Storage<S::Color>, D: DepthBuffer + 'c>(
+    pub(super) fn shade<O: Storage<S::Color>, D: DepthBuffer>(
         &self,
-        (color, depth): Cell<'c, S::Color, O, D>,
+        (color, depth): Cell<'_, S::Color, O, D>,
         numbers: Numbers<S>,
     ) {
         let at = Fragment {
@@ -113,11 +117,11 @@ impl<S: Shading, Z: DepthTest> Pixels<S, Z> {
             depth: self.depth as u16,
         };
         let varyings = S::Varyings::join(numbers, self.face);
-        let below = || O::get(&color);
+        let below = || O::load(*color);
         if let Some(new) = self.shading.color(&at, varyings, below) {
-            O::set(color, new);
+            *color = O::store(new);
             if Z::WRITES {
-                D::store(depth, self.stored as u16);
+                *depth = D::store(self.stored as u16);
             }
         }
     }
