@@ -1,5 +1,6 @@
 //! The canvas: the caller's memory as a frame or a band of it.
 
+use core::marker::PhantomData;
 use core::ops::Range;
 
 use embedded_graphics::draw_target::DrawTarget;
@@ -7,8 +8,7 @@ use embedded_graphics::geometry::{Dimensions, Point, Size};
 use embedded_graphics::pixelcolor::{BinaryColor, PixelColor};
 use embedded_graphics::primitives::{PointsIter, Rectangle};
 
-use super::depth::{Depth, DepthBuffer, NoDepth};
-use super::format::{DepthFormat, LinearDepth};
+use super::depth::{DepthBuffer, LinearDepth, NoDepth};
 use super::memory::{Cells, Memory};
 use super::storage::{Cell, Native, Storage};
 use crate::Error;
@@ -24,7 +24,7 @@ pub const MAX_SIZE: u32 = 2048;
 /// drawn in the frame's coordinates, and pixels outside the band are skipped. Put together, the bands of a frame
 /// equal the whole frame, bit for bit.
 ///
-/// `C` is the color, `O` the way it is stored, and `D` the depth buffer: [`NoDepth`] or [`Depth`].
+/// `C` is the color, `O` the way it is stored, and `D` the depth buffer.
 ///
 /// | pixels in memory | element of the slice | type |
 /// |---|---|---|
@@ -61,9 +61,9 @@ pub const MAX_SIZE: u32 = 2048;
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 /// use fixel::prelude::*;
-/// use fixel::canvas::{Depth, DepthBuffer, Native, Storage};
+/// use fixel::canvas::{DepthBuffer, LinearDepth, Native, Storage};
 ///
-/// fn with_depth(canvas: &mut Canvas<Rgb565, Native, Depth>) {
+/// fn with_depth(canvas: &mut Canvas<Rgb565, Native, LinearDepth>) {
 ///     on_any(canvas);
 /// }
 ///
@@ -74,7 +74,9 @@ pub const MAX_SIZE: u32 = 2048;
 #[derive(Debug)]
 pub struct Canvas<'a, C, O: Storage<C> = Native, D = NoDepth> {
     cells: &'a mut [O::Cell],
-    depth: D,
+    /// Empty without a depth buffer.
+    depths: &'a mut [u16],
+    buffer: PhantomData<D>,
     width: u32,
     height: u32,
     rows: Range<u32>,
@@ -109,7 +111,8 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
         check_length(pixels.len(), (width * height) as usize)?;
         Ok(Self {
             cells: pixels,
-            depth: NoDepth::NEW,
+            depths: &mut [],
+            buffer: PhantomData,
             width,
             height,
             rows: 0..height,
@@ -139,7 +142,8 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
                 check_length(pixels.len(), (width * rows) as usize)?;
                 Ok(Self {
                     cells: pixels,
-                    depth: NoDepth::NEW,
+                    depths: &mut [],
+                    buffer: PhantomData,
                     width,
                     height,
                     rows: first_row..end,
@@ -161,14 +165,11 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     /// # Errors
     ///
     /// [`Error::Length`] if `depth` does not have exactly one element per pixel.
-    pub fn with_depth<'d>(
-        self,
-        depth: &'d mut [u16],
-    ) -> Result<Canvas<'a, C, O, Depth<'d>>, Error> {
+    pub fn with_depth(self, depth: &'a mut [u16]) -> Result<Canvas<'a, C, O, LinearDepth>, Error> {
         self.with_depth_format::<LinearDepth>(depth)
     }
 
-    /// Adds a depth buffer in a format of your choice. [`Depth`] compares the formats.
+    /// Adds a depth buffer in a format of your choice. [`DepthBuffer`] compares the formats.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;
@@ -183,14 +184,15 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     /// # Errors
     ///
     /// As for [`with_depth`](Self::with_depth).
-    pub fn with_depth_format<'d, F: DepthFormat>(
+    pub fn with_depth_format<D: DepthBuffer>(
         self,
-        depth: &'d mut [u16],
-    ) -> Result<Canvas<'a, C, O, Depth<'d, F>>, Error> {
+        depth: &'a mut [u16],
+    ) -> Result<Canvas<'a, C, O, D>, Error> {
         check_length(depth.len(), (self.width * self.row_count()) as usize)?;
         Ok(Canvas {
             cells: self.cells,
-            depth: Depth::new(depth),
+            depths: depth,
+            buffer: PhantomData,
             width: self.width,
             height: self.height,
             rows: self.rows,
@@ -375,9 +377,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn clear_depth(&mut self) {
-        if D::IS_KEPT {
-            self.depth.cells_mut().fill(D::store(0));
-        }
+        self.depths.fill(0);
     }
 
     /// The depth that is stored for a pixel, as the depth buffer encodes it; `None` outside of this canvas's rows, and
@@ -407,7 +407,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         // The area has no negative coordinates.
         let (x, y) = (point.x.cast_unsigned(), point.y.cast_unsigned());
         let at = (y - self.rows.start) * self.width + x;
-        D::load(*self.depth.cells().get(at as usize)?)
+        self.depths.get(at as usize).copied()
     }
 
     /// [`Memory::cells`] for a single row.
@@ -421,9 +421,10 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     pub(crate) fn memory(&mut self) -> Memory<'_, C, O, D> {
         Memory {
             colors: self.cells,
-            depths: self.depth.cells_mut(),
+            depths: self.depths,
             width: self.width,
             first_row: self.rows.start,
+            buffer: PhantomData,
         }
     }
 }

@@ -48,9 +48,9 @@ impl<C, O: Storage<C>, D: DepthBuffer> Label<'_, Canvas<'_, C, O, D>> {
         };
         // The colors come second, so that `zip` does not consume one more than there are cells.
         for ((cell, depth), color) in cells.first(usize::MAX).zip(colors) {
-            let hides = |stored| !at_least(self.depth.into(), stored);
+            let is_seen = |stored: &mut u16| at_least(self.depth.into(), *stored);
             // Nothing is nearer than the greatest depth, so the stored one is not read.
-            if self.depth == u16::MAX || !D::load(*depth).is_some_and(hides) {
+            if self.depth == u16::MAX || depth.is_none_or(is_seen) {
                 *cell = O::store(color);
             }
         }

@@ -1,5 +1,6 @@
 //! The pixels of a canvas as spans receive them: each color with its depth, row by row.
 
+use core::marker::PhantomData;
 use core::mem;
 use core::ops::Range;
 
@@ -7,11 +8,13 @@ use super::depth::DepthBuffer;
 use super::storage::Storage;
 
 /// The colors and depths of a canvas. Once it is in registers, rows are found without reading the canvas.
-pub(crate) struct Memory<'a, C, O: Storage<C>, D: DepthBuffer> {
+pub(crate) struct Memory<'a, C, O: Storage<C>, D> {
     pub(super) colors: &'a mut [O::Cell],
-    pub(super) depths: &'a mut [D::Cell],
+    /// Empty if there is no depth buffer.
+    pub(super) depths: &'a mut [u16],
     pub(super) width: u32,
     pub(super) first_row: u32,
+    pub(super) buffer: PhantomData<D>,
 }
 
 impl<'a, C, O: Storage<C>, D: DepthBuffer> Memory<'a, C, O, D> {
@@ -34,15 +37,21 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer> Memory<'a, C, O, D> {
         let [start, end] = [columns.start, columns.end].map(|at| start.wrapping_add(at) as usize);
         Some(Cells {
             colors: self.colors.get_mut(start..end)?,
-            depths: self.depths.get_mut(start..end)?,
+            depths: if D::IS_KEPT {
+                self.depths.get_mut(start..end)?
+            } else {
+                &mut []
+            },
+            buffer: PhantomData,
         })
     }
 }
 
 /// Pixels of a row in memory: colors and depths.
-pub(crate) struct Cells<'a, C, O: Storage<C>, D: DepthBuffer> {
+pub(crate) struct Cells<'a, C, O: Storage<C>, D> {
     colors: &'a mut [O::Cell],
-    depths: &'a mut [D::Cell],
+    depths: &'a mut [u16],
+    buffer: PhantomData<D>,
 }
 
 impl<'a, C, O: Storage<C>, D: DepthBuffer> Cells<'a, C, O, D> {
@@ -56,9 +65,9 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer> Cells<'a, C, O, D> {
     pub(crate) fn first(
         &mut self,
         count: usize,
-    ) -> impl Iterator<Item = (&'a mut O::Cell, &'a mut D::Cell)> + use<'a, C, O, D> {
+    ) -> impl Iterator<Item = (&'a mut O::Cell, Option<&'a mut u16>)> + use<'a, C, O, D> {
         let (colors, depths) = (first(&mut self.colors, count), first(&mut self.depths, count));
-        colors.iter_mut().zip(depths)
+        colors.iter_mut().zip(D::each(depths))
     }
 }
 

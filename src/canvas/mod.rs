@@ -8,7 +8,7 @@
 //! | choice | types |
 //! |---|---|
 //! | storage of a color | [`Native`], or embedded-graphics' `BigEndian` and `LittleEndian` for bytes |
-//! | depth buffer | [`NoDepth`], or [`Depth`] in format [`LinearDepth`], [`FloatDepth`] or [`WideFloatDepth`] |
+//! | depth buffer | [`NoDepth`], [`LinearDepth`], [`FloatDepth`] or [`WideFloatDepth`] |
 //! | depth test of a draw call | [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], or [`Biased`] around one of these |
 //! | blending of a draw call | [`Replace`], [`Opacity`], [`Alpha`], [`Add`] or [`Multiply`] |
 
@@ -21,7 +21,6 @@ mod depth;
 mod depth_test;
 mod diffusion;
 mod draw_target;
-mod format;
 mod label;
 mod memory;
 mod storage;
@@ -31,10 +30,9 @@ pub(crate) use canvas::check_size;
 pub use canvas::{Canvas, MAX_SIZE};
 pub use color_index::ColorIndex;
 pub use contrast::Contrast;
-pub use depth::{Depth, DepthBuffer, NoDepth};
+pub use depth::{DepthBuffer, FloatDepth, LinearDepth, NoDepth, WideFloatDepth};
 pub use depth_test::{Biased, DepthTest, NoTest, TestAndWrite, TestOnly, WriteOnly};
 pub use diffusion::ErrorDiffusion;
-pub use format::{DepthFormat, FloatDepth, LinearDepth, WideFloatDepth};
 pub use label::Label;
 pub(crate) use memory::Cells;
 pub use storage::{Native, Storage};

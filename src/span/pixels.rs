@@ -5,7 +5,7 @@ use core::hint::black_box;
 use embedded_graphics::geometry::Point;
 
 use super::shading::Shading;
-use crate::canvas::{DepthBuffer, DepthFormat, DepthTest, LinearDepth, Storage};
+use crate::canvas::{DepthBuffer, DepthTest, LinearDepth, Storage};
 use crate::num::wide::at_least;
 use crate::raster::Scale;
 use crate::shade::{Fragment, Lanes, Varyings};
@@ -69,11 +69,8 @@ pub(super) fn rolled() {
     black_box(());
 }
 
-/// A pixel in memory.
-pub(super) type Cell<'c, C, O, D> = (
-    &'c mut <O as Storage<C>>::Cell,
-    &'c mut <D as DepthBuffer>::Cell,
-);
+/// A pixel in memory: its color, and its depth if there is a depth buffer.
+pub(super) type Cell<'c, C, O> = (&'c mut <O as Storage<C>>::Cell, Option<&'c mut u16>);
 
 /// Tests and shades the pixels of a span, one after the other.
 pub(super) struct Pixels<S: Shading, Z> {
@@ -92,24 +89,24 @@ impl<S: Shading, Z: DepthTest> Pixels<S, Z> {
     #[inline]
     pub(super) fn visible<D: DepthBuffer>(
         &mut self,
-        depth: &D::Cell,
+        depth: &Option<&mut u16>,
         q: u32,
         down: u32,
     ) -> bool {
         self.point.x += 1;
         self.depth = LinearDepth::encode(q, down);
-        let Some(stored) = D::load(*depth) else {
+        let Some(stored) = depth else {
             return true;
         };
         self.stored = self.test.biased::<D>(q, down);
-        !Z::TESTS || at_least(self.stored, stored)
+        !Z::TESTS || at_least(self.stored, **stored)
     }
 
     /// Shades the current pixel, after [`visible`](Self::visible) returned `true`.
     #[inline]
-    pub(super) fn shade<O: Storage<S::Color>, D: DepthBuffer>(
+    pub(super) fn shade<O: Storage<S::Color>>(
         &self,
-        (color, depth): Cell<'_, S::Color, O, D>,
+        (color, depth): Cell<'_, S::Color, O>,
         numbers: Numbers<S>,
     ) {
         let at = Fragment {
@@ -120,8 +117,8 @@ impl<S: Shading, Z: DepthTest> Pixels<S, Z> {
         let below = || O::load(*color);
         if let Some(new) = self.shading.color(&at, varyings, below) {
             *color = O::store(new);
-            if Z::WRITES {
-                *depth = D::store(self.stored as u16);
+            if let Some(depth) = depth.filter(|_| Z::WRITES) {
+                *depth = self.stored as u16;
             }
         }
     }

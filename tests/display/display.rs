@@ -88,7 +88,7 @@ fn in_bands(size: (u32, u32), rows: u32, mut show: impl FnMut(&Bytes<'_>)) {
     let mut depths = vec![0; pixels.len()];
     for first in (0..height).step_by(rows as usize) {
         let length = (width * rows.min(height - first)) as usize;
-        let band = Canvas::big_endian_band(&mut pixels[..length], width, height, first).unwrap();
+        let band = Canvas::<Rgb565, BigEndian>::band(&mut pixels[..length], width, height, first).unwrap();
         let mut band = band.with_depth(&mut depths[..length]).unwrap();
         draw(&mut band);
         show(&band);

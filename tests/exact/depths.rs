@@ -3,7 +3,7 @@
 use crate::common::BOTH_SIDES;
 use crate::common::random::cases;
 use embedded_graphics::pixelcolor::Rgb565;
-use fixel::canvas::{Biased, DepthFormat, DepthTest, Float, Linear, TestAndWrite};
+use fixel::canvas::{Biased, DepthFormat, DepthTest, FloatDepth, LinearDepth, TestAndWrite};
 use fixel::mode::{Affine, Exact, Fast, Mode};
 use fixel::prelude::*;
 use rand::Rng;
@@ -73,8 +73,8 @@ fn a_slope_biases_all_modes_alike() {
         let mvp = lens() * Transform::rotate_z(roll);
         for slope in [fx!(-1), fx!(1), fx!(-7.5)] {
             let test = Biased::new(TestAndWrite, -2, slope);
-            check::<Linear, _>(&mesh, test, &mvp);
-            check::<Float, _>(&mesh, test, &mvp);
+            check::<LinearDepth, _>(&mesh, test, &mvp);
+            check::<FloatDepth, _>(&mesh, test, &mvp);
         }
     }
 }
@@ -93,8 +93,8 @@ fn small_deep_triangles_have_the_same_depths_in_all_modes() {
         let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
         let mesh = mesh.with_uvs(&UVS[..3], None).unwrap();
         let mvp = lens().into();
-        check::<Linear, _>(&mesh, TestAndWrite, &mvp);
-        check::<Float, _>(&mesh, TestAndWrite, &mvp);
-        check::<Float, _>(&mesh, Biased::behind(TestAndWrite), &mvp);
+        check::<LinearDepth, _>(&mesh, TestAndWrite, &mvp);
+        check::<FloatDepth, _>(&mesh, TestAndWrite, &mvp);
+        check::<FloatDepth, _>(&mesh, Biased::behind(TestAndWrite), &mvp);
     });
 }

@@ -21,7 +21,7 @@ type Target<'a> = Canvas<'a, Rgb565, BigEndian, Depth<'a>>;
 fn picture(draw: &dyn Fn(&mut Target<'_>)) -> (u32, usize) {
     let mut pixels = vec![[0; 2]; (WIDTH * HEIGHT) as usize];
     let mut depths = vec![0; pixels.len()];
-    let canvas = Canvas::big_endian(&mut pixels, WIDTH, HEIGHT).unwrap();
+    let canvas = Canvas::<_, BigEndian>::new(&mut pixels, WIDTH, HEIGHT).unwrap();
     let mut canvas = canvas.with_depth(&mut depths).unwrap();
     canvas.clear(Rgb565::BLACK);
     draw(&mut canvas);

@@ -111,7 +111,7 @@ fn check(draw: &DrawRows<'_>) {
 
 fn with_depth(draw: impl Fn(&mut Canvas<'_, Rgb565, BigEndian, Depth<'_>>) + Sync) {
     check(&|pixels: &mut [[u8; 2]], depth: &mut [u16], first: u32| {
-        let band = Canvas::big_endian_band(pixels, WIDTH, HEIGHT, first).unwrap();
+        let band = Canvas::<_, BigEndian>::band(pixels, WIDTH, HEIGHT, first).unwrap();
         let mut band = band.with_depth(depth).unwrap();
         band.clear(Rgb565::BLACK);
         draw(&mut band);
@@ -120,7 +120,7 @@ fn with_depth(draw: impl Fn(&mut Canvas<'_, Rgb565, BigEndian, Depth<'_>>) + Syn
 
 fn without_depth(draw: impl Fn(&mut Canvas<'_, Rgb565, BigEndian>) + Sync) {
     check(&|pixels: &mut [[u8; 2]], _: &mut [u16], first: u32| {
-        let mut band = Canvas::big_endian_band(pixels, WIDTH, HEIGHT, first).unwrap();
+        let mut band = Canvas::<_, BigEndian>::band(pixels, WIDTH, HEIGHT, first).unwrap();
         band.clear(Rgb565::BLACK);
         draw(&mut band);
     });

@@ -37,7 +37,7 @@ mod lights;
 #[cfg(not(target_os = "none"))]
 mod memory;
 #[cfg(target_os = "none")]
-mod packed;
+mod mono;
 #[cfg(not(target_os = "none"))]
 mod painter;
 #[cfg(target_os = "none")]

@@ -5,7 +5,7 @@
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::BigEndian;
-use fixel::canvas::{Depth, DepthFormat, Float, Linear};
+use fixel::canvas::{Depth, DepthFormat, FloatDepth, LinearDepth};
 use fixel::mesh::{Buffers, Shape};
 use fixel::mode::{Affine, Compact, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
@@ -109,7 +109,7 @@ fn sums<F: DepthFormat>(
         let pixels = (SIZE.0 * rows.min(SIZE.1 - first)) as usize;
         // The earlier contents must not show.
         let (mut color, mut depth) = (vec![[9; 2]; pixels], vec![7; pixels]);
-        let band = Canvas::big_endian_band(&mut color, SIZE.0, SIZE.1, first).unwrap();
+        let band = Canvas::band(&mut color, SIZE.0, SIZE.1, first).unwrap();
         let mut band = band.with_depth_format::<F>(&mut depth).unwrap();
         band.clear(Rgb565::new(1, 2, 3));
         draw(&mut band, &projection);
@@ -150,7 +150,7 @@ fn bands<F: DepthFormat>(mode: impl Mode) -> Sums {
 #[test]
 fn bands_equal_the_frame() {
     fn with_either_depth(mode: impl Mode) {
-        let [linear, floating] = [bands::<Linear>(mode), bands::<Float>(mode)];
+        let [linear, floating] = [bands::<LinearDepth>(mode), bands::<FloatDepth>(mode)];
         // The depths have other values, but no two surfaces are so close to each other that the colors differ.
         assert_eq!(linear.colors, floating.colors);
         assert_ne!(linear.depths, floating.depths);
@@ -195,5 +195,5 @@ fn orders<F: DepthFormat>() -> Sums {
 
 #[test]
 fn the_order_of_triangles_does_not_change_the_picture() {
-    assert_eq!(orders::<Linear>().colors, orders::<Float>().colors);
+    assert_eq!(orders::<LinearDepth>().colors, orders::<FloatDepth>().colors);
 }

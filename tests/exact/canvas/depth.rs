@@ -8,7 +8,7 @@ use embedded_graphics::mono_font::MonoTextStyle;
 use embedded_graphics::mono_font::ascii::FONT_6X10;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, GrayColor, PixelColor};
 use embedded_graphics::text::Text;
-use fixel::canvas::{DepthBuffer, DepthFormat, Float, Linear, Native, WideFloat};
+use fixel::canvas::{DepthBuffer, DepthFormat, FloatDepth, LinearDepth, Native, WideFloatDepth};
 use fixel::num::scalar;
 use fixel::prelude::*;
 
@@ -109,9 +109,9 @@ fn clearing<F: DepthFormat>() {
 
 #[test]
 fn clear_resets_depths_and_fill_keeps_them() {
-    clearing::<Linear>();
-    clearing::<Float>();
-    clearing::<WideFloat>();
+    clearing::<LinearDepth>();
+    clearing::<FloatDepth>();
+    clearing::<WideFloatDepth>();
 }
 
 /// Without a depth buffer, clearing sets only the colors.
@@ -166,7 +166,7 @@ fn plates<F: DepthFormat>() -> MockDisplay<BinaryColor> {
 /// If the format stores equal depths for both plates, the farther one shows, because it is drawn last.
 #[test]
 fn the_resolution_of_each_depth_format() {
-    plates::<Linear>().assert_pattern(&[
+    plates::<LinearDepth>().assert_pattern(&[
         "..........................",
         "..####....................",
         "..####....................",
@@ -174,7 +174,7 @@ fn the_resolution_of_each_depth_format() {
         "..####....................",
         "..........................",
     ]);
-    plates::<Float>().assert_pattern(&[
+    plates::<FloatDepth>().assert_pattern(&[
         "..........................",
         "..####.....####...........",
         "..####.....####...........",
@@ -182,7 +182,7 @@ fn the_resolution_of_each_depth_format() {
         "..####.....####...........",
         "..........................",
     ]);
-    plates::<WideFloat>().assert_pattern(&[
+    plates::<WideFloatDepth>().assert_pattern(&[
         "..........................",
         "..####.....####.....####..",
         "..####.....####.....####..",
