@@ -346,7 +346,8 @@ impl<O: Storage<BinaryColor>, D> Canvas<'_, BinaryColor, O, D> {
         first_of_pages.flat_map(move |first| {
             (first..first + width).map(move |top| {
                 let rows = (0..8).map(|row| top + row * width);
-                rows.rev().fold(0, |byte, at| byte << 1 | u8::from(is_on(at)))
+                rows.rev()
+                    .fold(0, |byte, at| byte << 1 | u8::from(is_on(at)))
             })
         })
     }

@@ -63,7 +63,8 @@ impl<C, O: Storage<C>, D: DepthBuffer> Label<'_, Canvas<'_, C, O, D>> {
     /// corner's place in the frame would saturate, and the rectangle would reach as far beyond its other side.
     fn inside(&self, area: &Rectangle) -> Option<(Range<u32>, Range<u32>, [i64; 2])> {
         let (Point { x, y }, Point { x: u, y: v }) = (area.top_left, self.origin);
-        let corner @ [x, y] = [[x, u], [y, v]].map(|[at, origin]| i64::from(at) + i64::from(origin));
+        let corner @ [x, y] =
+            [[x, u], [y, v]].map(|[at, origin]| i64::from(at) + i64::from(origin));
         let columns = overlap(x, area.size.width, 0..self.canvas.frame_size().width)?;
         let rows = overlap(y, area.size.height, self.canvas.rows().clone())?;
         Some((columns, rows, corner))
@@ -78,7 +79,10 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Label<'_, Canv
         let area = self.canvas.bounding_box();
         for Pixel(Point { x, y }, color) in pixels {
             // Saturated, a point stays outside of all frames.
-            let [x, y] = [x.saturating_add(self.origin.x), y.saturating_add(self.origin.y)];
+            let [x, y] = [
+                x.saturating_add(self.origin.x),
+                y.saturating_add(self.origin.y),
+            ];
             if area.contains(Point::new(x, y)) {
                 // The area has no negative coordinates.
                 let (x, y) = (x.cast_unsigned(), y.cast_unsigned());

@@ -66,7 +66,10 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer> Cells<'a, C, O, D> {
         &mut self,
         count: usize,
     ) -> impl Iterator<Item = (&'a mut O::Cell, Option<&'a mut u16>)> + use<'a, C, O, D> {
-        let (colors, depths) = (first(&mut self.colors, count), first(&mut self.depths, count));
+        let (colors, depths) = (
+            first(&mut self.colors, count),
+            first(&mut self.depths, count),
+        );
         colors.iter_mut().zip(D::each(depths))
     }
 }

@@ -32,9 +32,9 @@ use crate::sealed::{Sealed, sealed};
 /// assert_eq!(bus, [0xf8, 0x00, 0xf8, 0x00]);
 /// # Ok::<(), Error>(())
 /// ```
-pub trait Storage<C>: Sealed {
+pub trait Storage<C>: Sealed + Sized {
     /// A pixel in memory.
-    type Cell: Copy;
+    type Cell: Copy + Cell<C, Self>;
 
     /// Converts a color to its stored form.
     fn store(color: C) -> Self::Cell;

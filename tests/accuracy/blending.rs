@@ -4,8 +4,8 @@ use std::fmt::Debug;
 
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, RawData};
 use embedded_graphics::pixelcolor::{
-    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor,
-    Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, Rgb555, Rgb565,
+    Rgb666, Rgb888, RgbColor,
 };
 use fixel::canvas::{Add, Alpha, Multiply, Native, Opacity, Storage};
 use fixel::mode::Compact;

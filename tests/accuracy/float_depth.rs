@@ -3,7 +3,7 @@
 use std::array::from_fn;
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::canvas::{DepthBuffer, DepthFormat, FloatDepth, LinearDepth, Native, WideFloatDepth};
+use fixel::canvas::{DepthBuffer, FloatDepth, LinearDepth, Native, WideFloatDepth};
 use fixel::prelude::*;
 use fixel::view::Perspective;
 use rand::Rng;
@@ -79,7 +79,7 @@ fn series(first: f64, factor: f64) -> impl Iterator<Item = f64> {
 }
 
 /// Draws two walls in a mode and format; returns the number of pixels that show the farther wall.
-fn wrong_in<F: DepthFormat>(
+fn wrong_in<F: DepthBuffer>(
     mode: Mode,
     projection: Projection<Perspective>,
     distances: [f64; 2],
@@ -199,7 +199,7 @@ fn triangle(random: &mut Random, farthest: f64) -> Triangle<Perspective, 0> {
 
 /// Draws triangles in every mode. Each depth must be the model's depth, rounded down to a step, within the error of
 /// interpolation.
-fn depths_are_the_models<F: DepthFormat>(exponent_bits: i32, farthest: f64) {
+fn depths_are_the_models<F: DepthBuffer>(exponent_bits: i32, farthest: f64) {
     let (mut pixels, mut most) = (0, 0_f64);
     cases(2000, |random| {
         let triangle = triangle(random, farthest);

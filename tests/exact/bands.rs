@@ -98,7 +98,7 @@ impl Scene {
 }
 
 /// A band of a frame.
-type Band<'b> = Canvas<'b, Rgb888, fixel::canvas::Native, fixel::canvas::Depth<'b>>;
+type Band<'b> = Canvas<'b, Rgb888, fixel::canvas::Native, fixel::canvas::LinearDepth>;
 
 /// Draws a frame in bands of this many rows; the last band has the remaining rows.
 ///

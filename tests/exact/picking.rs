@@ -131,7 +131,7 @@ fn no_ray_and_no_mesh_panics() {
 
 /// A frame of 12x6 pixels whose right half is nearer than its left half.
 fn labeled(
-    draw: impl FnOnce(&mut Canvas<'_, Rgb565, fixel::canvas::Native, fixel::canvas::Depth<'_>>),
+    draw: impl FnOnce(&mut Canvas<'_, Rgb565, fixel::canvas::Native, fixel::canvas::LinearDepth>),
 ) -> (MockDisplay<Rgb565>, Vec<u16>) {
     let mut colors = [Rgb565::BLACK; 12 * 6];
     let mut depths: Vec<u16> = (0..12 * 6)

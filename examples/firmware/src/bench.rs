@@ -112,8 +112,7 @@ impl Bench {
             let size = (rows * WIDTH) as usize;
             let (colors, depths) = (&mut colors[..size], &mut depths[..size]);
             if !scene.has_depth() {
-                let mut canvas: Target<_> =
-                    Canvas::band(colors, WIDTH, HEIGHT, first_row)?;
+                let mut canvas: Target<_> = Canvas::band(colors, WIDTH, HEIGHT, first_row)?;
                 draw(scene, &models, &mut canvas, clock, &mut figures)?;
                 crc.update(canvas.as_bytes());
             }

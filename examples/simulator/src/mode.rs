@@ -74,7 +74,8 @@ macro_rules! with_depth {
                 $draw
             }
             $crate::args::DepthFormat::Wide => {
-                let mut canvas = $canvas.with_depth_format::<fixel::canvas::WideFloatDepth>($depth)?;
+                let mut canvas =
+                    $canvas.with_depth_format::<fixel::canvas::WideFloatDepth>($depth)?;
                 let $with = &mut canvas;
                 $draw
             }

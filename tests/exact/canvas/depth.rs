@@ -8,7 +8,7 @@ use embedded_graphics::mono_font::MonoTextStyle;
 use embedded_graphics::mono_font::ascii::FONT_6X10;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, GrayColor, PixelColor};
 use embedded_graphics::text::Text;
-use fixel::canvas::{DepthBuffer, DepthFormat, FloatDepth, LinearDepth, Native, WideFloatDepth};
+use fixel::canvas::{DepthBuffer, FloatDepth, LinearDepth, Native, WideFloatDepth};
 use fixel::num::scalar;
 use fixel::prelude::*;
 
@@ -60,9 +60,7 @@ fn text_covers_the_picture_and_keeps_depths() {
 }
 
 /// Draws a near triangle, calls `between`, and draws a farther one. Returns the pixels of gray 1 (near) and 2 (far).
-fn shown<F: DepthFormat>(
-    between: fn(&mut Canvas<'_, Gray8, Native, fixel::canvas::Depth<'_, F>>),
-) -> [usize; 2] {
+fn shown<F: DepthBuffer>(between: fn(&mut Canvas<'_, Gray8, Native, F>)) -> [usize; 2] {
     let mut pixels = [Gray8::BLACK; 64];
     let mut depths = [0; 64];
     let canvas = Canvas::new(&mut pixels, 8, 8).unwrap();
@@ -73,7 +71,7 @@ fn shown<F: DepthFormat>(
     [1, 2].map(|gray| pixels.iter().filter(|pixel| pixel.luma() == gray).count())
 }
 
-fn clearing<F: DepthFormat>() {
+fn clearing<F: DepthBuffer>() {
     assert_eq!(
         shown::<F>(|_| ()),
         [28, 0],
@@ -128,7 +126,7 @@ fn clear_works_without_a_depth_buffer() {
 /// Draws three plates (`#`), at 4, 3,200 and 522,240 times the distance of the near plane, and after each one a
 /// larger plate (`.`) that is a hundredth farther. Distance 2^14 lies between the last two, so their 1/w have
 /// different exponents.
-fn plates<F: DepthFormat>() -> MockDisplay<BinaryColor> {
+fn plates<F: DepthBuffer>() -> MockDisplay<BinaryColor> {
     const SIZE: (u32, u32) = (26, 6);
     const FOCAL: f64 = 16.;
     let projection = Projection::from_focal_length(

@@ -3,7 +3,7 @@
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888};
 use embedded_graphics::{prelude::*, primitives::Rectangle, text::Text};
-use fixel::canvas::{Contrast, Depth, ErrorDiffusion, Native};
+use fixel::canvas::{Contrast, ErrorDiffusion, LinearDepth, Native};
 use fixel::prelude::*;
 
 const SIZE: (u32, u32) = (128, 64);
@@ -13,7 +13,7 @@ static SILHOUETTES: Outline = include_outline!("../../../assets/lighthouse.obj",
 static SKIN: TextureArray<Rgb565, 128, 128> =
     TextureArray::rgb565(include_bytes!("../../../assets/lighthouse.rgb565"));
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let (width, height) = SIZE;
     let (mut grays, mut depths) = ([Gray8::new(0); 128 * 64], [0; 128 * 64]);
     let mut gray = Canvas::new(&mut grays, width, height)?.with_depth(&mut depths)?;

@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, PixelColor, Rgb565};
 use embedded_graphics::{pixelcolor::raw::RawU16, prelude::*, primitives::Rectangle};
-use fixel::canvas::{ColorIndex, Depth, Native};
+use fixel::canvas::{ColorIndex, LinearDepth, Native};
 use fixel::prelude::*;
 
 const SIZE: Size = Size::new(64, 32);
@@ -13,7 +13,7 @@ const GLOW: [u16; 8] = [0x0003, 0x2888, 0x590a, 0x9109, 0xc9c6, 0xeb44, 0xfd45, 
 
 /// Draws the scene in a panel's colors, and shows it in a quarter of the picture.
 fn show<C: PixelColor + Default>(
-    canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>,
+    canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>,
     place: Size,
     panel: Canvas<'_, C>,
     shader: &impl Shader<Color = C>,
@@ -36,7 +36,7 @@ fn show<C: PixelColor + Default>(
     Ok(())
 }
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let sun = Light::new(vec3!(-2, 3, 1), fx!(0.06), fx!(0.94))?;
     let clay = Flat::new(Gray8::new(255)).lit(sun);
     canvas.clear(Rgb565::new(5, 10, 6));
