@@ -339,15 +339,16 @@ impl<O: Storage<BinaryColor>, D> Canvas<'_, BinaryColor, O, D> {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn pages(&self) -> impl Iterator<Item = u8> {
-        let (cells, width) = (&*self.cells, self.width as usize);
-        let is_on = |at: usize| cells.get(at).is_some_and(|&cell| O::load(cell).is_on());
-        // A canvas has at most 2^22 pixels.
-        let first_of_pages = (0..cells.len()).step_by(8 * width);
-        first_of_pages.flat_map(move |first| {
-            (first..first + width).map(move |top| {
-                let rows = (0..8).map(|row| top + row * width);
-                rows.rev()
-                    .fold(0, |byte, at| byte << 1 | u8::from(is_on(at)))
+        let (cells, width) = (&*self.cells, self.width);
+        // A canvas has at most 2^22 pixels, and its pages at most 7 rows more.
+        let is_on = move |row: u32, column| {
+            let cell = cells.get((row * width + column) as usize);
+            cell.is_some_and(|&cell| O::load(cell).is_on())
+        };
+        (0..self.row_count().div_ceil(8)).flat_map(move |page| {
+            (0..width).map(move |column| {
+                let bits = (0..8).rev().map(|bit| is_on(8 * page + bit, column));
+                bits.fold(0, |byte, bit| byte << 1 | u8::from(bit))
             })
         })
     }

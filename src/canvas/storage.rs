@@ -111,12 +111,20 @@ fn number<'b>(bytes: impl Iterator<Item = &'b u8>) -> u32 {
     bytes.fold(0, |all, &byte| all << 8 | u32::from(byte))
 }
 
-/// The cell of a color `C` in storage `O`, from which the compiler infers both where it can. Public in name only.
+/// A pixel of a canvas whose color is `C` and whose storage is `O`. The compiler infers these from the pixel where it
+/// can. Public in name only.
+///
+/// ```compile_fail,E0277
+/// use fixel::prelude::*;
+/// let mut bytes = [0_u8; 32]; // not `[[0_u8; 2]; 16]`
+/// let canvas = Canvas::new(&mut bytes, 4, 4);
+/// ```
 #[diagnostic::on_unimplemented(
-    message = "a canvas of `{C}` in storage `{O}` does not consist of `{Self}`",
-    label = "neither colors nor arrays of a color's bytes",
-    note = "give it a slice of colors, or one of arrays of bytes with the storage in the canvas's type: \
-            `let canvas: Canvas<Rgb565, BigEndian> = Canvas::new(&mut bytes, width, height)?`, where `bytes` is `[[u8; 2]; N]`",
+    message = "`{Self}` cannot be a pixel of this canvas",
+    label = "not a color, nor an array of bytes that the canvas's type asks for",
+    note = "a slice of colors makes a canvas of colors; a slice of arrays makes one of bytes if its type says so: \
+            `let canvas: Canvas<Rgb565, BigEndian> = Canvas::new(&mut bytes, width, height)?`, where `bytes` is \
+            `[[u8; 2]; N]`",
     note = "`slice.as_chunks_mut().0` views a slice of bytes as arrays"
 )]
 pub trait Cell<C, O> {}

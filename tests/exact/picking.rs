@@ -224,9 +224,16 @@ fn a_labels_point_gives_its_place_and_depth() {
             .label(at(0, 0, 100))
             .draw_iter([Pixel(Point::new(2, 0), Rgb565::WHITE)])
             .unwrap();
+        canvas
+            .label(at(5, 0, 0).on_top())
+            .fill_solid(
+                &Rectangle::new(Point::zero(), Size::new(2, 1)),
+                Rgb565::YELLOW,
+            )
+            .unwrap();
     });
     display.assert_pattern(&[
-        "KKWKKKKKKKKK",
+        "KKWKKYYKKKKK",
         "KKKRRRKKKKKK",
         "KKKRRRKKKKKK",
         "KKKKKKKKKKKK",

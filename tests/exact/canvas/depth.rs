@@ -59,6 +59,50 @@ fn text_covers_the_picture_and_keeps_depths() {
     assert_eq!(drawn, covered);
 }
 
+/// Points above, below and beside a band have no depth, and no point of a canvas without a depth buffer has one.
+#[test]
+fn a_pixels_depth_is_read_in_the_frames_coordinates() {
+    let mut pixels = [Gray8::BLACK; 12];
+    let mut depths: [u16; 12] = core::array::from_fn(|at| at as u16 + 7);
+    let stored = depths;
+    let band = Canvas::band(&mut pixels, 4, 9, 5).unwrap();
+    assert_eq!(band.depth_at(Point::new(1, 6)), None);
+    let band = band.with_depth(&mut depths).unwrap();
+    for y in -1..10_i32 {
+        for x in -1..5 {
+            let is_inside = (0..4).contains(&x) && (5..8).contains(&y);
+            let depth = is_inside.then(|| stored[((y - 5) * 4 + x).cast_unsigned() as usize]);
+            assert_eq!(band.depth_at(Point::new(x, y)), depth, "{x}, {y}");
+        }
+    }
+    for end in [i32::MIN, i32::MAX] {
+        assert_eq!(band.depth_at(Point::new(end, end)), None);
+    }
+}
+
+/// The depth at a pixel is that of the point that was drawn there, in each format.
+fn drawn_depth<F: DepthBuffer>() {
+    let projection = Projection::perspective(deg!(90), (1, 1), fx!(0.5), fx!(100)).unwrap();
+    let (mut pixels, mut depths) = ([Gray8::BLACK; 64], [0; 64]);
+    let canvas = Canvas::new(&mut pixels, 8, 8).unwrap();
+    let mut canvas = canvas.with_depth_format::<F>(&mut depths).unwrap();
+    let point = vec3!(0, 0, -20);
+    let positions = [vec3!(-30, -30, -20), vec3!(30, -30, -20), vec3!(0, 30, -20)];
+    let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
+    canvas.draw(&mesh, &projection, &Flat::new(Gray8::WHITE));
+    let at = canvas
+        .project(&DrawOptions::new(), &projection, point)
+        .unwrap();
+    assert_eq!(canvas.depth_at(Point::new(4, 4)), Some(at.depth));
+}
+
+#[test]
+fn a_pixels_depth_is_that_of_the_point_drawn_there() {
+    drawn_depth::<LinearDepth>();
+    drawn_depth::<FloatDepth>();
+    drawn_depth::<WideFloatDepth>();
+}
+
 /// Draws a near triangle, calls `between`, and draws a farther one. Returns the pixels of gray 1 (near) and 2 (far).
 fn shown<F: DepthBuffer>(between: fn(&mut Canvas<'_, Gray8, Native, F>)) -> [usize; 2] {
     let mut pixels = [Gray8::BLACK; 64];
