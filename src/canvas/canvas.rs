@@ -218,6 +218,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     }
 
     /// The colors in memory, row by row from the top, each row from the left.
+    #[must_use]
     pub fn pixels(&self) -> impl ExactSizeIterator<Item = C> {
         self.cells.iter().map(|&cell| O::load(cell))
     }

@@ -122,6 +122,11 @@ fn types<C: 'static, O: Storage<C> + 'static, D>(_: &Canvas<'_, C, O, D>) -> [Ty
     [TypeId::of::<C>(), TypeId::of::<O>()]
 }
 
+/// Makes a canvas in any storage.
+fn any<C, O: Storage<C>>(cells: &mut [O::Cell]) -> Canvas<'_, C, O> {
+    Canvas::new(cells, 2, 2).unwrap()
+}
+
 /// Colors tell all types of a canvas, arrays of bytes the size of its colors.
 #[test]
 fn constructors_infer_types_from_memory() {
@@ -143,10 +148,6 @@ fn constructors_infer_types_from_memory() {
     assert_eq!(types(&canvas), little);
     assert_eq!(bytes, [[0, 0xf8]; 4]);
 
-    /// Makes a canvas in any storage.
-    fn any<C, O: Storage<C>>(cells: &mut [O::Cell]) -> Canvas<'_, C, O> {
-        Canvas::new(cells, 2, 2).unwrap()
-    }
     let mut bytes = [[0; 3]; 4];
     let mut canvas = any::<Rgb888, BigEndian>(&mut bytes);
     assert_eq!(
