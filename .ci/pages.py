@@ -193,7 +193,7 @@ def places(instructions, other):
         ("a triangle of a lit ball", "lit"),
         ("the same, with normals of 8 bits", "lit-quantized"),
         ("a textured pixel in black and white, a color in memory", "mono-native"),
-        ("the same, packed into a page of an SSD1306", "mono-pages"),
+        ("a pixel in black and white, packed into a page of an SSD1306", "mono-pages"),
         ("a gray, diffused to black or white", "mono-diffused"),
     ]:
         row(BENCHMARKS, label, whole, *names)

@@ -320,9 +320,9 @@ impl<O: Storage<BinaryColor>, D> Canvas<'_, BinaryColor, O, D> {
     /// The pixels as the bytes of an SSD1306 or a similar display: 8 rows of a column in a byte, the topmost in the
     /// least significant bit.
     ///
-    /// 8 rows are a *page*, a byte for each column from the left. Pages follow each other from the top, and the canvas's
-    /// first row is the first row of a page. So a band for such a display begins at a multiple of 8 and has 8 rows, or
-    /// 16, and so on. If its last page has fewer rows, the other bits are 0.
+    /// 8 rows are a *page*, a byte for each column from the left. Pages follow each other from the top, and the first
+    /// row of the canvas is the first row of a page. So a band for such a display begins at a multiple of 8 and has 8
+    /// rows, or 16, and so on. If its last page has fewer rows, the other bits are 0.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::BinaryColor;

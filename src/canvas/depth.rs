@@ -10,9 +10,9 @@ use crate::sealed::{Sealed, sealed};
 /// is the near plane, 0 is infinitely far.
 ///
 #[cfg_attr(doc, doc = diagram!("depth"))]
-/// Depths have one of three formats. In each, a nearer depth is a greater number, so the depth test is the same comparison. The formats differ in cost,
-/// and in the ratio far/near that they resolve. The table lists the greatest depth step, relative to the distance, at
-/// the far end. "None" means that every depth at the far end is stored as 0.
+/// Depths have one of three formats. In each, a nearer depth is a greater number, so the depth test is the same
+/// comparison. The formats differ in cost, and in the ratio far/near that they resolve. The table lists the greatest
+/// depth step, relative to the distance, at the far end. "None" means that every depth at the far end is stored as 0.
 ///
 /// | far / near | [`LinearDepth`] | [`FloatDepth`] | [`WideFloatDepth`] |
 /// |---:|---:|---:|---:|
@@ -57,7 +57,7 @@ pub trait DepthBuffer: Sealed {
 
     /// The stored depths of pixels; an endless row of `None` if none are kept.
     #[doc(hidden)]
-    #[inline]
+    #[inline(always)]
     fn each(depths: &mut [u16]) -> impl Iterator<Item = Option<&mut u16>> {
         depths.iter_mut().map(Some)
     }
@@ -99,9 +99,9 @@ pub enum LinearDepth {}
 /// Within one triangle, the error of the interpolated 1/w is 2⁻²⁴ of its largest value. If a triangle's far end is
 /// more than 3,000 times as far away as its near end, this error exceeds half a step there.
 ///
-/// A tested fragment takes 7 to 9 instructions more than with [`LinearDepth`] on Cortex-M4: in the default mode, a quarter
-/// more for the benchmark's floor and cube. On Cortex-M0+, which cannot count leading zeros, a fragment takes 9 to 19
-/// more.
+/// A tested fragment takes 7 to 9 instructions more than with [`LinearDepth`] on Cortex-M4: in the default mode, a
+/// quarter more for the benchmark's floor and cube. On Cortex-M0+, which cannot count leading zeros, a fragment takes 9
+/// to 19 more.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -117,8 +117,8 @@ pub enum FloatDepth {}
 /// Depth in floating point, with 5 bits of exponent and 11 of mantissa, for every far/near that a
 /// [`Projection`](crate::Projection) accepts.
 ///
-/// A step is 2⁻¹² to 2⁻¹¹ of the distance (0.024 to 0.049 %) up to 2³² · near. This is twice as coarse as [`FloatDepth`],
-/// at the same cost.
+/// A step is 2⁻¹² to 2⁻¹¹ of the distance (0.024 to 0.049 %) up to 2³² · near. This is twice as coarse as
+/// [`FloatDepth`], at the same cost.
 ///
 /// Within one triangle, the error of the interpolated 1/w is 2⁻²⁴ of its largest value. If a triangle's far end is
 /// more than 6,000 times as far away as its near end, this error exceeds half a step there.
@@ -144,7 +144,7 @@ impl DepthBuffer for NoDepth {
         LinearDepth::encode(q, down)
     }
 
-    #[inline]
+    #[inline(always)]
     fn each(_: &mut [u16]) -> impl Iterator<Item = Option<&mut u16>> {
         // An iterator over a slice of units zips with the colors' iterator without a second check for the end.
         const ANY: &[()] = &[(); usize::MAX];
@@ -175,8 +175,9 @@ impl DepthBuffer for WideFloatDepth {
 }
 
 // With 16 bits for 32 octaves, a logarithm would be the finest: log2(1 + m) ≈ m + 0.344 m (1 − m) has steps of 0.036
-// % instead of 0.049 %. But it was measured at 23 more instructions per textured fragment than `LinearDepth` on Cortex-M4,
-// where a float takes 7 more, and at 24 instead of 13 on Cortex-M0+. Surfaces that are 1 % apart do not need it.
+// % instead of 0.049 %. But it was measured at 23 more instructions per textured fragment than `LinearDepth` on
+// Cortex-M4, where a float takes 7 more, and at 24 instead of 13 on Cortex-M0+. Surfaces that are 1 % apart do not need
+// it.
 /// Encodes a depth as a float with `EXPONENT` bits of exponent and 16 − `EXPONENT` bits of mantissa.
 ///
 /// Let the depth be 2^e · 1.m. The greatest exponent code stands for e = 15, because the near plane is 2^16 and

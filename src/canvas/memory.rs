@@ -18,7 +18,7 @@ pub(crate) struct Memory<'a, C, O: Storage<C>, D> {
 }
 
 impl<'a, C, O: Storage<C>, D: DepthBuffer> Memory<'a, C, O, D> {
-    #[inline]
+    #[inline(always)]
     pub(crate) fn reborrow(&mut self) -> Memory<'_, C, O, D> {
         Memory {
             colors: self.colors,
@@ -29,7 +29,7 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer> Memory<'a, C, O, D> {
 
     /// The pixels of `columns` of `row` with their depths. Both must lie within the canvas's area, as the rasterizer's
     /// do. It returns `None` and does not panic if memory ends before them, or if columns end before they start.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn cells(self, row: u32, columns: Range<u32>) -> Option<Cells<'a, C, O, D>> {
         let start = (row - self.first_row) * self.width;
         // It wraps: a triangle's row that is left of the frame ends before it starts, possibly below 0. The result is
@@ -55,13 +55,13 @@ pub(crate) struct Cells<'a, C, O: Storage<C>, D> {
 }
 
 impl<'a, C, O: Storage<C>, D: DepthBuffer> Cells<'a, C, O, D> {
-    #[inline]
+    #[inline(always)]
     pub(crate) fn len(&self) -> usize {
         self.colors.len()
     }
 
     /// Splits off the first `count` pixels, or all that are left.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn first(
         &mut self,
         count: usize,
@@ -75,7 +75,7 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer> Cells<'a, C, O, D> {
 }
 
 /// Splits off the first `count` elements of a slice, or all that are left.
-#[inline]
+#[inline(always)]
 #[allow(clippy::mut_mut)] // the slice is replaced by its rest
 fn first<'a, T>(slice: &mut &'a mut [T], count: usize) -> &'a mut [T] {
     let all = mem::take(slice);

@@ -201,9 +201,9 @@
 //!
 //! # Canvas
 //!
-//! A [`Canvas`](crate::Canvas) is a picture in your memory: its size, its colors, and optionally a depth buffer. A slice
-//! of colors makes a canvas of colors; a slice of arrays, such as `[u8; 2]`, one of bytes in the order that a display
-//! wants. A canvas consists of references and a few numbers, so make a new one for each frame.
+//! A [`Canvas`](crate::Canvas) is a picture in your memory: its size, its colors, and optionally a depth buffer. A
+//! slice of colors makes a canvas of colors; a slice of arrays, such as `[u8; 2]`, one of bytes in the order that a
+//! display wants. A canvas consists of references and a few numbers, so make a new one for each frame.
 //!
 //! A canvas is an embedded-graphics `DrawTarget`: text and shapes go on top. [`show`](crate::Canvas::show) copies it to
 //! another `DrawTarget`; [`as_bytes`](crate::Canvas::as_bytes) gives its bytes to a DMA channel. If a display has
