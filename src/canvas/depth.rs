@@ -57,7 +57,7 @@ pub trait DepthBuffer: Sealed {
 
     /// The stored depths of pixels; an endless row of `None` if none are kept.
     #[doc(hidden)]
-    #[inline(always)]
+    #[inline]
     fn each(depths: &mut [u16]) -> impl Iterator<Item = Option<&mut u16>> {
         depths.iter_mut().map(Some)
     }
@@ -144,7 +144,7 @@ impl DepthBuffer for NoDepth {
         LinearDepth::encode(q, down)
     }
 
-    #[inline(always)]
+    #[inline]
     fn each(_: &mut [u16]) -> impl Iterator<Item = Option<&mut u16>> {
         // An iterator over a slice of units zips with the colors' iterator without a second check for the end.
         const ANY: &[()] = &[(); usize::MAX];

@@ -18,7 +18,7 @@ pub(crate) struct Memory<'a, C, O: Storage<C>, D> {
 }
 
 impl<'a, C, O: Storage<C>, D: DepthBuffer> Memory<'a, C, O, D> {
-    #[inline(always)]
+    #[inline]
     pub(crate) fn reborrow(&mut self) -> Memory<'_, C, O, D> {
         Memory {
             colors: self.colors,
@@ -29,16 +29,20 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer> Memory<'a, C, O, D> {
 
     /// The pixels of `columns` of `row` with their depths. Both must lie within the canvas's area, as the rasterizer's
     /// do. It returns `None` and does not panic if memory ends before them, or if columns end before they start.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn cells(self, row: u32, columns: Range<u32>) -> Option<Cells<'a, C, O, D>> {
-        let start = (row - self.first_row) * self.width;
+        let first = (row - self.first_row) * self.width;
         // It wraps: a triangle's row that is left of the frame ends before it starts, possibly below 0. The result is
         // then a range outside of any memory.
-        let [start, end] = [columns.start, columns.end].map(|at| start.wrapping_add(at) as usize);
+        let (start, end) = (
+            first.wrapping_add(columns.start),
+            first.wrapping_add(columns.end),
+        );
+        let range = start as usize..end as usize;
         Some(Cells {
-            colors: self.colors.get_mut(start..end)?,
+            colors: self.colors.get_mut(range.clone())?,
             depths: if D::IS_KEPT {
-                self.depths.get_mut(start..end)?
+                self.depths.get_mut(range)?
             } else {
                 &mut []
             },
@@ -55,13 +59,13 @@ pub(crate) struct Cells<'a, C, O: Storage<C>, D> {
 }
 
 impl<'a, C, O: Storage<C>, D: DepthBuffer> Cells<'a, C, O, D> {
-    #[inline(always)]
+    #[inline]
     pub(crate) fn len(&self) -> usize {
         self.colors.len()
     }
 
     /// Splits off the first `count` pixels, or all that are left.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn first(
         &mut self,
         count: usize,
@@ -75,7 +79,7 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer> Cells<'a, C, O, D> {
 }
 
 /// Splits off the first `count` elements of a slice, or all that are left.
-#[inline(always)]
+#[inline]
 #[allow(clippy::mut_mut)] // the slice is replaced by its rest
 fn first<'a, T>(slice: &mut &'a mut [T], count: usize) -> &'a mut [T] {
     let all = mem::take(slice);
