@@ -95,11 +95,14 @@ impl<S: Shading, Z: DepthTest> Pixels<S, Z> {
     ) -> bool {
         self.point.x += 1;
         self.depth = LinearDepth::encode(q, down);
-        let Some(stored) = depth else {
+        if !D::IS_KEPT {
             return true;
-        };
+        }
         self.stored = self.test.biased::<D>(q, down);
-        !Z::TESTS || at_least(self.stored, **stored)
+        !Z::TESTS
+            || depth
+                .as_deref()
+                .is_none_or(|stored| at_least(self.stored, *stored))
     }
 
     /// Shades the current pixel, after [`visible`](Self::visible) returned `true`.
@@ -117,7 +120,9 @@ impl<S: Shading, Z: DepthTest> Pixels<S, Z> {
         let below = || O::load(*color);
         if let Some(new) = self.shading.color(&at, varyings, below) {
             *color = O::store(new);
-            if let Some(depth) = depth.filter(|_| Z::WRITES) {
+            if Z::WRITES
+                && let Some(depth) = depth
+            {
                 *depth = self.stored as u16;
             }
         }
