@@ -193,9 +193,8 @@ def places(instructions, other):
         ("a triangle of a lit ball", "lit"),
         ("the same, with normals of 8 bits", "lit-quantized"),
         ("a textured pixel in black and white, a color in memory", "mono-native"),
-        ("the same, 8 pixels in a byte", "mono-packed"),
-        ("the same, in the pages of an SSD1306", "mono-pages"),
-        ("a gray, diffused to one of 8 pixels in a byte", "mono-diffused"),
+        ("a pixel in black and white, packed into a page of an SSD1306", "mono-pages"),
+        ("a gray, diffused to black or white", "mono-diffused"),
     ]:
         row(BENCHMARKS, label, whole, *names)
     says(BENCHMARKS, "| the same, prepared once (in these columns, for {}, {}, {}, {}) and drawn | {} | {} | {} | {} |",
@@ -305,10 +304,6 @@ def places(instructions, other):
          "{} million in place of {}.", [
              *(whole(kernel(name, (M0, "3"))) for name in ["newton", "fast-16"]),
              *(short_million(mean(M0, "3", mode, "cube")) for mode in ["newton", "fast"])])
-    says("src/canvas/canvas.rs", "takes {} instructions more on a canvas of pages and {} more on a packed one, on a "
-         "Cortex-M4; on a Cortex-M0+, it takes {} and {} more", [
-             whole(kernel(name, (target, "3")) - kernel("mono-native", (target, "3")))
-             for target in [M4, M0] for name in ["mono-pages", "mono-packed"]])
     says("src/pipeline/on_screen.rs", "On a Cortex-M4 the test takes {} instructions",
          [whole(round(kernel("in-view", (M4, "3")), -2))])
     unpacked = kernel("lit-quantized", (M4, "3")) - kernel("lit", (M4, "3"))

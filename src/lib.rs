@@ -76,7 +76,7 @@
 //! | [`Object`]s: meshes with their transforms and materials | [`Object::new`] | argument of [`TriangleList::prepare_scene`] and [`EdgeList::prepare_scene`] |
 //! | [`Sprites`]: billboards, particles | [`Sprites::new`], [`Sprites::in_pixels`] | argument of [`Canvas::draw_sprites`] |
 //! | [`Ray`] of a pixel | [`Canvas::ray`] | [`Ray::hit`]: the face of a mesh that is seen there |
-//! | [`Canvas`]: colors, depth, rows | [`Canvas::new`], [`Canvas::band`], [`Canvas::big_endian`] and so on, over your slices | the picture for a display: [`Canvas::show`] or [`Canvas::as_bytes`] |
+//! | [`Canvas`]: colors, depth, rows | [`Canvas::new`], [`Canvas::band`], over your slices | the picture for a display: [`Canvas::show`] or [`Canvas::as_bytes`] |
 //!
 //! # Spaces
 //!
@@ -157,8 +157,8 @@
 //! Here every band transforms the whole mesh again. If that takes too long, prepare a [`TriangleList`] once a frame
 //! with [`TriangleList::prepare`], and let every band draw from the list with [`Canvas::draw_prepared`].
 //!
-//! For DMA, let the canvas store its pixels as the bytes that the bus needs: [`Canvas::big_endian`] and
-//! [`Canvas::little_endian`] do so, and [`Canvas::as_bytes`] returns them. The [guide for firmware](guide::firmware)
+//! For DMA, let the canvas store its pixels as the bytes that the bus needs: a `Canvas<Rgb565, BigEndian>` over
+//! `[[u8; 2]]` does so, and [`Canvas::as_bytes`] returns them. The [guide for firmware](guide::firmware)
 //! leads from `cargo new` to a picture on an SPI panel, by way of memory, bands, DMA, two cores and clocks.
 //!
 //! # Speed against accuracy

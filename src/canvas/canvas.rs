@@ -5,15 +5,12 @@ use core::ops::Range;
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Dimensions, Point, Size};
-use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 use embedded_graphics::pixelcolor::{BinaryColor, PixelColor};
 use embedded_graphics::primitives::{PointsIter, Rectangle};
 
-use super::depth::{Depth, DepthBuffer, NoDepth};
-use super::format::{DepthFormat, Linear};
+use super::depth::{DepthBuffer, LinearDepth, NoDepth};
 use super::memory::{Cells, Memory};
-use super::packed::{Packed, Pages};
-use super::storage::{Bytes, Native, RowSpan, Storage};
+use super::storage::{Cell, Native, Storage};
 use crate::Error;
 use crate::error::check_length;
 
@@ -27,21 +24,21 @@ pub const MAX_SIZE: u32 = 2048;
 /// drawn in the frame's coordinates, and pixels outside the band are skipped. Put together, the bands of a frame
 /// equal the whole frame, bit for bit.
 ///
-/// `C` is the color, `O` the way it is stored, and `D` the depth buffer: [`NoDepth`] or [`Depth`].
+/// `C` is the color, `O` the way it is stored, and `D` the depth buffer.
 ///
-/// | pixels in memory | a whole frame | a band of it |
+/// | pixels in memory | element of the slice | type |
 /// |---|---|---|
-/// | colors ([`Native`]) | [`new`](Self::new) | [`band`](Self::band) |
-/// | bytes, most significant first ([`BigEndian`]) | [`big_endian`](Self::big_endian) | [`big_endian_band`](Self::big_endian_band) |
-/// | bytes, least significant first ([`LittleEndian`]) | [`little_endian`](Self::little_endian) | [`little_endian_band`](Self::little_endian_band) |
-/// | 8, 4 or 2 pixels in a byte, side by side ([`Packed`]) | [`packed`](Self::packed) | [`packed_band`](Self::packed_band) |
-/// | 8 pixels in a byte, one below the other ([`Pages`]) | [`pages`](Self::pages) | [`pages_band`](Self::pages_band) |
+/// | colors | `Rgb565` | `Canvas<Rgb565>` |
+/// | bytes, most significant first | `[u8; 2]` | `Canvas<Rgb565, BigEndian>` |
+/// | bytes, least significant first | `[u8; 2]` | `Canvas<Rgb565, LittleEndian>` |
+/// | entries of a palette | [`ColorIndex`](super::ColorIndex) | `Canvas<ColorIndex>` |
+///
+/// [`BigEndian`](embedded_graphics::pixelcolor::raw::BigEndian) and
+/// [`LittleEndian`](embedded_graphics::pixelcolor::raw::LittleEndian) are embedded-graphics' types. Displays with
+/// several pixels in a byte get them on the way out: see [`show`](Self::show) and [`pages`](Self::pages). Draw for
+/// these in bands: 8 rows of 128 pixels take 1 KiB, as much as a whole packed frame of 128x64.
 ///
 /// [`with_depth`](Self::with_depth) and [`with_depth_format`](Self::with_depth_format) add a depth buffer.
-///
-/// Compared with a canvas of colors, drawing a pixel in black and white takes 4 instructions more on a canvas of pages
-/// and 15 more on a packed one, on a Cortex-M4; on a Cortex-M0+, it takes 7 and 18 more. With a palette, a pixel is a
-/// [`ColorIndex`](super::ColorIndex), stored as a color.
 ///
 /// A canvas is an embedded-graphics [`DrawTarget`], so text and gauges can be drawn over the picture.
 ///
@@ -64,9 +61,9 @@ pub const MAX_SIZE: u32 = 2048;
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 /// use fixel::prelude::*;
-/// use fixel::canvas::{Depth, DepthBuffer, Native, Storage};
+/// use fixel::canvas::{DepthBuffer, LinearDepth, Native, Storage};
 ///
-/// fn with_depth(canvas: &mut Canvas<Rgb565, Native, Depth>) {
+/// fn with_depth(canvas: &mut Canvas<Rgb565, Native, LinearDepth>) {
 ///     on_any(canvas);
 /// }
 ///
@@ -77,21 +74,49 @@ pub const MAX_SIZE: u32 = 2048;
 #[derive(Debug)]
 pub struct Canvas<'a, C, O: Storage<C> = Native, D = NoDepth> {
     cells: &'a mut [O::Cell],
-    depth: D,
+    /// Empty without a depth buffer.
+    depths: &'a mut [u16],
+    buffer: PhantomData<D>,
     width: u32,
     height: u32,
     rows: Range<u32>,
 }
 
-impl<'a, C: PixelColor> Canvas<'a, C> {
-    /// A canvas of `width` x `height` pixels, stored as colors, row by row from the top.
+impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
+    /// A canvas of `width` x `height` pixels, row by row from the top.
+    ///
+    /// A slice of colors makes a canvas that stores them as they are. A slice of arrays of bytes makes one of bytes,
+    /// whose color and byte order its type must name: `Canvas<Rgb565, BigEndian>` stores `[u8; 2]`. Most displays
+    /// expect the most significant byte first. `bytes.as_chunks_mut().0` views a slice of bytes as such arrays.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor, raw::BigEndian};
+    /// use fixel::prelude::*;
+    /// let mut bytes = [[0; 2]; 4];
+    /// let mut canvas: Canvas<Rgb565, BigEndian> = Canvas::new(&mut bytes, 2, 2)?;
+    /// canvas.clear(Rgb565::RED);
+    /// assert_eq!(canvas.as_bytes()[..2], [0xf8, 0x00]);
+    /// # Ok::<(), Error>(())
+    /// ```
     ///
     /// # Errors
     ///
     /// [`Error::Size`] if a side is 0 or above [`MAX_SIZE`]; [`Error::Length`] if `pixels` does
     /// not have exactly one element per pixel.
-    pub fn new(pixels: &'a mut [C], width: u32, height: u32) -> Result<Self, Error> {
-        Self::over(pixels, width, height)
+    pub fn new<P: Cell<C, O>>(pixels: &'a mut [P], width: u32, height: u32) -> Result<Self, Error>
+    where
+        O: Storage<C, Cell = P>,
+    {
+        check_size(width, height)?;
+        check_length(pixels.len(), (width * height) as usize)?;
+        Ok(Self {
+            cells: pixels,
+            depths: &mut [],
+            buffer: PhantomData,
+            width,
+            height,
+            rows: 0..height,
+        })
     }
 
     /// A band of a frame of `width` x `height` pixels: as many rows as `pixels` holds, starting at `first_row`.
@@ -100,193 +125,39 @@ impl<'a, C: PixelColor> Canvas<'a, C> {
     ///
     /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`]; [`Error::Length`] if `pixels` is not a
     /// whole number of rows; [`Error::Rows`] if it holds no row, or a row outside the frame.
-    pub fn band(
-        pixels: &'a mut [C],
+    pub fn band<P: Cell<C, O>>(
+        pixels: &'a mut [P],
         width: u32,
         height: u32,
         first_row: u32,
-    ) -> Result<Self, Error> {
-        Self::band_over(pixels, width, height, first_row)
-    }
-}
-
-impl<'a, C> Canvas<'a, C, BigEndian>
-where
-    BigEndian: Storage<C>,
-{
-    /// A canvas of pixels stored as bytes, most significant first: the order that most displays expect. Each element of
-    /// `pixels` is the array of a pixel's bytes, `[u8; 2]` for `Rgb565`. From Rust 1.88 on,
-    /// `bytes.as_chunks_mut().0` views a slice of bytes in this way.
-    ///
-    /// ```
-    /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-    /// use fixel::prelude::*;
-    /// let mut bytes = [[0; 2]; 4];
-    /// let mut canvas: Canvas<Rgb565, _> = Canvas::big_endian(&mut bytes, 2, 2)?;
-    /// canvas.clear(Rgb565::RED);
-    /// assert_eq!(canvas.as_bytes()[..2], [0xf8, 0x00]);
-    /// # Ok::<(), Error>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// As for [`new`](Canvas::new).
-    pub fn big_endian(
-        pixels: &'a mut [<BigEndian as Storage<C>>::Cell],
-        width: u32,
-        height: u32,
-    ) -> Result<Self, Error> {
-        Self::over(pixels, width, height)
-    }
-
-    /// A band stored as bytes, most significant first.
-    ///
-    /// # Errors
-    ///
-    /// As for [`band`](Canvas::band).
-    pub fn big_endian_band(
-        pixels: &'a mut [<BigEndian as Storage<C>>::Cell],
-        width: u32,
-        height: u32,
-        first_row: u32,
-    ) -> Result<Self, Error> {
-        Self::band_over(pixels, width, height, first_row)
-    }
-}
-
-impl<'a, C> Canvas<'a, C, LittleEndian>
-where
-    LittleEndian: Storage<C>,
-{
-    /// A canvas of pixels stored as bytes, least significant first. The elements of `pixels` are arrays, as for
-    /// [`big_endian`](Canvas::big_endian).
-    ///
-    /// # Errors
-    ///
-    /// As for [`new`](Canvas::new).
-    pub fn little_endian(
-        pixels: &'a mut [<LittleEndian as Storage<C>>::Cell],
-        width: u32,
-        height: u32,
-    ) -> Result<Self, Error> {
-        Self::over(pixels, width, height)
-    }
-
-    /// A band stored as bytes, least significant first.
-    ///
-    /// # Errors
-    ///
-    /// As for [`band`](Canvas::band).
-    pub fn little_endian_band(
-        pixels: &'a mut [<LittleEndian as Storage<C>>::Cell],
-        width: u32,
-        height: u32,
-        first_row: u32,
-    ) -> Result<Self, Error> {
-        Self::band_over(pixels, width, height, first_row)
-    }
-}
-
-impl<'a, C> Canvas<'a, C, Packed>
-where
-    Packed: Storage<C, Cell = u8>,
-{
-    /// A canvas with 8, 4 or 2 pixels in a byte, side by side; see [`Packed`].
-    ///
-    /// # Errors
-    ///
-    /// As for [`new`](Canvas::new), with one element per byte; each row begins with a new byte.
-    pub fn packed(pixels: &'a mut [u8], width: u32, height: u32) -> Result<Self, Error> {
-        Self::over(pixels, width, height)
-    }
-
-    /// A band with 8, 4 or 2 pixels in a byte.
-    ///
-    /// # Errors
-    ///
-    /// As for [`band`](Canvas::band).
-    pub fn packed_band(
-        pixels: &'a mut [u8],
-        width: u32,
-        height: u32,
-        first_row: u32,
-    ) -> Result<Self, Error> {
-        Self::band_over(pixels, width, height, first_row)
-    }
-}
-
-impl<'a> Canvas<'a, BinaryColor, Pages> {
-    /// A canvas of pages: a byte is 8 rows of one column; see [`Pages`].
-    ///
-    /// # Errors
-    ///
-    /// As for [`new`](Canvas::new), with one element per column and page.
-    pub fn pages(pixels: &'a mut [u8], width: u32, height: u32) -> Result<Self, Error> {
-        Self::over(pixels, width, height)
-    }
-
-    /// A band of pages. The last page may reach below the frame. The first row in memory is the first bit of a page, so
-    /// `first_row` must be a multiple of 8 if the band is sent to such a display.
-    ///
-    /// # Errors
-    ///
-    /// As for [`band`](Canvas::band).
-    pub fn pages_band(
-        pixels: &'a mut [u8],
-        width: u32,
-        height: u32,
-        first_row: u32,
-    ) -> Result<Self, Error> {
-        Self::band_over(pixels, width, height, first_row)
-    }
-}
-
-impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
-    fn over(cells: &'a mut [O::Cell], width: u32, height: u32) -> Result<Self, Error> {
+    ) -> Result<Self, Error>
+    where
+        O: Storage<C, Cell = P>,
+    {
         check_size(width, height)?;
-        let needed = cells_across::<C, O>(width) * height.div_ceil(O::ROWS);
-        check_length(cells.len(), needed as usize)?;
-        Ok(Self {
-            cells,
-            depth: NoDepth,
-            width,
-            height,
-            rows: 0..height,
-        })
-    }
-
-    fn band_over(
-        cells: &'a mut [O::Cell],
-        width: u32,
-        height: u32,
-        first: u32,
-    ) -> Result<Self, Error> {
-        check_size(width, height)?;
-        let across = cells_across::<C, O>(width);
         // A frame has fewer than 2^32 pixels, so a longer slice is refused with any row count.
-        let down = u32::try_from(cells.len() / across as usize).unwrap_or(u32::MAX);
-        let rows = down.saturating_mul(O::ROWS);
-        match first.checked_add(rows) {
-            // The last cells may reach below the frame.
-            Some(end) if rows > 0 && first < height && end < height + O::ROWS => {
-                check_length(cells.len(), (across * down) as usize)?;
+        let rows = u32::try_from(pixels.len() / width as usize).unwrap_or(u32::MAX);
+        match first_row.checked_add(rows) {
+            Some(end) if rows > 0 && end <= height => {
+                check_length(pixels.len(), (width * rows) as usize)?;
                 Ok(Self {
-                    cells,
-                    depth: NoDepth,
+                    cells: pixels,
+                    depths: &mut [],
+                    buffer: PhantomData,
                     width,
                     height,
-                    rows: first..end.min(height),
+                    rows: first_row..end,
                 })
             }
             _ => Err(Error::Rows {
-                first,
+                first: first_row,
                 rows,
                 height,
             }),
         }
     }
 
-    /// Adds a depth buffer in [`Linear`] format: one `u16` per pixel.
+    /// Adds a depth buffer in [`LinearDepth`] format: one `u16` per pixel.
     ///
     /// [`clear`](Canvas::clear) and [`clear_depth`](Canvas::clear_depth) clear it. A new buffer must
     /// be all 0 (infinitely far) or be cleared before the first draw call.
@@ -294,21 +165,18 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     /// # Errors
     ///
     /// [`Error::Length`] if `depth` does not have exactly one element per pixel.
-    pub fn with_depth<'d>(
-        self,
-        depth: &'d mut [u16],
-    ) -> Result<Canvas<'a, C, O, Depth<'d>>, Error> {
-        self.with_depth_format::<Linear>(depth)
+    pub fn with_depth(self, depth: &'a mut [u16]) -> Result<Canvas<'a, C, O, LinearDepth>, Error> {
+        self.with_depth_format::<LinearDepth>(depth)
     }
 
-    /// Adds a depth buffer in a format of your choice. [`Depth`] compares the formats.
+    /// Adds a depth buffer in a format of your choice. [`DepthBuffer`] compares the formats.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;
     /// use fixel::prelude::*;
-    /// use fixel::canvas::Float;
+    /// use fixel::canvas::FloatDepth;
     /// let (mut pixels, mut depths) = ([Gray8::new(0); 4], [0; 4]);
-    /// let mut canvas = Canvas::new(&mut pixels, 2, 2)?.with_depth_format::<Float>(&mut depths)?;
+    /// let mut canvas = Canvas::new(&mut pixels, 2, 2)?.with_depth_format::<FloatDepth>(&mut depths)?;
     /// canvas.clear(Gray8::new(0));
     /// # Ok::<(), Error>(())
     /// ```
@@ -316,17 +184,15 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     /// # Errors
     ///
     /// As for [`with_depth`](Self::with_depth).
-    pub fn with_depth_format<'d, F: DepthFormat>(
+    pub fn with_depth_format<D: DepthBuffer>(
         self,
-        depth: &'d mut [u16],
-    ) -> Result<Canvas<'a, C, O, Depth<'d, F>>, Error> {
+        depth: &'a mut [u16],
+    ) -> Result<Canvas<'a, C, O, D>, Error> {
         check_length(depth.len(), (self.width * self.row_count()) as usize)?;
         Ok(Canvas {
             cells: self.cells,
-            depth: Depth {
-                cells: depth,
-                format: PhantomData,
-            },
+            depths: depth,
+            buffer: PhantomData,
             width: self.width,
             height: self.height,
             rows: self.rows,
@@ -352,8 +218,9 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     }
 
     /// The colors in memory, row by row from the top, each row from the left.
+    #[must_use]
     pub fn pixels(&self) -> impl ExactSizeIterator<Item = C> {
-        O::pixels(self.cells, [self.width, self.row_count()])
+        self.cells.iter().map(|&cell| O::load(cell))
     }
 
     /// The pixels in their stored form, in the same order.
@@ -362,18 +229,38 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         self.cells
     }
 
-    /// The pixels as bytes, in the order in which a bus sends them. This is a view, not a copy.
+    /// The pixels of a canvas of bytes, in the order in which a bus sends them. This is a view, not a copy.
     #[must_use]
-    pub fn as_bytes(&self) -> &[u8]
+    pub const fn as_bytes<const N: usize>(&self) -> &[u8]
     where
-        O::Cell: Bytes,
+        O: Storage<C, Cell = [u8; N]>,
     {
-        Bytes::flatten(self.cells)
+        self.cells.as_flattened()
     }
 
     /// Shows the canvas on a display of the same color, in one
     /// [`fill_contiguous`](DrawTarget::fill_contiguous). A band goes to its place in the frame.
     /// [`show_with`](Self::show_with) shows it on a display of another color.
+    ///
+    /// embedded-graphics' `Framebuffer` packs 8, 4 or 2 pixels into a byte, side by side, as panels of electronic paper
+    /// and many displays with few grays expect them. Shown on a framebuffer, a canvas is packed:
+    ///
+    /// ```
+    /// use embedded_graphics::framebuffer::{Framebuffer, buffer_size};
+    /// use embedded_graphics::pixelcolor::{BinaryColor, raw::{LittleEndian, RawU1}};
+    /// use embedded_graphics::{geometry::Point, draw_target::DrawTargetExt};
+    /// use fixel::prelude::*;
+    /// let mut pixels = [BinaryColor::Off; 16 * 2];
+    /// let mut packed: Framebuffer<BinaryColor, RawU1, LittleEndian, 16, 2, { buffer_size::<BinaryColor>(16, 2) }> =
+    ///     Framebuffer::new();
+    /// let first_row = 4;
+    /// let mut band = Canvas::band(&mut pixels, 16, 8, first_row)?;
+    /// band.clear(BinaryColor::On);
+    /// // The framebuffer has the size of a band, so its rows begin at the band's.
+    /// let Ok(()) = band.show(&mut packed.translated(Point::new(0, -(first_row as i32))));
+    /// assert_eq!(packed.data(), &[0xff; 4]);
+    /// # Ok::<(), Error>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -397,13 +284,13 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// use fixel::{prelude::*, canvas::Contrast};
     /// let mut grays = [Gray8::new(40), Gray8::new(60)];
     /// let gray = Canvas::new(&mut grays, 2, 1)?;
-    /// let mut bytes = [0; 1];
-    /// let mut panel: Canvas<BinaryColor, _> = Canvas::packed(&mut bytes, 2, 1)?;
+    /// let mut shown = [BinaryColor::Off; 2];
+    /// let mut panel = Canvas::new(&mut shown, 2, 1)?;
     /// let contrast = Contrast::of(&gray, 0);
     /// let Ok(()) = gray.show_with(&mut panel, |at, gray| {
     ///     BinaryColor::from_rgb(contrast.stretch(gray).into(), at)
     /// });
-    /// assert_eq!(bytes, [0b0100_0000]);
+    /// assert_eq!(shown, [BinaryColor::Off, BinaryColor::On]);
     /// # Ok::<(), Error>(())
     /// ```
     ///
@@ -427,18 +314,44 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
             Size::new(self.width, self.row_count()),
         )
     }
+}
 
-    /// The pixels of `columns` of `row`; both must lie within [`area`](Self::area).
-    #[inline]
-    pub(super) fn pixels_mut(
-        &mut self,
-        row: u32,
-        columns: &Range<u32>,
-    ) -> impl Iterator<Item = O::PixelRef<'_>> {
-        let span = RowSpan::new(row - self.rows.start, columns.clone(), self.width);
-        let (cells, mut cursor) = O::locate(span);
-        let mut cells = self.cells.get_mut(cells).unwrap_or_default();
-        O::first(&mut cells, &mut cursor, usize::MAX)
+impl<O: Storage<BinaryColor>, D> Canvas<'_, BinaryColor, O, D> {
+    /// The pixels as the bytes of an SSD1306 or a similar display: 8 rows of a column in a byte, the topmost in the
+    /// least significant bit.
+    ///
+    /// 8 rows are a *page*, a byte for each column from the left. Pages follow each other from the top, and the first
+    /// row of the canvas is the first row of a page. So a band for such a display begins at a multiple of 8 and has 8
+    /// rows, or 16, and so on. If its last page has fewer rows, the other bits are 0.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::BinaryColor;
+    /// use fixel::prelude::*;
+    /// let mut pixels = [BinaryColor::Off; 128 * 8];
+    /// let mut page = [0; 128];
+    /// for first_row in (0..64).step_by(8) {
+    ///     let mut band = Canvas::band(&mut pixels, 128, 64, first_row)?;
+    ///     band.clear(BinaryColor::On); // and draw
+    ///     for (byte, rows) in page.iter_mut().zip(band.pages()) {
+    ///         *byte = rows;
+    ///     }
+    ///     assert_eq!(page, [0xff; 128]); // send it as page `first_row / 8`
+    /// }
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn pages(&self) -> impl Iterator<Item = u8> {
+        let (cells, width) = (&*self.cells, self.width);
+        // A canvas has at most 2^22 pixels, and its pages at most 7 rows more.
+        let is_on = move |row: u32, column| {
+            let cell = cells.get((row * width + column) as usize);
+            cell.is_some_and(|&cell| O::load(cell).is_on())
+        };
+        (0..self.row_count().div_ceil(8)).flat_map(move |page| {
+            (0..width).map(move |column| {
+                let bits = (0..8).rev().map(|bit| is_on(8 * page + bit, column));
+                bits.fold(0, |byte, bit| byte << 1 | u8::from(bit))
+            })
+        })
     }
 }
 
@@ -467,7 +380,37 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn clear_depth(&mut self) {
-        self.depth.clear();
+        self.depths.fill(0);
+    }
+
+    /// The depth that is stored for a pixel, as the depth buffer encodes it; `None` outside of this canvas's rows, and
+    /// without a depth buffer.
+    ///
+    /// A point of the scene is hidden if its [`ScreenPoint::depth`](crate::ScreenPoint::depth) is less:
+    ///
+    /// ```
+    /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
+    /// use fixel::prelude::*;
+    /// static WALL: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+    /// let (mut pixels, mut depths) = ([Gray8::new(0); 64], [0; 64]);
+    /// let mut canvas = Canvas::new(&mut pixels, 8, 8)?.with_depth(&mut depths)?;
+    /// let projection = Projection::perspective(deg!(90), (1, 1), fx!(0.5), fx!(20))?;
+    /// canvas.draw(&WALL, &(projection * Transform::translate(vec3!(0, 0, -3))), &Flat::new(Gray8::new(9)));
+    /// let behind = canvas.project(&DrawOptions::new(), &projection, vec3!(0, 0, -9)).unwrap();
+    /// assert!(canvas.depth_at(Point::new(4, 4)) > Some(behind.depth));
+    /// assert_eq!(canvas.depth_at(Point::new(0, 0)), Some(0)); // nothing is there
+    /// assert_eq!(canvas.depth_at(Point::new(8, 0)), None);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn depth_at(&self, point: Point) -> Option<u16> {
+        if !self.area().contains(point) {
+            return None;
+        }
+        // The area has no negative coordinates.
+        let (x, y) = (point.x.cast_unsigned(), point.y.cast_unsigned());
+        let at = (y - self.rows.start) * self.width + x;
+        self.depths.get(at as usize).copied()
     }
 
     /// [`Memory::cells`] for a single row.
@@ -480,10 +423,11 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     #[inline]
     pub(crate) fn memory(&mut self) -> Memory<'_, C, O, D> {
         Memory {
-            cells: self.cells,
-            depth: &mut self.depth,
+            colors: self.cells,
+            depths: self.depths,
             width: self.width,
             first_row: self.rows.start,
+            buffer: PhantomData,
         }
     }
 }
@@ -504,9 +448,4 @@ pub(crate) const fn check_size(width: u32, height: u32) -> Result<(), Error> {
         });
     }
     Ok(())
-}
-
-/// The number of cells of a row.
-const fn cells_across<C, O: Storage<C>>(width: u32) -> u32 {
-    width.div_ceil(O::COLUMNS)
 }

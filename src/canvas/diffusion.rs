@@ -34,17 +34,16 @@ impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
     /// below. So brightness is kept, except where it would exceed white or fall below black. Details are finer than
     /// with ordered dithering, but in a moving picture they change from frame to frame.
     ///
-    /// The bands of a frame, shown one after the other, equal the whole frame. The display may be another canvas, for
-    /// example of [`Pages`](super::Pages). The display must consume every color that it is sent, so such a canvas must
-    /// have the size of the whole frame.
+    /// The bands of a frame, shown one after the other, equal the whole frame. The display may be another canvas, of the
+    /// frame or of the same rows. It must consume every color that it is sent.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{BinaryColor, Gray8};
     /// use fixel::{prelude::*, canvas::{Contrast, ErrorDiffusion}};
     /// let mut grays = [64; 64].map(Gray8::new);
     /// let gray = Canvas::new(&mut grays, 16, 4)?;
-    /// let mut bytes = [0; 8];
-    /// let mut panel: Canvas<BinaryColor, _> = Canvas::packed(&mut bytes, 16, 4)?;
+    /// let mut shown = [BinaryColor::Off; 64];
+    /// let mut panel = Canvas::new(&mut shown, 16, 4)?;
     /// let mut errors = [0; 16];
     /// let mut diffusion = ErrorDiffusion::new(&mut errors);
     /// let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);

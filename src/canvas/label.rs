@@ -1,6 +1,7 @@
 //! Labels: text and shapes at a place and a depth of the picture.
 
 use core::convert::Infallible;
+use core::iter;
 use core::ops::Range;
 
 use embedded_graphics::Pixel;
@@ -11,8 +12,8 @@ use embedded_graphics::primitives::Rectangle;
 
 use super::canvas::Canvas;
 use super::depth::DepthBuffer;
-use super::draw_target::{draw_target, moved, plus, skip, wide};
 use super::storage::Storage;
+use crate::num::wide::at_least;
 
 /// A canvas as an embedded-graphics [`DrawTarget`] whose origin is a point of the scene, and whose pixels are hidden by
 /// nearer surfaces; [`Canvas::label`] makes it.
@@ -40,19 +41,86 @@ impl<'c, T> Label<'c, T> {
 }
 
 impl<C, O: Storage<C>, D: DepthBuffer> Label<'_, Canvas<'_, C, O, D>> {
-    /// Draws the pixels of `columns` of `row` that are not hidden.
+    /// Draws the pixels of `columns` of a row of the frame that are not hidden.
     fn draw_row(&mut self, row: u32, columns: &Range<u32>, colors: impl Iterator<Item = C>) {
-        let depth = u32::from(self.depth);
         let Some(mut cells) = self.canvas.cells(row, columns.clone()) else {
             return;
         };
-        let count = cells.len();
         // The colors come second, so that `zip` does not consume one more than there are cells.
-        for ((cell, stored), color) in cells.first(count).zip(colors) {
-            if D::passes(&stored, depth) {
-                O::set(cell, color);
+        for ((cell, depth), color) in cells.first(usize::MAX).zip(colors) {
+            let is_seen = |stored: &mut u16| at_least(self.depth.into(), *stored);
+            // Nothing is nearer than the greatest depth, so the stored one is not read.
+            if self.depth == u16::MAX || depth.is_none_or(is_seen) {
+                *cell = O::store(color);
             }
         }
+    }
+
+    /// The columns and rows of a rectangle, in the frame, that are in memory, and the rectangle's corner in the frame;
+    /// `None` if they are none.
+    ///
+    /// [`Rectangle::intersection`] adds a size to a corner in `i32`, which overflows for large areas. In 32 bits, the
+    /// corner's place in the frame would saturate, and the rectangle would reach as far beyond its other side.
+    fn inside(&self, area: &Rectangle) -> Option<(Range<u32>, Range<u32>, [i64; 2])> {
+        let (Point { x, y }, Point { x: u, y: v }) = (area.top_left, self.origin);
+        let corner @ [x, y] =
+            [[x, u], [y, v]].map(|[at, origin]| i64::from(at) + i64::from(origin));
+        let columns = overlap(x, area.size.width, 0..self.canvas.frame_size().width)?;
+        let rows = overlap(y, area.size.height, self.canvas.rows().clone())?;
+        Some((columns, rows, corner))
+    }
+}
+
+impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Label<'_, Canvas<'_, C, O, D>> {
+    type Color = C;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        let area = self.canvas.bounding_box();
+        for Pixel(Point { x, y }, color) in pixels {
+            // Saturated, a point stays outside of all frames.
+            let [x, y] = [
+                x.saturating_add(self.origin.x),
+                y.saturating_add(self.origin.y),
+            ];
+            if area.contains(Point::new(x, y)) {
+                // The area has no negative coordinates.
+                let (x, y) = (x.cast_unsigned(), y.cast_unsigned());
+                self.draw_row(y, &(x..x + 1), iter::once(color));
+            }
+        }
+        Ok(())
+    }
+
+    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = C>,
+    {
+        let Some((columns, rows, [x, y])) = self.inside(area) else {
+            return Ok(());
+        };
+        let mut colors = colors.into_iter();
+        // The colors of pixels outside are consumed and dropped: first those of the rows above, then, row by row, those
+        // on the left and on the right.
+        let outside = |start: u32, of: i64| (i64::from(start) - of).cast_unsigned() as usize;
+        let (width, left) = (area.size.width as usize, outside(columns.start, x));
+        let right = width - left - columns.len();
+        skip(&mut colors, outside(rows.start, y).saturating_mul(width));
+        for row in rows {
+            skip(&mut colors, left);
+            self.draw_row(row, &columns, &mut colors);
+            skip(&mut colors, right);
+        }
+        Ok(())
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
+        if let Some((columns, rows, _)) = self.inside(area) {
+            for row in rows {
+                self.draw_row(row, &columns, iter::repeat(color));
+            }
+        }
+        Ok(())
     }
 }
 
@@ -61,11 +129,25 @@ impl<C, O: Storage<C>, D> Dimensions for Label<'_, Canvas<'_, C, O, D>> {
     fn bounding_box(&self) -> Rectangle {
         let Rectangle { top_left, size } = self.canvas.bounding_box();
         let Point { x, y } = self.origin;
-        Rectangle::new(
-            Point::new(top_left.x.saturating_sub(x), top_left.y.saturating_sub(y)),
-            size,
-        )
+        let top_left = Point::new(top_left.x.saturating_sub(x), top_left.y.saturating_sub(y));
+        Rectangle::new(top_left, size)
     }
 }
 
-draw_target!(Label<'_, Canvas<'_, C, O, D>>, in canvas at origin);
+/// The part of `bounds` within `length` from `start`; `None` if it is empty. `bounds` ends at 2048 or before.
+fn overlap(start: i64, length: u32, bounds: Range<u32>) -> Option<Range<u32>> {
+    let end = start + i64::from(length);
+    let inside = |at: i64| {
+        let inside = at.max(bounds.start.into()).min(bounds.end.into());
+        inside.cast_unsigned() as u32
+    };
+    let (start, end) = (inside(start), inside(end));
+    (start < end).then_some(start..end)
+}
+
+/// Drops the next `count` items.
+fn skip(items: &mut impl Iterator, count: usize) {
+    if let Some(last) = count.checked_sub(1) {
+        items.nth(last);
+    }
+}

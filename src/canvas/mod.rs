@@ -1,14 +1,14 @@
 //! The canvas: the caller's memory for a frame or a band of it, with or without a depth buffer.
 //!
 #![cfg_attr(doc, doc = page_picture!("formats", "A ball in 16 bits of color, in four grays, in black and white"))]
-//! A [`Canvas`] has three type parameters: its color, how the color is stored, and its depth buffer. Their types
-//! follow from its constructor, so most programs need to name only the color. Each draw call chooses how it uses the
-//! depth buffer, and how its colors are blended with those on the canvas.
+//! A [`Canvas`] has three type parameters: its color, how the color is stored, and its depth buffer. They follow from
+//! the memory that it is given; only a canvas of bytes must name its color and the order of the bytes. Each draw call
+//! chooses how it uses the depth buffer, and how its colors are blended with those on the canvas.
 //!
 //! | choice | types |
 //! |---|---|
-//! | storage of a color | [`Native`]; bytes: embedded-graphics' `BigEndian` and `LittleEndian`; bits: [`Packed`] and [`Pages`] |
-//! | depth buffer | [`NoDepth`], or [`Depth`] in format [`Linear`], [`Float`] or [`WideFloat`] |
+//! | storage of a color | [`Native`], or embedded-graphics' `BigEndian` and `LittleEndian` for bytes |
+//! | depth buffer | [`NoDepth`], [`LinearDepth`], [`FloatDepth`] or [`WideFloatDepth`] |
 //! | depth test of a draw call | [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], or [`Biased`] around one of these |
 //! | blending of a draw call | [`Replace`], [`Opacity`], [`Add`] or [`Multiply`] |
 
@@ -21,10 +21,8 @@ mod depth;
 mod depth_test;
 mod diffusion;
 mod draw_target;
-mod format;
 mod label;
 mod memory;
-mod packed;
 mod storage;
 
 pub use blending::{Add, Blending, Multiply, Opacity, Replace};
@@ -32,13 +30,9 @@ pub(crate) use canvas::check_size;
 pub use canvas::{Canvas, MAX_SIZE};
 pub use color_index::ColorIndex;
 pub use contrast::Contrast;
-pub(crate) use depth::Buffer;
-pub use depth::{Depth, DepthBuffer, NoDepth};
+pub use depth::{DepthBuffer, FloatDepth, LinearDepth, NoDepth, WideFloatDepth};
 pub use depth_test::{Biased, DepthTest, NoTest, TestAndWrite, TestOnly, WriteOnly};
 pub use diffusion::ErrorDiffusion;
-pub(crate) use format::linear;
-pub use format::{DepthFormat, Float, Linear, WideFloat};
 pub use label::Label;
 pub(crate) use memory::Cells;
-pub use packed::{Packed, Pages};
-pub use storage::{Bytes, Native, Storage};
+pub use storage::{Native, Storage};

@@ -201,13 +201,13 @@
 //!
 //! # Canvas
 //!
-//! A [`Canvas`](crate::Canvas) is a picture in your memory: its size, its colors, and optionally a depth buffer. The
-//! constructor that you call decides how a pixel is stored: as a color, as two bytes in the order that a display wants,
-//! or 8 pixels in a byte for black and white. A canvas consists of references and a few numbers, so make a new one for
-//! each frame.
+//! A [`Canvas`](crate::Canvas) is a picture in your memory: its size, its colors, and optionally a depth buffer. A
+//! slice of colors makes a canvas of colors; a slice of arrays, such as `[u8; 2]`, one of bytes in the order that a
+//! display wants. A canvas consists of references and a few numbers, so make a new one for each frame.
 //!
 //! A canvas is an embedded-graphics `DrawTarget`: text and shapes go on top. [`show`](crate::Canvas::show) copies it to
-//! another `DrawTarget`; [`as_bytes`](crate::Canvas::as_bytes) gives its bytes to a DMA channel.
+//! another `DrawTarget`; [`as_bytes`](crate::Canvas::as_bytes) gives its bytes to a DMA channel. If a display has
+//! several pixels in a byte, [`show`](crate::Canvas::show) or [`pages`](crate::Canvas::pages) packs them.
 //!
 //! # Depth
 //!
@@ -218,7 +218,7 @@
 //!
 //! `clear` sets all depths to 0, which is infinitely far. Half of the steps lie between the near plane and twice its
 //! distance. So put the near plane as far away as the scene allows; a distant far plane costs nothing. For scenes that
-//! reach far beyond 1,000 times the near plane's distance, use the format [`Float`](crate::canvas::Float).
+//! reach far beyond 1,000 times the near plane's distance, use the format [`FloatDepth`](crate::canvas::FloatDepth).
 //!
 //! A scene without a depth buffer must be drawn from back to front. A [`TriangleList`](crate::TriangleList) can sort
 //! it.
@@ -230,7 +230,7 @@
 #![doc = diagram!("band")]
 //!
 //! ```
-//! use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+//! use embedded_graphics::pixelcolor::{Rgb565, RgbColor, raw::BigEndian};
 //! use fixel::prelude::*;
 //!
 //! static BALL: Mesh = shape!(sphere(12, 8));
@@ -243,7 +243,7 @@
 //!     let mut colors = [[0; 2]; 320 * 40]; // bytes in the order of the display
 //!     let mut depths = [0; 320 * 40];
 //!     for first_row in (0..240).step_by(40) {
-//!         let band = Canvas::big_endian_band(&mut colors, 320, 240, first_row)?;
+//!         let band = Canvas::<Rgb565, BigEndian>::band(&mut colors, 320, 240, first_row)?;
 //!         let mut band = band.with_depth(&mut depths)?;
 //!         band.clear(Rgb565::BLACK);
 //!         band.draw(&BALL, mvp, &Flat::new(Rgb565::YELLOW));

@@ -15,8 +15,8 @@
 //! | attribute/w | `i32`, scaled in the same way | at most half of 1/w | 2^-30 of the attribute's largest value |
 //! | reciprocal of 1/w | 31 bits ([`reciprocal`]) | | exact, rounded down |
 //! | stored depth | `u16`, floor(65535 · near / w) | 65535 at the near plane, 0 infinitely far | 1/65535 of near/w |
-//! | stored depth in [floating point](crate::canvas::Float) | `u16`: 4 bits of exponent, 12 of mantissa | 65535 at the near plane, 0 from 65,536 times as far | 2^-12 of the distance |
-//! | stored depth over a [wider range](crate::canvas::WideFloat) | `u16`: 5 bits of exponent, 11 of mantissa | 65535 at the near plane, 0 from 2^32 times as far | 2^-11 of the distance |
+//! | stored depth in [floating point](crate::canvas::FloatDepth) | `u16`: 4 bits of exponent, 12 of mantissa | 65535 at the near plane, 0 from 65,536 times as far | 2^-12 of the distance |
+//! | stored depth over a [wider range](crate::canvas::WideFloatDepth) | `u16`: 5 bits of exponent, 11 of mantissa | 65535 at the near plane, 0 from 2^32 times as far | 2^-11 of the distance |
 //! | [short](crate::Mesh::short) positions | `[i16; 3]`, 0 to 16 fraction bits | ±2^15 units | 2^-fraction |
 //! | varyings of a shader, in general | `i32` in a unit of the shader's choice | ±2^31 | rounded down to that unit |
 //! | varyings: texels | 16 fraction bits ([`Textured`](crate::Textured)) | ±32768 texels | 1/65536 texel |

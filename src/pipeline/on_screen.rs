@@ -36,6 +36,17 @@ pub struct ScreenPoint {
     pub depth: u16,
 }
 
+impl ScreenPoint {
+    /// The same place, in front of everything: a [label](Canvas::label) there is hidden by nothing.
+    #[must_use]
+    pub const fn on_top(self) -> Self {
+        Self {
+            depth: u16::MAX,
+            ..self
+        }
+    }
+}
+
 impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// The screen position of a point of model space, with the same bits as when it is drawn.
     ///
@@ -76,7 +87,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// surfaces hide what is drawn.
     ///
     /// A label at a point of a surface may be hidden by parts of the same surface that are nearer. To avoid this, give
-    /// [`ScreenPoint::depth`] a greater value, or project a point in front of the surface.
+    /// [`ScreenPoint::depth`] a greater value, or project a point in front of the surface. Nothing hides a label
+    /// [`on_top`](ScreenPoint::on_top).
     ///
     /// ```
     /// use embedded_graphics::mock_display::MockDisplay;

@@ -231,7 +231,7 @@ impl<C: PixelFormat> Precise<C> {
     }
 }
 
-/// s/m in units of 2^-16, for m = 2ⁿ − 1 and s up to m².
+/// s/m in units of 2^-16, for m = 2ⁿ − 1 and s up to 2^14 m.
 #[inline]
 const fn over(steps: i32, most: i32) -> i32 {
     // 2^16 = whole · most + rest, and rest/most is about rest/2ⁿ.
@@ -249,8 +249,8 @@ const fn over(steps: i32, most: i32) -> i32 {
 /// A level as a fraction of `most` steps, 2ⁿ − 1: 65,536 for white, and for each level of 8 bits the nearest one.
 #[inline]
 const fn fraction(level: i32, most: i32) -> i32 {
-    // A level of at most 24 bits loses 8, so that the product has 24.
-    over(level >> 8, most).wrapping_add(1 << 7) >> 8
+    // A level of at most 24 bits loses 2, so that the product has 30: at most 2^14 · 2^16.
+    over(level >> 2, most).wrapping_add(1 << 13) >> 14
 }
 
 impl<C: PixelFormat> Varyings for Precise<C> {

@@ -103,12 +103,12 @@ pub struct Fragment {
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 /// use fixel::prelude::*;
-/// use fixel::canvas::{Depth, Native};
+/// use fixel::canvas::{LinearDepth, Native};
 ///
 /// static BALL: Mesh = shape!(sphere(16, 12));
 /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 ///
-/// type Frame<'a, 'd> = Canvas<'a, Rgb565, Native, Depth<'d>>;
+/// type Frame<'a> = Canvas<'a, Rgb565, Native, LinearDepth>;
 ///
 /// trait Draw {
 ///     fn draw(&self, frame: &mut Frame, view: &Mvp);

@@ -19,7 +19,7 @@ pub(super) fn divide<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthT
     let (dq, dp, down) = (span.dq, span.dp, span.down);
     for cell in cells.first(usize::MAX) {
         if pixels.visible::<D>(&cell.1, q, down) {
-            pixels.shade::<O, D>(cell, quotients::<S>(q, &p, &scales));
+            pixels.shade::<O>(cell, quotients::<S>(q, &p, &scales));
         }
         q = q.wrapping_add_signed(dq);
         p = Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(*step));
@@ -53,7 +53,7 @@ pub(super) fn divide_anew<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: D
     for (x, cell) in (0..).zip(cells.first(usize::MAX)) {
         if pixels.visible::<D>(&cell.1, span.q, span.down) {
             let (q, p) = at(x);
-            pixels.shade::<O, D>(cell, quotients::<S>(q, &p, &scales));
+            pixels.shade::<O>(cell, quotients::<S>(q, &p, &scales));
         }
         span.step();
     }

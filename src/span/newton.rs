@@ -39,7 +39,7 @@ pub(super) fn newton<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthT
         guess = (next << 1).wrapping_sub(r);
         r = next;
         if pixels.visible::<D>(&cell.1, (q as i32).cast_unsigned(), down) {
-            pixels.shade::<O, D>(cell, Count::<S>::map(&p, |p| high(*p, r) as i32));
+            pixels.shade::<O>(cell, Count::<S>::map(&p, |p| high(*p, r) as i32));
         } else {
             seldom();
         }

@@ -50,7 +50,7 @@ pub(super) fn pieces<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthT
         for cell in cells.first(first as usize) {
             rolled();
             if pixels.visible::<D>(&cell.1, q, down) {
-                pixels.shade::<O, D>(cell, values);
+                pixels.shade::<O>(cell, values);
             }
             q = q.wrapping_add_signed(dq);
             values = Count::<S>::zip(&values, &gains, |value, gain| value.wrapping_add(*gain));

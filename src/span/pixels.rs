@@ -5,7 +5,8 @@ use core::hint::black_box;
 use embedded_graphics::geometry::Point;
 
 use super::shading::Shading;
-use crate::canvas::{Buffer, DepthBuffer, DepthTest, Storage, linear};
+use crate::canvas::{DepthBuffer, DepthTest, LinearDepth, Storage};
+use crate::num::wide::at_least;
 use crate::raster::Scale;
 use crate::shade::{Fragment, Lanes, Varyings};
 
@@ -68,8 +69,8 @@ pub(super) fn rolled() {
     black_box(());
 }
 
-/// A pixel in memory.
-pub(super) type Cell<'c, C, O, D> = (<O as Storage<C>>::PixelRef<'c>, <D as Buffer>::Cell<'c>);
+/// A pixel in memory: its color, and its depth if there is a depth buffer.
+pub(super) type Cell<'c, C, O> = (&'c mut <O as Storage<C>>::Cell, Option<&'c mut u16>);
 
 /// Tests and shades the pixels of a span, one after the other.
 pub(super) struct Pixels<S: Shading, Z> {
@@ -88,24 +89,27 @@ impl<S: Shading, Z: DepthTest> Pixels<S, Z> {
     #[inline]
     pub(super) fn visible<D: DepthBuffer>(
         &mut self,
-        depth: &D::Cell<'_>,
+        depth: &Option<&mut u16>,
         q: u32,
         down: u32,
     ) -> bool {
         self.point.x += 1;
-        self.depth = linear(q, down);
+        self.depth = LinearDepth::encode(q, down);
         if !D::IS_KEPT {
             return true;
         }
         self.stored = self.test.biased::<D>(q, down);
-        !Z::TESTS || D::passes(depth, self.stored)
+        !Z::TESTS
+            || depth
+                .as_deref()
+                .is_none_or(|stored| at_least(self.stored, *stored))
     }
 
     /// Shades the current pixel, after [`visible`](Self::visible) returned `true`.
     #[inline]
-    pub(super) fn shade<'c, O: Storage<S::Color>, D: DepthBuffer + 'c>(
+    pub(super) fn shade<O: Storage<S::Color>>(
         &self,
-        (color, depth): Cell<'c, S::Color, O, D>,
+        (color, depth): Cell<'_, S::Color, O>,
         numbers: Numbers<S>,
     ) {
         let at = Fragment {
@@ -113,11 +117,13 @@ impl<S: Shading, Z: DepthTest> Pixels<S, Z> {
             depth: self.depth as u16,
         };
         let varyings = S::Varyings::join(numbers, self.face);
-        let below = || O::get(&color);
+        let below = || O::load(*color);
         if let Some(new) = self.shading.color(&at, varyings, below) {
-            O::set(color, new);
-            if Z::WRITES {
-                D::store(depth, self.stored as u16);
+            *color = O::store(new);
+            if Z::WRITES
+                && let Some(depth) = depth
+            {
+                *depth = self.stored as u16;
             }
         }
     }

@@ -18,7 +18,7 @@ pub(super) fn straight<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: Dept
     let (dq, dp, down) = (span.dq, span.dp, span.down);
     for cell in cells.first(usize::MAX) {
         if pixels.visible::<D>(&cell.1, q, down) {
-            pixels.shade::<O, D>(cell, restore(&p));
+            pixels.shade::<O>(cell, restore(&p));
         } else {
             seldom();
         }
@@ -48,9 +48,9 @@ pub(super) fn solid<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTe
     mut cells: Cells<'_, S::Color, O, D>,
     pixels: &mut Pixels<S, Z>,
 ) {
-    let draw = |pixels: &mut Pixels<S, Z>, cell: Cell<'_, S::Color, O, D>| {
+    let draw = |pixels: &mut Pixels<S, Z>, cell: Cell<'_, S::Color, O>| {
         if pixels.visible::<D>(&cell.1, 0, 0) {
-            pixels.shade::<O, D>(cell, numbers);
+            pixels.shade::<O>(cell, numbers);
         }
     };
     // By hand, because the compiler unrolls no loop when it optimizes for size.

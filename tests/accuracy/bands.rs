@@ -6,7 +6,7 @@ use crate::common::recorder::{Probe, Recorder, Seen, record};
 use crate::reference::coverage::Bounds;
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::Drawn;
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 use rand::Rng;
 
@@ -18,7 +18,7 @@ pub type Point = [i32; 2];
 
 pub const SIZE: (u32, u32) = (90, 40);
 
-pub type Frame<'f> = Canvas<'f, Gray8, Native, Depth<'f>>;
+pub type Frame<'f> = Canvas<'f, Gray8, Native, LinearDepth>;
 /// Records the interpolated x of the position.
 pub type XRecorder<'p, 'v> = Recorder<'p, Probe<'v, [i32; 1]>, 1>;
 

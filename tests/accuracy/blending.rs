@@ -4,8 +4,8 @@ use std::fmt::Debug;
 
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, RawData};
 use embedded_graphics::pixelcolor::{
-    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor,
-    Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, Rgb555, Rgb565,
+    Rgb666, Rgb888, RgbColor,
 };
 use fixel::canvas::{Add, Multiply, Native, Opacity, Storage};
 use fixel::mode::Compact;
@@ -91,47 +91,17 @@ fn pixels<C, O>(below: C, draw: &dyn Fn(&mut Canvas<'_, C, O>)) -> Vec<Channels>
 where
     C: Parts,
     O: Storage<C>,
-    for<'a> Canvas<'a, C, O>: Banded<'a, C, O>,
 {
     let mut all = Vec::new();
     for first in (0..SIZE).step_by(2) {
         let mut cells = [O::store(below); 2 * SIZE as usize];
-        let mut band = <Canvas<'_, C, O> as Banded<C, O>>::band(&mut cells, first);
+        let mut band = Canvas::<C, O>::band(&mut cells, SIZE, SIZE, first).unwrap();
         draw(&mut band);
         for color in band.pixels() {
             all.push(color.parts());
         }
     }
     all
-}
-
-/// The constructors of a band, which differ by storage.
-trait Banded<'a, C, O: Storage<C>> {
-    fn band(cells: &'a mut [O::Cell], first: u32) -> Self;
-}
-
-impl<'a, C: PixelColor> Banded<'a, C, Native> for Canvas<'a, C> {
-    fn band(cells: &'a mut [C], first: u32) -> Self {
-        Canvas::band(cells, SIZE, SIZE, first).unwrap()
-    }
-}
-
-impl<'a, C> Banded<'a, C, BigEndian> for Canvas<'a, C, BigEndian>
-where
-    BigEndian: Storage<C>,
-{
-    fn band(cells: &'a mut [<BigEndian as Storage<C>>::Cell], first: u32) -> Self {
-        Canvas::big_endian_band(cells, SIZE, SIZE, first).unwrap()
-    }
-}
-
-impl<'a, C> Banded<'a, C, LittleEndian> for Canvas<'a, C, LittleEndian>
-where
-    LittleEndian: Storage<C>,
-{
-    fn band(cells: &'a mut [<LittleEndian as Storage<C>>::Cell], first: u32) -> Self {
-        Canvas::little_endian_band(cells, SIZE, SIZE, first).unwrap()
-    }
 }
 
 /// Two colors, and the pixels that result from every way to blend one over the other.
@@ -154,10 +124,7 @@ struct Blended {
 
 impl Blended {
     /// Blends on a canvas with storage `O`.
-    fn new<C: Parts, O: Storage<C>>(above: C, below: C, opacity: u8) -> Self
-    where
-        for<'a> Canvas<'a, C, O>: Banded<'a, C, O>,
-    {
+    fn new<C: Parts, O: Storage<C>>(above: C, below: C, opacity: u8) -> Self {
         let mvp = from_above();
         // A pixel is blended alike in all modes; this one takes the compiler the least time.
         let options = DrawOptions::new().with_mode(Compact);

@@ -1,7 +1,7 @@
 //! Drawing with a shader that records its input.
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::canvas::{DepthBuffer, DepthFormat, Native};
+use fixel::canvas::{DepthBuffer, Native};
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 
@@ -100,7 +100,7 @@ impl<K: ProjectionKind> Drawing<'_, K> {
     }
 
     /// The depths in a buffer of this format after drawing, row by row.
-    pub fn depths<F: DepthFormat>(&self) -> Vec<u16> {
+    pub fn depths<F: DepthBuffer>(&self) -> Vec<u16> {
         let (mut pixels, mut depth) = self.blank();
         let canvas = self.canvas(&mut pixels);
         let mut canvas = canvas.with_depth_format::<F>(&mut depth).unwrap();

@@ -3,7 +3,7 @@
 use std::array::from_fn;
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::canvas::{DepthBuffer, DepthFormat, Float, Linear, Native, WideFloat};
+use fixel::canvas::{DepthBuffer, FloatDepth, LinearDepth, Native, WideFloatDepth};
 use fixel::prelude::*;
 use fixel::view::Perspective;
 use rand::Rng;
@@ -79,7 +79,7 @@ fn series(first: f64, factor: f64) -> impl Iterator<Item = f64> {
 }
 
 /// Draws two walls in a mode and format; returns the number of pixels that show the farther wall.
-fn wrong_in<F: DepthFormat>(
+fn wrong_in<F: DepthBuffer>(
     mode: Mode,
     projection: Projection<Perspective>,
     distances: [f64; 2],
@@ -127,7 +127,7 @@ fn surfaces_behind_stay_hidden() {
                     let float_reaches = distances[1] * (1. + gap) < 65_500. * near;
                     let mut fails = false;
                     for mode in Mode::PERSPECTIVE {
-                        let pixels = wrong_in::<Float>(mode, projection, distances, gap);
+                        let pixels = wrong_in::<FloatDepth>(mode, projection, distances, gap);
                         fails |= pixels > 0;
                         assert!(
                             pixels == 0
@@ -135,13 +135,13 @@ fn surfaces_behind_stay_hidden() {
                                 || !is_certain(1. / 4096., near_end, slant, gap),
                             "{mode:?}: {pixels} wrong pixels at {distances:?}, gap {gap}"
                         );
-                        let pixels = wrong_in::<WideFloat>(mode, projection, distances, gap);
+                        let pixels = wrong_in::<WideFloatDepth>(mode, projection, distances, gap);
                         assert!(
                             pixels == 0 || !is_certain(1. / 2048., near_end, slant, gap),
                             "wide, {mode:?}: {pixels} wrong pixels at {distances:?}, gap {gap}"
                         );
                     }
-                    let pixels = wrong_in::<Linear>(Mode::Newton, projection, distances, gap);
+                    let pixels = wrong_in::<LinearDepth>(Mode::Newton, projection, distances, gap);
                     let steps = 65535. * near / distances[1] * (1. - 1. / (1. + gap));
                     assert!(
                         pixels == 0 || steps < 1.5,
@@ -199,7 +199,7 @@ fn triangle(random: &mut Random, farthest: f64) -> Triangle<Perspective, 0> {
 
 /// Draws triangles in every mode. Each depth must be the model's depth, rounded down to a step, within the error of
 /// interpolation.
-fn depths_are_the_models<F: DepthFormat>(exponent_bits: i32, farthest: f64) {
+fn depths_are_the_models<F: DepthBuffer>(exponent_bits: i32, farthest: f64) {
     let (mut pixels, mut most) = (0, 0_f64);
     cases(2000, |random| {
         let triangle = triangle(random, farthest);
@@ -241,11 +241,11 @@ fn depths_are_the_models<F: DepthFormat>(exponent_bits: i32, farthest: f64) {
 
 #[test]
 fn float_depths_are_the_models() {
-    depths_are_the_models::<Float>(4, 2000.);
+    depths_are_the_models::<FloatDepth>(4, 2000.);
 }
 
 /// Distances are up to two million times the near plane's.
 #[test]
 fn wide_float_depths_are_the_models() {
-    depths_are_the_models::<WideFloat>(5, 31_000.);
+    depths_are_the_models::<WideFloatDepth>(5, 31_000.);
 }

@@ -1,6 +1,6 @@
 //! One triangle drawn by the crate and by the model.
 
-use fixel::canvas::DepthFormat;
+use fixel::canvas::DepthBuffer;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 
@@ -81,7 +81,7 @@ impl<K: ProjectionKind, const N: usize> Triangle<K, N> {
     }
 
     /// The triangle's depths in a buffer of this format, row by row.
-    pub fn depths<F: DepthFormat>(&self, mode: Mode) -> Vec<u16> {
+    pub fn depths<F: DepthBuffer>(&self, mode: Mode) -> Vec<u16> {
         self.drawing(mode).depths::<F>()
     }
 

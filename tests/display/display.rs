@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 use embedded_graphics::pixelcolor::raw::{BigEndian, RawData, RawU16};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_hal::spi::SpiDevice;
-use fixel::canvas::{Depth, DepthBuffer, Native, Storage};
+use fixel::canvas::{DepthBuffer, LinearDepth, Native, Storage};
 use fixel::prelude::*;
 use mipidsi::dcs::{InterfaceExt, SetColumnAddress, SetPageAddress, WriteMemoryStart};
 use mipidsi::interface::SpiInterface;
@@ -62,7 +62,7 @@ fn raw(color: Rgb565) -> u16 {
 /// Draws the whole frame as colors, which the panel must show, and passes it to `show`.
 fn frame(
     (width, height): (u32, u32),
-    show: impl FnOnce(&Canvas<'_, Rgb565, Native, Depth<'_>>),
+    show: impl FnOnce(&Canvas<'_, Rgb565, Native, LinearDepth>),
 ) -> Vec<u16> {
     let mut pixels = vec![Rgb565::BLACK; (width * height) as usize];
     let mut depths = vec![0; pixels.len()];
@@ -88,7 +88,8 @@ fn in_bands(size: (u32, u32), rows: u32, mut show: impl FnMut(&Bytes<'_>)) {
     let mut depths = vec![0; pixels.len()];
     for first in (0..height).step_by(rows as usize) {
         let length = (width * rows.min(height - first)) as usize;
-        let band = Canvas::big_endian_band(&mut pixels[..length], width, height, first).unwrap();
+        let band =
+            Canvas::<Rgb565, BigEndian>::band(&mut pixels[..length], width, height, first).unwrap();
         let mut band = band.with_depth(&mut depths[..length]).unwrap();
         draw(&mut band);
         show(&band);
@@ -96,7 +97,7 @@ fn in_bands(size: (u32, u32), rows: u32, mut show: impl FnMut(&Bytes<'_>)) {
 }
 
 /// A canvas whose bytes are in the order of the bus.
-type Bytes<'a> = Canvas<'a, Rgb565, BigEndian, Depth<'a>>;
+type Bytes<'a> = Canvas<'a, Rgb565, BigEndian, LinearDepth>;
 
 /// The panel's picture after all commands.
 fn shown(wires: &Wires, size: (u32, u32)) -> Vec<u16> {

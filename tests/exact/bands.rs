@@ -4,7 +4,7 @@
 use std::any::type_name;
 
 use embedded_graphics::pixelcolor::Rgb888;
-use fixel::canvas::Float;
+use fixel::canvas::FloatDepth;
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::shade::PerFace;
@@ -98,7 +98,7 @@ impl Scene {
 }
 
 /// A band of a frame.
-type Band<'b> = Canvas<'b, Rgb888, fixel::canvas::Native, fixel::canvas::Depth<'b>>;
+type Band<'b> = Canvas<'b, Rgb888, fixel::canvas::Native, fixel::canvas::LinearDepth>;
 
 /// Draws a frame in bands of this many rows; the last band has the remaining rows.
 ///
@@ -236,7 +236,7 @@ fn bands_equal_the_frame_in_floating_depth() {
                 let pixels = (WIDTH * rows.min(HEIGHT - first)) as usize;
                 let (mut color, mut depth) = (vec![Rgb888::new(9, 9, 9); pixels], vec![7; pixels]);
                 let band = Canvas::band(&mut color, WIDTH, HEIGHT, first).unwrap();
-                let mut band = band.with_depth_format::<Float>(&mut depth).unwrap();
+                let mut band = band.with_depth_format::<FloatDepth>(&mut depth).unwrap();
                 band.clear(Rgb888::new(1, 2, 3));
                 if is_prepared {
                     band.draw_prepared(&prepared, &Bits).unwrap();

@@ -3,7 +3,7 @@
 use crate::common::BOTH_SIDES;
 use crate::common::random::cases;
 use embedded_graphics::pixelcolor::Rgb565;
-use fixel::canvas::{Biased, DepthFormat, DepthTest, Float, Linear, TestAndWrite};
+use fixel::canvas::{Biased, DepthBuffer, DepthTest, FloatDepth, LinearDepth, TestAndWrite};
 use fixel::mode::{Affine, Exact, Fast, Mode};
 use fixel::prelude::*;
 use rand::Rng;
@@ -13,7 +13,7 @@ const SIZE: (u32, u32) = (96, 64);
 static SKIN: TextureArray<Rgb565, 2, 2> =
     TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x00, 0x1f, 0xff, 0xff]);
 
-fn depths<F: DepthFormat, M: Mode, Z: DepthTest>(
+fn depths<F: DepthBuffer, M: Mode, Z: DepthTest>(
     mesh: &Mesh<'_>,
     (mode, test): (M, Z),
     mvp: &Mvp,
@@ -34,7 +34,7 @@ fn depths<F: DepthFormat, M: Mode, Z: DepthTest>(
 }
 
 /// Compares the depths of all modes with those of a plain color.
-fn check<F: DepthFormat, Z: DepthTest>(mesh: &Mesh<'_>, test: Z, mvp: &Mvp) {
+fn check<F: DepthBuffer, Z: DepthTest>(mesh: &Mesh<'_>, test: Z, mvp: &Mvp) {
     let plain = depths::<F, _, _>(mesh, (fixel::mode::Newton, test), mvp, false);
     let all = [
         depths::<F, _, _>(mesh, (fixel::mode::Newton, test), mvp, true),
@@ -73,8 +73,8 @@ fn a_slope_biases_all_modes_alike() {
         let mvp = lens() * Transform::rotate_z(roll);
         for slope in [fx!(-1), fx!(1), fx!(-7.5)] {
             let test = Biased::new(TestAndWrite, -2, slope);
-            check::<Linear, _>(&mesh, test, &mvp);
-            check::<Float, _>(&mesh, test, &mvp);
+            check::<LinearDepth, _>(&mesh, test, &mvp);
+            check::<FloatDepth, _>(&mesh, test, &mvp);
         }
     }
 }
@@ -93,8 +93,8 @@ fn small_deep_triangles_have_the_same_depths_in_all_modes() {
         let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
         let mesh = mesh.with_uvs(&UVS[..3], None).unwrap();
         let mvp = lens().into();
-        check::<Linear, _>(&mesh, TestAndWrite, &mvp);
-        check::<Float, _>(&mesh, TestAndWrite, &mvp);
-        check::<Float, _>(&mesh, Biased::behind(TestAndWrite), &mvp);
+        check::<LinearDepth, _>(&mesh, TestAndWrite, &mvp);
+        check::<FloatDepth, _>(&mesh, TestAndWrite, &mvp);
+        check::<FloatDepth, _>(&mesh, Biased::behind(TestAndWrite), &mvp);
     });
 }

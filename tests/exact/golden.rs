@@ -5,7 +5,7 @@
 
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::canvas::Depth;
+use fixel::canvas::LinearDepth;
 use fixel::mode::{Affine, Compact, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 
@@ -15,13 +15,13 @@ use crate::examples::scenes::{self, HEIGHT, WIDTH};
 /// The mode that defines the result of the others.
 const PASS: DrawOptions<Exact> = DrawOptions::new().with_mode(Exact);
 
-type Target<'a> = Canvas<'a, Rgb565, BigEndian, Depth<'a>>;
+type Target<'a> = Canvas<'a, Rgb565, BigEndian, LinearDepth>;
 
 /// The CRC-32 of the picture's bytes, more significant byte first, and the number of pixels drawn.
 fn picture(draw: &dyn Fn(&mut Target<'_>)) -> (u32, usize) {
     let mut pixels = vec![[0; 2]; (WIDTH * HEIGHT) as usize];
     let mut depths = vec![0; pixels.len()];
-    let canvas = Canvas::big_endian(&mut pixels, WIDTH, HEIGHT).unwrap();
+    let canvas = Canvas::<_, BigEndian>::new(&mut pixels, WIDTH, HEIGHT).unwrap();
     let mut canvas = canvas.with_depth(&mut depths).unwrap();
     canvas.clear(Rgb565::BLACK);
     draw(&mut canvas);

@@ -131,7 +131,7 @@ fn no_ray_and_no_mesh_panics() {
 
 /// A frame of 12x6 pixels whose right half is nearer than its left half.
 fn labeled(
-    draw: impl FnOnce(&mut Canvas<'_, Rgb565, fixel::canvas::Native, fixel::canvas::Depth<'_>>),
+    draw: impl FnOnce(&mut Canvas<'_, Rgb565, fixel::canvas::Native, fixel::canvas::LinearDepth>),
 ) -> (MockDisplay<Rgb565>, Vec<u16>) {
     let mut colors = [Rgb565::BLACK; 12 * 6];
     let mut depths: Vec<u16> = (0..12 * 6)
@@ -224,9 +224,16 @@ fn a_labels_point_gives_its_place_and_depth() {
             .label(at(0, 0, 100))
             .draw_iter([Pixel(Point::new(2, 0), Rgb565::WHITE)])
             .unwrap();
+        canvas
+            .label(at(5, 0, 0).on_top())
+            .fill_solid(
+                &Rectangle::new(Point::zero(), Size::new(2, 1)),
+                Rgb565::YELLOW,
+            )
+            .unwrap();
     });
     display.assert_pattern(&[
-        "KKWKKKKKKKKK",
+        "KKWKKYYKKKKK",
         "KKKRRRKKKKKK",
         "KKKRRRKKKKKK",
         "KKKKKKKKKKKK",

@@ -1,7 +1,7 @@
 //! Shaders that a program implements itself, and lists of models with different shaders.
 
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::shade::{PerFace, Within};
@@ -26,7 +26,7 @@ static SKIN: TextureArray<Rgb565, 4, 2> = TextureArray::from_texels([
     ],
 ]);
 
-type Screen<'c> = Canvas<'c, Rgb565, Native, Depth<'c>>;
+type Screen<'c> = Canvas<'c, Rgb565, Native, LinearDepth>;
 
 fn sun() -> Light {
     Light::new(vec3!(1, 2, 3), fx!(0.2), fx!(0.8)).unwrap()

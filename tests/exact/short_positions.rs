@@ -3,7 +3,7 @@
 use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::mode::{Exact, Mode};
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
@@ -48,7 +48,7 @@ fn model(random: &mut Random) -> Model {
     }
 }
 
-type Board<'a> = Canvas<'a, Rgb565, Native, Depth<'a>>;
+type Board<'a> = Canvas<'a, Rgb565, Native, LinearDepth>;
 
 /// Draws a mesh in every way; returns the pictures and counts.
 fn drawn<K: ProjectionKind, I: Mode>(

@@ -5,7 +5,7 @@ use std::cell::{Cell, RefCell};
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 use fixel::shade::{Fog, Texels};
 use fixel::view::ProjectionKind;
@@ -26,7 +26,7 @@ fn positions() -> Vec<Vec3> {
         .collect()
 }
 
-type Screen<'c> = Canvas<'c, Rgb565, Native, Depth<'c>>;
+type Screen<'c> = Canvas<'c, Rgb565, Native, LinearDepth>;
 
 type Picture = (Vec<Rgb565>, Vec<u16>);
 

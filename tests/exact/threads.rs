@@ -5,7 +5,7 @@ use std::thread;
 
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{Depth, Native, NoDepth};
+use fixel::canvas::{LinearDepth, Native, NoDepth};
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::view::{Parallel, Perspective};
@@ -20,9 +20,9 @@ const _: () = {
     const fn both<T: Send + Sync>() {}
     type Skin = TextureArray<Rgb565, 64, 64>;
     both::<Canvas<'static, Rgb565>>();
-    both::<Canvas<'static, Rgb565, Native, Depth<'static>>>();
+    both::<Canvas<'static, Rgb565, Native, LinearDepth>>();
     both::<Canvas<'static, Rgb565, BigEndian, NoDepth>>();
-    both::<Canvas<'static, Rgb565, LittleEndian, Depth<'static>>>();
+    both::<Canvas<'static, Rgb565, LittleEndian, LinearDepth>>();
     both::<Canvas<'static, BinaryColor>>();
     both::<Mesh<'static>>();
     both::<Mvp<Perspective>>();
@@ -109,9 +109,9 @@ fn check(draw: &DrawRows<'_>) {
     }
 }
 
-fn with_depth(draw: impl Fn(&mut Canvas<'_, Rgb565, BigEndian, Depth<'_>>) + Sync) {
+fn with_depth(draw: impl Fn(&mut Canvas<'_, Rgb565, BigEndian, LinearDepth>) + Sync) {
     check(&|pixels: &mut [[u8; 2]], depth: &mut [u16], first: u32| {
-        let band = Canvas::big_endian_band(pixels, WIDTH, HEIGHT, first).unwrap();
+        let band = Canvas::<_, BigEndian>::band(pixels, WIDTH, HEIGHT, first).unwrap();
         let mut band = band.with_depth(depth).unwrap();
         band.clear(Rgb565::BLACK);
         draw(&mut band);
@@ -120,7 +120,7 @@ fn with_depth(draw: impl Fn(&mut Canvas<'_, Rgb565, BigEndian, Depth<'_>>) + Syn
 
 fn without_depth(draw: impl Fn(&mut Canvas<'_, Rgb565, BigEndian>) + Sync) {
     check(&|pixels: &mut [[u8; 2]], _: &mut [u16], first: u32| {
-        let mut band = Canvas::big_endian_band(pixels, WIDTH, HEIGHT, first).unwrap();
+        let mut band = Canvas::<_, BigEndian>::band(pixels, WIDTH, HEIGHT, first).unwrap();
         band.clear(Rgb565::BLACK);
         draw(&mut band);
     });

@@ -7,10 +7,10 @@ use core::hash::Hash;
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::canvas::{Add, Multiply, Opacity, Replace};
 use fixel::canvas::{
-    Biased, ColorIndex, Contrast, Depth, ErrorDiffusion, Float, Label, Linear, Native, NoDepth,
-    NoTest, Packed, Pages,
+    Biased, ColorIndex, Contrast, ErrorDiffusion, FloatDepth, Label, LinearDepth, Native, NoDepth,
+    NoTest,
 };
-use fixel::canvas::{TestAndWrite, TestOnly, WideFloat, WriteOnly};
+use fixel::canvas::{TestAndWrite, TestOnly, WideFloatDepth, WriteOnly};
 use fixel::math::Direction;
 use fixel::mesh::{Bounds, Buffers, Counts, Keyframes, Missing, Part, Positions, Quantized, Shape};
 use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
@@ -63,8 +63,8 @@ all!(value: Mipmap<'static, Rgb565> Mipmapped<'static, Rgb565> Trilinear);
 all!(shared: MipmapArray<Rgb565, 1, 1, 1>);
 all!(value: Part<'static> PartColors<'static>);
 all!(value: PerFace<u8> Texels Tolerance Within<1, Texels>);
-all!(value: Biased Float Linear Native NoDepth NoTest TestAndWrite TestOnly WideFloat WriteOnly);
-all!(value: ColorIndex Contrast Packed Pages);
+all!(value: Biased FloatDepth LinearDepth Native NoDepth NoTest TestAndWrite TestOnly WideFloatDepth WriteOnly);
+all!(value: ColorIndex Contrast);
 all!(value: Bilinear Clamp CutOut<Bilinear, Rgb565> Nearest Repeat);
 all!(value: Keyframes<'static> Mesh<'static> Outline<'static> Positions<'static> Sprites<'static>);
 all!(value: Dequantized<'static, Flat<Rgb565>> Quantized<'static>);
@@ -73,9 +73,9 @@ all!(shared: EdgeList<1, 1> PreparedEdges<'static>);
 all!(shared: Object<'static, u8> TriangleList<1, 1> TextureArray<Rgb565, 1, 1> PaletteArray<Rgb565, 1, 1>);
 all!(local: Corner<'static> Primitive<'static>);
 all!(any: Label<'static, Canvas<'static, Rgb565>>);
-all!(any: PreparedScene<'static, u8> PreparedEdgeScene<'static, u8> Buffers<'static> ErrorDiffusion<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, Depth<'static>>);
+all!(any: PreparedScene<'static, u8> PreparedEdgeScene<'static, u8> Buffers<'static> ErrorDiffusion<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, LinearDepth>);
 
-all!(default: Falloff Affine Compact Exact Newton TestAndWrite TestOnly WriteOnly NoTest NoDepth Hairline);
+all!(default: Falloff Affine Compact Exact Newton TestAndWrite TestOnly WriteOnly NoTest Hairline);
 all!(default: Biased Biased<NoTest> Add Multiply Replace Parallel Perspective PerFace<u8> Texels Within<1, Texels>);
 all!(default: Bilinear Clamp ColorIndex Contrast CutOut<Bilinear, Rgb565> Nearest Repeat Trilinear);
 all!(default: Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);

@@ -7,14 +7,14 @@ use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
 use fixel::canvas::{
-    Add, Blending, ColorIndex, Contrast, Depth, DepthBuffer, ErrorDiffusion, Multiply, Native,
-    Opacity, Storage, TestAndWrite,
+    Add, Blending, ColorIndex, Contrast, DepthBuffer, ErrorDiffusion, LinearDepth, Multiply,
+    Native, Opacity, Storage, TestAndWrite,
 };
 use fixel::mesh::flash::{StoredUvs, UvGrid, short_normal};
 use fixel::mesh::{Material, Part, Quantized};
 use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::shade::{Output, PartColors, Translucent};
+use fixel::shade::{PartColors, Translucent};
 use fixel::view::ProjectionKind;
 use fixel::{Drawn, Object, Prepared, PreparedEdges};
 
@@ -517,40 +517,17 @@ impl<K: ProjectionKind> Call<'_, K> {
         self.draw(&mut canvas, options, shader);
 
         let mut bytes = vec![BigEndian::store(BACKGROUND); colors.len()];
-        let mut canvas = Canvas::big_endian(&mut bytes, width, height).unwrap();
+        let mut canvas: Canvas<Rgb565, BigEndian> = Canvas::new(&mut bytes, width, height).unwrap();
         self.draw(&mut canvas, options, shader);
         assert!(canvas.pixels().eq(colors.iter().copied()));
         let sent = colors.iter().flat_map(|color| color.to_be_bytes());
         assert!(canvas.as_bytes().iter().copied().eq(sent));
 
         let mut bytes = vec![LittleEndian::store(BACKGROUND); colors.len()];
-        let mut canvas = Canvas::little_endian(&mut bytes, width, height).unwrap();
+        let mut canvas: Canvas<Rgb565, LittleEndian> =
+            Canvas::new(&mut bytes, width, height).unwrap();
         self.draw(&mut canvas, options, shader);
         assert!(canvas.pixels().eq(colors.iter().copied()));
-    }
-
-    /// Checks that canvases with several pixels in a byte show the same.
-    pub fn check_packed<I, F>(&self, options: &DrawOptions<I>, shader: &F)
-    where
-        I: Mode,
-        F: ShaderFor<Rgb565>,
-    {
-        let (width, height) = self.scene.size;
-        let coarse =
-            shader.map(|at, color| Some(BinaryColor::from(color.finish(at.point).g() & 1 == 1)));
-        let mut colors = vec![BinaryColor::Off; self.scene.pixels()];
-        let mut canvas = Canvas::new(&mut colors, width, height).unwrap();
-        canvas.draw_with(options, self.mesh, &self.mvp, &coarse);
-
-        let mut bytes = vec![0; (width.div_ceil(8) * height) as usize];
-        let mut canvas: Canvas<BinaryColor, _> = Canvas::packed(&mut bytes, width, height).unwrap();
-        canvas.draw_with(options, self.mesh, &self.mvp, &coarse);
-        assert!(canvas.pixels().eq(colors.iter().copied()));
-
-        let mut bytes = vec![0; (width * height.div_ceil(8)) as usize];
-        let mut canvas = Canvas::pages(&mut bytes, width, height).unwrap();
-        canvas.draw_with(options, self.mesh, &self.mvp, &coarse);
-        assert!(canvas.pixels().eq(colors));
     }
 
     /// Checks that grays are diffused alike in a frame and in bands, and that palette indices are drawn where colors
@@ -561,11 +538,10 @@ impl<K: ProjectionKind> Call<'_, K> {
             let [x, y] = [at.point.x, at.point.y].map(i32::cast_unsigned);
             Some(Gray8::new(((37 * x) ^ (11 * y)) as u8))
         });
-        // Returns the panel's bytes after bands of this many rows, and the contrast.
+        // Returns the panel's pixels after bands of this many rows, and the contrast.
         let panel = |rows: u32, contrast: Option<Contrast>| {
-            let mut bytes = vec![0; (width.div_ceil(8) * height) as usize];
-            let mut panel: Canvas<BinaryColor, _> =
-                Canvas::packed(&mut bytes, width, height).unwrap();
+            let mut shown = vec![BinaryColor::Off; self.scene.pixels()];
+            let mut panel = Canvas::new(&mut shown, width, height).unwrap();
             let mut errors = vec![0; width as usize];
             let mut diffusion = ErrorDiffusion::new(&mut errors);
             let mut seen = contrast;
@@ -576,7 +552,7 @@ impl<K: ProjectionKind> Call<'_, K> {
                 let contrast = *seen.get_or_insert(Contrast::of(&band, self.scene.bands[0]));
                 let Ok(()) = band.show_diffused(&mut panel, contrast, &mut diffusion);
             }
-            (bytes, seen)
+            (shown, seen)
         };
         let (frame, contrast) = panel(height, None);
         let rows = u32::from(self.scene.bands[1]).clamp(height.div_ceil(12), height);
@@ -660,7 +636,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     }
 }
 
-type Frame<'f> = Canvas<'f, Rgb565, Native, Depth<'f>>;
+type Frame<'f> = Canvas<'f, Rgb565, Native, LinearDepth>;
 
 /// Draws into a frame or a band. The type is not generic: there are hundreds of such closures, and the tests would take
 /// minutes to compile.

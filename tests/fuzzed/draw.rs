@@ -129,6 +129,5 @@ where
     }
     // Storage and blending of colors do not depend on the mode, so one mode suffices for them.
     call.check_bytes(&options, shader);
-    call.check_packed(&options, shader);
     call.check_blended(&options, shader);
 }

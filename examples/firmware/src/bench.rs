@@ -112,12 +112,11 @@ impl Bench {
             let size = (rows * WIDTH) as usize;
             let (colors, depths) = (&mut colors[..size], &mut depths[..size]);
             if !scene.has_depth() {
-                let mut canvas: Target<_> =
-                    Canvas::big_endian_band(colors, WIDTH, HEIGHT, first_row)?;
+                let mut canvas: Target<_> = Canvas::band(colors, WIDTH, HEIGHT, first_row)?;
                 draw(scene, &models, &mut canvas, clock, &mut figures)?;
                 crc.update(canvas.as_bytes());
             }
-            let canvas: Target<_> = Canvas::big_endian_band(colors, WIDTH, HEIGHT, first_row)?;
+            let canvas: Target<_> = Canvas::band(colors, WIDTH, HEIGHT, first_row)?;
             let mut canvas = canvas.with_depth(depths)?;
             if scene.has_depth() {
                 draw(scene, &models, &mut canvas, clock, &mut figures)?;
@@ -147,7 +146,7 @@ impl Bench {
         for first_row in (0..HEIGHT).step_by(rows as usize) {
             let size = (rows.min(HEIGHT - first_row) * WIDTH) as usize;
             let (colors, depths) = (&mut self.colors[..size], &mut self.depths[..size]);
-            let canvas: Target<_> = Canvas::big_endian_band(colors, WIDTH, HEIGHT, first_row)?;
+            let canvas: Target<_> = Canvas::band(colors, WIDTH, HEIGHT, first_row)?;
             let mut canvas = canvas.with_depth(depths)?;
             scene.background(&mut canvas);
             models.draw(&mut canvas)?;

@@ -98,7 +98,7 @@ mod firmware {
                 for first_row in (0..HEIGHT).step_by(rows as usize) {
                     let colors = &mut self.colors[..len];
                     let band: Canvas<Rgb565, BigEndian> =
-                        Canvas::big_endian_band(colors, WIDTH, HEIGHT, first_row)?;
+                        Canvas::band(colors, WIDTH, HEIGHT, first_row)?;
                     let mut band = band.with_depth(&mut self.depths[..len])?;
                     band.clear(Rgb565::BLACK);
                     let (drawn, ticks) = self.clock.time(|| match &prepared {

@@ -37,7 +37,7 @@ mod lights;
 #[cfg(not(target_os = "none"))]
 mod memory;
 #[cfg(target_os = "none")]
-mod packed;
+mod mono;
 #[cfg(not(target_os = "none"))]
 mod painter;
 #[cfg(target_os = "none")]
@@ -71,7 +71,7 @@ mod firmware {
     use super::common::scenes::CHECKER;
     use super::frames::Frame;
     use super::lights;
-    use super::packed;
+    use super::mono;
     use super::pieces;
     use super::setup::{self, Kind};
     use super::ticks::Stopwatch;
@@ -102,7 +102,7 @@ mod firmware {
         watch.print("in-view", "test", tests, ticks);
         lights::measure(&mut watch)?;
         words::measure(&mut watch)?;
-        packed::measure(&mut watch)?;
+        mono::measure(&mut watch)?;
 
         let mut frame = Frame::take();
         frame.measure(&mut watch, "newton", Newton)?;

@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::Drawn;
-use fixel::canvas::{Depth, DepthBuffer, Native, NoDepth};
+use fixel::canvas::{DepthBuffer, LinearDepth, Native, NoDepth};
 use fixel::mode::Mode;
 use fixel::prelude::*;
 
@@ -25,7 +25,7 @@ pub enum Scene {
 }
 
 /// The canvas of a scene; most scenes have a depth buffer.
-pub type Target<'a, D = Depth<'a>> = Canvas<'a, Rgb565, Native, D>;
+pub type Target<'a, D = LinearDepth> = Canvas<'a, Rgb565, Native, D>;
 
 /// A mesh of a scene, with the size of its texture.
 pub struct Part<'a> {
@@ -143,7 +143,7 @@ pub fn flat<M: Mode>(
 ///
 /// The view's camera is out of range.
 pub fn lighthouse<C: PixelFormat, M: Mode>(
-    canvas: &mut Canvas<'_, C, Native, Depth<'_>>,
+    canvas: &mut Canvas<'_, C, Native, LinearDepth>,
     view: &View,
     mode: M,
 ) -> Result<Drawn, Error> {

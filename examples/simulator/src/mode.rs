@@ -69,12 +69,13 @@ macro_rules! with_depth {
                 $draw
             }
             $crate::args::DepthFormat::Float => {
-                let mut canvas = $canvas.with_depth_format::<fixel::canvas::Float>($depth)?;
+                let mut canvas = $canvas.with_depth_format::<fixel::canvas::FloatDepth>($depth)?;
                 let $with = &mut canvas;
                 $draw
             }
             $crate::args::DepthFormat::Wide => {
-                let mut canvas = $canvas.with_depth_format::<fixel::canvas::WideFloat>($depth)?;
+                let mut canvas =
+                    $canvas.with_depth_format::<fixel::canvas::WideFloatDepth>($depth)?;
                 let $with = &mut canvas;
                 $draw
             }

@@ -39,11 +39,11 @@ use crate::{Error, Transform};
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-/// use fixel::{Object, Prepared, PreparedScene, prelude::*, canvas::{Depth, Native}};
+/// use fixel::{Object, Prepared, PreparedScene, prelude::*, canvas::{LinearDepth, Native}};
 /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 /// static BALL: Mesh = shape!(sphere(16, 12));
 ///
-/// type Band<'a, 'd> = Canvas<'a, Rgb565, Native, Depth<'d>>;
+/// type Band<'a> = Canvas<'a, Rgb565, Native, LinearDepth>;
 ///
 /// trait Material {
 ///     fn draw(&self, band: &mut Band, triangles: &Prepared) -> Result<Drawn, Error>;

@@ -5,7 +5,7 @@
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::BigEndian;
-use fixel::canvas::{Depth, DepthFormat, Float, Linear};
+use fixel::canvas::{DepthBuffer, FloatDepth, LinearDepth};
 use fixel::mesh::{Buffers, Shape};
 use fixel::mode::{Affine, Compact, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
@@ -88,7 +88,7 @@ fn models() -> [Model; 4] {
     ]
 }
 
-type Target<'a, F> = Canvas<'a, Rgb565, BigEndian, Depth<'a, F>>;
+type Target<'a, F> = Canvas<'a, Rgb565, BigEndian, F>;
 
 /// Checksums of a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,7 +98,7 @@ struct Sums {
 }
 
 /// Draws a frame in bands of this many rows and returns its checksums.
-fn sums<F: DepthFormat>(
+fn sums<F: DepthBuffer>(
     rows: u32,
     draw: &dyn Fn(&mut Target<'_, F>, &Projection<Perspective>),
 ) -> Sums {
@@ -109,7 +109,7 @@ fn sums<F: DepthFormat>(
         let pixels = (SIZE.0 * rows.min(SIZE.1 - first)) as usize;
         // The earlier contents must not show.
         let (mut color, mut depth) = (vec![[9; 2]; pixels], vec![7; pixels]);
-        let band = Canvas::big_endian_band(&mut color, SIZE.0, SIZE.1, first).unwrap();
+        let band = Canvas::band(&mut color, SIZE.0, SIZE.1, first).unwrap();
         let mut band = band.with_depth_format::<F>(&mut depth).unwrap();
         band.clear(Rgb565::new(1, 2, 3));
         draw(&mut band, &projection);
@@ -124,7 +124,7 @@ fn sums<F: DepthFormat>(
     }
 }
 
-fn frame<F: DepthFormat>(mode: impl Mode, rows: u32, numbers: Numbers) -> Sums {
+fn frame<F: DepthBuffer>(mode: impl Mode, rows: u32, numbers: Numbers) -> Sums {
     let options = DrawOptions::new().with_mode(mode);
     let models = models();
     sums::<F>(rows, &|band, projection| {
@@ -136,7 +136,7 @@ fn frame<F: DepthFormat>(mode: impl Mode, rows: u32, numbers: Numbers) -> Sums {
 }
 
 /// Draws twice, in bands of several heights, with positions of either kind; all checksums must agree. Returns them.
-fn bands<F: DepthFormat>(mode: impl Mode) -> Sums {
+fn bands<F: DepthBuffer>(mode: impl Mode) -> Sums {
     let whole = frame::<F>(mode, SIZE.1, Numbers::Long);
     for rows in [1, 7, 16, 240] {
         for numbers in [Numbers::Long, Numbers::Short] {
@@ -150,7 +150,7 @@ fn bands<F: DepthFormat>(mode: impl Mode) -> Sums {
 #[test]
 fn bands_equal_the_frame() {
     fn with_either_depth(mode: impl Mode) {
-        let [linear, floating] = [bands::<Linear>(mode), bands::<Float>(mode)];
+        let [linear, floating] = [bands::<LinearDepth>(mode), bands::<FloatDepth>(mode)];
         // The depths have other values, but no two surfaces are so close to each other that the colors differ.
         assert_eq!(linear.colors, floating.colors);
         assert_ne!(linear.depths, floating.depths);
@@ -171,7 +171,7 @@ fn shuffled<T>(list: &mut [T], random: &mut Random) {
 
 /// Draws the models in another order, and the triangles of each in another order: depth alone decides which ones show.
 /// Of two triangles at the same position and depth, the last one would show, but there are no such triangles here.
-fn orders<F: DepthFormat>() -> Sums {
+fn orders<F: DepthBuffer>() -> Sums {
     let draw = |rows: u32, parts: &[(Vec<[u16; 3]>, Model)]| {
         sums::<F>(rows, &|band, projection| {
             for (faces, model) in parts {
@@ -195,5 +195,8 @@ fn orders<F: DepthFormat>() -> Sums {
 
 #[test]
 fn the_order_of_triangles_does_not_change_the_picture() {
-    assert_eq!(orders::<Linear>().colors, orders::<Float>().colors);
+    assert_eq!(
+        orders::<LinearDepth>().colors,
+        orders::<FloatDepth>().colors
+    );
 }

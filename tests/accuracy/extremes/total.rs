@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb888};
 use fixel::Drawn;
-use fixel::canvas::{DepthBuffer, Float, Native, NoDepth, WideFloat};
+use fixel::canvas::{DepthBuffer, FloatDepth, Native, NoDepth, WideFloatDepth};
 use fixel::mode::{self, Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::shade::{Tolerance, Varyings};
@@ -269,11 +269,11 @@ impl Scene {
         match self.depth {
             Format::Linear => self.draw(&mut canvas.with_depth(depths).unwrap(), projection),
             Format::Float => {
-                let canvas = canvas.with_depth_format::<Float>(depths);
+                let canvas = canvas.with_depth_format::<FloatDepth>(depths);
                 self.draw(&mut canvas.unwrap(), projection);
             }
             Format::WideFloat => {
-                let canvas = canvas.with_depth_format::<WideFloat>(depths);
+                let canvas = canvas.with_depth_format::<WideFloatDepth>(depths);
                 self.draw(&mut canvas.unwrap(), projection);
             }
         }

@@ -8,7 +8,7 @@ use embedded_graphics::mono_font::MonoTextStyle;
 use embedded_graphics::mono_font::ascii::FONT_6X10;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, GrayColor, PixelColor};
 use embedded_graphics::text::Text;
-use fixel::canvas::{DepthBuffer, DepthFormat, Float, Linear, Native, WideFloat};
+use fixel::canvas::{DepthBuffer, FloatDepth, LinearDepth, Native, WideFloatDepth};
 use fixel::num::scalar;
 use fixel::prelude::*;
 
@@ -59,10 +59,52 @@ fn text_covers_the_picture_and_keeps_depths() {
     assert_eq!(drawn, covered);
 }
 
+/// Points above, below and beside a band have no depth, and no point of a canvas without a depth buffer has one.
+#[test]
+fn a_pixels_depth_is_read_in_the_frames_coordinates() {
+    let mut pixels = [Gray8::BLACK; 12];
+    let mut depths: [u16; 12] = core::array::from_fn(|at| at as u16 + 7);
+    let stored = depths;
+    let band = Canvas::band(&mut pixels, 4, 9, 5).unwrap();
+    assert_eq!(band.depth_at(Point::new(1, 6)), None);
+    let band = band.with_depth(&mut depths).unwrap();
+    for y in -1..10_i32 {
+        for x in -1..5 {
+            let is_inside = (0..4).contains(&x) && (5..8).contains(&y);
+            let depth = is_inside.then(|| stored[((y - 5) * 4 + x).cast_unsigned() as usize]);
+            assert_eq!(band.depth_at(Point::new(x, y)), depth, "{x}, {y}");
+        }
+    }
+    for end in [i32::MIN, i32::MAX] {
+        assert_eq!(band.depth_at(Point::new(end, end)), None);
+    }
+}
+
+/// The depth at a pixel is that of the point that was drawn there, in each format.
+fn drawn_depth<F: DepthBuffer>() {
+    let projection = Projection::perspective(deg!(90), (1, 1), fx!(0.5), fx!(100)).unwrap();
+    let (mut pixels, mut depths) = ([Gray8::BLACK; 64], [0; 64]);
+    let canvas = Canvas::new(&mut pixels, 8, 8).unwrap();
+    let mut canvas = canvas.with_depth_format::<F>(&mut depths).unwrap();
+    let point = vec3!(0, 0, -20);
+    let positions = [vec3!(-30, -30, -20), vec3!(30, -30, -20), vec3!(0, 30, -20)];
+    let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
+    canvas.draw(&mesh, &projection, &Flat::new(Gray8::WHITE));
+    let at = canvas
+        .project(&DrawOptions::new(), &projection, point)
+        .unwrap();
+    assert_eq!(canvas.depth_at(Point::new(4, 4)), Some(at.depth));
+}
+
+#[test]
+fn a_pixels_depth_is_that_of_the_point_drawn_there() {
+    drawn_depth::<LinearDepth>();
+    drawn_depth::<FloatDepth>();
+    drawn_depth::<WideFloatDepth>();
+}
+
 /// Draws a near triangle, calls `between`, and draws a farther one. Returns the pixels of gray 1 (near) and 2 (far).
-fn shown<F: DepthFormat>(
-    between: fn(&mut Canvas<'_, Gray8, Native, fixel::canvas::Depth<'_, F>>),
-) -> [usize; 2] {
+fn shown<F: DepthBuffer>(between: fn(&mut Canvas<'_, Gray8, Native, F>)) -> [usize; 2] {
     let mut pixels = [Gray8::BLACK; 64];
     let mut depths = [0; 64];
     let canvas = Canvas::new(&mut pixels, 8, 8).unwrap();
@@ -73,7 +115,7 @@ fn shown<F: DepthFormat>(
     [1, 2].map(|gray| pixels.iter().filter(|pixel| pixel.luma() == gray).count())
 }
 
-fn clearing<F: DepthFormat>() {
+fn clearing<F: DepthBuffer>() {
     assert_eq!(
         shown::<F>(|_| ()),
         [28, 0],
@@ -109,9 +151,9 @@ fn clearing<F: DepthFormat>() {
 
 #[test]
 fn clear_resets_depths_and_fill_keeps_them() {
-    clearing::<Linear>();
-    clearing::<Float>();
-    clearing::<WideFloat>();
+    clearing::<LinearDepth>();
+    clearing::<FloatDepth>();
+    clearing::<WideFloatDepth>();
 }
 
 /// Without a depth buffer, clearing sets only the colors.
@@ -128,7 +170,7 @@ fn clear_works_without_a_depth_buffer() {
 /// Draws three plates (`#`), at 4, 3,200 and 522,240 times the distance of the near plane, and after each one a
 /// larger plate (`.`) that is a hundredth farther. Distance 2^14 lies between the last two, so their 1/w have
 /// different exponents.
-fn plates<F: DepthFormat>() -> MockDisplay<BinaryColor> {
+fn plates<F: DepthBuffer>() -> MockDisplay<BinaryColor> {
     const SIZE: (u32, u32) = (26, 6);
     const FOCAL: f64 = 16.;
     let projection = Projection::from_focal_length(
@@ -166,7 +208,7 @@ fn plates<F: DepthFormat>() -> MockDisplay<BinaryColor> {
 /// If the format stores equal depths for both plates, the farther one shows, because it is drawn last.
 #[test]
 fn the_resolution_of_each_depth_format() {
-    plates::<Linear>().assert_pattern(&[
+    plates::<LinearDepth>().assert_pattern(&[
         "..........................",
         "..####....................",
         "..####....................",
@@ -174,7 +216,7 @@ fn the_resolution_of_each_depth_format() {
         "..####....................",
         "..........................",
     ]);
-    plates::<Float>().assert_pattern(&[
+    plates::<FloatDepth>().assert_pattern(&[
         "..........................",
         "..####.....####...........",
         "..####.....####...........",
@@ -182,7 +224,7 @@ fn the_resolution_of_each_depth_format() {
         "..####.....####...........",
         "..........................",
     ]);
-    plates::<WideFloat>().assert_pattern(&[
+    plates::<WideFloatDepth>().assert_pattern(&[
         "..........................",
         "..####.....####.....####..",
         "..####.....####.....####..",

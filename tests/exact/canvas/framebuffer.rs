@@ -42,13 +42,13 @@ fn a_canvas_is_a_framebuffer() {
         draw(&mut theirs.1);
 
         let mut bytes = [[0; 2]; PIXELS];
-        let mut canvas: Canvas<Rgb565, _> = Canvas::big_endian(&mut bytes, WIDTH, HEIGHT).unwrap();
+        let mut canvas: Canvas<Rgb565, BigEndian> = Canvas::new(&mut bytes, WIDTH, HEIGHT).unwrap();
         draw(&mut canvas);
         assert!(canvas.as_bytes() == theirs.0.data(), "big-endian");
 
         let mut bytes = [[0; 2]; PIXELS];
-        let mut canvas: Canvas<Rgb565, _> =
-            Canvas::little_endian(&mut bytes, WIDTH, HEIGHT).unwrap();
+        let mut canvas: Canvas<Rgb565, LittleEndian> =
+            Canvas::new(&mut bytes, WIDTH, HEIGHT).unwrap();
         draw(&mut canvas);
         assert!(canvas.as_bytes() == theirs.1.data(), "little-endian");
 
@@ -77,8 +77,8 @@ fn a_canvas_is_a_framebuffer() {
                 Rectangle::new(place, Size::new(WIDTH, rows))
             );
             draw(&mut canvas);
-            let mut canvas: Canvas<Rgb565, _> =
-                Canvas::big_endian_band(bytes, WIDTH, HEIGHT, first).unwrap();
+            let mut canvas: Canvas<Rgb565, BigEndian> =
+                Canvas::band(bytes, WIDTH, HEIGHT, first).unwrap();
             draw(&mut canvas);
             first += rows;
         }

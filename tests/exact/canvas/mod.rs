@@ -1,17 +1,20 @@
 //! The canvas as an embedded-graphics target, as bytes, and on a display.
 
+use std::any::TypeId;
+
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
-use fixel::canvas::{MAX_SIZE, Native, NoDepth};
+use fixel::canvas::{ColorIndex, MAX_SIZE, Native, NoDepth, Storage};
 use fixel::prelude::*;
 
 mod depth;
+mod diffusion;
 mod framebuffer;
-mod packed;
+mod packing;
 mod pictures;
 
 /// A display that records its calls and may fail.
@@ -64,7 +67,7 @@ fn show_sends_all_pixels_in_one_call() {
         .show(&mut display)
         .unwrap();
     let mut bytes: Vec<[u8; 3]> = picture.iter().map(|c| c.to_le_bytes()).collect();
-    let swapped: Canvas<Rgb888, _> = Canvas::little_endian(&mut bytes, 4, 6).unwrap();
+    let swapped: Canvas<Rgb888, LittleEndian> = Canvas::new(&mut bytes, 4, 6).unwrap();
     swapped.show(&mut display).unwrap();
     let whole = Rectangle::new(Point::zero(), Size::new(4, 6));
     let band = Rectangle::new(Point::new(0, 1), Size::new(4, 2));
@@ -93,25 +96,66 @@ fn a_display_error_is_passed_on() {
 #[test]
 fn bytes_are_in_bus_order() {
     let mut pixels = [[0; 2]; 2];
-    let mut canvas: Canvas<Rgb565, _> = Canvas::big_endian(&mut pixels, 2, 1).unwrap();
+    let mut canvas: Canvas<Rgb565, BigEndian> = Canvas::new(&mut pixels, 2, 1).unwrap();
     canvas.clear(Rgb565::new(1, 2, 3));
     assert_eq!(canvas.as_bytes(), [0x08, 0x43, 0x08, 0x43]);
     assert_eq!(canvas.as_cells(), [[0x08, 0x43]; 2]);
     assert!(canvas.pixels().all(|pixel| pixel == Rgb565::new(1, 2, 3)));
-    let mut canvas: Canvas<Rgb565, _> = Canvas::little_endian(&mut pixels, 2, 1).unwrap();
+    let mut canvas: Canvas<Rgb565, LittleEndian> = Canvas::new(&mut pixels, 2, 1).unwrap();
     canvas.clear(Rgb565::new(1, 2, 3));
     assert_eq!(canvas.as_bytes(), [0x43, 0x08, 0x43, 0x08]);
     let mut pixels = [[0; 3]; 1];
-    let mut canvas: Canvas<Rgb888, _> = Canvas::big_endian(&mut pixels, 1, 1).unwrap();
+    let mut canvas: Canvas<Rgb888, BigEndian> = Canvas::new(&mut pixels, 1, 1).unwrap();
     canvas.clear(Rgb888::new(1, 2, 3));
     assert_eq!(canvas.as_bytes(), [1, 2, 3]);
-    let mut canvas: Canvas<Rgb888, _> = Canvas::little_endian(&mut pixels, 1, 1).unwrap();
+    let mut canvas: Canvas<Rgb888, LittleEndian> = Canvas::new(&mut pixels, 1, 1).unwrap();
     canvas.clear(Rgb888::new(1, 2, 3));
     assert_eq!(canvas.as_bytes(), [3, 2, 1]);
     let mut pixels = [[0; 1]; 1];
-    let mut canvas: Canvas<Gray8, _> = Canvas::big_endian(&mut pixels, 1, 1).unwrap();
+    let mut canvas: Canvas<Gray8, BigEndian> = Canvas::new(&mut pixels, 1, 1).unwrap();
     canvas.clear(Gray8::new(7));
     assert_eq!(canvas.as_bytes(), [7]);
+}
+
+/// The color and the storage of a canvas.
+fn types<C: 'static, O: Storage<C> + 'static, D>(_: &Canvas<'_, C, O, D>) -> [TypeId; 2] {
+    [TypeId::of::<C>(), TypeId::of::<O>()]
+}
+
+/// Makes a canvas in any storage.
+fn any<C, O: Storage<C>>(cells: &mut [O::Cell]) -> Canvas<'_, C, O> {
+    Canvas::new(cells, 2, 2).unwrap()
+}
+
+/// Colors tell all types of a canvas, arrays of bytes the size of its colors.
+#[test]
+fn constructors_infer_types_from_memory() {
+    let native = [TypeId::of::<Gray8>(), TypeId::of::<Native>()];
+    let mut colors = [Gray8::BLACK; 4];
+    assert_eq!(types(&Canvas::new(&mut colors, 2, 2).unwrap()), native);
+    assert_eq!(types(&Canvas::band(&mut colors, 2, 9, 3).unwrap()), native);
+    let mut colors = vec![Gray8::BLACK; 4];
+    let (canvas, mut depths) = (Canvas::new(&mut colors, 2, 2).unwrap(), [0; 4]);
+    assert_eq!(types(&canvas.with_depth(&mut depths).unwrap()), native);
+    let indices = &mut [ColorIndex(3); 4][..];
+    let canvas = Canvas::new(indices, 2, 2).unwrap();
+    assert!(canvas.pixels().eq([ColorIndex(3); 4]));
+
+    let mut bytes = [[0; 2]; 4];
+    let mut canvas = Canvas::<_, LittleEndian>::band(&mut bytes, 2, 9, 3).unwrap();
+    canvas.clear(Rgb565::RED);
+    let little = [TypeId::of::<Rgb565>(), TypeId::of::<LittleEndian>()];
+    assert_eq!(types(&canvas), little);
+    assert_eq!(bytes, [[0, 0xf8]; 4]);
+
+    let mut bytes = [[0; 3]; 4];
+    let mut canvas = any::<Rgb888, BigEndian>(&mut bytes);
+    assert_eq!(
+        types(&canvas),
+        [TypeId::of::<Rgb888>(), TypeId::of::<BigEndian>()]
+    );
+    canvas.clear(Rgb888::RED);
+    assert_eq!(canvas.as_cells(), [[0xff, 0, 0]; 4]);
 }
 
 /// The numbers of elements given and needed, from an error.
@@ -196,8 +240,8 @@ fn errors_name_the_numbers() {
     assert_eq!(with_depth(8, 1), None);
 
     let mut cells = [[0; 2]; 5];
-    let error = Canvas::<Rgb565, BigEndian>::big_endian(&mut cells, 2, 2).err();
+    let error = Canvas::<Rgb565, BigEndian>::new(&mut cells, 2, 2).err();
     assert_eq!(length(error), (5, 4));
-    let error = Canvas::<Rgb565, LittleEndian>::little_endian_band(&mut cells, 5, 2, 2).err();
+    let error = Canvas::<Rgb565, LittleEndian>::band(&mut cells, 5, 2, 2).err();
     assert_eq!(rows(error), (2, 1, 2));
 }

@@ -11,7 +11,7 @@ pub mod panel;
 use embedded_graphics::Drawable;
 use embedded_graphics::geometry::Point;
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_9X18_BOLD};
-use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor, raw::BigEndian};
 use embedded_graphics::text::Text;
 use fixel::mode::Fast;
 use fixel::prelude::*;
@@ -115,7 +115,7 @@ impl Scene {
         depths: &mut [u16],
     ) -> Result<(), Error> {
         let (width, height) = self.size;
-        let band = Canvas::big_endian_band(colors, width, height, first_row)?;
+        let band = Canvas::<Rgb565, BigEndian>::band(colors, width, height, first_row)?;
         self.draw(now_ms, &mut band.with_depth(depths)?);
         Ok(())
     }

@@ -43,7 +43,7 @@ const ESP32C3: Board = Board {
 fn frame((width, height): (u32, u32), now_ms: u64) -> Vec<u8> {
     let mut pixels = vec![[0; 2]; (width * height) as usize];
     let mut depths = vec![0; pixels.len()];
-    let canvas: Canvas<Rgb565, BigEndian> = Canvas::big_endian(&mut pixels, width, height).unwrap();
+    let canvas: Canvas<Rgb565, BigEndian> = Canvas::new(&mut pixels, width, height).unwrap();
     let mut canvas = canvas.with_depth(&mut depths).unwrap();
     Scene::new(width, height).unwrap().draw(now_ms, &mut canvas);
     canvas.as_bytes().to_vec()

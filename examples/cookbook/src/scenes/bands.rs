@@ -2,7 +2,7 @@
 
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor, WebColors};
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 
 /// Rows of a band. At 320 columns, it takes 10 KiB; a whole frame takes 300 KiB.
@@ -27,7 +27,7 @@ static STRIPES: TextureArray<Rgb565, 8, 16> = {
 };
 
 /// The display: here a canvas too, but any `DrawTarget` can be sent to.
-pub fn draw(display: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(display: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let frame = display.frame_size();
     let projection = Projection::perspective(deg!(40), frame, fx!(0.5), fx!(50))?;
     let view = projection * Camera::look_at(vec3!(0, 1.2, 3.3), Vec3::ZERO, Vec3::Y)?;

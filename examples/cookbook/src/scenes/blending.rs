@@ -1,7 +1,7 @@
 //! Glass, a shadow, the glow of a lamp and smoke.
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{Add, Depth, Multiply, Native, Opacity, TestOnly};
+use fixel::canvas::{Add, LinearDepth, Multiply, Native, Opacity, TestOnly};
 use fixel::prelude::*;
 
 static SQUARE: Mesh = shape!(plane(1, 1));
@@ -19,7 +19,7 @@ static CLOUD: TextureArray<Gray8, 32, 32> = {
     TextureArray::from_texels(texels)
 };
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let projection = Projection::perspective(deg!(40), canvas.frame_size(), fx!(0.5), fx!(50))?;
     let view = projection * Camera::look_at(vec3!(1, 2.4, 7), vec3!(0.2, 1.2, 0), Vec3::Y)?;
     let at = |place, size| view * Transform::translate(place) * Transform::scale(size);

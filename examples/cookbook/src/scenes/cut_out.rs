@@ -2,7 +2,7 @@
 
 use core::array::from_fn;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 use fixel::texture::Argb1555;
 
@@ -28,7 +28,7 @@ fn leaf(row: usize, column: usize) -> Rgb565 {
     }
 }
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let projection = Projection::perspective(deg!(45), canvas.frame_size(), fx!(0.5), fx!(80))?;
     let view = projection * Camera::look_at(vec3!(-3, 2, 8), vec3!(0, 1.5, 0), Vec3::Y)?;
     let at = |place, size| view * Transform::translate(place) * Transform::scale_axes(size);

@@ -1,7 +1,7 @@
 //! PixelFormat of detail: the fewer pixels an apple takes, the fewer triangles it has.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{Biased, Depth, Native, Opacity, TestAndWrite};
+use fixel::canvas::{Biased, LinearDepth, Native, Opacity, TestAndWrite};
 use fixel::mesh::Bounds;
 use fixel::prelude::*;
 use fixel::shade::Fog;
@@ -12,7 +12,7 @@ static MIDDLE: Mesh = shape!(sphere(12, 8));
 static COARSE: Mesh = shape!(sphere(6, 4));
 static BOUNDS: Bounds = FINE.bounds();
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let size = canvas.frame_size();
     let projection = Projection::perspective(deg!(50), size, fx!(0.5), fx!(100))?;
     let view = projection * Camera::look_at(vec3!(-3, 3, 5), vec3!(0, 0, -6), Vec3::Y)?;

@@ -1,7 +1,7 @@
 //! A model and its picture, as a modeling program saves them.
 
 use embedded_graphics::pixelcolor::Rgb565;
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::mesh::Part;
 use fixel::prelude::*;
 
@@ -9,7 +9,7 @@ static BALLOON: Mesh = include_mesh!("../../../assets/balloon.glb", short);
 static PARTS: &[Part] = include_materials!("../../../assets/balloon.glb");
 static SILK: TextureArray<Rgb565, 64, 64> = include_texture!("../../../assets/balloon.png");
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let size = canvas.frame_size();
     let projection = Projection::perspective(deg!(45), size, fx!(0.5), fx!(100))?;
     let view = projection * Camera::look_at(vec3!(0, 0.4, 6), vec3!(0, 0.8, 0), Vec3::Y)?;

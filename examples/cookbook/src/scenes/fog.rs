@@ -1,14 +1,14 @@
 //! Towers that fade with their distance.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 use fixel::shade::Fog;
 
 static FLOOR: Mesh = shape!(plane(1, 1));
 static TOWER: Mesh = shape!(cuboid(vec3!(1, 3, 1)));
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let size = canvas.frame_size();
     let projection = Projection::perspective(deg!(60), size, fx!(0.5), fx!(100))?;
     let camera = Camera::look_at(vec3!(-2, 2.5, 6), vec3!(1, 1, -8), Vec3::Y)?;

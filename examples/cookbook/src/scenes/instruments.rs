@@ -5,7 +5,7 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10, ascii::FONT_
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor, WebColors};
 use embedded_graphics::primitives::{Arc, Line, Primitive as _, PrimitiveStyle};
 use embedded_graphics::{Drawable, text::Alignment, text::Text};
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 
 static BALL: Mesh = shape!(sphere(32, 24));
@@ -25,7 +25,7 @@ static SKIN: TextureArray<Rgb565, 64, 128> = {
     TextureArray::from_texels(texels)
 };
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let (Size { width, height }, center) = (canvas.frame_size(), canvas.bounding_box().center());
     canvas.clear(Rgb565::new(2, 4, 3));
     let aspect = Scalar::from_num(width) / Scalar::from_num(height);

@@ -1,7 +1,7 @@
 //! A bird in two poses, and a flock of birds between them.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::mesh::Keyframes;
 use fixel::prelude::*;
 
@@ -35,7 +35,7 @@ static STROKE: Keyframes = Keyframes::checked(Keyframes::new(
     &Mesh::checked(Mesh::new(&DOWN, &FACES)),
 ));
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let size = canvas.frame_size();
     let projection = Projection::perspective(deg!(40), size, fx!(0.5), fx!(50))?;
     let view = projection * Camera::look_at(vec3!(0, 5, 8), vec3!(0, 0.4, 0), Vec3::Y)?;

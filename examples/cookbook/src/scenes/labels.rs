@@ -3,7 +3,7 @@
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_4X6, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::{Drawable, geometry::Point, text::Text};
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 
 static BALL: Mesh = shape!(sphere(32, 24));
@@ -16,7 +16,7 @@ static PLANETS: [(&str, Scalar, Angle, Rgb888); 4] = [
     ("Mars", fx!(4.8), deg!(245), Rgb888::new(240, 100, 60)),
 ];
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let frame = canvas.frame_size();
     let is_wide = frame.width > 3 * frame.height / 2;
     let fov = if is_wide { deg!(34) } else { deg!(46) };

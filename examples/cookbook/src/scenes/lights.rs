@@ -1,14 +1,14 @@
 //! Lamps of several colors, a spot light, and a highlight.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 
 static FLOOR: Mesh = shape!(plane(40, 40));
 static BALL: Mesh = shape!(sphere(32, 24));
 static PILLAR: Mesh = shape!(cylinder(24));
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let size = canvas.frame_size();
     let projection = Projection::perspective(deg!(42), size, fx!(0.5), fx!(50))?;
     let camera = Camera::look_at(vec3!(0, 3, 7), vec3!(0, 0.9, 0), Vec3::Y)?;

@@ -1,7 +1,7 @@
 //! A model with materials: colors, and a texture that the program finds by its name.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::mesh::Part;
 use fixel::prelude::*;
 use fixel::shade::PartColors;
@@ -11,7 +11,7 @@ static PARTS: &[Part] = include_materials!("../../../assets/cabin.obj");
 static PLANKS: TextureArray<Rgb565, 32, 32> = include_texture!("../../../assets/planks.tga");
 static MEADOW: Mesh = shape!(plane(8, 8));
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let size = canvas.frame_size();
     let projection = Projection::perspective(deg!(45), size, fx!(0.5), fx!(50))?;
     let sun = Light::new(vec3!(2, 3, 4), fx!(0.4), fx!(0.6))?;

@@ -1,7 +1,7 @@
 //! A floor of tiles: on the left without mipmaps, on the right with them.
 
 use embedded_graphics::pixelcolor::{Rgb565, WebColors};
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 use fixel::shade::Mipmapped;
 use fixel::texture::{Mipmap, MipmapArray};
@@ -36,7 +36,7 @@ static HALF: Mesh = {
     Mesh::checked(Mesh::checked(Mesh::new(&CORNERS, &[[0, 1, 2], [0, 2, 3]])).with_uvs(&UVS, None))
 };
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let projection = Projection::perspective(deg!(60), canvas.frame_size(), fx!(0.25), fx!(100))?;
     let camera = Camera::look_at(vec3!(0, 2, 0), vec3!(0, 0.2, -6), Vec3::Y)?;
     let left = projection * camera * Transform::translate(vec3!(-60, 0, 0));

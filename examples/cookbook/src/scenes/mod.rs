@@ -33,11 +33,11 @@ mod two_cores;
 mod wireframe;
 
 use embedded_graphics::pixelcolor::Rgb565;
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 
 /// The canvas that all scenes draw on.
-pub type Frame<'c> = Canvas<'c, Rgb565, Native, Depth<'c>>;
+pub type Frame<'c> = Canvas<'c, Rgb565, Native, LinearDepth>;
 
 /// A function that draws a scene.
 pub type Draw = fn(&mut Frame<'_>) -> Result<(), Error>;

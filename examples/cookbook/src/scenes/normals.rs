@@ -1,13 +1,13 @@
 //! A model without normals, in flat faces, and with computed normals: creased, and smooth.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 
 /// Front and back are concave polygons of 32 corners, cut into triangles at compile time.
 static CLOVER: Mesh = include_mesh!("../../../assets/clover.obj");
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let size = canvas.frame_size();
     let projection = Projection::perspective(deg!(34), size, fx!(0.5), fx!(50))?;
     let view = projection * Camera::look_at(vec3!(0, 5, 9), Vec3::ZERO, Vec3::Y)?;

@@ -3,7 +3,7 @@
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888};
 use embedded_graphics::{prelude::*, primitives::Rectangle, text::Text};
-use fixel::canvas::{Contrast, Depth, ErrorDiffusion, Native};
+use fixel::canvas::{Contrast, ErrorDiffusion, LinearDepth, Native};
 use fixel::prelude::*;
 
 const SIZE: (u32, u32) = (128, 64);
@@ -13,7 +13,7 @@ static SILHOUETTES: Outline = include_outline!("../../../assets/lighthouse.obj",
 static SKIN: TextureArray<Rgb565, 128, 128> =
     TextureArray::rgb565(include_bytes!("../../../assets/lighthouse.rgb565"));
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let (width, height) = SIZE;
     let (mut grays, mut depths) = ([Gray8::new(0); 128 * 64], [0; 128 * 64]);
     let mut gray = Canvas::new(&mut grays, width, height)?.with_depth(&mut depths)?;
@@ -28,25 +28,32 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     let white = Flat::rgb(Rgb888::new(255, 255, 255));
     gray.draw_outline(&DrawOptions::new(), &ISLAND, &SILHOUETTES, &view, &white);
 
-    // 1 KiB, in the order of an SSD1306. Text comes last: it is not dithered.
-    let mut bytes = [0; 1024];
-    let mut panel = Canvas::pages(&mut bytes, width, height)?;
-    let mut errors = [0; SIZE.0 as usize];
-    let mut diffusion = ErrorDiffusion::new(&mut errors);
-    let Ok(()) = gray.show_diffused(&mut panel, contrast, &mut diffusion);
-    let style = MonoTextStyle::new(&FONT_6X10, BinaryColor::On);
-    Text::new("LIGHTHOUSE", Point::new(2, 9), style).draw(&mut panel)?;
-
     // The panel is shown in the middle of this picture, each of its pixels as a square.
     canvas.clear(Rgb565::new(3, 6, 4));
     let frame = canvas.frame_size();
     let side = (frame.width / width).min(frame.height / height).max(1);
     let corner = (frame.saturating_sub(Size::new(width, height) * side)) / 2;
-    for (at, pixel) in panel.bounding_box().points().zip(panel.pixels()) {
-        let at = Point::zero() + corner + at * side.cast_signed();
-        let square = Rectangle::new(at, Size::new_equal(side));
-        let color = Rgb888::new(160, 235, 255).into();
-        canvas.fill_solid(&square, if pixel.is_on() { color } else { Rgb565::BLACK })?;
+    let mut errors = [0; SIZE.0 as usize];
+    let mut diffusion = ErrorDiffusion::new(&mut errors);
+    let style = MonoTextStyle::new(&FONT_6X10, BinaryColor::On);
+    // A page of an SSD1306 at a time: 8 rows, packed into a byte for each column.
+    let (mut shown, mut page) = ([BinaryColor::Off; 128 * 8], [0_u8; 128]);
+    for (first_row, grays) in (0..).step_by(8).zip(grays.chunks_mut(128 * 8)) {
+        let gray = Canvas::band(grays, width, height, first_row)?;
+        let mut panel = Canvas::band(&mut shown, width, height, first_row)?;
+        let Ok(()) = gray.show_diffused(&mut panel, contrast, &mut diffusion);
+        // Text comes last: it is not dithered.
+        Text::new("LIGHTHOUSE", Point::new(2, 9), style).draw(&mut panel)?;
+        for (byte, rows) in page.iter_mut().zip(panel.pages()) {
+            *byte = rows;
+        }
+        for at in panel.bounding_box().points() {
+            let is_on = page[at.x.cast_unsigned() as usize] >> (at.y % 8) & 1 == 1;
+            let at = Point::zero() + corner + at * side.cast_signed();
+            let square = Rectangle::new(at, Size::new_equal(side));
+            let color = Rgb888::new(160, 235, 255).into();
+            canvas.fill_solid(&square, if is_on { color } else { Rgb565::BLACK })?;
+        }
     }
     Ok(())
 }

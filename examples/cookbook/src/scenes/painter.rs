@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::Object;
-use fixel::canvas::{Depth, Native, NoTest};
+use fixel::canvas::{LinearDepth, Native, NoTest};
 use fixel::prelude::*;
 
 static RING: Mesh = shape!(torus(fx!(0.14), 36, 8));
@@ -11,7 +11,7 @@ static BALL: Mesh = shape!(sphere(20, 14));
 /// Memory for the visible triangles: 45 KiB. A depth buffer of 320x240 takes 150 KiB.
 type List = TriangleList<1300, 1600>;
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let frame = canvas.frame_size();
     let projection = Projection::perspective(deg!(40), frame, fx!(1), fx!(20))?;
     let view = projection * Camera::look_at(vec3!(0, 1.5, 3.3), Vec3::ZERO, Vec3::Y)?;

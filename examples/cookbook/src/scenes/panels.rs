@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, PixelColor, Rgb565};
 use embedded_graphics::{pixelcolor::raw::RawU16, prelude::*, primitives::Rectangle};
-use fixel::canvas::{ColorIndex, Depth, Native, Storage};
+use fixel::canvas::{ColorIndex, LinearDepth, Native};
 use fixel::prelude::*;
 
 const SIZE: Size = Size::new(64, 32);
@@ -12,10 +12,10 @@ static RING: Mesh = shape!(torus(fx!(0.45), 32, 16));
 const GLOW: [u16; 8] = [0x0003, 0x2888, 0x590a, 0x9109, 0xc9c6, 0xeb44, 0xfd45, 0xff71];
 
 /// Draws the scene in a panel's colors, and shows it in a quarter of the picture.
-fn show<C: PixelColor + Default, O: Storage<C>>(
-    canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>,
+fn show<C: PixelColor + Default>(
+    canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>,
     place: Size,
-    panel: Canvas<'_, C, O>,
+    panel: Canvas<'_, C>,
     shader: &impl ShaderFor<C>,
     color_of: impl Fn(C) -> Rgb565,
 ) -> Result<(), Error> {
@@ -36,19 +36,19 @@ fn show<C: PixelColor + Default, O: Storage<C>>(
     Ok(())
 }
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let sun = Light::new(vec3!(-2, 3, 1), fx!(0.06), fx!(0.94))?;
     let clay = Flat::new(Gray8::new(255)).lit(sun);
     canvas.clear(Rgb565::new(5, 10, 6));
-    // Eight pixels in a byte, with ordered dithering; two pixels in a byte.
-    let (mut bits, mut halves) = ([0; PIXELS / 8], [0; PIXELS / 2]);
-    let panel = Canvas::packed(&mut bits, 64, 32)?;
+    // Black and white, with ordered dithering; 16 grays.
+    let (mut bits, mut halves) = ([BinaryColor::Off; PIXELS], [Gray4::new(0); PIXELS]);
+    let panel = Canvas::new(&mut bits, 64, 32)?;
     let binary = clay.converted::<BinaryColor>();
     show(canvas, Size::new(0, 0), panel, &binary, Rgb565::from)?;
-    let panel = Canvas::packed(&mut halves, 64, 32)?;
+    let panel = Canvas::new(&mut halves, 64, 32)?;
     let gray = clay.converted::<Gray4>();
     show(canvas, Size::new(1, 0), panel, &gray, Rgb565::from)?;
-    // A byte for each pixel: a gray, or the index of a color.
+    // 256 grays; the index of a color.
     let (mut grays, mut indices) = ([Gray8::new(0); PIXELS], [ColorIndex(0); PIXELS]);
     let panel = Canvas::new(&mut grays, 64, 32)?;
     show(canvas, Size::new(0, 1), panel, &clay, Rgb565::from)?;

@@ -4,13 +4,13 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_4X6, ascii::FONT_6
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::{Circle, Primitive as _, PrimitiveStyle};
 use embedded_graphics::{Drawable, geometry::Dimensions, geometry::Point, text::Text};
-use fixel::canvas::{Biased, Depth, Native, TestAndWrite};
+use fixel::canvas::{Biased, LinearDepth, Native, TestAndWrite};
 use fixel::prelude::*;
 
 static RING: Mesh = shape!(torus(fx!(0.4), 28, 14));
 static BALL: Mesh = shape!(sphere(12, 8));
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let projection = Projection::perspective(deg!(50), canvas.frame_size(), fx!(0.5), fx!(50))?;
     let camera = Camera::look_at(vec3!(0, 2, 3), Vec3::ZERO, Vec3::Y)?;
     let ring = Transform::rotate_z(deg!(20)) * Transform::scale(fx!(1.1));

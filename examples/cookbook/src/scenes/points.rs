@@ -1,7 +1,7 @@
 //! A planet in a ring of thousands of discs, in front of stars: points of a size.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 
 static PLANET: Mesh = shape!(sphere(48, 32));
@@ -15,7 +15,7 @@ fn noise(at: usize) -> Scalar {
     Scalar::from_bits(((mixed ^ mixed >> 13) >> 16).cast_signed())
 }
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let size = canvas.frame_size();
     let projection = Projection::perspective(deg!(40), size, fx!(0.5), fx!(50))?;
     let tilt = Transform::rotate_x(deg!(16)) * Transform::rotate_z(deg!(14));

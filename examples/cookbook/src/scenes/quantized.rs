@@ -4,7 +4,7 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics::text::{Alignment, Text};
 use embedded_graphics::{Drawable, geometry::Point};
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::mesh::Quantized;
 use fixel::prelude::*;
 
@@ -26,7 +26,7 @@ static GLAZE: TextureArray<Rgb565, 64, 64> = {
     TextureArray::from_texels(texels)
 };
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let size = canvas.frame_size();
     let projection = Projection::perspective(deg!(34), size, fx!(0.5), fx!(50))?;
     let view = projection * Camera::look_at(vec3!(0, 4.2, 6), Vec3::ZERO, Vec3::Y)?;

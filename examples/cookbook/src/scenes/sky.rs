@@ -1,7 +1,7 @@
 //! An evening sky: colors by height, and a sun that shines through them.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888};
-use fixel::canvas::{Add, Depth, Native, NoTest};
+use fixel::canvas::{Add, LinearDepth, Native, NoTest};
 use fixel::prelude::*;
 use fixel::shade::{Fog, Gradient};
 
@@ -21,7 +21,7 @@ static GLOW: TextureArray<Gray8, 64, 64> = {
     TextureArray::from_texels(texels)
 };
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let projection = Projection::perspective(deg!(60), canvas.frame_size(), fx!(0.5), fx!(200))?;
     let camera = Camera::look_at(vec3!(3, 3, 20), vec3!(0, 6.5, -10), Vec3::Y)?;
 

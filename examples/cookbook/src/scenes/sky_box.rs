@@ -2,7 +2,7 @@
 
 use core::array::from_fn;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{Depth, Native, NoTest};
+use fixel::canvas::{LinearDepth, Native, NoTest};
 use fixel::prelude::*;
 
 static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
@@ -24,7 +24,7 @@ fn space(direction: Vec3) -> Rgb565 {
     Rgb565::new(r, g, 4 + b)
 }
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let projection = Projection::perspective(deg!(60), canvas.frame_size(), fx!(0.5), fx!(50))?;
     let camera = Camera::look_at(vec3!(2, 1, 6), Vec3::ZERO, Vec3::Y)?;
     // Mirrored, the cube shows its sides the right way round to a viewer inside.

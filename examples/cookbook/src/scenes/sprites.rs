@@ -1,7 +1,7 @@
 //! Firs, cut out of a texture, that turn about their trunks to face the viewer; and snow.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 use fixel::shade::Fog;
 
@@ -38,7 +38,7 @@ fn scattered<const N: usize>(size: Vec3) -> [Vec3; N] {
     })
 }
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let projection = Projection::perspective(deg!(60), canvas.frame_size(), fx!(0.5), fx!(100))?;
     let view = projection * Camera::look_at(vec3!(0, 1.8, 4), vec3!(0, 1.9, -8), Vec3::Y)?;
     let (haze, options) = (Rgb565::new(20, 43, 24), DrawOptions::new());

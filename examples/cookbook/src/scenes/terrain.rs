@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::Index;
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 use fixel::shade::{Fog, Gradient};
 
@@ -20,7 +20,7 @@ fn height(x: Scalar, z: Scalar) -> Scalar {
     wave(x / 11 + z / 31, fx!(1.1)) + wave(z / 9 - x / 23, fx!(0.9)) + wave((x + z) / 4, fx!(0.18))
 }
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let size = canvas.frame_size();
     let projection = Projection::perspective(deg!(45), size, fx!(0.5), fx!(60))?;
     let view = projection * Camera::look_at(vec3!(-8, 5.2, 13), vec3!(0, -0.5, 0), Vec3::Y)?;

@@ -1,7 +1,7 @@
 //! A cartoon: light in three steps, and a black line around each shape.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::canvas::{Biased, Depth, Native, TestAndWrite};
+use fixel::canvas::{Biased, LinearDepth, Native, TestAndWrite};
 use fixel::prelude::*;
 
 static BALL: Mesh = shape!(sphere(48, 32));
@@ -32,7 +32,7 @@ static DUCK: [(Vec3, Vec3, Ink); 6] = [
     (vec3!(1.1, 1.4, 0.52), vec3!(0.1, 0.13, 0.1), BLACK),
 ];
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let size = canvas.frame_size();
     let projection = Projection::perspective(deg!(35), size, fx!(0.5), fx!(50))?;
     let view = projection * Camera::look_at(vec3!(1.5, 2.4, 6), vec3!(0.1, 0.55, 0), Vec3::Y)?;

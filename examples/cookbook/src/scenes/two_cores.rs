@@ -1,7 +1,7 @@
 //! Two cores draw one frame: each draws every other band, without a lock.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{Depth, Native};
+use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 
 const ROWS: u32 = 16; // of a band
@@ -10,7 +10,7 @@ static BALL: Mesh = shape!(sphere(16, 12));
 static ROD: Mesh = shape!(cylinder(8));
 
 /// The scene: a double helix. Each core sees only its bands of it.
-fn helix(band: &mut Canvas<'_, Rgb565, Native, Depth<'_>>, view: Mvp, sun: Light) {
+fn helix(band: &mut Canvas<'_, Rgb565, Native, LinearDepth>, view: Mvp, sun: Light) {
     let color = |red, green, blue| Flat::rgb(Rgb888::new(red, green, blue)).lit(sun);
     let (rose, blue) = (color(255, 90, 110), color(80, 160, 255));
     let gray = color(220, 220, 210);
@@ -27,7 +27,7 @@ fn helix(band: &mut Canvas<'_, Rgb565, Native, Depth<'_>>, view: Mvp, sun: Light
     }
 }
 
-pub fn draw(display: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(display: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let size = display.frame_size();
     let projection = Projection::perspective(deg!(35), size, fx!(0.5), fx!(50))?;
     let view = projection * Camera::look_at(vec3!(-2, 1.5, 6.5), vec3!(0, 0, 0), Vec3::Y)?;

@@ -1,14 +1,14 @@
 //! A model in anti-aliased lines: its silhouettes and its creases, without hidden lines.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::canvas::{Biased, Depth, Native, TestAndWrite, TestOnly};
+use fixel::canvas::{Biased, LinearDepth, Native, TestAndWrite, TestOnly};
 use fixel::prelude::*;
 
 static ISLAND: Mesh = include_mesh!("../../../assets/lighthouse.obj");
 // Edges between faces whose normals differ by more than 35 degrees are creases.
 static OUTLINE: Outline = include_outline!("../../../assets/lighthouse.obj", crease = 35);
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let size = canvas.frame_size();
     let projection = Projection::perspective(deg!(43), size, fx!(1), fx!(50))?;
     let camera = Camera::look_at(vec3!(3.6, 3.3, 9.4), vec3!(0.1, 1.45, 0), Vec3::Y)?;

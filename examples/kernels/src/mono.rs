@@ -1,10 +1,9 @@
-//! Measures pixels in black and white, stored as colors, in rows with 8 pixels to a byte, and in pages with 8 rows to a
-//! byte.
+//! Measures pixels in black and white: drawn, diffused from grays, and packed into pages with 8 rows to a byte.
 
 use core::hint::black_box;
 
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8};
-use fixel::canvas::{Contrast, ErrorDiffusion, Storage};
+use fixel::canvas::{Contrast, ErrorDiffusion};
 use fixel::mode::Affine;
 use fixel::prelude::*;
 
@@ -18,35 +17,36 @@ static WHITE: TextureArray<BinaryColor, 2, 2> =
 const WIDTHS: [u32; 2] = [16, 48];
 const PIXELS: usize = 48 * ROWS as usize;
 
-/// Measures textured pixels in each storage, and prints them.
+/// Measures a textured pixel, a diffused one and a packed one, and prints their costs.
 pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
+    let mut shown = [BinaryColor::Off; PIXELS];
     print(watch, "mono-native", |watch, width| {
-        let mut pixels = [BinaryColor::Off; PIXELS];
-        let pixels = &mut pixels[..(width * ROWS) as usize];
-        draw(watch, &mut Canvas::new(pixels, width, ROWS)?)
-    })?;
-    let mut bytes = [0; PIXELS / 8];
-    print(watch, "mono-packed", |watch, width| {
-        let bytes = &mut bytes[..(width * ROWS / 8) as usize];
-        draw(watch, &mut Canvas::packed(bytes, width, ROWS)?)
-    })?;
-    print(watch, "mono-pages", |watch, width| {
-        let bytes = &mut bytes[..(width * ROWS / 8) as usize];
-        draw(watch, &mut Canvas::pages(bytes, width, ROWS)?)
+        let shown = &mut shown[..(width * ROWS) as usize];
+        draw(watch, &mut Canvas::new(shown, width, ROWS)?)
     })?;
     let mut grays = [Gray8::new(0); PIXELS];
     for (at, gray) in (0..).zip(&mut grays) {
         *gray = Gray8::new((at * 7 >> 3) as u8);
     }
     print(watch, "mono-diffused", |watch, width| {
-        let (pixels, size) = ((width * ROWS) as usize, (width * ROWS / 8) as usize);
+        let pixels = (width * ROWS) as usize;
         let gray = Canvas::new(&mut grays[..pixels], width, ROWS)?;
-        let mut panel: Canvas<BinaryColor, _> = Canvas::packed(&mut bytes[..size], width, ROWS)?;
+        let mut panel = Canvas::new(&mut shown[..pixels], width, ROWS)?;
         let mut errors = [0; WIDTHS[1] as usize];
         let mut diffusion = ErrorDiffusion::new(&mut errors);
         let contrast = black_box(Contrast::default());
         watch.time(|| {
             let Ok(()) = gray.show_diffused(&mut panel, contrast, &mut diffusion);
+            Ok(())
+        })
+    })?;
+    let mut pages = [0; PIXELS / 8];
+    print(watch, "mono-pages", |watch, width| {
+        let panel = Canvas::new(&mut shown[..(width * ROWS) as usize], width, ROWS)?;
+        watch.time(|| {
+            for (page, byte) in black_box(&mut pages).iter_mut().zip(panel.pages()) {
+                *page = byte;
+            }
             Ok(())
         })
     })
@@ -65,10 +65,7 @@ fn print(
 }
 
 /// Draws a wall that covers the canvas, and returns its ticks.
-fn draw<O: Storage<BinaryColor>>(
-    watch: &mut Stopwatch,
-    canvas: &mut Canvas<'_, BinaryColor, O>,
-) -> Result<u64, Error> {
+fn draw(watch: &mut Stopwatch, canvas: &mut Canvas<'_, BinaryColor>) -> Result<u64, Error> {
     let width = canvas.frame_size().width;
     let (positions, mvp) = (wall::positions(width), wall::mvp(width)?);
     let wall = Mesh::new(&positions, &[[0, 1, 2]])?.with_uvs(&UVS, None)?;

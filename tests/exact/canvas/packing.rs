@@ -1,0 +1,135 @@
+//! Several pixels in a byte: what leaves the canvas for displays that want them packed.
+
+use std::convert::Infallible;
+
+use embedded_graphics::Pixel;
+use embedded_graphics::draw_target::{DrawTarget, DrawTargetExt};
+use embedded_graphics::framebuffer::{Framebuffer, buffer_size_bpp};
+use embedded_graphics::geometry::{Dimensions, Point};
+use embedded_graphics::pixelcolor::raw::{LittleEndian, RawData, RawU1, RawU2, RawU4, RawU16};
+use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, PixelColor, Rgb565};
+use embedded_graphics::primitives::Rectangle;
+use fixel::prelude::*;
+use rand::Rng;
+
+use super::pictures::{self, HEIGHT, WIDTH};
+use crate::common::random::cases;
+
+/// A target that reduces each color to its lowest bits.
+struct Coarse<T>(T);
+
+impl<T: Dimensions> Dimensions for Coarse<&mut T> {
+    fn bounding_box(&self) -> Rectangle {
+        self.0.bounding_box()
+    }
+}
+
+fn coarse<C: PixelColor + From<C::Raw>>(color: Rgb565) -> C {
+    C::Raw::from_u32(RawU16::from(color).into_inner().into()).into()
+}
+
+impl<T> DrawTarget for Coarse<&mut T>
+where
+    T: DrawTarget<Color: From<<T::Color as PixelColor>::Raw>, Error = Infallible>,
+{
+    type Color = Rgb565;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(
+        &mut self,
+        pixels: I,
+    ) -> Result<(), Infallible> {
+        let coarse = |Pixel(at, color)| Pixel(at, coarse(color));
+        self.0.draw_iter(pixels.into_iter().map(coarse))
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = Rgb565>>(
+        &mut self,
+        area: &Rectangle,
+        colors: I,
+    ) -> Result<(), Infallible> {
+        self.0
+            .fill_contiguous(area, colors.into_iter().map(coarse::<T::Color>))
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: Rgb565) -> Result<(), Infallible> {
+        self.0.fill_solid(area, coarse(color))
+    }
+
+    fn clear(&mut self, color: Rgb565) -> Result<(), Infallible> {
+        self.0.clear(coarse(color))
+    }
+}
+
+/// Draws pictures on a canvas, shows it on embedded-graphics' framebuffer, and compares the bytes with those of a
+/// framebuffer that the picture was drawn on: whole, and in bands that are shown on a framebuffer of their size.
+macro_rules! shows_as_a_framebuffer {
+    ($color:ty, $raw:ty) => {{
+        const ROWS: usize = 5;
+        const fn bytes(rows: usize) -> usize {
+            buffer_size_bpp(WIDTH as usize, rows, <$raw>::BITS_PER_PIXEL)
+        }
+        type Packed<const ROWS: usize, const BYTES: usize> =
+            Framebuffer<$color, $raw, LittleEndian, { WIDTH as usize }, ROWS, BYTES>;
+        const FRAME: usize = HEIGHT as usize;
+        let blank = <$color>::from(<$raw>::from_u32(0));
+        cases(500, |random| {
+            let mut theirs = Packed::<FRAME, { bytes(FRAME) }>::new();
+            pictures::draw(&mut Coarse(&mut theirs), &mut random.clone(), false);
+
+            let mut pixels = [blank; (WIDTH * HEIGHT) as usize];
+            let mut canvas = Canvas::new(&mut pixels, WIDTH, HEIGHT).unwrap();
+            pictures::draw(&mut Coarse(&mut canvas), &mut random.clone(), false);
+            let mut ours = Packed::<FRAME, { bytes(FRAME) }>::new();
+            let Ok(()) = canvas.show(&mut ours);
+            assert!(ours.data() == theirs.data(), "frame");
+
+            let mut in_bands = Vec::new();
+            for first in (0..HEIGHT).step_by(ROWS) {
+                let rows = ROWS.min((HEIGHT - first) as usize);
+                let mut pixels = [blank; WIDTH as usize * ROWS];
+                let pixels = &mut pixels[..rows * WIDTH as usize];
+                let mut band = Canvas::band(pixels, WIDTH, HEIGHT, first).unwrap();
+                pictures::draw(&mut Coarse(&mut band), &mut random.clone(), false);
+                let mut packed = Packed::<ROWS, { bytes(ROWS) }>::new();
+                let up = Point::new(0, -first.cast_signed());
+                let Ok(()) = band.show(&mut packed.translated(up));
+                in_bands.extend_from_slice(&packed.data()[..bytes(rows)]);
+            }
+            assert!(in_bands == theirs.data(), "bands");
+        });
+    }};
+}
+
+#[test]
+fn a_canvas_is_packed_by_a_framebuffer() {
+    shows_as_a_framebuffer!(BinaryColor, RawU1);
+    shows_as_a_framebuffer!(Gray2, RawU2);
+    shows_as_a_framebuffer!(Gray4, RawU4);
+}
+
+/// In a page, bit n of a byte is row n; rows that the canvas lacks are 0.
+#[test]
+fn pages_are_the_pixels_one_below_the_other() {
+    cases(2000, |random| {
+        let [width, rows] = [(); 2].map(|()| random.random_range(1..=30_u32));
+        let first = random.random_range(0..=9);
+        let height = first + rows + random.random_range(0..=9);
+        let mut pixels: Vec<BinaryColor> = (0..width * rows)
+            .map(|_| BinaryColor::from(random.random::<bool>()))
+            .collect();
+        let wanted = pixels.clone();
+        let band = Canvas::band(&mut pixels, width, height, first).unwrap();
+        let pages: Vec<u8> = band.pages().collect();
+        assert_eq!(pages.len(), (width * rows.div_ceil(8)) as usize);
+        for (at, byte) in (0..).zip(pages) {
+            let (column, page) = (at % width, at / width);
+            for bit in 0..8 {
+                let row = 8 * page + bit;
+                let pixel = wanted.get((row * width + column) as usize);
+                let is_on = pixel.is_some_and(|pixel| pixel.is_on());
+                assert_eq!(byte >> bit & 1 == 1, is_on, "column {column}, row {row}");
+            }
+        }
+    });
+}
