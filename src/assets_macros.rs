@@ -132,7 +132,7 @@ macro_rules! include_outline {
 ///
 /// // In another color; with the size in the type; with its color table; in another size.
 /// static GRAY: Texture<Gray8> = include_texture!("texture/samples/brick.bmp");
-/// static FAST: TextureArray<Rgb565, 8, 4> = include_texture!("texture/samples/brick.tga");
+/// static FAST: [[Rgb565; 8]; 4] = include_texture!("texture/samples/brick.tga");
 /// static TILES: Palette<Rgb565> = include_texture!("texture/samples/tiles.bmp");
 /// static SMALL: Texture<Rgb565> = include_texture!("texture/samples/brick.bmp", size = "4x2");
 /// assert_eq!(FAST.as_texture(), SKIN);
@@ -151,7 +151,7 @@ macro_rules! include_outline {
 /// ```compile_fail
 /// use embedded_graphics::pixelcolor::Rgb565;
 /// use fixel::prelude::*;
-/// static FAST: TextureArray<Rgb565, 4, 8> = include_texture!("texture/samples/brick.bmp");
+/// static FAST: [[Rgb565; 4]; 8] = include_texture!("texture/samples/brick.bmp");
 /// ```
 #[macro_export]
 macro_rules! include_texture {

@@ -85,10 +85,10 @@ pub struct Opacity(pub u8);
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 /// use fixel::{prelude::*, canvas::Alpha, texture::Argb4444};
-/// static DROP: TextureArray<Argb4444, 2, 1> = TextureArray::from_texels([[
+/// static DROP: [[Argb4444; 2]; 1] = [[
 ///     Argb4444::new(15, 0, 0, 15), // opacity, red, green, blue
 ///     Argb4444::new(8, 15, 15, 15),
-/// ]]);
+/// ]];
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));

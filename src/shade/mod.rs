@@ -10,8 +10,7 @@
 //! | [`PartColors`] | one color per material | 0 |
 //! | [`Gouraud`] | the mesh's vertex colors | 3, or 1 for gray |
 //! | [`Gradient`] | a mixture of two colors by height | 3, or 1 for gray |
-//! | [`Textured`] | the nearest texel or a blend of four; the texture repeats or is clamped | 2 |
-//! | [`Mipmapped`] | a texture, reduced where it is far away | 2 |
+//! | [`Textured`] | the nearest texel or a blend; the texture repeats or is clamped, and may be reduced where it is far away | 2 |
 //! | [`DepthView`] | depth as gray | 0 |
 //! | [`NormalView`] | the direction of the normal as a color | 3, or 1 for gray |
 //!
@@ -39,6 +38,7 @@ mod levels;
 mod light;
 mod lit;
 mod map;
+mod masked;
 mod mipmapped;
 mod part_colors;
 mod raised;
@@ -70,11 +70,12 @@ pub use light::{
 };
 pub use lit::{FaceLit, Lit};
 pub use map::Map;
+pub use masked::Masked;
 pub use mipmapped::Mipmapped;
 pub use part_colors::PartColors;
 pub use shader::{Fragment, Shader, ShaderFor};
 pub use source::{ColorOf, Source, Translucent};
-pub use texel::{Masked, Texel};
+pub use texel::Texel;
 pub use textured::Textured;
 pub use tinted::Tinted;
 pub use varyings::{PerFace, Texels, Tolerance, Varyings, Within};

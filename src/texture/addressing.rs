@@ -4,60 +4,29 @@ use crate::TexCoord;
 use crate::sealed::{Sealed, sealed};
 
 /// What a texture shows beyond its edges: [`Repeat`] or [`Clamp`].
-///
-/// ```
-/// use embedded_graphics::pixelcolor::Rgb565;
-/// use fixel::prelude::*;
-/// use fixel::texture::Addressing;
-///
-/// /// Takes any texture of this size, with either addressing.
-/// fn skin<A: Addressing>(textured: Textured<&TextureArray<Rgb565, 64, 64>, A>) {
-///     let _ = textured;
-/// }
-/// ```
+#[doc(hidden)]
 pub trait Addressing: Copy + Sealed {
     /// The texture coordinate from which a triangle's are counted, in bits: a whole number of repeats.
-    #[doc(hidden)]
     fn origin(bits: [i32; 3]) -> i32;
 
     /// The column or row for a whole number of texels, which may lie beyond the edges.
-    #[doc(hidden)]
     fn index(texel: i32, log2: u32) -> i32;
 
     /// `texels` minus `little`, both with 16 fraction bits. A difference below `i32::MIN` wraps if texels repeat, and
     /// saturates if they are clamped.
-    #[doc(hidden)]
     fn back(texels: i32, little: i32) -> i32;
 }
 
 sealed!(Repeat, Clamp);
 
 /// Beyond its edge, a texture begins again.
-///
-/// ```
-/// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
-/// use fixel::{prelude::*, shade::Texels, texture::Repeat};
-/// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
-/// let skin: Textured<_, Repeat> = Textured::new(&SKIN);
-/// let pixel = Fragment { point: Point::zero(), depth: 0 };
-/// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, Texels([column << 16, 0])));
-/// assert_eq!(texels, [20, 10, 20, 10, 20].map(|luma| Some(Gray8::new(luma))));
-/// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Repeat;
 
 /// Beyond its edge, a texture continues with the texels of the edge.
-///
-/// ```
-/// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
-/// use fixel::{prelude::*, shade::Texels, texture::Clamp};
-/// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
-/// let skin: Textured<_, Clamp> = Textured::new(&SKIN).clamped();
-/// let pixel = Fragment { point: Point::zero(), depth: 0 };
-/// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, Texels([column << 16, 0])));
-/// assert_eq!(texels, [10, 10, 20, 20, 20].map(|luma| Some(Gray8::new(luma))));
-/// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Clamp;
@@ -90,7 +59,7 @@ impl Addressing for Repeat {
 
     #[inline]
     fn index(texel: i32, _: u32) -> i32 {
-        // A sampler repeats by itself.
+        // Samplers already wrap.
         texel
     }
 

@@ -1,56 +1,61 @@
 //! The colors of pictures as colors of textures, at compile time.
 
-pub use embedded_graphics::pixelcolor::{
+use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666,
     Rgb888, RgbColor,
 };
 
-use super::include::Pixels;
-pub use super::{Argb1555, Argb4444};
+use super::include::{Convert, File, texels};
+use super::{Argb1555, Argb4444};
 
-/// c/255 in units of 2⁻¹⁶, with an error of at most half a unit: 0 for 0, 65,536 for 255. A macro, like the following
-/// ones, because the compiler counts calls as steps.
+/// A channel of 8 bits in steps, rounded to nearest; `$max` steps are full. These are macros because the compiler counts
+/// calls as steps.
+macro_rules! steps {
+    ($channel:expr, $max:expr) => {
+        rounded!(fraction!($channel), $max)
+    };
+}
+
+/// c/255 in units of 2⁻¹⁶, with an error of at most half a unit: 0 for 0, 65,536 for 255.
 macro_rules! fraction {
     ($channel:expr) => {
         ($channel as u32 * 257 + ($channel >> 7) as u32)
     };
 }
 
-/// A fraction in steps, rounded to nearest; `max` steps are full.
-macro_rules! steps {
+/// A fraction in steps.
+macro_rules! rounded {
     ($fraction:expr, $max:expr) => {
         (($fraction * $max as u32 + (1 << 15)) >> 16) as u8
     };
 }
 
-/// The luma of red, green and blue as a fraction. The weights add up to 2^14.
+/// The luma of red, green and blue in steps. The weights add up to 2^14.
 macro_rules! luma {
-    ($rgb:ident) => {
-        (4899 * fraction!($rgb[0])
-            + 9617 * fraction!($rgb[1])
-            + 1868 * fraction!($rgb[2])
-            + (1 << 13))
-            >> 14
+    ($rgb:ident, $max:expr) => {
+        rounded!(
+            (4899 * fraction!($rgb[0])
+                + 9617 * fraction!($rgb[1])
+                + 1868 * fraction!($rgb[2])
+                + (1 << 13))
+                >> 14,
+            $max
+        )
     };
 }
 
-/// Colors that a picture can be converted to: `$nearest` is the one nearest to red, green, blue and alpha. Each has a
-/// module of two functions, which the macro's expansion calls for the constants of [`Convert`](super::include::Convert):
-/// the compiler lets only code of the program itself run for long.
+/// Colors that a picture can be converted to: `$nearest` is the one nearest to red, green, blue and alpha.
 macro_rules! colors {
-    ($($color:ident $name:ident |$rgba:ident| $nearest:expr;)+) => {$(
-        #[doc = concat!("Pictures in `", stringify!($color), "`.")]
-        pub mod $name {
-            use super::*;
-
-            /// The first colors, as many as there is room for, and the last one for all further indices.
-            const fn table<const N: usize>(colors: &[u8]) -> [$color; N] {
-                let $rgba = match colors.last_chunk::<4>() {
+    ($([$($Color:ident)+] |$rgba:ident| $nearest:expr;)+) => {$($(
+        impl<F: File, const N: usize> Convert<F, N> for $Color {
+            const TABLE: &'static [Self; N] = &{
+                let $rgba = match F::COLORS.last_chunk::<4>() {
                     Some(last) => *last,
                     None => [0; 4],
                 };
                 let mut table = [$nearest; N];
-                let (mut rest, mut at) = (colors, 0);
+                let (mut rest, mut at) = (F::COLORS, 0);
+                // Patterns, because in the compiler, an index takes as long as several of them.
                 while let (&[r, g, b, alpha, ref others @ ..], true) = (rest, at < N) {
                     let $rgba = [r, g, b, alpha];
                     table[at] = $nearest;
@@ -58,76 +63,34 @@ macro_rules! colors {
                     at += 1;
                 }
                 table
-            }
-
-            /// A palette's colors, from the bytes of red, green, blue and alpha.
-            #[must_use]
-            pub const fn colors(colors: &[u8]) -> [$color; 256] {
-                table(colors)
-            }
-
-            /// The pixels of a picture. With indices of three bytes, it has no more colors than pixels.
-            #[must_use]
-            pub const fn texels<const N: usize>(colors: &[u8], pixels: Pixels) -> [$color; N] {
-                let mut texels = table::<N>(colors);
-                let mut at = 0;
-                // Patterns, because in the compiler, an index takes as long as several of them.
-                match pixels {
-                    Pixels::Bytes(mut pixels) => {
-                        let table = table::<256>(colors);
-                        while let &[pixel, ref others @ ..] = pixels {
-                            texels[at] = table[pixel as usize];
-                            pixels = others;
-                            at += 1;
-                        }
-                    }
-                    Pixels::Words(mut pixels) => {
-                        let table = texels;
-                        while let &[a, b, c, ref others @ ..] = pixels {
-                            texels[at] = table[a as usize | (b as usize) << 8 | (c as usize) << 16];
-                            pixels = others;
-                            at += 1;
-                        }
-                    }
-                }
-                texels
-            }
+            };
+            const TEXELS: &'static [Self; N] =
+                &texels(F::PIXELS, <Self as Convert<F, 256>>::TABLE, <Self as Convert<F, N>>::TABLE);
         }
-    )+};
+    )+)+};
 }
 
-macro_rules! rgb_colors {
-    ($($color:ident $name:ident)+) => {
-        colors! {$(
-            $color $name |rgb| $color::new(
-                steps!(fraction!(rgb[0]), $color::MAX_R),
-                steps!(fraction!(rgb[1]), $color::MAX_G),
-                steps!(fraction!(rgb[2]), $color::MAX_B),
-            );
-        )+}
-    };
-}
-
-rgb_colors! {
-    Rgb555 rgb555 Bgr555 bgr555 Rgb565 rgb565 Bgr565 bgr565
-    Rgb666 rgb666 Bgr666 bgr666 Rgb888 rgb888 Bgr888 bgr888
-}
 colors! {
-    Gray2 gray2 |rgb| Gray2::new(steps!((luma!(rgb)), 3));
-    Gray4 gray4 |rgb| Gray4::new(steps!((luma!(rgb)), 15));
-    Gray8 gray8 |rgb| Gray8::new(steps!((luma!(rgb)), 255));
-    BinaryColor binary |rgb| if luma!(rgb) >= 1 << 15 { BinaryColor::On } else { BinaryColor::Off };
-    Argb1555 argb1555 |rgba| Argb1555::from_bits(
-        ((rgba[3] >> 7) as u16) << 15
-            | (steps!(fraction!(rgba[0]), 31) as u16) << 10
-            | (steps!(fraction!(rgba[1]), 31) as u16) << 5
-            | steps!(fraction!(rgba[2]), 31) as u16
+    [Rgb555 Bgr555 Rgb565 Bgr565 Rgb666 Bgr666 Rgb888 Bgr888] |rgb| Self::new(
+        steps!(rgb[0], Self::MAX_R),
+        steps!(rgb[1], Self::MAX_G),
+        steps!(rgb[2], Self::MAX_B),
     );
-    Argb4444 argb4444 |rgba| Argb4444::from_bits(
-        (steps!(fraction!(rgba[3]), 15) as u16) << 12
-            | (steps!(fraction!(rgba[0]), 15) as u16) << 8
-            | (steps!(fraction!(rgba[1]), 15) as u16) << 4
-            | steps!(fraction!(rgba[2]), 15) as u16
+    [Gray2] |rgb| Self::new(luma!(rgb, 3));
+    [Gray4] |rgb| Self::new(luma!(rgb, 15));
+    [Gray8] |rgb| Self::new(luma!(rgb, 255));
+    [BinaryColor] |rgb| if luma!(rgb, 1) == 1 { Self::On } else { Self::Off };
+    [Argb4444] |rgba| Self::from_bits(
+        (steps!(rgba[3], 15) as u16) << 12
+            | (steps!(rgba[0], 15) as u16) << 8
+            | (steps!(rgba[1], 15) as u16) << 4
+            | steps!(rgba[2], 15) as u16
+    );
+    [Argb1555] |rgba| Self::from_bits(
+        ((rgba[3] >> 7) as u16) << 15
+            | (steps!(rgba[0], 31) as u16) << 10
+            | (steps!(rgba[1], 31) as u16) << 5
+            | steps!(rgba[2], 31) as u16
     );
 }
 
@@ -158,30 +121,23 @@ mod tests {
         samples
     };
 
-    const INDICES: [[u8; 3]; COUNT] = {
-        let mut indices = [[0; 3]; COUNT];
-        let mut at = 0;
-        while at < COUNT {
-            let index = COUNT - 1 - at;
-            indices[at] = [index as u8, (index >> 8) as u8, 0];
-            at += 1;
-        }
-        indices
-    };
+    /// A picture of the samples.
+    enum Samples {}
 
-    /// The samples with their colors: those of a picture of the samples in the opposite order.
-    fn converted<C>(
-        texels: impl Fn(&[u8], Pixels) -> [C; COUNT],
-    ) -> impl Iterator<Item = ([u8; 4], C)> {
-        let texels = texels(
-            SAMPLES.as_flattened(),
-            Pixels::Words(INDICES.as_flattened()),
-        );
-        SAMPLES.into_iter().rev().zip(texels)
+    impl File for Samples {
+        const PATH: &'static str = "samples";
+        const SIZE: [u32; 2] = [COUNT as u32, 1];
+        const COLORS: &'static [u8] = SAMPLES.as_flattened();
+        const PIXELS: &'static [u8] = &[];
     }
 
-    fn as_levels<C: Levels + core::fmt::Debug>(texels: impl Fn(&[u8], Pixels) -> [C; COUNT]) {
-        for (rgba, color) in converted(texels) {
+    /// The samples with their colors.
+    fn converted<C: Convert<Samples, COUNT>>() -> impl Iterator<Item = ([u8; 4], C)> {
+        SAMPLES.into_iter().zip(C::TABLE.iter().copied())
+    }
+
+    fn as_levels<C: Levels + core::fmt::Debug + Convert<Samples, COUNT>>() {
+        for (rgba, color) in converted::<C>() {
             let [r, g, b, _] = rgba;
             let expected = C::from_rgb(Rgb888::new(r, g, b), Point::zero());
             assert_eq!(color, expected, "{rgba:?}");
@@ -190,15 +146,15 @@ mod tests {
 
     #[test]
     fn colors_that_are_not_dithered_are_those_of_levels() {
-        as_levels(rgb555::texels);
-        as_levels(bgr555::texels);
-        as_levels(rgb565::texels);
-        as_levels(bgr565::texels);
-        as_levels(rgb666::texels);
-        as_levels(bgr666::texels);
-        as_levels(rgb888::texels);
-        as_levels(bgr888::texels);
-        as_levels(gray8::texels);
+        as_levels::<Rgb555>();
+        as_levels::<Bgr555>();
+        as_levels::<Rgb565>();
+        as_levels::<Bgr565>();
+        as_levels::<Rgb666>();
+        as_levels::<Bgr666>();
+        as_levels::<Rgb888>();
+        as_levels::<Bgr888>();
+        as_levels::<Gray8>();
     }
 
     #[test]
@@ -209,22 +165,22 @@ mod tests {
             let luma = (0.299 * r + 0.587 * g + 0.114 * b) / 255.0;
             (f64::from(steps) - luma * max).abs() <= 0.5 + max * 3.0 / 32768.0
         };
-        assert!(converted(gray8::texels).all(|(rgba, gray)| near(gray.luma(), rgba, 255.0)));
-        assert!(converted(gray4::texels).all(|(rgba, gray)| near(gray.luma(), rgba, 15.0)));
-        assert!(converted(gray2::texels).all(|(rgba, gray)| near(gray.luma(), rgba, 3.0)));
-        let mut all = converted(binary::texels);
+        assert!(converted::<Gray8>().all(|(rgba, gray)| near(gray.luma(), rgba, 255.0)));
+        assert!(converted::<Gray4>().all(|(rgba, gray)| near(gray.luma(), rgba, 15.0)));
+        assert!(converted::<Gray2>().all(|(rgba, gray)| near(gray.luma(), rgba, 3.0)));
+        let mut all = converted::<BinaryColor>();
         assert!(all.all(|(rgba, color)| near(u8::from(color.is_on()), rgba, 1.0)));
     }
 
     #[test]
     fn opacity_is_rounded_like_channels() {
         let steps = |byte: u8, most: f64| (f64::from(byte) / 255.0 * most).round() as u16;
-        for ([r, g, b, a], color) in converted(argb4444::texels) {
+        for ([r, g, b, a], color) in converted::<Argb4444>() {
             let bits = [a, r, g, b].map(|byte| steps(byte, 15.0));
             let bits = bits[0] << 12 | bits[1] << 8 | bits[2] << 4 | bits[3];
             assert_eq!(color, Argb4444::from_bits(bits));
         }
-        for ([r, g, b, a], color) in converted(argb1555::texels) {
+        for ([r, g, b, a], color) in converted::<Argb1555>() {
             let bits = [r, g, b].map(|byte| steps(byte, 31.0));
             let bits = steps(a, 1.0) << 15 | bits[0] << 10 | bits[1] << 5 | bits[2];
             assert_eq!(color, Argb1555::from_bits(bits));

@@ -1,6 +1,6 @@
 //! Textures with their reductions to half, quarter and so on.
 
-use super::sampler::{exponents, log2};
+use super::sampler::{exponents, size_log2};
 use super::{Blend, Sampler};
 use crate::Error;
 use crate::error::{check_length, ok};
@@ -13,12 +13,12 @@ use crate::error::{check_length, ok};
 /// texels that it replaces.
 ///
 /// A mipmap borrows the texels of all levels, in one slice: level 0 first, each level row by row from the top. Together
-/// they take a third more memory than the texture; [`len`](Self::len) returns their number. There are three ways to
-/// create a mipmap: [`MipmapArray`] computes the levels at compile time, and [`as_mipmap`]
-/// borrows them; [`build`](Self::build) computes them at run time, in your memory; [`new`](Self::new) takes a slice
-/// that already has them.
+/// they take a third more memory than the texture; [`len`](Self::len) returns their number.
+/// [`include_texture!`](crate::include_texture) computes the levels of a picture at compile time. [`build`](Self::build)
+/// computes them at run time, in your memory. [`new`](Self::new) takes a slice that already has them.
 ///
-/// [`Mipmapped`](crate::shade::Mipmapped) draws it. Used as a [`Sampler`], it behaves like the texture at level 0.
+/// [`Textured::mipmapped`](crate::Textured::mipmapped) shows each pixel the level that suits its distance. Without it,
+/// all pixels show level 0.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -30,9 +30,6 @@ use crate::error::{check_length, ok};
 /// assert_eq!(mipmap.texels()[8..], [25, 0].map(Gray8::new)); // 25.25 and 0.25
 /// # Ok::<(), fixel::Error>(())
 /// ```
-///
-/// [`MipmapArray`]: super::MipmapArray
-/// [`as_mipmap`]: super::MipmapArray::as_mipmap
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Mipmap<'a, C> {
     texels: &'a [C],
@@ -70,7 +67,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     /// it only in constants, where this stops compilation.
     #[must_use]
     pub const fn len(width: usize, height: usize) -> usize {
-        len_of([log2("width", width), log2("height", height)])
+        len_of(size_log2(width, height))
     }
 
     /// A mipmap of texels that have all levels already.
@@ -82,16 +79,11 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     pub const fn new(texels: &'a [C], width: u32, height: u32) -> Result<Self, Error> {
         let size = ok!(exponents(width, height));
         ok!(check_length(texels.len(), len_of(size)));
-        Ok(Self::of(texels, size))
-    }
-
-    /// The mipmap of as many texels as all levels need.
-    pub(super) const fn of(texels: &'a [C], [width_log2, height_log2]: [u32; 2]) -> Self {
-        Self {
+        Ok(Self {
             texels,
             first: texels[0],
-            size_log2: [width_log2 as u8, height_log2 as u8],
-        }
+            size_log2: [size[0] as u8, size[1] as u8],
+        })
     }
 
     /// Computes all levels from level 0, with which `texels` begins; the rest of `texels` is overwritten.
@@ -168,18 +160,9 @@ impl<'a, C: Copy> Mipmap<'a, C> {
 
     /// The last level.
     #[inline]
-    pub(crate) const fn last(&self) -> u32 {
+    const fn last(&self) -> u32 {
         let [width, height] = self.size_log2;
         (if width < height { width } else { height }) as u32
-    }
-
-    /// One level as a texture; `level` must not be beyond the last one.
-    #[inline]
-    pub(crate) const fn level(&self, level: u32) -> Level<'a, C> {
-        Level {
-            mipmap: *self,
-            level,
-        }
     }
 }
 
@@ -188,40 +171,6 @@ impl<'a, C: Copy> Mipmap<'a, C> {
 #[inline]
 const fn start(len: usize, size: usize) -> usize {
     len & !(size | (size - 1))
-}
-
-/// A level of a mipmap.
-#[derive(Clone, Copy)]
-pub(crate) struct Level<'a, C> {
-    mipmap: Mipmap<'a, C>,
-    level: u32,
-}
-
-impl<C: Copy> Sampler for Level<'_, C> {
-    type Color = C;
-
-    #[inline]
-    fn size_log2(&self) -> [u32; 2] {
-        let [width, height] = Sampler::size_log2(&self.mipmap);
-        [
-            width.wrapping_sub(self.level),
-            height.wrapping_sub(self.level),
-        ]
-    }
-
-    #[inline]
-    fn texel(&self, u: i32, v: i32) -> C {
-        let Mipmap { texels, first, .. } = self.mipmap;
-        let (u, v) = (u.cast_unsigned() as usize, v.cast_unsigned() as usize);
-        let [width, height] = self.size_log2();
-        let column = u & (1_usize.wrapping_shl(width) - 1);
-        let size = 1_usize.wrapping_shl(width + height);
-        let index = (v.wrapping_shl(width) | column) & (size - 1) | start(texels.len(), size);
-        match texels.get(index) {
-            Some(&texel) => texel,
-            None => first,
-        }
-    }
 }
 
 impl<C: Copy> Sampler for Mipmap<'_, C> {
@@ -235,6 +184,22 @@ impl<C: Copy> Sampler for Mipmap<'_, C> {
 
     #[inline]
     fn texel(&self, u: i32, v: i32) -> C {
-        self.level(0).texel(u, v)
+        self.texel_at(0, u, v)
+    }
+
+    #[inline]
+    fn last_level(&self) -> u32 {
+        self.last()
+    }
+
+    #[inline]
+    fn texel_at(&self, level: u32, u: i32, v: i32) -> C {
+        let (u, v) = (u.cast_unsigned() as usize, v.cast_unsigned() as usize);
+        let [width, height] = self.size_log2().map(|side| side.wrapping_sub(level));
+        let column = u & (1_usize.wrapping_shl(width) - 1);
+        let size = 1_usize.wrapping_shl(width.wrapping_add(height));
+        let place = (v.wrapping_shl(width) | column) & (size - 1);
+        let texel = self.texels.get(place | start(self.texels.len(), size));
+        texel.copied().unwrap_or(self.first)
     }
 }

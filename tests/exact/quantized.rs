@@ -65,12 +65,12 @@ fn drawn(mesh: &Mesh, shader: &impl Shader<Color = Rgb565>) -> Vec<Rgb565> {
     picture
 }
 
-static SKIN: TextureArray<Rgb565, 4, 4> = TextureArray::from_texels([
+static SKIN: [[Rgb565; 4]; 4] = [
     [Rgb565::RED, Rgb565::GREEN, Rgb565::BLUE, Rgb565::WHITE],
     [Rgb565::CYAN, Rgb565::RED, Rgb565::GREEN, Rgb565::BLUE],
     [Rgb565::WHITE, Rgb565::MAGENTA, Rgb565::RED, Rgb565::GREEN],
     [Rgb565::BLUE, Rgb565::WHITE, Rgb565::YELLOW, Rgb565::RED],
-]);
+];
 
 #[test]
 fn pixels_equal_those_of_the_unquantized_mesh() {

@@ -11,7 +11,7 @@ use fixel::prelude::*;
 static RING: Mesh = shape!(torus(fx!(0.45), 48, 24));
 static SMALL_RING: Quantized = shape!(torus(fx!(0.45), 48, 24), quantized_8);
 /// Stripes around the tube, and a darker half of each.
-static GLAZE: TextureArray<Rgb565, 64, 64> = {
+static GLAZE: [[Rgb565; 64]; 64] = {
     let mut texels = [[Rgb565::new(30, 54, 22); 64]; 64];
     let mut at = 0_usize;
     while at < 64 * 64 {
@@ -23,7 +23,7 @@ static GLAZE: TextureArray<Rgb565, 64, 64> = {
         }
         at += 1;
     }
-    TextureArray::from_texels(texels)
+    texels
 };
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {

@@ -12,24 +12,6 @@ use crate::expansion::Expansion;
 /// The most pixels along a side of a texture.
 const MOST: u32 = 1 << 15;
 
-/// The colors of textures, and the modules of `fixel` that convert pictures to them.
-const COLORS: [(&str, &str); 14] = [
-    ("Rgb555", "rgb555"),
-    ("Bgr555", "bgr555"),
-    ("Rgb565", "rgb565"),
-    ("Bgr565", "bgr565"),
-    ("Rgb666", "rgb666"),
-    ("Bgr666", "bgr666"),
-    ("Rgb888", "rgb888"),
-    ("Bgr888", "bgr888"),
-    ("Gray2", "gray2"),
-    ("Gray4", "gray4"),
-    ("Gray8", "gray8"),
-    ("BinaryColor", "binary"),
-    ("Argb1555", "argb1555"),
-    ("Argb4444", "argb4444"),
-];
-
 /// Reads the picture of a file, or the one that a model contains.
 fn read(arguments: &Arguments, out: &mut Expansion) -> Result<Picture, String> {
     let path = &arguments.path.path;
@@ -104,45 +86,27 @@ pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
         return Ok(out);
     }
     // Each color is converted once; the pixels are its indices.
-    let (kind, list, colors) = if arguments.has("mipmap") {
+    if arguments.has("mipmap") {
         // Each level is the mean of the whole picture, so that rounding does not add up.
         let level = |level: u32| picture.resampled(width >> level, height >> level).pixels;
         let smaller: Vec<_> = (1..=width.min(height).ilog2()).flat_map(level).collect();
         picture.pixels.extend(smaller);
-        let (indices, colors) = indexed(&picture.pixels);
-        ("Words", indices, colors)
-    } else if let Some((indices, colors)) = picture.palette() {
-        ("Bytes", indices, colors)
-    } else {
-        let (indices, colors) = indexed(&picture.pixels);
-        ("Words", indices, colors)
-    };
-    let colors = out.bytes(colors.concat());
-    let list = out.bytes(list);
+    }
+    let palette = picture.palette();
+    let (indices, colors) = palette.unwrap_or_else(|| indexed(&picture.pixels));
     let pixels = picture.pixels.len();
+    let colors = out.bytes(colors.concat());
+    let indices = out.bytes(indices);
     let path = &arguments.path.value;
     out.push(&format!(
         "enum Asset {{}}
          impl fixel::texture::include::File for Asset {{
              const PATH: &'static str = {path:?};
              const SIZE: [u32; 2] = [{width}, {height}];
-             const PIXELS: fixel::texture::include::Pixels = fixel::texture::include::Pixels::{kind}({list});
+             const COLORS: &'static [u8] = {colors};
+             const PIXELS: &'static [u8] = {indices};
          }}
-         const COLORS: &[u8] = {colors};"
-    ));
-    // Generic, because the compiler evaluates every other constant, whether it is used or not.
-    for (color, module) in COLORS {
-        out.push(&format!(
-            "impl<const N: usize> fixel::texture::include::Convert<Asset, N> for fixel::texture::include::{color} {{
-                 #[allow(long_running_const_eval)]
-                 const TEXELS: &'static [Self; N] = &fixel::texture::include::{module}::texels(
-                     COLORS, <Asset as fixel::texture::include::File>::PIXELS);
-                 const COLORS: &'static [Self; 256] = &fixel::texture::include::{module}::colors(COLORS);
-             }}"
-        ));
-    }
-    out.push(&format!(
-        "<_ as fixel::texture::include::FromFile<Asset, {pixels}>>::VALUE"
+         <_ as fixel::texture::include::FromFile<Asset, {pixels}>>::VALUE"
     ));
     Ok(out)
 }
