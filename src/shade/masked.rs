@@ -29,14 +29,6 @@ impl<S: Sampler<Color: PixelColor>, M: Sampler<Color: GrayColor>> Masked<S, M> {
         }
         Ok(Self { texture, mask })
     }
-
-    #[inline]
-    fn texel_of(color: S::Color, mask: M::Color) -> Translucent<S::Color> {
-        // White is 1, 3, 15 or 255.
-        let scale = 255 / M::Color::WHITE.luma().max(1);
-        let opacity = mask.luma().wrapping_mul(scale);
-        Translucent { color, opacity }
-    }
 }
 
 impl<S: Sampler<Color: PixelColor>, M: Sampler<Color: GrayColor>> Sampler for Masked<S, M> {
@@ -49,18 +41,18 @@ impl<S: Sampler<Color: PixelColor>, M: Sampler<Color: GrayColor>> Sampler for Ma
 
     #[inline]
     fn texel(&self, u: i32, v: i32) -> Self::Color {
-        Self::texel_of(self.texture.texel(u, v), self.mask.texel(u, v))
-    }
-
-    #[inline]
-    fn last_level(&self) -> u32 {
-        self.texture.last_level().min(self.mask.last_level())
+        self.texel_at(0, u, v)
     }
 
     #[inline]
     fn texel_at(&self, level: u32, u: i32, v: i32) -> Self::Color {
-        let color = self.texture.texel_at(level, u, v);
-        Self::texel_of(color, self.mask.texel_at(level, u, v))
+        // White is 1, 3, 15 or 255.
+        let scale = 255 / M::Color::WHITE.luma().max(1);
+        let mask = self.mask.texel_at(level, u, v);
+        Translucent {
+            color: self.texture.texel_at(level, u, v),
+            opacity: mask.luma().wrapping_mul(scale),
+        }
     }
 }
 

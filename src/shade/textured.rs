@@ -8,7 +8,7 @@ use super::masked::Masked;
 use super::{Fragment, Shader, Texel, Texels};
 use crate::mesh::Primitive;
 use crate::texture::{
-    Addressing, Bilinear, Blend, Clamp, CutOut, Filter, Nearest, Repeat, Sampler, texels,
+    Addressing, Bilinear, Blend, Clamp, CutOut, Filter, Nearest, Repeat, Sampler, origin, texels,
 };
 use crate::{Error, Vec2};
 
@@ -237,7 +237,7 @@ impl<S: Sampler<Color: Texel>, A: Addressing, F: Filter<S::Color>, D> Textured<S
         let [a, b, c] = primitive.uvs().map(Vec2::to_bits);
         let coordinates = |bits: [i32; 3], log2| {
             let is_face = primitive.is_face();
-            texels(bits, if is_face { A::origin(bits) } else { 0 }, log2)
+            texels(bits, if is_face { origin::<A>(bits) } else { 0 }, log2)
         };
         let [width, height] = self.texture.size_log2();
         let us = coordinates([a[0], b[0], c[0]], width);

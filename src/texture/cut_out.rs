@@ -15,13 +15,6 @@ pub struct CutOut<S, C> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct OrHole<C>(pub(crate) Option<C>);
 
-impl<S: Sampler<Color = C>, C: Copy + PartialEq> CutOut<S, C> {
-    #[inline]
-    fn unless_key(&self, texel: C) -> OrHole<C> {
-        OrHole((texel != self.key).then_some(texel))
-    }
-}
-
 impl<S: Sampler<Color = C>, C: Copy + PartialEq> Sampler for CutOut<S, C> {
     type Color = OrHole<C>;
 
@@ -32,17 +25,13 @@ impl<S: Sampler<Color = C>, C: Copy + PartialEq> Sampler for CutOut<S, C> {
 
     #[inline]
     fn texel(&self, u: i32, v: i32) -> OrHole<C> {
-        self.unless_key(self.texture.texel(u, v))
-    }
-
-    #[inline]
-    fn last_level(&self) -> u32 {
-        self.texture.last_level()
+        self.texel_at(0, u, v)
     }
 
     #[inline]
     fn texel_at(&self, level: u32, u: i32, v: i32) -> OrHole<C> {
-        self.unless_key(self.texture.texel_at(level, u, v))
+        let texel = self.texture.texel_at(level, u, v);
+        OrHole((texel != self.key).then_some(texel))
     }
 }
 

@@ -1,5 +1,6 @@
 //! The color at a point between texels, and between levels.
 
+use super::addressing::{back, index};
 use super::{Addressing, Blend, Sampler};
 use crate::sealed::{Sealed, sealed};
 
@@ -34,29 +35,36 @@ pub struct Trilinear;
 /// A level with 8 fraction bits, not before the first one and not beyond the last one.
 #[inline]
 fn clamped(level: i32, sampler: &impl Sampler) -> u32 {
-    level.max(0).cast_unsigned().min(sampler.last_level() << 8)
+    let [width, height] = sampler.size_log2();
+    level.max(0).cast_unsigned().min(width.min(height) << 8)
 }
 
 /// The whole level nearest to a level with 8 fraction bits.
 #[inline]
-fn nearest_level(level: i32, sampler: &impl Sampler) -> u32 {
+fn nearest(level: i32, sampler: &impl Sampler) -> u32 {
     clamped(level + 128, sampler) >> 8
+}
+
+/// The exponents of the size of a level. Written out, because optimized for size, a `map` remains a loop.
+#[inline]
+pub(super) const fn size_at(level: u32, [width, height]: [u32; 2]) -> [u32; 2] {
+    [width.wrapping_sub(level), height.wrapping_sub(level)]
 }
 
 impl<C: Copy> Filter<C> for Nearest {
     #[inline]
     fn color<S: Sampler<Color = C>, A: Addressing>(sampler: &S, [u, v]: [i32; 2], level: i32) -> C {
-        let level = nearest_level(level, sampler);
-        let [width, height] = sampler.size_log2().map(|side| side.wrapping_sub(level));
-        let texel = |at: i32, side| A::index(at >> level >> 16, side);
-        sampler.texel_at(level, texel(u, width), texel(v, height))
+        let level = nearest(level, sampler);
+        let [width, height] = size_at(level, sampler.size_log2());
+        let place = |at: i32, log2| index::<A>(at >> level >> 16, log2);
+        sampler.texel_at(level, place(u, width), place(v, height))
     }
 }
 
 impl<C: Blend> Filter<C> for Bilinear {
     #[inline]
     fn color<S: Sampler<Color = C>, A: Addressing>(sampler: &S, at: [i32; 2], level: i32) -> C {
-        let (texels, weights) = around::<S, A>(sampler, at, nearest_level(level, sampler));
+        let (texels, weights) = around::<S, A>(sampler, at, nearest(level, sampler));
         C::blend(texels, weights)
     }
 }
@@ -88,25 +96,24 @@ pub(super) fn around<S: Sampler<Color: Blend>, A: Addressing>(
         assert!(bits >= 1 && bits <= 15, "weights must have 1 to 15 bits");
         bits
     };
-    let [width, height] = sampler.size_log2().map(|side| side.wrapping_sub(level));
+    let [width, height] = size_at(level, sampler.size_log2());
     let ([left, right], x) = between::<A>(u >> level, width, bits);
     let ([upper, lower], y) = between::<A>(v >> level, height, bits);
-    let texel = |u, v| sampler.texel_at(level, u, v);
-    let texels = [
-        [texel(left, upper), texel(right, upper)],
-        [texel(left, lower), texel(right, lower)],
-    ];
-    (texels, [x, y])
+    let row = |v| {
+        let texel = |u| sampler.texel_at(level, u, v);
+        [texel(left), texel(right)]
+    };
+    ([row(upper), row(lower)], [x, y])
 }
 
 /// The two columns or rows whose centers enclose `at`, and the distance of `at` from the first center.
 #[inline]
 fn between<A: Addressing>(at: i32, log2: u32, weight_bits: u32) -> ([i32; 2], u32) {
     // Centers lie at halves. Half a unit of the weight stays, so that the cut below rounds to nearest.
-    let at = A::back(at, (1 << 15) - (1 << (15 - weight_bits)));
+    let at = back::<A>(at, (1 << 15) - (1 << (15 - weight_bits)));
     let first = at >> 16;
     let weight = (at.cast_unsigned() & 0xffff) >> (16 - weight_bits);
     // `first` has 16 bits, so adding 1 cannot overflow.
-    let both = [A::index(first, log2), A::index(first + 1, log2)];
+    let both = [index::<A>(first, log2), index::<A>(first + 1, log2)];
     (both, weight)
 }

@@ -13,122 +13,109 @@ pub trait File {
     const PATH: &'static str;
     /// Columns and rows, which a texture may have.
     const SIZE: [u32; 2];
-    /// The colors that occur: red, green, blue and alpha of each.
-    const COLORS: &'static [u8];
+    /// The colors that occur, at least one. For each, red, green and blue in steps of 5, of 6 and of 8 bits; luma in steps
+    /// of 1, 2, 4 and 8 bits; the bits of `Argb1555` and of `Argb4444`, the high byte first.
+    const COLORS: &'static [[u8; 17]];
     /// The pixels, row by row, as indices of colors; of a mipmap, those of all levels. An index has a byte or, if there
     /// are more than 256 colors, three bytes, the low one first.
     const PIXELS: &'static [u8];
 }
 
-/// A color, and the `N` pixels of picture `F` in it.
+/// A color, and the `N` pixels of picture `F` with `K` colors in it; of `u8`, their indices.
 #[diagnostic::on_unimplemented(
     message = "a picture cannot become a texture of `{Self}`",
     label = "`{Self}` is not a color of embedded-graphics",
     note = "write a color of embedded-graphics, such as `Texture<Rgb565>` or `Texture<Gray8>`, or `Argb1555` or `Argb4444`"
 )]
-pub trait Convert<F: File, const N: usize>: Copy + 'static {
-    /// The first colors, as many as there is room for, and the last one for all further indices.
-    const TABLE: &'static [Self; N];
+pub trait Convert<F: File, const N: usize, const K: usize>: Copy + 'static {
     /// The pixels, row by row.
     const TEXELS: &'static [Self; N];
 }
 
-/// A texture that can be created from picture `F` with `N` pixels.
+/// A color, and a table of the colors of picture `F` in it.
+pub trait Table<F: File, const K: usize>: Copy + 'static {
+    /// The colors, at least as many as the picture has.
+    const TABLE: &'static [Self; K];
+}
+
+/// A texture that can be created from picture `F` with `N` pixels in `K` colors.
 #[diagnostic::on_unimplemented(
     message = "a picture cannot become a `{Self}`",
     label = "expected a texture in a color of embedded-graphics",
     note = "write the type as `Texture<Rgb565>`, `[[Rgb565; WIDTH]; HEIGHT]`, `Indexed<Texture<u8>, Rgb565>` or `Mipmap<Rgb565>`"
 )]
-pub trait FromFile<F: File, const N: usize>: Sized {
+pub trait FromFile<F: File, const N: usize, const K: usize>: Sized {
     /// The texture.
     const VALUE: Self;
 }
 
-/// The colors of pixels: in `few` if indices have a byte, in `many` otherwise.
-pub(super) const fn texels<C: Copy, const N: usize>(
-    mut pixels: &[u8],
-    few: &[C],
-    many: &[C; N],
-) -> [C; N] {
-    let (mut texels, has_few) = (*many, pixels.len() == N);
-    let mut at = 0;
-    // Patterns, because in the compiler, an index takes as long as several of them.
+/// The colors of pixels.
+pub(super) const fn texels<C: Copy, const N: usize>(table: &[C], pixels: &[u8]) -> [C; N] {
+    let (mut texels, mut at) = ([table[0]; N], 0);
+    let (triples, _) = pixels.as_chunks();
     while at < N {
-        texels[at] = match *pixels {
-            [index, ref rest @ ..] if has_few => {
-                pixels = rest;
-                few[index as usize]
-            }
-            [a, b, c, ref rest @ ..] => {
-                pixels = rest;
-                many[a as usize | (b as usize) << 8 | (c as usize) << 16]
-            }
-            _ => break,
+        texels[at] = if pixels.len() == N {
+            table[pixels[at] as usize]
+        } else {
+            let [a, b, c] = triples[at];
+            table[a as usize | (b as usize) << 8 | (c as usize) << 16]
         };
         at += 1;
     }
     texels
 }
 
-/// A texture of all pixels, row by row.
-const fn texture<F: File, T: Copy>(pixels: &[T]) -> Texture<'_, T> {
-    let [width, height] = F::SIZE;
-    message::checked(Texture::new(pixels, width, height), F::PATH)
+impl<F: File, const N: usize, const K: usize> Convert<F, N, K> for u8 {
+    const TEXELS: &'static [u8; N] = match F::PIXELS.first_chunk() {
+        Some(indices) if K <= 256 => indices,
+        _ => message::too_many_colors(F::PATH, K, 256),
+    };
 }
 
-/// All pixels as rows; the picture must have the size `W` x `H`.
-const fn rows<F: File, T: Copy, const W: usize, const H: usize>(pixels: &[T]) -> &[[T; W]; H] {
-    let [width, height] = F::SIZE;
-    match pixels.as_chunks().0.first_chunk() {
-        Some(rows) if width as usize == W && height as usize == H => rows,
-        _ => message::wrong_size(F::PATH, F::SIZE, [W, H]),
-    }
-}
-
-/// The pixels as indices of at most `K` colors.
-const fn indices<F: File, const N: usize, const K: usize>() -> &'static [u8] {
-    let colors = F::COLORS.len() / 4;
-    if colors > K || F::PIXELS.len() != N {
-        message::too_many_colors(F::PATH, colors, K);
-    }
-    F::PIXELS
-}
-
-impl<F: File, C: Convert<F, N>, const N: usize> FromFile<F, N> for &'static [C] {
+impl<F: File, C: Convert<F, N, K>, const N: usize, const K: usize> FromFile<F, N, K>
+    for &'static [C]
+{
     const VALUE: Self = C::TEXELS;
 }
 
-impl<F: File, C: Convert<F, N>, const N: usize> FromFile<F, N> for Texture<'static, C> {
-    const VALUE: Self = texture::<F, C>(C::TEXELS);
-}
-
-impl<F: File, C: Convert<F, N>, const N: usize, const W: usize, const H: usize> FromFile<F, N>
-    for [[C; W]; H]
+impl<F: File, C: Convert<F, N, K>, const N: usize, const K: usize, const W: usize, const H: usize>
+    FromFile<F, N, K> for &'static [[C; W]; H]
 {
-    const VALUE: Self = *rows::<F, C, W, H>(C::TEXELS);
-}
-
-impl<F: File, C: Convert<F, K>, const N: usize, const K: usize> FromFile<F, N>
-    for Indexed<'static, Texture<'static, u8>, C, K>
-{
-    const VALUE: Self = Self {
-        indices: texture::<F, u8>(indices::<F, N, K>()),
-        colors: C::TABLE,
+    const VALUE: Self = match C::TEXELS.as_chunks().0.first_chunk() {
+        Some(rows) if F::SIZE[0] as usize == W && F::SIZE[1] as usize == H => rows,
+        _ => message::wrong_size(F::PATH, F::SIZE, [W, H]),
     };
 }
 
-impl<F: File, C: Convert<F, K>, const N: usize, const K: usize, const W: usize, const H: usize>
-    FromFile<F, N> for Indexed<'static, &'static [[u8; W]; H], C, K>
+impl<F: File, C: Convert<F, N, K>, const N: usize, const K: usize, const W: usize, const H: usize>
+    FromFile<F, N, K> for [[C; W]; H]
 {
-    const VALUE: Self = Self {
-        indices: rows::<F, u8, W, H>(indices::<F, N, K>()),
-        colors: C::TABLE,
+    const VALUE: Self = *<&[[C; W]; H] as FromFile<F, N, K>>::VALUE;
+}
+
+impl<F: File, C: Convert<F, N, K>, const N: usize, const K: usize> FromFile<F, N, K>
+    for Texture<'static, C>
+{
+    const VALUE: Self = {
+        let [width, height] = F::SIZE;
+        message::checked(Texture::new(C::TEXELS, width, height), F::PATH)
     };
 }
 
-impl<F: File, C: Convert<F, N>, const N: usize> FromFile<F, N> for Mipmap<'static, C> {
+impl<F: File, C: Convert<F, N, K>, const N: usize, const K: usize> FromFile<F, N, K>
+    for Mipmap<'static, C>
+{
     const VALUE: Self = {
         let [width, height] = F::SIZE;
         message::checked(Mipmap::new(C::TEXELS, width, height), F::PATH)
+    };
+}
+
+impl<F: File, S: FromFile<F, N, K>, C: Table<F, M>, const N: usize, const K: usize, const M: usize>
+    FromFile<F, N, K> for Indexed<'static, S, C, M>
+{
+    const VALUE: Self = Self {
+        indices: S::VALUE,
+        colors: C::TABLE,
     };
 }

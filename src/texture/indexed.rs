@@ -63,19 +63,6 @@ macro_rules! grays {
 }
 grays!(Gray2 Gray4 Gray8);
 
-impl<S: Sampler<Color: Index>, C: Copy, const COLORS: usize> Indexed<'_, S, C, COLORS> {
-    #[inline]
-    fn color(&self, texel: S::Color) -> C {
-        const {
-            assert!(
-                COLORS > 0,
-                "an indexed texture must have at least one color"
-            )
-        };
-        self.colors[usize::from(texel.index()).min(COLORS - 1)]
-    }
-}
-
 impl<S: Sampler<Color: Index>, C: Copy, const COLORS: usize> Sampler for Indexed<'_, S, C, COLORS> {
     type Color = C;
 
@@ -86,17 +73,19 @@ impl<S: Sampler<Color: Index>, C: Copy, const COLORS: usize> Sampler for Indexed
 
     #[inline]
     fn texel(&self, u: i32, v: i32) -> C {
-        self.color(self.indices.texel(u, v))
-    }
-
-    #[inline]
-    fn last_level(&self) -> u32 {
-        self.indices.last_level()
+        self.texel_at(0, u, v)
     }
 
     #[inline]
     fn texel_at(&self, level: u32, u: i32, v: i32) -> C {
-        self.color(self.indices.texel_at(level, u, v))
+        const {
+            assert!(
+                COLORS > 0,
+                "an indexed texture must have at least one color"
+            )
+        };
+        let index = self.indices.texel_at(level, u, v).index();
+        self.colors[usize::from(index).min(COLORS - 1)]
     }
 }
 

@@ -1,5 +1,6 @@
 //! Textures with their reductions to half, quarter and so on.
 
+use super::filter::size_at;
 use super::sampler::{exponents, size_log2};
 use super::{Blend, Sampler};
 use crate::Error;
@@ -26,7 +27,6 @@ use crate::error::{check_length, ok};
 /// let mut texels = [Gray8::BLACK; Mipmap::<Gray8>::len(4, 2)];
 /// texels[..8].copy_from_slice(&[10, 20, 0, 0, 30, 41, 0, 1].map(Gray8::new));
 /// let mipmap = Mipmap::build(&mut texels, 4, 2)?;
-/// assert_eq!(mipmap.levels(), 2);
 /// assert_eq!(mipmap.texels()[8..], [25, 0].map(Gray8::new)); // 25.25 and 0.25
 /// # Ok::<(), fixel::Error>(())
 /// ```
@@ -96,7 +96,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     /// let mut texels = [Rgb565::BLACK; Mipmap::<Rgb565>::len(8, 4)];
     /// texels[..8 * 4].copy_from_slice(BRICK.texels());
     /// let bricks = Mipmap::build(&mut texels, 8, 4)?;
-    /// assert_eq!(bricks.levels(), 3);
+    /// assert_eq!(bricks.texels()[..32], *BRICK.texels());
     /// # Ok::<(), fixel::Error>(())
     /// ```
     ///
@@ -107,21 +107,15 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     where
         C: Blend,
     {
-        let [width_log2, height_log2] = Mipmap::new(&*texels, width, height)?.size_log2;
-        for level in 1..=width_log2.min(height_log2) {
-            // Two rows of the level before, and one of this level.
-            let wide = 2_usize << (width_log2 - level);
-            let size = wide << (height_log2 - level + 1);
-            let Some((before, after)) =
-                texels.split_at_mut_checked(start(texels.len(), size) + size)
-            else {
-                continue;
-            };
-            let before = before.get(before.len() - size..).unwrap_or_default();
-            for (pair, row) in before
-                .chunks_exact(2 * wide)
-                .zip(after.chunks_exact_mut(wide / 2))
-            {
+        Mipmap::new(&*texels, width, height)?;
+        let (mut wide, mut size) = (width as usize, (width * height) as usize);
+        let mut rest = &mut *texels;
+        while let Some((level, others)) = rest.split_at_mut_checked(size)
+            && let Some((next, _)) = others.split_at_mut_checked(size / 4)
+        {
+            // Two rows of this level, and one of the next.
+            let pairs = level.chunks_exact(2 * wide);
+            for (pair, row) in pairs.zip(next.chunks_exact_mut(wide / 2)) {
                 let (upper, lower) = pair.split_at(wide);
                 let squares = upper.chunks_exact(2).zip(lower.chunks_exact(2));
                 for (texel, square) in row.iter_mut().zip(squares) {
@@ -130,6 +124,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
                     }
                 }
             }
+            (rest, wide, size) = (others, wide / 2, size / 4);
         }
         Mipmap::new(texels, width, height)
     }
@@ -150,19 +145,6 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     #[must_use]
     pub const fn height(&self) -> u32 {
         1 << self.size_log2[1]
-    }
-
-    /// The number of levels: 1 to 16.
-    #[must_use]
-    pub const fn levels(&self) -> u32 {
-        self.last() + 1
-    }
-
-    /// The last level.
-    #[inline]
-    const fn last(&self) -> u32 {
-        let [width, height] = self.size_log2;
-        (if width < height { width } else { height }) as u32
     }
 }
 
@@ -188,14 +170,9 @@ impl<C: Copy> Sampler for Mipmap<'_, C> {
     }
 
     #[inline]
-    fn last_level(&self) -> u32 {
-        self.last()
-    }
-
-    #[inline]
     fn texel_at(&self, level: u32, u: i32, v: i32) -> C {
         let (u, v) = (u.cast_unsigned() as usize, v.cast_unsigned() as usize);
-        let [width, height] = self.size_log2().map(|side| side.wrapping_sub(level));
+        let [width, height] = size_at(level, self.size_log2());
         let column = u & (1_usize.wrapping_shl(width) - 1);
         let size = 1_usize.wrapping_shl(width.wrapping_add(height));
         let place = (v.wrapping_shl(width) | column) & (size - 1);

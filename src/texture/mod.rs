@@ -34,8 +34,8 @@ mod sampler;
 #[allow(clippy::module_inception)] // one type, one file
 mod texture;
 
-pub(crate) use addressing::texels;
 pub use addressing::{Addressing, Clamp, Repeat};
+pub(crate) use addressing::{origin, texels};
 pub use argb::{Argb1555, Argb4444};
 pub use blend::Blend;
 pub use cut_out::{CutOut, OrHole};

@@ -38,20 +38,12 @@ use crate::{Error, message};
 /// assert_eq!(error.to_string(), "slice has 3 elements: exactly 4 are needed");
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Raw<'a, C, O = BigEndian> {
     bytes: &'a [u8],
     size_log2: [u8; 2],
     format: PhantomData<(C, O)>,
 }
-
-// Derived, these would need an order that is `Copy`.
-impl<C, O> Clone for Raw<'_, C, O> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-impl<C, O> Copy for Raw<'_, C, O> {}
 
 /// A color that raw bytes can be.
 pub trait FromRaw: Copy {
@@ -83,7 +75,7 @@ macro_rules! argb {
 }
 argb!(Argb1555 Argb4444);
 
-impl<'a, C: FromRaw, O> Raw<'a, C, O>
+impl<'a, C: FromRaw, O: Copy> Raw<'a, C, O>
 where
     RawDataSlice<'a, C::Raw, O>: IntoIterator<Item = C::Raw>,
 {
@@ -124,7 +116,7 @@ where
     }
 }
 
-impl<'a, C: FromRaw, O> Sampler for Raw<'a, C, O>
+impl<'a, C: FromRaw, O: Copy> Sampler for Raw<'a, C, O>
 where
     RawDataSlice<'a, C::Raw, O>: IntoIterator<Item = C::Raw>,
 {

@@ -62,17 +62,13 @@ pub trait Sampler: Copy {
     /// The texel in column `u` and row `v`, both modulo the size; (0, 0) is the top left texel.
     fn texel(&self, u: i32, v: i32) -> Self::Color;
 
-    /// The number of the last mipmap level; 0 if there is only the texture itself, as by default.
-    #[inline]
-    fn last_level(&self) -> u32 {
-        0
-    }
-
-    /// The texel of a level up to the last one, whose width and height are those of the texture / 2^`level`.
+    /// The texel of a mipmap level, whose width and height are those of the texture divided by 2^`level`. In the last
+    /// level, the shorter side has one texel.
+    ///
+    /// By default, it is the first of the texels that it stands for.
     #[inline]
     fn texel_at(&self, level: u32, u: i32, v: i32) -> Self::Color {
-        let _ = level;
-        self.texel(u, v)
+        self.texel(u.wrapping_shl(level), v.wrapping_shl(level))
     }
 }
 
@@ -119,11 +115,6 @@ impl<S: Sampler> Sampler for &S {
     #[inline]
     fn texel(&self, u: i32, v: i32) -> S::Color {
         (**self).texel(u, v)
-    }
-
-    #[inline]
-    fn last_level(&self) -> u32 {
-        (**self).last_level()
     }
 
     #[inline]

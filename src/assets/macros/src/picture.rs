@@ -94,8 +94,8 @@ pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
     }
     let palette = picture.palette();
     let (indices, colors) = palette.unwrap_or_else(|| indexed(&picture.pixels));
-    let pixels = picture.pixels.len();
-    let colors = out.bytes(colors.concat());
+    let (pixels, count) = (picture.pixels.len(), colors.len());
+    let colors = out.bytes(colors.into_iter().flat_map(formats).collect());
     let indices = out.bytes(indices);
     let path = &arguments.path.value;
     out.push(&format!(
@@ -103,10 +103,10 @@ pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
          impl fixel::texture::include::File for Asset {{
              const PATH: &'static str = {path:?};
              const SIZE: [u32; 2] = [{width}, {height}];
-             const COLORS: &'static [u8] = {colors};
+             const COLORS: &'static [[u8; 17]] = {colors}.as_chunks().0;
              const PIXELS: &'static [u8] = {indices};
          }}
-         <_ as fixel::texture::include::FromFile<Asset, {pixels}>>::VALUE"
+         <_ as fixel::texture::include::FromFile<Asset, {pixels}, {count}>>::VALUE"
     ));
     Ok(out)
 }
@@ -123,8 +123,35 @@ const RAW: [(&str, [[u32; 2]; 3]); 8] = [
     ("bgr888", [[0, 8], [8, 8], [16, 8]]),
 ];
 
-/// The bytes of texels in a format, the high byte first or, if it ends in `_le`, the low byte. Channels are rounded as
-/// `fixel` rounds them.
+/// c/255 in units of 2^-16, with an error of at most half a unit.
+fn fraction(channel: u8) -> u32 {
+    u32::from(channel) * 257 + u32::from(channel >> 7)
+}
+
+/// A fraction in steps of so many bits, rounded as `fixel` rounds it.
+fn steps(fraction: u32, bits: u32) -> u32 {
+    (fraction * ((1 << bits) - 1) + (1 << 15)) >> 16
+}
+
+/// A color in the formats that `fixel::texture::include::File` lists.
+fn formats(pixel: [u8; 4]) -> Vec<u8> {
+    let [r, g, b, alpha] = pixel.map(fraction);
+    // The weights add up to 2^14.
+    let luma = (4899 * r + 9617 * g + 1868 * b + (1 << 13)) >> 14;
+    let byte = |fraction, bits| steps(fraction, bits).to_le_bytes()[0];
+    let rgb = [5, 6, 8].map(|bits| [byte(r, bits), byte(g, bits), byte(b, bits)]);
+    let gray = [1, 2, 4, 8].map(|bits| byte(luma, bits));
+    let packed = |alpha_bits: u32, bits: u32| {
+        let first = steps(alpha, alpha_bits);
+        let add = |sum: u32, &channel| sum << bits | steps(channel, bits);
+        let [low, high, ..] = [r, g, b].iter().fold(first, add).to_le_bytes();
+        [high, low]
+    };
+    let argb = [packed(1, 5), packed(4, 4)];
+    [rgb.as_flattened(), &gray, argb.as_flattened()].concat()
+}
+
+/// The bytes of texels in a format, the high byte first or, if it ends in `_le`, the low byte.
 fn raw(picture: &Picture, format: &str) -> Option<Vec<u8>> {
     let low_first = format.strip_suffix("_le");
     let (_, channels) = RAW
@@ -136,11 +163,10 @@ fn raw(picture: &Picture, format: &str) -> Option<Vec<u8>> {
         .max()?
         .div_ceil(8) as usize;
     let texel = |pixel: &[u8; 4]| {
-        let channels = channels.iter().zip(pixel).map(|(&[low, bits], &channel)| {
-            // c/255 in units of 2^-16, and then in steps.
-            let fraction = u32::from(channel) * 257 + u32::from(channel >> 7);
-            ((fraction * ((1 << bits) - 1) + (1 << 15)) >> 16) << low
-        });
+        let channels = channels
+            .iter()
+            .zip(pixel)
+            .map(|(&[low, bits], &channel)| steps(fraction(channel), bits) << low);
         let bytes = channels.sum::<u32>().to_le_bytes();
         let mut bytes = bytes[..size].to_vec();
         if low_first.is_none() {
