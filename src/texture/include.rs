@@ -52,9 +52,10 @@ pub trait FromFile<F: File, const N: usize, const K: usize>: Sized {
 /// The colors of pixels.
 pub(super) const fn texels<C: Copy, const N: usize>(table: &[C], pixels: &[u8]) -> [C; N] {
     let (mut texels, mut at) = ([table[0]; N], 0);
-    let (triples, _) = pixels.as_chunks();
+    // No call in the loop, because the compiler refuses two million calls and repetitions.
+    let (has_bytes, (triples, _)) = (pixels.len() == N, pixels.as_chunks());
     while at < N {
-        texels[at] = if pixels.len() == N {
+        texels[at] = if has_bytes {
             table[pixels[at] as usize]
         } else {
             let [a, b, c] = triples[at];

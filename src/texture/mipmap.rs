@@ -112,6 +112,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
         let mut rest = &mut *texels;
         while let Some((level, others)) = rest.split_at_mut_checked(size)
             && let Some((next, _)) = others.split_at_mut_checked(size / 4)
+            && !next.is_empty()
         {
             // Two rows of this level, and one of the next.
             let pairs = level.chunks_exact(2 * wide);
