@@ -42,7 +42,8 @@ fn clamped(level: i32, sampler: &impl Sampler) -> u32 {
 /// The whole level nearest to a level with 8 fraction bits.
 #[inline]
 fn nearest(level: i32, sampler: &impl Sampler) -> u32 {
-    clamped(level + 128, sampler) >> 8
+    let [width, height] = sampler.size_log2();
+    ((level + 128).max(0).cast_unsigned() >> 8).min(width.min(height))
 }
 
 /// The exponents of the size of a level. Written out, because optimized for size, a `map` remains a loop.

@@ -149,13 +149,6 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     }
 }
 
-/// Where the level with `size` texels, a power of two, begins: after the larger levels, which are the higher bits of
-/// `len`.
-#[inline]
-const fn start(len: usize, size: usize) -> usize {
-    len & !(size | (size - 1))
-}
-
 impl<C: Copy> Sampler for Mipmap<'_, C> {
     type Color = C;
 
@@ -174,10 +167,13 @@ impl<C: Copy> Sampler for Mipmap<'_, C> {
     fn texel_at(&self, level: u32, u: i32, v: i32) -> C {
         let (u, v) = (u.cast_unsigned() as usize, v.cast_unsigned() as usize);
         let [width, height] = size_at(level, self.size_log2());
-        let column = u & (1_usize.wrapping_shl(width) - 1);
         let size = 1_usize.wrapping_shl(width.wrapping_add(height));
-        let place = (v.wrapping_shl(width) | column) & (size - 1);
-        let texel = self.texels.get(place | start(self.texels.len(), size));
+        // After the larger levels, which are the higher bits of the number of all texels.
+        let start = self.texels.len() & !(size | (size - 1));
+        let place = v.wrapping_shl(width) | u & (1_usize.wrapping_shl(width) - 1);
+        let level = self.texels.get(start..).and_then(|rest| rest.get(..size));
+        // The mask shows the compiler that a level has this texel.
+        let texel = level.and_then(|level| level.get(place & (size - 1)));
         texel.copied().unwrap_or(self.first)
     }
 }
