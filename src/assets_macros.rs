@@ -3,7 +3,6 @@
 /// A mesh from a model file, read by the compiler and stored in flash: OBJ, STL, PLY, glTF or GLB.
 ///
 /// ```standalone_crate
-/// use fixel::mesh::Quantized;
 /// use fixel::prelude::*;
 /// static MODEL: Mesh = include_mesh!("../tests/models/house.obj");
 /// assert_eq!(MODEL.faces().len(), 14);
@@ -12,9 +11,9 @@
 /// static SMALL: Mesh = include_mesh!("../tests/models/house.obj", short);
 /// assert_eq!(SMALL.positions().len(), MODEL.positions().len());
 ///
-/// // With small attributes too: see Quantized.
-/// static SMALLEST: Quantized = include_mesh!("../tests/models/house.obj", quantized_8);
-/// assert_eq!(SMALLEST.mesh().positions(), SMALL.positions());
+/// // With small attributes, too.
+/// static SMALLEST: Mesh = include_mesh!("../tests/models/house.obj", quantized_8);
+/// assert_eq!(SMALLEST.positions(), SMALL.positions());
 ///
 /// // The faces of one material, twice as large.
 /// static ROOF: Mesh = include_mesh!("../tests/models/house.obj", part = "tiles", scale = 2);
@@ -29,7 +28,7 @@
 /// | option | meaning |
 /// |---|---|
 /// | `short` | positions of 16 bits: see [`Mesh::short`](crate::Mesh::short) |
-/// | `quantized_16`, `quantized_8` | a [`Quantized`](crate::mesh::Quantized) mesh, whose texture coordinates have 16 or 8 bits |
+/// | `quantized_16`, `quantized_8` | the same, with [normals of 8 bits and texture coordinates of 16 or 8](crate::mesh#less-flash) |
 /// | `normals` | normals for corners that have none: the mean of the faces around the point that meet at 60 degrees or less or, in OBJ files, are in the same smoothing group |
 /// | `object = "name"` | only the faces of the object with this name: a glTF mesh, or an OBJ object or group |
 /// | `part = "name"` | only the faces of the material with this name |

@@ -27,7 +27,6 @@
 
 mod channels;
 mod converted;
-mod dequantized;
 mod dither;
 mod flat;
 mod fog;
@@ -56,7 +55,6 @@ mod fixture;
 
 pub use channels::Channels;
 pub use converted::Converted;
-pub use dequantized::Dequantized;
 pub use flat::{FaceColors, Flat};
 pub use fog::{Density, Exponential, Fog, InFog, Linear};
 pub use gouraud::Gouraud;

@@ -12,15 +12,13 @@ use fixel::canvas::{
 };
 use fixel::canvas::{TestAndWrite, TestOnly, WideFloat, WriteOnly};
 use fixel::math::Direction;
-use fixel::mesh::{Bounds, Buffers, Counts, Keyframes, Missing, Part, Positions, Quantized, Shape};
+use fixel::mesh::{Bounds, Buffers, Counts, Keyframes, Missing, Part, Positions, Shape};
 use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::shade::{
     Colored, Exponential, Falloff, Fog, Illumination, InFog, Shiny, SurfacePoint, TwoSided,
 };
-use fixel::shade::{
-    Converted, Dequantized, FaceLit, Lit, Map, PartColors, PerFace, Texels, Tinted,
-};
+use fixel::shade::{Converted, FaceLit, Lit, Map, PartColors, PerFace, Texels, Tinted};
 use fixel::shade::{Glossy, Gradient, Masked, Matte, Mipmapped, Rgb, Tolerance, Translucent};
 use fixel::shade::{White, Within};
 use fixel::texture::{Argb1555, Argb4444, Indexed, Mipmap, OrHole, Raw, Trilinear};
@@ -66,7 +64,6 @@ all!(value: Biased Float Linear Native NoDepth NoTest TestAndWrite TestOnly Wide
 all!(value: ColorIndex Contrast Packed Pages);
 all!(value: Bilinear Clamp CutOut<u8, Rgb565> Nearest Repeat);
 all!(value: Keyframes<'static> Mesh<'static> Outline<'static> Positions<'static> Sprites<'static>);
-all!(value: Dequantized<'static, Flat<Rgb565>> Quantized<'static>);
 all!(shared: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>> Prepared<'static>);
 all!(shared: EdgeList<1, 1> PreparedEdges<'static>);
 all!(shared: Object<'static, u8> TriangleList<1, 1>);

@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Rgb565, Rgb888, RgbColor
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::{Drawable, text::Text};
 use fixel::canvas::{Add, Blending, Multiply, Opacity, Replace, TestOnly};
-use fixel::mesh::{Material, Part, Quantized};
+use fixel::mesh::{Material, Part};
 use fixel::mode::Affine;
 use fixel::prelude::*;
 use fixel::shade::{Fog, Gradient, PartColors};
@@ -40,7 +40,7 @@ pub const PAGES: &[(&str, Draw)] = &[
     ("in_fog", in_fog),
     ("map", map),
     ("converted", converted),
-    ("dequantized", dequantized),
+    ("quantized", quantized),
     ("light", light),
     ("point_light", point_light),
     ("spot_light", spot_light),
@@ -273,9 +273,9 @@ fn converted(canvas: &mut Frame<'_>) -> Drawn {
     ring(canvas, &RING, &shown_in::<Gray2>(surface))
 }
 
-/// A textured ring with numbers of 32 bits, and its quantized mesh, which takes a third of the flash.
-fn dequantized(canvas: &mut Frame<'_>) -> Drawn {
-    static SMALL: Quantized = shape!(torus(fx!(0.45), 32, 16), quantized_8);
+/// A textured ring with numbers of 32 bits, and one with numbers of 8 bits, which takes a third of the flash.
+fn quantized(canvas: &mut Frame<'_>) -> Drawn {
+    static SMALL: Mesh = shape!(torus(fx!(0.45), 32, 16), quantized_8);
     canvas.clear(SLATE);
     let (half, height) = (SIZE.width / 2, SIZE.height);
     let projection = Projection::perspective(deg!(58), (half, height), fx!(0.1), fx!(100))?;
@@ -287,7 +287,7 @@ fn dequantized(canvas: &mut Frame<'_>) -> Drawn {
     let skin = Textured::new(&CHECKERS).lit(sun()?);
     canvas.draw_with(&part(0)?, &RING, &mvp, &skin);
     let right = part(half.cast_signed())?;
-    canvas.draw_with(&right, SMALL.mesh(), &mvp, &SMALL.shader(skin));
+    canvas.draw_with(&right, &SMALL, &mvp, &skin);
     Ok(())
 }
 
