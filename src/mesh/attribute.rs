@@ -39,14 +39,29 @@ impl<'a, T: Copy> Attribute<'a, T> {
         }
     }
 
-    /// The value at `corner` (0, 1 or 2) of a primitive.
+    /// The index of the value at `corner` (0, 1 or 2) of a primitive.
     #[inline]
-    pub(super) fn at(&self, indices: Indices, corner: usize) -> Option<T> {
+    fn index(&self, indices: Indices, corner: usize) -> Option<usize> {
         let indices = match self.faces {
             None => indices.corners,
             Some(faces) => *faces.get(indices.face?)?,
         };
-        self.values.get(usize::from(*indices.get(corner)?))
+        Some(usize::from(*indices.get(corner)?))
+    }
+
+    /// The value at a corner of a primitive.
+    #[inline]
+    pub(super) fn at(&self, indices: Indices, corner: usize) -> Option<T> {
+        self.values.get(self.index(indices, corner)?)
+    }
+
+    /// The same for an attribute that always has full precision, which takes less code.
+    #[inline]
+    pub(super) fn full_at(&self, indices: Indices, corner: usize) -> Option<T> {
+        match self.values {
+            Values::Full(values) => values.get(self.index(indices, corner)?).copied(),
+            Values::Small(_) => None,
+        }
     }
 }
 
