@@ -78,12 +78,7 @@ impl<S: Sampler<Color: Index>, C: Copy, const COLORS: usize> Sampler for Indexed
 
     #[inline]
     fn texel_at(&self, level: u32, u: i32, v: i32) -> C {
-        const {
-            assert!(
-                COLORS > 0,
-                "an indexed texture must have at least one color"
-            )
-        };
+        const { assert!(COLORS > 0, "a table has at least one color") };
         let index = self.indices.texel_at(level, u, v).index();
         self.colors[usize::from(index).min(COLORS - 1)]
     }

@@ -63,15 +63,16 @@ fn gray_is_the_nearest_step_of_luma() {
 
 #[test]
 fn opacity_is_rounded_like_channels() {
-    let steps = |byte: u8, most: f64| (f64::from(byte) / 255.0 * most).round() as u16;
+    // To the nearest step: halves do not occur.
+    let steps = |byte: u8, most: u16| (u16::from(byte) * most * 2 + 255) / 510;
     for ([r, g, b, a], color) in converted!(Argb4444) {
-        let bits = [a, r, g, b].map(|byte| steps(byte, 15.0));
+        let bits = [a, r, g, b].map(|byte| steps(byte, 15));
         let bits = bits[0] << 12 | bits[1] << 8 | bits[2] << 4 | bits[3];
         assert_eq!(color, Argb4444::from_bits(bits));
     }
     for ([r, g, b, a], color) in converted!(Argb1555) {
-        let bits = [r, g, b].map(|byte| steps(byte, 31.0));
-        let bits = steps(a, 1.0) << 15 | bits[0] << 10 | bits[1] << 5 | bits[2];
+        let bits = [r, g, b].map(|byte| steps(byte, 31));
+        let bits = steps(a, 1) << 15 | bits[0] << 10 | bits[1] << 5 | bits[2];
         assert_eq!(color, Argb1555::from_bits(bits));
     }
 }

@@ -9,7 +9,7 @@ use fixel::texture::Mipmap;
 fn tile(row: usize, column: usize) -> Rgb565 {
     match (row % 8, column % 8) {
         (0, _) | (_, 0) => Rgb565::new(7, 8, 8),
-        _ if (row / 8 + column / 8) % 2 == 0 => Rgb565::new(31, 56, 24),
+        _ if row / 8 == column / 8 => Rgb565::new(31, 56, 24),
         _ => Rgb565::new(27, 32, 12),
     }
 }
