@@ -307,7 +307,7 @@ def places(instructions, other):
     says("src/pipeline/on_screen.rs", "On a Cortex-M4 the test takes {} instructions",
          [whole(round(kernel("in-view", (M4, "3")), -2))])
     unpacked = kernel("lit-quantized", (M4, "3")) - kernel("lit", (M4, "3"))
-    says("src/mesh/quantized.rs", "for normals, this takes {} instructions on Cortex-M4", [whole(round(unpacked, -1))])
+    says("src/mesh/mod.rs", "for normals, this takes {} instructions on Cortex-M4", [whole(round(unpacked, -1))])
     for label, scene in [
         ("sphere", "sphere"),
         ("two rings around a cube", "rings"),

@@ -3,7 +3,6 @@
 /// A mesh from a model file, read by the compiler and stored in flash: OBJ, STL, PLY, glTF or GLB.
 ///
 /// ```standalone_crate
-/// use fixel::mesh::Quantized;
 /// use fixel::prelude::*;
 /// static MODEL: Mesh = include_mesh!("../tests/models/house.obj");
 /// assert_eq!(MODEL.faces().len(), 14);
@@ -12,9 +11,9 @@
 /// static SMALL: Mesh = include_mesh!("../tests/models/house.obj", short);
 /// assert_eq!(SMALL.positions().len(), MODEL.positions().len());
 ///
-/// // With small attributes too: see Quantized.
-/// static SMALLEST: Quantized = include_mesh!("../tests/models/house.obj", quantized_8);
-/// assert_eq!(SMALLEST.mesh().positions(), SMALL.positions());
+/// // With small attributes, too.
+/// static SMALLEST: Mesh = include_mesh!("../tests/models/house.obj", quantized_8);
+/// assert_eq!(SMALLEST.positions(), SMALL.positions());
 ///
 /// // The faces of one material, twice as large.
 /// static ROOF: Mesh = include_mesh!("../tests/models/house.obj", part = "tiles", scale = 2);
@@ -29,7 +28,7 @@
 /// | option | meaning |
 /// |---|---|
 /// | `short` | positions of 16 bits: see [`Mesh::short`](crate::Mesh::short) |
-/// | `quantized_16`, `quantized_8` | a [`Quantized`](crate::mesh::Quantized) mesh, whose texture coordinates have 16 or 8 bits |
+/// | `quantized_16`, `quantized_8` | the same, with [normals of 8 bits and texture coordinates of 16 or 8](crate::mesh#less-flash) |
 /// | `normals` | normals for corners that have none: the mean of the faces around the point that meet at 60 degrees or less or, in OBJ files, are in the same smoothing group |
 /// | `object = "name"` | only the faces of the object with this name: a glTF mesh, or an OBJ object or group |
 /// | `part = "name"` | only the faces of the material with this name |
@@ -114,44 +113,46 @@ macro_rules! include_outline {
 /// A texture from a picture file, read by the compiler and stored in flash: PNG, JPEG, BMP, TGA, GIF or WebP, or a
 /// picture that a model contains.
 ///
-/// The expected type decides the result: a [`Texture`](crate::Texture); a [`TextureArray`](crate::TextureArray) of the
-/// picture's size; the texels alone, such as `&[Rgb565]`; for a picture of at most 256 colors, a
-/// [`Palette`](crate::texture::Palette) or a [`PaletteArray`](crate::texture::PaletteArray); with the option `mipmap`, a
-/// [`Mipmap`](crate::texture::Mipmap) or a [`MipmapArray`](crate::texture::MipmapArray). The color may be any of
-/// embedded-graphics', or [`Argb4444`](crate::texture::Argb4444) or [`Argb1555`](crate::texture::Argb1555), which keep
-/// the picture's alpha. It is rounded to the nearest
-/// step of each channel; gray is the BT.601 luma (0.299 red + 0.587 green + 0.114 blue). Only the texels are stored in
-/// flash, not the file.
+/// The expected type decides the result: a [`Texture`](crate::Texture); rows of the picture's size, such as
+/// `[[Rgb565; 64]; 64]`, which are faster to draw; the texels alone, such as `&[Rgb565]`; for a picture of at most 256
+/// colors, an [`Indexed`](crate::texture::Indexed) texture of a `Texture<u8>` or of rows, or the indices alone; with the
+/// option `mipmap`, a [`Mipmap`](crate::texture::Mipmap).
+///
+/// The color may be any of embedded-graphics', or [`Argb4444`](crate::texture::Argb4444) or
+/// [`Argb1555`](crate::texture::Argb1555), which keep the picture's alpha. It is rounded to the nearest step of each
+/// channel; gray is the BT.601 luma (0.299 red + 0.587 green + 0.114 blue). Only the texels are stored in flash, not the
+/// file.
 ///
 /// ```standalone_crate
 /// use embedded_graphics::pixelcolor::{Gray8, Rgb565};
 /// use fixel::prelude::*;
-/// use fixel::texture::Palette;
+/// use fixel::texture::Indexed;
 /// static SKIN: Texture<Rgb565> = include_texture!("texture/samples/brick.bmp");
 /// assert_eq!((SKIN.width(), SKIN.height()), (8, 4));
 ///
-/// // In another color; with the size in the type; with its color table; in another size.
+/// // In another color; with the size in the type; with the file's table of 256 colors or fewer; in another size.
 /// static GRAY: Texture<Gray8> = include_texture!("texture/samples/brick.bmp");
-/// static FAST: TextureArray<Rgb565, 8, 4> = include_texture!("texture/samples/brick.tga");
-/// static TILES: Palette<Rgb565> = include_texture!("texture/samples/tiles.bmp");
+/// static FAST: [[Rgb565; 8]; 4] = include_texture!("texture/samples/brick.tga");
+/// static TILES: Indexed<Texture<u8>, Rgb565> = include_texture!("texture/samples/tiles.bmp");
 /// static SMALL: Texture<Rgb565> = include_texture!("texture/samples/brick.bmp", size = "4x2");
-/// assert_eq!(FAST.as_texture(), SKIN);
-/// assert_eq!((GRAY.texels().len(), TILES.indices().len(), SMALL.width()), (32, 8, 4));
+/// assert_eq!(Texture::from_rows(&FAST), SKIN);
+/// assert_eq!((GRAY.texels().len(), TILES.indices.texels().len(), SMALL.width()), (32, 8, 4));
 /// ```
 ///
 /// | option | meaning |
 /// |---|---|
 /// | `size = "256x256"` | the picture is resampled to this size, in which width and height are powers of two, at most 32,768 |
-/// | `raw = rgb565` | the bytes of all texels, row by row: a `&'static [u8; N]`; also `bgr565`, `rgb555`, `rgb666`, `rgb888` and so on. The high byte comes first, with `rgb565_le` the low one |
+/// | `raw = rgb565` | the bytes of all texels, row by row, for [`Raw`](crate::texture::Raw): a `&'static [u8; N]`; also `bgr565`, `rgb555`, `rgb666`, `rgb888` and so on. The high byte comes first, with `rgb565_le` the low one |
 /// | `mipmap` | all levels of a mipmap, each the mean of the picture's pixels |
 /// | `image = 1` | which picture of a model, counted from 0 |
 ///
-/// The path is relative to the source file. A picture cannot become an array of another size:
+/// The path is relative to the source file. A picture of more than two million pixels needs the attribute
+/// `#![allow(long_running_const_eval)]` at the top of the program. A picture cannot become rows of another size:
 ///
 /// ```compile_fail
 /// use embedded_graphics::pixelcolor::Rgb565;
 /// use fixel::prelude::*;
-/// static FAST: TextureArray<Rgb565, 4, 8> = include_texture!("texture/samples/brick.bmp");
+/// static FAST: [[Rgb565; 4]; 8] = include_texture!("texture/samples/brick.bmp");
 /// ```
 #[macro_export]
 macro_rules! include_texture {

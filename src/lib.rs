@@ -23,8 +23,8 @@
 //!
 //! // Built by the compiler, stored in flash. For your own: include_mesh!("model.glb").
 //! static MODEL: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
-//! static SKIN: TextureArray<Rgb565, 2, 2> =
-//!     TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x00, 0x1f, 0xff, 0xff]);
+//! static SKIN: [[Rgb565; 2]; 2] =
+//!     [[Rgb565::WHITE, Rgb565::BLUE], [Rgb565::BLUE, Rgb565::WHITE]];
 //!
 //! fn frame(now_ms: u64, display: &mut MockDisplay<Rgb565>) -> Result<(), Error> {
 //!     let projection = Projection::perspective(
@@ -313,7 +313,7 @@ pub use {
         Lit, Map, NormalView, PixelFormat, PointLight, Shader, ShaderFor, SpotLight, Textured,
         Tinted, Viewer,
     },
-    texture::{Palette, PaletteArray, Texture, TextureArray},
+    texture::Texture,
     view::{Aspect, Camera, Mvp, Projection, Viewport, Window},
 };
 
@@ -331,10 +331,9 @@ pub mod prelude {
     pub use crate::{
         Angle, Aspect, Camera, Canvas, Corner, Cull, DepthView, DrawOptions, Drawn, EdgeList,
         Error, FaceColors, Flat, Fragment, Gouraud, Lamp, Light, Lighting, LineWidth, Mesh, Mvp,
-        NormalView, Outline, Palette, PaletteArray, PixelFormat, PointLight, PointStyle, Primitive,
-        Projection, Rate, Ray, Scalar, Shader, ShaderFor, Spin, SpotLight, Sprites, TexCoord,
-        Texture, TextureArray, Textured, Transform, TriangleList, Vec2, Vec3, Viewer, Viewport,
-        Window,
+        NormalView, Outline, PixelFormat, PointLight, PointStyle, Primitive, Projection, Rate, Ray,
+        Scalar, Shader, ShaderFor, Spin, SpotLight, Sprites, TexCoord, Texture, Textured,
+        Transform, TriangleList, Vec2, Vec3, Viewer, Viewport, Window,
     };
     #[doc(no_inline)]
     pub use crate::{deg, fx, outline, shape, vec2, vec3};

@@ -172,21 +172,15 @@ const fn nearest(given: u32, max: u32) -> u32 {
     }
 }
 
-/// Stops compilation when an array of `width` x `height` texels receives too few or too many elements.
+/// Stops compilation when a file's picture has more colors than a texture's type has room for.
 ///
 /// # Panics
 ///
 /// Always.
-pub(crate) const fn wrong_length(
-    [width, height]: [usize; 2],
-    elements: &str,
-    given: usize,
-    needed: usize,
-) -> ! {
-    const TEMPLATE: &str = "a texture of {}x{} texels needs {} {}: {} are given; write the image's own width and \
-                            height in the type";
-    let [width, height, given] = [Number(width), Number(height), Number(given)];
-    let pieces = [width, height, Number(needed), Text(elements), given];
+pub(crate) const fn too_many_colors(name: &str, given: usize, max: usize) -> ! {
+    const TEMPLATE: &str =
+        "{}: the picture has {} colors, and the type's table {}: a table has at most 256";
+    let pieces = [Text(name), Number(given), Number(max)];
     panic!("{}", Message::new().fill(TEMPLATE, &pieces).text())
 }
 

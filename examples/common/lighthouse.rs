@@ -21,8 +21,24 @@ use fixel::{Drawn, Vec2};
 /// The island with the lighthouse; texture coordinates fit [`SKIN`].
 pub static ISLAND: Mesh = include_mesh!("../assets/lighthouse.obj");
 /// The texture of the island.
-pub static SKIN: TextureArray<Rgb565, 128, 128> =
-    TextureArray::rgb565(include_bytes!("../assets/lighthouse.rgb565"));
+pub static SKIN: [[Rgb565; 128]; 128] = rows(include_bytes!("../assets/lighthouse.rgb565"));
+
+/// Rows of colors, from bytes of which the high one comes first.
+const fn rows<const W: usize, const H: usize>(bytes: &[u8]) -> [[Rgb565; W]; H] {
+    let mut rows = [[Rgb565::BLACK; W]; H];
+    let (texels, _) = bytes.as_chunks();
+    let mut at = 0;
+    while at < W * H {
+        let bits = u16::from_be_bytes(texels[at]);
+        rows[at / W][at % W] = Rgb565::new(
+            (bits >> 11) as u8,
+            (bits >> 5 & 63) as u8,
+            (bits & 31) as u8,
+        );
+        at += 1;
+    }
+    rows
+}
 
 /// The sea: a level disc around the island, 112 units wide each way.
 pub static SEA: Mesh = {
@@ -63,8 +79,7 @@ static SEA_FACES: [[u16; 3]; SEA_SIDES] = {
     faces
 };
 /// The texture of the sea, which repeats.
-pub static WAVES: TextureArray<Rgb565, 64, 64> =
-    TextureArray::rgb565(include_bytes!("../assets/sea.rgb565"));
+pub static WAVES: [[Rgb565; 64]; 64] = rows(include_bytes!("../assets/sea.rgb565"));
 
 /// A projection that shows the whole lighthouse.
 ///

@@ -9,7 +9,6 @@ use fixel::canvas::{DepthBuffer, Storage};
 use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::shade::{FaceColors, Gouraud, Textured};
-use fixel::texture::TextureArray;
 use fixel::view::Perspective;
 use fixel::{Drawn, Vec2};
 
@@ -21,7 +20,7 @@ pub const HEIGHT: u32 = 240;
 pub const POSES: i32 = 8;
 
 /// 64x64 texels, squares of 8 in two colors.
-pub static CHECKER: TextureArray<Rgb565, 64, 64> = {
+pub static CHECKER: [[Rgb565; 64]; 64] = {
     let mut texels = [[Rgb565::CSS_IVORY; 64]; 64];
     let mut at = 0;
     while at < 64 * 64 {
@@ -31,7 +30,7 @@ pub static CHECKER: TextureArray<Rgb565, 64, 64> = {
         }
         at += 1;
     }
-    TextureArray::from_texels(texels)
+    texels
 };
 
 /// A floor from one unit to twenty units in front of the eye, partly outside the picture.

@@ -161,11 +161,11 @@
 //! use fixel::prelude::*;
 //! use fixel::shade::Fog;
 //!
-//! static SKIN: TextureArray<Rgb565, 2, 2> =
-//!     TextureArray::from_texels([
+//! static SKIN: [[Rgb565; 2]; 2] =
+//!     [
 //!         [Rgb565::WHITE, Rgb565::RED],
 //!         [Rgb565::RED, Rgb565::WHITE],
-//!     ]);
+//!     ];
 //!
 //! fn surface() -> Result<impl ShaderFor<Rgb565>, Error> {
 //!     // The direction points to the sun.

@@ -5,30 +5,28 @@ use core::ops::Range;
 use embedded_graphics::pixelcolor::Rgb888;
 
 use super::mesh::check;
+use super::quantized::{Small, Values};
 use super::{Index, Indices, Mesh};
 use crate::error::{check_length, ok};
 use crate::{Error, Vec2, Vec3};
 
 /// The values of one attribute. Without `faces` of its own, it is indexed like the positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Attribute<'a, T> {
-    pub(super) values: &'a [T],
+pub(super) struct Attribute<'a, T: Copy> {
+    pub(super) values: Values<'a, T>,
     pub(super) faces: Option<&'a [[Index; 3]]>,
 }
 
-impl<'a, T> Attribute<'a, T> {
-    pub(super) const NONE: Self = Self::of_positions(&[]);
-
-    /// The attribute with a value for each position.
-    pub(super) const fn of_positions(values: &'a [T]) -> Self {
-        Self {
-            values,
-            faces: None,
-        }
-    }
+impl<'a, T: Copy> Attribute<'a, T> {
+    pub(super) const NONE: Self = Self::of_lists((&[], &[]));
 
     /// The attribute of lists that are known to fit the mesh. Without `faces`, values belong to the positions.
     pub(super) const fn of_lists((values, faces): (&'a [T], &'a [[Index; 3]])) -> Self {
+        Self::of((Values::Full(values), faces))
+    }
+
+    /// The same for values that may have fewer bits.
+    pub(super) const fn of((values, faces): (Values<'a, T>, &'a [[Index; 3]])) -> Self {
         let faces = if faces.is_empty() { None } else { Some(faces) };
         Self { values, faces }
     }
@@ -40,17 +38,30 @@ impl<'a, T> Attribute<'a, T> {
             faces: self.faces.and_then(|faces| faces.get(range.clone())),
         }
     }
-}
 
-impl<T: Copy> Attribute<'_, T> {
-    /// The value at `corner` (0, 1 or 2) of a primitive.
+    /// The index of the value at `corner` (0, 1 or 2) of a primitive.
     #[inline]
-    pub(super) fn at(&self, indices: Indices, corner: usize) -> Option<T> {
+    fn index(&self, indices: Indices, corner: usize) -> Option<usize> {
         let indices = match self.faces {
             None => indices.corners,
             Some(faces) => *faces.get(indices.face?)?,
         };
-        self.values.get(usize::from(*indices.get(corner)?)).copied()
+        Some(usize::from(*indices.get(corner)?))
+    }
+
+    /// The value at a corner of a primitive.
+    #[inline]
+    pub(super) fn at(&self, indices: Indices, corner: usize) -> Option<T> {
+        self.values.get(self.index(indices, corner)?)
+    }
+
+    /// The same for an attribute that always has full precision, which takes less code.
+    #[inline]
+    pub(super) fn full_at(&self, indices: Indices, corner: usize) -> Option<T> {
+        match self.values {
+            Values::Full(values) => values.get(self.index(indices, corner)?).copied(),
+            Values::Small(_) => None,
+        }
     }
 }
 
@@ -121,25 +132,38 @@ impl<'a> Mesh<'a> {
         Self { colors, ..self }
     }
 
+    /// The mesh with attributes in fewer bits. The lists are known to fit it; those of faces may be empty.
+    pub(super) const fn with_small(
+        self,
+        (normals, normal_faces): (&'a Small<'a, Vec3>, &'a [[Index; 3]]),
+        (uvs, uv_faces): (&'a Small<'a, Vec2>, &'a [[Index; 3]]),
+    ) -> Self {
+        Self {
+            normals: Attribute::of((Values::small(normals), normal_faces)),
+            uvs: Attribute::of((Values::small(uvs), uv_faces)),
+            ..self
+        }
+    }
+
     /// Whether there are texture coordinates.
     #[must_use]
     pub const fn has_uvs(&self) -> bool {
-        !self.uvs.values.is_empty()
+        self.uvs.values.len() > 0
     }
 
     /// Whether there are normals.
     #[must_use]
     pub const fn has_normals(&self) -> bool {
-        !self.normals.values.is_empty()
+        self.normals.values.len() > 0
     }
 
     /// Whether there are colors.
     #[must_use]
     pub const fn has_colors(&self) -> bool {
-        !self.colors.values.is_empty()
+        self.colors.values.len() > 0
     }
 
-    const fn attribute<T>(
+    const fn attribute<T: Copy>(
         &self,
         values: &'a [T],
         faces: Option<&'a [[Index; 3]]>,
@@ -152,6 +176,7 @@ impl<'a> Mesh<'a> {
         if let Some(faces) = faces {
             ok!(check(faces, values.len(), Some(Self::NO_VALUE)));
         }
+        let values = Values::Full(values);
         Ok(Attribute { values, faces })
     }
 }

@@ -2,7 +2,7 @@
 
 pub use embedded_graphics::pixelcolor::Rgb888;
 
-pub use super::quantized::{StoredUvs, UvGrid, short_normal};
+pub use super::quantized::{Small, UvGrid, short_normal};
 use super::{Buffers, Index, Mesh, Outline, Positions};
 pub use crate::message::checked;
 use crate::{Vec2, Vec3};
@@ -145,6 +145,16 @@ pub const fn mesh<'a>(
     Mesh::of_lists(positions, faces, uvs, normals, colors)
 }
 
+/// A mesh with normals and texture coordinates in fewer bits, in lists that are known to fit it.
+#[must_use]
+pub const fn quantized<'a>(
+    mesh: Mesh<'a>,
+    normals: (&'a Small<'a, Vec3>, &'a [[Index; 3]]),
+    uvs: (&'a Small<'a, Vec2>, &'a [[Index; 3]]),
+) -> Mesh<'a> {
+    mesh.with_small(normals, uvs)
+}
+
 /// Lists from the little-endian bytes of their elements: the macros that read files write lists as bytes, because the
 /// compiler reads these several times as fast as numbers. Patterns and operators, because in the compiler, an index takes
 /// as long as several of them, and a call as long as ten.
@@ -199,7 +209,7 @@ lists! {
 }
 
 /// A mesh of the first elements in `$room`, as many as `$counts` says, in statics of exactly those lengths. With
-/// `short`, positions have 16 bits a component; with `quantized_16` or `quantized_8`, the result is a quantized mesh.
+/// `short`, positions have 16 bits a component; with `quantized_16` or `quantized_8`, attributes have fewer bits, too.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __mesh {
@@ -216,26 +226,25 @@ macro_rules! __mesh {
         $crate::__mesh!($room, $counts, @ $crate::mesh::flash::short(&POSITIONS, SHORT.1))
     }};
     ($room:expr, $counts:expr, quantized_8) => {
-        $crate::__mesh!($room, $counts, quantized_8 Bytes u8)
+        $crate::__mesh!($room, $counts, quantized_8 uvs_of_8 u8)
     };
     ($room:expr, $counts:expr, quantized_16) => {
-        $crate::__mesh!($room, $counts, quantized_16 Words u16)
+        $crate::__mesh!($room, $counts, quantized_16 uvs_of_16 u16)
     };
-    ($room:expr, $counts:expr, $quantized:ident $list:ident $step:ty) => {{
-        use $crate::mesh::flash::{self, StoredUvs, UvGrid};
+    ($room:expr, $counts:expr, $quantized:ident $small:ident $step:ty) => {{
+        use $crate::mesh::flash::{self, Small, UvGrid};
         #[allow(long_running_const_eval)]
         const STORED: ([[$step; 2]; $counts.uvs], UvGrid) = flash::$quantized(&$room.uvs);
-        static STORED_UVS: [[$step; 2]; $counts.uvs] = STORED.0;
+        static UVS: [[$step; 2]; $counts.uvs] = STORED.0;
+        static SMALL_UVS: Small<'static, $crate::Vec2> = Small::$small(&UVS, STORED.1);
         #[allow(long_running_const_eval)]
-        static STORED_NORMALS: [[i8; 3]; $counts.normals] = flash::normals_of_8(&$room.normals);
-        static QUANTIZED: $crate::mesh::Quantized<'static> =
-            $crate::mesh::Quantized::new(
-                $crate::__mesh!($room, $counts, short).without_uvs().without_normals(),
-                (&STORED_NORMALS, &[]),
-                (StoredUvs::$list(&STORED_UVS), &[]),
-                STORED.1,
-            );
-        QUANTIZED
+        static NORMALS: [[i8; 3]; $counts.normals] = flash::normals_of_8(&$room.normals);
+        static SMALL_NORMALS: Small<'static, $crate::Vec3> = Small::normals(&NORMALS);
+        flash::quantized(
+            $crate::__mesh!($room, $counts, short).without_uvs().without_normals(),
+            (&SMALL_NORMALS, &[]),
+            (&SMALL_UVS, &[]),
+        )
     }};
     ($room:expr, $counts:expr, $other:ident) => {
         ::core::compile_error!(

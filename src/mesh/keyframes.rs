@@ -2,6 +2,7 @@
 
 use super::attribute::Attribute;
 use super::buffers::room;
+use super::quantized::Values;
 use super::{Index, Mesh, Positions};
 use crate::error::{check_length, ok};
 use crate::{Error, Scalar, Vec3, message};
@@ -46,7 +47,7 @@ pub struct Keyframes<'a> {
     /// Of the second mesh.
     positions: Positions<'a>,
     /// Of the second mesh; empty if one of the two has none.
-    normals: &'a [Vec3],
+    normals: Values<'a, Vec3>,
 }
 
 /// Checks that two lists of faces are equal.
@@ -86,7 +87,7 @@ impl<'a> Keyframes<'a> {
         let mut frames = Self {
             first: *first,
             positions,
-            normals: &[],
+            normals: Values::Full(&[]),
         };
         if first.has_normals() && second.has_normals() {
             frames.normals = second.normals.values;
@@ -140,14 +141,18 @@ impl<'a> Keyframes<'a> {
             *to = a.lerp(b, t);
         }
         let mut blended: Mesh<'m> = self.first.without_normals();
-        if !normals.is_empty() && !self.normals.is_empty() {
+        if !normals.is_empty() && self.normals.len() > 0 {
             let normals = room(normals, self.normals.len())?;
             let Attribute { values, faces } = self.first.normals;
-            for ((to, &a), &b) in normals.iter_mut().zip(values).zip(self.normals) {
+            for ((to, a), b) in normals
+                .iter_mut()
+                .zip(values.iter())
+                .zip(self.normals.iter())
+            {
                 *to = a.lerp(b, t);
             }
             blended.normals = Attribute {
-                values: normals,
+                values: Values::Full(normals),
                 faces,
             };
         }

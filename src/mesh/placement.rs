@@ -27,7 +27,7 @@ pub(crate) struct Placement<'a> {
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
 /// use fixel::prelude::*;
-/// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
+/// static SKIN: [[Gray8; 2]; 1] = [[Gray8::new(10), Gray8::new(20)]];
 /// let positions = [vec3!(-1, -1, -2), vec3!(1, -1, -2), vec3!(0, 1, -2)];
 /// let bare = Mesh::new(&positions, &[[0, 1, 2]])?;
 /// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100))?;

@@ -2,7 +2,6 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::attribute::Attribute;
 use super::{Index, Mesh, Placement};
 use crate::math::Direction;
 use crate::{Scalar, Vec2, Vec3};
@@ -198,11 +197,6 @@ pub struct Corner<'a> {
 }
 
 impl Corner<'_> {
-    #[inline]
-    fn attribute<T: Copy>(&self, attribute: &Attribute<'_, T>) -> Option<T> {
-        attribute.at(self.primitive.indices, self.corner)
-    }
-
     /// The position in model space.
     #[must_use]
     #[inline]
@@ -230,7 +224,8 @@ impl Corner<'_> {
     #[must_use]
     #[inline]
     pub fn uv(&self) -> Vec2 {
-        let uv = self.attribute(&self.primitive.mesh.uvs);
+        let Primitive { mesh, indices, .. } = self.primitive;
+        let uv = mesh.uvs.at(*indices, self.corner);
         uv.unwrap_or_else(|| self.primitive.placement.lacks_uvs())
     }
 
@@ -238,7 +233,8 @@ impl Corner<'_> {
     #[must_use]
     #[inline]
     pub fn normal(&self) -> Vec3 {
-        let normal = self.attribute(&self.primitive.mesh.normals);
+        let Primitive { mesh, indices, .. } = self.primitive;
+        let normal = mesh.normals.at(*indices, self.corner);
         normal.unwrap_or_else(|| self.primitive.normal())
     }
 
@@ -246,7 +242,8 @@ impl Corner<'_> {
     #[must_use]
     #[inline]
     pub fn color(&self) -> Rgb888 {
-        let color = self.attribute(&self.primitive.mesh.colors);
+        let Primitive { mesh, indices, .. } = self.primitive;
+        let color = mesh.colors.full_at(*indices, self.corner);
         color.unwrap_or_else(|| self.primitive.placement.lacks_colors())
     }
 

@@ -309,12 +309,14 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8};
     /// use fixel::prelude::*;
-    /// static TREE: TextureArray<Gray8, 4, 4> = TextureArray::gray8(&[
-    ///     0, 9, 9, 0,
-    ///     9, 9, 9, 9,
-    ///     0, 9, 9, 0,
-    ///     0, 9, 9, 0,
-    /// ]);
+    /// const NO: Gray8 = Gray8::new(0);
+    /// const IS: Gray8 = Gray8::new(9);
+    /// static TREE: [[Gray8; 4]; 4] = [
+    ///     [NO, IS, IS, NO],
+    ///     [IS, IS, IS, IS],
+    ///     [NO, IS, IS, NO],
+    ///     [NO, IS, IS, NO],
+    /// ];
     /// let projection = Projection::perspective(deg!(90), (2, 1), fx!(0.5), fx!(20))?;
     /// let camera = Camera::look_at(vec3!(0, 1.5, 0), vec3!(0, 1.5, -1), Vec3::Y)?;
     /// let mut pixels = [Gray8::new(0); 24 * 12];
@@ -325,7 +327,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// let trees = Sprites::new(&places, (fx!(2), fx!(2)))?
     ///     .with_axis(Vec3::Y)?
     ///     .with_anchor(vec2!(0.5, 1));
-    /// let leaves = Textured::new(&TREE).clamped().cut_out(Gray8::new(0));
+    /// let leaves = Textured::new(&TREE).clamped().cut_out(NO);
     /// canvas.draw_sprites(&DrawOptions::new(), &trees, &(projection * camera), &leaves);
     /// let shown: Vec<String> = canvas.pixels().collect::<Vec<_>>().chunks(24)
     ///     .map(|row| row.iter().map(|p| if *p == Gray8::new(0) { '.' } else { '#' }).collect()).collect();

@@ -14,9 +14,9 @@ use crate::mesh::Primitive;
 /// stored in the canvas's format is faster.
 ///
 /// ```
-/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}};
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888, RgbColor}};
 /// use fixel::prelude::*;
-/// static SKIN: TextureArray<Rgb888, 2, 1> = TextureArray::rgb888(&[255, 255, 255, 0, 128, 0]);
+/// static SKIN: [[Rgb888; 2]; 1] = [[Rgb888::WHITE, Rgb888::new(0, 128, 0)]];
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));

@@ -177,7 +177,6 @@ mod tests {
     use super::super::fixture::{IDENTITY, count, face, scale, shade};
     use super::super::{Flat, Gouraud, Texels, Textured, Varyings};
     use super::*;
-    use crate::texture::TextureArray;
     use crate::{Mesh, Vec3, fx, vec2, vec3};
     use embedded_graphics::pixelcolor::{Gray8, Rgb565, Rgb888, RgbColor};
 
@@ -238,7 +237,7 @@ mod tests {
 
     #[test]
     fn textures_are_lit() {
-        let skin = TextureArray::from_texels([[Rgb565::WHITE, Rgb565::new(20, 40, 4)]]);
+        let skin = [[Rgb565::WHITE, Rgb565::new(20, 40, 4)]];
         let uvs = [vec2!(2.5, 0), vec2!(2.5, 0), vec2!(2, 0)];
         let mesh = mesh().with_normals(&NORMALS, None).unwrap();
         let mesh = mesh.with_uvs(&uvs, None).unwrap();

@@ -1,178 +1,150 @@
-//! A surface whose texture has mipmap levels: each pixel shows the level that suits its distance.
+//! Textures with mipmap levels: each pixel shows the level that suits its distance.
 
 use embedded_graphics::geometry::Size;
 
 use super::{Fragment, PerFace, Shader, Texel, Texels, Textured};
 use crate::mesh::Primitive;
 use crate::num::log2;
-use crate::texture::{
-    Addressing, Bilinear, Blend, Clamp, Mipmap, MipmapFilter, Nearest, Repeat, Trilinear,
-};
+use crate::texture::{Addressing, Blend, Filter, Nearest, Sampler, Trilinear};
 use crate::{Error, Projection, Vec3, Viewport};
 
 /// Less than any triangle's density, so that the level of edges and points is 0.
 const FINEST: i32 = -(1 << 20);
 
-/// A texture that does not flicker in the distance: each pixel shows the level of a [`Mipmap`] that suits its distance.
-///
-#[cfg_attr(doc, doc = page_picture!("mipmapped", "A tiled floor: the left half without mipmaps flickers in the distance, the right half is even"))]
-/// A pixel shows the nearest texel of the nearest level, a blend of four texels of that level
-/// ([`bilinear`](Self::bilinear)), or a blend of two levels ([`trilinear`](Self::trilinear)). The texture repeats, or
-/// is [`clamped`](Self::clamped). The varyings are the same as those of [`Textured`].
-///
-/// ```
-/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, Gray8, GrayColor}};
-/// use fixel::prelude::*;
-/// use fixel::{shade::Mipmapped, texture::Mipmap};
-/// static FLOOR: Mesh = shape!(plane(1, 1));
-/// // Black and white stripes of one texel; the levels above are gray.
-/// let mut texels = [Gray8::BLACK; Mipmap::<Gray8>::len(16, 16)];
-/// texels[..256].iter_mut().step_by(2).for_each(|texel| *texel = Gray8::WHITE);
-/// let stripes = Mipmap::build(&mut texels, 16, 16)?;
-/// let projection = Projection::perspective(deg!(90), (12, 12), fx!(0.5), fx!(20))?;
-/// let mvp = projection * Transform::translate(vec3!(0, -1, 0)) * Transform::scale(fx!(9));
-/// let mut display = MockDisplay::new();
-/// let mut pixels = [Gray4::BLACK; 144];
-/// let mut canvas = Canvas::new(&mut pixels, 12, 12)?;
-/// canvas.draw(&FLOOR, &mvp, &Mipmapped::new(stripes, &projection, (12, 12))?.converted());
-/// canvas.show(&mut display)?;
-/// display.assert_pattern(&[
-///     "000000000000", "000000000000", "000000000000", "000000000000", "000000000000", "000000000000",
-///     "000000000000", "888787878887", "FFF000FFF000", "FF0000FFFF00", "F00000FFFFF0", "000000FFFFFF",
-/// ]);
-/// # Ok::<(), Error>(())
-/// ```
-///
-/// # The level
-///
-/// At level 0, a pixel shows a texel of the texture; at level n, it shows the mean of 2ⁿ x 2ⁿ texels. The level at a
-/// pixel is
-///
-/// > log₂(density · z / focal · z / d)
-///
-/// where z is the distance along the view direction, `focal` the focal length in pixels, d the distance of the eye from
-/// the triangle's plane, and `density` the number of texels per unit of the triangle, as a mean of both directions. z /
-/// focal is a pixel's size at this distance. z / d is the factor by which the pixel's area is stretched on the plane,
-/// along the line of sight. So the level suits the direction in which a texture is foreshortened most, as is usual in
-/// graphics hardware; in the other direction, the picture is softer than necessary. Toward the corners of the picture,
-/// the stretch exceeds z / d, at most by the ratio of the pixel's true distance to z.
-///
-/// `density` and d are computed once for each triangle, and z comes from [`Fragment::depth`]. The level differs from
-/// the formula by at most 1/8 if the depth is at least 32 and the triangle's sides and d are at least 1/16 unit. A
-/// level below 0 counts as 0. Edges and points show level 0, and so does a triangle whose texels lie in a line.
-///
-/// The formula holds for a perspective projection. Under a parallel one, distant surfaces do not become smaller: use
-/// [`Textured`] with a texture of the right size.
-///
-/// # Accuracy
-///
-/// The table lists the mean difference between a pixel and the mean of the texture over its area, in steps of 255, on
-/// the benchmark's floor from 1 to 20 units ahead. The texture has 64x64 texels, in squares of 8, and is repeated; the
-/// eye moves in eight steps. `cargo test --test accuracy mipmap -- --nocapture` prints these figures.
-///
-/// | | 1 repeat | 8 repeats | 32 repeats |
-/// |---|---:|---:|---:|
-/// | `Textured` | 1.75 | 11.51 | 25.69 |
-/// | `Textured`, bilinear | 4.67 | 9.93 | 18.82 |
-/// | `Mipmapped` | 1.75 | 8.62 | 15.13 |
-/// | `Mipmapped`, bilinear | 4.73 | 6.26 | 7.05 |
-/// | `Mipmapped`, trilinear | 4.67 | 6.06 | 6.42 |
-///
-/// A bilinear filter also softens the edges of near squares. With one level for a whole triangle, in place of one for
-/// each pixel, the difference would be 37 for 8 repeats.
-///
-/// # Cost
-///
-/// The table lists the host's instructions for each pixel of the benchmark's floor (x86-64, default mode, 64x64 texels
-/// of Rgb565, no pixel at level 0). For microcontrollers, the program `examples/kernels` prints them (its kernels with
-/// mipmap or trilinear in their names). In addition, each triangle takes a few hundred instructions for its density.
-///
-/// | | nearest | bilinear | trilinear |
-/// |---|---:|---:|---:|
-/// | `Textured`, of a [`TextureArray`](crate::TextureArray) | 20 | 83 | |
-/// | `Textured`, of a [`Mipmap`] | 28 | 112 | |
-/// | `Mipmapped` | 73 | 192 | 269 |
+/// The detail of a [`mipmapped`](Textured::mipmapped) texture.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Mipmapped<'a, C, A = Repeat, F = Nearest> {
-    texture: Textured<Mipmap<'a, C>, A>,
-    filter: F,
+pub struct Mipmapped {
     /// log₂((near · 65,536)² · pixel), with 8 fraction bits; `pixel` is a pixel's size at a distance of 1.
     scale: i32,
 }
 
-impl<'a, C: Copy> Mipmapped<'a, C> {
-    /// A surface with this mipmap, to be drawn with this projection in a frame or viewport of this size in pixels.
+impl<S: Sampler, A, F> Textured<S, A, F> {
+    /// Shows each pixel the level of a [`Mipmap`](crate::texture::Mipmap) that suits its distance, so that the texture
+    /// does not flicker far away. The projection and the size in pixels are those of the draw call, of its viewport if
+    /// it has one.
+    ///
+    #[cfg_attr(doc, doc = page_picture!("mipmapped", "A tiled floor: the left half without mipmaps flickers in the distance, the right half is even"))]
+    /// A pixel shows the nearest texel of the nearest level, a blend of four texels of that level
+    /// ([`bilinear`](Self::bilinear)), or a blend of two levels ([`trilinear`](Self::trilinear)).
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, Gray8, GrayColor}};
+    /// use fixel::{prelude::*, texture::Mipmap};
+    /// static FLOOR: Mesh = shape!(plane(1, 1));
+    /// // Black and white stripes of one texel; the levels above are gray.
+    /// let mut texels = [Gray8::BLACK; Mipmap::<Gray8>::len(16, 16)];
+    /// texels[..256].iter_mut().step_by(2).for_each(|texel| *texel = Gray8::WHITE);
+    /// let stripes = Mipmap::build(&mut texels, 16, 16)?;
+    /// let projection = Projection::perspective(deg!(90), (12, 12), fx!(0.5), fx!(20))?;
+    /// let mvp = projection * Transform::translate(vec3!(0, -1, 0)) * Transform::scale(fx!(9));
+    /// let mut display = MockDisplay::new();
+    /// let mut pixels = [Gray4::BLACK; 144];
+    /// let mut canvas = Canvas::new(&mut pixels, 12, 12)?;
+    /// let stripes = Textured::new(stripes).mipmapped(&projection, (12, 12))?;
+    /// canvas.draw(&FLOOR, &mvp, &stripes.converted());
+    /// canvas.show(&mut display)?;
+    /// display.assert_pattern(&[
+    ///     "000000000000", "000000000000", "000000000000", "000000000000", "000000000000", "000000000000",
+    ///     "000000000000", "888787878887", "FFF000FFF000", "FF0000FFFF00", "F00000FFFFF0", "000000FFFFFF",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
     ///
     /// # Errors
     ///
     /// [`Error::Size`] unless width and height are from 1 to [`Viewport::MAX`].
-    pub fn new(
-        mipmap: Mipmap<'a, C>,
+    ///
+    /// # The level
+    ///
+    /// At level 0, a pixel shows a texel of the texture; at level n, it shows the mean of 2ⁿ x 2ⁿ texels. The level at a
+    /// pixel is
+    ///
+    /// > log₂(density · z / focal · z / d)
+    ///
+    /// where z is the distance along the view direction, `focal` the focal length in pixels, d the distance of the eye from
+    /// the triangle's plane, and `density` the number of texels per unit of the triangle, as a mean of both directions. z /
+    /// focal is a pixel's size at this distance. z / d is the factor by which the pixel's area is stretched on the plane,
+    /// along the line of sight. So the level suits the direction in which a texture is foreshortened most, as is usual in
+    /// graphics hardware; in the other direction, the picture is softer than necessary. Toward the corners of the picture,
+    /// the stretch exceeds z / d, at most by the ratio of the pixel's true distance to z.
+    ///
+    /// `density` and d are computed once for each triangle, and z comes from [`Fragment::depth`]. The level differs from
+    /// the formula by at most 1/8 if the depth is at least 32 and the triangle's sides and d are at least 1/16 unit. A
+    /// level below 0 counts as 0. Edges and points show level 0, and so does a triangle whose texels lie in a line.
+    ///
+    /// The formula holds for a perspective projection. Under a parallel one, distant surfaces do not become smaller: give
+    /// the texture the right size instead.
+    ///
+    /// # Accuracy
+    ///
+    /// The table lists the mean difference between a pixel and the mean of the texture over its area, in steps of 255, on
+    /// the benchmark's floor from 1 to 20 units ahead. The texture has 64x64 texels, in squares of 8, and is repeated; the
+    /// eye moves in eight steps. `cargo test --test accuracy mipmap -- --nocapture` prints these figures.
+    ///
+    /// | | 1 repeat | 8 repeats | 32 repeats |
+    /// |---|---:|---:|---:|
+    /// | level 0 | 1.75 | 11.51 | 25.69 |
+    /// | level 0, bilinear | 4.67 | 9.93 | 18.82 |
+    /// | mipmapped | 1.75 | 8.62 | 15.13 |
+    /// | mipmapped, bilinear | 4.73 | 6.26 | 7.05 |
+    /// | mipmapped, trilinear | 4.67 | 6.06 | 6.42 |
+    ///
+    /// A bilinear filter also softens the edges of near squares. With one level for a whole triangle, in place of one for
+    /// each pixel, the difference would be 37 for 8 repeats.
+    ///
+    /// # Cost
+    ///
+    /// The table lists the host's instructions for each pixel of the benchmark's floor (x86-64, default mode, 64x64 texels
+    /// of Rgb565, no pixel at level 0). For microcontrollers, the program `examples/kernels` prints them (its kernels with
+    /// mipmap or trilinear in their names). In addition, each triangle takes a few hundred instructions for its density.
+    ///
+    /// | | nearest | bilinear | trilinear |
+    /// |---|---:|---:|---:|
+    /// | rows of texels | 20 | 83 | |
+    /// | a [`Mipmap`](crate::texture::Mipmap) at level 0 | 28 | 112 | |
+    /// | mipmapped | 73 | 192 | 269 |
+    pub fn mipmapped(
+        self,
         projection: &Projection,
         frame: impl Into<Size>,
-    ) -> Result<Self, Error> {
+    ) -> Result<Textured<S, A, F, Mipmapped>, Error> {
         let Size { width, height } = frame.into();
         let [x, y] = projection
             .pixel(&Viewport::new(0, 0, width, height)?)
             .map(|size| log2(size.value.unsigned_abs()) - (size.exp << 8));
         let near = log2(projection.near().to_bits().unsigned_abs().into());
-        Ok(Self {
-            texture: Textured::new(mipmap),
-            filter: Nearest,
-            scale: 2 * near + ((x + y) >> 1),
-        })
+        let scale = 2 * near + ((x + y) >> 1);
+        Ok(Textured::of(self.texture, Mipmapped { scale }))
     }
 }
 
-impl<'a, C: Copy, F: Copy> Mipmapped<'a, C, Repeat, F> {
-    /// Clamps the texture to its edge instead of repeating it.
+impl<S: Sampler<Color: Blend>, A> Textured<S, A, Nearest, Mipmapped> {
+    /// Blends the four texels around each pixel in each of the two levels between which the pixel lies, and then the two
+    /// results, so that no edge shows where a level ends.
+    ///
+    /// Each blend is rounded as [`bilinear`](Self::bilinear) describes it. The position between two levels is cut to the
+    /// same units, 1/32 or 1/256 of a level.
     #[must_use]
-    pub const fn clamped(self) -> Mipmapped<'a, C, Clamp, F> {
-        Mipmapped {
-            texture: self.texture.clamped(),
-            filter: self.filter,
-            scale: self.scale,
-        }
+    pub const fn trilinear(self) -> Textured<S, A, Trilinear, Mipmapped> {
+        Textured::of(self.texture, self.detail)
     }
 }
 
-impl<'a, C: Blend, A: Addressing> Mipmapped<'a, C, A> {
-    /// Blends the four texels around each pixel in the nearest level; see [`Bilinear`].
-    #[must_use]
-    pub const fn bilinear(self) -> Mipmapped<'a, C, A, Bilinear> {
-        Mipmapped {
-            texture: self.texture,
-            filter: Bilinear,
-            scale: self.scale,
-        }
-    }
-
-    /// Blends the two levels between which each pixel lies; see [`Trilinear`].
-    #[must_use]
-    pub const fn trilinear(self) -> Mipmapped<'a, C, A, Trilinear> {
-        Mipmapped {
-            texture: self.texture,
-            filter: Trilinear,
-            scale: self.scale,
-        }
-    }
-}
-
-impl<C: Texel, A: Addressing, F: MipmapFilter<C>> Shader for Mipmapped<'_, C, A, F> {
-    type Color = C::Source;
+impl<S: Sampler<Color: Texel>, A: Addressing, F: Filter<S::Color>> Shader
+    for Textured<S, A, F, Mipmapped>
+{
+    type Color = <S::Color as Texel>::Source;
     type Varyings = (Texels, PerFace<i32>);
 
     const READS_DEPTH: bool = true;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        let texels = self.texture.varyings(primitive);
+        let texels = self.corners(primitive);
         let density = if primitive.is_face() {
-            self.scale
-                + density(
-                    primitive.eye_positions().map(Vec3::to_bits),
-                    texels.map(|Texels(at)| at),
-                )
+            let eyes = primitive.eye_positions().map(Vec3::to_bits);
+            self.detail.scale + density(eyes, texels.map(|Texels(at)| at))
         } else {
             FINEST
         };
@@ -183,14 +155,9 @@ impl<C: Texel, A: Addressing, F: MipmapFilter<C>> Shader for Mipmapped<'_, C, A,
     fn shade(
         &self,
         at: &Fragment,
-        (Texels(place), PerFace(density)): Self::Varyings,
+        (texels, PerFace(density)): Self::Varyings,
     ) -> Option<Self::Color> {
-        F::color::<A>(
-            self.texture.sampler(),
-            place,
-            density - depth_log2(at.depth),
-        )?
-        .source()
+        self.color(texels, density - depth_log2(at.depth))
     }
 }
 

@@ -10,8 +10,7 @@
 //! | [`PartColors`] | one color per material | 0 |
 //! | [`Gouraud`] | the mesh's vertex colors | 3, or 1 for gray |
 //! | [`Gradient`] | a mixture of two colors by height | 3, or 1 for gray |
-//! | [`Textured`] | the nearest texel or a blend of four; the texture repeats or is clamped | 2 |
-//! | [`Mipmapped`] | a texture, reduced where it is far away | 2 |
+//! | [`Textured`] | the nearest texel or a blend; the texture repeats or is clamped, and may be reduced where it is far away | 2 |
 //! | [`DepthView`] | depth as gray | 0 |
 //! | [`NormalView`] | the direction of the normal as a color | 3, or 1 for gray |
 //!
@@ -30,7 +29,6 @@
 
 mod channels;
 mod converted;
-mod dequantized;
 mod dither;
 mod dithered;
 mod flat;
@@ -42,6 +40,7 @@ mod lanes;
 mod light;
 mod lit;
 mod map;
+mod masked;
 mod mipmapped;
 mod output;
 mod part_colors;
@@ -59,7 +58,6 @@ mod fixture;
 
 pub use channels::Channels;
 pub use converted::Converted;
-pub use dequantized::Dequantized;
 pub use dithered::Dithered;
 pub use flat::{FaceColors, Flat};
 #[doc(hidden)]
@@ -77,12 +75,13 @@ pub use light::{
 };
 pub use lit::{FaceLit, Lit};
 pub use map::Map;
+pub use masked::Masked;
 pub use mipmapped::Mipmapped;
 pub use output::{ColorOf, Output, PreciseOf, Translucent};
 pub use part_colors::PartColors;
 pub use precise::Precise;
 pub use shader::{Fragment, Shader, ShaderFor};
-pub use texel::{Masked, Texel};
+pub use texel::Texel;
 pub use textured::Textured;
 pub use tinted::Tinted;
 pub use varyings::{PerFace, Texels, Tolerance, Varyings, Within};

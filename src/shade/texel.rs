@@ -1,10 +1,9 @@
-//! Texels as sources, and masks.
+//! Texels as sources.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, PixelColor};
 
 use super::{Output, PixelFormat, Translucent};
-use crate::Error;
-use crate::texture::{Argb1555, Argb4444, Blend, Sampler};
+use crate::texture::{Argb1555, Argb4444, Blend, OrHole};
 
 /// A texel that [`Textured`](crate::Textured) can draw: any color of embedded-graphics, a [`Translucent`] one,
 /// [`Argb4444`] or [`Argb1555`].
@@ -64,6 +63,15 @@ impl Texel for Argb1555 {
     }
 }
 
+impl<T: Texel> Texel for OrHole<T> {
+    type Source = T::Source;
+
+    #[inline]
+    fn source(self) -> Option<T::Source> {
+        self.0?.source()
+    }
+}
+
 /// The color and the opacity are blended separately.
 impl<C: Blend> Blend for Translucent<C> {
     const WEIGHT_BITS: u32 = C::WEIGHT_BITS;
@@ -81,79 +89,10 @@ impl<C: Blend> Blend for Translucent<C> {
     }
 }
 
-/// A texture whose opacities are in another texture, the mask; see [`Textured::masked`](crate::Textured::masked).
-///
-/// ```
-/// use embedded_graphics::pixelcolor::{Gray8, Rgb565};
-/// use fixel::{prelude::*, shade::{Masked, Translucent}, texture::Sampler};
-/// static SKIN: TextureArray<Rgb565, 1, 1> = TextureArray::rgb565(&[0xf8, 0x00]);
-/// static MASK: TextureArray<Gray8, 1, 1> = TextureArray::gray8(&[99]);
-/// let masked = Masked::new(&SKIN, &MASK)?;
-/// let texel = Translucent { color: Rgb565::new(31, 0, 0), opacity: 99 };
-/// assert_eq!(masked.texel(0, 0), texel);
-/// # Ok::<(), Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Masked<S, M> {
-    texture: S,
-    mask: M,
-}
-
-impl<S: Sampler, M: Sampler<Color: GrayColor>> Masked<S, M> {
-    /// A texture with a mask of the same size: where the mask is white, the texture is opaque, and where it is black,
-    /// there is a hole.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::MaskSize`] if the sizes differ.
-    pub fn new(texture: S, mask: M) -> Result<Self, Error> {
-        let size = texture.size_log2();
-        let given = mask.size_log2();
-        if size != given {
-            // At most 2^15.
-            let pixels = |[width, height]: [u32; 2]| [1 << (width & 15), 1 << (height & 15)];
-            return Err(Error::MaskSize {
-                given: pixels(given),
-                texture: pixels(size),
-            });
-        }
-        Ok(Self { texture, mask })
-    }
-}
-
-impl<S: Sampler<Color: PixelColor>, M: Sampler<Color: GrayColor>> Sampler for Masked<S, M> {
-    type Color = Translucent<S::Color>;
-
-    #[inline]
-    fn size_log2(&self) -> [u32; 2] {
-        self.texture.size_log2()
-    }
-
-    #[inline]
-    fn texel(&self, u: i32, v: i32) -> Self::Color {
-        // White is 1, 3, 15 or 255.
-        let scale = 255 / M::Color::WHITE.luma().max(1);
-        Translucent {
-            color: self.texture.texel(u, v),
-            opacity: self.mask.texel(u, v).luma().wrapping_mul(scale),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use embedded_graphics::pixelcolor::{Gray4, Rgb565};
-
-    #[test]
-    fn a_mask_of_another_size_is_refused() {
-        let (skin, mask) = ([[Rgb565::new(1, 2, 3); 4]; 2], [[Gray4::new(15); 2]; 4]);
-        let error = Masked::new(&skin, &mask).unwrap_err();
-        assert_eq!(
-            std::format!("{error}"),
-            "mask has 2x4 texels: it must have 4x2, like its texture"
-        );
-    }
+    use embedded_graphics::pixelcolor::Rgb565;
 
     #[test]
     fn colors_and_opacities_are_blended_each_for_itself() {

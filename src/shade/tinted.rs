@@ -17,8 +17,7 @@ use crate::mesh::Primitive;
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888, RgbColor}};
 /// use fixel::prelude::*;
-/// static SKIN: TextureArray<Rgb565, 2, 1> =
-///     TextureArray::from_texels([[Rgb565::YELLOW, Rgb565::BLUE]]);
+/// static SKIN: [[Rgb565; 2]; 1] = [[Rgb565::YELLOW, Rgb565::BLUE]];
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
@@ -71,7 +70,6 @@ mod tests {
     use super::super::fixture::{IDENTITY, count, face, shade};
     use super::super::{Converted, Textured};
     use super::*;
-    use crate::texture::TextureArray;
     use crate::{Mesh, Vec3, vec2};
     use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888, RgbColor};
 
@@ -79,7 +77,7 @@ mod tests {
 
     #[test]
     fn texels_are_filtered_by_the_vertex_color() {
-        let skin = TextureArray::from_texels([[Rgb565::WHITE, Rgb565::new(20, 21, 22)]]);
+        let skin = [[Rgb565::WHITE, Rgb565::new(20, 21, 22)]];
         let uvs = [vec2!(7.5, 0), vec2!(7.5, 0), vec2!(7, 0)];
         let colors = [
             Rgb888::WHITE,
@@ -104,11 +102,11 @@ mod tests {
 
     #[test]
     fn the_color_decides_the_number_of_varyings() {
-        let skin = TextureArray::from_texels([[Rgb565::WHITE]]);
+        let skin = [[Rgb565::WHITE]];
         let shader = Textured::new(&skin).tinted();
         assert_eq!(count(&shader), 5);
         assert_eq!(count(&Converted::<_, BinaryColor>::new(shader)), 5);
-        let skin = TextureArray::from_texels([[Gray8::new(200)]]);
+        let skin = [[Gray8::new(200)]];
         let shader = Textured::new(&skin).clamped().tinted();
         assert_eq!(count(&shader), 3);
         let (texels, one) = (super::super::Texels([0, 0]), Within([1 << 15]));

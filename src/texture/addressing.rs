@@ -4,60 +4,22 @@ use crate::TexCoord;
 use crate::sealed::{Sealed, sealed};
 
 /// What a texture shows beyond its edges: [`Repeat`] or [`Clamp`].
-///
-/// ```
-/// use embedded_graphics::pixelcolor::Rgb565;
-/// use fixel::prelude::*;
-/// use fixel::texture::Addressing;
-///
-/// /// Takes any texture of this size, with either addressing.
-/// fn skin<A: Addressing>(textured: Textured<&TextureArray<Rgb565, 64, 64>, A>) {
-///     let _ = textured;
-/// }
-/// ```
+#[doc(hidden)]
 pub trait Addressing: Copy + Sealed {
-    /// The texture coordinate from which a triangle's are counted, in bits: a whole number of repeats.
-    #[doc(hidden)]
-    fn origin(bits: [i32; 3]) -> i32;
-
-    /// The column or row for a whole number of texels, which may lie beyond the edges.
-    #[doc(hidden)]
-    fn index(texel: i32, log2: u32) -> i32;
-
-    /// `texels` minus `little`, both with 16 fraction bits. A difference below `i32::MIN` wraps if texels repeat, and
-    /// saturates if they are clamped.
-    #[doc(hidden)]
-    fn back(texels: i32, little: i32) -> i32;
+    /// Whether the texture continues with the texels of its edge.
+    const CLAMPS: bool;
 }
 
 sealed!(Repeat, Clamp);
 
 /// Beyond its edge, a texture begins again.
-///
-/// ```
-/// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
-/// use fixel::{prelude::*, shade::Texels, texture::Repeat};
-/// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
-/// let skin: Textured<_, Repeat> = Textured::new(&SKIN);
-/// let pixel = Fragment { point: Point::zero(), depth: 0 };
-/// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, Texels([column << 16, 0])));
-/// assert_eq!(texels, [20, 10, 20, 10, 20].map(|luma| Some(Gray8::new(luma))));
-/// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Repeat;
 
 /// Beyond its edge, a texture continues with the texels of the edge.
-///
-/// ```
-/// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
-/// use fixel::{prelude::*, shade::Texels, texture::Clamp};
-/// static SKIN: TextureArray<Gray8, 2, 1> = TextureArray::gray8(&[10, 20]);
-/// let skin: Textured<_, Clamp> = Textured::new(&SKIN).clamped();
-/// let pixel = Fragment { point: Point::zero(), depth: 0 };
-/// let texels = [-1, 0, 1, 2, 3].map(|column| skin.shade(&pixel, Texels([column << 16, 0])));
-/// assert_eq!(texels, [10, 10, 20, 20, 20].map(|luma| Some(Gray8::new(luma))));
-/// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Clamp;
@@ -81,40 +43,40 @@ pub(crate) fn texels(bits: [i32; 3], origin: i32, log2: u32) -> [i32; 3] {
 }
 
 impl Addressing for Repeat {
-    #[inline]
-    fn origin([a, b, c]: [i32; 3]) -> i32 {
-        // The whole repeats that all three corners have in common; without them, the least corner lies in the first
-        // repeat.
-        a.min(b).min(c) >> TexCoord::FRAC_NBITS << TexCoord::FRAC_NBITS
-    }
-
-    #[inline]
-    fn index(texel: i32, _: u32) -> i32 {
-        // A sampler repeats by itself.
-        texel
-    }
-
-    #[inline]
-    fn back(texels: i32, little: i32) -> i32 {
-        // A wrap changes the position by a whole number of repeats.
-        texels.wrapping_sub(little)
-    }
+    const CLAMPS: bool = false;
 }
 
 impl Addressing for Clamp {
-    #[inline]
-    fn origin(_: [i32; 3]) -> i32 {
-        0
-    }
+    const CLAMPS: bool = true;
+}
 
-    #[inline]
-    fn index(texel: i32, log2: u32) -> i32 {
-        texel.clamp(0, (1 << log2) - 1)
+/// The texture coordinate from which a triangle's are counted, in bits: if the texture repeats, the whole repeats that
+/// all three corners have in common. Without them, the least corner lies in the first repeat.
+#[inline]
+pub(crate) fn origin<A: Addressing>([a, b, c]: [i32; 3]) -> i32 {
+    if A::CLAMPS {
+        return 0;
     }
+    a.min(b).min(c) >> TexCoord::FRAC_NBITS << TexCoord::FRAC_NBITS
+}
 
-    #[inline]
-    fn back(texels: i32, little: i32) -> i32 {
+/// The column or row for a whole number of texels, which may lie beyond the edges. Samplers already wrap.
+#[inline]
+pub(super) fn index<A: Addressing>(texel: i32, log2: u32) -> i32 {
+    if A::CLAMPS {
+        texel.max(0).min(1_i32.wrapping_shl(log2) - 1)
+    } else {
+        texel
+    }
+}
+
+/// `texels` minus `little`, both with 16 fraction bits. A wrap changes the position by a whole number of repeats.
+#[inline]
+pub(super) fn back<A: Addressing>(texels: i32, little: i32) -> i32 {
+    if A::CLAMPS {
         texels.saturating_sub(little)
+    } else {
+        texels.wrapping_sub(little)
     }
 }
 
@@ -140,7 +102,7 @@ mod tests {
         assert_eq!(texels([low, 0, high], high, 15), [low, low, 0]);
         assert_eq!(texels([low, 0, high], low, 15), [0, high, high]);
         // A triangle with corners as far apart as possible.
-        let repeated = |bits, log2| texels(bits, Repeat::origin(bits), log2);
+        let repeated = |bits, log2| texels(bits, origin::<Repeat>(bits), log2);
         assert_eq!(repeated([low, high, 0], 0), [0, 1 << 28, 1 << 27]);
         assert_eq!(
             repeated([-1, (1 << 20) - 1, 1 << 20], 2),

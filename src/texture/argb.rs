@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::Rgb565;
 
-use super::blend::{self, Blend};
+use super::blend::{self, Blend, bilinear, blend, each, linear, mean};
 
 /// A texel of 16 bits with an opacity of 4 bits, and 4 bits each of red, green and blue.
 ///
@@ -42,13 +42,8 @@ impl Argb4444 {
     /// A texel from its opacity, red, green and blue; only the low four bits of each are used.
     #[must_use]
     pub const fn new(opacity: u8, red: u8, green: u8, blue: u8) -> Self {
-        let [a, r, g, b] = [
-            opacity as u16 & 15,
-            red as u16 & 15,
-            green as u16 & 15,
-            blue as u16 & 15,
-        ];
-        Self(a << 12 | r << 8 | g << 4 | b)
+        let bytes = [opacity << 4 | red & 15, green << 4 | blue & 15];
+        Self(u16::from_be_bytes(bytes))
     }
 
     /// A texel from its bits: opacity, red, green and blue, the highest first.
@@ -113,19 +108,10 @@ impl Argb1555 {
     }
 }
 
-impl Blend for Argb4444 {
-    const WEIGHT_BITS: u32 = 4;
-
-    #[inline]
-    fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {
-        // Each channel gets four bits above it.
-        let lanes = |Self(bits): Self| {
-            let bits = u32::from(bits);
-            (bits | bits << 12) & 0x0f0f_0f0f
-        };
-        let blended = blend::bilinear::<0x0f0f_0f0f, 4>(blend::each(texels, lanes), weights);
-        Self((blended | blended >> 12) as u16)
-    }
+blend! {
+    // Each channel gets four bits above it.
+    Argb4444 4: |texel| texel.0.into(), [0x0f0f_0f0f |bits| (bits | bits << 12)],
+        |[lanes]| Self((lanes | lanes >> 12) as u16);
 }
 
 impl Blend for Argb1555 {

@@ -67,19 +67,14 @@ pub trait Blend: Copy {
     }
 }
 
-/// Whether every lane of `mask` has `bits` unused bits above it.
+/// Whether every lane of `mask` has `bits` unused bits above it: shifted by as many, no lane may reach the lowest bit of
+/// another, and the word may not lose a bit.
 const fn roomy(mask: u32, bits: u32) -> bool {
     let mut room = 0;
-    let mut above = mask;
-    while room < bits {
-        // No lane may reach the lowest bit of another, and the word may not lose a bit.
-        if above >> 31 != 0 || (above << 1) & lowest(mask) != 0 {
-            return false;
-        }
-        above <<= 1;
+    while room < bits && mask.leading_zeros() > room && (mask << (room + 1)) & lowest(mask) == 0 {
         room += 1;
     }
-    true
+    room == bits
 }
 
 /// The lowest bit of each lane of `mask`.
@@ -118,7 +113,7 @@ pub(super) fn nearest<C: Blend>([upper, lower]: [[C; 2]; 2], [x, y]: [u32; 2]) -
 
 /// Blends the channels of two colors, in lanes like those of [`bilinear`], rounded to nearest, halves up.
 #[inline]
-fn linear<const MASK: u32, const BITS: u32>([a, b]: [u32; 2], weight: u32) -> u32 {
+pub(super) fn linear<const MASK: u32, const BITS: u32>([a, b]: [u32; 2], weight: u32) -> u32 {
     const { assert!(roomy(MASK, BITS), "lanes overlap when weighted") };
     // a · (2^BITS − weight) + b · weight, for all lanes at once. Lanes of the difference may borrow from their
     // neighbors; they give it back in the sum, where no lane is negative.
@@ -136,41 +131,67 @@ pub(super) fn mean<const MASK: u32>([[a, b], [c, d]]: [[u32; 2]; 2]) -> u32 {
     ((a + b + c + d + (lowest(MASK) << 1)) >> 2) & MASK
 }
 
-/// The lanes of a color of 16 bits: its upper half holds the channel in the middle.
-#[inline]
-fn lanes<const MASK: u32>(color: impl IntoStorage<Storage = u16>) -> u32 {
-    let raw = u32::from(color.into_storage());
-    (raw | raw << 16) & MASK
-}
-
-/// The color of such lanes.
-#[inline]
-fn of_lanes<C: From<RawU16>>(lanes: u32) -> C {
-    RawU16::new((lanes | lanes >> 16) as u16).into()
-}
-
-/// Colors whose channels fit in one word with five unused bits above each: the middle channel is in the upper half.
-macro_rules! one_word {
-    ($($color:ident $mask:literal)+) => {$(
-        impl Blend for $color {
-            const WEIGHT_BITS: u32 = 5;
+/// Colors and the bits of their weights: a color's `$raw` bits, from them words of lanes with these masks, and the color
+/// `$of` these words.
+macro_rules! blend {
+    ($($Color:ident $bits:literal: |$color:ident| $raw:expr,
+        [$($mask:literal |$bit:ident| $lanes:expr),+], |$words:pat_param| $of:expr;)+) => {$(
+        impl Blend for $Color {
+            const WEIGHT_BITS: u32 = $bits;
 
             #[inline]
             fn mix(self, other: Self, weight: u32) -> Self {
-                of_lanes(linear::<$mask, 5>([lanes::<$mask>(self), lanes::<$mask>(other)], weight))
+                let raw = |$color: Self| -> u32 { $raw };
+                let [a, b] = [raw(self), raw(other)];
+                let $words = [$({
+                    let lanes = |$bit: u32| $lanes & $mask;
+                    linear::<$mask, $bits>([lanes(a), lanes(b)], weight)
+                }),+];
+                $of
             }
 
             #[inline]
             fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {
-                of_lanes(bilinear::<$mask, 5>(each(texels, lanes::<$mask>), weights))
+                let raw = each(texels, |$color: Self| -> u32 { $raw });
+                let $words = [$({
+                    bilinear::<$mask, $bits>(each(raw, |$bit| $lanes & $mask), weights)
+                }),+];
+                $of
             }
 
             #[inline]
             fn mean(texels: [[Self; 2]; 2]) -> Self {
-                of_lanes(mean::<$mask>(each(texels, lanes::<$mask>)))
+                let raw = each(texels, |$color: Self| -> u32 { $raw });
+                let $words = [$(mean::<$mask>(each(raw, |$bit| $lanes & $mask))),+];
+                $of
             }
         }
     )+};
+}
+pub(super) use blend;
+
+/// Colors of 16 bits whose channels fit in one word with five unused bits above each: the middle channel is in the upper
+/// half.
+macro_rules! one_word {
+    ($($Color:ident $mask:literal)+) => {
+        blend! {$(
+            $Color 5: |color| color.into_storage().into(), [$mask |raw| (raw | raw << 16)],
+                |[lanes]| RawU16::new((lanes | lanes >> 16) as u16).into();
+        )+}
+    };
+}
+
+/// Colors with more bits: the outer channels are in one word, 16 bits apart, and the middle channel is in another.
+macro_rules! two_words {
+    ($($Color:ident $bits:literal $outer:literal $middle:literal)+) => {
+        blend! {$(
+            $Color 8: |color| color.into_storage(),
+                [$outer |raw| (raw << (16 - 2 * $bits) & !0xffff | raw & 0xffff), $middle |raw| raw >> $bits],
+                |[outer, middle]| RawU24::new(
+                    outer >> 16 << (2 * $bits) | middle << $bits | outer & $middle
+                ).into();
+        )+}
+    };
 }
 
 one_word! {
@@ -179,56 +200,14 @@ one_word! {
     Rgb555 0x03e0_7c1f
     Bgr555 0x03e0_7c1f
 }
-
-/// Colors with more bits: the outer channels are in one word, 16 bits apart, and the middle channel is in another.
-macro_rules! two_words {
-    ($($color:ident $channel:literal $bits:literal)+) => {$(
-        impl Blend for $color {
-            const WEIGHT_BITS: u32 = 8;
-
-            #[inline]
-            fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {
-                /// Shifts the upper channel to the upper half.
-                const UP: u32 = 16 - 2 * $bits;
-                const OUTER: u32 = $channel << 16 | $channel;
-                let raw = each(texels, IntoStorage::into_storage);
-                let outer = each(raw, |raw| (raw << UP) & ($channel << 16) | raw & $channel);
-                let middle = each(raw, |raw| raw >> $bits & $channel);
-                let outer = bilinear::<OUTER, 8>(outer, weights);
-                let middle = bilinear::<$channel, 8>(middle, weights);
-                Self::from(RawU24::new(outer >> 16 << (2 * $bits) | middle << $bits | outer & $channel))
-            }
-
-            #[inline]
-            fn mean(texels: [[Self; 2]; 2]) -> Self {
-                let raw = each(texels, IntoStorage::into_storage);
-                let channel = |shift: u32| mean::<$channel>(each(raw, |raw| raw >> shift & $channel)) << shift;
-                Self::from(RawU24::new(channel(0) | channel($bits) | channel(2 * $bits)))
-            }
-        }
-    )+};
-}
-
 two_words! {
-    Rgb666 0x3f 6
-    Bgr666 0x3f 6
-    Rgb888 0xff 8
-    Bgr888 0xff 8
+    Rgb666 6 0x003f_003f 0x3f
+    Bgr666 6 0x003f_003f 0x3f
+    Rgb888 8 0x00ff_00ff 0xff
+    Bgr888 8 0x00ff_00ff 0xff
 }
-
-impl Blend for Gray8 {
-    const WEIGHT_BITS: u32 = 8;
-
-    #[inline]
-    fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self {
-        let lumas = each(texels, |texel| texel.luma().into());
-        Self::new(bilinear::<0xff, 8>(lumas, weights) as u8)
-    }
-
-    #[inline]
-    fn mean(texels: [[Self; 2]; 2]) -> Self {
-        Self::new(mean::<0xff>(each(texels, |texel| texel.luma().into())) as u8)
-    }
+blend! {
+    Gray8 8: |gray| gray.luma().into(), [0xff |luma| luma], |[luma]| Self::new(luma as u8);
 }
 
 #[cfg(test)]

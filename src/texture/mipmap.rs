@@ -1,6 +1,7 @@
 //! Textures with their reductions to half, quarter and so on.
 
-use super::sampler::{exponents, log2};
+use super::filter::size_at;
+use super::sampler::{exponents, size_log2};
 use super::{Blend, Sampler};
 use crate::Error;
 use crate::error::{check_length, ok};
@@ -13,12 +14,12 @@ use crate::error::{check_length, ok};
 /// texels that it replaces.
 ///
 /// A mipmap borrows the texels of all levels, in one slice: level 0 first, each level row by row from the top. Together
-/// they take a third more memory than the texture; [`len`](Self::len) returns their number. There are three ways to
-/// create a mipmap: [`MipmapArray`] computes the levels at compile time, and [`as_mipmap`]
-/// borrows them; [`build`](Self::build) computes them at run time, in your memory; [`new`](Self::new) takes a slice
-/// that already has them.
+/// they take a third more memory than the texture; [`len`](Self::len) returns their number.
+/// [`include_texture!`](crate::include_texture) computes the levels of a picture at compile time. [`build`](Self::build)
+/// computes them at run time, in your memory. [`new`](Self::new) takes a slice that already has them.
 ///
-/// [`Mipmapped`](crate::shade::Mipmapped) draws it. Used as a [`Sampler`], it behaves like the texture at level 0.
+/// [`Textured::mipmapped`](crate::Textured::mipmapped) shows each pixel the level that suits its distance. Without it,
+/// all pixels show level 0.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -26,13 +27,9 @@ use crate::error::{check_length, ok};
 /// let mut texels = [Gray8::BLACK; Mipmap::<Gray8>::len(4, 2)];
 /// texels[..8].copy_from_slice(&[10, 20, 0, 0, 30, 41, 0, 1].map(Gray8::new));
 /// let mipmap = Mipmap::build(&mut texels, 4, 2)?;
-/// assert_eq!(mipmap.levels(), 2);
 /// assert_eq!(mipmap.texels()[8..], [25, 0].map(Gray8::new)); // 25.25 and 0.25
 /// # Ok::<(), fixel::Error>(())
 /// ```
-///
-/// [`MipmapArray`]: super::MipmapArray
-/// [`as_mipmap`]: super::MipmapArray::as_mipmap
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Mipmap<'a, C> {
     texels: &'a [C],
@@ -70,7 +67,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     /// it only in constants, where this stops compilation.
     #[must_use]
     pub const fn len(width: usize, height: usize) -> usize {
-        len_of([log2("width", width), log2("height", height)])
+        len_of(size_log2(width, height))
     }
 
     /// A mipmap of texels that have all levels already.
@@ -82,16 +79,11 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     pub const fn new(texels: &'a [C], width: u32, height: u32) -> Result<Self, Error> {
         let size = ok!(exponents(width, height));
         ok!(check_length(texels.len(), len_of(size)));
-        Ok(Self::of(texels, size))
-    }
-
-    /// The mipmap of as many texels as all levels need.
-    pub(super) const fn of(texels: &'a [C], [width_log2, height_log2]: [u32; 2]) -> Self {
-        Self {
+        Ok(Self {
             texels,
             first: texels[0],
-            size_log2: [width_log2 as u8, height_log2 as u8],
-        }
+            size_log2: [size[0] as u8, size[1] as u8],
+        })
     }
 
     /// Computes all levels from level 0, with which `texels` begins; the rest of `texels` is overwritten.
@@ -104,7 +96,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     /// let mut texels = [Rgb565::BLACK; Mipmap::<Rgb565>::len(8, 4)];
     /// texels[..8 * 4].copy_from_slice(BRICK.texels());
     /// let bricks = Mipmap::build(&mut texels, 8, 4)?;
-    /// assert_eq!(bricks.levels(), 3);
+    /// assert_eq!(bricks.texels()[..32], *BRICK.texels());
     /// # Ok::<(), fixel::Error>(())
     /// ```
     ///
@@ -115,21 +107,16 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     where
         C: Blend,
     {
-        let [width_log2, height_log2] = Mipmap::new(&*texels, width, height)?.size_log2;
-        for level in 1..=width_log2.min(height_log2) {
-            // Two rows of the level before, and one of this level.
-            let wide = 2_usize << (width_log2 - level);
-            let size = wide << (height_log2 - level + 1);
-            let Some((before, after)) =
-                texels.split_at_mut_checked(start(texels.len(), size) + size)
-            else {
-                continue;
-            };
-            let before = before.get(before.len() - size..).unwrap_or_default();
-            for (pair, row) in before
-                .chunks_exact(2 * wide)
-                .zip(after.chunks_exact_mut(wide / 2))
-            {
+        Mipmap::new(&*texels, width, height)?;
+        let (mut wide, mut size) = (width as usize, (width * height) as usize);
+        let mut rest = &mut *texels;
+        while let Some((level, others)) = rest.split_at_mut_checked(size)
+            && let Some((next, _)) = others.split_at_mut_checked(size / 4)
+            && !next.is_empty()
+        {
+            // Two rows of this level, and one of the next.
+            let pairs = level.chunks_exact(2 * wide);
+            for (pair, row) in pairs.zip(next.chunks_exact_mut(wide / 2)) {
                 let (upper, lower) = pair.split_at(wide);
                 let squares = upper.chunks_exact(2).zip(lower.chunks_exact(2));
                 for (texel, square) in row.iter_mut().zip(squares) {
@@ -138,6 +125,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
                     }
                 }
             }
+            (rest, wide, size) = (others, wide / 2, size / 4);
         }
         Mipmap::new(texels, width, height)
     }
@@ -159,69 +147,6 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     pub const fn height(&self) -> u32 {
         1 << self.size_log2[1]
     }
-
-    /// The number of levels: 1 to 16.
-    #[must_use]
-    pub const fn levels(&self) -> u32 {
-        self.last() + 1
-    }
-
-    /// The last level.
-    #[inline]
-    pub(crate) const fn last(&self) -> u32 {
-        let [width, height] = self.size_log2;
-        (if width < height { width } else { height }) as u32
-    }
-
-    /// One level as a texture; `level` must not be beyond the last one.
-    #[inline]
-    pub(crate) const fn level(&self, level: u32) -> Level<'a, C> {
-        Level {
-            mipmap: *self,
-            level,
-        }
-    }
-}
-
-/// Where the level with `size` texels, a power of two, begins: after the larger levels, which are the higher bits of
-/// `len`.
-#[inline]
-const fn start(len: usize, size: usize) -> usize {
-    len & !(size | (size - 1))
-}
-
-/// A level of a mipmap.
-#[derive(Clone, Copy)]
-pub(crate) struct Level<'a, C> {
-    mipmap: Mipmap<'a, C>,
-    level: u32,
-}
-
-impl<C: Copy> Sampler for Level<'_, C> {
-    type Color = C;
-
-    #[inline]
-    fn size_log2(&self) -> [u32; 2] {
-        let [width, height] = Sampler::size_log2(&self.mipmap);
-        [
-            width.wrapping_sub(self.level),
-            height.wrapping_sub(self.level),
-        ]
-    }
-
-    #[inline]
-    fn texel(&self, u: i32, v: i32) -> C {
-        let Mipmap { texels, first, .. } = self.mipmap;
-        let (u, v) = (u.cast_unsigned() as usize, v.cast_unsigned() as usize);
-        let [width, height] = self.size_log2();
-        let column = u & (1_usize.wrapping_shl(width) - 1);
-        let size = 1_usize.wrapping_shl(width + height);
-        let index = (v.wrapping_shl(width) | column) & (size - 1) | start(texels.len(), size);
-        match texels.get(index) {
-            Some(&texel) => texel,
-            None => first,
-        }
-    }
 }
 
 impl<C: Copy> Sampler for Mipmap<'_, C> {
@@ -235,6 +160,20 @@ impl<C: Copy> Sampler for Mipmap<'_, C> {
 
     #[inline]
     fn texel(&self, u: i32, v: i32) -> C {
-        self.level(0).texel(u, v)
+        self.texel_at(0, u, v)
+    }
+
+    #[inline]
+    fn texel_at(&self, level: u32, u: i32, v: i32) -> C {
+        let (u, v) = (u.cast_unsigned() as usize, v.cast_unsigned() as usize);
+        let [width, height] = size_at(level, self.size_log2());
+        let size = 1_usize.wrapping_shl(width.wrapping_add(height));
+        // After the larger levels, which are the higher bits of the number of all texels.
+        let start = self.texels.len() & !(size | (size - 1));
+        let place = v.wrapping_shl(width) | u & (1_usize.wrapping_shl(width) - 1);
+        let level = self.texels.get(start..).and_then(|rest| rest.get(..size));
+        // The mask shows the compiler that a level has this texel.
+        let texel = level.and_then(|level| level.get(place & (size - 1)));
+        texel.copied().unwrap_or(self.first)
     }
 }

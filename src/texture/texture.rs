@@ -1,23 +1,23 @@
 //! Textures whose size is known at run time.
 
 use super::Sampler;
-use super::sampler::Grid;
+use super::sampler::{exponents, size_log2};
 use crate::Error;
-use crate::error::ok;
+use crate::error::{check_length, ok};
 
 /// A texture that borrows its texels; its size is known at run time.
 ///
 /// Width and height are powers of two, at most [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE). The texels lie row by
-/// row, the top row first. There are three ways to create one: [`include_texture!`](crate::include_texture)
-/// converts a picture file at compile time; [`TextureArray::as_texture`](super::TextureArray::as_texture) borrows an array as a texture; [`new`](Self::new)
-/// takes a slice. Textures of different sizes fit in one list:
+/// row, the top row first. [`include_texture!`](crate::include_texture) converts a picture file at compile time,
+/// [`from_rows`](Self::from_rows) borrows rows of texels, and [`new`](Self::new) takes a slice. Textures of different
+/// sizes fit in one list:
 ///
 /// ```standalone_crate
-/// use embedded_graphics::pixelcolor::Rgb565;
+/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 /// use fixel::prelude::*;
 /// static BRICK: Texture<Rgb565> = include_texture!("samples/brick.bmp");
-/// static STRIPES: TextureArray<Rgb565, 2, 1> = TextureArray::rgb565(&[0xf8, 0x00, 0x00, 0x1f]);
-/// static SKINS: [Texture<Rgb565>; 2] = [BRICK, STRIPES.as_texture()];
+/// static STRIPES: [[Rgb565; 2]; 1] = [[Rgb565::RED, Rgb565::BLUE]];
+/// static SKINS: [Texture<Rgb565>; 2] = [BRICK, Texture::from_rows(&STRIPES)];
 /// assert_eq!(SKINS.map(|skin| (skin.width(), skin.height())), [(8, 4), (2, 1)]);
 /// let shader = Textured::new(&SKINS[1]);
 /// # let _ = shader;
@@ -25,12 +25,11 @@ use crate::error::ok;
 ///
 /// # Cost
 ///
-/// Reading a texel takes a shift and two masks more than with a [`TextureArray`](super::TextureArray), and more
-/// registers. The table lists instructions per frame for the benchmark's floor: 47,610 pixels with a 64x64 texture. A
-/// shader holds either the texture itself, `Textured::new(SKIN)`, or a reference to it; with a reference, the size is
-/// read again at each pixel:
+/// Reading a texel takes a shift and two masks more than from rows, `&[[C; W]; H]`, and more registers. The table lists
+/// instructions per frame for the benchmark's floor: 47,610 pixels with a 64x64 texture. A shader holds either the
+/// texture itself, `Textured::new(SKIN)`, or a reference to it; with a reference, the size is read again at each pixel:
 ///
-/// | | `TextureArray` | `Texture` | `&Texture` |
+/// | | rows | `Texture` | `&Texture` |
 /// |---|---:|---:|---:|
 /// | Cortex-M4, `Newton` | 1,386,960 | 1,538,720 | 2,387,200 |
 /// | Cortex-M4, `Affine` | 1,202,040 | 1,406,040 | 2,060,960 |
@@ -38,9 +37,11 @@ use crate::error::ok;
 /// | Cortex-M0+, `Affine` | 2,180,000 | 2,247,480 | 2,992,280 |
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Texture<'a, C> {
-    grid: Grid<'a, C>,
+    /// As many as the size needs, so at least one.
+    texels: &'a [C],
     /// The color for an empty slice, which cannot occur.
     first: C,
+    size_log2: [u8; 2],
 }
 
 impl<'a, C: Copy> Texture<'a, C> {
@@ -64,31 +65,41 @@ impl<'a, C: Copy> Texture<'a, C> {
     /// [`Error::PowerOfTwo`] if the width or the height is not a power of two or is too large;
     /// [`Error::Length`] if the number of texels is not their product.
     pub const fn new(texels: &'a [C], width: u32, height: u32) -> Result<Self, Error> {
-        let grid = ok!(Grid::new(texels, width, height));
-        Ok(Self::of(grid))
+        let [width, height] = ok!(exponents(width, height));
+        ok!(check_length(texels.len(), 1 << (width + height)));
+        Ok(Self::of(texels, [width, height]))
     }
 
-    pub(super) const fn of(grid: Grid<'a, C>) -> Self {
-        let first = grid.entries()[0];
-        Self { grid, first }
+    /// A texture of rows, the top one first. Rows of a wrong size do not compile.
+    #[must_use]
+    pub const fn from_rows<const W: usize, const H: usize>(rows: &'a [[C; W]; H]) -> Self {
+        Self::of(rows.as_flattened(), const { size_log2(W, H) })
+    }
+
+    const fn of(texels: &'a [C], [width, height]: [u32; 2]) -> Self {
+        Self {
+            texels,
+            first: texels[0],
+            size_log2: [width as u8, height as u8],
+        }
     }
 
     /// The texels, row by row from the top.
     #[must_use]
     pub const fn texels(&self) -> &'a [C] {
-        self.grid.entries()
+        self.texels
     }
 
     /// Number of columns.
     #[must_use]
     pub const fn width(&self) -> u32 {
-        1 << self.grid.size_log2()[0]
+        1 << self.size_log2[0]
     }
 
     /// Number of rows.
     #[must_use]
     pub const fn height(&self) -> u32 {
-        1 << self.grid.size_log2()[1]
+        1 << self.size_log2[1]
     }
 }
 
@@ -97,64 +108,86 @@ impl<C: Copy> Sampler for Texture<'_, C> {
 
     #[inline]
     fn size_log2(&self) -> [u32; 2] {
-        self.grid.size_log2()
+        let [width, height] = self.size_log2;
+        [width.into(), height.into()]
     }
 
+    /// The number of texels is a power of two. The mask with one less limits the row to the height. It also shows the
+    /// compiler that only an empty slice lacks the texel, so it tests for that once, before the loop over pixels.
     #[inline]
     fn texel(&self, u: i32, v: i32) -> C {
-        self.grid.get(u, v).unwrap_or(self.first)
+        let (u, v) = (u.cast_unsigned() as usize, v.cast_unsigned() as usize);
+        let width = u32::from(self.size_log2[0]);
+        let row = v.wrapping_shl(width);
+        let column = u & (1_usize.wrapping_shl(width) - 1);
+        let index = (row | column) & self.texels.len().wrapping_sub(1);
+        self.texels.get(index).copied().unwrap_or(self.first)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Clamp, Repeat};
     use super::*;
-    use crate::texture::{Bilinear, Filter, Nearest, PaletteArray, TextureArray};
-    use embedded_graphics::pixelcolor::Rgb565;
 
-    /// Points in sixteenths of a texel, in several repeats and far beyond.
-    fn points() -> impl Iterator<Item = [i32; 2]> {
-        let ends = [i32::MIN, i32::MIN + 1, i32::MAX];
-        let along = move || (-40..200).step_by(3).map(|at| at << 12).chain(ends);
-        along().flat_map(move |v| along().map(move |u| [u, v]))
+    #[test]
+    fn sizes_are_powers_of_two_and_lengths_fit() {
+        let texels = [7; 200];
+        let new = |count, width, height| Texture::new(&texels[..count], width, height).map(|_| ());
+        for (width, height) in [(1, 1), (64, 2), (2, 64), (1, 128)] {
+            assert_eq!(new((width * height) as usize, width, height), Ok(()));
+            let given = (width * height) as usize + 1;
+            let needed = given - 1;
+            let error = Error::Length { given, needed };
+            assert_eq!(new(given, width, height), Err(error));
+        }
+        let error = new(200, 100, 2).unwrap_err();
+        assert_eq!(
+            std::format!("{error}"),
+            "width is 100: it must be a power of two, at most 32768"
+        );
+        let max = 32768;
+        for given in [0, 3, 65536, u32::MAX] {
+            let (of, other) = ("width", "height");
+            assert_eq!(new(1, given, 1), Err(Error::PowerOfTwo { of, given, max }));
+            let of = other;
+            assert_eq!(new(1, 1, given), Err(Error::PowerOfTwo { of, given, max }));
+        }
+        let (given, needed) = (1, 1 << 30);
+        assert_eq!(new(1, max, max), Err(Error::Length { given, needed }));
     }
 
-    fn same<S: Sampler<Color = Rgb565>, T: Sampler<Color = Rgb565>>(one: &S, other: &T) {
-        assert_eq!(one.size_log2(), other.size_log2());
-        for at in points() {
-            let near = Nearest.color::<_, Clamp>(one, at);
-            assert_eq!(near, Nearest.color::<_, Clamp>(other, at), "{at:?}");
-            let near = Nearest.color::<_, Repeat>(one, at);
-            assert_eq!(near, Nearest.color::<_, Repeat>(other, at), "{at:?}");
-            let blended = Bilinear.color::<_, Clamp>(one, at);
-            assert_eq!(blended, Bilinear.color::<_, Clamp>(other, at), "{at:?}");
+    /// Compares every texel with that of rows, even far beyond the edges.
+    #[test]
+    fn a_texture_repeats_like_its_rows() {
+        fn compare<const W: usize, const H: usize>() {
+            let mut rows = [[0; W]; H];
+            for (at, texel) in rows.as_flattened_mut().iter_mut().enumerate() {
+                *texel = at;
+            }
+            let (width, height) = (W as u32, H as u32);
+            let texture = Texture::new(rows.as_flattened(), width, height).unwrap();
+            assert_eq!(texture, Texture::from_rows(&rows));
+            let rows = &rows;
+            assert_eq!(texture.size_log2(), rows.size_log2());
+            let far = [i32::MIN, i32::MIN + 1, -40_000, 40_000, i32::MAX];
+            for v in (-9..9).chain(far) {
+                for u in (-9..9).chain(far) {
+                    assert_eq!(texture.texel(u, v), rows.texel(u, v), "{W}x{H} {u} {v}");
+                }
+            }
         }
+        compare::<1, 1>();
+        compare::<8, 1>();
+        compare::<1, 8>();
+        compare::<4, 2>();
+        compare::<2, 4>();
     }
 
     #[test]
-    fn every_color_equals_that_of_an_array() {
-        fn compare<const W: usize, const H: usize>() {
-            let (mut texels, mut indices) = ([[Rgb565::new(0, 0, 0); W]; H], [[0; W]; H]);
-            let mut colors = [Rgb565::new(0, 0, 0); 256];
-            for (at, texel) in texels.as_flattened_mut().iter_mut().enumerate() {
-                *texel = Rgb565::new(at as u8, (at * 7) as u8, (at * 5) as u8);
-            }
-            for (at, index) in indices.as_flattened_mut().iter_mut().enumerate() {
-                *index = (at * 37) as u8;
-            }
-            for (at, color) in (0..=255).zip(&mut colors) {
-                *color = Rgb565::new(at, at >> 2, 31 - (at >> 3));
-            }
-            let array = TextureArray::from_texels(texels);
-            same(&&array, &array.as_texture());
-            same(&&array, &&array.as_texture());
-            let array = PaletteArray::from_rows(indices, colors);
-            same(&&array, &array.as_palette());
-            same(&&array, &&array.as_palette());
-        }
-        compare::<8, 2>();
-        compare::<1, 4>();
-        compare::<1, 1>();
+    fn rows_repeat_in_both_directions() {
+        let rows = &[[0, 1, 2, 3], [4, 5, 6, 7]];
+        let texel = |u, v| rows.texel(u, v);
+        assert_eq!([texel(0, 0), texel(3, 1), texel(4, 2)], [0, 7, 0]);
+        assert_eq!([texel(-1, -1), texel(i32::MIN, i32::MAX)], [7, 4]);
     }
 }

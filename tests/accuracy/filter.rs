@@ -13,7 +13,7 @@ use embedded_graphics::pixelcolor::{
 };
 use fixel::prelude::*;
 use fixel::shade::{ColorOf, Lanes, Output, Varyings};
-use fixel::texture::Blend;
+use fixel::texture::{Blend, Indexed};
 use rand::Rng;
 
 /// A color with access to its channels.
@@ -215,21 +215,25 @@ fn centers_are_the_texels() {
 
 /// Every storage of texels gives the same color, and so do light and vertex colors that leave it unchanged.
 #[test]
-fn palettes_lit_and_tinted_textures_are_filtered_alike() {
+fn indexed_lit_and_tinted_textures_are_filtered_alike() {
     cases(256, |random| {
         let indices: [u8; 8] = random.random();
         let [colors]: [[Rgb565; 256]; 1] = texels(random);
         let place = place(random);
-        let palette: PaletteArray<Rgb565, 4, 2> = PaletteArray::new(&indices, &colors);
         let mut list = indices.iter().map(|&index| colors[usize::from(index)]);
         let rows: [[Rgb565; 4]; 2] = from_fn(|_| from_fn(|_| list.next().unwrap()));
-        let texture = TextureArray::from_texels(rows);
+        let texture = Texture::from_rows(&rows);
+        let (indices, _) = indices.as_chunks::<4>();
+        let indexed = Indexed {
+            indices: Texture::from_rows::<4, 2>(indices.try_into().unwrap()),
+            colors: &colors,
+        };
         let plain = Textured::new(&rows).bilinear();
         let color = shade(&plain, place);
         let edge = shade(&plain.clamped(), place);
         let [u, v] = place;
-        assert_eq!(shade(&Textured::new(&texture).bilinear(), place), color);
-        let skin = Textured::new(&palette);
+        assert_eq!(shade(&Textured::new(texture).bilinear(), place), color);
+        let skin = Textured::new(indexed);
         assert_eq!(shade(&skin.bilinear(), place), color);
         assert_eq!(shade(&skin.clamped().bilinear(), place), edge);
         assert_eq!(shade(&skin.bilinear().clamped(), place), edge);

@@ -1,17 +1,18 @@
 //! Mipmaps: their levels, the level that a pixel shows, and how much a floor differs from one sampled by area.
 
 use std::array;
+use std::fmt::Debug;
 
+use embedded_graphics::pixelcolor::raw::RawData;
 use embedded_graphics::pixelcolor::{
-    Bgr555, Bgr666, Gray8, GrayColor, Rgb565, Rgb888, RgbColor, WebColors,
+    Bgr555, Bgr666, Gray8, GrayColor, PixelColor, Rgb565, Rgb888, RgbColor, WebColors,
 };
 use fixel::prelude::*;
-use fixel::shade::Mipmapped;
-use fixel::texture::{Blend, Mipmap, MipmapArray};
+use fixel::texture::{Blend, Mipmap};
 use fixel::view::Perspective;
 use rand::Rng;
 
-use crate::common::random::cases;
+use crate::common::random::{Random, cases};
 use crate::reference::mipmap::{area, level, reduced};
 
 const WIDTH: u32 = 320;
@@ -125,7 +126,7 @@ fn difference(
     sum / count
 }
 
-/// Prints the table in the documentation of `Mipmapped`.
+/// Prints the table in the documentation of `Textured::mipmapped`.
 #[test]
 fn levels_bring_a_far_floor_closer_to_its_means() {
     let mut texels = vec![Rgb888::BLACK; Mipmap::<Rgb888>::len(64, 64)];
@@ -149,7 +150,7 @@ fn levels_bring_a_far_floor_closer_to_its_means() {
             .with_uvs(&uvs, None)
             .unwrap();
         let plain = Textured::new(mipmap);
-        let levels = Mipmapped::new(mipmap, &projection(), (WIDTH, HEIGHT)).unwrap();
+        let levels = plain.mipmapped(&projection(), (WIDTH, HEIGHT)).unwrap();
         let found = [
             difference(&plain, &floor, &exact),
             difference(&plain.bilinear(), &floor, &exact),
@@ -173,34 +174,34 @@ fn levels_bring_a_far_floor_closer_to_its_means() {
     }
 }
 
-/// Compares every level of a mipmap, from both constructors, with the model.
-fn check_levels<C, const W: usize, const H: usize, const LENGTH: usize>(
-    array: &MipmapArray<C, W, H, LENGTH>,
-    channels: fn(C) -> [u8; 3],
-) where
-    C: Blend + PartialEq + std::fmt::Debug,
+/// Compares every level of the mipmap of random texels with the model.
+fn check_levels<C>(random: &mut Random, [width, height]: [u32; 2], channels: fn(C) -> [u8; 3])
+where
+    C: Blend + PixelColor + From<C::Raw> + Debug,
 {
-    let mipmap = array.as_mipmap();
-    let mut texels = mipmap.texels().to_vec();
-    // The earlier contents of the memory behind level 0 must not matter.
-    let first = texels[0];
-    texels[W * H..].fill(first);
-    let built = Mipmap::build(&mut texels, W as u32, H as u32).unwrap();
-    assert_eq!(built, mipmap);
-    assert_eq!(Mipmap::new(mipmap.texels(), W as u32, H as u32), Ok(mipmap));
+    let mut texels: Vec<C> = (0..Mipmap::<C>::len(width as usize, height as usize))
+        .map(|_| C::Raw::from_u32(random.random()).into())
+        .collect();
+    // The earlier contents of the memory behind level 0 do not matter.
+    let (w, h) = (width as usize, height as usize);
+    let first = texels[..w * h].to_vec();
+    let mipmap = Mipmap::build(&mut texels, width, height).unwrap();
+    assert_eq!(mipmap.texels()[..w * h], first);
+    assert_eq!(Mipmap::new(mipmap.texels(), width, height), Ok(mipmap));
     for channel in 0..3 {
         let value = |texel: &C| f64::from(channels(*texel)[channel]);
         let mut rest = mipmap.texels();
-        let mut rows: Vec<Vec<f64>> = rest[..W * H]
-            .chunks(W)
+        let mut rows: Vec<Vec<f64>> = rest[..w * h]
+            .chunks(w)
             .map(|row| row.iter().map(value).collect())
             .collect();
-        for n in 0..mipmap.levels() {
-            let (level, after) = rest.split_at((W * H) >> (2 * n));
+        let last = width.min(height).ilog2();
+        for n in 0..=last {
+            let (level, after) = rest.split_at((w * h) >> (2 * n));
             let found: Vec<f64> = level.iter().map(value).collect();
             assert_eq!(found, rows.concat(), "level {n}");
             rest = after;
-            if n + 1 < mipmap.levels() {
+            if n < last {
                 rows = reduced(&rows);
             }
         }
@@ -215,23 +216,12 @@ fn rgb<C: RgbColor>(color: C) -> [u8; 3] {
 #[test]
 fn a_level_is_the_mean_of_the_level_before() {
     cases(256, |random| {
-        let bytes: &[u8; 64] = &random.random();
-        let short: &[u8; 128] = &random.random();
-        let long: &[u8; 192] = &random.random();
-        check_levels(&MipmapArray::<Rgb565, 8, 8, 85>::rgb565(short), rgb);
-        check_levels(&MipmapArray::<Rgb565, 32, 2, 80>::rgb565_le(short), rgb);
-        check_levels(&MipmapArray::<Bgr555, 4, 16, 84>::bgr555(short), rgb);
-        check_levels(&MipmapArray::<Rgb888, 16, 4, 84>::rgb888(long), rgb);
-        check_levels(&MipmapArray::<Bgr666, 1, 64, 64>::bgr666_le(long), rgb);
-        check_levels(&MipmapArray::<Gray8, 8, 8, 85>::gray8(bytes), |gray| {
-            [gray.luma(); 3]
-        });
-        let expected = TextureArray::<Rgb565, 8, 8>::rgb565(short);
-        let array = MipmapArray::<Rgb565, 8, 8, 85>::rgb565(short);
-        assert_eq!(
-            &array.as_mipmap().texels()[..64],
-            expected.texels().as_flattened()
-        );
+        check_levels::<Rgb565>(random, [8, 8], rgb);
+        check_levels::<Rgb565>(random, [32, 2], rgb);
+        check_levels::<Bgr555>(random, [4, 16], rgb);
+        check_levels::<Rgb888>(random, [16, 4], rgb);
+        check_levels::<Bgr666>(random, [1, 64], rgb);
+        check_levels::<Gray8>(random, [8, 8], |gray| [gray.luma(); 3]);
     });
 }
 
@@ -286,7 +276,8 @@ fn the_level_of_a_pixel_follows_the_formula() {
             .unwrap();
         let size = [width, height].map(f64::from);
         let texels = uvs.map(|[u, v]| [u * size[0], v * size[1]]);
-        let surface = Mipmapped::new(mipmap, &projection, (SIZE, SIZE)).unwrap();
+        let surface = Textured::new(mipmap);
+        let surface = surface.mipmapped(&projection, (SIZE, SIZE)).unwrap();
         let draw = |shader: &dyn Fn(&mut Canvas<'_, Gray8>)| {
             let mut pixels = vec![Gray8::WHITE; (SIZE * SIZE) as usize];
             shader(&mut Canvas::new(&mut pixels, SIZE, SIZE).unwrap());
@@ -338,12 +329,10 @@ fn a_mipmap_of_another_length_is_refused() {
         error.to_string(),
         "height is 5: it must be a power of two, at most 32768"
     );
-    let error = Mipmapped::new(
-        Mipmap::build(&mut texels, 4, 4).unwrap(),
-        &projection(),
-        (0, 9),
-    )
-    .unwrap_err();
+    let mipmap = Mipmap::build(&mut texels, 4, 4).unwrap();
+    let error = Textured::new(mipmap)
+        .mipmapped(&projection(), (0, 9))
+        .unwrap_err();
     assert_eq!(
         error.to_string(),
         "size is 0x9: width and height must lie between 1 and 4096"

@@ -3,8 +3,7 @@
 use std::cell::RefCell;
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::mesh::Quantized;
-use fixel::mesh::flash::{StoredUvs, normals_of_8, quantized_8, quantized_16};
+use fixel::mesh::flash::{Small, normals_of_8, quantized, quantized_8, quantized_16};
 use fixel::prelude::*;
 use rand::Rng;
 
@@ -15,11 +14,12 @@ use crate::common::recorder::Probe;
 type Attributes = ([Vec3; 3], [Vec2; 3]);
 
 /// The attributes that a shader sees.
-fn seen(normals: &[Vec3; 3], uvs: StoredUvs<'_>, grid: fixel::mesh::flash::UvGrid) -> Attributes {
+fn seen(normals: &[Vec3; 3], uvs: Small<'_, Vec2>) -> Attributes {
     let positions = [vec3!(-1, -1, -2), vec3!(1, -1, -2), vec3!(0, 1, -2)];
     let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
     let normals = normals_of_8::<3>(normals);
-    let mesh = Quantized::new(mesh, (&normals, &[]), (uvs, &[]), grid);
+    let normals = Small::normals(&normals);
+    let mesh = quantized(mesh, (&normals, &[]), (&uvs, &[]));
     let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100)).unwrap();
     let mut pixels = [Gray8::new(0); 12];
     let mut canvas = Canvas::new(&mut pixels, 4, 3).unwrap();
@@ -31,7 +31,7 @@ fn seen(normals: &[Vec3; 3], uvs: StoredUvs<'_>, grid: fixel::mesh::flash::UvGri
         },
         color: None,
     };
-    canvas.draw(mesh.mesh(), &projection, &mesh.shader(probe));
+    canvas.draw(&mesh, &projection, &probe);
     let corners: [(Vec3, Vec2); 3] = corners.into_inner().try_into().unwrap();
     (
         corners.map(|corner| corner.0),
@@ -70,9 +70,9 @@ fn errors_of_rounded_attributes_are_within_the_bounds() {
         let normals = [(); 3].map(|()| Vec3::from_bits([(); 3].map(|()| bits(random))));
         let uvs = [(); 3].map(|()| Vec2::from_bits([(); 2].map(|()| bits(random))));
         let (bytes, grid) = quantized_8::<3>(&uvs);
-        let of_8 = seen(&normals, StoredUvs::Bytes(&bytes), grid);
+        let of_8 = seen(&normals, Small::uvs_of_8(&bytes, grid));
         let (words, grid) = quantized_16::<3>(&uvs);
-        let of_16 = seen(&normals, StoredUvs::Words(&words), grid);
+        let of_16 = seen(&normals, Small::uvs_of_16(&words, grid));
         assert_eq!(of_8.0, of_16.0);
 
         for (normal, got) in normals.iter().zip(of_8.0) {

@@ -1,11 +1,12 @@
 //! Files in flash: the macros give what a person would write by hand.
 
+use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, Gray8, Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
 };
 use fixel::mesh::{Material, Outline, Part, TextureAlpha};
 use fixel::prelude::*;
-use fixel::texture::{Argb4444, Mipmap, MipmapArray, Palette, Sampler};
+use fixel::texture::{Argb4444, Indexed, Mipmap, Raw, Sampler};
 use fixel::{Angle, Index, Scalar};
 
 #[test]
@@ -93,16 +94,18 @@ fn a_material_has_its_appearance() {
 #[test]
 fn a_picture_becomes_any_texture() {
     static PLANKS: Texture<Rgb565> = include_texture!("../../examples/assets/planks.tga");
-    static ARRAY: TextureArray<Rgb565, 32, 32> =
-        include_texture!("../../examples/assets/planks.tga");
+    static ARRAY: [[Rgb565; 32]; 32] = include_texture!("../../examples/assets/planks.tga");
     static TEXELS: &[Rgb565] = include_texture!("../../examples/assets/planks.tga");
     static GRAY: Texture<Gray8> = include_texture!("../../examples/assets/planks.tga");
     static OPAQUE: Texture<Argb4444> = include_texture!("../../examples/assets/planks.tga");
     static SMALL: Texture<Rgb888> =
         include_texture!("../../examples/assets/planks.tga", size = "8x4");
-    static TILES: Palette<Rgb565> = include_texture!("../../src/texture/samples/tiles.bmp");
+    static TILES: Indexed<Texture<u8>, Rgb565> =
+        include_texture!("../../src/texture/samples/tiles.bmp");
+    static FEW: Indexed<&[[u8; 4]; 2], Rgb565, 4> =
+        include_texture!("../../src/texture/samples/tiles.bmp");
     static SAME: Texture<Rgb565> = include_texture!("../../src/texture/samples/tiles.bmp");
-    assert_eq!(ARRAY.as_texture(), PLANKS);
+    assert_eq!(Texture::from_rows(&ARRAY), PLANKS);
     assert_eq!((GRAY.width(), GRAY.height()), (32, 32));
     assert!(
         OPAQUE
@@ -114,6 +117,7 @@ fn a_picture_becomes_any_texture() {
     assert_eq!(TEXELS, PLANKS.texels());
     for (u, v) in (0..2).flat_map(|v| (0..4).map(move |u| (u, v))) {
         assert_eq!(TILES.texel(u, v), SAME.texel(u, v));
+        assert_eq!(FEW.texel(u, v), SAME.texel(u, v));
     }
 }
 
@@ -183,9 +187,6 @@ fn key(p: Vec3) -> [i32; 3] {
 fn a_mipmap_has_the_means_of_the_picture() {
     static PLANKS: Texture<Rgb888> = include_texture!("../../examples/assets/planks.tga");
     static LEVELS: Mipmap<Rgb888> = include_texture!("../../examples/assets/planks.tga", mipmap);
-    static ARRAY: MipmapArray<Rgb888, 32, 32, { Mipmap::<Rgb888>::len(32, 32) }> =
-        include_texture!("../../examples/assets/planks.tga", mipmap);
-    assert_eq!(ARRAY.as_mipmap(), LEVELS);
     assert_eq!(LEVELS.texels()[..1024], *PLANKS.texels());
     // The last texel is the mean of all, to the nearest 255th.
     let sum = PLANKS
@@ -213,19 +214,28 @@ fn an_object_and_its_normals() {
     assert!(HOUSE.has_normals() && !BARE.has_normals() && BALLOON.has_normals());
 }
 
-/// The constructors from bytes give the texture that the macro makes.
+/// Raw bytes are read as the texels that the macro makes.
 #[test]
 fn raw_bytes_are_those_of_the_texels() {
     macro_rules! check {
-        ($($color:ident $format:ident)+) => {$({
-            static TEXELS: TextureArray<$color, 32, 32> =
-                include_texture!("../../examples/assets/planks.tga");
+        ($($color:ident $format:ident $order:ident,)+) => {$({
+            static TEXELS: Texture<$color> = include_texture!("../../examples/assets/planks.tga");
             let bytes = include_texture!("../../examples/assets/planks.tga", raw = $format);
-            assert_eq!(TextureArray::$format(bytes), TEXELS, stringify!($format));
+            let raw = Raw::<$color, $order>::new(bytes, 32, 32).unwrap();
+            for (u, v) in (0..32).flat_map(|v| (0..32).map(move |u| (u, v))) {
+                assert_eq!(raw.texel(u, v), TEXELS.texel(u, v), stringify!($format));
+            }
         })+};
     }
     check! {
-        Rgb555 rgb555 Bgr555 bgr555_le Rgb565 rgb565 Rgb565 rgb565_le Bgr565 bgr565 Rgb666 rgb666
-        Bgr666 bgr666_le Rgb888 rgb888 Bgr888 bgr888_le
+        Rgb555 rgb555 BigEndian,
+        Bgr555 bgr555_le LittleEndian,
+        Rgb565 rgb565 BigEndian,
+        Rgb565 rgb565_le LittleEndian,
+        Bgr565 bgr565 BigEndian,
+        Rgb666 rgb666 BigEndian,
+        Bgr666 bgr666_le LittleEndian,
+        Rgb888 rgb888 BigEndian,
+        Bgr888 bgr888_le LittleEndian,
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::common::BOTH_SIDES;
 use crate::common::random::cases;
-use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::canvas::{Biased, DepthBuffer, DepthTest, FloatDepth, LinearDepth, TestAndWrite};
 use fixel::mode::{Affine, Exact, Fast, Mode};
 use fixel::prelude::*;
@@ -10,8 +10,7 @@ use rand::Rng;
 
 const SIZE: (u32, u32) = (96, 64);
 
-static SKIN: TextureArray<Rgb565, 2, 2> =
-    TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x00, 0x1f, 0xff, 0xff]);
+static SKIN: [[Rgb565; 2]; 2] = [[Rgb565::WHITE, Rgb565::BLUE], [Rgb565::BLUE, Rgb565::WHITE]];
 
 fn depths<F: DepthBuffer, M: Mode, Z: DepthTest>(
     mesh: &Mesh<'_>,

@@ -9,6 +9,7 @@ mod examples;
 mod assets;
 mod bands;
 mod canvas;
+mod colors;
 mod depths;
 mod golden;
 mod objects;

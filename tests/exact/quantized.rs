@@ -1,8 +1,7 @@
 //! A quantized mesh is drawn like a full-precision mesh with the same values.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::mesh::Quantized;
-use fixel::mesh::flash::{StoredUvs, UvGrid};
+use fixel::mesh::flash::{Small, UvGrid, quantized};
 use fixel::prelude::*;
 use rand::Rng;
 
@@ -65,12 +64,12 @@ fn drawn(mesh: &Mesh, shader: &impl ShaderFor<Rgb565>) -> Vec<Rgb565> {
     picture
 }
 
-static SKIN: TextureArray<Rgb565, 4, 4> = TextureArray::from_texels([
+static SKIN: [[Rgb565; 4]; 4] = [
     [Rgb565::RED, Rgb565::GREEN, Rgb565::BLUE, Rgb565::WHITE],
     [Rgb565::CYAN, Rgb565::RED, Rgb565::GREEN, Rgb565::BLUE],
     [Rgb565::WHITE, Rgb565::MAGENTA, Rgb565::RED, Rgb565::GREEN],
     [Rgb565::BLUE, Rgb565::WHITE, Rgb565::YELLOW, Rgb565::RED],
-]);
+];
 
 #[test]
 fn pixels_equal_those_of_the_unquantized_mesh() {
@@ -88,59 +87,45 @@ fn pixels_equal_those_of_the_unquantized_mesh() {
 
         let own = faces.unwrap_or_default();
         let grid = UvGrid::around(&uvs, 255);
-        let bytes = StoredUvs::Bytes(&model.uvs);
-        let quantized = Quantized::new(bare, (&model.normals, own), (bytes, own), grid);
+        let normals = Small::normals(&model.normals);
+        let bytes = Small::uvs_of_8(&model.uvs, grid);
+        let of_8 = quantized(bare, (&normals, own), (&bytes, own));
         let words = model.uvs.map(|uv| uv.map(u16::from));
-        let of_16 = (StoredUvs::Words(&words), own);
-        let of_16 = Quantized::new(bare, (&model.normals, own), of_16, grid);
+        let words = Small::uvs_of_16(&words, grid);
+        let of_16 = quantized(bare, (&normals, own), (&words, own));
+        assert_eq!((of_8, of_16), (long, long));
 
         let sun = Light::new(vec3!(1, 2, 3), fx!(0.1), fx!(0.9)).unwrap();
         let skin = Textured::new(&SKIN).lit(sun);
         let picture = drawn(&long, &skin);
-        assert!(
-            drawn(quantized.mesh(), &quantized.shader(skin)) == picture,
-            "{model:?}"
-        );
-        assert!(
-            drawn(of_16.mesh(), &of_16.shader(skin)) == picture,
-            "{model:?}"
-        );
-        let rest = quantized.part(part..99);
+        assert!(drawn(&of_8, &skin) == picture, "{model:?}");
+        assert!(drawn(&of_16, &skin) == picture, "{model:?}");
         let picture = drawn(&long.part(part..99), &skin);
-        assert!(
-            drawn(rest.mesh(), &rest.shader(skin)) == picture,
-            "{part}.. of {model:?}"
-        );
+        let rest = of_8.part(part..99);
+        assert!(drawn(&rest, &skin) == picture, "{part}.. of {model:?}");
 
         let faces = vec![Rgb565::RED; part];
         let colors = FaceColors::new(&faces);
         let picture = drawn(&long, &colors);
-        assert!(
-            drawn(quantized.mesh(), &quantized.shader(colors)) == picture,
-            "{part} of {model:?}"
-        );
-        let flat = quantized.without_normals().without_uvs();
+        assert!(drawn(&of_8, &colors) == picture, "{part} of {model:?}");
+        let flat = of_8.without_normals().without_uvs();
         let clay = Flat::rgb(Rgb888::new(236, 214, 190)).lit(sun);
         let picture = drawn(&bare, &clay);
-        assert!(
-            drawn(flat.mesh(), &flat.shader(clay)) == picture,
-            "{model:?}"
-        );
+        assert!(drawn(&flat, &clay) == picture, "{model:?}");
     });
 }
 
 #[test]
 fn attributes_that_a_mesh_lacks_are_reported() {
-    static BALL: Quantized = shape!(sphere(8, 6), quantized_16).without_edges();
-    let missing = |mesh: &Quantized<'_>| {
+    static BALL: Mesh = shape!(sphere(8, 6), quantized_16).without_edges();
+    let missing = |mesh: &Mesh<'_>| {
         let projection = Projection::perspective(deg!(60), SIZE, fx!(0.1), fx!(100)).unwrap();
         let mvp = projection * Transform::translate(vec3!(0, 0, -4));
         let mut picture = vec![Rgb565::BLACK; PIXELS];
         let mut canvas = Canvas::new(&mut picture, SIZE.0, SIZE.1).unwrap();
-        let skin = mesh.shader(Textured::new(&SKIN));
-        canvas.draw(mesh.mesh(), &mvp, &skin).missing.uvs
+        canvas.draw(mesh, &mvp, &Textured::new(&SKIN)).missing.uvs
     };
     assert!(!missing(&BALL));
     assert!(missing(&BALL.without_uvs()));
-    assert!(BALL.mesh().edges().is_empty());
+    assert!(BALL.edges().is_empty());
 }

@@ -16,7 +16,7 @@ const HEIGHT: u32 = 36;
 
 static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 static BALL: Mesh = shape!(sphere(12, 8));
-static SKIN: TextureArray<Rgb565, 4, 2> = TextureArray::from_texels([
+static SKIN: [[Rgb565; 4]; 2] = [
     [Rgb565::WHITE, Rgb565::RED, Rgb565::GREEN, Rgb565::BLUE],
     [
         Rgb565::new(9, 40, 3),
@@ -24,7 +24,7 @@ static SKIN: TextureArray<Rgb565, 4, 2> = TextureArray::from_texels([
         Rgb565::MAGENTA,
         Rgb565::YELLOW,
     ],
-]);
+];
 
 type Screen<'c> = Canvas<'c, Rgb565, Native, LinearDepth>;
 

@@ -4,7 +4,7 @@
 use std::cell::{Cell, RefCell};
 
 use embedded_graphics::geometry::Point;
-use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 use fixel::shade::{Fog, Texels};
@@ -15,8 +15,7 @@ use crate::common::recorder::Probe;
 const WIDTH: u32 = 80;
 const HEIGHT: u32 = 60;
 
-static SKIN: TextureArray<Rgb565, 2, 2> =
-    TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x07, 0xe0, 0xf8, 0x00]);
+static SKIN: [[Rgb565; 2]; 2] = [[Rgb565::WHITE, Rgb565::BLUE], [Rgb565::GREEN, Rgb565::RED]];
 
 /// More sprites than the crate draws at a time, near and far. Some lie partly behind the near plane or outside the
 /// picture.

@@ -8,6 +8,7 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888, RgbColor
 use fixel::canvas::{LinearDepth, Native, NoDepth};
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
+use fixel::texture::Indexed;
 use fixel::view::{Parallel, Perspective};
 use fixel::{Converted, FaceLit, Lit, Tinted};
 
@@ -18,7 +19,7 @@ use crate::examples::scenes::{self, HEIGHT, WIDTH};
 /// of the crate are both.
 const _: () = {
     const fn both<T: Send + Sync>() {}
-    type Skin = TextureArray<Rgb565, 64, 64>;
+    type Skin = [[Rgb565; 64]; 64];
     both::<Canvas<'static, Rgb565>>();
     both::<Canvas<'static, Rgb565, Native, LinearDepth>>();
     both::<Canvas<'static, Rgb565, BigEndian, NoDepth>>();
@@ -43,7 +44,7 @@ const _: () = {
     both::<Lit<Converted<Flat<Rgb888>, Rgb565>>>();
     both::<FaceLit<Converted<Flat<Rgb888>, Rgb565>>>();
     both::<Textured<&'static Skin>>();
-    both::<Textured<&'static PaletteArray<Rgb565, 64, 64>>>();
+    both::<Textured<Indexed<'static, &'static [[u8; 64]; 64], Rgb565>>>();
     both::<Lit<Textured<&'static Skin>>>();
     both::<Tinted<Textured<&'static Skin>>>();
     both::<Converted<Lit<Flat<Gray4>>, Rgb565>>();

@@ -12,18 +12,16 @@ use fixel::canvas::{
 };
 use fixel::canvas::{TestAndWrite, TestOnly, WideFloatDepth, WriteOnly};
 use fixel::math::Direction;
-use fixel::mesh::{Bounds, Buffers, Counts, Keyframes, Missing, Part, Positions, Quantized, Shape};
+use fixel::mesh::{Bounds, Buffers, Counts, Keyframes, Missing, Part, Positions, Shape};
 use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::shade::{
     Colored, ExponentialFog, Falloff, Fog, Illumination, InFog, Shiny, SurfacePoint, TwoSided,
 };
-use fixel::shade::{
-    Converted, Dequantized, FaceLit, Lit, Map, PartColors, PerFace, Texels, Tinted,
-};
+use fixel::shade::{Converted, FaceLit, Lit, Map, PartColors, PerFace, Texels, Tinted};
 use fixel::shade::{Glossy, Gradient, Masked, Matte, Mipmapped, Rgb, Tolerance, Translucent};
 use fixel::shade::{White, Within};
-use fixel::texture::{Argb1555, Argb4444, Mipmap, MipmapArray, PackedGray4, Trilinear};
+use fixel::texture::{Argb1555, Argb4444, Indexed, Mipmap, OrHole, Raw, Trilinear};
 use fixel::texture::{Bilinear, Clamp, CutOut, Nearest, Repeat};
 use fixel::view::{Parallel, Perspective, Segment};
 use fixel::{
@@ -49,7 +47,7 @@ all!(value: Vec2 Vec3 Direction Matrix4 Transform);
 all!(value: Aspect Camera Mvp Mvp<Parallel> Parallel Perspective Projection Projection<Parallel>);
 all!(value: Segment Viewport Window);
 all!(value: Add Multiply Opacity Replace Translucent<Rgb565> Gradient<Rgb565>);
-all!(value: Argb1555 Argb4444 Masked<u8, u8> PackedGray4<'static>);
+all!(value: Argb1555 Argb4444 Masked<u8, u8> OrHole<u8> Raw<'static, Rgb565> Indexed<'static, u8, Rgb565>);
 all!(value: Bounds Counts Hairline LineWidth Missing PointStyle Shape SmoothLine);
 all!(value: Affine Compact Exact Fast Newton Cull DrawOptions DrawOptions<Fast, Biased> DrawOptions<Fast, Biased, Replace, LineWidth> Drawn ScreenPoint);
 all!(value: Hit Ray);
@@ -59,25 +57,23 @@ all!(value: Glossy Matte Rgb White);
 all!(value: Colored<Light> Falloff Illumination PointLight Shiny<Light> SpotLight SurfacePoint TwoSided<Light> Viewer);
 all!(value: Fog<Rgb565> Fog<Rgb565, ExponentialFog> InFog<Flat<Rgb565>, Rgb565>);
 all!(value: Textured<Texture<'static, Rgb565>> FaceColors<'static, Rgb565>);
-all!(value: Mipmap<'static, Rgb565> Mipmapped<'static, Rgb565> Trilinear);
-all!(shared: MipmapArray<Rgb565, 1, 1, 1>);
+all!(value: Mipmap<'static, Rgb565> Mipmapped Trilinear);
 all!(value: Part<'static> PartColors<'static>);
 all!(value: PerFace<u8> Texels Tolerance Within<1, Texels>);
 all!(value: Biased FloatDepth LinearDepth Native NoDepth NoTest TestAndWrite TestOnly WideFloatDepth WriteOnly);
 all!(value: ColorIndex Contrast);
-all!(value: Bilinear Clamp CutOut<Bilinear, Rgb565> Nearest Repeat);
+all!(value: Bilinear Clamp CutOut<u8, Rgb565> Nearest Repeat);
 all!(value: Keyframes<'static> Mesh<'static> Outline<'static> Positions<'static> Sprites<'static>);
-all!(value: Dequantized<'static, Flat<Rgb565>> Quantized<'static>);
 all!(shared: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>> Prepared<'static>);
 all!(shared: EdgeList<1, 1> PreparedEdges<'static>);
-all!(shared: Object<'static, u8> TriangleList<1, 1> TextureArray<Rgb565, 1, 1> PaletteArray<Rgb565, 1, 1>);
+all!(shared: Object<'static, u8> TriangleList<1, 1>);
 all!(local: Corner<'static> Primitive<'static>);
 all!(any: Label<'static, Canvas<'static, Rgb565>>);
 all!(any: PreparedScene<'static, u8> PreparedEdgeScene<'static, u8> Buffers<'static> ErrorDiffusion<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, LinearDepth>);
 
 all!(default: Falloff Affine Compact Exact Newton TestAndWrite TestOnly WriteOnly NoTest Hairline);
 all!(default: Biased Biased<NoTest> Add Multiply Replace Parallel Perspective PerFace<u8> Texels Within<1, Texels>);
-all!(default: Bilinear Clamp ColorIndex Contrast CutOut<Bilinear, Rgb565> Nearest Repeat Trilinear);
+all!(default: Bilinear Clamp ColorIndex Contrast Nearest Repeat Trilinear);
 all!(default: Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);
 all!(default: Drawn Missing Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> TriangleList<1, 1> EdgeList<1, 1>);
 all!(shown: Error RefusedFloat Angle Vec2 Vec3);

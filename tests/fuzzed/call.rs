@@ -10,8 +10,8 @@ use fixel::canvas::{
     Add, Blending, ColorIndex, Contrast, DepthBuffer, ErrorDiffusion, LinearDepth, Multiply,
     Native, Opacity, Storage, TestAndWrite,
 };
-use fixel::mesh::flash::{StoredUvs, UvGrid, short_normal};
-use fixel::mesh::{Material, Part, Quantized};
+use fixel::mesh::flash::{Small, UvGrid, short_normal};
+use fixel::mesh::{Material, Part, flash};
 use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::shade::{PartColors, Translucent};
@@ -175,18 +175,18 @@ impl<K: ProjectionKind> Call<'_, K> {
         let own = |faces: Option<&'_ [[u16; 3]]>| faces.unwrap_or_default().to_vec();
         let uv_faces = own(uvs.as_ref().and_then(Attribute::faces));
         let normal_faces = own(normals.as_ref().and_then(Attribute::faces));
-        let quantized = Quantized::new(
+        let (stored, bytes) = (Small::normals(&stored), Small::uvs_of_8(&bytes, grid));
+        let quantized = flash::quantized(
             self.mesh.without_normals().without_uvs(),
             (&stored, &normal_faces),
-            (StoredUvs::Bytes(&bytes), &uv_faces),
-            grid,
+            (&bytes, &uv_faces),
         );
         let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7)).unwrap();
         let call = Call {
-            mesh: quantized.mesh(),
+            mesh: &quantized,
             ..*self
         };
-        call.check_frames(options, &quantized.shader(Bits::<3>.lit(sun)));
+        call.check_frames(options, &Bits::<3>.lit(sun));
     }
 
     /// Checks that a mesh reported as out of view has no pixels, and that normals can be computed for any mesh.

@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888, R
 use fixel::mesh::{Material, Part};
 use fixel::prelude::*;
 use fixel::shade::{Falloff, Fog, Gradient, Mipmapped, Output, PartColors, Translucent};
-use fixel::texture::{Argb1555, Argb4444, Mipmap};
+use fixel::texture::{Argb1555, Argb4444, Indexed, Mipmap, Nearest, Repeat};
 
 use super::numbers::{option, scalar, vector};
 
@@ -149,14 +149,14 @@ static MASK: [[Gray8; 4]; 2] = [
         Gray8::new(254),
     ],
 ];
-static INDICES: PaletteArray<Rgb565, 4, 2> = PaletteArray::new(
-    &[0, 1, 2, 3, 2, 1, 0, 200],
-    &[
+static INDICES: Indexed<&[[u8; 4]; 2], Rgb565, 3> = Indexed {
+    indices: &[[0, 1, 2, 3], [2, 1, 0, 200]],
+    colors: &[
         Rgb565::new(31, 0, 0),
         Rgb565::new(0, 63, 0),
         Rgb565::new(0, 0, 31),
     ],
-);
+};
 
 /// Draws with one of the crate's shaders.
 pub fn draw(which: u8, lights: Lights, color: Rgb888, between: [u16; 2], then: impl Draw) {
@@ -238,11 +238,17 @@ const fn all_levels<const LENGTH: usize>() -> [Rgb565; LENGTH] {
 static LEVELS: [Rgb565; Mipmap::<Rgb565>::len(32, 8)] = all_levels();
 
 /// A surface with mipmaps, made for a projection that may differ from the draw call's.
-fn levels(near: Scalar, far: Scalar) -> Mipmapped<'static, Rgb565> {
+fn levels(
+    near: Scalar,
+    far: Scalar,
+) -> Textured<Mipmap<'static, Rgb565>, Repeat, Nearest, Mipmapped> {
     let near = near.max(Scalar::DELTA);
     let far = far.max(near + Scalar::DELTA);
     let projection = Projection::perspective(deg!(75), (3, 2), near, far).unwrap();
-    Mipmapped::new(Mipmap::new(&LEVELS, 32, 8).unwrap(), &projection, (30, 20)).unwrap()
+    let levels = Mipmap::new(&LEVELS, 32, 8).unwrap();
+    Textured::new(levels)
+        .mipmapped(&projection, (30, 20))
+        .unwrap()
 }
 
 /// Colors by height, between two heights.

@@ -43,7 +43,7 @@ use embedded_graphics::text::{Alignment, Text};
 use fixel::canvas::{Add, DepthBuffer, Opacity, Storage, TestOnly};
 use fixel::mesh::Bounds;
 use fixel::prelude::*;
-use fixel::shade::{Colored, Fog, Mipmapped};
+use fixel::shade::{Colored, Fog};
 use fixel::texture::Argb1555;
 
 const STOPS: usize = 8;
@@ -244,9 +244,9 @@ impl Scene {
         let World { options, model, .. } = world;
         let (mvp, fog) = (self.view * *model, self.fog);
         let mut lamps = world.lamps.map(|(_, lamp)| lamp);
-        let tile = |texture: &'static textures::Tile| {
-            Mipmapped::new(texture.as_mipmap(), &self.projection, self.size)
-                .map(Mipmapped::bilinear)
+        let tile = |texture: &textures::Tile| {
+            let tile = Textured::new(*texture).bilinear();
+            tile.mipmapped(&self.projection, self.size)
         };
         for (block, bounds) in map::BOUNDS.iter().enumerate() {
             if !canvas.is_in_view(options, bounds, &mvp) {
@@ -328,7 +328,7 @@ impl Scene {
         world: &World,
         places: &[Vec3],
         size: (Scalar, Scalar),
-        texture: &TextureArray<Argb1555, W, H>,
+        texture: &[[Argb1555; W]; H],
     ) -> Result<(), Error>
     where
         O: Storage<Rgb565>,
@@ -364,8 +364,8 @@ impl Scene {
         let uvs = corners
             .map(|[x, z]| Vec2::new(TexCoord::from_num(x / 2) + drift, TexCoord::from_num(z / 2)));
         let mesh = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 3]])?.with_uvs(&uvs, None)?;
-        let waves =
-            Mipmapped::new(textures::WATER.as_mipmap(), &self.projection, self.size)?.bilinear();
+        let waves = Textured::new(textures::WATER).bilinear();
+        let waves = waves.mipmapped(&self.projection, self.size)?;
         let options = DrawOptions::new()
             .with_depth(TestOnly)
             .with_blending(Opacity(92));

@@ -1,8 +1,7 @@
 //! Textures, which the compiler paints.
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb565};
-use fixel::prelude::*;
-use fixel::texture::{Argb1555, Mipmap, MipmapArray};
+use fixel::texture::{Argb1555, Mipmap};
 
 /// A number from 0 to 255 that is the same for the same arguments, and looks random.
 const fn hash(x: u32, y: u32, seed: u32) -> u32 {
@@ -35,27 +34,64 @@ const fn shaded([r, g, b]: [u32; 3], light: u32) -> [u8; 3] {
     ]
 }
 
+pub type Tile = Mipmap<'static, Rgb565>;
+
+const LENGTH: usize = Mipmap::<Rgb565>::len(64, 64);
+
 /// A texture of 64x64 texels with all its levels, from a function of column and row in the names given.
 macro_rules! mipmap {
     (|$x:ident, $y:ident| $color:expr) => {{
         #[allow(long_running_const_eval)]
-        const BYTES: [u8; 64 * 64 * 2] = {
-            let mut bytes = [0; 64 * 64 * 2];
+        static TEXELS: [Rgb565; LENGTH] = {
+            let mut texels = [[0; 3]; LENGTH];
             let mut at = 0;
             while at < 64 * 64 {
                 let ($x, $y) = (at as u32 % 64, at as u32 / 64);
                 let [r, g, b]: [u8; 3] = $color;
-                let texel = (r as u16 >> 3) << 11 | (g as u16 >> 2) << 5 | b as u16 >> 3;
-                [bytes[2 * at], bytes[2 * at + 1]] = texel.to_be_bytes();
+                texels[at] = [r >> 3, g >> 2, b >> 3];
                 at += 1;
             }
-            bytes
+            with_levels(texels)
         };
-        MipmapArray::rgb565(&BYTES)
+        match Mipmap::new(&TEXELS, 64, 64) {
+            Ok(mipmap) => mipmap,
+            Err(_) => panic!(),
+        }
     }};
 }
 
-pub type Tile = MipmapArray<Rgb565, 64, 64, { Mipmap::<Rgb565>::len(64, 64) }>;
+/// Fills the levels from level 0: each texel is the mean of four of the level before.
+const fn with_levels(mut texels: [[u8; 3]; LENGTH]) -> [Rgb565; LENGTH] {
+    let (mut from, mut to, mut side) = (0, 64 * 64, 64);
+    while to < LENGTH {
+        let row = to + side / 2;
+        while to < row {
+            let mut channel = 0;
+            while channel < 3 {
+                let sum = texels[from][channel] as u32
+                    + texels[from + 1][channel] as u32
+                    + texels[from + side][channel] as u32
+                    + texels[from + side + 1][channel] as u32;
+                texels[to][channel] = ((sum + 2) / 4) as u8;
+                channel += 1;
+            }
+            (from, to) = (from + 2, to + 1);
+        }
+        from += side;
+        // The level before ends where this one began.
+        if from + side * side / 4 == to {
+            side /= 2;
+        }
+    }
+    let mut colors = [Rgb565::new(0, 0, 0); LENGTH];
+    let mut at = 0;
+    while at < LENGTH {
+        let [r, g, b] = texels[at];
+        colors[at] = Rgb565::new(r, g, b);
+        at += 1;
+    }
+    colors
+}
 
 pub static GRASS: Tile = mipmap!(|x, y| {
     // Blades are higher than wide.
@@ -146,7 +182,7 @@ pub static SLATE: Tile = mipmap!(|x, y| {
 });
 
 /// A leaded window with a round arch, lit from within.
-pub static WINDOW: TextureArray<Argb1555, 16, 32> = {
+pub static WINDOW: [[Argb1555; 16]; 32] = {
     let mut texels = [[Argb1555::HOLE; 16]; 32];
     let mut at = 0_u32;
     while at < 16 * 32 {
@@ -165,7 +201,7 @@ pub static WINDOW: TextureArray<Argb1555, 16, 32> = {
         }
         at += 1;
     }
-    TextureArray::from_texels(texels)
+    texels
 };
 
 /// A plant: the number of texels across, and a function of column and row that is its brightness, 0 for a hole.
@@ -186,12 +222,12 @@ macro_rules! plant {
             }
             texels
         };
-        TextureArray::from_texels(TEXELS)
+        TEXELS
     }};
 }
 
 /// A spindle of dense needles.
-pub static CYPRESS: TextureArray<Argb1555, 32, 128> = plant!(32 x 128, [70, 112, 72], |x, y| {
+pub static CYPRESS: [[Argb1555; 32]; 128] = plant!(32 x 128, [70, 112, 72], |x, y| {
     let aside = (2 * x).abs_diff(31);
     // Wide in the lower third, and pointed.
     let wide = if y < 90 { y * 28 / 90 } else { 28 - (y - 90) / 6 };
@@ -207,7 +243,7 @@ pub static CYPRESS: TextureArray<Argb1555, 32, 128> = plant!(32 x 128, [70, 112,
 });
 
 /// A round crown of leaves in tufts, on a trunk.
-pub static TREE: TextureArray<Argb1555, 64, 64> = plant!(64 x 64, [86, 124, 60], |x, y| {
+pub static TREE: [[Argb1555; 64]; 64] = plant!(64 x 64, [86, 124, 60], |x, y| {
     let (aside, up) = ((2 * x).abs_diff(63), (2 * y).abs_diff(44));
     let tuft = noise(x, y, 3, 6, 24) + noise(x, y, 2, 6, 25) / 2 + hash(x, y, 26) / 3;
     let crown = (aside * aside) + up * up * 2;
@@ -222,7 +258,7 @@ pub static TREE: TextureArray<Argb1555, 64, 64> = plant!(64 x 64, [86, 124, 60],
 });
 
 /// A bush with blossoms.
-pub static BUSH: TextureArray<Argb1555, 32, 32> = plant!(32 x 32, [92, 120, 74], |x, y| {
+pub static BUSH: [[Argb1555; 32]; 32] = plant!(32 x 32, [92, 120, 74], |x, y| {
     let (aside, up) = ((2 * x).abs_diff(31), 62 - 2 * y);
     let tuft = noise(x, y, 2, 5, 28) + hash(x, y, 29) / 4;
     if aside * aside + up * up * 2 / 3 + tuft * 2 < 1250 {
@@ -233,7 +269,7 @@ pub static BUSH: TextureArray<Argb1555, 32, 32> = plant!(32 x 32, [92, 120, 74],
 });
 
 /// Light that fades from the middle to the edge.
-pub static GLOW: TextureArray<Gray8, 64, 64> = {
+pub static GLOW: [[Gray8; 64]; 64] = {
     let mut texels = [[Gray8::new(0); 64]; 64];
     let mut at = 0_usize;
     while at < 64 * 64 {
@@ -242,11 +278,11 @@ pub static GLOW: TextureArray<Gray8, 64, 64> = {
         texels[at / 64][at % 64] = Gray8::new((inside * inside / 61_776) as u8);
         at += 1;
     }
-    TextureArray::from_texels(texels)
+    texels
 };
 
 /// The moon, with its seas.
-pub static MOON: TextureArray<Argb1555, 32, 32> = plant!(32 x 32, [236, 230, 214], |x, y| {
+pub static MOON: [[Argb1555; 32]; 32] = plant!(32 x 32, [236, 230, 214], |x, y| {
     let (across, down) = ((2 * x).abs_diff(31), (2 * y).abs_diff(31));
     if across * across + down * down < 900 {
         let seas = noise(x, y, 3, 5, 32);

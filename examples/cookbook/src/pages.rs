@@ -7,11 +7,11 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Rgb565, Rgb888, RgbColor
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::{Drawable, text::Text};
 use fixel::canvas::{Add, Blending, Multiply, Opacity, Replace, TestOnly};
-use fixel::mesh::{Material, Part, Quantized};
+use fixel::mesh::{Material, Part};
 use fixel::mode::Affine;
 use fixel::prelude::*;
-use fixel::shade::{Fog, Gradient, Mipmapped, Output, PartColors};
-use fixel::texture::{Mipmap, MipmapArray};
+use fixel::shade::{Fog, Gradient, Output, PartColors};
+use fixel::texture::Mipmap;
 
 use super::scenes::{Draw, Frame};
 
@@ -40,7 +40,7 @@ pub const PAGES: &[(&str, Draw)] = &[
     ("in_fog", in_fog),
     ("map", map),
     ("converted", converted),
-    ("dequantized", dequantized),
+    ("quantized", quantized),
     ("light", light),
     ("point_light", point_light),
     ("spot_light", spot_light),
@@ -68,7 +68,7 @@ const SLATE: Rgb565 = Rgb565::new(5, 12, 8);
 const ORANGE: Rgb888 = Rgb888::new(255, 150, 50);
 
 /// 8x8 checkers, four texels wide.
-static CHECKERS: TextureArray<Rgb565, 32, 32> = {
+static CHECKERS: [[Rgb565; 32]; 32] = {
     let mut texels = [[Rgb565::new(30, 58, 26); 32]; 32];
     let mut at = 0;
     while at < 1024 {
@@ -77,7 +77,7 @@ static CHECKERS: TextureArray<Rgb565, 32, 32> = {
         }
         at += 1;
     }
-    TextureArray::from_texels(texels)
+    texels
 };
 
 type Drawn = Result<(), Error>;
@@ -176,24 +176,6 @@ fn textured(canvas: &mut Frame<'_>) -> Drawn {
     cube(canvas, &CUBE, &Textured::new(&CHECKERS))
 }
 
-/// Stripes and joints of one texel.
-static TILES: MipmapArray<Rgb565, 16, 16, { Mipmap::<Rgb565>::len(16, 16) }> =
-    MipmapArray::rgb565(&{
-        let mut bytes = [0; 16 * 16 * 2];
-        let mut at = 0;
-        while at < bytes.len() {
-            let (row, column) = (at / 32, at / 2 % 16);
-            let color: [u8; 2] = if row % 4 == 0 || column % 4 == 0 {
-                [0x31, 0x08]
-            } else {
-                [0xf6, 0xd8]
-            };
-            [bytes[at], bytes[at + 1]] = color;
-            at += 2;
-        }
-        bytes
-    });
-
 static HALF: Mesh = {
     const CORNERS: [Vec3; 4] = [
         vec3!(0, 0, 0),
@@ -210,8 +192,16 @@ fn mipmapped(canvas: &mut Frame<'_>) -> Drawn {
     let camera = Camera::look_at(vec3!(0, 1.4, 0), vec3!(0, 0.2, -4), Vec3::Y)?;
     canvas.clear(SLATE);
     let left = projection * camera * Transform::translate(vec3!(-40, 0, 0));
-    canvas.draw(&HALF, &left, &Textured::new(TILES.as_mipmap()));
-    let smooth = Mipmapped::new(TILES.as_mipmap(), &projection, canvas.frame_size())?;
+    // Joints of one texel.
+    let mut texels = [Rgb565::new(30, 54, 24); Mipmap::<Rgb565>::len(16, 16)];
+    for (at, texel) in texels.iter_mut().enumerate() {
+        if at / 16 % 4 == 0 || at % 4 == 0 {
+            *texel = Rgb565::new(6, 8, 8);
+        }
+    }
+    let tiles = Textured::new(Mipmap::build(&mut texels, 16, 16)?);
+    canvas.draw(&HALF, &left, &tiles);
+    let smooth = tiles.mipmapped(&projection, canvas.frame_size())?;
     canvas.draw(&HALF, &(projection * camera * Transform::IDENTITY), &smooth);
     Ok(())
 }
@@ -286,9 +276,9 @@ fn converted(canvas: &mut Frame<'_>) -> Drawn {
     ring(canvas, &RING, &shown_in::<Gray2>(surface))
 }
 
-/// A textured ring with numbers of 32 bits, and its quantized mesh, which takes a third of the flash.
-fn dequantized(canvas: &mut Frame<'_>) -> Drawn {
-    static SMALL: Quantized = shape!(torus(fx!(0.45), 32, 16), quantized_8);
+/// A textured ring with numbers of 32 bits, and one with numbers of 8 bits, which takes a third of the flash.
+fn quantized(canvas: &mut Frame<'_>) -> Drawn {
+    static SMALL: Mesh = shape!(torus(fx!(0.45), 32, 16), quantized_8);
     canvas.clear(SLATE);
     let (half, height) = (SIZE.width / 2, SIZE.height);
     let projection = Projection::perspective(deg!(58), (half, height), fx!(0.1), fx!(100))?;
@@ -300,7 +290,7 @@ fn dequantized(canvas: &mut Frame<'_>) -> Drawn {
     let skin = Textured::new(&CHECKERS).lit(sun()?);
     canvas.draw_with(&part(0)?, &RING, &mvp, &skin);
     let right = part(half.cast_signed())?;
-    canvas.draw_with(&right, SMALL.mesh(), &mvp, &SMALL.shader(skin));
+    canvas.draw_with(&right, &SMALL, &mvp, &skin);
     Ok(())
 }
 

@@ -62,8 +62,8 @@ mod firmware {
     use fixel::canvas::{Add, Multiply, Opacity};
     use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
     use fixel::prelude::*;
-    use fixel::shade::{Fog, Gradient, Mipmapped};
-    use fixel::texture::{Argb4444, Mipmap, MipmapArray};
+    use fixel::shade::{Fog, Gradient};
+    use fixel::texture::{Argb4444, Mipmap};
     use semihosting::println;
 
     use super::board::{self, Clock};
@@ -80,12 +80,11 @@ mod firmware {
     use super::words;
 
     /// White with half opacity.
-    static SMOKE: TextureArray<Argb4444, 64, 64> =
-        TextureArray::from_texels([[Argb4444::new(8, 15, 15, 15); 64]; 64]);
+    static SMOKE: [[Argb4444; 64]; 64] = [[Argb4444::new(8, 15, 15, 15); 64]; 64];
 
     /// All levels of a texture of one color.
-    static LEVELS: MipmapArray<Rgb565, 64, 64, { Mipmap::<Rgb565>::len(64, 64) }> =
-        MipmapArray::rgb565(&[0x5a; 64 * 64 * 2]);
+    static LEVELS: [Rgb565; Mipmap::<Rgb565>::len(64, 64)] =
+        [Rgb565::new(11, 18, 26); Mipmap::<Rgb565>::len(64, 64)];
 
     fn run() -> Result<(), Error> {
         let mut watch = Stopwatch::new(Clock::take().expect("taken once"));
@@ -136,7 +135,8 @@ mod firmware {
         bench.kernel("newton-cut-out", Newton, &cut_out, Depths::None)?;
         // Mipmaps as for a frame of a quarter of the size, so that no pixel shows level 0, where there is no blend.
         let projection = wall::mvp(240)?.projection();
-        let levels = Mipmapped::new(LEVELS.as_mipmap(), &projection, (60, 16))?;
+        let levels = Mipmap::new(&LEVELS, 64, 64)?;
+        let levels = Textured::new(levels).mipmapped(&projection, (60, 16))?;
         bench.kernel("affine-mipmap", Affine, &levels, Depths::None)?;
         bench.kernel("affine-bilinear", Affine, &skin.bilinear(), Depths::None)?;
         bench.kernel(

@@ -10,8 +10,7 @@ use fixel::prelude::*;
 use super::ticks::Stopwatch;
 use super::wall::{self, ROWS, UVS};
 
-static WHITE: TextureArray<BinaryColor, 2, 2> =
-    TextureArray::from_texels([[BinaryColor::On; 2]; 2]);
+static WHITE: [[BinaryColor; 2]; 2] = [[BinaryColor::On; 2]; 2];
 
 /// Widths of the frames that are compared. Both lie within one span.
 const WIDTHS: [u32; 2] = [16, 48];

@@ -5,7 +5,7 @@ use core::hint::black_box;
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::Index;
-use fixel::mesh::{Keyframes, Quantized};
+use fixel::mesh::Keyframes;
 use fixel::prelude::*;
 use static_cell::ConstStaticCell;
 
@@ -18,7 +18,7 @@ const SPRITES: usize = SIDE * SIDE;
 
 static COLORS: ConstStaticCell<[Rgb565; 64 * 64]> = ConstStaticCell::new([Rgb565::BLACK; 64 * 64]);
 static BALL: Mesh = shape!(sphere(16, 12));
-static SMALL_BALL: Quantized = shape!(sphere(16, 12), quantized_8).without_uvs();
+static SMALL_BALL: Mesh = shape!(sphere(16, 12), quantized_8).without_uvs();
 static OUTLINE: Outline = outline!(BALL, deg!(30));
 static LIST: ConstStaticCell<TriangleList<400, 250>> = ConstStaticCell::new(TriangleList::new());
 static EDGES: ConstStaticCell<EdgeList<400, 400>> = ConstStaticCell::new(EdgeList::new());
@@ -122,15 +122,10 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     // Attributes of 32 and of 8 bits.
     let sun = black_box(Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?);
     let clay = Flat::rgb(Rgb888::new(236, 214, 190)).lit(sun);
-    let call =
-        |canvas: &mut Canvas<'_, _>| drawn(canvas.draw_with(&options, &BALL, &mvp, &clay).drawn);
-    let ticks = watch.time(|| call(&mut canvas))?;
-    watch.print("lit", "triangle", triangles, ticks);
-    let (mesh, clay) = (SMALL_BALL.mesh(), SMALL_BALL.shader(clay));
-    let call =
-        |canvas: &mut Canvas<'_, _>| drawn(canvas.draw_with(&options, mesh, &mvp, &clay).drawn);
-    let ticks = watch.time(|| call(&mut canvas))?;
-    watch.print("lit-quantized", "triangle", triangles, ticks);
+    for (name, ball) in [("lit", &BALL), ("lit-quantized", &SMALL_BALL)] {
+        let ticks = watch.time(|| drawn(canvas.draw_with(&options, ball, &mvp, &clay).drawn))?;
+        watch.print(name, "triangle", triangles, ticks);
+    }
     Ok(())
 }
 

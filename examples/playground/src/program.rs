@@ -23,7 +23,7 @@ const FORMATS: [[&str; 2]; 6] = [
 
 const CHECKER: &str = "
 /// 64x64 texels, squares of 8 in two colors.
-static SKIN: TextureArray<Rgb565, 64, 64> = {
+static SKIN: [[Rgb565; 64]; 64] = {
     let mut texels = [[Rgb565::CSS_IVORY; 64]; 64];
     let mut at = 0;
     while at < 64 * 64 {
@@ -32,7 +32,7 @@ static SKIN: TextureArray<Rgb565, 64, 64> = {
         }
         at += 1;
     }
-    TextureArray::from_texels(texels)
+    texels
 };
 ";
 
@@ -54,7 +54,7 @@ mod scenes; // examples/common/scenes.rs of fixel, which colors the sphere at co
 ";
 
 /// The texture of a model that has none.
-const PLAIN: &str = "static SKIN: TextureArray<Rgb565, 1, 1> = TextureArray::from_texels([[Rgb565::new(26, 53, 26)]]);
+const PLAIN: &str = "static SKIN: [[Rgb565; 1]; 1] = [[Rgb565::new(26, 53, 26)]];
 
 ";
 

@@ -100,7 +100,7 @@ pub struct Args {
 
     /// Format of the depth buffer. A wider range keeps surfaces in order even if --far is much larger than --near.
     #[arg(long, value_enum, default_value = "linear", help_heading = "Look")]
-    pub depth: DepthFormat,
+    pub depth: DepthBuffer,
 
     /// Hide the backs of faces, as programs for microcontrollers do by default. Without this option, only faces that
     /// the file calls one-sided hide them.
@@ -238,7 +238,7 @@ pub enum Mode {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum DepthFormat {
+pub enum DepthBuffer {
     /// Equal steps of 1/distance: finest near the eye
     Linear,
     /// Floating point: steps of 0.024 % of the distance, up to 65,536 times the near plane

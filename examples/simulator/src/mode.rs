@@ -63,17 +63,17 @@ pub(crate) use in_mode;
 macro_rules! with_depth {
     ($format:expr, $canvas:expr, $depth:expr, |$with:ident| $draw:expr) => {
         match $format {
-            $crate::args::DepthFormat::Linear => {
+            $crate::args::DepthBuffer::Linear => {
                 let mut canvas = $canvas.with_depth($depth)?;
                 let $with = &mut canvas;
                 $draw
             }
-            $crate::args::DepthFormat::Float => {
+            $crate::args::DepthBuffer::Float => {
                 let mut canvas = $canvas.with_depth_format::<fixel::canvas::FloatDepth>($depth)?;
                 let $with = &mut canvas;
                 $draw
             }
-            $crate::args::DepthFormat::Wide => {
+            $crate::args::DepthBuffer::Wide => {
                 let mut canvas =
                     $canvas.with_depth_format::<fixel::canvas::WideFloatDepth>($depth)?;
                 let $with = &mut canvas;

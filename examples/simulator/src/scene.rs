@@ -12,7 +12,7 @@ use super::draw::{AnyMvp, Posed, Style};
 use super::mode::{Mode, with_depth};
 use super::view::{AnyProjection, View, direction};
 use super::window::Orbit;
-use crate::args::{Args, DepthFormat, SceneName, Shade};
+use crate::args::{Args, DepthBuffer, SceneName, Shade};
 use crate::dump::{Record, Recorder};
 use crate::part::Piece;
 
@@ -98,7 +98,7 @@ pub struct Scene<'a> {
     pub pieces: Vec<Piece<'a>>,
     pub motion: Motion,
     pub mode: Mode,
-    pub depth: DepthFormat,
+    pub depth: DepthBuffer,
     /// `None` for the measured scenes and the project's own one.
     pub shade: Option<Shade>,
     /// Whether it is the project's own scene, with sea and sky.

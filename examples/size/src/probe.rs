@@ -8,7 +8,7 @@
 
 use core::hint::black_box;
 
-use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
 
 /// Width of the picture in pixels.
@@ -33,8 +33,7 @@ static COLORS: [Rgb888; 17 * 9] = {
 };
 
 /// A texture.
-pub static SKIN: TextureArray<Rgb565, 2, 2> =
-    TextureArray::rgb565(&[0xff, 0xff, 0xf8, 0x00, 0xf8, 0x00, 0xff, 0xff]);
+pub static SKIN: [[Rgb565; 2]; 2] = [[Rgb565::WHITE, Rgb565::RED], [Rgb565::RED, Rgb565::WHITE]];
 
 /// A position in front of the eye, so close that the near plane of [`projection`](fn@projection) cuts the model and
 /// clipping runs.

@@ -202,8 +202,8 @@ impl Shape {
 /// ```
 ///
 /// A second argument, `short`, stores 16-bit positions, which take half the flash:
-/// [`Mesh::short`](crate::Mesh::short). With `quantized_16` or `quantized_8`, attributes take less flash too, and the
-/// result is a [`Quantized`](crate::mesh::Quantized) mesh.
+/// [`Mesh::short`](crate::Mesh::short). With `quantized_16` or `quantized_8`, [attributes take less
+/// flash](crate::mesh#less-flash), too.
 ///
 /// ```
 /// use fixel::prelude::*;

@@ -3,8 +3,8 @@
 //!
 //! The programs in `examples/firmware` do the same on every target, and `.ci/run` compares them with the host.
 
-use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::BigEndian;
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::canvas::{DepthBuffer, FloatDepth, LinearDepth};
 use fixel::mesh::{Buffers, Shape};
 use fixel::mode::{Affine, Compact, Exact, Fast, Mode, Newton};
@@ -15,8 +15,7 @@ use super::scene::Random;
 
 const SIZE: (u32, u32) = (320, 240);
 
-static SKIN: TextureArray<Rgb565, 2, 2> =
-    TextureArray::rgb565(&[0xff, 0xff, 0x00, 0x1f, 0x07, 0xe0, 0xf8, 0x00]);
+static SKIN: [[Rgb565; 2]; 2] = [[Rgb565::WHITE, Rgb565::BLUE], [Rgb565::GREEN, Rgb565::RED]];
 static RING: Mesh = shape!(torus(fx!(0.4), 24, 12), short);
 static BALL: Mesh = shape!(sphere(16, 12), short);
 static FLOOR: Mesh = shape!(plane(8, 8), short);

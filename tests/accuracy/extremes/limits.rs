@@ -136,10 +136,8 @@ fn vertices_of_a_list_beyond_their_limit_are_refused() {
 /// One row of the widest texture, and one column of the highest. One more texel in either does not compile.
 #[test]
 fn textures_of_the_largest_sides_are_drawn() {
-    static WIDE: TextureArray<Gray8, MAX_TEXTURE_SIZE, 1> =
-        TextureArray::from_texels([[Gray8::new(7); MAX_TEXTURE_SIZE]; 1]);
-    static HIGH: TextureArray<Gray8, 1, MAX_TEXTURE_SIZE> =
-        TextureArray::from_texels([[Gray8::new(9)]; MAX_TEXTURE_SIZE]);
+    static WIDE: [[Gray8; MAX_TEXTURE_SIZE]; 1] = [[Gray8::new(7); MAX_TEXTURE_SIZE]; 1];
+    static HIGH: [[Gray8; 1]; MAX_TEXTURE_SIZE] = [[Gray8::new(9)]; MAX_TEXTURE_SIZE];
     for at in [i32::MIN, -1, 0, 32_767, 32_768, i32::MAX] {
         assert_eq!((&WIDE).texel(at, at), Gray8::new(7));
         assert_eq!((&HIGH).texel(at, at), Gray8::new(9));

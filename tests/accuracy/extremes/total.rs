@@ -75,7 +75,7 @@ struct Scene {
 enum Format {
     Linear,
     Float,
-    WideFloat,
+    WideFloatDepth,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -132,7 +132,7 @@ fn scene(random: &mut Random) -> Scene {
     } else {
         (random.random_range(1..40), random.random_range(1..40))
     };
-    let depth = [Format::Linear, Format::Float, Format::WideFloat];
+    let depth = [Format::Linear, Format::Float, Format::WideFloatDepth];
     let what = [
         What::Triangles,
         What::Edges,
@@ -272,7 +272,7 @@ impl Scene {
                 let canvas = canvas.with_depth_format::<FloatDepth>(depths);
                 self.draw(&mut canvas.unwrap(), projection);
             }
-            Format::WideFloat => {
+            Format::WideFloatDepth => {
                 let canvas = canvas.with_depth_format::<WideFloatDepth>(depths);
                 self.draw(&mut canvas.unwrap(), projection);
             }

@@ -32,7 +32,7 @@ static FLOOR: Mesh = {
     Mesh::checked(Mesh::checked(Mesh::new(&CORNERS, &[[0, 1, 2], [0, 2, 3]])).with_uvs(&UVS, None))
 };
 
-static PLANKS: TextureArray<Rgb565, 16, 16> = TextureArray::from_texels(texels(&[
+static PLANKS: [[Rgb565; 16]; 16] = texels(&[
     b"################",
     b"#o============o#",
     b"#=+----------+=#",
@@ -49,9 +49,9 @@ static PLANKS: TextureArray<Rgb565, 16, 16> = TextureArray::from_texels(texels(&
     b"#=++........++=#",
     b"#o============o#",
     b"################",
-]));
+]);
 
-static TILES: TextureArray<Rgb565, 2, 2> = TextureArray::from_texels(texels(&[b"bw", b"wb"]));
+static TILES: [[Rgb565; 2]; 2] = texels(&[b"bw", b"wb"]);
 
 /// Makes a texture from a drawing, in which each letter is a color.
 const fn texels<const W: usize, const H: usize>(drawing: &[&[u8; W]; H]) -> [[Rgb565; W]; H] {

@@ -10,7 +10,7 @@ const ROWS: u32 = 8;
 
 static BALL: Mesh = shape!(sphere(32, 24));
 /// Stripes in four colors between white ones, and white caps.
-static STRIPES: TextureArray<Rgb565, 8, 16> = {
+static STRIPES: [[Rgb565; 8]; 16] = {
     let colors = [
         Rgb565::RED,
         Rgb565::CSS_ORANGE,
@@ -23,7 +23,7 @@ static STRIPES: TextureArray<Rgb565, 8, 16> = {
         texels[1 + at / 4][2 * (at % 4)] = colors[at % 4];
         at += 1;
     }
-    TextureArray::from_texels(texels)
+    texels
 };
 
 /// The display: here a canvas too, but any `DrawTarget` can be sent to.

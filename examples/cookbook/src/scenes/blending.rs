@@ -6,9 +6,9 @@ use fixel::prelude::*;
 
 static SQUARE: Mesh = shape!(plane(1, 1));
 static BALL: Mesh = shape!(sphere(32, 24));
-static WHITE: TextureArray<Rgb565, 32, 32> = TextureArray::from_texels([[Rgb565::WHITE; 32]; 32]);
+static WHITE: [[Rgb565; 32]; 32] = [[Rgb565::WHITE; 32]; 32];
 /// A round cloud, which is thickest in the middle.
-static CLOUD: TextureArray<Gray8, 32, 32> = {
+static CLOUD: [[Gray8; 32]; 32] = {
     let mut texels = [[Gray8::new(0); 32]; 32];
     let mut at = 0_usize;
     while at < 1024 {
@@ -16,7 +16,7 @@ static CLOUD: TextureArray<Gray8, 32, 32> = {
         texels[at / 32][at % 32] = Gray8::new((961_usize.saturating_sub(x * x + y * y) / 5) as u8);
         at += 1;
     }
-    TextureArray::from_texels(texels)
+    texels
 };
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {

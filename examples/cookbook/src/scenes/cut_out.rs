@@ -40,14 +40,14 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let both_sides = DrawOptions::new().with_cull(Cull::Nothing);
     let sun = Light::new(vec3!(-2, 3, 2), fx!(0.35), fx!(0.65))?;
     let bark = Flat::rgb(Rgb888::new(130, 90, 60)).lit(sun);
-    let leaves = TextureArray::<_, 64, 32>::from_texels(from_fn(|y| from_fn(|x| leaf(y, x))));
+    let leaves: [[Rgb565; 64]; 32] = from_fn(|y| from_fn(|x| leaf(y, x)));
     let leaves = Textured::new(&leaves).cut_out(Rgb565::MAGENTA).lit(sun);
     for place in [vec3!(-3, 1, -2), vec3!(0.5, 1, -2), vec3!(4, 1, -2)] {
         canvas.draw(&TRUNK, &at(place, vec3!(0.2, 1, 0.2)), &bark);
         let crown = at(place + vec3!(0, 2, 0), vec3!(1.5, 1.5, 1.5));
         canvas.draw_with(&both_sides, &BALL, &crown, &leaves);
     }
-    let fence = TextureArray::<_, 8, 32>::from_texels(from_fn(|y| from_fn(|x| picket(y, x))));
+    let fence: [[Argb1555; 8]; 32] = from_fn(|y| from_fn(|x| picket(y, x)));
     for step in -16..=20_i16 {
         let place = vec3!(0, 0.8, 1) + vec3!(0.5, 0, 0) * Scalar::from(step);
         let upright = at(place, vec3!(0.25, 0.8, 1)) * Transform::rotate_x(deg!(90));

@@ -7,7 +7,7 @@ use fixel::prelude::*;
 
 static BALLOON: Mesh = include_mesh!("../../../assets/balloon.glb", short);
 static PARTS: &[Part] = include_materials!("../../../assets/balloon.glb");
-static SILK: TextureArray<Rgb565, 64, 64> = include_texture!("../../../assets/balloon.png");
+static SILK: [[Rgb565; 64]; 64] = include_texture!("../../../assets/balloon.png");
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let size = canvas.frame_size();

@@ -10,7 +10,7 @@ use fixel::prelude::*;
 
 static BALL: Mesh = shape!(sphere(32, 24));
 /// Sky above ground, and lines every 10 degrees, which are 7 rows.
-static SKIN: TextureArray<Rgb565, 64, 128> = {
+static SKIN: [[Rgb565; 64]; 128] = {
     let mut texels = [[Rgb565::CSS_DODGER_BLUE; 64]; 128];
     let mut at = 0_usize;
     while at < 64 * 128 {
@@ -22,7 +22,7 @@ static SKIN: TextureArray<Rgb565, 64, 128> = {
         }
         at += 1;
     }
-    TextureArray::from_texels(texels)
+    texels
 };
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {

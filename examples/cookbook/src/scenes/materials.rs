@@ -8,7 +8,7 @@ use fixel::shade::PartColors;
 
 static CABIN: Mesh = include_mesh!("../../../assets/cabin.obj");
 static PARTS: &[Part] = include_materials!("../../../assets/cabin.obj");
-static PLANKS: TextureArray<Rgb565, 32, 32> = include_texture!("../../../assets/planks.tga");
+static PLANKS: [[Rgb565; 32]; 32] = include_texture!("../../../assets/planks.tga");
 static MEADOW: Mesh = shape!(plane(8, 8));
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {

@@ -3,26 +3,16 @@
 use embedded_graphics::pixelcolor::{Rgb565, WebColors};
 use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
-use fixel::shade::Mipmapped;
-use fixel::texture::{Mipmap, MipmapArray};
+use fixel::texture::Mipmap;
 
-/// Four tiles with dark joints, of 16x16 texels. The levels are made at compile time.
-static TILES: MipmapArray<Rgb565, 16, 16, { Mipmap::<Rgb565>::len(16, 16) }> =
-    MipmapArray::rgb565(&{
-        let mut bytes = [0; 16 * 16 * 2];
-        let mut at = 0;
-        while at < bytes.len() {
-            let (row, column) = (at / 2 / 16, at / 2 % 16);
-            let color: [u8; 2] = match (row % 8, column % 8) {
-                (0, _) | (_, 0) => [0x39, 0x08],
-                _ if (row / 8 + column / 8) % 2 == 0 => [0xff, 0x18],
-                _ => [0xdc, 0x0c],
-            };
-            [bytes[at], bytes[at + 1]] = color;
-            at += 2;
-        }
-        bytes
-    });
+/// A texel of four tiles with dark joints, of 16x16 texels.
+fn tile(row: usize, column: usize) -> Rgb565 {
+    match (row % 8, column % 8) {
+        (0, _) | (_, 0) => Rgb565::new(7, 8, 8),
+        _ if row / 8 == column / 8 => Rgb565::new(31, 56, 24),
+        _ => Rgb565::new(27, 32, 12),
+    }
+}
 
 /// Half of the floor, 60 units wide and 60 long, with a repeat of the texture on each unit.
 static HALF: Mesh = {
@@ -43,10 +33,15 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let right = projection * camera;
     canvas.clear(Rgb565::CSS_LIGHT_SKY_BLUE);
 
-    let tiles = TILES.as_mipmap();
-    canvas.draw(&HALF, &left, &Textured::new(tiles));
+    // The levels are made in memory; include_texture!("tiles.png", mipmap) makes them at compile time.
+    let mut texels = [Rgb565::default(); Mipmap::<Rgb565>::len(16, 16)];
+    for (at, texel) in texels[..16 * 16].iter_mut().enumerate() {
+        *texel = tile(at / 16, at % 16);
+    }
+    let tiles = Textured::new(Mipmap::build(&mut texels, 16, 16)?);
+    canvas.draw(&HALF, &left, &tiles);
     // The level depends on a pixel's size: on the projection and the frame's size.
-    let mipmapped = Mipmapped::new(tiles, &projection, canvas.frame_size())?;
+    let mipmapped = tiles.mipmapped(&projection, canvas.frame_size())?;
     canvas.draw(&HALF, &right, &mipmapped.trilinear());
     Ok(())
 }

@@ -5,13 +5,17 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888};
 use embedded_graphics::{prelude::*, primitives::Rectangle, text::Text};
 use fixel::canvas::{Contrast, ErrorDiffusion, LinearDepth, Native};
 use fixel::prelude::*;
+use fixel::texture::Raw;
 
 const SIZE: (u32, u32) = (128, 64);
 static ISLAND: Mesh = include_mesh!("../../../assets/lighthouse.obj");
 // No edge is a crease: it has silhouettes only.
 static SILHOUETTES: Outline = include_outline!("../../../assets/lighthouse.obj", crease = 180);
-static SKIN: TextureArray<Rgb565, 128, 128> =
-    TextureArray::rgb565(include_bytes!("../../../assets/lighthouse.rgb565"));
+static SKIN: Raw<Rgb565> = Raw::checked(Raw::new(
+    include_bytes!("../../../assets/lighthouse.rgb565"),
+    128,
+    128,
+));
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let (width, height) = SIZE;

@@ -5,13 +5,12 @@ use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics::text::{Alignment, Text};
 use embedded_graphics::{Drawable, geometry::Point};
 use fixel::canvas::{LinearDepth, Native};
-use fixel::mesh::Quantized;
 use fixel::prelude::*;
 
 static RING: Mesh = shape!(torus(fx!(0.45), 48, 24));
-static SMALL_RING: Quantized = shape!(torus(fx!(0.45), 48, 24), quantized_8);
+static SMALL_RING: Mesh = shape!(torus(fx!(0.45), 48, 24), quantized_8);
 /// Stripes around the tube, and a darker half of each.
-static GLAZE: TextureArray<Rgb565, 64, 64> = {
+static GLAZE: [[Rgb565; 64]; 64] = {
     let mut texels = [[Rgb565::new(30, 54, 22); 64]; 64];
     let mut at = 0_usize;
     while at < 64 * 64 {
@@ -23,7 +22,7 @@ static GLAZE: TextureArray<Rgb565, 64, 64> = {
         }
         at += 1;
     }
-    TextureArray::from_texels(texels)
+    texels
 };
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
@@ -38,9 +37,8 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let glaze = Textured::new(&GLAZE).bilinear().lit(sun);
     canvas.clear(Rgb565::new(4, 9, 10));
     canvas.draw(&RING, &at(fx!(-1.5)), &glaze);
-    // The shader unpacks the attributes of each triangle that is drawn.
-    let (mesh, shader) = (SMALL_RING.mesh(), SMALL_RING.shader(glaze));
-    canvas.draw(mesh, &at(fx!(1.5)), &shader);
+    // Attributes are unpacked for each triangle that is drawn.
+    canvas.draw(&SMALL_RING, &at(fx!(1.5)), &glaze);
 
     let style = MonoTextStyle::new(&FONT_6X10, Rgb565::WHITE);
     let (quarter, bottom) = (size.width.cast_signed() / 4, size.height.cast_signed() - 4);

@@ -9,7 +9,7 @@ static DOME: Mesh = shape!(sphere(24, 16));
 static SEA: Mesh = shape!(plane(1, 1));
 static ROCK: Mesh = shape!(sphere(7, 4));
 /// Light that fades from the middle to the edge.
-static GLOW: TextureArray<Gray8, 64, 64> = {
+static GLOW: [[Gray8; 64]; 64] = {
     let mut texels = [[Gray8::new(0); 64]; 64];
     let mut at = 0_usize;
     while at < 64 * 64 {
@@ -18,7 +18,7 @@ static GLOW: TextureArray<Gray8, 64, 64> = {
         texels[at / 64][at % 64] = Gray8::new((inside * inside / 61_776) as u8);
         at += 1;
     }
-    TextureArray::from_texels(texels)
+    texels
 };
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {

@@ -38,7 +38,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
         };
         let part = |at: usize| (fx!(31.5) - Scalar::from_num(at as u8)) / 32;
         let texel = |y, x| space(turn.point(Vec3::new(part(x), part(y), fx!(1))));
-        let texture = TextureArray::<_, 64, 64>::from_texels(from_fn(|y| from_fn(|x| texel(y, x))));
+        let texture: [[Rgb565; 64]; 64] = from_fn(|y| from_fn(|x| texel(y, x)));
         let side = CUBE.part(2 * side..2 * side + 2);
         let shader = Textured::new(&texture).clamped().bilinear();
         canvas.draw_with(&behind, &side, &around, &shader);

@@ -6,7 +6,7 @@ use fixel::prelude::*;
 use fixel::shade::Fog;
 
 static FLOOR: Mesh = shape!(plane(1, 1));
-static FIR: TextureArray<Rgb565, 32, 32> = TextureArray::from_texels(fir());
+static FIR: [[Rgb565; 32]; 32] = fir();
 
 /// Three tiers of branches with snow on them, and a trunk; the rest is magenta.
 const fn fir() -> [[Rgb565; 32]; 32] {

@@ -7,7 +7,7 @@ mod fit;
 pub mod turntable;
 
 use crate::Result;
-use crate::args::{Args, DepthFormat, Kind};
+use crate::args::{Args, DepthBuffer, Kind};
 use crate::idle::name;
 use fit::range;
 use fixel_assets::vector::{along, cross, dot, largest, length, sub, unit};
@@ -158,10 +158,10 @@ fn to_digits(value: f64, digits: usize) -> f64 {
 
 /// Returns the largest ratio of far to near that the program chooses. Depth in equal steps of 1/distance needs one
 /// below 1000.
-fn most_ratio(depth: DepthFormat) -> f64 {
+fn most_ratio(depth: DepthBuffer) -> f64 {
     match depth {
-        DepthFormat::Linear => 500.0,
-        DepthFormat::Float | DepthFormat::Wide => 30_000.0,
+        DepthBuffer::Linear => 500.0,
+        DepthBuffer::Float | DepthBuffer::Wide => 30_000.0,
     }
 }
 

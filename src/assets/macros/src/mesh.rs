@@ -161,10 +161,10 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
             ));
         }
         Some(quantized) => {
-            let (step, kind) = if quantized == "quantized_8" {
-                ("u8", "Bytes")
+            let (step, small) = if quantized == "quantized_8" {
+                ("u8", "uvs_of_8")
             } else {
-                ("u16", "Words")
+                ("u16", "uvs_of_16")
             };
             let (uvs, normals) = (out.bytes(uvs), out.bytes(normals));
             out.push(&format!(
@@ -172,17 +172,17 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
                  #[allow(long_running_const_eval)]
                  const STORED: ([[{step}; 2]; {uv_count}], assets::UvGrid) =
                      assets::{quantized}(&assets::vec2s::<{uv_count}>({uvs}));
-                 static STORED_UVS: [[{step}; 2]; {uv_count}] = STORED.0;
+                 static UVS: [[{step}; 2]; {uv_count}] = STORED.0;
+                 static SMALL_UVS: assets::Small<'static, fixel::Vec2> = assets::Small::{small}(&UVS, STORED.1);
                  #[allow(long_running_const_eval)]
-                 static STORED_NORMALS: [[i8; 3]; {normal_count}] =
+                 static NORMALS: [[i8; 3]; {normal_count}] =
                      assets::normals_of_8(&assets::vec3s::<{normal_count}>({normals}));
-                 static QUANTIZED: fixel::mesh::Quantized<'static> = fixel::mesh::Quantized::new(
+                 static SMALL_NORMALS: assets::Small<'static, fixel::Vec3> = assets::Small::normals(&NORMALS);
+                 assets::quantized(
                      assets::mesh({positions}, (&FACES, &EDGES), (&[], &[]), (&[], &[]), (&COLORS, &COLOR_FACES)),
-                     (&STORED_NORMALS, &NORMAL_FACES),
-                     (assets::StoredUvs::{kind}(&STORED_UVS), &UV_FACES),
-                     STORED.1,
-                 );
-                 QUANTIZED"
+                     (&SMALL_NORMALS, &NORMAL_FACES),
+                     (&SMALL_UVS, &UV_FACES),
+                 )"
             ));
         }
     }

@@ -12,24 +12,6 @@ use crate::expansion::Expansion;
 /// The most pixels along a side of a texture.
 const MOST: u32 = 1 << 15;
 
-/// The colors of textures, and the modules of `fixel` that convert pictures to them.
-const COLORS: [(&str, &str); 14] = [
-    ("Rgb555", "rgb555"),
-    ("Bgr555", "bgr555"),
-    ("Rgb565", "rgb565"),
-    ("Bgr565", "bgr565"),
-    ("Rgb666", "rgb666"),
-    ("Bgr666", "bgr666"),
-    ("Rgb888", "rgb888"),
-    ("Bgr888", "bgr888"),
-    ("Gray2", "gray2"),
-    ("Gray4", "gray4"),
-    ("Gray8", "gray8"),
-    ("BinaryColor", "binary"),
-    ("Argb1555", "argb1555"),
-    ("Argb4444", "argb4444"),
-];
-
 /// Reads the picture of a file, or the one that a model contains.
 fn read(arguments: &Arguments, out: &mut Expansion) -> Result<Picture, String> {
     let path = &arguments.path.path;
@@ -104,45 +86,27 @@ pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
         return Ok(out);
     }
     // Each color is converted once; the pixels are its indices.
-    let (kind, list, colors) = if arguments.has("mipmap") {
+    if arguments.has("mipmap") {
         // Each level is the mean of the whole picture, so that rounding does not add up.
         let level = |level: u32| picture.resampled(width >> level, height >> level).pixels;
         let smaller: Vec<_> = (1..=width.min(height).ilog2()).flat_map(level).collect();
         picture.pixels.extend(smaller);
-        let (indices, colors) = indexed(&picture.pixels);
-        ("Words", indices, colors)
-    } else if let Some((indices, colors)) = picture.palette() {
-        ("Bytes", indices, colors)
-    } else {
-        let (indices, colors) = indexed(&picture.pixels);
-        ("Words", indices, colors)
-    };
-    let colors = out.bytes(colors.concat());
-    let list = out.bytes(list);
-    let pixels = picture.pixels.len();
+    }
+    let palette = picture.palette();
+    let (indices, colors) = palette.unwrap_or_else(|| indexed(&picture.pixels));
+    let (pixels, count) = (picture.pixels.len(), colors.len());
+    let colors = out.bytes(colors.into_iter().flat_map(formats).collect());
+    let indices = out.bytes(indices);
     let path = &arguments.path.value;
     out.push(&format!(
         "enum Asset {{}}
          impl fixel::texture::include::File for Asset {{
              const PATH: &'static str = {path:?};
              const SIZE: [u32; 2] = [{width}, {height}];
-             const PIXELS: fixel::texture::include::Pixels = fixel::texture::include::Pixels::{kind}({list});
+             const COLORS: &'static [[u8; 17]] = {colors}.as_chunks().0;
+             const PIXELS: &'static [u8] = {indices};
          }}
-         const COLORS: &[u8] = {colors};"
-    ));
-    // Generic, because the compiler evaluates every other constant, whether it is used or not.
-    for (color, module) in COLORS {
-        out.push(&format!(
-            "impl<const N: usize> fixel::texture::include::Convert<Asset, N> for fixel::texture::include::{color} {{
-                 #[allow(long_running_const_eval)]
-                 const TEXELS: &'static [Self; N] = &fixel::texture::include::{module}::texels(
-                     COLORS, <Asset as fixel::texture::include::File>::PIXELS);
-                 const COLORS: &'static [Self; 256] = &fixel::texture::include::{module}::colors(COLORS);
-             }}"
-        ));
-    }
-    out.push(&format!(
-        "<_ as fixel::texture::include::FromFile<Asset, {pixels}>>::VALUE"
+         <_ as fixel::texture::include::FromFile<Asset, {pixels}, {count}>>::VALUE"
     ));
     Ok(out)
 }
@@ -159,8 +123,35 @@ const RAW: [(&str, [[u32; 2]; 3]); 8] = [
     ("bgr888", [[0, 8], [8, 8], [16, 8]]),
 ];
 
-/// The bytes of texels in a format, the high byte first or, if it ends in `_le`, the low byte. Channels are rounded as
-/// `fixel` rounds them.
+/// c/255 in units of 2^-16, with an error of at most half a unit.
+fn fraction(channel: u8) -> u32 {
+    u32::from(channel) * 257 + u32::from(channel >> 7)
+}
+
+/// A fraction in steps of so many bits, rounded as `fixel` rounds it.
+fn steps(fraction: u32, bits: u32) -> u32 {
+    (fraction * ((1 << bits) - 1) + (1 << 15)) >> 16
+}
+
+/// A color in the formats that `fixel::texture::include::File` lists.
+fn formats(pixel: [u8; 4]) -> Vec<u8> {
+    let [r, g, b, alpha] = pixel.map(fraction);
+    // The weights add up to 2^14.
+    let luma = (4899 * r + 9617 * g + 1868 * b + (1 << 13)) >> 14;
+    let byte = |fraction, bits| steps(fraction, bits).to_le_bytes()[0];
+    let rgb = [5, 6, 8].map(|bits| [byte(r, bits), byte(g, bits), byte(b, bits)]);
+    let gray = [1, 2, 4, 8].map(|bits| byte(luma, bits));
+    let packed = |alpha_bits: u32, bits: u32| {
+        let first = steps(alpha, alpha_bits);
+        let add = |sum: u32, &channel| sum << bits | steps(channel, bits);
+        let [low, high, ..] = [r, g, b].iter().fold(first, add).to_le_bytes();
+        [high, low]
+    };
+    let argb = [packed(1, 5), packed(4, 4)];
+    [rgb.as_flattened(), &gray, argb.as_flattened()].concat()
+}
+
+/// The bytes of texels in a format, the high byte first or, if it ends in `_le`, the low byte.
 fn raw(picture: &Picture, format: &str) -> Option<Vec<u8>> {
     let low_first = format.strip_suffix("_le");
     let (_, channels) = RAW
@@ -172,11 +163,10 @@ fn raw(picture: &Picture, format: &str) -> Option<Vec<u8>> {
         .max()?
         .div_ceil(8) as usize;
     let texel = |pixel: &[u8; 4]| {
-        let channels = channels.iter().zip(pixel).map(|(&[low, bits], &channel)| {
-            // c/255 in units of 2^-16, and then in steps.
-            let fraction = u32::from(channel) * 257 + u32::from(channel >> 7);
-            ((fraction * ((1 << bits) - 1) + (1 << 15)) >> 16) << low
-        });
+        let channels = channels
+            .iter()
+            .zip(pixel)
+            .map(|(&[low, bits], &channel)| steps(fraction(channel), bits) << low);
         let bytes = channels.sum::<u32>().to_le_bytes();
         let mut bytes = bytes[..size].to_vec();
         if low_first.is_none() {
