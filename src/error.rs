@@ -130,12 +130,13 @@ errors! {
 
     /// A number outside the range of its format.
     NotRepresentable {
-        /// The refused number.
-        value: RefusedFloat,
+        /// The refused number in thousandths, rounded toward zero; saturates. `None` for what is not a number. (A program
+        /// that prints errors need not link the formatting of floats.)
+        thousandths: Option<i64>,
         /// The format holds numbers from −`limit` to just below `limit`; `None` if it holds every
         /// finite number.
         limit: Option<u32>,
-    } = "{value} cannot be represented: it must {}", Range(limit);
+    } = "{} cannot be represented: it must {}", Refused(thousandths), Range(limit);
     /// A field of view of zero, or of half a turn or more.
     FieldOfView {
         /// The refused angle.
@@ -377,42 +378,29 @@ impl From<Infallible> for Error {
     }
 }
 
-/// A float that was refused, as precise as a message needs it.
-///
-/// It is stored in thousandths, so that a program that prints errors does not link the formatting of floats.
-///
-/// ```
-/// use fixel::Vec3;
-/// let error = Vec3::try_from([0.0, 40_000.5_f64, 0.0]).unwrap_err();
-/// assert!(error.to_string().starts_with("40000.5 cannot be represented"));
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum RefusedFloat {
-    /// Not a number.
-    Nan,
-    /// A number in thousandths, rounded toward zero; saturates.
-    Thousandths(i64),
-}
-
-impl RefusedFloat {
-    pub(crate) const fn new(value: f64) -> Self {
-        if value.is_nan() {
-            Self::Nan
+impl Error {
+    /// The error for a float beyond the limit of a format.
+    pub(crate) const fn not_representable(value: f64, limit: Option<u32>) -> Self {
+        // The cast saturates.
+        let thousandths = if value.is_nan() {
+            None
         } else {
-            // The cast saturates.
-            Self::Thousandths((value * 1000.0) as i64)
-        }
+            Some((value * 1000.0) as i64)
+        };
+        Self::NotRepresentable { thousandths, limit }
     }
 }
 
-impl fmt::Display for RefusedFloat {
+/// A number in thousandths, as precise as a message needs it.
+struct Refused(Option<i64>);
+
+impl fmt::Display for Refused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::Nan => f.write_str("NaN"),
-            Self::Thousandths(i64::MAX) => f.write_str("a number above 9e15"),
-            Self::Thousandths(i64::MIN) => f.write_str("a number below -9e15"),
-            Self::Thousandths(value) => {
+        match self.0 {
+            None => f.write_str("NaN"),
+            Some(i64::MAX) => f.write_str("a number above 9e15"),
+            Some(i64::MIN) => f.write_str("a number below -9e15"),
+            Some(value) => {
                 let sign = if value < 0 { "-" } else { "" };
                 let value = value.unsigned_abs();
                 write!(f, "{sign}{}", value / 1000)?;

@@ -13,7 +13,7 @@ use crate::Angle;
 /// // Exact to the last bit, even after 30 days.
 /// assert_eq!(rate.angle_at(30 * 24 * 3_600_000 + 1_500), Angle::from_degrees(90));
 /// // One turn per second: sin(2πt).
-/// assert_eq!(Rate::hertz(1).angle_at(250).sin(), fixel::Unit::ONE);
+/// assert_eq!(Rate::hertz(1).angle_at(250).sin(), fixel::Fraction::ONE);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -21,7 +21,7 @@ use crate::view::{ModelToPicture, ProjectionKind};
 /// let canvas = Canvas::new(&mut pixels, 8, 8)?;
 /// let projection = Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(0.5), fx!(10))?;
 /// let at = canvas.project(&DrawOptions::new(), &projection, vec3!(0.5, 1, -2)).unwrap();
-/// assert_eq!((at.x.to_num(), at.y.to_num()), (5, 2));
+/// assert_eq!((at.x.floor(), at.y.floor()), (5, 2));
 /// assert_eq!(at.depth, 65535 / 4);
 /// # Ok::<(), Error>(())
 /// ```

@@ -244,7 +244,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
         let mut scale = BlockFloat::new(scale.to_bits().into(), 16);
         if self.grows {
             // Nothing behind the eye is visible.
-            let distance = position.z.saturating_neg().to_bits().max(0);
+            let distance = (-position.z).to_bits().max(0);
             scale = BlockFloat::new(scale.value * i64::from(distance), 32);
         }
         if last.0 != scale {

@@ -303,7 +303,7 @@ mod tests {
         let [near, far] = [fx!(1), fx!(3)];
         let fog = Fog::linear(Gray8::WHITE, near, far).unwrap();
         for distance in (0..4 << 16).map(Scalar::from_bits) {
-            let left = (far - distance).to_num::<f64>() / 2.;
+            let left = f64::from(far - distance) / 2.;
             for bits in [5, 8] {
                 let weight = Linear::weight(fog.density.varying(distance, bits), bits);
                 let exact = left.clamp(0., 1.) * f64::from(1 << bits);
@@ -350,8 +350,8 @@ mod tests {
             for distance in [Scalar::MIN, fx!(0), Scalar::MAX] {
                 // In units of 2^-14, of which 32 are half a step of the weight.
                 let varying = fog.density.varying(distance, Gray8::WEIGHT_BITS);
-                let exact = (distance.to_num::<f64>() - far.to_num::<f64>())
-                    / (far.to_num::<f64>() - near.to_num::<f64>())
+                let exact = (f64::from(distance) - f64::from(far))
+                    / (f64::from(far) - f64::from(near))
                     * 16_384.
                     + 32.;
                 let exact = exact.clamp(-(2_f64.powi(30)), 2_f64.powi(30));

@@ -63,7 +63,7 @@ pub struct Repeat;
 pub struct Clamp;
 
 /// How many more fraction bits a texture coordinate has than texels.
-const FINER: u32 = TexCoord::FRAC_NBITS - 16;
+const FINER: u32 = TexCoord::FRAC_BITS - 16;
 
 /// Converts texture coordinates, in units of 2⁻²⁰ repeat and counted from `origin`, to texels with 16 fraction bits:
 /// rounded to nearest, saturated.
@@ -85,7 +85,7 @@ impl Addressing for Repeat {
     fn origin([a, b, c]: [i32; 3]) -> i32 {
         // The whole repeats that all three corners have in common; without them, the least corner lies in the first
         // repeat.
-        a.min(b).min(c) >> TexCoord::FRAC_NBITS << TexCoord::FRAC_NBITS
+        a.min(b).min(c) >> TexCoord::FRAC_BITS << TexCoord::FRAC_BITS
     }
 
     #[inline]

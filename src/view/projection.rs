@@ -20,7 +20,7 @@ mod tests;
 ///
 /// /// Works for both kinds.
 /// fn depth_of_view<K: ProjectionKind>(projection: &Projection<K>) -> Scalar {
-///     projection.far().saturating_sub(projection.near())
+///     projection.far() - projection.near()
 /// }
 /// ```
 pub trait ProjectionKind: Sealed + Copy + core::fmt::Debug {

@@ -218,7 +218,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     /// The width of lines: 1 to 63 pixels for three of four styles.
     fn width(&self) -> Option<LineWidth> {
         let width = i32::from(self.scene.style >> 1);
-        (width % 4 > 0).then(|| LineWidth::new(Scalar::from_num((width / 2).max(1))).unwrap())
+        (width % 4 > 0).then(|| LineWidth::new(fx!(1) * (width / 2).max(1)).unwrap())
     }
 
     /// Squares or discs of any size.

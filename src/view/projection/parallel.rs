@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::{Parallel, Projection, Row, bits, check_far, extent, number};
-use crate::num::Unit;
+use crate::num::Fraction;
 use crate::num::block::BlockFloat;
 use crate::view::Window;
 use crate::{Angle, Error, Scalar};
@@ -44,7 +44,7 @@ impl Projection<Parallel> {
         far: Scalar,
     ) -> Result<Self, Error> {
         let (sin, cos) = angle.sin_cos();
-        let shear = |part: Unit| BlockFloat::new(bits(ratio) * i64::from(part.to_bits()), 46);
+        let shear = |part: Fraction| BlockFloat::new(bits(ratio) * i64::from(part.to_bits()), 46);
         Self::sheared([shear(cos), shear(sin)], window, near, far)
     }
 

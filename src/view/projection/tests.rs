@@ -30,7 +30,7 @@ fn close(row: &Row, expected: [f64; 4]) -> bool {
 }
 
 fn one(value: f64) -> Scalar {
-    crate::num::scalar(value).unwrap()
+    Scalar::try_from(value).unwrap()
 }
 
 /// Distances of a near and a far plane ahead of the eye, of all sizes.

@@ -208,8 +208,8 @@ where
     B: Blending<C, Source = C>,
 {
     let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.25), fx!(30)).unwrap();
-    let [x, y] = [number % 7 - 3, number % 5 - 2].map(Scalar::from_num);
-    let place = Vec3::new(x, y, fx!(-1.25) - Scalar::from_num(number % 9));
+    let [x, y] = [number % 7 - 3, number % 5 - 2].map(Scalar::from);
+    let place = Vec3::new(x, y, fx!(-1.25) - Scalar::from(number % 9));
     let mvp = projection * Transform::translate(place);
     let options = DrawOptions::new().with_mode(mode).with_blending(blending);
     canvas.draw_with(&options, &BALL, &mvp, &NormalView::new());
