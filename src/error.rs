@@ -3,6 +3,7 @@
 use core::convert::Infallible;
 use core::fmt;
 
+use crate::message::{Message, Piece};
 use crate::{Angle, Scalar, Vec3};
 
 /// Takes the value of a result, or returns its error: `?` in a const fn.
@@ -72,12 +73,12 @@ pub(crate) const fn check_crease(angle: Angle) -> Result<(), Error> {
     Ok(())
 }
 
-/// Declares [`Error`]: its variants with fields, then those without, each with its message.
+/// Declares [`Error`]: its variants, each with its message and what stands for the braces in it.
 macro_rules! errors {
     ($(#[$about:meta])+ pub enum Error; $(
         $(#[$doc:meta])+
         $Variant:ident { $($(#[$field_doc:meta])+ $field:ident: $Type:ty,)+ }
-            = $message:literal $(, $value:expr)*;
+            = $message:literal $(, $Piece:ident($value:expr))*;
     )+ without fields: $(
         $(#[$unit_doc:meta])+
         $Unit:ident = $unit_message:literal;
@@ -91,24 +92,19 @@ macro_rules! errors {
         }
 
         impl Error {
-            /// The message, with the fields' names in braces.
-            pub(crate) const fn template(&self) -> &'static str {
-                match self {
-                    $(Self::$Variant { .. } => $message,)+
-                    $(Self::$Unit => $unit_message,)+
-                }
-            }
-        }
-
-        impl fmt::Display for Error {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            #[allow(clippy::cast_lossless, clippy::cast_possible_wrap)] // counts
+            pub(crate) const fn message(&self) -> Message {
                 match *self {
-                    $(Self::$Variant { $($field),+ } => write!(f, $message $(, $value)*),)+
-                    $(Self::$Unit => f.write_str($unit_message),)+
+                    $(Self::$Variant { $($field),+ } => {
+                        Message::new($message, &[$(errors!(@ $Piece $value)),*])
+                    })+
+                    $(Self::$Unit => Message::new($unit_message, &[]),)+
                 }
             }
         }
     };
+    (@ Number $value:expr) => { Piece::Number($value as i64) };
+    (@ $Piece:ident $value:expr) => { Piece::$Piece($value) };
 }
 
 errors! {
@@ -122,121 +118,137 @@ errors! {
     /// use fixel::prelude::*;
     /// let error = Projection::perspective(deg!(180), (4, 3), fx!(0.1), fx!(100)).unwrap_err();
     /// assert_eq!(
-///     error.to_string(),
-///     "field of view is 180 degrees: it must be above 0 and below 180 degrees",
-/// );
+    ///     error.to_string(),
+    ///     "field of view is 180 degrees: it must be above 0 and below 180 degrees",
+    /// );
     /// ```
     pub enum Error;
 
     /// A number outside the range of its format.
     NotRepresentable {
-        /// The refused number in thousandths, rounded toward zero; saturates. `None` for what is not a number. (A program
-        /// that prints errors need not link the formatting of floats.)
-        thousandths: Option<i64>,
-        /// The format holds numbers from −`limit` to just below `limit`; `None` if it holds every
-        /// finite number.
-        limit: Option<u32>,
-    } = "{} cannot be represented: it must {}", Refused(thousandths), Range(limit);
+        /// The refused number in thousandths, rounded toward zero; saturates. (A program that prints errors need not
+        /// link the formatting of floats.)
+        thousandths: i64,
+        /// The format holds numbers from −`limit` to just below `limit`.
+        limit: u32,
+    } = "{} cannot be represented: it must lie between -{} and {}.99999",
+        Thousandths(thousandths), Number(limit), Number(limit - 1);
     /// A field of view of zero, or of half a turn or more.
     FieldOfView {
         /// The refused angle.
         angle: Angle,
-    } = "field of view is {angle}: it must be above 0 and below 180 degrees";
+    } = "field of view is {} degrees: it must be above 0 and below 180 degrees",
+        Degrees(angle);
     /// An aspect ratio or a size that is not positive.
     Aspect {
         /// The refused width.
         width: Scalar,
         /// The refused height.
         height: Scalar,
-    } = "aspect ratio is {width} to {height}: both must be above 0";
+    } = "aspect ratio is {} to {}: both must be above 0",
+        Scalar(width), Scalar(height);
     /// A focal length that is not positive.
     FocalLength {
         /// The refused length in pixels.
         pixels: Scalar,
-    } = "focal length is {pixels} pixels: it must be above 0";
+    } = "focal length is {} pixels: it must be above 0",
+        Scalar(pixels);
     /// A near plane that is not in front of the eye.
     Near {
         /// The refused distance.
         near: Scalar,
-    } = "near plane is at {near}: it must be above 0, in front of the eye";
+    } = "near plane is at {}: it must be above 0, in front of the eye",
+        Scalar(near);
     /// A far plane that is not behind the near plane.
     Far {
         /// The distance of the near plane.
         near: Scalar,
         /// The refused distance of the far plane.
         far: Scalar,
-    } = "far plane is at {far}: it must be beyond the near plane at {near}";
+    } = "far plane is at {}: it must be beyond the near plane at {}",
+        Scalar(far), Scalar(near);
     /// A window without width or height: left is not below right, or bottom is not below top.
     EmptyWindow {
         /// The refused left or bottom edge.
         low: Scalar,
         /// The refused right or top edge.
         high: Scalar,
-    } = "window from {low} to {high} is empty: left must be below right and bottom below top";
+    } = "window from {} to {} is empty: left must be below right and bottom below top",
+        Scalar(low), Scalar(high);
     /// A camera whose eye is at its target.
     EyeAtTarget {
         /// The position of both.
         eye: Vec3,
-    } = "eye and target are both at {eye}: they must differ, to give the camera a direction to look in";
+    } = "eye and target are both at ({}, {}, {}): they must differ, to give the camera a direction to look in",
+        Scalar(eye.x), Scalar(eye.y), Scalar(eye.z);
     /// An up direction that is zero or along the line of sight.
     UpAlongView {
         /// The refused direction.
         up: Vec3,
-    } = "up is {up}, which is zero or parallel to the line of sight: it must not be zero or along that line";
+    } = "up is ({}, {}, {}), which is zero or parallel to the line of sight: it must not be zero or along that line",
+        Scalar(up.x), Scalar(up.y), Scalar(up.z);
     /// A matrix whose last row is not 0 0 0 1 where an affine transform is needed.
     NotAffine {
         /// The refused row.
         last_row: [Scalar; 4],
     } = "last row is ({}, {}, {}, {}): it must be (0, 0, 0, 1) in an affine matrix",
-        last_row[0], last_row[1], last_row[2], last_row[3];
+        Scalar(last_row[0]), Scalar(last_row[1]), Scalar(last_row[2]), Scalar(last_row[3]);
     /// A brightness below 0 or above 1.
     Brightness {
         /// The refused brightness; 1 is full brightness.
         value: Scalar,
-    } = "brightness is {value}: it must lie between 0 and 1";
+    } = "brightness is {}: it must lie between 0 and 1",
+        Scalar(value);
     /// A lamp's range that is not positive.
     LightRange {
         /// The refused range.
         range: Scalar,
-    } = "range of the light is {range}: it must be above 0";
+    } = "range of the light is {}: it must be above 0",
+        Scalar(range);
     /// A cone of light whose inner angle is not below its outer angle, or whose outer angle is above 90 degrees.
     Cone {
         /// The refused inner angle.
         inner: Angle,
         /// The refused outer angle.
         outer: Angle,
-    } = "cone reaches from {inner} to {outer}: the outer angle must be above the inner one, and at most 90 degrees";
+    } = "cone reaches from {} degrees to {} degrees: the outer angle must be above the inner one, and at most 90 degrees",
+        Degrees(inner), Degrees(outer);
     /// An angle that cannot lie between two faces.
     CreaseAngle {
         /// The refused angle.
         angle: Angle,
-    } = "crease angle is {angle}: it must lie between 0 and 180 degrees";
+    } = "crease angle is {} degrees: it must lie between 0 and 180 degrees",
+        Degrees(angle);
     /// A line's width that is below one pixel, or too large.
     LineWidth {
         /// The refused width.
         width: Scalar,
         /// Largest width allowed.
         max: Scalar,
-    } = "line width is {width}: it must lie between 1 and {max} pixels";
+    } = "line width is {}: it must lie between 1 and {} pixels",
+        Scalar(width), Scalar(max);
     /// A fog whose end is not behind its beginning.
     FogRange {
         /// The distance of the beginning.
         near: Scalar,
         /// The refused distance of the end.
         far: Scalar,
-    } = "fog reaches from {near} to {far}: the second distance must be above the first one";
+    } = "fog reaches from {} to {}: the second distance must be above the first one",
+        Scalar(near), Scalar(far);
     /// A fog's density below 0.
     FogDensity {
         /// The refused density.
         density: Scalar,
-    } = "density of the fog is {density}: it must be at least 0";
+    } = "density of the fog is {}: it must be at least 0",
+        Scalar(density);
     /// Heights of a gradient in the wrong order.
     Heights {
         /// The height of the low color.
         bottom: Scalar,
         /// The refused height of the high color.
         top: Scalar,
-    } = "gradient reaches from {bottom} to {top}: the second height must be above the first one";
+    } = "gradient reaches from {} to {}: the second height must be above the first one",
+        Scalar(bottom), Scalar(top);
     /// A frame or viewport whose width or height is zero or too large.
     Size {
         /// The refused width in pixels.
@@ -245,7 +257,8 @@ errors! {
         height: u32,
         /// Largest width and height allowed, in pixels.
         max: u32,
-    } = "size is {width}x{height}: width and height must lie between 1 and {max}";
+    } = "size is {}x{}: width and height must lie between 1 and {}",
+        Number(width), Number(height), Number(max);
     /// A width or height of a texture that is not a power of two, or is too large.
     PowerOfTwo {
         /// The name of the side, width or height.
@@ -254,14 +267,16 @@ errors! {
         given: u32,
         /// Largest number allowed.
         max: u32,
-    } = "{of} is {given}: it must be a power of two, at most {max}";
+    } = "{} is {}: it must be a power of two, at most {}, such as {}",
+        Text(of), Number(given), Number(max), Number(nearest(given, max));
     /// A mask whose size differs from its texture's.
     MaskSize {
         /// Columns and rows of the refused mask.
         given: [u32; 2],
         /// Columns and rows of the texture.
         texture: [u32; 2],
-    } = "mask has {}x{} texels: it must have {}x{}, like its texture", given[0], given[1], texture[0], texture[1];
+    } = "mask has {}x{} texels: it must have {}x{}, like its texture",
+        Number(given[0]), Number(given[1]), Number(texture[0]), Number(texture[1]);
     /// A viewport too far from the top left corner of its frame.
     Offset {
         /// The refused column of the left edge.
@@ -270,14 +285,16 @@ errors! {
         y: i32,
         /// Largest magnitude allowed for both.
         max: u32,
-    } = "viewport is at ({x}, {y}): both coordinates must lie between -{max} and {max}";
+    } = "viewport is at ({}, {}): both coordinates must lie between -{} and {}",
+        Number(x), Number(y), Number(max), Number(max);
     /// A slice of the wrong length.
     Length {
         /// Number of elements in the slice.
         given: usize,
         /// Number of elements needed.
         needed: usize,
-    } = "slice has {given} elements: exactly {needed} are needed";
+    } = "slice has {} elements: exactly {} are needed",
+        Number(given), Number(needed);
     /// A band without rows, or with rows outside its frame.
     Rows {
         /// First row of the band.
@@ -286,7 +303,8 @@ errors! {
         rows: u32,
         /// Number of rows of the frame.
         height: u32,
-    } = "band has {rows} rows from row {first}: it must have at least one and lie within the {height} rows of the frame";
+    } = "band has {} rows from row {}: it must have at least one and lie within the {} rows of the frame",
+        Number(rows), Number(first), Number(height);
     /// A canvas whose frame differs in size from the frame that a list was prepared for.
     Frame {
         /// Number of columns of the canvas's frame.
@@ -297,7 +315,8 @@ errors! {
         needed_width: u32,
         /// Number of rows of the prepared frame.
         needed_height: u32,
-    } = "canvas belongs to a frame of {width}x{height}: the list was prepared for {needed_width}x{needed_height}";
+    } = "canvas belongs to a frame of {}x{}: the list was prepared for {}x{}",
+        Number(width), Number(height), Number(needed_width), Number(needed_height);
     /// An index that is out of range.
     Index {
         /// The face, edge or entry that holds the index.
@@ -306,19 +325,22 @@ errors! {
         index: u32,
         /// Number of elements; the index must be below it.
         len: usize,
-    } = "index {index} in element {at} is out of range: it must be below {len}";
+    } = "index {} in element {} is out of range: it must be below {}",
+        Number(index), Number(at), Number(len);
     /// Two meshes whose faces should be the same, and are not.
     FacesDiffer {
         /// The first face that differs.
         at: usize,
-    } = "face {at} differs: both meshes must have the same faces";
+    } = "face {} differs: both meshes must have the same faces",
+        Number(at);
     /// More elements than indices can address, or than the caller's memory has room for.
     TooMany {
         /// The refused number of elements.
         given: usize,
         /// Largest number allowed.
         max: usize,
-    } = "{given} elements are too many: at most {max} are allowed";
+    } = "{} elements are too many: at most {} are allowed",
+        Number(given), Number(max);
     /// A list that is too short for the visible part of a mesh.
     Full {
         /// The kind of element in the list.
@@ -327,7 +349,8 @@ errors! {
         needed: usize,
         /// Number of elements that the list can hold.
         room: usize,
-    } = "{needed} {of} are visible: the list must have room for all, and has room for {room}";
+    } = "{} {} are visible: the list must have room for all, and has room for {}",
+        Number(needed), Text(of), Number(room);
     /// Too few or too many parts of a shape, frames of a sprite's texture, or fraction bits of short positions.
     Parts {
         /// The kind of part.
@@ -338,7 +361,8 @@ errors! {
         min: u32,
         /// Most allowed.
         max: u32,
-    } = "number of {of} is {given}: it must lie between {min} and {max}";
+    } = "number of {} is {}: it must lie between {} and {}",
+        Text(of), Number(given), Number(min), Number(max);
     /// A dimension of a shape, a sprite or a point that is not positive, or too large.
     Extent {
         /// The name of the dimension.
@@ -347,25 +371,30 @@ errors! {
         given: Scalar,
         /// Largest length allowed.
         max: Scalar,
-    } = "{of} is {given}: it must be above 0 and at most {max}";
+    } = "{} is {}: it must be above 0 and at most {}",
+        Text(of), Scalar(given), Scalar(max);
 
     without fields:
+    /// A float that is infinite or not a number, where only finite numbers can be represented.
+    NotFinite = "number is infinite or not a number: it must be finite";
     /// A zero vector where a direction is needed.
     ZeroDirection = "direction is (0, 0, 0): at least one component must not be 0";
     /// A zero quaternion where a rotation is needed.
     ZeroQuaternion = "quaternion is (0, 0, 0, 0): at least one component must not be 0";
 }
 
-/// The range of a format, as [`Error::NotRepresentable`] names it.
-struct Range(Option<u32>);
+/// Returns the least power of two that is not below `given`, or `max`.
+const fn nearest(given: u32, max: u32) -> u32 {
+    if given > max {
+        max
+    } else {
+        given.next_power_of_two()
+    }
+}
 
-impl fmt::Display for Range {
+impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0 {
-            // Every format holds this upper bound without rounding it up to the limit.
-            Some(limit) => write!(f, "lie between -{limit} and {}.99999", limit - 1),
-            None => f.write_str("be finite"),
-        }
+        f.pad(self.message().text())
     }
 }
 
@@ -375,41 +404,5 @@ impl core::error::Error for Error {}
 impl From<Infallible> for Error {
     fn from(never: Infallible) -> Self {
         match never {}
-    }
-}
-
-impl Error {
-    /// The error for a float beyond the limit of a format.
-    pub(crate) const fn not_representable(value: f64, limit: Option<u32>) -> Self {
-        // The cast saturates.
-        let thousandths = if value.is_nan() {
-            None
-        } else {
-            Some((value * 1000.0) as i64)
-        };
-        Self::NotRepresentable { thousandths, limit }
-    }
-}
-
-/// A number in thousandths, as precise as a message needs it.
-struct Refused(Option<i64>);
-
-impl fmt::Display for Refused {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0 {
-            None => f.write_str("NaN"),
-            Some(i64::MAX) => f.write_str("a number above 9e15"),
-            Some(i64::MIN) => f.write_str("a number below -9e15"),
-            Some(value) => {
-                let sign = if value < 0 { "-" } else { "" };
-                let value = value.unsigned_abs();
-                write!(f, "{sign}{}", value / 1000)?;
-                match value % 1000 {
-                    0 => Ok(()),
-                    tenths if tenths % 100 == 0 => write!(f, ".{}", tenths / 100),
-                    rest => write!(f, ".{rest:03}"),
-                }
-            }
-        }
     }
 }

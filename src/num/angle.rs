@@ -5,6 +5,7 @@ use core::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use micromath::F32Ext;
 
+use crate::message::{Message, Piece};
 use crate::num::Fraction;
 use crate::num::convert::HALF;
 use crate::num::number::operators;
@@ -80,8 +81,8 @@ impl Angle {
     }
 
     /// Returns degrees in units of 1/10000, rounded to nearest.
-    pub(crate) const fn ten_thousandths(self) -> usize {
-        ((self.0 as u64 * 3_600_000 + (1 << 31)) >> 32) as usize
+    pub(crate) const fn ten_thousandths(self) -> i64 {
+        (self.0 as i64 * 3_600_000 + (1 << 31)) >> 32
     }
 
     /// Makes an angle from turns; exact. Whole turns drop out.
@@ -113,7 +114,7 @@ impl Angle {
     ///
     /// # Errors
     ///
-    /// [`Error::NotRepresentable`] if `degrees` is infinite or not a number.
+    /// [`Error::NotFinite`] if `degrees` is infinite or not a number.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -138,7 +139,7 @@ impl Angle {
     ///
     /// # Errors
     ///
-    /// [`Error::NotRepresentable`] if `radians` is infinite or not a number.
+    /// [`Error::NotFinite`] if `radians` is infinite or not a number.
     pub fn try_from_radians(radians: impl Into<f64>) -> Result<Self, Error> {
         Self::nearest(radians.into(), core::f64::consts::TAU)
     }
@@ -147,14 +148,14 @@ impl Angle {
     ///
     /// # Errors
     ///
-    /// [`Error::NotRepresentable`] if `turns` is infinite or not a number.
+    /// [`Error::NotFinite`] if `turns` is infinite or not a number.
     pub fn try_from_turns(turns: impl Into<f64>) -> Result<Self, Error> {
         Self::nearest(turns.into(), 1.0)
     }
 
     const fn nearest(value: f64, turn: f64) -> Result<Self, Error> {
         if !value.is_finite() {
-            return Err(Error::not_representable(value, None));
+            return Err(Error::NotFinite);
         }
         let units = value % turn / turn * TURN;
         let half = if units < 0.0 { -HALF } else { HALF };
@@ -271,16 +272,7 @@ impl Angle {
 impl fmt::Display for Angle {
     /// Writes degrees from 0 to 360, rounded to four decimals.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let parts = self.ten_thousandths();
-        let (whole, mut decimals, mut width) = (parts / 10_000, parts % 10_000, 4);
-        if decimals == 0 {
-            return write!(f, "{whole} degrees");
-        }
-        while decimals % 10 == 0 {
-            decimals /= 10;
-            width -= 1;
-        }
-        write!(f, "{whole}.{decimals:0width$} degrees")
+        f.pad(Message::new("{} degrees", &[Piece::Degrees(*self)]).text())
     }
 }
 

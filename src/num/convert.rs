@@ -18,19 +18,26 @@ const fn nearest(value: f64, fraction: u32) -> Result<i32, Error> {
         scaled + HALF
     };
     if rounded > -2_147_483_649.0 && rounded < 2_147_483_648.0 {
-        return Ok(rounded as i32);
+        Ok(rounded as i32)
+    } else if value.is_finite() {
+        // The cast saturates.
+        Err(not_representable((value * 1000.0) as i64, fraction))
+    } else {
+        Err(Error::NotFinite)
     }
-    Err(Error::not_representable(value, Some(1 << (31 - fraction))))
+}
+
+/// The error for a number beyond the format with `fraction` fraction bits.
+const fn not_representable(thousandths: i64, fraction: u32) -> Error {
+    let limit = 1 << (31 - fraction);
+    Error::NotRepresentable { thousandths, limit }
 }
 
 /// Returns the bits of a whole number with `fraction` fraction bits.
 fn whole(value: i64, fraction: u32) -> Result<i32, Error> {
     let bits = value.checked_mul(1 << fraction);
     bits.and_then(|bits| i32::try_from(bits).ok())
-        .ok_or(Error::NotRepresentable {
-            thousandths: Some(value.saturating_mul(1000)),
-            limit: Some(1 << (31 - fraction)),
-        })
+        .ok_or(not_representable(value.saturating_mul(1000), fraction))
 }
 
 macro_rules! conversions {
@@ -83,7 +90,8 @@ macro_rules! conversions {
             ///
             /// # Errors
             ///
-            /// [`Error::NotRepresentable`] if `value` is not a number or, when rounded, is out of range.
+            /// [`Error::NotRepresentable`] if `value`, rounded, is out of range; [`Error::NotFinite`] if it is
+            /// infinite or not a number.
             fn try_from(value: $Float) -> Result<Self, Error> {
                 Self::nearest(f64::from(value))
             }
@@ -149,8 +157,8 @@ mod tests {
         }
         for value in [32_768, -32_769, i32::MAX, i32::MIN] {
             let error = Error::NotRepresentable {
-                thousandths: Some(i64::from(value) * 1000),
-                limit: Some(32_768),
+                thousandths: i64::from(value) * 1000,
+                limit: 32_768,
             };
             assert_eq!(Scalar::try_from(value), Err(error));
         }

@@ -1,24 +1,5 @@
 //! Literals, rounded at compile time.
 
-use crate::Error;
-
-/// Unwraps a literal at compile time.
-///
-/// # Panics
-///
-/// At compile time, if the literal was refused.
-#[doc(hidden)]
-#[must_use]
-pub const fn literal<T: Copy>(number: Result<T, Error>) -> T {
-    match number {
-        Ok(number) => number,
-        Err(_) => panic!(
-            "literal is out of range: a Scalar lies between -32768 and 32768, a TexCoord between -2048 and 2048, and \
-             an Angle is finite"
-        ),
-    }
-}
-
 /// Rounds a literal or, after `const`, a constant expression by a function of its type.
 #[doc(hidden)]
 #[macro_export]
@@ -26,7 +7,7 @@ macro_rules! __rounded {
     ($Number:ident::$nearest:ident, $run_time:literal, const $value:expr) => {
         const {
             #[allow(clippy::cast_lossless, clippy::unnecessary_cast)]
-            $crate::num::literal($crate::$Number::$nearest($value as f64))
+            $crate::num::checked($crate::$Number::$nearest($value as f64), "literal")
         }
     };
     ($Number:ident::$nearest:ident, $run_time:literal, $value:literal) => {
@@ -53,7 +34,7 @@ macro_rules! __rounded {
 /// assert_eq!(fx!(const WIDTH / 2), fx!(160));
 /// ```
 /// ```compile_fail
-/// let _ = fixel::fx!(40000); // error: literal is out of range: a Scalar lies between -32768 and 32768, …
+/// let _ = fixel::fx!(40000); // error: literal: 40000 cannot be represented: it must lie …
 /// ```
 /// ```compile_fail
 /// let x = 0.5;

@@ -58,8 +58,9 @@ pub(crate) mod rsqrt;
 mod time;
 pub(crate) mod wide;
 
+#[doc(hidden)]
+pub use crate::message::checked;
 pub use angle::Angle;
-pub use literal::literal;
 pub(crate) use log2::log2;
 pub use number::{Fraction, Scalar, Subpixel, TexCoord};
 pub use reciprocal::reciprocal;

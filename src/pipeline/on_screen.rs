@@ -10,7 +10,7 @@ use crate::canvas::{Canvas, DepthBuffer, Label, Storage};
 use crate::mesh::{Bounds, Positions};
 use crate::num::{Subpixel, block::BlockFloat};
 use crate::raster::ScreenVertex;
-use crate::view::{ModelToPicture, ProjectionKind};
+use crate::view::{AsMvp, ProjectionKind};
 
 /// The screen position of a point of model space; [`Canvas::project`] returns it.
 ///
@@ -48,7 +48,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     pub fn project<M, Z, B, L>(
         &self,
         options: &DrawOptions<M, Z, B, L>,
-        mvp: &impl ModelToPicture,
+        mvp: &impl AsMvp,
         point: Vec3,
     ) -> Option<ScreenPoint> {
         let viewport = options.screen(self.frame_size()).viewport;
@@ -157,7 +157,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         &self,
         options: &DrawOptions<M, Z, B, L>,
         bounds: &Bounds,
-        mvp: &impl ModelToPicture,
+        mvp: &impl AsMvp,
     ) -> bool {
         let screen = options.screen(self.frame_size());
         let projector = Projector::new(
@@ -201,7 +201,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
-    pub fn size_on_screen<M, Z, B, L, V: ModelToPicture>(
+    pub fn size_on_screen<M, Z, B, L, V: AsMvp>(
         &self,
         options: &DrawOptions<M, Z, B, L>,
         bounds: &Bounds,

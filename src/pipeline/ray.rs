@@ -10,7 +10,7 @@ use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt::{cross, unit};
 use crate::num::wide::{dot, product};
 use crate::raster::Cull;
-use crate::view::ModelToPicture;
+use crate::view::AsMvp;
 use crate::{Error, Fraction, Scalar, Vec3};
 
 /// A half-line: the points that are seen at a pixel, or the path of a shot.
@@ -371,7 +371,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     pub fn ray<M, Z, B, L>(
         &self,
         options: &DrawOptions<M, Z, B, L>,
-        mvp: &impl ModelToPicture,
+        mvp: &impl AsMvp,
         pixel: Point,
     ) -> Option<Ray> {
         let screen = options.screen(self.frame_size());

@@ -192,7 +192,7 @@ impl<K: ProjectionKind> Projection<K> {
 
     /// The width and height in eye space of a pixel: in perspective, at a distance of 1.
     pub(crate) fn pixel(&self, viewport: &Viewport) -> [BlockFloat; 2] {
-        let [width, height] = viewport.size();
+        let [width, height] = [viewport.width, viewport.height];
         [(0, width), (1, height)].map(|(axis, size): (usize, u32)| {
             let size = BlockFloat::new(size.into(), 0);
             BlockFloat::new(2, 0).over(self.rows[axis].coefficient(axis).times(size))

@@ -93,10 +93,10 @@ fn compare_spots(
         eye,
         projection: model,
         viewport: ModelViewport {
-            x: viewport.x(),
-            y: viewport.y(),
-            width: viewport.width(),
-            height: viewport.height(),
+            x: viewport.top_left().x,
+            y: viewport.top_left().y,
+            width: viewport.size().width,
+            height: viewport.size().height,
         },
     };
     let middle = view.viewport.screen([0.; 2]);
@@ -113,8 +113,8 @@ fn compare_spots(
         } else {
             GUARD
         };
-        let scale = pixels(0, viewport.width())
-            .max(pixels(1, viewport.height()))
+        let scale = pixels(0, viewport.size().width)
+            .max(pixels(1, viewport.size().height))
             .max(of_depth);
         // An offset in the projection counts as a distance too.
         let size = size(moves, p)
@@ -268,7 +268,7 @@ fn points_in_parallel_are_the_models() {
             let angle = Angle::from_bits(random.random());
             let ratio = Scalar::try_from(random.random_range(0.0..2.)).unwrap();
             (
-                Projection::oblique(angle, ratio, window, n, f).unwrap(),
+                Projection::oblique(angle, ratio, n, window, n, f).unwrap(),
                 oblique(radians(angle), f64::from(ratio), exact),
             )
         };

@@ -273,8 +273,8 @@ impl<K: ProjectionKind> Call<'_, K> {
                 && (start..start + length.cast_signed()).contains(&at)
         };
         assert!(
-            inside(x, window.x(), window.width(), width)
-                && inside(y, window.y(), window.height(), height),
+            inside(x, window.top_left().x, window.size().width, width)
+                && inside(y, window.top_left().y, window.size().height, height),
             "a pixel at {x}, {y}"
         );
         y as usize * width as usize + x as usize

@@ -97,9 +97,9 @@ impl ProjectionArguments {
             Self::Orthographic([l, r, b, t, n, f]) => {
                 Projected::Parallel(Projection::orthographic(window(l, r, b, t), n, f)?)
             }
-            Self::Oblique(angle, ratio, [l, r, b, t, n, f]) => {
-                Projected::Parallel(Projection::oblique(angle, ratio, window(l, r, b, t), n, f)?)
-            }
+            Self::Oblique(angle, ratio, [l, r, b, t, n, f]) => Projected::Parallel(
+                Projection::oblique(angle, ratio, n, window(l, r, b, t), n, f)?,
+            ),
         })
     }
 

@@ -20,7 +20,7 @@ pub trait Lamp: Lighting {
     #[inline]
     fn diffuse(&self, point: &SurfacePoint) -> i32 {
         let (toward, light) = self.ray(point);
-        share(light, point.normal.dot(toward).max(0) >> 14)
+        share(light, point.normal.dot(toward).to_bits().max(0) >> 14)
     }
 
     /// The light that comes from all sides, in units of 2⁻¹⁶.

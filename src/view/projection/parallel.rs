@@ -25,30 +25,42 @@ impl Projection<Parallel> {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn orthographic(window: Window, near: Scalar, far: Scalar) -> Result<Self, Error> {
-        Self::sheared([BlockFloat::ZERO; 2], window, near, far)
+        Self::sheared([BlockFloat::ZERO; 2], near, window, near, far)
     }
 
-    /// Makes an oblique projection: the near plane is undistorted, and a point beyond it moves in the picture by
-    /// `ratio` times its distance from that plane.
+    /// Makes an oblique projection: the plane at the distance `plane` is undistorted and shows the window, and a point
+    /// behind it moves in the picture by `ratio` times its distance from that plane, one before it the other way.
     ///
-    /// It moves in the direction of `angle`, counter-clockwise from the right.
+    /// It moves in the direction of `angle`, counter-clockwise from the right. What lies in the near plane itself is not
+    /// drawn, so let `near` be less than `plane` if the front of a model is to be undistorted.
     ///
     /// # Errors
     ///
     /// The same as for [`orthographic`](Self::orthographic).
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let window = Window::centered(fx!(4), fx!(4));
+    /// let cabinet = Projection::oblique(deg!(45), fx!(0.5), fx!(5), window, fx!(1), fx!(10))?;
+    /// let edge_at_plane = vec3!(2, 0, -5);
+    /// assert_eq!(cabinet.to_matrix().project(edge_at_plane).map(|at| at.x), Some(fx!(1)));
+    /// # Ok::<(), Error>(())
+    /// ```
     pub fn oblique(
         angle: Angle,
         ratio: Scalar,
+        plane: Scalar,
         window: Window,
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, Error> {
         let (sin, cos) = angle.sin_cos();
         let shear = |part: Fraction| BlockFloat::new(bits(ratio) * i64::from(part.to_bits()), 46);
-        Self::sheared([shear(cos), shear(sin)], window, near, far)
+        Self::sheared([shear(cos), shear(sin)], plane, window, near, far)
     }
 
-    /// Makes an [oblique](Self::oblique) projection in which depth keeps its full length.
+    /// Makes an [oblique](Self::oblique) projection in which depth keeps its full length, and the near plane is
+    /// undistorted.
     ///
     /// # Errors
     ///
@@ -59,22 +71,23 @@ impl Projection<Parallel> {
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, Error> {
-        Self::oblique(angle, Scalar::ONE, window, near, far)
+        Self::oblique(angle, Scalar::ONE, near, window, near, far)
     }
 
-    /// Makes an [oblique](Self::oblique) projection in which depth has half its length.
+    /// Makes an [oblique](Self::oblique) projection in which depth has half its length, and the near plane is
+    /// undistorted.
     ///
     /// # Errors
     ///
     /// The same as for [`orthographic`](Self::orthographic).
     pub fn cabinet(angle: Angle, window: Window, near: Scalar, far: Scalar) -> Result<Self, Error> {
-        let half = Scalar::from_bits(1 << 15);
-        Self::oblique(angle, half, window, near, far)
+        Self::oblique(angle, Scalar::ONE / 2, near, window, near, far)
     }
 
-    /// Makes the projection of a box in which a point at distance d moves by `shear` · (d − near).
+    /// Makes the projection of a box in which a point at distance d moves by `shear` · (d − `plane`).
     fn sheared(
         shear: [BlockFloat; 2],
+        plane: Scalar,
         window: Window,
         near: Scalar,
         far: Scalar,
@@ -87,7 +100,7 @@ impl Projection<Parallel> {
             let slope = scale.times(shear).negated();
             let offset = BlockFloat::new(-middle, 16)
                 .over(size)
-                .plus(slope.times(number(near)));
+                .plus(slope.times(number(plane)));
             Ok((scale, slope, offset))
         };
         let (x, x_slope, x_offset) = row(window.left, window.right, shear[0])?;
