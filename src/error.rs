@@ -65,6 +65,23 @@ pub(crate) const fn check_extent(
     }
 }
 
+/// An error unless this number lies between two others.
+pub(crate) const fn check_range(
+    of: &'static str,
+    given: Scalar,
+    [min, max]: [Scalar; 2],
+) -> Result<(), Error> {
+    if min.to_bits() <= given.to_bits() && given.to_bits() <= max.to_bits() {
+        return Ok(());
+    }
+    Err(Error::OutOfRange {
+        of,
+        given,
+        min,
+        max,
+    })
+}
+
 /// An error unless an angle can lie between two faces.
 pub(crate) const fn check_crease(angle: Angle) -> Result<(), Error> {
     if angle.to_bits() > Angle::HALF.to_bits() {
@@ -137,44 +154,34 @@ errors! {
     FieldOfView {
         /// The refused angle.
         angle: Angle,
-    } = "field of view is {} degrees: it must be above 0 and below 180 degrees",
-        Degrees(angle);
+    } = "field of view is {} degrees: it must be above 0 and below 180 degrees", Degrees(angle);
     /// An aspect ratio or a size that is not positive.
     Aspect {
         /// The refused width.
         width: Scalar,
         /// The refused height.
         height: Scalar,
-    } = "aspect ratio is {} to {}: both must be above 0",
-        Scalar(width), Scalar(height);
-    /// A focal length that is not positive.
-    FocalLength {
-        /// The refused length in pixels.
-        pixels: Scalar,
-    } = "focal length is {} pixels: it must be above 0",
-        Scalar(pixels);
-    /// A near plane that is not in front of the eye.
-    Near {
-        /// The refused distance.
-        near: Scalar,
-    } = "near plane is at {}: it must be above 0, in front of the eye",
-        Scalar(near);
-    /// A far plane that is not behind the near plane.
-    Far {
-        /// The distance of the near plane.
-        near: Scalar,
-        /// The refused distance of the far plane.
-        far: Scalar,
-    } = "far plane is at {}: it must be beyond the near plane at {}",
-        Scalar(far), Scalar(near);
-    /// A window without width or height: left is not below right, or bottom is not below top.
-    EmptyWindow {
-        /// The refused left or bottom edge.
+    } = "aspect ratio is {} to {}: both must be above 0", Scalar(width), Scalar(height);
+    /// A range without length: of depth between the near and the far plane, of a window, a fog or a gradient.
+    Empty {
+        /// What has the range.
+        of: &'static str,
+        /// The lower end.
         low: Scalar,
-        /// The refused right or top edge.
+        /// The upper end, which is refused.
         high: Scalar,
-    } = "window from {} to {} is empty: left must be below right and bottom below top",
-        Scalar(low), Scalar(high);
+    } = "{} from {} to {} is empty: the second number must be above the first", Text(of), Scalar(low), Scalar(high);
+    /// A number that is too low or too high, such as a brightness above 1.
+    OutOfRange {
+        /// The name of the quantity.
+        of: &'static str,
+        /// The refused number.
+        given: Scalar,
+        /// Lowest number allowed.
+        min: Scalar,
+        /// Largest number allowed.
+        max: Scalar,
+    } = "{} is {}: it must lie between {} and {}", Text(of), Scalar(given), Scalar(min), Scalar(max);
     /// A camera whose eye is at its target.
     EyeAtTarget {
         /// The position of both.
@@ -193,18 +200,6 @@ errors! {
         last_row: [Scalar; 4],
     } = "last row is ({}, {}, {}, {}): it must be (0, 0, 0, 1) in an affine matrix",
         Scalar(last_row[0]), Scalar(last_row[1]), Scalar(last_row[2]), Scalar(last_row[3]);
-    /// A brightness below 0 or above 1.
-    Brightness {
-        /// The refused brightness; 1 is full brightness.
-        value: Scalar,
-    } = "brightness is {}: it must lie between 0 and 1",
-        Scalar(value);
-    /// A lamp's range that is not positive.
-    LightRange {
-        /// The refused range.
-        range: Scalar,
-    } = "range of the light is {}: it must be above 0",
-        Scalar(range);
     /// A cone of light whose inner angle is not below its outer angle, or whose outer angle is above 90 degrees.
     Cone {
         /// The refused inner angle.
@@ -217,38 +212,7 @@ errors! {
     CreaseAngle {
         /// The refused angle.
         angle: Angle,
-    } = "crease angle is {} degrees: it must lie between 0 and 180 degrees",
-        Degrees(angle);
-    /// A line's width that is below one pixel, or too large.
-    LineWidth {
-        /// The refused width.
-        width: Scalar,
-        /// Largest width allowed.
-        max: Scalar,
-    } = "line width is {}: it must lie between 1 and {} pixels",
-        Scalar(width), Scalar(max);
-    /// A fog whose end is not behind its beginning.
-    FogRange {
-        /// The distance of the beginning.
-        near: Scalar,
-        /// The refused distance of the end.
-        far: Scalar,
-    } = "fog reaches from {} to {}: the second distance must be above the first one",
-        Scalar(near), Scalar(far);
-    /// A fog's density below 0.
-    FogDensity {
-        /// The refused density.
-        density: Scalar,
-    } = "density of the fog is {}: it must be at least 0",
-        Scalar(density);
-    /// Heights of a gradient in the wrong order.
-    Heights {
-        /// The height of the low color.
-        bottom: Scalar,
-        /// The refused height of the high color.
-        top: Scalar,
-    } = "gradient reaches from {} to {}: the second height must be above the first one",
-        Scalar(bottom), Scalar(top);
+    } = "crease angle is {} degrees: it must lie between 0 and 180 degrees", Degrees(angle);
     /// A frame or viewport whose width or height is zero or too large.
     Size {
         /// The refused width in pixels.
@@ -257,8 +221,7 @@ errors! {
         height: u32,
         /// Largest width and height allowed, in pixels.
         max: u32,
-    } = "size is {}x{}: width and height must lie between 1 and {}",
-        Number(width), Number(height), Number(max);
+    } = "size is {}x{}: width and height must lie between 1 and {}", Number(width), Number(height), Number(max);
     /// A width or height of a texture that is not a power of two, or is too large.
     PowerOfTwo {
         /// The name of the side, width or height.
@@ -293,8 +256,7 @@ errors! {
         given: usize,
         /// Number of elements needed.
         needed: usize,
-    } = "slice has {} elements: exactly {} are needed",
-        Number(given), Number(needed);
+    } = "slice has {} elements: exactly {} are needed", Number(given), Number(needed);
     /// A band without rows, or with rows outside its frame.
     Rows {
         /// First row of the band.
@@ -325,22 +287,19 @@ errors! {
         index: u32,
         /// Number of elements; the index must be below it.
         len: usize,
-    } = "index {} in element {} is out of range: it must be below {}",
-        Number(index), Number(at), Number(len);
+    } = "index {} in element {} is out of range: it must be below {}", Number(index), Number(at), Number(len);
     /// Two meshes whose faces should be the same, and are not.
     FacesDiffer {
         /// The first face that differs.
         at: usize,
-    } = "face {} differs: both meshes must have the same faces",
-        Number(at);
+    } = "face {} differs: both meshes must have the same faces", Number(at);
     /// More elements than indices can address, or than the caller's memory has room for.
     TooMany {
         /// The refused number of elements.
         given: usize,
         /// Largest number allowed.
         max: usize,
-    } = "{} elements are too many: at most {} are allowed",
-        Number(given), Number(max);
+    } = "{} elements are too many: at most {} are allowed", Number(given), Number(max);
     /// A list that is too short for the visible part of a mesh.
     Full {
         /// The kind of element in the list.
@@ -361,9 +320,9 @@ errors! {
         min: u32,
         /// Most allowed.
         max: u32,
-    } = "number of {} is {}: it must lie between {} and {}",
-        Text(of), Number(given), Number(min), Number(max);
-    /// A dimension of a shape, a sprite or a point that is not positive, or too large.
+    } = "number of {} is {}: it must lie between {} and {}", Text(of), Number(given), Number(min), Number(max);
+    /// A length that is not positive, or too large: of a shape, a sprite or a point, the distance of a near plane, the
+    /// range of a light.
     Extent {
         /// The name of the dimension.
         of: &'static str,
@@ -371,8 +330,7 @@ errors! {
         given: Scalar,
         /// Largest length allowed.
         max: Scalar,
-    } = "{} is {}: it must be above 0 and at most {}",
-        Text(of), Scalar(given), Scalar(max);
+    } = "{} is {}: it must be above 0 and at most {}", Text(of), Scalar(given), Scalar(max);
 
     without fields:
     /// A float that is infinite or not a number, where only finite numbers can be represented.

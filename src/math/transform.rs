@@ -169,7 +169,7 @@ impl Transform {
         // Three products below 2^61, one below 2^60, and a half.
         let number = |row: &[i32; 3], moved: i32| {
             let sum = dot(row, &point) + product(moved >> down, factor) + (1 << (exp - 1));
-            (sum >> exp).clamp(i32::MIN.into(), i32::MAX.into()) as i32
+            block::saturated(sum >> exp)
         };
         let [i, j, k] = rows;
         Vec3::from_bits([number(i, x), number(j, y), number(k, z)])

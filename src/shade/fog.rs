@@ -2,6 +2,7 @@
 
 use super::ramp::Ramp;
 use super::{Fragment, Shader, Source, Within};
+use crate::error::{check_range, ok};
 use crate::mesh::Primitive;
 use crate::num::wide::clamp_negative;
 use crate::sealed::{Sealed, sealed};
@@ -186,10 +187,11 @@ impl<C: Blend> Fog<C> {
     ///
     /// # Errors
     ///
-    /// [`Error::FogRange`] if `far` is not beyond `near`.
+    /// [`Error::Empty`] if `far` is not beyond `near`.
     pub const fn linear(color: C, near: Scalar, far: Scalar) -> Result<Self, Error> {
         let Some(range) = Ramp::new(near, far, BITS) else {
-            return Err(Error::FogRange { near, far });
+            let (of, low, high) = ("fog", near, far);
+            return Err(Error::Empty { of, low, high });
         };
         let far = far.to_bits();
         Ok(Self {
@@ -204,11 +206,13 @@ impl<C: Blend> Fog<C, Exponential> {
     ///
     /// # Errors
     ///
-    /// [`Error::FogDensity`] if `density` is below 0.
+    /// [`Error::OutOfRange`] if `density` is below 0.
     pub const fn exponential(color: C, density: Scalar) -> Result<Self, Error> {
-        if density.to_bits() < 0 {
-            return Err(Error::FogDensity { density });
-        }
+        ok!(check_range(
+            "density of the fog",
+            density,
+            [Scalar::ZERO, Scalar::MAX]
+        ));
         Ok(Self {
             color,
             density: Exponential {
@@ -275,13 +279,12 @@ mod tests {
     #[test]
     fn bad_fog_is_refused() {
         let white = Gray8::WHITE;
-        for (near, far) in [(fx!(2), fx!(2)), (fx!(3), fx!(2))] {
-            let refused = Fog::linear(white, near, far);
-            assert_eq!(refused, Err(Error::FogRange { near, far }));
+        for (low, high) in [(fx!(2), fx!(2)), (fx!(3), fx!(2))] {
+            let (of, refused) = ("fog", Fog::linear(white, low, high));
+            assert_eq!(refused, Err(Error::Empty { of, low, high }));
         }
-        let density = fx!(-0.1);
-        let refused = Fog::exponential(white, density);
-        assert_eq!(refused, Err(Error::FogDensity { density }));
+        let refused = Fog::exponential(white, fx!(-0.1));
+        assert!(matches!(refused, Err(Error::OutOfRange { .. })));
         assert!(Fog::linear(white, Scalar::MIN, Scalar::MAX).is_ok());
         assert!(Fog::exponential(white, fx!(0)).is_ok());
     }

@@ -134,20 +134,12 @@ fn scalar(number: BlockFloat) -> Scalar {
     Scalar::from_bits(block::fixed(number.value, number.exp, 16))
 }
 
-fn check_far(near: Scalar, far: Scalar) -> Result<(), Error> {
-    if far > near {
-        Ok(())
-    } else {
-        Err(Error::Far { near, far })
-    }
-}
-
-/// Returns the difference and the sum of a pair of edges, in units of 2^-16: 33 bits.
-fn extent(low: Scalar, high: Scalar) -> Result<(i64, i64), Error> {
+/// Returns the distance between two numbers and their sum, in units of 2^-16: 33 bits.
+fn extent(of: &'static str, low: Scalar, high: Scalar) -> Result<(i64, i64), Error> {
     if low < high {
         Ok((bits(high) - bits(low), bits(high) + bits(low)))
     } else {
-        Err(Error::EmptyWindow { low, high })
+        Err(Error::Empty { of, low, high })
     }
 }
 

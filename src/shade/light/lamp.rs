@@ -38,7 +38,7 @@ pub trait Lamp: Lighting {
     ///
     /// # Errors
     ///
-    /// [`Error::Brightness`] if `strength` is not between 0 and 1.
+    /// [`Error::OutOfRange`] if `strength` is not between 0 and 1.
     fn shiny(self, viewer: Viewer, exponent: u8, strength: Scalar) -> Result<Shiny<Self>, Error> {
         Ok(Shiny {
             lamp: self,

@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::{Parallel, Projection, Row, bits, check_far, extent, number};
+use super::{Parallel, Projection, Row, bits, extent, number};
 use crate::num::Fraction;
 use crate::num::block::BlockFloat;
 use crate::view::Window;
@@ -15,8 +15,7 @@ impl Projection<Parallel> {
     ///
     /// # Errors
     ///
-    /// [`Error::Far`] unless `near` < `far`; [`Error::EmptyWindow`] unless the window's left <
-    /// right and bottom < top.
+    /// [`Error::Empty`] unless `near` < `far` and the window's left < right and bottom < top.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -92,9 +91,9 @@ impl Projection<Parallel> {
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, Error> {
-        check_far(near, far)?;
+        extent("view", near, far)?;
         let row = |low, high, shear: BlockFloat| -> Result<_, Error> {
-            let (size, middle) = extent(low, high)?;
+            let (size, middle) = extent("window", low, high)?;
             let size = BlockFloat::new(size, 16);
             let scale = BlockFloat::new(2, 0).over(size);
             let slope = scale.times(shear).negated();

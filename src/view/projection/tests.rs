@@ -247,6 +247,7 @@ fn focal_length_is_exact() {
 
 #[test]
 fn invalid_arguments_are_refused() {
+    let empty = |of, low, high| Error::Empty { of, low, high };
     let (zero, low, high) = (Scalar::ZERO, one(1.0), one(2.0));
     let fov = Angle::from_degrees(60);
     let square = Window::centered(high, high);
@@ -261,7 +262,14 @@ fn invalid_arguments_are_refused() {
             Projection::from_focal_length(low, (4, 3), near, high),
             Projection::frustum(square, near, high),
         ];
-        assert_eq!(refused, [Err(Error::Near { near }); 3]);
+        assert_eq!(
+            refused,
+            [Err(Error::Extent {
+                of: "distance of the near plane",
+                given: near,
+                max: Scalar::MAX,
+            }); 3]
+        );
     }
     for far in [low, high] {
         let refused = [
@@ -269,14 +277,11 @@ fn invalid_arguments_are_refused() {
             Projection::from_focal_length(low, (4, 3), high, far),
             Projection::frustum(square, high, far),
         ];
-        assert_eq!(refused, [Err(Error::Far { near: high, far }); 3]);
+        assert_eq!(refused, [Err(empty("view", high, far)); 3]);
         let refused = Projection::orthographic(square, high, far);
-        assert_eq!(refused, Err(Error::Far { near: high, far }));
+        assert_eq!(refused, Err(empty("view", high, far)));
     }
-    let empty = Error::EmptyWindow {
-        low: high,
-        high: low,
-    };
+    let backward = empty("window", high, low);
     for [left, right, bottom, top] in [[high, low, low, high], [low, high, high, low]] {
         let window = Window {
             left,
@@ -284,12 +289,12 @@ fn invalid_arguments_are_refused() {
             bottom,
             top,
         };
-        assert_eq!(Projection::frustum(window, low, high), Err(empty));
-        assert_eq!(Projection::orthographic(window, low, high), Err(empty));
+        assert_eq!(Projection::frustum(window, low, high), Err(backward));
+        assert_eq!(Projection::orthographic(window, low, high), Err(backward));
         let refused = Projection::cabinet(fov, window, low, high);
-        assert_eq!(refused, Err(empty));
+        assert_eq!(refused, Err(backward));
     }
-    let flat = Error::EmptyWindow { low, high: low };
+    let thin = empty("window", low, low);
     assert_eq!(
         Projection::frustum(
             Window {
@@ -301,7 +306,7 @@ fn invalid_arguments_are_refused() {
             low,
             high
         ),
-        Err(flat)
+        Err(thin)
     );
     let flat = Error::Aspect {
         width: one(4.0),
@@ -332,7 +337,14 @@ fn invalid_arguments_are_refused() {
     );
     let pixels = zero;
     let refused = Projection::from_focal_length(pixels, (4, 3), low, high);
-    assert_eq!(refused, Err(Error::FocalLength { pixels }));
+    assert_eq!(
+        refused,
+        Err(Error::Extent {
+            of: "focal length",
+            given: pixels,
+            max: Scalar::MAX,
+        })
+    );
 }
 
 #[test]
