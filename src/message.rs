@@ -1,5 +1,7 @@
 //! The messages of errors, at run time and in the compiler's interpreter, where `core::fmt` does not run.
 
+#![allow(clippy::cast_possible_wrap)] // counts
+
 use crate::{Angle, Error};
 
 /// Longest message, in bytes; the rest is cut off.

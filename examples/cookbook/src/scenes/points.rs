@@ -47,7 +47,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
         let gap = if out > fx!(0.7) { fx!(0.2) } else { fx!(0) };
         let [x, z] =
             [angle.cos(), angle.sin()].map(|part| (fx!(1.4) + out * fx!(0.9) + gap) * part);
-        let shade = (noise(3 * ROCKS + at) * 110).floor() as u8;
+        let shade = (noise(3 * ROCKS + at) * 110).floor().cast_unsigned() as u8;
         colors[at] = Rgb888::new(130 + shade, 115 + shade, 90 + shade);
         Vec3::new(x, (up - fx!(0.5)) * fx!(0.04), z)
     });

@@ -20,7 +20,7 @@ fn space(direction: Vec3) -> Rgb565 {
         return Rgb565::WHITE;
     }
     let [r, g, b] = [gas * red * 20, gas * (fx!(1) - red) * 24, gas * 24]
-        .map(|light| light.max(fx!(0)).floor() as u8);
+        .map(|light| light.max(fx!(0)).floor().cast_unsigned() as u8);
     Rgb565::new(r, g, 4 + b)
 }
 
