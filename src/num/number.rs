@@ -230,7 +230,7 @@ number! {
     /// use fixel::{Error, TexCoord, Vec2, vec2};
     /// let [u, v]: [f32; 2] = [0.5, 0.25];
     /// assert_eq!(Vec2::new(u.try_into()?, v.try_into()?), vec2!(0.5, 0.25));
-    /// let error = TexCoord::try_from(3000).unwrap_err();
+    /// let error = TexCoord::try_from(3000_i32).unwrap_err();
     /// assert_eq!(
     ///     error.to_string(),
     ///     "3000 cannot be represented: it must lie between -2048 and 2047.99999",

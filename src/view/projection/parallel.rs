@@ -40,9 +40,10 @@ impl Projection<Parallel> {
     /// ```
     /// use fixel::prelude::*;
     /// let window = Window::centered(fx!(4), fx!(4));
-    /// let cabinet = Projection::oblique(deg!(45), fx!(0.5), fx!(5), window, fx!(1), fx!(10))?;
-    /// let edge_at_plane = vec3!(2, 0, -5);
-    /// assert_eq!(cabinet.to_matrix().project(edge_at_plane).map(|at| at.x), Some(fx!(1)));
+    /// let oblique = Projection::oblique(deg!(0), fx!(0.5), fx!(5), window, fx!(1), fx!(10))?;
+    /// let across = |point| oblique.to_matrix().project(point).map(|at| at.x);
+    /// assert_eq!(across(vec3!(2, 0, -5)), Some(fx!(1))); // the window's edge, in the plane
+    /// assert_eq!(across(vec3!(0, 0, -7)), Some(fx!(0.5))); // two behind it: one to the right
     /// # Ok::<(), Error>(())
     /// ```
     pub fn oblique(
