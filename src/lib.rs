@@ -294,7 +294,7 @@ pub mod view;
 #[doc(hidden)]
 pub use fixel_macros::assets as __assets;
 
-pub use error::{Error, RefusedFloat};
+pub use error::Error;
 pub use pipeline::{
     DrawOptions, Drawn, EdgeList, Hit, LineStyle, Object, Prepared, PreparedEdgeScene,
     PreparedEdges, PreparedScene, Ray, ScreenPoint, TriangleList,
@@ -307,7 +307,7 @@ pub use {
     canvas::Canvas,
     math::{Matrix4, Transform, Vec2, Vec3},
     mesh::{Corner, Index, Mesh, Outline, Primitive, Sprites},
-    num::{Angle, Rate, Scalar, Spin, TexCoord, Unit},
+    num::{Angle, Fraction, Rate, Scalar, Spin, TexCoord},
     shade::{
         Converted, DepthView, FaceColors, FaceLit, Flat, Fragment, Gouraud, Lamp, Light, Lighting,
         Lit, Map, NormalView, PixelFormat, PointLight, Shader, ShaderFor, SpotLight, Textured,

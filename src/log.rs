@@ -1,11 +1,13 @@
-//! `defmt::Format` for types that contain numbers of the crate `fixed`: those numbers do not implement it themselves.
+//! `defmt::Format` for numbers, which are logged in decimals, and for types that contain them.
 
 use defmt::{Debug2Format, Display2Format, Format, Formatter};
 
-use crate::error::RefusedFloat;
 use crate::mesh::Shape;
+use crate::num::Subpixel;
 use crate::view::{Projection, ProjectionKind, Segment, Window};
-use crate::{Angle, Error, Hit, Matrix4, PointStyle, ScreenPoint, Vec2, Vec3};
+use crate::{
+    Angle, Error, Fraction, Hit, Matrix4, PointStyle, Scalar, ScreenPoint, TexCoord, Vec2, Vec3,
+};
 
 macro_rules! format {
     ($adapter:ident: $($({$K:ident: $bound:path})? $Type:ty),+) => {$(
@@ -17,7 +19,7 @@ macro_rules! format {
     )+};
 }
 
-format!(Display2Format: Error, RefusedFloat, Angle, Vec2, Vec3);
+format!(Display2Format: Error, Angle, Scalar, TexCoord, Subpixel, Fraction, Vec2, Vec3);
 format!(Debug2Format: Hit, Matrix4, PointStyle, ScreenPoint, Segment, Shape, Window, {K: ProjectionKind} Projection<K>);
 
 #[cfg(test)]
@@ -41,7 +43,7 @@ mod tests {
         macro_rules! all {
             ($($Type:ty)+) => { $(logs::<$Type>();)+ };
         }
-        all!(Error RefusedFloat Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform);
+        all!(Error Scalar TexCoord Subpixel Fraction Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform);
         all!(Counts Missing Shape Fragment Light Tolerance Texels Within<8, Texels> PerFace<u8>);
         all!(Colored<Light> Shiny<Light> TwoSided<Light> Hairline LineWidth SmoothLine PointStyle);
         all!(Drawn DrawOptions ScreenPoint Cull Exact Affine Newton Fast Compact);

@@ -1,119 +1,121 @@
-//! The messages of errors that stop compilation.
+//! The messages of errors, at run time and in the compiler's interpreter, where `core::fmt` does not run.
 
-use crate::Error;
+#![allow(clippy::cast_possible_wrap)] // counts
+
+use crate::{Angle, Error};
 
 /// Longest message, in bytes; the rest is cut off.
 const ROOM: usize = 512;
 
-/// What a name in a template stands for.
+/// What a pair of braces in a template stands for.
 #[derive(Clone, Copy)]
-enum Piece<'a> {
+pub(crate) enum Piece<'a> {
     Text(&'a str),
-    Number(usize),
+    Number(i64),
+    Thousandths(i64),
     Scalar(crate::Scalar),
-    Angle(crate::Angle),
+    Degrees(Angle),
 }
-use Piece::{Angle, Number, Scalar, Text};
+use Piece::{Degrees, Number, Scalar, Text, Thousandths};
 
-/// Splits a text at the first such byte: the text before it, and the text after it, if there is such a byte.
-const fn cut(text: &str, byte: u8) -> (&str, Option<&str>) {
-    let mut at = 0;
-    while at < text.len() {
-        if text.as_bytes()[at] == byte {
-            let (before, rest) = text.split_at(at);
-            return (before, Some(rest.split_at(1).1));
-        }
-        at += 1;
-    }
-    (text, None)
-}
-
-/// Text assembled at compile time, when `format_args!` cannot run.
-struct Message {
+/// A template whose braces are filled in.
+pub(crate) struct Message {
     bytes: [u8; ROOM],
     len: usize,
 }
 
 impl Message {
-    const fn new() -> Self {
-        Self {
+    pub(crate) const fn new(template: &str, pieces: &[Piece<'_>]) -> Self {
+        let mut message = Self {
             bytes: [0; ROOM],
             len: 0,
-        }
-    }
-
-    const fn push(mut self, text: &str) -> Self {
-        let mut i = 0;
-        while i < text.len() && self.len < ROOM {
-            self.bytes[self.len] = text.as_bytes()[i];
-            self.len += 1;
-            i += 1;
-        }
-        self
-    }
-
-    /// Adds a template, whose names in braces stand for the pieces in their order.
-    const fn fill(mut self, template: &str, pieces: &[Piece<'_>]) -> Self {
-        let mut rest = template;
-        let mut piece = 0;
-        while let (text, Some(name)) = cut(rest, b'{') {
-            self = self.push(text);
-            self = match pieces[piece] {
-                Piece::Text(text) => self.push(text),
-                Piece::Number(number) => self.number(number),
-                Piece::Scalar(value) => self.scalar(value),
-                Piece::Angle(angle) => self
-                    .decimal(angle.ten_thousandths(), 10_000)
-                    .push(" degrees"),
-            };
-            let ((_, Some(after)) | (after, None)) = cut(name, b'}');
-            rest = after;
-            piece += 1;
-        }
-        self.push(rest)
-    }
-
-    const fn number(self, number: usize) -> Self {
-        const DIGITS: &str = "0123456789";
-        let before = if number > 9 {
-            self.number(number / 10)
-        } else {
-            self
         };
-        let (_, digit) = DIGITS.split_at(number % 10);
-        before.push(digit.split_at(1).0)
-    }
-
-    /// Pushes a number with up to five decimals.
-    const fn scalar(self, value: crate::Scalar) -> Self {
-        let sign = if value.to_bits() < 0 { "-" } else { "" };
-        // In units of 1/100000, rounded to nearest.
-        let parts = (value.to_bits().unsigned_abs() as u64 * 100_000 + (1 << 15)) >> 16;
-        self.push(sign).decimal(parts as usize, 100_000)
-    }
-
-    /// Pushes `parts` / `unit`, where `unit` is a power of ten.
-    const fn decimal(self, parts: usize, mut unit: usize) -> Self {
-        let mut message = self.number(parts / unit);
-        let mut decimals = parts % unit;
-        if decimals > 0 {
-            message = message.push(".");
-        }
-        while decimals > 0 {
-            unit /= 10;
-            message = message.number(decimals / unit);
-            decimals %= unit;
+        let template = template.as_bytes();
+        let (mut at, mut piece) = (0, 0);
+        while at < template.len() {
+            if template[at] == b'{' {
+                message.piece(pieces[piece]);
+                piece += 1;
+                at += 1; // and the closing one below
+            } else {
+                message.byte(template[at]);
+            }
+            at += 1;
         }
         message
     }
 
-    const fn text(&self) -> &str {
+    pub(crate) const fn text(&self) -> &str {
         match core::str::from_utf8(self.bytes.split_at(self.len).0) {
             Ok(text) => text,
             // The path is so long that the message was cut within a character.
             Err(_) => "a file or shape is wrong, and its path is too long to name",
         }
     }
+
+    const fn byte(&mut self, byte: u8) {
+        if self.len < ROOM {
+            self.bytes[self.len] = byte;
+            self.len += 1;
+        }
+    }
+
+    const fn piece(&mut self, piece: Piece<'_>) {
+        match piece {
+            Text(text) => {
+                let mut i = 0;
+                while i < text.len() {
+                    self.byte(text.as_bytes()[i]);
+                    i += 1;
+                }
+            }
+            Number(number) => self.decimal(number, 1),
+            Thousandths(number) => self.decimal(number, 1000),
+            Scalar(value) => {
+                // With five decimals at the latest, the nearest scalar is the value itself.
+                let (bits, mut unit) = (value.to_bits() as i64, 1);
+                while rounded(rounded(bits * unit, 1 << 16) << 16, unit) != bits {
+                    unit *= 10;
+                }
+                self.decimal(rounded(bits * unit, 1 << 16), unit);
+            }
+            Degrees(angle) => self.decimal(angle.ten_thousandths(), 10_000),
+        }
+    }
+
+    /// Writes `parts` / `unit`, where `unit` is a power of ten, without zeros at the end.
+    const fn decimal(&mut self, parts: i64, unit: i64) {
+        if parts < 0 {
+            self.byte(b'-');
+        }
+        let unit = unit.cast_unsigned();
+        let (mut rest, mut place) = (parts.unsigned_abs(), unit);
+        while rest / place > 9 {
+            place *= 10;
+        }
+        while place >= unit || rest > 0 {
+            if place == unit / 10 {
+                self.byte(b'.');
+            }
+            self.byte(b'0' + (rest / place) as u8);
+            rest %= place;
+            place /= 10;
+        }
+    }
+}
+
+/// Returns `top` / `bottom`, rounded to nearest (half up).
+const fn rounded(top: i64, bottom: i64) -> i64 {
+    (top + bottom / 2).div_euclid(bottom)
+}
+
+/// Stops compilation with a message.
+///
+/// # Panics
+///
+/// Always.
+pub(crate) const fn stop(template: &str, pieces: &[Piece<'_>]) -> ! {
+    panic!("{}", Message::new(template, pieces).text())
 }
 
 /// Unwraps a value made at compile time, which is called `name`, or from the file of this name.
@@ -122,53 +124,9 @@ impl Message {
 ///
 /// If `result` is an error. The message is the error's own after the name.
 pub const fn checked<T: Copy>(result: Result<T, Error>, name: &str) -> T {
-    const NONE: Piece<'_> = Text("");
-    let error = match result {
-        Ok(value) => return value,
-        Err(error) => error,
-    };
-    let mut hint = Message::new();
-    let pieces = match error {
-        Error::TooMany { given, max } => [Number(given), Number(max), NONE, NONE],
-        Error::Index { at, index, len } => [Number(index as usize), Number(at), Number(len), NONE],
-        Error::Length { given, needed } => [Number(given), Number(needed), NONE, NONE],
-        Error::FacesDiffer { at } => [Number(at), NONE, NONE, NONE],
-        Error::Parts {
-            of,
-            given,
-            min,
-            max,
-        } => [
-            Text(of),
-            Number(given as usize),
-            Number(min as usize),
-            Number(max as usize),
-        ],
-        Error::Extent { of, given, max } => [Text(of), Scalar(given), Scalar(max), NONE],
-        Error::PowerOfTwo { of, given, max } => {
-            hint = hint.push(", such as ").number(nearest(given, max) as usize);
-            [Text(of), Number(given as usize), Number(max as usize), NONE]
-        }
-        Error::CreaseAngle { angle } => [Angle(angle), NONE, NONE, NONE],
-        // Nothing that is made at compile time has another error with fields.
-        _ => [Text("the value"); 4],
-    };
-    let message = Message::new().push(name).push(": ");
-    panic!(
-        "{}",
-        message
-            .fill(error.template(), &pieces)
-            .push(hint.text())
-            .text()
-    )
-}
-
-/// Returns the least power of two that is not below `given`, or `max`.
-const fn nearest(given: u32, max: u32) -> u32 {
-    if given > max {
-        max
-    } else {
-        given.next_power_of_two()
+    match result {
+        Ok(value) => value,
+        Err(error) => stop("{}: {}", &[Text(name), Text(error.message().text())]),
     }
 }
 
@@ -178,39 +136,28 @@ const fn nearest(given: u32, max: u32) -> u32 {
 ///
 /// Always.
 pub(crate) const fn too_many_colors(name: &str, given: usize, max: usize) -> ! {
-    const TEMPLATE: &str =
-        "{}: the picture has {} colors, and the type's table {}: a table has at most 256";
-    let pieces = [Text(name), Number(given), Number(max)];
-    panic!("{}", Message::new().fill(TEMPLATE, &pieces).text())
+    stop(
+        "{}: the picture has {} colors, and the type's table {}: a table has at most 256",
+        &[Text(name), Number(given as i64), Number(max as i64)],
+    )
 }
 
 /// Stops compilation when the size of a file's picture differs from the size in the type.
-///
-/// # Panics
-///
-/// Always.
-pub(crate) const fn wrong_size(
-    name: &str,
-    [width, height]: [u32; 2],
-    [type_width, type_height]: [usize; 2],
-) -> ! {
-    const TEMPLATE: &str =
-        "{}: size is {}x{}, but the type says {}x{}: write the file's size in the type";
-    let [width, height] = [Number(width as usize), Number(height as usize)];
-    let pieces = [
-        Text(name),
-        width,
-        height,
-        Number(type_width),
-        Number(type_height),
-    ];
-    panic!("{}", Message::new().fill(TEMPLATE, &pieces).text())
+pub(crate) const fn wrong_size(name: &str, given: [u32; 2], in_type: [usize; 2]) -> ! {
+    let [width, height] = [Number(given[0] as i64), Number(given[1] as i64)];
+    let [type_width, type_height] = [Number(in_type[0] as i64), Number(in_type[1] as i64)];
+    stop(
+        "{}: size is {}x{}, but the type says {}x{}: write the file's size in the type",
+        &[Text(name), width, height, type_width, type_height],
+    )
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::{cases, number};
     use crate::{Scalar, deg, fx};
+    use std::string::ToString;
 
     #[test]
     #[should_panic(expected = "outline: crease angle is 200.025 degrees: it must lie between 0")]
@@ -220,16 +167,27 @@ mod tests {
     }
 
     #[test]
-    fn scalars_have_five_decimals() {
-        for (value, text) in [
+    fn scalars_have_the_decimals_that_they_need() {
+        let text = |value| {
+            Message::new("{}", &[Piece::Scalar(value)])
+                .text()
+                .to_string()
+        };
+        for (value, expected) in [
             (fx!(0), "0"),
             (fx!(-2), "-2"),
             (fx!(-0.25), "-0.25"),
-            (fx!(0.001), "0.00101"), // 66/65536
+            (fx!(0.1), "0.1"),
+            (Scalar::DELTA, "0.00002"),
             (Scalar::MAX, "32767.99998"),
             (Scalar::MIN, "-32768"),
         ] {
-            assert_eq!(Message::new().scalar(value).text(), text);
+            assert_eq!(text(value), expected);
         }
+        cases(256, |random| {
+            let value = Scalar::from_bits(number(random));
+            let read: f64 = text(value).parse().unwrap();
+            assert_eq!(Scalar::try_from(read), Ok(value));
+        });
     }
 }

@@ -60,22 +60,20 @@
 //! | `vec2!(0.5, 1)` | [`Vec2`](crate::Vec2): a texture coordinate in repeats of the texture | ±2048 in steps of 10⁻⁶ |
 //! | `deg!(62.5)` | [`Angle`](crate::Angle): a fraction of a turn | one turn, in steps of 10⁻⁷ degrees |
 //!
-//! A literal beyond the range does not compile. For a number that is known only when the program runs, use
-//! [`num::scalar`](crate::num::scalar) and [`num::tex_coord`](crate::num::tex_coord) (from a float), `Scalar::from_num`
-//! and `TexCoord::from_num` (from an integer), `Vec3::new` and `Vec2::new` (from these), `Vec3::from_ints`, and the
-//! constructors of `Angle`.
+//! A literal beyond the range does not compile. A number that is known only when the program runs, a float or an
+//! integer, becomes a scalar by `Scalar::try_from`, a texture coordinate by `TexCoord::try_from`, a vector by
+//! `Vec3::try_from`, and an angle by the constructors of [`Angle`](crate::Angle).
 //!
 //! ```
-//! use fixel::num::scalar;
 //! use fixel::prelude::*;
 //!
-//! let height: Scalar = scalar(1.75)?; // Err beyond ±32,768, and for NaN
+//! let height = Scalar::try_from(1.75_f32)?; // Err beyond ±32,768, and for NaN
 //! assert_eq!(height, fx!(1.75));
-//! assert!(scalar(40_000.0).is_err());
+//! assert!(Scalar::try_from(40_000).is_err());
 //!
-//! // Vectors saturate at the end of the range: nothing wraps around, nothing panics.
-//! let far = vec3!(30000, 0, 0) + vec3!(30000, 0, 0);
-//! assert_eq!(far.x, Scalar::MAX);
+//! // Numbers and vectors saturate at the end of the range: nothing wraps around, nothing panics.
+//! assert_eq!(fx!(200) * fx!(200), Scalar::MAX);
+//! assert_eq!((vec3!(30000, 0, 0) * fx!(2)).x, Scalar::MAX);
 //!
 //! // Angles wrap at a whole turn.
 //! assert_eq!(deg!(350) + deg!(20), deg!(10));
@@ -91,9 +89,7 @@
 //! Choose the unit so that your scene is between a tenth of a unit and a few thousand units in size: a meter for a
 //! garden, a centimeter for a machine. [Limits](crate::guide::limits) says how accurate the picture is in which range.
 //!
-//! `+`, `-`, `*` and `/` of single scalars come from the crate `fixed`: if the result is out of range, they panic in a
-//! debug build and wrap in a release build. Where that may happen, call `saturating_add` and similar methods: see
-//! [`num`](crate::num).
+//! The page of [`num`](crate::num) says how results are rounded.
 //!
 //! # Mesh
 //!

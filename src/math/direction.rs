@@ -1,6 +1,6 @@
 //! Directions in world space, and the matrix that takes a model's normals there.
 
-use crate::num::Unit;
+use crate::num::Fraction;
 use crate::num::rsqrt::{measure, unit};
 use crate::num::wide::dot;
 use crate::{Transform, Vec3};
@@ -10,9 +10,9 @@ use crate::{Transform, Vec3};
 /// Each component has 30 fraction bits and is accurate to 2⁻²⁸.
 ///
 /// ```
-/// use fixel::{Unit, math::Direction, vec3};
+/// use fixel::{Fraction, math::Direction, vec3};
 /// let up = Direction::of(vec3!(0, 7, 0));
-/// assert_eq!(up.components(), [Unit::ZERO, Unit::ONE, Unit::ZERO]);
+/// assert_eq!(up.components(), [Fraction::ZERO, Fraction::ONE, Fraction::ZERO]);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -34,16 +34,24 @@ impl Direction {
 
     /// Returns x, y and z.
     #[must_use]
-    pub fn components(self) -> [Unit; 3] {
-        self.0.map(Unit::from_bits)
+    pub fn components(self) -> [Fraction; 3] {
+        self.0.map(Fraction::from_bits)
     }
 
-    /// The cosine of the angle to another direction, in units of 2⁻³⁰, with an error of at most 4 units; 0 if one is
-    /// [`NONE`](Self::NONE).
+    /// Returns the dot product, which is the cosine of the angle to another direction, with an error of at most 2⁻²⁸; 0
+    /// if one of them is [`NONE`](Self::NONE).
+    ///
+    /// ```
+    /// use fixel::{Fraction, Vec3, math::Direction, vec3};
+    /// let up = Direction::of(Vec3::Y);
+    /// assert_eq!(up.dot(Direction::of(vec3!(0, -3, 0))), -Fraction::ONE);
+    /// assert_eq!(up.dot(Direction::of(vec3!(2, 0, 5))), Fraction::ZERO);
+    /// ```
+    #[must_use]
     #[inline]
-    pub(crate) fn dot(self, other: Self) -> i32 {
+    pub fn dot(self, other: Self) -> Fraction {
         // Vectors of length one: the product is at most 2^60.
-        ((dot(&self.0, &other.0) + (1 << 29)) >> 30) as i32
+        Fraction::from_bits(((dot(&self.0, &other.0) + (1 << 29)) >> 30) as i32)
     }
 
     /// The cosine of the angle to the direction halfway between two others, in units of 2⁻³⁰; 0 if they are opposite.

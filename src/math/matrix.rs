@@ -4,7 +4,7 @@ use core::ops::Mul;
 
 use super::Vec3;
 use crate::Scalar;
-use crate::num::block;
+use crate::num::{block, number::multiply};
 
 /// A 4×4 matrix of [`Scalar`]s by rows, for column vectors.
 ///
@@ -74,17 +74,17 @@ impl Matrix4 {
     /// product n·f is rounded to nearest; it and the sum n + f saturate.
     #[must_use]
     pub const fn perspective_transform(near: Scalar, far: Scalar) -> Self {
-        let product = near.to_bits() as i64 * far.to_bits() as i64;
+        let product = multiply(near.to_bits(), far.to_bits(), 16);
         Self::new([
             [near, O, O, O],
             [O, near, O, O],
             [
                 O,
                 O,
-                near.saturating_add(far),
-                Scalar::from_bits(block::fixed(product, 32, 16)),
+                Scalar::from_bits(near.to_bits().saturating_add(far.to_bits())),
+                Scalar::from_bits(product),
             ],
-            [O, O, Scalar::NEG_ONE, O],
+            [O, O, Scalar::from_bits(-I.to_bits()), O],
         ])
     }
 

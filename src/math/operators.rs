@@ -1,46 +1,24 @@
-//! The operators and conversions of vectors: component by component. Operators saturate.
+//! The operators and conversions of vectors: component by component, as those of numbers.
 
 use core::fmt;
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use fixed::FixedI32;
-
 use super::{Vec2, Vec3};
-use crate::num::{block, scalar, tex_coord};
+use crate::num::block;
+use crate::num::number::operators;
 use crate::{Error, Scalar, TexCoord};
 
-/// `value · factor`, rounded to nearest (half up); saturates.
-fn multiply<F>(value: FixedI32<F>, factor: Scalar) -> FixedI32<F> {
-    let product = i64::from(value.to_bits()) * i64::from(factor.to_bits());
-    FixedI32::from_bits(block::fixed(product, 16, 0))
-}
-
-/// `value / divisor`, rounded to nearest (half away from zero); saturates, and 0/0 is 0.
-fn divide<F>(value: FixedI32<F>, divisor: Scalar) -> FixedI32<F> {
-    let (top, bottom) = (value.to_bits(), divisor.to_bits());
-    let is_negative = (top < 0) != (bottom < 0);
-    // Magnitudes below 2^48, whose quotients cannot overflow.
-    let [top, bottom] = [top, bottom].map(|v| u64::from(v.unsigned_abs()));
-    let quotient = match ((top << 16) + bottom / 2).checked_div(bottom) {
-        Some(quotient) => quotient.cast_signed(),
-        None if top == 0 => 0,
-        None => i64::MAX,
-    };
-    let quotient = if is_negative { -quotient } else { quotient };
-    FixedI32::from_bits(block::fixed(quotient, 0, 0))
-}
-
 /// `from + (to − from) · t`, rounded to nearest (half up) once; saturates.
-fn interpolate<F>(from: FixedI32<F>, to: FixedI32<F>, t: Scalar) -> FixedI32<F> {
-    let [from, to] = [from, to].map(|v| i64::from(v.to_bits()));
+fn interpolate(from: i32, to: i32, t: Scalar) -> i32 {
+    let [from, to] = [from, to].map(i64::from);
     // At most (2^32 − 1) · 2^31, which fits; a sum that saturates is far beyond 32 bits.
     let sum = ((to - from) * i64::from(t.to_bits())).saturating_add(from << 16);
-    FixedI32::from_bits(block::fixed(sum, 16, 0))
+    block::fixed(sum, 16, 0)
 }
 
-macro_rules! operators {
-    ($Vector:ident of $len:literal $Number:ident { $($part:ident),+ }, $convert:path, $format:literal) => {
+macro_rules! vector {
+    ($Vector:ident of $len:literal $Number:ident { $($part:ident),+ }, $format:literal) => {
         impl fmt::Display for $Vector {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 write!(f, $format, $(self.$part),+)
@@ -59,35 +37,15 @@ macro_rules! operators {
             }
         }
 
-        impl TryFrom<[f64; $len]> for $Vector {
-            type Error = Error;
-
-            #[doc = concat!("Rounds each component to the nearest [`", stringify!($Number), "`].")]
-            ///
-            /// # Errors
-            ///
-            /// [`Error::NotRepresentable`](crate::Error::NotRepresentable) if a component is not a number or is out of
-            /// range.
-            fn try_from([$($part),+]: [f64; $len]) -> Result<Self, Error> {
-                Ok(Self::new($($convert($part)?),+))
-            }
-        }
-
-        impl TryFrom<[f32; $len]> for $Vector {
-            type Error = Error;
-
-            #[doc = concat!("Rounds each component to the nearest [`", stringify!($Number), "`].")]
-            ///
-            /// # Errors
-            ///
-            /// [`Error::NotRepresentable`](crate::Error::NotRepresentable) if a component is not a number or is out of
-            /// range.
-            fn try_from(v: [f32; $len]) -> Result<Self, Error> {
-                Self::try_from(v.map(f64::from))
-            }
-        }
+        vector!(@from $Vector [$($part),+]: [f64; $len] [f32; $len] [i32; $len]);
 
         impl $Vector {
+            /// Makes a vector of equal components.
+            #[must_use]
+            pub const fn splat(component: $Number) -> Self {
+                Self { $($part: component),+ }
+            }
+
             /// Returns the smaller of each pair of components.
             #[must_use]
             pub fn min(self, other: Self) -> Self {
@@ -105,25 +63,7 @@ macro_rules! operators {
             /// Each component is rounded to nearest once, halves up, and saturates.
             #[must_use]
             pub fn lerp(self, other: Self, t: Scalar) -> Self {
-                Self::new($(interpolate(self.$part, other.$part, t)),+)
-            }
-        }
-
-        impl Add for $Vector {
-            type Output = Self;
-
-            /// Adds; each component saturates.
-            fn add(self, other: Self) -> Self {
-                Self::new($(self.$part.saturating_add(other.$part)),+)
-            }
-        }
-
-        impl Sub for $Vector {
-            type Output = Self;
-
-            /// Subtracts; each component saturates.
-            fn sub(self, other: Self) -> Self {
-                Self::new($(self.$part.saturating_sub(other.$part)),+)
+                Self::from_bits([$(interpolate(self.$part.to_bits(), other.$part.to_bits(), t)),+])
             }
         }
 
@@ -132,17 +72,21 @@ macro_rules! operators {
 
             /// Negates; the lowest number becomes the highest.
             fn neg(self) -> Self {
-                Self::new($(self.$part.saturating_neg()),+)
+                Self::new($(-self.$part),+)
             }
         }
 
-        impl Mul<Scalar> for $Vector {
-            type Output = Self;
-
+        operators! {
+            /// Adds; each component saturates.
+            Add add, AddAssign add_assign: |a: $Vector, b: $Vector| Self::new($(a.$part + b.$part),+);
+            /// Subtracts; each component saturates.
+            Sub sub, SubAssign sub_assign: |a: $Vector, b: $Vector| Self::new($(a.$part - b.$part),+);
             /// Multiplies each component, rounds to nearest (half up) and saturates.
-            fn mul(self, factor: Scalar) -> Self {
-                Self::new($(multiply(self.$part, factor)),+)
-            }
+            Mul mul, MulAssign mul_assign: |a: $Vector, k: Scalar| Self::new($(a.$part * k),+);
+            /// Divides each component, rounds to nearest (half away from zero) and saturates.
+            ///
+            /// A component divided by zero saturates by its sign; 0/0 is 0.
+            Div div, DivAssign div_assign: |a: $Vector, k: Scalar| Self::new($(a.$part / k),+);
         }
 
         impl Mul<$Vector> for Scalar {
@@ -153,22 +97,6 @@ macro_rules! operators {
                 vector * self
             }
         }
-
-        impl Div<Scalar> for $Vector {
-            type Output = Self;
-
-            /// Divides each component, rounds to nearest (half away from zero) and saturates.
-            ///
-            /// A component divided by zero saturates by its sign; 0/0 is 0.
-            fn div(self, divisor: Scalar) -> Self {
-                Self::new($(divide(self.$part, divisor)),+)
-            }
-        }
-
-        operators!(@assign $Vector: AddAssign add_assign +, Self);
-        operators!(@assign $Vector: SubAssign sub_assign -, Self);
-        operators!(@assign $Vector: MulAssign mul_assign *, Scalar);
-        operators!(@assign $Vector: DivAssign div_assign /, Scalar);
 
         impl Sum for $Vector {
             /// Adds all; each partial sum saturates.
@@ -184,23 +112,35 @@ macro_rules! operators {
             }
         }
     };
-    (@assign $Vector:ident: $Trait:ident $method:ident $operator:tt, $Other:ty) => {
-        impl $Trait<$Other> for $Vector {
-            fn $method(&mut self, other: $Other) {
-                *self = *self $operator other;
+    (@from $Vector:ident $parts:tt: $($Array:ty)+) => {$(
+        impl TryFrom<$Array> for $Vector {
+            type Error = Error;
+
+            /// Converts each component to the nearest number.
+            ///
+            /// # Errors
+            ///
+            /// [`Error::NotRepresentable`] if a component is out of range; [`Error::NotFinite`] if it is infinite or not a
+            /// number.
+            fn try_from(array: $Array) -> Result<Self, Error> {
+                vector!(@new $parts array)
             }
         }
-    };
+    )+};
+    (@new [$($part:ident),+] $array:ident) => {{
+        let [$($part),+] = $array;
+        Ok(Self::new($($part.try_into()?),+))
+    }};
 }
 
-operators!(Vec3 of 3 Scalar { x, y, z }, scalar, "({}, {}, {})");
-operators!(Vec2 of 2 TexCoord { x, y }, tex_coord, "({}, {})");
+vector!(Vec3 of 3 Scalar { x, y, z }, "({}, {}, {})");
+vector!(Vec2 of 2 TexCoord { x, y }, "({}, {})");
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::random::{Random, cases, number};
-    use crate::{vec2, vec3};
+    use crate::{fx, vec2, vec3};
     use rand::Rng;
 
     /// The nearest value that 32 bits hold.
@@ -334,10 +274,7 @@ mod tests {
         let (a, b) = (vec3!(-30000, 1, 0.1), vec3!(30000, -2, 7));
         assert_eq!(a.lerp(b, Scalar::ZERO), a);
         assert_eq!(a.lerp(b, Scalar::ONE), b);
-        assert_eq!(
-            vec2!(0, 1).lerp(vec2!(1, 0.5), Scalar::lit("0.5")),
-            vec2!(0.5, 0.75)
-        );
+        assert_eq!(vec2!(0, 1).lerp(vec2!(1, 0.5), fx!(0.5)), vec2!(0.5, 0.75));
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use core::ops::Mul;
 
 use super::Vec3;
-use crate::num::IntoScalar;
+use crate::Scalar;
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt as unit;
 use crate::num::wide::{dot, product};
@@ -129,16 +129,13 @@ impl Transform {
     /// Scales all axes by one factor about the origin. The factor keeps 30 significant bits: from ±16,384 on, it is
     /// rounded to nearest.
     ///
-    /// `factor` is a [`Scalar`](crate::Scalar). The bound only improves the compiler's message if you pass a float.
-    ///
     /// ```
     /// use fixel::prelude::*;
     /// assert_eq!(Transform::scale(fx!(0.5)).point(vec3!(2, 4, 6)), vec3!(1, 2, 3));
     /// ```
     #[must_use]
-    pub fn scale(factor: impl IntoScalar) -> Self {
-        let factor = factor.into_scalar();
-        Self::scale_axes(Vec3::new(factor, factor, factor))
+    pub fn scale(factor: Scalar) -> Self {
+        Self::scale_axes(Vec3::splat(factor))
     }
 
     /// Scales each axis by its own factor about the origin; a negative factor mirrors.
@@ -172,7 +169,7 @@ impl Transform {
         // Three products below 2^61, one below 2^60, and a half.
         let number = |row: &[i32; 3], moved: i32| {
             let sum = dot(row, &point) + product(moved >> down, factor) + (1 << (exp - 1));
-            (sum >> exp).clamp(i32::MIN.into(), i32::MAX.into()) as i32
+            block::saturated(sum >> exp)
         };
         let [i, j, k] = rows;
         Vec3::from_bits([number(i, x), number(j, y), number(k, z)])

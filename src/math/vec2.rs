@@ -53,7 +53,7 @@ impl Vec2 {
 ///
 /// ```
 /// use fixel::{TexCoord, vec2};
-/// assert_eq!(vec2!(0.5, -1).x, TexCoord::lit("0.5"));
+/// assert_eq!(vec2!(0.5, -1).x, TexCoord::ONE / 2);
 /// assert_eq!(vec2!(0.5, 0.2).to_bits(), [524_288, 209_715]);
 /// ```
 /// ```compile_fail
@@ -61,23 +61,10 @@ impl Vec2 {
 /// ```
 #[macro_export]
 macro_rules! vec2 {
-    (@ $x:literal, $y:literal) => {
-        const {
-            #[allow(clippy::cast_lossless, clippy::unnecessary_cast)]
-            $crate::Vec2::new(
-                $crate::num::literal_tex_coord($x as f64),
-                $crate::num::literal_tex_coord($y as f64),
-            )
-        }
+    (@ $value:expr) => {
+        $crate::__rounded!(TexCoord::nearest, "TexCoord::try_from(x)?", $value)
     };
-    // Expressions first: see `fx!`.
     ($x:expr, $y:expr $(,)?) => {
-        $crate::vec2!(@ $x, $y)
-    };
-    ($($other:tt)*) => {
-        ::core::compile_error!(
-            "vec2! takes two literals, such as vec2!(0.5, 1); write Vec2::new(x, y) for TexCoords, \
-             with num::tex_coord(x)? for a float known at run time"
-        )
+        $crate::Vec2::new($crate::vec2!(@ $x), $crate::vec2!(@ $y))
     };
 }

@@ -82,21 +82,11 @@ impl Vec3 {
 /// ```
 /// ```compile_fail
 /// let x = 0.5;
-/// let _ = fixel::vec3!(-x, 0, 0); // error: vec3! takes three literals, …
+/// let _ = fixel::vec3!(-x, 0, 0); // error: expected a literal, such as 0.5; …
 /// ```
 #[macro_export]
 macro_rules! vec3 {
-    (@ $x:literal, $y:literal, $z:literal) => {
-        $crate::Vec3::new($crate::fx!($x), $crate::fx!($y), $crate::fx!($z))
-    };
-    // Expressions first: see `fx!`.
     ($x:expr, $y:expr, $z:expr $(,)?) => {
-        $crate::vec3!(@ $x, $y, $z)
-    };
-    ($($other:tt)*) => {
-        ::core::compile_error!(
-            "vec3! takes three literals, such as vec3!(0, 1.5, -2); write Vec3::new(x, y, z) for \
-             Scalars, with fx!(const X) for a constant and num::scalar(x)? for a float"
-        )
+        $crate::Vec3::new($crate::fx!($x), $crate::fx!($y), $crate::fx!($z))
     };
 }

@@ -41,7 +41,10 @@ fn angle(a: [i32; 3], b: [i32; 3]) -> i32 {
     /// π.
     const HALF_TURN: i32 = 13_176_795;
     let [a, b] = [Vec3::from_bits(a), Vec3::from_bits(b)];
-    let is_acute = Direction::from_bits(a.to_bits()).dot(Direction::from_bits(b.to_bits())) <= 0;
+    let is_acute = Direction::from_bits(a.to_bits())
+        .dot(Direction::from_bits(b.to_bits()))
+        .to_bits()
+        <= 0;
     // Of two such chords, the shorter one is at most √2.
     let chord = a
         .distance(if is_acute { -b } else { b })
@@ -188,7 +191,7 @@ impl<'a> Mesh<'a> {
             let Some((normal, angles)) = self.measured(*face) else {
                 continue;
             };
-            if normal.dot(own) < least {
+            if normal.dot(own).to_bits() < least {
                 continue;
             }
             for (&index, angle) in face.iter().zip(angles) {

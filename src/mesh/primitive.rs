@@ -217,7 +217,7 @@ impl Corner<'_> {
     #[inline]
     pub fn distance(&self) -> Scalar {
         let place = self.primitive.placement.view.point(self.position());
-        place.z.saturating_neg()
+        -place.z
     }
 
     /// The texture coordinate; (0, 0) if the mesh has none here.

@@ -295,7 +295,7 @@ mod tests {
         let sprites = Sprites::new(&positions, (fx!(1), fx!(1))).unwrap();
         let numbers = [0, 3, 6, 11];
         let sprites = sprites.with_frames((4, 2), &numbers).unwrap();
-        let cells = [0, 1, 2, 3].map(|sprite| sprites.frame(sprite).map(|at| at.to_num::<f64>()));
+        let cells = [0, 1, 2, 3].map(|sprite| sprites.frame(sprite).map(f64::from));
         assert_eq!(
             cells,
             [

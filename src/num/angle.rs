@@ -1,13 +1,14 @@
 //! Angles as fractions of a turn, and their sines.
 
 use core::fmt;
-use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
+use core::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use micromath::F32Ext;
 
-use crate::error::RefusedFloat;
-use crate::num::Unit;
+use crate::message::{Message, Piece};
+use crate::num::Fraction;
 use crate::num::convert::HALF;
+use crate::num::number::operators;
 use crate::num::rsqrt as unit;
 use crate::num::wide::product;
 use crate::{Error, Scalar};
@@ -19,11 +20,11 @@ use crate::{Error, Scalar};
 ///
 /// ```
 /// use fixel::prelude::*;
-/// use fixel::Unit;
+/// use fixel::Fraction;
 /// const QUARTER: Angle = deg!(90);
 /// assert_eq!(QUARTER, Angle::from_turns(fx!(0.25)));
 /// assert_eq!(QUARTER * 3, -QUARTER);
-/// assert_eq!(QUARTER.sin_cos(), (Unit::ONE, Unit::ZERO));
+/// assert_eq!(QUARTER.sin_cos(), (Fraction::ONE, Fraction::ZERO));
 /// assert_eq!(Angle::try_from_degrees(62.5)?, deg!(62.5));
 /// assert_eq!(deg!(62.5).to_string(), "62.5 degrees");
 /// # Ok::<(), Error>(())
@@ -80,8 +81,8 @@ impl Angle {
     }
 
     /// Returns degrees in units of 1/10000, rounded to nearest.
-    pub(crate) const fn ten_thousandths(self) -> usize {
-        ((self.0 as u64 * 3_600_000 + (1 << 31)) >> 32) as usize
+    pub(crate) const fn ten_thousandths(self) -> i64 {
+        (self.0 as i64 * 3_600_000 + (1 << 31)) >> 32
     }
 
     /// Makes an angle from turns; exact. Whole turns drop out.
@@ -109,13 +110,26 @@ impl Angle {
         Self(units.cast_unsigned() as u32)
     }
 
-    /// Makes an angle from a float in degrees, rounded to the nearest unit. Whole turns drop out.
+    /// Makes an angle from a float or an integer in degrees, rounded to the nearest unit. Whole turns drop out.
     ///
     /// # Errors
     ///
-    /// [`Error::NotRepresentable`] if `degrees` is infinite or not a number.
-    pub const fn try_from_degrees(degrees: f64) -> Result<Self, Error> {
-        Self::try_from_float(degrees, 360.0)
+    /// [`Error::NotFinite`] if `degrees` is infinite or not a number.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let sensor: f32 = 62.5;
+    /// assert_eq!(Angle::try_from_degrees(sensor)?, deg!(62.5));
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn try_from_degrees(degrees: impl Into<f64>) -> Result<Self, Error> {
+        Self::nearest_degrees(degrees.into())
+    }
+
+    /// The conversion from degrees for constants.
+    #[doc(hidden)]
+    pub const fn nearest_degrees(degrees: f64) -> Result<Self, Error> {
+        Self::nearest(degrees, 360.0)
     }
 
     /// Makes an angle from a float in radians. Whole turns drop out.
@@ -125,26 +139,23 @@ impl Angle {
     ///
     /// # Errors
     ///
-    /// [`Error::NotRepresentable`] if `radians` is infinite or not a number.
-    pub const fn try_from_radians(radians: f64) -> Result<Self, Error> {
-        Self::try_from_float(radians, core::f64::consts::TAU)
+    /// [`Error::NotFinite`] if `radians` is infinite or not a number.
+    pub fn try_from_radians(radians: impl Into<f64>) -> Result<Self, Error> {
+        Self::nearest(radians.into(), core::f64::consts::TAU)
     }
 
     /// Makes an angle from a float in turns, rounded to the nearest unit. Whole turns drop out.
     ///
     /// # Errors
     ///
-    /// [`Error::NotRepresentable`] if `turns` is infinite or not a number.
-    pub const fn try_from_turns(turns: f64) -> Result<Self, Error> {
-        Self::try_from_float(turns, 1.0)
+    /// [`Error::NotFinite`] if `turns` is infinite or not a number.
+    pub fn try_from_turns(turns: impl Into<f64>) -> Result<Self, Error> {
+        Self::nearest(turns.into(), 1.0)
     }
 
-    const fn try_from_float(value: f64, turn: f64) -> Result<Self, Error> {
+    const fn nearest(value: f64, turn: f64) -> Result<Self, Error> {
         if !value.is_finite() {
-            return Err(Error::NotRepresentable {
-                value: RefusedFloat::new(value),
-                limit: None,
-            });
+            return Err(Error::NotFinite);
         }
         let units = value % turn / turn * TURN;
         let half = if units < 0.0 { -HALF } else { HALF };
@@ -176,7 +187,7 @@ impl Angle {
         #[allow(clippy::cast_precision_loss)] // only a guess
         let guess = F32Ext::atan2(y as f32, x as f32);
         // The guess is finite. If it were not, the steps below would start from zero.
-        let mut angle = Self::try_from_radians(guess.into()).unwrap_or_default();
+        let mut angle = Self::try_from_radians(guess).unwrap_or_default();
         // Each step adds the sine of the remaining angle d, sin d = d − d³/6: an error of 1e-1 becomes
         // 2e-4, then 1e-12.
         for _ in 0..3 {
@@ -198,16 +209,16 @@ impl Angle {
     /// the measured cube and sphere by up to 0.35 and 0.26 pixels.
     ///
     /// ```
-    /// use fixel::{Angle, Unit};
-    /// assert_eq!(Angle::from_degrees(-90).sin(), -Unit::ONE);
+    /// use fixel::{Angle, Fraction};
+    /// assert_eq!(Angle::from_degrees(-90).sin(), -Fraction::ONE);
     /// ```
     #[must_use]
     #[inline(never)]
-    pub const fn sin(self) -> Unit {
+    pub const fn sin(self) -> Fraction {
         let wide = self.wide_sine();
         // The magnitude is rounded, which keeps the symmetry. It is at most 2^30.
         let sine = ((wide.abs() + (1 << 29)) >> 30) as i32;
-        Unit::from_bits(if wide < 0 { -sine } else { sine })
+        Fraction::from_bits(if wide < 0 { -sine } else { sine })
     }
 
     /// Returns the sine in units of 2^-60, with a relative error of 2e-9 however small it is.
@@ -247,13 +258,13 @@ impl Angle {
 
     /// Returns the cosine, as accurate as the [sine](Self::sin).
     #[must_use]
-    pub const fn cos(self) -> Unit {
+    pub const fn cos(self) -> Fraction {
         Self(self.0.wrapping_add(1 << 30)).sin()
     }
 
     /// Returns the sine and the cosine.
     #[must_use]
-    pub const fn sin_cos(self) -> (Unit, Unit) {
+    pub const fn sin_cos(self) -> (Fraction, Fraction) {
         (self.sin(), self.cos())
     }
 }
@@ -261,45 +272,15 @@ impl Angle {
 impl fmt::Display for Angle {
     /// Writes degrees from 0 to 360, rounded to four decimals.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let parts = self.ten_thousandths();
-        let (whole, mut decimals, mut width) = (parts / 10_000, parts % 10_000, 4);
-        if decimals == 0 {
-            return write!(f, "{whole} degrees");
-        }
-        while decimals % 10 == 0 {
-            decimals /= 10;
-            width -= 1;
-        }
-        write!(f, "{whole}.{decimals:0width$} degrees")
+        f.pad(Message::new("{} degrees", &[Piece::Degrees(*self)]).text())
     }
 }
 
-impl Add for Angle {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        Self(self.0.wrapping_add(other.0))
-    }
-}
-
-impl AddAssign for Angle {
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl Sub for Angle {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        Self(self.0.wrapping_sub(other.0))
-    }
-}
-
-impl SubAssign for Angle {
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
-    }
+operators! {
+    Add add, AddAssign add_assign: |a: Angle, b: Angle| Self(a.0.wrapping_add(b.0));
+    Sub sub, SubAssign sub_assign: |a: Angle, b: Angle| Self(a.0.wrapping_sub(b.0));
+    // Whole turns drop out.
+    Mul mul, MulAssign mul_assign: |a: Angle, b: i32| Self(a.0.wrapping_mul(b.cast_unsigned()));
 }
 
 impl Neg for Angle {
@@ -307,15 +288,6 @@ impl Neg for Angle {
 
     fn neg(self) -> Self {
         Self(self.0.wrapping_neg())
-    }
-}
-
-impl Mul<i32> for Angle {
-    type Output = Self;
-
-    #[allow(clippy::cast_sign_loss)] // whole turns drop out
-    fn mul(self, times: i32) -> Self {
-        Self(self.0.wrapping_mul(times as u32))
     }
 }
 

@@ -150,7 +150,7 @@ pub(crate) fn normalize(mantissas: &mut [i32], numbers: &[BlockFloat]) -> i32 {
 
 /// Saturates to 32 bits.
 #[inline]
-const fn saturated(value: i64) -> i32 {
+pub(crate) const fn saturated(value: i64) -> i32 {
     if value > i32::MAX as i64 {
         i32::MAX
     } else if value < i32::MIN as i64 {

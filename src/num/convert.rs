@@ -1,53 +1,16 @@
-//! Conversions from floats at run time.
+//! Conversions of floats and integers to fixed-point numbers, and back.
 
-use super::{Scalar, TexCoord};
+use super::{Fraction, Scalar, Subpixel, TexCoord};
 use crate::Error;
-use crate::error::{RefusedFloat, ok};
-use crate::sealed::{Sealed, sealed};
-
-/// Converts a float to the nearest [`Scalar`], halves away from zero.
-///
-/// # Errors
-///
-/// [`Error::NotRepresentable`] if `value` is not a number, or lies outside −32768 to 32768 − 2⁻¹⁶ when rounded.
-///
-/// ```
-/// use fixel::{Scalar, num::scalar};
-/// assert_eq!(scalar(1.5), Ok(Scalar::lit("1.5")));
-/// assert!(scalar(40_000.0).is_err());
-/// ```
-pub const fn scalar(value: f64) -> Result<Scalar, Error> {
-    let bits = ok!(nearest(value, Scalar::FRAC_NBITS));
-    Ok(Scalar::from_bits(bits))
-}
-
-/// Converts a float to the nearest [`TexCoord`], halves away from zero.
-///
-/// # Errors
-///
-/// [`Error::NotRepresentable`] if `value` is not a number, or lies outside −2048 to 2048 − 2⁻²⁰ when rounded.
-///
-/// ```
-/// use fixel::num::{TexCoord, tex_coord};
-/// assert_eq!(tex_coord(1.5), Ok(TexCoord::lit("1.5")));
-/// let error = tex_coord(3000.0).unwrap_err();
-/// assert_eq!(
-///     error.to_string(),
-///     "3000 cannot be represented: it must lie between -2048 and 2047.99999",
-/// );
-/// ```
-pub const fn tex_coord(value: f64) -> Result<TexCoord, Error> {
-    let bits = ok!(nearest(value, TexCoord::FRAC_NBITS));
-    Ok(TexCoord::from_bits(bits))
-}
+use crate::error::ok;
 
 /// The number below a half, which takes the place of a half where a sum is cut to an integer: the sum of 0.5 − 2^-54
 /// and a half would be rounded to 1. From a half on, both sums are cut to the same integer.
 pub(super) const HALF: f64 = 0.5 - f64::EPSILON / 4.0;
 
-/// Returns the bits of the nearest number with `fraction` fraction bits, below 31.
+/// Returns the bits of the nearest number with `fraction` fraction bits, below 31; halves away from zero.
 const fn nearest(value: f64, fraction: u32) -> Result<i32, Error> {
-    // Half away from zero; in range, the cast drops the fraction and nothing else.
+    // In range, the cast drops the fraction and nothing else.
     let scaled = value * (1_u32 << fraction) as f64;
     let rounded = if scaled < 0.0 {
         scaled - HALF
@@ -56,43 +19,90 @@ const fn nearest(value: f64, fraction: u32) -> Result<i32, Error> {
     };
     if rounded > -2_147_483_649.0 && rounded < 2_147_483_648.0 {
         Ok(rounded as i32)
+    } else if value.is_finite() {
+        // The cast saturates.
+        Err(not_representable((value * 1000.0) as i64, fraction))
     } else {
-        Err(Error::NotRepresentable {
-            value: RefusedFloat::new(value),
-            limit: Some(1 << (31 - fraction)),
-        })
+        Err(Error::NotFinite)
     }
 }
 
-sealed!(Scalar);
-
-/// A bound that only [`Scalar`] meets. The compiler's message for other types says how to write a `Scalar`.
-///
-/// With a parameter of type `Scalar`, the compiler's message for a float would show a long type name of
-/// the package `fixed`. The bound converts nothing and costs nothing.
-///
-/// ```compile_fail
-/// // error: expected a `Scalar`, found `{float}`; note: for a literal write `fx!(0.5)`; …
-/// let _ = fixel::Transform::scale(0.5);
-/// ```
-#[diagnostic::on_unimplemented(
-    message = "expected a `Scalar`, found `{Self}`",
-    label = "not a `Scalar`",
-    note = "for a literal write `fx!(0.5)`; for a float known at run time, `num::scalar(value)?`"
-)]
-pub trait IntoScalar: Sealed {
-    /// Returns the number itself.
-    fn into_scalar(self) -> Scalar;
+/// The error for a number beyond the format with `fraction` fraction bits.
+const fn not_representable(thousandths: i64, fraction: u32) -> Error {
+    let limit = 1 << (31 - fraction);
+    Error::NotRepresentable { thousandths, limit }
 }
 
-// Keeps the spelled-out type of `Scalar` out of the message.
-#[diagnostic::do_not_recommend]
-impl IntoScalar for Scalar {
-    #[inline]
-    fn into_scalar(self) -> Scalar {
-        self
-    }
+/// Returns the bits of a whole number with `fraction` fraction bits.
+fn whole(value: i64, fraction: u32) -> Result<i32, Error> {
+    let bits = value.checked_mul(1 << fraction);
+    bits.and_then(|bits| i32::try_from(bits).ok())
+        .ok_or(not_representable(value.saturating_mul(1000), fraction))
 }
+
+macro_rules! conversions {
+    ($Number:ident: From $($Small:ident)*; TryFrom $($Large:ident)+) => {
+        impl $Number {
+            /// The conversion from a float, for constants.
+            #[doc(hidden)]
+            pub const fn nearest(value: f64) -> Result<Self, Error> {
+                Ok(Self::from_bits(ok!(nearest(value, Self::FRAC_BITS))))
+            }
+        }
+
+        conversions!(@float $Number: f64 f32);
+
+        impl From<$Number> for f64 {
+            /// Exact.
+            fn from(number: $Number) -> Self {
+                f64::from(number.to_bits()) / f64::from(1_u32 << $Number::FRAC_BITS)
+            }
+        }
+
+        $(impl From<$Small> for $Number {
+            /// Exact.
+            #[inline]
+            fn from(value: $Small) -> Self {
+                Self::from_bits(i32::from(value) << Self::FRAC_BITS)
+            }
+        })*
+
+        $(impl TryFrom<$Large> for $Number {
+            type Error = Error;
+
+            /// Exact.
+            ///
+            /// # Errors
+            ///
+            /// [`Error::NotRepresentable`] if `value` is out of range.
+            fn try_from(value: $Large) -> Result<Self, Error> {
+                // What 64 bits do not hold is refused as their largest number.
+                let value = i64::try_from(value).unwrap_or(i64::MAX);
+                whole(value, Self::FRAC_BITS).map(Self::from_bits)
+            }
+        })+
+    };
+    (@float $Number:ident: $($Float:ident)+) => {$(
+        impl TryFrom<$Float> for $Number {
+            type Error = Error;
+
+            /// Rounds to nearest, halves away from zero.
+            ///
+            /// # Errors
+            ///
+            /// [`Error::NotRepresentable`] if `value`, rounded, is out of range; [`Error::NotFinite`] if it is
+            /// infinite or not a number.
+            fn try_from(value: $Float) -> Result<Self, Error> {
+                Self::nearest(f64::from(value))
+            }
+        }
+    )+};
+}
+
+conversions!(Scalar: From i8 u8 i16; TryFrom u16 i32 u32 usize);
+conversions!(TexCoord: From i8 u8; TryFrom i16 u16 i32 u32 usize);
+conversions!(Subpixel: From i8 u8 i16 u16; TryFrom i32 u32 usize);
+conversions!(Fraction: From; TryFrom i32);
 
 #[cfg(test)]
 mod tests {
@@ -115,7 +125,7 @@ mod tests {
         let check = |half: f64| {
             for value in [half.next_down(), half, half.next_up()] {
                 for value in [value, -value] {
-                    let found = scalar(value / 65_536.0).unwrap();
+                    let found = Scalar::try_from(value / 65_536.0).unwrap();
                     assert_eq!(i64::from(found.to_bits()), nearest_of(value));
                     let found = Angle::try_from_turns(value / 4_294_967_296.0).unwrap();
                     assert_eq!(i64::from(found.to_bits().cast_signed()), nearest_of(value));
@@ -132,8 +142,28 @@ mod tests {
     #[test]
     fn the_ends_of_the_range_are_next_to_a_half() {
         let [most, least] = [2_147_483_647.5, -2_147_483_648.5].map(|bits| bits / 65_536.0);
-        assert_eq!(scalar(f64::next_down(most)), Ok(Scalar::MAX));
-        assert_eq!(scalar(f64::next_up(least)), Ok(Scalar::MIN));
-        assert!(scalar(most).is_err() && scalar(least).is_err());
+        assert_eq!(Scalar::try_from(f64::next_down(most)), Ok(Scalar::MAX));
+        assert_eq!(Scalar::try_from(f64::next_up(least)), Ok(Scalar::MIN));
+        assert!(Scalar::try_from(most).is_err() && Scalar::try_from(least).is_err());
+    }
+
+    #[test]
+    fn integers_are_exact_or_refused() {
+        for value in [-32_768, -1, 0, 1, 32_767] {
+            assert_eq!(Scalar::try_from(value).map(Scalar::floor), Ok(value));
+        }
+        for value in [32_768, -32_769, i32::MAX, i32::MIN] {
+            let error = Error::NotRepresentable {
+                thousandths: i64::from(value) * 1000,
+                limit: 32_768,
+            };
+            assert_eq!(Scalar::try_from(value), Err(error));
+        }
+        assert_eq!(Scalar::from(i16::MIN), Scalar::MIN);
+        assert_eq!(Subpixel::from(u16::MAX).floor(), 65_535);
+        assert_eq!(TexCoord::try_from(2047_u16), Ok(TexCoord::ONE * 2047));
+        assert!(TexCoord::try_from(2048_u32).is_err() && Scalar::try_from(usize::MAX).is_err());
+        assert_eq!(Fraction::try_from(-2), Ok(Fraction::MIN));
+        assert!(Fraction::try_from(2).is_err());
     }
 }

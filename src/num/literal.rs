@@ -1,54 +1,31 @@
 //! Literals, rounded at compile time.
 
-use super::{Angle, Scalar, TexCoord, scalar, tex_coord};
-
-/// Rounds a literal to a [`Scalar`] at compile time, for [`fx!`](crate::fx) and
-/// [`vec3!`](crate::vec3).
-///
-/// # Panics
-///
-/// At compile time, if the literal is beyond ±32768.
+/// Rounds a literal or, after `const`, a constant expression by a function of its type.
 #[doc(hidden)]
-#[must_use]
-pub const fn literal(value: f64) -> Scalar {
-    match scalar(value) {
-        Ok(number) => number,
-        Err(_) => panic!("literal is not a number between -32768 and 32768"),
-    }
-}
-
-/// Rounds a literal to a [`TexCoord`] at compile time, for [`vec2!`](crate::vec2).
-///
-/// # Panics
-///
-/// At compile time, if the literal is beyond ±2048.
-#[doc(hidden)]
-#[must_use]
-pub const fn literal_tex_coord(value: f64) -> TexCoord {
-    match tex_coord(value) {
-        Ok(number) => number,
-        Err(_) => panic!("literal is not a number between -2048 and 2048"),
-    }
-}
-
-/// Rounds a literal to an [`Angle`] at compile time, for [`deg!`](crate::deg).
-///
-/// # Panics
-///
-/// At compile time, if the literal is infinite or not a number.
-#[doc(hidden)]
-#[must_use]
-pub const fn literal_degrees(value: f64) -> Angle {
-    match Angle::try_from_degrees(value) {
-        Ok(angle) => angle,
-        Err(_) => panic!("angle is not a finite number of degrees"),
-    }
+#[macro_export]
+macro_rules! __rounded {
+    ($Number:ident::$nearest:ident, $run_time:literal, const $value:expr) => {
+        const {
+            #[allow(clippy::cast_lossless, clippy::unnecessary_cast)]
+            $crate::num::checked($crate::$Number::$nearest($value as f64), "literal")
+        }
+    };
+    ($Number:ident::$nearest:ident, $run_time:literal, $value:literal) => {
+        $crate::__rounded!($Number::$nearest, $run_time, const $value)
+    };
+    ($Number:ident::$nearest:ident, $run_time:literal, $other:expr) => {
+        ::core::compile_error!(::core::concat!(
+            "expected a literal, such as 0.5; for a constant X write fx!(const X) or deg!(const X), and for a number \
+             x known at run time ",
+            $run_time
+        ))
+    };
 }
 
 /// A [`Scalar`](crate::Scalar) from a literal, rounded to nearest at compile time.
 ///
 /// `fx!(const …)` takes a constant expression of any primitive number. A value out of range does
-/// not compile. For a value known at run time, call [`num::scalar`](crate::num::scalar).
+/// not compile. For a number known at run time, call `Scalar::try_from`.
 ///
 /// ```
 /// use fixel::fx;
@@ -57,32 +34,20 @@ pub const fn literal_degrees(value: f64) -> Angle {
 /// assert_eq!(fx!(const WIDTH / 2), fx!(160));
 /// ```
 /// ```compile_fail
-/// let _ = fixel::fx!(40000);
+/// let _ = fixel::fx!(40000); // error: literal: 40000 cannot be represented: it must lie …
 /// ```
 /// ```compile_fail
 /// let x = 0.5;
-/// let _ = fixel::fx!(-x); // error: fx! takes a literal, such as fx!(0.5); …
+/// let _ = fixel::fx!(-x); // error: expected a literal, such as 0.5; …
 /// ```
 #[macro_export]
 macro_rules! fx {
     (const $value:expr) => {
-        const {
-            #[allow(clippy::cast_lossless, clippy::unnecessary_cast)]
-            $crate::num::literal($value as f64)
-        }
-    };
-    (@ $value:literal) => {
-        $crate::fx!(const $value)
+        $crate::__rounded!(Scalar::nearest, "", const $value)
     };
     // An expression first: `literal` alone would take the minus of `-x`, and then stop at x with a message of its own.
     ($value:expr) => {
-        $crate::fx!(@ $value)
-    };
-    ($($other:tt)*) => {
-        ::core::compile_error!(
-            "fx! takes a literal, such as fx!(0.5); write fx!(const X) for a constant, and \
-             num::scalar(x)? for a float known at run time"
-        )
+        $crate::__rounded!(Scalar::nearest, "Scalar::try_from(x)?", $value)
     };
 }
 
@@ -103,28 +68,15 @@ macro_rules! fx {
 /// ```
 /// ```compile_fail
 /// let x = 0.5;
-/// let _ = fixel::deg!(-x); // error: deg! takes a literal, such as deg!(62.5); …
+/// let _ = fixel::deg!(-x); // error: expected a literal, such as 0.5; …
 /// ```
 #[macro_export]
 macro_rules! deg {
     (const $value:expr) => {
-        const {
-            #[allow(clippy::cast_lossless, clippy::unnecessary_cast)]
-            $crate::num::literal_degrees($value as f64)
-        }
+        $crate::__rounded!(Angle::nearest_degrees, "", const $value)
     };
-    (@ $value:literal) => {
-        $crate::deg!(const $value)
-    };
-    // An expression first: `literal` alone would take the minus of `-x`, and then stop at x with a message of its own.
     ($value:expr) => {
-        $crate::deg!(@ $value)
-    };
-    ($($other:tt)*) => {
-        ::core::compile_error!(
-            "deg! takes a literal, such as deg!(62.5); write deg!(const X) for a constant, and \
-             Angle::try_from_degrees(x)? for a float known at run time"
-        )
+        $crate::__rounded!(Angle::nearest_degrees, "Angle::try_from_degrees(x)?", $value)
     };
 }
 

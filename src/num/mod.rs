@@ -4,7 +4,7 @@
 //! |---|---|---|---|
 //! | coordinates, distances | [`Scalar`] (`I16F16`) | ±32768 | 1.5e-5 |
 //! | texture coordinates | [`TexCoord`] (`I12F20` repeats) | ±2048 | 9.5e-7 |
-//! | sine, cosine, unit vectors | [`Unit`] (`I2F30`) | ±2 | 9.3e-10 |
+//! | sine, cosine, unit vectors, parts of a whole | [`Fraction`] (`I2F30`) | ±2 | 9.3e-10 |
 //! | angle | `u32` fraction of a turn ([`Angle`]) | one turn, wraps | 8.4e-8 degrees |
 //! | speed of rotation | `i64` thousandths of a turn per minute ([`Rate`]) | ±2.1 billion turns per minute or per second; ±2.1 million from thousandths | 1/1000 turn per minute |
 //! | time | `u64` milliseconds | 584 million years | 1 ms |
@@ -25,24 +25,26 @@
 //!
 //! # Overflow and rounding
 //!
-//! This crate's own operations saturate at the ends of their range and never panic. Only angles and the repeats of a
-//! texture wrap. Products accumulate in 64 bits and round once, to nearest; a function that rounds differently says so.
+//! Every operation saturates at the ends of its range, in debug and in release builds alike, and none panics. Only
+//! angles and the repeats of a texture wrap. Numbers and vectors follow one rule:
 //!
-//! **The operators of single numbers belong to another crate.** [`Scalar`], [`TexCoord`], [`Subpixel`] and [`Unit`] are
-//! types of the crate [`fixed`]. When a result of their `+`, `-`, `*` or `/` is out of range, a debug build panics and
-//! a release build wraps; `/` by zero panics in both. `*` rounds down and `/` rounds toward zero. Where a result may
-//! leave the range, call a method whose name says what happens: `saturating_add`, `saturating_mul`, `checked_div` and
-//! so on.
+//! | operation | rounding |
+//! |---|---|
+//! | `a + b`, `a - b`, `-a`, `a * n` with an `i32` | exact |
+//! | `a * b` | to nearest, halves up |
+//! | `a / b`, `a / n` with an `i32` | to nearest, halves away from zero |
+//! | conversion from a float | to nearest, halves away from zero |
+//!
+//! Division by zero saturates by the sign of the dividend; 0/0 is 0. Longer products accumulate in 64 bits and round
+//! once, to nearest; a function that rounds differently says so.
 //!
 //! ```
 //! use fixel::{Scalar, fx, vec3};
-//! // In range: the operator will do.
 //! assert_eq!(fx!(2) * fx!(0.25), fx!(0.5));
-//! // 40,000 is beyond the range. `fx!(200) * fx!(200)` would panic, or be -25,536 in a
-//! // release build.
-//! assert_eq!(fx!(200).saturating_mul(fx!(200)), Scalar::MAX);
-//! // The operators of vectors belong to this crate, and saturate.
+//! // 40,000 is beyond the range, for a number as for a component.
+//! assert_eq!(fx!(200) * fx!(200), Scalar::MAX);
 //! assert_eq!((vec3!(200, 0, 0) * fx!(200)).x, Scalar::MAX);
+//! assert_eq!(fx!(-1) / fx!(0), Scalar::MIN);
 //! ```
 
 mod angle;
@@ -50,71 +52,20 @@ pub(crate) mod block;
 mod convert;
 mod literal;
 mod log2;
+pub(crate) mod number;
 mod reciprocal;
 pub(crate) mod rsqrt;
 mod time;
 pub(crate) mod wide;
 
-pub use angle::Angle;
-pub use convert::{IntoScalar, scalar, tex_coord};
-pub use literal::{literal, literal_degrees, literal_tex_coord};
 #[doc(hidden)]
+pub use crate::message::checked;
+pub use angle::Angle;
 pub(crate) use log2::log2;
+pub use number::{Fraction, Scalar, Subpixel, TexCoord};
 pub use reciprocal::reciprocal;
 pub(crate) use reciprocal::short_reciprocal;
 pub use time::{Rate, Spin};
 
-/// Coordinates and distances: signed, 16 integer and 16 fraction bits.
-///
-/// Range −32768 to 32768 − 2⁻¹⁶, resolution 2⁻¹⁶ ≈ 1.5e-5. [`fx!`](crate::fx) writes a literal and
-/// [`scalar`] converts a float at run time. Its operators do not saturate: see [`num`](self).
-///
-/// ```
-/// use fixel::{Scalar, fx};
-/// assert_eq!(fx!(1.5).to_bits(), 3 << 15);
-/// assert_eq!(fx!(30000).saturating_add(fx!(30000)), Scalar::MAX);
-/// ```
-pub type Scalar = fixed::types::I16F16;
-
-/// Texture coordinates in repeats of the texture: signed, 12 integer and 20 fraction bits.
-///
-/// Range −2048 to 2048 − 2⁻²⁰, resolution 2⁻²⁰ ≈ 9.5e-7. Its rounding moves a texture of 256 texels
-/// by at most 1.2e-4 texel; a [`Scalar`] would move it by 2e-3. [`vec2!`](crate::vec2) writes
-/// a pair of literals and [`tex_coord`] converts a float at run time.
-pub type TexCoord = fixed::types::I12F20;
-
-/// Screen coordinates: signed, 24 integer and 8 fraction bits of a pixel.
-///
-/// x runs to the right and y down from the top left corner of the frame. The center of a pixel has
-/// the fraction 1/2.
-///
-/// ```
-/// use fixel::num::Subpixel;
-/// // The center of the second column.
-/// assert_eq!(Subpixel::from_bits(384).to_string(), "1.5");
-/// ```
-pub type Subpixel = fixed::types::I24F8;
-
-/// Sines, cosines and components of unit vectors: signed, 2 integer and 30 fraction bits.
-///
-/// ```
-/// use fixel::{Angle, Unit};
-/// let half: Unit = Angle::from_degrees(30).sin();
-/// assert!((half - Unit::lit("0.5")).abs() < Unit::lit("0.00000001"));
-/// ```
-pub type Unit = fixed::types::I2F30;
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The module's documentation states these roundings.
-    #[test]
-    fn operators_of_the_package_fixed_round_down_and_toward_zero() {
-        let (least, half) = (Scalar::from_bits(-1), Scalar::from_bits(1 << 15));
-        assert_eq!((least * half).to_bits(), -1);
-        assert_eq!((least / Scalar::from_bits(2 << 16)).to_bits(), 0);
-        let hundreds = Scalar::from_bits(200 << 16);
-        assert_eq!(hundreds.wrapping_mul(hundreds).to_bits(), -25_536 << 16);
-    }
-}
+mod tests;

@@ -13,14 +13,11 @@ use crate::Angle;
 /// // Exact to the last bit, even after 30 days.
 /// assert_eq!(rate.angle_at(30 * 24 * 3_600_000 + 1_500), Angle::from_degrees(90));
 /// // One turn per second: sin(2πt).
-/// assert_eq!(Rate::hertz(1).angle_at(250).sin(), fixel::Unit::ONE);
+/// assert_eq!(Rate::hertz(1).angle_at(250).sin(), fixel::Fraction::ONE);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Rate {
-    /// In thousandths of a turn per minute.
-    milli_rpm: i64,
-}
+pub struct Rate(i64);
 
 /// One turn, in thousandths of a turn per minute times milliseconds.
 const TURN: u32 = 60_000_000;
@@ -29,9 +26,7 @@ impl Rate {
     /// Makes a rate from turns per minute.
     #[must_use]
     pub const fn rpm(turns: i32) -> Self {
-        Self {
-            milli_rpm: turns as i64 * 1_000,
-        }
+        Self(turns as i64 * 1_000)
     }
 
     /// Makes a rate from thousandths of a turn per minute.
@@ -43,25 +38,19 @@ impl Rate {
     /// ```
     #[must_use]
     pub const fn milli_rpm(thousandths: i32) -> Self {
-        Self {
-            milli_rpm: thousandths as i64,
-        }
+        Self(thousandths as i64)
     }
 
     /// Makes a rate from turns per second.
     #[must_use]
     pub const fn hertz(turns: i32) -> Self {
-        Self {
-            milli_rpm: turns as i64 * 60_000,
-        }
+        Self(turns as i64 * 60_000)
     }
 
     /// Makes a rate from thousandths of a turn per second.
     #[must_use]
     pub const fn millihertz(thousandths: i32) -> Self {
-        Self {
-            milli_rpm: thousandths as i64 * 60,
-        }
+        Self(thousandths as i64 * 60)
     }
 
     /// Returns the angle reached after `ms` milliseconds, starting from 0.
@@ -85,9 +74,9 @@ impl Rate {
     /// Returns the fraction of a turn after `ms` milliseconds, in units of 1/[`TURN`]; exact.
     const fn phase(self, ms: u64) -> u32 {
         // Both factors are reduced by whole turns first: each is then below 2^26.
-        let speed = rest(self.milli_rpm.unsigned_abs());
+        let speed = rest(self.0.unsigned_abs());
         let phase = rest(speed as u64 * rest(ms) as u64);
-        if self.milli_rpm < 0 && phase > 0 {
+        if self.0 < 0 && phase > 0 {
             TURN - phase
         } else {
             phase

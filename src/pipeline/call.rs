@@ -8,7 +8,7 @@ use super::vertex::Projector;
 use crate::Error;
 use crate::mesh::{Indices, Mesh, Placement, Primitive};
 use crate::raster::{Cull, Scissor};
-use crate::view::{ModelToPicture, ProjectionKind, Viewport};
+use crate::view::{AsMvp, ProjectionKind, Viewport};
 
 /// A frame, the part of it that is drawn to, and which faces are culled.
 #[derive(Clone, Copy, Debug)]
@@ -71,7 +71,7 @@ pub(super) struct Call<'m, K> {
 impl<'m, K: ProjectionKind> Call<'m, K> {
     /// A draw call to `rows` of a frame.
     #[inline(never)]
-    pub(super) fn new<V: ModelToPicture<Kind = K>>(
+    pub(super) fn new<V: AsMvp<Kind = K>>(
         screen: &Screen,
         rows: &Range<u32>,
         mesh: &'m Mesh<'m>,

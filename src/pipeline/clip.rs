@@ -230,8 +230,8 @@ mod tests {
         ];
         for (corners, count, expected) in cases {
             let corners = corners.map(|[x, y]| {
-                let depth = Scalar::from_num(x - 6) / 4;
-                [Scalar::from_num(x), Scalar::from_num(y), depth]
+                let depth = fx!(0.25) * (x - 6);
+                [fx!(1) * x, fx!(1) * y, depth]
             });
             let polygon = clip_triangle(corners);
             assert_eq!(polygon.len(), count);
@@ -261,7 +261,7 @@ mod tests {
                 23_729_605.82,
             ),
         ] {
-            let corners = corners.map(|[x, y]| [Scalar::from_num(x), Scalar::from_num(y), fx!(0)]);
+            let corners = corners.map(|[x, y]| [fx!(1) * x, fx!(1) * y, fx!(0)]);
             let polygon = clip_triangle(corners);
             assert_eq!(polygon.len(), count, "{corners:?}");
             let places: std::vec::Vec<_> =
@@ -286,7 +286,7 @@ mod tests {
         let near = [[1, 1, 2], [5, 1, 3], [1, 5, 2]];
         let corner = [[-2100, 2000, 0], [-2100, 4000, 0], [-1000, 3100, 0]];
         for corners in [near, corner] {
-            let corners = corners.map(|corner| corner.map(Scalar::from_num));
+            let corners = corners.map(|corner| corner.map(|x| Scalar::try_from(x).unwrap()));
             assert!(clip_triangle(corners).is_empty());
         }
     }

@@ -25,7 +25,7 @@ use crate::Error;
 use crate::math::Transform;
 use crate::mesh::{Index, Mesh, Placement};
 use crate::raster::{Barycentric, ClippedVertex, DepthShift, ScreenVertex};
-use crate::view::{ModelToPicture, ProjectionKind};
+use crate::view::{AsMvp, ProjectionKind};
 
 /// A vertex on the screen, or the barycentric weights of the vertex before it.
 ///
@@ -82,7 +82,7 @@ pub(super) struct PreparedCall<'a, K> {
 
 impl<'a, K: ProjectionKind> PreparedCall<'a, K> {
     #[inline]
-    fn new<V: ModelToPicture<Kind = K>>(
+    fn new<V: AsMvp<Kind = K>>(
         screen: Screen,
         mesh: &'a Mesh<'a>,
         mvp: &V,

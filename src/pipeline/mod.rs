@@ -42,7 +42,7 @@ use crate::mesh::{Mesh, Missing, Outline, Sprites};
 use crate::raster::{Blitter, PointStyle};
 use crate::shade::ShaderFor;
 use crate::span::{Blit, Mode, Shading, is_plane};
-use crate::view::{ModelToPicture, ProjectionKind};
+use crate::view::{AsMvp, ProjectionKind};
 
 /// The result of a draw call: how many triangles, edges or points there were, and how many were drawn.
 ///
@@ -82,12 +82,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ///
     /// `mvp` is a [`Projection`](crate::Projection) times a camera and a model transform (an [`Mvp`](crate::Mvp)), or
     /// a projection alone. Drawing cannot fail: parts outside the view are clipped away.
-    pub fn draw(
-        &mut self,
-        mesh: &Mesh<'_>,
-        mvp: &impl ModelToPicture,
-        shader: &impl ShaderFor<C>,
-    ) -> Drawn {
+    pub fn draw(&mut self, mesh: &Mesh<'_>, mvp: &impl AsMvp, shader: &impl ShaderFor<C>) -> Drawn {
         self.draw_with(&DrawOptions::new(), mesh, mvp, shader)
     }
 
@@ -96,7 +91,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         &mut self,
         options: &DrawOptions<M, Z, B>,
         mesh: &Mesh<'_>,
-        mvp: &impl ModelToPicture,
+        mvp: &impl AsMvp,
         shader: &impl ShaderFor<C>,
     ) -> Drawn {
         let shading = (*shader, options.pixels.blending);
@@ -152,7 +147,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         &mut self,
         options: &DrawOptions<M, Z, B, L>,
         mesh: &Mesh<'_>,
-        mvp: &impl ModelToPicture,
+        mvp: &impl AsMvp,
         shader: &impl ShaderFor<C>,
     ) -> Drawn {
         let state = L::State::default();
@@ -221,7 +216,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         options: &DrawOptions<M, Z, B, L>,
         mesh: &Mesh<'_>,
         outline: &Outline<'_>,
-        mvp: &impl ModelToPicture,
+        mvp: &impl AsMvp,
         shader: &impl ShaderFor<C>,
     ) -> Drawn {
         let state = L::State::default();
@@ -237,7 +232,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         &mut self,
         options: &DrawOptions<M, Z, B>,
         mesh: &Mesh<'_>,
-        mvp: &impl ModelToPicture,
+        mvp: &impl AsMvp,
         shader: &impl ShaderFor<C>,
     ) -> Drawn {
         let shading = (*shader, options.pixels.blending);
@@ -278,7 +273,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         options: &DrawOptions<M, Z, B>,
         mesh: &Mesh<'_>,
         style: PointStyle,
-        mvp: &impl ModelToPicture,
+        mvp: &impl AsMvp,
         shader: &impl ShaderFor<C>,
     ) -> Drawn {
         let screen = options.screen(self.frame_size());
@@ -347,7 +342,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// ]);
     /// # Ok::<(), Error>(())
     /// ```
-    pub fn draw_sprites<M: Mode, Z: DepthTest, B: Blending<C>, V: ModelToPicture>(
+    pub fn draw_sprites<M: Mode, Z: DepthTest, B: Blending<C>, V: AsMvp>(
         &mut self,
         options: &DrawOptions<M, Z, B>,
         sprites: &Sprites<'_>,
@@ -366,14 +361,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
 
     /// Sets up a draw call and runs it.
     #[inline]
-    fn run_stages<
-        M: Mode,
-        Z: DepthTest,
-        B: Copy,
-        L: Copy,
-        V: ModelToPicture,
-        P: Shading<Color = C>,
-    >(
+    fn run_stages<M: Mode, Z: DepthTest, B: Copy, L: Copy, V: AsMvp, P: Shading<Color = C>>(
         &mut self,
         options: &DrawOptions<M, Z, B, L>,
         (mesh, mvp): (&Mesh<'_>, &V),

@@ -10,7 +10,7 @@ use crate::canvas::{Canvas, DepthBuffer, Label, Storage};
 use crate::mesh::{Bounds, Positions};
 use crate::num::{Subpixel, block::BlockFloat};
 use crate::raster::ScreenVertex;
-use crate::view::{ModelToPicture, ProjectionKind};
+use crate::view::{AsMvp, ProjectionKind};
 
 /// The screen position of a point of model space; [`Canvas::project`] returns it.
 ///
@@ -21,7 +21,7 @@ use crate::view::{ModelToPicture, ProjectionKind};
 /// let canvas = Canvas::new(&mut pixels, 8, 8)?;
 /// let projection = Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(0.5), fx!(10))?;
 /// let at = canvas.project(&DrawOptions::new(), &projection, vec3!(0.5, 1, -2)).unwrap();
-/// assert_eq!((at.x.to_num(), at.y.to_num()), (5, 2));
+/// assert_eq!((at.x.floor(), at.y.floor()), (5, 2));
 /// assert_eq!(at.depth, 65535 / 4);
 /// # Ok::<(), Error>(())
 /// ```
@@ -59,7 +59,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     pub fn project<M, Z, B, L>(
         &self,
         options: &DrawOptions<M, Z, B, L>,
-        mvp: &impl ModelToPicture,
+        mvp: &impl AsMvp,
         point: Vec3,
     ) -> Option<ScreenPoint> {
         let viewport = options.screen(self.frame_size()).viewport;
@@ -169,7 +169,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         &self,
         options: &DrawOptions<M, Z, B, L>,
         bounds: &Bounds,
-        mvp: &impl ModelToPicture,
+        mvp: &impl AsMvp,
     ) -> bool {
         let screen = options.screen(self.frame_size());
         let projector = Projector::new(
@@ -213,7 +213,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
-    pub fn size_on_screen<M, Z, B, L, V: ModelToPicture>(
+    pub fn size_on_screen<M, Z, B, L, V: AsMvp>(
         &self,
         options: &DrawOptions<M, Z, B, L>,
         bounds: &Bounds,

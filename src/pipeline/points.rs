@@ -30,7 +30,7 @@ impl HalfSize {
         // A unit of world space at distance 1 takes `scale` halves of the viewport's height.
         let [_, row] = &projection.rows;
         let [_, scale, ..] = row.m;
-        let [_, height] = viewport.size();
+        let height = viewport.size().height;
         let size = size
             .times(BlockFloat::new(scale.into(), row.exp))
             .times(BlockFloat::new(height.into(), 2));

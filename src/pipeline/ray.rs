@@ -10,8 +10,8 @@ use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt::{cross, unit};
 use crate::num::wide::{dot, product};
 use crate::raster::Cull;
-use crate::view::ModelToPicture;
-use crate::{Error, Scalar, Unit, Vec3};
+use crate::view::AsMvp;
+use crate::{Error, Fraction, Scalar, Vec3};
 
 /// A half-line: the points that are seen at a pixel, or the path of a shot.
 ///
@@ -43,7 +43,7 @@ pub struct Ray {
 /// let triangle = Mesh::new(&positions, &[[0, 1, 2]])?;
 /// let hit = Ray::new(vec3!(1, 2, 9), vec3!(0, 0, -1))?.hit(&triangle).unwrap();
 /// assert_eq!((hit.face, hit.point, hit.distance), (0, vec3!(1, 2, 0), fx!(9)));
-/// assert_eq!(hit.barycentric.map(|part| part.to_num::<f64>()), [0.25, 0.25, 0.5]);
+/// assert_eq!(hit.barycentric.map(f64::from), [0.25, 0.25, 0.5]);
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -56,7 +56,7 @@ pub struct Hit {
     /// The distance of the point from the ray's origin, in the model's units, rounded to nearest; saturates.
     pub distance: Scalar,
     /// The weights of the face's three corners at the point, from 0 to 1, accurate to 2⁻²⁹. Their sum is 1.
-    pub barycentric: [Unit; 3],
+    pub barycentric: [Fraction; 3],
 }
 
 impl Ray {
@@ -143,7 +143,7 @@ impl Ray {
             face,
             point: Vec3::from_bits([mix(0), mix(1), mix(2)]),
             distance: view.distance(ahead),
-            barycentric: barycentric.map(Unit::from_bits),
+            barycentric: barycentric.map(Fraction::from_bits),
         })
     }
 }
@@ -338,7 +338,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// assert_eq!(hit.point.x, fx!(-1));
     /// // A hit is a point of the model, so it can be projected back.
     /// let at = canvas.project(&DrawOptions::new(), &mvp, hit.point).unwrap();
-    /// assert_eq!((at.x.to_num(), at.y.to_num()), (16, 12));
+    /// assert_eq!((at.x.floor(), at.y.floor()), (16, 12));
     ///
     /// let beside = canvas.ray(&DrawOptions::new(), &mvp, Point::new(2, 12)).unwrap();
     /// assert_eq!(beside.hit(&BOX), None);
@@ -371,7 +371,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     pub fn ray<M, Z, B, L>(
         &self,
         options: &DrawOptions<M, Z, B, L>,
-        mvp: &impl ModelToPicture,
+        mvp: &impl AsMvp,
         pixel: Point,
     ) -> Option<Ray> {
         let screen = options.screen(self.frame_size());

@@ -15,7 +15,7 @@ use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt::unit;
 use crate::num::wide::{dot, product};
 use crate::raster::{Blitter, Cull, Scissor};
-use crate::view::{ModelToPicture, Projection, ProjectionKind, Viewport};
+use crate::view::{AsMvp, Projection, ProjectionKind, Viewport};
 use crate::{Scalar, Vec2, Vec3};
 
 /// How many sprites are drawn as one mesh. Their corners take half of the vertex cache.
@@ -145,7 +145,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
     #[inline(never)]
     pub(super) fn new(
         sprites: &'s Sprites<'s>,
-        mvp: &impl ModelToPicture<Kind = K>,
+        mvp: &impl AsMvp<Kind = K>,
         viewport: &Viewport,
     ) -> Self {
         let (projection, view): (&Projection<K>, _) = (mvp.projection_of(), mvp.model_view_of());
@@ -244,7 +244,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
         let mut scale = BlockFloat::new(scale.to_bits().into(), 16);
         if self.grows {
             // Nothing behind the eye is visible.
-            let distance = position.z.saturating_neg().to_bits().max(0);
+            let distance = (-position.z).to_bits().max(0);
             scale = BlockFloat::new(scale.value * i64::from(distance), 32);
         }
         if last.0 != scale {

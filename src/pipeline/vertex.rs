@@ -105,7 +105,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             };
             (depth, BlockFloat::new(1, 0))
         };
-        let [width, height] = viewport.size().map(u32::cast_signed);
+        let [width, height] = [viewport.width, viewport.height].map(u32::cast_signed);
         let [x, y] = &projection.rows;
         let lines = [depth, scaled(x, &unit, width), scaled(y, &unit, -height)];
         let mut clip = compose(&lines, view);

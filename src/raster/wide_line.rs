@@ -4,6 +4,7 @@ use super::edge::Edge;
 use super::line::Course;
 use super::scissor::meet;
 use super::{ClippedVertex, Rasterizer, SmoothLine};
+use crate::error::{check_range, ok};
 use crate::{Error, Scalar};
 
 /// Lines of a width in pixels. For anti-aliased ones, see [`smooth`](Self::smooth).
@@ -68,17 +69,11 @@ impl LineWidth {
     ///
     /// # Errors
     ///
-    /// [`Error::LineWidth`] unless it lies between 1 and [`MAX`](Self::MAX).
+    /// [`Error::OutOfRange`] unless it lies between 1 and [`MAX`](Self::MAX).
     pub const fn new(pixels: Scalar) -> Result<Self, Error> {
-        let bits = pixels.to_bits();
-        if bits < 1 << 16 || bits > Self::MAX.to_bits() {
-            return Err(Error::LineWidth {
-                width: pixels,
-                max: Self::MAX,
-            });
-        }
+        ok!(check_range("line width", pixels, [Scalar::ONE, Self::MAX]));
         Ok(Self {
-            half: (bits + (1 << 8)) >> 9,
+            half: (pixels.to_bits() + (1 << 8)) >> 9,
         })
     }
 

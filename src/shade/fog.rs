@@ -6,6 +6,7 @@ use embedded_graphics::geometry::Point;
 
 use super::ramp::Ramp;
 use super::{Fragment, Illumination, Output, PixelFormat, Precise, Shader, Within};
+use crate::error::{check_range, ok};
 use crate::mesh::Primitive;
 use crate::num::wide::clamp_negative;
 use crate::sealed::{Sealed, sealed};
@@ -177,10 +178,11 @@ impl<C: PixelFormat> Fog<C> {
     ///
     /// # Errors
     ///
-    /// [`Error::FogRange`] if `far` is not beyond `near`.
+    /// [`Error::Empty`] if `far` is not beyond `near`.
     pub const fn linear(color: C, near: Scalar, far: Scalar) -> Result<Self, Error> {
         let Some(range) = Ramp::new(near, far, BITS) else {
-            return Err(Error::FogRange { near, far });
+            let (of, low, high) = ("fog", near, far);
+            return Err(Error::Empty { of, low, high });
         };
         let far = far.to_bits();
         Ok(Self {
@@ -195,11 +197,13 @@ impl<C: PixelFormat> Fog<C, ExponentialFog> {
     ///
     /// # Errors
     ///
-    /// [`Error::FogDensity`] if `density` is below 0.
+    /// [`Error::OutOfRange`] if `density` is below 0.
     pub const fn exponential(color: C, density: Scalar) -> Result<Self, Error> {
-        if density.to_bits() < 0 {
-            return Err(Error::FogDensity { density });
-        }
+        ok!(check_range(
+            "density of the fog",
+            density,
+            [Scalar::ZERO, Scalar::MAX]
+        ));
         Ok(Self {
             color,
             density: ExponentialFog {
@@ -346,13 +350,12 @@ mod tests {
     #[test]
     fn bad_fog_is_refused() {
         let white = Gray8::WHITE;
-        for (near, far) in [(fx!(2), fx!(2)), (fx!(3), fx!(2))] {
-            let refused = Fog::linear(white, near, far);
-            assert_eq!(refused, Err(Error::FogRange { near, far }));
+        for (low, high) in [(fx!(2), fx!(2)), (fx!(3), fx!(2))] {
+            let (of, refused) = ("fog", Fog::linear(white, low, high));
+            assert_eq!(refused, Err(Error::Empty { of, low, high }));
         }
-        let density = fx!(-0.1);
-        let refused = Fog::exponential(white, density);
-        assert_eq!(refused, Err(Error::FogDensity { density }));
+        let refused = Fog::exponential(white, fx!(-0.1));
+        assert!(matches!(refused, Err(Error::OutOfRange { .. })));
         assert!(Fog::linear(white, Scalar::MIN, Scalar::MAX).is_ok());
         assert!(Fog::exponential(white, fx!(0)).is_ok());
     }
@@ -374,7 +377,7 @@ mod tests {
         let [near, far] = [fx!(1), fx!(3)];
         let fog = Fog::linear(Gray8::WHITE, near, far).unwrap();
         for distance in (0..4 << 16).map(Scalar::from_bits) {
-            let left = (far - distance).to_num::<f64>() / 2.;
+            let left = f64::from(far - distance) / 2.;
             let varying = fog.density.varying(distance);
             let parts = f64::from(1 << BITS);
             // The varying is cut to 2^-BITS.
@@ -401,8 +404,8 @@ mod tests {
             for distance in [Scalar::MIN, fx!(0), Scalar::MAX] {
                 // In units of 2^-14, of which 256 are half of 1/32.
                 let varying = fog.density.varying(distance);
-                let exact = (distance.to_num::<f64>() - far.to_num::<f64>())
-                    / (far.to_num::<f64>() - near.to_num::<f64>())
+                let exact = (f64::from(distance) - f64::from(far))
+                    / (f64::from(far) - f64::from(near))
                     * 16_384.
                     + 256.;
                 let exact = exact.clamp(-(2_f64.powi(30)), 2_f64.powi(30));

@@ -57,12 +57,16 @@ impl<C: PixelFormat> Gradient<C> {
     ///
     /// # Errors
     ///
-    /// [`Error::Heights`] if the second height is not above the first one.
+    /// [`Error::Empty`] if the second height is not above the first one.
     pub fn new(
         (bottom, low): (Scalar, Rgb888),
         (top, high): (Scalar, Rgb888),
     ) -> Result<Self, Error> {
-        let ramp = Ramp::new(bottom, top, BITS).ok_or(Error::Heights { bottom, top })?;
+        let ramp = Ramp::new(bottom, top, BITS).ok_or(Error::Empty {
+            of: "gradient",
+            low: bottom,
+            high: top,
+        })?;
         let (low, [r, g, b]) = (
             Precise::<C>::of_rgb(low).levels(),
             Precise::<C>::of_rgb(high).levels(),
@@ -161,8 +165,8 @@ mod tests {
 
     #[test]
     fn heights_in_the_wrong_order_are_refused() {
-        let (bottom, top) = (fx!(2), fx!(2));
-        let made = Gradient::<Rgb565>::new((bottom, Rgb888::RED), (top, Rgb888::BLUE));
-        assert_eq!(made, Err(Error::Heights { bottom, top }));
+        let (of, low, high) = ("gradient", fx!(2), fx!(2));
+        let made = Gradient::<Rgb565>::new((low, Rgb888::RED), (high, Rgb888::BLUE));
+        assert_eq!(made, Err(Error::Empty { of, low, high }));
     }
 }

@@ -25,7 +25,7 @@ pub struct Repeat;
 pub struct Clamp;
 
 /// How many more fraction bits a texture coordinate has than texels.
-const FINER: u32 = TexCoord::FRAC_NBITS - 16;
+const FINER: u32 = TexCoord::FRAC_BITS - 16;
 
 /// Converts texture coordinates, in units of 2⁻²⁰ repeat and counted from `origin`, to texels with 16 fraction bits:
 /// rounded to nearest, saturated.
@@ -57,7 +57,7 @@ pub(crate) fn origin<A: Addressing>([a, b, c]: [i32; 3]) -> i32 {
     if A::CLAMPS {
         return 0;
     }
-    a.min(b).min(c) >> TexCoord::FRAC_NBITS << TexCoord::FRAC_NBITS
+    a.min(b).min(c) >> TexCoord::FRAC_BITS << TexCoord::FRAC_BITS
 }
 
 /// The column or row for a whole number of texels, which may lie beyond the edges. Samplers already wrap.

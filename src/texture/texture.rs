@@ -56,7 +56,7 @@ impl<'a, C: Copy> Texture<'a, C> {
     /// let error = Texture::new(&texels, 16, 8).unwrap_err();
     /// assert_eq!(error.to_string(), "slice has 64 elements: exactly 128 are needed");
     /// let error = Texture::new(&texels, 64, 0).unwrap_err();
-    /// assert_eq!(error.to_string(), "height is 0: it must be a power of two, at most 32768");
+    /// assert_eq!(error.to_string(), "height is 0: it must be a power of two, at most 32768, such as 1");
     /// # Ok::<(), Error>(())
     /// ```
     ///

@@ -2,6 +2,7 @@
 
 use embedded_graphics::geometry::Size;
 
+use crate::num::block::saturated;
 use crate::{Error, Scalar};
 
 /// The width of a picture relative to its height.
@@ -18,10 +19,8 @@ use crate::{Error, Scalar};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Aspect {
-    /// In units of 2^-16.
-    width: i64,
-    /// In units of 2^-16.
-    height: i64,
+    /// Width and height in units of 2^-16.
+    size: [i64; 2],
 }
 
 impl Aspect {
@@ -31,26 +30,20 @@ impl Aspect {
     ///
     /// [`Error::Aspect`] otherwise.
     pub(super) fn checked(self) -> Result<(i64, i64), Error> {
-        if self.width > 0 && self.height > 0 {
-            Ok((self.width, self.height))
-        } else {
-            // A size in pixels may be out of range.
-            let scalar =
-                |v: i64| Scalar::from_bits(v.clamp(i32::MIN.into(), i32::MAX.into()) as i32);
-            Err(Error::Aspect {
-                width: scalar(self.width),
-                height: scalar(self.height),
-            })
+        let [width, height] = self.size;
+        if width > 0 && height > 0 {
+            return Ok((width, height));
         }
+        // A size in pixels may be out of range.
+        let [width, height] = self.size.map(|v| Scalar::from_bits(saturated(v)));
+        Err(Error::Aspect { width, height })
     }
 }
 
 impl From<(u32, u32)> for Aspect {
     fn from((width, height): (u32, u32)) -> Self {
-        Self {
-            width: i64::from(width) << 16,
-            height: i64::from(height) << 16,
-        }
+        let size = [width, height].map(|v| i64::from(v) << 16);
+        Self { size }
     }
 }
 
@@ -62,9 +55,7 @@ impl From<Size> for Aspect {
 
 impl From<Scalar> for Aspect {
     fn from(ratio: Scalar) -> Self {
-        Self {
-            width: ratio.to_bits().into(),
-            height: Scalar::ONE.to_bits().into(),
-        }
+        let size = [ratio, Scalar::ONE].map(|v| v.to_bits().into());
+        Self { size }
     }
 }

@@ -121,7 +121,7 @@ impl Camera {
     /// which then lies behind it. A tilt above 90 degrees shows the world upside down, seen from the back.
     #[must_use]
     pub fn trimetric(target: Vec3, distance: Scalar, turn: Angle, tilt: Angle) -> Self {
-        let back = Vec3::new(Scalar::ZERO, Scalar::ZERO, distance.saturating_neg());
+        let back = Vec3::new(Scalar::ZERO, Scalar::ZERO, -distance);
         Self {
             view: Transform::translate(back)
                 * Transform::rotate_x(tilt)
@@ -166,6 +166,7 @@ impl Camera {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fx;
     use crate::random::{Random, cases};
     use rand::Rng;
 
@@ -261,11 +262,7 @@ mod tests {
             Camera::look_at(eye, eye, Vec3::Y),
             Err(Error::EyeAtTarget { eye })
         );
-        for up in [
-            Vec3::ZERO,
-            target - eye,
-            (eye - target) * Scalar::lit("0.3"),
-        ] {
+        for up in [Vec3::ZERO, target - eye, (eye - target) * fx!(0.3)] {
             assert_eq!(
                 Camera::look_at(eye, target, up),
                 Err(Error::UpAlongView { up })

@@ -12,7 +12,7 @@ mod window;
 
 pub use aspect::Aspect;
 pub use camera::Camera;
-pub use mvp::{ModelToPicture, Mvp};
+pub use mvp::{AsMvp, Mvp};
 pub use projection::{Parallel, Perspective, Projection, ProjectionKind};
 pub use segment::{Segment, speed};
 pub use viewport::Viewport;

@@ -25,6 +25,31 @@ use crate::sealed::Sealed;
 /// assert_eq!(mvp.model_view(), again.model_view());
 /// # Ok::<(), Error>(())
 /// ```
+///
+/// Draw calls also take a projection alone, for a model that is already in eye space:
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::prelude::*;
+/// let positions = [vec3!(-1, -1, -2), vec3!(1, -1, -2), vec3!(0, 1, -2)];
+/// let mesh = Mesh::new(&positions, &[[0, 1, 2]])?;
+/// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100))?;
+/// let mut pixels = [Gray8::new(0); 12];
+/// let mut canvas = Canvas::new(&mut pixels, 4, 3)?;
+/// assert_eq!(canvas.draw(&mesh, &projection, &Flat::new(Gray8::new(9))).drawn, 1);
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// A camera or a model transform alone does not compile, because it lacks a projection:
+///
+/// ```compile_fail
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::prelude::*;
+/// fn draw(canvas: &mut Canvas<'_, Gray8>, mesh: &Mesh, camera: Camera) {
+///     // error: `Camera` lacks a projection; note: write `projection * camera * model`, …
+///     canvas.draw(mesh, &camera, &Flat::new(Gray8::new(9)));
+/// }
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Mvp<K = Perspective> {
@@ -52,57 +77,39 @@ impl<K: ProjectionKind> Mvp<K> {
 impl<K> Sealed for Mvp<K> {}
 impl<K> Sealed for Projection<K> {}
 
-/// The transform from a model to the picture: an [`Mvp`], or a [`Projection`] alone for a model that is already in eye
-/// space.
-///
-/// ```
-/// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::prelude::*;
-/// let positions = [vec3!(-1, -1, -2), vec3!(1, -1, -2), vec3!(0, 1, -2)];
-/// let mesh = Mesh::new(&positions, &[[0, 1, 2]])?;
-/// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100))?;
-/// let mut pixels = [Gray8::new(0); 12];
-/// let mut canvas = Canvas::new(&mut pixels, 4, 3)?;
-/// assert_eq!(canvas.draw(&mesh, &projection, &Flat::new(Gray8::new(9))).drawn, 1);
-/// # Ok::<(), Error>(())
-/// ```
-///
-/// A camera or a model transform alone does not compile, because it lacks a projection:
-///
-/// ```compile_fail
-/// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::prelude::*;
-/// fn draw(canvas: &mut Canvas<'_, Gray8>, mesh: &Mesh, camera: Camera) {
-///     // error: `Camera` lacks a projection; note: write `projection * camera * model`, …
-///     canvas.draw(mesh, &camera, &Flat::new(Gray8::new(9)));
-/// }
-/// ```
+/// What a draw call takes for a model-view-projection: an [`Mvp`], or a [`Projection`] alone.
+#[doc(hidden)]
 #[diagnostic::on_unimplemented(
     message = "`{Self}` lacks a projection",
     label = "this is not a model-view-projection",
     note = "write `projection * camera * model`, or a `Projection` alone for a model in eye space"
 )]
-pub trait ModelToPicture: Sealed {
+pub trait AsMvp: Sealed {
     /// The kind of projection.
     type Kind: ProjectionKind;
 
-    #[doc(hidden)]
     fn projection_of(&self) -> &Projection<Self::Kind>;
 
     /// From world to eye space.
-    #[doc(hidden)]
-    fn camera_of(&self) -> &Transform;
+    #[inline]
+    fn camera_of(&self) -> &Transform {
+        &Transform::IDENTITY
+    }
 
     /// From model to world space.
-    #[doc(hidden)]
-    fn model_of(&self) -> &Transform;
+    #[inline]
+    fn model_of(&self) -> &Transform {
+        &Transform::IDENTITY
+    }
 
     /// From model to eye space.
-    #[doc(hidden)]
-    fn model_view_of(&self) -> Transform;
+    #[inline]
+    fn model_view_of(&self) -> Transform {
+        Transform::IDENTITY
+    }
 }
 
-impl<K: ProjectionKind> ModelToPicture for Mvp<K> {
+impl<K: ProjectionKind> AsMvp for Mvp<K> {
     type Kind = K;
 
     #[inline]
@@ -126,27 +133,12 @@ impl<K: ProjectionKind> ModelToPicture for Mvp<K> {
     }
 }
 
-impl<K: ProjectionKind> ModelToPicture for Projection<K> {
+impl<K: ProjectionKind> AsMvp for Projection<K> {
     type Kind = K;
 
     #[inline]
     fn projection_of(&self) -> &Self {
         self
-    }
-
-    #[inline]
-    fn camera_of(&self) -> &Transform {
-        &Transform::IDENTITY
-    }
-
-    #[inline]
-    fn model_of(&self) -> &Transform {
-        &Transform::IDENTITY
-    }
-
-    #[inline]
-    fn model_view_of(&self) -> Transform {
-        Transform::IDENTITY
     }
 }
 

@@ -20,7 +20,7 @@ mod tests;
 ///
 /// /// Works for both kinds.
 /// fn depth_of_view<K: ProjectionKind>(projection: &Projection<K>) -> Scalar {
-///     projection.far().saturating_sub(projection.near())
+///     projection.far() - projection.near()
 /// }
 /// ```
 pub trait ProjectionKind: Sealed + Copy + core::fmt::Debug {
@@ -134,20 +134,12 @@ fn scalar(number: BlockFloat) -> Scalar {
     Scalar::from_bits(block::fixed(number.value, number.exp, 16))
 }
 
-fn check_far(near: Scalar, far: Scalar) -> Result<(), Error> {
-    if far > near {
-        Ok(())
-    } else {
-        Err(Error::Far { near, far })
-    }
-}
-
-/// Returns the difference and the sum of a pair of edges, in units of 2^-16: 33 bits.
-fn extent(low: Scalar, high: Scalar) -> Result<(i64, i64), Error> {
+/// Returns the distance between two numbers and their sum, in units of 2^-16: 33 bits.
+fn extent(of: &'static str, low: Scalar, high: Scalar) -> Result<(i64, i64), Error> {
     if low < high {
         Ok((bits(high) - bits(low), bits(high) + bits(low)))
     } else {
-        Err(Error::EmptyWindow { low, high })
+        Err(Error::Empty { of, low, high })
     }
 }
 
@@ -192,7 +184,7 @@ impl<K: ProjectionKind> Projection<K> {
 
     /// The width and height in eye space of a pixel: in perspective, at a distance of 1.
     pub(crate) fn pixel(&self, viewport: &Viewport) -> [BlockFloat; 2] {
-        let [width, height] = viewport.size();
+        let [width, height] = [viewport.width, viewport.height];
         [(0, width), (1, height)].map(|(axis, size): (usize, u32)| {
             let size = BlockFloat::new(size.into(), 0);
             BlockFloat::new(2, 0).over(self.rows[axis].coefficient(axis).times(size))

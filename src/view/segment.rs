@@ -1,6 +1,6 @@
 //! A segment in perspective: fractions of its picture, and fractions of the segment itself.
 
-use crate::num::Unit;
+use crate::num::Fraction;
 use crate::{Scalar, Vec3};
 
 /// A segment in space, given by the distances of its two ends ahead of the eye.
@@ -13,12 +13,12 @@ use crate::{Scalar, Vec3};
 ///
 /// ```
 /// use fixel::view::Segment;
-/// use fixel::{fx, Unit};
+/// use fixel::{fx, Fraction};
 /// let segment = Segment::new(fx!(1), fx!(4)).unwrap();
-/// let half = Unit::lit("0.5");
+/// let half = Fraction::ONE / 2;
 /// assert_eq!(segment.distance(half), Some(fx!(1.6)));
-/// assert_eq!(segment.in_space(half), Some(Unit::lit("0.2")));
-/// assert_eq!(segment.on_screen(Unit::lit("0.2")), Some(half));
+/// assert_eq!(segment.in_space(half), Some(Fraction::ONE / 5));
+/// assert_eq!(segment.on_screen(Fraction::ONE / 5), Some(half));
 /// assert_eq!(segment.attribute(fx!(10), fx!(20), half), Some(fx!(12)));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -56,7 +56,7 @@ impl Segment {
 
     /// Returns the weights of the two ends at a fraction q of the picture: (1 − q)/w₀ and q/w₁, both
     /// times w₀·w₁·2^46.
-    fn weights(self, on_screen: Unit) -> (i128, i128) {
+    fn weights(self, on_screen: Fraction) -> (i128, i128) {
         let q = i128::from(on_screen.to_bits());
         ((ONE - q) * bits(self.end), q * bits(self.start))
     }
@@ -66,7 +66,7 @@ impl Segment {
     /// `None` if the line of sight does not meet the segment's line ahead of the eye, which happens
     /// only for fractions below 0 or above 1; or if the distance is out of range.
     #[must_use]
-    pub fn distance(self, on_screen: Unit) -> Option<Scalar> {
+    pub fn distance(self, on_screen: Fraction) -> Option<Scalar> {
         let (a, b) = self.weights(on_screen);
         divide(bits(self.start) * bits(self.end) * ONE, a + b).map(Scalar::from_bits)
     }
@@ -76,9 +76,9 @@ impl Segment {
     ///
     /// `None` in the cases of [`distance`](Self::distance).
     #[must_use]
-    pub fn in_space(self, on_screen: Unit) -> Option<Unit> {
+    pub fn in_space(self, on_screen: Fraction) -> Option<Fraction> {
         let (a, b) = self.weights(on_screen);
-        divide(b * ONE, a + b).map(Unit::from_bits)
+        divide(b * ONE, a + b).map(Fraction::from_bits)
     }
 
     /// Returns the fraction of the picture at a fraction t of the segment:
@@ -86,7 +86,7 @@ impl Segment {
     ///
     /// `None` in the cases of [`distance`](Self::distance).
     #[must_use]
-    pub fn on_screen(self, in_space: Unit) -> Option<Unit> {
+    pub fn on_screen(self, in_space: Fraction) -> Option<Fraction> {
         // The inverse is the same formula with the distances exchanged.
         let swapped = Self {
             start: self.end,
@@ -100,7 +100,7 @@ impl Segment {
     ///
     /// `None` in the cases of [`distance`](Self::distance).
     #[must_use]
-    pub fn attribute(self, a: Scalar, b: Scalar, on_screen: Unit) -> Option<Scalar> {
+    pub fn attribute(self, a: Scalar, b: Scalar, on_screen: Fraction) -> Option<Scalar> {
         let (at_start, at_end) = self.weights(on_screen);
         divide(bits(a) * at_start + bits(b) * at_end, at_start + at_end).map(Scalar::from_bits)
     }
@@ -150,7 +150,7 @@ mod tests {
             let v = random.random::<[i32; 8]>();
             let s = Scalar::from_bits;
             if let Some(segment) = Segment::new(s(w[0]), s(w[1])) {
-                let f = Unit::from_bits(f);
+                let f = Fraction::from_bits(f);
                 let _ = (
                     segment.distance(f),
                     segment.in_space(f),
@@ -187,7 +187,7 @@ mod tests {
             }
         }
         let s = Segment::new(Scalar::MAX, Scalar::DELTA).unwrap();
-        for q in [Unit::MIN, Unit::MAX, Unit::ONE, Unit::ZERO] {
+        for q in [Fraction::MIN, Fraction::MAX, Fraction::ONE, Fraction::ZERO] {
             let _ = (s.distance(q), s.in_space(q), s.on_screen(q));
             let _ = s.attribute(Scalar::MIN, Scalar::MAX, q);
         }

@@ -2,7 +2,8 @@
 
 use core::ops::Range;
 
-use embedded_graphics::geometry::Size;
+use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::primitives::Rectangle;
 
 use crate::Error;
 
@@ -11,9 +12,12 @@ use crate::Error;
 /// It may reach beyond the canvas; pixels outside are not drawn.
 ///
 /// ```
+/// use embedded_graphics::{geometry::{Point, Size}, primitives::Rectangle};
 /// use fixel::{Error, Viewport};
 /// let right_half = Viewport::new(160, 0, 160, 240)?;
-/// assert_eq!(right_half.width(), 160);
+/// let area = Rectangle::new(Point::new(160, 0), Size::new(160, 240));
+/// assert_eq!(Viewport::try_from(area), Ok(right_half));
+/// assert_eq!(right_half.size(), area.size);
 /// assert!(Viewport::new(0, 0, 0, 240).is_err());
 /// # Ok::<(), Error>(())
 /// ```
@@ -53,28 +57,16 @@ impl Viewport {
         })
     }
 
-    /// Returns the column of the left edge.
+    /// Returns the top left corner.
     #[must_use]
-    pub const fn x(&self) -> i32 {
-        self.x
+    pub const fn top_left(&self) -> Point {
+        Point::new(self.x, self.y)
     }
 
-    /// Returns the row of the top edge.
+    /// Returns width and height.
     #[must_use]
-    pub const fn y(&self) -> i32 {
-        self.y
-    }
-
-    /// Returns the width in pixels.
-    #[must_use]
-    pub const fn width(&self) -> u32 {
-        self.width
-    }
-
-    /// Returns the height in pixels.
-    #[must_use]
-    pub const fn height(&self) -> u32 {
-        self.height
+    pub const fn size(&self) -> Size {
+        Size::new(self.width, self.height)
     }
 
     /// Returns the viewport that covers a whole frame.
@@ -85,11 +77,6 @@ impl Viewport {
             width: frame.width,
             height: frame.height,
         }
-    }
-
-    /// Returns width and height in pixels.
-    pub(crate) const fn size(&self) -> [u32; 2] {
-        [self.width, self.height]
     }
 
     /// Returns the center, where the line of sight meets the picture, in units of 1/256 pixel.
@@ -106,5 +93,14 @@ impl Viewport {
             self.x..self.x + self.width.cast_signed(),
             self.y..self.y + self.height.cast_signed(),
         ]
+    }
+}
+
+impl TryFrom<Rectangle> for Viewport {
+    type Error = Error;
+
+    /// Returns [`Viewport::new`] of the rectangle's corner and size.
+    fn try_from(Rectangle { top_left, size }: Rectangle) -> Result<Self, Error> {
+        Self::new(top_left.x, top_left.y, size.width, size.height)
     }
 }

@@ -36,7 +36,8 @@ const FOLD: f64 = 0.0029;
 const PLANES: f64 = 1. / 16_777_216.;
 
 fn projection() -> Projection<fixel::view::Perspective> {
-    Projection::from_focal_length(Scalar::from_num(FOCAL), SIZE, fx!(0.25), fx!(24)).unwrap()
+    Projection::from_focal_length(Scalar::try_from(FOCAL).unwrap(), SIZE, fx!(0.25), fx!(24))
+        .unwrap()
 }
 
 /// The model's view, with near and far planes moved outwards by a fraction of their distance.

@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 
-use fixel::num::{TexCoord, tex_coord};
 use fixel::prelude::*;
 use fixel::view::Perspective;
 
@@ -23,7 +22,7 @@ const TEXELS: f64 = 256.;
 /// Fraction bits of the interpolated u and v: 4 more than a vertex has.
 const UV_BITS: i32 = 24;
 /// The largest rounding error of a vertex's u or v, in texels.
-pub const ROUNDING: f64 = TEXELS / (2 << TexCoord::FRAC_NBITS) as f64;
+pub const ROUNDING: f64 = TEXELS / (2 << TexCoord::FRAC_BITS) as f64;
 /// A little more than the bound of a vertex's error: rounding moves it by up to 1/512 pixel along each axis.
 const SNAP: f64 = 1. / 256.;
 
@@ -101,7 +100,12 @@ impl Scene {
             .uvs
             .iter()
             .flatten()
-            .map(|&[u, v]| Vec2::new(tex_coord(u).unwrap(), tex_coord(v).unwrap()))
+            .map(|&[u, v]| {
+                Vec2::new(
+                    TexCoord::try_from(u).unwrap(),
+                    TexCoord::try_from(v).unwrap(),
+                )
+            })
             .collect();
         let index = |i: usize| u16::try_from(i).unwrap();
         let (transform, eye) = product(moves);
@@ -117,7 +121,9 @@ impl Scene {
                 faces: shape.faces.clone(),
                 uvs: uvs
                     .chunks(3)
-                    .map(|face| std::array::from_fn(|i| [face[i].x.to_num(), face[i].y.to_num()]))
+                    .map(|face| {
+                        std::array::from_fn(|i| [f64::from(face[i].x), f64::from(face[i].y)])
+                    })
                     .collect(),
             },
             unrounded: shape.uvs.clone(),

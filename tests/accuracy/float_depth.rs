@@ -186,7 +186,7 @@ fn triangle(random: &mut Random, farthest: f64) -> Triangle<Perspective, 0> {
         let w = NEAR * 1.02 * (nearest + octaves * random.random_range(0.0..1.)).exp2();
         unproject(at, w.min(farthest))
     });
-    let w = positions.map(|p| -p.z.to_num::<f64>());
+    let w = positions.map(|p| -f64::from(p.z));
     Triangle {
         size: SIZE,
         mvp: projection(NEAR, 32_000.).into(),

@@ -107,8 +107,8 @@ fn fog_is_correct_in_perspective_at_every_pixel() {
         let Some(corners) = plane.corners() else {
             return;
         };
-        let [near, far] = [near, near + length].map(|at| Scalar::from_num(at * distance));
-        let left = |z: f64| linear(z, near.to_num(), far.to_num());
+        let [near, far] = [near, near + length].map(|at| Scalar::try_from(at * distance).unwrap());
+        let left = |z: f64| linear(z, f64::from(near), f64::from(far));
         let gray = |color: Gray8| f64::from(color.luma()) / 255.;
 
         let fog = Fog::linear(Gray8::WHITE, near, far).unwrap();
@@ -131,7 +131,7 @@ fn fog_is_correct_in_perspective_at_every_pixel() {
 
         // The parabola is off by at most 0.0019, and its products by 3 units of 2^-14. The density has steps of 2^-16,
         // and the logarithm's factor is off by 3e-5.
-        let density = Scalar::from_num(density / distance);
+        let density = Scalar::try_from(density / distance).unwrap();
         let fog = Fog::exponential(Gray8::WHITE, density).unwrap();
         let shown = white(
             Flat::new(Gray8::BLACK).in_fog(fog),
@@ -140,7 +140,7 @@ fn fog_is_correct_in_perspective_at_every_pixel() {
             gray,
         );
         check(&plane, &shown, 255., 256., 0.0022, |z| {
-            exponential(z, density.to_num())
+            exponential(z, f64::from(density))
         });
     });
 }

@@ -4,7 +4,6 @@ use std::array::from_fn;
 
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::mesh::Bounds;
-use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;
@@ -202,8 +201,8 @@ fn boxes_in_perspective_are_in_view_as_in_the_model() {
         let model = projection::perspective(
             crate::moves::radians(fov),
             aspect,
-            near.to_num(),
-            far.to_num(),
+            f64::from(near),
+            f64::from(far),
         );
         let projection = Projection::perspective(fov, SIZE, near, far).unwrap();
         check((projection, model), &moves, &bounds, rows);
@@ -215,9 +214,11 @@ fn boxes_in_parallel_are_in_view_as_in_the_model() {
     cases(2000, |random| {
         let (moves, bounds, rows) = (moves(random), bounds(random), rows(random));
         let half = random.random_range(1.0..40_f64);
-        let window = Window::centered(scalar(2. * half).unwrap(), scalar(1.5 * half).unwrap());
-        let [l, r, b, t] =
-            [window.left, window.right, window.bottom, window.top].map(|x| x.to_num());
+        let window = Window::centered(
+            Scalar::try_from(2. * half).unwrap(),
+            Scalar::try_from(1.5 * half).unwrap(),
+        );
+        let [l, r, b, t] = [window.left, window.right, window.bottom, window.top].map(f64::from);
         let model = projection::orthographic(l, r, b, t, -20., 40.);
         let projection = Projection::orthographic(window, fx!(-20), fx!(40)).unwrap();
         check((projection, model), &moves, &bounds, rows);

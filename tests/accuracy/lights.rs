@@ -52,7 +52,7 @@ fn vector(random: &mut Random) -> Vec3 {
 }
 
 fn scalar(random: &mut Random, low: f64, high: f64) -> Scalar {
-    Scalar::from_num(random.random_range(low..=high))
+    Scalar::try_from(random.random_range(low..=high)).unwrap()
 }
 
 /// A point of a surface in both number formats.
@@ -113,7 +113,8 @@ fn lamps_follow_lambert_and_their_falloff() {
             let reach = random.random_range(0.2..30.);
             let brightness = scalar(random, 0., 1.);
             let (falloff, model) = falloff(random);
-            let range = Scalar::saturating_from_num((length(f64s(way)) * reach).max(1. / 256.));
+            let range =
+                Scalar::try_from((length(f64s(way)) * reach).max(1. / 256.)).unwrap_or(Scalar::MAX);
             let lamp = PointLight::new(position + way, brightness, range)
                 .unwrap()
                 .with_falloff(falloff);
@@ -125,13 +126,13 @@ fn lamps_follow_lambert_and_their_falloff() {
             };
             let source = Source::Lamp {
                 at: f64s(position + way),
-                brightness: brightness.to_num(),
-                range: range.to_num(),
+                brightness: f64::from(brightness),
+                range: f64::from(range),
                 falloff: model,
                 cone: None,
             };
             // The light ends at its range, and a constant one ends abruptly.
-            let part = length(subtract(f64s(position + way), exact.at)) / range.to_num::<f64>();
+            let part = length(subtract(f64s(position + way), exact.at)) / f64::from(range);
             if (part - 1.).abs() <= RANGE_ERROR {
                 continue;
             }
@@ -171,11 +172,11 @@ fn lamps_light_nothing_beyond_the_longest_range() {
             let source = Source::Lamp {
                 at: f64s(at),
                 brightness: 1.,
-                range: range.to_num(),
+                range: f64::from(range),
                 falloff: model,
                 cone: None,
             };
-            if (length(way) / range.to_num::<f64>() - 1.).abs() <= RANGE_ERROR {
+            if (length(way) / f64::from(range) - 1.).abs() <= RANGE_ERROR {
                 continue;
             }
             compare_diffuse(&lamp, &source, (&point, exact), LAMP_ERROR);
@@ -200,8 +201,8 @@ fn spots_end_softly() {
             let aim = random.random_range(0.0..3.) / length(aside).max(0.001);
             let axis: [f64; 3] = array::from_fn(|i| aim * aside[i] - 2. * toward[i]);
             let axis = Vec3::try_from(axis).unwrap();
-            let range = Scalar::saturating_from_num(length(f64s(way)) * 3.);
-            if axis == Vec3::ZERO || range == 0 {
+            let range = Scalar::try_from(length(f64s(way)) * 3.).unwrap_or(Scalar::MAX);
+            if axis == Vec3::ZERO || range == Scalar::ZERO {
                 continue;
             }
             let inner = random.random_range(0.0..60.);
@@ -219,8 +220,8 @@ fn spots_end_softly() {
             });
             let source = Source::Lamp {
                 at: f64s(lamp),
-                brightness: brightness.to_num(),
-                range: range.to_num(),
+                brightness: f64::from(brightness),
+                range: f64::from(range),
                 falloff: light::Falloff::Smooth,
                 cone: Some((f64s(axis), cosines)),
             };
@@ -252,7 +253,7 @@ fn highlights_follow_blinn_and_phong() {
             let shiny = sun.shiny(Viewer::at(eye), exponent, strength).unwrap();
             let source = Source::Sun {
                 toward: f64s(toward),
-                brightness: brightness.to_num(),
+                brightness: f64::from(brightness),
             };
             let (light, viewer) = (
                 normalized(f64s(toward)),
@@ -265,7 +266,7 @@ fn highlights_follow_blinn_and_phong() {
             }
             let found = f64::from(shiny.at(&point).specular.unwrap());
             let expected =
-                source.specular(exact, viewer, exponent.into()) * strength.to_num::<f64>() * UNIT;
+                source.specular(exact, viewer, exponent.into()) * f64::from(strength) * UNIT;
             let wrong = UNIT * f64::from(exponent) / 2_f64.powi(27) / sum;
             assert!(
                 (found - expected).abs() <= 4. + wrong,

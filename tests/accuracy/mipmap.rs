@@ -327,7 +327,7 @@ fn a_mipmap_of_another_length_is_refused() {
     let error = Mipmap::build(&mut texels, 4, 5).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "height is 5: it must be a power of two, at most 32768"
+        "height is 5: it must be a power of two, at most 32768, such as 8"
     );
     let mipmap = Mipmap::build(&mut texels, 4, 4).unwrap();
     let error = Textured::new(mipmap)

@@ -62,7 +62,7 @@ impl Mode {
     /// The tolerance of this mode, in texels.
     pub fn tolerance(self) -> f64 {
         match self {
-            Self::Fast(texels) => texels.to_num(),
+            Self::Fast(texels) => f64::from(texels),
             _ => 0.,
         }
     }

@@ -2,7 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use fixel::num::scalar;
 use fixel::{Angle, Scalar, Transform, Vec3};
 
 use crate::reference::linear::{self, IDENTITY, Matrix, multiply};
@@ -34,7 +33,7 @@ pub fn y(radians: f64) -> Move {
 
 /// The crate's nearest number.
 pub fn number(x: f64) -> Scalar {
-    scalar(x).unwrap()
+    Scalar::try_from(x).unwrap()
 }
 
 /// A point rounded to the crate's nearest numbers.
@@ -45,7 +44,7 @@ pub fn rounded(point: [f64; 3]) -> Vec3 {
 
 /// The exact value of a crate's point.
 pub fn exact(point: Vec3) -> [f64; 3] {
-    [point.x, point.y, point.z].map(Scalar::to_num)
+    [point.x, point.y, point.z].map(f64::from)
 }
 
 /// An angle in radians, exact to the last bit of an f64.

@@ -3,7 +3,6 @@
 use std::array;
 use std::ops::Range;
 
-use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::view::{Parallel, Perspective, ProjectionKind};
 use rand::Rng;
@@ -54,7 +53,7 @@ fn perspective(fov: Angle, near: f64, far: f64) -> (Projection<Perspective>, Mod
     let [near, far] = [near, far].map(number);
     (
         Projection::perspective(fov, SIZE, near, far).unwrap(),
-        projection::perspective(radians(fov), 4. / 3., near.to_num(), far.to_num()),
+        projection::perspective(radians(fov), 4. / 3., f64::from(near), f64::from(far)),
     )
 }
 
@@ -94,10 +93,10 @@ fn compare_spots(
         eye,
         projection: model,
         viewport: ModelViewport {
-            x: viewport.x(),
-            y: viewport.y(),
-            width: viewport.width(),
-            height: viewport.height(),
+            x: viewport.top_left().x,
+            y: viewport.top_left().y,
+            width: viewport.size().width,
+            height: viewport.size().height,
         },
     };
     let middle = view.viewport.screen([0.; 2]);
@@ -114,8 +113,8 @@ fn compare_spots(
         } else {
             GUARD
         };
-        let scale = pixels(0, viewport.width())
-            .max(pixels(1, viewport.height()))
+        let scale = pixels(0, viewport.size().width)
+            .max(pixels(1, viewport.size().height))
             .max(of_depth);
         // An offset in the projection counts as a distance too.
         let size = size(moves, p)
@@ -237,10 +236,10 @@ fn points_in_perspective_are_the_models() {
 fn points_in_a_frustum_are_the_models() {
     cases(CASES, |random| {
         let window = window(random, -3.0..1., 0.5..4.);
-        let near = scalar(random.random_range(0.5..2.)).unwrap();
+        let near = Scalar::try_from(random.random_range(0.5..2.)).unwrap();
         let projection = Projection::frustum(window, near, fx!(100)).unwrap();
         let [l, r, b, t, n] =
-            [window.left, window.right, window.bottom, window.top, near].map(Scalar::to_num);
+            [window.left, window.right, window.bottom, window.top, near].map(f64::from);
         let model = projection::frustum(l, r, b, t, n, 100.);
         let viewport = Viewport::new(0, 0, SIZE.0, SIZE.1).unwrap();
         compare((projection, model), &mvp(random), viewport, &points(random));
@@ -258,8 +257,7 @@ fn points_in_parallel_are_the_models() {
             random.random_range(100.0..20_000.)
         };
         let [n, f] = [near, near + length].map(number);
-        let exact =
-            [window.left, window.right, window.bottom, window.top, n, f].map(Scalar::to_num::<f64>);
+        let exact = [window.left, window.right, window.bottom, window.top, n, f].map(f64::from);
         let projection: (Projection<Parallel>, ModelProjection) = if random.random() {
             let [l, r, b, t, n1, f1] = exact;
             (
@@ -268,10 +266,10 @@ fn points_in_parallel_are_the_models() {
             )
         } else {
             let angle = Angle::from_bits(random.random());
-            let ratio = scalar(random.random_range(0.0..2.)).unwrap();
+            let ratio = Scalar::try_from(random.random_range(0.0..2.)).unwrap();
             (
-                Projection::oblique(angle, ratio, window, n, f).unwrap(),
-                oblique(radians(angle), ratio.to_num(), exact),
+                Projection::oblique(angle, ratio, n, window, n, f).unwrap(),
+                oblique(radians(angle), f64::from(ratio), exact),
             )
         };
         let mut moves = mvp(random);

@@ -245,8 +245,11 @@ fn side(triangle: [Vector; 3], view: &view::View) -> Option<i32> {
 /// Turns at random, and moves to a distance in front of the eye.
 fn pose(random: &mut Random, distance: f64) -> Transform {
     let [x, y, z] = random.random::<[u32; 3]>().map(Angle::from_bits);
-    Transform::translate(Vec3::new(fx!(0), fx!(0), -Scalar::from_num(distance)))
-        * Transform::rotate_x(x)
+    Transform::translate(Vec3::new(
+        fx!(0),
+        fx!(0),
+        Scalar::try_from(-distance).unwrap(),
+    )) * Transform::rotate_x(x)
         * Transform::rotate_y(y)
         * Transform::rotate_z(z)
 }

@@ -70,7 +70,7 @@ impl Scene {
         let meshes: [Mesh<'_>; 3] =
             std::array::from_fn(|i| Mesh::new(&positions[i], &faces[i]).unwrap());
         let mut objects: [Object<'_, usize>; 3] = std::array::from_fn(|i| {
-            let model = Transform::scale(Scalar::from_num(units[i]));
+            let model = Transform::scale(Scalar::try_from(units[i]).unwrap());
             Object::new(&meshes[i], model, i)
         });
         let mut list: TriangleList<40, 400> = TriangleList::new();

@@ -4,7 +4,6 @@
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::Hit;
-use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;
@@ -51,7 +50,7 @@ fn depths(model: &ModelProjection, corners: &[Projected; 3], at: [f64; 2]) -> [f
 fn check_numbers(hit: &Hit, ray: Ray, corners: [Vec3; 3]) {
     let sum: i32 = hit.barycentric.iter().map(|part| part.to_bits()).sum();
     assert_eq!(sum, 1 << 30, "{hit:?}");
-    let parts = hit.barycentric.map(|part| part.to_num::<f64>());
+    let parts = hit.barycentric.map(f64::from);
     let face = corners.map(exact);
     for (axis, found) in exact(hit.point).into_iter().enumerate() {
         let mix: f64 = parts
@@ -67,7 +66,7 @@ fn check_numbers(hit: &Hit, ray: Ray, corners: [Vec3; 3]) {
     let along = crate::reference::linear::subtract(exact(hit.point), exact(ray.origin()));
     let distance = crate::reference::linear::length(along);
     assert!(
-        (distance - hit.distance.to_num::<f64>()).abs() <= 2_f64.powi(-14),
+        (distance - f64::from(hit.distance)).abs() <= 2_f64.powi(-14),
         "{hit:?}: {distance}"
     );
 }
@@ -218,9 +217,11 @@ fn picked_faces_are_the_drawn_ones_in_perspective() {
 fn picked_faces_are_the_drawn_ones_in_parallel() {
     cases(150, |random| {
         let half = random.random_range(3.0..12.);
-        let window = Window::centered(scalar(2. * half).unwrap(), scalar(1.5 * half).unwrap());
-        let [l, r, b, t] =
-            [window.left, window.right, window.bottom, window.top].map(|x| x.to_num());
+        let window = Window::centered(
+            Scalar::try_from(2. * half).unwrap(),
+            Scalar::try_from(1.5 * half).unwrap(),
+        );
+        let [l, r, b, t] = [window.left, window.right, window.bottom, window.top].map(f64::from);
         let model = projection::orthographic(l, r, b, t, -20., 60.);
         let projection = Projection::orthographic(window, fx!(-20), fx!(60)).unwrap();
         check(

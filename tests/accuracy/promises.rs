@@ -2,7 +2,6 @@
 
 use std::array;
 
-use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::view::Perspective;
 use rand::Rng;
@@ -121,15 +120,15 @@ impl Case {
         let mut positions = [Vec3::ZERO; 3];
         for ((position, q), [x, y]) in positions.iter_mut().zip(self.inverse_w).zip(self.screen) {
             let scale = 1. / q / f64::from(FOCAL);
-            let at = [(x - 160.) * scale, (120. - y) * scale, -1. / q].map(scalar);
+            let at = [(x - 160.) * scale, (120. - y) * scale, -1. / q].map(Scalar::try_from);
             let [Ok(x), Ok(y), Ok(z)] = at else {
                 return None;
             };
             *position = Vec3::new(x, y, z);
         }
-        let w = positions.map(|p| -p.z.to_num::<f64>());
+        let w = positions.map(|p| -f64::from(p.z));
         let projection = Projection::from_focal_length(
-            Scalar::from_num(FOCAL),
+            Scalar::try_from(FOCAL).unwrap(),
             SIZE,
             fx!(0.015_625),
             fx!(32767),
@@ -176,7 +175,7 @@ struct Worst {
 fn is_promised(mode: Mode, is_precise: bool, repeats: f64, far: f64) -> bool {
     match mode {
         Mode::Exact if is_precise => repeats * far <= 1000.,
-        Mode::Fast(texels) if texels > 0 => repeats <= 1. && far <= 16.,
+        Mode::Fast(texels) if texels > Scalar::ZERO => repeats <= 1. && far <= 16.,
         _ => repeats * far <= 16.,
     }
 }

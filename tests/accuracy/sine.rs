@@ -3,7 +3,6 @@
 
 use std::collections::HashMap;
 
-use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::view::Perspective;
 use micromath::F32Ext;
@@ -34,7 +33,7 @@ const AXES: [fn(Angle) -> Transform; 2] = [Transform::rotate_x, Transform::rotat
 /// A turn about an axis by a sine and a cosine, whose point need not lie on the unit circle: a rotation by the point's
 /// direction, and a scale of the two other axes by its length. The angle is exact to 2⁻³³ of a turn, the scale to 2⁻¹⁷.
 fn turn(axis: usize, [sin, cos]: [f64; 2]) -> Transform {
-    let scale = scalar(sin.hypot(cos)).unwrap();
+    let scale = Scalar::try_from(sin.hypot(cos)).unwrap();
     let angle = Angle::try_from_radians(sin.atan2(cos)).unwrap();
     let scales = match axis {
         0 => Vec3::new(fx!(1), scale, scale),

@@ -3,7 +3,6 @@
 use std::cell::RefCell;
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::num::{scalar, tex_coord};
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;
@@ -158,8 +157,8 @@ fn compare(
     } else {
         Sprites::new
     };
-    let [u, v] = kind.anchor.map(|x| tex_coord(x).unwrap());
-    let scales = [scalar(kind.scale).unwrap()];
+    let [u, v] = kind.anchor.map(|x| TexCoord::try_from(x).unwrap());
+    let scales = [Scalar::try_from(kind.scale).unwrap()];
     let mut sprites = make(&positions, (width, height))
         .unwrap()
         .with_anchor(Vec2::new(u, v))
@@ -185,15 +184,15 @@ fn compare(
         } else {
             1.
         };
-        unit * scales[0].to_num::<f64>()
+        unit * f64::from(scales[0])
     });
     let sprite = Sprite {
         position: exact(position),
         size: [
-            width.to_num::<f64>() * factors[0],
-            height.to_num::<f64>() * factors[1],
+            f64::from(width) * factors[0],
+            f64::from(height) * factors[1],
         ],
-        anchor: [u.to_num(), v.to_num()],
+        anchor: [f64::from(u), f64::from(v)],
         axis: kind.axis.map(exact),
     };
     let expected = sprite.corners(&eye);
@@ -263,14 +262,14 @@ fn corners_in_perspective_are_the_models() {
 #[test]
 fn corners_in_parallel_are_the_models() {
     cases(3000, |random| {
-        let half = Scalar::from_num(random.random_range(4..20));
+        let half = Scalar::try_from(random.random_range(4..20)).unwrap();
         let window = Window {
             left: -half,
             right: half,
             bottom: -half,
             top: half,
         };
-        let edge = half.to_num::<f64>();
+        let edge = f64::from(half);
         let model = projection::orthographic(-edge, edge, -edge, edge, 0., 100.);
         let projection = Projection::orthographic(window, fx!(0), fx!(100)).unwrap();
         let position = rounded(anywhere(random, 4.));

@@ -3,7 +3,6 @@
 use std::array::{self, from_fn};
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::view::{Perspective, ProjectionKind};
 use rand::Rng;
@@ -140,7 +139,11 @@ fn compare<K: ProjectionKind>(
 }
 
 fn point([x, y, z]: [f64; 3]) -> Option<Vec3> {
-    Some(Vec3::new(scalar(x).ok()?, scalar(y).ok()?, scalar(z).ok()?))
+    Some(Vec3::new(
+        Scalar::try_from(x).ok()?,
+        Scalar::try_from(y).ok()?,
+        Scalar::try_from(z).ok()?,
+    ))
 }
 
 #[test]
@@ -157,15 +160,15 @@ fn values_in_perspective_are_within_the_bounds() {
                 continue;
             };
             let positions = [a, b, c];
-            let w = positions.map(|p| -p.z.to_num::<f64>());
+            let w = positions.map(|p| -f64::from(p.z));
             let projection = Projection::<Perspective>::from_focal_length(
-                Scalar::from_num(FOCAL),
+                Scalar::try_from(FOCAL).unwrap(),
                 SIZE,
                 NEAR,
                 fx!(32767),
             )
             .unwrap();
-            let near: f64 = NEAR.to_num();
+            let near = f64::from(NEAR);
             let depth = w.map(|w| 65535. * near / w);
             let mvp = projection.into();
             let triangle = Triangle {
@@ -222,7 +225,7 @@ fn values_in_parallel_are_within_the_bounds() {
                 fx!(100),
             )
             .unwrap();
-            let depth = positions.map(|p| 65535. * (1. + p.z.to_num::<f64>() / 100.));
+            let depth = positions.map(|p| 65535. * (1. + f64::from(p.z) / 100.));
             let triangle = Triangle {
                 size: SIZE,
                 mvp: projection.into(),

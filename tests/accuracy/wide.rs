@@ -13,7 +13,7 @@ use fixel::canvas::{Add, Blending, Opacity, TestAndWrite};
 use fixel::mode::Newton;
 use fixel::num::Subpixel;
 use fixel::prelude::*;
-use fixel::view::{ModelToPicture, Perspective};
+use fixel::view::{AsMvp, Perspective};
 use rand::Rng;
 
 /// The pixels of a mesh's edges, in bands of `rows` rows.
@@ -21,7 +21,7 @@ fn edges<B, L>(
     rows: u32,
     options: &DrawOptions<Newton, TestAndWrite, B, L>,
     mesh: &Mesh<'_>,
-    mvp: &impl ModelToPicture,
+    mvp: &impl AsMvp,
 ) -> Vec<Seen<1>>
 where
     B: Blending<Gray8>,

@@ -117,7 +117,7 @@ pub fn character(count: u32) -> char {
 /// a factor rounded to 30 bits, and the viewport maps the result back to pixels. The error is less than 2⁻²⁹ · 4096
 /// pixels, which is far less than half of 1/256.
 pub fn pixel_projection((width, height): (u32, u32)) -> Mvp<Parallel> {
-    let [width, height] = [width, height].map(Scalar::from_num);
+    let [width, height] = [width, height].map(|x| Scalar::try_from(x).unwrap());
     let projection = Projection::orthographic(
         Window {
             left: fx!(0),

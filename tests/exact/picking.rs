@@ -22,7 +22,7 @@ fn rays_through_vertices_and_edges_meet_a_face() {
     for direction in [vec3!(0, -1, 0), vec3!(0, -4, 1), vec3!(1, -2, 1)] {
         for x in -7..8 {
             for z in -7..8 {
-                let on_floor = Vec3::new(Scalar::from_num(x) / 8, fx!(0), Scalar::from_num(z) / 8);
+                let on_floor = Vec3::new(fx!(0.125) * x, fx!(0), fx!(0.125) * z);
                 let ray = Ray::new(on_floor - direction * fx!(3), direction).unwrap();
                 let hit = ray.hit(&FLOOR).unwrap();
                 // The direction has 30 bits.

@@ -327,8 +327,12 @@ fn small_triangle(places: [[f64; 3]; 3], colors: &[Rgb888; 3], mode: impl Mode) 
     // At a distance of 32, a unit is a pixel.
     let projection = Projection::from_focal_length(fx!(32), (64, 48), fx!(1), fx!(100)).unwrap();
     let positions = places.map(|[x, y, near]| {
-        let at = |v: f64| Scalar::from_num(v * (32. - near) / 32.);
-        Vec3::new(at(x - 32.), at(24. - y), Scalar::from_num(near - 32.))
+        let at = |v: f64| Scalar::try_from(v * (32. - near) / 32.).unwrap();
+        Vec3::new(
+            at(x - 32.),
+            at(24. - y),
+            Scalar::try_from(near - 32.).unwrap(),
+        )
     });
     let mesh = Mesh::new(&positions, &[[0, 1, 2]])
         .and_then(|mesh| mesh.with_colors(colors, None))

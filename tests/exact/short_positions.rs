@@ -162,10 +162,10 @@ fn rounding_moves_a_sphere_by_less_than_a_hundredth_of_a_pixel() {
     let mut worst = 0_f64;
     for (long, short) in SPHERE.positions().iter().zip(short.positions().iter()) {
         let eye = pose.point(long);
-        let w = -eye.z.to_num::<f64>();
+        let w = -f64::from(eye.z);
         let place = |point| {
             let place = canvas.project(&DrawOptions::new(), &mvp, point).unwrap();
-            [place.x, place.y].map(|at| at.to_num::<f64>())
+            [place.x, place.y].map(f64::from)
         };
         for ((a, b), side) in place(long)
             .into_iter()
@@ -173,7 +173,7 @@ fn rounding_moves_a_sphere_by_less_than_a_hundredth_of_a_pixel() {
             .zip([eye.x, eye.y])
         {
             let unit = 2_f64.powi(-14);
-            let slope = side.to_num::<f64>().abs() / w;
+            let slope = f64::from(side).abs() / w;
             let moved = 0.75_f64.sqrt() * unit * 200. / w * (1. + slope);
             // Both positions are rounded to within 1/512 pixel.
             assert!((a - b).abs() <= moved + 1. / 256., "{long}: {a} and {b}");

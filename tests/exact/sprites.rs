@@ -344,7 +344,7 @@ fn corners_of_the_largest_sprites_are_accurate_to_26_bits() {
             .unwrap();
         let corners = corners(&DrawOptions::new(), &sprites, &lens);
         // A pixel takes a 64th of the distance.
-        let parts = [size, scales[0], at.z].map(|part| part.to_num::<f64>());
+        let parts = [size, scales[0], at.z].map(f64::from);
         let half = parts.iter().product::<f64>() / 64. / 2. * 65_536.;
         let error = (f64::from(corners[0].x.to_bits()) - half).abs();
         assert!(error < 1. + half.abs() / 2_f64.powi(26), "{error}");

@@ -25,8 +25,8 @@ use fixel::texture::{Argb1555, Argb4444, Indexed, Mipmap, OrHole, Raw, Trilinear
 use fixel::texture::{Bilinear, Clamp, CutOut, Nearest, Repeat};
 use fixel::view::{Parallel, Perspective, Segment};
 use fixel::{
-    Hairline, Hit, Index, Matrix4, Object, Prepared, PreparedScene, RefusedFloat, ScreenPoint,
-    SmoothLine, Unit,
+    Fraction, Hairline, Hit, Index, Matrix4, Object, Prepared, PreparedScene, ScreenPoint,
+    SmoothLine,
 };
 use fixel::{PreparedEdgeScene, PreparedEdges};
 
@@ -42,7 +42,7 @@ macro_rules! all {
     ($check:ident: $($Type:ty)+) => { const _: () = { $($check::<$Type>();)+ }; };
 }
 
-all!(value: Error RefusedFloat Scalar TexCoord Unit Index Angle Rate Spin);
+all!(value: Error Scalar TexCoord Fraction Index Angle Rate Spin);
 all!(value: Vec2 Vec3 Direction Matrix4 Transform);
 all!(value: Aspect Camera Mvp Mvp<Parallel> Parallel Perspective Projection Projection<Parallel>);
 all!(value: Segment Viewport Window);
@@ -76,7 +76,7 @@ all!(default: Biased Biased<NoTest> Add Multiply Replace Parallel Perspective Pe
 all!(default: Bilinear Clamp ColorIndex Contrast Nearest Repeat Trilinear);
 all!(default: Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);
 all!(default: Drawn Missing Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> TriangleList<1, 1> EdgeList<1, 1>);
-all!(shown: Error RefusedFloat Angle Vec2 Vec3);
+all!(shown: Error Scalar TexCoord Fraction Angle Vec2 Vec3);
 all!(error: Error);
 
 /// The Rust API guidelines ask for messages in lowercase, without punctuation at the end.

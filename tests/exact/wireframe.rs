@@ -113,9 +113,9 @@ fn pose([x, y, z]: [u32; 3], distance: Scalar) -> Transform {
 fn edges_over_the_mesh_have_no_gaps() {
     cases(1500, |random| {
         let mesh = [BOX, BALL, CAN][random.random_range(0..3)];
-        let distance = Scalar::from_num(random.random_range(3.0..9.0));
+        let distance = Scalar::try_from(random.random_range(3.0..9.0)).unwrap();
         let pose = pose(random.random(), distance);
-        let near = Scalar::from_num(random.random_range(0.05..0.5));
+        let near = Scalar::try_from(random.random_range(0.05..0.5)).unwrap();
         let perspective = Projection::perspective(deg!(50), SIZE, near, fx!(20)).unwrap();
         let edges = visible_edges(&mesh, |at| at, &pose);
         check(&mesh, &edges, &(perspective * pose));
@@ -139,7 +139,7 @@ fn hidden_outlines(test: impl DepthTest) -> [usize; 2] {
     let mut sums = [0; 2];
     cases(200, |random| {
         let (mesh, outline) = MESHES[random.random_range(0..2)];
-        let distance = Scalar::from_num(random.random_range(3.0..9.0));
+        let distance = Scalar::try_from(random.random_range(3.0..9.0)).unwrap();
         let projection = Projection::perspective(deg!(50), SIZE, fx!(1), fx!(20)).unwrap();
         let mvp = projection * pose(random.random(), distance);
         let [alone, over] = [false, true].map(|is_hidden| {

@@ -218,7 +218,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     /// The width of lines: 1 to 63 pixels for three of four styles.
     fn width(&self) -> Option<LineWidth> {
         let width = i32::from(self.scene.style >> 1);
-        (width % 4 > 0).then(|| LineWidth::new(Scalar::from_num((width / 2).max(1))).unwrap())
+        (width % 4 > 0).then(|| LineWidth::new(fx!(1) * (width / 2).max(1)).unwrap())
     }
 
     /// Squares or discs of any size.
@@ -273,8 +273,8 @@ impl<K: ProjectionKind> Call<'_, K> {
                 && (start..start + length.cast_signed()).contains(&at)
         };
         assert!(
-            inside(x, window.x(), window.width(), width)
-                && inside(y, window.y(), window.height(), height),
+            inside(x, window.top_left().x, window.size().width, width)
+                && inside(y, window.top_left().y, window.size().height, height),
             "a pixel at {x}, {y}"
         );
         y as usize * width as usize + x as usize

@@ -33,10 +33,10 @@ impl Knowledge {
             eye,
             projection: *projection,
             viewport: ModelViewport {
-                x: window.x(),
-                y: window.y(),
-                width: window.width(),
-                height: window.height(),
+                x: window.top_left().x,
+                y: window.top_left().y,
+                width: window.size().width,
+                height: window.size().height,
             },
         };
         let parallel = projection.kind == Kind::Parallel;
@@ -49,8 +49,8 @@ impl Knowledge {
         } else {
             GUARD
         };
-        let scale = pixels(0, window.width())
-            .max(pixels(1, window.height()))
+        let scale = pixels(0, window.size().width)
+            .max(pixels(1, window.size().height))
             .max(of_depth);
         // The offset of a parallel projection counts as a distance, too.
         let offset = if parallel {

@@ -95,10 +95,10 @@ impl Truth {
             clipped: clipped.collect(),
             whole,
             window: Bounds::new(width, height).intersect(Bounds {
-                left: window.x(),
-                top: window.y(),
-                right: window.x() + window.width().cast_signed(),
-                bottom: window.y() + window.height().cast_signed(),
+                left: window.top_left().x,
+                top: window.top_left().y,
+                right: window.top_left().x + window.size().width.cast_signed(),
+                bottom: window.top_left().y + window.size().height.cast_signed(),
             }),
             cull: call.scene.cull,
         }

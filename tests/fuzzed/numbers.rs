@@ -32,7 +32,7 @@ pub fn scalar(u: &mut Unstructured<'_>) -> Result<Scalar> {
 
 /// The magnitude of a number, which is rarely 0.
 pub fn size(u: &mut Unstructured<'_>) -> Result<Scalar> {
-    Ok(scalar(u)?.saturating_abs())
+    Ok(scalar(u)?.abs())
 }
 
 /// The bits of a number within ±8, in 16.16.

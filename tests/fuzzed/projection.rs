@@ -75,7 +75,7 @@ impl ProjectionArguments {
             2 => Self::Oblique(angle(u)?, scalar(u)?, six(u)?),
             3 => Self::Focal(size(u)?, planes(u)?),
             // A focal length about as long as the width of a small canvas.
-            4 => Self::Focal(Scalar::from_num(u.int_in_range(1..=200_u8)?), planes(u)?),
+            4 => Self::Focal(Scalar::from(u.int_in_range(1..=200_u8)?), planes(u)?),
             5 => Self::Perspective(field_of_view(u)?, Some(scalar(u)?), planes(u)?),
             _ => Self::Perspective(field_of_view(u)?, None, planes(u)?),
         })
@@ -97,25 +97,23 @@ impl ProjectionArguments {
             Self::Orthographic([l, r, b, t, n, f]) => {
                 Projected::Parallel(Projection::orthographic(window(l, r, b, t), n, f)?)
             }
-            Self::Oblique(angle, ratio, [l, r, b, t, n, f]) => {
-                Projected::Parallel(Projection::oblique(angle, ratio, window(l, r, b, t), n, f)?)
-            }
+            Self::Oblique(angle, ratio, [l, r, b, t, n, f]) => Projected::Parallel(
+                Projection::oblique(angle, ratio, n, window(l, r, b, t), n, f)?,
+            ),
         })
     }
 
     /// The model's projection for numbers that the crate accepted.
     pub fn model(self, frame: (u32, u32)) -> ModelProjection {
-        let exact = |numbers: [Scalar; 6]| numbers.map(Scalar::to_num::<f64>);
+        let exact = |numbers: [Scalar; 6]| numbers.map(f64::from);
         match self {
             Self::Perspective(fov, aspect, [near, far]) => {
-                let aspect = aspect.map_or_else(
-                    || f64::from(frame.0) / f64::from(frame.1),
-                    Scalar::to_num::<f64>,
-                );
-                projection::perspective(radians(fov), aspect, near.to_num(), far.to_num())
+                let aspect =
+                    aspect.map_or_else(|| f64::from(frame.0) / f64::from(frame.1), f64::from);
+                projection::perspective(radians(fov), aspect, near.into(), far.into())
             }
             Self::Focal(pixels, [near, far]) => {
-                projection::focal(pixels.to_num(), frame, near.to_num(), far.to_num())
+                projection::focal(pixels.into(), frame, near.into(), far.into())
             }
             Self::Frustum(edges) => {
                 let [l, r, b, t, n, f] = exact(edges);
@@ -129,7 +127,7 @@ impl ProjectionArguments {
                 let [l, r, b, t, n, f] = exact(edges);
                 // The crate's oblique projection keeps points of the near plane in place; the model's keeps points of
                 // the plane through the eye in place.
-                let (angle, ratio) = (radians(angle), ratio.to_num::<f64>());
+                let (angle, ratio) = (radians(angle), f64::from(ratio));
                 let (x, y) = (n * ratio * angle.cos(), n * ratio * angle.sin());
                 projection::oblique(angle, ratio, (l + x, r + x, b + y, t + y), n, f)
             }

@@ -103,10 +103,7 @@ impl Billboard {
         let scale = self.scale.unwrap_or_default();
         let frame = self.frame.unwrap_or_default();
         (
-            numbers
-                .clone()
-                .map(|i| scale.saturating_mul_int(i.into()))
-                .collect(),
+            numbers.clone().map(|i| scale * i32::from(i)).collect(),
             numbers.map(|i| frame.wrapping_mul(i)).collect(),
         )
     }

@@ -164,11 +164,11 @@ impl Status {
         });
         target.fill_contiguous(&Rectangle::new(corner, Size::new(side, side)), cells)?;
         let on_map = |place: Vec3| {
-            let pixels = |at: Scalar| (at * Scalar::from_num(scale as u8)).to_num::<i32>();
+            let pixels = |at: Scalar| (at * Scalar::from(scale as u8)).floor();
             corner + Point::new(pixels(place.x), pixels(place.z))
         };
         let (sin, cos) = self.heading.sin_cos();
-        let ahead = Vec3::new(Scalar::from_num(sin), fx!(0), -Scalar::from_num(cos)) * fx!(3);
+        let ahead = Vec3::new(fx!(3) * sin, fx!(0), fx!(-3) * cos);
         let sight = Line::new(on_map(self.place), on_map(self.place + ahead));
         sight
             .into_styled(PrimitiveStyle::with_stroke(Rgb565::RED, 1))

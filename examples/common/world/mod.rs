@@ -362,7 +362,7 @@ impl Scene {
         let drift = TexCoord::from_bits((self.turn.to_bits() >> 11).cast_signed());
         let positions = corners.map(|[x, z]| Vec3::new(x, WATER, z));
         let uvs = corners
-            .map(|[x, z]| Vec2::new(TexCoord::from_num(x / 2) + drift, TexCoord::from_num(z / 2)));
+            .map(|[x, z]| Vec2::new(TexCoord::ONE * (x / 2) + drift, TexCoord::ONE * (z / 2)));
         let mesh = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 3]])?.with_uvs(&uvs, None)?;
         let waves = Textured::new(textures::WATER).bilinear();
         let waves = waves.mipmapped(&self.projection, self.size)?;
@@ -394,7 +394,7 @@ impl Scene {
         // They flicker, each at its own time.
         let scales: [Scalar; map::LAMPS.len()] = core::array::from_fn(|lamp| {
             let wave = (self.turn * (31 + 2 * lamp as i32)).sin();
-            fx!(1) + Scalar::from_num(wave) / 20
+            fx!(1) + fx!(0.05) * wave
         });
         for (places, size) in [
             (map::LAMPS.as_slice(), fx!(2.6)),

@@ -151,7 +151,7 @@ fn part_colors(canvas: &mut Frame<'_>) -> Drawn {
 
 /// Colors by the direction from the middle of a mesh.
 fn rainbow(mesh: &Mesh) -> Vec<Rgb888> {
-    let channel = |v: Scalar| 128 + (v * 100).to_num::<i32>().clamp(-100, 100);
+    let channel = |v: Scalar| 128 + (v * 100).floor().clamp(-100, 100);
     mesh.positions()
         .iter()
         .map(|at| {

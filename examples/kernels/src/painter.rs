@@ -82,7 +82,7 @@ fn scene(name: &str, k: i32) -> Result<Scene, Error> {
                     objects.push(Object::new(&TOWER, place, color(gray, gray, 90)));
                 }
             }
-            let x = Scalar::from_num(k) / 2 - fx!(2);
+            let x = fx!(0.5) * k - fx!(2);
             let camera = Camera::look_at(Vec3::new(x, fx!(2.5), fx!(6)), vec3!(1, 1, -8), Vec3::Y)?;
             Scene {
                 view: Projection::perspective(deg!(60), (4, 3), fx!(0.5), fx!(100))? * camera,

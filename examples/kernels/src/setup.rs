@@ -51,13 +51,12 @@ fn draw(watch: &mut Stopwatch, kind: Kind, faces: &[[u16; 3]]) -> Result<u64, Er
     };
     let positions = corners.map(|([x, y], distance)| {
         // Coordinates are relative to the pixel's center, which is also the frame's center.
-        let eye = |sixteenths: i32| Scalar::from_num(sixteenths * distance) / (16 * FOCAL);
-        Vec3::new(eye(x - 8), eye(8 - y), -Scalar::from_num(distance))
+        let eye = |sixteenths: i32| fx!(1) * (sixteenths * distance) / (16 * FOCAL);
+        Vec3::new(eye(x - 8), eye(8 - y), fx!(-1) * distance)
     });
     let mesh = Mesh::new(&positions, faces)?.with_colors(&PALETTE, None)?;
     let frame = (1, 1);
-    let projection =
-        Projection::from_focal_length(Scalar::from_num(FOCAL), frame, fx!(1), fx!(10))?;
+    let projection = Projection::from_focal_length(fx!(const FOCAL), frame, fx!(1), fx!(10))?;
     let mut list: TriangleList<{ COUNTS[1] }, 8> = TriangleList::new();
     let triangles = list.prepare(&DrawOptions::new(), frame, &mesh, &projection)?;
 

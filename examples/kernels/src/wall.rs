@@ -166,14 +166,14 @@ pub fn positions(width: u32) -> [Vec3; 3] {
     CORNERS.map(|([x, y], distance)| {
         // Coordinates relative to the frame's center, in half pixels.
         let (x, y) = (2 * x - center[0], center[1] - 2 * y);
-        let eye = |half_pixels: i32| Scalar::from_num(half_pixels * distance) / (2 * FOCAL);
-        Vec3::new(eye(x), eye(y), -Scalar::from_num(distance))
+        let eye = |half_pixels: i32| fx!(1) * (half_pixels * distance) / (2 * FOCAL);
+        Vec3::new(eye(x), eye(y), fx!(-1) * distance)
     })
 }
 
 /// The wall's mvp in a frame of this width.
 pub fn mvp(width: u32) -> Result<Mvp<Perspective>, Error> {
-    let focal = Scalar::from_num(FOCAL);
+    let focal = fx!(const FOCAL);
     let projection = Projection::from_focal_length(focal, (width, ROWS), fx!(0.5), fx!(4))?;
     Ok(projection.into())
 }

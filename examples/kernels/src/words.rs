@@ -139,7 +139,7 @@ fn squares() -> (
     [[Index; 3]; 2 * SPRITES],
 ) {
     let middles: [Vec3; SPRITES] = core::array::from_fn(|at| {
-        let place = |at: usize| (Scalar::from_num(at as u8) - fx!(3.5)) * fx!(0.3);
+        let place = |at: usize| (Scalar::from(at as u8) - fx!(3.5)) * fx!(0.3);
         Vec3::new(place(at % SIDE), place(at / SIDE), fx!(0))
     });
     let half = SQUARE / 2;

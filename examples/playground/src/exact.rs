@@ -72,7 +72,7 @@ impl Eye {
         };
         let turn = |angle| libm::sincos(radians(angle));
         let size = [view.size.width, view.size.height].map(f64::from);
-        let length = |length: fixel::Scalar| length.to_num::<f64>();
+        let length = |length: fixel::Scalar| f64::from(length);
         Self {
             yaw: turn(view.yaw),
             pitch: turn(view.pitch),

@@ -225,7 +225,7 @@ fn options(view: &View, mode: &str, to: &mut Text) -> fmt::Result {
             )?;
             to.write_str("            * ")?;
         }
-        writeln!(to, "Transform::translate(vec3!(0, 0, {}))", -distance)?;
+        writeln!(to, "Transform::translate(vec3!(0, 0, {}))", -*distance)?;
         writeln!(
             to,
             "            * Transform::rotate_x(Angle::from_bits({pitch}))"

@@ -7,7 +7,7 @@ use fixel::prelude::*;
 use fixel::shade::{PerFace, Texels};
 
 /// A texel of the size that modes promise: 16 fraction bits. Texture coordinates have 20.
-const SHIFT: u32 = TexCoord::FRAC_NBITS - 16;
+const SHIFT: u32 = TexCoord::FRAC_BITS - 16;
 
 /// Writes the texel under each pixel and the corners of each triangle. It has the varyings of a texture, so a mode
 /// interpolates them as it interpolates a texture's.

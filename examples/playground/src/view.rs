@@ -3,7 +3,6 @@
 use core::ops::Range;
 
 use embedded_graphics::geometry::Size;
-use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::view::Perspective;
 
@@ -89,7 +88,7 @@ impl View {
         Ok(Self {
             scene,
             mode: next() as u32,
-            tolerance: scalar(libm::exp2(next()))?,
+            tolerance: Scalar::try_from(libm::exp2(next()))?,
             size: Size::new(next() as u32, next() as u32),
             format: next() as u32,
             first_row: next() as u32,
@@ -99,20 +98,24 @@ impl View {
             is_home,
             yaw: angle(next())?,
             pitch: angle(next())?,
-            distance: scalar(next())?,
+            distance: Scalar::try_from(next())?,
             fov: angle(next())?,
-            near: scalar(libm::exp2(next()))?,
-            far: scalar(libm::exp2(next()))?,
+            near: Scalar::try_from(libm::exp2(next()))?,
+            far: Scalar::try_from(libm::exp2(next()))?,
             shift: [angle(next() * pixel)?, angle(next() * pixel)?],
-            center: Vec3::new(scalar(next())?, scalar(next())?, scalar(next())?),
-            scale: scalar(next())?,
+            center: Vec3::new(
+                Scalar::try_from(next())?,
+                Scalar::try_from(next())?,
+                Scalar::try_from(next())?,
+            ),
+            scale: Scalar::try_from(next())?,
         })
     }
 
     /// Returns the camera's fields at the start: those with which a scene is measured, or in front of a model in a ball
     /// with this center and radius.
     pub fn home(scene: Scene, ball: [Scalar; 4]) -> [f64; CAMERA.end - CAMERA.start] {
-        let numbers = |at: Vec3| [at.x, at.y, at.z].map(Scalar::to_num::<f64>);
+        let numbers = |at: Vec3| [at.x, at.y, at.z].map(f64::from);
         let degrees =
             |angle: Angle| f64::from(angle.to_bits().cast_signed()) / 4_294_967_296.0 * 360.0;
         let [pitch, yaw] = match scene {
@@ -129,8 +132,8 @@ impl View {
                 center = numbers(-scenes::FLOOR_AT);
                 0.0
             }
-            Scene::Cube => (-scenes::CUBE_AT.z).to_num(),
-            Scene::Sphere | Scene::SphereFlat => (-scenes::SPHERE_AT.z).to_num(),
+            Scene::Cube => f64::from(-scenes::CUBE_AT.z),
+            Scene::Sphere | Scene::SphereFlat => f64::from(-scenes::SPHERE_AT.z),
             Scene::Lighthouse => {
                 center = numbers(lighthouse::TARGET);
                 let [x, y, z] = numbers(lighthouse::EYE - lighthouse::TARGET);
@@ -144,7 +147,7 @@ impl View {
                 0.0
             }
             Scene::Own => {
-                let [x, y, z, radius] = ball.map(|bits| bits.to_num::<f64>());
+                let [x, y, z, radius] = ball.map(f64::from);
                 scale = if radius > 0.0 { 1.0 / radius } else { 1.0 };
                 center = [x, y, z].map(|at| at * scale);
                 (yaw, pitch) = (35.0, 20.0);

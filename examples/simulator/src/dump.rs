@@ -65,7 +65,7 @@ impl Recorder {
         let whole = (largest + 1.0).log2().ceil();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 20 to 24
         let uv_bits = (if is_fast { 27.0 } else { 31.0 } - whole)
-            .clamp(TexCoord::FRAC_NBITS.into(), 24.0) as u32;
+            .clamp(TexCoord::FRAC_BITS.into(), 24.0) as u32;
         let distance_shift = if is_fast { 11 } else { 0 };
         Self {
             uv_bits,
@@ -88,7 +88,7 @@ impl Shader for Recorder {
     type Varyings = (Texels, Texels);
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [(Texels, Texels); 3] {
-        let up = self.uv_bits - TexCoord::FRAC_NBITS;
+        let up = self.uv_bits - TexCoord::FRAC_BITS;
         primitive.corners(|corner| {
             let uv = corner.uv().to_bits().map(|bits| bits << up);
             let distance = corner.distance().to_bits() >> self.distance_shift;

@@ -3,7 +3,6 @@
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use fixel::canvas::Contrast;
-use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::shade::{Colored, Fog, Light, PixelFormat, TwoSided, Viewer};
 
@@ -96,8 +95,8 @@ impl Look {
             Motion::Turning { view, .. } => (view.sun, view.mvp(Transform::IDENTITY).viewer()),
             measured @ Motion::Measured(_) => (Vec3::Y, measured.mvp(Moment::default())?.viewer()),
         };
-        let ambient = scalar(args.ambient.unwrap_or(AMBIENT))?;
-        let diffuse = scalar(1.0 - AMBIENT)?;
+        let ambient = Scalar::try_from(args.ambient.unwrap_or(AMBIENT))?;
+        let diffuse = Scalar::try_from(1.0 - AMBIENT)?;
         // The first lamp carries the ambient light.
         let mut shares = [ambient].into_iter();
         let mut light = |toward, color: Rgb888| -> Result<Colored<Light>> {
@@ -117,7 +116,8 @@ impl Look {
         };
         let haze = args.fog.map(|Haze { near, far, color }| {
             let number = |value: f64| {
-                scalar(value * scale).map_err(|error| format!("--fog {near},{far}: {error}"))
+                Scalar::try_from(value * scale)
+                    .map_err(|error| format!("--fog {near},{far}: {error}"))
             };
             Ok::<_, String>((number(near)?, number(far)?, color.unwrap_or(far_away)))
         });

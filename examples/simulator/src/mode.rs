@@ -1,8 +1,8 @@
 //! Modes and depth formats chosen at run time. In the library they are types, so that firmware links only those it
 //! uses.
 
+use fixel::Scalar;
 use fixel::mode::{Affine, Exact, Fast, Newton};
-use fixel::num::scalar;
 
 use super::Result;
 use crate::args;
@@ -26,9 +26,9 @@ impl Mode {
             args::Mode::Exact => Self::Exact(Exact),
             args::Mode::Newton => Self::Newton(Newton),
             // A tolerance that exceeds the format is larger than any texture.
-            args::Mode::Fast => {
-                Self::Fast(Fast::within(scalar((TOLERANCE * texel).min(32_767.0))?))
-            }
+            args::Mode::Fast => Self::Fast(Fast::within(Scalar::try_from(
+                (TOLERANCE * texel).min(32_767.0),
+            )?)),
             args::Mode::Affine => Self::Affine(Affine),
         })
     }

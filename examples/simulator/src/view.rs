@@ -1,6 +1,5 @@
 //! Makes the library's camera, projection and light from the framing.
 
-use fixel::num::scalar;
 use fixel::prelude::*;
 use fixel::view::{Parallel, Perspective};
 
@@ -61,13 +60,13 @@ impl View {
             Vec3::try_from(ahead)?,
             direction(framing.up)?,
         )?;
-        let near = scalar(units.length(framing.near))?;
-        let far = scalar(units.length(framing.useful_far()))?;
+        let near = Scalar::try_from(units.length(framing.near))?;
+        let far = Scalar::try_from(units.length(framing.useful_far()))?;
         let projection = if args.projection == Kind::Perspective {
             let fov = Angle::try_from_degrees(framing.fov)?;
             AnyProjection::Perspective(Projection::perspective(fov, args.size, near, far)?)
         } else {
-            let edge = |value| scalar(units.length(value));
+            let edge = |value| Scalar::try_from(units.length(value));
             let [l, r, b, t] = framing.window();
             let window = Window {
                 left: edge(l)?,

@@ -150,7 +150,7 @@ mod sdl {
             } else {
                 zoom - zoom / 9
             };
-            self.orbit.zoom = zoom.clamp(fx!(0.25), Scalar::from_num(MOST_ZOOM));
+            self.orbit.zoom = zoom.clamp(fx!(0.25), Scalar::try_from(MOST_ZOOM).unwrap());
         }
     }
 }

@@ -1,6 +1,5 @@
 //! The measured cases: meshes with their transforms and projections, for the crate and for the model.
 
-use fixel::num::{scalar, tex_coord};
 use fixel::prelude::*;
 use fixel::view::Perspective;
 
@@ -88,8 +87,12 @@ impl FocalProjection {
             near,
             far,
         } = self;
-        let projection =
-            Projection::from_focal_length(scalar(focal)?, size, scalar(near)?, scalar(far)?);
+        let projection = Projection::from_focal_length(
+            Scalar::try_from(focal)?,
+            size,
+            Scalar::try_from(near)?,
+            Scalar::try_from(far)?,
+        );
         Ok(projection?.into())
     }
 
@@ -131,10 +134,14 @@ impl Triangles {
         let first = u16::try_from(self.positions.len())?;
         for corner in corners {
             let [x, y, z] = projection.point(corner.at, corner.w);
-            self.positions
-                .push(Vec3::new(scalar(x)?, scalar(y)?, scalar(z)?));
+            self.positions.push(Vec3::new(
+                Scalar::try_from(x)?,
+                Scalar::try_from(y)?,
+                Scalar::try_from(z)?,
+            ));
             let [u, v] = corner.uv;
-            self.uvs.push(Vec2::new(tex_coord(u)?, tex_coord(v)?));
+            self.uvs
+                .push(Vec2::new(TexCoord::try_from(u)?, TexCoord::try_from(v)?));
         }
         for second in 1..u16::try_from(corners.len())? - 1 {
             self.faces.push([first, first + second, first + second + 1]);

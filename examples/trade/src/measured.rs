@@ -69,5 +69,5 @@ fn radians(angle: Angle) -> f64 {
 }
 
 fn moved(by: Vec3) -> Matrix {
-    translate([by.x, by.y, by.z].map(Scalar::to_num))
+    translate([by.x, by.y, by.z].map(f64::from))
 }

@@ -29,7 +29,7 @@ impl Shader for Recorder<'_> {
     type Varyings = (Texels, PerFace<usize>);
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        let up = self.texels_log2 + 16 - TexCoord::FRAC_NBITS;
+        let up = self.texels_log2 + 16 - TexCoord::FRAC_BITS;
         primitive.corners(|corner| {
             let texel = corner.uv().to_bits().map(|bits| bits << up);
             (Texels(texel), PerFace(primitive.index()))
@@ -69,7 +69,7 @@ impl Shader for Survey<'_> {
     fn varyings(&self, primitive: &Primitive<'_>) -> [(); 3] {
         let corners = primitive.corners(|corner| {
             let [u, v] = corner.uv().to_bits();
-            let [u, v] = [u, v].map(|bits| TexCoord::from_bits(bits).to_num());
+            let [u, v] = [u, v].map(|bits| f64::from(TexCoord::from_bits(bits)));
             let color: Rgb888 = corner.color();
             let [r, g, b] = [color.r(), color.g(), color.b()].map(f64::from);
             [u, v, r, g, b]

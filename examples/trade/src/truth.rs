@@ -90,7 +90,7 @@ fn snapped(case: &Case, shot: &Shot) -> Result<(Vec<Piece<5>>, Vec<usize>)> {
     let positions: Vec<Point> = mesh
         .positions()
         .iter()
-        .map(|p| [p.x, p.y, p.z].map(Scalar::to_num))
+        .map(|p| [p.x, p.y, p.z].map(f64::from))
         .collect();
     let corners = |recorded: &Recorded| mesh.faces()[recorded.face].map(usize::from);
     let faces: Vec<[usize; 3]> = recorded.iter().map(corners).collect();

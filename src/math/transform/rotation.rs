@@ -1,12 +1,9 @@
 //! Rotations: about an axis, and from Euler angles and quaternions.
 
-use fixed::FixedI32;
-
 use super::Transform;
-use crate::num::Unit;
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt as unit;
-use crate::{Angle, Error, Vec3};
+use crate::{Angle, Error, Scalar, Vec3};
 
 /// One, in units of 2^-29.
 const ONE: i32 = 1 << 29;
@@ -101,8 +98,8 @@ impl Transform {
 
     /// Rotates by a quaternion, in the order `[x, y, z, w]` with the real part last.
     ///
-    /// The parts may have any common unit, such as [`Scalar`](crate::Scalar) or [`Unit`]: the
-    /// quaternion is normalized. For a sensor's raw integers, use [`Unit::from_bits`]. Entries are accurate to 2⁻²⁷.
+    /// The parts may have any common unit, because the quaternion is normalized: for a sensor's raw integers, use
+    /// [`Scalar::from_bits`]. Entries are accurate to 2⁻²⁷.
     ///
     /// # Errors
     ///
@@ -116,56 +113,49 @@ impl Transform {
     /// assert_eq!(Transform::from_quaternion([fx!(0); 4]), Err(Error::ZeroQuaternion));
     /// # Ok::<(), Error>(())
     /// ```
-    pub fn from_quaternion<F>(quaternion: [FixedI32<F>; 4]) -> Result<Self, Error> {
-        from_quaternion_bits(quaternion.map(FixedI32::to_bits))
+    pub fn from_quaternion(quaternion: [Scalar; 4]) -> Result<Self, Error> {
+        if quaternion == [Scalar::ZERO; 4] {
+            return Err(Error::ZeroQuaternion);
+        }
+        let numbers = quaternion.map(|v| BlockFloat::new(v.to_bits().into(), 0));
+        let mut mantissas = [0; 4];
+        block::normalize(&mut mantissas, &numbers);
+        // Mantissas are below 2^30 and the largest is at least 2^29: squares are below 2^60 and the sum
+        // of the four, the norm, is from 2^58 to 2^62. No entry is larger than the norm.
+        let [x, y, z, w] = mantissas.map(i64::from);
+        let norm = BlockFloat::new(x * x + y * y + z * z + w * w, 0);
+        // In units of 2^-30. Dividing magnitudes makes ±norm / norm exactly ±1.
+        let entry = |numerator: i64| {
+            let magnitude = BlockFloat::new(numerator.abs(), 0).over(norm).at(30);
+            numerator.signum() * magnitude
+        };
+        Ok(Self::from_linear(
+            &[
+                [
+                    entry(w * w + x * x - y * y - z * z),
+                    entry(2 * (x * y - w * z)),
+                    entry(2 * (x * z + w * y)),
+                ],
+                [
+                    entry(2 * (x * y + w * z)),
+                    entry(w * w - x * x + y * y - z * z),
+                    entry(2 * (y * z - w * x)),
+                ],
+                [
+                    entry(2 * (x * z - w * y)),
+                    entry(2 * (y * z + w * x)),
+                    entry(w * w - x * x - y * y + z * z),
+                ],
+            ],
+            30,
+        ))
     }
-}
-
-/// Rotates by a quaternion whose parts have any common unit.
-fn from_quaternion_bits(quaternion: [i32; 4]) -> Result<Transform, Error> {
-    if quaternion == [0; 4] {
-        return Err(Error::ZeroQuaternion);
-    }
-    let mut mantissas = [0; 4];
-    block::normalize(
-        &mut mantissas,
-        &quaternion.map(|v| BlockFloat::new(v.into(), 0)),
-    );
-    // Mantissas are below 2^30 and the largest is at least 2^29: squares are below 2^60 and the sum
-    // of the four, the norm, is from 2^58 to 2^62. No entry is larger than the norm.
-    let [x, y, z, w] = mantissas.map(i64::from);
-    let norm = BlockFloat::new(x * x + y * y + z * z + w * w, 0);
-    // In units of 2^-30. Dividing magnitudes makes ±norm / norm exactly ±1.
-    let entry = |numerator: i64| {
-        let magnitude = BlockFloat::new(numerator.abs(), 0).over(norm).at(30);
-        numerator.signum() * magnitude
-    };
-    Ok(Transform::from_linear(
-        &[
-            [
-                entry(w * w + x * x - y * y - z * z),
-                entry(2 * (x * y - w * z)),
-                entry(2 * (x * z + w * y)),
-            ],
-            [
-                entry(2 * (x * y + w * z)),
-                entry(w * w - x * x + y * y - z * z),
-                entry(2 * (y * z - w * x)),
-            ],
-            [
-                entry(2 * (x * z - w * y)),
-                entry(2 * (y * z + w * x)),
-                entry(w * w - x * x - y * y + z * z),
-            ],
-        ],
-        30,
-    ))
 }
 
 /// Sine, minus sine and cosine, each rounded to units of 2^-29.
 const fn sin_cos_29(angle: Angle) -> [i32; 3] {
     let (sin, cos) = angle.sin_cos();
-    let (sin, cos) = (Unit::to_bits(sin), Unit::to_bits(cos));
+    let (sin, cos) = (sin.to_bits(), cos.to_bits());
     [(sin + 1) >> 1, (1 - sin) >> 1, (cos + 1) >> 1]
 }
 
@@ -173,7 +163,6 @@ const fn sin_cos_29(angle: Angle) -> [i32; 3] {
 mod tests {
     use super::super::tests::{Real, errors, multiply, power, real};
     use super::*;
-    use crate::Scalar;
     use crate::random::{cases, number};
     use core::f64::consts::TAU;
     use rand::Rng;
@@ -217,7 +206,7 @@ mod tests {
     fn quaternions_are_good_to_27_bits() {
         cases(256, |random| {
             let quaternion = [(); 4].map(|()| number(random));
-            match Transform::from_quaternion(quaternion.map(Unit::from_bits)) {
+            match Transform::from_quaternion(quaternion.map(Scalar::from_bits)) {
                 Err(error) => {
                     assert_eq!(error, Error::ZeroQuaternion);
                     assert_eq!(quaternion, [0; 4]);

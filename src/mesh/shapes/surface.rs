@@ -28,12 +28,12 @@ const fn nearest(part: u32, parts: u32, fraction: u32) -> i32 {
 
 /// The nearest `TexCoord` to `part` / `parts`.
 const fn ratio(part: u32, parts: u32) -> TexCoord {
-    TexCoord::from_bits(nearest(part, parts, TexCoord::FRAC_NBITS))
+    TexCoord::from_bits(nearest(part, parts, TexCoord::FRAC_BITS))
 }
 
 /// Maps `part` / `parts` from 0..1 to −1..1, rounded to the nearest `Scalar`.
 const fn across(part: u32, parts: u32) -> Scalar {
-    Scalar::from_bits(2 * nearest(part, parts, Scalar::FRAC_NBITS) - Scalar::ONE.to_bits())
+    Scalar::from_bits(2 * nearest(part, parts, Scalar::FRAC_BITS) - Scalar::ONE.to_bits())
 }
 
 /// The surface that the grid of a shape is bent to.

@@ -8,7 +8,7 @@ fn radians(angle: Angle) -> f64 {
     f64::from(angle.to_bits()) / TURN * core::f64::consts::TAU
 }
 
-fn real(unit: Unit) -> f64 {
+fn real(unit: Fraction) -> f64 {
     f64::from(unit.to_bits()) / 1_073_741_824.0
 }
 
@@ -48,7 +48,7 @@ fn sine_is_symmetric_and_bounded() {
     for bits in (0..1_u32 << 30).step_by(10_007) {
         let angle = Angle::from_bits(bits);
         let sin = angle.sin();
-        assert!(sin >= Unit::ZERO && sin <= Unit::ONE);
+        assert!(sin >= Fraction::ZERO && sin <= Fraction::ONE);
         assert_eq!((-angle).sin(), -sin);
         assert_eq!((Angle::HALF - angle).sin(), sin);
         assert_eq!((Angle::QUARTER - angle).cos(), sin);
@@ -57,7 +57,7 @@ fn sine_is_symmetric_and_bounded() {
 
 #[test]
 fn quarters_are_exact() {
-    let (zero, one) = (Unit::ZERO, Unit::ONE);
+    let (zero, one) = (Fraction::ZERO, Fraction::ONE);
     for (degrees, sin_cos) in [
         (0, (zero, one)),
         (90, (one, zero)),
@@ -78,7 +78,7 @@ fn degrees_are_rounded_to_nearest() {
         let error = (bits * 360 - i128::from(degrees) * (1 << 32)).rem_euclid(360 << 32);
         assert!(error <= 180 || error >= (360 << 32) - 180, "{degrees}");
         assert_eq!(
-            Angle::try_from_degrees(degrees.into()),
+            Angle::try_from_degrees(degrees),
             Ok(Angle::from_degrees(degrees))
         );
     }

@@ -15,7 +15,7 @@ use crate::pipeline::options::PixelOptions;
 use crate::pipeline::{DrawOptions, outline};
 use crate::raster::Hairline;
 use crate::span::{Mode, Newton};
-use crate::view::{ModelToPicture, Perspective, ProjectionKind};
+use crate::view::{AsMvp, Perspective, ProjectionKind};
 
 /// Several objects' edges, ready to be drawn to every band of a frame.
 ///
@@ -95,16 +95,7 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
     ///
     /// As for [`prepare`](Self::prepare).
     #[allow(clippy::type_complexity)] // it is written here alone
-    pub fn prepare_scene<
-        'a,
-        'm: 'a,
-        M: Mode,
-        Z: DepthTest,
-        B: Copy,
-        L: Copy,
-        V: ModelToPicture,
-        T,
-    >(
+    pub fn prepare_scene<'a, 'm: 'a, M: Mode, Z: DepthTest, B: Copy, L: Copy, V: AsMvp, T>(
         &'a mut self,
         options: &DrawOptions<M, Z, B, L>,
         frame: impl Into<Size>,

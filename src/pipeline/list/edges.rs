@@ -17,7 +17,7 @@ use crate::pipeline::run::Draw;
 use crate::pipeline::{DrawOptions, Drawn, outline, run};
 use crate::raster::{Barycentric, Blitter, ClippedVertex, Hairline};
 use crate::span::{Mode, Newton};
-use crate::view::{ModelToPicture, Perspective, ProjectionKind};
+use crate::view::{AsMvp, Perspective, ProjectionKind};
 
 /// Memory for the edges of a frame that is drawn in bands, like a [`TriangleList`](super::TriangleList) for triangles.
 ///
@@ -129,7 +129,7 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
     ///
     /// [`Error::Full`], with the length that is needed, if the list is too short for the visible edges; [`Error::Size`]
     /// if a side of the frame is 0 or above [`MAX_SIZE`](crate::canvas::MAX_SIZE).
-    pub fn prepare<'a, M: Mode, Z: DepthTest, B: Copy, L: Copy, V: ModelToPicture>(
+    pub fn prepare<'a, M: Mode, Z: DepthTest, B: Copy, L: Copy, V: AsMvp>(
         &'a mut self,
         options: &DrawOptions<M, Z, B, L>,
         frame: impl Into<Size>,
@@ -146,7 +146,7 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
     /// # Errors
     ///
     /// As for [`prepare`](Self::prepare).
-    pub fn prepare_outline<'a, M: Mode, Z: DepthTest, B: Copy, L: Copy, V: ModelToPicture>(
+    pub fn prepare_outline<'a, M: Mode, Z: DepthTest, B: Copy, L: Copy, V: AsMvp>(
         &'a mut self,
         options: &DrawOptions<M, Z, B, L>,
         frame: impl Into<Size>,
@@ -160,7 +160,7 @@ impl<const EDGES: usize, const VERTICES: usize> EdgeList<EDGES, VERTICES> {
 
     /// Prepares some edges.
     #[inline]
-    fn prepare_chosen<'a, M: Mode, Z: DepthTest, B: Copy, L: Copy, V: ModelToPicture, E>(
+    fn prepare_chosen<'a, M: Mode, Z: DepthTest, B: Copy, L: Copy, V: AsMvp, E>(
         &'a mut self,
         options: &DrawOptions<M, Z, B, L>,
         frame: Size,

@@ -14,7 +14,7 @@ use crate::pipeline::call::{Call, Screen};
 use crate::pipeline::options::PixelOptions;
 use crate::raster::DepthShift;
 use crate::span::{Mode, Newton};
-use crate::view::{ModelToPicture, Mvp, Perspective, ProjectionKind};
+use crate::view::{AsMvp, Mvp, Perspective, ProjectionKind};
 use crate::{Error, Transform};
 
 /// An object of a scene: a mesh, its model transform, and its material.
@@ -123,7 +123,7 @@ pub(super) struct View<'a, T, K> {
 impl<'a, T, K: ProjectionKind> View<'a, T, K> {
     /// Prepares each of the objects by `prepare`, which adds to what the list needs.
     #[inline]
-    pub(super) fn prepare<'m: 'a, V: ModelToPicture<Kind = K>>(
+    pub(super) fn prepare<'m: 'a, V: AsMvp<Kind = K>>(
         screen: Screen,
         view: &V,
         objects: &'a mut [Object<'m, T>],
@@ -246,7 +246,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     /// # Errors
     ///
     /// As for [`prepare`](Self::prepare).
-    pub fn prepare_scene<'a, 'm: 'a, M: Mode, Z: DepthTest, B: Copy, V: ModelToPicture, T>(
+    pub fn prepare_scene<'a, 'm: 'a, M: Mode, Z: DepthTest, B: Copy, V: AsMvp, T>(
         &'a mut self,
         options: &DrawOptions<M, Z, B>,
         frame: impl Into<Size>,

@@ -17,7 +17,7 @@ use crate::pipeline::run::{self, Draw};
 use crate::pipeline::{DrawOptions, Drawn};
 use crate::raster::{self, Blitter, ClippedVertex, Cull, Polygon, Scissor, ScreenVertex, Triangle};
 use crate::span::{Mode, Newton};
-use crate::view::{ModelToPicture, Perspective, ProjectionKind};
+use crate::view::{AsMvp, Perspective, ProjectionKind};
 
 /// Memory for the triangles of a frame that is drawn in bands.
 ///
@@ -183,7 +183,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     ///
     /// [`Error::Full`], with the length that is needed, if the list is too short for the visible triangles;
     /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](crate::canvas::MAX_SIZE).
-    pub fn prepare<'a, M: Mode, Z: DepthTest, B: Copy, V: ModelToPicture>(
+    pub fn prepare<'a, M: Mode, Z: DepthTest, B: Copy, V: AsMvp>(
         &'a mut self,
         options: &DrawOptions<M, Z, B>,
         frame: impl Into<Size>,
@@ -278,7 +278,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
     /// # Errors
     ///
     /// As for [`prepare`](Self::prepare).
-    pub fn prepare_back_to_front<'a, M: Mode, Z: DepthTest, B: Copy, V: ModelToPicture>(
+    pub fn prepare_back_to_front<'a, M: Mode, Z: DepthTest, B: Copy, V: AsMvp>(
         &'a mut self,
         options: &DrawOptions<M, Z, B>,
         frame: impl Into<Size>,
@@ -290,14 +290,7 @@ impl<const TRIANGLES: usize, const VERTICES: usize> TriangleList<TRIANGLES, VERT
 
     /// Prepares a mesh's triangles, in the order of the mesh or back to front.
     #[inline]
-    fn prepare_in_order<
-        'a,
-        const SORTED: bool,
-        M: Mode,
-        Z: DepthTest,
-        B: Copy,
-        V: ModelToPicture,
-    >(
+    fn prepare_in_order<'a, const SORTED: bool, M: Mode, Z: DepthTest, B: Copy, V: AsMvp>(
         &'a mut self,
         options: &DrawOptions<M, Z, B>,
         frame: Size,

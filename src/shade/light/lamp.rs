@@ -20,7 +20,7 @@ pub trait Lamp: Lighting {
     #[inline]
     fn diffuse(&self, point: &SurfacePoint) -> i32 {
         let (toward, light) = self.ray(point);
-        share(light, point.normal.dot(toward).max(0) >> 14)
+        share(light, point.normal.dot(toward).to_bits().max(0) >> 14)
     }
 
     /// The light that comes from all sides, in units of 2⁻¹⁶.
@@ -38,7 +38,7 @@ pub trait Lamp: Lighting {
     ///
     /// # Errors
     ///
-    /// [`Error::Brightness`] if `strength` is not between 0 and 1.
+    /// [`Error::OutOfRange`] if `strength` is not between 0 and 1.
     fn shiny(self, viewer: Viewer, exponent: u8, strength: Scalar) -> Result<Shiny<Self>, Error> {
         Ok(Shiny {
             lamp: self,

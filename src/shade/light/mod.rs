@@ -26,6 +26,7 @@ pub use viewer::Viewer;
 
 use embedded_graphics::pixelcolor::Rgb888;
 
+use crate::error::{check_range, ok};
 use crate::math::Direction;
 use crate::mesh::{Corner, Primitive};
 use crate::shade::PixelFormat;
@@ -36,10 +37,12 @@ pub(super) const FULL: i32 = 1 << 16;
 
 /// A brightness in units of 2⁻¹⁶, if it lies between 0 and 1.
 const fn brightness(value: Scalar) -> Result<i32, Error> {
-    match value.to_bits() {
-        bits @ 0..=FULL => Ok(bits),
-        _ => Err(Error::Brightness { value }),
-    }
+    ok!(check_range(
+        "brightness",
+        value,
+        [Scalar::ZERO, Scalar::ONE]
+    ));
+    Ok(value.to_bits())
 }
 
 /// A point of a surface, as [`Lighting`] sees it, in world space.
@@ -266,9 +269,22 @@ mod tests {
     fn bad_lamps_are_refused() {
         let lamp = |brightness, range| PointLight::new(Vec3::ZERO, brightness, range);
         let value = fx!(1.5);
-        assert_eq!(lamp(value, fx!(1)), Err(Error::Brightness { value }));
+        let too_bright = Error::OutOfRange {
+            of: "brightness",
+            given: value,
+            min: fx!(0),
+            max: fx!(1),
+        };
+        assert_eq!(lamp(value, fx!(1)), Err(too_bright));
         for range in [fx!(0), fx!(-1)] {
-            assert_eq!(lamp(fx!(1), range), Err(Error::LightRange { range }));
+            assert_eq!(
+                lamp(fx!(1), range),
+                Err(Error::Extent {
+                    of: "range of the light",
+                    given: range,
+                    max: Scalar::MAX
+                })
+            );
         }
         let spot = |axis, inner, outer| {
             SpotLight::new(Vec3::ZERO, axis, (inner, outer), fx!(1), fx!(1))
@@ -290,10 +306,7 @@ mod tests {
         }
         let sun = Light::new(Vec3::X, fx!(0), fx!(1)).unwrap();
         let viewer = Viewer::at(Vec3::Z);
-        assert_eq!(
-            sun.shiny(viewer, 3, value),
-            Err(Error::Brightness { value })
-        );
+        assert_eq!(sun.shiny(viewer, 3, value), Err(too_bright));
         assert_eq!(Viewer::toward(Vec3::ZERO), Err(Error::ZeroDirection));
     }
 }

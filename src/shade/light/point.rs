@@ -1,7 +1,7 @@
 //! Light from a point.
 
 use super::{Lamp, SurfacePoint, brightness};
-use crate::error::ok;
+use crate::error::{check_extent, ok};
 use crate::math::Direction;
 use crate::num::reciprocal;
 use crate::num::rsqrt::{measure, short_root};
@@ -76,12 +76,10 @@ impl PointLight {
     ///
     /// # Errors
     ///
-    /// [`Error::Brightness`] if `brightness` is not between 0 and 1; [`Error::LightRange`] if `range` is not above 0.
+    /// [`Error::OutOfRange`] if `brightness` is not between 0 and 1; [`Error::Extent`] if `range` is not above 0.
     pub const fn new(position: Vec3, brightness: Scalar, range: Scalar) -> Result<Self, Error> {
         let brightness = ok!(self::brightness(brightness));
-        if range.to_bits() <= 0 {
-            return Err(Error::LightRange { range });
-        }
+        ok!(check_extent("range of the light", range, Scalar::MAX));
         let bits = range.to_bits().cast_unsigned();
         let up = bits.leading_zeros() - 1;
         let inverse = reciprocal(bits << up);

@@ -55,7 +55,7 @@ impl<L: Lamp> Lighting for Shiny<L> {
 
     fn at(&self, point: &SurfacePoint) -> Illumination {
         let (toward, light) = self.lamp.ray(point);
-        let facing = point.normal.dot(toward).max(0);
+        let facing = point.normal.dot(toward).to_bits().max(0);
         let highlight = if facing > 0 {
             let viewer = self.viewer.direction_from(point.position);
             let cosine = point.normal.dot_halfway(toward, viewer);

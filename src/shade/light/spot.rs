@@ -108,7 +108,7 @@ impl SpotLight {
 impl Lamp for SpotLight {
     fn ray(&self, point: &SurfacePoint) -> (Direction, i32) {
         let (toward, light) = self.lamp.ray(point);
-        let inside = -self.axis.dot(toward) - self.outer;
+        let inside = -self.axis.dot(toward).to_bits() - self.outer;
         if light == 0 || inside <= 0 {
             return (toward, 0);
         }

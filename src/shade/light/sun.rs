@@ -54,7 +54,7 @@ impl Light {
     ///
     /// # Errors
     ///
-    /// [`Error::ZeroDirection`] if `direction` is zero; [`Error::Brightness`] if `ambient` or `diffuse` is not
+    /// [`Error::ZeroDirection`] if `direction` is zero; [`Error::OutOfRange`] if `ambient` or `diffuse` is not
     /// between 0 and 1.
     pub const fn new(direction: Vec3, ambient: Scalar, diffuse: Scalar) -> Result<Self, Error> {
         let ambient = ok!(brightness(ambient));
@@ -183,7 +183,12 @@ mod tests {
             Err(Error::ZeroDirection)
         );
         for value in [fx!(-0.1), fx!(1.5)] {
-            let error = Err(Error::Brightness { value });
+            let error = Err(Error::OutOfRange {
+                of: "brightness",
+                given: value,
+                min: fx!(0),
+                max: fx!(1),
+            });
             assert_eq!(Light::new(Vec3::X, value, half), error);
             assert_eq!(Light::new(Vec3::X, half, value), error);
         }

@@ -3,7 +3,7 @@
 use crate::math::Direction;
 use crate::num::rsqrt::unit;
 use crate::num::wide::dot;
-use crate::view::ModelToPicture;
+use crate::view::AsMvp;
 use crate::{Error, Vec3};
 
 /// The place from which a picture is seen, in world space: a point under a perspective projection, a direction under a
@@ -52,7 +52,7 @@ impl Viewer {
     /// The viewer of a picture whose camera is a rigid transform, as are all that [`Camera`](crate::Camera)'s own
     /// constructors make.
     #[must_use]
-    pub fn of(picture: &impl ModelToPicture) -> Self {
+    pub fn of(picture: &impl AsMvp) -> Self {
         let from_eye = picture.camera_of().inverse_rigid();
         Self(match picture.projection_of().line_of_sight() {
             None => Position::At(from_eye.point(Vec3::ZERO)),
@@ -76,7 +76,7 @@ impl Viewer {
     /// nearer to the plane than 2^-14 may count as being on either side.
     pub(super) fn sees_back(&self, face: Direction, position: Vec3) -> bool {
         match self.0 {
-            Position::Toward(direction) => face.dot(direction) < 0,
+            Position::Toward(direction) => face.dot(direction).to_bits() < 0,
             Position::At(eye) => {
                 // Without two bits, 31 remain.
                 let [x, y, z] = position.way_to(eye);

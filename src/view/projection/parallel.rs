@@ -2,8 +2,8 @@
 
 use core::marker::PhantomData;
 
-use super::{Parallel, Projection, Row, bits, check_far, extent, number};
-use crate::num::Unit;
+use super::{Parallel, Projection, Row, bits, extent, number};
+use crate::num::Fraction;
 use crate::num::block::BlockFloat;
 use crate::view::Window;
 use crate::{Angle, Error, Scalar};
@@ -15,8 +15,7 @@ impl Projection<Parallel> {
     ///
     /// # Errors
     ///
-    /// [`Error::Far`] unless `near` < `far`; [`Error::EmptyWindow`] unless the window's left <
-    /// right and bottom < top.
+    /// [`Error::Empty`] unless `near` < `far` and the window's left < right and bottom < top.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -25,30 +24,43 @@ impl Projection<Parallel> {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn orthographic(window: Window, near: Scalar, far: Scalar) -> Result<Self, Error> {
-        Self::sheared([BlockFloat::ZERO; 2], window, near, far)
+        Self::sheared([BlockFloat::ZERO; 2], near, window, near, far)
     }
 
-    /// Makes an oblique projection: the near plane is undistorted, and a point beyond it moves in the picture by
-    /// `ratio` times its distance from that plane.
+    /// Makes an oblique projection: the plane at the distance `plane` is undistorted and shows the window, and a point
+    /// behind it moves in the picture by `ratio` times its distance from that plane, one before it the other way.
     ///
-    /// It moves in the direction of `angle`, counter-clockwise from the right.
+    /// It moves in the direction of `angle`, counter-clockwise from the right. What lies in the near plane itself is not
+    /// drawn, so let `near` be less than `plane` if the front of a model is to be undistorted.
     ///
     /// # Errors
     ///
     /// The same as for [`orthographic`](Self::orthographic).
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let window = Window::centered(fx!(4), fx!(4));
+    /// let oblique = Projection::oblique(deg!(0), fx!(0.5), fx!(5), window, fx!(1), fx!(10))?;
+    /// let across = |point| oblique.to_matrix().project(point).map(|at| at.x);
+    /// assert_eq!(across(vec3!(2, 0, -5)), Some(fx!(1))); // the window's edge, in the plane
+    /// assert_eq!(across(vec3!(0, 0, -7)), Some(fx!(0.5))); // two behind it: one to the right
+    /// # Ok::<(), Error>(())
+    /// ```
     pub fn oblique(
         angle: Angle,
         ratio: Scalar,
+        plane: Scalar,
         window: Window,
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, Error> {
         let (sin, cos) = angle.sin_cos();
-        let shear = |part: Unit| BlockFloat::new(bits(ratio) * i64::from(part.to_bits()), 46);
-        Self::sheared([shear(cos), shear(sin)], window, near, far)
+        let shear = |part: Fraction| BlockFloat::new(bits(ratio) * i64::from(part.to_bits()), 46);
+        Self::sheared([shear(cos), shear(sin)], plane, window, near, far)
     }
 
-    /// Makes an [oblique](Self::oblique) projection in which depth keeps its full length.
+    /// Makes an [oblique](Self::oblique) projection in which depth keeps its full length, and the near plane is
+    /// undistorted.
     ///
     /// # Errors
     ///
@@ -59,35 +71,36 @@ impl Projection<Parallel> {
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, Error> {
-        Self::oblique(angle, Scalar::ONE, window, near, far)
+        Self::oblique(angle, Scalar::ONE, near, window, near, far)
     }
 
-    /// Makes an [oblique](Self::oblique) projection in which depth has half its length.
+    /// Makes an [oblique](Self::oblique) projection in which depth has half its length, and the near plane is
+    /// undistorted.
     ///
     /// # Errors
     ///
     /// The same as for [`orthographic`](Self::orthographic).
     pub fn cabinet(angle: Angle, window: Window, near: Scalar, far: Scalar) -> Result<Self, Error> {
-        let half = Scalar::from_bits(1 << 15);
-        Self::oblique(angle, half, window, near, far)
+        Self::oblique(angle, Scalar::ONE / 2, near, window, near, far)
     }
 
-    /// Makes the projection of a box in which a point at distance d moves by `shear` · (d − near).
+    /// Makes the projection of a box in which a point at distance d moves by `shear` · (d − `plane`).
     fn sheared(
         shear: [BlockFloat; 2],
+        plane: Scalar,
         window: Window,
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, Error> {
-        check_far(near, far)?;
+        extent("view", near, far)?;
         let row = |low, high, shear: BlockFloat| -> Result<_, Error> {
-            let (size, middle) = extent(low, high)?;
+            let (size, middle) = extent("window", low, high)?;
             let size = BlockFloat::new(size, 16);
             let scale = BlockFloat::new(2, 0).over(size);
             let slope = scale.times(shear).negated();
             let offset = BlockFloat::new(-middle, 16)
                 .over(size)
-                .plus(slope.times(number(near)));
+                .plus(slope.times(number(plane)));
             Ok((scale, slope, offset))
         };
         let (x, x_slope, x_offset) = row(window.left, window.right, shear[0])?;

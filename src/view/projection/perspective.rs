@@ -2,17 +2,16 @@
 
 use core::marker::PhantomData;
 
-use super::{Perspective, Projection, Row, bits, check_far, extent};
+use super::{Perspective, Projection, Row, bits, extent};
+use crate::error::check_extent;
 use crate::num::block::{self, BlockFloat};
 use crate::view::{Aspect, Window};
 use crate::{Angle, Error, Scalar, Vec3};
 
 fn check_planes(near: Scalar, far: Scalar) -> Result<(), Error> {
-    if near > Scalar::ZERO {
-        check_far(near, far)
-    } else {
-        Err(Error::Near { near })
-    }
+    check_extent("distance of the near plane", near, Scalar::MAX)?;
+    extent("view", near, far)?;
+    Ok(())
 }
 
 impl Projection<Perspective> {
@@ -40,7 +39,7 @@ impl Projection<Perspective> {
     /// # Errors
     ///
     /// [`Error::FieldOfView`] unless 0 < `fov` < 180°; [`Error::Aspect`] unless width and height
-    /// are above 0; [`Error::Near`] unless 0 < `near`; [`Error::Far`] unless `near` < `far`.
+    /// are above 0; [`Error::Extent`] unless 0 < `near`; [`Error::Empty`] unless `near` < `far`.
     pub fn perspective(
         fov: Angle,
         aspect: impl Into<Aspect>,
@@ -65,8 +64,8 @@ impl Projection<Perspective> {
     ///
     /// # Errors
     ///
-    /// [`Error::FocalLength`] unless 0 < `pixels`; [`Error::Aspect`] unless width and height are
-    /// above 0; [`Error::Near`] unless 0 < `near`; [`Error::Far`] unless `near` < `far`.
+    /// [`Error::Extent`] unless 0 < `pixels` and 0 < `near`; [`Error::Aspect`] unless width and height are
+    /// above 0; [`Error::Empty`] unless `near` < `far`.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -80,9 +79,7 @@ impl Projection<Perspective> {
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, Error> {
-        if pixels <= Scalar::ZERO {
-            return Err(Error::FocalLength { pixels });
-        }
+        check_extent("focal length", pixels, Scalar::MAX)?;
         let (width, height) = Aspect::from(size).checked()?;
         check_planes(near, far)?;
         let scale = |size| BlockFloat::new(2 * bits(pixels), 0).over(BlockFloat::new(size, 0));
@@ -93,8 +90,8 @@ impl Projection<Perspective> {
     ///
     /// # Errors
     ///
-    /// [`Error::Near`] unless 0 < `near`; [`Error::Far`] unless `near` < `far`;
-    /// [`Error::EmptyWindow`] unless the window's left < right and bottom < top.
+    /// [`Error::Extent`] unless 0 < `near`; [`Error::Empty`] unless `near` < `far` and the window's left < right and
+    /// bottom < top.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -106,8 +103,8 @@ impl Projection<Perspective> {
     /// ```
     pub fn frustum(window: Window, near: Scalar, far: Scalar) -> Result<Self, Error> {
         check_planes(near, far)?;
-        let (width, across) = extent(window.left, window.right)?;
-        let (height, up) = extent(window.bottom, window.top)?;
+        let (width, across) = extent("window", window.left, window.right)?;
+        let (height, up) = extent("window", window.bottom, window.top)?;
         let ratio = |value, size| BlockFloat::new(value, 0).over(BlockFloat::new(size, 0));
         let (double, zero) = (2 * bits(near), BlockFloat::ZERO);
         Ok(Self {

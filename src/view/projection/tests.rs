@@ -30,7 +30,7 @@ fn close(row: &Row, expected: [f64; 4]) -> bool {
 }
 
 fn one(value: f64) -> Scalar {
-    crate::num::scalar(value).unwrap()
+    Scalar::try_from(value).unwrap()
 }
 
 /// Distances of a near and a far plane ahead of the eye, of all sizes.
@@ -114,9 +114,11 @@ fn oblique_has_28_bits() {
         let angle = random.random::<u32>();
         let ratio = random.random::<i32>();
         let (angle, ratio) = (Angle::from_bits(angle), Scalar::from_bits(ratio));
+        let plane = Scalar::from_bits(crate::random::number(random));
         let projection = Projection::oblique(
             angle,
             ratio,
+            plane,
             Window {
                 left: l,
                 right: r,
@@ -127,13 +129,13 @@ fn oblique_has_28_bits() {
             f,
         )
         .unwrap();
-        let [lf, rf, bf, tf, nf, k] = [l, r, b, t, n, ratio].map(float);
+        let [lf, rf, bf, tf, pf, k] = [l, r, b, t, plane, ratio].map(float);
         let (sin, cos) = (f64::from(angle.to_bits()) / f64::from(32).exp2() * TAU).sin_cos();
         let (x, y) = (2.0 / (rf - lf), 2.0 / (tf - bf));
         let (cx, cy) = (-x * k * cos, -y * k * sin);
         // A sine is within 1.6e-9, not within 28 bits of itself; ratio and distance scale it.
         let slack = |scale: f64, middle: f64| {
-            f64::from(-28).exp2() * (scale + middle.abs() + scale * k.abs() * (1.0 + nf.abs()))
+            f64::from(-28).exp2() * (scale + middle.abs() + scale * k.abs() * (1.0 + pf.abs()))
         };
         let check = |row: &Row, expected: [f64; 4], slack: f64| {
             real(row)
@@ -144,13 +146,13 @@ fn oblique_has_28_bits() {
         let middle = (rf + lf) / (rf - lf);
         assert!(check(
             &projection.rows[0],
-            [x, 0.0, cx, -middle + cx * nf],
+            [x, 0.0, cx, -middle + cx * pf],
             slack(x, middle)
         ));
         let middle = (tf + bf) / (tf - bf);
         assert!(check(
             &projection.rows[1],
-            [0.0, y, cy, -middle + cy * nf],
+            [0.0, y, cy, -middle + cy * pf],
             slack(y, middle)
         ));
     });
@@ -189,7 +191,7 @@ fn no_accessor_panics() {
         }
         let projections = [
             Projection::orthographic(window, n, f),
-            Projection::oblique(angle, k, window, n, f),
+            Projection::oblique(angle, k, n, window, n, f),
         ];
         for projection in projections.into_iter().flatten() {
             let _ = (
@@ -229,7 +231,7 @@ fn a_window_keeps_its_place() {
         check(window, projection.window(), 0.0, 0.0);
         let angle = Angle::from_bits(random.random());
         let ratio = Scalar::from_bits(random.random());
-        let projection = Projection::oblique(angle, ratio, window, near, far).unwrap();
+        let projection = Projection::oblique(angle, ratio, near, window, near, far).unwrap();
         check(window, projection.window(), float(near), float(ratio));
     });
 }
@@ -245,6 +247,7 @@ fn focal_length_is_exact() {
 
 #[test]
 fn invalid_arguments_are_refused() {
+    let empty = |of, low, high| Error::Empty { of, low, high };
     let (zero, low, high) = (Scalar::ZERO, one(1.0), one(2.0));
     let fov = Angle::from_degrees(60);
     let square = Window::centered(high, high);
@@ -259,7 +262,14 @@ fn invalid_arguments_are_refused() {
             Projection::from_focal_length(low, (4, 3), near, high),
             Projection::frustum(square, near, high),
         ];
-        assert_eq!(refused, [Err(Error::Near { near }); 3]);
+        assert_eq!(
+            refused,
+            [Err(Error::Extent {
+                of: "distance of the near plane",
+                given: near,
+                max: Scalar::MAX,
+            }); 3]
+        );
     }
     for far in [low, high] {
         let refused = [
@@ -267,14 +277,11 @@ fn invalid_arguments_are_refused() {
             Projection::from_focal_length(low, (4, 3), high, far),
             Projection::frustum(square, high, far),
         ];
-        assert_eq!(refused, [Err(Error::Far { near: high, far }); 3]);
+        assert_eq!(refused, [Err(empty("view", high, far)); 3]);
         let refused = Projection::orthographic(square, high, far);
-        assert_eq!(refused, Err(Error::Far { near: high, far }));
+        assert_eq!(refused, Err(empty("view", high, far)));
     }
-    let empty = Error::EmptyWindow {
-        low: high,
-        high: low,
-    };
+    let backward = empty("window", high, low);
     for [left, right, bottom, top] in [[high, low, low, high], [low, high, high, low]] {
         let window = Window {
             left,
@@ -282,12 +289,12 @@ fn invalid_arguments_are_refused() {
             bottom,
             top,
         };
-        assert_eq!(Projection::frustum(window, low, high), Err(empty));
-        assert_eq!(Projection::orthographic(window, low, high), Err(empty));
+        assert_eq!(Projection::frustum(window, low, high), Err(backward));
+        assert_eq!(Projection::orthographic(window, low, high), Err(backward));
         let refused = Projection::cabinet(fov, window, low, high);
-        assert_eq!(refused, Err(empty));
+        assert_eq!(refused, Err(backward));
     }
-    let flat = Error::EmptyWindow { low, high: low };
+    let thin = empty("window", low, low);
     assert_eq!(
         Projection::frustum(
             Window {
@@ -299,7 +306,7 @@ fn invalid_arguments_are_refused() {
             low,
             high
         ),
-        Err(flat)
+        Err(thin)
     );
     let flat = Error::Aspect {
         width: one(4.0),
@@ -330,7 +337,14 @@ fn invalid_arguments_are_refused() {
     );
     let pixels = zero;
     let refused = Projection::from_focal_length(pixels, (4, 3), low, high);
-    assert_eq!(refused, Err(Error::FocalLength { pixels }));
+    assert_eq!(
+        refused,
+        Err(Error::Extent {
+            of: "focal length",
+            given: pixels,
+            max: Scalar::MAX,
+        })
+    );
 }
 
 #[test]

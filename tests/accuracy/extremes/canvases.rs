@@ -11,7 +11,9 @@ use super::verdict::Verdict;
 
 /// Triangles all over a viewport and beyond it.
 fn on(size: (u32, u32), viewport: Option<Viewport>, count: usize) -> Verdict {
-    let (width, height) = viewport.map_or(size, |viewport| (viewport.width(), viewport.height()));
+    let (width, height) = viewport.map_or(size, |viewport| {
+        (viewport.size().width, viewport.size().height)
+    });
     let view = TriangleView {
         size,
         viewport,

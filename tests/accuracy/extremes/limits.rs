@@ -5,7 +5,6 @@ use std::sync::Mutex;
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::canvas::MAX_SIZE;
 use fixel::mesh::Shape;
-use fixel::num::{scalar, tex_coord};
 use fixel::prelude::*;
 use fixel::texture::{MAX_TEXTURE_SIZE, Sampler};
 use fixel::view::{Perspective, ProjectionKind};
@@ -148,15 +147,15 @@ fn textures_of_the_largest_sides_are_drawn() {
 fn numbers_beyond_their_formats_are_refused() {
     // The ends of the formats, and half a unit beyond, which rounds away from zero and out of range.
     let unit = 1. / 65_536.;
-    assert_eq!(scalar(32_768. - unit), Ok(Scalar::MAX));
-    assert!(scalar(32_768. - unit / 2.).is_err());
-    assert_eq!(scalar(-32_768.), Ok(Scalar::MIN));
-    assert!(scalar(-32_768. - unit / 2.).is_err());
+    assert_eq!(Scalar::try_from(32_768. - unit), Ok(Scalar::MAX));
+    assert!(Scalar::try_from(32_768. - unit / 2.).is_err());
+    assert_eq!(Scalar::try_from(-32_768.), Ok(Scalar::MIN));
+    assert!(Scalar::try_from(-32_768. - unit / 2.).is_err());
     let unit = 1. / 1_048_576.;
-    assert_eq!(tex_coord(2048. - unit), Ok(TexCoord::MAX));
-    assert!(tex_coord(2048. - unit / 2.).is_err());
-    assert_eq!(tex_coord(-2048.), Ok(TexCoord::MIN));
-    assert!(tex_coord(-2048. - unit / 2.).is_err());
+    assert_eq!(TexCoord::try_from(2048. - unit), Ok(TexCoord::MAX));
+    assert!(TexCoord::try_from(2048. - unit / 2.).is_err());
+    assert_eq!(TexCoord::try_from(-2048.), Ok(TexCoord::MIN));
+    assert!(TexCoord::try_from(-2048. - unit / 2.).is_err());
 }
 
 #[test]

@@ -61,9 +61,9 @@ impl TriangleView {
     pub fn scene(&self, corners: Corners, texels: [[i32; 2]; 3]) -> Scene {
         let positions = corners.map(rounded).to_vec();
         let (transform, eye) = product(&self.moves);
-        let (width, height) = self
-            .viewport
-            .map_or(self.size, |viewport| (viewport.width(), viewport.height()));
+        let (width, height) = self.viewport.map_or(self.size, |viewport| {
+            (viewport.size().width, viewport.size().height)
+        });
         let projection = Projection::from_focal_length(
             number(self.focal),
             (width, height),
@@ -93,8 +93,8 @@ impl TriangleView {
                 eye,
                 projection: focal(self.focal, (width, height), self.near, self.far),
                 viewport: view::Viewport {
-                    x: self.viewport.map_or(0, |viewport| viewport.x()),
-                    y: self.viewport.map_or(0, |viewport| viewport.y()),
+                    x: self.viewport.map_or(0, |viewport| viewport.top_left().x),
+                    y: self.viewport.map_or(0, |viewport| viewport.top_left().y),
                     width,
                     height,
                 },

@@ -174,7 +174,7 @@ fn the_mvp_applies_from_right_to_left() {
     let options = DrawOptions::new().with_viewport(Viewport::new(32, 16, 160, 120).unwrap());
     let place = |mvp: &_, p| {
         let place = canvas.project(&options, mvp, p).unwrap();
-        [place.x.to_num::<f64>(), place.y.to_num()]
+        [f64::from(place.x), f64::from(place.y)]
     };
     let (turn, shift) = (
         Transform::rotate_z(Angle::from_degrees(90)),
@@ -218,7 +218,11 @@ fn a_line_projects_to_a_line() {
             let place = place.expect("the point is ahead");
             // Rounded by half a subpixel.
             let expected = [MIDDLE[0] + x, MIDDLE[1] - y];
-            all_close([place.x.to_num(), place.y.to_num()], expected, 0.51 / 256.0);
+            all_close(
+                [f64::from(place.x), f64::from(place.y)],
+                expected,
+                0.51 / 256.0,
+            );
         }
     });
 }

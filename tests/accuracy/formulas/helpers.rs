@@ -1,14 +1,14 @@
 //! Helpers of the formulas' tests: conversions between the crate's formats and f64, and the steps of the formats.
 
-use fixel::{Matrix4, Scalar, Unit, Vec3};
+use fixel::{Fraction, Matrix4, Scalar, Vec3};
 
 /// A step of the coordinates' format. A value rounded once has an error of up to half a step.
 pub const STEP: f64 = 1.0 / 65_536.0;
 /// A step of sines, cosines and fractions.
 pub const UNIT_STEP: f64 = 1.0 / 1_073_741_824.0;
 
-pub fn unit(value: f64) -> Unit {
-    Unit::from_num(value)
+pub fn unit(value: f64) -> Fraction {
+    Fraction::try_from(value).unwrap()
 }
 
 pub fn vec(x: f64, y: f64, z: f64) -> Vec3 {
@@ -16,7 +16,7 @@ pub fn vec(x: f64, y: f64, z: f64) -> Vec3 {
 }
 
 pub fn float(value: Scalar) -> f64 {
-    value.to_num()
+    f64::from(value)
 }
 
 pub fn close(found: f64, expected: f64, tolerance: f64) {

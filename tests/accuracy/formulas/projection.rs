@@ -221,7 +221,7 @@ fn oblique_projections_show_receding_edges_at_their_length_and_angle() {
         let turn = Angle::from_degrees(angle);
         let cavalier = Projection::cavalier(turn, window, near, far).unwrap();
         let cabinet = Projection::cabinet(turn, window, near, far).unwrap();
-        let any = Projection::oblique(turn, fx!(0.75), window, near, far).unwrap();
+        let any = Projection::oblique(turn, fx!(0.75), near, window, near, far).unwrap();
         for (projection, length) in [(cavalier, 1.0), (cabinet, 0.5), (any, 0.75)] {
             let (found, direction) = receding(&projection);
             // The matrix's entries are rounded by half a step, times z = 3 and 2; the images are rounded too.

@@ -24,10 +24,10 @@ fn depth_halfway_along_a_projected_segment() {
 fn a_fraction_on_screen_converts_to_space_and_back() {
     let segment = segment(1.0, 4.0);
     let t = segment.in_space(unit(0.5)).unwrap();
-    close(t.to_num(), 0.2, UNIT_STEP / 2.0);
+    close(f64::from(t), 0.2, UNIT_STEP / 2.0);
     let q = segment.on_screen(t).unwrap();
     // Half a step of t, times dq/dt = z0·z1/(z0 + t(z1 − z0))² = 4/1.6², and half a step of q.
-    close(q.to_num(), 0.5, UNIT_STEP * (0.5 + 0.5 * 4.0 / 2.56));
+    close(f64::from(q), 0.5, UNIT_STEP * (0.5 + 0.5 * 4.0 / 2.56));
 }
 
 #[test]
@@ -38,15 +38,19 @@ fn depth_and_fraction_of_any_segment() {
         let s = segment(z[0], z[1]);
         // The arguments after rounding to the crate's formats.
         let [z0, z1] = z.map(|z| float(number(z)));
-        let q: f64 = unit(q).to_num();
+        let q = f64::from(unit(q));
         let depth = 1.0 / (1.0 / z0 + q * (1.0 / z1 - 1.0 / z0));
         // Rounded once; f64 itself has a relative error of only 1e-13.
         close(float(s.distance(unit(q)).unwrap()), depth, 0.501 * STEP);
         let t = q * z0 / (z1 - q * (z1 - z0));
-        close(s.in_space(unit(q)).unwrap().to_num(), t, 0.501 * UNIT_STEP);
+        close(
+            f64::from(s.in_space(unit(q)).unwrap()),
+            t,
+            0.501 * UNIT_STEP,
+        );
         let back = q * z1 / (z0 + q * (z1 - z0));
         close(
-            s.on_screen(unit(q)).unwrap().to_num(),
+            f64::from(s.on_screen(unit(q)).unwrap()),
             back,
             0.501 * UNIT_STEP,
         );
@@ -65,7 +69,7 @@ fn both_forms_of_interpolation_give_the_same_point() {
         // R = lerp(a/w0, b/w1, f) / lerp(1/w0, 1/w1, f).
         let homogeneous = segment.attribute(a, b, f).unwrap();
         // g = f / lerp(w1/w0, 1, f), then linear interpolation in space.
-        let g: f64 = segment.in_space(f).unwrap().to_num();
+        let g = f64::from(segment.in_space(f).unwrap());
         let in_space = float(a) + g * (float(b) - float(a));
         // The point is rounded once; g is rounded once, and multiplied by at most 200.
         close(

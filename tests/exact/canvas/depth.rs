@@ -9,7 +9,6 @@ use embedded_graphics::mono_font::ascii::FONT_6X10;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, GrayColor, PixelColor};
 use embedded_graphics::text::Text;
 use fixel::canvas::{DepthBuffer, FloatDepth, LinearDepth, Native, WideFloatDepth};
-use fixel::num::scalar;
 use fixel::prelude::*;
 
 /// Draws a triangle that covers the pixels below the diagonal of an 8x8 canvas.
@@ -174,10 +173,10 @@ fn plates<F: DepthBuffer>() -> MockDisplay<BinaryColor> {
     const SIZE: (u32, u32) = (26, 6);
     const FOCAL: f64 = 16.;
     let projection = Projection::from_focal_length(
-        scalar(FOCAL).unwrap(),
+        Scalar::try_from(FOCAL).unwrap(),
         SIZE,
-        scalar(1. / 32.).unwrap(),
-        scalar(31_250.).unwrap(),
+        Scalar::try_from(1. / 32.).unwrap(),
+        Scalar::try_from(31_250.).unwrap(),
     )
     .unwrap();
     let mut pixels = [BinaryColor::Off; 26 * 6];
@@ -189,7 +188,7 @@ fn plates<F: DepthBuffer>() -> MockDisplay<BinaryColor> {
         let corners = [(left, bottom), (right, bottom), (right, top), (left, top)];
         let positions = corners.map(|(x, y)| {
             let [x, y] = [x - 13, 3 - y].map(|at| f64::from(at) * distance / FOCAL);
-            let [x, y, z] = [x, y, -distance].map(|at| scalar(at).unwrap());
+            let [x, y, z] = [x, y, -distance].map(|at| Scalar::try_from(at).unwrap());
             Vec3::new(x, y, z)
         });
         let mesh = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 3]]).unwrap();

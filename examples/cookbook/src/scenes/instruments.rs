@@ -28,7 +28,7 @@ static SKIN: [[Rgb565; 64]; 128] = {
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let (Size { width, height }, center) = (canvas.frame_size(), canvas.bounding_box().center());
     canvas.clear(Rgb565::new(2, 4, 3));
-    let aspect = Scalar::from_num(width) / Scalar::from_num(height);
+    let aspect = Scalar::try_from(width)? / Scalar::try_from(height)?;
     let window = Window::centered(aspect * 5 / 2, fx!(2.5)); // the ball is 2 units wide
     let projection = Projection::orthographic(window, fx!(-1), fx!(1))?;
     let ball = projection * Transform::rotate_z(deg!(-20)) * Transform::rotate_x(deg!(10));

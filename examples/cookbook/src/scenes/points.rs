@@ -28,7 +28,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
         Vec3::new(across(2 * at), across(2 * at + 1), fx!(-30))
     });
     let (some, others) = stars.split_at(STARS / 6);
-    let pixel = Scalar::from_num(size.height) / 240; // as large on any display
+    let pixel = Scalar::try_from(size.height)? / 240; // as large on any display
     for (stars, side) in [(some, pixel * 2), (others, pixel)] {
         let (stars, square) = (Mesh::new(stars, &[])?, PointStyle::square(side)?);
         let white = Flat::new(Rgb565::new(24, 50, 27));
@@ -45,9 +45,9 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
         let [turn, out, up] = [0, ROCKS, 2 * ROCKS].map(|from| noise(from + at));
         let angle = Angle::from_turns(turn);
         let gap = if out > fx!(0.7) { fx!(0.2) } else { fx!(0) };
-        let [x, z] = [angle.cos(), angle.sin()]
-            .map(|part| Scalar::from_num(part) * (fx!(1.4) + out * fx!(0.9) + gap));
-        let shade = (noise(3 * ROCKS + at) * 110).to_num::<u8>();
+        let [x, z] =
+            [angle.cos(), angle.sin()].map(|part| (fx!(1.4) + out * fx!(0.9) + gap) * part);
+        let shade = (noise(3 * ROCKS + at) * 110).floor().cast_unsigned() as u8;
         colors[at] = Rgb888::new(130 + shade, 115 + shade, 90 + shade);
         Vec3::new(x, (up - fx!(0.5)) * fx!(0.04), z)
     });

@@ -10,7 +10,7 @@ static ROCK: Mesh = shape!(sphere(9, 6));
 
 /// Stars and gas in one direction. (Yours may come from files, with `include_texture!`.)
 fn space(direction: Vec3) -> Rgb565 {
-    let wave = |along: Vec3| Scalar::from_num(Angle::from_turns(direction.dot(along)).sin());
+    let wave = |along: Vec3| fx!(1) * Angle::from_turns(direction.dot(along)).sin();
     let bent = wave(vec3!(0.5, 0.2, 0.6)) / 4 + wave(vec3!(0.3, 1.1, -0.7)) / 8;
     let gas = fx!(1) - (direction.dot(vec3!(0.3, 0.9, 0.2)) + bent).abs() * 2;
     let red = wave(vec3!(0.4, 0.3, 0.1)) / 2 + fx!(0.5);
@@ -20,7 +20,7 @@ fn space(direction: Vec3) -> Rgb565 {
         return Rgb565::WHITE;
     }
     let [r, g, b] = [gas * red * 20, gas * (fx!(1) - red) * 24, gas * 24]
-        .map(|light| light.max(fx!(0)).to_num::<u8>());
+        .map(|light| light.max(fx!(0)).floor().cast_unsigned() as u8);
     Rgb565::new(r, g, 4 + b)
 }
 
@@ -36,7 +36,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
             4 => Transform::rotate_x(deg!(-90)),
             _ => Transform::rotate_x(deg!(90)),
         };
-        let part = |at: usize| (fx!(31.5) - Scalar::from_num(at as u8)) / 32;
+        let part = |at: usize| (fx!(31.5) - Scalar::from(at as u8)) / 32;
         let texel = |y, x| space(turn.point(Vec3::new(part(x), part(y), fx!(1))));
         let texture: [[Rgb565; 64]; 64] = from_fn(|y| from_fn(|x| texel(y, x)));
         let side = CUBE.part(2 * side..2 * side + 2);

@@ -15,7 +15,7 @@ const CORNERS: usize = (SIDE + 1) * (SIDE + 1);
 fn height(x: Scalar, z: Scalar) -> Scalar {
     let wave = |turns: Scalar, height: Scalar| {
         let angle = Angle::from_turns(turns);
-        height * Scalar::from_num(angle.sin())
+        height * angle.sin()
     };
     wave(x / 11 + z / 31, fx!(1.1)) + wave(z / 9 - x / 23, fx!(0.9)) + wave((x + z) / 4, fx!(0.18))
 }
@@ -26,7 +26,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let view = projection * Camera::look_at(vec3!(-8, 5.2, 13), vec3!(0, -0.5, 0), Vec3::Y)?;
 
     let positions: [Vec3; CORNERS] = core::array::from_fn(|at| {
-        let place = |at: usize| Scalar::from_num(at as u8) * 3 / 4 - fx!(12);
+        let place = |at: usize| Scalar::from(at as u8) * 3 / 4 - fx!(12);
         let (x, z) = (place(at % (SIDE + 1)), place(at / (SIDE + 1)));
         Vec3::new(x, height(x, z), z)
     });
