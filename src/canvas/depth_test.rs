@@ -118,7 +118,7 @@ depth_tests! {
 /// let behind = DrawOptions::new().with_depth(Biased::behind(TestAndWrite));
 /// assert_eq!((behind.depth().steps(), behind.depth().slope()), (-2, fx!(-1)));
 /// canvas.draw_with(&behind, &BOX, &mvp, &Flat::new(BinaryColor::Off));
-/// canvas.draw_edges(&DrawOptions::new(), &BOX, &mvp, &Flat::new(BinaryColor::On));
+/// canvas.draw(BOX.edges(LineStyle::HAIRLINE), &mvp, &Flat::new(BinaryColor::On));
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

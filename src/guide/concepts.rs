@@ -220,7 +220,7 @@
 //! distance. So put the near plane as far away as the scene allows; a distant far plane costs nothing. For scenes that
 //! reach far beyond 1,000 times the near plane's distance, use the format [`Float`](crate::canvas::Float).
 //!
-//! A scene without a depth buffer must be drawn from back to front. A [`TriangleList`](crate::TriangleList) can sort
+//! A scene without a depth buffer must be drawn from back to front. A [`DrawList`](crate::DrawList) can sort
 //! it.
 //!
 //! # Band
@@ -257,7 +257,7 @@
 //! ```
 //!
 //! Put together, the bands equal the whole frame, bit for bit. Every draw call transforms its mesh again in every band.
-//! If that takes too long, a [`TriangleList`](crate::TriangleList) transforms it once a frame. The program in
+//! If that takes too long, a [`DrawList`](crate::DrawList) transforms it once a frame. The program in
 //! [firmware](crate::guide::firmware) uses two bands: it draws one while the other is sent.
 //!
 //! # When the scene is wrong

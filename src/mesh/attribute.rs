@@ -48,7 +48,7 @@ impl<T: Copy> Attribute<'_, T> {
     pub(super) fn at(&self, indices: Indices, corner: usize) -> Option<T> {
         let indices = match self.faces {
             None => indices.corners,
-            Some(faces) => *faces.get(indices.face?)?,
+            Some(faces) => *faces.get(indices.face()?)?,
         };
         self.values.get(usize::from(*indices.get(corner)?)).copied()
     }

@@ -237,18 +237,19 @@ impl<'a> Quantized<'a> {
             || Rgb888::WHITE,
         );
         let positions = primitive.positions();
-        let mesh = Mesh::of_lists(
+        let mut mesh = Mesh::of_lists(
             Positions::long(&positions),
             (&[], &[]),
             (uvs.as_slice().as_flattened(), &[]),
             (normals.as_slice().as_flattened(), &[]),
             (colors.as_slice().as_flattened(), &[]),
         );
+        mesh.first_face = primitive.mesh.first_face;
         f(&Primitive {
             mesh: &mesh,
             placement: primitive.placement,
             indices: Indices {
-                face: indices.face,
+                element: indices.element,
                 corners: [0, 1, 2],
             },
         })

@@ -26,7 +26,7 @@ use crate::{Error, Scalar, Vec2, Vec3};
 /// let positions = [vec3!(-2, 0, -2), vec3!(0, 0, -4), vec3!(4, 0, -4)];
 /// let sprites = Sprites::new(&positions, (fx!(2), fx!(3)))?;
 /// let white = Flat::new(BinaryColor::On);
-/// let drawn = canvas.draw_sprites(&DrawOptions::new(), &sprites, &projection, &white);
+/// let drawn = canvas.draw(&sprites, &projection, &white);
 /// assert_eq!((drawn.submitted, drawn.drawn), (6, 6)); // triangles
 ///
 /// let mut display = MockDisplay::new();
@@ -108,7 +108,7 @@ impl<'a> Sprites<'a> {
     /// canvas.clear(BinaryColor::Off);
     /// let positions = [vec3!(-2, 0, -2), vec3!(20, 0, -40)];
     /// let marks = Sprites::in_pixels(&positions, (fx!(4), fx!(2)))?;
-    /// canvas.draw_sprites(&DrawOptions::new(), &marks, &projection, &Flat::new(BinaryColor::On));
+    /// canvas.draw(&marks, &projection, &Flat::new(BinaryColor::On));
     ///
     /// let mut display = MockDisplay::new();
     /// canvas.show(&mut display)?;

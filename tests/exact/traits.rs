@@ -27,10 +27,8 @@ use fixel::texture::{Argb1555, Argb4444, Mipmap, MipmapArray, PackedGray4, Trili
 use fixel::texture::{Bilinear, Clamp, CutOut, Nearest, Repeat};
 use fixel::view::{Parallel, Perspective, Segment};
 use fixel::{
-    Hairline, Hit, Index, Matrix4, Object, Prepared, PreparedScene, RefusedFloat, ScreenPoint,
-    SmoothLine, Unit,
+    Hit, Index, Matrix4, Object, Prepared, RefusedFloat, ScreenPoint, Unit,
 };
-use fixel::{PreparedEdgeScene, PreparedEdges};
 
 const fn any<T: Debug + Send + Sync + Unpin>() {}
 const fn shared<T: Clone + Debug + Send + Sync>() {}
@@ -50,8 +48,8 @@ all!(value: Aspect Camera Mvp Mvp<Parallel> Parallel Perspective Projection Proj
 all!(value: Segment Viewport Window);
 all!(value: Add Alpha Multiply Opacity Replace Translucent<Rgb565> Gradient<Rgb565>);
 all!(value: Argb1555 Argb4444 Masked<u8, u8> PackedGray4<'static>);
-all!(value: Bounds Counts Hairline LineWidth Missing PointStyle Shape SmoothLine);
-all!(value: Affine Compact Exact Fast Newton Cull DrawOptions DrawOptions<Fast, Biased> DrawOptions<Fast, Biased, Replace, LineWidth> Drawn ScreenPoint);
+all!(value: Bounds Counts LineStyle LineStyle<true> Missing PointStyle Shape);
+all!(value: Affine Compact Exact Fast Newton Cull DrawOptions DrawOptions<Fast, Biased> Drawn ScreenPoint);
 all!(value: Hit Ray);
 all!(value: Flat<Rgb565> Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> Fragment Light);
 all!(value: Converted<Flat<Rgb565>, Rgb565> FaceLit<Flat<Rgb565>> Lit<Flat<Rgb565>> Tinted<Flat<Rgb565>>);
@@ -68,18 +66,17 @@ all!(value: ColorIndex Contrast Packed Pages);
 all!(value: Bilinear Clamp CutOut<Bilinear, Rgb565> Nearest Repeat);
 all!(value: Keyframes<'static> Mesh<'static> Outline<'static> Positions<'static> Sprites<'static>);
 all!(value: Dequantized<'static, Flat<Rgb565>> Quantized<'static>);
-all!(shared: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>> Prepared<'static>);
-all!(shared: EdgeList<1, 1> PreparedEdges<'static>);
-all!(shared: Object<'static, u8> TriangleList<1, 1> TextureArray<Rgb565, 1, 1> PaletteArray<Rgb565, 1, 1>);
+all!(shared: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>> Prepared<'static> Prepared<'static, u8>);
+all!(shared: Object<u8> DrawList<1, 1> TextureArray<Rgb565, 1, 1> PaletteArray<Rgb565, 1, 1>);
 all!(local: Corner<'static> Primitive<'static>);
 all!(any: Label<'static, Canvas<'static, Rgb565>>);
-all!(any: PreparedScene<'static, u8> PreparedEdgeScene<'static, u8> Buffers<'static> ErrorDiffusion<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, Depth<'static>>);
+all!(any: Buffers<'static> ErrorDiffusion<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, Depth<'static>>);
 
-all!(default: Falloff Affine Compact Exact Newton TestAndWrite TestOnly WriteOnly NoTest NoDepth Hairline);
+all!(default: Falloff Affine Compact Exact Newton TestAndWrite TestOnly WriteOnly NoTest NoDepth LineStyle PointStyle);
 all!(default: Biased Biased<NoTest> Add Alpha Multiply Replace Parallel Perspective PerFace<u8> Texels Within<1, Texels>);
 all!(default: Bilinear Clamp ColorIndex Contrast CutOut<Bilinear, Rgb565> Nearest Repeat Trilinear);
 all!(default: Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);
-all!(default: Drawn Missing Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> TriangleList<1, 1> EdgeList<1, 1>);
+all!(default: Drawn Missing Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> DrawList<1, 1>);
 all!(shown: Error RefusedFloat Angle Vec2 Vec3);
 all!(error: Error);
 

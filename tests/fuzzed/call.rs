@@ -42,7 +42,7 @@ pub struct Picture {
 const BACKGROUND: Rgb565 = Rgb565::new(1, 2, 3);
 
 /// A list with room for two copies of all pieces into which clipping cuts the few triangles.
-type List = TriangleList<32, 400>;
+type List = DrawList<32, 400>;
 
 impl<K: ProjectionKind> Call<'_, K> {
     /// Draws the scene once.
@@ -64,27 +64,52 @@ impl<K: ProjectionKind> Call<'_, K> {
                 let mut room = vec![[0; 4]; 3 * self.mesh.faces().len()];
                 let outline = self.outline(&mut room).unwrap();
                 match self.width() {
-                    None => canvas.draw_outline(options, self.mesh, &outline, &self.mvp, shader),
+                    None => canvas.draw_with(
+                        options,
+                        self.mesh.outline(&outline, LineStyle::HAIRLINE),
+                        &self.mvp,
+                        shader,
+                    ),
                     Some(width) => {
                         let wide = options.with_line(width);
-                        canvas.draw_outline(&wide, self.mesh, &outline, &self.mvp, shader)
+                        canvas.draw_with(
+                            &wide,
+                            self.mesh.outline(&outline, LineStyle::HAIRLINE),
+                            &self.mvp,
+                            shader,
+                        )
                     }
                 }
             }
             What::Edges if self.width().is_some() => {
                 let wide = options.with_line(self.width().unwrap());
-                canvas.draw_edges(&wide, self.mesh, &self.mvp, shader)
+                canvas.draw_with(
+                    &wide,
+                    self.mesh.edges(LineStyle::HAIRLINE),
+                    &self.mvp,
+                    shader,
+                )
             }
-            What::Edges => canvas.draw_edges(options, self.mesh, &self.mvp, shader),
+            What::Edges => canvas.draw_with(
+                options,
+                self.mesh.edges(LineStyle::HAIRLINE),
+                &self.mvp,
+                shader,
+            ),
             What::Points if self.scene.style != 0 => {
                 let style = self.point_style();
-                canvas.draw_sized_points(options, self.mesh, style, &self.mvp, shader)
+                canvas.draw_with(options, self.mesh.points(style), &self.mvp, shader)
             }
-            What::Points => canvas.draw_points(options, self.mesh, &self.mvp, shader),
+            What::Points => canvas.draw_with(
+                options,
+                self.mesh.points(PointStyle::PIXEL),
+                &self.mvp,
+                shader,
+            ),
             What::Sprites(billboard) => {
                 let lists = billboard.lists(self.scene.positions.len());
                 match billboard.sprites(&self.scene.positions, &lists) {
-                    Ok(sprites) => canvas.draw_sprites(options, &sprites, &self.mvp, shader),
+                    Ok(sprites) => canvas.draw_with(options, &sprites, &self.mvp, shader),
                     Err(_) => Drawn::default(),
                 }
             }
@@ -436,7 +461,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         F: Shader<Color = Rgb565>,
     {
         let (mesh, size) = (self.mesh, self.scene.size);
-        let mut list: EdgeList<96, 400> = EdgeList::new();
+        let mut list: DrawList<96, 400> = DrawList::new();
         let mut room = vec![[0; 4]; 3 * mesh.faces().len()];
         let edges = match self.outline(&mut room) {
             Some(outline) => list.prepare_outline(options, size, mesh, &outline, &self.mvp),
@@ -444,9 +469,9 @@ impl<K: ProjectionKind> Call<'_, K> {
         };
         let edges: PreparedEdges<'_, K, I, _> = edges.unwrap();
         let draw = &mut |canvas: &mut Frame<'_>| match self.width() {
-            None => canvas.draw_prepared_edges(&edges, shader).unwrap(),
+            None => canvas.draw_prepared(&edges, shader).unwrap(),
             Some(width) => canvas
-                .draw_prepared_edges(&edges.with_line(width), shader)
+                .draw_prepared(&edges.with_line(width), shader)
                 .unwrap(),
         };
         let mut frame = self.blank();
@@ -463,11 +488,16 @@ impl<K: ProjectionKind> Call<'_, K> {
         let mut room = vec![[0; 4]; 3 * mesh.faces().len()];
         let outline = self.outline(&mut room);
         self.on_frame(&mut direct, &mut |canvas| match &outline {
-            Some(outline) => canvas.draw_outline(&smooth, mesh, outline, &self.mvp, shader),
-            None => canvas.draw_edges(&smooth, mesh, &self.mvp, shader),
+            Some(outline) => canvas.draw_with(
+                &smooth,
+                mesh.outline(outline, LineStyle::HAIRLINE),
+                &self.mvp,
+                shader,
+            ),
+            None => canvas.draw_with(&smooth, mesh.edges(LineStyle::HAIRLINE), &self.mvp, shader),
         });
         let edges = edges.with_line(width.smooth());
-        let bands = self.in_bands(&mut |band| band.draw_prepared_edges(&edges, shader).unwrap());
+        let bands = self.in_bands(&mut |band| band.draw_prepared(&edges, shader).unwrap());
         assert!(bands == direct, "bands of prepared smooth edges differ");
 
         // As two objects of a scene.
@@ -479,7 +509,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         let draw = &mut |canvas: &mut Frame<'_>| {
             let mut drawn = Drawn::default();
             for ((), edges) in scene.parts(canvas).unwrap() {
-                drawn = canvas.draw_prepared_edges(&edges, shader).unwrap();
+                drawn = canvas.draw_prepared(&edges, shader).unwrap();
             }
             drawn
         };
@@ -628,8 +658,14 @@ impl<K: ProjectionKind> Call<'_, K> {
 
         let width = self.width().unwrap_or(LineWidth::new(fx!(1)).unwrap());
         let smooth = options.with_line(width.smooth());
-        let draw =
-            &mut |canvas: &mut Frame<'_>| canvas.draw_edges(&smooth, self.mesh, &self.mvp, shader);
+        let draw = &mut |canvas: &mut Frame<'_>| {
+            canvas.draw_with(
+                &smooth,
+                self.mesh.edges(LineStyle::HAIRLINE),
+                &self.mvp,
+                shader,
+            )
+        };
         let mut frame = self.blank();
         let drawn = self.on_frame(&mut frame, draw);
         assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);

@@ -145,16 +145,16 @@ fn drawn_cubes<I: Mode, D: DepthBuffer>(
 
 /// Memory for the prepared triangles of any scene: 23 KiB.
 pub struct Lists {
-    model: TriangleList<640, 600>,
+    model: DrawList<640, 600>,
     /// A list that only the lighthouse needs.
-    sea: TriangleList<32, 140>,
+    sea: DrawList<32, 140>,
 }
 
 impl Lists {
     pub const fn new() -> Self {
         Self {
-            model: TriangleList::new(),
-            sea: TriangleList::new(),
+            model: DrawList::new(),
+            sea: DrawList::new(),
         }
     }
 }

@@ -145,7 +145,7 @@ fn draw_each<D: DepthBuffer>(
 }
 
 /// A list with room for the visible triangles of any scene.
-type List = TriangleList<700, 1200>;
+type List = DrawList<700, 1200>;
 
 /// How many bytes the list of a scene needs: 16 for each visible triangle and for each vertex of these.
 fn list_bytes(scene: &mut Scene) -> usize {
@@ -160,13 +160,13 @@ fn list_bytes(scene: &mut Scene) -> usize {
             bytes += 16 * needed;
         }
     };
-    let mut no_triangles = TriangleList::<0, 1200>::new();
+    let mut no_triangles = DrawList::<0, 1200>::new();
     needs(
         no_triangles
             .prepare_scene(&options, size, &scene.view, others)
             .err(),
     );
-    let mut no_vertices = TriangleList::<700, 0>::new();
+    let mut no_vertices = DrawList::<700, 0>::new();
     needs(
         no_vertices
             .prepare_scene(&options, size, &scene.view, others)

@@ -214,9 +214,9 @@ where
     let options = DrawOptions::new().with_mode(mode).with_blending(blending);
     canvas.draw_with(&options, &BALL, &mvp, &NormalView::new());
     let gray = u8::try_from(number).unwrap();
-    canvas.draw_edges(
+    canvas.draw_with(
         &options,
-        &BALL,
+        BALL.edges(LineStyle::HAIRLINE),
         &mvp,
         &Flat::rgb(Rgb888::new(gray, gray, 9)),
     );

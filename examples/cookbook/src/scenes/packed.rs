@@ -26,7 +26,11 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     // Surfaces without light are black, like the sky: lines tell them apart.
     let contrast = Contrast::of(&gray, 4);
     let white = Flat::rgb(Rgb888::new(255, 255, 255));
-    gray.draw_outline(&DrawOptions::new(), &ISLAND, &SILHOUETTES, &view, &white);
+    gray.draw(
+        ISLAND.outline(&SILHOUETTES, LineStyle::HAIRLINE),
+        &view,
+        &white,
+    );
 
     // 1 KiB, in the order of an SSD1306. Text comes last: it is not dithered.
     let mut bytes = [0; 1024];

@@ -9,7 +9,7 @@ static RING: Mesh = shape!(torus(fx!(0.14), 36, 8));
 static BALL: Mesh = shape!(sphere(20, 14));
 
 /// Memory for the visible triangles: 45 KiB. A depth buffer of 320x240 takes 150 KiB.
-type List = TriangleList<1300, 1600>;
+type List = DrawList<1300, 1600>;
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Error> {
     let frame = canvas.frame_size();

@@ -53,7 +53,12 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
             Some(ink[step])
         });
         canvas.draw_with(&behind, &BALL, &mvp, &steps);
-        canvas.draw_outline(&lines, &BALL, &EDGES, &mvp, &Flat::new(Rgb565::BLACK));
+        canvas.draw_with(
+            &lines,
+            BALL.outline(&EDGES, LineStyle::HAIRLINE),
+            &mvp,
+            &Flat::new(Rgb565::BLACK),
+        );
     }
     Ok(())
 }

@@ -23,6 +23,11 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     let lines = Flat::rgb(ink);
     let before = DrawOptions::new().with_depth(TestOnly);
     let smooth = before.with_line(LineWidth::new(fx!(1))?.smooth());
-    canvas.draw_outline(&smooth, &ISLAND, &OUTLINE, &view, &lines);
+    canvas.draw_with(
+        &smooth,
+        ISLAND.outline(&OUTLINE, LineStyle::HAIRLINE),
+        &view,
+        &lines,
+    );
     Ok(())
 }
