@@ -294,9 +294,9 @@ pub mod view;
 #[doc(hidden)]
 pub use fixel_macros::assets as __assets;
 
+pub use error::{Error, RefusedFloat};
 #[doc(hidden)]
 pub use pipeline::Thing;
-pub use error::{Error, RefusedFloat};
 pub use pipeline::{DrawList, DrawOptions, Drawn, Hit, Object, Prepared, Ray, ScreenPoint};
 pub use raster::{Cull, LineStyle, PointStyle};
 

@@ -158,7 +158,7 @@ impl<Z> Biased<Z> {
     }
 
     /// `test` with depths moved away by two steps and by four times the depth difference between neighboring pixels,
-    /// for [outlines](crate::Canvas::draw_outline) drawn over the mesh.
+    /// for [outlines](crate::Mesh::outline) drawn over the mesh.
     ///
     /// Beside a silhouette of a round body, faces turn away so fast that one may be narrower than a pixel. Then the
     /// line lies over the next, flatter face. So an outline needs a greater distance than edges inside the body:

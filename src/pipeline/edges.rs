@@ -123,7 +123,6 @@ impl<C, const SMOOTH: bool> Thing<C> for Edges<'_, SMOOTH>
 where
     LineStyle<SMOOTH>: Pen<C>,
 {
-    #[inline]
     fn draw<V: ModelToPicture>(
         self,
         screen: &Screen,

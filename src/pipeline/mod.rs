@@ -29,12 +29,12 @@ use core::ops::AddAssign;
 
 use embedded_graphics::pixelcolor::PixelColor;
 
-use options::Options;
 use crate::canvas::{Blending, Canvas, DepthBuffer, DepthTest, Storage};
 use crate::mesh::Missing;
 use crate::shade::ShaderFor;
 use crate::span::Mode;
 use crate::view::ModelToPicture;
+use options::Options;
 
 /// The result of a draw call: how many triangles, edges or points there were, and how many were drawn.
 ///
@@ -92,7 +92,6 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ///
     /// `mvp` is a [`Projection`](crate::Projection) times a camera and a model transform (an [`Mvp`](crate::Mvp)), or
     /// a projection alone. Drawing cannot fail: parts outside the view are clipped away.
-    #[inline]
     pub fn draw(
         &mut self,
         thing: impl Thing<C>,
@@ -103,7 +102,6 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 
     /// Draws a thing like [`draw`](Self::draw), with options.
-    #[inline]
     pub fn draw_with<M: Mode, Z: DepthTest, B: Blending<C>>(
         &mut self,
         options: &DrawOptions<M, Z, B>,

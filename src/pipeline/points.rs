@@ -60,7 +60,6 @@ impl Sealed for Points<'_> {}
 
 #[allow(private_bounds)]
 impl<C> Thing<C> for Points<'_> {
-    #[inline]
     fn draw<V: ModelToPicture>(
         self,
         screen: &Screen,

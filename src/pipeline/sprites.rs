@@ -27,7 +27,6 @@ impl Sealed for &Sprites<'_> {}
 
 #[allow(private_bounds)]
 impl<C> Thing<C> for &Sprites<'_> {
-    #[inline]
     fn draw<V: ModelToPicture>(
         self,
         screen: &Screen,

@@ -119,7 +119,6 @@ impl Sealed for &Mesh<'_> {}
 
 #[allow(private_bounds)]
 impl<C> Thing<C> for &Mesh<'_> {
-    #[inline]
     fn draw<V: ModelToPicture>(
         self,
         screen: &Screen,

@@ -46,6 +46,8 @@ pub(crate) struct Projector<'m, K> {
     fraction: i32,
     /// The least t that is inside, negated, and the greatest.
     ends: [i64; 2],
+    /// How far rounding may move t away from the near plane, apart from the rounding of coefficients.
+    slack: i64,
     /// The viewport's center, in units of 1/256 pixel.
     center: [i32; 2],
     kind: PhantomData<K>,
@@ -78,8 +80,9 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         viewport: &Viewport,
     ) -> Self {
         let [near, far] = [projection.near, projection.far].map(Scalar::to_bits);
-        // The row of t, and the factor of x and y in addition to the viewport's size.
-        let (depth, unit) = if K::PERSPECTIVE {
+        // The row of t, the factor of x and y in addition to the viewport's size, and the greatest part of t's offset
+        // besides that of the view.
+        let (depth, unit, part) = if K::PERSPECTIVE {
             // t = w / near · (1 + 2^-16), slightly above 1 at the near plane: the greatest 1/t is 1 − 2^-16, which
             // leaves room for rounding below a depth of 65536.
             let one = BlockFloat::new((1 << 16) + 1, 0).over(BlockFloat::new(near.into(), 0));
@@ -90,7 +93,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
                 offset: [0; 2],
                 offset_exp: 0,
             };
-            (depth, one)
+            (depth, one, BlockFloat::new(1, 0))
         } else {
             // t = (far − distance) / (far − near), slightly below 1 at the near plane. Both terms have the same factor,
             // so that the far plane keeps its bits however close together the planes are.
@@ -103,7 +106,11 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
                 offset: [m, far],
                 offset_exp: exp + 16,
             };
-            (depth, BlockFloat::new(1, 0))
+            (
+                depth,
+                BlockFloat::new(1, 0),
+                part.times(BlockFloat::new(far.into(), 32)),
+            )
         };
         let [width, height] = viewport.size().map(u32::cast_signed);
         let [x, y] = &projection.rows;
@@ -135,12 +142,15 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         };
         let offset = |m: i32| block::shift(m.into(), up);
         let [t, x, y] = clip.translation;
+        // Mantissas have 30 bits, and two of them are multiplied. Values are below 2^62.
+        let slack = (offset(t).abs() >> 28) + (part.at(fraction).abs().min(i64::MAX >> 1) >> 28);
         Self {
             positions,
             rows: clip.linear.map(wide::Row::new),
             offsets: [offset(t), offset(x), offset(y)],
             fraction,
             ends,
+            slack,
             center: viewport.center(),
             kind: PhantomData,
         }
@@ -217,26 +227,39 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         self.distance(position, plane) + tolerance < 0
     }
 
-    /// One bit for each plane outside of which a position lies.
+    /// Whether a position is certain to be inside all planes, which most of them are.
     #[inline]
-    fn outcode(&self, position: &ClipPosition) -> u8 {
+    fn is_inside(&self, position: &ClipPosition) -> bool {
         let &[t, x, y] = position;
         // All are below 2^62.
         let [nearest, farthest] = self.ends;
         // The upper halves decide, unless the position is next to a side plane.
         let size = |x: i64| upper(x) ^ (upper(x) >> 31);
-        if (t + nearest) | (farthest - t) >= 0 && size(x).max(size(y)) < upper(self.w(t)) {
-            0
-        } else {
-            self.each_outcode(position)
+        (t + nearest) | (farthest - t) >= 0 && size(x).max(size(y)) < upper(self.w(t))
+    }
+
+    /// Moves the clip position of a position of model space onto the near plane if it is nearer, but not farther away
+    /// than rounding may have moved it: what lies exactly in the near plane is visible.
+    #[inline(never)]
+    pub(super) fn snap(&self, position: &mut ClipPosition, index: Index) {
+        let near = u32::from(!K::PERSPECTIVE);
+        // A coefficient's error is at most one unit: half of one from its 30 bits, and half of one from rounding.
+        let coordinates = self.positions.stored(index).to_bits();
+        let mut slack = self.slack;
+        for coordinate in coordinates {
+            slack += i64::from(coordinate.unsigned_abs());
+        }
+        let distance = self.distance(position, near);
+        if distance < 0 && distance + slack >= 0 {
+            self.put_onto(position, near);
         }
     }
 
-    /// The [`outcode`](Self::outcode), computed plane by plane.
+    /// One bit for each plane outside of which a position lies.
     ///
     /// Out of line, because it is long and few vertices of visible triangles need it.
     #[inline(never)]
-    fn each_outcode(&self, position: &ClipPosition) -> u8 {
+    fn outcode(&self, position: &ClipPosition) -> u8 {
         (0..6).fold(0, |outcode, plane| {
             outcode | u8::from(self.is_outside(position, plane)) << plane
         })
@@ -259,19 +282,22 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     /// Out of line, with an out-parameter: callers stay short, and the vertex is not copied.
     #[inline(never)]
     fn place(&self, index: Index, inside: Option<&ClipPosition>, to: &mut ScreenVertex) {
-        let computed;
+        let mut computed;
         let position = if let Some(position) = inside {
             position
         } else {
             computed = self.clip_position(index);
-            let outcode = self.outcode(&computed);
-            if outcode != 0 {
-                *to = ScreenVertex {
-                    outcode,
-                    index,
-                    ..ScreenVertex::UNSET
-                };
-                return;
+            if !self.is_inside(&computed) {
+                self.snap(&mut computed, index);
+                let outcode = self.outcode(&computed);
+                if outcode != 0 {
+                    *to = ScreenVertex {
+                        outcode,
+                        index,
+                        ..ScreenVertex::UNSET
+                    };
+                    return;
+                }
             }
             &computed
         };
@@ -346,7 +372,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         };
         let [t, x, y] = &self.rows.map(|row| row.whole());
         let [t_offset, x_offset, y_offset] = self.offsets;
-        let [nearest, farthest] = self.ends;
+        // What is nearer than the near plane by the slack, and by half of the error, is moved onto it.
+        let [nearest, farthest] = self.ends.map(|end| end + self.slack + error);
         if is_outside(*t, t_offset + nearest) || is_outside(t.map(|c| -c), farthest - t_offset) {
             return true;
         }
@@ -392,7 +419,10 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Angle, Mesh, fx};
+    use crate::random::cases;
+    use crate::view::Window;
+    use crate::{Angle, Mesh, Vec3, fx};
+    use rand::Rng;
 
     /// The limits, from both sides.
     #[test]
@@ -417,5 +447,48 @@ mod tests {
             assert_eq!(projector.outcode(&inside), 0);
             assert_eq!(projector.outcode(&outside), 1 << plane);
         }
+    }
+
+    /// Positions in the near plane are visible and have the greatest depth, or one step less, however their coordinates
+    /// are split between mesh and transform. Those in front of it are not visible.
+    #[test]
+    fn what_lies_in_the_near_plane_is_visible() {
+        fn check<K: ProjectionKind>(projection: &Projection<K>, [x, y, split]: [Scalar; 3]) {
+            let near = projection.near();
+            let viewport = Viewport::new(0, 0, 320, 240).unwrap();
+            let view = Transform::translate(Vec3::new(-x, -y, -near - split));
+            let closer = near / 65_536 + split.abs() / 65_536 + Scalar::DELTA;
+            let positions = [split, split + closer].map(|z| Vec3::new(x, y, z));
+            let mesh = Mesh::new(&positions, &[]).unwrap();
+            let projector = Projector::new(mesh.positions(), projection, &view, &viewport);
+            let [inside, outside] = [0, 1].map(|index| {
+                let mut vertex = ScreenVertex::UNSET;
+                projector.project(index, &mut vertex);
+                vertex
+            });
+            assert_eq!(inside.outcode, 0, "{projection:?} {positions:?}");
+            let shift = projector.depth_shift().of(inside.exponent);
+            let depth = inside.q >> shift;
+            assert!(
+                (65_534..=65_535).contains(&depth),
+                "{depth}: {projection:?} {positions:?}"
+            );
+            assert_ne!(outside.outcode, 0, "{projection:?} {positions:?}");
+        }
+        cases(1 << 12, |random| {
+            let near = Scalar::from_bits(random.random_range(1 << 14..200 << 16));
+            let far = near + Scalar::from_bits(random.random_range(1 << 16..200 << 16));
+            let mut coordinate = || Scalar::from_bits(random.random_range(-64 << 16..64 << 16));
+            let place = [coordinate(), coordinate(), coordinate()];
+            let (angle, window) = (Angle::from_degrees(60), Window::centered(fx!(12), fx!(9)));
+            check(
+                &Projection::perspective(angle, (4, 3), near, far).unwrap(),
+                place,
+            );
+            check(
+                &Projection::cabinet(angle, window, near, far).unwrap(),
+                place,
+            );
+        });
     }
 }

@@ -1,8 +1,9 @@
 //! Face culling.
 
+use core::hint::black_box;
+
 use crate::math::Transform;
-use crate::num::rsqrt::cross;
-use crate::num::wide::dot;
+use crate::num::wide::product;
 
 /// Which triangles are not drawn, depending on the side that they show.
 ///
@@ -61,9 +62,14 @@ impl Cull {
         let [x, y, z] = view.linear;
         // The determinant, in two parts: each is the sum of three products of 30 by 31 bits. Exact, because the sign of
         // a small one counts as well.
-        let cofactors = cross(y, z);
-        let high = dot(&x, &cofactors.map(|bits| (bits >> 31) as i32));
-        let low = dot(&x, &cofactors.map(|bits| (bits & 0x7FFF_FFFF) as i32));
+        let (mut high, mut low) = (0, 0);
+        for i in 0..3 {
+            black_box(()); // so that the loop is not unrolled: it runs once in a draw call
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            let cofactor = product(y[j], z[k]) - product(y[k], z[j]);
+            high += product(x[i], (cofactor >> 31) as i32);
+            low += product(x[i], (cofactor & 0x7FFF_FFFF) as i32);
+        }
         let is_mirrored = high + (low >> 31) < 0;
         match self {
             Self::Back if is_mirrored => Self::Front,

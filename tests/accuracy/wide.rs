@@ -221,7 +221,11 @@ fn smooth_lines_are_the_models() {
         }
 
         let smooth = edges(SIZE.1, &options, mesh.edges(width.smooth()), &mvp);
-        check_values(&smooth, ends, &edges(SIZE.1, &options, mesh.edges(LineStyle::HAIRLINE), &mvp));
+        check_values(
+            &smooth,
+            ends,
+            &edges(SIZE.1, &options, mesh.edges(LineStyle::HAIRLINE), &mvp),
+        );
         assert!(
             counts(&smooth).iter().all(|&count| count <= 1),
             "{ends:?}, {half}"
@@ -405,10 +409,7 @@ fn lines_that_reach_into_a_band_are_in_view() {
             let reach = Vec3::new(reach, reach, fx!(0));
             let (least, most) = (bounds.least() - reach, bounds.most() + reach);
             let reached = bounds.with(least).with(most);
-            assert!(
-                band.is_in_view(&thin, &reached, &mvp),
-                "{ends:?} {width:?}"
-            );
+            assert!(band.is_in_view(&thin, &reached, &mvp), "{ends:?} {width:?}");
             has_pixels += 1;
             beside += u32::from(!band.is_in_view(&thin, &bounds, &mvp));
         }

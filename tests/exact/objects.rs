@@ -65,11 +65,7 @@ fn drawn() -> Vec<Gray8> {
 }
 
 /// The frame drawn in bands of `rows` rows, and the number of parts.
-fn in_bands(
-    scene: &Prepared<'_, Flat<Gray8>>,
-    rows: u32,
-    has_depth: bool,
-) -> (Vec<Gray8>, usize) {
+fn in_bands(scene: &Prepared<'_, Flat<Gray8>>, rows: u32, has_depth: bool) -> (Vec<Gray8>, usize) {
     let (mut frame, mut parts) = (Vec::new(), 0);
     for first in (0..HEIGHT).step_by(rows as usize) {
         let mut color = vec![Gray8::BLACK; (WIDTH * rows) as usize];
@@ -148,9 +144,7 @@ fn a_list_without_room_for_all_objects_is_refused() {
 fn a_canvas_of_another_frame_is_refused() {
     let mut list: DrawList<300, 400> = DrawList::new();
     let (options, mut objects) = (DrawOptions::new(), objects());
-    let scene = list
-        .prepare(&options, SIZE, &mut objects, &view())
-        .unwrap();
+    let scene = list.prepare(&options, SIZE, &mut objects, &view()).unwrap();
     let mut color = [Gray8::BLACK; PIXELS];
     for (width, height) in [(WIDTH * 2, HEIGHT / 2), (WIDTH, HEIGHT - 1)] {
         let pixels = &mut color[..(width * height) as usize];
@@ -230,9 +224,7 @@ fn a_scene_of_edges_draws_outlines_or_all_edges() {
         }
     }
     let mut list: DrawList<900, 1200> = DrawList::new();
-    let scene = list
-        .prepare(&options, SIZE, &mut objects, &view())
-        .unwrap();
+    let scene = list.prepare(&options, SIZE, &mut objects, &view()).unwrap();
     for rows in [HEIGHT, 12, 1] {
         let mut frame = Vec::new();
         for first in (0..HEIGHT).step_by(rows as usize) {

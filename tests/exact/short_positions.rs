@@ -201,7 +201,10 @@ fn macros_make_the_same_meshes_with_short_positions() {
     static RING: Mesh = shape!(torus(fx!(0.25), 12, 8), short);
     static LONG_RING: Mesh = shape!(torus(fx!(0.25), 12, 8));
     assert_eq!(LONG.counts(), SHORT.counts());
-    assert_eq!((LONG.faces(), LONG.edge_indices()), (SHORT.faces(), SHORT.edge_indices()));
+    assert_eq!(
+        (LONG.faces(), LONG.edge_indices()),
+        (SHORT.faces(), SHORT.edge_indices())
+    );
     assert_eq!(RING.counts(), LONG_RING.counts());
     for (long, short) in [(&LONG, &SHORT), (&LONG_RING, &RING)] {
         for (long, short) in long.positions().iter().zip(short.positions().iter()) {

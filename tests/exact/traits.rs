@@ -26,9 +26,7 @@ use fixel::shade::{White, Within};
 use fixel::texture::{Argb1555, Argb4444, Mipmap, MipmapArray, PackedGray4, Trilinear};
 use fixel::texture::{Bilinear, Clamp, CutOut, Nearest, Repeat};
 use fixel::view::{Parallel, Perspective, Segment};
-use fixel::{
-    Hit, Index, Matrix4, Object, Prepared, RefusedFloat, ScreenPoint, Unit,
-};
+use fixel::{Hit, Index, Matrix4, Object, Prepared, RefusedFloat, ScreenPoint, Unit};
 
 const fn any<T: Debug + Send + Sync + Unpin>() {}
 const fn shared<T: Clone + Debug + Send + Sync>() {}

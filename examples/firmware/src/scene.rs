@@ -162,8 +162,8 @@ impl Lists {
 /// A scene's models, prepared for every band.
 pub struct PreparedScene<'l, I> {
     scene: Scene,
-    model: Prepared<'l, Perspective, I>,
-    sea: Option<Prepared<'l, Perspective, I>>,
+    model: Prepared<'l, (), &'l Mesh<'l>, DrawOptions<I>>,
+    sea: Option<Prepared<'l, (), &'l Mesh<'l>, DrawOptions<I>>>,
 }
 
 impl<I: Mode> PreparedScene<'_, I> {

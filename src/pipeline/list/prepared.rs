@@ -469,22 +469,8 @@ impl<'r> Run<'r> {
             let Some(indices) = edges.at(edge) else {
                 continue;
             };
-            let (ends, is_clipped) = match corners {
-                Corners::Whole([a, b, _]) => {
-                    let mut ends = ClippedPolygon::new();
-                    for (number, &barycentric) in [a, b].into_iter().zip(&Barycentric::CORNERS) {
-                        if let Some(vertex) = self.vertex(number) {
-                            let _ = ends.push(ClippedVertex {
-                                vertex,
-                                barycentric,
-                            });
-                        }
-                    }
-                    (ends, false)
-                }
-                Corners::Clipped { first, count } => (self.polygon(first, count), true),
-            };
-            if let [from, to] = &*ends {
+            if let Some([from, to]) = &self.ends(corners) {
+                let is_clipped = matches!(corners, Corners::Clipped { .. });
                 draw.line(indices, is_clipped, |raster| line(raster, [from, to]));
             }
         }
@@ -499,7 +485,30 @@ impl<'r> Run<'r> {
             .vertex()
     }
 
-    /// The corners of a clipped triangle or edge.
+    /// The ends of an edge.
+    #[inline]
+    fn ends(&self, corners: Corners) -> Option<[ClippedVertex; 2]> {
+        let [first, second, _] = Barycentric::CORNERS;
+        let end = |number: u16, barycentric: Barycentric| {
+            let vertex = self.vertex(number)?;
+            Some(ClippedVertex {
+                vertex,
+                barycentric,
+            })
+        };
+        match corners {
+            Corners::Whole([a, b, _]) => Some([end(a, first)?, end(b, second)?]),
+            Corners::Clipped { first, .. } => {
+                let clipped = |number: u16| match self.vertices.get(usize::from(number)) {
+                    Some(&Slot::Barycentric(barycentric)) => end(number, barycentric),
+                    _ => None,
+                };
+                Some([clipped(first)?, clipped(first.wrapping_add(2))?])
+            }
+        }
+    }
+
+    /// The corners of a clipped triangle.
     fn polygon(&self, first: u16, count: u16) -> ClippedPolygon {
         let start = usize::from(first).wrapping_sub(1);
         let slots = self

@@ -33,8 +33,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, Depth<'_>>) -> Result<(), Er
     // Once a frame, for all of its bands. On a microcontroller, the list is a static.
     let mut list = List::new();
     let options = DrawOptions::new().with_depth(NoTest);
-    let mut scene = list.prepare_scene(&options, frame, &view, &mut objects)?;
-    scene.sort_back_to_front();
+    let scene = list.prepare_back_to_front(&options, frame, &mut objects, &view)?;
 
     canvas.clear(Rgb565::new(2, 5, 5));
     for (shader, triangles) in scene.parts(canvas)? {
