@@ -39,8 +39,7 @@ pub(crate) fn clip<K: ProjectionKind>(
 ) {
     let (mut polygon, mut inside) = (&mut Polygon::new(), &mut Polygon::new());
     for (&index, &barycentric) in corners.iter().zip(&Barycentric::CORNERS) {
-        let mut position = projector.clip_position(index);
-        projector.snap(&mut position, index);
+        let position = projector.clip_position(index);
         add(
             polygon,
             &ClipVertex {

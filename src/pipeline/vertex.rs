@@ -46,8 +46,6 @@ pub(crate) struct Projector<'m, K> {
     fraction: i32,
     /// The least t that is inside, negated, and the greatest.
     ends: [i64; 2],
-    /// How far rounding may move t away from the near plane, apart from the rounding of coefficients.
-    slack: i64,
     /// The viewport's center, in units of 1/256 pixel.
     center: [i32; 2],
     kind: PhantomData<K>,
@@ -80,9 +78,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         viewport: &Viewport,
     ) -> Self {
         let [near, far] = [projection.near, projection.far].map(Scalar::to_bits);
-        // The row of t, the factor of x and y in addition to the viewport's size, and the greatest part of t's offset
-        // besides that of the view.
-        let (depth, unit, part) = if K::PERSPECTIVE {
+        // The row of t, and the factor of x and y in addition to the viewport's size.
+        let (depth, unit) = if K::PERSPECTIVE {
             // t = w / near · (1 + 2^-16), slightly above 1 at the near plane: the greatest 1/t is 1 − 2^-16, which
             // leaves room for rounding below a depth of 65536.
             let one = BlockFloat::new((1 << 16) + 1, 0).over(BlockFloat::new(near.into(), 0));
@@ -93,7 +90,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
                 offset: [0; 2],
                 offset_exp: 0,
             };
-            (depth, one, BlockFloat::new(1, 0))
+            (depth, one)
         } else {
             // t = (far − distance) / (far − near), slightly below 1 at the near plane. Both terms have the same factor,
             // so that the far plane keeps its bits however close together the planes are.
@@ -106,11 +103,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
                 offset: [m, far],
                 offset_exp: exp + 16,
             };
-            (
-                depth,
-                BlockFloat::new(1, 0),
-                part.times(BlockFloat::new(far.into(), 32)),
-            )
+            (depth, BlockFloat::new(1, 0))
         };
         let [width, height] = viewport.size().map(u32::cast_signed);
         let [x, y] = &projection.rows;
@@ -132,25 +125,27 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         for m in clip.linear.as_flattened_mut() {
             *m = ((*m >> (down - 1).min(31)) + 1) >> 1;
         }
-        // At the near plane, t is 1 + 2^-16, or 1 − 2^-16 under a parallel projection: see above.
+        let offset = |m: i32| block::shift(m.into(), up);
+        let [t, x, y] = clip.translation;
+        let offsets = [offset(t), offset(x), offset(y)];
+        // At the near plane, t is 1 + 2^-16, or 1 − 2^-16 under a parallel projection: see above. Rounding must not move
+        // what lies exactly in that plane to its outside. The terms of t have at least 29 bits of the greatest offset,
+        // or of 1. In perspective, half of the room above remains.
+        let [t, x, y] = offsets.map(i64::abs);
+        let slack = (((1 << fraction) + t.max(x).max(y)) >> 27).min(1 << exp >> 1);
         let ends = if K::PERSPECTIVE {
             let least = ((1 << 16) + 1) << exp;
             let most = unit.times(BlockFloat::new(far.into(), 16));
-            [-least, most.at(fraction).min(i64::MAX >> 1)]
+            [slack - least, most.at(fraction).min(i64::MAX >> 1)]
         } else {
-            [0, ((1 << 16) - 1) << exp]
+            [0, (((1 << 16) - 1) << exp) + slack]
         };
-        let offset = |m: i32| block::shift(m.into(), up);
-        let [t, x, y] = clip.translation;
-        // Mantissas have 30 bits, and two of them are multiplied. Values are below 2^62.
-        let slack = (offset(t).abs() >> 28) + (part.at(fraction).abs().min(i64::MAX >> 1) >> 28);
         Self {
             positions,
             rows: clip.linear.map(wide::Row::new),
-            offsets: [offset(t), offset(x), offset(y)],
+            offsets,
             fraction,
             ends,
-            slack,
             center: viewport.center(),
             kind: PhantomData,
         }
@@ -227,39 +222,26 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         self.distance(position, plane) + tolerance < 0
     }
 
-    /// Whether a position is certain to be inside all planes, which most of them are.
+    /// One bit for each plane outside of which a position lies.
     #[inline]
-    fn is_inside(&self, position: &ClipPosition) -> bool {
+    fn outcode(&self, position: &ClipPosition) -> u8 {
         let &[t, x, y] = position;
         // All are below 2^62.
         let [nearest, farthest] = self.ends;
         // The upper halves decide, unless the position is next to a side plane.
         let size = |x: i64| upper(x) ^ (upper(x) >> 31);
-        (t + nearest) | (farthest - t) >= 0 && size(x).max(size(y)) < upper(self.w(t))
-    }
-
-    /// Moves the clip position of a position of model space onto the near plane if it is nearer, but not farther away
-    /// than rounding may have moved it: what lies exactly in the near plane is visible.
-    #[inline(never)]
-    pub(super) fn snap(&self, position: &mut ClipPosition, index: Index) {
-        let near = u32::from(!K::PERSPECTIVE);
-        // A coefficient's error is at most one unit: half of one from its 30 bits, and half of one from rounding.
-        let coordinates = self.positions.stored(index).to_bits();
-        let mut slack = self.slack;
-        for coordinate in coordinates {
-            slack += i64::from(coordinate.unsigned_abs());
-        }
-        let distance = self.distance(position, near);
-        if distance < 0 && distance + slack >= 0 {
-            self.put_onto(position, near);
+        if (t + nearest) | (farthest - t) >= 0 && size(x).max(size(y)) < upper(self.w(t)) {
+            0
+        } else {
+            self.each_outcode(position)
         }
     }
 
-    /// One bit for each plane outside of which a position lies.
+    /// The [`outcode`](Self::outcode), computed plane by plane.
     ///
     /// Out of line, because it is long and few vertices of visible triangles need it.
     #[inline(never)]
-    fn outcode(&self, position: &ClipPosition) -> u8 {
+    fn each_outcode(&self, position: &ClipPosition) -> u8 {
         (0..6).fold(0, |outcode, plane| {
             outcode | u8::from(self.is_outside(position, plane)) << plane
         })
@@ -282,22 +264,19 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     /// Out of line, with an out-parameter: callers stay short, and the vertex is not copied.
     #[inline(never)]
     fn place(&self, index: Index, inside: Option<&ClipPosition>, to: &mut ScreenVertex) {
-        let mut computed;
+        let computed;
         let position = if let Some(position) = inside {
             position
         } else {
             computed = self.clip_position(index);
-            if !self.is_inside(&computed) {
-                self.snap(&mut computed, index);
-                let outcode = self.outcode(&computed);
-                if outcode != 0 {
-                    *to = ScreenVertex {
-                        outcode,
-                        index,
-                        ..ScreenVertex::UNSET
-                    };
-                    return;
-                }
+            let outcode = self.outcode(&computed);
+            if outcode != 0 {
+                *to = ScreenVertex {
+                    outcode,
+                    index,
+                    ..ScreenVertex::UNSET
+                };
+                return;
             }
             &computed
         };
@@ -372,8 +351,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         };
         let [t, x, y] = &self.rows.map(|row| row.whole());
         let [t_offset, x_offset, y_offset] = self.offsets;
-        // What is nearer than the near plane by the slack, and by half of the error, is moved onto it.
-        let [nearest, farthest] = self.ends.map(|end| end + self.slack + error);
+        let [nearest, farthest] = self.ends;
         if is_outside(*t, t_offset + nearest) || is_outside(t.map(|c| -c), farthest - t_offset) {
             return true;
         }

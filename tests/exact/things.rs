@@ -188,13 +188,13 @@ fn shape_of_needle() -> [Vec3; 3] {
 /// The front face of a box whose distance is exactly the near plane's.
 #[test]
 fn a_face_in_the_near_plane_is_drawn() {
-    static BOX: Mesh = shape!(cuboid(vec3!(2, 1.5, 1)));
+    static BOX: Mesh = shape!(cuboid(vec3!(2, 1.5, 0.7)));
     let front = BOX.part(0..BOX.faces().len());
     let window = Window::centered(fx!(8), fx!(6));
-    for distance in [3, 7, 19] {
+    for distance in 3..20 {
         let near = Scalar::from_num(distance);
-        let model = Transform::translate(Vec3::new(fx!(0), fx!(0), -near - fx!(1)));
-        let oblique = Projection::cabinet(deg!(30), window, near, near + fx!(9)).unwrap() * model;
+        let model = Transform::translate(Vec3::new(fx!(0), fx!(0), -near - fx!(0.7)));
+        let oblique = Projection::cabinet(deg!(30), window, near, near + fx!(3.3)).unwrap() * model;
         let flat = Projection::orthographic(window, near, near + fx!(7)).unwrap() * model;
         let perspective =
             Projection::perspective(deg!(90), (4, 3), near, near * 2).unwrap() * model;
