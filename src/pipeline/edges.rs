@@ -154,6 +154,7 @@ impl<const SMOOTH: bool> Edges<'_, SMOOTH> {
     }
 
     /// The edge at this place among those to choose from.
+    #[inline]
     pub(super) fn at(&self, edge: usize) -> Option<Indices> {
         let [a, b] = match self.outline {
             None => *self.mesh.edge_indices().get(edge)?,

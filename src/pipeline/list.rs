@@ -237,6 +237,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     ///
     /// [`Error::Full`], with the length that is needed, if the list is too short for the visible triangles or edges;
     /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](crate::canvas::MAX_SIZE).
+    #[allow(clippy::type_complexity)] // all of its parts are in the result
     pub fn prepare<'a, S: Scene<'a>, O: Options, V: ModelToPicture>(
         &'a mut self,
         options: &O,
@@ -329,6 +330,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// # Errors
     ///
     /// As for [`prepare`](Self::prepare).
+    #[allow(clippy::type_complexity)] // as above
     pub fn prepare_back_to_front<'a, S: Scene<'a>, O: Options, V: ModelToPicture>(
         &'a mut self,
         options: &O,
@@ -432,6 +434,7 @@ impl Filling<'_> {
         }
     }
 
+    #[inline]
     fn add(&mut self, element: usize, rows: [i16; 2], corners: Corners) {
         let [start, end] = self.rows;
         self.rows = [start.min(rows[0]), end.max(rows[1])];
@@ -523,37 +526,28 @@ impl Assembly for Triangles<'_, '_, '_> {
 #[allow(private_interfaces)]
 pub trait Listed: Copy + Sealed {
     /// How it is drawn.
-    #[doc(hidden)]
     type Style;
 
     /// What its elements are called.
-    #[doc(hidden)]
     const ELEMENTS: &'static str;
 
     /// By how many rows its elements may reach beyond those of the list.
-    #[doc(hidden)]
     const REACH: i32;
 
-    #[doc(hidden)]
     fn style(&self) -> Self::Style;
 
-    #[doc(hidden)]
     fn mesh(&self) -> &Mesh<'_>;
 
     /// The number of its elements.
-    #[doc(hidden)]
     fn count(&self) -> usize;
 
     /// Adds the visible elements to a list.
-    #[doc(hidden)]
     fn fill<K: ProjectionKind>(&self, call: &Call<'_, K>, filling: &mut Filling<'_>);
 
     /// The rows that an element has between its highest and its lowest corner, in units of 1/256 row.
-    #[doc(hidden)]
     fn rows(least: i32, most: i32) -> [i16; 2];
 
     /// Draws elements of a list.
-    #[doc(hidden)]
     fn draw(&self, run: &Run<'_>, line: DrawLine<'_>, blitter: &mut dyn Blitter) -> Drawn;
 }
 
@@ -656,7 +650,6 @@ pub trait Scene<'a>: Sealed {
     type Thing: Listed;
     type Material;
 
-    #[doc(hidden)]
     fn list<V: ModelToPicture>(
         self,
         filling: &mut Filling<'_>,

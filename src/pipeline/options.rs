@@ -36,7 +36,6 @@ pub struct DrawOptions<M = Newton, Z = TestAndWrite, B = Replace> {
 #[doc(hidden)]
 pub trait Options: Copy + Sealed {
     /// The part of a frame of this size that is drawn to, and the faces that are culled.
-    #[doc(hidden)]
     fn screen(&self, frame: Size) -> Screen;
 }
 

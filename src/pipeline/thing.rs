@@ -26,7 +26,6 @@ use crate::view::{ModelToPicture, ProjectionKind};
 #[allow(private_bounds)] // `Paint` is named only here
 pub trait Thing<C>: Sealed {
     /// Draws it to some rows of a frame.
-    #[doc(hidden)]
     fn draw<V: ModelToPicture>(
         self,
         screen: &Screen,
@@ -143,7 +142,6 @@ pub(super) type DrawLine<'l> = &'l dyn Fn(&mut Rasterizer<'_>, [&ClippedVertex; 
 #[allow(private_bounds)] // `Paint` is named only here
 pub trait Pen<C>: Copy {
     /// Runs the stages before the pixels, which draw each line as they are told.
-    #[doc(hidden)]
     #[allow(private_interfaces)]
     fn paint<K: ProjectionKind>(
         self,

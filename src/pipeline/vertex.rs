@@ -125,14 +125,10 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         for m in clip.linear.as_flattened_mut() {
             *m = ((*m >> (down - 1).min(31)) + 1) >> 1;
         }
-        let offset = |m: i32| block::shift(m.into(), up);
-        let [t, x, y] = clip.translation;
-        let offsets = [offset(t), offset(x), offset(y)];
-        // At the near plane, t is 1 + 2^-16, or 1 − 2^-16 under a parallel projection: see above. Rounding must not move
-        // what lies exactly in that plane to its outside. The terms of t have at least 29 bits of the greatest offset,
-        // or of 1. In perspective, half of the room above remains.
-        let [t, x, y] = offsets.map(i64::abs);
-        let slack = (((1 << fraction) + t.max(x).max(y)) >> 27).min(1 << exp >> 1);
+        // At the near plane, t is 1 + 2^-16, or 1 − 2^-16 under a parallel projection: see above. The plane is nearer by
+        // 2^-19, because rounding must not move what lies exactly in it to its outside: terms of t have an error of
+        // 2^-29 of the greatest, which may be a few hundred. In perspective, most of the room above remains.
+        let slack = 1 << exp >> 3;
         let ends = if K::PERSPECTIVE {
             let least = ((1 << 16) + 1) << exp;
             let most = unit.times(BlockFloat::new(far.into(), 16));
@@ -140,10 +136,12 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         } else {
             [0, (((1 << 16) - 1) << exp) + slack]
         };
+        let offset = |m: i32| block::shift(m.into(), up);
+        let [t, x, y] = clip.translation;
         Self {
             positions,
             rows: clip.linear.map(wide::Row::new),
-            offsets,
+            offsets: [offset(t), offset(x), offset(y)],
             fraction,
             ends,
             center: viewport.center(),
@@ -435,7 +433,7 @@ mod tests {
             let near = projection.near();
             let viewport = Viewport::new(0, 0, 320, 240).unwrap();
             let view = Transform::translate(Vec3::new(-x, -y, -near - split));
-            let closer = near / 65_536 + split.abs() / 65_536 + Scalar::DELTA;
+            let closer = projection.far() / 65_536 + Scalar::DELTA;
             let positions = [split, split + closer].map(|z| Vec3::new(x, y, z));
             let mesh = Mesh::new(&positions, &[]).unwrap();
             let projector = Projector::new(mesh.positions(), projection, &view, &viewport);

@@ -1,7 +1,5 @@
 //! Face culling.
 
-use core::hint::black_box;
-
 use crate::math::Transform;
 use crate::num::wide::product;
 
@@ -63,12 +61,11 @@ impl Cull {
         // The determinant, in two parts: each is the sum of three products of 30 by 31 bits. Exact, because the sign of
         // a small one counts as well.
         let (mut high, mut low) = (0, 0);
-        for i in 0..3 {
-            black_box(()); // so that the loop is not unrolled: it runs once in a draw call
+        for (i, &x) in x.iter().enumerate() {
             let (j, k) = ((i + 1) % 3, (i + 2) % 3);
             let cofactor = product(y[j], z[k]) - product(y[k], z[j]);
-            high += product(x[i], (cofactor >> 31) as i32);
-            low += product(x[i], (cofactor & 0x7FFF_FFFF) as i32);
+            high += product(x, (cofactor >> 31) as i32);
+            low += product(x, (cofactor & 0x7FFF_FFFF) as i32);
         }
         let is_mirrored = high + (low >> 31) < 0;
         match self {

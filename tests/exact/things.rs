@@ -112,7 +112,8 @@ fn a_mirror_shows_the_mirror_image() {
             let canvas = Canvas::new(canvas_pixels, SIZE.0, SIZE.1).unwrap();
             let mut met = 0;
             for (at, shown) in shown.iter().enumerate().filter(|(at, _)| at % 5 == 0) {
-                let pixel = Point::new(at as i32 % 64, at as i32 / 64);
+                let at = (at as u32).cast_signed();
+                let pixel = Point::new(at % 64, at / 64);
                 let ray = canvas.ray(&options, &mirror, pixel).unwrap();
                 let color = ray.hit(&WEDGE).map_or(Gray8::BLACK, |hit| COLORS[hit.face]);
                 // Without a depth buffer, the last face shows.

@@ -486,7 +486,6 @@ impl<'r> Run<'r> {
     }
 
     /// The ends of an edge.
-    #[inline]
     fn ends(&self, corners: Corners) -> Option<[ClippedVertex; 2]> {
         let [first, second, _] = Barycentric::CORNERS;
         let end = |number: u16, barycentric: Barycentric| {
