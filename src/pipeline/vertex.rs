@@ -126,9 +126,10 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             *m = ((*m >> (down - 1).min(31)) + 1) >> 1;
         }
         // At the near plane, t is 1 + 2^-16, or 1 − 2^-16 under a parallel projection: see above. The plane is nearer by
-        // 2^-19, because rounding must not move what lies exactly in it to its outside: terms of t have an error of
-        // 2^-29 of the greatest, which may be a few hundred. In perspective, most of the room above remains.
-        let slack = 1 << exp >> 3;
+        // 2^-27 of its distance or, under a parallel projection, by 2^-19 of the distance between the planes, because
+        // rounding must not move what lies exactly in it to its outside. (Terms of t have an error of 2^-29 of the
+        // greatest, which may be a few hundred under a parallel projection.)
+        let slack = 1 << exp >> if K::PERSPECTIVE { 11 } else { 3 };
         let ends = if K::PERSPECTIVE {
             let least = ((1 << 16) + 1) << exp;
             let most = unit.times(BlockFloat::new(far.into(), 16));
@@ -457,9 +458,11 @@ mod tests {
             let mut coordinate = || Scalar::from_bits(random.random_range(-64 << 16..64 << 16));
             let place = [coordinate(), coordinate(), coordinate()];
             let (angle, window) = (Angle::from_degrees(60), Window::centered(fx!(12), fx!(9)));
+            // Its plane has 27 bits, so the coordinates are no greater than the distance.
+            let [x, y, split] = place.map(|at| at / 64);
             check(
                 &Projection::perspective(angle, (4, 3), near, far).unwrap(),
-                place,
+                [x * near, y * near, split * near],
             );
             check(
                 &Projection::cabinet(angle, window, near, far).unwrap(),
