@@ -128,7 +128,7 @@ errors! {
     /// The reason why a value was refused. Its message names the value and the allowed range.
     ///
     /// Functions that build or check a value return errors, and so do those that prepare a
-    /// [`TriangleList`](crate::TriangleList) or an [`EdgeList`](crate::EdgeList). Draw calls cannot fail, except that
+    /// [`DrawList`](crate::DrawList). Draw calls cannot fail, except that
     /// those of a prepared list refuse a canvas of another frame size.
     ///
     /// ```

@@ -67,14 +67,14 @@
 //! | part | made by | used as |
 //! |---|---|---|
 //! | [`Mesh`] | [`include_mesh!`], [`shape!`], [`mesh::Shape`], slices of your own | first argument of [`Canvas::draw`] |
-//! | [`Outline`]: edges with their faces, for silhouettes and creases | [`outline!`], [`Outline::build`] | third argument of [`Canvas::draw_outline`] |
+//! | [`Outline`]: edges with their faces, for silhouettes and creases | [`outline!`], [`Outline::build`] | argument of [`Mesh::outline`] |
 //! | [`Mvp`], the model-view-projection | `projection * camera * spin` of a [`Projection`], a [`Camera`] and [`Transform`]s | second argument |
 //! | [`Shader`] | [`shade`], or ten lines of your own | third argument |
-//! | [`DrawOptions`]: culling, viewport, interpolation mode, depth test, blending, style of lines | [`DrawOptions::new`] | first argument of [`Canvas::draw_with`], [`draw_edges`](Canvas::draw_edges), [`draw_outline`](Canvas::draw_outline), [`draw_points`](Canvas::draw_points) |
-//! | [`TriangleList`]: triangles transformed once for all bands | [`TriangleList::new`], [`prepare`](TriangleList::prepare) | argument of [`Canvas::draw_prepared`] |
-//! | [`EdgeList`]: the same for edges and outlines | [`EdgeList::new`], [`prepare`](EdgeList::prepare) | argument of [`Canvas::draw_prepared_edges`] |
-//! | [`Object`]s: meshes with their transforms and materials | [`Object::new`] | argument of [`TriangleList::prepare_scene`] and [`EdgeList::prepare_scene`] |
-//! | [`Sprites`]: billboards, particles | [`Sprites::new`], [`Sprites::in_pixels`] | argument of [`Canvas::draw_sprites`] |
+//! | [`DrawOptions`]: culling, viewport, interpolation mode, depth test, blending | [`DrawOptions::new`] | first argument of [`Canvas::draw_with`] |
+//! | [`DrawList`]: triangles or edges transformed once for all bands | [`DrawList::new`], [`prepare`](DrawList::prepare) | argument of [`Canvas::draw_prepared`] |
+//! | [`Object`]s: meshes with their transforms and materials | [`Object::new`] | argument of [`DrawList::prepare`] |
+//! | [`Sprites`]: billboards, particles | [`Sprites::new`], [`Sprites::in_pixels`] | first argument of [`Canvas::draw`] |
+//! | Lines and points | [`Mesh::edges`], [`Mesh::outline`], [`Mesh::points`] with a [`LineStyle`] or [`PointStyle`] | first argument of [`Canvas::draw`] |
 //! | [`Ray`] of a pixel | [`Canvas::ray`] | [`Ray::hit`]: the face of a mesh that is seen there |
 //! | [`Canvas`]: colors, depth, rows | [`Canvas::new`], [`Canvas::band`], over your slices | the picture for a display: [`Canvas::show`] or [`Canvas::as_bytes`] |
 //!
@@ -154,8 +154,8 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! Here every band transforms the whole mesh again. If that takes too long, prepare a [`TriangleList`] once a frame
-//! with [`TriangleList::prepare`], and let every band draw from the list with [`Canvas::draw_prepared`].
+//! Here every band transforms the whole mesh again. If that takes too long, fill a [`DrawList`] once a frame with
+//! [`DrawList::prepare`], and let every band draw from the list with [`Canvas::draw_prepared`].
 //!
 //! For DMA, let the canvas store its pixels as the bytes that the bus needs: a `Canvas<Rgb565, BigEndian>` over
 //! `[[u8; 2]]` does so, and [`Canvas::as_bytes`] returns them. The [guide for firmware](guide::firmware)
@@ -295,11 +295,10 @@ pub mod view;
 pub use fixel_macros::assets as __assets;
 
 pub use error::Error;
-pub use pipeline::{
-    DrawOptions, Drawn, EdgeList, Hit, LineStyle, Object, Prepared, PreparedEdgeScene,
-    PreparedEdges, PreparedScene, Ray, ScreenPoint, TriangleList,
-};
-pub use raster::{Cull, Hairline, LineWidth, PointStyle, SmoothLine};
+#[doc(hidden)]
+pub use pipeline::Thing;
+pub use pipeline::{DrawList, DrawOptions, Drawn, Hit, Object, Prepared, Ray, ScreenPoint};
+pub use raster::{Cull, LineStyle, PointStyle};
 
 // These items are documented in their modules.
 #[doc(no_inline)]
@@ -329,11 +328,11 @@ struct Readme;
 pub mod prelude {
     #[doc(no_inline)]
     pub use crate::{
-        Angle, Aspect, Camera, Canvas, Corner, Cull, DepthView, DrawOptions, Drawn, EdgeList,
-        Error, FaceColors, Flat, Fragment, Gouraud, Lamp, Light, Lighting, LineWidth, Mesh, Mvp,
+        Angle, Aspect, Camera, Canvas, Corner, Cull, DepthView, DrawList, DrawOptions, Drawn,
+        Error, FaceColors, Flat, Fragment, Gouraud, Lamp, Light, Lighting, LineStyle, Mesh, Mvp,
         NormalView, Outline, PixelFormat, PointLight, PointStyle, Primitive, Projection, Rate, Ray,
         Scalar, Shader, ShaderFor, Spin, SpotLight, Sprites, TexCoord, Texture, Textured,
-        Transform, TriangleList, Vec2, Vec3, Viewer, Viewport, Window,
+        Transform, Vec2, Vec3, Viewer, Viewport, Window,
     };
     #[doc(no_inline)]
     pub use crate::{deg, fx, outline, shape, vec2, vec3};

@@ -33,7 +33,7 @@ mod tests {
     use crate::shade::{Colored, PerFace, Shiny, Texels, Tolerance, TwoSided, Within};
     use crate::texture::{Bilinear, Clamp, Nearest, Repeat};
     use crate::{Aspect, Camera, Cull, DrawOptions, Drawn, Fragment, Light, Mvp, Rate, Spin};
-    use crate::{Hairline, LineWidth, SmoothLine, Transform, Viewport, math::Direction};
+    use crate::{LineStyle, Transform, Viewport, math::Direction};
 
     const fn logs<T: Format>() {}
 
@@ -45,7 +45,7 @@ mod tests {
         }
         all!(Error Scalar TexCoord Subpixel Fraction Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform);
         all!(Counts Missing Shape Fragment Light Tolerance Texels Within<8, Texels> PerFace<u8>);
-        all!(Colored<Light> Shiny<Light> TwoSided<Light> Hairline LineWidth SmoothLine PointStyle);
+        all!(Colored<Light> Shiny<Light> TwoSided<Light> LineStyle LineStyle<true> PointStyle);
         all!(Drawn DrawOptions ScreenPoint Cull Exact Affine Newton Fast Compact);
         all!(ColorIndex Contrast NoDepth NoTest TestAndWrite TestOnly WriteOnly Biased);
         all!(Repeat Clamp Nearest Bilinear Aspect Camera Mvp Projection Segment Viewport Window);

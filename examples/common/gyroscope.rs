@@ -33,17 +33,17 @@ static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 
 /// Memory for the visible triangles of a frame: 19 KiB.
 pub struct Lists {
-    outer: TriangleList<280, 280>,
-    inner: TriangleList<280, 280>,
-    cube: TriangleList<6, 12>,
+    outer: DrawList<280, 280>,
+    inner: DrawList<280, 280>,
+    cube: DrawList<6, 12>,
 }
 
 impl Lists {
     pub const fn new() -> Self {
         Self {
-            outer: TriangleList::new(),
-            inner: TriangleList::new(),
-            cube: TriangleList::new(),
+            outer: DrawList::new(),
+            inner: DrawList::new(),
+            cube: DrawList::new(),
         }
     }
 

@@ -241,7 +241,12 @@ where
     let sea = canvas.draw_with(options, &SEA, mvp, &crests());
     let island = canvas.draw_with(options, &ISLAND, mvp, &stretched()?);
     let white = Flat::new(C::from_rgb(Rgb888::WHITE, Point::zero()));
-    canvas.draw_outline(options, &ISLAND, &SILHOUETTES, mvp, &white);
+    canvas.draw_with(
+        options,
+        ISLAND.outline(&SILHOUETTES, LineStyle::HAIRLINE),
+        mvp,
+        &white,
+    );
     Ok([sea, island])
 }
 

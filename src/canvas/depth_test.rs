@@ -118,7 +118,7 @@ depth_tests! {
 /// let behind = DrawOptions::new().with_depth(Biased::behind(TestAndWrite));
 /// assert_eq!((behind.depth().steps(), behind.depth().slope()), (-2, fx!(-1)));
 /// canvas.draw_with(&behind, &BOX, &mvp, &Flat::new(BinaryColor::Off));
-/// canvas.draw_edges(&DrawOptions::new(), &BOX, &mvp, &Flat::new(BinaryColor::On));
+/// canvas.draw(BOX.edges(LineStyle::HAIRLINE), &mvp, &Flat::new(BinaryColor::On));
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -158,7 +158,7 @@ impl<Z> Biased<Z> {
     }
 
     /// `test` with depths moved away by two steps and by four times the depth difference between neighboring pixels,
-    /// for [outlines](crate::Canvas::draw_outline) drawn over the mesh.
+    /// for [outlines](crate::Mesh::outline) drawn over the mesh.
     ///
     /// Beside a silhouette of a round body, faces turn away so fast that one may be narrower than a pixel. Then the
     /// line lies over the next, flatter face. So an outline needs a greater distance than edges inside the body:

@@ -216,7 +216,7 @@
 //! distance. So put the near plane as far away as the scene allows; a distant far plane costs nothing. For scenes that
 //! reach far beyond 1,000 times the near plane's distance, use the format [`FloatDepth`](crate::canvas::FloatDepth).
 //!
-//! A scene without a depth buffer must be drawn from back to front. A [`TriangleList`](crate::TriangleList) can sort
+//! A scene without a depth buffer must be drawn from back to front. A [`DrawList`](crate::DrawList) can sort
 //! it.
 //!
 //! # Band
@@ -253,7 +253,7 @@
 //! ```
 //!
 //! Put together, the bands equal the whole frame, bit for bit. Every draw call transforms its mesh again in every band.
-//! If that takes too long, a [`TriangleList`](crate::TriangleList) transforms it once a frame. The program in
+//! If that takes too long, a [`DrawList`](crate::DrawList) transforms it once a frame. The program in
 //! [firmware](crate::guide::firmware) uses two bands: it draws one while the other is sent.
 //!
 //! # When the scene is wrong
@@ -270,6 +270,6 @@
 //! | lit surfaces are dark | the direction of a [`Light`](crate::Light) points to the light, in world space; surfaces that face away from it have only its ambient brightness |
 //! | a spot or a highlight with jagged edges, or none | light is computed at the corners of triangles: make the mesh finer |
 //! | distant surfaces flicker through each other | move the near plane away from the eye: see [Depth](#depth) |
-//! | lines on a surface are broken | draw the surface with [`Biased::behind`](crate::canvas::Biased::behind), slightly behind its true depth; for silhouettes, [farther behind](crate::Canvas::draw_outline) |
+//! | lines on a surface are broken | draw the surface with [`Biased::behind`](crate::canvas::Biased::behind), slightly behind its true depth; for silhouettes, [farther behind](crate::Mesh::outline) |
 //!
 //! [Firmware](crate::guide::firmware#when-the-picture-is-wrong) has the same for displays.

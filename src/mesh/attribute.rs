@@ -44,7 +44,7 @@ impl<'a, T: Copy> Attribute<'a, T> {
     fn index(&self, indices: Indices, corner: usize) -> Option<usize> {
         let indices = match self.faces {
             None => indices.corners,
-            Some(faces) => *faces.get(indices.face?)?,
+            Some(faces) => *faces.get(indices.face()?)?,
         };
         Some(usize::from(*indices.get(corner)?))
     }

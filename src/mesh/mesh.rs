@@ -40,6 +40,8 @@ pub type Index = u16;
 pub struct Mesh<'a> {
     pub(super) positions: Positions<'a>,
     pub(super) faces: &'a [[Index; 3]],
+    /// The index of the first face in the mesh of which this one is a part.
+    pub(super) first_face: usize,
     pub(super) edges: &'a [[Index; 2]],
     pub(super) uvs: Attribute<'a, Vec2>,
     pub(super) normals: Attribute<'a, Vec3>,
@@ -160,6 +162,7 @@ impl<'a> Mesh<'a> {
         Self {
             positions,
             faces,
+            first_face: 0,
             edges,
             uvs: Attribute::of_lists(uvs),
             normals: Attribute::of_lists(normals),
@@ -177,7 +180,7 @@ impl<'a> Mesh<'a> {
         message::checked(result, "mesh")
     }
 
-    /// Adds edges, for [`Canvas::draw_edges`](crate::Canvas::draw_edges).
+    /// Adds edges, which [`edges`](Self::edges) draws.
     ///
     /// # Errors
     ///
@@ -195,7 +198,7 @@ impl<'a> Mesh<'a> {
     /// ```
     /// use fixel::prelude::*;
     /// static BALL: Mesh = shape!(sphere(16, 12)).without_edges().without_uvs();
-    /// assert!(BALL.edges().is_empty() && !BALL.has_uvs() && BALL.has_normals());
+    /// assert!(BALL.edge_indices().is_empty() && !BALL.has_uvs() && BALL.has_normals());
     /// ```
     #[must_use]
     pub const fn without_edges(self) -> Self {
@@ -235,9 +238,9 @@ impl<'a> Mesh<'a> {
         self.faces
     }
 
-    /// The edges, as indices of positions.
+    /// The edges, as indices of positions; [`edges`](Self::edges) draws them.
     #[must_use]
-    pub const fn edges(&self) -> &'a [[Index; 2]] {
+    pub const fn edge_indices(&self) -> &'a [[Index; 2]] {
         self.edges
     }
 

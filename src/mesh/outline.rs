@@ -7,14 +7,14 @@ use crate::num::Angle;
 
 /// The edges of a mesh that may be part of its outline, each with its two faces.
 ///
-/// [`Canvas::draw_outline`](crate::Canvas::draw_outline) draws the edges that show the shape, as seen from the eye:
+/// [`Mesh::outline`] draws the edges that show the shape, as seen from the eye:
 ///
 /// - *creases*, where two faces meet at an angle above a limit, if at least one of them is not culled;
 /// - *silhouettes*, where a front face meets a back face, and borders, which have only one face, again if at least one
 ///   face is not culled.
 ///
 /// So a convex mesh shows no hidden lines even without a depth buffer. For other meshes, draw the faces into a depth
-/// buffer first, as in the example of `draw_outline`; they hide the lines behind them.
+/// buffer first, as in the example there; they hide the lines behind them.
 ///
 /// [`outline!`](crate::outline) finds the edges at compile time and stores 8 bytes for each in flash. At run time,
 /// [`build`](Self::build) does the same in the caller's memory. The outline may be drawn with another mesh that has the

@@ -134,7 +134,8 @@ impl<'a> Part<'a> {
 
 impl Mesh<'_> {
     /// The mesh reduced to a range of its triangles; a range beyond the end is cut. It keeps all positions and
-    /// attributes, drops the edges, and needs no new check.
+    /// attributes, drops the edges, and needs no new check. To shaders, its triangles have the [indices](crate::Primitive::face)
+    /// of the whole mesh.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -148,6 +149,8 @@ impl Mesh<'_> {
         let range = self.part_range(&faces);
         Self {
             faces: self.faces.get(range.clone()).unwrap_or_default(),
+            // The sum is at most the number of faces in the whole mesh.
+            first_face: self.first_face.wrapping_add(range.start),
             edges: &[],
             uvs: self.uvs.part(&range),
             normals: self.normals.part(&range),

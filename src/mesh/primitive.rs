@@ -9,25 +9,55 @@ use crate::{Scalar, Vec2, Vec3};
 /// Where a primitive's data are in its mesh.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Indices {
-    /// The triangle among the faces. An edge or a point has none, so attributes with faces of their own have no value
-    /// for it.
-    pub(crate) face: Option<usize>,
+    pub(crate) element: Element,
     /// Its three positions; an edge or a point repeats the last one.
     pub(crate) corners: [Index; 3],
+}
+
+/// A triangle among the mesh's faces, an edge among its edges or those of an outline, or a point.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Element {
+    Face(usize),
+    Edge(usize),
+    Point,
 }
 
 impl Indices {
     #[inline]
     pub(crate) const fn of_face(face: usize, corners: [Index; 3]) -> Self {
-        let face = Some(face);
-        Self { face, corners }
+        let element = Element::Face(face);
+        Self { element, corners }
     }
 
-    /// The indices of an edge, or of a point if both ends are the same.
     #[inline]
-    pub(crate) const fn of_edge([a, b]: [Index; 2]) -> Self {
-        let (face, corners) = (None, [a, b, b]);
-        Self { face, corners }
+    pub(crate) const fn of_edge(edge: usize, [a, b]: [Index; 2]) -> Self {
+        let (element, corners) = (Element::Edge(edge), [a, b, b]);
+        Self { element, corners }
+    }
+
+    #[inline]
+    pub(crate) const fn of_point(index: Index) -> Self {
+        let (element, corners) = (Element::Point, [index; 3]);
+        Self { element, corners }
+    }
+
+    /// The number of the triangle among the faces, or of the edge among the edges.
+    #[inline]
+    pub(crate) const fn number(&self) -> usize {
+        match self.element {
+            Element::Face(number) | Element::Edge(number) => number,
+            Element::Point => 0,
+        }
+    }
+
+    /// The triangle among the faces. An edge or a point has none, so attributes with faces of their own have no value
+    /// for it.
+    #[inline]
+    pub(super) const fn face(&self) -> Option<usize> {
+        match self.element {
+            Element::Face(face) => Some(face),
+            Element::Edge(_) | Element::Point => None,
+        }
     }
 }
 
@@ -73,13 +103,63 @@ pub struct Primitive<'a> {
 }
 
 impl Primitive<'_> {
-    /// The index of the triangle in the mesh; 0 for an edge or a point.
+    /// The index of the triangle among the mesh's [`faces`](Mesh::faces); `None` for an edge or a point. In a
+    /// [part](Mesh::part) of a mesh, triangles keep the indices that they have in the whole.
     #[must_use]
     #[inline]
-    pub const fn index(&self) -> usize {
-        match self.indices.face {
-            Some(face) => face,
-            None => 0,
+    pub const fn face(&self) -> Option<usize> {
+        match self.indices.face() {
+            // A face is a place in a list in memory, and so is the sum.
+            Some(face) => Some(self.mesh.first_face.wrapping_add(face)),
+            None => None,
+        }
+    }
+
+    /// The index of the edge among the mesh's [`edge_indices`](Mesh::edge_indices) or, if an outline is drawn, among
+    /// the [outline's edges](super::Outline::edges); `None` for a triangle or a point.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4};
+    /// use fixel::prelude::*;
+    /// use fixel::shade::PerFace;
+    /// #[derive(Clone, Copy)]
+    /// struct Numbered;
+    /// impl Shader for Numbered {
+    ///     type Color = Gray4;
+    ///     type Varyings = PerFace<u8>;
+    ///     fn varyings(&self, edge: &Primitive) -> [PerFace<u8>; 3] {
+    ///         [PerFace(edge.edge().map_or(0, |edge| edge as u8 + 1)); 3]
+    ///     }
+    ///     fn shade(&self, _: &Fragment, PerFace(number): PerFace<u8>) -> Option<Gray4> {
+    ///         Some(Gray4::new(number))
+    ///     }
+    /// }
+    /// let corners = [vec3!(0, 0, 0), vec3!(3, 0, 0), vec3!(3, 3, 0)];
+    /// let bent = Mesh::new(&corners, &[])?.with_edges(&[[0, 1], [1, 2]])?;
+    /// let projection = Projection::orthographic(Window::centered(fx!(8), fx!(8)), fx!(-1), fx!(1))?;
+    /// let mut pixels = [Gray4::new(0); 64];
+    /// let mut canvas = Canvas::new(&mut pixels, 8, 8)?;
+    /// canvas.draw(bent.edges(LineStyle::HAIRLINE), &projection, &Numbered);
+    /// let mut display = MockDisplay::new();
+    /// canvas.show(&mut display)?;
+    /// display.assert_pattern(&[
+    ///     "00000000",
+    ///     "00000002",
+    ///     "00000002",
+    ///     "00000002",
+    ///     "00001110",
+    ///     "00000000",
+    ///     "00000000",
+    ///     "00000000",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    #[inline]
+    pub const fn edge(&self) -> Option<usize> {
+        match self.indices.element {
+            Element::Edge(edge) => Some(edge),
+            Element::Face(_) | Element::Point => None,
         }
     }
 
@@ -87,7 +167,7 @@ impl Primitive<'_> {
     #[must_use]
     #[inline]
     pub const fn is_face(&self) -> bool {
-        self.indices.face.is_some()
+        self.indices.face().is_some()
     }
 
     /// Calls `f` with each of the three corners and returns the results. For an edge, the second end comes twice; for

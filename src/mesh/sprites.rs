@@ -7,7 +7,7 @@ use crate::num::TexCoord;
 use crate::{Error, Scalar, Vec2, Vec3};
 
 /// Sprites, also called billboards: a rectangle at each of the positions, parallel to the image plane.
-/// [`Canvas::draw_sprites`](crate::Canvas::draw_sprites) draws all of them, for example particles, in one call.
+/// [`Canvas::draw`](crate::Canvas::draw) draws all of them, for example particles, in one call.
 ///
 /// All sprites have one size, in units of the world or in pixels. Their texture coordinates run from (0, 0) at the top
 /// left to (1, 1) at the bottom right. With an [axis](Self::with_axis), they turn only about it, as trees must. Each
@@ -26,7 +26,7 @@ use crate::{Error, Scalar, Vec2, Vec3};
 /// let positions = [vec3!(-2, 0, -2), vec3!(0, 0, -4), vec3!(4, 0, -4)];
 /// let sprites = Sprites::new(&positions, (fx!(2), fx!(3)))?;
 /// let white = Flat::new(BinaryColor::On);
-/// let drawn = canvas.draw_sprites(&DrawOptions::new(), &sprites, &projection, &white);
+/// let drawn = canvas.draw(&sprites, &projection, &white);
 /// assert_eq!((drawn.submitted, drawn.drawn), (6, 6)); // triangles
 ///
 /// let mut display = MockDisplay::new();
@@ -52,6 +52,62 @@ use crate::{Error, Scalar, Vec2, Vec3};
 /// let mut smoke = [vec3!(0, 0, 2), vec3!(0, 1, -3), vec3!(0, 2, 0)];
 /// smoke.sort_unstable_by_key(|&place| view.point(place).z); // the eye looks along −z
 /// assert_eq!(smoke, [vec3!(0, 1, -3), vec3!(0, 2, 0), vec3!(0, 0, 2)]);
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # How they are drawn
+///
+/// A sprite is two triangles, drawn by the same rules as a mesh's. Nothing is culled, because sprites have no backs. A
+/// sprite without an [axis](Self::with_axis) is a rectangle on the screen. It is drawn as one primitive, which costs
+/// less than two triangles, unless it is clipped, its shader has [values per face](crate::shade::PerFace) (as mipmaps
+/// have), or a varying changes both across and down, as the light of a lamp does. It has the same pixels and depths as
+/// the triangles, and its varyings are as accurate.
+///
+/// Every shader works: to it, sprites are a mesh in eye space whose normals point toward the viewer. The two triangles
+/// of sprite i have the indices 2i and 2i + 1. A corner's way from the sprite's position is accurate to 2⁻²⁶ of the
+/// longest one. Then corners are rounded to the nearest [`Scalar`]s in eye space, which moves them by at most
+/// 2⁻¹⁶ · focal length / w pixels. A sprite with a corner beyond ±32,768 in eye space is not drawn.
+///
+/// With [`cut_out`](crate::Textured::cut_out), sprites may be drawn in any order, because holes leave depths as they
+/// are.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8};
+/// use fixel::prelude::*;
+/// static TREE: TextureArray<Gray8, 4, 4> = TextureArray::gray8(&[
+///     0, 9, 9, 0,
+///     9, 9, 9, 9,
+///     0, 9, 9, 0,
+///     0, 9, 9, 0,
+/// ]);
+/// let projection = Projection::perspective(deg!(90), (2, 1), fx!(0.5), fx!(20))?;
+/// let camera = Camera::look_at(vec3!(0, 1.5, 0), vec3!(0, 1.5, -1), Vec3::Y)?;
+/// let mut pixels = [Gray8::new(0); 24 * 12];
+/// let mut canvas = Canvas::new(&mut pixels, 24, 12)?;
+///
+/// // Trees that stand on the floor, one twice as far away as the other.
+/// let places = [vec3!(-1.5, 0, -1.5), vec3!(2, 0, -3)];
+/// let trees = Sprites::new(&places, (fx!(2), fx!(2)))?
+///     .with_axis(Vec3::Y)?
+///     .with_anchor(vec2!(0.5, 1));
+/// let leaves = Textured::new(&TREE).clamped().cut_out(Gray8::new(0));
+/// canvas.draw(&trees, &(projection * camera), &leaves);
+/// let shown: Vec<String> = canvas.pixels().collect::<Vec<_>>().chunks(24)
+///     .map(|row| row.iter().map(|p| if *p == Gray8::new(0) { '.' } else { '#' }).collect()).collect();
+/// assert_eq!(shown, [
+///     "........................",
+///     "........................",
+///     "........................",
+///     "........................",
+///     "....####................",
+///     "....####.......##.......",
+///     "..########....####......",
+///     "..########.....##.......",
+///     "....####.......##.......",
+///     "....####................",
+///     "....####................",
+///     "....####................",
+/// ]);
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -108,7 +164,7 @@ impl<'a> Sprites<'a> {
     /// canvas.clear(BinaryColor::Off);
     /// let positions = [vec3!(-2, 0, -2), vec3!(20, 0, -40)];
     /// let marks = Sprites::in_pixels(&positions, (fx!(4), fx!(2)))?;
-    /// canvas.draw_sprites(&DrawOptions::new(), &marks, &projection, &Flat::new(BinaryColor::On));
+    /// canvas.draw(&marks, &projection, &Flat::new(BinaryColor::On));
     ///
     /// let mut display = MockDisplay::new();
     /// canvas.show(&mut display)?;

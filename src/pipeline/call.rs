@@ -7,12 +7,12 @@ use embedded_graphics::geometry::Size;
 use super::vertex::Projector;
 use crate::Error;
 use crate::mesh::{Indices, Mesh, Placement, Primitive};
-use crate::raster::{Cull, Scissor};
+use crate::raster::{Cull, DepthShift, Scissor};
 use crate::view::{AsMvp, ProjectionKind, Viewport};
 
 /// A frame, the part of it that is drawn to, and which faces are culled.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Screen {
+pub struct Screen {
     pub(super) frame: Size,
     pub(super) viewport: Viewport,
     pub(super) cull: Cull,
@@ -83,10 +83,14 @@ impl<'m, K: ProjectionKind> Call<'m, K> {
             projector: Projector::new(mesh.positions(), mvp.projection_of(), &view, viewport),
             shared: Shared {
                 mesh,
+                cull: screen.cull.after(&view),
                 placement: Placement::new(mvp.model_of(), view),
-                cull: screen.cull,
                 scissor: screen.scissor(rows),
             },
         }
+    }
+
+    pub(super) fn depth_shift(&self) -> DepthShift {
+        self.projector.depth_shift()
     }
 }

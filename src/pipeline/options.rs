@@ -4,16 +4,17 @@ use embedded_graphics::geometry::Size;
 
 use super::call::Screen;
 use crate::canvas::{DepthTest, Replace, TestAndWrite};
-use crate::raster::{Cull, Hairline};
+use crate::raster::Cull;
+use crate::sealed::Sealed;
 use crate::span::{Fast, Mode, Newton};
 use crate::view::Viewport;
 
 /// The options of a draw call: which faces are culled, which part of the frame is drawn to, the interpolation mode,
-/// the depth test, how colors are blended with those on the canvas, and how lines are drawn.
+/// the depth test, and how colors are blended with those on the canvas.
 ///
 #[cfg_attr(doc, doc = page_picture!("options", "A ring by the default options; with front faces culled; as lines; as points"))]
 /// By default, a draw call culls back faces, draws to the whole frame in mode [`Newton`], tests and stores depths, and
-/// replaces the colors on the canvas. Lines are one pixel wide.
+/// replaces the colors on the canvas.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -23,20 +24,32 @@ use crate::view::Viewport;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct DrawOptions<M = Newton, Z = TestAndWrite, B = Replace, L = Hairline> {
+pub struct DrawOptions<M = Newton, Z = TestAndWrite, B = Replace> {
     cull: Cull,
     viewport: Option<Viewport>,
-    pub(super) pixels: PixelOptions<M, Z, B>,
-    pub(super) line: L,
+    mode: M,
+    depth: Z,
+    blending: B,
 }
 
-/// The options that each pixel is drawn with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(super) struct PixelOptions<M, Z, B> {
-    pub(super) mode: M,
-    pub(super) depth: Z,
-    pub(super) blending: B,
+/// Any [`DrawOptions`], for what depends neither on mode nor on depth test and blending.
+#[doc(hidden)]
+pub trait Options: Copy + Sealed {
+    /// The part of a frame of this size that is drawn to, and the faces that are culled.
+    fn screen(&self, frame: Size) -> Screen;
+}
+
+impl<M, Z, B> Sealed for DrawOptions<M, Z, B> {}
+
+impl<M: Copy, Z: Copy, B: Copy> Options for DrawOptions<M, Z, B> {
+    #[inline]
+    fn screen(&self, frame: Size) -> Screen {
+        Screen {
+            frame,
+            viewport: self.viewport.unwrap_or(Viewport::whole(frame)),
+            cull: self.cull,
+        }
+    }
 }
 
 impl Default for DrawOptions {
@@ -52,12 +65,9 @@ impl DrawOptions {
         Self {
             cull: Cull::Back,
             viewport: None,
-            pixels: PixelOptions {
-                mode: Newton,
-                depth: TestAndWrite,
-                blending: Replace,
-            },
-            line: Hairline,
+            mode: Newton,
+            depth: TestAndWrite,
+            blending: Replace,
         }
     }
 
@@ -75,7 +85,7 @@ impl DrawOptions {
     }
 }
 
-impl<M: Copy, Z: Copy, B: Copy, L: Copy> DrawOptions<M, Z, B, L> {
+impl<M: Copy, Z: Copy, B: Copy> DrawOptions<M, Z, B> {
     /// Sets which faces are culled.
     #[must_use]
     pub const fn with_cull(self, cull: Cull) -> Self {
@@ -93,54 +103,30 @@ impl<M: Copy, Z: Copy, B: Copy, L: Copy> DrawOptions<M, Z, B, L> {
 
     /// Sets the interpolation mode.
     #[must_use]
-    pub const fn with_mode<N: Mode>(self, mode: N) -> DrawOptions<N, Z, B, L> {
-        self.with(mode, self.pixels.depth, self.pixels.blending, self.line)
+    pub const fn with_mode<N: Mode>(self, mode: N) -> DrawOptions<N, Z, B> {
+        self.with(mode, self.depth, self.blending)
     }
 
     /// Sets how depths are tested and stored. On a canvas without a depth buffer, this has no effect.
     #[must_use]
-    pub const fn with_depth<Y: DepthTest>(self, depth: Y) -> DrawOptions<M, Y, B, L> {
-        self.with(self.pixels.mode, depth, self.pixels.blending, self.line)
+    pub const fn with_depth<Y: DepthTest>(self, depth: Y) -> DrawOptions<M, Y, B> {
+        self.with(self.mode, depth, self.blending)
     }
 
     /// Sets how colors are blended with those on the canvas.
     #[must_use]
-    pub const fn with_blending<A: Copy>(self, blending: A) -> DrawOptions<M, Z, A, L> {
-        self.with(self.pixels.mode, self.pixels.depth, blending, self.line)
+    pub const fn with_blending<A: Copy>(self, blending: A) -> DrawOptions<M, Z, A> {
+        self.with(self.mode, self.depth, blending)
     }
 
-    /// Sets how lines are drawn: as one of the [`LineStyle`](crate::LineStyle)s. The methods that draw edges and
-    /// outlines accept all styles; those that draw triangles, points and sprites accept only options with [`Hairline`].
-    ///
-    /// ```
-    /// use fixel::prelude::*;
-    /// let wide = DrawOptions::new().with_line(LineWidth::new(fx!(3))?);
-    /// let smooth = DrawOptions::new().with_line(LineWidth::new(fx!(1.5))?.smooth());
-    /// # Ok::<(), Error>(())
-    /// ```
-    #[must_use]
-    pub const fn with_line<N: Copy>(self, line: N) -> DrawOptions<M, Z, B, N> {
-        let pixels = self.pixels;
-        self.with(pixels.mode, pixels.depth, pixels.blending, line)
-    }
-
-    /// The same options with these four, which may have other types.
-    const fn with<N: Copy, Y: Copy, A: Copy, J: Copy>(
-        self,
-        mode: N,
-        depth: Y,
-        blending: A,
-        line: J,
-    ) -> DrawOptions<N, Y, A, J> {
+    /// The same options with these three, which may have other types.
+    const fn with<N, Y, A>(self, mode: N, depth: Y, blending: A) -> DrawOptions<N, Y, A> {
         DrawOptions {
             cull: self.cull,
             viewport: self.viewport,
-            pixels: PixelOptions {
-                mode,
-                depth,
-                blending,
-            },
-            line,
+            mode,
+            depth,
+            blending,
         }
     }
 
@@ -159,35 +145,18 @@ impl<M: Copy, Z: Copy, B: Copy, L: Copy> DrawOptions<M, Z, B, L> {
     /// Returns how attributes are interpolated.
     #[must_use]
     pub const fn mode(&self) -> M {
-        self.pixels.mode
+        self.mode
     }
 
     /// Returns how depths are tested and stored.
     #[must_use]
     pub const fn depth(&self) -> Z {
-        self.pixels.depth
+        self.depth
     }
 
     /// Returns how colors are blended with those on the canvas.
     #[must_use]
     pub const fn blending(&self) -> B {
-        self.pixels.blending
-    }
-
-    /// Returns how lines are drawn.
-    #[must_use]
-    pub const fn line(&self) -> L {
-        self.line
-    }
-}
-
-impl<M, Z, B, L> DrawOptions<M, Z, B, L> {
-    /// The part of a frame of this size that is drawn to, and the faces that are culled.
-    pub(super) fn screen(&self, frame: Size) -> Screen {
-        Screen {
-            frame,
-            viewport: self.viewport.unwrap_or(Viewport::whole(frame)),
-            cull: self.cull,
-        }
+        self.blending
     }
 }

@@ -1,14 +1,86 @@
-//! Points of a size.
+//! Points: a mesh's positions, each one pixel, a square or a disc.
 
-use super::call::Call;
-use super::{Drawn, run};
+use core::ops::Range;
+
+use super::Drawn;
+use super::call::{Call, Screen};
+use super::run::Draw;
+use super::thing::{Paint, Thing};
+use crate::mesh::{Index, Indices, Mesh};
 use crate::num::block::{self, BlockFloat};
 use crate::num::wide::product;
-use crate::raster::{self, Blitter, PointStyle};
-use crate::view::{Projection, ProjectionKind, Viewport};
+use crate::raster::{self, Blitter, PointStyle, Rasterizer, ScreenVertex};
+use crate::sealed::Sealed;
+use crate::view::{AsMvp, Projection, ProjectionKind, Viewport};
+
+/// The positions of a mesh, to be drawn as points.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Points<'m> {
+    mesh: &'m Mesh<'m>,
+    style: PointStyle,
+}
+
+impl Mesh<'_> {
+    /// The mesh's positions, to be drawn as points by [`Canvas::draw`](crate::Canvas::draw): for each, a pixel, a
+    /// square or a disc.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
+    /// use fixel::prelude::*;
+    /// let stars = [vec3!(-4, 0, -4), vec3!(0.5, 0, -8), vec3!(9, 0, -16)];
+    /// let stars = Mesh::new(&stars, &[])?;
+    /// let projection = Projection::perspective(deg!(60), (24, 9), fx!(1), fx!(20))?;
+    /// let mut color = [BinaryColor::Off; 24 * 9];
+    /// let mut canvas = Canvas::new(&mut color, 24, 9)?;
+    /// let style = PointStyle::round(fx!(4))?.attenuated();
+    /// canvas.draw(stars.points(style), &projection, &Flat::new(BinaryColor::On));
+    /// let mut display = MockDisplay::new();
+    /// canvas.show(&mut display)?;
+    /// display.assert_pattern(&[
+    ///     "........................",
+    ///     "..#####.................",
+    ///     ".#######................",
+    ///     "########...###..........",
+    ///     "########...###.##.......",
+    ///     "########...###..........",
+    ///     ".#######................",
+    ///     "..#####.................",
+    ///     "........................",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub const fn points(&self, style: PointStyle) -> Points<'_> {
+        Points { mesh: self, style }
+    }
+}
+
+impl Sealed for Points<'_> {}
+
+#[allow(private_bounds)]
+impl<C> Thing<C> for Points<'_> {
+    fn draw<V: AsMvp>(
+        self,
+        screen: &Screen,
+        rows: &Range<u32>,
+        mvp: &V,
+        paint: impl Paint<C>,
+    ) -> Drawn {
+        let call = Call::new(screen, rows, self.mesh, mvp);
+        paint.plain::<V::Kind>(call.depth_shift(), |blitter| {
+            if self.style.is_pixel() {
+                pixels(&call, blitter)
+            } else {
+                let half = HalfSize::new(self.style, mvp.projection_of(), &screen.viewport);
+                sized_points(&call, &half, self.style.is_round(), blitter)
+            }
+        })
+    }
+}
 
 /// Half the size of points, in units of 1/256 pixel.
-pub(super) enum HalfSize {
+enum HalfSize {
     /// All have the same.
     Equal(i64),
     /// A mantissa · 2^-exponent over the distance, in units of the near plane's.
@@ -18,7 +90,7 @@ pub(super) enum HalfSize {
 impl HalfSize {
     /// Half the size of points in this style, drawn to a viewport.
     #[inline(never)]
-    pub(super) fn new<K: ProjectionKind>(
+    fn new<K: ProjectionKind>(
         style: PointStyle,
         projection: &Projection<K>,
         viewport: &Viewport,
@@ -44,23 +116,50 @@ impl HalfSize {
     }
 }
 
+/// Draws all positions of a mesh as pixels.
+#[inline(never)]
+fn pixels<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
+    each_point(call, blitter, raster::point)
+}
+
 /// Draws all positions of a mesh as squares or discs.
 #[inline(never)]
-pub(super) fn sized_points<K: ProjectionKind>(
+fn sized_points<K: ProjectionKind>(
     call: &Call<'_, K>,
     half: &HalfSize,
     is_round: bool,
     blitter: &mut dyn Blitter,
 ) -> Drawn {
-    run::each_point(call, blitter, |raster, at| {
+    each_point(call, blitter, |raster, at| {
         let half = match *half {
             HalfSize::Equal(half) => half,
             HalfSize::OverDistance(mantissa, exp) => {
                 // near / w = q · 2^(exponent − 16 − shift), as for the depth.
-                let shift = i32::from(at.exponent) - 16 - call.projector.depth_shift().0 - exp;
+                let shift = i32::from(at.exponent) - 16 - call.depth_shift().0 - exp;
                 block::shift(product(mantissa, at.q.cast_signed()), shift + 8)
             }
         };
         raster::sized_point(raster, at, half, is_round);
     })
+}
+
+/// Draws all positions of a mesh that are inside all planes, each by `point`.
+#[inline]
+fn each_point<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    blitter: &mut dyn Blitter,
+    point: impl Fn(&mut Rasterizer<'_>, &ScreenVertex),
+) -> Drawn {
+    let count = call.shared.mesh.positions().len();
+    let mut draw = Draw::new(blitter, &call.shared, count);
+    for index in 0..count as u32 {
+        // A mesh has at most 65,536 positions.
+        let index = index as Index;
+        let mut at = ScreenVertex::UNSET;
+        call.projector.project(index, &mut at);
+        if at.outcode == 0 {
+            draw.line(Indices::of_point(index), false, |raster| point(raster, &at));
+        }
+    }
+    draw.drawn()
 }

@@ -2,12 +2,12 @@
 
 use embedded_graphics::geometry::Point;
 
-use super::DrawOptions;
+use super::options::Options;
 use crate::canvas::{Canvas, Storage};
 use crate::math::{Direction, Transform};
 use crate::mesh::Mesh;
 use crate::num::block::{self, BlockFloat};
-use crate::num::rsqrt::{cross, unit};
+use crate::num::rsqrt::unit;
 use crate::num::wide::{dot, product};
 use crate::raster::Cull;
 use crate::view::AsMvp;
@@ -263,26 +263,19 @@ struct Inverse<'t> {
     columns: [[i32; 3]; 3],
     /// The determinant times that power, which is positive: columns have its sign.
     determinant: i64,
-    is_mirror: bool,
 }
 
 impl<'t> Inverse<'t> {
     /// `None` if the transform's matrix has no inverse.
     fn of(transform: &'t Transform) -> Option<Self> {
-        let [x, y, z] = transform.linear;
+        let [x, ..] = transform.linear;
         let [first, second, third] = transform.normal_matrix();
         let determinant = dot(&x, &first);
-        // The normal matrix has the sign of the determinant besides the cofactors.
-        let is_mirror = cross(y, z)
-            .iter()
-            .zip(&first)
-            .any(|(&cofactor, &entry)| cofactor.signum() * i64::from(entry.signum()) < 0);
         let transpose = |axis: usize| [first[axis], second[axis], third[axis]];
         (determinant > 0).then_some(Self {
             transform,
             columns: [transpose(0), transpose(1), transpose(2)],
             determinant,
-            is_mirror,
         })
     }
 
@@ -368,12 +361,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
-    pub fn ray<M, Z, B, L>(
-        &self,
-        options: &DrawOptions<M, Z, B, L>,
-        mvp: &impl AsMvp,
-        pixel: Point,
-    ) -> Option<Ray> {
+    pub fn ray(&self, options: &impl Options, mvp: &impl AsMvp, pixel: Point) -> Option<Ray> {
         let screen = options.screen(self.frame_size());
         let [columns, rows] = screen.viewport.pixels();
         if !columns.contains(&pixel.x) || !rows.contains(&pixel.y) {
@@ -392,11 +380,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         Some(Ray {
             origin: inverse.point(&near)?,
             direction: Direction::from_bits(inverse.direction(&direction)?),
-            cull: match screen.cull {
-                Cull::Back if inverse.is_mirror => Cull::Front,
-                Cull::Front if inverse.is_mirror => Cull::Back,
-                cull => cull,
-            },
+            cull: screen.cull,
         })
     }
 }

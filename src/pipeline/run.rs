@@ -45,81 +45,25 @@ pub(super) fn each_edge<K: ProjectionKind, E>(
     call: &Call<'_, K>,
     edges: &[E],
     ends_of: impl Fn(&Call<'_, K>, &mut VertexCache, usize, &E) -> Option<[Index; 2]>,
-    mut each: impl FnMut([Index; 2], [&ClippedVertex; 2], bool),
+    mut each: impl FnMut(Indices, [&ClippedVertex; 2], bool),
 ) {
     let mut vertices = VertexCache::new();
     for (at, edge) in edges.iter().enumerate() {
-        let Some(indices) = ends_of(call, &mut vertices, at, edge) else {
+        let Some(ends) = ends_of(call, &mut vertices, at, edge) else {
             continue;
         };
         let mut line = ClippedPolygon::new();
-        let is_clipped = assemble::edge(call, &mut vertices, indices, &mut line);
+        let is_clipped = assemble::edge(call, &mut vertices, ends, &mut line);
         if let [from, to] = &*line {
-            each(indices, [from, to], is_clipped);
+            each(Indices::of_edge(at, ends), [from, to], is_clipped);
         }
     }
-}
-
-/// Draws edges, each by `line`.
-#[inline]
-pub(super) fn lines<K: ProjectionKind, E>(
-    call: &Call<'_, K>,
-    blitter: &mut dyn Blitter,
-    edges: &[E],
-    ends_of: impl Fn(&Call<'_, K>, &mut VertexCache, usize, &E) -> Option<[Index; 2]>,
-    line: impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]),
-) -> Drawn {
-    let mut draw = Draw::new(blitter, &call.shared);
-    draw.drawn.submitted = edges.len() as u32;
-    each_edge(call, edges, ends_of, |indices, ends, is_clipped| {
-        draw.edge(indices, is_clipped, |raster| line(raster, ends));
-    });
-    draw.drawn()
-}
-
-/// Draws all edges of a mesh as lines.
-#[inline(never)]
-pub(super) fn edges<K: ProjectionKind>(
-    call: &Call<'_, K>,
-    line: impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]),
-    blitter: &mut dyn Blitter,
-) -> Drawn {
-    let edges = call.shared.mesh.edges();
-    lines(call, blitter, edges, |_, _, _, &edge| Some(edge), line)
-}
-
-/// Draws all positions of a mesh that are inside all planes, each by `point`.
-#[inline]
-pub(super) fn each_point<K: ProjectionKind>(
-    call: &Call<'_, K>,
-    blitter: &mut dyn Blitter,
-    point: impl Fn(&mut Rasterizer<'_>, &ScreenVertex),
-) -> Drawn {
-    let count = call.shared.mesh.positions().len() as u32;
-    let mut draw = Draw::new(blitter, &call.shared);
-    draw.drawn.submitted = count;
-    for index in 0..count {
-        // A mesh has at most 65,536 positions.
-        let index = index as Index;
-        let mut at = ScreenVertex::UNSET;
-        call.projector.project(index, &mut at);
-        if at.outcode == 0 {
-            draw.edge([index; 2], false, |raster| point(raster, &at));
-        }
-    }
-    draw.drawn()
-}
-
-/// Draws all positions of a mesh as points.
-#[inline(never)]
-pub(super) fn points<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
-    each_point(call, blitter, raster::point)
 }
 
 /// Draws all triangles of a mesh, in code that exists once for all shaders and canvases.
 #[inline(never)]
 pub(super) fn draw<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
-    let mut draw = Draw::new(blitter, &call.shared);
+    let mut draw = Draw::new(blitter, &call.shared, call.shared.mesh.faces().len());
     triangles(call, &mut draw);
     draw.drawn()
 }
@@ -138,8 +82,9 @@ pub(super) fn quads<K: ProjectionKind>(
     is_plane: Option<IsPlane<'_>>,
     blitter: &mut dyn Blitter,
 ) -> Drawn {
-    let mut draw = Draw::new(blitter, &call.shared);
-    let pairs = call.shared.mesh.faces().chunks_exact(2);
+    let faces = call.shared.mesh.faces();
+    let mut draw = Draw::new(blitter, &call.shared, faces.len());
+    let pairs = faces.chunks_exact(2);
     for (at, pair) in (first..).step_by(2).zip(pairs) {
         let is_done =
             is_plane.is_some_and(|is_plane| rectangle(call, (at, pair), is_plane, &mut draw));
@@ -195,17 +140,21 @@ fn rectangle<K: ProjectionKind>(
 pub(super) struct Draw<'d> {
     raster: Rasterizer<'d>,
     shared: &'d Shared<'d>,
-    pub(super) drawn: Drawn,
+    drawn: Drawn,
 }
 
 impl<'d> Draw<'d> {
     #[inline]
-    pub(super) fn new(blitter: &'d mut dyn Blitter, shared: &'d Shared<'d>) -> Self {
+    pub(super) fn new(
+        blitter: &'d mut dyn Blitter,
+        shared: &'d Shared<'d>,
+        submitted: usize,
+    ) -> Self {
         Self {
             raster: Rasterizer::new(blitter, &shared.scissor),
             shared,
             drawn: Drawn {
-                submitted: shared.mesh.faces().len() as u32,
+                submitted: submitted as u32,
                 ..Drawn::default()
             },
         }
@@ -227,15 +176,15 @@ impl<'d> Draw<'d> {
             .primitive(&self.shared.primitive(indices));
     }
 
-    /// Draws an edge, or a point if both ends are the same, by `line`.
+    /// Draws an edge or a point by `line`.
     #[inline]
-    pub(super) fn edge(
+    pub(super) fn line(
         &mut self,
-        ends: [Index; 2],
+        indices: Indices,
         is_clipped: bool,
         line: impl FnOnce(&mut Rasterizer<'d>),
     ) {
-        self.start(Indices::of_edge(ends));
+        self.start(indices);
         line(&mut self.raster);
         self.drawn.drawn += 1;
         self.drawn.clipped += u32::from(is_clipped);

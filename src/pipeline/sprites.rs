@@ -1,12 +1,15 @@
 //! Sprites: quads in eye space, which are drawn as a mesh of eight at a time. Those that face the camera are rectangles
 //! on the screen, each drawn as one primitive where its varyings allow it.
 
+use core::ops::Range;
+
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::Drawn;
 use super::cache::VertexCache;
-use super::call::{Call, Shared};
+use super::call::{Call, Screen, Shared};
 use super::run::{self, IsPlane};
+use super::thing::{Paint, Thing};
 use super::vertex::Projector;
 use crate::math::Transform;
 use crate::mesh::{Index, Mesh, Placement, Positions, Sprites};
@@ -15,8 +18,30 @@ use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt::unit;
 use crate::num::wide::{dot, product};
 use crate::raster::{Blitter, Cull, Scissor};
+use crate::sealed::Sealed;
+use crate::span::is_plane;
 use crate::view::{AsMvp, Projection, ProjectionKind, Viewport};
 use crate::{Scalar, Vec2, Vec3};
+
+impl Sealed for &Sprites<'_> {}
+
+#[allow(private_bounds)]
+impl<C> Thing<C> for &Sprites<'_> {
+    fn draw<V: AsMvp>(
+        self,
+        screen: &Screen,
+        rows: &Range<u32>,
+        mvp: &V,
+        paint: impl Paint<C>,
+    ) -> Drawn {
+        let scissor = screen.scissor(rows);
+        let quads = Quads::new(self, mvp, &screen.viewport);
+        let shading = paint.shading();
+        paint.plain::<V::Kind>(quads.projector.depth_shift(), |blitter| {
+            quads.draw(&scissor, &|halves| is_plane(&shading, halves), blitter)
+        })
+    }
+}
 
 /// How many sprites are drawn as one mesh. Their corners take half of the vertex cache.
 const BATCH: usize = 8;
@@ -128,14 +153,14 @@ fn moved(point: Vec3, offset: Vec3) -> Option<Vec3> {
 type LastScale = (BlockFloat, [Vec3; 4], bool);
 
 /// A draw call of sprites.
-pub(super) struct Quads<'s, K> {
+struct Quads<'s, K> {
     sprites: &'s Sprites<'s>,
     /// From model to eye space.
     view: Transform,
     /// From eye to world space.
     pose: Transform,
     /// From eye space to the screen.
-    pub(super) projector: Projector<'static, K>,
+    projector: Projector<'static, K>,
     shape: Shape,
     /// Whether the size of a sprite is proportional to its distance.
     grows: bool,
@@ -143,11 +168,7 @@ pub(super) struct Quads<'s, K> {
 
 impl<'s, K: ProjectionKind> Quads<'s, K> {
     #[inline(never)]
-    pub(super) fn new(
-        sprites: &'s Sprites<'s>,
-        mvp: &impl AsMvp<Kind = K>,
-        viewport: &Viewport,
-    ) -> Self {
+    fn new(sprites: &'s Sprites<'s>, mvp: &impl AsMvp<Kind = K>, viewport: &Viewport) -> Self {
         let (projection, view): (&Projection<K>, _) = (mvp.projection_of(), mvp.model_view_of());
         Self {
             shape: Shape::new(sprites, &view, projection.pixel(viewport)),
@@ -166,12 +187,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
 
     /// Draws all sprites.
     #[inline(never)]
-    pub(super) fn draw(
-        &self,
-        scissor: &Scissor,
-        is_plane: IsPlane<'_>,
-        blitter: &mut dyn Blitter,
-    ) -> Drawn {
+    fn draw(&self, scissor: &Scissor, is_plane: IsPlane<'_>, blitter: &mut dyn Blitter) -> Drawn {
         let sprites = self.sprites;
         // The corners of a sprite that faces the camera share one z, so its screen x depends only on its x, and its
         // y on y.
@@ -222,12 +238,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
                 },
             };
             vertices.forget(4 * BATCH);
-            let part = run::quads(&call, 2 * first, &mut vertices, is_plane, blitter);
-            drawn.submitted += part.submitted;
-            drawn.drawn += part.drawn;
-            drawn.clipped += part.clipped;
-            drawn.missing.uvs |= part.missing.uvs;
-            drawn.missing.colors |= part.missing.colors;
+            drawn += run::quads(&call, 2 * first, &mut vertices, is_plane, blitter);
         }
         drawn
     }

@@ -125,13 +125,17 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         for m in clip.linear.as_flattened_mut() {
             *m = ((*m >> (down - 1).min(31)) + 1) >> 1;
         }
-        // At the near plane, t is 1 + 2^-16, or 1 − 2^-16 under a parallel projection: see above.
+        // At the near plane, t is 1 + 2^-16, or 1 − 2^-16 under a parallel projection: see above. The plane is nearer by
+        // 2^-27 of its distance or, under a parallel projection, by 2^-19 of the distance between the planes, because
+        // rounding must not move what lies exactly in it to its outside. (Terms of t have an error of 2^-29 of the
+        // greatest, which may be a few hundred under a parallel projection.)
+        let slack = 1 << exp >> if K::PERSPECTIVE { 11 } else { 3 };
         let ends = if K::PERSPECTIVE {
             let least = ((1 << 16) + 1) << exp;
             let most = unit.times(BlockFloat::new(far.into(), 16));
-            [-least, most.at(fraction).min(i64::MAX >> 1)]
+            [slack - least, most.at(fraction).min(i64::MAX >> 1)]
         } else {
-            [0, ((1 << 16) - 1) << exp]
+            [0, (((1 << 16) - 1) << exp) + slack]
         };
         let offset = |m: i32| block::shift(m.into(), up);
         let [t, x, y] = clip.translation;
@@ -392,7 +396,10 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Angle, Mesh, fx};
+    use crate::random::cases;
+    use crate::view::Window;
+    use crate::{Angle, Mesh, Vec3, fx};
+    use rand::Rng;
 
     /// The limits, from both sides.
     #[test]
@@ -417,5 +424,50 @@ mod tests {
             assert_eq!(projector.outcode(&inside), 0);
             assert_eq!(projector.outcode(&outside), 1 << plane);
         }
+    }
+
+    /// Positions in the near plane are visible and have the greatest depth, or one step less, however their coordinates
+    /// are split between mesh and transform. Those in front of it are not visible.
+    #[test]
+    fn what_lies_in_the_near_plane_is_visible() {
+        fn check<K: ProjectionKind>(projection: &Projection<K>, [x, y, split]: [Scalar; 3]) {
+            let near = projection.near();
+            let viewport = Viewport::new(0, 0, 320, 240).unwrap();
+            let view = Transform::translate(Vec3::new(-x, -y, -near - split));
+            let closer = projection.far() / 65_536 + Scalar::DELTA;
+            let positions = [split, split + closer].map(|z| Vec3::new(x, y, z));
+            let mesh = Mesh::new(&positions, &[]).unwrap();
+            let projector = Projector::new(mesh.positions(), projection, &view, &viewport);
+            let [inside, outside] = [0, 1].map(|index| {
+                let mut vertex = ScreenVertex::UNSET;
+                projector.project(index, &mut vertex);
+                vertex
+            });
+            assert_eq!(inside.outcode, 0, "{projection:?} {positions:?}");
+            let shift = projector.depth_shift().of(inside.exponent);
+            let depth = inside.q >> shift;
+            assert!(
+                (65_534..=65_535).contains(&depth),
+                "{depth}: {projection:?} {positions:?}"
+            );
+            assert_ne!(outside.outcode, 0, "{projection:?} {positions:?}");
+        }
+        cases(1 << 12, |random| {
+            let near = Scalar::from_bits(random.random_range(1 << 14..200 << 16));
+            let far = near + Scalar::from_bits(random.random_range(1 << 16..200 << 16));
+            let mut coordinate = || Scalar::from_bits(random.random_range(-64 << 16..64 << 16));
+            let place = [coordinate(), coordinate(), coordinate()];
+            let (angle, window) = (Angle::from_degrees(60), Window::centered(fx!(12), fx!(9)));
+            // Its plane has 27 bits, so the coordinates are no greater than the distance.
+            let [x, y, split] = place.map(|at| at / 64);
+            check(
+                &Projection::perspective(angle, (4, 3), near, far).unwrap(),
+                [x * near, y * near, split * near],
+            );
+            check(
+                &Projection::cabinet(angle, window, near, far).unwrap(),
+                place,
+            );
+        });
     }
 }

@@ -6,29 +6,7 @@ use super::edge::{Edge, first_center};
 use super::scissor::meet;
 use super::{ClippedVertex, Patch, Rasterizer, ScreenVertex};
 
-/// The default style of lines: one pixel wide, not anti-aliased.
-///
-/// For each pixel center that a line passes along its longer axis, one pixel is drawn: the one that contains the line
-/// there. A center at the left end (in steep lines, the upper end) belongs to the line; a center at the right (lower)
-/// end does not. So lines that continue each other along the same axis draw no pixel twice.
-///
-/// ```text
-///  pixels  |   ·   |   ·   |   ·   |   ·   |
-///  line        ●───────────────────────●
-///  drawn   |#######|#######|#######|       |
-/// ```
-///
-/// The pixels do not depend on the line's direction.
-///
-/// ```
-/// use fixel::{Hairline, prelude::*};
-/// assert_eq!(DrawOptions::new().line(), Hairline);
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Hairline;
-
-/// Draws a line as a [`Hairline`].
+/// Draws a hairline: in each step along the longer axis, the pixel that contains the line.
 pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
     let Some(Course {
         steep,

@@ -4,6 +4,7 @@ mod cull;
 mod edge;
 mod gradient;
 mod line;
+mod line_style;
 #[cfg(test)]
 pub(crate) mod picture;
 mod point;
@@ -23,8 +24,8 @@ use crate::mesh::Primitive;
 pub use cull::Cull;
 pub(crate) use edge::first_center;
 pub(crate) use gradient::Gradient;
-pub use line::Hairline;
 pub(crate) use line::line;
+pub use line_style::LineStyle;
 pub(crate) use point::point;
 pub(crate) use polygon::Polygon;
 pub(crate) use rasterizer::Rasterizer;
@@ -34,11 +35,9 @@ pub(crate) use setup::{
 };
 pub use sized_point::PointStyle;
 pub(crate) use sized_point::sized_point;
-pub use smooth_line::SmoothLine;
 pub(crate) use smooth_line::{Coverage, smooth_line};
 pub(crate) use triangle::{Triangle, area};
 pub(crate) use vertex::{Barycentric, ClippedVertex, DepthShift, ScreenVertex};
-pub use wide_line::LineWidth;
 pub(crate) use wide_line::wide_line;
 
 /// Three vertices on the screen; each interpolant is the plane through its values at them.

@@ -22,15 +22,6 @@ impl Scissor {
         }
     }
 
-    /// The same with more pixels on all sides, some of which may lie outside the canvas.
-    pub(crate) const fn grown(&self, by: i32) -> Self {
-        let Self { columns, rows } = self;
-        Self {
-            columns: columns.start - by..columns.end + by,
-            rows: rows.start - by..rows.end + by,
-        }
-    }
-
     /// Whether it has no pixel.
     pub(crate) fn is_empty(&self) -> bool {
         self.columns.is_empty() || self.rows.is_empty()

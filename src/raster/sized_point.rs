@@ -5,15 +5,18 @@ use super::{Rasterizer, ScreenVertex, point};
 use crate::error::{check_extent, ok};
 use crate::{Error, Scalar};
 
-/// The size and the shape of points, for [`Canvas::draw_sized_points`](crate::Canvas::draw_sized_points).
+/// The size and the shape of points, for [`Mesh::points`](crate::Mesh::points).
+///
+/// By default, a point is [one pixel](Self::PIXEL).
 ///
 /// A pixel belongs to a point if its center lies within the square or disc around the point's position on the screen,
 /// which is exact to 1/256 pixel. A square includes its lower and its right border. So a square of n pixels always
-/// covers n times n of them, squares at distances of their size adjoin without overlaps, and a square of size 1 is the
-/// pixel that [`draw_points`](crate::Canvas::draw_points) draws. A disc includes its border, and the pixel that
+/// covers n times n of them, squares at distances of their size adjoin without overlaps, and a square of size 1 is
+/// [one pixel](Self::PIXEL). A disc includes its border, and the pixel that
 /// contains the point, even if that pixel's center lies outside.
 ///
-/// Points are drawn with at least 1 and at most 255 pixels.
+/// Points are drawn with at least 1 and at most 255 pixels. All pixels of a square or disc have the depth and the
+/// attributes of its position.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -29,7 +32,20 @@ pub struct PointStyle {
     is_attenuated: bool,
 }
 
+impl Default for PointStyle {
+    fn default() -> Self {
+        Self::PIXEL
+    }
+}
+
 impl PointStyle {
+    /// Points of one pixel: the one that contains the position. Their [`size`](Self::size) is 0.
+    pub const PIXEL: Self = Self {
+        size: Scalar::ZERO,
+        is_round: false,
+        is_attenuated: false,
+    };
+
     /// Upright squares with sides of `size` pixels, rounded to the nearest 1/128.
     ///
     /// # Errors
@@ -73,6 +89,12 @@ impl PointStyle {
     #[must_use]
     pub const fn size(self) -> Scalar {
         self.size
+    }
+
+    /// Whether points are single pixels.
+    #[inline]
+    pub(crate) fn is_pixel(self) -> bool {
+        self.size == Scalar::ZERO
     }
 
     /// Whether points are discs.

@@ -8,58 +8,10 @@ use embedded_graphics::geometry::Point;
 use super::edge::first_center;
 use super::line::Course;
 use super::scissor::meet;
-use super::{ClippedVertex, LineWidth, Rasterizer, Scissor, point};
+use super::{ClippedVertex, Rasterizer, Scissor, point};
 use crate::num::block::BlockFloat;
 use crate::num::rsqrt::unit;
 use crate::num::wide::product;
-
-/// Anti-aliased lines of a width: each pixel takes the line's color in proportion to the share of the pixel that the
-/// line covers.
-///
-/// Let d be the distance from the pixel's center to the nearest point of the line, whose ends are exact to 1/256 pixel.
-/// Then the share is (width + 1)/2 − d, limited to 0 and 1. So ends are round, and, unlike a
-/// [`Hairline`](crate::Hairline), a line has the same width and strength in every direction. A share has an error of at
-/// most 1.3/256. Blending rounds as for [`Opacity`](crate::canvas::Opacity), and dithers coarse colors. On 1-bit
-/// panels, hairlines look better.
-///
-/// Depth and attributes vary along the longer axis, as on a hairline; beyond an end, they are those of the end. So a
-/// pixel has the depth of a place up to √2 · (width + 1)/2 pixels away. If a mesh hides the lines on it, draw it
-/// [`Biased`](crate::canvas::Biased) by that many pixels, as below; for silhouettes,
-/// [`behind_outlines`](crate::canvas::Biased::behind_outlines). Draw smooth lines last, with
-/// [`TestOnly`](crate::canvas::TestOnly): what is drawn later, behind a pixel that a line covers only in part, would
-/// not show through.
-///
-/// The blending of the options is applied first; the share then blends its result with the canvas.
-///
-/// ```
-/// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-/// use fixel::{prelude::*, canvas::{Biased, TestAndWrite, TestOnly}};
-/// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
-/// let projection = Projection::perspective(deg!(60), (1, 1), fx!(0.5), fx!(8))?;
-/// let mvp = projection * Transform::translate(vec3!(0, 0, -4)) * Transform::rotate_y(deg!(30));
-/// let (mut color, mut depth) = ([Gray8::BLACK; 24 * 24], [0; 24 * 24]);
-/// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
-/// canvas.clear(Gray8::BLACK);
-/// let behind = DrawOptions::new().with_depth(Biased::new(TestAndWrite, -2, fx!(-1.5)));
-/// canvas.draw_with(&behind, &BOX, &mvp, &Flat::new(Gray8::new(60)));
-/// let lines = DrawOptions::new().with_depth(TestOnly).with_line(LineWidth::new(fx!(1))?.smooth());
-/// canvas.draw_edges(&lines, &BOX, &mvp, &Flat::new(Gray8::WHITE));
-/// assert!(canvas.pixels().any(|pixel| (61..255).contains(&pixel.luma())));
-/// # Ok::<(), Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SmoothLine {
-    pub(super) width: LineWidth,
-}
-
-impl SmoothLine {
-    /// The width of the lines.
-    #[must_use]
-    pub const fn width(self) -> LineWidth {
-        self.width
-    }
-}
 
 /// The share of each pixel that a line covers; by default, none.
 ///
@@ -92,7 +44,7 @@ pub(crate) struct Coverage {
 }
 
 impl Coverage {
-    fn new([a, b]: [[i32; 2]; 2], width: LineWidth) -> Self {
+    fn new([a, b]: [[i32; 2]; 2], half: i32) -> Self {
         let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
         // A line without length is a disc, whatever its direction.
         let [x, y, _] = unit([dx.into(), dy.into(), 0]).unwrap_or([1 << 30, 0, 0]);
@@ -107,7 +59,7 @@ impl Coverage {
             across: dot([to_x, to_y], [-uy, ux]),
             along: dot([to_x, to_y], way),
             end: dot([dx, dy], way),
-            reach: ((width.half + 128) << 2).cast_unsigned(),
+            reach: ((half + 128) << 2).cast_unsigned(),
         }
     }
 
@@ -144,7 +96,7 @@ impl Coverage {
 pub(crate) fn smooth_line(
     raster: &mut Rasterizer<'_>,
     [mut a, mut b]: [&ClippedVertex; 2],
-    width: LineWidth,
+    half: i32,
     coverage: &Cell<Coverage>,
 ) {
     // From above to below, so that the direction of the line has no influence.
@@ -153,8 +105,8 @@ pub(crate) fn smooth_line(
         (a, b) = (b, a);
     }
     let ends = [a.vertex.screen, b.vertex.screen];
-    coverage.set(Coverage::new(ends, width));
-    let strip = Strip::new(ends, width);
+    coverage.set(Coverage::new(ends, half));
+    let strip = Strip::new(ends, half);
     let bounds = Scissor {
         columns: meet(&strip.bounds.columns, &raster.scissor.columns),
         rows: meet(&strip.bounds.rows, &raster.scissor.rows),
@@ -205,8 +157,8 @@ struct Strip {
 
 impl Strip {
     /// The strip of a line whose first end is not below the second.
-    fn new([[ax, ay], [bx, by]]: [[i32; 2]; 2], width: LineWidth) -> Self {
-        let reach = width.half + 128;
+    fn new([[ax, ay], [bx, by]]: [[i32; 2]; 2], half: i32) -> Self {
+        let reach = half + 128;
         let pixels = |least: i32, most: i32| (least - reach) >> 8..((most + reach) >> 8) + 1;
         let bounds = Scissor {
             columns: pixels(ax.min(bx), ax.max(bx)),
@@ -253,7 +205,7 @@ impl Strip {
 mod tests {
     use super::super::picture::{Picture, clipped};
     use super::*;
-    use crate::{Scalar, fx};
+    use crate::{LineStyle, Scalar, fx};
 
     /// The share that each pixel is covered by a line between two places in quarters of a pixel: in sixteenths as a
     /// hexadecimal digit, where f is all of it. What the rasterizer leaves out has no share.
@@ -262,9 +214,9 @@ mod tests {
         let mut picture = Picture::new(12, 7);
         let scissor = picture.scissor();
         let [from, to] = ends.map(|end| clipped(end.map(|at| at * 64)));
-        let width = LineWidth::new(width).unwrap();
+        let half = LineStyle::wide(width).unwrap().half();
         let raster = &mut Rasterizer::new(&mut picture, &scissor);
-        smooth_line(raster, [&from, &to], width, &coverage);
+        smooth_line(raster, [&from, &to], half, &coverage);
         let drawn = picture.text();
         let share = |y: i32, x: i32, ink: char| {
             let share = coverage.get().at(Point::new(x, y));

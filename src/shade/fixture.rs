@@ -37,11 +37,11 @@ pub(super) fn face<S: Shader>(
 
 /// The varyings at the ends of an edge.
 pub(super) fn edge<S: Shader>(shader: S, mesh: &Mesh<'_>, index: usize) -> [S::Varyings; 2] {
-    let [a, b] = mesh.edges()[index];
+    let [a, b] = mesh.edge_indices()[index];
     let [start, end, _] = shader.varyings(&Primitive {
         mesh,
         placement: &Placement::new(&IDENTITY, Transform::IDENTITY),
-        indices: Indices::of_edge([a, b]),
+        indices: Indices::of_edge(index, [a, b]),
     });
     [start, end]
 }

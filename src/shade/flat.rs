@@ -124,7 +124,8 @@ impl<C: PixelColor + Default> Shader for FaceColors<'_, C> {
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [PerFace<C>; 3] {
-        let color = self.colors.get(primitive.index());
+        let index = primitive.face().or(primitive.edge());
+        let color = index.and_then(|index| self.colors.get(index));
         [PerFace(*color.unwrap_or(&self.last)); 3]
     }
 

@@ -8,7 +8,7 @@ use crate::mesh::{Part, Primitive};
 /// The color of each [`Part`] of a mesh; made by [`rgb`](Self::rgb).
 ///
 #[cfg_attr(doc, doc = page_picture!("part_colors", "A ring with red and white parts"))]
-/// Faces in no part are white.
+/// Faces in no part are white, and so are edges and points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PartColors<'a> {
     parts: &'a [Part<'a>],
@@ -57,7 +57,10 @@ impl Shader for PartColors<'_> {
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [PerFace<Rgb888>; 3] {
-        [PerFace(self.color(primitive.index())); 3]
+        let color = primitive
+            .face()
+            .map_or(Rgb888::WHITE, |face| self.color(face));
+        [PerFace(color); 3]
     }
 
     #[inline]

@@ -97,7 +97,7 @@ pub struct Fragment {
 ///
 /// Each stack of shaders is a type of its own, and there is no `dyn Shader`: a call for each pixel would take longer
 /// than most shaders. To keep objects with different shaders in one list, choose the shader once for each draw call: by
-/// an enum, or by a trait of your own whose method draws the object. (For a [`TriangleList`](crate::TriangleList), see
+/// an enum, or by a trait of your own whose method draws the object. (For a [`DrawList`](crate::DrawList), see
 /// [`Object`](crate::Object).)
 ///
 /// ```

@@ -61,8 +61,8 @@ fn has_pixels<K: ProjectionKind>(bounds: &Bounds, mvp: &Mvp<K>, [start, end]: [u
     let mut canvas = Canvas::band(&mut pixels, SIZE.0, SIZE.1, start).unwrap();
     let white = Flat::new(Gray8::new(255));
     canvas.draw_with(&options, &mesh, mvp, &white);
-    canvas.draw_edges(&options, &mesh, mvp, &white);
-    canvas.draw_points(&options, &mesh, mvp, &white);
+    canvas.draw_with(&options, mesh.edges(LineStyle::HAIRLINE), mvp, &white);
+    canvas.draw_with(&options, mesh.points(PointStyle::PIXEL), mvp, &white);
     pixels.iter().any(|&pixel| pixel != Gray8::new(0))
 }
 

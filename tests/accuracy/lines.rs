@@ -175,7 +175,7 @@ fn recorded<K: ProjectionKind>(
         color: Some(Gray8::new(1)),
     };
     let record = record(probe, |recorder| {
-        canvas.draw_edges(&BOTH_SIDES, &mesh, mvp, recorder);
+        canvas.draw_with(&BOTH_SIDES, mesh.edges(LineStyle::HAIRLINE), mvp, recorder);
     });
     let drawn = |seen: Seen<1>| (seen.pixel, seen.values[0], seen.depth);
     (record.seen.into_iter().map(drawn).collect(), depths)

@@ -195,7 +195,12 @@ fn drawn<K: ProjectionKind>(
     };
     let mut result = fixel::Drawn::default();
     let record = record::<_, 3>(probe, |recorder| {
-        result = canvas.draw_outline(options, mesh, outline, mvp, recorder);
+        result = canvas.draw_with(
+            options,
+            mesh.outline(outline, LineStyle::HAIRLINE),
+            mvp,
+            recorder,
+        );
     });
     assert_eq!(result.submitted as usize, outline.edges().len());
     assert_eq!(result.drawn as usize, record.corners.len());
@@ -363,9 +368,11 @@ fn outlines_have_no_gaps() {
             &mvp,
             &white,
         );
-        Canvas::new(&mut lines, SIZE.0, SIZE.1)
-            .unwrap()
-            .draw_outline(&DrawOptions::new(), mesh, &outline, &mvp, &white);
+        Canvas::new(&mut lines, SIZE.0, SIZE.1).unwrap().draw(
+            mesh.outline(&outline, LineStyle::HAIRLINE),
+            &mvp,
+            &white,
+        );
         let at = |picture: &[Gray8], x: usize, y: usize| {
             picture[y * SIZE.0 as usize + x] != Gray8::new(0)
         };

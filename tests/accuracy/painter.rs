@@ -41,7 +41,7 @@ impl Scene {
     fn order<K: ProjectionKind>(&self, projection: &Projection<K>) -> Vec<usize> {
         let positions = self.positions(1.);
         let mesh = Mesh::new(&positions, &self.faces).unwrap();
-        let mut list: TriangleList<40, 400> = TriangleList::new();
+        let mut list: DrawList<40, 400> = DrawList::new();
         let mut pixels = [Gray8::BLACK; (SIZE.0 * SIZE.1) as usize];
         let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
         let mut draw = |is_sorted| {
@@ -69,20 +69,20 @@ impl Scene {
             std::array::from_fn(|i| self.faces.iter().copied().skip(i).step_by(3).collect());
         let meshes: [Mesh<'_>; 3] =
             std::array::from_fn(|i| Mesh::new(&positions[i], &faces[i]).unwrap());
-        let mut objects: [Object<'_, usize>; 3] = std::array::from_fn(|i| {
+        let mut objects: [Object<usize, &Mesh<'_>>; 3] = std::array::from_fn(|i| {
             let model = Transform::scale(Scalar::try_from(units[i]).unwrap());
             Object::new(&meshes[i], model, i)
         });
-        let mut list: TriangleList<40, 400> = TriangleList::new();
-        let mut scene = list
-            .prepare_scene(&BOTH_SIDES, SIZE, projection, &mut objects)
-            .unwrap();
+        let mut list: DrawList<40, 400> = DrawList::new();
         let mut pixels = [Gray8::BLACK; (SIZE.0 * SIZE.1) as usize];
         let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
         let mut draw = |is_sorted| {
-            if is_sorted {
-                scene.sort_back_to_front();
-            }
+            let scene = if is_sorted {
+                list.prepare_back_to_front(&BOTH_SIDES, SIZE, &mut objects, projection)
+            } else {
+                list.prepare(&BOTH_SIDES, SIZE, &mut objects, projection)
+            };
+            let scene = scene.unwrap();
             let mut all = Vec::new();
             for (&object, triangles) in scene.parts(&canvas).unwrap() {
                 let order =

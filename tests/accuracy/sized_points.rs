@@ -34,7 +34,7 @@ fn points_are_the_models() {
         }
         .unwrap();
         let draw = |frame: &mut Frame<'_>, recorder: &XRecorder<'_, '_>| {
-            frame.draw_sized_points(&DrawOptions::new(), &mesh, style, &mvp, recorder)
+            frame.draw(mesh.points(style), &mvp, recorder)
         };
         let seen = drawn(SIZE.1, &draw);
         let half = ((i64::from(bits) + 256) >> 9).clamp(128, 255 * 128);
@@ -64,9 +64,8 @@ fn points_are_the_models() {
         );
         if bits == 1 << 16 && !is_round {
             assert_eq!(
-                drawn(SIZE.1, &|frame, recorder| frame.draw_points(
-                    &DrawOptions::new(),
-                    &mesh,
+                drawn(SIZE.1, &|frame, recorder| frame.draw(
+                    mesh.points(PointStyle::PIXEL),
                     &mvp,
                     recorder
                 )),
@@ -108,10 +107,10 @@ fn attenuated_points_are_the_models() {
             let options = DrawOptions::new();
             let size = f64::from(size.to_bits()) / 65536.;
             let perspective = drawn(SIZE.1, &|frame, recorder| {
-                frame.draw_sized_points(&options, &mesh, style, &(focal * model), recorder)
+                frame.draw_with(&options, mesh.points(style), &(focal * model), recorder)
             });
             let parallel = drawn(SIZE.1, &|frame, recorder| {
-                frame.draw_sized_points(&options, &mesh, style, &(window * model), recorder)
+                frame.draw_with(&options, mesh.points(style), &(window * model), recorder)
             });
             let mut colors = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
             let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();

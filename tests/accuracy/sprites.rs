@@ -132,7 +132,7 @@ fn check<K: ProjectionKind>(
     let [(view, _), (place, _)] = [product(&places[0]), product(&places[1])];
     let mvp = projection * Camera::from_view(view) * place;
     compare(model, places, kind, position, &|canvas, sprites, probe| {
-        canvas.draw_sprites(&DrawOptions::new(), sprites, &mvp, probe);
+        canvas.draw(sprites, &mvp, probe);
     });
 }
 

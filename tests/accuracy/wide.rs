@@ -8,7 +8,7 @@ use crate::reference::blending::over;
 use crate::reference::coverage::{Bounds, center, picture};
 use crate::reference::lines::share;
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
-use fixel::LineStyle;
+use fixel::Thing;
 use fixel::canvas::{Add, Blending, Opacity, TestAndWrite};
 use fixel::mode::Newton;
 use fixel::num::Subpixel;
@@ -16,19 +16,15 @@ use fixel::prelude::*;
 use fixel::view::{AsMvp, Perspective};
 use rand::Rng;
 
-/// The pixels of a mesh's edges, in bands of `rows` rows.
-fn edges<B, L>(
+/// The pixels of edges, in bands of `rows` rows.
+fn edges<B: Blending<Gray8>>(
     rows: u32,
-    options: &DrawOptions<Newton, TestAndWrite, B, L>,
-    mesh: &Mesh<'_>,
+    options: &DrawOptions<Newton, TestAndWrite, B>,
+    edges: impl Thing<Gray8> + Copy,
     mvp: &impl AsMvp,
-) -> Vec<Seen<1>>
-where
-    B: Blending<Gray8>,
-    L: LineStyle<Gray8>,
-{
+) -> Vec<Seen<1>> {
     drawn(rows, &|frame, recorder| {
-        frame.draw_edges(options, mesh, mvp, recorder)
+        frame.draw_with(options, edges, mvp, recorder)
     })
 }
 
@@ -94,8 +90,8 @@ fn half(random: &mut Random) -> i32 {
 }
 
 /// The width of a line, twice this many units of 1/256 pixel.
-fn width(half: i32) -> LineWidth {
-    LineWidth::new(Scalar::from_bits(half << 9)).unwrap()
+fn width(half: i32) -> LineStyle {
+    LineStyle::wide(Scalar::from_bits(half << 9)).unwrap()
 }
 
 fn perspective() -> Projection<Perspective> {
@@ -117,15 +113,15 @@ fn wide_lines_are_the_models() {
         for edge in [[[0, 1]], [[1, 0]]] {
             let mesh = line(&positions, &edge);
             let options = DrawOptions::new();
-            let wide = edges(SIZE.1, &options.with_line(width), &mesh, &mvp);
+            let wide = edges(SIZE.1, &options, mesh.edges(width), &mvp);
             assert_eq!(
                 picture(&counts(&wide), SIZE.0),
                 picture(&model, SIZE.0),
                 "{ends:?}, {half}"
             );
-            let bands = edges(rows, &options.with_line(width), &mesh, &mvp);
+            let bands = edges(rows, &options, mesh.edges(width), &mvp);
             assert_eq!(bands, wide, "{ends:?}, {half}, {rows}");
-            let thin = edges(SIZE.1, &options, &mesh, &mvp);
+            let thin = edges(SIZE.1, &options, mesh.edges(LineStyle::HAIRLINE), &mvp);
             if half == 128 {
                 assert_eq!(thin, wide, "{ends:?}");
             }
@@ -172,9 +168,9 @@ fn smooth_lines_are_the_models() {
                 .zip(colors.chunks_mut((rows * SIZE.0) as usize))
             {
                 let mut band = Canvas::band(rows, SIZE.0, SIZE.1, first).unwrap();
-                band.draw_edges(
-                    &options.with_line(width.smooth()),
-                    mesh,
+                band.draw_with(
+                    &options,
+                    mesh.edges(width.smooth()),
                     &mvp,
                     &Flat::new(Gray8::WHITE),
                 );
@@ -192,9 +188,9 @@ fn smooth_lines_are_the_models() {
 
         let mut colors = vec![Rgb565::BLACK; (SIZE.0 * SIZE.1) as usize];
         let mut canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
-        canvas.draw_edges(
-            &options.with_line(width.smooth()),
-            &mesh,
+        canvas.draw_with(
+            &options,
+            mesh.edges(width.smooth()),
             &mvp,
             &Flat::new(Rgb565::WHITE),
         );
@@ -224,8 +220,12 @@ fn smooth_lines_are_the_models() {
             }
         }
 
-        let smooth = edges(SIZE.1, &options.with_line(width.smooth()), &mesh, &mvp);
-        check_values(&smooth, ends, &edges(SIZE.1, &options, &mesh, &mvp));
+        let smooth = edges(SIZE.1, &options, mesh.edges(width.smooth()), &mvp);
+        check_values(
+            &smooth,
+            ends,
+            &edges(SIZE.1, &options, mesh.edges(LineStyle::HAIRLINE), &mvp),
+        );
         assert!(
             counts(&smooth).iter().all(|&count| count <= 1),
             "{ends:?}, {half}"
@@ -254,9 +254,9 @@ fn bands_of_lines_in_perspective_equal_the_frame() {
         let mesh = line(&positions, &[[0, 1]]);
         let mvp = perspective();
         let options = DrawOptions::new();
-        let wide = |rows| edges(rows, &options.with_line(width), &mesh, &mvp);
+        let wide = |rows| edges(rows, &options, mesh.edges(width), &mvp);
         assert_eq!(wide(rows), wide(SIZE.1), "{positions:?}, {width:?}, {rows}");
-        let smooth = |rows| edges(rows, &options.with_line(width.smooth()), &mesh, &mvp);
+        let smooth = |rows| edges(rows, &options, mesh.edges(width.smooth()), &mvp);
         assert_eq!(
             smooth(rows),
             smooth(SIZE.1),
@@ -288,22 +288,22 @@ fn smooth_lines_have_the_values_of_plain_ones() {
         let Some(ends) = canvas_ends(&mvp) else {
             return;
         };
-        let thin = edges(SIZE.1, &plain, &mesh, &mvp);
+        let thin = edges(SIZE.1, &plain, mesh.edges(LineStyle::HAIRLINE), &mvp);
         check_values(
-            &edges(SIZE.1, &plain.with_line(smooth), &mesh, &mvp),
+            &edges(SIZE.1, &plain, mesh.edges(smooth), &mvp),
             ends,
             &thin,
         );
         // Blending does not change depths and values.
         let glass = plain.with_blending(Opacity(random.random()));
         check_values(
-            &edges(SIZE.1, &glass.with_line(smooth), &mesh, &mvp),
+            &edges(SIZE.1, &glass, mesh.edges(smooth), &mvp),
             ends,
             &thin,
         );
         let light = plain.with_blending(Add);
         check_values(
-            &edges(SIZE.1, &light.with_line(smooth), &mesh, &mvp),
+            &edges(SIZE.1, &light, mesh.edges(smooth), &mvp),
             ends,
             &thin,
         );
@@ -318,21 +318,20 @@ fn wide_outlines_widen_the_thin_outline() {
     let projection = Projection::perspective(deg!(60), SIZE, fx!(0.5), fx!(32)).unwrap();
     let camera = Camera::look_at(vec3!(1, 2, 3), Vec3::ZERO, Vec3::Y).unwrap();
     let mvp = projection * camera;
-    let options = DrawOptions::new();
     let thin = drawn(SIZE.1, &|frame, recorder| {
-        frame.draw_outline(&options, &CAN, &RIMS, &mvp, recorder)
+        frame.draw(CAN.outline(&RIMS, LineStyle::HAIRLINE), &mvp, recorder)
     });
     let wide = |width| {
-        let wide = options.with_line(LineWidth::new(width).unwrap());
+        let wide = LineStyle::wide(width).unwrap();
         drawn(SIZE.1, &|frame, recorder| {
-            frame.draw_outline(&wide, &CAN, &RIMS, &mvp, recorder)
+            frame.draw(CAN.outline(&RIMS, wide), &mvp, recorder)
         })
     };
     assert_eq!(wide(fx!(1)), thin);
     // The center of each pixel of a plain line is within half a pixel of the line, so a smooth line draws it too.
-    let smooth = options.with_line(LineWidth::new(fx!(1)).unwrap().smooth());
+    let smooth = LineStyle::HAIRLINE.smooth();
     let smooth = drawn(SIZE.1, &|frame, recorder| {
-        frame.draw_outline(&smooth, &CAN, &RIMS, &mvp, recorder)
+        frame.draw(CAN.outline(&RIMS, smooth), &mvp, recorder)
     });
     let smooth = counts(&smooth);
     assert!(
@@ -355,14 +354,14 @@ fn blended_lines_are_the_models() {
     let ends = [[1500, 1200], [9000, 4700]];
     let positions = ends.map(at_subpixel);
     let mesh = line(&positions, &[[0, 1]]);
-    let width = LineWidth::new(fx!(2.5)).unwrap();
+    let width = LineStyle::wide(fx!(2.5)).unwrap();
     let glass = DrawOptions::new().with_blending(Opacity(100));
     let mut colors = vec![Gray8::new(60); (SIZE.0 * SIZE.1) as usize];
     let mut canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
     let gray = Flat::new(Gray8::new(240));
-    canvas.draw_edges(
-        &glass.with_line(width.smooth()),
-        &mesh,
+    canvas.draw_with(
+        &glass,
+        mesh.edges(width.smooth()),
         &pixel_projection(SIZE),
         &gray,
     );
@@ -400,17 +399,17 @@ fn lines_that_reach_into_a_band_are_in_view() {
             Flat::new(Gray8::WHITE),
             DrawOptions::new(),
         );
-        let (wide, smooth) = (thin.with_line(width), thin.with_line(width.smooth()));
-        band.draw_edges(&wide, &line, &mvp, &pen);
-        band.draw_edges(&smooth, &line, &mvp, &pen);
+        band.draw(line.edges(width), &mvp, &pen);
+        band.draw(line.edges(width.smooth()), &mvp, &pen);
         let is_drawn = band.pixels().any(|pixel| pixel != Gray8::BLACK);
         let bounds = line.bounds();
         if is_drawn {
-            assert!(band.is_in_view(&wide, &bounds, &mvp), "{ends:?} {width:?}");
-            assert!(
-                band.is_in_view(&smooth, &bounds, &mvp),
-                "{ends:?} {width:?}"
-            );
+            // A unit is a pixel, and a smooth line reaches half a pixel farther than half its width.
+            let reach = (width.width() + fx!(1)) / 2;
+            let reach = Vec3::new(reach, reach, fx!(0));
+            let (least, most) = (bounds.least() - reach, bounds.most() + reach);
+            let reached = bounds.with(least).with(most);
+            assert!(band.is_in_view(&thin, &reached, &mvp), "{ends:?} {width:?}");
             has_pixels += 1;
             beside += u32::from(!band.is_in_view(&thin, &bounds, &mvp));
         }

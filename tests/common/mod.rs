@@ -66,7 +66,9 @@ impl Counter {
         mesh: &Mesh,
         mvp: &Mvp<K>,
     ) -> Drawn {
-        self.with(&|canvas, count| canvas.draw_edges(options, mesh, mvp, count))
+        self.with(&|canvas, count| {
+            canvas.draw_with(options, mesh.edges(LineStyle::HAIRLINE), mvp, count)
+        })
     }
 
     /// Draws a mesh's positions.
@@ -76,7 +78,9 @@ impl Counter {
         mesh: &Mesh,
         mvp: &Mvp<K>,
     ) -> Drawn {
-        self.with(&|canvas, count| canvas.draw_points(options, mesh, mvp, count))
+        self.with(&|canvas, count| {
+            canvas.draw_with(options, mesh.points(PointStyle::PIXEL), mvp, count)
+        })
     }
 
     /// The position that the crate computes for a point, in 24.8 fixed point, before culling and the guard band.

@@ -64,7 +64,10 @@ impl<S: Shader, const N: usize> Shader for Recorder<'_, S, N> {
     type Varyings = (S::Varyings, PerFace<usize>);
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        let (corners, face) = (self.shader.varyings(primitive), primitive.index());
+        let (corners, face) = (
+            self.shader.varyings(primitive),
+            primitive.face().unwrap_or_default(),
+        );
         let mut record = self.record.borrow_mut();
         record.corners.push((face, corners.map(numbers)));
         corners.map(|corner| (corner, PerFace(face)))

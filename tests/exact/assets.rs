@@ -25,7 +25,7 @@ fn a_part_has_only_its_own_values() {
             assert_eq!(own, all * fx!(2));
         }
     }
-    assert!(!ROOF.edges().is_empty());
+    assert!(!ROOF.edge_indices().is_empty());
 }
 
 /// A turn around x by a quarter: what pointed along z points along y.

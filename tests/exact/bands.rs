@@ -64,7 +64,7 @@ impl Shader for Index {
     type Varyings = PerFace<u8>;
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [PerFace<u8>; 3] {
-        [PerFace(u8::try_from(primitive.index()).unwrap()); 3]
+        [PerFace(u8::try_from(primitive.face().unwrap()).unwrap()); 3]
     }
 
     fn shade(&self, _: &Fragment, PerFace(index): PerFace<u8>) -> Option<Rgb888> {
@@ -92,8 +92,18 @@ impl Scene {
         canvas.clear(Rgb888::new(1, 2, 3));
         let mesh = self.mesh();
         canvas.draw_with(&common::BOTH_SIDES.with_mode(mode), &mesh, mvp, &Bits);
-        canvas.draw_edges(&DrawOptions::new().with_mode(mode), &mesh, mvp, &Bits);
-        canvas.draw_points(&DrawOptions::new().with_mode(mode), &mesh, mvp, &Bits);
+        canvas.draw_with(
+            &DrawOptions::new().with_mode(mode),
+            mesh.edges(LineStyle::HAIRLINE),
+            mvp,
+            &Bits,
+        );
+        canvas.draw_with(
+            &DrawOptions::new().with_mode(mode),
+            mesh.points(PointStyle::PIXEL),
+            mvp,
+            &Bits,
+        );
     }
 }
 
@@ -149,7 +159,7 @@ impl Scene {
         let name = type_name::<I>();
         let mesh = self.mesh();
         let window = Viewport::new(-9, 3, 64, 48).unwrap();
-        let mut list: TriangleList<12, 250> = TriangleList::new();
+        let mut list: DrawList<12, 250> = DrawList::new();
         for options in [
             common::BOTH_SIDES,
             DrawOptions::new().with_viewport(window),
@@ -227,7 +237,7 @@ fn bands_equal_the_frame_in_floating_depth() {
         let turn = Transform::rotate_y(Angle::from_bits(random.random()));
         let model = Transform::translate(vec3!(0, 0, -4)) * turn;
         let (mesh, mvp) = (scene.mesh(), projection * model);
-        let mut list: TriangleList<12, 250> = TriangleList::new();
+        let mut list: DrawList<12, 250> = DrawList::new();
         let prepared = list.prepare(&common::BOTH_SIDES, (WIDTH, HEIGHT), &mesh, &mvp);
         let prepared = prepared.unwrap();
         let draw = |rows: u32, is_prepared: bool| {
@@ -304,7 +314,7 @@ fn prepare<const TRIANGLES: usize, const VERTICES: usize>() -> Result<u32, Error
     let projection =
         Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10))?;
     let mvp = projection * Transform::translate(vec3!(0, 0, -2));
-    let mut list: TriangleList<TRIANGLES, VERTICES> = TriangleList::new();
+    let mut list: DrawList<TRIANGLES, VERTICES> = DrawList::new();
     let ball = list.prepare(&DrawOptions::new(), (WIDTH, HEIGHT), &BALL, &mvp)?;
     let mut drawn = 0;
     bands(HEIGHT, &mut |band| {
@@ -320,7 +330,7 @@ fn a_large_prepared_mesh_equals_the_frame() {
         Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(10)).unwrap();
     // The near plane cuts the mesh.
     let mvp = projection * Transform::translate(vec3!(0, 0, -1.875));
-    let mut list: TriangleList<2100, 3500> = TriangleList::new();
+    let mut list: DrawList<2100, 3500> = DrawList::new();
     let ball = list.prepare(&common::BOTH_SIDES, (WIDTH, HEIGHT), &SPHERE, &mvp);
     let ball = ball.unwrap();
     let mut clipped = 0;
@@ -360,7 +370,7 @@ fn a_list_that_is_too_short_says_what_is_needed() {
 
 #[test]
 fn an_impossible_frame_is_refused() {
-    let mut list: TriangleList<1, 1> = TriangleList::new();
+    let mut list: DrawList<1, 1> = DrawList::new();
     let mesh = Mesh::new(&[], &[]).unwrap();
     let projection =
         Projection::perspective(Angle::from_degrees(60), (1, 1), fx!(1), fx!(10)).unwrap();

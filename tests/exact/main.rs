@@ -20,6 +20,7 @@ mod readme;
 mod shaders;
 mod short_positions;
 mod sprites;
+mod things;
 mod threads;
 mod traits;
 mod wireframe;

@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use fixel::canvas::Opacity;
 use fixel::prelude::*;
-use fixel::{Drawn, Object, PreparedScene};
+use fixel::{Drawn, Object, Prepared};
 
 use crate::common::{at_subpixel, pixel_projection};
 
@@ -18,7 +18,7 @@ static RING: Mesh = shape!(torus(fx!(0.3), 16, 8));
 static EMPTY: Mesh = Mesh::checked(Mesh::new(&[], &[]));
 
 /// A ball within a ring, a ball across the near plane and the frame's left edge, and one behind the eye.
-fn objects() -> [Object<'static, Flat<Gray8>>; 5] {
+fn objects() -> [Object<Flat<Gray8>>; 5] {
     let flat = |gray| Flat::new(Gray8::new(gray));
     let tilted = Transform::translate(vec3!(0.5, 0, 0)) * Transform::rotate_x(deg!(70));
     [
@@ -53,23 +53,19 @@ fn drawn() -> Vec<Gray8> {
         .with_depth(&mut depth)
         .unwrap();
     for Object {
-        mesh,
+        thing,
         model,
         material,
         ..
     } in objects()
     {
-        canvas.draw(mesh, &(view() * model), &material);
+        canvas.draw(thing, &(view() * model), &material);
     }
     color
 }
 
 /// The frame drawn in bands of `rows` rows, and the number of parts.
-fn in_bands(
-    scene: &PreparedScene<'_, Flat<Gray8>>,
-    rows: u32,
-    has_depth: bool,
-) -> (Vec<Gray8>, usize) {
+fn in_bands(scene: &Prepared<'_, Flat<Gray8>>, rows: u32, has_depth: bool) -> (Vec<Gray8>, usize) {
     let (mut frame, mut parts) = (Vec::new(), 0);
     for first in (0..HEIGHT).step_by(rows as usize) {
         let mut color = vec![Gray8::BLACK; (WIDTH * rows) as usize];
@@ -95,11 +91,10 @@ fn in_bands(
 #[test]
 fn a_list_of_objects_draws_the_same_as_each_alone() {
     let expected = drawn();
-    let mut list: TriangleList<300, 400> = TriangleList::new();
+    let mut list: DrawList<300, 400> = DrawList::new();
     let (options, mut objects) = (DrawOptions::new(), objects());
-    let mut scene = list
-        .prepare_scene(&options, SIZE, &view(), &mut objects)
-        .unwrap();
+    let view = view();
+    let scene = list.prepare(&options, SIZE, &mut objects, &view).unwrap();
     for rows in [HEIGHT, 12, 1] {
         assert!(in_bands(&scene, rows, true).0 == expected, "{rows} rows");
     }
@@ -107,7 +102,9 @@ fn a_list_of_objects_draws_the_same_as_each_alone() {
 
     // With depth, the picture is the same in any order. Here the same holds without depth, because no triangles cross
     // and none is much larger than the others.
-    scene.sort_back_to_front();
+    let scene = list
+        .prepare_back_to_front(&options, SIZE, &mut objects, &view)
+        .unwrap();
     for rows in [HEIGHT, 12, 1] {
         assert!(
             in_bands(&scene, rows, true).0 == expected,
@@ -118,19 +115,16 @@ fn a_list_of_objects_draws_the_same_as_each_alone() {
             "{rows} rows, sorted, without depth"
         );
     }
-    let (frame, parts) = in_bands(&scene, HEIGHT, false);
+    let (_, parts) = in_bands(&scene, HEIGHT, false);
     assert!(parts > 3);
-    // Sorting again changes nothing.
-    scene.sort_back_to_front();
-    assert!(in_bands(&scene, HEIGHT, false) == (frame, parts));
 }
 
 #[test]
 fn a_list_without_room_for_all_objects_is_refused() {
-    let mut list: TriangleList<20, 400> = TriangleList::new();
+    let mut list: DrawList<20, 400> = DrawList::new();
     let (options, mut objects) = (DrawOptions::new(), objects());
     let error = list
-        .prepare_scene(&options, SIZE, &view(), &mut objects)
+        .prepare(&options, SIZE, &mut objects, &view())
         .unwrap_err();
     assert!(
         matches!(
@@ -148,11 +142,9 @@ fn a_list_without_room_for_all_objects_is_refused() {
 
 #[test]
 fn a_canvas_of_another_frame_is_refused() {
-    let mut list: TriangleList<300, 400> = TriangleList::new();
+    let mut list: DrawList<300, 400> = DrawList::new();
     let (options, mut objects) = (DrawOptions::new(), objects());
-    let scene = list
-        .prepare_scene(&options, SIZE, &view(), &mut objects)
-        .unwrap();
+    let scene = list.prepare(&options, SIZE, &mut objects, &view()).unwrap();
     let mut color = [Gray8::BLACK; PIXELS];
     for (width, height) in [(WIDTH * 2, HEIGHT / 2), (WIDTH, HEIGHT - 1)] {
         let pixels = &mut color[..(width * height) as usize];
@@ -170,16 +162,20 @@ fn a_canvas_of_another_frame_is_refused() {
 
 #[test]
 fn one_meshs_list_refuses_a_canvas_of_another_frame() {
-    let mut list: TriangleList<300, 400> = TriangleList::new();
-    let mut lines: EdgeList<300, 300> = EdgeList::new();
+    let mut list: DrawList<300, 400> = DrawList::new();
+    let mut lines: DrawList<300, 300> = DrawList::new();
     let (options, white) = (DrawOptions::new(), Flat::new(Gray8::WHITE));
     let ball = list.prepare(&options, SIZE, &BALL, &view()).unwrap();
-    let edges = lines.prepare(&options, SIZE, &BALL, &view()).unwrap();
-    let width = LineWidth::new(fx!(2)).unwrap();
+    let mut smooth: DrawList<300, 300> = DrawList::new();
+    let width = LineStyle::wide(fx!(2)).unwrap();
+    let edges = lines.prepare(&options, SIZE, BALL.edges(width), &view());
+    let edges = edges.unwrap();
+    let smooth = smooth.prepare(&options, SIZE, BALL.edges(width.smooth()), &view());
+    let smooth = smooth.unwrap();
     let mut color = [Gray8::BLACK; PIXELS];
     let mut band = Canvas::band(&mut color[..WIDTH as usize], WIDTH, HEIGHT, 7).unwrap();
     assert!(band.draw_prepared(&ball, &white).is_ok());
-    assert!(band.draw_prepared_edges(&edges, &white).is_ok());
+    assert!(band.draw_prepared(&edges, &white).is_ok());
     // A wider frame, and one with one row less.
     for (width_of_frame, height) in [(WIDTH * 2, HEIGHT / 2), (WIDTH, HEIGHT - 1)] {
         color.fill(Gray8::BLACK);
@@ -190,9 +186,8 @@ fn one_meshs_list_refuses_a_canvas_of_another_frame() {
         );
         let all = [
             canvas.draw_prepared(&ball, &white),
-            canvas.draw_prepared_edges(&edges, &white),
-            canvas.draw_prepared_edges(&edges.with_line(width), &white),
-            canvas.draw_prepared_edges(&edges.with_line(width.smooth()), &white),
+            canvas.draw_prepared(&edges, &white),
+            canvas.draw_prepared(&smooth, &white),
         ];
         for refused in all {
             assert_eq!(refused.unwrap_err().to_string(), expected);
@@ -211,26 +206,25 @@ fn outlines_made_at_compile_time_equal_those_made_at_run_time() {
 /// An object with an outline adds its outline to the list; the others add all of their edges.
 #[test]
 fn a_scene_of_edges_draws_outlines_or_all_edges() {
-    let wide = DrawOptions::new().with_line(LineWidth::new(fx!(2)).unwrap());
-    let mut objects = objects();
-    objects[0].outline = Some(&OUTLINE);
+    let (options, wide) = (DrawOptions::new(), LineStyle::wide(fx!(2)).unwrap());
+    let mut objects = objects().map(|object| {
+        let edges = match object.material {
+            first if first == Flat::new(Gray8::new(50)) => BALL.outline(&OUTLINE, wide),
+            _ => object.thing.edges(wide),
+        };
+        Object::new(edges, object.model, object.material)
+    });
     let mut direct = vec![Gray8::BLACK; PIXELS];
     let mut canvas = Canvas::new(&mut direct, WIDTH, HEIGHT).unwrap();
     let mut counts = Vec::new();
     for object in &objects {
-        let (mesh, mvp, shader) = (object.mesh, view() * object.model, &object.material);
-        let drawn = match object.outline {
-            Some(outline) => canvas.draw_outline(&wide, mesh, outline, &mvp, shader),
-            None => canvas.draw_edges(&wide, mesh, &mvp, shader),
-        };
+        let drawn = canvas.draw(object.thing, &(view() * object.model), &object.material);
         if drawn.drawn > 0 {
             counts.push(drawn);
         }
     }
-    let mut list: EdgeList<900, 1200> = EdgeList::new();
-    let scene = list
-        .prepare_scene(&wide, SIZE, &view(), &mut objects)
-        .unwrap();
+    let mut list: DrawList<900, 1200> = DrawList::new();
+    let scene = list.prepare(&options, SIZE, &mut objects, &view()).unwrap();
     for rows in [HEIGHT, 12, 1] {
         let mut frame = Vec::new();
         for first in (0..HEIGHT).step_by(rows as usize) {
@@ -238,7 +232,7 @@ fn a_scene_of_edges_draws_outlines_or_all_edges() {
             let mut band = Canvas::band(&mut color, WIDTH, HEIGHT, first).unwrap();
             let parts = scene.parts(&band).unwrap();
             let drawn: Vec<_> = parts
-                .map(|(shader, edges)| band.draw_prepared_edges(&edges, shader).unwrap())
+                .map(|(shader, edges)| band.draw_prepared(&edges, shader).unwrap())
                 .collect();
             if rows == HEIGHT {
                 assert_eq!(drawn[..2], counts[..2]);
@@ -257,8 +251,8 @@ fn a_scene_of_edges_draws_outlines_or_all_edges() {
         scene.parts(&other).map(|_| ()),
         Err(Error::Frame { .. })
     ));
-    let mut short: EdgeList<99, 500> = EdgeList::new();
-    let refused = short.prepare_scene(&wide, SIZE, &view(), &mut objects);
+    let mut short: DrawList<99, 500> = DrawList::new();
+    let refused = short.prepare(&options, SIZE, &mut objects, &view());
     assert!(matches!(
         refused.map(|_| ()),
         Err(Error::Full {
@@ -276,7 +270,7 @@ fn a_scene_of_edges_draws_outlines_or_all_edges() {
 fn prepared_edges_in_bands_equal_the_frame() {
     let near = view() * Transform::translate(vec3!(0, 0.2, 2.3)) * Transform::scale(fx!(1.3));
     let (options, white) = (DrawOptions::new(), Flat::new(Gray8::WHITE));
-    let mut lines: EdgeList<300, 600> = EdgeList::new();
+    let mut lines: DrawList<300, 600> = DrawList::new();
     let picture = |rows: u32, draw: &dyn Fn(&mut Canvas<'_, Gray8>) -> Drawn| {
         let mut color = [Gray8::BLACK; PIXELS];
         let mut drawn = Vec::new();
@@ -289,57 +283,49 @@ fn prepared_edges_in_bands_equal_the_frame() {
         (color, drawn)
     };
     for width in [fx!(1), fx!(3.5), fx!(20)] {
-        let width = LineWidth::new(width).unwrap();
+        let width = LineStyle::wide(width).unwrap();
+        let smooth = BALL.edges(width.smooth());
         for rows in [HEIGHT, 5, 1] {
-            let edges = lines.prepare(&options, SIZE, &BALL, &near).unwrap();
-            let (direct, counts) = picture(HEIGHT, &|canvas| {
-                canvas.draw_edges(&options, &BALL, &near, &white)
-            });
+            let thin = BALL.edges(LineStyle::HAIRLINE);
+            let edges = lines.prepare(&options, SIZE, thin, &near).unwrap();
+            let (direct, counts) = picture(HEIGHT, &|canvas| canvas.draw(thin, &near, &white));
             assert!(
                 counts[0].clipped > 10 && counts[0].drawn > 100,
                 "{counts:?}"
             );
-            let (prepared, drawn) = picture(rows, &|band| {
-                band.draw_prepared_edges(&edges, &white).unwrap()
-            });
+            let (prepared, drawn) =
+                picture(rows, &|band| band.draw_prepared(&edges, &white).unwrap());
             assert!(prepared == direct && drawn[0].submitted == counts[0].submitted);
             assert!(
                 rows > 1 || drawn.iter().any(|drawn| drawn.drawn < 40),
                 "{drawn:?}"
             );
-            let (direct, _) = picture(HEIGHT, &|canvas| {
-                canvas.draw_edges(&options.with_line(width), &BALL, &near, &white)
-            });
-            let wide = edges.with_line(width);
-            let (prepared, _) = picture(rows, &|band| {
-                band.draw_prepared_edges(&wide, &white).unwrap()
-            });
+            let wide = BALL.edges(width);
+            let (direct, _) = picture(HEIGHT, &|canvas| canvas.draw(wide, &near, &white));
+            let wide = lines.prepare(&options, SIZE, wide, &near).unwrap();
+            let (prepared, _) = picture(rows, &|band| band.draw_prepared(&wide, &white).unwrap());
             assert!(prepared == direct);
             // With blending, too.
-            let glass = options.with_blending(Opacity(99)).with_line(width.smooth());
+            let glass = options.with_blending(Opacity(99));
             let (direct, _) = picture(HEIGHT, &|canvas| {
-                canvas.draw_edges(&glass, &BALL, &near, &white)
+                canvas.draw_with(&glass, smooth, &near, &white)
             });
-            let glass = edges.with_blending(Opacity(99)).with_line(width.smooth());
-            let (prepared, _) = picture(rows, &|band| {
-                band.draw_prepared_edges(&glass, &white).unwrap()
-            });
+            let edges = lines.prepare(&options, SIZE, smooth, &near).unwrap();
+            let glass = edges.with_blending(Opacity(99));
+            let (prepared, _) = picture(rows, &|band| band.draw_prepared(&glass, &white).unwrap());
             assert!(prepared == direct);
 
-            let edges = lines
-                .prepare_outline(&options, SIZE, &BALL, &OUTLINE, &near)
-                .unwrap();
-            let (direct, counts) = picture(HEIGHT, &|canvas| {
-                canvas.draw_outline(&options, &BALL, &OUTLINE, &near, &white)
-            });
-            let (prepared, drawn) = picture(rows, &|band| {
-                band.draw_prepared_edges(&edges, &white).unwrap()
-            });
+            let outline = BALL.outline(&OUTLINE, width);
+            let edges = lines.prepare(&options, SIZE, outline, &near).unwrap();
+            let (direct, counts) = picture(HEIGHT, &|canvas| canvas.draw(outline, &near, &white));
+            let (prepared, drawn) =
+                picture(rows, &|band| band.draw_prepared(&edges, &white).unwrap());
             assert!(prepared == direct && drawn[0].submitted == counts[0].submitted);
         }
     }
-    let mut short: EdgeList<8, 600> = EdgeList::new();
-    let error = short.prepare(&options, SIZE, &BALL, &near).unwrap_err();
+    let mut short: DrawList<8, 600> = DrawList::new();
+    let edges = BALL.edges(LineStyle::HAIRLINE);
+    let error = short.prepare(&options, SIZE, edges, &near).unwrap_err();
     assert!(
         matches!(
             error,
@@ -369,19 +355,25 @@ fn prepared_edges_count_in_the_bands_that_they_reach() {
         .collect();
     let mesh = Mesh::new(&positions, &[]).unwrap();
     let mesh = mesh.with_edges(&edges).unwrap();
-    let mut list: EdgeList<100, 200> = EdgeList::new();
-    let thin = list
-        .prepare(&DrawOptions::new(), size, &mesh, &pixel_projection(size))
-        .unwrap();
-    let width = LineWidth::new(fx!(3)).unwrap();
-    let (wide, pen) = (thin.with_line(width), Flat::new(Gray8::new(9)));
+    let mut list: DrawList<100, 200> = DrawList::new();
+    let (options, mvp, pen) = (
+        DrawOptions::new(),
+        pixel_projection(size),
+        Flat::new(Gray8::new(9)),
+    );
+    let thin = mesh.edges(LineStyle::HAIRLINE);
+    let mut wide: DrawList<100, 200> = DrawList::new();
+    let width = LineStyle::wide(fx!(3)).unwrap();
+    let wide = wide.prepare(&options, size, mesh.edges(width), &mvp);
+    let wide = wide.unwrap();
+    let listed = list.prepare(&options, size, thin, &mvp).unwrap();
     let mut color = [Gray8::new(0); 12];
     for first in (0..size.1).step_by(rows as usize) {
         let mut band = Canvas::band(&mut color, size.0, size.1, first).unwrap();
         // A run of 3 pixels reaches at most two rows beyond the one that the line passes.
         for (reach, drawn) in [
-            (0, band.draw_prepared_edges(&thin, &pen).unwrap()),
-            (2, band.draw_prepared_edges(&wide, &pen).unwrap()),
+            (0, band.draw_prepared(&listed, &pen).unwrap()),
+            (2, band.draw_prepared(&wide, &pen).unwrap()),
         ] {
             let [start, end] = [first, first + rows].map(u32::cast_signed);
             let band = start - reach..end + reach;
@@ -391,12 +383,10 @@ fn prepared_edges_count_in_the_bands_that_they_reach() {
     }
     // In a viewport that begins with row 4, none of the rows above it.
     let lower = DrawOptions::new().with_viewport(Viewport::new(0, 4, 6, 6).unwrap());
-    let listed = list
-        .prepare(&lower, size, &mesh, &pixel_projection(size))
-        .unwrap();
+    let listed = list.prepare(&lower, size, thin, &mvp).unwrap();
     let counts = [2, 4].map(|first| {
         let mut band = Canvas::band(&mut color, size.0, size.1, first).unwrap();
-        band.draw_prepared_edges(&listed, &pen).unwrap().drawn
+        band.draw_prepared(&listed, &pen).unwrap().drawn
     });
     let reached = middles.iter().filter(|&y| (0..2).contains(&(y >> 8)));
     assert_eq!(counts, [0, reached.count() as u32]);

@@ -53,7 +53,7 @@ fn drawn(mesh: &Mesh, shader: &impl ShaderFor<Rgb565>) -> Vec<Rgb565> {
     let mut canvas = Canvas::new(&mut picture, SIZE.0, SIZE.1).unwrap();
     canvas.draw_with(&options, mesh, &mvp, shader);
 
-    let mut list: TriangleList<16, 99> = TriangleList::new();
+    let mut list: DrawList<16, 99> = DrawList::new();
     let prepared = list.prepare(&options, SIZE, mesh, &mvp).unwrap();
     let mut bands = vec![Rgb565::BLACK; PIXELS];
     for (first, band) in (0..SIZE.1).step_by(8).zip(bands.chunks_mut(8 * 32)) {
@@ -127,5 +127,5 @@ fn attributes_that_a_mesh_lacks_are_reported() {
     };
     assert!(!missing(&BALL));
     assert!(missing(&BALL.without_uvs()));
-    assert!(BALL.edges().is_empty());
+    assert!(BALL.edge_indices().is_empty());
 }

@@ -84,7 +84,7 @@ impl<S: Shader> Shader for WithFace<S> {
     type Varyings = (PerFace<usize>, (S::Varyings, Within<64, [i32; 2]>));
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        let face = PerFace(primitive.index());
+        let face = PerFace(primitive.face().unwrap_or_default());
         self.0
             .varyings(primitive)
             .map(|corner| (face, (corner, Within([7, -7]))))
@@ -107,14 +107,14 @@ fn everything<S: ShaderFor<Rgb565>>(canvas: &mut Screen<'_>, mode: impl Mode, sh
     let mvp = projection() * pose();
     canvas.draw_with(&options, &BOX, &mvp, shader);
     let aside = mvp * Transform::translate(vec3!(1.5, 0.5, 0));
-    canvas.draw_edges(&options, &BOX, &aside, shader);
-    canvas.draw_points(
+    canvas.draw_with(&options, BOX.edges(LineStyle::HAIRLINE), &aside, shader);
+    canvas.draw_with(
         &options,
-        &BOX,
+        BOX.points(PointStyle::PIXEL),
         &(aside * Transform::scale(fx!(0.5))),
         shader,
     );
-    let mut list: TriangleList<24, 64> = TriangleList::new();
+    let mut list: DrawList<24, 64> = DrawList::new();
     let behind = mvp * Transform::translate(vec3!(-2, 0, -1));
     let prepared = list
         .prepare(&options, (WIDTH, HEIGHT), &BOX, &behind)

@@ -64,10 +64,20 @@ fn drawn<K: ProjectionKind, I: Mode>(
     let options = DrawOptions::new().with_mode(mode).with_cull(Cull::Nothing);
     let counts = [
         canvas.draw_with(&options, mesh, mvp, &clay),
-        canvas.draw_edges(&options, mesh, mvp, &Flat::new(Rgb565::RED)),
-        canvas.draw_points(&options, mesh, mvp, &Flat::new(Rgb565::BLUE)),
+        canvas.draw_with(
+            &options,
+            mesh.edges(LineStyle::HAIRLINE),
+            mvp,
+            &Flat::new(Rgb565::RED),
+        ),
+        canvas.draw_with(
+            &options,
+            mesh.points(PointStyle::PIXEL),
+            mvp,
+            &Flat::new(Rgb565::BLUE),
+        ),
     ];
-    let mut list: TriangleList<16, 400> = TriangleList::new();
+    let mut list: DrawList<16, 400> = DrawList::new();
     let prepared = list.prepare(&options, SIZE, mesh, mvp).unwrap();
     canvas.draw_prepared(&prepared, &NormalView::new()).unwrap();
     (colors, depths, counts)
@@ -191,7 +201,10 @@ fn macros_make_the_same_meshes_with_short_positions() {
     static RING: Mesh = shape!(torus(fx!(0.25), 12, 8), short);
     static LONG_RING: Mesh = shape!(torus(fx!(0.25), 12, 8));
     assert_eq!(LONG.counts(), SHORT.counts());
-    assert_eq!((LONG.faces(), LONG.edges()), (SHORT.faces(), SHORT.edges()));
+    assert_eq!(
+        (LONG.faces(), LONG.edge_indices()),
+        (SHORT.faces(), SHORT.edge_indices())
+    );
     assert_eq!(RING.counts(), LONG_RING.counts());
     for (long, short) in [(&LONG, &SHORT), (&LONG_RING, &RING)] {
         for (long, short) in long.positions().iter().zip(short.positions().iter()) {

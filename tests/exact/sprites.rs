@@ -54,8 +54,8 @@ fn corners<K: ProjectionKind>(
     let probe = Probe::<_, Rgb565> {
         values: &|corner| {
             let primitive = corner.primitive();
-            let quad = 4 * (primitive.index() / 2);
-            let first = [[0, 1, 2], [2, 1, 3]][primitive.index() % 2];
+            let quad = 4 * (primitive.face().unwrap() / 2);
+            let first = [[0, 1, 2], [2, 1, 3]][primitive.face().unwrap() % 2];
             for (at, position) in first.into_iter().zip(primitive.positions()) {
                 found.borrow_mut()[quad + at] = position;
             }
@@ -64,7 +64,7 @@ fn corners<K: ProjectionKind>(
         color: None,
     };
     picture(HEIGHT, &|canvas| {
-        canvas.draw_sprites(options, sprites, mvp, &probe);
+        canvas.draw_with(options, sprites, mvp, &probe);
     });
     found.into_inner()
 }
@@ -146,13 +146,13 @@ fn check<K: ProjectionKind>(
         .tinted()
         .in_fog(fog);
     let frame = picture(HEIGHT, &|canvas| {
-        let drawn = canvas.draw_sprites(options, &sprites, &mvp, &textured);
+        let drawn = canvas.draw_with(options, &sprites, &mvp, &textured);
         assert_eq!(drawn.submitted, 2 * 29);
         assert!(!drawn.missing.uvs && !drawn.missing.colors);
     });
     for rows in [1, 7, 16] {
         let bands = picture(rows, &|canvas| {
-            canvas.draw_sprites(options, &sprites, &mvp, &textured);
+            canvas.draw_with(options, &sprites, &mvp, &textured);
         });
         assert!(bands == frame, "bands of {rows} rows");
     }
@@ -189,7 +189,7 @@ fn check<K: ProjectionKind>(
     // Each of the two texture coordinates may have an error of up to 57 units. The tolerance of the mode adds nothing:
     // a sprite that faces the camera has one depth, and other sprites are drawn as the mesh's triangles.
     let (found, asked) = coordinates(&|canvas, shader| {
-        canvas.draw_sprites(options, &sprites, &mvp, &shader);
+        canvas.draw_with(options, &sprites, &mvp, &shader);
     });
     let (expected, asked_by_mesh) = coordinates(&|canvas, shader| {
         canvas.draw_with(&both, &mesh, &projection, &shader);
@@ -221,7 +221,7 @@ fn same_as_mesh<K: ProjectionKind>(
 ) -> Drawn {
     let total = Cell::new(Drawn::default());
     let frame = picture(HEIGHT, &|canvas| {
-        total.set(canvas.draw_sprites(both, sprites, mvp, shader));
+        total.set(canvas.draw_with(both, sprites, mvp, shader));
     });
     let expected = picture(HEIGHT, &|canvas| {
         let drawn = canvas.draw_with(both, mesh, projection, shader);
@@ -303,12 +303,7 @@ fn sprites_out_of_range_have_no_pixels() {
                 let turning = sprites.with_axis(Vec3::Z).unwrap();
                 for sprites in [sprites, turning] {
                     picture(HEIGHT, &|canvas| {
-                        canvas.draw_sprites(
-                            &DrawOptions::new(),
-                            &sprites,
-                            &(wide * place),
-                            &Flat::new(Rgb565::new(9, 9, 9)),
-                        );
+                        canvas.draw(&sprites, &(wide * place), &Flat::new(Rgb565::new(9, 9, 9)));
                     });
                 }
             }
@@ -320,12 +315,7 @@ fn sprites_out_of_range_have_no_pixels() {
     let mvp = Projection::perspective(deg!(120), (1, 1), fx!(1), Scalar::MAX).unwrap()
         * Transform::scale_axes(vec3!(2, 2, 1));
     let drawn = picture(HEIGHT, &|canvas| {
-        canvas.draw_sprites(
-            &DrawOptions::new(),
-            &sprites,
-            &mvp,
-            &Flat::new(Rgb565::new(9, 9, 9)),
-        );
+        canvas.draw(&sprites, &mvp, &Flat::new(Rgb565::new(9, 9, 9)));
     });
     assert!(drawn.0.iter().all(|&color| color == Rgb565::new(1, 2, 3)));
 }

@@ -163,15 +163,13 @@ fn flat_without_depth() {
 fn lines_and_points_without_depth() {
     let mvp = scenes::sphere_mvp(0).unwrap();
     without_depth(|canvas| {
-        canvas.draw_edges(
-            &DrawOptions::new(),
-            &scenes::CUBE,
+        canvas.draw(
+            scenes::CUBE.edges(LineStyle::HAIRLINE),
             &mvp,
             &Flat::new(Rgb565::RED),
         );
-        canvas.draw_points(
-            &DrawOptions::new(),
-            &scenes::SPHERE,
+        canvas.draw(
+            scenes::SPHERE.points(PointStyle::PIXEL),
             &mvp,
             &Flat::new(Rgb565::WHITE),
         );

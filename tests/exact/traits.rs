@@ -24,11 +24,7 @@ use fixel::shade::{White, Within};
 use fixel::texture::{Argb1555, Argb4444, Indexed, Mipmap, OrHole, Raw, Trilinear};
 use fixel::texture::{Bilinear, Clamp, CutOut, Nearest, Repeat};
 use fixel::view::{Parallel, Perspective, Segment};
-use fixel::{
-    Fraction, Hairline, Hit, Index, Matrix4, Object, Prepared, PreparedScene, ScreenPoint,
-    SmoothLine,
-};
-use fixel::{PreparedEdgeScene, PreparedEdges};
+use fixel::{Hit, Index, Matrix4, Object, Prepared, ScreenPoint};
 
 const fn any<T: Debug + Send + Sync + Unpin>() {}
 const fn shared<T: Clone + Debug + Send + Sync>() {}
@@ -42,14 +38,14 @@ macro_rules! all {
     ($check:ident: $($Type:ty)+) => { const _: () = { $($check::<$Type>();)+ }; };
 }
 
-all!(value: Error Scalar TexCoord Fraction Index Angle Rate Spin);
+all!(value: Error Scalar TexCoord fixel::num::Fraction Index Angle Rate Spin);
 all!(value: Vec2 Vec3 Direction Matrix4 Transform);
 all!(value: Aspect Camera Mvp Mvp<Parallel> Parallel Perspective Projection Projection<Parallel>);
 all!(value: Segment Viewport Window);
-all!(value: Add Multiply Opacity Replace Translucent<Rgb565> Gradient<Rgb565>);
+all!(value: Add Multiply Opacity Replace Translucent<Rgb565> fixel::shade::Precise<Rgb565> Gradient<Rgb565>);
 all!(value: Argb1555 Argb4444 Masked<u8, u8> OrHole<u8> Raw<'static, Rgb565> Indexed<'static, u8, Rgb565>);
-all!(value: Bounds Counts Hairline LineWidth Missing PointStyle Shape SmoothLine);
-all!(value: Affine Compact Exact Fast Newton Cull DrawOptions DrawOptions<Fast, Biased> DrawOptions<Fast, Biased, Replace, LineWidth> Drawn ScreenPoint);
+all!(value: Bounds Counts LineStyle LineStyle<true> Missing PointStyle Shape);
+all!(value: Affine Compact Exact Fast Newton Cull DrawOptions DrawOptions<Fast, Biased> Drawn ScreenPoint);
 all!(value: Hit Ray);
 all!(value: Flat<Rgb565> Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> Fragment Light);
 all!(value: Converted<Flat<Rgb565>, Rgb565> FaceLit<Flat<Rgb565>> Lit<Flat<Rgb565>> Tinted<Flat<Rgb565>>);
@@ -64,19 +60,18 @@ all!(value: Biased FloatDepth LinearDepth Native NoDepth NoTest TestAndWrite Tes
 all!(value: ColorIndex Contrast);
 all!(value: Bilinear Clamp CutOut<u8, Rgb565> Nearest Repeat);
 all!(value: Keyframes<'static> Mesh<'static> Outline<'static> Positions<'static> Sprites<'static>);
-all!(shared: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>> Prepared<'static>);
-all!(shared: EdgeList<1, 1> PreparedEdges<'static>);
-all!(shared: Object<'static, u8> TriangleList<1, 1>);
+all!(shared: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>> Prepared<'static> Prepared<'static, u8>);
+all!(shared: Object<u8> DrawList<1, 1>);
 all!(local: Corner<'static> Primitive<'static>);
 all!(any: Label<'static, Canvas<'static, Rgb565>>);
-all!(any: PreparedScene<'static, u8> PreparedEdgeScene<'static, u8> Buffers<'static> ErrorDiffusion<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, LinearDepth>);
+all!(any: Buffers<'static> ErrorDiffusion<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, LinearDepth>);
 
-all!(default: Falloff Affine Compact Exact Newton TestAndWrite TestOnly WriteOnly NoTest Hairline);
+all!(default: Falloff Affine Compact Exact Newton TestAndWrite TestOnly WriteOnly NoTest LineStyle PointStyle);
 all!(default: Biased Biased<NoTest> Add Multiply Replace Parallel Perspective PerFace<u8> Texels Within<1, Texels>);
 all!(default: Bilinear Clamp ColorIndex Contrast Nearest Repeat Trilinear);
 all!(default: Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);
-all!(default: Drawn Missing Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> TriangleList<1, 1> EdgeList<1, 1>);
-all!(shown: Error Scalar TexCoord Fraction Angle Vec2 Vec3);
+all!(default: Drawn Missing Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> DrawList<1, 1>);
+all!(shown: Error Scalar Angle Vec2 Vec3);
 all!(error: Error);
 
 /// The Rust API guidelines ask for messages in lowercase, without punctuation at the end.

@@ -47,7 +47,7 @@ fn visible_edges(
             has(from) && has(to)
         })
     };
-    mesh.edges().iter().copied().filter(beside).collect()
+    mesh.edge_indices().iter().copied().filter(beside).collect()
 }
 
 /// Draws the shaded mesh, then its edges over it.
@@ -61,7 +61,7 @@ fn over<K: ProjectionKind>(mesh: &Mesh, mvp: &Mvp<K>, test: impl DepthTest) -> V
         mvp,
         &Flat::new(SURFACE),
     );
-    canvas.draw_edges(&DrawOptions::new(), mesh, mvp, &Flat::new(EDGE));
+    canvas.draw(mesh.edges(LineStyle::HAIRLINE), mvp, &Flat::new(EDGE));
     colors
 }
 
@@ -70,7 +70,7 @@ fn alone<K: ProjectionKind>(mesh: &Mesh, edges: &[[u16; 2]], mvp: &Mvp<K>) -> Ve
     let mesh = mesh.with_edges(edges).unwrap();
     let mut colors = vec![Gray8::BLACK; PIXELS];
     let mut canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
-    canvas.draw_edges(&DrawOptions::new(), &mesh, mvp, &Flat::new(EDGE));
+    canvas.draw(mesh.edges(LineStyle::HAIRLINE), mvp, &Flat::new(EDGE));
     colors
 }
 
@@ -150,7 +150,11 @@ fn hidden_outlines(test: impl DepthTest) -> [usize; 2] {
                 let options = DrawOptions::new().with_depth(test);
                 canvas.draw_with(&options, mesh, &mvp, &Flat::new(SURFACE));
             }
-            canvas.draw_outline(&DrawOptions::new(), mesh, &outline, &mvp, &Flat::new(EDGE));
+            canvas.draw(
+                mesh.outline(&outline, LineStyle::HAIRLINE),
+                &mvp,
+                &Flat::new(EDGE),
+            );
             colors
         });
         for (sum, count) in sums.iter_mut().zip(missing(&over, &alone)) {
@@ -180,6 +184,6 @@ fn edges_over_a_mesh_without_bias_have_gaps() {
     let drawn = over(&BOX, &mvp, Biased::behind(TestAndWrite));
     assert_eq!(missing(&drawn, &expected), [edge, 0]);
     // The edges behind stay hidden, except where they touch those in front.
-    let hidden = alone(&BOX, BOX.edges(), &mvp);
+    let hidden = alone(&BOX, BOX.edge_indices(), &mvp);
     assert!(missing(&drawn, &hidden)[1] > 30);
 }

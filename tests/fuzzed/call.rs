@@ -16,7 +16,7 @@ use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::shade::{PartColors, Translucent};
 use fixel::view::ProjectionKind;
-use fixel::{Drawn, Object, Prepared, PreparedEdges};
+use fixel::{Drawn, Object};
 
 use super::scene::{Attribute, Scene, What};
 use super::shaders::Bits;
@@ -42,7 +42,7 @@ pub struct Picture {
 const BACKGROUND: Rgb565 = Rgb565::new(1, 2, 3);
 
 /// A list with room for two copies of all pieces into which clipping cuts the few triangles.
-type List = TriangleList<32, 400>;
+type List = DrawList<32, 400>;
 
 impl<K: ProjectionKind> Call<'_, K> {
     /// Draws the scene once.
@@ -63,28 +63,27 @@ impl<K: ProjectionKind> Call<'_, K> {
             What::Edges if self.scene.style & 1 != 0 => {
                 let mut room = vec![[0; 4]; 3 * self.mesh.faces().len()];
                 let outline = self.outline(&mut room).unwrap();
-                match self.width() {
-                    None => canvas.draw_outline(options, self.mesh, &outline, &self.mvp, shader),
-                    Some(width) => {
-                        let wide = options.with_line(width);
-                        canvas.draw_outline(&wide, self.mesh, &outline, &self.mvp, shader)
-                    }
-                }
+                let lines = self.mesh.outline(&outline, self.line());
+                canvas.draw_with(options, lines, &self.mvp, shader)
             }
-            What::Edges if self.width().is_some() => {
-                let wide = options.with_line(self.width().unwrap());
-                canvas.draw_edges(&wide, self.mesh, &self.mvp, shader)
+            What::Edges => {
+                let lines = self.mesh.edges(self.line());
+                canvas.draw_with(options, lines, &self.mvp, shader)
             }
-            What::Edges => canvas.draw_edges(options, self.mesh, &self.mvp, shader),
             What::Points if self.scene.style != 0 => {
                 let style = self.point_style();
-                canvas.draw_sized_points(options, self.mesh, style, &self.mvp, shader)
+                canvas.draw_with(options, self.mesh.points(style), &self.mvp, shader)
             }
-            What::Points => canvas.draw_points(options, self.mesh, &self.mvp, shader),
+            What::Points => canvas.draw_with(
+                options,
+                self.mesh.points(PointStyle::PIXEL),
+                &self.mvp,
+                shader,
+            ),
             What::Sprites(billboard) => {
                 let lists = billboard.lists(self.scene.positions.len());
                 match billboard.sprites(&self.scene.positions, &lists) {
-                    Ok(sprites) => canvas.draw_sprites(options, &sprites, &self.mvp, shader),
+                    Ok(sprites) => canvas.draw_with(options, &sprites, &self.mvp, shader),
                     Err(_) => Drawn::default(),
                 }
             }
@@ -215,10 +214,13 @@ impl<K: ProjectionKind> Call<'_, K> {
         }
     }
 
-    /// The width of lines: 1 to 63 pixels for three of four styles.
-    fn width(&self) -> Option<LineWidth> {
-        let width = i32::from(self.scene.style >> 1);
-        (width % 4 > 0).then(|| LineWidth::new(fx!(1) * (width / 2).max(1)).unwrap())
+    /// Lines 1 to 63 pixels wide.
+    fn line(&self) -> LineStyle {
+        let width = match i32::from(self.scene.style >> 1) {
+            width if width % 4 > 0 => (width / 2).max(1),
+            _ => 1,
+        };
+        LineStyle::wide(Scalar::try_from(width).unwrap()).unwrap()
     }
 
     /// Squares or discs of any size.
@@ -384,7 +386,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         F: ShaderFor<Rgb565>,
     {
         let mut list = List::new();
-        let prepared: Prepared<'_, K, I, _> = list
+        let prepared = list
             .prepare(options, self.scene.size, self.mesh, &self.mvp)
             .unwrap();
         let mut frame = self.blank();
@@ -413,10 +415,9 @@ impl<K: ProjectionKind> Call<'_, K> {
         // As two objects of a scene. Their material is not the shader, because scenes would be compiled for each
         // shader.
         let mut objects = [Object::new(self.mesh, Transform::IDENTITY, ()); 2];
-        let mut scene = list
-            .prepare_scene(options, self.scene.size, &self.mvp, &mut objects)
+        let scene = list
+            .prepare_back_to_front(options, self.scene.size, &mut objects, &self.mvp)
             .unwrap();
-        scene.sort_back_to_front();
         let draw = &mut |canvas: &mut Frame<'_>| {
             let mut drawn = Drawn::default();
             for ((), triangles) in scene.parts(canvas).unwrap() {
@@ -436,19 +437,15 @@ impl<K: ProjectionKind> Call<'_, K> {
         F: ShaderFor<Rgb565>,
     {
         let (mesh, size) = (self.mesh, self.scene.size);
-        let mut list: EdgeList<96, 400> = EdgeList::new();
+        let mut list: DrawList<96, 400> = DrawList::new();
         let mut room = vec![[0; 4]; 3 * mesh.faces().len()];
-        let edges = match self.outline(&mut room) {
-            Some(outline) => list.prepare_outline(options, size, mesh, &outline, &self.mvp),
-            None => list.prepare(options, size, mesh, &self.mvp),
+        let outline = self.outline(&mut room);
+        let lines = match &outline {
+            Some(outline) => mesh.outline(outline, self.line()),
+            None => mesh.edges(self.line()),
         };
-        let edges: PreparedEdges<'_, K, I, _> = edges.unwrap();
-        let draw = &mut |canvas: &mut Frame<'_>| match self.width() {
-            None => canvas.draw_prepared_edges(&edges, shader).unwrap(),
-            Some(width) => canvas
-                .draw_prepared_edges(&edges.with_line(width), shader)
-                .unwrap(),
-        };
+        let edges = list.prepare(options, size, lines, &self.mvp).unwrap();
+        let draw = &mut |canvas: &mut Frame<'_>| canvas.draw_prepared(&edges, shader).unwrap();
         let mut frame = self.blank();
         self.on_frame(&mut frame, draw);
         assert!(frame == *expected, "prepared edges differ");
@@ -457,29 +454,26 @@ impl<K: ProjectionKind> Call<'_, K> {
             "bands of prepared edges differ"
         );
 
-        let width = self.width().unwrap_or(LineWidth::new(fx!(1)).unwrap());
-        let smooth = options.with_line(width.smooth());
+        let lines = match &outline {
+            Some(outline) => mesh.outline(outline, self.line().smooth()),
+            None => mesh.edges(self.line().smooth()),
+        };
         let mut direct = self.blank();
-        let mut room = vec![[0; 4]; 3 * mesh.faces().len()];
-        let outline = self.outline(&mut room);
-        self.on_frame(&mut direct, &mut |canvas| match &outline {
-            Some(outline) => canvas.draw_outline(&smooth, mesh, outline, &self.mvp, shader),
-            None => canvas.draw_edges(&smooth, mesh, &self.mvp, shader),
+        self.on_frame(&mut direct, &mut |canvas| {
+            canvas.draw_with(options, lines, &self.mvp, shader)
         });
-        let edges = edges.with_line(width.smooth());
-        let bands = self.in_bands(&mut |band| band.draw_prepared_edges(&edges, shader).unwrap());
+        let edges = list.prepare(options, size, lines, &self.mvp).unwrap();
+        let bands = self.in_bands(&mut |band| band.draw_prepared(&edges, shader).unwrap());
         assert!(bands == direct, "bands of prepared smooth edges differ");
 
         // As two objects of a scene.
-        let mut object = Object::new(mesh, Transform::IDENTITY, ());
-        object.outline = outline.as_ref();
-        let mut objects = [object; 2];
-        let scene = list.prepare_scene(&smooth, size, &self.mvp, &mut objects);
+        let mut objects = [Object::new(lines, Transform::IDENTITY, ()); 2];
+        let scene = list.prepare(options, size, &mut objects, &self.mvp);
         let scene = scene.unwrap();
         let draw = &mut |canvas: &mut Frame<'_>| {
             let mut drawn = Drawn::default();
             for ((), edges) in scene.parts(canvas).unwrap() {
-                drawn = canvas.draw_prepared_edges(&edges, shader).unwrap();
+                drawn = canvas.draw_prepared(&edges, shader).unwrap();
             }
             drawn
         };
@@ -603,10 +597,9 @@ impl<K: ProjectionKind> Call<'_, K> {
             self.in_bands(&mut |band| band.draw_with(options, self.mesh, &self.mvp, shader));
         assert!(bands == frame, "blended bands differ");
 
-        let width = self.width().unwrap_or(LineWidth::new(fx!(1)).unwrap());
-        let smooth = options.with_line(width.smooth());
+        let smooth = self.mesh.edges(self.line().smooth());
         let draw =
-            &mut |canvas: &mut Frame<'_>| canvas.draw_edges(&smooth, self.mesh, &self.mvp, shader);
+            &mut |canvas: &mut Frame<'_>| canvas.draw_with(options, smooth, &self.mvp, shader);
         let mut frame = self.blank();
         let drawn = self.on_frame(&mut frame, draw);
         assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);

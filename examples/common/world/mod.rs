@@ -341,7 +341,7 @@ impl Scene {
         let lamps = world.lamps.map(|(_, lamp)| lamp);
         let leaves = leaves.lit((world.dusk, lamps)).in_fog(self.fog);
         let options = world.options.with_cull(Cull::Nothing);
-        canvas.draw_sprites(&options, &plants, &(self.view * world.model), &leaves);
+        canvas.draw_with(&options, &plants, &(self.view * world.model), &leaves);
         Ok(())
     }
 
@@ -401,7 +401,7 @@ impl Scene {
             (map::LAMPS.as_slice(), fx!(0.9)),
         ] {
             let sprites = Sprites::new(places, (size, size))?.with_scales(&scales)?;
-            canvas.draw_sprites(&shine, &sprites, &mvp, &glow);
+            canvas.draw_with(&shine, &sprites, &mvp, &glow);
         }
         Ok(())
     }

@@ -80,20 +80,20 @@ where
 
     let shining = behind.with_blending(Add);
     let stars = Sprites::in_pixels(&STARS.0, (fx!(1), fx!(1)))?.with_colors(&STARS.1)?;
-    canvas.draw_sprites(&shining, &stars, &dome, &Gouraud::new());
+    canvas.draw_with(&shining, &stars, &dome, &Gouraud::new());
 
     let halo = Textured::new(&GLOW).clamped().bilinear().map(|_, light| {
         let light = light.luma() >> 4;
         Some(Rgb565::new(light / 2, light, 2 * light / 3))
     });
-    canvas.draw_sprites(
+    canvas.draw_with(
         &shining,
         &Sprites::new(&[MOON_AT], (fx!(11), fx!(11)))?,
         view,
         &halo,
     );
     let moon = Textured::new(&MOON).clamped().bilinear();
-    canvas.draw_sprites(
+    canvas.draw_with(
         &behind,
         &Sprites::new(&[MOON_AT], (fx!(2.6), fx!(2.6)))?,
         view,

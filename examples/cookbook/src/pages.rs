@@ -392,8 +392,13 @@ fn options(canvas: &mut Frame<'_>) -> Drawn {
     };
     canvas.draw_with(&part(0, 0)?, &RING, &ring, &surface);
     canvas.draw_with(&part(1, 0)?.with_cull(Cull::Front), &RING, &ring, &surface);
-    canvas.draw_edges(&part(0, 1)?, &COARSE_RING, &ring, &orange);
-    canvas.draw_points(&part(1, 1)?, &RING, &ring, &orange);
+    canvas.draw_with(
+        &part(0, 1)?,
+        COARSE_RING.edges(LineStyle::HAIRLINE),
+        &ring,
+        &orange,
+    );
+    canvas.draw_with(&part(1, 1)?, RING.points(PointStyle::PIXEL), &ring, &orange);
     Ok(())
 }
 

@@ -37,7 +37,7 @@ mod firmware {
     static RING: Mesh = shape!(torus(fx!(0.4), 24, 12));
 
     /// A list of the length that the guide gives.
-    type List = TriangleList<300, 300>;
+    type List = DrawList<300, 300>;
 
     struct Bench {
         clock: Clock,

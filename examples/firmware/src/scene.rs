@@ -145,16 +145,16 @@ fn drawn_cubes<I: Mode, D: DepthBuffer>(
 
 /// Memory for the prepared triangles of any scene: 23 KiB.
 pub struct Lists {
-    model: TriangleList<640, 600>,
+    model: DrawList<640, 600>,
     /// A list that only the lighthouse needs.
-    sea: TriangleList<32, 140>,
+    sea: DrawList<32, 140>,
 }
 
 impl Lists {
     pub const fn new() -> Self {
         Self {
-            model: TriangleList::new(),
-            sea: TriangleList::new(),
+            model: DrawList::new(),
+            sea: DrawList::new(),
         }
     }
 }
@@ -162,8 +162,8 @@ impl Lists {
 /// A scene's models, prepared for every band.
 pub struct PreparedScene<'l, I> {
     scene: Scene,
-    model: Prepared<'l, Perspective, I>,
-    sea: Option<Prepared<'l, Perspective, I>>,
+    model: Prepared<'l, (), &'l Mesh<'l>, DrawOptions<I>>,
+    sea: Option<Prepared<'l, (), &'l Mesh<'l>, DrawOptions<I>>>,
 }
 
 impl<I: Mode> PreparedScene<'_, I> {

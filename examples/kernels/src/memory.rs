@@ -56,7 +56,7 @@ fn list(mesh: &Mesh, mvp: &Mvp<Perspective>) -> Result<usize, Error> {
         Err(error) => Err(error),
         Ok(()) => Ok(0),
     };
-    let (mut empty, mut faces) = (TriangleList::<0, 0>::new(), TriangleList::<2000, 0>::new());
+    let (mut empty, mut faces) = (DrawList::<0, 0>::new(), DrawList::<2000, 0>::new());
     let triangles = needed(
         empty
             .prepare(&options, (WIDTH, HEIGHT), mesh, mvp)

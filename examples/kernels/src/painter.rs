@@ -26,7 +26,7 @@ enum Material {
 /// The objects of a scene in one pose, and their view.
 struct Scene {
     view: Mvp,
-    objects: Vec<Object<'static, Material>>,
+    objects: Vec<Object<Material>>,
     /// How many of the objects are drawn first, unsorted.
     ground: usize,
 }
@@ -135,17 +135,17 @@ type Frame<'c, D> = Canvas<'c, Rgb565, Native, D>;
 fn draw_each<D: DepthBuffer>(
     canvas: &mut Frame<'_, D>,
     view: &Mvp,
-    objects: &[Object<'_, Material>],
+    objects: &[Object<Material>],
 ) -> Result<(), Error> {
     for object in objects {
         let mvp = *view * object.model;
-        with_shader!(&object.material, shader => canvas.draw(object.mesh, &mvp, shader));
+        with_shader!(&object.material, shader => canvas.draw(object.thing, &mvp, shader));
     }
     Ok(())
 }
 
 /// A list with room for the visible triangles of any scene.
-type List = TriangleList<700, 1200>;
+type List = DrawList<700, 1200>;
 
 /// How many bytes the list of a scene needs: 16 for each visible triangle and for each vertex of these.
 fn list_bytes(scene: &mut Scene) -> usize {
@@ -160,16 +160,16 @@ fn list_bytes(scene: &mut Scene) -> usize {
             bytes += 16 * needed;
         }
     };
-    let mut no_triangles = TriangleList::<0, 1200>::new();
+    let mut no_triangles = DrawList::<0, 1200>::new();
     needs(
         no_triangles
-            .prepare_scene(&options, size, &scene.view, others)
+            .prepare(&options, size, &mut *others, &scene.view)
             .err(),
     );
-    let mut no_vertices = TriangleList::<700, 0>::new();
+    let mut no_vertices = DrawList::<700, 0>::new();
     needs(
         no_vertices
-            .prepare_scene(&options, size, &scene.view, others)
+            .prepare(&options, size, &mut *others, &scene.view)
             .err(),
     );
     bytes
@@ -183,9 +183,8 @@ fn draw_sorted<D: DepthBuffer>(
 ) -> Result<(), Error> {
     let (ground, others) = scene.objects.split_at_mut(scene.ground);
     draw_each(canvas, &scene.view, ground)?;
-    let mut prepared =
-        list.prepare_scene(&DrawOptions::new(), (WIDTH, HEIGHT), &scene.view, others)?;
-    prepared.sort_back_to_front();
+    let (options, frame) = (DrawOptions::new(), (WIDTH, HEIGHT));
+    let prepared = list.prepare_back_to_front(&options, frame, others, &scene.view)?;
     for (material, triangles) in prepared.parts(canvas)? {
         with_shader!(material, shader => canvas.draw_prepared(&triangles, shader)?);
     }

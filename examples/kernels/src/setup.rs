@@ -57,7 +57,7 @@ fn draw(watch: &mut Stopwatch, kind: Kind, faces: &[[u16; 3]]) -> Result<u64, Er
     let mesh = Mesh::new(&positions, faces)?.with_colors(&PALETTE, None)?;
     let frame = (1, 1);
     let projection = Projection::from_focal_length(fx!(const FOCAL), frame, fx!(1), fx!(10))?;
-    let mut list: TriangleList<{ COUNTS[1] }, 8> = TriangleList::new();
+    let mut list: DrawList<{ COUNTS[1] }, 8> = DrawList::new();
     let triangles = list.prepare(&DrawOptions::new(), frame, &mesh, &projection)?;
 
     let mut pixel = [Rgb565::BLACK];

@@ -20,8 +20,8 @@ static COLORS: ConstStaticCell<[Rgb565; 64 * 64]> = ConstStaticCell::new([Rgb565
 static BALL: Mesh = shape!(sphere(16, 12));
 static SMALL_BALL: Mesh = shape!(sphere(16, 12), quantized_8).without_uvs();
 static OUTLINE: Outline = outline!(BALL, deg!(30));
-static LIST: ConstStaticCell<TriangleList<400, 250>> = ConstStaticCell::new(TriangleList::new());
-static EDGES: ConstStaticCell<EdgeList<400, 400>> = ConstStaticCell::new(EdgeList::new());
+static LIST: ConstStaticCell<DrawList<400, 250>> = ConstStaticCell::new(DrawList::new());
+static EDGES: ConstStaticCell<DrawList<400, 400>> = ConstStaticCell::new(DrawList::new());
 
 /// Measures calls, and prints their cost per sprite, line, point, triangle or vertex.
 pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
@@ -36,55 +36,42 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     let ticks = watch.time(|| drawn(canvas.draw_with(&options, &quads, &mvp, &white).drawn))?;
     watch.print("two-triangles", "pair", SPRITES as u32, ticks);
     let sprites = Sprites::new(&middles, (SQUARE, SQUARE))?;
-    let ticks =
-        watch.time(|| drawn(canvas.draw_sprites(&options, &sprites, &mvp, &white).drawn))?;
+    let ticks = watch.time(|| drawn(canvas.draw_with(&options, &sprites, &mvp, &white).drawn))?;
     watch.print("sprite", "sprite", SPRITES as u32, ticks);
     let sprites = sprites.with_axis(Vec3::Y)?;
-    let ticks =
-        watch.time(|| drawn(canvas.draw_sprites(&options, &sprites, &mvp, &white).drawn))?;
+    let ticks = watch.time(|| drawn(canvas.draw_with(&options, &sprites, &mvp, &white).drawn))?;
     watch.print("sprite-on-axis", "sprite", SPRITES as u32, ticks);
 
-    let edges = BALL.edges().len() as u32;
-    let ticks = watch.time(|| drawn(canvas.draw_edges(&options, &BALL, &mvp, &white).drawn))?;
+    let edges = BALL.edge_indices().len() as u32;
+    let hair = BALL.edges(LineStyle::HAIRLINE);
+    let ticks = watch.time(|| drawn(canvas.draw_with(&options, hair, &mvp, &white).drawn))?;
     watch.print("line", "edge", edges, ticks);
-    let wide = options.with_line(LineWidth::new(fx!(3))?);
-    let ticks = watch.time(|| drawn(canvas.draw_edges(&wide, &BALL, &mvp, &white).drawn))?;
+    let wide = BALL.edges(LineStyle::wide(fx!(3))?);
+    let ticks = watch.time(|| drawn(canvas.draw_with(&options, wide, &mvp, &white).drawn))?;
     watch.print("line-3-wide", "edge", edges, ticks);
-    let smooth = options.with_line(LineWidth::new(fx!(1))?.smooth());
-    let ticks = watch.time(|| drawn(canvas.draw_edges(&smooth, &BALL, &mvp, &white).drawn))?;
+    let smooth = BALL.edges(LineStyle::HAIRLINE.smooth());
+    let ticks = watch.time(|| drawn(canvas.draw_with(&options, smooth, &mvp, &white).drawn))?;
     watch.print("line-smooth", "edge", edges, ticks);
     let prepared = EDGES.take();
     let ticks = watch.time(|| {
-        prepared
-            .prepare(&options, (SIZE, SIZE), &BALL, &mvp)
-            .map(|_| ())
+        let prepared = prepared.prepare(&options, (SIZE, SIZE), hair, &mvp);
+        prepared.map(|_| ())
     })?;
     watch.print("prepare-line", "edge", edges, ticks);
-    let prepared = prepared.prepare(&options, (SIZE, SIZE), &BALL, &mvp)?;
-    let ticks = watch.time(|| drawn(canvas.draw_prepared_edges(&prepared, &white)?.drawn))?;
+    let prepared = prepared.prepare(&options, (SIZE, SIZE), hair, &mvp)?;
+    let ticks = watch.time(|| drawn(canvas.draw_prepared(&prepared, &white)?.drawn))?;
     watch.print("prepared-line", "edge", edges, ticks);
     let edges = OUTLINE.edges().len() as u32;
-    let ticks = watch.time(|| {
-        drawn(
-            canvas
-                .draw_outline(&options, &BALL, &OUTLINE, &mvp, &white)
-                .drawn,
-        )
-    })?;
+    let outline = BALL.outline(&OUTLINE, LineStyle::HAIRLINE);
+    let ticks = watch.time(|| drawn(canvas.draw_with(&options, outline, &mvp, &white).drawn))?;
     watch.print("outline", "edge", edges, ticks);
 
     let points = BALL.positions().len() as u32;
-    let ticks = watch.time(|| drawn(canvas.draw_points(&options, &BALL, &mvp, &white).drawn))?;
+    let pixels = BALL.points(PointStyle::PIXEL);
+    let ticks = watch.time(|| drawn(canvas.draw_with(&options, pixels, &mvp, &white).drawn))?;
     watch.print("point", "point", points, ticks);
-    let disc = PointStyle::round(fx!(3))?;
-    let call = |canvas: &mut Canvas<'_, _>| {
-        drawn(
-            canvas
-                .draw_sized_points(&options, &BALL, disc, &mvp, &white)
-                .drawn,
-        )
-    };
-    let ticks = watch.time(|| call(&mut canvas))?;
+    let discs = BALL.points(PointStyle::round(fx!(3))?);
+    let ticks = watch.time(|| drawn(canvas.draw_with(&options, discs, &mvp, &white).drawn))?;
     watch.print("disc-3-wide", "point", points, ticks);
 
     let (list, triangles) = (LIST.take(), BALL.faces().len() as u32);

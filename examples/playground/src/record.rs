@@ -29,14 +29,13 @@ impl Shader for Recorder<'_> {
     type Varyings = (Texels, PerFace<i32>);
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        let index = self.first + primitive.index();
+        let face = primitive.face().unwrap_or_default();
+        let index = self.first + face;
         let plus_one = i32::try_from(index + 1).unwrap_or_default();
         let [width, height] = self.texels.map(u32::cast_signed);
         let uvs = primitive.corners(|corner| corner.uv().to_bits());
-        if let (Some(triangle), Some(face)) = (
-            self.triangles.get(index),
-            self.mesh.faces().get(primitive.index()),
-        ) {
+        let corners = self.mesh.faces().get(face);
+        if let (Some(triangle), Some(face)) = (self.triangles.get(index), corners) {
             let mut corners = [0; 17];
             [corners[0], corners[1]] = [width, height];
             for ((corner, &at), uv) in corners[2..].chunks_exact_mut(5).zip(face).zip(uvs) {

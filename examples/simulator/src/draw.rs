@@ -253,8 +253,12 @@ impl Posed<'_> {
         let draw = |piece: &Piece<'_>| {
             let options = &self.options(piece);
             match &self.mvp {
-                AnyMvp::Perspective(mvp) => canvas.draw_edges(options, &piece.mesh, mvp, shader),
-                AnyMvp::Parallel(mvp) => canvas.draw_edges(options, &piece.mesh, mvp, shader),
+                AnyMvp::Perspective(mvp) => {
+                    canvas.draw_with(options, piece.mesh.edges(LineStyle::HAIRLINE), mvp, shader)
+                }
+                AnyMvp::Parallel(mvp) => {
+                    canvas.draw_with(options, piece.mesh.edges(LineStyle::HAIRLINE), mvp, shader)
+                }
             }
         };
         self.pieces.iter().map(draw).fold(Drawn::default(), add)
@@ -273,12 +277,18 @@ impl Posed<'_> {
         let draw = |piece: &Piece<'_>| {
             let (options, mesh) = (&self.options(piece), &piece.mesh);
             match (&self.mvp, &piece.outline) {
-                (AnyMvp::Perspective(mvp), Some(outline)) => {
-                    canvas.draw_outline(options, mesh, outline, mvp, shader)
-                }
-                (AnyMvp::Parallel(mvp), Some(outline)) => {
-                    canvas.draw_outline(options, mesh, outline, mvp, shader)
-                }
+                (AnyMvp::Perspective(mvp), Some(outline)) => canvas.draw_with(
+                    options,
+                    mesh.outline(outline, LineStyle::HAIRLINE),
+                    mvp,
+                    shader,
+                ),
+                (AnyMvp::Parallel(mvp), Some(outline)) => canvas.draw_with(
+                    options,
+                    mesh.outline(outline, LineStyle::HAIRLINE),
+                    mvp,
+                    shader,
+                ),
                 _ => Drawn::default(),
             }
         };

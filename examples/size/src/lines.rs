@@ -12,8 +12,16 @@ fn draw(pixels: &mut [Rgb565], _: &mut [u16], now_ms: u64) -> Result<(), Error> 
     let mvp = projection()? * spin;
     let mut canvas = Canvas::new(pixels, WIDTH, HEIGHT)?;
     canvas.clear(Rgb565::BLACK);
-    canvas.draw_edges(&DrawOptions::new(), &MODEL, &mvp, &Flat::new(Rgb565::GREEN));
-    canvas.draw_points(&DrawOptions::new(), &MODEL, &mvp, &Flat::new(Rgb565::WHITE));
+    canvas.draw(
+        MODEL.edges(LineStyle::HAIRLINE),
+        &mvp,
+        &Flat::new(Rgb565::GREEN),
+    );
+    canvas.draw(
+        MODEL.points(PointStyle::PIXEL),
+        &mvp,
+        &Flat::new(Rgb565::WHITE),
+    );
     Ok(())
 }
 

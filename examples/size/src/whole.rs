@@ -28,7 +28,17 @@ pub fn draw(
     canvas.draw_with(&options, &MODEL, &mvp, &Flat::new(Rgb565::BLUE));
     canvas.draw_with(&options, &MODEL, &mvp, &Gouraud::new());
     canvas.draw_with(&options, &MODEL, &mvp, &Textured::new(&SKIN).lit(sun));
-    canvas.draw_edges(&options, &MODEL, &mvp, &Flat::new(Rgb565::GREEN));
-    canvas.draw_points(&options, &MODEL, &mvp, &Flat::new(Rgb565::WHITE));
+    canvas.draw_with(
+        &options,
+        MODEL.edges(LineStyle::HAIRLINE),
+        &mvp,
+        &Flat::new(Rgb565::GREEN),
+    );
+    canvas.draw_with(
+        &options,
+        MODEL.points(PointStyle::PIXEL),
+        &mvp,
+        &Flat::new(Rgb565::WHITE),
+    );
     Ok(())
 }

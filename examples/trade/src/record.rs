@@ -32,7 +32,7 @@ impl Shader for Recorder<'_> {
         let up = self.texels_log2 + 16 - TexCoord::FRAC_BITS;
         primitive.corners(|corner| {
             let texel = corner.uv().to_bits().map(|bits| bits << up);
-            (Texels(texel), PerFace(primitive.index()))
+            (Texels(texel), PerFace(primitive.face().unwrap_or_default()))
         })
     }
 
@@ -74,7 +74,7 @@ impl Shader for Survey<'_> {
             let [r, g, b] = [color.r(), color.g(), color.b()].map(f64::from);
             [u, v, r, g, b]
         });
-        let face = primitive.index();
+        let face = primitive.face().unwrap_or_default();
         self.0.borrow_mut().push(Recorded { face, corners });
         [(); 3]
     }

@@ -87,7 +87,7 @@ fn each_edge_is_a_side_and_occurs_once() {
         let sides = sides(mesh);
         let points = points(mesh);
         let mut seen = BTreeSet::new();
-        for edge in mesh.edges() {
+        for edge in mesh.edge_indices() {
             let [a, b] = edge.map(|i| points[usize::from(i)]);
             assert!(
                 sides.contains_key(&(a, b)) || sides.contains_key(&(b, a)),
@@ -96,7 +96,7 @@ fn each_edge_is_a_side_and_occurs_once() {
             assert!(seen.insert((a.min(b), a.max(b))), "{name}: twice");
         }
     }
-    assert_eq!(SHAPES[0].1.edges().len(), 12);
+    assert_eq!(SHAPES[0].1.edge_indices().len(), 12);
 }
 
 /// Triangles and the normals of their corners point outwards, and these normals have length 1.
@@ -202,7 +202,7 @@ fn counts_are_exact() {
         };
         // `build` refuses indices that were not written.
         let mesh = shape.build(buffers).unwrap();
-        assert_eq!(mesh.edges().len(), counts.edges);
+        assert_eq!(mesh.edge_indices().len(), counts.edges);
         assert!(!mesh.has_uvs() && !mesh.has_normals());
         let mut positions = std::vec![Vec3::ZERO; counts.positions - 1];
         let short = shape.build(Buffers::new(&mut positions, &mut faces));

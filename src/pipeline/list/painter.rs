@@ -1,47 +1,34 @@
-//! Painter's order: the triangles of a list from back to front.
+//! Painter's order: the elements of a list from back to front.
 
-use core::ops::Range;
+use super::prepared::Objects;
+use super::{Corners, Entry, Listed, Slot};
+use crate::raster::DepthShift;
 
-use super::Slot;
-use super::triangles::{Corners, Entry};
-use crate::raster::{DepthShift, first_center};
-
-/// Sorts a mesh's triangles back to front: by their farthest corners and, where these are equally far, by their faces'
-/// numbers. `rows` are those of the frame that are drawn to.
+/// Sorts triangles or edges back to front: by their farthest corners and, where these are equally far, by their
+/// numbers.
 ///
 /// The farthest corner needs no division, and it keeps a floor behind what stands on it. (The middle of the corners is
 /// right in slightly more pixels where triangles are alike, and wrong in more where one is much larger than another.)
 #[inline(never)]
-pub(super) fn sort(entries: &mut [Entry], vertices: &[Slot], shift: DepthShift, rows: &Range<i32>) {
+pub(super) fn sort<G: Listed, T>(
+    entries: &mut [Entry],
+    vertices: &[Slot],
+    objects: &Objects<'_, G, T>,
+) {
     for entry in &mut *entries {
-        set_nearness(entry, vertices, shift);
+        if let Some(listing) = objects.listing(entry.element) {
+            entry.set_nearness(vertices, listing.depth_shift);
+        }
     }
     heap_sort(entries);
     for entry in entries {
-        set_rows(entry, vertices, rows);
+        // All rows between the corners. In some of them, a clipped triangle may have no pixel.
+        let (mut least, mut most) = (i32::MAX, i32::MIN);
+        for Corner { y, .. } in corners(entry.corners, vertices) {
+            (least, most) = (least.min(y), most.max(y));
+        }
+        entry.rows = G::rows(least, most);
     }
-}
-
-/// Stores the nearness of an entry's farthest corner, for [`heap_sort`]. It takes the place of the rows, so that an
-/// entry needs no more memory; [`set_rows`] finds them again.
-pub(super) fn set_nearness(entry: &mut Entry, vertices: &[Slot], shift: DepthShift) {
-    let corners = corners(entry.corners, vertices);
-    let farthest = corners.map(|corner| corner.nearness(shift)).min();
-    let nearness = farthest.unwrap_or_default();
-    entry.rows = [(nearness >> 16) as u16, nearness as u16];
-}
-
-/// Finds an entry's rows among those that are drawn to: all rows between its corners. In some of them, a clipped
-/// triangle may have no pixel.
-pub(super) fn set_rows(entry: &mut Entry, vertices: &[Slot], rows: &Range<i32>) {
-    let (mut start, mut end) = (rows.end, rows.start);
-    for Corner { y, .. } in corners(entry.corners, vertices) {
-        let row = first_center(y);
-        (start, end) = (start.min(row), end.max(row));
-    }
-    // Rows of a frame are 0 to 2048.
-    let row = |row: i32| row.max(rows.start).min(rows.end).cast_unsigned() as u16;
-    entry.rows = [row(start), row(end)];
 }
 
 /// A corner, as far as the order needs it.
@@ -62,7 +49,7 @@ impl Corner {
     }
 }
 
-/// The corners of a triangle, which may be clipped.
+/// The corners of a triangle or edge, which may be clipped.
 fn corners(corners: Corners, vertices: &[Slot]) -> impl Iterator<Item = Corner> {
     let (whole, clipped) = match corners {
         Corners::Whole(numbers) => (numbers, 0..0),
@@ -82,15 +69,24 @@ fn corners(corners: Corners, vertices: &[Slot]) -> impl Iterator<Item = Corner> 
 }
 
 impl Entry {
-    /// Its rank in the order: the [nearness](set_nearness), then the face.
+    /// Stores the nearness of its farthest corner, for [`heap_sort`]. It takes the place of the rows, so that an entry
+    /// needs no more memory; they are found again afterwards.
+    fn set_nearness(&mut self, vertices: &[Slot], shift: DepthShift) {
+        let corners = corners(self.corners, vertices);
+        let farthest = corners.map(|corner| corner.nearness(shift)).min();
+        let nearness = farthest.unwrap_or_default();
+        self.rows = [(nearness >> 16) as i16, nearness as i16];
+    }
+
+    /// Its rank in the order: the [nearness](Self::set_nearness), then its number.
     fn rank(&self) -> u64 {
-        let [high, low] = self.rows.map(u64::from);
-        high << 48 | low << 32 | u64::from(self.face)
+        let [high, low] = self.rows.map(|bits| u64::from(bits.cast_unsigned()));
+        high << 48 | low << 32 | u64::from(self.element)
     }
 }
 
 /// Sorts entries by rank. Heap sort needs no memory, at most 2 n log₂ n comparisons, and little code.
-pub(super) fn heap_sort(entries: &mut [Entry]) {
+fn heap_sort(entries: &mut [Entry]) {
     for root in (0..entries.len() / 2).rev() {
         sift_down(entries, root);
     }

@@ -41,7 +41,7 @@ fn canvases_beyond_their_limits_are_refused() {
 fn prepared_frames_beyond_their_limits_are_refused() {
     let mesh = Mesh::new(&[], &[]).unwrap();
     let mvp = pixel_projection((1, 1));
-    let mut list: TriangleList<1, 1> = TriangleList::new();
+    let mut list: DrawList<1, 1> = DrawList::new();
     for (side, is_allowed) in [
         (0, false),
         (1, true),
@@ -110,8 +110,8 @@ fn parts_of_a_shape_beyond_their_limits_are_refused() {
 #[test]
 fn vertices_of_a_list_beyond_their_limit_are_refused() {
     // Too large for the stack.
-    static LIST: Mutex<TriangleList<65_600, 65_600>> = Mutex::new(TriangleList::new());
-    const MAX: usize = TriangleList::<65_600, 65_600>::MAX_VERTICES;
+    static LIST: Mutex<DrawList<65_600, 65_600>> = Mutex::new(DrawList::new());
+    const MAX: usize = DrawList::<65_600, 65_600>::MAX_VERTICES;
     let size = (64, 64);
     let prepare = |seen: usize| {
         // Any three consecutive vertices are a triangle.

@@ -253,8 +253,8 @@ impl Scene {
     ) -> Drawn {
         match self.what {
             What::Triangles => canvas.draw_with(options, mesh, mvp, &Raw),
-            What::Edges => canvas.draw_edges(options, mesh, mvp, &Raw),
-            What::Points => canvas.draw_points(options, mesh, mvp, &Raw),
+            What::Edges => canvas.draw_with(options, mesh.edges(LineStyle::HAIRLINE), mvp, &Raw),
+            What::Points => canvas.draw_with(options, mesh.points(PointStyle::PIXEL), mvp, &Raw),
             What::Depth => canvas.draw_with(options, mesh, mvp, &DepthView::new()),
             What::Normals | What::Lit => unreachable!("drawn in one mode"),
         }

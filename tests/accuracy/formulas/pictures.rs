@@ -47,9 +47,8 @@ fn picture(model: Transform) -> Vec<String> {
     let mut pixels = [BinaryColor::Off; (SIZE * SIZE) as usize];
     let mut canvas = Canvas::new(&mut pixels, SIZE, SIZE).unwrap();
     let mvp = projection() * model;
-    canvas.draw_edges(
-        &DrawOptions::new(),
-        &mesh,
+    canvas.draw(
+        mesh.edges(LineStyle::HAIRLINE),
         &mvp,
         &Flat::new(BinaryColor::On),
     );

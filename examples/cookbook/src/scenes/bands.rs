@@ -35,7 +35,7 @@ pub fn draw(display: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(),
     let sun = Light::new(vec3!(-2, 3, 3), fx!(0.35), fx!(0.65))?;
 
     // Once a frame: the visible triangles. On a chip, list and memory are statics.
-    let mut list = Box::new(TriangleList::<900, 900>::new());
+    let mut list = Box::new(DrawList::<900, 900>::new());
     let triangles = list.prepare(&DrawOptions::new(), frame, &BALL, &mvp)?;
     let shader = Textured::new(&STRIPES).lit(sun);
 

@@ -41,7 +41,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let light = cloud.map(|_, at| Some(Rgb565::new(at.opacity >> 3, at.opacity >> 3, 0)));
     let lamp = [vec3!(-0.2, 2.6, -0.5)];
     let glow = Sprites::new(&lamp, (fx!(3.2), fx!(3.2)))?;
-    canvas.draw_sprites(&seen.with_blending(Add), &glow, &view, &light);
+    canvas.draw_with(&seen.with_blending(Add), &glow, &view, &light);
     let glass = seen.with_cull(Cull::Nothing).with_blending(Opacity(120));
     let blue = (vec3!(-1.3, 1.1, 0.9), deg!(35), Rgb565::new(4, 34, 31));
     let yellow = (vec3!(0.6, 1.1, 0.9), deg!(-30), Rgb565::new(31, 44, 4));
@@ -53,6 +53,6 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let puffs = [fx!(0.5), fx!(1.2), fx!(2)].map(|y| Vec3::new(fx!(2.3), y, fx!(0.8)));
     let smoke = Sprites::new(&puffs, (fx!(2), fx!(2)))?;
     let smoke = smoke.with_scales(&[fx!(0.5), fx!(0.7), fx!(0.9)])?;
-    canvas.draw_sprites(&seen, &smoke, &view, &cloud);
+    canvas.draw_with(&seen, &smoke, &view, &cloud);
     Ok(())
 }

@@ -44,7 +44,8 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
             };
             let skin = Flat::rgb(color).lit_faces(sun).in_fog(fog);
             canvas.draw_with(&behind, mesh, &mvp, &skin);
-            canvas.draw_edges(&lines, mesh, &mvp, &Flat::new(Rgb565::BLACK).in_fog(fog));
+            let (edges, black) = (mesh.edges(LineStyle::HAIRLINE), Flat::new(Rgb565::BLACK));
+            canvas.draw_with(&lines, edges, &mvp, &black.in_fog(fog));
         }
     }
     Ok(())

@@ -30,7 +30,11 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     // Surfaces without light are black, like the sky: lines tell them apart.
     let contrast = Contrast::of(&gray, 4);
     let white = Flat::rgb(Rgb888::new(255, 255, 255));
-    gray.draw_outline(&DrawOptions::new(), &ISLAND, &SILHOUETTES, &view, &white);
+    gray.draw(
+        ISLAND.outline(&SILHOUETTES, LineStyle::HAIRLINE),
+        &view,
+        &white,
+    );
 
     // The panel is shown in the middle of this picture, each of its pixels as a square.
     canvas.clear(Rgb565::new(3, 6, 4));

@@ -9,7 +9,7 @@ static RING: Mesh = shape!(torus(fx!(0.14), 36, 8));
 static BALL: Mesh = shape!(sphere(20, 14));
 
 /// Memory for the visible triangles: 45 KiB. A depth buffer of 320x240 takes 150 KiB.
-type List = TriangleList<1300, 1600>;
+type List = DrawList<1300, 1600>;
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let frame = canvas.frame_size();
@@ -33,8 +33,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     // Once a frame, for all of its bands. On a microcontroller, the list is a static.
     let mut list = List::new();
     let options = DrawOptions::new().with_depth(NoTest);
-    let mut scene = list.prepare_scene(&options, frame, &view, &mut objects)?;
-    scene.sort_back_to_front();
+    let scene = list.prepare_back_to_front(&options, frame, &mut objects, &view)?;
 
     canvas.clear(Rgb565::new(2, 5, 5));
     for (shader, triangles) in scene.parts(canvas)? {

@@ -32,7 +32,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     for (stars, side) in [(some, pixel * 2), (others, pixel)] {
         let (stars, square) = (Mesh::new(stars, &[])?, PointStyle::square(side)?);
         let white = Flat::new(Rgb565::new(24, 50, 27));
-        canvas.draw_sized_points(&DrawOptions::new(), &stars, square, &projection, &white);
+        canvas.draw(stars.points(square), &projection, &white);
     }
 
     let sun = Light::new(vec3!(-3, 2, 2), fx!(0.08), fx!(0.92))?;
@@ -53,6 +53,6 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     });
     let rocks = Mesh::new(&rocks, &[])?.with_colors(&colors, None)?;
     let disc = PointStyle::round(fx!(0.05))?.attenuated();
-    canvas.draw_sized_points(&DrawOptions::new(), &rocks, disc, &mvp, &Gouraud::new());
+    canvas.draw(rocks.points(disc), &mvp, &Gouraud::new());
     Ok(())
 }

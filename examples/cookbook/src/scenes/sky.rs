@@ -39,7 +39,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     });
     for size in [fx!(70), fx!(44)] {
         let glow = Sprites::new(&sun, (size, size))?;
-        canvas.draw_sprites(&behind.with_blending(Add), &glow, &around, &light);
+        canvas.draw_with(&behind.with_blending(Add), &glow, &around, &light);
     }
 
     let fog = Fog::linear(Rgb565::from(horizon), fx!(20), fx!(150))?;

@@ -51,9 +51,9 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let firs = Sprites::new(&places, (fx!(2.4), fx!(3.2)))?.with_axis(Vec3::Y)?;
     let firs = firs.with_anchor(vec2!(0.5, 1));
     let needles = Textured::new(&FIR).clamped().cut_out(Rgb565::MAGENTA);
-    canvas.draw_sprites(&options, &firs, &view, &needles.in_fog(fog));
+    canvas.draw_with(&options, &firs, &view, &needles.in_fog(fog));
     let (places, white) = (scattered::<400>(vec3!(24, 9, 16)), Flat::new(Rgb565::WHITE));
     let flakes = Sprites::new(&places, (fx!(0.06), fx!(0.06)))?;
-    canvas.draw_sprites(&options, &flakes, &view, &white);
+    canvas.draw_with(&options, &flakes, &view, &white);
     Ok(())
 }

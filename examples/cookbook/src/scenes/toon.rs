@@ -37,8 +37,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let projection = Projection::perspective(deg!(35), size, fx!(0.5), fx!(50))?;
     let view = projection * Camera::look_at(vec3!(1.5, 2.4, 6), vec3!(0.1, 0.55, 0), Vec3::Y)?;
     let sun = Light::new(vec3!(1, 3, 2), fx!(0), fx!(1))?;
-    let width = LineWidth::new(fx!(1) + Scalar::try_from(size.height)? / 120)?;
-    let lines = DrawOptions::new().with_line(width);
+    let width = LineStyle::wide(fx!(1) + Scalar::try_from(size.height)? / 120)?;
     let behind = DrawOptions::new().with_depth(Biased::behind(TestAndWrite));
 
     canvas.clear(Rgb565::new(10, 45, 29));
@@ -54,7 +53,8 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
             Some(ink[step])
         });
         canvas.draw_with(&behind, &BALL, &mvp, &steps);
-        canvas.draw_outline(&lines, &BALL, &EDGES, &mvp, &Flat::new(Rgb565::BLACK));
+        let lines = BALL.outline(&EDGES, width);
+        canvas.draw(lines, &mvp, &Flat::new(Rgb565::BLACK));
     }
     Ok(())
 }

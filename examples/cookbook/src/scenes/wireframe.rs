@@ -20,9 +20,8 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     // move away from the eye.
     let behind = DrawOptions::new().with_depth(Biased::behind_outlines(TestAndWrite));
     canvas.draw_with(&behind, &ISLAND, &view, &Flat::rgb(paper));
-    let lines = Flat::rgb(ink);
+    let lines = ISLAND.outline(&OUTLINE, LineStyle::HAIRLINE.smooth());
     let before = DrawOptions::new().with_depth(TestOnly);
-    let smooth = before.with_line(LineWidth::new(fx!(1))?.smooth());
-    canvas.draw_outline(&smooth, &ISLAND, &OUTLINE, &view, &lines);
+    canvas.draw_with(&before, lines, &view, &Flat::rgb(ink));
     Ok(())
 }

@@ -1,0 +1,255 @@
+//! Edges: all of a mesh, or those of its outline.
+
+use core::ops::Range;
+
+use super::Drawn;
+use super::assemble;
+use super::cache::VertexCache;
+use super::call::{Call, Screen};
+use super::run::{self, Draw};
+use super::thing::{DrawLine, Paint, Pen, Thing};
+use crate::mesh::{Index, Indices, Mesh, Outline};
+use crate::raster::{self, Blitter, ClippedVertex, LineStyle, Rasterizer};
+use crate::sealed::Sealed;
+use crate::view::{AsMvp, ProjectionKind};
+
+/// Edges of a mesh, to be drawn as lines.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Edges<'m, const SMOOTH: bool = false> {
+    pub(super) mesh: &'m Mesh<'m>,
+    /// All edges of the mesh if it is `None`.
+    pub(super) outline: Option<&'m Outline<'m>>,
+    pub(super) style: LineStyle<SMOOTH>,
+}
+
+impl Mesh<'_> {
+    /// The mesh's [edges](Self::edge_indices), to be drawn as lines by [`Canvas::draw`](crate::Canvas::draw) or listed
+    /// by a [`DrawList`](crate::DrawList).
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
+    /// use fixel::prelude::*;
+    /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+    /// let projection = Projection::perspective(deg!(60), (2, 1), fx!(1), fx!(10))?;
+    /// let mvp = projection * Transform::translate(vec3!(0, 0, -3)) * Transform::rotate_y(deg!(20));
+    /// let mut color = [BinaryColor::Off; 24 * 12];
+    /// let mut canvas = Canvas::new(&mut color, 24, 12)?;
+    /// canvas.draw(BOX.edges(LineStyle::HAIRLINE), &mvp, &Flat::new(BinaryColor::On));
+    /// assert!(canvas.pixels().any(|pixel| pixel.is_on()));
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub const fn edges<const SMOOTH: bool>(&self, style: LineStyle<SMOOTH>) -> Edges<'_, SMOOTH> {
+        Edges {
+            mesh: self,
+            outline: None,
+            style,
+        }
+    }
+
+    /// The edges of an [`Outline`] of this mesh, to be drawn or listed like [`edges`](Self::edges): those creases and
+    /// silhouettes of which at least one face is not culled.
+    ///
+    /// Faces are found to be front or back by the same rule as for drawn triangles, so the outline of a closed mesh has
+    /// no gaps.
+    ///
+    /// To remove hidden lines, draw the faces first, in the color of the background and behind their true depth. For
+    /// creases, [`Biased::behind`](crate::canvas::Biased::behind) is far enough; silhouettes need
+    /// [`Biased::behind_outlines`](crate::canvas::Biased::behind_outlines).
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
+    /// use fixel::{prelude::*, canvas::{Biased, TestAndWrite}};
+    /// static CAN: Mesh = shape!(cylinder(16));
+    /// static RIMS: Outline = outline!(CAN, deg!(30));
+    /// let projection = Projection::perspective(deg!(40), (1, 1), fx!(1), fx!(9))?;
+    /// let camera = Camera::look_at(vec3!(0, 2, 4), Vec3::ZERO, Vec3::Y)?;
+    /// let mvp = projection * camera;
+    /// let (mut color, mut depth) = ([BinaryColor::Off; 24 * 24], [0; 24 * 24]);
+    /// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
+    /// canvas.clear(BinaryColor::Off);
+    /// let behind = DrawOptions::new().with_depth(Biased::behind_outlines(TestAndWrite));
+    /// canvas.draw_with(&behind, &CAN, &mvp, &Flat::new(BinaryColor::Off));
+    /// canvas.draw(CAN.outline(&RIMS, LineStyle::HAIRLINE), &mvp, &Flat::new(BinaryColor::On));
+    /// let mut display = MockDisplay::new();
+    /// canvas.show(&mut display)?;
+    /// display.assert_pattern(&[
+    ///     "........................",
+    ///     "........................",
+    ///     "........................",
+    ///     ".....##############.....",
+    ///     "....#..............#....",
+    ///     "...##..............##...",
+    ///     "...#.###........###.#...",
+    ///     "...#....########....#...",
+    ///     "....#..............#....",
+    ///     "....#..............#....",
+    ///     "....#..............#....",
+    ///     "....#..............#....",
+    ///     "....#..............#....",
+    ///     "....#..............#....",
+    ///     "....#..............#....",
+    ///     "....#..............#....",
+    ///     "....#..............#....",
+    ///     ".....#............#.....",
+    ///     ".....#............#.....",
+    ///     ".....#............#.....",
+    ///     ".....#............#.....",
+    ///     ".......#........#.......",
+    ///     "........########........",
+    ///     "........................",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub const fn outline<'m, const SMOOTH: bool>(
+        &'m self,
+        outline: &'m Outline<'m>,
+        style: LineStyle<SMOOTH>,
+    ) -> Edges<'m, SMOOTH> {
+        Edges {
+            mesh: self,
+            outline: Some(outline),
+            style,
+        }
+    }
+}
+
+impl<const SMOOTH: bool> Sealed for Edges<'_, SMOOTH> {}
+
+#[allow(private_bounds)]
+impl<C, const SMOOTH: bool> Thing<C> for Edges<'_, SMOOTH>
+where
+    LineStyle<SMOOTH>: Pen<C>,
+{
+    fn draw<V: AsMvp>(
+        self,
+        screen: &Screen,
+        rows: &Range<u32>,
+        mvp: &V,
+        paint: impl Paint<C>,
+    ) -> Drawn {
+        let call = Call::new(screen, rows, self.mesh, mvp);
+        let shift = call.depth_shift();
+        self.style.paint::<V::Kind>(paint, shift, |line, blitter| {
+            match self.outline {
+                // Not through a `DrawLine`: a program that draws only hairlines is smaller if it calls the rasterizer
+                // directly.
+                None if self.style.is_hairline() => edges(&call, raster::line, blitter),
+                None => edges(&call, line, blitter),
+                Some(outline) => draw_outline(&call, outline, line, blitter),
+            }
+        })
+    }
+}
+
+impl<const SMOOTH: bool> Edges<'_, SMOOTH> {
+    /// How many edges there are to choose from.
+    pub(super) const fn count(&self) -> usize {
+        match self.outline {
+            None => self.mesh.edge_indices().len(),
+            Some(outline) => outline.edges().len(),
+        }
+    }
+
+    /// The edge at this place among those to choose from.
+    #[inline]
+    pub(super) fn at(&self, edge: usize) -> Option<Indices> {
+        let [a, b] = match self.outline {
+            None => *self.mesh.edge_indices().get(edge)?,
+            Some(outline) => {
+                let [a, b, ..] = *outline.edges().get(edge)?;
+                [a, b]
+            }
+        };
+        Some(Indices::of_edge(edge, [a, b]))
+    }
+
+    /// Assembles the edges that are drawn, as [`run::each_edge`] does.
+    #[inline]
+    pub(super) fn each<K: ProjectionKind>(
+        &self,
+        call: &Call<'_, K>,
+        each: impl FnMut(Indices, [&ClippedVertex; 2], bool),
+    ) {
+        match self.outline {
+            None => run::each_edge(call, self.mesh.edge_indices(), all, each),
+            Some(outline) => run::each_edge(call, outline.edges(), ends_of(outline), each),
+        }
+    }
+}
+
+/// Chooses all edges.
+#[allow(clippy::unnecessary_wraps, clippy::trivially_copy_pass_by_ref)] // as the signature demands
+fn all<K>(_: &Call<'_, K>, _: &mut VertexCache, _: usize, edge: &[Index; 2]) -> Option<[Index; 2]> {
+    Some(*edge)
+}
+
+/// Chooses the edges of an outline that are drawn, and returns their ends.
+#[inline]
+fn ends_of<K: ProjectionKind>(
+    outline: &Outline<'_>,
+) -> impl Fn(&Call<'_, K>, &mut VertexCache, usize, &[Index; 4]) -> Option<[Index; 2]> {
+    |call, vertices, at, &edge| {
+        let [a, b, ..] = edge;
+        is_drawn(call, vertices, edge, at < outline.creases()).then_some([a, b])
+    }
+}
+
+/// Whether an edge is drawn, from how its faces are turned.
+#[inline]
+fn is_drawn<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    vertices: &mut VertexCache,
+    [a, b, c, d]: [Index; 4],
+    is_crease: bool,
+) -> bool {
+    let cull = call.shared.cull;
+    let left = assemble::area(call, vertices, [a, b, c]);
+    // A border has no second face. It counts as a face without area.
+    let right = if d == a {
+        0
+    } else {
+        assemble::area(call, vertices, [b, a, d])
+    };
+    let is_silhouette = left.signum() != right.signum();
+    (is_crease || is_silhouette) && !(cull.leaves_out(left) && cull.leaves_out(right))
+}
+
+/// Draws all edges of a mesh, each by `line`.
+#[inline(never)]
+fn edges<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    line: impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]),
+    blitter: &mut dyn Blitter,
+) -> Drawn {
+    lines(call, blitter, call.shared.mesh.edge_indices(), all, line)
+}
+
+/// Draws the creases, silhouettes and borders of an outline of which at least one face is not culled.
+#[inline(never)]
+fn draw_outline<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    outline: &Outline<'_>,
+    line: DrawLine<'_>,
+    blitter: &mut dyn Blitter,
+) -> Drawn {
+    lines(call, blitter, outline.edges(), ends_of(outline), line)
+}
+
+/// Draws edges, each by `line`.
+#[inline]
+fn lines<K: ProjectionKind, E>(
+    call: &Call<'_, K>,
+    blitter: &mut dyn Blitter,
+    edges: &[E],
+    ends_of: impl Fn(&Call<'_, K>, &mut VertexCache, usize, &E) -> Option<[Index; 2]>,
+    line: impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]),
+) -> Drawn {
+    let mut draw = Draw::new(blitter, &call.shared, edges.len());
+    run::each_edge(call, edges, ends_of, |indices, ends, is_clipped| {
+        draw.line(indices, is_clipped, |raster| line(raster, ends));
+    });
+    draw.drawn()
+}

@@ -1,0 +1,549 @@
+//! A list that is ready to be drawn.
+
+use core::iter;
+use core::marker::PhantomData;
+use core::ops::Range;
+
+use embedded_graphics::pixelcolor::PixelColor;
+
+use super::{Corners, Entry, Filling, Listed, Listing, NO_ROWS, Scene, Slot};
+use crate::canvas::{Blending, Canvas, DepthBuffer, DepthTest, Storage};
+use crate::mesh::{Indices, Mesh, Placement};
+use crate::pipeline::assemble::Assembly;
+use crate::pipeline::call::{Screen, Shared};
+use crate::pipeline::clip::ClippedPolygon;
+use crate::pipeline::edges::Edges;
+use crate::pipeline::run::Draw;
+use crate::pipeline::thing::{DrawLine, Pen};
+use crate::pipeline::{DrawOptions, Drawn};
+use crate::raster::{self, Barycentric, Blitter, ClippedVertex, Cull, DepthShift, ScreenVertex};
+use crate::sealed::Sealed;
+use crate::shade::ShaderFor;
+use crate::span::Mode;
+use crate::view::{AsMvp, Mvp, Perspective, ProjectionKind};
+use crate::{Error, Transform};
+
+/// An object of a scene: a mesh or edges, its model transform, and its material.
+///
+/// The material is any value that says how to draw the object: a shader, or a value of your own by which you choose
+/// one.
+///
+/// [`DrawList::prepare`](crate::DrawList::prepare) prepares a slice of objects, and notes in it which elements are
+/// whose. So triangles and edges of one frame need a slice each.
+///
+/// ```
+/// use fixel::{Object, prelude::*};
+/// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+/// let mut crate_ = Object::new(&BOX, Transform::IDENTITY, "wood");
+/// crate_.model = Transform::rotate_y(deg!(30)); // in the next frame
+/// assert_eq!(crate_.material, "wood");
+/// ```
+///
+/// All objects of a slice have one type of material. For different shaders, let it be a trait of your own. (The types
+/// below are those of the default options; in mode `Fast`, for example, the triangles are a
+/// `Prepared<(), &Mesh, DrawOptions<Fast>>`.)
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+/// use fixel::{Object, Prepared, prelude::*, canvas::{LinearDepth, Native}};
+/// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+/// static BALL: Mesh = shape!(sphere(16, 12));
+///
+/// type Band<'a, 'd> = Canvas<'a, Rgb565, Native, LinearDepth>;
+///
+/// trait Material {
+///     fn draw(&self, band: &mut Band, triangles: &Prepared) -> Result<Drawn, Error>;
+/// }
+///
+/// impl<S: ShaderFor<Rgb565>> Material for S {
+///     fn draw(&self, band: &mut Band, triangles: &Prepared) -> Result<Drawn, Error> {
+///         band.draw_prepared(triangles, self)
+///     }
+/// }
+///
+/// fn draw(scene: &Prepared<&dyn Material>, band: &mut Band) -> Result<(), Error> {
+///     for (material, triangles) in scene.parts(band)? {
+///         material.draw(band, &triangles)?;
+///     }
+///     Ok(())
+/// }
+///
+/// let (red, normals) = (Flat::new(Rgb565::RED), NormalView::new());
+/// let objects: [Object<&dyn Material>; 2] = [
+///     Object::new(&BOX, Transform::translate(vec3!(-1, 0, 0)), &red),
+///     Object::new(&BALL, Transform::translate(vec3!(1, 0, 0)), &normals),
+/// ];
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Object<T, G = &'static Mesh<'static>> {
+    /// A mesh, or edges of one.
+    pub thing: G,
+    /// From model to world space.
+    pub model: Transform,
+    /// How the object is drawn.
+    pub material: T,
+    listing: Listing,
+}
+
+impl<T, G> Object<T, G> {
+    /// An object that `model` places in the world: a mesh, [`mesh.edges(style)`](Mesh::edges) or
+    /// [`mesh.outline(&outline, style)`](Mesh::outline).
+    #[must_use]
+    pub const fn new(thing: G, model: Transform, material: T) -> Self {
+        Self {
+            thing,
+            model,
+            material,
+            listing: Listing {
+                first: 0,
+                rows: NO_ROWS,
+                depth_shift: DepthShift(0),
+            },
+        }
+    }
+}
+
+/// A thing in a list, and where it is.
+#[derive(Clone, Copy, Debug)]
+pub struct Placed<G> {
+    pub(super) thing: G,
+    /// From model to world space.
+    pub(super) model: Transform,
+    /// From model to eye space.
+    pub(super) view: Transform,
+    pub(super) listing: Listing,
+}
+
+/// The things in a list.
+#[derive(Clone, Copy, Debug)]
+pub enum Objects<'a, G, T> {
+    One(Placed<G>, T),
+    Many {
+        objects: &'a [Object<T, G>],
+        /// The factor of the objects' transforms.
+        world: Transform,
+        camera: Transform,
+    },
+}
+
+impl<G, T> Objects<'_, G, T> {
+    /// What the list notes of the thing that has an element.
+    pub(super) fn listing(&self, element: u32) -> Option<&Listing> {
+        match self {
+            Self::One(placed, _) => Some(&placed.listing),
+            Self::Many { objects, .. } => Some(&objects.get(object_of(objects, element))?.listing),
+        }
+    }
+}
+
+/// The number of the object that has an element.
+fn object_of<T, G>(objects: &[Object<T, G>], element: u32) -> usize {
+    // The last one that does not begin after the element: objects before it may be empty.
+    let after = objects.partition_point(|object| object.listing.first <= element);
+    after.wrapping_sub(1)
+}
+
+impl<T, G> Sealed for &mut [Object<T, G>] {}
+impl<T, G, const COUNT: usize> Sealed for &mut [Object<T, G>; COUNT] {}
+
+#[allow(private_interfaces)]
+impl<'a, T, G: Listed> Scene<'a> for &'a mut [Object<T, G>] {
+    type Thing = G;
+    type Material = T;
+
+    #[inline]
+    fn list<V: AsMvp>(
+        self,
+        filling: &mut Filling<'_>,
+        screen: &Screen,
+        view: &V,
+    ) -> Objects<'a, G, T> {
+        let (world, camera) = (*view.model_of(), *view.camera_of());
+        let view = Mvp {
+            projection: *view.projection_of(),
+            camera,
+            model: world,
+        };
+        for object in &mut *self {
+            object.listing = filling.thing(screen, &object.thing, &(view * object.model));
+        }
+        Objects::Many {
+            objects: self,
+            world,
+            camera,
+        }
+    }
+}
+
+#[allow(private_interfaces)]
+impl<'a, T, G: Listed, const COUNT: usize> Scene<'a> for &'a mut [Object<T, G>; COUNT] {
+    type Thing = G;
+    type Material = T;
+
+    #[inline]
+    fn list<V: AsMvp>(
+        self,
+        filling: &mut Filling<'_>,
+        screen: &Screen,
+        view: &V,
+    ) -> Objects<'a, G, T> {
+        self.as_mut_slice().list(filling, screen, view)
+    }
+}
+
+/// A mesh, edges or several objects, ready to be drawn to every band of a frame.
+///
+/// [`DrawList::prepare`](crate::DrawList::prepare) returns it, and
+/// [`Canvas::draw_prepared`](crate::Canvas::draw_prepared) draws it. For objects with materials,
+/// [`parts`](Self::parts) yields one after the other.
+///
+/// `T` is the type of the materials, `G` is what was listed, `O` are the options, and `K` is the kind of projection. It
+/// can be shared with another core that draws other bands of the same frame.
+///
+/// ```
+/// use fixel::{Prepared, prelude::*};
+/// fn is_shared<T: Sync>() {}
+/// is_shared::<Prepared<'static>>();
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Prepared<'a, T = (), G = &'a Mesh<'a>, O = DrawOptions, K = Perspective> {
+    objects: Objects<'a, G, T>,
+    entries: &'a [Entry],
+    vertices: &'a [Slot],
+    screen: Screen,
+    options: O,
+    kind: PhantomData<K>,
+}
+
+impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
+    #[inline]
+    pub(super) fn new(
+        screen: Screen,
+        options: O,
+        objects: Objects<'a, G, T>,
+        entries: &'a [Entry],
+        vertices: &'a [Slot],
+    ) -> Self {
+        Self {
+            objects,
+            entries,
+            vertices,
+            screen,
+            options,
+            kind: PhantomData,
+        }
+    }
+
+    /// The things that may have pixels in a canvas's rows, in the order in which they are to be drawn, each with its
+    /// object's material. If the list is sorted, each part holds consecutive elements of one object; otherwise, each
+    /// object is one part.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Frame`] if the canvas belongs to a frame of another size than the one that the list was prepared for.
+    #[allow(clippy::type_complexity)] // it is written here alone
+    pub fn parts<'s, C, S: Storage<C>, D>(
+        &'s self,
+        canvas: &Canvas<'_, C, S, D>,
+    ) -> Result<
+        impl Iterator<Item = (&'s T, Prepared<'s, (), G, O, K>)> + use<'s, 'a, T, G, O, K, C, S, D>,
+        Error,
+    >
+    where
+        O: Copy,
+    {
+        self.screen.check(canvas.frame_size())?;
+        Ok(self.runs(canvas.rows()).map(|(material, placed, entries)| {
+            let part = Prepared {
+                objects: Objects::One(placed, ()),
+                entries,
+                vertices: self.vertices,
+                screen: self.screen,
+                options: self.options,
+                kind: PhantomData,
+            };
+            (material, part)
+        }))
+    }
+
+    /// Consecutive elements of one thing, of which the first may have pixels in some rows.
+    #[inline]
+    fn runs<'s>(
+        &'s self,
+        rows: &Range<u32>,
+    ) -> impl Iterator<Item = (&'s T, Placed<G>, &'a [Entry])> + use<'s, 'a, T, G, O, K> {
+        let rows = rows.start.cast_signed()..rows.end.cast_signed();
+        let mut rest = Some(self.entries);
+        iter::from_fn(move || match &self.objects {
+            Objects::One(placed, material) => Some((material, *placed, rest.take()?)),
+            Objects::Many {
+                objects,
+                world,
+                camera,
+            } => {
+                let entries = rest?;
+                let start = entries
+                    .iter()
+                    .position(|entry| meets(entry.rows, G::REACH, &rows))?;
+                let entries = entries.get(start..)?;
+                let at = object_of(objects, entries.first()?.element);
+                let next = objects.get(at.wrapping_add(1));
+                let end = next.map_or(u32::MAX, |next| next.listing.first);
+                let object = objects.get(at)?;
+                let own = object.listing.first..end;
+                let length = entries
+                    .iter()
+                    .position(|entry| !own.contains(&entry.element));
+                let (entries, others) =
+                    entries.split_at_checked(length.unwrap_or(entries.len()))?;
+                rest = Some(others);
+                let model = *world * object.model;
+                let placed = Placed {
+                    thing: object.thing,
+                    model,
+                    view: *camera * model,
+                    listing: object.listing,
+                };
+                Some((&object.material, placed, entries))
+            }
+        })
+    }
+}
+
+impl<'a, T, G, M: Copy, Z: Copy, B: Copy, K> Prepared<'a, T, G, DrawOptions<M, Z, B>, K> {
+    /// The same triangles or edges, with another way to blend their colors with those on the canvas: for a sorted scene
+    /// in which some objects are translucent.
+    ///
+    /// ```
+    /// use fixel::{prelude::*, canvas::Opacity};
+    /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+    /// let projection = Projection::perspective(deg!(60), (2, 1), fx!(1), fx!(10))?;
+    /// let mvp = projection * Transform::translate(vec3!(0, 0, -3));
+    /// let mut list: DrawList<12, 24> = DrawList::new();
+    /// let opaque = list.prepare(&DrawOptions::new(), (24, 12), &BOX, &mvp)?;
+    /// assert_eq!(opaque.with_blending(Opacity(90)).options().blending(), Opacity(90));
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn with_blending<A: Copy>(
+        self,
+        blending: A,
+    ) -> Prepared<'a, T, G, DrawOptions<M, Z, A>, K> {
+        Prepared {
+            objects: self.objects,
+            entries: self.entries,
+            vertices: self.vertices,
+            screen: self.screen,
+            options: self.options.with_blending(blending),
+            kind: PhantomData,
+        }
+    }
+
+    /// Returns the options that it is drawn with.
+    #[must_use]
+    pub const fn options(&self) -> DrawOptions<M, Z, B> {
+        self.options
+    }
+}
+
+impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
+    /// Draws the triangles or edges that were [prepared](crate::DrawList::prepare) for this frame and meet this
+    /// canvas's rows. The pixels are those of [`draw_with`](Self::draw_with), but nothing is transformed again. If
+    /// several objects were prepared, all are drawn with this shader; to draw each with its own, see
+    /// [`Prepared::parts`].
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Frame`] if the canvas's frame differs in size from the frame that they were prepared for.
+    pub fn draw_prepared<G, M, Z, B, K>(
+        &mut self,
+        prepared: &Prepared<'_, impl Sized, G, DrawOptions<M, Z, B>, K>,
+        shader: &impl ShaderFor<C>,
+    ) -> Result<Drawn, Error>
+    where
+        G: Listed<Style: Pen<C>>,
+        M: Mode,
+        Z: DepthTest,
+        B: Blending<C>,
+        K: ProjectionKind,
+    {
+        let screen = &prepared.screen;
+        screen.check(self.frame_size())?;
+        let rows = self.rows().clone();
+        let mut drawn = Drawn::default();
+        for (_, placed, entries) in prepared.runs(&rows) {
+            let Placed {
+                thing,
+                model,
+                view,
+                listing,
+            } = &placed;
+            let shared = Shared {
+                mesh: thing.mesh(),
+                placement: Placement::new(model, *view),
+                // Those that are culled are not in the list.
+                cull: Cull::Nothing,
+                scissor: screen.scissor(&rows),
+            };
+            let is_missed = !meets(listing.rows, G::REACH, &shared.scissor.rows);
+            let run = Run {
+                shared: &shared,
+                // A band that the thing misses costs one test.
+                entries: if is_missed { &[] } else { entries },
+                vertices: prepared.vertices,
+                first: listing.first,
+            };
+            let paint = (&mut *self, &prepared.options, *shader);
+            drawn += thing
+                .style()
+                .paint::<K>(paint, listing.depth_shift, |line, blitter| {
+                    thing.draw(&run, line, blitter)
+                });
+        }
+        Ok(drawn)
+    }
+}
+
+/// Whether an element of these rows, which reaches this far beyond them, may have pixels in others.
+#[inline]
+fn meets([start, end]: [i16; 2], reach: i32, rows: &Range<i32>) -> bool {
+    (i32::from(start) - reach).max(rows.start) < (i32::from(end) + reach).min(rows.end)
+}
+
+/// Elements of one thing, and the rows to draw.
+pub struct Run<'r> {
+    shared: &'r Shared<'r>,
+    entries: &'r [Entry],
+    vertices: &'r [Slot],
+    /// The number of the thing's first element.
+    first: u32,
+}
+
+impl<'r> Run<'r> {
+    /// The elements within `reach` of the rows: for each, its index in the thing, and its corners.
+    #[inline]
+    fn elements(&self, reach: i32) -> impl Iterator<Item = (usize, Corners)> + use<'r> {
+        let (rows, first) = (&self.shared.scissor.rows, self.first);
+        let entries = self.entries.iter();
+        let met = entries.filter(move |entry| meets(entry.rows, reach, rows));
+        met.map(move |entry| (entry.element.wrapping_sub(first) as usize, entry.corners))
+    }
+
+    #[inline(never)]
+    pub(super) fn draw_triangles(&self, blitter: &mut dyn Blitter) -> Drawn {
+        let faces = self.shared.mesh.faces();
+        let mut draw = Draw::new(blitter, self.shared, faces.len());
+        for (face, corners) in self.elements(0) {
+            let Some(&indices) = faces.get(face) else {
+                continue;
+            };
+            let indices = Indices::of_face(face, indices);
+            match corners {
+                Corners::Whole([a, b, c]) => {
+                    let corners = (self.vertex(a), self.vertex(b), self.vertex(c));
+                    if let (Some(a), Some(b), Some(c)) = corners {
+                        let corners = [&a, &b, &c];
+                        let area = raster::area(&ScreenVertex::screens(corners));
+                        draw.whole(indices, corners, area);
+                    }
+                }
+                Corners::Clipped { first, count } => {
+                    draw.clipped(indices, &self.polygon(first, count));
+                }
+            }
+        }
+        draw.drawn()
+    }
+
+    /// Draws edges, each by `line`, which reaches this far beyond the rows of their ends.
+    #[inline(never)]
+    pub(super) fn draw_edges(
+        &self,
+        edges: &Edges<'_>,
+        reach: i32,
+        line: DrawLine<'_>,
+        blitter: &mut dyn Blitter,
+    ) -> Drawn {
+        let mut draw = Draw::new(blitter, self.shared, edges.count());
+        for (edge, corners) in self.elements(reach) {
+            let Some(indices) = edges.at(edge) else {
+                continue;
+            };
+            if let Some([from, to]) = &self.ends(corners) {
+                let is_clipped = matches!(corners, Corners::Clipped { .. });
+                draw.line(indices, is_clipped, |raster| line(raster, [from, to]));
+            }
+        }
+        draw.drawn()
+    }
+
+    /// The vertex of this number.
+    #[inline]
+    fn vertex(&self, number: u16) -> Option<ScreenVertex> {
+        self.vertices
+            .get(usize::from(number).wrapping_sub(1))?
+            .vertex()
+    }
+
+    /// The ends of an edge.
+    fn ends(&self, corners: Corners) -> Option<[ClippedVertex; 2]> {
+        let [first, second, _] = Barycentric::CORNERS;
+        let end = |number: u16, barycentric: Barycentric| {
+            let vertex = self.vertex(number)?;
+            Some(ClippedVertex {
+                vertex,
+                barycentric,
+            })
+        };
+        match corners {
+            Corners::Whole([a, b, _]) => Some([end(a, first)?, end(b, second)?]),
+            Corners::Clipped { first, .. } => {
+                let clipped = |number: u16| match self.vertices.get(usize::from(number)) {
+                    Some(&Slot::Barycentric(barycentric)) => end(number, barycentric),
+                    _ => None,
+                };
+                Some([clipped(first)?, clipped(first.wrapping_add(2))?])
+            }
+        }
+    }
+
+    /// The corners of a clipped triangle.
+    fn polygon(&self, first: u16, count: u16) -> ClippedPolygon {
+        let start = usize::from(first).wrapping_sub(1);
+        let slots = self
+            .vertices
+            .get(start..start.wrapping_add(usize::from(2 * count)));
+        let mut polygon = ClippedPolygon::new();
+        for pair in slots.unwrap_or_default().chunks_exact(2) {
+            if let [vertex, Slot::Barycentric(barycentric)] = *pair
+                && let Some(vertex) = vertex.vertex()
+            {
+                // At most as many as were clipped.
+                let _ = polygon.push(ClippedVertex {
+                    vertex,
+                    barycentric,
+                });
+            }
+        }
+        polygon
+    }
+}
+
+impl Slot {
+    #[inline]
+    fn vertex(self) -> Option<ScreenVertex> {
+        match self {
+            Self::Vertex {
+                screen,
+                q,
+                exponent,
+            } => Some(ScreenVertex {
+                screen,
+                q,
+                exponent,
+                ..ScreenVertex::UNSET
+            }),
+            Self::Barycentric(_) => None,
+        }
+    }
+}

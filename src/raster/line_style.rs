@@ -1,0 +1,163 @@
+//! Styles of lines: how wide they are, and whether they are anti-aliased.
+
+use crate::error::{check_range, ok};
+use crate::{Error, Scalar};
+
+/// The width of lines, and whether they are anti-aliased: for [`Mesh::edges`](crate::Mesh::edges) and
+/// [`Mesh::outline`](crate::Mesh::outline).
+///
+/// For each pixel center that a line passes along its longer axis, a run of pixels is drawn across that axis: those
+/// whose centers are at most half the width away from the line. A center exactly on the upper or left end of the run
+/// does not belong to it; a center on the lower or right end does. So a line of width n has n pixels in each run. A
+/// center at the left end of a line (in steep lines, the upper end) belongs to the line; a center at the right (lower)
+/// end does not. So [hairlines](Self::HAIRLINE) that continue each other along the same axis draw no pixel twice. The
+/// pixels do not depend on the line's direction.
+///
+/// ```text
+///  run        #   #   #            As in OpenGL, the width counts across the longer axis.
+///     #   #   #   #   #   ●        A diagonal line is narrower by √½, and its ends are cut
+///  ●  #   #   #   #   #            along the axes.
+///     #   #   #
+/// ```
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
+/// use fixel::prelude::*;
+/// let corners = [vec3!(1, -6, 0), vec3!(6, -2, 0), vec3!(11, -6, 0)];
+/// let roof = Mesh::new(&corners, &[])?.with_edges(&[[0, 1], [1, 2]])?;
+/// let window = Window { left: fx!(0), right: fx!(12), bottom: fx!(-8), top: fx!(0) };
+/// let projection = Projection::orthographic(window, fx!(-1), fx!(1))?;
+/// let mut color = [BinaryColor::Off; 12 * 8];
+/// let mut canvas = Canvas::new(&mut color, 12, 8)?;
+/// let wide = LineStyle::wide(fx!(3))?;
+/// canvas.draw(roof.edges(wide), &projection, &Flat::new(BinaryColor::On));
+/// let mut display = MockDisplay::new();
+/// canvas.show(&mut display)?;
+/// display.assert_pattern(&[
+///     "............",
+///     ".....##.....",
+///     "....####....",
+///     "..########..",
+///     ".####..####.",
+///     ".###....###.",
+///     ".#........#.",
+///     "............",
+/// ]);
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # Anti-aliased lines
+///
+/// In a [`smooth`](Self::smooth) style, each pixel takes the line's color in proportion to the share of the pixel that
+/// the line covers. The canvas needs a color of several [`PixelFormat`](crate::PixelFormat).
+///
+/// Let d be the distance from the pixel's center to the nearest point of the line, whose ends are exact to 1/256 pixel.
+/// Then the share is (width + 1)/2 − d, limited to 0 and 1. So the width is measured at right angles to the line, ends
+/// are round, and a line is equally strong in every direction. A share has an error of at most 1.3/256. Blending rounds
+/// as for [`Opacity`](crate::canvas::Opacity), and dithers coarse colors. On 1-bit panels, hairlines look better.
+///
+/// Depth and attributes vary along the longer axis, as on a hairline; beyond an end, they are those of the end. So a
+/// pixel has the depth of a place up to √2 · (width + 1)/2 pixels away. If a mesh hides the lines on it, draw it
+/// [`Biased`](crate::canvas::Biased) by that many pixels, as below; for silhouettes,
+/// [`behind_outlines`](crate::canvas::Biased::behind_outlines). Draw smooth lines last, with
+/// [`TestOnly`](crate::canvas::TestOnly): what is drawn later, behind a pixel that a line covers only in part, would
+/// not show through.
+///
+/// The blending of the options is applied first; the share then blends its result with the canvas.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+/// use fixel::{prelude::*, canvas::{Biased, TestAndWrite, TestOnly}};
+/// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+/// let projection = Projection::perspective(deg!(60), (1, 1), fx!(0.5), fx!(8))?;
+/// let mvp = projection * Transform::translate(vec3!(0, 0, -4)) * Transform::rotate_y(deg!(30));
+/// let (mut color, mut depth) = ([Gray8::BLACK; 24 * 24], [0; 24 * 24]);
+/// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
+/// canvas.clear(Gray8::BLACK);
+/// let behind = DrawOptions::new().with_depth(Biased::new(TestAndWrite, -2, fx!(-1.5)));
+/// canvas.draw_with(&behind, &BOX, &mvp, &Flat::new(Gray8::new(60)));
+/// let last = DrawOptions::new().with_depth(TestOnly);
+/// let lines = BOX.edges(LineStyle::HAIRLINE.smooth());
+/// canvas.draw_with(&last, lines, &mvp, &Flat::new(Gray8::WHITE));
+/// assert!(canvas.pixels().any(|pixel| (61..255).contains(&pixel.luma())));
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct LineStyle<const SMOOTH: bool = false> {
+    /// Half the width, in units of 1/256 pixel.
+    half: i32,
+}
+
+impl Default for LineStyle {
+    fn default() -> Self {
+        Self::HAIRLINE
+    }
+}
+
+impl LineStyle {
+    /// Lines one pixel wide, not anti-aliased: in each step along the longer axis, the pixel that contains the line.
+    pub const HAIRLINE: Self = Self { half: 128 };
+
+    /// The greatest width, in pixels.
+    pub const MAX_WIDTH: Scalar = crate::fx!(64);
+
+    /// Lines of a width in pixels, rounded to the nearest 1/128.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// assert_eq!(LineStyle::wide(fx!(2.5))?.width(), fx!(2.5));
+    /// assert!(LineStyle::wide(fx!(0.5)).is_err());
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::OutOfRange`] unless the width lies between 1 and [`MAX_WIDTH`](Self::MAX_WIDTH).
+    pub const fn wide(pixels: Scalar) -> Result<Self, Error> {
+        ok!(check_range(
+            "line width",
+            pixels,
+            [Scalar::ONE, Self::MAX_WIDTH]
+        ));
+        Ok(Self {
+            half: (pixels.to_bits() + (1 << 8)) >> 9,
+        })
+    }
+
+    /// The same lines, anti-aliased.
+    #[must_use]
+    pub const fn smooth(self) -> LineStyle<true> {
+        LineStyle { half: self.half }
+    }
+}
+
+impl<const SMOOTH: bool> LineStyle<SMOOTH> {
+    /// The width, in pixels.
+    #[must_use]
+    pub const fn width(self) -> Scalar {
+        Scalar::from_bits(self.half << 9)
+    }
+
+    /// Half the width, in units of 1/256 pixel.
+    #[inline]
+    pub(crate) const fn half(self) -> i32 {
+        self.half
+    }
+
+    /// Whether lines are one pixel wide and not anti-aliased.
+    #[inline]
+    pub(crate) const fn is_hairline(self) -> bool {
+        !SMOOTH && self.half == LineStyle::HAIRLINE.half
+    }
+
+    /// By how many rows a line may reach beyond those of its ends: 0 to 32.
+    #[inline]
+    pub(crate) const fn reach(self) -> i32 {
+        if self.is_hairline() {
+            return 0;
+        }
+        // The center of a pixel that it covers is less than half the width and half a pixel away.
+        (self.half + 255) >> 8
+    }
+}
