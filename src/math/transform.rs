@@ -39,6 +39,8 @@ pub struct Transform {
     pub(crate) translation: [i32; 3],
     /// Same meaning as `linear_exp`.
     pub(crate) translation_exp: i32,
+    /// Whether the determinant is negative: kept, because it takes long to find out from a matrix.
+    pub(crate) is_mirror: bool,
 }
 
 fn transpose([x, y, z]: [[i32; 3]; 3]) -> [[i32; 3]; 3] {
@@ -97,6 +99,7 @@ impl Transform {
         linear_exp: 29,
         translation: [0; 3],
         translation_exp: block::MAX_EXP,
+        is_mirror: false,
     };
 
     /// Makes a transform from its entries, the matrix by rows and then the translation, each rounded once.
@@ -143,8 +146,13 @@ impl Transform {
     /// Each factor is accurate to 2⁻³⁰ of the largest one.
     #[must_use]
     pub fn scale_axes(factors: Vec3) -> Self {
-        let [x, y, z] = factors.to_bits().map(i64::from);
-        Self::from_linear(&[[x, 0, 0], [0, y, 0], [0, 0, z]], 16)
+        let [x, y, z] = factors.to_bits();
+        let is_mirror = x ^ y ^ z < 0;
+        let [x, y, z] = [x.into(), y.into(), z.into()];
+        Self {
+            is_mirror,
+            ..Self::from_linear(&[[x, 0, 0], [0, y, 0], [0, 0, z]], 16)
+        }
     }
 
     /// Makes the transform that moves `origin` to zero, then rotates by `rows`, in units of 2^-30.
@@ -242,6 +250,7 @@ impl Transform {
             Some(rows) => Self {
                 translation: self.translation,
                 translation_exp: self.translation_exp,
+                is_mirror: self.is_mirror,
                 ..Self::from_linear(&rows, 30)
             },
         }
@@ -285,6 +294,9 @@ impl Mul for Transform {
             offset: [moved, 1],
             offset_exp: self.translation_exp,
         };
-        compose(&[row(i, x), row(j, y), row(k, z)], &other)
+        Self {
+            is_mirror: self.is_mirror != other.is_mirror,
+            ..compose(&[row(i, x), row(j, y), row(k, z)], &other)
+        }
     }
 }

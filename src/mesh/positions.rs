@@ -18,7 +18,7 @@ use crate::{Error, Vec3};
 /// static BALL: Mesh = shape!(sphere(8, 6));
 /// let top = BALL.positions().get(0);
 /// assert_eq!(top, Some(vec3!(0, 1, 0)));
-/// assert!(BALL.positions().iter().all(|p| p.y <= 1));
+/// assert!(BALL.positions().iter().all(|p| p.y <= fx!(1)));
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Positions<'a> {

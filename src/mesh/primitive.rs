@@ -77,7 +77,7 @@ impl Indices {
 ///     type Varyings = PerFace<u8>;
 ///
 ///     fn varyings(&self, face: &Primitive) -> [PerFace<u8>; 3] {
-///         [PerFace(if face.normal().y > 0 { 250 } else { 50 }); 3]
+///         [PerFace(if face.normal().y > fx!(0) { 250 } else { 50 }); 3]
 ///     }
 ///
 ///     fn shade(&self, _: &Fragment, PerFace(luma): PerFace<u8>) -> Option<Gray8> {

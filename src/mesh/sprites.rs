@@ -72,14 +72,14 @@ use crate::{Error, Scalar, Vec2, Vec3};
 /// are.
 ///
 /// ```
-/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8};
-/// use fixel::prelude::*;
-/// static TREE: TextureArray<Gray8, 4, 4> = TextureArray::gray8(&[
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::{prelude::*, texture::Raw};
+/// let tree = Raw::<Gray8>::new(&[
 ///     0, 9, 9, 0,
 ///     9, 9, 9, 9,
 ///     0, 9, 9, 0,
 ///     0, 9, 9, 0,
-/// ]);
+/// ], 4, 4)?;
 /// let projection = Projection::perspective(deg!(90), (2, 1), fx!(0.5), fx!(20))?;
 /// let camera = Camera::look_at(vec3!(0, 1.5, 0), vec3!(0, 1.5, -1), Vec3::Y)?;
 /// let mut pixels = [Gray8::new(0); 24 * 12];
@@ -90,7 +90,7 @@ use crate::{Error, Scalar, Vec2, Vec3};
 /// let trees = Sprites::new(&places, (fx!(2), fx!(2)))?
 ///     .with_axis(Vec3::Y)?
 ///     .with_anchor(vec2!(0.5, 1));
-/// let leaves = Textured::new(&TREE).clamped().cut_out(Gray8::new(0));
+/// let leaves = Textured::new(tree).clamped().cut_out(Gray8::new(0));
 /// canvas.draw(&trees, &(projection * camera), &leaves);
 /// let shown: Vec<String> = canvas.pixels().collect::<Vec<_>>().chunks(24)
 ///     .map(|row| row.iter().map(|p| if *p == Gray8::new(0) { '.' } else { '#' }).collect()).collect();

@@ -83,7 +83,7 @@ impl<'m, K: ProjectionKind> Call<'m, K> {
             projector: Projector::new(mesh.positions(), mvp.projection_of(), &view, viewport),
             shared: Shared {
                 mesh,
-                cull: screen.cull.after(&view),
+                cull: screen.cull.mirrored(view.is_mirror),
                 placement: Placement::new(mvp.model_of(), view),
                 scissor: screen.scissor(rows),
             },

@@ -199,7 +199,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     ///
     /// let view = Projection::perspective(deg!(50), SIZE, fx!(1), fx!(20))?
     ///     * Camera::look_at(vec3!(0, 1, 5), Vec3::ZERO, Vec3::Y)?;
-    /// let [left, right] = [-1.4, 0.8].map(|x| Transform::translate(vec3!(x, 0, 0)));
+    /// let [left, right] = [vec3!(-1.4, 0, 0), vec3!(0.8, 0, 0)].map(Transform::translate);
     /// let flat = |gray| Flat::new(Gray4::new(gray));
     /// let (ball, cube) = (BALL.outline(&SILHOUETTE, LineStyle::HAIRLINE), BOX.edges(LineStyle::HAIRLINE));
     /// let mut objects = [Object::new(ball, left, flat(3)), Object::new(cube, right, flat(7))];

@@ -1,8 +1,5 @@
 //! Face culling.
 
-use crate::math::Transform;
-use crate::num::wide::product;
-
 /// Which triangles are not drawn, depending on the side that they show.
 ///
 /// A triangle shows its front if its corners run counter-clockwise on the screen. If a transform mirrors the mesh (its
@@ -18,7 +15,7 @@ use crate::num::wide::product;
 /// let mut shown = [pose, mirror * pose].map(|model| {
 ///     let mut pixels = [Gray8::new(0); 32 * 24];
 ///     let mut canvas = Canvas::new(&mut pixels, 32, 24).unwrap();
-///     canvas.draw(&BOX, &(projection * model), &NormalView::new().converted::<Gray8>());
+///     canvas.draw(&BOX, &(projection * model), &NormalView::<Gray8>::new());
 ///     pixels.map(|pixel| pixel != Gray8::new(0))
 /// });
 /// shown[1].chunks_mut(32).for_each(|row| row.reverse());
@@ -53,24 +50,12 @@ impl Cull {
         }
     }
 
-    /// The sides that are not drawn of a mesh that `view` takes to eye space, by the winding on the screen: a mirror
-    /// turns it around.
-    #[inline(never)]
-    pub(crate) fn after(self, view: &Transform) -> Self {
-        let [x, y, z] = view.linear;
-        // The determinant, in two parts: each is the sum of three products of 30 by 31 bits. Exact, because the sign of
-        // a small one counts as well.
-        let (mut high, mut low) = (0, 0);
-        for (i, &x) in x.iter().enumerate() {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            let cofactor = product(y[j], z[k]) - product(y[k], z[j]);
-            high += product(x, (cofactor >> 31) as i32);
-            low += product(x, (cofactor & 0x7FFF_FFFF) as i32);
-        }
-        let is_mirrored = high + (low >> 31) < 0;
+    /// The sides that are not drawn, by the winding on the screen, which a mirror turns around.
+    #[inline]
+    pub(crate) const fn mirrored(self, is_mirror: bool) -> Self {
         match self {
-            Self::Back if is_mirrored => Self::Front,
-            Self::Front if is_mirrored => Self::Back,
+            Self::Back if is_mirror => Self::Front,
+            Self::Front if is_mirror => Self::Back,
             cull => cull,
         }
     }

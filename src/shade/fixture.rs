@@ -17,6 +17,7 @@ pub(super) const fn scale([x, y, z]: [i32; 3]) -> Transform {
         linear_exp: 29,
         translation: [0; 3],
         translation_exp: 29,
+        is_mirror: x ^ y ^ z < 0,
     }
 }
 

@@ -193,15 +193,14 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     }
 
     /// Gives each texel the opacity that a gray texture of the same size, the mask, has there: white is opaque, and
-    /// black leaves both color and depth of the canvas as they were. Draw it with the blending
-    /// [`Alpha`](crate::canvas::Alpha).
+    /// black leaves both color and depth of the canvas as they were.
     ///
     /// A bilinear filter blends colors and opacities separately, so give invisible texels the colors of their
     /// neighbors.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray4, Gray8};
-    /// use fixel::{prelude::*, canvas::Alpha, texture::Raw};
+    /// use fixel::{prelude::*, texture::Raw};
     /// static SKIN: [[Gray8; 2]; 1] = [[Gray8::new(200); 2]];
     /// static SQUARE: Mesh = shape!(plane(1, 1));
     /// let mask = Raw::<Gray4>::new(&[0x3f], 2, 1)?; // a fifth, and the whole
@@ -209,8 +208,7 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
     /// let mut pixels = [Gray8::new(100); 2];
     /// let mut canvas = Canvas::new(&mut pixels, 2, 1)?;
-    /// let (alpha, drop) = (DrawOptions::new().with_blending(Alpha), Textured::new(&SKIN).masked(mask)?);
-    /// canvas.draw_with(&alpha, &SQUARE, &mvp, &drop);
+    /// canvas.draw(&SQUARE, &mvp, &Textured::new(&SKIN).masked(mask)?);
     /// assert_eq!(pixels, [Gray8::new(120), Gray8::new(200)]);
     /// # Ok::<(), Error>(())
     /// ```

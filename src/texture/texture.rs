@@ -143,7 +143,7 @@ mod tests {
         let error = new(200, 100, 2).unwrap_err();
         assert_eq!(
             std::format!("{error}"),
-            "width is 100: it must be a power of two, at most 32768"
+            "width is 100: it must be a power of two, at most 32768, such as 128"
         );
         let max = 32768;
         for given in [0, 3, 65536, u32::MAX] {

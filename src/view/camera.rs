@@ -108,6 +108,7 @@ impl Camera {
     pub fn sky(&self) -> Self {
         let mut view = Transform::IDENTITY;
         (view.linear, view.linear_exp) = (self.view.linear, self.view.linear_exp);
+        view.is_mirror = self.view.is_mirror;
         Self { view }
     }
 

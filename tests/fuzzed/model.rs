@@ -100,7 +100,11 @@ impl Truth {
                 right: window.top_left().x + window.size().width.cast_signed(),
                 bottom: window.top_left().y + window.size().height.cast_signed(),
             }),
-            cull: call.scene.cull,
+            cull: match call.scene.cull {
+                Cull::Back if call.scene.mirrors() => Cull::Front,
+                Cull::Front if call.scene.mirrors() => Cull::Back,
+                cull => cull,
+            },
         }
     }
 

@@ -370,6 +370,11 @@ impl Scene {
         }
     }
 
+    /// Whether the view of the model is a mirror image.
+    pub fn mirrors(&self) -> bool {
+        self.eye.mirrors() != self.model.mirrors()
+    }
+
     /// The number of pixels of the canvas.
     pub fn pixels(&self) -> usize {
         self.size.0 as usize * self.size.1 as usize

@@ -58,6 +58,18 @@ impl Steps {
         few(u, count, Step::arbitrary).map(Self)
     }
 
+    /// Whether an odd number of axes is mirrored.
+    pub fn mirrors(&self) -> bool {
+        let negative = |factor: Scalar| factor < fx!(0);
+        self.0.iter().fold(false, |mirrors, step| match step {
+            Step::Uniform(factor) => mirrors ^ negative(*factor),
+            Step::Move(Move::Scale(by)) => {
+                mirrors ^ negative(by.x) ^ negative(by.y) ^ negative(by.z)
+            }
+            _ => mirrors,
+        })
+    }
+
     pub fn transform(&self) -> Transform {
         let mut transform = Transform::IDENTITY;
         for step in &self.0 {
@@ -101,6 +113,14 @@ impl Eye {
                 Self::View(Steps(vec![Step::Move(Move::To(back))]))
             }
         })
+    }
+
+    /// Whether the view mirrors an odd number of axes.
+    pub fn mirrors(&self) -> bool {
+        match self {
+            Self::View(steps) | Self::Placed(steps) => steps.mirrors(),
+            _ => false,
+        }
     }
 
     /// The camera, if the crate accepts these numbers.

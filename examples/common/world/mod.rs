@@ -172,7 +172,7 @@ impl World {
             (&map::STONE, &textures::STONE),
             (&map::PLASTER, &textures::PLASTER),
         ];
-        Self::new(Transform::IDENTITY, Cull::Back, &LAYERS)
+        Self::new(Transform::IDENTITY, &LAYERS)
     }
 
     /// Upside down below the water's surface, lights included, and without the ground.
@@ -183,12 +183,11 @@ impl World {
         ];
         let down =
             Transform::translate(Vec3::Y * (WATER * 2)) * Transform::scale_axes(vec3!(1, -1, 1));
-        Self::new(down, Cull::Front, &LAYERS)
+        Self::new(down, &LAYERS)
     }
 
     fn new(
         model: Transform,
-        cull: Cull,
         layers: &'static [(&'static map::Layer, &'static textures::Tile)],
     ) -> Result<Self, Error> {
         // The evening sky, from the west.
@@ -202,7 +201,7 @@ impl World {
                 PointLight::new(model.point(place), fx!(1), REACH)?.colored(LAMPLIGHT),
             );
         }
-        let options = DrawOptions::new().with_cull(cull);
+        let options = DrawOptions::new();
         Ok(Self {
             model,
             options,
@@ -389,8 +388,7 @@ impl Scene {
             });
         let glow = glow.in_fog(Fog::linear(Rgb565::BLACK, fx!(3), fx!(36))?);
         let mvp = self.view * world.model;
-        let on_walls = shine.with_cull(world.options.cull());
-        canvas.draw_with(&on_walls, &buildings::HALOS, &mvp, &glow);
+        canvas.draw_with(&shine, &buildings::HALOS, &mvp, &glow);
         // They flicker, each at its own time.
         let scales: [Scalar; map::LAMPS.len()] = core::array::from_fn(|lamp| {
             let wave = (self.turn * (31 + 2 * lamp as i32)).sin();

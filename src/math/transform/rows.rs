@@ -2,7 +2,21 @@
 
 use super::Transform;
 use crate::num::block::{self, BlockFloat};
+use crate::num::rsqrt::cross;
+use crate::num::wide::product;
 use crate::{Error, Matrix4, Scalar, Vec3};
+
+/// Whether a matrix of mantissas has a negative determinant.
+fn is_mirror(&[x, y, z]: &[[i32; 3]; 3]) -> bool {
+    // The determinant, in two parts: each is the sum of three products of 30 by 31 bits. Exact, because the sign of a
+    // small one counts as well.
+    let (mut high, mut low) = (0, 0);
+    for (&x, cofactor) in x.iter().zip(cross(y, z)) {
+        high += product(x, (cofactor >> 31) as i32);
+        low += product(x, (cofactor & 0x7fff_ffff) as i32);
+    }
+    high + (low >> 31) < 0
+}
 
 impl Transform {
     /// Makes a transform from the rows of its 3×3 matrix, for column vectors, and its translation.
@@ -25,7 +39,11 @@ impl Transform {
         for (number, entry) in numbers.iter_mut().zip(entries.chain(&translation)) {
             *number = BlockFloat::new(entry.to_bits().into(), 16);
         }
-        Self::from_block_floats(&numbers)
+        let transform = Self::from_block_floats(&numbers);
+        Self {
+            is_mirror: is_mirror(&transform.linear),
+            ..transform
+        }
     }
 
     /// Returns the 4×4 matrix: entries are rounded to the nearest 2⁻¹⁶ and saturate at ±32768.

@@ -356,6 +356,7 @@ fn points_are_rounded_once() {
             linear_exp,
             translation,
             translation_exp,
+            is_mirror: false,
         };
         let point = Vec3::from_bits(point.map(|v| v >> cut));
         let exp = translation_exp.max(linear_exp + 16);

@@ -11,11 +11,8 @@ const SIZE: (u32, u32) = (128, 64);
 static ISLAND: Mesh = include_mesh!("../../../assets/lighthouse.obj");
 // No edge is a crease: it has silhouettes only.
 static SILHOUETTES: Outline = include_outline!("../../../assets/lighthouse.obj", crease = 180);
-static SKIN: Raw<Rgb565> = Raw::checked(Raw::new(
-    include_bytes!("../../../assets/lighthouse.rgb565"),
-    128,
-    128,
-));
+const PIXELS: &[u8] = include_bytes!("../../../assets/lighthouse.rgb565");
+static SKIN: Raw<Rgb565> = Raw::checked(Raw::new(PIXELS, 128, 128));
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let (width, height) = SIZE;
@@ -30,11 +27,8 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     // Surfaces without light are black, like the sky: lines tell them apart.
     let contrast = Contrast::of(&gray, 4);
     let white = Flat::rgb(Rgb888::new(255, 255, 255));
-    gray.draw(
-        ISLAND.outline(&SILHOUETTES, LineStyle::HAIRLINE),
-        &view,
-        &white,
-    );
+    let outline = ISLAND.outline(&SILHOUETTES, LineStyle::HAIRLINE);
+    gray.draw(outline, &view, &white);
 
     // The panel is shown in the middle of this picture, each of its pixels as a square.
     canvas.clear(Rgb565::new(3, 6, 4));
@@ -50,11 +44,9 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
         let gray = Canvas::band(grays, width, height, first_row)?;
         let mut panel = Canvas::band(&mut shown, width, height, first_row)?;
         let Ok(()) = gray.show_diffused(&mut panel, contrast, &mut diffusion);
-        // Text comes last: it is not dithered.
         Text::new("LIGHTHOUSE", Point::new(2, 9), style).draw(&mut panel)?;
-        for (byte, rows) in page.iter_mut().zip(panel.pages()) {
-            *byte = rows;
-        }
+        let bytes = page.iter_mut().zip(panel.pages());
+        bytes.for_each(|(byte, rows)| *byte = rows);
         for at in panel.bounding_box().points() {
             let is_on = page[at.x.cast_unsigned() as usize] >> (at.y % 8) & 1 == 1;
             let at = Point::zero() + corner + at * side.cast_signed();
