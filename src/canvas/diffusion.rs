@@ -123,7 +123,7 @@ impl<'e> ErrorDiffusion<'e> {
             (self.column, self.right, self.below, self.below_right) =
                 (at + 1, right, below, beyond);
         }
-        C::from_steps([steps as u8; 3])
+        C::from_steps([steps.cast_unsigned() as u8; 3])
     }
 
     /// Stores the error of a column of the next row. It is at most half a step, 2,040, which a single column reaches,

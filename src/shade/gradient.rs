@@ -45,7 +45,7 @@ const BITS: u32 = 12;
 pub struct Gradient<C: PixelFormat> {
     bottom: i32,
     ramp: Ramp,
-    /// PixelFormat.
+    /// The levels at the bottom.
     low: [i32; 3],
     change: [i32; 3],
     color: core::marker::PhantomData<C>,

@@ -127,12 +127,8 @@ impl Case {
             *position = Vec3::new(x, y, z);
         }
         let w = positions.map(|p| -f64::from(p.z));
-        let projection = Projection::from_focal_length(
-            Scalar::try_from(FOCAL).unwrap(),
-            SIZE,
-            fx!(0.015_625),
-            fx!(32767),
-        );
+        let projection =
+            Projection::from_focal_length(Scalar::from(FOCAL), SIZE, fx!(0.015_625), fx!(32767));
         Some(Triangle {
             size: SIZE,
             mvp: projection.unwrap().into(),

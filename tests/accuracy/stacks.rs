@@ -6,6 +6,7 @@
 
 use std::cell::Cell;
 
+use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{
     BinaryColor, Gray2, Gray4, Gray8, GrayColor, Rgb565, Rgb666, Rgb888, RgbColor,
 };
@@ -56,7 +57,7 @@ impl Scene {
 
     /// A color of the canvas between black and white, unless it has only these.
     fn ground<C: Channels>(&self) -> C {
-        C::from_rgb(self.ground, Default::default())
+        C::from_rgb(self.ground, Point::default())
     }
 
     fn sun(&self) -> Light {
@@ -302,7 +303,7 @@ fn all<C: Channels>(scene: Scene) {
     let mesh = SQUARE.with_colors(&colors, None).unwrap();
     let hook = |triangle: &Primitive<'_>| {
         let tests = Tests { triangle, scene };
-        let plain = C::from_rgb(scene.surface, Default::default());
+        let plain = C::from_rgb(scene.surface, Point::default());
         tests.adapters::<C>("plain", Flat::new(plain), plain.channels(), 2);
         tests.stack::<C>("rgb", Flat::rgb(scene.surface), C::exact(scene.surface), 3);
         tests.stack::<C>("vertex colors", Gouraud::new(), C::exact(scene.tint), 3);

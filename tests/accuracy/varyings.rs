@@ -162,7 +162,7 @@ fn values_in_perspective_are_within_the_bounds() {
             let positions = [a, b, c];
             let w = positions.map(|p| -f64::from(p.z));
             let projection = Projection::<Perspective>::from_focal_length(
-                Scalar::try_from(FOCAL).unwrap(),
+                Scalar::from(FOCAL),
                 SIZE,
                 NEAR,
                 fx!(32767),

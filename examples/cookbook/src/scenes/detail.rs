@@ -1,4 +1,4 @@
-//! PixelFormat of detail: the fewer pixels an apple takes, the fewer triangles it has.
+//! Levels of detail: the fewer pixels an apple takes, the fewer triangles it has.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::canvas::{Biased, LinearDepth, Native, Opacity, TestAndWrite};
