@@ -13,9 +13,9 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_9X18_BOLD};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor, raw::BigEndian};
 use embedded_graphics::text::Text;
+use fixel::canvas::{DepthBuffer, Storage};
 use fixel::mode::Fast;
 use fixel::prelude::*;
-use fixel::canvas::{DepthBuffer, Storage};
 
 /// The crate: 12 triangles in flash.
 static CRATE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
