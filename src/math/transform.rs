@@ -149,10 +149,9 @@ impl Transform {
         let [x, y, z] = factors.to_bits();
         let is_mirror = x ^ y ^ z < 0;
         let [x, y, z] = [x.into(), y.into(), z.into()];
-        Self {
-            is_mirror,
-            ..Self::from_linear(&[[x, 0, 0], [0, y, 0], [0, 0, z]], 16)
-        }
+        let mut t = Self::from_linear(&[[x, 0, 0], [0, y, 0], [0, 0, z]], 16);
+        t.is_mirror = is_mirror;
+        t
     }
 
     /// Makes the transform that moves `origin` to zero, then rotates by `rows`, in units of 2^-30.
@@ -294,9 +293,9 @@ impl Mul for Transform {
             offset: [moved, 1],
             offset_exp: self.translation_exp,
         };
-        Self {
-            is_mirror: self.is_mirror != other.is_mirror,
-            ..compose(&[row(i, x), row(j, y), row(k, z)], &other)
-        }
+        // Changed in place: a new struct would be a second copy in flash.
+        let mut product = compose(&[row(i, x), row(j, y), row(k, z)], &other);
+        product.is_mirror = self.is_mirror != other.is_mirror;
+        product
     }
 }

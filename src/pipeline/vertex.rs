@@ -129,13 +129,16 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         // 2^-27 of its distance or, under a parallel projection, by 2^-19 of the distance between the planes, because
         // rounding must not move what lies exactly in it to its outside. (Terms of t have an error of 2^-29 of the
         // greatest, which may be a few hundred under a parallel projection.)
-        let slack = 1 << exp >> if K::PERSPECTIVE { 11 } else { 3 };
         let ends = if K::PERSPECTIVE {
-            let least = ((1 << 16) + 1) << exp;
+            let least = (1 << 27) + (1 << 11) - 1;
             let most = unit.times(BlockFloat::new(far.into(), 16));
-            [slack - least, most.at(fraction).min(i64::MAX >> 1)]
+            [
+                -block::shift(least, exp - 11),
+                most.at(fraction).min(i64::MAX >> 1),
+            ]
         } else {
-            [0, (((1 << 16) - 1) << exp) + slack]
+            let most = (1 << 19) - (1 << 3) + 1;
+            [0, block::shift(most, exp - 3)]
         };
         let offset = |m: i32| block::shift(m.into(), up);
         let [t, x, y] = clip.translation;

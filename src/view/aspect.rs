@@ -19,8 +19,9 @@ use crate::{Error, Scalar};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Aspect {
-    /// Width and height in units of 2^-16.
-    size: [i64; 2],
+    /// Width and height in units of 2^-16. Not an array: `map` over one would be a loop, which is not folded.
+    width: i64,
+    height: i64,
 }
 
 impl Aspect {
@@ -30,20 +31,24 @@ impl Aspect {
     ///
     /// [`Error::Aspect`] otherwise.
     pub(super) fn checked(self) -> Result<(i64, i64), Error> {
-        let [width, height] = self.size;
+        let Self { width, height } = self;
         if width > 0 && height > 0 {
             return Ok((width, height));
         }
         // A size in pixels may be out of range.
-        let [width, height] = self.size.map(|v| Scalar::from_bits(saturated(v)));
-        Err(Error::Aspect { width, height })
+        Err(Error::Aspect {
+            width: Scalar::from_bits(saturated(width)),
+            height: Scalar::from_bits(saturated(height)),
+        })
     }
 }
 
 impl From<(u32, u32)> for Aspect {
     fn from((width, height): (u32, u32)) -> Self {
-        let size = [width, height].map(|v| i64::from(v) << 16);
-        Self { size }
+        Self {
+            width: i64::from(width) << 16,
+            height: i64::from(height) << 16,
+        }
     }
 }
 
@@ -55,7 +60,9 @@ impl From<Size> for Aspect {
 
 impl From<Scalar> for Aspect {
     fn from(ratio: Scalar) -> Self {
-        let size = [ratio, Scalar::ONE].map(|v| v.to_bits().into());
-        Self { size }
+        Self {
+            width: ratio.to_bits().into(),
+            height: 1 << 16,
+        }
     }
 }
