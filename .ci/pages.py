@@ -316,7 +316,7 @@ def places(instructions, other):
         ("the same in a sea, which crosses the island", "lighthouse"),
     ]:
         wrong = other[f"painter {scene} wrong"]
-        says("src/pipeline/list/triangles.rs", f"| {label} | {'{} %' if wrong else '0'} | {{}} KiB | {{}} | {{}} |", [
+        says("src/pipeline/list.rs", f"| {label} | {'{} %' if wrong else '0'} | {{}} KiB | {{}} | {{}} |", [
             *([f"{wrong:.2f}"] if wrong else []), tenths(other[f"painter {scene} list"] / 1024),
             *(million(other[f"painter {scene} {way}"]) for way in ["depth", "sorted"])])
     return said, held
