@@ -308,12 +308,11 @@ pub use {
     mesh::{Corner, Index, Mesh, Outline, Primitive, Sprites},
     num::{Angle, Fraction, Rate, Scalar, Spin, TexCoord},
     shade::{
-        Converted, DepthView, FaceColors, FaceLit, Flat, Fragment, Gouraud, Lamp, Light, Lighting,
-        Lit, Map, NormalView, PixelFormat, PointLight, Shader, ShaderFor, SpotLight, Textured,
-        Tinted, Viewer,
+        DepthView, FaceColors, Flat, Fog, Fragment, Gouraud, Lamp, Light, Lighting, NormalView,
+        PixelFormat, PointLight, Shader, ShaderFor, SpotLight, Textured, Viewer,
     },
     texture::Texture,
-    view::{Aspect, Camera, Mvp, Projection, Viewport, Window},
+    view::{Camera, Mvp, Projection, Viewport, Window},
 };
 
 /// Compiles the program in the README.
@@ -321,17 +320,30 @@ pub use {
 #[doc = include_str!("../README.md")]
 struct Readme;
 
-/// Everything a drawing program needs.
+/// What most programs that draw import.
 ///
-/// The prelude of embedded-graphics also has an `Angle`, a `Primitive` and a `Transform`. A program that imports both
-/// preludes must name the ones it means.
+/// The prelude of embedded-graphics has an `Angle`, a `Primitive` and a `Transform` of its own. A program that imports
+/// both preludes says which of these it means:
+///
+/// ```
+/// use embedded_graphics::prelude::*;
+/// use fixel::prelude::*;
+/// use fixel::{Angle, Transform};
+/// # use embedded_graphics::pixelcolor::Rgb565;
+///
+/// let spin = Transform::rotate_y(Angle::from_degrees(30));
+/// let corner = Point::new(3, 4) + Size::new(1, 1);
+/// # let (_, _, _) = (spin, corner, Rgb565::BLACK);
+/// ```
 pub mod prelude {
     #[doc(no_inline)]
+    pub use crate::canvas::{LinearDepth, Native};
+    #[doc(no_inline)]
     pub use crate::{
-        Angle, Aspect, Camera, Canvas, Corner, Cull, DepthView, DrawList, DrawOptions, Drawn,
-        Error, FaceColors, Flat, Fragment, Gouraud, Lamp, Light, Lighting, LineStyle, Mesh, Mvp,
-        NormalView, Outline, PixelFormat, PointLight, PointStyle, Primitive, Projection, Rate, Ray,
-        Scalar, Shader, ShaderFor, Spin, SpotLight, Sprites, TexCoord, Texture, Textured,
+        Angle, Camera, Canvas, Corner, Cull, DepthView, DrawList, DrawOptions, Drawn, Error,
+        FaceColors, Flat, Fog, Fragment, Gouraud, Lamp, Light, Lighting, LineStyle, Mesh, Mvp,
+        NormalView, Object, Outline, PixelFormat, PointLight, PointStyle, Primitive, Projection,
+        Rate, Ray, Scalar, Shader, ShaderFor, SpotLight, Sprites, TexCoord, Texture, Textured,
         Transform, Vec2, Vec3, Viewer, Viewport, Window,
     };
     #[doc(no_inline)]

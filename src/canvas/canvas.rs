@@ -61,7 +61,7 @@ pub const MAX_SIZE: u32 = 2048;
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 /// use fixel::prelude::*;
-/// use fixel::canvas::{DepthBuffer, LinearDepth, Native, Storage};
+/// use fixel::canvas::{DepthBuffer, Storage};
 ///
 /// fn with_depth(canvas: &mut Canvas<Rgb565, Native, LinearDepth>) {
 ///     on_any(canvas);

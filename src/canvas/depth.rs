@@ -32,7 +32,7 @@ use crate::sealed::{Sealed, sealed};
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
 /// use fixel::prelude::*;
-/// use fixel::canvas::{DepthBuffer, Native};
+/// use fixel::canvas::DepthBuffer;
 ///
 /// fn draw<D: DepthBuffer>(canvas: &mut Canvas<'_, Gray8, Native, D>) {
 ///     canvas.clear(Gray8::new(0));

@@ -17,12 +17,7 @@ use crate::num::wide::at_least;
 
 /// A canvas as an embedded-graphics [`DrawTarget`] whose origin is a point of the scene, and whose pixels are hidden by
 /// nearer surfaces; [`Canvas::label`] makes it.
-///
-/// Everything drawn to it has the point's depth, so it looks like a sheet of paper that faces the viewer. A pixel is
-/// drawn if it is at least as near as the stored depth; the stored depth does not change. On a canvas without a depth
-/// buffer, every pixel is drawn.
-///
-/// Drawing cannot fail. Any point and any rectangle is allowed. `clear` fills every pixel that the scene does not hide.
+#[doc(hidden)]
 #[derive(Debug)]
 pub struct Label<'c, T> {
     canvas: &'c mut T,

@@ -155,7 +155,6 @@
 //! ```
 //! use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 //! use fixel::prelude::*;
-//! use fixel::shade::Fog;
 //!
 //! static SKIN: [[Rgb565; 2]; 2] =
 //!     [

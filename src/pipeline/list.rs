@@ -57,7 +57,7 @@ use prepared::{Objects, Placed, Run};
 /// list, and the objects of the scene, cannot change:
 ///
 /// ```compile_fail,E0506
-/// use fixel::{Object, prelude::*};
+/// use fixel::prelude::*;
 /// static BALL: Mesh = shape!(sphere(12, 8));
 /// fn scene(view: &Mvp, list: &mut DrawList<100, 80>) -> Result<(), Error> {
 ///     let mut objects = [Object::new(&BALL, Transform::IDENTITY, 1)];
@@ -190,7 +190,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
-    /// use fixel::{Object, prelude::*};
+    /// use fixel::prelude::*;
     ///
     /// static BALL: Mesh = shape!(sphere(12, 8));
     /// static SILHOUETTE: Outline = outline!(BALL, deg!(60));
@@ -284,7 +284,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
-    /// use fixel::{Object, prelude::*};
+    /// use fixel::prelude::*;
     ///
     /// static BALL: Mesh = shape!(sphere(12, 8));
     /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));

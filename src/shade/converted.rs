@@ -6,34 +6,7 @@ use super::{Fragment, Output, PixelFormat, Precise, Shader};
 use crate::mesh::Primitive;
 
 /// Shader `S` on a canvas of color format `C`; see [`Shader::converted`].
-///
-#[cfg_attr(doc, doc = page_picture!("converted", "A ring in four grays, dithered"))]
-/// Colors are rounded, or dithered if `C` is coarse (see [`PixelFormat`]).
-///
-/// For example, it draws a texture whose color format differs from the canvas's. Every pixel is converted, so a texture
-/// stored in the canvas's format is faster.
-///
-/// ```
-/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888, RgbColor}};
-/// use fixel::prelude::*;
-/// static SKIN: [[Rgb888; 2]; 1] = [[Rgb888::WHITE, Rgb888::new(0, 128, 0)]];
-/// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
-/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
-/// let mut pixels = [BinaryColor::Off; 48];
-/// let mut canvas = Canvas::new(&mut pixels, 12, 4)?;
-/// let skin = Textured::new(&SKIN);
-/// canvas.draw(&SQUARE, &mvp, &skin.converted());
-/// let mut display = MockDisplay::new();
-/// canvas.show(&mut display)?;
-/// display.assert_pattern(&[
-///     "######......",
-///     "#######.#.#.",
-///     "######......",
-///     "#######.#.#.",
-/// ]);
-/// # Ok::<(), Error>(())
-/// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Converted<S, C> {
     shader: S,

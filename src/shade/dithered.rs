@@ -4,6 +4,7 @@ use super::{ColorOf, Fragment, Output, PixelFormat, PreciseOf, Shader};
 use crate::mesh::Primitive;
 
 /// A surface that is dithered in any format; see [`Shader::dithered`].
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Dithered<S> {
     pub(super) surface: S,

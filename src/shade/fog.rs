@@ -22,7 +22,6 @@ use crate::{Error, Scalar};
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, Gray4, GrayColor}};
 /// use fixel::prelude::*;
-/// use fixel::shade::Fog;
 /// static FLOOR: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::perspective(deg!(90), (1, 1), fx!(0.5), fx!(20))?;
 /// let mvp = projection * Transform::translate(vec3!(0, -1, 0)) * Transform::scale(fx!(9));
@@ -44,18 +43,8 @@ pub struct Fog<C, D = LinearFog> {
     density: D,
 }
 
-/// How thick a fog is: [`LinearFog`] or [`ExponentialFog`]. Sealed.
-///
-/// ```
-/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-/// use fixel::prelude::*;
-/// use fixel::shade::{Density, Fog};
-/// fn hidden<D: Density>(fog: Fog<Rgb565, D>) -> impl ShaderFor<Rgb565> {
-///     Flat::new(Rgb565::RED).in_fog(fog)
-/// }
-/// hidden(Fog::linear(Rgb565::WHITE, fx!(1), fx!(2))?);
-/// # Ok::<(), Error>(())
-/// ```
+/// How thick a fog is: `LinearFog` or `ExponentialFog`.
+#[doc(hidden)]
 pub trait Density: Copy + Sealed {
     /// The number that is interpolated, which is linear in the distance.
     #[doc(hidden)]
@@ -72,17 +61,9 @@ pub trait Density: Copy + Sealed {
 
 sealed!(LinearFog, ExponentialFog);
 
-/// A [`Density`]: the whole surface is left up to a first distance, and nothing from a second one on. Between them,
+/// The density of linear fog: the whole surface is left up to a first distance, and nothing from a second one on. Between them,
 /// what is left falls linearly.
-///
-/// ```
-/// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-/// use fixel::prelude::*;
-/// use fixel::shade::{Fog, LinearFog};
-/// let fog: Fog<Gray8, LinearFog> = Fog::linear(Gray8::WHITE, fx!(2), fx!(30))?;
-/// # let _ = fog;
-/// # Ok::<(), Error>(())
-/// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LinearFog {
@@ -91,16 +72,8 @@ pub struct LinearFog {
     range: Ramp,
 }
 
-/// A [`Density`]: what is left of the surface at the distance z is e^(−density · z).
-///
-/// ```
-/// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-/// use fixel::prelude::*;
-/// use fixel::shade::{ExponentialFog, Fog};
-/// let fog: Fog<Gray8, ExponentialFog> = Fog::exponential(Gray8::WHITE, fx!(0.1))?;
-/// # let _ = fog;
-/// # Ok::<(), Error>(())
-/// ```
+/// The density of exponential fog: what is left of the surface at the distance z is e^(−density · z).
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ExponentialFog {
@@ -214,24 +187,7 @@ impl<C: PixelFormat> Fog<C, ExponentialFog> {
 }
 
 /// A surface in fog; see [`Shader::in_fog`](super::Shader::in_fog).
-///
-#[cfg_attr(doc, doc = page_picture!("in_fog", "A row of rings that fade into gray"))]
-/// Put light on the surface first, and fog around both: `.lit(sun).in_fog(fog)`.
-///
-/// ```
-/// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-/// use fixel::prelude::*;
-/// use fixel::shade::Fog;
-/// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(8))?;
-/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(4));
-/// let mut pixels = [Gray8::BLACK; 1];
-/// // At a distance of 4, e^(-0.25 · 4) is left: 37 % of 100, and 63 % of 200.
-/// let fog = Fog::exponential(Gray8::new(200), fx!(0.25))?;
-/// Canvas::new(&mut pixels, 1, 1)?.draw(&SQUARE, &mvp, &Flat::new(Gray8::new(100)).in_fog(fog));
-/// assert_eq!(pixels, [Gray8::new(163)]);
-/// # Ok::<(), Error>(())
-/// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct InFog<S, C, D = LinearFog> {
     pub(super) surface: S,

@@ -10,12 +10,7 @@ use crate::sealed::Sealed;
 ///
 /// Unlike array lengths, these numbers can be added on stable Rust. An adapter of a [`Shader`](super::Shader) needs the
 /// sum to append its own varyings to those of the inner shader.
-///
-/// ```
-/// use fixel::shade::Lanes;
-/// let both = <[(); 2] as Lanes>::join::<[(); 1], _>([1, 2], [3]);
-/// assert_eq!(both, [1, 2, 3]);
-/// ```
+#[doc(hidden)]
 pub trait Lanes: Copy + Sealed {
     /// The array `[T; N]`.
     type Of<T: Copy>: Copy + AsRef<[T]> + AsMut<[T]>;

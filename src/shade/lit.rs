@@ -7,41 +7,7 @@ use crate::math::Direction;
 use crate::mesh::Primitive;
 
 /// A surface under light that is computed at the vertices and interpolated (Gouraud shading); see [`Shader::lit`].
-///
-#[cfg_attr(doc, doc = page_picture!("lit", "A coarse ring that looks round, because the light is interpolated"))]
-/// Normals are the mesh's, or the triangle's own if the mesh has none. The light's varyings follow the surface's own:
-/// one brightness if it is white, a number for each channel of the canvas if it has a color, and one more for
-/// highlights. 65,536 is full brightness.
-///
-/// ```
-/// use embedded_graphics::mock_display::MockDisplay;
-/// use embedded_graphics::pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor};
-/// use fixel::prelude::*;
-/// static BALL: Mesh = shape!(sphere(8, 8));
-/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
-/// let mvp = projection * Camera::front(Vec3::ZERO, fx!(1));
-/// let sun = Light::new(vec3!(1, 2, 1), fx!(0.2), fx!(0.8))?;
-/// let mut pixels = [Gray4::BLACK; 144];
-/// let mut canvas = Canvas::new(&mut pixels, 12, 12)?;
-/// canvas.draw(&BALL, &mvp, &Flat::rgb(Rgb888::WHITE).lit(sun));
-/// let mut display = MockDisplay::new();
-/// canvas.show(&mut display)?;
-/// display.assert_pattern(&[
-///     "0000CDEF0000",
-///     "009ACDEEFE00",
-///     "068ABCCDDEC0",
-///     "0588ABCCDDD0",
-///     "34678AABBCBB",
-///     "33567899AAB9",
-///     "333457788988",
-///     "333345667775",
-///     "033334344540",
-///     "033333434440",
-///     "003333333300",
-///     "000033330000",
-/// ]);
-/// # Ok::<(), Error>(())
-/// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Lit<S, L = Light> {
     pub(super) surface: S,
@@ -104,39 +70,7 @@ impl<S: Shader<Color: Output<Color: PixelFormat>>, L: Lighting> Shader for Lit<S
 
 /// A surface under light that is computed once per triangle, at its center and for its own normal; see
 /// [`Shader::lit_faces`].
-///
-#[cfg_attr(doc, doc = page_picture!("face_lit", "A coarse ring with one brightness for each triangle"))]
-/// Edges and points are fully lit.
-///
-/// ```
-/// use embedded_graphics::mock_display::MockDisplay;
-/// use embedded_graphics::pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor};
-/// use fixel::prelude::*;
-/// static BALL: Mesh = shape!(sphere(8, 8));
-/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
-/// let mvp = projection * Camera::front(Vec3::ZERO, fx!(1));
-/// let sun = Light::new(vec3!(1, 2, 1), fx!(0.2), fx!(0.8))?;
-/// let mut pixels = [Gray4::BLACK; 144];
-/// let mut canvas = Canvas::new(&mut pixels, 12, 12)?;
-/// canvas.draw(&BALL, &mvp, &Flat::rgb(Rgb888::WHITE).lit_faces(sun));
-/// let mut display = MockDisplay::new();
-/// canvas.show(&mut display)?;
-/// display.assert_pattern(&[
-///     "0000CDEF0000",
-///     "00ACDCFFFE00",
-///     "065AABDEDED0",
-///     "06BABAEDEEE0",
-///     "337877BBBBBB",
-///     "338787BBBBBB",
-///     "333444787878",
-///     "334444878887",
-///     "033333333330",
-///     "033333434340",
-///     "003333333300",
-///     "000033330000",
-/// ]);
-/// # Ok::<(), Error>(())
-/// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct FaceLit<S, L = Light> {
     pub(super) surface: S,

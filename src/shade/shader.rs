@@ -103,7 +103,6 @@ pub struct Fragment {
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 /// use fixel::prelude::*;
-/// use fixel::canvas::{LinearDepth, Native};
 ///
 /// static BALL: Mesh = shape!(sphere(16, 12));
 /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
@@ -170,6 +169,41 @@ pub trait Shader: Copy {
     ///
     /// It takes one varying, or three if light and canvas have colors, and one more for highlights. A stack of shaders
     /// with more than eight [`Varyings`] does not compile.
+    ///
+    #[cfg_attr(doc, doc = page_picture!("lit", "A coarse ring that looks round, because the light is interpolated"))]
+    /// Normals are the mesh's, or the triangle's own if the mesh has none. The light's varyings follow the surface's own:
+    /// one brightness if it is white, a number for each channel of the canvas if it has a color, and one more for
+    /// highlights. 65,536 is full brightness.
+    ///
+    /// ```
+    /// use embedded_graphics::mock_display::MockDisplay;
+    /// use embedded_graphics::pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor};
+    /// use fixel::prelude::*;
+    /// static BALL: Mesh = shape!(sphere(8, 8));
+    /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+    /// let mvp = projection * Camera::front(Vec3::ZERO, fx!(1));
+    /// let sun = Light::new(vec3!(1, 2, 1), fx!(0.2), fx!(0.8))?;
+    /// let mut pixels = [Gray4::BLACK; 144];
+    /// let mut canvas = Canvas::new(&mut pixels, 12, 12)?;
+    /// canvas.draw(&BALL, &mvp, &Flat::rgb(Rgb888::WHITE).lit(sun));
+    /// let mut display = MockDisplay::new();
+    /// canvas.show(&mut display)?;
+    /// display.assert_pattern(&[
+    ///     "0000CDEF0000",
+    ///     "009ACDEEFE00",
+    ///     "068ABCCDDEC0",
+    ///     "0588ABCCDDD0",
+    ///     "34678AABBCBB",
+    ///     "33567899AAB9",
+    ///     "333457788988",
+    ///     "333345667775",
+    ///     "033334344540",
+    ///     "033333434440",
+    ///     "003333333300",
+    ///     "000033330000",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
     #[must_use]
     #[inline]
     fn lit<L: Lighting>(self, light: L) -> Lit<Self, L>
@@ -184,6 +218,39 @@ pub trait Shader: Copy {
 
     /// Puts this surface under a light, with one brightness for each triangle, computed from the triangle's own
     /// normal.
+    ///
+    #[cfg_attr(doc, doc = page_picture!("face_lit", "A coarse ring with one brightness for each triangle"))]
+    /// Edges and points are fully lit.
+    ///
+    /// ```
+    /// use embedded_graphics::mock_display::MockDisplay;
+    /// use embedded_graphics::pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor};
+    /// use fixel::prelude::*;
+    /// static BALL: Mesh = shape!(sphere(8, 8));
+    /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+    /// let mvp = projection * Camera::front(Vec3::ZERO, fx!(1));
+    /// let sun = Light::new(vec3!(1, 2, 1), fx!(0.2), fx!(0.8))?;
+    /// let mut pixels = [Gray4::BLACK; 144];
+    /// let mut canvas = Canvas::new(&mut pixels, 12, 12)?;
+    /// canvas.draw(&BALL, &mvp, &Flat::rgb(Rgb888::WHITE).lit_faces(sun));
+    /// let mut display = MockDisplay::new();
+    /// canvas.show(&mut display)?;
+    /// display.assert_pattern(&[
+    ///     "0000CDEF0000",
+    ///     "00ACDCFFFE00",
+    ///     "065AABDEDED0",
+    ///     "06BABAEDEEE0",
+    ///     "337877BBBBBB",
+    ///     "338787BBBBBB",
+    ///     "333444787878",
+    ///     "334444878887",
+    ///     "033333333330",
+    ///     "033333434340",
+    ///     "003333333300",
+    ///     "000033330000",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
     #[must_use]
     #[inline]
     fn lit_faces<L: Lighting>(self, light: L) -> FaceLit<Self, L>
@@ -199,6 +266,30 @@ pub trait Shader: Copy {
     /// Multiplies this surface by the mesh's vertex colors.
     ///
     /// The colors take three of the at most eight [`Varyings`], or one if the surface is gray.
+    ///
+    #[cfg_attr(doc, doc = page_picture!("tinted", "A cube with checkers, multiplied by the colors of its corners"))]
+    /// A white vertex leaves the surface as it is, a black vertex makes it black.
+    ///
+    /// The fractions of the vertex color (65,536 is 1) are varyings that follow the surface's own: three, or one for a gray
+    /// surface.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888, RgbColor}};
+    /// use fixel::prelude::*;
+    /// static SKIN: [[Rgb565; 2]; 1] = [[Rgb565::YELLOW, Rgb565::BLUE]];
+    /// static SQUARE: Mesh = shape!(plane(1, 1));
+    /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+    /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+    /// let mut pixels = [Rgb565::BLACK; 8];
+    /// let mut canvas = Canvas::new(&mut pixels, 4, 2)?;
+    /// // Under red, yellow is red and blue is black.
+    /// let mesh = SQUARE.with_colors(&[Rgb888::RED; 4], None)?;
+    /// canvas.draw(&mesh, &mvp, &Textured::new(&SKIN).tinted());
+    /// let mut display = MockDisplay::new();
+    /// canvas.show(&mut display)?;
+    /// display.assert_pattern(&["RRKK", "RRKK"]);
+    /// # Ok::<(), Error>(())
+    /// ```
     #[must_use]
     #[inline]
     fn tinted(self) -> Tinted<Self>
@@ -209,6 +300,23 @@ pub trait Shader: Copy {
     }
 
     /// Puts this surface in fog, which takes one of the at most eight [`Varyings`].
+    ///
+    #[cfg_attr(doc, doc = page_picture!("in_fog", "A row of rings that fade into gray"))]
+    /// Put light on the surface first, and fog around both: `.lit(sun).in_fog(fog)`.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+    /// use fixel::prelude::*;
+    /// static SQUARE: Mesh = shape!(plane(1, 1));
+    /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(8))?;
+    /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(4));
+    /// let mut pixels = [Gray8::BLACK; 1];
+    /// // At a distance of 4, e^(-0.25 · 4) is left: 37 % of 100, and 63 % of 200.
+    /// let fog = Fog::exponential(Gray8::new(200), fx!(0.25))?;
+    /// Canvas::new(&mut pixels, 1, 1)?.draw(&SQUARE, &mvp, &Flat::new(Gray8::new(100)).in_fog(fog));
+    /// assert_eq!(pixels, [Gray8::new(163)]);
+    /// # Ok::<(), Error>(())
+    /// ```
     #[must_use]
     #[inline]
     fn in_fog<D: Density>(self, fog: Fog<ColorOf<Self>, D>) -> InFog<Self, ColorOf<Self>, D>
@@ -237,6 +345,27 @@ pub trait Shader: Copy {
     /// assert_eq!(pixels, [Gray8::BLACK, Gray8::WHITE]);
     /// # Ok::<(), Error>(())
     /// ```
+    ///
+    #[cfg_attr(doc, doc = page_picture!("map", "A ring with three steps of brightness, like a cartoon"))]
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
+    /// use fixel::prelude::*;
+    /// static FLOOR: Mesh = shape!(plane(1, 1));
+    /// let projection = Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(0.5), fx!(8))?;
+    /// // Eight units wide and long, half a unit below the eye.
+    /// let mvp = projection * Transform::translate(vec3!(0, -0.5, -4)) * Transform::scale(fx!(4));
+    /// let mut pixels = [Gray4::BLACK; 32];
+    /// let mut canvas = Canvas::new(&mut pixels, 4, 8)?;
+    /// // Fog: the farther, the whiter. Depth is 65535 · near / distance.
+    /// let fog = Flat::new(Gray4::BLACK).map(|at, _| Some(Gray4::new(15 - (at.depth >> 12) as u8)));
+    /// canvas.draw(&FLOOR, &mvp, &fog);
+    /// let mut display = MockDisplay::new();
+    /// canvas.show(&mut display)?;
+    /// display.assert_pattern(&[
+    ///     "0000", "0000", "0000", "0000", "EEEE", "AAAA", "6666", "2222",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
     #[must_use]
     #[inline]
     fn map<C: Output, F: Fn(&Fragment, Self::Color) -> Option<C> + Copy>(
@@ -250,6 +379,34 @@ pub trait Shader: Copy {
     }
 
     /// Converts this surface to another color type: rounded, or dithered if that type is coarse.
+    ///
+    #[cfg_attr(doc, doc = page_picture!("converted", "A ring in four grays, dithered"))]
+    /// Colors are rounded, or dithered if `C` is coarse (see [`PixelFormat`]).
+    ///
+    /// For example, it draws a texture whose color format differs from the canvas's. Every pixel is converted, so a texture
+    /// stored in the canvas's format is faster.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888, RgbColor}};
+    /// use fixel::prelude::*;
+    /// static SKIN: [[Rgb888; 2]; 1] = [[Rgb888::WHITE, Rgb888::new(0, 128, 0)]];
+    /// static SQUARE: Mesh = shape!(plane(1, 1));
+    /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+    /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+    /// let mut pixels = [BinaryColor::Off; 48];
+    /// let mut canvas = Canvas::new(&mut pixels, 12, 4)?;
+    /// let skin = Textured::new(&SKIN);
+    /// canvas.draw(&SQUARE, &mvp, &skin.converted());
+    /// let mut display = MockDisplay::new();
+    /// canvas.show(&mut display)?;
+    /// display.assert_pattern(&[
+    ///     "######......",
+    ///     "#######.#.#.",
+    ///     "######......",
+    ///     "#######.#.#.",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
     #[must_use]
     #[inline]
     fn converted<C: PixelFormat>(self) -> Converted<Self, C> {

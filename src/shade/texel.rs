@@ -7,17 +7,7 @@ use crate::texture::{Argb1555, Argb4444, Blend, OrHole};
 
 /// A texel that [`Textured`](crate::Textured) can draw: any color of embedded-graphics, a [`Translucent`] one,
 /// [`Argb4444`] or [`Argb1555`].
-///
-/// ```
-/// use embedded_graphics::pixelcolor::Rgb565;
-/// use fixel::shade::{Texel, Translucent};
-/// use fixel::texture::{Argb1555, Argb4444};
-/// let color = Rgb565::new(31, 0, 0);
-/// assert_eq!(color.source(), Some(color));
-/// assert_eq!(Argb1555::new(31, 0, 0).source(), Some(color));
-/// assert_eq!(Argb4444::new(15, 15, 0, 0).source(), Some(Translucent { color, opacity: 255 }));
-/// assert_eq!(Argb4444::new(0, 15, 0, 0).source(), None);
-/// ```
+#[doc(hidden)]
 pub trait Texel: Copy {
     /// The output for a pixel that shows this texel.
     type Source: Output;

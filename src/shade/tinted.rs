@@ -7,30 +7,7 @@ use super::{
 use crate::mesh::Primitive;
 
 /// A surface times the interpolated vertex color, channel by channel; see [`Shader::tinted`].
-///
-#[cfg_attr(doc, doc = page_picture!("tinted", "A cube with checkers, multiplied by the colors of its corners"))]
-/// A white vertex leaves the surface as it is, a black vertex makes it black.
-///
-/// The fractions of the vertex color (65,536 is 1) are varyings that follow the surface's own: three, or one for a gray
-/// surface.
-///
-/// ```
-/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888, RgbColor}};
-/// use fixel::prelude::*;
-/// static SKIN: [[Rgb565; 2]; 1] = [[Rgb565::YELLOW, Rgb565::BLUE]];
-/// static SQUARE: Mesh = shape!(plane(1, 1));
-/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
-/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
-/// let mut pixels = [Rgb565::BLACK; 8];
-/// let mut canvas = Canvas::new(&mut pixels, 4, 2)?;
-/// // Under red, yellow is red and blue is black.
-/// let mesh = SQUARE.with_colors(&[Rgb888::RED; 4], None)?;
-/// canvas.draw(&mesh, &mvp, &Textured::new(&SKIN).tinted());
-/// let mut display = MockDisplay::new();
-/// canvas.show(&mut display)?;
-/// display.assert_pattern(&["RRKK", "RRKK"]);
-/// # Ok::<(), Error>(())
-/// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Tinted<S> {
     pub(super) surface: S,

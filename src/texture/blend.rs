@@ -11,7 +11,7 @@ use embedded_graphics::pixelcolor::{
 ///
 /// It is implemented for [`Gray8`], the RGB and BGR colors of embedded-graphics, [`Argb4444`](super::Argb4444),
 /// [`Argb1555`](super::Argb1555) and [`Translucent`](crate::shade::Translucent) colors. Coarser grays have too few
-/// steps to blend: store such a texture in [`Gray8`], and let [`Converted`](crate::Converted) dither the result.
+/// steps to blend: store such a texture in [`Gray8`], and let [`converted`](crate::Shader::converted) dither the result.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};

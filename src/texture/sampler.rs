@@ -53,7 +53,8 @@ use crate::message;
             for a slice of texels, write `Texture::new(&texels, width, height)?`"
 )]
 pub trait Sampler: Copy {
-    /// A texel: a color, or one with an opacity (see [`Texel`](crate::shade::Texel)).
+    /// A texel: a color, a [`Translucent`](crate::shade::Translucent) one, [`Argb4444`](super::Argb4444) or
+    /// [`Argb1555`](super::Argb1555).
     type Color: Copy;
 
     /// Width and height are 2 to these powers; at most 15.

@@ -9,13 +9,7 @@ use crate::{Error, Scalar};
 ///
 /// It converts from a size in pixels, or from the ratio itself. The conversion accepts any number; a projection refuses
 /// a width or a height that is not above 0.
-///
-/// ```
-/// use embedded_graphics::geometry::Size;
-/// use fixel::{fx, Aspect};
-/// assert_eq!(Aspect::from((320, 240)), Aspect::from(Size::new(320, 240)));
-/// let wide: Aspect = fx!(1.5).into();
-/// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Aspect {

@@ -6,7 +6,6 @@ use crate::common::recorder::{Probe, Recorder, Seen, record};
 use crate::reference::coverage::Bounds;
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::Drawn;
-use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 use rand::Rng;
 

@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, Rgb555, Rgb565,
     Rgb666, Rgb888, RgbColor,
 };
-use fixel::canvas::{Add, Multiply, Native, Opacity, Storage};
+use fixel::canvas::{Add, Multiply, Opacity, Storage};
 use fixel::mode::Compact;
 use fixel::prelude::*;
 use fixel::shade::{Output, Translucent};

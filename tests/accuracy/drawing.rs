@@ -1,7 +1,7 @@
 //! Drawing with a shader that records its input.
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::canvas::{DepthBuffer, Native};
+use fixel::canvas::DepthBuffer;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 

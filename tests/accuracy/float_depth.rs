@@ -3,7 +3,7 @@
 use std::array::from_fn;
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::canvas::{DepthBuffer, FloatDepth, LinearDepth, Native, WideFloatDepth};
+use fixel::canvas::{DepthBuffer, FloatDepth, WideFloatDepth};
 use fixel::prelude::*;
 use fixel::view::Perspective;
 use rand::Rng;

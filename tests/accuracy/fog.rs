@@ -2,7 +2,6 @@
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, PixelColor, Rgb565, RgbColor};
 use fixel::prelude::*;
-use fixel::shade::Fog;
 use fixel::texture::Blend;
 use rand::Rng;
 

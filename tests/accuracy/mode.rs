@@ -1,7 +1,7 @@
 //! The interpolation modes as values, to iterate over.
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::canvas::{DepthBuffer, Native};
+use fixel::canvas::DepthBuffer;
 use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;

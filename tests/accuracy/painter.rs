@@ -1,7 +1,6 @@
 //! Painter's order, compared with distances in f64.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-use fixel::Object;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;

@@ -12,7 +12,7 @@ use embedded_graphics::pixelcolor::{
 };
 use fixel::canvas::Opacity;
 use fixel::prelude::*;
-use fixel::shade::{Fog, Illumination, Output, Precise, PreciseOf, Translucent};
+use fixel::shade::{Illumination, Output, Precise, PreciseOf, Translucent};
 use fixel::view::Parallel;
 
 use rand::Rng;

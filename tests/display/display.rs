@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 use embedded_graphics::pixelcolor::raw::{BigEndian, RawData, RawU16};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_hal::spi::SpiDevice;
-use fixel::canvas::{DepthBuffer, LinearDepth, Native, Storage};
+use fixel::canvas::{DepthBuffer, Storage};
 use fixel::prelude::*;
 use mipidsi::dcs::{InterfaceExt, SetColumnAddress, SetPageAddress, WriteMemoryStart};
 use mipidsi::interface::SpiInterface;

@@ -3,7 +3,7 @@
 use crate::common::BOTH_SIDES;
 use crate::common::random::cases;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::canvas::{Biased, DepthBuffer, DepthTest, FloatDepth, LinearDepth, TestAndWrite};
+use fixel::canvas::{Biased, DepthBuffer, DepthTest, FloatDepth, TestAndWrite};
 use fixel::mode::{Affine, Exact, Fast, Mode};
 use fixel::prelude::*;
 use rand::Rng;

@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use fixel::canvas::Opacity;
 use fixel::prelude::*;
-use fixel::{Drawn, Object, Prepared};
+use fixel::{Drawn, Prepared};
 
 use crate::common::{at_subpixel, pixel_projection};
 

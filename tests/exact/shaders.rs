@@ -1,7 +1,6 @@
 //! Shaders that a program implements itself, and lists of models with different shaders.
 
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{LinearDepth, Native};
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::shade::{PerFace, Within};

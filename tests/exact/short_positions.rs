@@ -3,7 +3,6 @@
 use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{LinearDepth, Native};
 use fixel::mode::{Exact, Mode};
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;

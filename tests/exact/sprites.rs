@@ -5,9 +5,8 @@ use std::cell::{Cell, RefCell};
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
-use fixel::shade::{Fog, Texels};
+use fixel::shade::Texels;
 use fixel::view::ProjectionKind;
 
 use crate::common::recorder::Probe;

@@ -5,7 +5,6 @@ use std::cell::RefCell;
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-use fixel::Object;
 use fixel::prelude::*;
 use fixel::shade::PerFace;
 

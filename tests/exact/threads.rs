@@ -5,12 +5,12 @@ use std::thread;
 
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{LinearDepth, Native, NoDepth};
+use fixel::canvas::NoDepth;
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
+use fixel::shade::{Converted, FaceLit, Lit, Tinted};
 use fixel::texture::Indexed;
 use fixel::view::{Parallel, Perspective};
-use fixel::{Converted, FaceLit, Lit, Tinted};
 
 use crate::examples::lighthouse;
 use crate::examples::scenes::{self, HEIGHT, WIDTH};

@@ -7,8 +7,7 @@ use core::hash::Hash;
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::canvas::{Add, Multiply, Opacity, Replace};
 use fixel::canvas::{
-    Biased, ColorIndex, Contrast, ErrorDiffusion, FloatDepth, Label, LinearDepth, Native, NoDepth,
-    NoTest,
+    Biased, ColorIndex, Contrast, ErrorDiffusion, FloatDepth, Label, NoDepth, NoTest,
 };
 use fixel::canvas::{TestAndWrite, TestOnly, WideFloatDepth, WriteOnly};
 use fixel::math::Direction;
@@ -16,15 +15,15 @@ use fixel::mesh::{Bounds, Buffers, Counts, Keyframes, Missing, Part, Positions, 
 use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::shade::{
-    Colored, ExponentialFog, Falloff, Fog, Illumination, InFog, Shiny, SurfacePoint, TwoSided,
+    Colored, ExponentialFog, Falloff, Illumination, InFog, Shiny, SurfacePoint, TwoSided,
 };
 use fixel::shade::{Converted, FaceLit, Lit, Map, PartColors, PerFace, Texels, Tinted};
 use fixel::shade::{Glossy, Gradient, Masked, Matte, Mipmapped, Rgb, Tolerance, Translucent};
 use fixel::shade::{White, Within};
 use fixel::texture::{Argb1555, Argb4444, Indexed, Mipmap, OrHole, Raw, Trilinear};
 use fixel::texture::{Bilinear, Clamp, CutOut, Nearest, Repeat};
-use fixel::view::{Parallel, Perspective, Segment};
-use fixel::{Hit, Index, Matrix4, Object, Prepared, ScreenPoint};
+use fixel::view::{Aspect, Parallel, Perspective, Segment};
+use fixel::{Hit, Index, Matrix4, Prepared, ScreenPoint, Spin};
 
 const fn any<T: Debug + Send + Sync + Unpin>() {}
 const fn shared<T: Clone + Debug + Send + Sync>() {}

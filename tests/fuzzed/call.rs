@@ -6,9 +6,10 @@ use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
+use fixel::Drawn;
 use fixel::canvas::{
-    Add, Blending, ColorIndex, Contrast, DepthBuffer, ErrorDiffusion, LinearDepth, Multiply,
-    Native, Opacity, Storage, TestAndWrite,
+    Add, Blending, ColorIndex, Contrast, DepthBuffer, ErrorDiffusion, Multiply, Opacity, Storage,
+    TestAndWrite,
 };
 use fixel::mesh::flash::{Small, UvGrid, short_normal};
 use fixel::mesh::{Material, Part, flash};
@@ -16,7 +17,6 @@ use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::shade::{PartColors, Translucent};
 use fixel::view::ProjectionKind;
-use fixel::{Drawn, Object};
 
 use super::scene::{Attribute, Scene, What};
 use super::shaders::Bits;

@@ -4,7 +4,7 @@ use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888, RgbColor};
 use fixel::mesh::{Material, Part};
 use fixel::prelude::*;
-use fixel::shade::{Falloff, Fog, Gradient, Mipmapped, Output, PartColors, Translucent};
+use fixel::shade::{Falloff, Gradient, Mipmapped, Output, PartColors, Translucent};
 use fixel::texture::{Argb1555, Argb4444, Indexed, Mipmap, Nearest, Repeat};
 
 use super::numbers::{option, scalar, vector};

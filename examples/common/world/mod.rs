@@ -43,7 +43,7 @@ use embedded_graphics::text::{Alignment, Text};
 use fixel::canvas::{Add, DepthBuffer, Opacity, Storage, TestOnly};
 use fixel::mesh::Bounds;
 use fixel::prelude::*;
-use fixel::shade::{Colored, Fog};
+use fixel::shade::Colored;
 use fixel::texture::Argb1555;
 
 const STOPS: usize = 8;

@@ -10,7 +10,7 @@ use fixel::canvas::{Add, Blending, Multiply, Opacity, Replace, TestOnly};
 use fixel::mesh::{Material, Part};
 use fixel::mode::Affine;
 use fixel::prelude::*;
-use fixel::shade::{Fog, Gradient, Output, PartColors};
+use fixel::shade::{Gradient, Output, PartColors};
 use fixel::texture::Mipmap;
 
 use super::scenes::{Draw, Frame};

@@ -62,7 +62,7 @@ mod firmware {
     use fixel::canvas::{Add, Multiply, Opacity};
     use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
     use fixel::prelude::*;
-    use fixel::shade::{Fog, Gradient};
+    use fixel::shade::Gradient;
     use fixel::texture::{Argb4444, Mipmap};
     use semihosting::println;
 

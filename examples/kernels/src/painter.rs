@@ -1,8 +1,7 @@
 //! Compares painter's order with a depth buffer: wrong pixels, memory, and frames whose instructions `.ci/host` counts.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::Object;
-use fixel::canvas::{DepthBuffer, Native};
+use fixel::canvas::DepthBuffer;
 use fixel::prelude::*;
 
 use super::common::lighthouse;

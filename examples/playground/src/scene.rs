@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::Drawn;
-use fixel::canvas::{DepthBuffer, LinearDepth, Native, NoDepth};
+use fixel::canvas::{DepthBuffer, NoDepth};
 use fixel::mode::Mode;
 use fixel::prelude::*;
 

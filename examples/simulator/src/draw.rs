@@ -4,7 +4,7 @@ use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, PixelColor, Rgb888, RgbColor};
 use embedded_graphics::primitives::{PointsIter, Rectangle};
-use fixel::canvas::{Biased, DepthBuffer, Native, Replace, TestAndWrite, TestOnly};
+use fixel::canvas::{Biased, DepthBuffer, Replace, TestAndWrite, TestOnly};
 use fixel::mode::Newton;
 use fixel::prelude::*;
 use fixel::shade::{Flat, PixelFormat, Varyings};

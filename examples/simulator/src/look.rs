@@ -4,7 +4,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use fixel::canvas::Contrast;
 use fixel::prelude::*;
-use fixel::shade::{Colored, Fog, Light, PixelFormat, TwoSided, Viewer};
+use fixel::shade::{Colored, Light, PixelFormat, TwoSided, Viewer};
 
 use super::Result;
 use crate::args::{Args, Shade};

@@ -1,7 +1,7 @@
 //! The shaders of the cases, for the crate and for the model.
 
 use embedded_graphics::pixelcolor::{Rgb565, WebColors};
-use fixel::canvas::{DepthBuffer, Native};
+use fixel::canvas::DepthBuffer;
 use fixel::prelude::*;
 
 use super::Result;

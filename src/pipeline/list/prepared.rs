@@ -32,7 +32,7 @@ use crate::{Error, Transform};
 /// whose. So triangles and edges of one frame need a slice each.
 ///
 /// ```
-/// use fixel::{Object, prelude::*};
+/// use fixel::prelude::*;
 /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 /// let mut crate_ = Object::new(&BOX, Transform::IDENTITY, "wood");
 /// crate_.model = Transform::rotate_y(deg!(30)); // in the next frame

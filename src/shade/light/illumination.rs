@@ -62,13 +62,7 @@ fn limited(light: i32) -> i32 {
 /// The color of a light, as a type: [`White`] or [`Rgb`]. Sealed.
 ///
 /// White light takes one varying, colored light one for each channel of the canvas.
-///
-/// ```
-/// use fixel::shade::{Lighting, Tint, White};
-/// /// Takes white lights only.
-/// fn takes<L: Lighting<Diffuse = White>>(_: L) {}
-/// takes(fixel::Light::new(fixel::Vec3::X, fixel::fx!(0), fixel::fx!(1)).unwrap());
-/// ```
+#[doc(hidden)]
 pub trait Tint: Sealed {
     /// The color of this light and another one together.
     type Or<T: Tint>: Tint;
@@ -84,7 +78,7 @@ pub trait Tint: Sealed {
     fn unpack<C: PixelFormat>(channels: Self::Channels<C>) -> [i32; 3];
 }
 
-/// Light without color: a [`Tint`].
+/// Light without color, as a [`Lighting::Diffuse`](super::Lighting::Diffuse).
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -96,7 +90,7 @@ pub trait Tint: Sealed {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum White {}
 
-/// Light with a color: a [`Tint`].
+/// Light with a color, as a [`Lighting::Diffuse`](super::Lighting::Diffuse).
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
@@ -144,13 +138,7 @@ impl Tint for Rgb {
 /// Whether a light makes highlights, as a type: [`Matte`] or [`Glossy`]. Sealed.
 ///
 /// Highlights take one more varying.
-///
-/// ```
-/// use fixel::shade::{Lighting, Matte};
-/// /// Takes lights without highlights only.
-/// fn takes<L: Lighting<Specular = Matte>>(_: L) {}
-/// takes(fixel::Light::new(fixel::Vec3::X, fixel::fx!(0), fixel::fx!(1)).unwrap());
-/// ```
+#[doc(hidden)]
 pub trait Gloss: Sealed {
     /// The highlights of this light and another one together.
     type Or<G: Gloss>: Gloss;
@@ -165,7 +153,7 @@ pub trait Gloss: Sealed {
     fn unpack(channels: Self::Channels) -> Option<i32>;
 }
 
-/// Light without highlights: a [`Gloss`].
+/// Light without highlights, as a [`Lighting::Specular`](super::Lighting::Specular).
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -177,7 +165,7 @@ pub trait Gloss: Sealed {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Matte {}
 
-/// Light with highlights: a [`Gloss`].
+/// Light with highlights, as a [`Lighting::Specular`](super::Lighting::Specular).
 ///
 /// ```
 /// use fixel::prelude::*;

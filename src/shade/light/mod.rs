@@ -160,6 +160,20 @@ pub trait Lighting: Copy {
 
     /// The same light, in a color. Highlights keep their brightness, and stay white. On a canvas with colors,
     /// it takes three of the at most eight [varyings](crate::shade::Varyings) of a shader.
+    ///
+    #[cfg_attr(doc, doc = page_picture!("colored", "A ball between a red and a blue lamp"))]
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+    /// use fixel::prelude::*;
+    /// static SQUARE: Mesh = shape!(plane(1, 1));
+    /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+    /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+    /// let mut pixels = [Rgb888::BLACK; 1];
+    /// let evening = Light::new(Vec3::Y, fx!(0), fx!(0.5))?.colored(Rgb888::new(255, 128, 0));
+    /// Canvas::new(&mut pixels, 1, 1)?.draw(&SQUARE, &mvp, &Flat::rgb(Rgb888::WHITE).lit(evening));
+    /// assert_eq!(pixels, [Rgb888::new(128, 64, 0)]);
+    /// # Ok::<(), Error>(())
+    /// ```
     #[must_use]
     #[inline]
     fn colored(self, color: Rgb888) -> Colored<Self> {
@@ -171,6 +185,25 @@ pub trait Lighting: Copy {
 
     /// The same light for single sheets, which are seen from both sides: triangles that turn their back to the viewer
     /// are lit as if their normals pointed the other way.
+    ///
+    #[cfg_attr(doc, doc = page_picture!("two_sided", "Two sheets that turn their backs: dark without the adapter, bright with it"))]
+    /// A triangle turns its back to the viewer if its normal points to the other side of its plane. Edges and points have
+    /// no back.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+    /// use fixel::prelude::*;
+    /// static SHEET: Mesh = shape!(plane(1, 1));
+    /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+    /// let below = Camera::look_at(vec3!(0, -1, 0), Vec3::ZERO, Vec3::Z)?;
+    /// let mvp = projection * below;
+    /// let lamp = Light::new(vec3!(0, -1, 0), fx!(0), fx!(1))?.two_sided(Viewer::of(&mvp));
+    /// let both = DrawOptions::new().with_cull(Cull::Nothing);
+    /// let mut pixels = [Gray8::BLACK; 1];
+    /// Canvas::new(&mut pixels, 1, 1)?.draw_with(&both, &SHEET, &mvp, &Flat::new(Gray8::WHITE).lit(lamp));
+    /// assert_eq!(pixels, [Gray8::WHITE]);
+    /// # Ok::<(), Error>(())
+    /// ```
     #[must_use]
     #[inline]
     fn two_sided(self, viewer: Viewer) -> TwoSided<Self> {

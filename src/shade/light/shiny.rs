@@ -4,39 +4,7 @@ use super::colored::share;
 use super::{Glossy, Illumination, Lamp, Lighting, SurfacePoint, Viewer, White};
 
 /// A light that makes highlights; see [`Lamp::shiny`].
-///
-#[cfg_attr(doc, doc = page_picture!("shiny", "A ring with highlights"))]
-/// ```
-/// use embedded_graphics::mock_display::MockDisplay;
-/// use embedded_graphics::pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor};
-/// use fixel::prelude::*;
-/// use fixel::shade::{Lamp, Viewer};
-/// static BALL: Mesh = shape!(sphere(24, 16));
-/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
-/// let mvp = projection * Camera::front(Vec3::ZERO, fx!(1));
-/// let sun = Light::new(vec3!(1, 1, 2), fx!(0.2), fx!(0.4))?;
-/// let sun = sun.shiny(Viewer::of(&mvp), 30, fx!(0.8))?;
-/// let mut pixels = [Gray4::BLACK; 144];
-/// let mut canvas = Canvas::new(&mut pixels, 12, 12)?;
-/// canvas.draw(&BALL, &mvp, &Flat::rgb(Rgb888::WHITE).lit(sun));
-/// let mut display = MockDisplay::new();
-/// canvas.show(&mut display)?;
-/// display.assert_pattern(&[
-///     "000067780000",
-///     "005678989700",
-///     "045779899970",
-///     "056789BBA990",
-///     "35677ABDA987",
-///     "346789BCB997",
-///     "3456788A9977",
-///     "345577888876",
-///     "034556676760",
-///     "033455666550",
-///     "003334454400",
-///     "000033330000",
-/// ]);
-/// # Ok::<(), Error>(())
-/// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Shiny<L> {

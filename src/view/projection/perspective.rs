@@ -32,7 +32,8 @@ impl Projection<Perspective> {
     }
 
     /// Makes a symmetric perspective from the vertical field of view and the aspect ratio of the
-    /// picture.
+    /// picture: a size in pixels, `(320, 240)` or a
+    /// [`Size`](embedded_graphics::geometry::Size), or the ratio itself, `fx!(1.5)`.
     ///
     /// Its window has top = near · tan(fov / 2) and right = top · aspect.
     ///

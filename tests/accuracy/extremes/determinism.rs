@@ -5,7 +5,7 @@
 
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::canvas::{DepthBuffer, FloatDepth, LinearDepth};
+use fixel::canvas::{DepthBuffer, FloatDepth};
 use fixel::mesh::{Buffers, Shape};
 use fixel::mode::{Affine, Compact, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;

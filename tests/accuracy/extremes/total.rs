@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb888};
 use fixel::Drawn;
-use fixel::canvas::{DepthBuffer, FloatDepth, Native, NoDepth, WideFloatDepth};
+use fixel::canvas::{DepthBuffer, FloatDepth, NoDepth, WideFloatDepth};
 use fixel::mode::{self, Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::shade::{Tolerance, Varyings};

@@ -8,7 +8,7 @@ use embedded_graphics::mono_font::MonoTextStyle;
 use embedded_graphics::mono_font::ascii::FONT_6X10;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, GrayColor, PixelColor};
 use embedded_graphics::text::Text;
-use fixel::canvas::{DepthBuffer, FloatDepth, LinearDepth, Native, WideFloatDepth};
+use fixel::canvas::{DepthBuffer, FloatDepth, WideFloatDepth};
 use fixel::prelude::*;
 
 /// Draws a triangle that covers the pixels below the diagonal of an 8x8 canvas.

@@ -8,7 +8,7 @@ use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
-use fixel::canvas::{ColorIndex, MAX_SIZE, Native, NoDepth, Storage};
+use fixel::canvas::{ColorIndex, MAX_SIZE, NoDepth, Storage};
 use fixel::prelude::*;
 
 mod depth;

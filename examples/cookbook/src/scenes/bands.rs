@@ -2,7 +2,6 @@
 
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor, WebColors};
-use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 
 /// Rows of a band. At 320 columns, it takes 10 KiB; a whole frame takes 300 KiB.

@@ -1,7 +1,7 @@
 //! Glass, a shadow, the glow of a lamp and smoke.
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{Add, LinearDepth, Multiply, Native, Opacity, TestOnly};
+use fixel::canvas::{Add, Multiply, Opacity, TestOnly};
 use fixel::prelude::*;
 
 static SQUARE: Mesh = shape!(plane(1, 1));

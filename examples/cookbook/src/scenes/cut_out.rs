@@ -2,7 +2,6 @@
 
 use core::array::from_fn;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 use fixel::texture::Argb1555;
 

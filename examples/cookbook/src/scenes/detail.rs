@@ -1,10 +1,9 @@
 //! Levels of detail: the fewer pixels an apple takes, the fewer triangles it has.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{Biased, LinearDepth, Native, Opacity, TestAndWrite};
+use fixel::canvas::{Biased, Opacity, TestAndWrite};
 use fixel::mesh::Bounds;
 use fixel::prelude::*;
-use fixel::shade::Fog;
 
 static FLOOR: Mesh = shape!(plane(1, 1));
 static FINE: Mesh = shape!(sphere(24, 16));

@@ -1,7 +1,6 @@
 //! A model and its picture, as a modeling program saves them.
 
 use embedded_graphics::pixelcolor::Rgb565;
-use fixel::canvas::{LinearDepth, Native};
 use fixel::mesh::Part;
 use fixel::prelude::*;
 

@@ -1,9 +1,7 @@
 //! Towers that fade with their distance.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
-use fixel::shade::Fog;
 
 static FLOOR: Mesh = shape!(plane(1, 1));
 static TOWER: Mesh = shape!(cuboid(vec3!(1, 3, 1)));

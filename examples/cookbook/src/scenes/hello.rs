@@ -1,7 +1,6 @@
 //! The smallest scene: a ring in the sun.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 
 static RING: Mesh = shape!(torus(fx!(0.45), 48, 24));

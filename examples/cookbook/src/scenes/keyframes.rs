@@ -1,7 +1,6 @@
 //! A bird in two poses, and a flock of birds between them.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::canvas::{LinearDepth, Native};
 use fixel::mesh::Keyframes;
 use fixel::prelude::*;
 

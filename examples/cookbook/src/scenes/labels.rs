@@ -3,7 +3,6 @@
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_4X6, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::{Drawable, geometry::Point, text::Text};
-use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 
 static BALL: Mesh = shape!(sphere(32, 24));

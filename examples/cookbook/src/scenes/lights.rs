@@ -1,7 +1,6 @@
 //! Lamps of several colors, a spot light, and a highlight.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 
 static FLOOR: Mesh = shape!(plane(40, 40));

@@ -1,7 +1,6 @@
 //! A model with materials: colors, and a texture that the program finds by its name.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::canvas::{LinearDepth, Native};
 use fixel::mesh::Part;
 use fixel::prelude::*;
 use fixel::shade::PartColors;

@@ -1,7 +1,6 @@
 //! A floor of tiles: on the left without mipmaps, on the right with them.
 
 use embedded_graphics::pixelcolor::{Rgb565, WebColors};
-use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 use fixel::texture::Mipmap;
 

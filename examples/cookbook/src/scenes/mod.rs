@@ -33,7 +33,6 @@ mod two_cores;
 mod wireframe;
 
 use embedded_graphics::pixelcolor::Rgb565;
-use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 
 /// The canvas that all scenes draw on.

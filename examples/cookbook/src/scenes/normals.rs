@@ -1,7 +1,6 @@
 //! A model without normals, in flat faces, and with computed normals: creased, and smooth.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 
 /// Front and back are concave polygons of 32 corners, cut into triangles at compile time.

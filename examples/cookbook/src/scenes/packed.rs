@@ -3,7 +3,7 @@
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888};
 use embedded_graphics::{prelude::*, primitives::Rectangle, text::Text};
-use fixel::canvas::{Contrast, ErrorDiffusion, LinearDepth, Native};
+use fixel::canvas::{Contrast, ErrorDiffusion};
 use fixel::prelude::*;
 use fixel::texture::Raw;
 

@@ -1,8 +1,7 @@
 //! Rings within rings without a depth buffer: all triangles are sorted back to front.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::Object;
-use fixel::canvas::{LinearDepth, Native, NoTest};
+use fixel::canvas::NoTest;
 use fixel::prelude::*;
 
 static RING: Mesh = shape!(torus(fx!(0.14), 36, 8));

@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, PixelColor, Rgb565};
 use embedded_graphics::{pixelcolor::raw::RawU16, prelude::*, primitives::Rectangle};
-use fixel::canvas::{ColorIndex, LinearDepth, Native};
+use fixel::canvas::ColorIndex;
 use fixel::prelude::*;
 
 const SIZE: Size = Size::new(64, 32);

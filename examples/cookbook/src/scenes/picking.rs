@@ -4,7 +4,7 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_4X6, ascii::FONT_6
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::{Circle, Primitive as _, PrimitiveStyle};
 use embedded_graphics::{Drawable, geometry::Dimensions, geometry::Point, text::Text};
-use fixel::canvas::{Biased, LinearDepth, Native, TestAndWrite};
+use fixel::canvas::{Biased, TestAndWrite};
 use fixel::prelude::*;
 
 static RING: Mesh = shape!(torus(fx!(0.4), 28, 14));

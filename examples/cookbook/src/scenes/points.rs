@@ -1,7 +1,6 @@
 //! A planet in a ring of thousands of discs, in front of stars: points of a size.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 
 static PLANET: Mesh = shape!(sphere(48, 32));

@@ -4,7 +4,6 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics::text::{Alignment, Text};
 use embedded_graphics::{Drawable, geometry::Point};
-use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 
 static RING: Mesh = shape!(torus(fx!(0.45), 48, 24));

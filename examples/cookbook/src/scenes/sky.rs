@@ -1,9 +1,9 @@
 //! An evening sky: colors by height, and a sun that shines through them.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888};
-use fixel::canvas::{Add, LinearDepth, Native, NoTest};
+use fixel::canvas::{Add, NoTest};
 use fixel::prelude::*;
-use fixel::shade::{Fog, Gradient};
+use fixel::shade::Gradient;
 
 static DOME: Mesh = shape!(sphere(24, 16));
 static SEA: Mesh = shape!(plane(1, 1));

@@ -2,7 +2,7 @@
 
 use core::array::from_fn;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{LinearDepth, Native, NoTest};
+use fixel::canvas::NoTest;
 use fixel::prelude::*;
 
 static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));

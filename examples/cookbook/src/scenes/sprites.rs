@@ -1,9 +1,7 @@
 //! Firs, cut out of a texture, that turn about their trunks to face the viewer; and snow.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
-use fixel::shade::Fog;
 
 static FLOOR: Mesh = shape!(plane(1, 1));
 static FIR: [[Rgb565; 32]; 32] = fir();

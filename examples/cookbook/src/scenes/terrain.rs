@@ -2,9 +2,8 @@
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::Index;
-use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
-use fixel::shade::{Fog, Gradient};
+use fixel::shade::Gradient;
 
 static WATER: Mesh = shape!(plane(1, 1));
 /// Squares along a side.

@@ -1,7 +1,7 @@
 //! A cartoon: light in three steps, and a black line around each shape.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::canvas::{Biased, LinearDepth, Native, TestAndWrite};
+use fixel::canvas::{Biased, TestAndWrite};
 use fixel::prelude::*;
 
 static BALL: Mesh = shape!(sphere(48, 32));

@@ -1,7 +1,6 @@
 //! Two cores draw one frame: each draws every other band, without a lock.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::canvas::{LinearDepth, Native};
 use fixel::prelude::*;
 
 const ROWS: u32 = 16; // of a band

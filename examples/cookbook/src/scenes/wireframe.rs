@@ -1,7 +1,7 @@
 //! A model in anti-aliased lines: its silhouettes and its creases, without hidden lines.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::canvas::{Biased, LinearDepth, Native, TestAndWrite, TestOnly};
+use fixel::canvas::{Biased, TestAndWrite, TestOnly};
 use fixel::prelude::*;
 
 static ISLAND: Mesh = include_mesh!("../../../assets/lighthouse.obj");
