@@ -5,7 +5,9 @@ use core::marker::PhantomData;
 use embedded_graphics::geometry::Point;
 
 use super::ramp::Ramp;
-use super::{Fragment, Illumination, Output, PixelFormat, Precise, Shader, Within};
+use super::{
+    Diffuse, Fragment, Illumination, Output, PixelFormat, Precise, Shader, Specular, Within,
+};
 use crate::error::{check_range, ok};
 use crate::mesh::Primitive;
 use crate::num::wide::clamp_negative;
@@ -250,7 +252,7 @@ impl<O: Output<Color: PixelFormat>, D: Density> Output for Fogged<O, D> {
     const IS_OPAQUE: bool = O::IS_OPAQUE;
 
     #[inline]
-    fn lit(self, light: Illumination) -> O::With<O::Color> {
+    fn lit<L: Diffuse, S: Specular>(self, light: Illumination<L, S>) -> O::With<O::Color> {
         self.map(|color| color.lit(light))
     }
 

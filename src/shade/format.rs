@@ -331,8 +331,8 @@ mod tests {
         assert_eq!(full.levels(), [255 << 16; 3]);
         for n in [i32::MIN, -1, i32::MAX] {
             let light = Illumination {
-                specular: Some(n),
-                ..Illumination::white(n)
+                diffuse: n,
+                specular: n,
             };
             let _ = (
                 Rgb565::WHITE.lit(light).finish(ORIGIN),

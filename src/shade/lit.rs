@@ -1,7 +1,7 @@
 //! Surfaces under a light.
 
 use super::format::FRACTION;
-use super::light::{FULL, Gloss, Illumination, Light, Lighting, SurfacePoint, Tint};
+use super::light::{Diffuse, FULL, Illumination, Light, Lighting, Specular, SurfacePoint};
 use super::{ColorOf, Fragment, Output, PerFace, PixelFormat, PreciseOf, Shader, Within};
 use crate::math::Direction;
 use crate::mesh::Primitive;
@@ -16,23 +16,23 @@ pub struct Lit<S, L = Light> {
 
 /// The numbers that say how a surface is lit: one brightness, or one for each channel; and one more for highlights.
 type Packed<L, C> = (
-    <<L as Lighting>::Diffuse as Tint>::Channels<C>,
-    <<L as Lighting>::Specular as Gloss>::Channels,
+    <<L as Lighting>::Diffuse as Diffuse>::Channels<C>,
+    <<L as Lighting>::Specular as Specular>::Channels,
 );
 
+/// What a light `L` throws on a surface.
+type Amount<L> = Illumination<<L as Lighting>::Diffuse, <L as Lighting>::Specular>;
+
 #[inline]
-fn pack<L: Lighting, C: PixelFormat>(light: Illumination) -> Packed<L, C> {
-    (
-        L::Diffuse::pack::<C>(light.diffuse),
-        L::Specular::pack(light.specular),
-    )
+fn pack<L: Lighting, C: PixelFormat>(light: Amount<L>) -> Packed<L, C> {
+    (light.diffuse.pack::<C>(), light.specular.pack())
 }
 
 #[inline]
-fn unpack<L: Lighting, C: PixelFormat>((diffuse, specular): Packed<L, C>) -> Illumination {
+fn unpack<L: Lighting, C: PixelFormat>((diffuse, specular): Packed<L, C>) -> Amount<L> {
     Illumination {
-        diffuse: L::Diffuse::unpack::<C>(diffuse),
-        specular: L::Specular::unpack(specular),
+        diffuse: Diffuse::unpack::<C>(diffuse),
+        specular: Specular::unpack(specular),
     }
 }
 
@@ -88,7 +88,10 @@ impl<S: Shader<Color: Output<Color: PixelFormat>>, L: Lighting> Shader for FaceL
         let light = if primitive.is_face() {
             self.light.at(&SurfacePoint::middle::<L>(primitive))
         } else {
-            Illumination::white(FULL)
+            Illumination {
+                diffuse: Diffuse::white(FULL),
+                specular: L::Specular::default(),
+            }
         };
         let light = PerFace(pack::<L, ColorOf<S>>(light));
         let [a, b, c] = self.surface.varyings(primitive);

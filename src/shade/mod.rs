@@ -70,8 +70,8 @@ pub use gradient::Gradient;
 pub use lanes::Lanes;
 pub(crate) use lanes::MOST as MOST_VARYINGS;
 pub use light::{
-    Colored, Falloff, Gloss, Glossy, Illumination, Lamp, Light, Lighting, Matte, PointLight, Rgb,
-    Shiny, SpotLight, SurfacePoint, Tint, TwoSided, Viewer, White,
+    Colored, Diffuse, Falloff, Illumination, Lamp, Light, Lighting, PointLight, Shiny, Specular,
+    SpotLight, SurfacePoint, TwoSided, Viewer,
 };
 pub use lit::{FaceLit, Lit};
 pub use map::Map;

@@ -4,7 +4,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
 use super::format::fraction;
-use super::{Illumination, PixelFormat, Precise, Shader};
+use super::{Diffuse, Illumination, PixelFormat, Precise, Shader, Specular};
 
 /// The output of a [`Shader`] for a pixel: a color of the canvas, a [`Precise`] color, or a [`Translucent`] one of
 /// either.
@@ -36,7 +36,7 @@ pub trait Output: Copy {
 
     /// This output under a light.
     #[must_use]
-    fn lit(self, light: Illumination) -> Self::With<Self::Color>
+    fn lit<D: Diffuse, S: Specular>(self, light: Illumination<D, S>) -> Self::With<Self::Color>
     where
         Self::Color: PixelFormat;
 
@@ -114,12 +114,12 @@ impl<C: PixelColor> Output for C {
     const IS_PLAIN: bool = true;
 
     #[inline]
-    fn lit(self, light: Illumination) -> Precise<C>
+    fn lit<D: Diffuse, S: Specular>(self, light: Illumination<D, S>) -> Precise<C>
     where
         C: PixelFormat,
     {
         // Exact, because the steps have no fraction.
-        Precise::of_products(self.steps(), light.diffuse).glossed(light.specular)
+        Precise::of_products(self.steps(), light.diffuse.rgb()).glossed(light.specular.number())
     }
 
     #[inline]
@@ -171,8 +171,9 @@ impl<C: PixelFormat> Output for Precise<C> {
     type With<D: PixelFormat> = Precise<D>;
 
     #[inline]
-    fn lit(self, light: Illumination) -> Self {
-        self.times(light.diffuse).glossed(light.specular)
+    fn lit<D: Diffuse, S: Specular>(self, light: Illumination<D, S>) -> Self {
+        self.times(light.diffuse.rgb())
+            .glossed(light.specular.number())
     }
 
     #[inline]
@@ -274,7 +275,7 @@ impl<O: Output<Color: PixelFormat>> Output for Translucent<O> {
     const IS_OPAQUE: bool = false;
 
     #[inline]
-    fn lit(self, light: Illumination) -> Self::With<O::Color> {
+    fn lit<D: Diffuse, S: Specular>(self, light: Illumination<D, S>) -> Self::With<O::Color> {
         Translucent {
             color: self.color.lit(light),
             opacity: self.opacity,

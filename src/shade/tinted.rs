@@ -36,7 +36,7 @@ impl<S: Shader<Color: Output<Color: PixelFormat>>> Shader for Tinted<S> {
     fn shade(&self, at: &Fragment, (inside, Within(tint)): Self::Varyings) -> Option<PreciseOf<S>> {
         let tint = Illumination {
             diffuse: tint.all(),
-            specular: None,
+            specular: (),
         };
         Some(self.surface.shade(at, inside)?.lit(tint))
     }

@@ -5,7 +5,7 @@ use std::array;
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
 use fixel::math::Direction;
 use fixel::prelude::*;
-use fixel::shade::{Falloff, Illumination, SurfacePoint};
+use fixel::shade::{Diffuse as _, Falloff, SurfacePoint};
 use rand::Rng;
 use rand::seq::IndexedRandom;
 
@@ -81,7 +81,7 @@ fn falloff(random: &mut Random) -> (Falloff, light::Falloff) {
 }
 
 fn diffuse(light: &impl Lighting, point: &SurfacePoint) -> f64 {
-    let Illumination { diffuse, .. } = light.at(point);
+    let diffuse = light.at(point).diffuse.rgb();
     assert!(diffuse[0] == diffuse[1] && diffuse[0] == diffuse[2]);
     f64::from(diffuse[0])
 }
@@ -264,7 +264,7 @@ fn highlights_follow_blinn_and_phong() {
             if dot(light, exact.normal).abs() <= 1e-5 || sum <= 1e-3 {
                 continue;
             }
-            let found = f64::from(shiny.at(&point).specular.unwrap());
+            let found = f64::from(shiny.at(&point).specular);
             let expected =
                 source.specular(exact, viewer, exponent.into()) * f64::from(strength) * UNIT;
             let wrong = UNIT * f64::from(exponent) / 2_f64.powi(27) / sum;

@@ -18,8 +18,7 @@ use fixel::shade::{
     Colored, ExponentialFog, Falloff, Illumination, InFog, Shiny, SurfacePoint, TwoSided,
 };
 use fixel::shade::{Converted, FaceLit, Lit, Map, PartColors, PerFace, Texels, Tinted};
-use fixel::shade::{Glossy, Gradient, Masked, Matte, Mipmapped, Rgb, Tolerance, Translucent};
-use fixel::shade::{White, Within};
+use fixel::shade::{Gradient, Masked, Mipmapped, Tolerance, Translucent, Within};
 use fixel::texture::{Argb1555, Argb4444, Indexed, Mipmap, OrHole, Raw, Trilinear};
 use fixel::texture::{Bilinear, Clamp, CutOut, Nearest, Repeat};
 use fixel::view::{Aspect, Parallel, Perspective, Segment};
@@ -48,7 +47,6 @@ all!(value: Affine Compact Exact Fast Newton Cull DrawOptions DrawOptions<Fast, 
 all!(value: Hit Ray);
 all!(value: Flat<Rgb565> Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> Fragment Light);
 all!(value: Converted<Flat<Rgb565>, Rgb565> FaceLit<Flat<Rgb565>> Lit<Flat<Rgb565>> Tinted<Flat<Rgb565>>);
-all!(value: Glossy Matte Rgb White);
 all!(value: Colored<Light> Falloff Illumination PointLight Shiny<Light> SpotLight SurfacePoint TwoSided<Light> Viewer);
 all!(value: Fog<Rgb565> Fog<Rgb565, ExponentialFog> InFog<Flat<Rgb565>, Rgb565>);
 all!(value: Textured<Texture<'static, Rgb565>> FaceColors<'static, Rgb565>);

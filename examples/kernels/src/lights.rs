@@ -35,10 +35,10 @@ fn one<L: Lighting>(watch: &mut Stopwatch, name: &str, light: L) -> Result<(), E
     let ticks = watch.time(|| {
         for _ in 0..VERTICES {
             let found = black_box(&light).at(black_box(&point));
-            assert!(found.diffuse[0] > 0, "the light reaches the vertex");
+            assert!(found.diffuse.rgb()[0] > 0, "the light reaches the vertex");
             // Without this, the compiler would not compute a highlight.
             assert!(
-                found.specular != Some(i32::MAX),
+                found.specular.number() != Some(i32::MAX),
                 "a highlight is white at most"
             );
         }

@@ -5,8 +5,8 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888, R
 use fixel::prelude::*;
 use fixel::shade::{
     Channels, ColorOf, Converted, DepthView, FaceColors, Flat, Gouraud, Illumination, Lighting,
-    Matte, NormalView, Output, PixelFormat, Precise, PreciseOf, Rgb, Texels, Textured, Translucent,
-    Varyings, Within,
+    NormalView, Output, PixelFormat, Precise, PreciseOf, Texels, Textured, Translucent, Varyings,
+    Within,
 };
 use fixel::texture::{Bilinear, Blend, Clamp, Nearest, Repeat};
 use fixel::{Fragment, Primitive};
@@ -135,7 +135,7 @@ struct TintedLit<S, L> {
 impl<S, L> Shader for TintedLit<S, L>
 where
     S: Shader<Color: Output<Color: PixelFormat>>,
-    L: Lighting<Diffuse = Rgb, Specular = Matte>,
+    L: Lighting<Diffuse = [i32; 3], Specular = ()>,
 {
     type Color = PreciseOf<S>;
     type Varyings = (
@@ -169,7 +169,7 @@ where
     ) -> Option<PreciseOf<S>> {
         let light = Illumination {
             diffuse: light.all(),
-            specular: None,
+            specular: (),
         };
         Some(self.surface.shade(at, inside)?.lit(light))
     }

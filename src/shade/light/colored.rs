@@ -1,6 +1,6 @@
 //! Light in a color.
 
-use super::{Illumination, Lighting, Rgb, SurfacePoint};
+use super::{Diffuse, Illumination, Lighting, SurfacePoint};
 
 /// A light in a color; see [`Lighting::colored`].
 #[doc(hidden)]
@@ -13,20 +13,20 @@ pub struct Colored<L> {
 }
 
 impl<L: Lighting> Lighting for Colored<L> {
-    type Diffuse = Rgb;
+    type Diffuse = [i32; 3];
     type Specular = L::Specular;
 
     const READS_POSITION: bool = L::READS_POSITION;
     const READS_FACE: bool = L::READS_FACE;
 
     #[inline]
-    fn at(&self, point: &SurfacePoint) -> Illumination {
+    fn at(&self, point: &SurfacePoint) -> Illumination<[i32; 3], L::Specular> {
         let light = self.light.at(point);
-        let [r, g, b] = light.diffuse;
+        let [r, g, b] = light.diffuse.rgb();
         let [red, green, blue] = self.color;
         Illumination {
             diffuse: [share(r, red), share(g, green), share(b, blue)],
-            ..light
+            specular: light.specular,
         }
     }
 }

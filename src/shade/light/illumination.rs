@@ -12,15 +12,17 @@ use crate::shade::{Channels, PixelFormat, Varyings};
 /// ```
 /// use fixel::shade::Illumination;
 /// let half = Illumination::white(32_768);
-/// assert_eq!((half.diffuse, half.specular), ([32_768; 3], None));
+/// let orange = Illumination { diffuse: [65_536, 32_768, 0], specular: () };
+/// assert_eq!(half.plus(orange).diffuse, [98_304, 65_536, 32_768]);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Illumination {
-    /// Red, green and blue, by which the surface's color is multiplied. On a gray canvas, only the first is used.
-    pub diffuse: [i32; 3],
-    /// The white of a highlight, which is added to the surface's color.
-    pub specular: Option<i32>,
+pub struct Illumination<D = i32, S = ()> {
+    /// The light by which the surface's color is multiplied: one number if it is white, or red, green and blue. On a
+    /// gray canvas, only red is used.
+    pub diffuse: D,
+    /// The white of a highlight, which is added to the surface's color; `()` for no highlight.
+    pub specular: S,
 }
 
 impl Illumination {
@@ -29,26 +31,32 @@ impl Illumination {
     #[inline]
     pub const fn white(brightness: i32) -> Self {
         Self {
-            diffuse: [brightness; 3],
-            specular: None,
+            diffuse: brightness,
+            specular: (),
         }
     }
+}
 
+impl<D: Diffuse, S: Specular> Illumination<D, S> {
     /// The sum of two amounts of light, which saturates.
     #[must_use]
     #[inline]
-    pub const fn plus(self, other: Self) -> Self {
-        let ([r, g, b], [x, y, z]) = (self.diffuse, other.diffuse);
+    pub fn plus<E: Diffuse, T: Specular>(
+        self,
+        other: Illumination<E, T>,
+    ) -> Illumination<D::Or<E>, S::Or<T>> {
+        Illumination {
+            diffuse: self.diffuse.plus(other.diffuse),
+            specular: self.specular.plus(other.specular),
+        }
+    }
+
+    /// The same for lights of one type.
+    #[inline]
+    pub(super) fn join(self, other: Self) -> Self {
         Self {
-            diffuse: [
-                r.saturating_add(x),
-                g.saturating_add(y),
-                b.saturating_add(z),
-            ],
-            specular: match (self.specular, other.specular) {
-                (Some(a), Some(b)) => Some(a.saturating_add(b)),
-                (one, None) | (None, one) => one,
-            },
+            diffuse: self.diffuse.join(other.diffuse),
+            specular: self.specular.join(other.specular),
         }
     }
 }
@@ -59,149 +67,168 @@ fn limited(light: i32) -> i32 {
     light.clamp(0, FULL)
 }
 
-/// The color of a light, as a type: [`White`] or [`Rgb`]. Sealed.
+/// Light that is multiplied by a surface's color: white, or red, green and blue.
 ///
 /// White light takes one varying, colored light one for each channel of the canvas.
 #[doc(hidden)]
-pub trait Tint: Sealed {
-    /// The color of this light and another one together.
-    type Or<T: Tint>: Tint;
+pub trait Diffuse: Copy + Default + Sealed {
+    /// This light and another one together.
+    type Or<E: Diffuse>: Diffuse;
 
     /// The varyings on a canvas of color `C`.
-    #[doc(hidden)]
     type Channels<C: PixelFormat>: Varyings + Default;
 
-    #[doc(hidden)]
-    fn pack<C: PixelFormat>(diffuse: [i32; 3]) -> Self::Channels<C>;
-
-    #[doc(hidden)]
-    fn unpack<C: PixelFormat>(channels: Self::Channels<C>) -> [i32; 3];
+    fn white(brightness: i32) -> Self;
+    fn rgb(self) -> [i32; 3];
+    fn join(self, other: Self) -> Self;
+    fn plus<E: Diffuse>(self, other: E) -> Self::Or<E>;
+    fn pack<C: PixelFormat>(self) -> Self::Channels<C>;
+    fn unpack<C: PixelFormat>(channels: Self::Channels<C>) -> Self;
 }
 
-/// Light without color, as a [`Lighting::Diffuse`](super::Lighting::Diffuse).
-///
-/// ```
-/// use fixel::prelude::*;
-/// use fixel::shade::{Lighting, White};
-/// fn is_white<L: Lighting<Diffuse = White>>(_: &L) {}
-/// is_white(&Light::new(Vec3::Y, fx!(0.2), fx!(0.8))?);
-/// # Ok::<(), Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum White {}
+sealed!(i32, ()); // [i32; 3] is sealed as channels
 
-/// Light with a color, as a [`Lighting::Diffuse`](super::Lighting::Diffuse).
-///
-/// ```
-/// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
-/// use fixel::prelude::*;
-/// use fixel::shade::{Lighting, Rgb};
-/// fn has_color<L: Lighting<Diffuse = Rgb>>(_: &L) {}
-/// has_color(&Light::new(Vec3::Y, fx!(0.2), fx!(0.8))?.colored(Rgb888::YELLOW));
-/// # Ok::<(), Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Rgb {}
-
-sealed!(White, Rgb, Matte, Glossy);
-
-impl Tint for White {
-    type Or<T: Tint> = T;
-    type Channels<C: PixelFormat> = [i32; 1];
+impl Diffuse for i32 {
+    type Or<E: Diffuse> = E;
+    type Channels<C: PixelFormat> = [Self; 1];
 
     #[inline]
-    fn pack<C: PixelFormat>([light, ..]: [i32; 3]) -> [i32; 1] {
-        [limited(light)]
+    fn white(brightness: i32) -> Self {
+        brightness
     }
 
     #[inline]
-    fn unpack<C: PixelFormat>([light]: [i32; 1]) -> [i32; 3] {
-        [light; 3]
+    fn rgb(self) -> [i32; 3] {
+        [self; 3]
+    }
+
+    #[inline]
+    fn join(self, other: Self) -> Self {
+        self.saturating_add(other)
+    }
+
+    #[inline]
+    fn plus<E: Diffuse>(self, other: E) -> E {
+        other.join(E::white(self))
+    }
+
+    #[inline]
+    fn pack<C: PixelFormat>(self) -> [Self; 1] {
+        [limited(self)]
+    }
+
+    #[inline]
+    fn unpack<C: PixelFormat>([light]: [Self; 1]) -> Self {
+        light
     }
 }
 
-impl Tint for Rgb {
-    type Or<T: Tint> = Self;
+impl Diffuse for [i32; 3] {
+    type Or<E: Diffuse> = Self;
     type Channels<C: PixelFormat> = C::Channels;
 
     #[inline]
-    fn pack<C: PixelFormat>([r, g, b]: [i32; 3]) -> C::Channels {
+    fn white(brightness: i32) -> Self {
+        [brightness; 3]
+    }
+
+    #[inline]
+    fn rgb(self) -> Self {
+        self
+    }
+
+    #[inline]
+    fn join(self, other: Self) -> Self {
+        let ([r, g, b], [x, y, z]) = (self, other);
+        [
+            r.saturating_add(x),
+            g.saturating_add(y),
+            b.saturating_add(z),
+        ]
+    }
+
+    #[inline]
+    fn plus<E: Diffuse>(self, other: E) -> Self {
+        self.join(other.rgb())
+    }
+
+    #[inline]
+    fn pack<C: PixelFormat>(self) -> C::Channels {
+        let [r, g, b] = self;
         C::Channels::of_rgb([limited(r), limited(g), limited(b)])
     }
 
     #[inline]
-    fn unpack<C: PixelFormat>(channels: C::Channels) -> [i32; 3] {
+    fn unpack<C: PixelFormat>(channels: C::Channels) -> Self {
         channels.all()
     }
 }
 
-/// Whether a light makes highlights, as a type: [`Matte`] or [`Glossy`]. Sealed.
-///
-/// Highlights take one more varying.
+/// A highlight, which takes one varying, or none.
 #[doc(hidden)]
-pub trait Gloss: Sealed {
-    /// The highlights of this light and another one together.
-    type Or<G: Gloss>: Gloss;
+pub trait Specular: Copy + Default + Sealed {
+    /// This highlight and another one together.
+    type Or<T: Specular>: Specular;
 
-    #[doc(hidden)]
     type Channels: Varyings + Default;
 
-    #[doc(hidden)]
-    fn pack(specular: Option<i32>) -> Self::Channels;
-
-    #[doc(hidden)]
-    fn unpack(channels: Self::Channels) -> Option<i32>;
+    fn number(self) -> Option<i32>;
+    fn join(self, other: Self) -> Self;
+    fn plus<T: Specular>(self, other: T) -> Self::Or<T>;
+    fn pack(self) -> Self::Channels;
+    fn unpack(channels: Self::Channels) -> Self;
 }
 
-/// Light without highlights, as a [`Lighting::Specular`](super::Lighting::Specular).
-///
-/// ```
-/// use fixel::prelude::*;
-/// use fixel::shade::{Lighting, Matte};
-/// fn is_matte<L: Lighting<Specular = Matte>>(_: &L) {}
-/// is_matte(&Light::new(Vec3::Y, fx!(0.2), fx!(0.8))?);
-/// # Ok::<(), Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Matte {}
-
-/// Light with highlights, as a [`Lighting::Specular`](super::Lighting::Specular).
-///
-/// ```
-/// use fixel::prelude::*;
-/// use fixel::shade::{Glossy, Lamp, Lighting, Viewer};
-/// fn is_glossy<L: Lighting<Specular = Glossy>>(_: &L) {}
-/// let sun = Light::new(Vec3::Y, fx!(0.2), fx!(0.8))?;
-/// is_glossy(&sun.shiny(Viewer::at(vec3!(0, 2, 5)), 20, fx!(0.5))?);
-/// # Ok::<(), Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Glossy {}
-
-impl Gloss for Matte {
-    type Or<G: Gloss> = G;
+impl Specular for () {
+    type Or<T: Specular> = T;
     type Channels = ();
 
     #[inline]
-    fn pack(_: Option<i32>) {}
-
-    #[inline]
-    fn unpack((): ()) -> Option<i32> {
+    fn number(self) -> Option<i32> {
         None
     }
-}
-
-impl Gloss for Glossy {
-    type Or<G: Gloss> = Self;
-    type Channels = [i32; 1];
 
     #[inline]
-    fn pack(specular: Option<i32>) -> [i32; 1] {
-        [limited(specular.unwrap_or_default())]
+    fn join(self, (): ()) {}
+
+    #[inline]
+    fn plus<T: Specular>(self, other: T) -> T {
+        other
     }
 
     #[inline]
-    fn unpack([specular]: [i32; 1]) -> Option<i32> {
-        Some(specular)
+    fn pack(self) {}
+
+    #[inline]
+    fn unpack((): ()) {}
+}
+
+impl Specular for i32 {
+    type Or<T: Specular> = Self;
+    type Channels = [Self; 1];
+
+    #[inline]
+    fn number(self) -> Option<i32> {
+        Some(self)
+    }
+
+    #[inline]
+    fn join(self, other: Self) -> Self {
+        self.saturating_add(other)
+    }
+
+    #[inline]
+    fn plus<T: Specular>(self, other: T) -> Self {
+        self.saturating_add(other.number().unwrap_or_default())
+    }
+
+    #[inline]
+    fn pack(self) -> [Self; 1] {
+        [limited(self)]
+    }
+
+    #[inline]
+    fn unpack([specular]: [Self; 1]) -> Self {
+        specular
     }
 }

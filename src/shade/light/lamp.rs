@@ -2,8 +2,7 @@
 
 use super::colored::share;
 use super::{
-    Illumination, Lighting, Matte, PointLight, Shiny, SpotLight, SurfacePoint, Viewer, White,
-    brightness,
+    Illumination, Lighting, PointLight, Shiny, SpotLight, SurfacePoint, Viewer, brightness,
 };
 use crate::math::Direction;
 use crate::{Error, Scalar};
@@ -85,8 +84,8 @@ pub trait Lamp: Lighting {
 macro_rules! lighting {
     ($($Lamp:ident)+) => {$(
         impl Lighting for $Lamp {
-            type Diffuse = White;
-            type Specular = Matte;
+            type Diffuse = i32;
+            type Specular = ();
 
             const READS_FACE: bool = false;
 

@@ -15,7 +15,7 @@ mod two_sided;
 mod viewer;
 
 pub use colored::Colored;
-pub use illumination::{Gloss, Glossy, Illumination, Matte, Rgb, Tint, White};
+pub use illumination::{Diffuse, Illumination, Specular};
 pub use lamp::Lamp;
 pub use point::{Falloff, PointLight};
 pub use shiny::Shiny;
@@ -54,7 +54,7 @@ const fn brightness(value: Scalar) -> Result<i32, Error> {
 /// let up = Direction::of(Vec3::Y);
 /// let point = SurfacePoint { normal: up, face: up, position: vec3!(1, 0, 0) };
 /// let sun = Light::new(vec3!(0, 4, 3), fx!(0.25), fx!(0.5))?;
-/// assert_eq!(sun.at(&point).diffuse, [42_598; 3]); // 0.25 + 0.5 · 0.8 = 0.65
+/// assert_eq!(sun.at(&point).diffuse, 42_598); // 0.25 + 0.5 · 0.8 = 0.65
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -110,15 +110,15 @@ impl SurfacePoint {
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
 /// use fixel::prelude::*;
-/// use fixel::shade::{Illumination, Lighting, Matte, SurfacePoint, White};
+/// use fixel::shade::{Illumination, SurfacePoint};
 ///
 /// /// Dark below, bright above.
 /// #[derive(Clone, Copy)]
 /// struct Sky;
 ///
 /// impl Lighting for Sky {
-///     type Diffuse = White;
-///     type Specular = Matte;
+///     type Diffuse = i32;
+///     type Specular = ();
 ///     const READS_POSITION: bool = false;
 ///     const READS_FACE: bool = false;
 ///
@@ -142,11 +142,11 @@ impl SurfacePoint {
     note = "lights are `Light`, `PointLight`, `SpotLight`, and arrays, slices and tuples of lights"
 )]
 pub trait Lighting: Copy {
-    /// Whether the light is [`White`] or has a color, [`Rgb`].
-    type Diffuse: Tint;
+    /// The type of [`Illumination::diffuse`]: `i32` for white light, `[i32; 3]` for light in a color.
+    type Diffuse: Diffuse;
 
-    /// Whether the light makes highlights, [`Glossy`], or none, [`Matte`].
-    type Specular: Gloss;
+    /// The type of [`Illumination::specular`]: `i32` for a light that makes highlights, else `()`.
+    type Specular: Specular;
 
     /// Whether [`at`](Self::at) reads [`SurfacePoint::position`]. `false` saves a transform for each corner.
     const READS_POSITION: bool = true;
@@ -154,9 +154,8 @@ pub trait Lighting: Copy {
     /// Whether [`at`](Self::at) reads [`SurfacePoint::face`]. `false` saves a normal for each triangle.
     const READS_FACE: bool = true;
 
-    /// The light that falls on a point of a surface, at most a thousand times full brightness, 65,536. A [`White`]
-    /// light has three equal channels.
-    fn at(&self, point: &SurfacePoint) -> Illumination;
+    /// The light that falls on a point of a surface, at most a thousand times full brightness, 65,536.
+    fn at(&self, point: &SurfacePoint) -> Illumination<Self::Diffuse, Self::Specular>;
 
     /// The same light, in a color. Highlights keep their brightness, and stay white. On a canvas with colors,
     /// it takes three of the at most eight [varyings](crate::shade::Varyings) of a shader.
@@ -227,8 +226,8 @@ mod tests {
     struct BrightAsX;
 
     impl Lighting for BrightAsX {
-        type Diffuse = White;
-        type Specular = Matte;
+        type Diffuse = i32;
+        type Specular = ();
 
         fn at(&self, point: &SurfacePoint) -> Illumination {
             Illumination::white(point.position.x.to_bits())
@@ -262,7 +261,7 @@ mod tests {
         let linear = lamp.with_falloff(Falloff::Linear);
         let (quarter, three) = (sun(fx!(0.25)), [sun(fx!(0.25)), sun(fx!(0.5)), sun(fx!(0))]);
         let none: [Light; 0] = [];
-        let diffuse = |light: Illumination| light.diffuse[0];
+        let diffuse = |light: Illumination| light.diffuse;
         let lamp = diffuse(linear.at(&point));
         // Half of a half, within 8e-4.
         assert!(lamp.abs_diff(16_384) <= 52, "{lamp}");
@@ -292,7 +291,7 @@ mod tests {
                     position: Vec3::from_bits([x, 0, 0]),
                 };
                 // Within 9.2e-4, the error of a lamp.
-                let light = lamp.at(&point).diffuse[0];
+                let light = lamp.at(&point).diffuse;
                 assert!(light >= FULL - 54, "{light} at {x} of {range}");
             }
         }

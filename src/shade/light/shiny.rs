@@ -1,7 +1,7 @@
 //! Highlights.
 
 use super::colored::share;
-use super::{Glossy, Illumination, Lamp, Lighting, SurfacePoint, Viewer, White};
+use super::{Illumination, Lamp, Lighting, SurfacePoint, Viewer};
 
 /// A light that makes highlights; see [`Lamp::shiny`].
 #[doc(hidden)]
@@ -16,12 +16,12 @@ pub struct Shiny<L> {
 }
 
 impl<L: Lamp> Lighting for Shiny<L> {
-    type Diffuse = White;
-    type Specular = Glossy;
+    type Diffuse = i32;
+    type Specular = i32;
 
     const READS_FACE: bool = false;
 
-    fn at(&self, point: &SurfacePoint) -> Illumination {
+    fn at(&self, point: &SurfacePoint) -> Illumination<i32, i32> {
         let (toward, light) = self.lamp.ray(point);
         let facing = point.normal.dot(toward).to_bits().max(0);
         let highlight = if facing > 0 {
@@ -33,13 +33,12 @@ impl<L: Lamp> Lighting for Shiny<L> {
             0
         };
         Illumination {
-            specular: Some(highlight),
             // Saturating, so that a user's lamp cannot panic.
-            ..Illumination::white(
-                self.lamp
-                    .ambient()
-                    .saturating_add(share(light, facing >> 14)),
-            )
+            diffuse: self
+                .lamp
+                .ambient()
+                .saturating_add(share(light, facing >> 14)),
+            specular: highlight,
         }
     }
 }
@@ -65,7 +64,6 @@ fn power(base: i32, exponent: u8) -> i32 {
 mod tests {
     use super::*;
     use crate::math::Direction;
-    use crate::shade::light::Matte;
     use crate::{Vec3, fx};
 
     /// A lamp of a program, as bright as numbers are.
@@ -73,8 +71,8 @@ mod tests {
     struct Brightest;
 
     impl Lighting for Brightest {
-        type Diffuse = White;
-        type Specular = Matte;
+        type Diffuse = i32;
+        type Specular = ();
 
         fn at(&self, _: &SurfacePoint) -> Illumination {
             Illumination::white(i32::MAX)
@@ -101,7 +99,7 @@ mod tests {
         };
         let viewer = Viewer::at(Vec3::Y);
         let shiny = Brightest.shiny(viewer, 8, fx!(1)).unwrap();
-        assert_eq!(shiny.at(&point).diffuse, [i32::MAX; 3]);
+        assert_eq!(shiny.at(&point).diffuse, i32::MAX);
         assert_eq!(
             shiny
                 .colored(embedded_graphics::pixelcolor::Rgb888::new(255, 0, 0))

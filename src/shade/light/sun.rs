@@ -1,6 +1,6 @@
 //! Directional and ambient light.
 
-use super::{FULL, Illumination, Lamp, Lighting, Matte, SurfacePoint, White, brightness};
+use super::{FULL, Illumination, Lamp, Lighting, SurfacePoint, brightness};
 use crate::error::ok;
 use crate::math::Direction;
 use crate::num::wide::dot;
@@ -92,8 +92,8 @@ impl Light {
 }
 
 impl Lighting for Light {
-    type Diffuse = White;
-    type Specular = Matte;
+    type Diffuse = i32;
+    type Specular = ();
 
     const READS_POSITION: bool = false;
     const READS_FACE: bool = false;

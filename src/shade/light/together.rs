@@ -1,6 +1,6 @@
 //! Several lights at once.
 
-use super::{Gloss, Illumination, Lighting, SurfacePoint, Tint};
+use super::{Diffuse, Illumination, Lighting, Specular, SurfacePoint};
 
 /// All lights of an array.
 impl<L: Lighting, const N: usize> Lighting for [L; N] {
@@ -11,7 +11,7 @@ impl<L: Lighting, const N: usize> Lighting for [L; N] {
     const READS_FACE: bool = L::READS_FACE;
 
     #[inline]
-    fn at(&self, point: &SurfacePoint) -> Illumination {
+    fn at(&self, point: &SurfacePoint) -> Illumination<L::Diffuse, L::Specular> {
         self.as_slice().at(point)
     }
 }
@@ -24,10 +24,12 @@ impl<L: Lighting> Lighting for &[L] {
     const READS_POSITION: bool = L::READS_POSITION;
     const READS_FACE: bool = L::READS_FACE;
 
-    fn at(&self, point: &SurfacePoint) -> Illumination {
-        self.iter()
-            .map(|light| light.at(point))
-            .fold(Illumination::white(0), Illumination::plus)
+    fn at(&self, point: &SurfacePoint) -> Illumination<L::Diffuse, L::Specular> {
+        let mut sum = Illumination::default();
+        for light in *self {
+            sum = sum.join(light.at(point));
+        }
+        sum
     }
 }
 
@@ -35,22 +37,26 @@ macro_rules! tuples {
     ($($($Light:ident $light:ident)+;)+) => {$(
         /// All lights of a tuple; they may have different types.
         impl<$($Light: Lighting),+> Lighting for ($($Light,)+) {
-            type Diffuse = tuples!(Tint Diffuse $($Light)+);
-            type Specular = tuples!(Gloss Specular $($Light)+);
+            type Diffuse = tuples!(type Diffuse Diffuse $($Light)+);
+            type Specular = tuples!(type Specular Specular $($Light)+);
 
             const READS_POSITION: bool = $($Light::READS_POSITION)||+;
             const READS_FACE: bool = $($Light::READS_FACE)||+;
 
             #[inline]
-            fn at(&self, point: &SurfacePoint) -> Illumination {
+            fn at(&self, point: &SurfacePoint) -> Illumination<Self::Diffuse, Self::Specular> {
                 let ($($light,)+) = self;
-                Illumination::white(0)$(.plus($light.at(point)))+
+                tuples!(sum point $($light)+)
             }
         }
     )+};
-    ($Kind:ident $Part:ident $Last:ident) => { $Last::$Part };
-    ($Kind:ident $Part:ident $First:ident $($Rest:ident)+) => {
-        <$First::$Part as $Kind>::Or<tuples!($Kind $Part $($Rest)+)>
+    (sum $point:ident $last:ident) => { $last.at($point) };
+    (sum $point:ident $first:ident $($rest:ident)+) => {
+        $first.at($point).plus(tuples!(sum $point $($rest)+))
+    };
+    (type $Kind:ident $Part:ident $Last:ident) => { $Last::$Part };
+    (type $Kind:ident $Part:ident $First:ident $($Rest:ident)+) => {
+        <$First::$Part as $Kind>::Or<tuples!(type $Kind $Part $($Rest)+)>
     };
 }
 

@@ -16,7 +16,7 @@ impl<L: Lighting> Lighting for TwoSided<L> {
     type Diffuse = L::Diffuse;
     type Specular = L::Specular;
 
-    fn at(&self, point: &SurfacePoint) -> Illumination {
+    fn at(&self, point: &SurfacePoint) -> Illumination<L::Diffuse, L::Specular> {
         let mut seen = *point;
         if self.viewer.sees_back(point.face, point.position) {
             let [x, y, z] = point.normal.to_bits();
