@@ -15,7 +15,7 @@ use crate::Error;
 use crate::error::check_length;
 
 /// Largest width and height of a frame, in pixels.
-pub const MAX_SIZE: u32 = 2048;
+const MAX_SIZE: u32 = 2048;
 
 /// The pixels of a frame, or of a horizontal band of it, in memory that belongs to the caller.
 ///
@@ -83,6 +83,9 @@ pub struct Canvas<'a, C, O: Storage<C> = Native, D = NoDepth> {
 }
 
 impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
+    /// Largest width and height of a frame, in pixels.
+    pub const MAX_SIZE: u32 = MAX_SIZE;
+
     /// A canvas of `width` x `height` pixels, row by row from the top.
     ///
     /// A slice of colors makes a canvas that stores them as they are. A slice of arrays of bytes makes one of bytes,
@@ -101,7 +104,7 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     ///
     /// # Errors
     ///
-    /// [`Error::Size`] if a side is 0 or above [`MAX_SIZE`]; [`Error::Length`] if `pixels` does
+    /// [`Error::Size`] if a side is 0 or above [`MAX_SIZE`](Self::MAX_SIZE); [`Error::Length`] if `pixels` does
     /// not have exactly one element per pixel.
     pub fn new<P: Cell<C, O>>(pixels: &'a mut [P], width: u32, height: u32) -> Result<Self, Error>
     where
@@ -123,7 +126,7 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     ///
     /// # Errors
     ///
-    /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`]; [`Error::Length`] if `pixels` is not a
+    /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](Self::MAX_SIZE); [`Error::Length`] if `pixels` is not a
     /// whole number of rows; [`Error::Rows`] if it holds no row, or a row outside the frame.
     pub fn band<P: Cell<C, O>>(
         pixels: &'a mut [P],

@@ -26,8 +26,8 @@ mod memory;
 mod storage;
 
 pub use blending::{Add, Blending, Multiply, Opacity, Replace};
+pub use canvas::Canvas;
 pub(crate) use canvas::check_size;
-pub use canvas::{Canvas, MAX_SIZE};
 pub use color_index::ColorIndex;
 pub use contrast::Contrast;
 pub use depth::{DepthBuffer, FloatDepth, LinearDepth, NoDepth, WideFloatDepth};

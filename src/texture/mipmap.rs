@@ -63,7 +63,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     ///
     /// # Panics
     ///
-    /// If the width or the height is not a power of two or is above [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE). Use
+    /// If the width or the height is not a power of two or is above [`Texture::MAX_SIZE`](crate::Texture::MAX_SIZE). Use
     /// it only in constants, where this stops compilation.
     #[must_use]
     pub const fn len(width: usize, height: usize) -> usize {

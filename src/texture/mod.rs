@@ -43,5 +43,5 @@ pub use filter::{Bilinear, Filter, Nearest, Trilinear};
 pub use indexed::Indexed;
 pub use mipmap::Mipmap;
 pub use raw::Raw;
-pub use sampler::{MAX_TEXTURE_SIZE, Sampler};
+pub use sampler::Sampler;
 pub use texture::Texture;

@@ -17,7 +17,7 @@ use crate::{Error, message};
 /// `BigEndian`, the default, has the high byte first, and `LittleEndian` the low byte. Texels smaller than a byte are
 /// packed: the first one lies in the high bits. So [`Gray4`](embedded_graphics::pixelcolor::Gray4) makes a mask of half
 /// a byte a texel. Rows follow each other without a gap, the top row first. Width and height are powers of two, at most
-/// [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE), and a row fills whole bytes.
+/// [`Texture::MAX_SIZE`](crate::Texture::MAX_SIZE), and a row fills whole bytes.
 ///
 /// The bytes are converted at each pixel that is drawn. Colors in memory, [`Texture`](super::Texture) or rows, are
 /// faster.

@@ -74,11 +74,11 @@ pub trait Sampler: Copy {
 }
 
 /// Largest width and height of a texture, in texels.
-pub const MAX_TEXTURE_SIZE: usize = 1 << 15;
+pub(super) const MAX_SIZE: usize = 1 << 15;
 
 /// The exponent of a width or height; `of` names the size in the error.
 pub(super) const fn exponent(of: &'static str, given: u32) -> Result<u32, Error> {
-    let max = MAX_TEXTURE_SIZE as u32;
+    let max = MAX_SIZE as u32;
     if given.is_power_of_two() && given <= max {
         Ok(given.ilog2())
     } else {
@@ -96,7 +96,7 @@ pub(super) const fn exponents(width: u32, height: u32) -> Result<[u32; 2], Error
 pub(super) const fn size_log2(width: usize, height: usize) -> [u32; 2] {
     /// A size that does not fit into 32 bits is too large anyway.
     const fn given(size: usize) -> u32 {
-        if size > MAX_TEXTURE_SIZE {
+        if size > MAX_SIZE {
             u32::MAX
         } else {
             size as u32

@@ -1,13 +1,13 @@
 //! Textures whose size is known at run time.
 
 use super::Sampler;
-use super::sampler::{exponents, size_log2};
+use super::sampler::{self, exponents, size_log2};
 use crate::Error;
 use crate::error::{check_length, ok};
 
 /// A texture that borrows its texels; its size is known at run time.
 ///
-/// Width and height are powers of two, at most [`MAX_TEXTURE_SIZE`](super::MAX_TEXTURE_SIZE). The texels lie row by
+/// Width and height are powers of two, at most [`MAX_SIZE`](Self::MAX_SIZE). The texels lie row by
 /// row, the top row first. [`include_texture!`](crate::include_texture) converts a picture file at compile time,
 /// [`from_rows`](Self::from_rows) borrows rows of texels, and [`new`](Self::new) takes a slice. Textures of different
 /// sizes fit in one list:
@@ -45,6 +45,9 @@ pub struct Texture<'a, C> {
 }
 
 impl<'a, C: Copy> Texture<'a, C> {
+    /// Largest width and height of any texture, in texels.
+    pub const MAX_SIZE: usize = sampler::MAX_SIZE;
+
     /// A texture of `texels`, row by row from the top.
     ///
     /// ```

@@ -3,13 +3,15 @@
 use std::sync::Mutex;
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::canvas::MAX_SIZE;
 use fixel::mesh::Shape;
 use fixel::prelude::*;
-use fixel::texture::{MAX_TEXTURE_SIZE, Sampler};
+use fixel::texture::Sampler;
 use fixel::view::{Perspective, ProjectionKind};
 
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
+
+const MAX_SIZE: u32 = Canvas::<Gray8>::MAX_SIZE;
+const MAX_TEXTURE: usize = Texture::<Gray8>::MAX_SIZE;
 
 #[test]
 fn canvases_beyond_their_limits_are_refused() {
@@ -135,8 +137,8 @@ fn vertices_of_a_list_beyond_their_limit_are_refused() {
 /// One row of the widest texture, and one column of the highest. One more texel in either does not compile.
 #[test]
 fn textures_of_the_largest_sides_are_drawn() {
-    static WIDE: [[Gray8; MAX_TEXTURE_SIZE]; 1] = [[Gray8::new(7); MAX_TEXTURE_SIZE]; 1];
-    static HIGH: [[Gray8; 1]; MAX_TEXTURE_SIZE] = [[Gray8::new(9)]; MAX_TEXTURE_SIZE];
+    static WIDE: [[Gray8; MAX_TEXTURE]; 1] = [[Gray8::new(7); MAX_TEXTURE]; 1];
+    static HIGH: [[Gray8; 1]; MAX_TEXTURE] = [[Gray8::new(9)]; MAX_TEXTURE];
     for at in [i32::MIN, -1, 0, 32_767, 32_768, i32::MAX] {
         assert_eq!((&WIDE).texel(at, at), Gray8::new(7));
         assert_eq!((&HIGH).texel(at, at), Gray8::new(9));

@@ -8,8 +8,10 @@ use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
-use fixel::canvas::{ColorIndex, MAX_SIZE, NoDepth, Storage};
+use fixel::canvas::{ColorIndex, NoDepth, Storage};
 use fixel::prelude::*;
+
+const MAX_SIZE: u32 = Canvas::<Gray8>::MAX_SIZE;
 
 mod depth;
 mod diffusion;
