@@ -9,8 +9,8 @@ use embedded_graphics::pixelcolor::{BinaryColor, PixelColor};
 use embedded_graphics::primitives::{PointsIter, Rectangle};
 
 use super::depth::{DepthBuffer, LinearDepth, NoDepth};
-use super::memory::{Cells, Memory};
-use super::storage::{Cell, Native, Storage};
+
+use super::storage::{Cell, Cells, Memory, Native, Storage};
 use crate::Error;
 use crate::error::check_length;
 

@@ -22,7 +22,6 @@ mod depth_test;
 mod diffusion;
 mod draw_target;
 mod label;
-mod memory;
 mod storage;
 
 pub use blending::{Add, Blending, Multiply, Opacity, Replace};
@@ -34,5 +33,5 @@ pub use depth::{DepthBuffer, FloatDepth, LinearDepth, NoDepth, WideFloatDepth};
 pub use depth_test::{Biased, DepthTest, NoTest, TestAndWrite, TestOnly, WriteOnly};
 pub use diffusion::ErrorDiffusion;
 pub use label::Label;
-pub(crate) use memory::Cells;
+pub(crate) use storage::Cells;
 pub use storage::{Native, Storage};

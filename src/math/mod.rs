@@ -1,7 +1,6 @@
 //! Vectors, matrices and transforms.
 
 mod direction;
-mod length;
 mod matrix;
 mod operators;
 mod transform;

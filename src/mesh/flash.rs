@@ -2,7 +2,7 @@
 
 pub use embedded_graphics::pixelcolor::Rgb888;
 
-pub use super::quantized::{Small, UvGrid, short_normal};
+pub use super::attribute::{Small, UvGrid, short_normal};
 use super::{Buffers, Index, Mesh, Outline, Positions};
 pub use crate::message::checked;
 use crate::{Vec2, Vec3};

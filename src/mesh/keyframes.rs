@@ -1,8 +1,8 @@
 //! Meshes between two meshes.
 
 use super::attribute::Attribute;
+use super::attribute::Values;
 use super::buffers::room;
-use super::quantized::Values;
 use super::{Index, Mesh, Positions};
 use crate::error::{check_length, ok};
 use crate::{Error, Scalar, Vec3, message};

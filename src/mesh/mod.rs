@@ -54,7 +54,6 @@ mod part;
 mod placement;
 mod positions;
 mod primitive;
-mod quantized;
 mod shapes;
 mod sprites;
 

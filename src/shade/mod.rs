@@ -27,10 +27,7 @@
 //! | [`.dithered()`](Shader::dithered) | the surface, dithered although its format is fine | 0 |
 //! | [`.converted()`](Shader::converted) | the surface in another color format, dithered if that format is coarse | 0 |
 
-mod channels;
-mod converted;
-mod dither;
-mod dithered;
+mod adapters;
 mod flat;
 mod fog;
 mod format;
@@ -39,32 +36,28 @@ mod gradient;
 mod lanes;
 mod light;
 mod lit;
-mod map;
 mod masked;
 mod mipmapped;
 mod output;
-mod part_colors;
 mod precise;
 mod ramp;
 mod shader;
 mod texel;
 mod textured;
-mod tinted;
 mod varyings;
 mod views;
 
 #[cfg(test)]
 mod fixture;
 
-pub use channels::Channels;
-pub use converted::Converted;
-pub use dithered::Dithered;
-pub use flat::{FaceColors, Flat};
+#[doc(hidden)]
+pub use adapters::{Converted, Dithered, Map, Tinted};
+pub use flat::{FaceColors, Flat, PartColors};
 #[doc(hidden)]
 pub use fog::Fogged;
 pub use fog::{Density, ExponentialFog, Fog, InFog, LinearFog};
-pub use format::PixelFormat;
 pub(crate) use format::fraction;
+pub use format::{Channels, PixelFormat};
 pub use gouraud::Gouraud;
 pub use gradient::Gradient;
 pub use lanes::Lanes;
@@ -74,15 +67,12 @@ pub use light::{
     SpotLight, SurfacePoint, TwoSided, Viewer,
 };
 pub use lit::{FaceLit, Lit};
-pub use map::Map;
 pub use masked::Masked;
 pub use mipmapped::Mipmapped;
 pub use output::{ColorOf, Output, PreciseOf, Translucent};
-pub use part_colors::PartColors;
 pub use precise::Precise;
 pub use shader::{Fragment, Shader, ShaderFor};
 pub use texel::Texel;
 pub use textured::Textured;
-pub use tinted::Tinted;
 pub use varyings::{PerFace, Texels, Tolerance, Varyings, Within};
 pub use views::{DepthView, NormalView};

@@ -5,8 +5,7 @@ use core::marker::PhantomData;
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::dither::threshold;
-use super::format::{each, luma, whole, zip};
+use super::format::{each, luma, threshold, whole, zip};
 use super::{Channels, Lanes, PixelFormat, Tolerance, Varyings};
 
 /// A color of format `C` whose channels keep 16 fraction bits.

@@ -4,7 +4,7 @@ use core::hint::black_box;
 
 use fixel::math::Direction;
 use fixel::prelude::*;
-use fixel::shade::SurfacePoint;
+use fixel::shade::{Diffuse as _, Specular as _, SurfacePoint};
 
 use super::ticks::Stopwatch;
 

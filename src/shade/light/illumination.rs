@@ -80,6 +80,7 @@ pub trait Diffuse: Copy + Default + Sealed {
 
     fn white(brightness: i32) -> Self;
     fn rgb(self) -> [i32; 3];
+    #[must_use]
     fn join(self, other: Self) -> Self;
     fn plus<E: Diffuse>(self, other: E) -> Self::Or<E>;
     fn pack<C: PixelFormat>(self) -> Self::Channels<C>;
@@ -173,6 +174,7 @@ pub trait Specular: Copy + Default + Sealed {
     type Channels: Varyings + Default;
 
     fn number(self) -> Option<i32>;
+    #[must_use]
     fn join(self, other: Self) -> Self;
     fn plus<T: Specular>(self, other: T) -> Self::Or<T>;
     fn pack(self) -> Self::Channels;

@@ -1,6 +1,6 @@
 //! Lights that come from one place or direction.
 
-use super::colored::share;
+use super::adapters::share;
 use super::{
     Illumination, Lighting, PointLight, Shiny, SpotLight, SurfacePoint, Viewer, brightness,
 };

@@ -3,25 +3,21 @@
 //! Lights are in world space. [`Light`] is sun and sky in one; [`PointLight`] and [`SpotLight`] are lamps. All are
 //! white unless you make them [`colored`](Lighting::colored). Arrays, slices and tuples of lights are lights, too.
 
-mod colored;
+mod adapters;
 mod illumination;
 mod lamp;
 mod point;
-mod shiny;
 mod spot;
 mod sun;
 mod together;
-mod two_sided;
 mod viewer;
 
-pub use colored::Colored;
+pub use adapters::{Colored, Shiny, TwoSided};
 pub use illumination::{Diffuse, Illumination, Specular};
 pub use lamp::Lamp;
 pub use point::{Falloff, PointLight};
-pub use shiny::Shiny;
 pub use spot::SpotLight;
 pub use sun::Light;
-pub use two_sided::TwoSided;
 pub use viewer::Viewer;
 
 use embedded_graphics::pixelcolor::Rgb888;

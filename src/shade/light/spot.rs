@@ -1,6 +1,6 @@
 //! Light in a cone.
 
-use super::colored::share;
+use super::adapters::share;
 use super::{Falloff, Lamp, PointLight, SurfacePoint};
 use crate::math::Direction;
 use crate::num::reciprocal;

@@ -21,12 +21,8 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     canvas.clear(Rgb565::new(2, 5, 4));
     let behind = options.with_depth(Biased::behind(TestAndWrite));
     canvas.draw_with(&behind, &RING, &mvp, &blue.lit_faces(sun));
-    canvas.draw_with(
-        &options,
-        RING.edges(LineStyle::HAIRLINE),
-        &mvp,
-        &Flat::new(Rgb565::new(6, 16, 12)),
-    );
+    let gray = Flat::new(Rgb565::new(6, 16, 12));
+    canvas.draw(RING.edges(LineStyle::HAIRLINE), &mvp, &gray);
 
     let frame = canvas.bounding_box();
     let touch = frame.center() + Point::new(46, 40) * frame.size.height.cast_signed() / 240;

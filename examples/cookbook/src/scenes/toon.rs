@@ -39,7 +39,6 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let sun = Light::new(vec3!(1, 3, 2), fx!(0), fx!(1))?;
     let width = LineStyle::wide(fx!(1) + Scalar::try_from(size.height)? / 120)?;
     let behind = DrawOptions::new().with_depth(Biased::behind(TestAndWrite));
-
     canvas.clear(Rgb565::new(10, 45, 29));
     for radius in [fx!(1.7), fx!(2.3), fx!(3)] {
         let ripple = view * Transform::translate(vec3!(0, -0.35, 0)) * Transform::scale(radius);

@@ -1,7 +1,42 @@
-//! Highlights.
+//! Lights that are changed: in a color, with highlights, or on both sides of a sheet.
 
-use super::colored::share;
-use super::{Illumination, Lamp, Lighting, SurfacePoint, Viewer};
+use super::{Diffuse, Illumination, Lamp, Lighting, SurfacePoint, Viewer};
+use crate::math::Direction;
+
+/// A light in a color; see [`Lighting::colored`].
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Colored<L> {
+    pub(super) light: L,
+    /// Red, green and blue, in units of 2⁻¹⁶.
+    pub(super) color: [i32; 3],
+}
+
+impl<L: Lighting> Lighting for Colored<L> {
+    type Diffuse = [i32; 3];
+    type Specular = L::Specular;
+
+    const READS_POSITION: bool = L::READS_POSITION;
+    const READS_FACE: bool = L::READS_FACE;
+
+    #[inline]
+    fn at(&self, point: &SurfacePoint) -> Illumination<[i32; 3], L::Specular> {
+        let light = self.light.at(point);
+        let [r, g, b] = light.diffuse.rgb();
+        let [red, green, blue] = self.color;
+        Illumination {
+            diffuse: [share(r, red), share(g, green), share(b, blue)],
+            specular: light.specular,
+        }
+    }
+}
+
+/// The product of two numbers in units of 2⁻¹⁶, the second at most 1; rounded down.
+#[inline]
+pub(super) fn share(light: i32, part: i32) -> i32 {
+    ((i64::from(light) * i64::from(part)) >> 16) as i32
+}
 
 /// A light that makes highlights; see [`Lamp::shiny`].
 #[doc(hidden)]
@@ -57,6 +92,29 @@ fn power(base: i32, exponent: u8) -> i32 {
             return result;
         }
         square = times(square, square);
+    }
+}
+
+/// A light that also lights the backs of triangles; see [`Lighting::two_sided`].
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct TwoSided<L> {
+    pub(super) light: L,
+    pub(super) viewer: Viewer,
+}
+
+impl<L: Lighting> Lighting for TwoSided<L> {
+    type Diffuse = L::Diffuse;
+    type Specular = L::Specular;
+
+    fn at(&self, point: &SurfacePoint) -> Illumination<L::Diffuse, L::Specular> {
+        let mut seen = *point;
+        if self.viewer.sees_back(point.face, point.position) {
+            let [x, y, z] = point.normal.to_bits();
+            seen.normal = Direction::from_bits([-x, -y, -z]);
+        }
+        self.light.at(&seen)
     }
 }
 

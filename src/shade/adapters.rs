@@ -1,0 +1,210 @@
+//! Adapters: surfaces whose color is changed.
+
+use core::marker::PhantomData;
+
+use super::format::FRACTION;
+use super::{
+    Channels, ColorOf, Fragment, Illumination, Output, PixelFormat, Precise, PreciseOf, Shader,
+    Within,
+};
+use crate::mesh::Primitive;
+
+/// A surface times the interpolated vertex color, channel by channel; see [`Shader::tinted`].
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Tinted<S> {
+    pub(super) surface: S,
+}
+
+impl<S: Shader<Color: Output<Color: PixelFormat>>> Shader for Tinted<S> {
+    type Color = PreciseOf<S>;
+    type Varyings = (
+        S::Varyings,
+        Within<FRACTION, <ColorOf<S> as PixelFormat>::Channels>,
+    );
+
+    const READS_DEPTH: bool = S::READS_DEPTH;
+
+    #[inline]
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
+        let [a, b, c] = self.surface.varyings(primitive);
+        let [x, y, z] = primitive.corners(|corner| {
+            let fractions = ColorOf::<S>::fractions(corner.color());
+            Within(Channels::first(fractions))
+        });
+        [(a, x), (b, y), (c, z)]
+    }
+
+    #[inline]
+    fn shade(&self, at: &Fragment, (inside, Within(tint)): Self::Varyings) -> Option<PreciseOf<S>> {
+        let tint = Illumination {
+            diffuse: tint.all(),
+            specular: (),
+        };
+        Some(self.surface.shade(at, inside)?.lit(tint))
+    }
+}
+
+/// Shader `S` on a canvas of color format `C`; see [`Shader::converted`].
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Converted<S, C> {
+    shader: S,
+    color: PhantomData<C>,
+}
+
+impl<S, C> Converted<S, C> {
+    /// `shader`, for a canvas of color `C`.
+    #[must_use]
+    pub(super) const fn new(shader: S) -> Self {
+        Self {
+            shader,
+            color: PhantomData,
+        }
+    }
+}
+
+impl<S: Shader<Color: Output<Color: PixelFormat>>, C: PixelFormat> Shader for Converted<S, C> {
+    type Color = <S::Color as Output>::With<C>;
+    type Varyings = S::Varyings;
+
+    const READS_DEPTH: bool = S::READS_DEPTH;
+
+    #[inline]
+    fn varyings(&self, primitive: &Primitive<'_>) -> [S::Varyings; 3] {
+        self.shader.varyings(primitive)
+    }
+
+    #[inline]
+    fn shade(&self, at: &Fragment, varyings: S::Varyings) -> Option<Self::Color> {
+        Some(self.shader.shade(at, varyings)?.map(Precise::converted))
+    }
+}
+
+/// A shader and a function of each pixel that it colors; see [`Shader::map`].
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Map<S, F> {
+    pub(super) shader: S,
+    pub(super) effect: F,
+}
+
+impl<S: Shader, C: Output, F: Fn(&Fragment, S::Color) -> Option<C> + Copy> Shader for Map<S, F> {
+    type Color = C;
+    type Varyings = S::Varyings;
+
+    #[inline]
+    fn varyings(&self, primitive: &Primitive<'_>) -> [S::Varyings; 3] {
+        self.shader.varyings(primitive)
+    }
+
+    #[inline]
+    fn shade(&self, at: &Fragment, varyings: S::Varyings) -> Option<C> {
+        (self.effect)(at, self.shader.shade(at, varyings)?)
+    }
+}
+
+/// A surface that is dithered in any format; see [`Shader::dithered`].
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Dithered<S> {
+    pub(super) surface: S,
+}
+
+impl<S: Shader<Color: Output<Color: PixelFormat>>> Shader for Dithered<S> {
+    type Color = PreciseOf<S>;
+    type Varyings = S::Varyings;
+
+    const READS_DEPTH: bool = S::READS_DEPTH;
+
+    #[inline]
+    fn varyings(&self, primitive: &Primitive<'_>) -> [S::Varyings; 3] {
+        self.surface.varyings(primitive)
+    }
+
+    #[inline]
+    fn shade(&self, at: &Fragment, varyings: S::Varyings) -> Option<PreciseOf<S>> {
+        let output = self.surface.shade(at, varyings)?;
+        Some(output.map::<ColorOf<S>>(|color| color.dithered(at.point)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::fixture::{IDENTITY, count, face, fragment, shade};
+    use super::super::{FaceColors, Flat, Textured, Varyings};
+    use super::*;
+    use crate::{Mesh, Vec3, vec2};
+    use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888, RgbColor};
+
+    static POSITIONS: [Vec3; 3] = [Vec3::ZERO, Vec3::X, Vec3::Y];
+
+    #[test]
+    fn texels_are_filtered_by_the_vertex_color() {
+        let skin = [[Rgb565::WHITE, Rgb565::new(20, 21, 22)]];
+        let uvs = [vec2!(7.5, 0), vec2!(7.5, 0), vec2!(7, 0)];
+        let colors = [
+            Rgb888::WHITE,
+            Rgb888::new(255, 0, 128),
+            Rgb888::new(0, 128, 255),
+        ];
+        let mesh = Mesh::new(&POSITIONS, &[[0, 1, 2]])
+            .and_then(|mesh| mesh.with_uvs(&uvs, None)?.with_colors(&colors, None))
+            .unwrap();
+        let (shader, corners) = face(Textured::new(&skin).tinted(), &IDENTITY, &mesh, 0);
+        let (numbers, _) = Varyings::split(corners[0]);
+        assert_eq!(numbers, [1 << 16, 0, 1 << 16, 1 << 16, 1 << 16]);
+        assert_eq!(
+            corners.map(|corner| shade(&shader, corner)),
+            [
+                Rgb565::new(20, 21, 22),
+                Rgb565::new(20, 0, 11),
+                Rgb565::new(0, 32, 31)
+            ]
+        );
+    }
+
+    #[test]
+    fn the_color_decides_the_number_of_varyings() {
+        let skin = [[Rgb565::WHITE]];
+        let shader = Textured::new(&skin).tinted();
+        assert_eq!(count(&shader), 5);
+        assert_eq!(count(&Converted::<_, BinaryColor>::new(shader)), 5);
+        let skin = [[Gray8::new(200)]];
+        let shader = Textured::new(&skin).clamped().tinted();
+        assert_eq!(count(&shader), 3);
+        let (texels, one) = (super::super::Texels([0, 0]), Within([1 << 15]));
+        assert_eq!(shade(&shader, (texels, one)), Gray8::new(100));
+    }
+
+    #[test]
+    fn the_inner_shader_computes_the_color() {
+        let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
+        let mesh = Mesh::new(&positions, &[[0, 1, 2]; 2]).unwrap();
+        let colors = [Rgb888::BLACK, Rgb888::new(8, 120, 200)];
+        let shader = Converted::<_, Rgb565>::new(FaceColors::new(&colors));
+        let (shader, [corner, ..]) = face(shader, &IDENTITY, &mesh, 1);
+        assert_eq!(shade(&shader, corner), Rgb565::new(1, 30, 24));
+    }
+
+    #[test]
+    fn coarse_colors_are_dithered() {
+        let gray = Converted::<_, Gray4>::new(Flat::new(Rgb888::new(8, 8, 8)));
+        // 8/255 of 15 steps is 0.47 of a step.
+        let lit = (0..64).filter(|i| {
+            gray.shade(&fragment(0, 0), ())
+                .unwrap()
+                .finish(fragment(i % 8, i / 8).point)
+                == Gray4::new(1)
+        });
+        assert_eq!(lit.count(), 30);
+        let white = Converted::<_, BinaryColor>::new(Flat::new(Rgb565::WHITE));
+        assert!((0..64).all(|i| {
+            white
+                .shade(&fragment(0, 0), ())
+                .unwrap()
+                .finish(fragment(i % 8, i / 8).point)
+                == BinaryColor::On
+        }));
+    }
+}
