@@ -18,10 +18,10 @@ fn replay(inputs: &str, check: fn(&[u8])) {
 
 #[test]
 fn inputs_that_once_failed_pass() {
-    replay(include_str!("mended.base64"), fuzzed::draw::check);
+    replay(include_str!("mended.base64"), fuzz::draw::check);
 }
 
 #[test]
 fn kept_draw_inputs_pass() {
-    replay(include_str!("draw.base64"), fuzzed::draw::check);
+    replay(include_str!("kept.base64"), fuzz::draw::check);
 }

@@ -5,7 +5,7 @@ mod wires;
 
 // A display that follows its data sheet. The library's tests use it, too.
 #[allow(dead_code)]
-#[path = "../../../../tests/display/panel.rs"]
+#[path = "../../../tests/display/panel.rs"]
 mod display;
 
 use embedded_graphics::pixelcolor::{Rgb565, raw::BigEndian};
@@ -203,10 +203,10 @@ fn an_ili9341_receives_these_bytes() {
 /// The guide quotes lines of these programs: the programs must contain them.
 #[test]
 fn the_guide_quotes_the_programs() {
-    const GUIDE: &str = include_str!("../../../../src/guide/firmware.md");
+    const GUIDE: &str = include_str!("../../../src/guide/firmware.md");
     const PROGRAMS: [&str; 2] = [
-        include_str!("../../stm32f4/src/main.rs"),
-        include_str!("../../esp32c3/src/main.rs"),
+        include_str!("../src/bin/stm32f4.rs"),
+        include_str!("../src/bin/esp32c3.rs"),
     ];
     let plain =
         |text: &str| -> Vec<String> { text.lines().map(|line| line.trim().to_string()).collect() };

@@ -1,7 +1,7 @@
 //! The cost on a microcontroller of the inner loops (a pixel in each mode, and the set-up of a triangle) and of frames
 //! (the mean of the eight poses of each measured scene).
 //!
-//! `cargo run --profile speed -p kernels --target thumbv7em-none-eabi` runs it under QEMU, which counts instructions;
+//! `cargo run --profile speed -p firmware --bin kernels --target thumbv7em-none-eabi` runs it under QEMU, which counts instructions;
 //! on a chip it counts the core's cycles. The first line says which of the two it counts, and how many a tick has. Then
 //! follows a line for each kernel, with its units (pixels or triangles), the ticks that they took, and the instructions
 //! or cycles of `each`. A line for each scene comes last, with its frames and the instructions or cycles of `each`.
@@ -22,11 +22,11 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
-#[path = "../../firmware/src/board/mod.rs"]
+#[path = "../board/mod.rs"]
 mod board;
 #[cfg(target_os = "none")]
 mod bounds;
-#[path = "../../common/mod.rs"]
+#[path = "../../../common/mod.rs"]
 mod common;
 #[cfg(target_os = "none")]
 mod frames;

@@ -78,7 +78,7 @@ pub fn host() {
 }
 
 #[cfg(target_os = "none")]
-#[path = "../../common/stack.rs"]
+#[path = "../../../common/stack.rs"]
 mod stack;
 
 #[cfg(target_os = "none")]

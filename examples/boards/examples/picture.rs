@@ -1,4 +1,4 @@
-//! Draws the scene on your computer: `cargo run -p scene --example picture > scene.ppm`. Three numbers as arguments set
+//! Draws the scene on your computer: `cargo run --example picture > scene.ppm`. Three numbers as arguments set
 //! the width, the height and the time in milliseconds.
 
 use std::error::Error;

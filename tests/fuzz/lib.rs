@@ -1,6 +1,6 @@
-//! The fuzzed checks. Each makes an input from bytes, passes it to the crate, and checks the invariants of the result.
+//! The checks of draw calls made from arbitrary bytes. Each makes an input from bytes, passes it to the crate, and checks the invariants of the result.
 //!
-//! The fuzz targets in tests/fuzz call [`draw`] with bytes from libFuzzer; `replay.rs` calls it with the inputs that were
+//! The target for libFuzzer, `target.rs`, calls [`draw::check`] with arbitrary bytes; `replay.rs` calls it with the inputs that were
 //! kept. A check that fails panics.
 //!
 //! | file | contents |

@@ -4,7 +4,7 @@
 //! This command runs it on the board that QEMU emulates:
 //!
 //! ```sh
-//! cargo run --config .cargo/oled.toml --profile speed -p oled --target thumbv7m-none-eabi
+//! cargo run --config .cargo/oled.toml --profile speed -p firmware --bin oled --target thumbv7m-none-eabi
 //! ```
 //!
 //! If QEMU has a desktop to draw on (Debian: qemu-system-gui), it opens a window with the panel, in which a pixel takes
@@ -19,13 +19,13 @@
 //! it:
 //!
 //! ```sh
-//! cargo run --release -p oled
+//! cargo run --release -p firmware --bin oled
 //! ```
 //!
 //! `--frame` selects another frame. `.ci/oled` compares this picture with QEMU's, pixel by pixel.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
-#[path = "../../common/gyroscope.rs"]
+#[path = "../../../common/gyroscope.rs"]
 mod gyroscope;
 
 #[cfg(target_os = "none")]

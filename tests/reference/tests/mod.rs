@@ -16,9 +16,9 @@ mod projecting;
 mod screen;
 mod segments;
 
-use crate::reference::coverage::{Bounds, Corners, center};
-use crate::reference::linear::{IDENTITY, Matrix, Vec3};
-use crate::reference::{
+use super::coverage::{Bounds, Corners, center};
+use super::linear::{IDENTITY, Matrix, Vec3};
+use super::{
     attributes, clip, coverage, distance, linear, lines, projection, raster, scenes, silhouette,
     view,
 };
