@@ -3,9 +3,9 @@
 
 mod wires;
 
-// A display that follows its data sheet. The library's tests use it, too.
+// A display that follows its data sheet. The cookbook's tests use it, too.
 #[allow(dead_code)]
-#[path = "../../../tests/display/panel.rs"]
+#[path = "../../cookbook/tests/display/panel.rs"]
 mod display;
 
 use embedded_graphics::pixelcolor::{Rgb565, raw::BigEndian};

@@ -3,7 +3,7 @@
 
 mod panel;
 
-#[path = "../../examples/common/mod.rs"]
+#[path = "../../../common/mod.rs"]
 mod common;
 
 use std::collections::BTreeSet;
