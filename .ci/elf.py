@@ -1,4 +1,5 @@
-"""Reads sections and functions of programs, which are little-endian 32-bit ELF files.
+#!/usr/bin/python3
+"""Reads sections and functions of programs. Only Debian's own Python finds the package python3-pyelftools.
 
 elf.py measure BASELINE PROBE       prints bytes of code, of compiler routines in it, and of constants (less baseline)
 elf.py functions BASELINE PROBE     prints functions by size, less the baseline's function of that name
@@ -9,38 +10,28 @@ elf.py memory PROGRAM               prints bytes of flash and of RAM without the
 import collections
 import re
 import signal
-import struct
 import subprocess
 import sys
 
-FUNCTION = 2  # STT_FUNC
+from elftools.elf.elffile import ELFFile
+
 # Routines that the compiler calls implicitly. Those with a full Rust name come from the crate compiler_builtins.
 ROUTINE = re.compile(r"compiler_builtins|^__aeabi_|^__[a-z]+[sdt]i[234]$|^mem(cpy|set|move|cmp)$")
 
 
 def read(path):
     """Sizes of sections by name; size and name of functions by address; all names of functions."""
-    data = open(path, "rb").read()
-
-    def text(at):
-        return data[at : data.index(b"\0", at)].decode()
-
-    offset, = struct.unpack_from("<I", data, 32)
-    size, count, texts = struct.unpack_from("<HHH", data, 46)
-    headers = [struct.unpack_from("<10I", data, offset + i * size) for i in range(count)]
-    sections = {text(headers[texts][4] + header[0]): header[5] for header in headers}
     functions, names = {}, []
-    for header in headers:
-        if header[1] != 2:  # SHT_SYMTAB
-            continue
-        strings = headers[header[6]][4]
-        for at in range(header[4], header[4] + header[5], 16):
-            name, address, length, info = struct.unpack_from("<IIIB", data, at)
-            if info & 15 == FUNCTION:
-                names.append(text(strings + name))
+    with open(path, "rb") as file:
+        program = ELFFile(file)
+        sections = {section.name: section["sh_size"] for section in program.iter_sections()}
+        symbols = program.get_section_by_name(".symtab")
+        for symbol in symbols.iter_symbols() if symbols else []:
+            if symbol["st_info"]["type"] == "STT_FUNC":
+                names.append(symbol.name)
                 # A function may have several names.
-                if address not in functions or length:
-                    functions[address] = (length, names[-1])
+                if symbol["st_value"] not in functions or symbol["st_size"]:
+                    functions[symbol["st_value"]] = (symbol["st_size"], symbol.name)
     return sections, functions, sorted(names)
 
 

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Runs a board's program on an emulated core, with a model of the chip's registers that it needs, and of its display.
 
 emulate.py pico|stm32f4 PROGRAM PICTURE.ppm
@@ -7,12 +7,14 @@ Writes what the display shows after two frames, and prints the time in ms at whi
 of DMA sends a band at the last moment, when the program waits for it. So a program that draws into a band that is being
 sent shows a wrong picture. The display follows the data sheets: CS selects it, and DC tells commands from data; CASET
 and RASET set a window, and RAMWR writes to it. Registers have the addresses of the RP2040's data sheet and of the
-STM32F405's reference manual, RM0090. Needs the Python package unicorn.
+STM32F405's reference manual, RM0090. Only Debian's own Python finds the packages
+python3-unicorn and python3-pyelftools.
 """
 import collections
 import struct
 import sys
 
+from elftools.elf.elffile import ELFFile
 from unicorn import UC_ARCH_ARM, UC_HOOK_CODE, UC_MODE_MCLASS, UC_MODE_THUMB, Uc, UcError
 from unicorn.arm_const import (UC_ARM_REG_LR, UC_ARM_REG_PC, UC_ARM_REG_PRIMASK, UC_ARM_REG_R0, UC_ARM_REG_R1,
                                UC_ARM_REG_R2, UC_ARM_REG_SP, UC_CPU_ARM_CORTEX_M0, UC_CPU_ARM_CORTEX_M4)
@@ -81,13 +83,10 @@ class Chip:
         self.registers = collections.defaultdict(int)
         self.microseconds, self.transfer = 0, None
         self.display = Display(self)
-        data = open(program, "rb").read()
-        headers, = struct.unpack_from("<I", data, 28)
-        size, count = struct.unpack_from("<HH", data, 42)
-        for i in range(count):
-            kind, offset, _, address, length = struct.unpack_from("<5I", data, headers + i * size)
-            if kind == 1 and length:  # PT_LOAD, at its address in flash
-                self.core.mem_write(address, data[offset : offset + length])
+        with open(program, "rb") as file:
+            for segment in ELFFile(file).iter_segments("PT_LOAD"):
+                if segment["p_filesz"]:
+                    self.core.mem_write(segment["p_paddr"], segment.data())  # at its address in flash
 
     def read(self, address):
         return self.registers[address]

@@ -239,10 +239,10 @@ macro_rules! diagram {
     };
 }
 
-/// The picture of an item's page, embedded as base64 so that it is shown wherever the page is.
+/// The picture of an item's page, embedded so that it is shown wherever the page is.
 /// `cargo run -p cookbook -- --renew` draws it at the size of a small display, and browsers show each of its pixels as
 /// a square.
-#[cfg(doc)]
+#[cfg(all(doc, feature = "assets"))]
 macro_rules! page_picture {
     ($name:literal, $shows:literal) => {
         concat!(
@@ -250,15 +250,18 @@ macro_rules! page_picture {
             $shows,
             "\" title=\"",
             $shows,
-            "\" width=\"240\" height=\"160\" style=\"image-rendering: pixelated\" src=\"data:image/png;base64,",
-            include_str!(concat!(
-                env!("CARGO_MANIFEST_DIR"),
-                "/examples/assets/pages/",
-                $name,
-                ".base64"
-            )),
+            "\" width=\"240\" height=\"160\" style=\"image-rendering: pixelated\" src=\"",
+            fixel_macros::picture_uri!("examples/assets/pages/" $name ".png"),
             "\">\n\n\n"
         )
+    };
+}
+
+/// Without the feature `assets`, the documentation has no pictures.
+#[cfg(all(doc, not(feature = "assets")))]
+macro_rules! page_picture {
+    ($name:literal, $shows:literal) => {
+        ""
     };
 }
 

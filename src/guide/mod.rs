@@ -14,8 +14,8 @@
 //! 7. **[Benchmarks](benchmarks)**: what drawing costs, beside other libraries.
 #![cfg_attr(doc, doc = page_picture!("shaders", "Balls in eight shaders"))]
 
-/// A title, and the picture of a scene of the cookbook. The picture is embedded, so that it is shown wherever the page
-/// is.
+/// A title, and the picture of a scene of the cookbook.
+#[cfg(feature = "assets")]
 macro_rules! picture {
     ($title:literal, $name:literal) => {
         concat!(
@@ -23,10 +23,16 @@ macro_rules! picture {
             $title,
             "\n\n![",
             $title,
-            "](data:image/png;base64,",
-            include_str!(concat!("../../examples/assets/", $name, ".base64")),
+            "](",
+            fixel_macros::picture_uri!("examples/assets/" $name ".png"),
             ")\n\n"
         )
+    };
+}
+#[cfg(not(feature = "assets"))]
+macro_rules! picture {
+    ($title:literal, $name:literal) => {
+        concat!("# ", $title, "\n\n")
     };
 }
 

@@ -31,8 +31,8 @@
 //! into equal steps. Where coordinates run from 0 to 1, a texture with 64 texels in a row moves by up to 1/2048 texel
 //! with 16 bits, and by up to 1/8 texel with 8.
 //!
-//! The attributes of each triangle that is drawn are unpacked; for normals, this takes 20 instructions on Cortex-M4. A
-//! program without such meshes does not contain the code.
+//! The attributes of each triangle that is drawn are unpacked; for normals, this takes a few instructions in a hundred
+//! on Cortex-M4. A program without such meshes does not contain the code.
 //!
 //! ```
 //! use fixel::prelude::*;

@@ -267,6 +267,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// poses, printed by `kernels painter`; the instructions are those of x86-64, counted by
     /// `valgrind --tool=callgrind --toggle-collect='*only_drawing*'`:
     ///
+    /// <!-- figures: painter -->
     /// | scene | wrong pixels | list | millions of instructions with depth | sorted |
     /// |---|--:|--:|--:|--:|
     /// | sphere | 0 | 17.1 KiB | 2.23 | 2.62 |
@@ -274,6 +275,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// | 27 towers, after the floor | 0 | 5.0 KiB | 2.88 | 1.16 |
     /// | island with a lighthouse | 0.40 % | 19.1 KiB | 5.14 | 5.73 |
     /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 9.37 | 10.1 |
+    /// <!-- end -->
     ///
     /// Sorting takes time for each triangle, and hidden pixels are drawn, too. But no pixel's depth is tested and
     /// stored, which is most of the cost of a pixel of one color, such as the towers'.

@@ -190,7 +190,7 @@ impl Policy for Exact {
 ///
 /// All triangles and all spans take one path. So a program contains neither the paths for small triangles and for
 /// linear spans, nor the choice among them. On a Cortex-M4 at opt-level "s", drawing textured triangles with a depth
-/// buffer takes 10.1 KB of code in place of 12.6 KB in mode [`Newton`], and 2 to 2.5 times the instructions. On a core
+/// buffer takes a fifth less code than in mode [`Newton`], and 2 to 2.5 times the instructions. On a core
 /// without 64-bit products, it takes 3 to 5 times the instructions of [`Fast`].
 ///
 /// The error is at most as large as in [`Newton`]. Stored depths may differ by a step from those of the other modes, so
@@ -250,8 +250,8 @@ impl Policy for Affine {
 /// frames.
 ///
 /// On a core without 64-bit products, such as Cortex-M0+ and M23, use [`Fast`]
-/// ([`DrawOptions::fast`](crate::DrawOptions::fast)): there, a pixel that takes a Newton step costs 138 instructions in
-/// place of 25, and a frame of the measured cube 3.6 million in place of 1.8.
+/// ([`DrawOptions::fast`](crate::DrawOptions::fast)): there, a pixel that takes a Newton step costs more than five times
+/// the instructions, and a frame of the measured cube about twice.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Newton};

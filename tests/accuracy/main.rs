@@ -39,7 +39,6 @@ mod painter;
 mod picking;
 mod promises;
 mod quantized;
-mod reference_model;
 mod scenes;
 mod sine;
 mod sized_points;

@@ -28,6 +28,7 @@
 //! | `scenes` | the measured scenes |
 //! | `sprites` | the corners of sprites |
 //! | `texture` | a texture's color between its texels |
+//! | `tests` | the model, compared with numbers worked out by hand |
 
 // Each binary that includes the model uses only a part of it.
 #![allow(dead_code)]
@@ -55,4 +56,7 @@ pub mod scenes;
 pub mod silhouette;
 pub mod sprites;
 pub mod texture;
+// In tests/accuracy only: the other programs that include the model are no tests.
+#[cfg(test)]
+mod tests;
 pub mod view;

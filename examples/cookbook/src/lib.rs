@@ -9,7 +9,6 @@ pub mod world;
 
 use std::path::{Path, PathBuf};
 
-use base64::prelude::{BASE64_STANDARD, Engine};
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics_simulator::SimulatorDisplay;
@@ -58,13 +57,4 @@ pub fn assets() -> PathBuf {
 #[must_use]
 pub fn page(name: &str) -> PathBuf {
     assets().join("pages").join(name).with_extension("png")
-}
-
-/// A file as text, for a `data:` URI.
-///
-/// # Errors
-///
-/// Those of reading it.
-pub fn base64_of(path: &Path) -> std::io::Result<String> {
-    Ok(BASE64_STANDARD.encode(std::fs::read(path)?))
 }

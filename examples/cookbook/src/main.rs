@@ -3,12 +3,11 @@
 mod animation;
 
 use std::error::Error;
-use std::fs;
 use std::path::PathBuf;
 
 use clap::Parser;
 use clap::builder::PossibleValuesParser;
-use cookbook::{PAGE_SIZE, PAGES, SIZE, WORLD, all, assets, base64_of, page, picture, world};
+use cookbook::{PAGE_SIZE, PAGES, SIZE, WORLD, all, assets, page, picture, world};
 use embedded_graphics::geometry::Size;
 use embedded_graphics_simulator::OutputSettings;
 
@@ -24,7 +23,7 @@ struct Args {
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<Size>,
 
-    /// Renew the pictures of the documentation instead: PNG files, and for the guide the same files in base64.
+    /// Renew the pictures of the documentation instead.
     #[arg(long, conflicts_with = "size")]
     renew: bool,
 
@@ -57,9 +56,6 @@ fn main() -> Result<(), Box<dyn Error>> {
                 .to_rgb_output_image(&OutputSettings::default())
                 .save_png(&path)?;
             println!("{}", path.display());
-            if args.renew {
-                fs::write(path.with_extension("base64"), base64_of(&path)?)?;
-            }
             if name == WORLD {
                 let path = path.with_extension("gif");
                 let turns = (0..world::FRAMES).map(world::turn_of);
@@ -76,7 +72,6 @@ fn main() -> Result<(), Box<dyn Error>> {
                 .to_rgb_output_image(&OutputSettings::default())
                 .save_png(&path)?;
             println!("{}", path.display());
-            fs::write(path.with_extension("base64"), base64_of(&path)?)?;
         }
     }
     Ok(())

@@ -6,7 +6,10 @@ mod expansion;
 mod mesh;
 mod picture;
 
+use std::path::Path;
+
 use arguments::Arguments;
+use base64::prelude::{BASE64_STANDARD, Engine};
 use proc_macro::{Delimiter, Group, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
 /// Expands one of `fixel`'s macros. Its input is the macro's name, the path of `fixel`, and the macro's own input.
@@ -30,6 +33,24 @@ pub fn assets(input: TokenStream) -> TokenStream {
             .tokens(&fixel, span))
     });
     expanded.unwrap_or_else(|problem| error(&problem, span))
+}
+
+/// A picture of `fixel`'s own documentation as a `data:` URI, which is shown wherever the page is: docs.rs serves no other
+/// files. Its input is the parts of a path in the package.
+#[doc(hidden)]
+#[proc_macro]
+pub fn picture_uri(input: TokenStream) -> TokenStream {
+    let input = input.to_string();
+    let parts = input.split('"').skip(1).step_by(2);
+    let root = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();
+    let path = Path::new(&root).join(parts.collect::<String>());
+    match std::fs::read(&path) {
+        Ok(picture) => {
+            let uri = format!("data:image/png;base64,{}", BASE64_STANDARD.encode(picture));
+            TokenTree::Literal(Literal::string(&uri)).into()
+        }
+        Err(problem) => error(&format!("{}: {problem}", path.display()), Span::call_site()),
+    }
 }
 
 /// The compiler's own error with this message.

@@ -1,0 +1,165 @@
+"""What the expressions in .ci/tables.md mean, and the claims in words that pages make about the same figures."""
+import math
+
+M4, M0, RISCV = "thumbv7em-none-eabi", "thumbv6m-none-eabi", "riscv32imc-unknown-none-elf"
+M33 = "thumbv8m.main-none-eabi"
+SCENES = ["floor", "cube", "sphere", "sphere-flat"]
+LAYOUTS = ["frame", "bands", "prepared"]
+# Columns: both cores, at opt-level 3 and "s".
+SPEED = [(M4, "3"), (M0, "3")]
+BOTH = [(M4, "3"), (M4, "s"), (M0, "3"), (M0, "s")]
+
+
+def whole(value):
+    return f"{math.floor(value + 0.5):,}"
+
+
+def tenths(value):
+    return f"{value:.1f}"
+
+
+def million(value):
+    """Millions, with three digits."""
+    value /= 1e6
+    return f"{value:.2f}" if value < 9.995 else f"{value:.1f}"
+
+
+def short_million(value):
+    """Millions, with two digits."""
+    value /= 1e6
+    return f"{value:.1f}" if value < 9.95 else f"{value:.0f}"
+
+
+def kb(value):
+    return whole(value / 1000)
+
+
+def texels(value):
+    """Two digits, or five places."""
+    if value >= 1:
+        return f"{value:.0f}"
+    return f"{value:.{min(5, 1 - math.floor(math.log10(value)))}f}"
+
+
+def ring_rate(count):
+    """Frames a second at 125 MHz, with two cycles for each instruction and with one."""
+    return f"{whole(125e6 / (2 * count))} to {whole(125e6 / count)}"
+
+
+def names(instructions, other):
+    """The functions for expressions. instructions[target, optimization, mode, what, per] are the counts of
+    tests/instructions.csv; other[what] are the figures of tests/figures.csv."""
+    units = {key[3]: key[4] for key in instructions if key[2] == "kernel" and "long" not in key[4]}
+
+    def cells(show, values):
+        return " | ".join(map(show, values))
+
+    def measured(show, *what):
+        return cells(show, [other[name] for name in what])
+
+    def mean(target, optimization, mode, *scenes):
+        """Of eight poses."""
+        key = target, optimization, mode
+        return cells(million, [instructions[*key, scene, "mean-of-poses"] for scene in scenes or SCENES])
+
+    def frame(mode, scene, *targets):
+        return cells(million, [instructions[target, "3", mode, scene, "frame"] for target in targets])
+
+    def bands(scene, *targets):
+        counts = [instructions[target, "3", "newton", scene, layout] for target in targets for layout in LAYOUTS]
+        return cells(million, counts)
+
+    def each_mode(scene):
+        modes = ["exact", "newton", "fast", "affine"]
+        return cells(short_million, [instructions[M0, "3", mode, scene, "frame"] for mode in modes])
+
+    def kernel(name, unit=None, less=None, on=BOTH, show=whole):
+        """The cost of a kernel, or its excess over another one."""
+        def cost(name, column, unit=None):
+            return instructions[*column, "kernel", name, unit or units[name]] / 1000
+
+        return cells(show, [cost(name, column, unit) - (cost(less, column) if less else 0) for column in on])
+
+    def code(name, target=M4, optimization="s"):
+        return other[f"{target} {optimization} {name} code"]
+
+    def sizes(name):
+        small, large = ([code(name, M4, opt), other[f"{M4} {opt} {name} stack"]] for opt in ["s", "3"])
+        goal = f" {whole(other[f'{name} goal'])} |" if f"{name} goal" in other else " |"
+        return f"{whole(small[0])} |{goal} {whole(small[1])} | {cells(whole, large)}"
+
+    def errors(case, *kinds):
+        return cells(texels, [other[f"{case} error {kind}"] for kind in kinds or ["max", "mean"]])
+
+    def ring(name, show=lambda value: tenths(value / 1e6)):
+        ways = ["240 bands", "40 bands", "40 prepared", "16 bands", "16 prepared"]
+        return measured(show, *(f"ring {name} {way}" for way in ways))
+
+    def painter(scene):
+        wrong, size = other[f"painter {scene} wrong"], other[f"painter {scene} list"]
+        costs = measured(million, f"painter {scene} depth", f"painter {scene} sorted")
+        return f"{f'{wrong:.2f} %' if wrong else '0'} | {tenths(size / 1024)} KiB | {costs}"
+
+    def kib(what):
+        return whole(math.ceil(other[what] / 1024))
+
+    def a_second(core_mhz, target, scene, layout):
+        """Frames, if each instruction takes 1.5 cycles."""
+        return whole(core_mhz * 1e6 / (1.5 * instructions[target, "3", "newton", scene, layout]))
+
+    return globals() | locals()
+
+
+def claims(instructions, other):
+    """Sentences that pages must contain, each with its page and a condition that must hold."""
+    benchmarks, modes, firmware = (f"src/guide/{name}.md" for name in ["benchmarks", "modes", "firmware"])
+
+    def frame(target, mode, scene, layout="frame"):
+        return instructions[target, "3", mode, scene, layout]
+
+    def kernel(name, target=M4):
+        return next(count for key, count in instructions.items()
+                    if key[:4] == (target, "3", "kernel", name) and "long" not in key[4])
+
+    def ratios(optimization, target, mode, scenes=SCENES[:3]):
+        """The cost of `Compact`, for size, or of `Newton`, compared with a mode."""
+        other_mode = "compact" if optimization == "s" else "newton"
+        means = [[instructions[target, optimization, which, scene, "mean-of-poses"] for scene in scenes]
+                 for which in [other_mode, mode]]
+        return [a / b for a, b in zip(*means)]
+
+    def code(name):
+        return other[f"{M4} s {name} code"]
+
+    goals = [name.removesuffix(" goal") for name in other if name.endswith(" goal")]
+    compact, compact_m0 = ratios("s", M4, "newton"), ratios("s", M0, "fast")
+    cube = [frame(M0, "fast", "cube", layout) for layout in LAYOUTS]
+    yield benchmarks, "Every goal is met.", all(code(name) <= other[f"{name} goal"] for name in goals)
+    yield (modes, "its error is as large as the error of `Fast` within a quarter",
+           texels(other["sphere fast error max"]) == texels(other["sphere affine error max"]))
+    yield (modes, "`Newton`; `Affine` takes a little more",
+           1 < frame(M4, "affine", "sphere") / frame(M4, "newton", "sphere") < 1.1)
+    yield (modes, "half of `Newton`'s time, unless rows are level",
+           frame(M0, "fast", "cube") <= 0.5 * frame(M0, "newton", "cube"))
+    yield (modes, "on a Cortex-M4 it takes at most six tenths of `Exact`'s time",
+           all(frame(M4, "newton", scene) <= 0.6 * frame(M4, "exact", scene) for scene in SCENES[:3]))
+    yield (modes, "a program with textures and a depth buffer is a fifth smaller",
+           0.75 <= code("compact") / code("depth") < 0.85)
+    yield modes, "[takes at least twice the instructions]", min(ratios("s", M4, "newton") + compact_m0) >= 1.95
+    yield modes, "The mean error of `Fast` on the cube, about a hundredth of a texel", (
+        0.005 <= other["cube fast error mean"] < 0.015)
+    yield (firmware, "take a quarter more in bands of 16 rows than in a whole frame, and a twelfth more when they are "
+           "prepared", round(4 * (cube[1] / cube[0] - 1)) == 1 and round(12 * (cube[2] / cube[0] - 1)) == 1)
+    yield (firmware, "takes a fifth of the instructions that it takes [here]",
+           4.5 <= kernel("newton-depth-pass", M0) / kernel("newton-depth-pass") < 6.5)
+    yield "src/span/mode.rs", "takes a fifth less code than in mode [`Newton`]", (
+        0.75 <= code("compact") / code("depth") < 0.85)
+    yield "src/span/mode.rs", "and 2 to 2.5 times the instructions", 1.95 <= min(compact) and max(compact) < 2.55
+    yield ("src/span/mode.rs", "it takes 3 to 5 times the instructions of [`Fast`]",
+           2.5 <= min(compact_m0) and max(compact_m0) < 5.5)
+    yield ("src/span/mode.rs", "costs more than five times the instructions, and a frame of the measured cube about twice",
+           kernel("newton", M0) > 5 * kernel("fast-16", M0) and 1.75 <= ratios("3", M0, "fast")[1] < 2.25)
+    yield ("src/pipeline/on_screen.rs", "takes as many instructions as two or three triangles of one pixel",
+           2 <= kernel("in-view") / kernel("setup-one-pixel") < 3.5)
+    yield ("src/mesh/mod.rs", "for normals, this takes a few instructions in a hundred on Cortex-M4",
+           1.01 <= kernel("lit-quantized") / kernel("lit") < 1.05)

@@ -1,0 +1,18 @@
+//! Build script: links a board's program with the scripts of its chip.
+
+use std::env::var_os;
+
+fn main() {
+    let has = |board| var_os(format!("CARGO_FEATURE_{board}")).is_some();
+    if has("ESP32C3") {
+        println!("cargo::rustc-link-arg-bins=-Tlinkall.x"); // of esp-hal
+    } else if has("PICO") || has("STM32F4") {
+        println!("cargo::rustc-link-arg-bins=--nmagic");
+        println!("cargo::rustc-link-arg-bins=-Tlink.x"); // of cortex-m-rt
+    }
+    if has("PICO") {
+        // The folder with memory.x. Embassy defines the memory of an STM32.
+        println!("cargo::rustc-link-search={}", env!("CARGO_MANIFEST_DIR"));
+        println!("cargo::rerun-if-changed=memory.x");
+    }
+}

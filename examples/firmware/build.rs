@@ -1,0 +1,19 @@
+//! Build script of programs for emulated boards: links them with the runtime crate's script and memory.x.
+//!
+//! It is not in .cargo/config.toml because the settings there also hold for the project in boards/, whose chips have
+//! memories and scripts of their own.
+
+use std::env::var;
+
+fn main() {
+    println!("cargo::rerun-if-changed=../../memory.x");
+    if var("CARGO_CFG_TARGET_OS").is_ok_and(|os| os == "none") {
+        if var("CARGO_CFG_TARGET_ARCH").is_ok_and(|arch| arch == "riscv32") {
+            println!("cargo::rustc-link-arg-bins=-Tmemory.x");
+        }
+        println!("cargo::rustc-link-arg-bins=-Tlink.x");
+        // The board with the OLED has 256 KiB of flash and 64 KiB of RAM.
+        println!("cargo::rustc-link-arg-bin=oled=--defsym=_flash_length=0x40000");
+        println!("cargo::rustc-link-arg-bin=oled=--defsym=_ram_length=0x10000");
+    }
+}

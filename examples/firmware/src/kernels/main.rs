@@ -1,0 +1,186 @@
+//! The cost on a microcontroller of the inner loops (a pixel in each mode, and the set-up of a triangle) and of frames
+//! (the mean of the eight poses of each measured scene).
+//!
+//! `cargo run --profile speed -p firmware --bin kernels --target thumbv7em-none-eabi` runs it under QEMU, which counts instructions;
+//! on a chip it counts the core's cycles. The first line says which of the two it counts, and how many a tick has. Then
+//! follows a line for each kernel, with its units (pixels or triangles), the ticks that they took, and the instructions
+//! or cycles of `each`. A line for each scene comes last, with its frames and the instructions or cycles of `each`.
+//! `--profile size` instead of `--profile speed` optimizes for size.
+//!
+//! The cost of a pixel is the difference between two drawings of one triangle that covers a frame of 64 rows.
+//! `unit=pixel` compares frames of 16 and 48 columns, which lie within one span, and so measures only the inner loop.
+//! `unit=long-pixel` compares 48 and 240 columns, and so includes a pixel's share, 1/64, of the start of a span. The
+//! cost of a triangle is the difference between two prepared lists, one of which has more of the same triangles.
+//!
+//! Pixels are RGB565 in the processor's byte order, textures 64x64 with the nearest texel, and only draw calls are
+//! measured. `depth-pass` and `depth-fail` have a depth buffer that lets all pixels pass or none. The other kernels
+//! have no depth buffer.
+//!
+//! On the host, `kernels SCENE` draws a scene's poses, for `.ci/host` to count. `kernels painter` compares painter's
+//! order with a depth buffer; `kernels painter SCENE depth` and `kernels painter SCENE sorted` only draw, with a depth
+//! buffer or in painter's order. `kernels memory` prints the flash of scenes and the RAM of their prepared lists.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+#[cfg(target_os = "none")]
+#[path = "../board/mod.rs"]
+mod board;
+#[cfg(target_os = "none")]
+mod bounds;
+#[path = "../../../common/mod.rs"]
+mod common;
+#[cfg(target_os = "none")]
+mod frames;
+#[cfg(not(target_os = "none"))]
+mod host;
+#[cfg(target_os = "none")]
+mod lights;
+#[cfg(not(target_os = "none"))]
+mod memory;
+#[cfg(target_os = "none")]
+mod mono;
+#[cfg(not(target_os = "none"))]
+mod painter;
+#[cfg(target_os = "none")]
+mod pieces;
+#[cfg(target_os = "none")]
+mod setup;
+#[cfg(target_os = "none")]
+mod ticks;
+#[cfg(target_os = "none")]
+mod wall;
+#[cfg(target_os = "none")]
+mod words;
+
+#[cfg(not(target_os = "none"))]
+fn main() -> Result<(), fixel::Error> {
+    host::main()
+}
+
+#[cfg(target_os = "none")]
+mod firmware {
+    use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+    use fixel::canvas::{Add, Multiply, Opacity};
+    use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
+    use fixel::prelude::*;
+    use fixel::shade::Gradient;
+    use fixel::texture::{Argb4444, Mipmap};
+    use semihosting::println;
+
+    use super::board::{self, Clock};
+    use super::bounds;
+    use super::common::scenes::CHECKER;
+    use super::frames::Frame;
+    use super::lights;
+    use super::mono;
+    use super::pieces;
+    use super::setup::{self, Kind};
+    use super::ticks::Stopwatch;
+
+    use super::wall::{self, Bench, Depths};
+    use super::words;
+
+    /// White with half opacity.
+    static SMOKE: [[Argb4444; 64]; 64] = [[Argb4444::new(8, 15, 15, 15); 64]; 64];
+
+    /// All levels of a texture of one color.
+    static LEVELS: [Rgb565; Mipmap::<Rgb565>::len(64, 64)] =
+        [Rgb565::new(11, 18, 26); Mipmap::<Rgb565>::len(64, 64)];
+
+    fn run() -> Result<(), Error> {
+        let mut watch = Stopwatch::new(Clock::take().expect("taken once"));
+        println!("{}", watch.tick());
+        for (name, kind) in [
+            ("setup-no-pixel", Kind::Missing),
+            ("setup-one-pixel", Kind::Covering),
+        ] {
+            let (triangles, ticks) = setup::measure(&mut watch, kind)?;
+            watch.print(name, "triangle", triangles, ticks);
+        }
+
+        let (tests, ticks) = bounds::measure(&mut watch)?;
+        watch.print("in-view", "test", tests, ticks);
+        lights::measure(&mut watch)?;
+        words::measure(&mut watch)?;
+        mono::measure(&mut watch)?;
+
+        let mut frame = Frame::take();
+        frame.measure(&mut watch, "newton", Newton)?;
+        frame.measure(&mut watch, "fast", Fast::within(fx!(0.25)))?;
+        frame.measure(&mut watch, "compact", Compact)?;
+
+        // With a tolerance of half a texel, the pieces of this wall have 16 pixels.
+        let fast = Fast::within(fx!(0.5));
+        let mut bench = Bench::new(watch);
+        let length = pieces::length(&mut bench, fast)?;
+        assert_eq!(length, Some(16), "pixels in a piece");
+
+        let (skin, flat) = (Textured::new(&CHECKER), Flat::new(Rgb565::RED));
+        bench.kernel("flat", Newton, &flat, Depths::None)?;
+        let (low, high) = (Rgb888::new(20, 40, 200), Rgb888::new(120, 200, 255));
+        let sky = Gradient::<Rgb565>::new((fx!(-1), low), (fx!(1), high))?;
+        bench.kernel("gradient", Newton, &sky, Depths::None)?;
+        bench.kernel("affine", Affine, &skin, Depths::None)?;
+        bench.kernel("fast-16", fast, &skin, Depths::None)?;
+        bench.kernel("newton", Newton, &skin, Depths::None)?;
+        bench.kernel("newton-depth-pass", Newton, &skin, Depths::Far)?;
+        bench.kernel("newton-depth-fail", Newton, &skin, Depths::Near)?;
+        bench.kernel("narrow", Fast::NARROW, &skin, Depths::None)?;
+        bench.kernel("narrow-depth-pass", Fast::NARROW, &skin, Depths::Far)?;
+        bench.kernel("narrow-depth-fail", Fast::NARROW, &skin, Depths::Near)?;
+        bench.kernel("exact", Exact, &skin, Depths::None)?;
+
+        // No texel has this color.
+        let cut_out = skin.cut_out(Rgb565::MAGENTA);
+        bench.kernel("affine-cut-out", Affine, &cut_out, Depths::None)?;
+        bench.kernel("newton-cut-out", Newton, &cut_out, Depths::None)?;
+        // Mipmaps as for a frame of a quarter of the size, so that no pixel shows level 0, where there is no blend.
+        let projection = wall::mvp(240)?.projection();
+        let levels = Mipmap::new(&LEVELS, 64, 64)?;
+        let levels = Textured::new(levels).mipmapped(&projection, (60, 16))?;
+        bench.kernel("affine-mipmap", Affine, &levels, Depths::None)?;
+        bench.kernel("affine-bilinear", Affine, &skin.bilinear(), Depths::None)?;
+        bench.kernel(
+            "affine-mipmap-bilinear",
+            Affine,
+            &levels.bilinear(),
+            Depths::None,
+        )?;
+        bench.kernel(
+            "affine-trilinear",
+            Affine,
+            &levels.trilinear(),
+            Depths::None,
+        )?;
+        let glass = DrawOptions::new().with_blending(Opacity(100));
+        bench.blended("flat-opacity", glass, &flat, Depths::None)?;
+        let affine = DrawOptions::new().with_mode(Affine);
+        let glass = affine.with_blending(Opacity(100));
+        bench.blended("affine-opacity", glass, &skin, Depths::None)?;
+        let alpha = affine;
+        bench.blended(
+            "affine-argb4444",
+            alpha,
+            &Textured::new(&SMOKE),
+            Depths::None,
+        )?;
+        bench.blended("affine-add", affine.with_blending(Add), &skin, Depths::None)?;
+        let shadow = affine.with_blending(Multiply);
+        bench.blended("affine-multiply", shadow, &skin, Depths::None)?;
+        let linear = Fog::linear(Rgb565::WHITE, fx!(0.5), fx!(3))?;
+        let thick = Fog::exponential(Rgb565::WHITE, fx!(0.25))?;
+        bench.kernel("affine-fog", Affine, &skin.in_fog(linear), Depths::None)?;
+        bench.kernel("newton-fog", Newton, &skin.in_fog(linear), Depths::None)?;
+        bench.kernel(
+            "newton-fog-exponential",
+            Newton,
+            &skin.in_fog(thick),
+            Depths::None,
+        )?;
+        Ok(())
+    }
+
+    #[board::entry]
+    fn main() -> ! {
+        board::exit(run())
+    }
+}

@@ -1,0 +1,46 @@
+//! The checks of draw calls made from arbitrary bytes. Each makes an input from bytes, passes it to the crate, and checks the invariants of the result.
+//!
+//! The target for libFuzzer, `target.rs`, calls [`draw::check`] with arbitrary bytes; `replay.rs` calls it with the inputs that were
+//! kept. A check that fails panics.
+//!
+//! | file | contents |
+//! |---|---|
+//! | `numbers` | numbers of every magnitude |
+//! | `scene` | a draw call: mesh, model-view-projection, canvas, and options |
+//! | `projection` | projections of the crate, and the same of the model |
+//! | `steps` | products of transforms of the crate, and the same of the model |
+//! | `draw` | a scene in every mode, and with one of the crate's shaders |
+//! | `shaders` | a shader whose color depends on every bit |
+//! | `shades` | the crate's shaders |
+//! | `call` | a draw call in bands, prepared, as bytes and twice |
+//! | `knowledge` | the f64 model's triangles, and bounds on the crate's deviation from them |
+//! | `model` | the comparison of pixels with the f64 model |
+
+// f64 holds every integer used here, and no pixel lies left of or above the picture.
+#![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]
+
+// The accuracy tests use more of these items.
+#[path = "../accuracy/bounds.rs"]
+#[allow(dead_code)]
+mod bounds;
+#[path = "../accuracy/mode.rs"]
+#[allow(dead_code)]
+mod mode;
+#[path = "../accuracy/moves.rs"]
+#[allow(dead_code)]
+mod moves;
+#[path = "../common/recorder.rs"]
+mod recorder;
+#[path = "../reference/mod.rs"]
+mod reference;
+
+mod call;
+pub mod draw;
+mod knowledge;
+mod model;
+mod numbers;
+mod projection;
+mod scene;
+mod shaders;
+mod shades;
+mod steps;

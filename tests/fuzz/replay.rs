@@ -1,0 +1,27 @@
+//! Replays the inputs that fuzzing found worth keeping.
+//!
+//! tests/fuzz/README.md explains where these inputs come from.
+
+use std::panic;
+
+use base64::prelude::{BASE64_STANDARD, Engine};
+
+/// Checks each input, one per line in base64; fails with a list of those that fail.
+fn replay(inputs: &str, check: fn(&[u8])) {
+    let fails = |line: &&str| {
+        let input = BASE64_STANDARD.decode(line).unwrap();
+        panic::catch_unwind(|| check(&input)).is_err()
+    };
+    let failed: Vec<&str> = inputs.lines().filter(fails).collect();
+    assert!(failed.is_empty(), "{failed:#?}");
+}
+
+#[test]
+fn inputs_that_once_failed_pass() {
+    replay(include_str!("mended.base64"), fuzz::draw::check);
+}
+
+#[test]
+fn kept_draw_inputs_pass() {
+    replay(include_str!("kept.base64"), fuzz::draw::check);
+}
