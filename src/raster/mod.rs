@@ -2,7 +2,6 @@
 
 mod cull;
 mod edge;
-mod gradient;
 mod line;
 mod line_style;
 #[cfg(test)]
@@ -10,9 +9,7 @@ pub(crate) mod picture;
 mod point;
 mod polygon;
 mod rasterizer;
-mod scale;
 mod scissor;
-mod setup;
 mod sized_point;
 mod smooth_line;
 mod triangle;
@@ -23,21 +20,19 @@ use crate::mesh::Primitive;
 
 pub use cull::Cull;
 pub(crate) use edge::first_center;
-pub(crate) use gradient::Gradient;
 pub(crate) use line::line;
 pub use line_style::LineStyle;
 pub(crate) use point::point;
 pub(crate) use polygon::Polygon;
 pub(crate) use rasterizer::Rasterizer;
 pub(crate) use scissor::Scissor;
-pub(crate) use setup::{
-    Attribute, Interpolation, LEAST_WEIGHT, MOST_WEIGHT, SHALLOW, SPAN, Scale, Setup, unpaired,
-};
 pub use sized_point::PointStyle;
 pub(crate) use sized_point::sized_point;
 pub(crate) use smooth_line::{Coverage, smooth_line};
 pub(crate) use triangle::{Triangle, area};
-pub(crate) use vertex::{Barycentric, ClippedVertex, DepthShift, ScreenVertex};
+pub(crate) use vertex::{
+    Barycentric, ClippedVertex, DepthShift, LEAST_WEIGHT, MOST_WEIGHT, ScreenVertex,
+};
 pub(crate) use wide_line::wide_line;
 
 /// Three vertices on the screen; each interpolant is the plane through its values at them.

@@ -11,11 +11,13 @@ use super::mode::{Kernel, Policy};
 use super::newton::newton;
 use super::pieces::pieces;
 use super::pixels::{Count, FaceOf, Numbers, Pixels, Span, rolled};
+use super::scale::Scale;
+use super::setup::{Attribute, SPAN, unpaired};
 use super::shading::Shading;
 use super::straight::{scaled, solid, straight};
 use crate::canvas::{Canvas, Cells, DepthBuffer, DepthTest, Storage};
 use crate::mesh::Primitive;
-use crate::raster::{Attribute, Blitter, Columns, DepthShift, Patch, SPAN, Scale, unpaired};
+use crate::raster::{Blitter, Columns, DepthShift, Patch};
 use crate::shade::{Lanes, MOST_VARYINGS, Varyings};
 use crate::view::ProjectionKind;
 

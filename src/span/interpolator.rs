@@ -2,10 +2,13 @@
 
 use core::marker::PhantomData;
 
+use super::gradient::Gradient;
 use super::mode::{DEEP, Derivatives, Kernel, Policy, WHOLE};
 use super::newton::tangent;
 use super::pixels::Span;
-use crate::raster::{Attribute, DepthShift, Gradient, Interpolation, Patch, Scale, Setup};
+use super::scale::Scale;
+use super::setup::{Attribute, Interpolation, Setup};
+use crate::raster::{DepthShift, Patch};
 use crate::shade::{Lanes, Tolerance};
 use crate::view::ProjectionKind;
 

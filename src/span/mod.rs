@@ -12,11 +12,14 @@
 
 mod blit;
 mod divide;
+mod gradient;
 mod interpolator;
 mod mode;
 mod newton;
 mod pieces;
 mod pixels;
+mod scale;
+mod setup;
 mod shading;
 mod straight;
 #[cfg(test)]

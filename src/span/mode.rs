@@ -8,15 +8,16 @@
 //!
 //! 1. Under a parallel projection and in [`Affine`], nothing is divided: the kernel is straight.
 //! 2. If a triangle's attributes are affine within the mode's tolerance ([`Policy::affine_within`]), the kernel is
-//!    straight, too. The set-up tells; its inequality stands at `Attribute::affine_range` in raster/setup.rs.
+//!    straight, too. The set-up tells; its inequality stands at `Attribute::affine_range` in setup.rs.
 //! 3. In [`Exact`], a deep triangle ([`DEEP`]) divides anew at each pixel.
 //! 4. [`Policy::of_triangle`] may choose for all spans of a triangle, and
 //! 5. [`Policy::of_span`] for a single one.
 
 use super::newton::FRACTION;
 use super::pixels::Span;
+use super::scale::Scale;
+use super::setup::SHALLOW;
 use crate::Scalar;
-use crate::raster::{SHALLOW, Scale};
 use crate::shade::{Lanes, Tolerance};
 
 /// How attributes are interpolated between a triangle's corners, which trades accuracy for speed.

@@ -1,11 +1,11 @@
 //! The reciprocal of 1/w at a pixel, from the reciprocals at the two pixels before it.
 
 use super::pixels::{Count, Pixels, Span, rolled};
+use super::scale::Scale;
 use super::shading::Shading;
 use crate::canvas::{Cells, DepthBuffer, DepthTest, Storage};
 use crate::num::reciprocal;
 use crate::num::wide::{Word, high, newton_step, product, seldom};
-use crate::raster::Scale;
 use crate::shade::Lanes;
 
 /// The number of bits in an attribute's scale, and so the bits of a fraction p/q.

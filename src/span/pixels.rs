@@ -4,10 +4,10 @@ use core::hint::black_box;
 
 use embedded_graphics::geometry::Point;
 
+use super::scale::Scale;
 use super::shading::Shading;
 use crate::canvas::{DepthBuffer, DepthTest, LinearDepth, Storage};
 use crate::num::wide::at_least;
-use crate::raster::Scale;
 use crate::shade::{Fragment, Lanes, Varyings};
 
 /// The interpolated numbers of a shader, one `i32` in each lane.
@@ -25,7 +25,7 @@ pub(super) type FaceOf<S> = <<S as Shading>::Varyings as Varyings>::Face;
 /// Interpolants at the first pixel of a span, and their change from one pixel to the next.
 ///
 /// `q` is 1/w (or depth under a parallel projection), scaled so that its greatest value in the primitive has bit 30
-/// set. Each `p` is attribute · q · 2^-bits (see [`Scale`](crate::raster::Scale)), so that |p| ≤ q/2 apart from
+/// set. Each `p` is attribute · q · 2^-bits (see [`Scale`]), so that |p| ≤ q/2 apart from
 /// rounding.
 #[derive(Clone)]
 pub(crate) struct Span<L: Lanes> {

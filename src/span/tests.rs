@@ -11,10 +11,10 @@ use super::divide::{divide, divide_anew};
 use super::newton::newton;
 use super::pieces::pieces;
 use super::pixels::{Pixels, Span};
+use super::scale::Scale;
 use super::straight::{solid, straight};
 use crate::canvas::{Canvas, Cells, Native, NoDepth, NoTest, Replace, TestAndWrite};
 use crate::mesh::Primitive;
-use crate::raster::Scale;
 use crate::shade::{Flat, Fragment, Shader};
 
 /// Writes down the column and the number of each pixel.

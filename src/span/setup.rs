@@ -1,11 +1,9 @@
 //! The set-up of a primitive: 1/w and the attributes over w as gradients over the screen.
 
 use super::gradient::{Basis, Gradient};
-use super::scale::{ONE, weigh};
-use super::{Barycentric, DepthShift, Patch, ScreenVertex};
+use super::scale::{ONE, Scale, weigh};
 use crate::num::wide::product;
-
-pub(crate) use super::scale::Scale;
+use crate::raster::{Barycentric, DepthShift, LEAST_WEIGHT, Patch, ScreenVertex};
 
 /// The most pixels of a span; every span computes its interpolants afresh.
 ///
@@ -16,14 +14,6 @@ pub(crate) const SPAN: i32 = 64;
 /// The nearest corner's 1/w lies between 2^30 and 2^31. If all corners have more than this 1/w, the
 /// triangle is shallow: 1/w changes less than fourfold. (The value is 2^29 plus the rounding error at a pixel.)
 pub(crate) const SHALLOW: u32 = (1 << 29) + 64;
-
-/// Lower clamp of 1/w: a span's rounding (at most 40 units) stays below 1/32 of it, for which [`weigh`] leaves room.
-///
-/// It changes only corners that are more than half a million times as far away as the nearest one.
-pub(crate) const LEAST_WEIGHT: u32 = 1 << 11;
-
-/// Upper clamp of 1/w: rounding may add 40 units, and the sum stays below 2^31.
-pub(crate) const MOST_WEIGHT: u32 = (1 << 31) - 64;
 
 /// An attribute that is interpolated over a primitive.
 #[derive(Clone, Copy, Debug)]
@@ -306,9 +296,9 @@ impl Setup {
 
 #[cfg(test)]
 mod tests {
-    use super::super::picture::vertex;
-    use super::super::triangle::area;
     use super::*;
+    use crate::raster::area;
+    use crate::raster::picture::vertex;
 
     /// The number of bits of an attribute's scale in a triangle whose corners have these 1/w.
     fn bits(q: [u32; 3]) -> u32 {
