@@ -7,12 +7,12 @@ use embedded_graphics::geometry::Point;
 
 use super::divide::{divide, divide_anew, divide_apart};
 use super::interpolator::Interpolator;
-use super::mode::{Kernel, Policy};
 use super::newton::newton;
 use super::pieces::pieces;
 use super::pixels::{Count, FaceOf, Numbers, Pixels, Span, rolled};
+use super::plan::{Plan, Policy};
 use super::scale::Scale;
-use super::setup::{Attribute, SPAN, unpaired};
+use super::setup::{Attribute, Planes, SPAN, unpaired};
 use super::shading::Shading;
 use super::straight::{scaled, solid, straight};
 use crate::canvas::{Canvas, Cells, DepthBuffer, DepthTest, Storage};
@@ -50,8 +50,10 @@ where
     /// Whether attributes are divided by w.
     const OVER_W: bool = Interpolator::<Count<S>, K, M>::OVER_W;
 
+    const HAS_SMALL: bool = Interpolator::<Count<S>, K, M>::HAS_SMALL;
+
     /// Whether small triangles carry two attributes in one number.
-    const PAIRS: bool = S::Varyings::PAIRS && Self::OVER_W && !M::IS_COMPACT;
+    const PAIRS: bool = S::Varyings::PAIRS && Self::OVER_W && Self::HAS_SMALL;
 
     #[inline]
     pub(crate) fn new(
@@ -127,16 +129,13 @@ where
             }
             let (x, y) = (columns.start, row);
             let pixels = blit.pixels(row, x);
+            let Planes { setup, attributes } = &blit.interpolator.planes;
             let mut span = Span::<Count<S>> {
-                q: blit.interpolator.setup.q.small_at(x, y).cast_unsigned(),
-                p: Count::<S>::map(&blit.interpolator.attributes, |p: &Attribute| {
-                    p.gradient.small_at(x, y)
-                }),
-                dq: blit.interpolator.setup.q.step,
-                dp: Count::<S>::map(&blit.interpolator.attributes, |p: &Attribute| {
-                    p.gradient.step
-                }),
-                down: blit.interpolator.setup.down,
+                q: setup.q.small_at(x, y).cast_unsigned(),
+                p: Count::<S>::map(attributes, |p: &Attribute| p.gradient.small_at(x, y)),
+                dq: setup.q.step,
+                dp: Count::<S>::map(attributes, |p: &Attribute| p.gradient.step),
+                down: setup.down,
                 count: columns.len(),
             };
             match (span.p.as_mut(), span.dp.as_mut()) {
@@ -169,40 +168,32 @@ where
         let at = [columns.start, row];
         // By reference: moved, the span would be copied.
         let count = (columns.end - columns.start).cast_unsigned() as usize;
-        let (span, kernel) = &self.interpolator.begin(at, count);
-        let (mut pixels, scales) = (
-            self.pixels(row, columns.start),
-            self.interpolator.derivatives.scales,
-        );
+        let (span, plan) = &self.interpolator.begin(at, count);
+        let mut pixels = self.pixels(row, columns.start);
+        let Planes { setup, attributes } = &self.interpolator.planes;
         if Z::IS_BIASED {
-            let up = span.down.wrapping_sub(self.interpolator.setup.down);
-            pixels.test = pixels.test.shifted(up);
+            pixels.test = pixels.test.shifted(span.down.wrapping_sub(setup.down));
         }
+        let scales = Count::<S>::map(attributes, |p: &Attribute| p.scale);
         let interpolator = &self.interpolator;
         let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
         let Some(cells) = self.canvas.cells(row.cast_unsigned(), columns) else {
             return;
         };
-        if Self::INTERPOLATES {
-            // Kernels that neither the mode nor the projection uses are left out.
-            match *kernel {
-                Kernel::DivideAnew if Self::OVER_W && M::IS_PRECISE => {
-                    divide_anew(span, scales, |x| interpolator.anew(at, x), cells, pixels);
-                }
-                _ if Self::OVER_W && (M::IS_PRECISE || M::IS_COMPACT) => {
-                    divide(span, scales, cells, pixels);
-                }
-                Kernel::Divide if Self::OVER_W => divide_apart(span, scales, cells, pixels),
-                Kernel::Newton if Self::OVER_W && M::REFINES => newton(span, cells, pixels),
-                Kernel::Pieces(length) if Self::OVER_W && M::HAS_PIECES => {
-                    pieces(span, length, scales, cells, pixels);
-                }
-                _ if M::IS_COMPACT => scaled(span, scales, cells, pixels),
-                Kernel::Scaled if !Self::OVER_W => scaled(span, scales, cells, pixels),
-                _ => straight(span.anew(), Self::restored, cells, pixels),
+        // What a mode does not use under a projection is left out: on the right there are constants.
+        match (*plan, Interpolator::<Count<S>, K, M>::BEST) {
+            _ if !Self::INTERPOLATES => straight(span.anew(), Self::restored, cells, pixels),
+            (Plan::Straight, _) if Interpolator::<Count<S>, K, M>::HAS_STRAIGHT => {
+                straight(span.anew(), Self::restored, cells, pixels);
             }
-        } else {
-            straight(span.anew(), Self::restored, cells, pixels);
+            (_, Plan::Straight) => scaled(span, scales, cells, pixels),
+            (Plan::Newton, Plan::Newton) => newton(span, cells, pixels),
+            (Plan::Pieces(length), Plan::Pieces(_)) => pieces(span, length, scales, cells, pixels),
+            (Plan::Anew, Plan::Anew) => {
+                divide_anew(span, scales, |x| interpolator.anew(at, x), cells, pixels);
+            }
+            (_, Plan::Divide | Plan::Anew) => divide(span, scales, cells, pixels),
+            _ => divide_apart(span, scales, cells, pixels),
         }
     }
 
@@ -256,14 +247,15 @@ where
         }
         self.interpolator.set_up(patch);
         if Z::IS_BIASED {
-            self.test.triangle(self.interpolator.setup.steepness());
+            self.test
+                .triangle(self.interpolator.planes.setup.steepness());
         }
     }
 
     fn rows(&mut self, first: i32, rows: &[Columns]) {
         // Without a negation, the condition is a bare constant, and the branch that is not taken is not even compiled.
         if Self::VARIES {
-            if self.interpolator.is_small() {
+            if Self::HAS_SMALL && self.interpolator.plan == Plan::Small {
                 self.small_rows(first, rows);
             } else {
                 self.any_rows(first, rows);
