@@ -14,7 +14,9 @@ use super::cache::VertexCache;
 use super::call::{Call, Shared};
 use super::clip::ClippedPolygon;
 use crate::mesh::{Index, Indices, Primitive};
-use crate::raster::{self, Blitter, ClippedVertex, Polygon, Rasterizer, ScreenVertex, Triangle};
+use crate::raster::{
+    self, Blitter, Block, ClippedVertex, Polygon, Rasterizer, ScreenVertex, Triangle,
+};
 use crate::view::ProjectionKind;
 
 /// Runs all triangles of a mesh through the vertex and assembly stages; `to` draws them or keeps them in a list.
@@ -129,8 +131,7 @@ fn rectangle<K: ProjectionKind>(
     );
     let is_plane = is_plane([&shared.primitive(one), &shared.primitive(other)]);
     if is_plane {
-        draw.start(one);
-        draw.raster.rectangle(half);
+        draw.rasterizer(&shared.primitive(one)).rectangle(half);
         draw.drawn.drawn += 2;
     }
     is_plane
@@ -138,7 +139,8 @@ fn rectangle<K: ProjectionKind>(
 
 /// Draws assembled triangles.
 pub(super) struct Draw<'d> {
-    raster: Rasterizer<'d>,
+    blitter: &'d mut dyn Blitter,
+    block: Block,
     shared: &'d Shared<'d>,
     drawn: Drawn,
 }
@@ -151,7 +153,8 @@ impl<'d> Draw<'d> {
         submitted: usize,
     ) -> Self {
         Self {
-            raster: Rasterizer::new(blitter, &shared.scissor),
+            blitter,
+            block: Rasterizer::BLOCK,
             shared,
             drawn: Drawn {
                 submitted: submitted as u32,
@@ -170,10 +173,13 @@ impl<'d> Draw<'d> {
     }
 
     #[inline]
-    fn start(&mut self, indices: Indices) {
-        self.raster
-            .blitter
-            .primitive(&self.shared.primitive(indices));
+    fn rasterizer<'r>(&'r mut self, primitive: &'r Primitive<'r>) -> Rasterizer<'r> {
+        Rasterizer {
+            blitter: self.blitter,
+            primitive,
+            scissor: &self.shared.scissor,
+            block: &mut self.block,
+        }
     }
 
     /// Draws an edge or a point by `line`.
@@ -182,10 +188,10 @@ impl<'d> Draw<'d> {
         &mut self,
         indices: Indices,
         is_clipped: bool,
-        line: impl FnOnce(&mut Rasterizer<'d>),
+        line: impl FnOnce(&mut Rasterizer<'_>),
     ) {
-        self.start(indices);
-        line(&mut self.raster);
+        let primitive = self.shared.primitive(indices);
+        line(&mut self.rasterizer(&primitive));
         self.drawn.drawn += 1;
         self.drawn.clipped += u32::from(is_clipped);
     }
@@ -196,8 +202,8 @@ impl Assembly for Draw<'_> {
     fn whole(&mut self, indices: Indices, corners: [&ScreenVertex; 3], area: i64) {
         // By reference: moved, it would be copied.
         if let Some(triangle) = &Triangle::new(corners, None, area, &self.shared.scissor) {
-            self.start(indices);
-            self.raster.triangle(triangle, None);
+            let primitive = self.shared.primitive(indices);
+            self.rasterizer(&primitive).triangle(triangle, None);
             self.drawn.drawn += 1;
         }
     }
@@ -205,8 +211,8 @@ impl Assembly for Draw<'_> {
     #[inline(never)]
     fn clipped(&mut self, indices: Indices, polygon: &[ClippedVertex]) {
         if let Some(polygon) = Polygon::new(polygon, self.shared.cull) {
-            self.start(indices);
-            let drawn = u32::from(polygon.draw(&mut self.raster));
+            let primitive = self.shared.primitive(indices);
+            let drawn = u32::from(polygon.draw(&mut self.rasterizer(&primitive)));
             self.drawn.drawn += drawn;
             self.drawn.clipped += drawn;
         }

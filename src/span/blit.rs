@@ -17,7 +17,7 @@ use super::shading::Shading;
 use super::straight::{scaled, solid, straight};
 use crate::canvas::{Canvas, Cells, DepthBuffer, DepthTest, Storage};
 use crate::mesh::Primitive;
-use crate::raster::{Blitter, Columns, DepthShift, Patch};
+use crate::raster::{Blitter, Columns, DepthShift, Patch, Rows};
 use crate::shade::{Lanes, MOST_VARYINGS, Varyings};
 use crate::view::ProjectionKind;
 
@@ -230,29 +230,32 @@ where
     M: Policy,
     Z: DepthTest,
 {
-    fn varies(&self) -> bool {
-        Self::VARIES
-    }
-
-    fn primitive(&mut self, primitive: &Primitive<'_>) {
+    fn lay(&mut self, primitive: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows {
         let [a, b, c] = self.shading.varyings(primitive);
         let ((a, face), (b, _), (c, _)) = (a.split(), b.split(), c.split());
         self.face = face;
-        self.interpolator.start([a, b, c]);
-    }
-
-    fn set_up(&mut self, patch: &Patch<'_>) {
-        if !Self::VARIES {
-            return;
+        if Self::VARIES {
+            self.interpolator.start([a, b, c]);
+            self.interpolator.set_up(patch);
+            if Z::IS_BIASED {
+                let steepness = self.interpolator.planes.setup.steepness();
+                self.test.triangle(steepness);
+            }
         }
-        self.interpolator.set_up(patch);
-        if Z::IS_BIASED {
-            self.test
-                .triangle(self.interpolator.planes.setup.steepness());
-        }
+        self
     }
+}
 
-    fn rows(&mut self, first: i32, rows: &[Columns]) {
+impl<S, O, D, K, M, Z> Rows for Blit<'_, '_, S, O, D, K, M, Z>
+where
+    S: Shading,
+    O: Storage<S::Color>,
+    D: DepthBuffer,
+    K: ProjectionKind,
+    M: Policy,
+    Z: DepthTest,
+{
+    fn draw(&mut self, first: i32, rows: &[Columns]) {
         // Without a negation, the condition is a bare constant, and the branch that is not taken is not even compiled.
         if Self::VARIES {
             if Self::HAS_SMALL && self.interpolator.plan == Plan::Small {
