@@ -9,43 +9,42 @@ use super::divide::{divide, divide_anew, divide_apart};
 use super::interpolator::Interpolator;
 use super::newton::newton;
 use super::pieces::pieces;
-use super::pixels::{Count, FaceOf, Numbers, Pixels, Span, rolled};
+use super::pixels::{Count, FaceOf, Numbers, Pixels, Span, Target, rolled};
 use super::plan::{Plan, Policy};
 use super::scale::Scale;
 use super::setup::{Attribute, Planes, SPAN, unpaired};
 use super::shading::Shading;
 use super::straight::{scaled, solid, straight};
-use crate::canvas::{Canvas, Cells, DepthBuffer, DepthTest, Storage};
+use crate::canvas::{DepthBuffer, DepthTest};
 use crate::mesh::Primitive;
 use crate::raster::{Blitter, Columns, DepthShift, Patch, Rows};
 use crate::shade::{Lanes, MOST_VARYINGS, Varyings};
 use crate::view::ProjectionKind;
 
-/// The [`Blitter`] of shader and blending `S` in mode `M` under a projection of kind `K`.
-pub(crate) struct Blit<'p, 'c, S: Shading, O: Storage<S::Color>, D, K, M, Z> {
-    canvas: &'p mut Canvas<'c, S::Color, O, D>,
+/// The [`Blitter`] of canvas `T` and shading `S` in mode `M` under a projection of kind `K`.
+pub(crate) struct Blit<'p, S: Shading, T, K, M> {
+    canvas: &'p mut T,
     shading: S,
-    test: Z,
+    test: S::Test,
     interpolator: Interpolator<Count<S>, K, M>,
     /// The values that all pixels of the current primitive share for the shader.
     face: FaceOf<S>,
 }
 
-impl<'p, 'c, S, O, D, K, M, Z> Blit<'p, 'c, S, O, D, K, M, Z>
+impl<'p, S, T, K, M> Blit<'p, S, T, K, M>
 where
-    S: Shading,
-    O: Storage<S::Color>,
-    D: DepthBuffer,
+    S: Shading<Color = T::Color>,
+    T: Target,
     K: ProjectionKind,
     M: Policy,
-    Z: DepthTest,
 {
     /// Whether numbers are interpolated.
     const INTERPOLATES: bool = Count::<S>::COUNT > 0;
 
     /// Whether the pixels of a primitive differ in anything but their position.
-    const VARIES: bool =
-        Self::INTERPOLATES || D::IS_KEPT && (Z::TESTS || Z::WRITES) || S::READS_DEPTH;
+    const VARIES: bool = Self::INTERPOLATES
+        || T::Depth::IS_KEPT && (S::Test::TESTS || S::Test::WRITES)
+        || S::READS_DEPTH;
 
     /// Whether attributes are divided by w.
     const OVER_W: bool = Interpolator::<Count<S>, K, M>::OVER_W;
@@ -56,12 +55,7 @@ where
     const PAIRS: bool = S::Varyings::PAIRS && Self::OVER_W && Self::HAS_SMALL;
 
     #[inline]
-    pub(crate) fn new(
-        (mode, test): (M, Z),
-        canvas: &'p mut Canvas<'c, S::Color, O, D>,
-        shading: S,
-        shift: DepthShift,
-    ) -> Self {
+    pub(crate) fn new(mode: M, canvas: &'p mut T, shading: S, shift: DepthShift) -> Self {
         const {
             assert!(
                 Count::<S>::COUNT <= MOST_VARYINGS,
@@ -71,7 +65,7 @@ where
         Self {
             canvas,
             shading,
-            test,
+            test: shading.test(),
             interpolator: Interpolator::new(mode, &S::Varyings::tolerances(), Self::PAIRS, shift),
             face: FaceOf::<S>::default(),
         }
@@ -79,7 +73,7 @@ where
 
     /// The pixels of a row from `column` on; [`Pixels`] starts one pixel before it.
     #[inline(always)]
-    fn pixels(&self, row: i32, column: i32) -> Pixels<S, Z> {
+    fn pixels(&self, row: i32, column: i32) -> Pixels<S> {
         Pixels {
             shading: self.shading,
             face: self.face,
@@ -88,12 +82,6 @@ where
             depth: 0,
             stored: 0,
         }
-    }
-
-    #[inline(always)]
-    fn cells(&mut self, row: i32, columns: Range<i32>) -> Option<Cells<'_, S::Color, O, D>> {
-        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
-        self.canvas.cells(row.cast_unsigned(), columns)
     }
 
     /// Draws rows of one color.
@@ -143,7 +131,7 @@ where
                 ([.., p], [.., dp]) if Self::PAIRS => (*p, *dp) = (0, 0),
                 _ => {}
             }
-            if let Some(cells) = blit.cells(row, columns) {
+            if let Some(cells) = blit.canvas.cells(row, columns) {
                 straight(span, Self::restored_small, cells, pixels);
             }
         }
@@ -171,13 +159,12 @@ where
         let (span, plan) = &self.interpolator.begin(at, count);
         let mut pixels = self.pixels(row, columns.start);
         let Planes { setup, attributes } = &self.interpolator.planes;
-        if Z::IS_BIASED {
+        if S::Test::IS_BIASED {
             pixels.test = pixels.test.shifted(span.down.wrapping_sub(setup.down));
         }
         let scales = Count::<S>::map(attributes, |p: &Attribute| p.scale);
         let interpolator = &self.interpolator;
-        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
-        let Some(cells) = self.canvas.cells(row.cast_unsigned(), columns) else {
+        let Some(cells) = self.canvas.cells(row, columns) else {
             return;
         };
         // What a mode does not use under a projection is left out: on the right there are constants.
@@ -190,7 +177,13 @@ where
             (Plan::Newton, Plan::Newton) => newton(span, cells, pixels),
             (Plan::Pieces(length), Plan::Pieces(_)) => pieces(span, length, scales, cells, pixels),
             (Plan::Anew, Plan::Anew) => {
-                divide_anew(span, scales, |x| interpolator.anew(at, x), cells, pixels);
+                divide_anew(
+                    span,
+                    scales,
+                    |pixel| interpolator.anew(pixel),
+                    cells,
+                    pixels,
+                );
             }
             (_, Plan::Divide | Plan::Anew) => divide(span, scales, cells, pixels),
             _ => divide_apart(span, scales, cells, pixels),
@@ -199,20 +192,20 @@ where
 
     /// The attributes of interpolants that nothing divides, in a small triangle.
     #[inline(always)]
-    fn restored_small(p: &Numbers<S>) -> Numbers<S> {
+    fn restored_small(at: Point, q: u32, p: &Numbers<S>) -> Numbers<S> {
         let mut numbers = *p;
         match numbers.as_mut() {
             [first, second, third] if Self::PAIRS => {
                 [*first, *second, *third] = unpaired(*first, *second);
                 numbers
             }
-            _ => Self::restored(p),
+            _ => Self::restored(at, q, p),
         }
     }
 
     /// The attributes of interpolants that nothing divides.
     #[inline(always)]
-    fn restored(p: &Numbers<S>) -> Numbers<S> {
+    fn restored(_: Point, _: u32, p: &Numbers<S>) -> Numbers<S> {
         if Self::OVER_W {
             Count::<S>::map(p, |p: &i32| *p >> Scale::AFFINE_UP)
         } else {
@@ -221,14 +214,12 @@ where
     }
 }
 
-impl<S, O, D, K, M, Z> Blitter for Blit<'_, '_, S, O, D, K, M, Z>
+impl<S, T, K, M> Blitter for Blit<'_, S, T, K, M>
 where
-    S: Shading,
-    O: Storage<S::Color>,
-    D: DepthBuffer,
+    S: Shading<Color = T::Color>,
+    T: Target,
     K: ProjectionKind,
     M: Policy,
-    Z: DepthTest,
 {
     fn lay(&mut self, primitive: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows {
         let [a, b, c] = self.shading.varyings(primitive);
@@ -237,7 +228,7 @@ where
         if Self::VARIES {
             self.interpolator.start([a, b, c]);
             self.interpolator.set_up(patch);
-            if Z::IS_BIASED {
+            if S::Test::IS_BIASED {
                 let steepness = self.interpolator.planes.setup.steepness();
                 self.test.triangle(steepness);
             }
@@ -246,14 +237,12 @@ where
     }
 }
 
-impl<S, O, D, K, M, Z> Rows for Blit<'_, '_, S, O, D, K, M, Z>
+impl<S, T, K, M> Rows for Blit<'_, S, T, K, M>
 where
-    S: Shading,
-    O: Storage<S::Color>,
-    D: DepthBuffer,
+    S: Shading<Color = T::Color>,
+    T: Target,
     K: ProjectionKind,
     M: Policy,
-    Z: DepthTest,
 {
     fn draw(&mut self, first: i32, rows: &[Columns]) {
         // Without a negation, the condition is a bare constant, and the branch that is not taken is not even compiled.

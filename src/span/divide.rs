@@ -1,62 +1,55 @@
 //! The exact reciprocal of 1/w at every pixel.
 
+use embedded_graphics::geometry::Point;
+
 use super::pixels::{Count, Numbers, Pixels, Scales, Span};
 use super::shading::Shading;
-use crate::canvas::{Cells, DepthBuffer, DepthTest, Storage};
+use super::straight::straight;
+use crate::canvas::{Cells, DepthBuffer, Storage};
 use crate::num::reciprocal;
 use crate::num::wide::product;
 use crate::shade::Lanes;
 
 /// Draws a span whose attributes are p / q · 2^bits at each pixel, rounded down.
 #[inline(always)]
-pub(super) fn divide<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
+pub(super) fn divide<S: Shading, O: Storage<S::Color>, D: DepthBuffer>(
     span: &Span<Count<S>>,
     scales: Scales<S>,
-    mut cells: Cells<'_, S::Color, O, D>,
-    mut pixels: Pixels<S, Z>,
+    cells: Cells<'_, S::Color, O, D>,
+    pixels: Pixels<S>,
 ) {
-    let (mut q, mut p) = (span.q, span.p);
-    let (dq, dp, down) = (span.dq, span.dp, span.down);
-    for cell in cells.first(usize::MAX) {
-        if pixels.visible::<D>(&cell.1, q, down) {
-            pixels.shade::<O>(cell, quotients::<S>(q, &p, &scales));
-        }
-        q = q.wrapping_add_signed(dq);
-        p = Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(*step));
-    }
+    let restore = |_, q, p: &Numbers<S>| quotients::<S>(q, p, &scales);
+    straight(span.clone(), restore, cells, pixels);
 }
 
 /// [`divide`], out of line for modes where it is the exception: inlined, it would take registers from the mode's own
 /// kernel.
 #[inline(never)]
-pub(super) fn divide_apart<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
+pub(super) fn divide_apart<S: Shading, O: Storage<S::Color>, D: DepthBuffer>(
     span: &Span<Count<S>>,
     scales: Scales<S>,
     cells: Cells<'_, S::Color, O, D>,
-    pixels: Pixels<S, Z>,
+    pixels: Pixels<S>,
 ) {
     divide(span, scales, cells, pixels);
 }
 
-/// [`divide`] with interpolants that `at` computes anew for each pixel, counted from 0: for triangles of great depth,
-/// where steps would accumulate too much rounding. Depths are stepped, as in all modes.
+/// [`divide`] with interpolants that `at` computes anew for each pixel: for triangles of great depth, where steps would
+/// accumulate too much rounding. Depths are stepped, as in all modes.
 #[cold]
 #[inline(never)]
-pub(super) fn divide_anew<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
+pub(super) fn divide_anew<S: Shading, O: Storage<S::Color>, D: DepthBuffer>(
     span: &Span<Count<S>>,
     scales: Scales<S>,
-    at: impl Fn(i32) -> (u32, Numbers<S>),
-    mut cells: Cells<'_, S::Color, O, D>,
-    mut pixels: Pixels<S, Z>,
+    at: impl Fn(Point) -> (u32, Numbers<S>),
+    cells: Cells<'_, S::Color, O, D>,
+    pixels: Pixels<S>,
 ) {
-    let mut span = span.clone();
-    for (x, cell) in (0..).zip(cells.first(usize::MAX)) {
-        if pixels.visible::<D>(&cell.1, span.q, span.down) {
-            let (q, p) = at(x);
-            pixels.shade::<O>(cell, quotients::<S>(q, &p, &scales));
-        }
-        span.step();
-    }
+    let restore = |pixel, _, _: &Numbers<S>| {
+        let (q, p) = at(pixel);
+        quotients::<S>(q, &p, &scales)
+    };
+    straight(span.clone(), restore, cells, pixels);
 }
 
 #[inline]

@@ -2,6 +2,8 @@
 
 use core::marker::PhantomData;
 
+use embedded_graphics::geometry::Point;
+
 use super::gradient::Gradient;
 use super::newton::FRACTION;
 use super::pixels::Span;
@@ -146,9 +148,9 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
         (span, plan)
     }
 
-    /// The interpolants of a pixel that is `x` pixels right of another, without a step: q with 31 bits, and each p.
-    pub(super) fn anew(&self, [first, y]: [i32; 2], x: i32) -> (u32, L::Of<i32>) {
-        let at = [first + x, y];
+    /// The interpolants of a pixel, without a step: q with 31 bits, and each p.
+    pub(super) fn anew(&self, Point { x, y }: Point) -> (u32, L::Of<i32>) {
+        let at = [x, y];
         let (q, up) = self.planes.setup.precise_q(at);
         let p = L::map(&self.planes.attributes, |p: &Attribute| {
             p.gradient.wide.precise(at, up)

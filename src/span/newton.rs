@@ -3,7 +3,7 @@
 use super::pixels::{Count, Pixels, Span, rolled};
 use super::scale::Scale;
 use super::shading::Shading;
-use crate::canvas::{Cells, DepthBuffer, DepthTest, Storage};
+use crate::canvas::{Cells, DepthBuffer, Storage};
 use crate::num::reciprocal;
 use crate::num::wide::{Word, high, newton_step, product, seldom};
 use crate::shade::Lanes;
@@ -16,10 +16,10 @@ pub(super) const FRACTION: u32 = Scale::AFFINE.bits();
 /// 1/w is from 2^29 to 2^31 at all pixels and changes by at most 2^-6 of itself per pixel; attributes have
 /// [`FRACTION`] bits.
 #[inline(always)]
-pub(super) fn newton<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
+pub(super) fn newton<S: Shading, O: Storage<S::Color>, D: DepthBuffer>(
     span: &Span<Count<S>>,
     mut cells: Cells<'_, S::Color, O, D>,
-    mut pixels: Pixels<S, Z>,
+    mut pixels: Pixels<S>,
 ) {
     let span = span.anew();
     let Span { dq, dp, down, .. } = span;

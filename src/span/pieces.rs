@@ -2,7 +2,7 @@
 
 use super::pixels::{Count, Numbers, Pixels, Scales, Span, rolled};
 use super::shading::Shading;
-use crate::canvas::{Cells, DepthBuffer, DepthTest, Storage};
+use crate::canvas::{Cells, DepthBuffer, Storage};
 use crate::num::short_reciprocal;
 use crate::num::wide::{product, times_17_bits};
 use crate::shade::Lanes;
@@ -12,12 +12,12 @@ use crate::shade::Lanes;
 /// 1/w is from 2^29 to 2^31 at all pixels. The reciprocals at the ends of pieces have 16 bits; two Newton steps
 /// compute each from the last one.
 #[inline(always)]
-pub(super) fn pieces<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
+pub(super) fn pieces<S: Shading, O: Storage<S::Color>, D: DepthBuffer>(
     span: &Span<Count<S>>,
     length: u32,
     scales: Scales<S>,
     mut cells: Cells<'_, S::Color, O, D>,
-    mut pixels: Pixels<S, Z>,
+    mut pixels: Pixels<S>,
 ) {
     let mut span = span.clone();
     // Makes room for a reciprocal of up to 17 bits.

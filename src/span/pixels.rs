@@ -1,12 +1,13 @@
 //! The pixels of a span: the values that the kernels interpolate, and how a pixel is tested and shaded.
 
 use core::hint::black_box;
+use core::ops::Range;
 
 use embedded_graphics::geometry::Point;
 
 use super::scale::Scale;
 use super::shading::Shading;
-use crate::canvas::{DepthBuffer, DepthTest, LinearDepth, Storage};
+use crate::canvas::{Canvas, Cells, DepthBuffer, DepthTest, LinearDepth, Memory, Storage};
 use crate::num::wide::at_least;
 use crate::shade::{Fragment, Lanes, Varyings};
 
@@ -49,15 +50,6 @@ impl<L: Lanes> Span<L> {
     pub(super) fn anew(&self) -> Self {
         black_box(self).clone()
     }
-
-    /// Moves to the next pixel.
-    ///
-    /// Values wrap. Only a sliver one pixel wide has a step beyond `i32`, and its next pixel is never read.
-    #[inline]
-    pub(super) fn step(&mut self) {
-        self.q = self.q.wrapping_add_signed(self.dq);
-        self.p = L::zip(&self.p, &self.dp, |p, step| p.wrapping_add(*step));
-    }
 }
 
 /// Keeps the compiler from unrolling the loop that calls it; it takes no instruction.
@@ -72,11 +64,42 @@ pub(super) fn rolled() {
 /// A pixel in memory: its color, and its depth if there is a depth buffer.
 pub(super) type Cell<'c, C, O> = (&'c mut <O as Storage<C>>::Cell, Option<&'c mut u16>);
 
+/// The canvas of a draw call.
+pub(crate) trait Target {
+    type Color;
+    type Storage: Storage<Self::Color>;
+    type Depth: DepthBuffer;
+
+    fn memory(&mut self) -> Memory<'_, Self::Color, Self::Storage, Self::Depth>;
+
+    /// Some pixels of a row, which lie within the canvas.
+    #[inline(always)]
+    fn cells(&mut self, row: i32, columns: Range<i32>) -> Option<CellsOf<'_, Self>> {
+        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
+        self.memory().cells(row.cast_unsigned(), columns)
+    }
+}
+
+impl<C, O: Storage<C>, D: DepthBuffer> Target for Canvas<'_, C, O, D> {
+    type Color = C;
+    type Storage = O;
+    type Depth = D;
+
+    #[inline]
+    fn memory(&mut self) -> Memory<'_, C, O, D> {
+        self.memory()
+    }
+}
+
+/// Pixels of a canvas.
+pub(super) type CellsOf<'c, T> =
+    Cells<'c, <T as Target>::Color, <T as Target>::Storage, <T as Target>::Depth>;
+
 /// Tests and shades the pixels of a span, one after the other.
-pub(super) struct Pixels<S: Shading, Z> {
+pub(super) struct Pixels<S: Shading> {
     pub(super) shading: S,
     pub(super) face: FaceOf<S>,
-    pub(super) test: Z,
+    pub(super) test: S::Test,
     /// The current pixel; at first, the pixel before the span.
     pub(super) point: Point,
     /// The current pixel's depth, in linear steps (`depth`) and in the format of the depth buffer (`stored`).
@@ -84,7 +107,7 @@ pub(super) struct Pixels<S: Shading, Z> {
     pub(super) stored: u32,
 }
 
-impl<S: Shading, Z: DepthTest> Pixels<S, Z> {
+impl<S: Shading> Pixels<S> {
     /// Moves to the next pixel, where 1/w is `q`, and returns whether it is visible.
     #[inline]
     pub(super) fn visible<D: DepthBuffer>(
@@ -99,7 +122,7 @@ impl<S: Shading, Z: DepthTest> Pixels<S, Z> {
             return true;
         }
         self.stored = self.test.biased::<D>(q, down);
-        !Z::TESTS
+        !S::Test::TESTS
             || depth
                 .as_deref()
                 .is_none_or(|stored| at_least(self.stored, *stored))
@@ -120,7 +143,7 @@ impl<S: Shading, Z: DepthTest> Pixels<S, Z> {
         let below = || O::load(*color);
         if let Some(new) = self.shading.color(&at, varyings, below) {
             *color = O::store(new);
-            if Z::WRITES
+            if S::Test::WRITES
                 && let Some(depth) = depth
             {
                 *depth = self.stored as u16;

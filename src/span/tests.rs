@@ -44,13 +44,13 @@ const FIRST: u32 = 3;
 /// The numbers of a span of `count` pixels, which alone are drawn.
 fn numbers(
     count: u32,
-    draw: impl FnOnce(Row<'_>, Pixels<(Note<'_>, Replace), NoTest>),
+    draw: impl FnOnce(Row<'_>, Pixels<(Note<'_>, Replace, NoTest)>),
 ) -> Vec<i32> {
     let (mut colors, seen) = ([Gray8::BLACK; 70], RefCell::new(Vec::new()));
     let mut canvas = Canvas::new(&mut colors, 70, 1).unwrap();
     let columns = FIRST..FIRST + count;
     let pixels = Pixels {
-        shading: (Note(&seen), Replace),
+        shading: (Note(&seen), Replace, NoTest),
         face: (),
         test: NoTest,
         point: Point::new(FIRST.cast_signed() - 1, 0),
@@ -125,7 +125,7 @@ fn lacks(
 fn straight_spans_are_sums() {
     for (count, span, _) in spans() {
         let [p, dp] = [span.p[0], span.dp[0]];
-        let restore = |p: &[i32; 1]| p.map(|p| p >> Scale::AFFINE_UP);
+        let restore = |_, _, p: &[i32; 1]| p.map(|p| p >> Scale::AFFINE_UP);
         let found = numbers(count, |cells, pixels| {
             straight(span, restore, cells, pixels);
         });
@@ -160,7 +160,10 @@ fn spans_divided_anew_are_exact_quotients() {
     for (count, span, _) in spans() {
         let ([q, dq], [p, dp]) = ([span.q.cast_signed(), span.dq], [span.p[0], span.dp[0]]);
         let exact = exact(&span);
-        let at = |pixel: i32| ((q + dq * pixel).cast_unsigned(), [p + dp * pixel]);
+        let at = |pixel: Point| {
+            let pixel = pixel.x - FIRST.cast_signed();
+            ((q + dq * pixel).cast_unsigned(), [p + dp * pixel])
+        };
         let steps = Span {
             p: [0],
             dp: [0],
@@ -215,7 +218,7 @@ fn the_later_of_two_pixels_at_one_depth_shows() {
     let mut canvas = canvas.with_depth(&mut depths).unwrap();
     let mut draw = |ink: u8, columns: core::ops::Range<u32>, q: u32| {
         let pixels = Pixels {
-            shading: (Flat::new(Gray8::new(ink)), Replace),
+            shading: (Flat::new(Gray8::new(ink)), Replace, TestAndWrite),
             face: (),
             test: TestAndWrite,
             point: Point::new(columns.start.cast_signed() - 1, 0),
@@ -232,7 +235,7 @@ fn the_later_of_two_pixels_at_one_depth_shows() {
         };
         straight(
             span,
-            |none| *none,
+            |_, _, none| *none,
             canvas.cells(0, columns).unwrap(),
             pixels,
         );
