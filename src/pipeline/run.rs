@@ -14,9 +14,7 @@ use super::cache::VertexCache;
 use super::call::{Call, Shared};
 use super::clip::ClippedPolygon;
 use crate::mesh::{Index, Indices, Primitive};
-use crate::raster::{
-    self, Blitter, Block, ClippedVertex, Polygon, Rasterizer, ScreenVertex, Triangle,
-};
+use crate::raster::{self, Blitter, ClippedVertex, Polygon, Rasterizer, ScreenVertex, Triangle};
 use crate::view::ProjectionKind;
 
 /// Runs all triangles of a mesh through the vertex and assembly stages; `to` draws them or keeps them in a list.
@@ -131,7 +129,7 @@ fn rectangle<K: ProjectionKind>(
     );
     let is_plane = is_plane([&shared.primitive(one), &shared.primitive(other)]);
     if is_plane {
-        draw.rasterizer(&shared.primitive(one)).rectangle(half);
+        draw.raster.of(one).rectangle(half);
         draw.drawn.drawn += 2;
     }
     is_plane
@@ -139,8 +137,7 @@ fn rectangle<K: ProjectionKind>(
 
 /// Draws assembled triangles.
 pub(super) struct Draw<'d> {
-    blitter: &'d mut dyn Blitter,
-    block: Block,
+    raster: Rasterizer<'d>,
     shared: &'d Shared<'d>,
     drawn: Drawn,
 }
@@ -153,8 +150,11 @@ impl<'d> Draw<'d> {
         submitted: usize,
     ) -> Self {
         Self {
-            blitter,
-            block: Rasterizer::BLOCK,
+            raster: Rasterizer::new(
+                blitter,
+                shared.primitive(Indices::of_point(0)),
+                &shared.scissor,
+            ),
             shared,
             drawn: Drawn {
                 submitted: submitted as u32,
@@ -172,26 +172,15 @@ impl<'d> Draw<'d> {
         }
     }
 
-    #[inline]
-    fn rasterizer<'r>(&'r mut self, primitive: &'r Primitive<'r>) -> Rasterizer<'r> {
-        Rasterizer {
-            blitter: self.blitter,
-            primitive,
-            scissor: &self.shared.scissor,
-            block: &mut self.block,
-        }
-    }
-
     /// Draws an edge or a point by `line`.
     #[inline]
     pub(super) fn line(
         &mut self,
         indices: Indices,
         is_clipped: bool,
-        line: impl FnOnce(&mut Rasterizer<'_>),
+        line: impl FnOnce(&mut Rasterizer<'d>),
     ) {
-        let primitive = self.shared.primitive(indices);
-        line(&mut self.rasterizer(&primitive));
+        line(self.raster.of(indices));
         self.drawn.drawn += 1;
         self.drawn.clipped += u32::from(is_clipped);
     }
@@ -202,8 +191,7 @@ impl Assembly for Draw<'_> {
     fn whole(&mut self, indices: Indices, corners: [&ScreenVertex; 3], area: i64) {
         // By reference: moved, it would be copied.
         if let Some(triangle) = &Triangle::new(corners, None, area, &self.shared.scissor) {
-            let primitive = self.shared.primitive(indices);
-            self.rasterizer(&primitive).triangle(triangle, None);
+            self.raster.of(indices).triangle(triangle, None);
             self.drawn.drawn += 1;
         }
     }
@@ -211,8 +199,7 @@ impl Assembly for Draw<'_> {
     #[inline(never)]
     fn clipped(&mut self, indices: Indices, polygon: &[ClippedVertex]) {
         if let Some(polygon) = Polygon::new(polygon, self.shared.cull) {
-            let primitive = self.shared.primitive(indices);
-            let drawn = u32::from(polygon.draw(&mut self.rasterizer(&primitive)));
+            let drawn = u32::from(polygon.draw(self.raster.of(indices)));
             self.drawn.drawn += drawn;
             self.drawn.clipped += drawn;
         }

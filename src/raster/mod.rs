@@ -26,7 +26,7 @@ pub(crate) use line::line;
 pub use line_style::LineStyle;
 pub(crate) use point::point;
 pub(crate) use polygon::Polygon;
-pub(crate) use rasterizer::{Block, Rasterizer};
+pub(crate) use rasterizer::Rasterizer;
 pub(crate) use scissor::Scissor;
 pub use sized_point::PointStyle;
 pub(crate) use sized_point::sized_point;

@@ -46,16 +46,12 @@ impl Picture {
         scissor: &Scissor,
         draw: impl FnOnce(&mut Rasterizer<'_>) -> R,
     ) -> R {
-        draw(&mut Rasterizer {
-            blitter: self,
-            primitive: &Primitive {
-                mesh: &Mesh::new(&[], &[]).unwrap(),
-                placement: &Placement::new(&Transform::IDENTITY, Transform::IDENTITY),
-                indices: Indices::of_point(0),
-            },
-            scissor,
-            block: &mut Rasterizer::BLOCK.clone(),
-        })
+        let primitive = Primitive {
+            mesh: &Mesh::new(&[], &[]).unwrap(),
+            placement: &Placement::new(&Transform::IDENTITY, Transform::IDENTITY),
+            indices: Indices::of_point(0),
+        };
+        draw(&mut Rasterizer::new(self, primitive, scissor))
     }
 
     pub(crate) fn text(&self) -> Vec<String> {

@@ -6,28 +6,45 @@ use core::ops::Range;
 use super::edge::{Edge, ShortEdge, first_center};
 use super::polygon::Part;
 use super::{Blitter, Columns, Patch, Rows, Scissor, ScreenVertex, Triangle};
-use crate::mesh::Primitive;
+use crate::mesh::{Indices, Primitive};
 
 /// The most rows that [`Rows`] receive at once: all rows of a small triangle. They take 256 bytes of stack.
 const ROWS: i32 = 64;
 
-/// Memory for the rows of a triangle.
-pub(crate) type Block = [Columns; ROWS as usize];
-
 /// A triangle, edge or point of a mesh, the pixels that it may have, and what draws them.
 pub(crate) struct Rasterizer<'r> {
-    pub(crate) blitter: &'r mut dyn Blitter,
-    pub(crate) primitive: &'r Primitive<'r>,
-    pub(crate) scissor: &'r Scissor,
-    pub(crate) block: &'r mut Block,
+    blitter: &'r mut dyn Blitter,
+    primitive: Primitive<'r>,
+    pub(super) scissor: &'r Scissor,
+    /// Memory for the rows of a triangle.
+    block: [Columns; ROWS as usize],
 }
 
-impl Rasterizer<'_> {
-    pub(crate) const BLOCK: Block = [[0; 2]; ROWS as usize];
+impl<'r> Rasterizer<'r> {
+    #[inline]
+    pub(crate) fn new(
+        blitter: &'r mut dyn Blitter,
+        primitive: Primitive<'r>,
+        scissor: &'r Scissor,
+    ) -> Self {
+        Self {
+            blitter,
+            primitive,
+            scissor,
+            block: [[0; 2]; ROWS as usize],
+        }
+    }
+
+    /// The rasterizer of another triangle, edge or point of the mesh.
+    #[inline]
+    pub(crate) fn of(&mut self, indices: Indices) -> &mut Self {
+        self.primitive.indices = indices;
+        self
+    }
 
     #[inline]
     pub(super) fn lay(&mut self, patch: &Patch<'_>) -> &mut dyn Rows {
-        self.blitter.lay(self.primitive, patch)
+        self.blitter.lay(&self.primitive, patch)
     }
 
     /// Draws what lies in the scissor of a triangle; of that, if `part` is given, only the pixels that it selects.
@@ -51,7 +68,7 @@ impl Rasterizer<'_> {
             if laid.is_none() && rows.iter().copied().any(has_pixels) {
                 laid = blitter
                     .take()
-                    .map(|blitter| blitter.lay(self.primitive, patch));
+                    .map(|blitter| blitter.lay(&self.primitive, patch));
             }
             match (&mut laid, part) {
                 (None, _) => {}
@@ -69,7 +86,7 @@ impl Rasterizer<'_> {
     /// triangle, are the same.
     #[inline(never)]
     pub(crate) fn rectangle(&mut self, half: &Triangle<'_>) {
-        let laid = self.blitter.lay(self.primitive, &half.patch);
+        let laid = self.blitter.lay(&self.primitive, &half.patch);
         let [[ax, _], [bx, _], [cx, _]] = ScreenVertex::screens(half.patch.vertices);
         let [start, end] = [ax.min(bx).min(cx), ax.max(bx).max(cx)].map(first_center);
         let (columns, rows) = (&self.scissor.columns, &half.rows);

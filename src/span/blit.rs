@@ -1,20 +1,17 @@
 //! A draw call's shader, blending, mode and canvas, behind the interface that the rasterizer calls.
 
 use core::hint::black_box;
+use core::marker::PhantomData;
 use core::ops::Range;
 
 use embedded_graphics::geometry::Point;
 
-use super::divide::{divide, divide_anew, divide_apart};
 use super::interpolator::Interpolator;
-use super::newton::newton;
-use super::pieces::pieces;
 use super::pixels::{Count, FaceOf, Numbers, Pixels, Span, Target, rolled};
 use super::plan::{Plan, Policy};
 use super::scale::Scale;
 use super::setup::{Attribute, Planes, SPAN, unpaired};
 use super::shading::Shading;
-use super::straight::{scaled, solid, straight};
 use crate::canvas::{DepthBuffer, DepthTest};
 use crate::mesh::Primitive;
 use crate::raster::{Blitter, Columns, DepthShift, Patch, Rows};
@@ -73,7 +70,7 @@ where
 
     /// The pixels of a row from `column` on; [`Pixels`] starts one pixel before it.
     #[inline(always)]
-    fn pixels(&self, row: i32, column: i32) -> Pixels<S> {
+    fn pixels(&self, row: i32, column: i32) -> Pixels<S, T> {
         Pixels {
             shading: self.shading,
             face: self.face,
@@ -81,6 +78,7 @@ where
             point: Point::new(column - 1, row),
             depth: 0,
             stored: 0,
+            target: PhantomData,
         }
     }
 
@@ -93,7 +91,7 @@ where
             let columns = i32::from(start).cast_unsigned()..i32::from(end).cast_unsigned();
             pixels.point = Point::new(i32::from(start) - 1, row);
             if let Some(cells) = memory.reborrow().cells(row.cast_unsigned(), columns) {
-                solid(Count::<S>::splat(0), cells, &mut pixels);
+                pixels.solid(cells, Count::<S>::splat(0));
             }
         }
     }
@@ -132,7 +130,7 @@ where
                 _ => {}
             }
             if let Some(cells) = blit.canvas.cells(row, columns) {
-                straight(span, Self::restored_small, cells, pixels);
+                pixels.straight(span, cells, Self::restored_small);
             }
         }
     }
@@ -169,24 +167,18 @@ where
         };
         // What a mode does not use under a projection is left out: on the right there are constants.
         match (*plan, Interpolator::<Count<S>, K, M>::BEST) {
-            _ if !Self::INTERPOLATES => straight(span.anew(), Self::restored, cells, pixels),
+            _ if !Self::INTERPOLATES => pixels.straight(span.anew(), cells, Self::restored),
             (Plan::Straight, _) if Interpolator::<Count<S>, K, M>::HAS_STRAIGHT => {
-                straight(span.anew(), Self::restored, cells, pixels);
+                pixels.straight(span.anew(), cells, Self::restored);
             }
-            (_, Plan::Straight) => scaled(span, scales, cells, pixels),
-            (Plan::Newton, Plan::Newton) => newton(span, cells, pixels),
-            (Plan::Pieces(length), Plan::Pieces(_)) => pieces(span, length, scales, cells, pixels),
+            (_, Plan::Straight) => pixels.scaled(span, cells, scales),
+            (Plan::Newton, Plan::Newton) => pixels.newton(span, cells),
+            (Plan::Pieces(length), Plan::Pieces(_)) => pixels.pieces(span, cells, scales, length),
             (Plan::Anew, Plan::Anew) => {
-                divide_anew(
-                    span,
-                    scales,
-                    |pixel| interpolator.anew(pixel),
-                    cells,
-                    pixels,
-                );
+                pixels.divide_anew(span, cells, scales, |pixel| interpolator.anew(pixel));
             }
-            (_, Plan::Divide | Plan::Anew) => divide(span, scales, cells, pixels),
-            _ => divide_apart(span, scales, cells, pixels),
+            (_, Plan::Divide | Plan::Anew) => pixels.divide(span, cells, scales),
+            _ => pixels.divide_apart(span, cells, scales),
         }
     }
 

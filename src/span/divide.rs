@@ -2,54 +2,47 @@
 
 use embedded_graphics::geometry::Point;
 
-use super::pixels::{Count, Numbers, Pixels, Scales, Span};
+use super::pixels::{CellsOf, Count, Numbers, Pixels, Scales, Span, Target};
 use super::shading::Shading;
-use super::straight::straight;
-use crate::canvas::{Cells, DepthBuffer, Storage};
 use crate::num::reciprocal;
 use crate::num::wide::product;
 use crate::shade::Lanes;
 
-/// Draws a span whose attributes are p / q · 2^bits at each pixel, rounded down.
-#[inline(always)]
-pub(super) fn divide<S: Shading, O: Storage<S::Color>, D: DepthBuffer>(
-    span: &Span<Count<S>>,
-    scales: Scales<S>,
-    cells: Cells<'_, S::Color, O, D>,
-    pixels: Pixels<S>,
-) {
-    let restore = |_, q, p: &Numbers<S>| quotients::<S>(q, p, &scales);
-    straight(span.clone(), restore, cells, pixels);
-}
+impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
+    /// Draws a span whose attributes are p / q · 2^bits at each pixel, rounded down.
+    #[inline(always)]
+    pub(super) fn divide(self, span: &Span<Count<S>>, cells: CellsOf<'_, T>, scales: Scales<S>) {
+        self.straight(span.clone(), cells, |_, q, p| quotients::<S>(q, p, &scales));
+    }
 
-/// [`divide`], out of line for modes where it is the exception: inlined, it would take registers from the mode's own
-/// kernel.
-#[inline(never)]
-pub(super) fn divide_apart<S: Shading, O: Storage<S::Color>, D: DepthBuffer>(
-    span: &Span<Count<S>>,
-    scales: Scales<S>,
-    cells: Cells<'_, S::Color, O, D>,
-    pixels: Pixels<S>,
-) {
-    divide(span, scales, cells, pixels);
-}
+    /// [`divide`](Self::divide), out of line for modes where it is the exception: inlined, it would take registers from
+    /// the mode's own kernel.
+    #[inline(never)]
+    pub(super) fn divide_apart(
+        self,
+        span: &Span<Count<S>>,
+        cells: CellsOf<'_, T>,
+        scales: Scales<S>,
+    ) {
+        self.divide(span, cells, scales);
+    }
 
-/// [`divide`] with interpolants that `at` computes anew for each pixel: for triangles of great depth, where steps would
-/// accumulate too much rounding. Depths are stepped, as in all modes.
-#[cold]
-#[inline(never)]
-pub(super) fn divide_anew<S: Shading, O: Storage<S::Color>, D: DepthBuffer>(
-    span: &Span<Count<S>>,
-    scales: Scales<S>,
-    at: impl Fn(Point) -> (u32, Numbers<S>),
-    cells: Cells<'_, S::Color, O, D>,
-    pixels: Pixels<S>,
-) {
-    let restore = |pixel, _, _: &Numbers<S>| {
-        let (q, p) = at(pixel);
-        quotients::<S>(q, &p, &scales)
-    };
-    straight(span.clone(), restore, cells, pixels);
+    /// [`divide`](Self::divide) with interpolants that `at` computes anew for each pixel: for triangles of great depth,
+    /// where steps would accumulate too much rounding. Depths are stepped, as in all modes.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn divide_anew(
+        self,
+        span: &Span<Count<S>>,
+        cells: CellsOf<'_, T>,
+        scales: Scales<S>,
+        at: impl Fn(Point) -> (u32, Numbers<S>),
+    ) {
+        self.straight(span.clone(), cells, |pixel, _, _| {
+            let (q, p) = at(pixel);
+            quotients::<S>(q, &p, &scales)
+        });
+    }
 }
 
 #[inline]

@@ -1,6 +1,7 @@
 //! The pixels of a span: the values that the kernels interpolate, and how a pixel is tested and shaded.
 
 use core::hint::black_box;
+use core::marker::PhantomData;
 use core::ops::Range;
 
 use embedded_graphics::geometry::Point;
@@ -61,9 +62,6 @@ pub(super) fn rolled() {
     black_box(());
 }
 
-/// A pixel in memory: its color, and its depth if there is a depth buffer.
-pub(super) type Cell<'c, C, O> = (&'c mut <O as Storage<C>>::Cell, Option<&'c mut u16>);
-
 /// The canvas of a draw call.
 pub(crate) trait Target {
     type Color;
@@ -95,8 +93,14 @@ impl<C, O: Storage<C>, D: DepthBuffer> Target for Canvas<'_, C, O, D> {
 pub(super) type CellsOf<'c, T> =
     Cells<'c, <T as Target>::Color, <T as Target>::Storage, <T as Target>::Depth>;
 
+/// A pixel in memory: its color, and its depth if there is a depth buffer.
+pub(super) type CellOf<'c, T> = (
+    &'c mut <<T as Target>::Storage as Storage<<T as Target>::Color>>::Cell,
+    Option<&'c mut u16>,
+);
+
 /// Tests and shades the pixels of a span, one after the other.
-pub(super) struct Pixels<S: Shading> {
+pub(super) struct Pixels<S: Shading, T> {
     pub(super) shading: S,
     pub(super) face: FaceOf<S>,
     pub(super) test: S::Test,
@@ -105,23 +109,19 @@ pub(super) struct Pixels<S: Shading> {
     /// The current pixel's depth, in linear steps (`depth`) and in the format of the depth buffer (`stored`).
     pub(super) depth: u32,
     pub(super) stored: u32,
+    pub(super) target: PhantomData<T>,
 }
 
-impl<S: Shading> Pixels<S> {
+impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
     /// Moves to the next pixel, where 1/w is `q`, and returns whether it is visible.
     #[inline]
-    pub(super) fn visible<D: DepthBuffer>(
-        &mut self,
-        depth: &Option<&mut u16>,
-        q: u32,
-        down: u32,
-    ) -> bool {
+    pub(super) fn visible(&mut self, depth: &Option<&mut u16>, q: u32, down: u32) -> bool {
         self.point.x += 1;
         self.depth = LinearDepth::encode(q, down);
-        if !D::IS_KEPT {
+        if !T::Depth::IS_KEPT {
             return true;
         }
-        self.stored = self.test.biased::<D>(q, down);
+        self.stored = self.test.biased::<T::Depth>(q, down);
         !S::Test::TESTS
             || depth
                 .as_deref()
@@ -130,19 +130,15 @@ impl<S: Shading> Pixels<S> {
 
     /// Shades the current pixel, after [`visible`](Self::visible) returned `true`.
     #[inline]
-    pub(super) fn shade<O: Storage<S::Color>>(
-        &self,
-        (color, depth): Cell<'_, S::Color, O>,
-        numbers: Numbers<S>,
-    ) {
+    pub(super) fn shade(&self, (color, depth): CellOf<'_, T>, numbers: Numbers<S>) {
         let at = Fragment {
             point: self.point,
             depth: self.depth as u16,
         };
         let varyings = S::Varyings::join(numbers, self.face);
-        let below = || O::load(*color);
+        let below = || T::Storage::load(*color);
         if let Some(new) = self.shading.color(&at, varyings, below) {
-            *color = O::store(new);
+            *color = T::Storage::store(new);
             if S::Test::WRITES
                 && let Some(depth) = depth
             {
