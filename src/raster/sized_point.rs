@@ -170,7 +170,7 @@ mod tests {
         let scissor = picture.scissor();
         let at = vertex(place.map(|at| at * 64));
         picture.draw(&scissor, |raster| {
-            sized_point(raster, &at, size * 32, is_round)
+            sized_point(raster, &at, size * 32, is_round);
         });
     }
 
