@@ -146,7 +146,6 @@ fn fraction(inner: i64, outer: i64) -> i32 {
 mod tests {
     use super::*;
     use crate::math::{Transform, Vec3};
-    use crate::raster::Rasterizer;
     use crate::raster::picture::Picture;
     use crate::raster::{Cull, Polygon, area};
     use crate::view::{Parallel, Projection, Viewport, Window};
@@ -238,7 +237,7 @@ mod tests {
             let mut picture = Picture::new(12, 8);
             let scissor = picture.scissor();
             let fan = Polygon::new(&polygon, Cull::Nothing).unwrap();
-            fan.draw(&mut Rasterizer::new(&mut picture, &scissor));
+            picture.draw(&scissor, |raster| fan.draw(raster));
             picture.assert(&expected);
         }
     }

@@ -129,8 +129,7 @@ fn rectangle<K: ProjectionKind>(
     );
     let is_plane = is_plane([&shared.primitive(one), &shared.primitive(other)]);
     if is_plane {
-        draw.start(one);
-        draw.raster.rectangle(half);
+        draw.raster.of(one).rectangle(half);
         draw.drawn.drawn += 2;
     }
     is_plane
@@ -151,7 +150,11 @@ impl<'d> Draw<'d> {
         submitted: usize,
     ) -> Self {
         Self {
-            raster: Rasterizer::new(blitter, &shared.scissor),
+            raster: Rasterizer::new(
+                blitter,
+                shared.primitive(Indices::of_point(0)),
+                &shared.scissor,
+            ),
             shared,
             drawn: Drawn {
                 submitted: submitted as u32,
@@ -169,13 +172,6 @@ impl<'d> Draw<'d> {
         }
     }
 
-    #[inline]
-    fn start(&mut self, indices: Indices) {
-        self.raster
-            .blitter
-            .primitive(&self.shared.primitive(indices));
-    }
-
     /// Draws an edge or a point by `line`.
     #[inline]
     pub(super) fn line(
@@ -184,8 +180,7 @@ impl<'d> Draw<'d> {
         is_clipped: bool,
         line: impl FnOnce(&mut Rasterizer<'d>),
     ) {
-        self.start(indices);
-        line(&mut self.raster);
+        line(self.raster.of(indices));
         self.drawn.drawn += 1;
         self.drawn.clipped += u32::from(is_clipped);
     }
@@ -196,8 +191,7 @@ impl Assembly for Draw<'_> {
     fn whole(&mut self, indices: Indices, corners: [&ScreenVertex; 3], area: i64) {
         // By reference: moved, it would be copied.
         if let Some(triangle) = &Triangle::new(corners, None, area, &self.shared.scissor) {
-            self.start(indices);
-            self.raster.triangle(triangle, None);
+            self.raster.of(indices).triangle(triangle, None);
             self.drawn.drawn += 1;
         }
     }
@@ -205,8 +199,7 @@ impl Assembly for Draw<'_> {
     #[inline(never)]
     fn clipped(&mut self, indices: Indices, polygon: &[ClippedVertex]) {
         if let Some(polygon) = Polygon::new(polygon, self.shared.cull) {
-            self.start(indices);
-            let drawn = u32::from(polygon.draw(&mut self.raster));
+            let drawn = u32::from(polygon.draw(self.raster.of(indices)));
             self.drawn.drawn += drawn;
             self.drawn.clipped += drawn;
         }

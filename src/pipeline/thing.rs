@@ -71,11 +71,11 @@ where
     B: Blending<C>,
     S: ShaderFor<C>,
 {
-    type Shading = (S, B);
+    type Shading = (S, B, Z);
 
     #[inline]
-    fn shading(&self) -> (S, B) {
-        (self.2, self.1.blending())
+    fn shading(&self) -> (S, B, Z) {
+        (self.2, self.1.blending(), self.1.depth())
     }
 
     #[inline]
@@ -84,11 +84,8 @@ where
         shift: DepthShift,
         stages: impl FnOnce(&mut dyn Blitter) -> Drawn,
     ) -> Drawn {
-        let shading = self.shading();
-        let modes = (self.1.mode(), self.1.depth());
-        stages(&mut Blit::<_, _, _, K, _, _>::new(
-            modes, self.0, shading, shift,
-        ))
+        let (mode, shading) = (self.1.mode(), self.shading());
+        stages(&mut Blit::<_, _, K, _>::new(mode, self.0, shading, shift))
     }
 
     #[inline]
@@ -101,15 +98,18 @@ where
     where
         C: PixelFormat,
     {
-        let (shader, blending) = self.shading();
+        let (shader, blending, test) = self.shading();
         let shading = Smooth {
             shader,
             blending,
+            test,
             coverage,
         };
-        let modes = (self.1.mode(), self.1.depth());
-        stages(&mut Blit::<_, _, _, K, _, _>::new(
-            modes, self.0, shading, shift,
+        stages(&mut Blit::<_, _, K, _>::new(
+            self.1.mode(),
+            self.0,
+            shading,
+            shift,
         ))
     }
 }

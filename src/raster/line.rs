@@ -4,11 +4,12 @@ use core::ops::Range;
 
 use super::edge::{Edge, first_center};
 use super::scissor::meet;
-use super::{ClippedVertex, Patch, Rasterizer, ScreenVertex};
+use super::{ClippedVertex, Patch, Rasterizer, Rows, ScreenVertex};
 
 /// Draws a hairline: in each step along the longer axis, the pixel that contains the line.
 pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
     let Some(Course {
+        laid,
         steep,
         start: [start, minor],
         end: [end, minor_end],
@@ -34,7 +35,7 @@ pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
                 } else {
                     (offset, first..step + 1)
                 };
-                raster.span(row, &columns);
+                laid.span(row, &columns);
             }
             (first, offset) = (step + 1, next);
         }
@@ -42,7 +43,8 @@ pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
 }
 
 /// A line from its left to its right end or, if it is steep, from its upper to its lower end.
-pub(super) struct Course {
+pub(super) struct Course<'r> {
+    pub(super) laid: &'r mut dyn Rows,
     pub(super) steep: bool,
     /// The ends: the coordinate along the longer axis, and the one across.
     pub(super) start: [i32; 2],
@@ -53,11 +55,11 @@ pub(super) struct Course {
     pub(super) across: Range<i32>,
 }
 
-impl Course {
+impl<'r> Course<'r> {
     /// Lays the interpolants over a line; `None` if it passes no center within the scissor.
     #[inline]
     pub(super) fn new(
-        raster: &mut Rasterizer<'_>,
+        raster: &'r mut Rasterizer<'_>,
         [mut from, mut to]: [&ClippedVertex; 2],
     ) -> Option<Self> {
         let scissor = raster.scissor;
@@ -96,13 +98,14 @@ impl Course {
             at(to, [end, 129]),
         ];
         let length = end - start;
-        raster.blitter.set_up(&Patch {
+        let laid = raster.lay(&Patch {
             vertices: [&a, &b, &c],
             barycentric: Some(&[from.barycentric, to.barycentric, to.barycentric]),
             size: major_first([length, 1]),
             area: if steep { -length } else { length }.into(),
         });
         Some(Self {
+            laid,
             steep,
             start: [start, minor],
             end: [end, minor_end],
@@ -121,7 +124,7 @@ mod tests {
     /// Draws a line between two places in quarters of a pixel.
     fn draw(picture: &mut Picture, scissor: &Scissor, ends: [[i32; 2]; 2]) {
         let [from, to] = ends.map(|end| clipped(end.map(|at| at * 64)));
-        line(&mut Rasterizer::new(picture, scissor), [&from, &to]);
+        picture.draw(scissor, |raster| line(raster, [&from, &to]));
     }
 
     /// A line in each octant, from either end.

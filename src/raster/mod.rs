@@ -2,7 +2,6 @@
 
 mod cull;
 mod edge;
-mod gradient;
 mod line;
 mod line_style;
 #[cfg(test)]
@@ -10,34 +9,32 @@ pub(crate) mod picture;
 mod point;
 mod polygon;
 mod rasterizer;
-mod scale;
 mod scissor;
-mod setup;
 mod sized_point;
 mod smooth_line;
 mod triangle;
 mod vertex;
 mod wide_line;
 
+use core::ops::Range;
+
 use crate::mesh::Primitive;
 
 pub use cull::Cull;
 pub(crate) use edge::first_center;
-pub(crate) use gradient::Gradient;
 pub(crate) use line::line;
 pub use line_style::LineStyle;
 pub(crate) use point::point;
 pub(crate) use polygon::Polygon;
 pub(crate) use rasterizer::Rasterizer;
 pub(crate) use scissor::Scissor;
-pub(crate) use setup::{
-    Attribute, Interpolation, LEAST_WEIGHT, MOST_WEIGHT, SHALLOW, SPAN, Scale, Setup, unpaired,
-};
 pub use sized_point::PointStyle;
 pub(crate) use sized_point::sized_point;
 pub(crate) use smooth_line::{Coverage, smooth_line};
 pub(crate) use triangle::{Triangle, area};
-pub(crate) use vertex::{Barycentric, ClippedVertex, DepthShift, ScreenVertex};
+pub(crate) use vertex::{
+    Barycentric, ClippedVertex, DepthShift, LEAST_WEIGHT, MOST_WEIGHT, ScreenVertex,
+};
 pub(crate) use wide_line::wide_line;
 
 /// Three vertices on the screen; each interpolant is the plane through its values at them.
@@ -55,21 +52,24 @@ pub(crate) struct Patch<'a> {
 /// The columns of a row that are drawn: the first, and the one after the last. They lie within ±2^15.
 pub(crate) type Columns = [i16; 2];
 
-/// Draws the rasterizer's spans: a shader, a mode and a canvas.
+/// A shader, a mode and a canvas.
 ///
 /// Everything before it, from the mesh's indices to rows of pixels, calls it through a `dyn`. This keeps a single
 /// copy of that code in a program, however many shaders and canvases there are. A call costs a few instructions.
 pub(crate) trait Blitter {
-    /// Whether anything is interpolated; if not, patches need not be set up.
-    fn varies(&self) -> bool;
+    /// Lays the interpolants of a triangle, edge or point over a patch, which is the whole or a part of it.
+    fn lay(&mut self, primitive: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows;
+}
 
-    /// Starts another triangle, edge or point of the mesh.
-    fn primitive(&mut self, primitive: &Primitive<'_>);
+/// A [`Blitter`] that draws a patch.
+pub(crate) trait Rows {
+    /// Draws these columns of consecutive rows, which lie within the canvas; some may be empty.
+    fn draw(&mut self, first: i32, columns: &[Columns]);
+}
 
-    /// Lays the interpolants over a patch, which is the whole primitive or a part of it.
-    fn set_up(&mut self, patch: &Patch<'_>);
-
-    /// Draws these columns of consecutive rows, which lie within the canvas; some may be empty. If one is not, the
-    /// patch has been [set up](Self::set_up).
-    fn rows(&mut self, first: i32, columns: &[Columns]);
+impl dyn Rows + '_ {
+    /// Draws some columns of one row, which lie within the canvas.
+    fn span(&mut self, row: i32, columns: &Range<i32>) {
+        self.draw(row, &[[columns.start as i16, columns.end as i16]]);
+    }
 }

@@ -4,8 +4,11 @@ use core::ops::Range;
 use std::string::String;
 use std::vec::Vec;
 
-use super::{Barycentric, Blitter, ClippedVertex, Columns, Patch, Scissor, ScreenVertex};
-use crate::mesh::Primitive;
+use super::{
+    Barycentric, Blitter, ClippedVertex, Columns, Patch, Rasterizer, Rows, Scissor, ScreenVertex,
+};
+use crate::Transform;
+use crate::mesh::{Indices, Mesh, Placement, Primitive};
 
 /// Rows of characters: `.` where nothing was drawn, `!` where something was drawn twice.
 pub(crate) struct Picture {
@@ -37,6 +40,20 @@ impl Picture {
         }
     }
 
+    /// Draws what `draw` rasterizes.
+    pub(crate) fn draw<R>(
+        &mut self,
+        scissor: &Scissor,
+        draw: impl FnOnce(&mut Rasterizer<'_>) -> R,
+    ) -> R {
+        let primitive = Primitive {
+            mesh: &Mesh::new(&[], &[]).unwrap(),
+            placement: &Placement::new(&Transform::IDENTITY, Transform::IDENTITY),
+            indices: Indices::of_point(0),
+        };
+        draw(&mut Rasterizer::new(self, primitive, scissor))
+    }
+
     pub(crate) fn text(&self) -> Vec<String> {
         self.rows.iter().map(|row| row.iter().collect()).collect()
     }
@@ -48,17 +65,14 @@ impl Picture {
 }
 
 impl Blitter for Picture {
-    fn varies(&self) -> bool {
-        true
-    }
-
-    fn primitive(&mut self, _: &Primitive<'_>) {}
-
-    fn set_up(&mut self, patch: &Patch<'_>) {
+    fn lay(&mut self, _: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows {
         self.screen = ScreenVertex::screens(patch.vertices);
+        self
     }
+}
 
-    fn rows(&mut self, first: i32, columns: &[Columns]) {
+impl Rows for Picture {
+    fn draw(&mut self, first: i32, columns: &[Columns]) {
         for (row, [start, end]) in (first..).zip(columns.iter().map(|ends| ends.map(i32::from))) {
             for column in start..end {
                 let [at_row, at_column] = [row, column].map(|at| usize::try_from(at).unwrap());

@@ -1,6 +1,6 @@
 //! Points: one pixel each.
 
-use super::{Barycentric, Patch, Rasterizer, ScreenVertex};
+use super::{Barycentric, Patch, Rasterizer, Rows, ScreenVertex};
 
 /// Draws the pixel that contains a point.
 pub(crate) fn point(raster: &mut Rasterizer<'_>, at: &ScreenVertex) {
@@ -9,30 +9,29 @@ pub(crate) fn point(raster: &mut Rasterizer<'_>, at: &ScreenVertex) {
     let [x, y] = at.screen;
     let [x, y] = [x >> 8, y >> 8];
     if scissor.columns.contains(&x) && scissor.rows.contains(&y) {
-        set_up(raster, at, [x, y], None);
-        raster.span(y, &(x..x + 1));
+        lay(raster, at, [x, y], None).span(y, &(x..x + 1));
     }
 }
 
 /// Lays the interpolants over a point in a pixel: they have the point's values everywhere.
 #[inline(always)]
 #[allow(clippy::inline_always)] // optimized for size, a call would take 19 instructions more
-pub(super) fn set_up(
-    raster: &mut Rasterizer<'_>,
+pub(super) fn lay<'r>(
+    raster: &'r mut Rasterizer<'_>,
     at: &ScreenVertex,
     [x, y]: [i32; 2],
     barycentric: Option<&[Barycentric; 3]>,
-) {
+) -> &'r mut dyn Rows {
     // All three values are the point's, so any triangle that begins in its pixel will do.
     let [left, top] = [x << 8, y << 8];
     let [a, b, c] = [[left, top], [left + 256, top], [left, top + 1]]
         .map(|screen| ScreenVertex { screen, ..*at });
-    raster.blitter.set_up(&Patch {
+    raster.lay(&Patch {
         vertices: [&a, &b, &c],
         barycentric,
         size: [256, 1],
         area: 256,
-    });
+    })
 }
 
 #[cfg(test)]
@@ -45,7 +44,7 @@ mod tests {
     fn drawn(places: &[[i32; 2]], scissor: &Scissor) -> Picture {
         let mut picture = Picture::new(5, 3);
         for &place in places {
-            point(&mut Rasterizer::new(&mut picture, scissor), &vertex(place));
+            picture.draw(scissor, |raster| point(raster, &vertex(place)));
         }
         picture
     }

@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use super::triangle::{Triangle, area, covers};
-use super::{Blitter, ClippedVertex, Columns, Cull, Rasterizer, Scissor, ScreenVertex};
+use super::{ClippedVertex, Columns, Cull, Rasterizer, Rows, Scissor, ScreenVertex};
 
 /// The fan of triangles that a clipped triangle is drawn as; all share the first corner of its outline. For example,
 /// the corners 0 to 4 make the triangles 0 1 2, 0 2 3 and 0 3 4.
@@ -131,11 +131,11 @@ impl Part<'_> {
     /// Draws those pixels of some rows that this triangle has to draw.
     #[cold]
     #[inline(never)]
-    pub(super) fn rows(&self, blitter: &mut dyn Blitter, first: i32, rows: &[Columns]) {
+    pub(super) fn rows(&self, laid: &mut dyn Rows, first: i32, rows: &[Columns]) {
         for (row, &[start, end]) in (first..).zip(rows) {
             for column in start..end {
                 if self.has([column.into(), row]) {
-                    blitter.rows(row, &[[column, column + 1]]);
+                    laid.draw(row, &[[column, column + 1]]);
                 }
             }
         }
@@ -174,7 +174,7 @@ mod tests {
         let mut picture = Picture::new(9, 7);
         let scissor = picture.scissor();
         let polygon = Polygon::new(&outline, Cull::Nothing).unwrap();
-        assert!(polygon.draw(&mut Rasterizer::new(&mut picture, &scissor)));
+        assert!(picture.draw(&scissor, |raster| polygon.draw(raster)));
         picture
     }
 

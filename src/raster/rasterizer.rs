@@ -5,34 +5,46 @@ use core::ops::Range;
 
 use super::edge::{Edge, ShortEdge, first_center};
 use super::polygon::Part;
-use super::{Blitter, Columns, Scissor, ScreenVertex, Triangle};
+use super::{Blitter, Columns, Patch, Rows, Scissor, ScreenVertex, Triangle};
+use crate::mesh::{Indices, Primitive};
 
-/// The most rows that a [`Blitter`] receives at once: all rows of a small triangle. They take 256 bytes of stack.
+/// The most rows that [`Rows`] receive at once: all rows of a small triangle. They take 256 bytes of stack.
 const ROWS: i32 = 64;
 
-/// A blitter, the pixels that it may draw, and memory for the rows of a triangle.
+/// A triangle, edge or point of a mesh, the pixels that it may have, and what draws them.
 pub(crate) struct Rasterizer<'r> {
-    pub(crate) blitter: &'r mut dyn Blitter,
+    blitter: &'r mut dyn Blitter,
+    primitive: Primitive<'r>,
     pub(super) scissor: &'r Scissor,
-    varies: bool,
-    rows: [Columns; ROWS as usize],
+    /// Memory for the rows of a triangle.
+    block: [Columns; ROWS as usize],
 }
 
 impl<'r> Rasterizer<'r> {
     #[inline]
-    pub(crate) fn new(blitter: &'r mut dyn Blitter, scissor: &'r Scissor) -> Self {
+    pub(crate) fn new(
+        blitter: &'r mut dyn Blitter,
+        primitive: Primitive<'r>,
+        scissor: &'r Scissor,
+    ) -> Self {
         Self {
-            varies: blitter.varies(),
             blitter,
+            primitive,
             scissor,
-            rows: [[0; 2]; ROWS as usize],
+            block: [[0; 2]; ROWS as usize],
         }
     }
 
-    /// Draws some columns of one row, which lie within the scissor.
-    pub(super) fn span(&mut self, row: i32, columns: &Range<i32>) {
-        self.blitter
-            .rows(row, &[[columns.start as i16, columns.end as i16]]);
+    /// The rasterizer of another triangle, edge or point of the mesh.
+    #[inline]
+    pub(crate) fn of(&mut self, indices: Indices) -> &mut Self {
+        self.primitive.indices = indices;
+        self
+    }
+
+    #[inline]
+    pub(super) fn lay(&mut self, patch: &Patch<'_>) -> &mut dyn Rows {
+        self.blitter.lay(&self.primitive, patch)
     }
 
     /// Draws what lies in the scissor of a triangle; of that, if `part` is given, only the pixels that it selects.
@@ -40,25 +52,28 @@ impl<'r> Rasterizer<'r> {
     /// A center on a left or top edge belongs to the triangle, one on a right or bottom edge does not.
     #[inline(never)]
     pub(crate) fn triangle(&mut self, triangle: &Triangle<'_>, part: Option<&Part<'_>>) {
-        let (patch, mut is_set_up) = (&triangle.patch, !self.varies);
+        let patch = &triangle.patch;
+        // For the many slivers that pass between all centers, nothing is laid.
+        let (mut blitter, mut laid) = (Some(&mut *self.blitter), None);
         let Range { start, end } = triangle.rows;
         let mut first = start;
         while first < end {
             let next = end.min(first + ROWS);
             let count = (next - first).cast_unsigned() as usize;
-            let rows = self.rows.get_mut(..count).unwrap_or_default();
+            let rows = self.block.get_mut(..count).unwrap_or_default();
             scan_convert(rows, first, &patch.vertices, patch.area > 0);
             if triangle.is_cut {
                 cut(rows, &self.scissor.columns);
             }
-            // For the many slivers that pass between all centers, nothing is laid.
-            if !is_set_up && rows.iter().copied().any(has_pixels) {
-                self.blitter.set_up(patch);
-                is_set_up = true;
+            if laid.is_none() && rows.iter().copied().any(has_pixels) {
+                laid = blitter
+                    .take()
+                    .map(|blitter| blitter.lay(&self.primitive, patch));
             }
-            match part {
-                None => self.blitter.rows(first, rows),
-                Some(part) => part.rows(self.blitter, first, rows),
+            match (&mut laid, part) {
+                (None, _) => {}
+                (Some(laid), None) => laid.draw(first, rows),
+                (Some(laid), Some(part)) => part.rows(*laid, first, rows),
             }
             first = next;
         }
@@ -71,7 +86,7 @@ impl<'r> Rasterizer<'r> {
     /// triangle, are the same.
     #[inline(never)]
     pub(crate) fn rectangle(&mut self, half: &Triangle<'_>) {
-        self.blitter.set_up(&half.patch);
+        let laid = self.blitter.lay(&self.primitive, &half.patch);
         let [[ax, _], [bx, _], [cx, _]] = ScreenVertex::screens(half.patch.vertices);
         let [start, end] = [ax.min(bx).min(cx), ax.max(bx).max(cx)].map(first_center);
         let (columns, rows) = (&self.scissor.columns, &half.rows);
@@ -80,11 +95,11 @@ impl<'r> Rasterizer<'r> {
         while first < rows.end {
             let next = rows.end.min(first + ROWS);
             let count = (next - first).cast_unsigned() as usize;
-            let rows = self.rows.get_mut(..count).unwrap_or_default();
+            let rows = self.block.get_mut(..count).unwrap_or_default();
             for row in &mut *rows {
                 *row = columns;
             }
-            self.blitter.rows(first, rows);
+            laid.draw(first, rows);
             first = next;
         }
     }

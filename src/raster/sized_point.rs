@@ -135,7 +135,7 @@ pub(crate) fn sized_point(
     if rows.is_empty() {
         return;
     }
-    point::set_up(raster, at, [x >> 8, y >> 8], None);
+    let laid = point::lay(raster, at, [x >> 8, y >> 8], None);
     for row in rows {
         let columns = if is_round {
             let away = (row << 8) + 128 - y;
@@ -155,7 +155,7 @@ pub(crate) fn sized_point(
         };
         let columns = meet(&columns, &scissor.columns);
         if !columns.is_empty() {
-            raster.span(row, &columns);
+            laid.span(row, &columns);
         }
     }
 }
@@ -169,12 +169,9 @@ mod tests {
     fn draw(picture: &mut Picture, place: [i32; 2], size: i64, is_round: bool) {
         let scissor = picture.scissor();
         let at = vertex(place.map(|at| at * 64));
-        sized_point(
-            &mut Rasterizer::new(picture, &scissor),
-            &at,
-            size * 32,
-            is_round,
-        );
+        picture.draw(&scissor, |raster| {
+            sized_point(raster, &at, size * 32, is_round);
+        });
     }
 
     #[test]

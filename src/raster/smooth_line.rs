@@ -8,7 +8,7 @@ use embedded_graphics::geometry::Point;
 use super::edge::first_center;
 use super::line::Course;
 use super::scissor::meet;
-use super::{ClippedVertex, Rasterizer, Scissor, point};
+use super::{ClippedVertex, Rasterizer, Rows, Scissor, point};
 use crate::num::block::BlockFloat;
 use crate::num::rsqrt::unit;
 use crate::num::wide::product;
@@ -134,13 +134,15 @@ pub(crate) fn smooth_line(
         let part = part(beyond);
         if !part.is_empty() {
             let pixel = end.vertex.screen.map(|position| position >> 8);
-            point::set_up(raster, &end.vertex, pixel, Some(&[end.barycentric; 3]));
-            strip.draw(raster, &part);
+            let places = [end.barycentric; 3];
+            strip.draw(point::lay(raster, &end.vertex, pixel, Some(&places)), &part);
         }
     }
     let part = part(steps);
-    if !part.is_empty() && Course::new(raster, [low, high]).is_some() {
-        strip.draw(raster, &part);
+    if !part.is_empty()
+        && let Some(course) = Course::new(raster, [low, high])
+    {
+        strip.draw(course.laid, &part);
     }
 }
 
@@ -186,7 +188,7 @@ impl Strip {
     }
 
     /// Draws a part of the bounding box.
-    fn draw(&self, raster: &mut Rasterizer<'_>, part: &Scissor) {
+    fn draw(&self, laid: &mut dyn Rows, part: &Scissor) {
         let [first, end] = [part.columns.start, part.columns.end].map(i64::from);
         let mut middle = self.middle + self.slope * i64::from(part.rows.start);
         for row in part.rows.clone() {
@@ -194,7 +196,7 @@ impl Strip {
             let column = |at: i64| ((at + (1 << 15)) >> 16).clamp(first, end) as i32;
             let columns = column(middle - self.extent)..column(middle + self.extent);
             if !columns.is_empty() {
-                raster.span(row, &columns);
+                laid.span(row, &columns);
             }
             middle += self.slope;
         }
@@ -215,8 +217,9 @@ mod tests {
         let scissor = picture.scissor();
         let [from, to] = ends.map(|end| clipped(end.map(|at| at * 64)));
         let half = LineStyle::wide(width).unwrap().half();
-        let raster = &mut Rasterizer::new(&mut picture, &scissor);
-        smooth_line(raster, [&from, &to], half, &coverage);
+        picture.draw(&scissor, |raster| {
+            smooth_line(raster, [&from, &to], half, &coverage);
+        });
         let drawn = picture.text();
         let share = |y: i32, x: i32, ink: char| {
             let share = coverage.get().at(Point::new(x, y));

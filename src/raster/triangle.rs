@@ -71,10 +71,7 @@ impl<'a> Triangle<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{
-        Rasterizer,
-        picture::{Picture, vertex},
-    };
+    use super::super::picture::{Picture, vertex};
     use super::*;
 
     /// Draws a triangle with its corners in quarters of a pixel; whether it is thought to have a pixel.
@@ -83,7 +80,7 @@ mod tests {
         let area = area(&vertices.map(|vertex| vertex.screen));
         let triangle = Triangle::new(vertices.each_ref(), None, area, scissor);
         if let Some(triangle) = &triangle {
-            Rasterizer::new(picture, scissor).triangle(triangle, None);
+            picture.draw(scissor, |raster| raster.triangle(triangle, None));
         }
         triangle.is_some()
     }

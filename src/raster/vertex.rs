@@ -3,6 +3,14 @@
 use crate::mesh::Index;
 use crate::num::wide::dot;
 
+/// Lower clamp of 1/w: a span's rounding (at most 40 units) stays below 1/32 of it, for which the weighing leaves room.
+///
+/// It changes only corners that are more than half a million times as far away as the nearest one.
+pub(crate) const LEAST_WEIGHT: u32 = 1 << 11;
+
+/// Upper clamp of 1/w: rounding may add 40 units, and the sum stays below 2^31.
+pub(crate) const MOST_WEIGHT: u32 = (1 << 31) - 64;
+
 /// A vertex on the screen, or the clipping planes outside of which it lies.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ScreenVertex {

@@ -8,6 +8,7 @@ use super::{ClippedVertex, Rasterizer};
 /// Draws a line of a width; `half` of it is in units of 1/256 pixel.
 pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], half: i32) {
     let Some(Course {
+        laid,
         steep,
         start: [start, minor],
         end: [end, minor_end],
@@ -32,7 +33,7 @@ pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], 
         for row in steps {
             let columns = meet(&next(), &across);
             if !columns.is_empty() {
-                raster.span(row, &columns);
+                laid.span(row, &columns);
             }
         }
         return;
@@ -45,7 +46,7 @@ pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], 
         let following = next();
         if following != rows || column + 1 == steps.end {
             for row in meet(&rows, &across) {
-                raster.span(row, &(first..column + 1));
+                laid.span(row, &(first..column + 1));
             }
             (first, rows) = (column + 1, following);
         }
@@ -63,7 +64,7 @@ mod tests {
         let [from, to] = ends.map(|end| clipped(end.map(|at| at * 64)));
         let scissor = picture.scissor();
         let half = LineStyle::wide(width).unwrap().half();
-        wide_line(&mut Rasterizer::new(picture, &scissor), [&from, &to], half);
+        picture.draw(&scissor, |raster| wide_line(raster, [&from, &to], half));
     }
 
     #[test]

@@ -31,9 +31,9 @@ pub struct Fragment {
 /// values.
 ///
 #[cfg_attr(doc, doc = page_picture!("lit", "A ring that is lit"))]
-/// [`varyings`](Self::varyings) runs once for each triangle, edge or point. [`shade`](Self::shade) runs once for each
-/// visible pixel, with the values interpolated in correct perspective; it returns `None` to leave the pixel as it is.
-/// [`Varyings`] lists the types that can be interpolated.
+/// [`varyings`](Self::varyings) runs once for each triangle, edge or point that has pixels; if that is clipped, once for
+/// each of its parts. [`shade`](Self::shade) runs once for each visible pixel, with the values interpolated in correct
+/// perspective; it returns `None` to leave the pixel as it is. [`Varyings`] lists the types that can be interpolated.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};

@@ -1,63 +1,58 @@
 //! A draw call's shader, blending, mode and canvas, behind the interface that the rasterizer calls.
 
 use core::hint::black_box;
+use core::marker::PhantomData;
 use core::ops::Range;
 
 use embedded_graphics::geometry::Point;
 
-use super::divide::{divide, divide_anew, divide_apart};
 use super::interpolator::Interpolator;
-use super::mode::{Kernel, Policy};
-use super::newton::newton;
-use super::pieces::pieces;
-use super::pixels::{Count, FaceOf, Numbers, Pixels, Span, rolled};
+use super::pixels::{Count, FaceOf, Numbers, Pixels, Span, Target, rolled};
+use super::plan::{Plan, Policy};
+use super::scale::Scale;
+use super::setup::{Attribute, Planes, SPAN, unpaired};
 use super::shading::Shading;
-use super::straight::{scaled, solid, straight};
-use crate::canvas::{Canvas, Cells, DepthBuffer, DepthTest, Storage};
+use crate::canvas::{DepthBuffer, DepthTest};
 use crate::mesh::Primitive;
-use crate::raster::{Attribute, Blitter, Columns, DepthShift, Patch, SPAN, Scale, unpaired};
+use crate::raster::{Blitter, Columns, DepthShift, Patch, Rows};
 use crate::shade::{Lanes, MOST_VARYINGS, Varyings};
 use crate::view::ProjectionKind;
 
-/// The [`Blitter`] of shader and blending `S` in mode `M` under a projection of kind `K`.
-pub(crate) struct Blit<'p, 'c, S: Shading, O: Storage<S::Color>, D, K, M, Z> {
-    canvas: &'p mut Canvas<'c, S::Color, O, D>,
+/// The [`Blitter`] of canvas `T` and shading `S` in mode `M` under a projection of kind `K`.
+pub(crate) struct Blit<'p, S: Shading, T, K, M> {
+    canvas: &'p mut T,
     shading: S,
-    test: Z,
+    test: S::Test,
     interpolator: Interpolator<Count<S>, K, M>,
     /// The values that all pixels of the current primitive share for the shader.
     face: FaceOf<S>,
 }
 
-impl<'p, 'c, S, O, D, K, M, Z> Blit<'p, 'c, S, O, D, K, M, Z>
+impl<'p, S, T, K, M> Blit<'p, S, T, K, M>
 where
-    S: Shading,
-    O: Storage<S::Color>,
-    D: DepthBuffer,
+    S: Shading<Color = T::Color>,
+    T: Target,
     K: ProjectionKind,
     M: Policy,
-    Z: DepthTest,
 {
     /// Whether numbers are interpolated.
     const INTERPOLATES: bool = Count::<S>::COUNT > 0;
 
     /// Whether the pixels of a primitive differ in anything but their position.
-    const VARIES: bool =
-        Self::INTERPOLATES || D::IS_KEPT && (Z::TESTS || Z::WRITES) || S::READS_DEPTH;
+    const VARIES: bool = Self::INTERPOLATES
+        || T::Depth::IS_KEPT && (S::Test::TESTS || S::Test::WRITES)
+        || S::READS_DEPTH;
 
     /// Whether attributes are divided by w.
     const OVER_W: bool = Interpolator::<Count<S>, K, M>::OVER_W;
 
+    const HAS_SMALL: bool = Interpolator::<Count<S>, K, M>::HAS_SMALL;
+
     /// Whether small triangles carry two attributes in one number.
-    const PAIRS: bool = S::Varyings::PAIRS && Self::OVER_W && !M::IS_COMPACT;
+    const PAIRS: bool = S::Varyings::PAIRS && Self::OVER_W && Self::HAS_SMALL;
 
     #[inline]
-    pub(crate) fn new(
-        (mode, test): (M, Z),
-        canvas: &'p mut Canvas<'c, S::Color, O, D>,
-        shading: S,
-        shift: DepthShift,
-    ) -> Self {
+    pub(crate) fn new(mode: M, canvas: &'p mut T, shading: S, shift: DepthShift) -> Self {
         const {
             assert!(
                 Count::<S>::COUNT <= MOST_VARYINGS,
@@ -67,7 +62,7 @@ where
         Self {
             canvas,
             shading,
-            test,
+            test: shading.test(),
             interpolator: Interpolator::new(mode, &S::Varyings::tolerances(), Self::PAIRS, shift),
             face: FaceOf::<S>::default(),
         }
@@ -75,7 +70,7 @@ where
 
     /// The pixels of a row from `column` on; [`Pixels`] starts one pixel before it.
     #[inline(always)]
-    fn pixels(&self, row: i32, column: i32) -> Pixels<S, Z> {
+    fn pixels(&self, row: i32, column: i32) -> Pixels<S, T> {
         Pixels {
             shading: self.shading,
             face: self.face,
@@ -83,13 +78,8 @@ where
             point: Point::new(column - 1, row),
             depth: 0,
             stored: 0,
+            target: PhantomData,
         }
-    }
-
-    #[inline(always)]
-    fn cells(&mut self, row: i32, columns: Range<i32>) -> Option<Cells<'_, S::Color, O, D>> {
-        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
-        self.canvas.cells(row.cast_unsigned(), columns)
     }
 
     /// Draws rows of one color.
@@ -101,7 +91,7 @@ where
             let columns = i32::from(start).cast_unsigned()..i32::from(end).cast_unsigned();
             pixels.point = Point::new(i32::from(start) - 1, row);
             if let Some(cells) = memory.reborrow().cells(row.cast_unsigned(), columns) {
-                solid(Count::<S>::splat(0), cells, &mut pixels);
+                pixels.solid(cells, Count::<S>::splat(0));
             }
         }
     }
@@ -125,16 +115,13 @@ where
             }
             let (x, y) = (columns.start, row);
             let pixels = blit.pixels(row, x);
+            let Planes { setup, attributes } = &blit.interpolator.planes;
             let mut span = Span::<Count<S>> {
-                q: blit.interpolator.setup.q.small_at(x, y).cast_unsigned(),
-                p: Count::<S>::map(&blit.interpolator.attributes, |p: &Attribute| {
-                    p.gradient.small_at(x, y)
-                }),
-                dq: blit.interpolator.setup.q.step,
-                dp: Count::<S>::map(&blit.interpolator.attributes, |p: &Attribute| {
-                    p.gradient.step
-                }),
-                down: blit.interpolator.setup.down,
+                q: setup.q.small_at(x, y).cast_unsigned(),
+                p: Count::<S>::map(attributes, |p: &Attribute| p.gradient.small_at(x, y)),
+                dq: setup.q.step,
+                dp: Count::<S>::map(attributes, |p: &Attribute| p.gradient.step),
+                down: setup.down,
                 count: columns.len(),
             };
             match (span.p.as_mut(), span.dp.as_mut()) {
@@ -142,8 +129,8 @@ where
                 ([.., p], [.., dp]) if Self::PAIRS => (*p, *dp) = (0, 0),
                 _ => {}
             }
-            if let Some(cells) = blit.cells(row, columns) {
-                straight(span, Self::restored_small, cells, pixels);
+            if let Some(cells) = blit.canvas.cells(row, columns) {
+                pixels.straight(span, cells, Self::restored_small);
             }
         }
     }
@@ -167,59 +154,50 @@ where
         let at = [columns.start, row];
         // By reference: moved, the span would be copied.
         let count = (columns.end - columns.start).cast_unsigned() as usize;
-        let (span, kernel) = &self.interpolator.begin(at, count);
-        let (mut pixels, scales) = (
-            self.pixels(row, columns.start),
-            self.interpolator.derivatives.scales,
-        );
-        if Z::IS_BIASED {
-            let up = span.down.wrapping_sub(self.interpolator.setup.down);
-            pixels.test = pixels.test.shifted(up);
+        let (span, plan) = &self.interpolator.begin(at, count);
+        let mut pixels = self.pixels(row, columns.start);
+        let Planes { setup, attributes } = &self.interpolator.planes;
+        if S::Test::IS_BIASED {
+            pixels.test = pixels.test.shifted(span.down.wrapping_sub(setup.down));
         }
+        let scales = Count::<S>::map(attributes, |p: &Attribute| p.scale);
         let interpolator = &self.interpolator;
-        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
-        let Some(cells) = self.canvas.cells(row.cast_unsigned(), columns) else {
+        let Some(cells) = self.canvas.cells(row, columns) else {
             return;
         };
-        if Self::INTERPOLATES {
-            // Kernels that neither the mode nor the projection uses are left out.
-            match *kernel {
-                Kernel::DivideAnew if Self::OVER_W && M::IS_PRECISE => {
-                    divide_anew(span, scales, |x| interpolator.anew(at, x), cells, pixels);
-                }
-                _ if Self::OVER_W && (M::IS_PRECISE || M::IS_COMPACT) => {
-                    divide(span, scales, cells, pixels);
-                }
-                Kernel::Divide if Self::OVER_W => divide_apart(span, scales, cells, pixels),
-                Kernel::Newton if Self::OVER_W && M::REFINES => newton(span, cells, pixels),
-                Kernel::Pieces(length) if Self::OVER_W && M::HAS_PIECES => {
-                    pieces(span, length, scales, cells, pixels);
-                }
-                _ if M::IS_COMPACT => scaled(span, scales, cells, pixels),
-                Kernel::Scaled if !Self::OVER_W => scaled(span, scales, cells, pixels),
-                _ => straight(span.anew(), Self::restored, cells, pixels),
+        // What a mode does not use under a projection is left out: on the right there are constants.
+        match (*plan, Interpolator::<Count<S>, K, M>::BEST) {
+            _ if !Self::INTERPOLATES => pixels.straight(span.anew(), cells, Self::restored),
+            (Plan::Straight, _) if Interpolator::<Count<S>, K, M>::HAS_STRAIGHT => {
+                pixels.straight(span.anew(), cells, Self::restored);
             }
-        } else {
-            straight(span.anew(), Self::restored, cells, pixels);
+            (_, Plan::Straight) => pixels.scaled(span, cells, scales),
+            (Plan::Newton, Plan::Newton) => pixels.newton(span, cells),
+            (Plan::Pieces(length), Plan::Pieces(_)) => pixels.pieces(span, cells, scales, length),
+            (Plan::Anew, Plan::Anew) => {
+                pixels.divide_anew(span, cells, scales, |pixel| interpolator.anew(pixel));
+            }
+            (_, Plan::Divide | Plan::Anew) => pixels.divide(span, cells, scales),
+            _ => pixels.divide_apart(span, cells, scales),
         }
     }
 
     /// The attributes of interpolants that nothing divides, in a small triangle.
     #[inline(always)]
-    fn restored_small(p: &Numbers<S>) -> Numbers<S> {
+    fn restored_small(at: Point, q: u32, p: &Numbers<S>) -> Numbers<S> {
         let mut numbers = *p;
         match numbers.as_mut() {
             [first, second, third] if Self::PAIRS => {
                 [*first, *second, *third] = unpaired(*first, *second);
                 numbers
             }
-            _ => Self::restored(p),
+            _ => Self::restored(at, q, p),
         }
     }
 
     /// The attributes of interpolants that nothing divides.
     #[inline(always)]
-    fn restored(p: &Numbers<S>) -> Numbers<S> {
+    fn restored(_: Point, _: u32, p: &Numbers<S>) -> Numbers<S> {
         if Self::OVER_W {
             Count::<S>::map(p, |p: &i32| *p >> Scale::AFFINE_UP)
         } else {
@@ -228,40 +206,40 @@ where
     }
 }
 
-impl<S, O, D, K, M, Z> Blitter for Blit<'_, '_, S, O, D, K, M, Z>
+impl<S, T, K, M> Blitter for Blit<'_, S, T, K, M>
 where
-    S: Shading,
-    O: Storage<S::Color>,
-    D: DepthBuffer,
+    S: Shading<Color = T::Color>,
+    T: Target,
     K: ProjectionKind,
     M: Policy,
-    Z: DepthTest,
 {
-    fn varies(&self) -> bool {
-        Self::VARIES
-    }
-
-    fn primitive(&mut self, primitive: &Primitive<'_>) {
+    fn lay(&mut self, primitive: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows {
         let [a, b, c] = self.shading.varyings(primitive);
         let ((a, face), (b, _), (c, _)) = (a.split(), b.split(), c.split());
         self.face = face;
-        self.interpolator.start([a, b, c]);
-    }
-
-    fn set_up(&mut self, patch: &Patch<'_>) {
-        if !Self::VARIES {
-            return;
+        if Self::VARIES {
+            self.interpolator.start([a, b, c]);
+            self.interpolator.set_up(patch);
+            if S::Test::IS_BIASED {
+                let steepness = self.interpolator.planes.setup.steepness();
+                self.test.triangle(steepness);
+            }
         }
-        self.interpolator.set_up(patch);
-        if Z::IS_BIASED {
-            self.test.triangle(self.interpolator.setup.steepness());
-        }
+        self
     }
+}
 
-    fn rows(&mut self, first: i32, rows: &[Columns]) {
+impl<S, T, K, M> Rows for Blit<'_, S, T, K, M>
+where
+    S: Shading<Color = T::Color>,
+    T: Target,
+    K: ProjectionKind,
+    M: Policy,
+{
+    fn draw(&mut self, first: i32, rows: &[Columns]) {
         // Without a negation, the condition is a bare constant, and the branch that is not taken is not even compiled.
         if Self::VARIES {
-            if self.interpolator.is_small() {
+            if Self::HAS_SMALL && self.interpolator.plan == Plan::Small {
                 self.small_rows(first, rows);
             } else {
                 self.any_rows(first, rows);

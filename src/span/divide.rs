@@ -1,61 +1,47 @@
 //! The exact reciprocal of 1/w at every pixel.
 
-use super::pixels::{Count, Numbers, Pixels, Scales, Span};
+use embedded_graphics::geometry::Point;
+
+use super::pixels::{CellsOf, Count, Numbers, Pixels, Scales, Span, Target};
 use super::shading::Shading;
-use crate::canvas::{Cells, DepthBuffer, DepthTest, Storage};
 use crate::num::reciprocal;
 use crate::num::wide::product;
 use crate::shade::Lanes;
 
-/// Draws a span whose attributes are p / q · 2^bits at each pixel, rounded down.
-#[inline(always)]
-pub(super) fn divide<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
-    span: &Span<Count<S>>,
-    scales: Scales<S>,
-    mut cells: Cells<'_, S::Color, O, D>,
-    mut pixels: Pixels<S, Z>,
-) {
-    let (mut q, mut p) = (span.q, span.p);
-    let (dq, dp, down) = (span.dq, span.dp, span.down);
-    for cell in cells.first(usize::MAX) {
-        if pixels.visible::<D>(&cell.1, q, down) {
-            pixels.shade::<O>(cell, quotients::<S>(q, &p, &scales));
-        }
-        q = q.wrapping_add_signed(dq);
-        p = Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(*step));
+impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
+    /// Draws a span whose attributes are p / q · 2^bits at each pixel, rounded down.
+    #[inline(always)]
+    pub(super) fn divide(self, span: &Span<Count<S>>, cells: CellsOf<'_, T>, scales: Scales<S>) {
+        self.straight(span.clone(), cells, |_, q, p| quotients::<S>(q, p, &scales));
     }
-}
 
-/// [`divide`], out of line for modes where it is the exception: inlined, it would take registers from the mode's own
-/// kernel.
-#[inline(never)]
-pub(super) fn divide_apart<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
-    span: &Span<Count<S>>,
-    scales: Scales<S>,
-    cells: Cells<'_, S::Color, O, D>,
-    pixels: Pixels<S, Z>,
-) {
-    divide(span, scales, cells, pixels);
-}
+    /// [`divide`](Self::divide), out of line for modes where it is the exception: inlined, it would take registers from
+    /// the mode's own kernel.
+    #[inline(never)]
+    pub(super) fn divide_apart(
+        self,
+        span: &Span<Count<S>>,
+        cells: CellsOf<'_, T>,
+        scales: Scales<S>,
+    ) {
+        self.divide(span, cells, scales);
+    }
 
-/// [`divide`] with interpolants that `at` computes anew for each pixel, counted from 0: for triangles of great depth,
-/// where steps would accumulate too much rounding. Depths are stepped, as in all modes.
-#[cold]
-#[inline(never)]
-pub(super) fn divide_anew<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
-    span: &Span<Count<S>>,
-    scales: Scales<S>,
-    at: impl Fn(i32) -> (u32, Numbers<S>),
-    mut cells: Cells<'_, S::Color, O, D>,
-    mut pixels: Pixels<S, Z>,
-) {
-    let mut span = span.clone();
-    for (x, cell) in (0..).zip(cells.first(usize::MAX)) {
-        if pixels.visible::<D>(&cell.1, span.q, span.down) {
-            let (q, p) = at(x);
-            pixels.shade::<O>(cell, quotients::<S>(q, &p, &scales));
-        }
-        span.step();
+    /// [`divide`](Self::divide) with interpolants that `at` computes anew for each pixel: for triangles of great depth,
+    /// where steps would accumulate too much rounding. Depths are stepped, as in all modes.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn divide_anew(
+        self,
+        span: &Span<Count<S>>,
+        cells: CellsOf<'_, T>,
+        scales: Scales<S>,
+        at: impl Fn(Point) -> (u32, Numbers<S>),
+    ) {
+        self.straight(span.clone(), cells, |pixel, _, _| {
+            let (q, p) = at(pixel);
+            quotients::<S>(q, &p, &scales)
+        });
     }
 }
 

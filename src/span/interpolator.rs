@@ -1,11 +1,16 @@
-//! How a primitive is interpolated: its planes, and the kernel that draws its spans.
+//! The planes of a primitive and the plan for it, and where its spans begin.
 
 use core::marker::PhantomData;
 
-use super::mode::{DEEP, Derivatives, Kernel, Policy, WHOLE};
-use super::newton::tangent;
+use embedded_graphics::geometry::Point;
+
+use super::gradient::Gradient;
+use super::newton::FRACTION;
 use super::pixels::Span;
-use crate::raster::{Attribute, DepthShift, Gradient, Interpolation, Patch, Scale, Setup};
+use super::plan::{Plan, Policy};
+use super::scale::WHOLE;
+use super::setup::{Attribute, Interpolation, Planes, Setup};
+use crate::raster::{DepthShift, Patch};
 use crate::shade::{Lanes, Tolerance};
 use crate::view::ProjectionKind;
 
@@ -17,23 +22,38 @@ const _: () = assert!(4 * MOST_TOLERANCE <= i32::MAX.cast_unsigned());
 /// shaders with the same number of interpolated numbers.
 pub(super) struct Interpolator<L: Lanes, K, M> {
     mode: M,
-    pub(super) setup: Setup,
-    pub(super) attributes: L::Of<Attribute>,
-    pub(super) derivatives: Derivatives<L>,
-    /// The kernel of all spans; `None` if the mode chooses span by span.
-    kernel: Option<Kernel>,
+    pub(super) planes: Planes<L>,
+    pub(super) plan: Plan,
     kind: PhantomData<K>,
 }
 
 impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
     /// Whether attributes are divided by w.
-    pub(super) const OVER_W: bool = K::PERSPECTIVE && M::DIVIDES;
+    pub(super) const OVER_W: bool = K::PERSPECTIVE && !matches!(M::BEST, Plan::Straight);
 
-    /// The least number of bits of a scale.
-    const LEAST_BITS: u32 = match (Self::OVER_W, K::PERSPECTIVE) {
-        (true, _) => M::LEAST_BITS,
-        (false, true) => WHOLE,
-        (false, false) => M::LEAST_PARALLEL_BITS,
+    /// The plan for what is not linear.
+    pub(super) const BEST: Plan = if Self::OVER_W && L::COUNT > 0 {
+        M::BEST
+    } else {
+        Plan::Straight
+    };
+
+    /// Whether all planes are wide.
+    const IS_WIDE: bool = matches!(M::BEST, Plan::Divide);
+
+    /// Whether a mode takes the same path for all attributes, linear or not.
+    const IS_UNIFORM: bool = matches!(M::BEST, Plan::Divide | Plan::Anew);
+
+    /// Whether a plan may be [`Plan::Straight`].
+    pub(super) const HAS_STRAIGHT: bool = L::COUNT == 0 || !Self::IS_UNIFORM;
+
+    /// Whether a plan may be [`Plan::Small`].
+    pub(super) const HAS_SMALL: bool = Self::HAS_STRAIGHT && !Self::IS_WIDE;
+
+    const LEAST_BITS: u32 = match M::BEST {
+        Plan::Newton if Self::OVER_W => FRACTION,
+        _ if Self::OVER_W || Self::IS_UNIFORM => 1,
+        _ => WHOLE,
     };
 
     #[inline(never)]
@@ -54,15 +74,11 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
         };
         Self {
             mode,
-            setup: Setup::new(interpolation, Self::LEAST_BITS, shift),
-            attributes,
-            derivatives: Derivatives {
-                q: 0,
-                p: L::splat(0),
-                scales: L::splat(Scale::UNSET),
-                least: 0,
+            planes: Planes {
+                setup: Setup::new(interpolation, Self::LEAST_BITS, shift),
+                attributes,
             },
-            kernel: None,
+            plan: Self::BEST,
             kind: PhantomData,
         }
     }
@@ -73,7 +89,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
         let corners = L::zip(&L::zip(&a, &b, |a, b| [*a, *b]), &c, |[a, b], c| {
             [*a, *b, *c]
         });
-        let attributes = self.attributes.as_mut().iter_mut();
+        let attributes = self.planes.attributes.as_mut().iter_mut();
         for (attribute, corners) in attributes.zip(corners.as_ref()) {
             attribute.corners = *corners;
         }
@@ -82,95 +98,61 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
     /// Lays the interpolants over a patch of the primitive.
     #[inline(never)]
     pub(super) fn set_up(&mut self, patch: &Patch<'_>) {
-        if M::IS_COMPACT {
-            self.setup.lay_wide(self.attributes.as_mut(), patch);
-        } else {
-            self.setup.lay(self.attributes.as_mut(), patch);
-        }
-        self.derivatives = Derivatives {
-            q: self.setup.q.step,
-            p: L::map(&self.attributes, |p| p.gradient.step),
-            scales: L::map(&self.attributes, |p| p.scale),
-            least: self.setup.least,
-        };
-        if L::COUNT == 0 || M::IS_COMPACT {
+        let Planes { setup, attributes } = &mut self.planes;
+        if Self::IS_WIDE {
+            setup.lay_wide(attributes.as_mut(), patch);
             return;
         }
-        let is_precise = Self::OVER_W && M::IS_PRECISE && self.setup.least < DEEP;
-        self.kernel = if is_precise {
+        self.plan = setup.lay(attributes.as_mut(), patch);
+        if Self::BEST == Plan::Straight || self.plan != Plan::BySpan {
+            return;
+        }
+        self.plan = self.mode.of_triangle(&self.planes);
+        if Self::BEST == Plan::Anew && self.plan == Plan::Anew {
+            let Planes { setup, attributes } = &mut self.planes;
             // Depths keep the plane that they have in all modes.
-            let mut q = self.setup.q;
-            self.setup.lay_wide(self.attributes.as_mut(), patch);
-            q.wide = self.setup.q.wide;
-            self.setup.q = q;
-            Some(Kernel::DivideAnew)
-        } else if !Self::OVER_W {
-            let is_whole = L::all(&self.derivatives.scales, |scale| scale.bits() == WHOLE);
-            let is_whole = Self::LEAST_BITS == WHOLE && is_whole;
-            Some(if is_whole {
-                Kernel::Straight
-            } else {
-                Kernel::Scaled
-            })
-        } else if self.setup.is_affine {
-            Some(Kernel::Straight)
-        } else {
-            self.mode.of_triangle(&self.derivatives)
-        };
+            let mut q = setup.q;
+            setup.lay_wide(attributes.as_mut(), patch);
+            q.wide = setup.q.wide;
+            setup.q = q;
+        }
     }
 
-    /// Whether all spans are straight, and begin at small planes.
-    #[inline(always)]
-    pub(super) fn is_small(&self) -> bool {
-        let is_straight = L::COUNT == 0 || self.kernel == Some(Kernel::Straight);
-        !M::IS_COMPACT && is_straight && self.setup.is_small
-    }
-
-    /// The span that begins at a pixel, with a kernel to draw it.
+    /// The span that begins at a pixel, and its plan.
     #[inline(never)]
-    pub(super) fn begin(&self, [x, y]: [i32; 2], count: usize) -> (Span<L>, Kernel) {
+    pub(super) fn begin(&self, [x, y]: [i32; 2], count: usize) -> (Span<L>, Plan) {
         // A canvas has fewer columns and rows. Masked here, they need no mask in each plane.
         let (x, y) = (x & 0x7fff, y & 0x7fff);
         let at = |gradient: &Gradient| {
-            if M::IS_COMPACT {
+            if Self::IS_WIDE {
                 gradient.wide.at(x, y)
             } else {
                 gradient.at(x, y)
             }
         };
+        let Planes { setup, attributes } = &self.planes;
         let mut span = Span {
-            q: at(&self.setup.q).cast_unsigned(),
-            p: L::map(&self.attributes, |p: &Attribute| at(&p.gradient)),
-            dq: self.derivatives.q,
-            dp: self.derivatives.p,
-            down: self.setup.down,
+            q: at(&setup.q).cast_unsigned(),
+            p: L::map(attributes, |p: &Attribute| at(&p.gradient)),
+            dq: setup.q.step,
+            dp: L::map(attributes, |p: &Attribute| p.gradient.step),
+            down: setup.down,
             count,
         };
-        if L::COUNT == 0 {
-            return (span, Kernel::Straight);
-        }
-        if M::IS_COMPACT {
-            return (span, Kernel::Divide);
-        }
-        if let Some(
-            kernel @ (Kernel::Straight | Kernel::Scaled | Kernel::Divide | Kernel::DivideAnew),
-        ) = self.kernel
-        {
-            return (span, kernel);
-        }
-        let kernel = self.mode.of_span(self.kernel, &mut span, &self.derivatives);
-        if kernel == Kernel::Tangent {
-            tangent(&mut span);
-            return (span, Kernel::Straight);
-        }
-        (span, kernel)
+        let plan = match self.plan {
+            Plan::BySpan | Plan::Newton | Plan::Pieces(_) if Self::BEST != Plan::Straight => {
+                self.mode.of_span(self.plan, &self.planes, &mut span)
+            }
+            plan => plan,
+        };
+        (span, plan)
     }
 
-    /// The interpolants of a pixel that is `x` pixels right of another, without a step: q with 31 bits, and each p.
-    pub(super) fn anew(&self, [first, y]: [i32; 2], x: i32) -> (u32, L::Of<i32>) {
-        let at = [first + x, y];
-        let (q, up) = self.setup.precise_q(at);
-        let p = L::map(&self.attributes, |p: &Attribute| {
+    /// The interpolants of a pixel, without a step: q with 31 bits, and each p.
+    pub(super) fn anew(&self, Point { x, y }: Point) -> (u32, L::Of<i32>) {
+        let at = [x, y];
+        let (q, up) = self.planes.setup.precise_q(at);
+        let p = L::map(&self.planes.attributes, |p: &Attribute| {
             p.gradient.wide.precise(at, up)
         });
         (q, p)

@@ -1,7 +1,7 @@
 //! From spans to pixels: interpolation, depth test, shader, blending, store.
 //!
-//! An [`interpolator`] starts each span and asks the [mode](mode) which of four kernels draws it; [`Blit`] calls that
-//! kernel: [`straight`] adds, [`pieces`] adds and computes a reciprocal at the ends of straight pieces, [`newton`]
+//! For each triangle and, where a mode decides later, for each span there is a [`plan`]. An [`interpolator`] lays
+//! [planes](setup) and starts spans as the plan says, and [`Blit`] calls its kernel: [`straight`] adds, [`pieces`] adds and computes a reciprocal at the ends of straight pieces, [`newton`]
 //! refines a reciprocal at every pixel, [`divide`] divides at every pixel.
 
 // Kernels are inlined: out of line, a kernel keeps its interpolants and steps in memory, which takes 8 instructions per
@@ -12,11 +12,15 @@
 
 mod blit;
 mod divide;
+mod gradient;
 mod interpolator;
 mod mode;
 mod newton;
 mod pieces;
 mod pixels;
+mod plan;
+mod scale;
+mod setup;
 mod shading;
 mod straight;
 #[cfg(test)]

@@ -1,22 +1,10 @@
-//! Which kernel draws a span: each mode's choice, and the inequalities behind it.
-//!
-//! Notation, for values along a row of pixels: f is an attribute, q is 1/w, and p is f · q. f′, q′ and p′ are their
-//! changes from one pixel to the next, and δ = |q′| / q. q is scaled so that its greatest value in a triangle has bit
-//! 30 set.
-//!
-//! The [`interpolator`](super::interpolator) asks in this order:
-//!
-//! 1. Under a parallel projection and in [`Affine`], nothing is divided: the kernel is straight.
-//! 2. If a triangle's attributes are affine within the mode's tolerance ([`Policy::affine_within`]), the kernel is
-//!    straight, too. The set-up tells; its inequality stands at `Attribute::affine_range` in raster/setup.rs.
-//! 3. In [`Exact`], a deep triangle ([`DEEP`]) divides anew at each pixel.
-//! 4. [`Policy::of_triangle`] may choose for all spans of a triangle, and
-//! 5. [`Policy::of_span`] for a single one.
+//! The modes: which [plan](super::plan) each makes, and the inequalities behind it.
 
-use super::newton::FRACTION;
+use super::newton::{FRACTION, tangent};
 use super::pixels::Span;
+use super::plan::{Plan, Policy};
+use super::setup::{Attribute, Planes, SHALLOW};
 use crate::Scalar;
-use crate::raster::{SHALLOW, Scale};
 use crate::shade::{Lanes, Tolerance};
 
 /// How attributes are interpolated between a triangle's corners, which trades accuracy for speed.
@@ -59,100 +47,14 @@ pub trait Mode: Policy {}
 #[diagnostic::do_not_recommend]
 impl<M: Policy> Mode for M {}
 
-/// The code that draws a span.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kernel {
-    /// Attributes are linear along the span, and stored multiplied by 4.
-    Straight,
-    /// Attributes are not divided by w and have a scale, which each pixel restores.
-    Scaled,
-    /// Attributes are replaced by the line that touches them in the middle of the span.
-    Tangent,
-    /// Straight pieces; their length is 2 to this power pixels.
-    Pieces(u32),
-    /// One Newton step per pixel.
-    Newton,
-    /// One division per pixel.
-    Divide,
-    /// The same, with interpolants that each pixel computes anew.
-    DivideAnew,
-}
-
-/// The changes of a triangle's interpolants along a row, and their scales.
-pub(crate) struct Derivatives<L: Lanes> {
-    /// q′.
-    pub q: i32,
-    /// p′ of each attribute; its unit is 2^(bits − 30) units of the attribute.
-    pub p: L::Of<i32>,
-    pub scales: L::Of<Scale>,
-    /// The least q at a corner.
-    pub least: u32,
-}
-
-/// The decisions of a mode.
-pub(crate) trait Policy: Copy {
-    /// Whether attributes are divided by w at all.
-    const DIVIDES: bool = true;
-
-    /// The least number of bits of a [`Scale`] in triangles in which q changes less than fourfold. With b bits, an
-    /// interpolant's unit is 2^(b − 30) units of the attribute. More bits than the attribute has cost accuracy, but
-    /// save scaling.
-    const LEAST_BITS: u32 = 1;
-
-    /// The same under a parallel projection. With [`WHOLE`] bits, an interpolant's unit is the attribute's unit.
-    const LEAST_PARALLEL_BITS: u32 = WHOLE;
-
-    /// Whether it chooses [`Kernel::Newton`].
-    const REFINES: bool = false;
-
-    /// Whether it chooses [`Kernel::Pieces`].
-    const HAS_PIECES: bool = false;
-
-    /// Whether triangles that have a corner with q below [`DEEP`] compute their interpolants anew at each pixel.
-    const IS_PRECISE: bool = false;
-
-    /// Whether all triangles have wide planes, and all spans are divided; then the items below are not used.
-    const IS_COMPACT: bool = false;
-
-    /// The kernel of a mode that has only one.
-    const KERNEL: Kernel = Kernel::Divide;
-
-    /// The greatest error that an attribute may have, in its units, if that saves all divisions; with 0, none are
-    /// saved.
-    #[inline]
-    fn affine_within(self, _tolerance: Tolerance) -> u32 {
-        0
-    }
-
-    /// The kernel for all spans of a triangle that is not affine; `None` if it is chosen span by span.
-    #[inline]
-    fn of_triangle<L: Lanes>(self, _derivatives: &Derivatives<L>) -> Option<Kernel> {
-        Some(Self::KERNEL)
-    }
-
-    /// The kernel for a span; it may scale the span for that kernel.
-    #[inline(always)]
-    fn of_span<L: Lanes>(
-        self,
-        _of_triangle: Option<Kernel>,
-        _span: &mut Span<L>,
-        _derivatives: &Derivatives<L>,
-    ) -> Kernel {
-        Self::KERNEL
-    }
-}
-
-/// The number of bits of a scale at which an interpolant's unit is the attribute's unit.
-pub(super) const WHOLE: u32 = 30;
-
-/// Kernels that compute a reciprocal from earlier ones require δ ≤ 2^-6.
+/// Plans that compute a reciprocal from earlier ones require δ ≤ 2^-6.
 const STEEPEST: u32 = 6;
 
 /// A corner whose q is below this is more than 8 to 16 times as far away as the nearest corner, whose q is from 2^30 to
 /// 2^31. Interpolants are rounded to half a unit at the nearest corner's scale, and a span's steps add up to 32 units.
 /// A unit is 2^-6 of 2^-16 texel at the nearest corner, if 256 texels span the triangle, and grows with the distance:
 /// at 16 times the distance, 56½ units of 4¼ · 2^-6 are 60 of 2^-16 texel, and 0.001 texel is 65½.
-pub(super) const DEEP: u32 = 1 << 27;
+const DEEP: u32 = 1 << 27;
 
 /// The left shift of a span's interpolants that brings q to 2^29 to 2^31 at all its pixels; `None` if q changes
 /// twofold along the span, or if δ exceeds 2^-6.
@@ -182,8 +84,16 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
 pub struct Exact;
 
 impl Policy for Exact {
-    const LEAST_PARALLEL_BITS: u32 = 1;
-    const IS_PRECISE: bool = true;
+    const BEST: Plan = Plan::Anew;
+
+    #[inline]
+    fn of_triangle<L: Lanes>(self, planes: &Planes<L>) -> Plan {
+        if planes.setup.least < DEEP {
+            Plan::Anew
+        } else {
+            Plan::Divide
+        }
+    }
 }
 
 /// Perspective-correct, with a reciprocal of 1/w at every pixel and nothing else: the least code.
@@ -205,8 +115,7 @@ impl Policy for Exact {
 pub struct Compact;
 
 impl Policy for Compact {
-    const LEAST_PARALLEL_BITS: u32 = 1;
-    const IS_COMPACT: bool = true;
+    const BEST: Plan = Plan::Divide;
 }
 
 /// Linear on the screen, which is correct under a parallel projection.
@@ -226,8 +135,7 @@ impl Policy for Compact {
 pub struct Affine;
 
 impl Policy for Affine {
-    const DIVIDES: bool = false;
-    const KERNEL: Kernel = Kernel::Straight;
+    const BEST: Plan = Plan::Straight;
 }
 
 /// Perspective-correct, with one Newton step per pixel from the two pixels before it: the default.
@@ -291,8 +199,7 @@ fn nearest(value: i32, down: u32) -> i32 {
 }
 
 impl Policy for Newton {
-    const REFINES: bool = true;
-    const LEAST_BITS: u32 = FRACTION;
+    const BEST: Plan = Plan::Newton;
 
     #[inline]
     fn affine_within(self, tolerance: Tolerance) -> u32 {
@@ -303,40 +210,41 @@ impl Policy for Newton {
     }
 
     #[inline]
-    fn of_triangle<L: Lanes>(self, derivatives: &Derivatives<L>) -> Option<Kernel> {
-        if !L::all(&derivatives.scales, |scale| scale.bits() <= FRACTION) {
-            return Some(Kernel::Divide);
+    fn of_triangle<L: Lanes>(self, planes: &Planes<L>) -> Plan {
+        let Planes { setup, attributes } = planes;
+        if !L::all(attributes, |p: &Attribute| p.scale.bits() <= FRACTION) {
+            return Plan::Divide;
         }
-        let is_gentle = derivatives.least > SHALLOW
-            && derivatives.q.unsigned_abs() <= derivatives.least >> STEEPEST
-            && L::all(&derivatives.scales, |scale| scale.bits() == FRACTION);
-        is_gentle.then_some(Kernel::Newton)
+        let is_gentle = setup.least > SHALLOW
+            && setup.q.step.unsigned_abs() <= setup.least >> STEEPEST
+            && L::all(attributes, |p: &Attribute| p.scale.bits() == FRACTION);
+        if is_gentle {
+            Plan::Newton
+        } else {
+            Plan::BySpan
+        }
     }
 
     #[inline(always)]
-    fn of_span<L: Lanes>(
-        self,
-        of_triangle: Option<Kernel>,
-        span: &mut Span<L>,
-        derivatives: &Derivatives<L>,
-    ) -> Kernel {
-        if of_triangle.is_none() {
+    fn of_span<L: Lanes>(self, of_triangle: Plan, planes: &Planes<L>, span: &mut Span<L>) -> Plan {
+        if of_triangle == Plan::BySpan {
             let Some(up) = room(span.q, span.dq, span.count) else {
-                return Kernel::Divide;
+                return Plan::Divide;
             };
             (span.q, span.dq) = (span.q << up, span.dq << up);
             span.down = span.down.saturating_add(up);
-            let scaled = |p: &i32, scale: &Scale| {
-                let (left, right) = scale.to(FRACTION, up);
+            let scaled = |p: &i32, attribute: &Attribute| {
+                let (left, right) = attribute.scale.to(FRACTION, up);
                 nearest(*p << left, right)
             };
-            span.p = L::zip(&span.p, &derivatives.scales, scaled);
-            span.dp = L::zip(&span.dp, &derivatives.scales, scaled);
+            span.p = L::zip(&span.p, &planes.attributes, scaled);
+            span.dp = L::zip(&span.dp, &planes.attributes, scaled);
         }
         if is_level(span) {
-            Kernel::Tangent
+            tangent(span);
+            Plan::Straight
         } else {
-            Kernel::Newton
+            Plan::Newton
         }
     }
 }
@@ -392,25 +300,28 @@ impl Fast {
         }
     }
 
-    /// The exponent of the most pixels that a piece may have, where q is at least `least` and all values will be
-    /// shifted left by `up`; `None` if even two pixels are too many, or if attributes have too many bits.
+    /// Pieces of the most pixels that a tolerance allows, where q is at least `least` and all values will be shifted
+    /// left by `up`; `None` if even two pixels are too many, or if attributes have too many bits.
     #[inline]
-    fn length<L: Lanes>(self, least: u32, derivatives: &Derivatives<L>, up: u32) -> Option<u32> {
-        if self.tolerance == 0 || !L::all(&derivatives.scales, |scale| scale.bits() <= MOST_BITS) {
+    fn pieces<L: Lanes>(self, least: u32, planes: &Planes<L>, up: u32) -> Option<Plan> {
+        let Planes { setup, attributes } = planes;
+        if self.tolerance == 0 || !L::all(attributes, |p: &Attribute| p.scale.bits() <= MOST_BITS) {
             return None;
         }
-        let step = derivatives.q.unsigned_abs();
+        let step = setup.q.step.unsigned_abs();
         let mut most = 0;
-        L::zip(&derivatives.p, &derivatives.scales, |p, scale| {
+        L::map(attributes, |p: &Attribute| {
             // |f′| = |p′ − f · q′| / q, where |f| is at most half as a fraction of 2^bits units: at most gain / q.
             // `most` is in units of 2^28 / q.
-            let gain = p.unsigned_abs().saturating_add(step >> 1);
-            most = most.max((gain >> (MOST_BITS.wrapping_sub(scale.bits()) & 31)) + 1);
+            let gain = p.gradient.step.unsigned_abs().saturating_add(step >> 1);
+            most = most.max((gain >> (MOST_BITS.wrapping_sub(p.scale.bits()) & 31)) + 1);
         });
         let shifted = |value: u32| value << up.min(value.leading_zeros());
         self.length_at(least << up, shifted(step), shifted(most))
+            .map(Plan::Pieces)
     }
 
+    /// The exponent of the length of pieces.
     #[inline(never)]
     fn length_at(self, least: u32, step: u32, gain: u32) -> Option<u32> {
         // δ in units of 2^-16, and f′ in units of the attribute, both rounded up; `least` has 30 or 31 bits.
@@ -429,7 +340,7 @@ impl Fast {
 }
 
 impl Policy for Fast {
-    const HAS_PIECES: bool = true;
+    const BEST: Plan = Plan::Pieces(0);
 
     #[inline]
     fn affine_within(self, tolerance: Tolerance) -> u32 {
@@ -440,40 +351,36 @@ impl Policy for Fast {
     }
 
     #[inline]
-    fn of_triangle<L: Lanes>(self, derivatives: &Derivatives<L>) -> Option<Kernel> {
-        let length = if derivatives.least > SHALLOW {
-            self.length(derivatives.least, derivatives, 0)
+    fn of_triangle<L: Lanes>(self, planes: &Planes<L>) -> Plan {
+        let least = planes.setup.least;
+        let pieces = if least > SHALLOW {
+            self.pieces(least, planes, 0)
         } else {
             None
         };
-        length.map(Kernel::Pieces)
+        pieces.unwrap_or(Plan::BySpan)
     }
 
     #[inline(always)]
-    fn of_span<L: Lanes>(
-        self,
-        of_triangle: Option<Kernel>,
-        span: &mut Span<L>,
-        derivatives: &Derivatives<L>,
-    ) -> Kernel {
-        if let Some(Kernel::Pieces(length)) = of_triangle {
-            return Kernel::Pieces(length);
+    fn of_span<L: Lanes>(self, of_triangle: Plan, planes: &Planes<L>, span: &mut Span<L>) -> Plan {
+        if of_triangle != Plan::BySpan {
+            return of_triangle;
         }
         let up = room(span.q, span.dq, span.count);
-        let length = up.and_then(|up| {
+        let pieces = up.and_then(|up| {
             let others = (span.count as u32).wrapping_sub(1).cast_signed();
             let last = span.dq.wrapping_mul(others);
             let least = span.q.min(span.q.wrapping_add_signed(last));
-            self.length(least, derivatives, up)
+            self.pieces(least, planes, up)
         });
-        let (Some(up), Some(length)) = (up, length) else {
-            return Kernel::Divide;
+        let (Some(up), Some(pieces)) = (up, pieces) else {
+            return Plan::Divide;
         };
         (span.q, span.dq) = (span.q << up, span.dq << up);
         span.down = span.down.saturating_add(up);
         span.p = L::map(&span.p, |p| p << up);
         span.dp = L::map(&span.dp, |p| p << up);
-        Kernel::Pieces(length)
+        pieces
     }
 }
 

@@ -1,51 +1,48 @@
 //! The reciprocal of 1/w at a pixel, from the reciprocals at the two pixels before it.
 
-use super::pixels::{Count, Pixels, Span, rolled};
+use super::pixels::{CellsOf, Count, Pixels, Span, Target, rolled};
+use super::scale::Scale;
 use super::shading::Shading;
-use crate::canvas::{Cells, DepthBuffer, DepthTest, Storage};
 use crate::num::reciprocal;
 use crate::num::wide::{Word, high, newton_step, product, seldom};
-use crate::raster::Scale;
 use crate::shade::Lanes;
 
 /// The number of bits in an attribute's scale, and so the bits of a fraction p/q.
 pub(super) const FRACTION: u32 = Scale::AFFINE.bits();
 
-/// Draws a span with one Newton step per pixel; the initial guess is on the line through the last two reciprocals.
-///
-/// 1/w is from 2^29 to 2^31 at all pixels and changes by at most 2^-6 of itself per pixel; attributes have
-/// [`FRACTION`] bits.
-#[inline(always)]
-pub(super) fn newton<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
-    span: &Span<Count<S>>,
-    mut cells: Cells<'_, S::Color, O, D>,
-    mut pixels: Pixels<S, Z>,
-) {
-    let span = span.anew();
-    let Span { dq, dp, down, .. } = span;
-    // q is from 2^29 to 2^31, and so is r = 2^60 / q; p is 2^-28 q times the attribute.
-    let first = inverse(span.q.cast_signed());
-    let wide = |n: &i32| Word::from(*n);
-    let (mut q, mut p) = (wide(&span.q.cast_signed()), Count::<S>::map(&span.p, wide));
-    let (dq, dp) = (wide(&dq), Count::<S>::map(&dp, wide));
-    let mut r = wide(&first);
-    // r changes by about −dq · r² / 2^60 per pixel; so this is r one pixel before the span.
-    let change = high(r, dq);
-    let mut guess = r;
-    r = r.wrapping_add(high(r, change) << 4);
-    for cell in cells.first(usize::MAX) {
-        // One Newton step: next = guess · (2 − q · guess / 2^60).
-        let next = newton_step(q, guess);
-        guess = (next << 1).wrapping_sub(r);
-        r = next;
-        if pixels.visible::<D>(&cell.1, (q as i32).cast_unsigned(), down) {
-            pixels.shade::<O>(cell, Count::<S>::map(&p, |p| high(*p, r) as i32));
-        } else {
-            seldom();
+impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
+    /// Draws a span with one Newton step per pixel; the initial guess is on the line through the last two reciprocals.
+    ///
+    /// 1/w is from 2^29 to 2^31 at all pixels and changes by at most 2^-6 of itself per pixel; attributes have
+    /// [`FRACTION`] bits.
+    #[inline(always)]
+    pub(super) fn newton(mut self, span: &Span<Count<S>>, mut cells: CellsOf<'_, T>) {
+        let span = span.anew();
+        let Span { dq, dp, down, .. } = span;
+        // q is from 2^29 to 2^31, and so is r = 2^60 / q; p is 2^-28 q times the attribute.
+        let first = inverse(span.q.cast_signed());
+        let wide = |n: &i32| Word::from(*n);
+        let (mut q, mut p) = (wide(&span.q.cast_signed()), Count::<S>::map(&span.p, wide));
+        let (dq, dp) = (wide(&dq), Count::<S>::map(&dp, wide));
+        let mut r = wide(&first);
+        // r changes by about −dq · r² / 2^60 per pixel; so this is r one pixel before the span.
+        let change = high(r, dq);
+        let mut guess = r;
+        r = r.wrapping_add(high(r, change) << 4);
+        for cell in cells.first(usize::MAX) {
+            // One Newton step: next = guess · (2 − q · guess / 2^60).
+            let next = newton_step(q, guess);
+            guess = (next << 1).wrapping_sub(r);
+            r = next;
+            if self.visible(&cell.1, (q as i32).cast_unsigned(), down) {
+                self.shade(cell, Count::<S>::map(&p, |p| high(*p, r) as i32));
+            } else {
+                seldom();
+            }
+            rolled();
+            q = q.wrapping_add(dq);
+            p = Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(*step));
         }
-        rolled();
-        q = q.wrapping_add(dq);
-        p = Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(*step));
     }
 }
 

@@ -1,65 +1,67 @@
 //! Straight pieces between pixels whose attributes are correct in perspective.
 
-use super::pixels::{Count, Numbers, Pixels, Scales, Span, rolled};
+use super::pixels::{CellsOf, Count, Numbers, Pixels, Scales, Span, Target, rolled};
 use super::shading::Shading;
-use crate::canvas::{Cells, DepthBuffer, DepthTest, Storage};
 use crate::num::short_reciprocal;
 use crate::num::wide::{product, times_17_bits};
 use crate::shade::Lanes;
 
-/// Draws a span in straight pieces of 2^`length` pixels, where `length` is 1 to 6.
-///
-/// 1/w is from 2^29 to 2^31 at all pixels. The reciprocals at the ends of pieces have 16 bits; two Newton steps
-/// compute each from the last one.
-#[inline(always)]
-pub(super) fn pieces<S: Shading, O: Storage<S::Color>, D: DepthBuffer, Z: DepthTest>(
-    span: &Span<Count<S>>,
-    length: u32,
-    scales: Scales<S>,
-    mut cells: Cells<'_, S::Color, O, D>,
-    mut pixels: Pixels<S, Z>,
-) {
-    let mut span = span.clone();
-    // Makes room for a reciprocal of up to 17 bits.
-    span.p = Count::<S>::map(&span.p, |p| p >> 2);
-    span.dp = Count::<S>::map(&span.dp, |p| p >> 2);
-    let (dq, dp, down) = (span.dq, span.dp, span.down);
-    let (mut q, mut p, mut left) = (span.q, span.p, span.count as u32);
-    let mut inverse = short_reciprocal(q >> 15);
-    let mut values = attributes::<S>(&p, &scales, inverse);
-    loop {
-        // A piece ends where the next one begins, or at the span's last pixel: beyond it, attributes may have any
-        // value.
-        let count = 1 << length;
-        let is_last = left <= count;
-        let pixels_on = if is_last { left.wrapping_sub(1) } else { count };
-        let ahead = pixels_on.cast_signed();
-        let q_end = q.wrapping_add_signed(dq.wrapping_mul(ahead));
-        let p_end = Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(step.wrapping_mul(ahead)));
-        inverse = refined(q_end, inverse);
-        let at_end = attributes::<S>(&p_end, &scales, inverse);
-        let gains = Count::<S>::zip(&at_end, &values, |end, value| {
-            let change = end.wrapping_sub(*value);
+impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
+    /// Draws a span in straight pieces of 2^`length` pixels, where `length` is 1 to 6.
+    ///
+    /// 1/w is from 2^29 to 2^31 at all pixels. The reciprocals at the ends of pieces have 16 bits; two Newton steps
+    /// compute each from the last one.
+    #[inline(always)]
+    pub(super) fn pieces(
+        mut self,
+        span: &Span<Count<S>>,
+        mut cells: CellsOf<'_, T>,
+        scales: Scales<S>,
+        length: u32,
+    ) {
+        let mut span = span.clone();
+        // Makes room for a reciprocal of up to 17 bits.
+        span.p = Count::<S>::map(&span.p, |p| p >> 2);
+        span.dp = Count::<S>::map(&span.dp, |p| p >> 2);
+        let (dq, dp, down) = (span.dq, span.dp, span.down);
+        let (mut q, mut p, mut left) = (span.q, span.p, span.count as u32);
+        let mut inverse = short_reciprocal(q >> 15);
+        let mut values = attributes::<S>(&p, &scales, inverse);
+        loop {
+            // A piece ends where the next one begins, or at the span's last pixel: beyond it, attributes may have any
+            // value.
+            let count = 1 << length;
+            let is_last = left <= count;
+            let pixels_on = if is_last { left.wrapping_sub(1) } else { count };
+            let ahead = pixels_on.cast_signed();
+            let q_end = q.wrapping_add_signed(dq.wrapping_mul(ahead));
+            let p_end =
+                Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(step.wrapping_mul(ahead)));
+            inverse = refined(q_end, inverse);
+            let at_end = attributes::<S>(&p_end, &scales, inverse);
+            let gains = Count::<S>::zip(&at_end, &values, |end, value| {
+                let change = end.wrapping_sub(*value);
+                if is_last {
+                    divided(change, pixels_on)
+                } else {
+                    change >> length
+                }
+            });
+            let first = if is_last { left } else { count };
+            for cell in cells.first(first as usize) {
+                rolled();
+                if self.visible(&cell.1, q, down) {
+                    self.shade(cell, values);
+                }
+                q = q.wrapping_add_signed(dq);
+                values = Count::<S>::zip(&values, &gains, |value, gain| value.wrapping_add(*gain));
+            }
             if is_last {
-                divided(change, pixels_on)
-            } else {
-                change >> length
+                return;
             }
-        });
-        let first = if is_last { left } else { count };
-        for cell in cells.first(first as usize) {
-            rolled();
-            if pixels.visible::<D>(&cell.1, q, down) {
-                pixels.shade::<O>(cell, values);
-            }
-            q = q.wrapping_add_signed(dq);
-            values = Count::<S>::zip(&values, &gains, |value, gain| value.wrapping_add(*gain));
+            left -= count;
+            (q, p, values) = (q_end, p_end, at_end);
         }
-        if is_last {
-            return;
-        }
-        left -= count;
-        (q, p, values) = (q_end, p_end, at_end);
     }
 }
 

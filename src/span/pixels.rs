@@ -1,13 +1,15 @@
 //! The pixels of a span: the values that the kernels interpolate, and how a pixel is tested and shaded.
 
 use core::hint::black_box;
+use core::marker::PhantomData;
+use core::ops::Range;
 
 use embedded_graphics::geometry::Point;
 
+use super::scale::Scale;
 use super::shading::Shading;
-use crate::canvas::{DepthBuffer, DepthTest, LinearDepth, Storage};
+use crate::canvas::{Canvas, Cells, DepthBuffer, DepthTest, LinearDepth, Memory, Storage};
 use crate::num::wide::at_least;
-use crate::raster::Scale;
 use crate::shade::{Fragment, Lanes, Varyings};
 
 /// The interpolated numbers of a shader, one `i32` in each lane.
@@ -25,7 +27,7 @@ pub(super) type FaceOf<S> = <<S as Shading>::Varyings as Varyings>::Face;
 /// Interpolants at the first pixel of a span, and their change from one pixel to the next.
 ///
 /// `q` is 1/w (or depth under a parallel projection), scaled so that its greatest value in the primitive has bit 30
-/// set. Each `p` is attribute · q · 2^-bits (see [`Scale`](crate::raster::Scale)), so that |p| ≤ q/2 apart from
+/// set. Each `p` is attribute · q · 2^-bits (see [`Scale`]), so that |p| ≤ q/2 apart from
 /// rounding.
 #[derive(Clone)]
 pub(crate) struct Span<L: Lanes> {
@@ -49,15 +51,6 @@ impl<L: Lanes> Span<L> {
     pub(super) fn anew(&self) -> Self {
         black_box(self).clone()
     }
-
-    /// Moves to the next pixel.
-    ///
-    /// Values wrap. Only a sliver one pixel wide has a step beyond `i32`, and its next pixel is never read.
-    #[inline]
-    pub(super) fn step(&mut self) {
-        self.q = self.q.wrapping_add_signed(self.dq);
-        self.p = L::zip(&self.p, &self.dp, |p, step| p.wrapping_add(*step));
-    }
 }
 
 /// Keeps the compiler from unrolling the loop that calls it; it takes no instruction.
@@ -69,37 +62,67 @@ pub(super) fn rolled() {
     black_box(());
 }
 
+/// The canvas of a draw call.
+pub(crate) trait Target {
+    type Color;
+    type Storage: Storage<Self::Color>;
+    type Depth: DepthBuffer;
+
+    fn memory(&mut self) -> Memory<'_, Self::Color, Self::Storage, Self::Depth>;
+
+    /// Some pixels of a row, which lie within the canvas.
+    #[inline(always)]
+    fn cells(&mut self, row: i32, columns: Range<i32>) -> Option<CellsOf<'_, Self>> {
+        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
+        self.memory().cells(row.cast_unsigned(), columns)
+    }
+}
+
+impl<C, O: Storage<C>, D: DepthBuffer> Target for Canvas<'_, C, O, D> {
+    type Color = C;
+    type Storage = O;
+    type Depth = D;
+
+    #[inline]
+    fn memory(&mut self) -> Memory<'_, C, O, D> {
+        self.memory()
+    }
+}
+
+/// Pixels of a canvas.
+pub(super) type CellsOf<'c, T> =
+    Cells<'c, <T as Target>::Color, <T as Target>::Storage, <T as Target>::Depth>;
+
 /// A pixel in memory: its color, and its depth if there is a depth buffer.
-pub(super) type Cell<'c, C, O> = (&'c mut <O as Storage<C>>::Cell, Option<&'c mut u16>);
+pub(super) type CellOf<'c, T> = (
+    &'c mut <<T as Target>::Storage as Storage<<T as Target>::Color>>::Cell,
+    Option<&'c mut u16>,
+);
 
 /// Tests and shades the pixels of a span, one after the other.
-pub(super) struct Pixels<S: Shading, Z> {
+pub(super) struct Pixels<S: Shading, T> {
     pub(super) shading: S,
     pub(super) face: FaceOf<S>,
-    pub(super) test: Z,
+    pub(super) test: S::Test,
     /// The current pixel; at first, the pixel before the span.
     pub(super) point: Point,
     /// The current pixel's depth, in linear steps (`depth`) and in the format of the depth buffer (`stored`).
     pub(super) depth: u32,
     pub(super) stored: u32,
+    pub(super) target: PhantomData<T>,
 }
 
-impl<S: Shading, Z: DepthTest> Pixels<S, Z> {
+impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
     /// Moves to the next pixel, where 1/w is `q`, and returns whether it is visible.
     #[inline]
-    pub(super) fn visible<D: DepthBuffer>(
-        &mut self,
-        depth: &Option<&mut u16>,
-        q: u32,
-        down: u32,
-    ) -> bool {
+    pub(super) fn visible(&mut self, depth: &Option<&mut u16>, q: u32, down: u32) -> bool {
         self.point.x += 1;
         self.depth = LinearDepth::encode(q, down);
-        if !D::IS_KEPT {
+        if !T::Depth::IS_KEPT {
             return true;
         }
-        self.stored = self.test.biased::<D>(q, down);
-        !Z::TESTS
+        self.stored = self.test.biased::<T::Depth>(q, down);
+        !S::Test::TESTS
             || depth
                 .as_deref()
                 .is_none_or(|stored| at_least(self.stored, *stored))
@@ -107,20 +130,16 @@ impl<S: Shading, Z: DepthTest> Pixels<S, Z> {
 
     /// Shades the current pixel, after [`visible`](Self::visible) returned `true`.
     #[inline]
-    pub(super) fn shade<O: Storage<S::Color>>(
-        &self,
-        (color, depth): Cell<'_, S::Color, O>,
-        numbers: Numbers<S>,
-    ) {
+    pub(super) fn shade(&self, (color, depth): CellOf<'_, T>, numbers: Numbers<S>) {
         let at = Fragment {
             point: self.point,
             depth: self.depth as u16,
         };
         let varyings = S::Varyings::join(numbers, self.face);
-        let below = || O::load(*color);
+        let below = || T::Storage::load(*color);
         if let Some(new) = self.shading.color(&at, varyings, below) {
-            *color = O::store(new);
-            if Z::WRITES
+            *color = T::Storage::store(new);
+            if S::Test::WRITES
                 && let Some(depth) = depth
             {
                 *depth = self.stored as u16;

@@ -1,14 +1,14 @@
-//! How a draw call colors a pixel: by a shader and a blending.
+//! How a draw call tests and colors a pixel: by a shader, a blending and a depth test.
 
 use core::cell::Cell;
 
-use crate::canvas::Blending;
+use crate::canvas::{Blending, DepthTest};
 use crate::mesh::Primitive;
 use crate::raster::Coverage;
 use crate::shade::{ColorOf, Fragment, Output, PixelFormat, Shader, Varyings};
 
-/// The source of the colors of a draw call's pixels: a [`Shader`], a [`Blending`] and, for [`Smooth`] lines, their
-/// coverage.
+/// The source of the colors of a draw call's pixels: a [`Shader`], a [`Blending`], a [`DepthTest`] and, for [`Smooth`]
+/// lines, their coverage.
 pub(crate) trait Shading: Copy {
     /// The color of the canvas.
     type Color;
@@ -16,11 +16,15 @@ pub(crate) trait Shading: Copy {
     /// As for [`Shader`].
     type Varyings: Varyings;
 
+    type Test: DepthTest;
+
     /// As for [`Shader`].
     const READS_DEPTH: bool;
 
     /// Whether [`color`](Self::color) reads the color below.
     const READS_COLOR: bool;
+
+    fn test(&self) -> Self::Test;
 
     /// As for [`Shader`].
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3];
@@ -35,12 +39,18 @@ pub(crate) trait Shading: Copy {
     ) -> Option<Self::Color>;
 }
 
-impl<S: Shader, B: Blending<ColorOf<S>>> Shading for (S, B) {
+impl<S: Shader, B: Blending<ColorOf<S>>, Z: DepthTest> Shading for (S, B, Z) {
     type Color = ColorOf<S>;
     type Varyings = S::Varyings;
+    type Test = Z;
 
     const READS_DEPTH: bool = S::READS_DEPTH;
     const READS_COLOR: bool = B::READS || !S::Color::IS_OPAQUE;
+
+    #[inline]
+    fn test(&self) -> Z {
+        self.2
+    }
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [S::Varyings; 3] {
@@ -54,7 +64,7 @@ impl<S: Shader, B: Blending<ColorOf<S>>> Shading for (S, B) {
         varyings: S::Varyings,
         below: impl FnOnce() -> ColorOf<S>,
     ) -> Option<ColorOf<S>> {
-        let (shader, blending) = self;
+        let (shader, blending, _) = self;
         let source = shader.shade(at, varyings)?;
         Some(blending.blend(source, below, at.point))
     }
@@ -82,24 +92,32 @@ pub(crate) fn is_plane<P: Shading>(shading: &P, halves: [&Primitive<'_>; 2]) -> 
 
 /// A shader and a blending, applied to each pixel in proportion to the share of it that the current line covers.
 #[derive(Clone, Copy)]
-pub(crate) struct Smooth<'l, S, B> {
+pub(crate) struct Smooth<'l, S, B, Z> {
     pub(crate) shader: S,
     pub(crate) blending: B,
+    pub(crate) test: Z,
     /// The rasterizer sets it for each line.
     pub(crate) coverage: &'l Cell<Coverage>,
 }
 
-impl<S, B> Shading for Smooth<'_, S, B>
+impl<S, B, Z> Shading for Smooth<'_, S, B, Z>
 where
     S: Shader,
     ColorOf<S>: PixelFormat,
     B: Blending<ColorOf<S>>,
+    Z: DepthTest,
 {
     type Color = ColorOf<S>;
     type Varyings = S::Varyings;
+    type Test = Z;
 
     const READS_DEPTH: bool = S::READS_DEPTH;
     const READS_COLOR: bool = true;
+
+    #[inline]
+    fn test(&self) -> Z {
+        self.test
+    }
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [S::Varyings; 3] {

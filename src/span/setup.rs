@@ -1,45 +1,37 @@
 //! The set-up of a primitive: 1/w and the attributes over w as gradients over the screen.
 
 use super::gradient::{Basis, Gradient};
-use super::scale::{ONE, weigh};
-use super::{Barycentric, DepthShift, Patch, ScreenVertex};
+use super::plan::Plan;
+use super::scale::{ONE, Scale, WHOLE, weigh};
 use crate::num::wide::product;
-
-pub(crate) use super::scale::Scale;
+use crate::raster::{Barycentric, DepthShift, LEAST_WEIGHT, Patch, ScreenVertex};
+use crate::shade::Lanes;
 
 /// The most pixels of a span; every span computes its interpolants afresh.
 ///
 /// A step is rounded by up to half a unit of 2⁻³⁰, so a span adds at most 32 units of error. All modes use the same
 /// length, so all but `Compact`, which has other planes, get the same depths.
-pub(crate) const SPAN: i32 = 64;
+pub(super) const SPAN: i32 = 64;
 
 /// The nearest corner's 1/w lies between 2^30 and 2^31. If all corners have more than this 1/w, the
 /// triangle is shallow: 1/w changes less than fourfold. (The value is 2^29 plus the rounding error at a pixel.)
-pub(crate) const SHALLOW: u32 = (1 << 29) + 64;
-
-/// Lower clamp of 1/w: a span's rounding (at most 40 units) stays below 1/32 of it, for which [`weigh`] leaves room.
-///
-/// It changes only corners that are more than half a million times as far away as the nearest one.
-pub(crate) const LEAST_WEIGHT: u32 = 1 << 11;
-
-/// Upper clamp of 1/w: rounding may add 40 units, and the sum stays below 2^31.
-pub(crate) const MOST_WEIGHT: u32 = (1 << 31) - 64;
+pub(super) const SHALLOW: u32 = (1 << 29) + 64;
 
 /// An attribute that is interpolated over a primitive.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Attribute {
     /// Its values at the corners of the mesh's triangle.
-    pub(crate) corners: [i32; 3],
+    pub(super) corners: [i32; 3],
     /// The greatest error that it may have if the triangle is drawn affinely.
-    pub(crate) tolerance: u32,
+    pub(super) tolerance: u32,
     /// The attribute over w, or the attribute itself.
-    pub(crate) gradient: Gradient,
-    pub(crate) scale: Scale,
+    pub(super) gradient: Gradient,
+    pub(super) scale: Scale,
 }
 
 impl Attribute {
     /// All bits 0: an attribute before the first triangle.
-    pub(crate) const UNSET: Self = Self {
+    pub(super) const UNSET: Self = Self {
         corners: [0; 3],
         tolerance: 0,
         gradient: Gradient::NONE,
@@ -85,6 +77,15 @@ impl Attribute {
     }
 }
 
+/// The plan for attributes that are linear.
+const fn straight(is_small: bool) -> Plan {
+    if is_small {
+        Plan::Small
+    } else {
+        Plan::Straight
+    }
+}
+
 /// By hand, because `map` returns a copy of the array.
 const fn signed([a, b, c]: [u32; 3]) -> [i32; 3] {
     [a.cast_signed(), b.cast_signed(), c.cast_signed()]
@@ -102,7 +103,7 @@ const PAIR_DOWN: u32 = 5;
 /// units](super::gradient) and a unit for the bits that are cut are a sixtieth of a step in units of 2^-11 step. So a
 /// half stays between 0 and 2^16.
 #[inline]
-pub(crate) const fn unpaired(pair: i32, second: i32) -> [i32; 3] {
+pub(super) const fn unpaired(pair: i32, second: i32) -> [i32; 3] {
     let upper = (pair.cast_unsigned() >> 16).cast_signed();
     [
         (pair & 0xffff) << PAIR_DOWN,
@@ -122,31 +123,33 @@ pub(crate) enum Interpolation {
     Paired,
 }
 
-/// The set-up that all attributes of a primitive share, and the interpolant of 1/w (or depth).
+/// The interpolants of a primitive.
+pub(crate) struct Planes<L: Lanes> {
+    pub(super) setup: Setup,
+    pub(super) attributes: L::Of<Attribute>,
+}
+
+/// What all attributes of a primitive share, and the interpolant of 1/w (or depth).
 #[derive(Debug)]
 pub(crate) struct Setup {
-    interpolation: Interpolation,
-    /// The least number of bits of a [`Scale`] in triangles where 1/w changes less than fourfold.
-    least_bits: u32,
-    shift: DepthShift,
+    pub(super) interpolation: Interpolation,
+    /// The least number of bits of a [`Scale`] in triangles where 1/w changes less than fourfold. With b bits, an
+    /// interpolant's unit is 2^(b − 30) units of the attribute. More bits than the attribute has cost accuracy, but
+    /// save scaling.
+    pub(super) least_bits: u32,
+    pub(super) shift: DepthShift,
     /// 1/w (or depth).
-    pub(crate) q: Gradient,
-    /// Whether all planes are small, so that a value is its start plus a number of steps, and attributes are
-    /// [paired](unpaired) if they may be.
-    pub(crate) is_small: bool,
+    pub(super) q: Gradient,
     /// The least 1/w of a corner; the greatest has bit 30 set.
-    pub(crate) least: u32,
-    /// Whether the attributes are interpolated as they are, times 2^[`AFFINE_UP`](Scale::AFFINE_UP), in a mode that
-    /// divides.
-    pub(crate) is_affine: bool,
+    pub(super) least: u32,
     /// Right shift that turns an interpolant of 1/w into a depth: 15 to 47.
-    pub(crate) down: u32,
+    pub(super) down: u32,
 }
 
 impl Setup {
     /// The set-up for a draw call, before the first patch.
     #[inline]
-    pub(crate) const fn new(
+    pub(super) const fn new(
         interpolation: Interpolation,
         least_bits: u32,
         shift: DepthShift,
@@ -156,9 +159,7 @@ impl Setup {
             least_bits,
             shift,
             q: Gradient::NONE,
-            is_small: false,
             least: 0,
-            is_affine: true,
             down: 0,
         }
     }
@@ -178,11 +179,12 @@ impl Setup {
         ([shifted(a), shifted(b), shifted(c)], exponent)
     }
 
-    /// Lays all interpolants through the vertices of a patch.
+    /// Lays all interpolants through the vertices of a patch; returns their plan, which is [`Plan::BySpan`] if they
+    /// must be divided.
     ///
     /// The same code serves any number of attributes: a copy for each number would be most of a small program.
     #[inline(never)]
-    pub(crate) fn lay(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
+    pub(super) fn lay(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) -> Plan {
         let (q, exponent) = Self::weights(patch);
         self.down = self.shift.of(exponent);
         let [first, second, third] = q;
@@ -190,18 +192,17 @@ impl Setup {
         let change = first.max(second).max(third) - self.least;
         let mut basis = Basis::new(patch);
         basis.lay(signed(q), change, patch, &mut self.q);
+        let is_paired = self.interpolation == Interpolation::Paired;
         let affine = match self.interpolation {
             Interpolation::Linear => None,
             _ => self.affine_range(attributes, change),
         };
-        self.is_affine = affine.is_some();
-        self.is_small = self.q.is_small && self.interpolation != Interpolation::Paired;
         match affine {
             Some(range)
                 if patch.barycentric.is_none() && basis.is_small(range << Scale::AFFINE_UP) =>
             {
-                if let (true, Interpolation::Paired, [first, second, third]) =
-                    (self.q.is_small, self.interpolation, &mut *attributes)
+                if let (true, true, [first, second, third]) =
+                    (self.q.is_small, is_paired, &mut *attributes)
                 {
                     let cut =
                         |[a, b, c]: [i32; 3]| [a >> PAIR_DOWN, b >> PAIR_DOWN, c >> PAIR_DOWN];
@@ -209,15 +210,15 @@ impl Setup {
                     basis.lay_small(second.corners, Scale::AFFINE_UP, &mut second.gradient);
                     basis.lay_small(cut(third.corners), 0, &mut third.gradient);
                     third.gradient.pair_with(&mut first.gradient);
-                    self.is_small = true;
-                    return;
+                    return Plan::Small;
                 }
                 for attribute in attributes {
                     attribute.scale = Scale::AFFINE;
                     basis.lay_small(attribute.corners, Scale::AFFINE_UP, &mut attribute.gradient);
                 }
+                straight(self.q.is_small && !is_paired)
             }
-            _ => self.lay_attributes(attributes, &mut basis, q, patch),
+            _ => self.lay_attributes(attributes, &mut basis, (q, affine.is_some()), patch),
         }
     }
 
@@ -237,19 +238,23 @@ impl Setup {
         &mut self,
         attributes: &mut [Attribute],
         basis: &mut Basis,
-        q: [u32; 3],
+        (q, is_affine): ([u32; 3], bool),
         patch: &Patch<'_>,
-    ) {
-        let (weights, least_bits) = if self.interpolation == Interpolation::Linear {
+    ) -> Plan {
+        let is_linear = self.interpolation == Interpolation::Linear;
+        let (weights, least_bits) = if is_linear {
             ([ONE; 3], self.least_bits)
         } else if self.least > SHALLOW {
             (q, self.least_bits)
         } else {
             (q, 1)
         };
+        // In a small triangle, attributes would be pairs.
+        let mut is_small = self.q.is_small && self.interpolation != Interpolation::Paired;
+        let mut is_whole = true;
         for attribute in attributes {
             let mut values = attribute.at(patch);
-            attribute.scale = if self.is_affine {
+            attribute.scale = if is_affine {
                 let [a, b, c] = values;
                 let up = Scale::AFFINE_UP;
                 values = [a << up, b << up, c << up];
@@ -265,7 +270,15 @@ impl Setup {
                 patch,
                 &mut attribute.gradient,
             );
-            self.is_small &= attribute.gradient.is_small;
+            is_small &= attribute.gradient.is_small;
+            is_whole &= attribute.scale.bits() == WHOLE;
+        }
+        if is_affine || is_linear && is_whole {
+            straight(is_small)
+        } else if is_linear {
+            Plan::Scaled
+        } else {
+            Plan::BySpan
         }
     }
 
@@ -273,7 +286,7 @@ impl Setup {
     /// `WidePlane::precise`.
     #[cold]
     #[inline(never)]
-    pub(crate) fn lay_wide(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
+    pub(super) fn lay_wide(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
         let (q, exponent) = Self::weights(patch);
         self.down = self.shift.of(exponent);
         let mut basis = Basis::without_weights(patch);
@@ -291,7 +304,7 @@ impl Setup {
     }
 
     /// 1/w at a pixel, shifted left to 31 bits, and by how many bits it was shifted.
-    pub(crate) fn precise_q(&self, at: [i32; 2]) -> (u32, u32) {
+    pub(super) fn precise_q(&self, at: [i32; 2]) -> (u32, u32) {
         let coarse = self.q.wide.precise(at, 0).cast_unsigned();
         // Rounding up may add a bit.
         let up = (coarse | 1).leading_zeros().saturating_sub(2);
@@ -299,16 +312,16 @@ impl Setup {
     }
 
     /// The greatest change of 1/w from a pixel to the next, across or down.
-    pub(crate) fn steepness(&self) -> u32 {
+    pub(super) fn steepness(&self) -> u32 {
         self.q.step.unsigned_abs().max(self.q.row().unsigned_abs())
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::picture::vertex;
-    use super::super::triangle::area;
     use super::*;
+    use crate::raster::area;
+    use crate::raster::picture::vertex;
 
     /// The number of bits of an attribute's scale in a triangle whose corners have these 1/w.
     fn bits(q: [u32; 3]) -> u32 {
@@ -326,8 +339,7 @@ mod tests {
             ..Attribute::UNSET
         }];
         let mut setup = Setup::new(Interpolation::Perspective, 28, DepthShift(47));
-        setup.lay(&mut attributes, &patch);
-        assert!(!setup.is_affine);
+        assert_eq!(setup.lay(&mut attributes, &patch), Plan::BySpan);
         attributes[0].scale.bits()
     }
 

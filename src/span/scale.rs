@@ -65,6 +65,9 @@ impl Scale {
     }
 }
 
+/// The number of bits of a scale at which an interpolant's unit is the attribute's unit.
+pub(crate) const WHOLE: u32 = 30;
+
 /// The weight of an attribute that is not divided by w.
 pub(crate) const ONE: u32 = 1 << 30;
 

@@ -1,8 +1,8 @@
 //! The plane equations of interpolants.
 
-use super::{Patch, ScreenVertex};
 use crate::num::reciprocal;
 use crate::num::wide::{product, times_short, upper};
+use crate::raster::{Patch, ScreenVertex};
 
 /// An interpolant over a triangle: its value at every pixel center, accurate to one unit.
 ///
@@ -341,10 +341,10 @@ const fn moved([step, row]: [i32; 2], [x, y]: [i32; 2]) -> i32 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::edge::first_center;
-    use super::super::picture::vertex;
     use super::*;
     use crate::random::{Random, cases};
+    use crate::raster::picture::vertex;
+    use crate::raster::{area, first_center};
     use rand::Rng;
 
     /// The least and the greatest coordinate of corners, along an axis.
@@ -356,7 +356,7 @@ mod tests {
     /// Lays a plane through `values` at places on the screen; `None` if they are in a line.
     fn laid(screen: [[i32; 2]; 3], values: [i32; 3]) -> Option<Gradient> {
         let vertices = screen.map(vertex);
-        let area = super::super::area(&screen);
+        let area = area(&screen);
         let patch = Patch {
             vertices: vertices.each_ref(),
             barycentric: None,
@@ -398,8 +398,8 @@ mod tests {
         all.filter(move |[x, y]| {
             let center = [256 * x + 128, 256 * y + 128];
             let [a, b, c] = screen;
-            let areas = [[center, b, c], [a, center, c], [a, b, center]]
-                .map(|corners| super::super::area(&corners));
+            let areas =
+                [[center, b, c], [a, center, c], [a, b, center]].map(|corners| area(&corners));
             areas.iter().all(|area| *area >= 0) || areas.iter().all(|area| *area <= 0)
         })
     }

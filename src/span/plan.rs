@@ -1,0 +1,73 @@
+//! What is computed for the pixels of a triangle and of a span: the choice, and who makes it.
+//!
+//! Notation, for values along a row of pixels: f is an attribute, q is 1/w, and p is f · q. f′, q′ and p′ are their
+//! changes from one pixel to the next, and δ = |q′| / q. q is scaled so that its greatest value in a triangle has bit
+//! 30 set.
+//!
+//! For a triangle, in this order:
+//!
+//! 1. Under a parallel projection and in mode [`Affine`](super::Affine), nothing is divided: its spans are straight.
+//! 2. If its attributes are affine within the mode's tolerance ([`Policy::affine_within`]), they are straight, too. The
+//!    inequality stands at `Attribute::affine_range` in setup.rs.
+//! 3. The mode chooses ([`Policy::of_triangle`]), and may choose again for each span ([`Policy::of_span`]).
+
+use super::pixels::Span;
+use super::setup::Planes;
+use crate::shade::{Lanes, Tolerance};
+
+/// What is computed for the pixels of a triangle, or of a span.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Plan {
+    /// Rows of a triangle whose planes are small: attributes are linear, and a row is a single span.
+    Small,
+    /// Attributes are linear along the span. If they would be divided elsewhere in the draw call, they are stored
+    /// multiplied by 4.
+    Straight,
+    /// The same, but each has its own scale, which each pixel restores.
+    Scaled,
+    /// Of a triangle only: each span has its own plan.
+    BySpan,
+    /// One Newton step per pixel.
+    Newton,
+    /// Straight pieces; their length is 2 to this power pixels.
+    Pieces(u32),
+    /// One division per pixel.
+    Divide,
+    /// The same, with interpolants that each pixel computes anew.
+    Anew,
+}
+
+/// The decisions of a mode.
+pub(crate) trait Policy: Copy {
+    /// The plan for attributes that are not affine. A mode divides at each pixel where this plan is not possible, and
+    /// programs contain no others.
+    ///
+    /// [`Straight`](Plan::Straight) means that nothing is ever divided. [`Divide`](Plan::Divide) and
+    /// [`Anew`](Plan::Anew) mean that everything is. With `Divide`, that is the only path, from wide planes.
+    const BEST: Plan;
+
+    /// The greatest error that an attribute may have, in its units, if that saves all divisions; with 0, none are
+    /// saved.
+    #[inline]
+    fn affine_within(self, _tolerance: Tolerance) -> u32 {
+        0
+    }
+
+    /// The plan for a triangle that is not affine.
+    #[inline]
+    fn of_triangle<L: Lanes>(self, _planes: &Planes<L>) -> Plan {
+        Self::BEST
+    }
+
+    /// The plan for a span of a triangle that has [`BEST`](Self::BEST) or [`BySpan`](Plan::BySpan); it may scale the
+    /// span for that plan.
+    #[inline(always)]
+    fn of_span<L: Lanes>(
+        self,
+        of_triangle: Plan,
+        _planes: &Planes<L>,
+        _span: &mut Span<L>,
+    ) -> Plan {
+        of_triangle
+    }
+}
