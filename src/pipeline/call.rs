@@ -50,13 +50,14 @@ pub(super) struct Shared<'m> {
 }
 
 impl Shared<'_> {
-    /// A triangle, edge or point in the form that shaders receive.
+    /// A triangle, edge or point in the form that shaders receive, with twice its area on the screen.
     #[inline]
-    pub(super) fn primitive(&self, indices: Indices) -> Primitive<'_> {
+    pub(super) fn primitive(&self, indices: Indices, area: i64) -> Primitive<'_> {
         Primitive {
             mesh: self.mesh,
             placement: &self.placement,
             indices,
+            area,
         }
     }
 }

@@ -5,8 +5,10 @@
 
 mod painter;
 mod prepared;
+mod shades;
 
 pub use prepared::{Object, Prepared};
+pub use shades::ShadeList;
 
 use embedded_graphics::geometry::Size;
 use heapless::{Vec, VecView};
@@ -70,6 +72,9 @@ use prepared::{Objects, Placed, Run};
 ///
 /// One mistake remains possible: to draw an earlier frame's list in a frame whose other draw calls have a new camera.
 /// So prepare the list in each frame, after the camera has moved.
+///
+/// Light, and whatever else a shader computes at the corners, can be computed once for all bands, too: see
+/// [`ShadeList`].
 ///
 /// Without a list, each band transforms the whole mesh again. For a mesh of many small triangles, this takes longer
 /// than drawing them.
@@ -536,6 +541,9 @@ pub trait Listed: Copy + Sealed {
     /// The number of its elements.
     fn count(&self) -> usize;
 
+    /// Where the data of an element are.
+    fn indices(&self, element: usize) -> Option<Indices>;
+
     /// Adds the visible elements to a list.
     fn fill<K: ProjectionKind>(&self, call: &Call<'_, K>, filling: &mut Filling<'_>);
 
@@ -566,6 +574,11 @@ impl Listed for &Mesh<'_> {
     #[inline]
     fn count(&self) -> usize {
         self.faces().len()
+    }
+
+    #[inline]
+    fn indices(&self, face: usize) -> Option<Indices> {
+        Some(Indices::of_face(face, *self.faces().get(face)?))
     }
 
     #[inline]
@@ -605,6 +618,11 @@ impl<const SMOOTH: bool> Listed for Edges<'_, SMOOTH> {
     #[inline]
     fn count(&self) -> usize {
         self.count()
+    }
+
+    #[inline]
+    fn indices(&self, edge: usize) -> Option<Indices> {
+        self.at(edge)
     }
 
     #[inline]

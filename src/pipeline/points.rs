@@ -119,7 +119,12 @@ impl HalfSize {
 /// Draws all positions of a mesh as pixels.
 #[inline(never)]
 fn pixels<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
-    each_point(call, blitter, raster::point)
+    each_point(
+        call,
+        blitter,
+        |_| 0,
+        |raster, at, _| raster::point(raster, at),
+    )
 }
 
 /// Draws all positions of a mesh as squares or discs.
@@ -130,25 +135,27 @@ fn sized_points<K: ProjectionKind>(
     is_round: bool,
     blitter: &mut dyn Blitter,
 ) -> Drawn {
-    each_point(call, blitter, |raster, at| {
-        let half = match *half {
-            HalfSize::Equal(half) => half,
-            HalfSize::OverDistance(mantissa, exp) => {
-                // near / w = q · 2^(exponent − 16 − shift), as for the depth.
-                let shift = i32::from(at.exponent) - 16 - call.depth_shift().0 - exp;
-                block::shift(product(mantissa, at.q.cast_signed()), shift + 8)
-            }
-        };
+    let half_of = |at: &ScreenVertex| match *half {
+        HalfSize::Equal(half) => half,
+        HalfSize::OverDistance(mantissa, exp) => {
+            // near / w = q · 2^(exponent − 16 − shift), as for the depth.
+            let shift = i32::from(at.exponent) - 16 - call.depth_shift().0 - exp;
+            block::shift(product(mantissa, at.q.cast_signed()), shift + 8)
+        }
+    };
+    each_point(call, blitter, half_of, |raster, at, half| {
         raster::sized_point(raster, at, half, is_round);
     })
 }
 
-/// Draws all positions of a mesh that are inside all planes, each by `point`.
+/// Draws all positions of a mesh that are inside all planes, each by `point`, with half of its size in units of 1/256
+/// pixel.
 #[inline]
 fn each_point<K: ProjectionKind>(
     call: &Call<'_, K>,
     blitter: &mut dyn Blitter,
-    point: impl Fn(&mut Rasterizer<'_>, &ScreenVertex),
+    half_of: impl Fn(&ScreenVertex) -> i64,
+    point: impl Fn(&mut Rasterizer<'_>, &ScreenVertex, i64),
 ) -> Drawn {
     let count = call.shared.mesh.positions().len();
     let mut draw = Draw::new(blitter, &call.shared, count);
@@ -157,8 +164,16 @@ fn each_point<K: ProjectionKind>(
         let index = index as Index;
         let mut at = ScreenVertex::UNSET;
         call.projector.project(index, &mut at);
-        if at.outcode == 0 {
-            draw.line(Indices::of_point(index), false, |raster| point(raster, &at));
+        if at.outcode != 0 {
+            continue;
+        }
+        let (half, [_, y]) = (half_of(&at), at.screen);
+        // A point has at most 255 pixels.
+        let reach = ((half >> 8).min(127) + 1) as i32;
+        if draw.meets([y, y], reach) {
+            draw.line(Indices::of_point(index), false, |raster| {
+                point(raster, &at, half)
+            });
         }
     }
     draw.drawn()

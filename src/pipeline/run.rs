@@ -12,7 +12,6 @@ use super::Drawn;
 use super::assemble::{self, Assembly};
 use super::cache::VertexCache;
 use super::call::{Call, Shared};
-use super::clip::ClippedPolygon;
 use crate::mesh::{Index, Indices, Primitive};
 use crate::raster::{self, Blitter, ClippedVertex, Polygon, Rasterizer, ScreenVertex, Triangle};
 use crate::view::ProjectionKind;
@@ -52,11 +51,9 @@ pub(super) fn each_edge<K: ProjectionKind, E>(
         let Some(ends) = ends_of(call, &mut vertices, at, edge) else {
             continue;
         };
-        let mut line = ClippedPolygon::new();
-        let is_clipped = assemble::edge(call, &mut vertices, ends, &mut line);
-        if let [from, to] = &*line {
-            each(Indices::of_edge(at, ends), [from, to], is_clipped);
-        }
+        assemble::edge(call, &mut vertices, ends, |line, is_clipped| {
+            each(Indices::of_edge(at, ends), line, is_clipped);
+        });
     }
 }
 
@@ -127,9 +124,9 @@ fn rectangle<K: ProjectionKind>(
         Indices::of_face(first, one),
         Indices::of_face(first + 1, other),
     );
-    let is_plane = is_plane([&shared.primitive(one), &shared.primitive(other)]);
+    let is_plane = is_plane([&shared.primitive(one, area), &shared.primitive(other, area)]);
     if is_plane {
-        draw.start(one);
+        draw.start(one, area);
         draw.raster.rectangle(half);
         draw.drawn.drawn += 2;
     }
@@ -170,10 +167,18 @@ impl<'d> Draw<'d> {
     }
 
     #[inline]
-    fn start(&mut self, indices: Indices) {
+    fn start(&mut self, indices: Indices, area: i64) {
         self.raster
             .blitter
-            .primitive(&self.shared.primitive(indices));
+            .primitive(&self.shared.primitive(indices, area));
+    }
+
+    /// Whether a line or point may have pixels: between two positions, in units of 1/256 row, and up to `reach` rows
+    /// beyond them.
+    #[inline]
+    pub(super) fn meets(&self, [a, b]: [i32; 2], reach: i32) -> bool {
+        let rows = &self.shared.scissor.rows;
+        (a.min(b) >> 8) - reach < rows.end && (a.max(b) >> 8) + reach >= rows.start
     }
 
     /// Draws an edge or a point by `line`.
@@ -184,7 +189,7 @@ impl<'d> Draw<'d> {
         is_clipped: bool,
         line: impl FnOnce(&mut Rasterizer<'d>),
     ) {
-        self.start(indices);
+        self.start(indices, 0);
         line(&mut self.raster);
         self.drawn.drawn += 1;
         self.drawn.clipped += u32::from(is_clipped);
@@ -196,7 +201,7 @@ impl Assembly for Draw<'_> {
     fn whole(&mut self, indices: Indices, corners: [&ScreenVertex; 3], area: i64) {
         // By reference: moved, it would be copied.
         if let Some(triangle) = &Triangle::new(corners, None, area, &self.shared.scissor) {
-            self.start(indices);
+            self.start(indices, area);
             self.raster.triangle(triangle, None);
             self.drawn.drawn += 1;
         }
@@ -205,7 +210,7 @@ impl Assembly for Draw<'_> {
     #[inline(never)]
     fn clipped(&mut self, indices: Indices, polygon: &[ClippedVertex]) {
         if let Some(polygon) = Polygon::new(polygon, self.shared.cull) {
-            self.start(indices);
+            self.start(indices, polygon.area);
             let drawn = u32::from(polygon.draw(&mut self.raster));
             self.drawn.drawn += drawn;
             self.drawn.clipped += drawn;

@@ -21,7 +21,7 @@ use crate::view::{AsMvp, ProjectionKind};
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be drawn on a canvas of color `{C}`",
     note = "draw `&mesh`, `&mesh.part(range)`, `mesh.edges(style)`, `mesh.outline(&outline, style)`, \
-            `mesh.points(style)` or `&sprites`"
+            `style.between(from, to)`, `mesh.points(style)` or `&sprites`"
 )]
 #[allow(private_bounds)] // `Paint` is named only here
 pub trait Thing<C>: Sealed {

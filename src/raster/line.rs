@@ -85,23 +85,25 @@ impl Course {
             return None;
         }
 
-        // Values change along the longer axis only. A sliver along that axis, one unit wide, defines their plane.
-        let at = |end: &ClippedVertex, place: [i32; 2]| ScreenVertex {
-            screen: major_first(place),
-            ..end.vertex
-        };
-        let [a, b, c] = [
-            at(from, [start, 128]),
-            at(to, [end, 128]),
-            at(to, [end, 129]),
-        ];
-        let length = end - start;
-        raster.blitter.set_up(&Patch {
-            vertices: [&a, &b, &c],
-            barycentric: Some(&[from.barycentric, to.barycentric, to.barycentric]),
-            size: major_first([length, 1]),
-            area: if steep { -length } else { length }.into(),
-        });
+        if raster.varies {
+            // Values change along the longer axis only. A sliver along that axis, one unit wide, defines their plane.
+            let at = |end: &ClippedVertex, place: [i32; 2]| ScreenVertex {
+                screen: major_first(place),
+                ..end.vertex
+            };
+            let [a, b, c] = [
+                at(from, [start, 128]),
+                at(to, [end, 128]),
+                at(to, [end, 129]),
+            ];
+            let length = end - start;
+            raster.blitter.set_up(&Patch {
+                vertices: [&a, &b, &c],
+                barycentric: Some(&[from.barycentric, to.barycentric, to.barycentric]),
+                size: major_first([length, 1]),
+                area: if steep { -length } else { length }.into(),
+            });
+        }
         Some(Self {
             steep,
             start: [start, minor],

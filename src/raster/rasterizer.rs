@@ -14,7 +14,7 @@ const ROWS: i32 = 64;
 pub(crate) struct Rasterizer<'r> {
     pub(crate) blitter: &'r mut dyn Blitter,
     pub(super) scissor: &'r Scissor,
-    varies: bool,
+    pub(super) varies: bool,
     rows: [Columns; ROWS as usize],
 }
 
