@@ -100,8 +100,8 @@ pub struct Primitive<'a> {
     pub(crate) mesh: &'a Mesh<'a>,
     pub(crate) placement: &'a Placement<'a>,
     pub(crate) indices: Indices,
-    /// Twice the area on the screen, negative for corners that run counter-clockwise; 0 for an edge or a point.
-    pub(crate) area: i64,
+    /// The upper half of twice the area on the screen: negative for corners that run counter-clockwise.
+    pub(crate) area: i32,
 }
 
 impl Primitive<'_> {
@@ -138,11 +138,8 @@ impl Primitive<'_> {
     #[must_use]
     #[inline]
     pub const fn is_front(&self) -> bool {
-        if self.placement.view.is_mirror {
-            self.area > 0
-        } else {
-            self.area < 0
-        }
+        // A triangle without area has no pixels.
+        self.is_face() && (self.area < 0) != self.placement.view.is_mirror
     }
 
     /// The index of the triangle among the mesh's [`faces`](Mesh::faces); `None` for an edge or a point. In a

@@ -40,6 +40,9 @@ impl Screen {
     }
 }
 
+/// Where a draw call draws to: some rows of a frame.
+pub(super) type To<'s> = (&'s Screen, &'s Range<u32>);
+
 /// The data that all primitives of a draw call share once they are on the screen.
 #[derive(Clone, Debug)]
 pub(super) struct Shared<'m> {
@@ -57,7 +60,7 @@ impl Shared<'_> {
             mesh: self.mesh,
             placement: &self.placement,
             indices,
-            area,
+            area: (area >> 32) as i32,
         }
     }
 }
@@ -73,8 +76,7 @@ impl<'m, K: ProjectionKind> Call<'m, K> {
     /// A draw call to `rows` of a frame.
     #[inline(never)]
     pub(super) fn new<V: AsMvp<Kind = K>>(
-        screen: &Screen,
-        rows: &Range<u32>,
+        (screen, rows): To<'_>,
         mesh: &'m Mesh<'m>,
         mvp: &'m V,
     ) -> Self {

@@ -1,11 +1,9 @@
 //! Edges: all of a mesh, or those of its outline.
 
-use core::ops::Range;
-
 use super::Drawn;
 use super::assemble;
 use super::cache::VertexCache;
-use super::call::{Call, Screen};
+use super::call::{Call, To};
 use super::run::{self, Draw};
 use super::thing::{DrawLine, Paint, Pen, Thing};
 use crate::Vec3;
@@ -162,17 +160,11 @@ impl<C, const SMOOTH: bool> Thing<C> for Line<SMOOTH>
 where
     LineStyle<SMOOTH>: Pen<C>,
 {
-    fn draw<V: AsMvp>(
-        self,
-        screen: &Screen,
-        rows: &Range<u32>,
-        mvp: &V,
-        paint: impl Paint<C>,
-    ) -> Drawn {
+    fn draw<V: AsMvp>(self, to: To<'_>, mvp: &V, paint: impl Paint<C>) -> Drawn {
         let positions = Positions::long(&self.ends);
         let edges = (&[][..], &[[0, 1]][..]);
         let mesh = Mesh::of_lists(positions, edges, (&[], &[]), (&[], &[]), (&[], &[]));
-        mesh.edges(self.style).draw(screen, rows, mvp, paint)
+        mesh.edges(self.style).draw(to, mvp, paint)
     }
 }
 
@@ -183,14 +175,8 @@ impl<C, const SMOOTH: bool> Thing<C> for Edges<'_, SMOOTH>
 where
     LineStyle<SMOOTH>: Pen<C>,
 {
-    fn draw<V: AsMvp>(
-        self,
-        screen: &Screen,
-        rows: &Range<u32>,
-        mvp: &V,
-        paint: impl Paint<C>,
-    ) -> Drawn {
-        let call = Call::new(screen, rows, self.mesh, mvp);
+    fn draw<V: AsMvp>(self, to: To<'_>, mvp: &V, paint: impl Paint<C>) -> Drawn {
+        let call = Call::new(to, self.mesh, mvp);
         let shift = call.depth_shift();
         self.style.paint::<V::Kind>(paint, shift, |line, blitter| {
             match self.outline {

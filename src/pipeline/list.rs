@@ -3,12 +3,16 @@
 //! [`DrawList`] is the memory, and this file fills it. [`prepared`] draws from it, and [`painter`] sorts it from back to
 //! front.
 
+#![allow(private_interfaces)] // of traits that only this crate calls
+
 mod painter;
 mod prepared;
 mod shades;
 
 pub use prepared::{Object, Prepared};
 pub use shades::ShadeList;
+
+use core::marker::PhantomData;
 
 use embedded_graphics::geometry::Size;
 use heapless::{Vec, VecView};
@@ -30,7 +34,7 @@ use crate::raster::{
 };
 use crate::sealed::Sealed;
 use crate::view::{AsMvp, ProjectionKind};
-use prepared::{Objects, Placed, Run};
+use prepared::{Elements, Objects, Placed, Run};
 
 /// Memory for the triangles or edges of a frame that is drawn in bands.
 ///
@@ -250,15 +254,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
         thing: S,
         view: &V,
     ) -> Result<Prepared<'a, S::Material, S::Thing, O, V::Kind>, Error> {
-        let screen = options.screen(frame.into());
-        let objects = self.fill(&screen, thing, view)?;
-        Ok(Prepared::new(
-            screen,
-            *options,
-            objects,
-            &self.entries,
-            &self.vertices,
-        ))
+        self.fill((*options, frame.into()), thing, view, |_, _, _| ())
     }
 
     /// Prepares triangles or edges like [`prepare`](Self::prepare), and sorts them back to front, which is called
@@ -343,27 +339,21 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
         thing: S,
         view: &V,
     ) -> Result<Prepared<'a, S::Material, S::Thing, O, V::Kind>, Error> {
-        let screen = options.screen(frame.into());
-        let objects = self.fill(&screen, thing, view)?;
-        painter::sort(&mut self.entries, &self.vertices, &objects);
-        Ok(Prepared::new(
-            screen,
-            *options,
-            objects,
-            &self.entries,
-            &self.vertices,
-        ))
+        self.fill((*options, frame.into()), thing, view, painter::sort)
     }
 
-    /// Fills the list.
+    /// Fills the list, and brings it into order.
     #[inline]
-    fn fill<'a, S: Scene<'a>, V: AsMvp>(
-        &mut self,
-        screen: &Screen,
+    #[allow(clippy::type_complexity)] // as above
+    fn fill<'a, S: Scene<'a>, O: Options, V: AsMvp>(
+        &'a mut self,
+        (options, frame): (O, Size),
         scene: S,
         view: &V,
-    ) -> Result<Objects<'a, S::Thing, S::Material>, Error> {
-        check_size(screen.frame.width, screen.frame.height)?;
+        sort: impl FnOnce(&mut [Entry], &[Slot], &Objects<'_, S::Thing, S::Material>),
+    ) -> Result<Prepared<'a, S::Material, S::Thing, O, V::Kind>, Error> {
+        check_size(frame.width, frame.height)?;
+        let screen = options.screen(frame);
         self.entries.clear();
         self.vertices.clear();
         let mut filling = Filling {
@@ -374,7 +364,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
             rows: NO_ROWS,
             numbers: [(0, 0); cache::SIZE],
         };
-        let objects = scene.list(&mut filling, screen, view);
+        let objects = scene.list(&mut filling, &screen, view);
         let [elements, vertices] = filling.needed;
         let most = VERTICES.min(Self::MAX_VERTICES);
         for (of, needed, room) in [
@@ -385,7 +375,18 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
                 return Err(Error::Full { of, needed, room });
             }
         }
-        Ok(objects)
+        sort(&mut self.entries, &self.vertices, &objects);
+        let elements = Elements {
+            entries: &self.entries,
+            vertices: &self.vertices,
+            screen,
+        };
+        Ok(Prepared {
+            objects,
+            elements,
+            options,
+            kind: PhantomData,
+        })
     }
 }
 
@@ -421,7 +422,7 @@ impl Filling<'_> {
     /// Adds the visible elements of a thing.
     #[inline]
     fn thing<G: Listed, V: AsMvp>(&mut self, screen: &Screen, thing: &G, mvp: &V) -> Listing {
-        let call = Call::new(screen, &(0..screen.frame.height), thing.mesh(), mvp);
+        let call = Call::new((screen, &(0..screen.frame.height)), thing.mesh(), mvp);
         self.rows = NO_ROWS;
         self.numbers = [(0, 0); cache::SIZE];
         thing.fill(&call, self);
@@ -523,7 +524,6 @@ impl Assembly for Triangles<'_, '_, '_> {
     message = "`{Self}` cannot be listed",
     note = "a list takes `&mesh`, `mesh.edges(style)`, `mesh.outline(&outline, style)` or `&mut objects`"
 )]
-#[allow(private_interfaces)]
 pub trait Listed: Copy + Sealed {
     /// How it is drawn.
     type Style;
@@ -554,7 +554,6 @@ pub trait Listed: Copy + Sealed {
     fn draw(&self, run: &Run<'_>, line: DrawLine<'_>, blitter: &mut dyn Blitter) -> Drawn;
 }
 
-#[allow(private_interfaces)]
 impl Listed for &Mesh<'_> {
     type Style = Fill;
 
@@ -598,7 +597,6 @@ impl Listed for &Mesh<'_> {
     }
 }
 
-#[allow(private_interfaces)]
 impl<const SMOOTH: bool> Listed for Edges<'_, SMOOTH> {
     type Style = LineStyle<SMOOTH>;
 
@@ -658,7 +656,6 @@ impl<const SMOOTH: bool> Listed for Edges<'_, SMOOTH> {
 
 /// What a list is filled with: a thing, or several objects.
 #[doc(hidden)]
-#[allow(private_interfaces)]
 pub trait Scene<'a>: Sealed {
     type Thing: Listed;
     type Material;
@@ -671,7 +668,6 @@ pub trait Scene<'a>: Sealed {
     ) -> Objects<'a, Self::Thing, Self::Material>;
 }
 
-#[allow(private_interfaces)]
 impl<'a, G: Listed> Scene<'a> for G {
     type Thing = G;
     type Material = ();

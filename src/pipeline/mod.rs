@@ -110,6 +110,6 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         shader: &impl ShaderFor<C>,
     ) -> Drawn {
         let (screen, rows) = (options.screen(self.frame_size()), self.rows().clone());
-        thing.draw(&screen, &rows, mvp, (self, options, *shader))
+        thing.draw((&screen, &rows), mvp, (self, options, *shader))
     }
 }

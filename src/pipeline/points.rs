@@ -1,9 +1,7 @@
 //! Points: a mesh's positions, each one pixel, a square or a disc.
 
-use core::ops::Range;
-
 use super::Drawn;
-use super::call::{Call, Screen};
+use super::call::{Call, To};
 use super::run::Draw;
 use super::thing::{Paint, Thing};
 use crate::mesh::{Index, Indices, Mesh};
@@ -60,19 +58,13 @@ impl Sealed for Points<'_> {}
 
 #[allow(private_bounds)]
 impl<C> Thing<C> for Points<'_> {
-    fn draw<V: AsMvp>(
-        self,
-        screen: &Screen,
-        rows: &Range<u32>,
-        mvp: &V,
-        paint: impl Paint<C>,
-    ) -> Drawn {
-        let call = Call::new(screen, rows, self.mesh, mvp);
-        paint.plain::<V::Kind>(call.depth_shift(), |blitter| {
+    fn draw<V: AsMvp>(self, to: To<'_>, mvp: &V, mut paint: impl Paint<C>) -> Drawn {
+        let call = Call::new(to, self.mesh, mvp);
+        paint.run::<V::Kind>(call.depth_shift(), paint.shading(), |blitter| {
             if self.style.is_pixel() {
                 pixels(&call, blitter)
             } else {
-                let half = HalfSize::new(self.style, mvp.projection_of(), &screen.viewport);
+                let half = HalfSize::new(self.style, mvp.projection_of(), &to.0.viewport);
                 sized_points(&call, &half, self.style.is_round(), blitter)
             }
         })

@@ -1,5 +1,7 @@
 //! A list that is ready to be drawn.
 
+#![allow(private_interfaces)] // of traits that only this crate calls
+
 use core::iter;
 use core::marker::PhantomData;
 use core::ops::Range;
@@ -162,7 +164,6 @@ fn object_of<T, G>(objects: &[Object<T, G>], element: u32) -> usize {
 impl<T, G> Sealed for &mut [Object<T, G>] {}
 impl<T, G, const COUNT: usize> Sealed for &mut [Object<T, G>; COUNT] {}
 
-#[allow(private_interfaces)]
 impl<'a, T, G: Listed> Scene<'a> for &'a mut [Object<T, G>] {
     type Thing = G;
     type Material = T;
@@ -191,7 +192,6 @@ impl<'a, T, G: Listed> Scene<'a> for &'a mut [Object<T, G>] {
     }
 }
 
-#[allow(private_interfaces)]
 impl<'a, T, G: Listed, const COUNT: usize> Scene<'a> for &'a mut [Object<T, G>; COUNT] {
     type Thing = G;
     type Material = T;
@@ -223,33 +223,21 @@ impl<'a, T, G: Listed, const COUNT: usize> Scene<'a> for &'a mut [Object<T, G>; 
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<'a, T = (), G = &'a Mesh<'a>, O = DrawOptions, K = Perspective> {
-    objects: Objects<'a, G, T>,
+    pub(super) objects: Objects<'a, G, T>,
+    pub(super) elements: Elements<'a>,
+    pub(super) options: O,
+    pub(super) kind: PhantomData<K>,
+}
+
+/// The elements of a list, and the frame that they were prepared for.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Elements<'a> {
     pub(super) entries: &'a [Entry],
     pub(super) vertices: &'a [Slot],
     pub(super) screen: Screen,
-    options: O,
-    kind: PhantomData<K>,
 }
 
 impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
-    #[inline]
-    pub(super) fn new(
-        screen: Screen,
-        options: O,
-        objects: Objects<'a, G, T>,
-        entries: &'a [Entry],
-        vertices: &'a [Slot],
-    ) -> Self {
-        Self {
-            objects,
-            entries,
-            vertices,
-            screen,
-            options,
-            kind: PhantomData,
-        }
-    }
-
     /// The things that may have pixels in a canvas's rows, in the order in which they are to be drawn, each with its
     /// object's material. If the list is sorted, each part holds consecutive elements of one object; otherwise, each
     /// object is one part.
@@ -268,13 +256,14 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     where
         O: Copy,
     {
-        self.screen.check(canvas.frame_size())?;
+        self.elements.screen.check(canvas.frame_size())?;
         Ok(self.runs(canvas.rows()).map(|(material, placed, entries)| {
             let part = Prepared {
                 objects: Objects::One(placed, ()),
-                entries,
-                vertices: self.vertices,
-                screen: self.screen,
+                elements: Elements {
+                    entries,
+                    ..self.elements
+                },
                 options: self.options,
                 kind: PhantomData,
             };
@@ -289,7 +278,7 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
         rows: &Range<u32>,
     ) -> impl Iterator<Item = (&'s T, Placed<G>, &'a [Entry])> + use<'s, 'a, T, G, O, K> {
         let rows = rows.start.cast_signed()..rows.end.cast_signed();
-        let mut rest = Some(self.entries);
+        let mut rest = Some(self.elements.entries);
         iter::from_fn(move || match &self.objects {
             Objects::One(placed, material) => Some((material, *placed, rest.take()?)),
             Objects::Many {
@@ -347,9 +336,7 @@ impl<'a, T, G, M: Copy, Z: Copy, B: Copy, K> Prepared<'a, T, G, DrawOptions<M, Z
     ) -> Prepared<'a, T, G, DrawOptions<M, Z, A>, K> {
         Prepared {
             objects: self.objects,
-            entries: self.entries,
-            vertices: self.vertices,
-            screen: self.screen,
+            elements: self.elements,
             options: self.options.with_blending(blending),
             kind: PhantomData,
         }
@@ -383,7 +370,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         B: Blending<C>,
         K: ProjectionKind,
     {
-        let screen = &prepared.screen;
+        let screen = &prepared.elements.screen;
         screen.check(self.frame_size())?;
         let rows = self.rows().clone();
         let mut drawn = Drawn::default();
@@ -395,7 +382,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
                 shared: &shared,
                 // A band that the thing misses costs one test.
                 entries: if is_missed { &[] } else { entries },
-                vertices: prepared.vertices,
+                vertices: prepared.elements.vertices,
                 first: listing.first,
             };
             let paint = (&mut *self, &prepared.options, *shader);
