@@ -127,13 +127,15 @@ fn sized_points<K: ProjectionKind>(
     is_round: bool,
     blitter: &mut dyn Blitter,
 ) -> Drawn {
-    let half_of = |at: &ScreenVertex| match *half {
-        HalfSize::Equal(half) => half,
-        HalfSize::OverDistance(mantissa, exp) => {
-            // near / w = q · 2^(exponent − 16 − shift), as for the depth.
-            let shift = i32::from(at.exponent) - 16 - call.depth_shift().0 - exp;
-            block::shift(product(mantissa, at.q.cast_signed()), shift + 8)
-        }
+    let half_of = |at: &ScreenVertex| {
+        raster::half_size(match *half {
+            HalfSize::Equal(half) => half,
+            HalfSize::OverDistance(mantissa, exp) => {
+                // near / w = q · 2^(exponent − 16 − shift), as for the depth.
+                let shift = i32::from(at.exponent) - 16 - call.depth_shift().0 - exp;
+                block::shift(product(mantissa, at.q.cast_signed()), shift + 8)
+            }
+        })
     };
     each_point(call, blitter, half_of, |raster, at, half| {
         raster::sized_point(raster, at, half, is_round);
@@ -146,8 +148,8 @@ fn sized_points<K: ProjectionKind>(
 fn each_point<K: ProjectionKind>(
     call: &Call<'_, K>,
     blitter: &mut dyn Blitter,
-    half_of: impl Fn(&ScreenVertex) -> i64,
-    point: impl Fn(&mut Rasterizer<'_>, &ScreenVertex, i64),
+    half_of: impl Fn(&ScreenVertex) -> i32,
+    point: impl Fn(&mut Rasterizer<'_>, &ScreenVertex, i32),
 ) -> Drawn {
     let count = call.shared.mesh.positions().len();
     let mut draw = Draw::new(blitter, &call.shared, count);
@@ -160,9 +162,7 @@ fn each_point<K: ProjectionKind>(
             continue;
         }
         let (half, [_, y]) = (half_of(&at), at.screen);
-        // A point has at most 255 pixels.
-        let reach = ((half >> 8).min(127) + 1) as i32;
-        if draw.meets([y, y], reach) {
+        if draw.meets([y, y], (half >> 8) + 1) {
             draw.line(Indices::of_point(index), false, |raster| {
                 point(raster, &at, half)
             });

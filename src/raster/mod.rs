@@ -34,7 +34,7 @@ pub(crate) use setup::{
     Attribute, Interpolation, LEAST_WEIGHT, MOST_WEIGHT, SHALLOW, SPAN, Scale, Setup, unpaired,
 };
 pub use sized_point::PointStyle;
-pub(crate) use sized_point::sized_point;
+pub(crate) use sized_point::{half_size, sized_point};
 pub(crate) use smooth_line::{Coverage, smooth_line};
 pub(crate) use triangle::{Triangle, area};
 pub(crate) use vertex::{Barycentric, ClippedVertex, DepthShift, ScreenVertex};
