@@ -300,7 +300,9 @@ pub use fixel_macros::assets as __assets;
 pub use error::Error;
 #[doc(hidden)]
 pub use pipeline::Thing;
-pub use pipeline::{DrawList, DrawOptions, Drawn, Hit, Object, Prepared, Ray, ScreenPoint};
+pub use pipeline::{
+    DrawList, DrawOptions, Drawn, Hit, Object, Prepared, Ray, ScreenPoint, ShadeList,
+};
 pub use raster::{Cull, LineStyle, PointStyle};
 
 // These items are documented in their modules.

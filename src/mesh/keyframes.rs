@@ -5,6 +5,7 @@ use super::attribute::Values;
 use super::buffers::room;
 use super::{Index, Mesh, Positions};
 use crate::error::{check_length, ok};
+use crate::num::wide::product;
 use crate::{Error, Scalar, Vec3, message};
 
 /// Two poses of one mesh, to be blended: the positions, and the normals if both poses have them.
@@ -12,7 +13,8 @@ use crate::{Error, Scalar, Vec3, message};
 /// Both meshes need the same faces. Texture coordinates, colors and edges are those of the first. A `static` of this
 /// type is checked at compile time. Of the second mesh, it stores only positions and normals in flash.
 ///
-/// An animation of many poses is an array of `Keyframes`, one for each step from a pose to the next.
+/// An animation of many poses is an array of `Keyframes`, one for each step from a pose to the next: see
+/// [`blend_chain`](Self::blend_chain).
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -72,6 +74,19 @@ const fn normal_faces<'a>(mesh: &Mesh<'a>) -> &'a [[Index; 3]] {
     }
 }
 
+/// [`Vec3::lerp`], which is shorter between its ends, where nothing saturates.
+#[inline]
+fn between(from: Vec3, to: Vec3, t: Scalar) -> Vec3 {
+    let rest = (1 << 16) - i64::from(t.to_bits());
+    let (Ok(rest @ 0..=0x1_0000), t_bits) = (i32::try_from(rest), t.to_bits()) else {
+        return from.lerp(to, t);
+    };
+    let ([x, y, z], [u, v, w]) = (from.to_bits(), to.to_bits());
+    // Two shares of 32 bits, which add up to 2^16.
+    let mix = |a: i32, b: i32| ((product(a, rest) + product(b, t_bits) + (1 << 15)) >> 16) as i32;
+    Vec3::from_bits([mix(x, u), mix(y, v), mix(z, w)])
+}
+
 impl<'a> Keyframes<'a> {
     /// Makes a pair of poses.
     ///
@@ -110,6 +125,51 @@ impl<'a> Keyframes<'a> {
         message::checked(result, "keyframes")
     }
 
+    /// The mesh at a time along a chain of poses, in which each pair begins with the pose that ends the one before it:
+    /// at time 0 the first pose, at time 1 the second, at 1.5 the middle between the second and the third. Times before
+    /// the first pose and after the last count as these.
+    ///
+    /// ```
+    /// use fixel::mesh::Keyframes;
+    /// use fixel::prelude::*;
+    /// let heights = [[vec3!(0, 0, 0)], [vec3!(0, 4, 0)], [vec3!(0, 2, 0)]];
+    /// let [low, high, middle] = heights.each_ref().map(|positions| Mesh::new(positions, &[]).unwrap());
+    /// let jump = [Keyframes::new(&low, &high)?, Keyframes::new(&high, &middle)?];
+    /// let mut positions = [Vec3::ZERO];
+    /// for (time, height) in [(fx!(0.5), fx!(2)), (fx!(1.5), fx!(3)), (fx!(9), fx!(2)), (fx!(-1), fx!(0))] {
+    ///     let mesh = Keyframes::blend_chain(&jump, time, &mut positions, &mut [])?;
+    ///     assert_eq!(mesh.positions().get(0), Some(Vec3::new(fx!(0), height, fx!(0))));
+    /// }
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] if the chain is empty, and those of [`blend`](Self::blend).
+    pub fn blend_chain<'m>(
+        chain: &[Self],
+        time: Scalar,
+        positions: &'m mut [Vec3],
+        normals: &'m mut [Vec3],
+    ) -> Result<Mesh<'m>, Error>
+    where
+        'a: 'm,
+    {
+        let time = time.to_bits();
+        let pair = (time >> 16).max(0).cast_unsigned() as usize;
+        let (frames, t) = match (chain.get(pair), chain.last()) {
+            (Some(frames), _) => (frames, time.max(0) & 0xffff),
+            (None, Some(last)) => (last, 1 << 16),
+            (None, None) => {
+                return Err(Error::Length {
+                    given: 0,
+                    needed: 1,
+                });
+            }
+        };
+        frames.blend(Scalar::from_bits(t), positions, normals)
+    }
+
     /// The mesh between the two poses, in the caller's memory: the first pose at `t` = 0, the second at `t` = 1; other
     /// values of `t` extrapolate.
     ///
@@ -138,7 +198,7 @@ impl<'a> Keyframes<'a> {
             .zip(all.iter())
             .zip(self.positions.iter())
         {
-            *to = a.lerp(b, t);
+            *to = between(a, b, t);
         }
         let mut blended: Mesh<'m> = self.first.without_normals();
         if !normals.is_empty() && self.normals.len() > 0 {
@@ -149,7 +209,7 @@ impl<'a> Keyframes<'a> {
                 .zip(values.iter())
                 .zip(self.normals.iter())
             {
-                *to = a.lerp(b, t);
+                *to = between(a, b, t);
             }
             blended.normals = Attribute {
                 values: Values::Full(normals),
@@ -166,7 +226,9 @@ impl<'a> Keyframes<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::cases;
     use crate::{fx, vec3};
+    use rand::Rng;
 
     const FACES: [[Index; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
     const CORNERS: [Vec3; 4] = [
@@ -189,6 +251,25 @@ mod tests {
         assert_eq!(mesh, first);
         let mesh = frames.blend(fx!(1), &mut positions, &mut []).unwrap();
         assert_eq!(mesh, second);
+    }
+
+    #[test]
+    fn a_time_between_two_poses_blends_as_lerp_does() {
+        cases(1 << 12, |random| {
+            let [a, b] =
+                [[0; 3]; 2].map(|zero: [i32; 3]| Vec3::from_bits(zero.map(|_| random.random())));
+            for t in [
+                random.random_range(0..=1 << 16),
+                random.random(),
+                0,
+                1 << 16,
+                (1 << 16) + 1,
+                -1,
+            ] {
+                let t = Scalar::from_bits(t);
+                assert_eq!(between(a, b, t), a.lerp(b, t), "{t}");
+            }
+        });
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! What a draw call knows of a mesh besides its data: where it stands, and what a shader missed.
 
 use core::cell::{Cell, OnceCell};
+use core::ops::AddAssign;
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
@@ -17,6 +18,8 @@ pub(crate) struct Placement<'a> {
     /// Computed when a shader asks for the first normal.
     normals: OnceCell<NormalMatrix>,
     missing: Cell<Missing>,
+    /// The address of the list's entry that is drawn; 0 if none is.
+    pub(crate) entry: Cell<usize>,
 }
 
 /// The attributes that a shader asked for and the mesh lacks; a draw call returns it.
@@ -47,6 +50,14 @@ pub struct Missing {
     pub colors: bool,
 }
 
+impl AddAssign for Missing {
+    #[inline]
+    fn add_assign(&mut self, other: Self) {
+        self.uvs |= other.uvs;
+        self.colors |= other.colors;
+    }
+}
+
 impl<'a> Placement<'a> {
     #[inline]
     pub(crate) fn new(model: &'a Transform, view: Transform) -> Self {
@@ -55,6 +66,7 @@ impl<'a> Placement<'a> {
             view,
             normals: OnceCell::new(),
             missing: Cell::default(),
+            entry: Cell::new(0),
         }
     }
 
@@ -73,6 +85,14 @@ impl<'a> Placement<'a> {
     #[inline]
     pub(crate) fn missing(&self) -> Missing {
         self.missing.get()
+    }
+
+    /// Notes attributes that a shader asked for and the mesh lacks.
+    #[inline]
+    pub(crate) fn miss(&self, missing: Missing) {
+        let mut all = self.missing.get();
+        all += missing;
+        self.missing.set(all);
     }
 
     #[cold]

@@ -100,9 +100,48 @@ pub struct Primitive<'a> {
     pub(crate) mesh: &'a Mesh<'a>,
     pub(crate) placement: &'a Placement<'a>,
     pub(crate) indices: Indices,
+    /// The upper half of twice the area on the screen: negative for corners that run counter-clockwise.
+    pub(crate) area: i32,
 }
 
 impl Primitive<'_> {
+    /// Whether this is a triangle that shows its front to the eye, by the same rule as for culling; an edge or a point
+    /// has no front. So a shader can give the two sides of a sheet two colors:
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::Gray8;
+    /// use fixel::prelude::*;
+    /// use fixel::shade::PerFace;
+    /// #[derive(Clone, Copy)]
+    /// struct Card;
+    /// impl Shader for Card {
+    ///     type Color = Gray8;
+    ///     type Varyings = PerFace<u8>;
+    ///     fn varyings(&self, face: &Primitive) -> [PerFace<u8>; 3] {
+    ///         [PerFace(if face.is_front() { 250 } else { 50 }); 3]
+    ///     }
+    ///     fn shade(&self, _: &Fragment, PerFace(luma): PerFace<u8>) -> Option<Gray8> {
+    ///         Some(Gray8::new(luma))
+    ///     }
+    /// }
+    /// static SQUARE: Mesh = shape!(plane(1, 1));
+    /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(9))?;
+    /// let options = DrawOptions::new().with_cull(Cull::Nothing);
+    /// for (turn, expected) in [(0, 250), (180, 50)] {
+    ///     let mvp = projection * Camera::top(Vec3::ZERO, fx!(5)) * Transform::rotate_x(Angle::from_degrees(turn));
+    ///     let mut pixels = [Gray8::new(0); 4];
+    ///     Canvas::new(&mut pixels, 2, 2)?.draw_with(&options, &SQUARE, &mvp, &Card);
+    ///     assert_eq!(pixels, [Gray8::new(expected); 4]);
+    /// }
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    #[inline]
+    pub const fn is_front(&self) -> bool {
+        // A triangle without area has no pixels.
+        self.is_face() && (self.area < 0) != self.placement.view.is_mirror
+    }
+
     /// The index of the triangle among the mesh's [`faces`](Mesh::faces); `None` for an edge or a point. In a
     /// [part](Mesh::part) of a mesh, triangles keep the indices that they have in the whole.
     #[must_use]
@@ -277,6 +316,15 @@ pub struct Corner<'a> {
 }
 
 impl Corner<'_> {
+    /// The index of the position among the mesh's [`positions`](Mesh::positions), also in a part of a mesh: for values
+    /// of your own, one for each position.
+    #[must_use]
+    #[inline]
+    pub fn index(&self) -> Index {
+        let index = self.primitive.indices.corners.get(self.corner);
+        index.copied().unwrap_or_default()
+    }
+
     /// The position in model space.
     #[must_use]
     #[inline]
@@ -367,6 +415,7 @@ mod tests {
                 mesh: &mesh,
                 placement: &Placement::new(&Transform::IDENTITY, Transform::IDENTITY),
                 indices: Indices::of_face(0, [0, 1, 2]),
+                area: 0,
             };
             let [x, y, z] = primitive.world_middle().to_bits();
             let sum: i64 = corners.map(i64::from).iter().sum();

@@ -124,6 +124,7 @@ pub struct Sprites<'a> {
     pub(crate) frames: &'a [u16],
     /// Columns and rows of frames in the texture.
     pub(crate) grid: [u16; 2],
+    pub(crate) inset: Vec2,
 }
 
 impl<'a> Sprites<'a> {
@@ -149,6 +150,7 @@ impl<'a> Sprites<'a> {
             colors: &[],
             frames: &[],
             grid: [1; 2],
+            inset: Vec2::ZERO,
         })
     }
 
@@ -261,6 +263,34 @@ impl<'a> Sprites<'a> {
         })
     }
 
+    /// Leaves out the border of each frame, or of the whole texture: this much of the texture's width on the left and on
+    /// the right, and of its height at the top and at the bottom.
+    ///
+    /// A [bilinear](crate::Textured::bilinear) filter blends texels of neighboring frames at the border. Half a texel
+    /// prevents it: 1/128 for a texture of 64 texels. For mipmaps, take half a texel of the smallest level that is
+    /// used.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+    /// use fixel::prelude::*;
+    /// // Two frames of two texels each: a dark one and a bright one.
+    /// static SHEET: [[Gray8; 4]; 1] = [[Gray8::new(9), Gray8::new(9), Gray8::new(200), Gray8::new(200)]];
+    /// let projection = Projection::orthographic(Window::centered(fx!(8), fx!(8)), fx!(-1), fx!(1))?;
+    /// let dark = Sprites::new(&[Vec3::ZERO], (fx!(8), fx!(8)))?.with_frames((2, 1), &[0])?;
+    /// let most = |sprites: &Sprites| {
+    ///     let mut pixels = [Gray8::BLACK; 64];
+    ///     Canvas::new(&mut pixels, 8, 8)?.draw(sprites, &projection, &Textured::new(&SHEET).bilinear());
+    ///     Ok::<_, Error>(pixels.iter().map(|pixel| pixel.luma()).max())
+    /// };
+    /// assert!(most(&dark)? > Some(50));
+    /// assert_eq!(most(&dark.with_inset(vec2!(0.125, 0)))?, Some(9)); // half of a quarter
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub const fn with_inset(self, inset: Vec2) -> Self {
+        Self { inset, ..self }
+    }
+
     /// The positions, in model space.
     #[must_use]
     pub const fn positions(&self) -> &'a [Vec3] {
@@ -317,6 +347,12 @@ impl<'a> Sprites<'a> {
         (columns, rows)
     }
 
+    /// The border that is left out of each frame.
+    #[must_use]
+    pub const fn inset(&self) -> Vec2 {
+        self.inset
+    }
+
     /// The texture coordinates of a sprite at the left, right, top and bottom.
     pub(crate) fn frame(&self, sprite: usize) -> [TexCoord; 4] {
         let [columns, rows] = self.grid.map(u32::from);
@@ -331,11 +367,12 @@ impl<'a> Sprites<'a> {
             u32::from(frame).checked_rem(columns).unwrap_or_default(),
         );
         let row = row.checked_rem(rows).unwrap_or_default();
+        let Vec2 { x, y } = self.inset;
         [
-            part(column, columns),
-            part(column + 1, columns),
-            part(row, rows),
-            part(row + 1, rows),
+            part(column, columns) + x,
+            part(column + 1, columns) - x,
+            part(row, rows) + y,
+            part(row + 1, rows) - y,
         ]
     }
 }

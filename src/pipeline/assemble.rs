@@ -48,33 +48,37 @@ pub(super) fn triangle<K: ProjectionKind>(
     }
 }
 
-/// Assembles one edge of the mesh: `line` receives the two ends of the part that is inside all planes, or nothing if
-/// there is none. Returns whether it was clipped.
+/// Assembles one edge of the mesh: `each` receives the two ends of the part that is inside all planes, and whether it
+/// was clipped.
 #[inline(always)]
 #[allow(clippy::inline_always)] // a call takes 30 to 40 instructions, and the compiler's choice depends on the build's path
 pub(super) fn edge<K: ProjectionKind>(
     call: &Call<'_, K>,
     vertices: &mut VertexCache,
     indices: [Index; 2],
-    line: &mut ClippedPolygon,
-) -> bool {
-    let (mut any, mut all) = (0, !0);
-    for (&index, &barycentric) in indices.iter().zip(&Barycentric::CORNERS) {
-        let vertex = *vertices.vertex(&call.projector, index);
-        any |= vertex.outcode;
-        all &= vertex.outcode;
-        let _ = line.push(ClippedVertex {
-            vertex,
-            barycentric,
-        });
-    }
-    if any != 0 {
-        line.clear();
-        if all == 0 {
-            clip(&call.projector, &indices, any, line);
+    each: impl FnOnce([&ClippedVertex; 2], bool),
+) {
+    let [first, second, _] = Barycentric::CORNERS;
+    let mut end = |index: Index, barycentric: Barycentric| ClippedVertex {
+        vertex: *vertices.vertex(&call.projector, index),
+        barycentric,
+    };
+    let [a, b] = indices;
+    let (a, b) = (&end(a, first), &end(b, second));
+    let mut clipped = ClippedPolygon::new();
+    let any = a.vertex.outcode | b.vertex.outcode;
+    let ends = if any == 0 {
+        [a, b]
+    } else {
+        if a.vertex.outcode & b.vertex.outcode == 0 {
+            clip(&call.projector, &indices, any, &mut clipped);
         }
-    }
-    any != 0
+        let [from, to] = &*clipped else {
+            return;
+        };
+        [from, to]
+    };
+    each(ends, any != 0);
 }
 
 /// Twice the area of the part of a triangle that is inside all planes; 0 if there is none. [`triangle`] culls by its

@@ -40,6 +40,9 @@ impl Screen {
     }
 }
 
+/// Where a draw call draws to: some rows of a frame.
+pub(super) type To<'s> = (&'s Screen, &'s Range<u32>);
+
 /// The data that all primitives of a draw call share once they are on the screen.
 #[derive(Clone, Debug)]
 pub(super) struct Shared<'m> {
@@ -50,13 +53,14 @@ pub(super) struct Shared<'m> {
 }
 
 impl Shared<'_> {
-    /// A triangle, edge or point in the form that shaders receive.
+    /// A triangle, edge or point in the form that shaders receive, with twice its area on the screen.
     #[inline]
-    pub(super) fn primitive(&self, indices: Indices) -> Primitive<'_> {
+    pub(super) fn primitive(&self, indices: Indices, area: i64) -> Primitive<'_> {
         Primitive {
             mesh: self.mesh,
             placement: &self.placement,
             indices,
+            area: (area >> 32) as i32,
         }
     }
 }
@@ -72,8 +76,7 @@ impl<'m, K: ProjectionKind> Call<'m, K> {
     /// A draw call to `rows` of a frame.
     #[inline(never)]
     pub(super) fn new<V: AsMvp<Kind = K>>(
-        screen: &Screen,
-        rows: &Range<u32>,
+        (screen, rows): To<'_>,
         mesh: &'m Mesh<'m>,
         mvp: &'m V,
     ) -> Self {

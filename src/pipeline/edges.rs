@@ -1,14 +1,13 @@
 //! Edges: all of a mesh, or those of its outline.
 
-use core::ops::Range;
-
 use super::Drawn;
 use super::assemble;
 use super::cache::VertexCache;
-use super::call::{Call, Screen};
+use super::call::{Call, To};
 use super::run::{self, Draw};
 use super::thing::{DrawLine, Paint, Pen, Thing};
-use crate::mesh::{Index, Indices, Mesh, Outline};
+use crate::Vec3;
+use crate::mesh::{Index, Indices, Mesh, Outline, Positions};
 use crate::raster::{self, Blitter, ClippedVertex, LineStyle, Rasterizer};
 use crate::sealed::Sealed;
 use crate::view::{AsMvp, ProjectionKind};
@@ -116,6 +115,59 @@ impl Mesh<'_> {
     }
 }
 
+/// A line between two points.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Line<const SMOOTH: bool = false> {
+    ends: [Vec3; 2],
+    style: LineStyle<SMOOTH>,
+}
+
+impl<const SMOOTH: bool> LineStyle<SMOOTH> {
+    /// A line in this style between two points of model space, which need no mesh.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
+    /// use fixel::prelude::*;
+    /// let projection = Projection::orthographic(Window::centered(fx!(8), fx!(4)), fx!(-1), fx!(1))?;
+    /// let mut color = [BinaryColor::Off; 8 * 4];
+    /// let mut canvas = Canvas::new(&mut color, 8, 4)?;
+    /// let ray = LineStyle::HAIRLINE.between(vec3!(-4, -2, 0), vec3!(3, 2, 0));
+    /// canvas.draw(ray, &projection, &Flat::new(BinaryColor::On));
+    /// let mut display = MockDisplay::new();
+    /// canvas.show(&mut display)?;
+    /// display.assert_pattern(&[
+    ///     ".....##.",
+    ///     "....#...",
+    ///     "..##....",
+    ///     "##......",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub const fn between(self, from: Vec3, to: Vec3) -> Line<SMOOTH> {
+        Line {
+            ends: [from, to],
+            style: self,
+        }
+    }
+}
+
+impl<const SMOOTH: bool> Sealed for Line<SMOOTH> {}
+
+#[allow(private_bounds)]
+impl<C, const SMOOTH: bool> Thing<C> for Line<SMOOTH>
+where
+    LineStyle<SMOOTH>: Pen<C>,
+{
+    fn draw<V: AsMvp>(self, to: To<'_>, mvp: &V, paint: impl Paint<C>) -> Drawn {
+        let positions = Positions::long(&self.ends);
+        let edges = (&[][..], &[[0, 1]][..]);
+        let mesh = Mesh::of_lists(positions, edges, (&[], &[]), (&[], &[]), (&[], &[]));
+        mesh.edges(self.style).draw(to, mvp, paint)
+    }
+}
+
 impl<const SMOOTH: bool> Sealed for Edges<'_, SMOOTH> {}
 
 #[allow(private_bounds)]
@@ -123,22 +175,16 @@ impl<C, const SMOOTH: bool> Thing<C> for Edges<'_, SMOOTH>
 where
     LineStyle<SMOOTH>: Pen<C>,
 {
-    fn draw<V: AsMvp>(
-        self,
-        screen: &Screen,
-        rows: &Range<u32>,
-        mvp: &V,
-        paint: impl Paint<C>,
-    ) -> Drawn {
-        let call = Call::new(screen, rows, self.mesh, mvp);
+    fn draw<V: AsMvp>(self, to: To<'_>, mvp: &V, paint: impl Paint<C>) -> Drawn {
+        let call = Call::new(to, self.mesh, mvp);
         let shift = call.depth_shift();
         self.style.paint::<V::Kind>(paint, shift, |line, blitter| {
             match self.outline {
                 // Not through a `DrawLine`: a program that draws only hairlines is smaller if it calls the rasterizer
                 // directly.
-                None if self.style.is_hairline() => edges(&call, raster::line, blitter),
-                None => edges(&call, line, blitter),
-                Some(outline) => draw_outline(&call, outline, line, blitter),
+                None if self.style.is_hairline() => edges(&call, (raster::line, 0), blitter),
+                None => edges(&call, (line, self.style.reach()), blitter),
+                Some(outline) => draw_outline(&call, outline, (line, self.style.reach()), blitter),
             }
         })
     }
@@ -217,11 +263,11 @@ fn is_drawn<K: ProjectionKind>(
     (is_crease || is_silhouette) && !(cull.leaves_out(left) && cull.leaves_out(right))
 }
 
-/// Draws all edges of a mesh, each by `line`.
+/// Draws all edges of a mesh, each by `line`, which reaches this many rows beyond its ends.
 #[inline(never)]
 fn edges<K: ProjectionKind>(
     call: &Call<'_, K>,
-    line: impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]),
+    line: (impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]), i32),
     blitter: &mut dyn Blitter,
 ) -> Drawn {
     lines(call, blitter, call.shared.mesh.edge_indices(), all, line)
@@ -232,7 +278,7 @@ fn edges<K: ProjectionKind>(
 fn draw_outline<K: ProjectionKind>(
     call: &Call<'_, K>,
     outline: &Outline<'_>,
-    line: DrawLine<'_>,
+    line: (DrawLine<'_>, i32),
     blitter: &mut dyn Blitter,
 ) -> Drawn {
     lines(call, blitter, outline.edges(), ends_of(outline), line)
@@ -245,11 +291,15 @@ fn lines<K: ProjectionKind, E>(
     blitter: &mut dyn Blitter,
     edges: &[E],
     ends_of: impl Fn(&Call<'_, K>, &mut VertexCache, usize, &E) -> Option<[Index; 2]>,
-    line: impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]),
+    (line, reach): (impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]), i32),
 ) -> Drawn {
     let mut draw = Draw::new(blitter, &call.shared, edges.len());
     run::each_edge(call, edges, ends_of, |indices, ends, is_clipped| {
-        draw.line(indices, is_clipped, |raster| line(raster, ends));
+        let [a, b] = ends;
+        // Most edges miss a band: no shader is asked for them.
+        if draw.meets([a.vertex.screen[1], b.vertex.screen[1]], reach) {
+            draw.line(indices, is_clipped, |raster| line(raster, ends));
+        }
     });
     draw.drawn()
 }

@@ -3,10 +3,16 @@
 //! [`DrawList`] is the memory, and this file fills it. [`prepared`] draws from it, and [`painter`] sorts it from back to
 //! front.
 
+#![allow(private_interfaces)] // of traits that only this crate calls
+
 mod painter;
 mod prepared;
+mod shades;
 
 pub use prepared::{Object, Prepared};
+pub use shades::ShadeList;
+
+use core::marker::PhantomData;
 
 use embedded_graphics::geometry::Size;
 use heapless::{Vec, VecView};
@@ -28,7 +34,7 @@ use crate::raster::{
 };
 use crate::sealed::Sealed;
 use crate::view::{AsMvp, ProjectionKind};
-use prepared::{Objects, Placed, Run};
+use prepared::{Elements, Objects, Placed, Run};
 
 /// Memory for the triangles or edges of a frame that is drawn in bands.
 ///
@@ -70,6 +76,9 @@ use prepared::{Objects, Placed, Run};
 ///
 /// One mistake remains possible: to draw an earlier frame's list in a frame whose other draw calls have a new camera.
 /// So prepare the list in each frame, after the camera has moved.
+///
+/// Light, and whatever else a shader computes at the corners, can be computed once for all bands, too: see
+/// [`ShadeList`].
 ///
 /// Without a list, each band transforms the whole mesh again. For a mesh of many small triangles, this takes longer
 /// than drawing them.
@@ -245,15 +254,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
         thing: S,
         view: &V,
     ) -> Result<Prepared<'a, S::Material, S::Thing, O, V::Kind>, Error> {
-        let screen = options.screen(frame.into());
-        let objects = self.fill(&screen, thing, view)?;
-        Ok(Prepared::new(
-            screen,
-            *options,
-            objects,
-            &self.entries,
-            &self.vertices,
-        ))
+        self.fill((*options, frame.into()), thing, view, |_, _, _| ())
     }
 
     /// Prepares triangles or edges like [`prepare`](Self::prepare), and sorts them back to front, which is called
@@ -340,27 +341,21 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
         thing: S,
         view: &V,
     ) -> Result<Prepared<'a, S::Material, S::Thing, O, V::Kind>, Error> {
-        let screen = options.screen(frame.into());
-        let objects = self.fill(&screen, thing, view)?;
-        painter::sort(&mut self.entries, &self.vertices, &objects);
-        Ok(Prepared::new(
-            screen,
-            *options,
-            objects,
-            &self.entries,
-            &self.vertices,
-        ))
+        self.fill((*options, frame.into()), thing, view, painter::sort)
     }
 
-    /// Fills the list.
+    /// Fills the list, and brings it into order.
     #[inline]
-    fn fill<'a, S: Scene<'a>, V: AsMvp>(
-        &mut self,
-        screen: &Screen,
+    #[allow(clippy::type_complexity)] // as above
+    fn fill<'a, S: Scene<'a>, O: Options, V: AsMvp>(
+        &'a mut self,
+        (options, frame): (O, Size),
         scene: S,
         view: &V,
-    ) -> Result<Objects<'a, S::Thing, S::Material>, Error> {
-        check_size(screen.frame.width, screen.frame.height)?;
+        sort: impl FnOnce(&mut [Entry], &[Slot], &Objects<'_, S::Thing, S::Material>),
+    ) -> Result<Prepared<'a, S::Material, S::Thing, O, V::Kind>, Error> {
+        check_size(frame.width, frame.height)?;
+        let screen = options.screen(frame);
         self.entries.clear();
         self.vertices.clear();
         let mut filling = Filling {
@@ -371,7 +366,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
             rows: NO_ROWS,
             numbers: [(0, 0); cache::SIZE],
         };
-        let objects = scene.list(&mut filling, screen, view);
+        let objects = scene.list(&mut filling, &screen, view);
         let [elements, vertices] = filling.needed;
         let most = VERTICES.min(Self::MAX_VERTICES);
         for (of, needed, room) in [
@@ -382,7 +377,18 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
                 return Err(Error::Full { of, needed, room });
             }
         }
-        Ok(objects)
+        sort(&mut self.entries, &self.vertices, &objects);
+        let elements = Elements {
+            entries: &self.entries,
+            vertices: &self.vertices,
+            screen,
+        };
+        Ok(Prepared {
+            objects,
+            elements,
+            options,
+            kind: PhantomData,
+        })
     }
 }
 
@@ -418,7 +424,7 @@ impl Filling<'_> {
     /// Adds the visible elements of a thing.
     #[inline]
     fn thing<G: Listed, V: AsMvp>(&mut self, screen: &Screen, thing: &G, mvp: &V) -> Listing {
-        let call = Call::new(screen, &(0..screen.frame.height), thing.mesh(), mvp);
+        let call = Call::new((screen, &(0..screen.frame.height)), thing.mesh(), mvp);
         self.rows = NO_ROWS;
         self.numbers = [(0, 0); cache::SIZE];
         thing.fill(&call, self);
@@ -520,7 +526,6 @@ impl Assembly for Triangles<'_, '_, '_> {
     message = "`{Self}` cannot be listed",
     note = "a list takes `&mesh`, `mesh.edges(style)`, `mesh.outline(&outline, style)` or `&mut objects`"
 )]
-#[allow(private_interfaces)]
 pub trait Listed: Copy + Sealed {
     /// How it is drawn.
     type Style;
@@ -538,6 +543,9 @@ pub trait Listed: Copy + Sealed {
     /// The number of its elements.
     fn count(&self) -> usize;
 
+    /// Where the data of an element are.
+    fn indices(&self, element: usize) -> Option<Indices>;
+
     /// Adds the visible elements to a list.
     fn fill<K: ProjectionKind>(&self, call: &Call<'_, K>, filling: &mut Filling<'_>);
 
@@ -548,7 +556,6 @@ pub trait Listed: Copy + Sealed {
     fn draw(&self, run: &Run<'_>, line: DrawLine<'_>, blitter: &mut dyn Blitter) -> Drawn;
 }
 
-#[allow(private_interfaces)]
 impl Listed for &Mesh<'_> {
     type Style = Fill;
 
@@ -571,6 +578,11 @@ impl Listed for &Mesh<'_> {
     }
 
     #[inline]
+    fn indices(&self, face: usize) -> Option<Indices> {
+        Some(Indices::of_face(face, *self.faces().get(face)?))
+    }
+
+    #[inline]
     fn fill<K: ProjectionKind>(&self, call: &Call<'_, K>, filling: &mut Filling<'_>) {
         let shared = &call.shared;
         run::triangles(call, &mut Triangles { filling, shared });
@@ -587,7 +599,6 @@ impl Listed for &Mesh<'_> {
     }
 }
 
-#[allow(private_interfaces)]
 impl<const SMOOTH: bool> Listed for Edges<'_, SMOOTH> {
     type Style = LineStyle<SMOOTH>;
 
@@ -607,6 +618,11 @@ impl<const SMOOTH: bool> Listed for Edges<'_, SMOOTH> {
     #[inline]
     fn count(&self) -> usize {
         self.count()
+    }
+
+    #[inline]
+    fn indices(&self, edge: usize) -> Option<Indices> {
+        self.at(edge)
     }
 
     #[inline]
@@ -642,7 +658,6 @@ impl<const SMOOTH: bool> Listed for Edges<'_, SMOOTH> {
 
 /// What a list is filled with: a thing, or several objects.
 #[doc(hidden)]
-#[allow(private_interfaces)]
 pub trait Scene<'a>: Sealed {
     type Thing: Listed;
     type Material;
@@ -655,7 +670,6 @@ pub trait Scene<'a>: Sealed {
     ) -> Objects<'a, Self::Thing, Self::Material>;
 }
 
-#[allow(private_interfaces)]
 impl<'a, G: Listed> Scene<'a> for G {
     type Thing = G;
     type Material = ();

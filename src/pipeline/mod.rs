@@ -19,7 +19,7 @@ mod sprites;
 mod thing;
 mod vertex;
 
-pub use list::{DrawList, Object, Prepared};
+pub use list::{DrawList, Object, Prepared, ShadeList};
 pub use on_screen::ScreenPoint;
 pub use options::DrawOptions;
 pub use ray::{Hit, Ray};
@@ -59,7 +59,7 @@ pub struct Drawn {
     /// The number of these that may have changed a pixel. Triangles count if they are not culled and the smallest
     /// upright rectangle around them contains a pixel center of the viewport in the canvas's rows. Lines and points
     /// count if any part of them lies between the near and the far plane and in the guard band, ±2048 pixels around the
-    /// viewport's center; prepared edges must also reach a row of the viewport in the canvas.
+    /// viewport's center, and may reach a row of the viewport in the canvas.
     pub drawn: u32,
     /// The number of these that were clipped by a plane of the view volume or of the guard band.
     pub clipped: u32,
@@ -73,8 +73,7 @@ impl AddAssign for Drawn {
         self.submitted += other.submitted;
         self.drawn += other.drawn;
         self.clipped += other.clipped;
-        self.missing.uvs |= other.missing.uvs;
-        self.missing.colors |= other.missing.colors;
+        self.missing += other.missing;
     }
 }
 
@@ -87,6 +86,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// | `&mesh` or a part of it, [`&mesh.part(range)`](crate::Mesh::part) | triangles |
     /// | [`mesh.edges(style)`](crate::Mesh::edges) | lines |
     /// | [`mesh.outline(&outline, style)`](crate::Mesh::outline) | lines that show the shape |
+    /// | [`style.between(from, to)`](crate::LineStyle::between) | a line |
     /// | [`mesh.points(style)`](crate::Mesh::points) | pixels, squares or discs |
     /// | [`&sprites`](crate::Sprites) | rectangles that face the viewer |
     ///
@@ -110,6 +110,6 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         shader: &impl ShaderFor<C>,
     ) -> Drawn {
         let (screen, rows) = (options.screen(self.frame_size()), self.rows().clone());
-        thing.draw(&screen, &rows, mvp, (self, options, *shader))
+        thing.draw((&screen, &rows), mvp, (self, options, *shader))
     }
 }

@@ -1,9 +1,7 @@
 //! Points: a mesh's positions, each one pixel, a square or a disc.
 
-use core::ops::Range;
-
 use super::Drawn;
-use super::call::{Call, Screen};
+use super::call::{Call, To};
 use super::run::Draw;
 use super::thing::{Paint, Thing};
 use crate::mesh::{Index, Indices, Mesh};
@@ -60,19 +58,13 @@ impl Sealed for Points<'_> {}
 
 #[allow(private_bounds)]
 impl<C> Thing<C> for Points<'_> {
-    fn draw<V: AsMvp>(
-        self,
-        screen: &Screen,
-        rows: &Range<u32>,
-        mvp: &V,
-        paint: impl Paint<C>,
-    ) -> Drawn {
-        let call = Call::new(screen, rows, self.mesh, mvp);
-        paint.plain::<V::Kind>(call.depth_shift(), |blitter| {
+    fn draw<V: AsMvp>(self, to: To<'_>, mvp: &V, mut paint: impl Paint<C>) -> Drawn {
+        let call = Call::new(to, self.mesh, mvp);
+        paint.run::<V::Kind>(call.depth_shift(), paint.shading(), |blitter| {
             if self.style.is_pixel() {
                 pixels(&call, blitter)
             } else {
-                let half = HalfSize::new(self.style, mvp.projection_of(), &screen.viewport);
+                let half = HalfSize::new(self.style, mvp.projection_of(), &to.0.viewport);
                 sized_points(&call, &half, self.style.is_round(), blitter)
             }
         })
@@ -119,7 +111,12 @@ impl HalfSize {
 /// Draws all positions of a mesh as pixels.
 #[inline(never)]
 fn pixels<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
-    each_point(call, blitter, raster::point)
+    each_point(
+        call,
+        blitter,
+        |_| 0,
+        |raster, at, _| raster::point(raster, at),
+    )
 }
 
 /// Draws all positions of a mesh as squares or discs.
@@ -130,25 +127,29 @@ fn sized_points<K: ProjectionKind>(
     is_round: bool,
     blitter: &mut dyn Blitter,
 ) -> Drawn {
-    each_point(call, blitter, |raster, at| {
-        let half = match *half {
+    let half_of = |at: &ScreenVertex| {
+        raster::half_size(match *half {
             HalfSize::Equal(half) => half,
             HalfSize::OverDistance(mantissa, exp) => {
                 // near / w = q · 2^(exponent − 16 − shift), as for the depth.
                 let shift = i32::from(at.exponent) - 16 - call.depth_shift().0 - exp;
                 block::shift(product(mantissa, at.q.cast_signed()), shift + 8)
             }
-        };
+        })
+    };
+    each_point(call, blitter, half_of, |raster, at, half| {
         raster::sized_point(raster, at, half, is_round);
     })
 }
 
-/// Draws all positions of a mesh that are inside all planes, each by `point`.
+/// Draws all positions of a mesh that are inside all planes, each by `point`, with half of its size in units of 1/256
+/// pixel.
 #[inline]
 fn each_point<K: ProjectionKind>(
     call: &Call<'_, K>,
     blitter: &mut dyn Blitter,
-    point: impl Fn(&mut Rasterizer<'_>, &ScreenVertex),
+    half_of: impl Fn(&ScreenVertex) -> i32,
+    point: impl Fn(&mut Rasterizer<'_>, &ScreenVertex, i32),
 ) -> Drawn {
     let count = call.shared.mesh.positions().len();
     let mut draw = Draw::new(blitter, &call.shared, count);
@@ -157,8 +158,14 @@ fn each_point<K: ProjectionKind>(
         let index = index as Index;
         let mut at = ScreenVertex::UNSET;
         call.projector.project(index, &mut at);
-        if at.outcode == 0 {
-            draw.line(Indices::of_point(index), false, |raster| point(raster, &at));
+        if at.outcode != 0 {
+            continue;
+        }
+        let (half, [_, y]) = (half_of(&at), at.screen);
+        if draw.meets([y, y], (half >> 8) + 1) {
+            draw.line(Indices::of_point(index), false, |raster| {
+                point(raster, &at, half)
+            });
         }
     }
     draw.drawn()

@@ -12,7 +12,6 @@ use super::Drawn;
 use super::assemble::{self, Assembly};
 use super::cache::VertexCache;
 use super::call::{Call, Shared};
-use super::clip::ClippedPolygon;
 use crate::mesh::{Index, Indices, Primitive};
 use crate::raster::{self, Blitter, ClippedVertex, Polygon, Rasterizer, ScreenVertex, Triangle};
 use crate::view::ProjectionKind;
@@ -52,11 +51,9 @@ pub(super) fn each_edge<K: ProjectionKind, E>(
         let Some(ends) = ends_of(call, &mut vertices, at, edge) else {
             continue;
         };
-        let mut line = ClippedPolygon::new();
-        let is_clipped = assemble::edge(call, &mut vertices, ends, &mut line);
-        if let [from, to] = &*line {
-            each(Indices::of_edge(at, ends), [from, to], is_clipped);
-        }
+        assemble::edge(call, &mut vertices, ends, |line, is_clipped| {
+            each(Indices::of_edge(at, ends), line, is_clipped);
+        });
     }
 }
 
@@ -127,9 +124,9 @@ fn rectangle<K: ProjectionKind>(
         Indices::of_face(first, one),
         Indices::of_face(first + 1, other),
     );
-    let is_plane = is_plane([&shared.primitive(one), &shared.primitive(other)]);
+    let is_plane = is_plane([&shared.primitive(one, area), &shared.primitive(other, area)]);
     if is_plane {
-        draw.raster.of(one).rectangle(half);
+        draw.raster.of(one, area).rectangle(half);
         draw.drawn.drawn += 2;
     }
     is_plane
@@ -152,7 +149,7 @@ impl<'d> Draw<'d> {
         Self {
             raster: Rasterizer::new(
                 blitter,
-                shared.primitive(Indices::of_point(0)),
+                shared.primitive(Indices::of_point(0), 0),
                 &shared.scissor,
             ),
             shared,
@@ -172,6 +169,14 @@ impl<'d> Draw<'d> {
         }
     }
 
+    /// Whether a line or point may have pixels: between two positions, in units of 1/256 row, and up to `reach` rows
+    /// beyond them.
+    #[inline]
+    pub(super) fn meets(&self, [a, b]: [i32; 2], reach: i32) -> bool {
+        let rows = &self.shared.scissor.rows;
+        (a.min(b) >> 8) - reach < rows.end && (a.max(b) >> 8) + reach >= rows.start
+    }
+
     /// Draws an edge or a point by `line`.
     #[inline]
     pub(super) fn line(
@@ -180,7 +185,7 @@ impl<'d> Draw<'d> {
         is_clipped: bool,
         line: impl FnOnce(&mut Rasterizer<'d>),
     ) {
-        line(self.raster.of(indices));
+        line(self.raster.of(indices, 0));
         self.drawn.drawn += 1;
         self.drawn.clipped += u32::from(is_clipped);
     }
@@ -191,7 +196,7 @@ impl Assembly for Draw<'_> {
     fn whole(&mut self, indices: Indices, corners: [&ScreenVertex; 3], area: i64) {
         // By reference: moved, it would be copied.
         if let Some(triangle) = &Triangle::new(corners, None, area, &self.shared.scissor) {
-            self.raster.of(indices).triangle(triangle, None);
+            self.raster.of(indices, area).triangle(triangle, None);
             self.drawn.drawn += 1;
         }
     }
@@ -199,7 +204,7 @@ impl Assembly for Draw<'_> {
     #[inline(never)]
     fn clipped(&mut self, indices: Indices, polygon: &[ClippedVertex]) {
         if let Some(polygon) = Polygon::new(polygon, self.shared.cull) {
-            let drawn = u32::from(polygon.draw(self.raster.of(indices)));
+            let drawn = u32::from(polygon.draw(self.raster.of(indices, polygon.area)));
             self.drawn.drawn += drawn;
             self.drawn.clipped += drawn;
         }

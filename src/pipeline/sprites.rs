@@ -1,13 +1,11 @@
 //! Sprites: quads in eye space, which are drawn as a mesh of eight at a time. Those that face the camera are rectangles
 //! on the screen, each drawn as one primitive where its varyings allow it.
 
-use core::ops::Range;
-
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::Drawn;
 use super::cache::VertexCache;
-use super::call::{Call, Screen, Shared};
+use super::call::{Call, Shared, To};
 use super::run::{self, IsPlane};
 use super::thing::{Paint, Thing};
 use super::vertex::Projector;
@@ -27,17 +25,12 @@ impl Sealed for &Sprites<'_> {}
 
 #[allow(private_bounds)]
 impl<C> Thing<C> for &Sprites<'_> {
-    fn draw<V: AsMvp>(
-        self,
-        screen: &Screen,
-        rows: &Range<u32>,
-        mvp: &V,
-        paint: impl Paint<C>,
-    ) -> Drawn {
+    fn draw<V: AsMvp>(self, to: To<'_>, mvp: &V, mut paint: impl Paint<C>) -> Drawn {
+        let (screen, rows) = to;
         let scissor = screen.scissor(rows);
         let quads = Quads::new(self, mvp, &screen.viewport);
         let shading = paint.shading();
-        paint.plain::<V::Kind>(quads.projector.depth_shift(), |blitter| {
+        paint.run::<V::Kind>(quads.projector.depth_shift(), shading, |blitter| {
             quads.draw(&scissor, &|halves| is_plane(&shading, halves), blitter)
         })
     }

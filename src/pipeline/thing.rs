@@ -1,16 +1,17 @@
 //! What a canvas draws, and with which shading.
 
+#![allow(private_bounds, private_interfaces)] // of traits that only this crate calls
+
 use core::cell::Cell;
-use core::ops::Range;
 
 use embedded_graphics::pixelcolor::PixelColor;
 
-use super::call::{Call, Screen};
+use super::call::{Call, To};
 use super::options::DrawOptions;
 use super::{Drawn, run};
 use crate::canvas::{Blending, Canvas, DepthBuffer, DepthTest, Storage};
 use crate::mesh::Mesh;
-use crate::raster::{self, Blitter, ClippedVertex, Coverage, DepthShift, LineStyle, Rasterizer};
+use crate::raster::{self, Blitter, ClippedVertex, DepthShift, LineStyle, Rasterizer};
 use crate::sealed::Sealed;
 use crate::shade::{PixelFormat, ShaderFor};
 use crate::span::{Blit, Mode, Shading, Smooth};
@@ -21,44 +22,29 @@ use crate::view::{AsMvp, ProjectionKind};
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be drawn on a canvas of color `{C}`",
     note = "draw `&mesh`, `&mesh.part(range)`, `mesh.edges(style)`, `mesh.outline(&outline, style)`, \
-            `mesh.points(style)` or `&sprites`"
+            `style.between(from, to)`, `mesh.points(style)` or `&sprites`"
 )]
-#[allow(private_bounds)] // `Paint` is named only here
 pub trait Thing<C>: Sealed {
     /// Draws it to some rows of a frame.
-    fn draw<V: AsMvp>(
-        self,
-        screen: &Screen,
-        rows: &Range<u32>,
-        mvp: &V,
-        paint: impl Paint<C>,
-    ) -> Drawn;
+    fn draw<V: AsMvp>(self, to: To<'_>, mvp: &V, paint: impl Paint<C>) -> Drawn;
 }
 
 /// The pixels' end of a draw call: a canvas, options and a shader.
 pub(super) trait Paint<C> {
-    /// Colors the pixels, unless lines are smooth.
-    type Shading: Shading<Color = C>;
+    type Shader: ShaderFor<C>;
+    type Blending: Blending<C>;
+    type Test: DepthTest;
 
     /// Colors the pixels, unless lines are smooth.
-    fn shading(&self) -> Self::Shading;
+    fn shading(&self) -> (Self::Shader, Self::Blending, Self::Test);
 
-    /// Runs the stages before the pixels.
-    fn plain<K: ProjectionKind>(
-        self,
+    /// Runs the stages before the pixels, which are colored by `shading`.
+    fn run<K: ProjectionKind>(
+        &mut self,
         shift: DepthShift,
+        shading: impl Shading<Color = C>,
         stages: impl FnOnce(&mut dyn Blitter) -> Drawn,
     ) -> Drawn;
-
-    /// Runs the stages before the pixels; each pixel is covered as far as the cell says, which the stages set.
-    fn smooth<K: ProjectionKind>(
-        self,
-        shift: DepthShift,
-        coverage: &Cell<Coverage>,
-        stages: impl FnOnce(&mut dyn Blitter) -> Drawn,
-    ) -> Drawn
-    where
-        C: PixelFormat;
 }
 
 impl<C, O, D, M, Z, B, S> Paint<C> for (&mut Canvas<'_, C, O, D>, &DrawOptions<M, Z, B>, S)
@@ -71,7 +57,9 @@ where
     B: Blending<C>,
     S: ShaderFor<C>,
 {
-    type Shading = (S, B, Z);
+    type Shader = S;
+    type Blending = B;
+    type Test = Z;
 
     #[inline]
     fn shading(&self) -> (S, B, Z) {
@@ -79,32 +67,12 @@ where
     }
 
     #[inline]
-    fn plain<K: ProjectionKind>(
-        self,
+    fn run<K: ProjectionKind>(
+        &mut self,
         shift: DepthShift,
+        shading: impl Shading<Color = C>,
         stages: impl FnOnce(&mut dyn Blitter) -> Drawn,
     ) -> Drawn {
-        let (mode, shading) = (self.1.mode(), self.shading());
-        stages(&mut Blit::<_, _, K, _>::new(mode, self.0, shading, shift))
-    }
-
-    #[inline]
-    fn smooth<K: ProjectionKind>(
-        self,
-        shift: DepthShift,
-        coverage: &Cell<Coverage>,
-        stages: impl FnOnce(&mut dyn Blitter) -> Drawn,
-    ) -> Drawn
-    where
-        C: PixelFormat,
-    {
-        let (shader, blending, test) = self.shading();
-        let shading = Smooth {
-            shader,
-            blending,
-            test,
-            coverage,
-        };
         stages(&mut Blit::<_, _, K, _>::new(
             self.1.mode(),
             self.0,
@@ -116,17 +84,12 @@ where
 
 impl Sealed for &Mesh<'_> {}
 
-#[allow(private_bounds)]
 impl<C> Thing<C> for &Mesh<'_> {
-    fn draw<V: AsMvp>(
-        self,
-        screen: &Screen,
-        rows: &Range<u32>,
-        mvp: &V,
-        paint: impl Paint<C>,
-    ) -> Drawn {
-        let call = Call::new(screen, rows, self, mvp);
-        paint.plain::<V::Kind>(call.depth_shift(), |blitter| run::draw(&call, blitter))
+    fn draw<V: AsMvp>(self, to: To<'_>, mvp: &V, mut paint: impl Paint<C>) -> Drawn {
+        let call = Call::new(to, self, mvp);
+        paint.run::<V::Kind>(call.depth_shift(), paint.shading(), |blitter| {
+            run::draw(&call, blitter)
+        })
     }
 }
 
@@ -139,10 +102,8 @@ pub(super) type DrawLine<'l> = &'l dyn Fn(&mut Rasterizer<'_>, [&ClippedVertex; 
     message = "`{Self}` cannot draw lines of color `{C}`",
     note = "anti-aliased lines need a color of several `PixelFormat`"
 )]
-#[allow(private_bounds)] // `Paint` is named only here
 pub trait Pen<C>: Copy {
     /// Runs the stages before the pixels, which draw each line as they are told.
-    #[allow(private_interfaces)]
     fn paint<K: ProjectionKind>(
         self,
         paint: impl Paint<C>,
@@ -156,27 +117,25 @@ pub trait Pen<C>: Copy {
 #[derive(Clone, Copy, Debug)]
 pub struct Fill;
 
-#[allow(private_bounds)]
 impl<C> Pen<C> for Fill {
     #[inline]
-    #[allow(private_interfaces)]
     fn paint<K: ProjectionKind>(
         self,
-        paint: impl Paint<C>,
+        mut paint: impl Paint<C>,
         shift: DepthShift,
         stages: impl FnOnce(DrawLine<'_>, &mut dyn Blitter) -> Drawn,
     ) -> Drawn {
-        paint.plain::<K>(shift, |blitter| stages(&|_, _| (), blitter))
+        paint.run::<K>(shift, paint.shading(), |blitter| {
+            stages(&|_, _| (), blitter)
+        })
     }
 }
 
-#[allow(private_bounds)]
 impl<C> Pen<C> for LineStyle {
     #[inline]
-    #[allow(private_interfaces)]
     fn paint<K: ProjectionKind>(
         self,
-        paint: impl Paint<C>,
+        mut paint: impl Paint<C>,
         shift: DepthShift,
         stages: impl FnOnce(DrawLine<'_>, &mut dyn Blitter) -> Drawn,
     ) -> Drawn {
@@ -188,17 +147,15 @@ impl<C> Pen<C> for LineStyle {
         } else {
             &wide
         };
-        paint.plain::<K>(shift, |blitter| stages(line, blitter))
+        paint.run::<K>(shift, paint.shading(), |blitter| stages(line, blitter))
     }
 }
 
-#[allow(private_bounds)]
 impl<C: PixelFormat> Pen<C> for LineStyle<true> {
     #[inline]
-    #[allow(private_interfaces)]
     fn paint<K: ProjectionKind>(
         self,
-        paint: impl Paint<C>,
+        mut paint: impl Paint<C>,
         shift: DepthShift,
         stages: impl FnOnce(DrawLine<'_>, &mut dyn Blitter) -> Drawn,
     ) -> Drawn {
@@ -206,6 +163,13 @@ impl<C: PixelFormat> Pen<C> for LineStyle<true> {
         let line = |raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]| {
             raster::smooth_line(raster, ends, self.half(), &coverage);
         };
-        paint.smooth::<K>(shift, &coverage, |blitter| stages(&line, blitter))
+        let (shader, blending, test) = paint.shading();
+        let shading = Smooth {
+            shader,
+            blending,
+            test,
+            coverage: &coverage,
+        };
+        paint.run::<K>(shift, shading, |blitter| stages(&line, blitter))
     }
 }

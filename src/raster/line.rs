@@ -92,18 +92,22 @@ impl<'r> Course<'r> {
             screen: major_first(place),
             ..end.vertex
         };
-        let [a, b, c] = [
-            at(from, [start, 128]),
-            at(to, [end, 128]),
-            at(to, [end, 129]),
-        ];
-        let length = end - start;
-        let laid = raster.lay(&Patch {
-            vertices: [&a, &b, &c],
-            barycentric: Some(&[from.barycentric, to.barycentric, to.barycentric]),
-            size: major_first([length, 1]),
-            area: if steep { -length } else { length }.into(),
-        });
+        let laid = if raster.varies {
+            let [a, b, c] = [
+                at(from, [start, 128]),
+                at(to, [end, 128]),
+                at(to, [end, 129]),
+            ];
+            let length = end - start;
+            raster.lay(&Patch {
+                vertices: [&a, &b, &c],
+                barycentric: Some(&[from.barycentric, to.barycentric, to.barycentric]),
+                size: major_first([length, 1]),
+                area: if steep { -length } else { length }.into(),
+            })
+        } else {
+            raster.lay(&Patch::EVEN)
+        };
         Some(Self {
             laid,
             steep,

@@ -29,7 +29,7 @@ pub(crate) use polygon::Polygon;
 pub(crate) use rasterizer::Rasterizer;
 pub(crate) use scissor::Scissor;
 pub use sized_point::PointStyle;
-pub(crate) use sized_point::sized_point;
+pub(crate) use sized_point::{half_size, sized_point};
 pub(crate) use smooth_line::{Coverage, smooth_line};
 pub(crate) use triangle::{Triangle, area};
 pub(crate) use vertex::{
@@ -49,6 +49,16 @@ pub(crate) struct Patch<'a> {
     pub(crate) area: i64,
 }
 
+impl Patch<'_> {
+    /// A patch where nothing varies.
+    const EVEN: Self = Self {
+        vertices: [&ScreenVertex::UNSET; 3],
+        barycentric: None,
+        size: [0; 2],
+        area: 0,
+    };
+}
+
 /// The columns of a row that are drawn: the first, and the one after the last. They lie within ±2^15.
 pub(crate) type Columns = [i16; 2];
 
@@ -57,6 +67,9 @@ pub(crate) type Columns = [i16; 2];
 /// Everything before it, from the mesh's indices to rows of pixels, calls it through a `dyn`. This keeps a single
 /// copy of that code in a program, however many shaders and canvases there are. A call costs a few instructions.
 pub(crate) trait Blitter {
+    /// Whether the pixels of a primitive differ in anything but their position. If not, a patch has no meaning.
+    fn varies(&self) -> bool;
+
     /// Lays the interpolants of a triangle, edge or point over a patch, which is the whole or a part of it.
     fn lay(&mut self, primitive: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows;
 }

@@ -50,6 +50,7 @@ impl Picture {
             mesh: &Mesh::new(&[], &[]).unwrap(),
             placement: &Placement::new(&Transform::IDENTITY, Transform::IDENTITY),
             indices: Indices::of_point(0),
+            area: 0,
         };
         draw(&mut Rasterizer::new(self, primitive, scissor))
     }
@@ -65,6 +66,10 @@ impl Picture {
 }
 
 impl Blitter for Picture {
+    fn varies(&self) -> bool {
+        true
+    }
+
     fn lay(&mut self, _: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows {
         self.screen = ScreenVertex::screens(patch.vertices);
         self

@@ -22,6 +22,9 @@ pub(super) fn lay<'r>(
     [x, y]: [i32; 2],
     barycentric: Option<&[Barycentric; 3]>,
 ) -> &'r mut dyn Rows {
+    if !raster.varies {
+        return raster.lay(&Patch::EVEN);
+    }
     // All three values are the point's, so any triangle that begins in its pixel will do.
     let [left, top] = [x << 8, y << 8];
     let [a, b, c] = [[left, top], [left + 256, top], [left, top + 1]]

@@ -16,7 +16,7 @@ use super::{ClippedVertex, Columns, Cull, Rasterizer, Rows, Scissor, ScreenVerte
 pub(crate) struct Polygon<'a> {
     outline: &'a [ClippedVertex],
     /// Twice the area of the outline, positive if it runs clockwise on the screen.
-    area: i64,
+    pub(crate) area: i64,
     /// Whether a triangle has turned over. It counts even outside the scissor: in a folded fan, every pixel is a span
     /// of its own, and a band that ignored this triangle would draw longer spans, whose values may differ from the
     /// frame's by a unit.

@@ -16,6 +16,8 @@ pub(crate) struct Rasterizer<'r> {
     blitter: &'r mut dyn Blitter,
     primitive: Primitive<'r>,
     pub(super) scissor: &'r Scissor,
+    /// Whether patches matter.
+    pub(super) varies: bool,
     /// Memory for the rows of a triangle.
     block: [Columns; ROWS as usize],
 }
@@ -28,6 +30,7 @@ impl<'r> Rasterizer<'r> {
         scissor: &'r Scissor,
     ) -> Self {
         Self {
+            varies: blitter.varies(),
             blitter,
             primitive,
             scissor,
@@ -35,10 +38,11 @@ impl<'r> Rasterizer<'r> {
         }
     }
 
-    /// The rasterizer of another triangle, edge or point of the mesh.
+    /// The rasterizer of another triangle, edge or point of the mesh, with twice its area on the screen.
     #[inline]
-    pub(crate) fn of(&mut self, indices: Indices) -> &mut Self {
+    pub(crate) fn of(&mut self, indices: Indices, area: i64) -> &mut Self {
         self.primitive.indices = indices;
+        self.primitive.area = (area >> 32) as i32;
         self
     }
 

@@ -118,15 +118,20 @@ const fn beyond(at: i32) -> i32 {
     (at + 128) >> 8
 }
 
-/// Draws the square or disc around a point; `half` is half its size in units of 1/256 pixel.
+/// Half a size in units of 1/256 pixel, limited to what is drawn.
+#[inline]
+pub(crate) fn half_size(half: i64) -> i32 {
+    let [least, most] = HALF;
+    half.clamp(least, most) as i32
+}
+
+/// Draws the square or disc around a point; `half` is its [`half_size`].
 pub(crate) fn sized_point(
     raster: &mut Rasterizer<'_>,
     at: &ScreenVertex,
-    half: i64,
+    half: i32,
     is_round: bool,
 ) {
-    let [least, most] = HALF;
-    let half = half.clamp(least, most) as i32;
     let scissor = raster.scissor;
     let [x, y] = at.screen;
     // A disc has its upper border, a square does not.
@@ -170,7 +175,7 @@ mod tests {
         let scissor = picture.scissor();
         let at = vertex(place.map(|at| at * 64));
         picture.draw(&scissor, |raster| {
-            sized_point(raster, &at, size * 32, is_round);
+            sized_point(raster, &at, half_size(size * 32), is_round);
         });
     }
 

@@ -32,6 +32,7 @@ pub(super) fn face<S: Shader>(
         mesh,
         placement: &Placement::new(model, Transform::IDENTITY),
         indices: Indices::of_face(index, mesh.faces()[index]),
+        area: 0,
     });
     (shader, corners)
 }
@@ -43,6 +44,7 @@ pub(super) fn edge<S: Shader>(shader: S, mesh: &Mesh<'_>, index: usize) -> [S::V
         mesh,
         placement: &Placement::new(&IDENTITY, Transform::IDENTITY),
         indices: Indices::of_edge(index, [a, b]),
+        area: 0,
     });
     [start, end]
 }

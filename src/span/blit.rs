@@ -38,7 +38,7 @@ where
     /// Whether numbers are interpolated.
     const INTERPOLATES: bool = Count::<S>::COUNT > 0;
 
-    /// Whether the pixels of a primitive differ in anything but their position.
+    /// As [`Blitter::varies`].
     const VARIES: bool = Self::INTERPOLATES
         || T::Depth::IS_KEPT && (S::Test::TESTS || S::Test::WRITES)
         || S::READS_DEPTH;
@@ -213,6 +213,10 @@ where
     K: ProjectionKind,
     M: Policy,
 {
+    fn varies(&self) -> bool {
+        Self::VARIES
+    }
+
     fn lay(&mut self, primitive: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows {
         let [a, b, c] = self.shading.varyings(primitive);
         let ((a, face), (b, _), (c, _)) = (a.split(), b.split(), c.split());

@@ -18,6 +18,7 @@ mod quantized;
 mod raster;
 mod readme;
 mod shaders;
+mod shades;
 mod short_positions;
 mod sprites;
 mod things;

@@ -235,11 +235,9 @@ fn a_scene_of_edges_draws_outlines_or_all_edges() {
                 .map(|(shader, edges)| band.draw_prepared(&edges, shader).unwrap())
                 .collect();
             if rows == HEIGHT {
-                assert_eq!(drawn[..2], counts[..2]);
-                // Most lines of the ball across the near plane lie above the frame. Drawn directly, they count.
-                let [listed, direct] = [drawn[2], counts[2]];
-                assert_eq!(listed.submitted, direct.submitted);
-                assert!(1 < listed.drawn && 2 * listed.drawn < direct.drawn);
+                // Most lines of the ball across the near plane lie above the frame, and do not count.
+                assert_eq!(drawn, counts);
+                assert!(2 * drawn[2].drawn < drawn[2].submitted);
             }
             frame.extend(color);
         }
@@ -289,13 +287,10 @@ fn prepared_edges_in_bands_equal_the_frame() {
             let thin = BALL.edges(LineStyle::HAIRLINE);
             let edges = lines.prepare(&options, SIZE, thin, &near).unwrap();
             let (direct, counts) = picture(HEIGHT, &|canvas| canvas.draw(thin, &near, &white));
-            assert!(
-                counts[0].clipped > 10 && counts[0].drawn > 100,
-                "{counts:?}"
-            );
+            assert!(counts[0].clipped > 5 && counts[0].drawn > 100, "{counts:?}");
             let (prepared, drawn) =
                 picture(rows, &|band| band.draw_prepared(&edges, &white).unwrap());
-            assert!(prepared == direct && drawn[0].submitted == counts[0].submitted);
+            assert!(prepared == direct && (rows < HEIGHT || drawn == counts));
             assert!(
                 rows > 1 || drawn.iter().any(|drawn| drawn.drawn < 40),
                 "{drawn:?}"
@@ -320,7 +315,7 @@ fn prepared_edges_in_bands_equal_the_frame() {
             let (direct, counts) = picture(HEIGHT, &|canvas| canvas.draw(outline, &near, &white));
             let (prepared, drawn) =
                 picture(rows, &|band| band.draw_prepared(&edges, &white).unwrap());
-            assert!(prepared == direct && drawn[0].submitted == counts[0].submitted);
+            assert!(prepared == direct && (rows < HEIGHT || drawn == counts));
         }
     }
     let mut short: DrawList<8, 600> = DrawList::new();

@@ -7,6 +7,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use fixel::prelude::*;
 use fixel::shade::PerFace;
+use fixel::{Object, ShadeList};
 
 const SIZE: (u32, u32) = (64, 48);
 const PIXELS: usize = (SIZE.0 * SIZE.1) as usize;
@@ -284,4 +285,46 @@ fn shaders_learn_which_face_or_edge_they_color() {
     assert_eq!(outlined, direct);
     assert!(direct.len() > 2);
     assert_eq!(rest, numbers(&[0, 1, 2, 0, 1, 2]));
+}
+
+/// The front by the rule of culling, as a shader sees it; what shows its back is left out.
+#[derive(Clone, Copy)]
+struct Fronts;
+
+impl Shader for Fronts {
+    type Color = Gray8;
+    type Varyings = PerFace<bool>;
+
+    fn varyings(&self, face: &Primitive) -> [PerFace<bool>; 3] {
+        [PerFace(face.is_front()); 3]
+    }
+
+    fn shade(&self, _: &Fragment, PerFace(is_front): PerFace<bool>) -> Option<Gray8> {
+        is_front.then_some(Gray8::WHITE)
+    }
+}
+
+#[test]
+fn fronts_are_what_culling_leaves() {
+    let all = DrawOptions::new().with_cull(Cull::Nothing);
+    // The last place is across the near plane.
+    for place in [vec3!(0, 0, -5), vec3!(1, 0.5, -4), vec3!(0, 0, -2)] {
+        for mirror in [vec3!(1, 1, 1), vec3!(-1, 1, 1)] {
+            let model = Transform::translate(place) * Transform::rotate_y(deg!(40));
+            let mvp = projection() * model * Transform::scale_axes(mirror);
+            let white = Flat::new(Gray8::WHITE);
+            let expected = picture(|canvas| _ = canvas.draw(&WEDGE, &mvp, &white));
+            let found = picture(|canvas| _ = canvas.draw_with(&all, &WEDGE, &mvp, &Fronts));
+            assert!(found == expected, "{place:?} {mirror:?}");
+            let mut list = DrawList::<8, 64>::new();
+            let listed = list.prepare(&all, SIZE, &WEDGE, &mvp).unwrap();
+            let found = picture(|canvas| _ = canvas.draw_prepared(&listed, &Fronts).unwrap());
+            assert!(found == expected, "{place:?} {mirror:?}, listed");
+            let mut memory = ShadeList::<_, 8>::new();
+            let shades = listed.shade(&mut memory, |()| Fronts).unwrap();
+            let fronts = shades.of(&Fronts);
+            let found = picture(|canvas| _ = canvas.draw_prepared(&listed, &fronts).unwrap());
+            assert!(found == expected, "{place:?} {mirror:?}, stored");
+        }
+    }
 }

@@ -1,8 +1,11 @@
 //! A list that is ready to be drawn.
 
+#![allow(private_interfaces)] // of traits that only this crate calls
+
 use core::iter;
 use core::marker::PhantomData;
 use core::ops::Range;
+use core::ptr;
 
 use embedded_graphics::pixelcolor::PixelColor;
 
@@ -16,7 +19,9 @@ use crate::pipeline::edges::Edges;
 use crate::pipeline::run::Draw;
 use crate::pipeline::thing::{DrawLine, Pen};
 use crate::pipeline::{DrawOptions, Drawn};
-use crate::raster::{self, Barycentric, Blitter, ClippedVertex, Cull, DepthShift, ScreenVertex};
+use crate::raster::{
+    self, Barycentric, Blitter, ClippedVertex, Cull, DepthShift, Polygon, ScreenVertex,
+};
 use crate::sealed::Sealed;
 use crate::shade::ShaderFor;
 use crate::span::Mode;
@@ -114,6 +119,19 @@ pub struct Placed<G> {
     pub(super) listing: Listing,
 }
 
+impl<G: Listed> Placed<G> {
+    #[inline]
+    pub(super) fn shared(&self, screen: &Screen, rows: &Range<u32>) -> Shared<'_> {
+        Shared {
+            mesh: self.thing.mesh(),
+            placement: Placement::new(&self.model, self.view),
+            // Those that are culled are not in the list.
+            cull: Cull::Nothing,
+            scissor: screen.scissor(rows),
+        }
+    }
+}
+
 /// The things in a list.
 #[derive(Clone, Copy, Debug)]
 pub enum Objects<'a, G, T> {
@@ -146,7 +164,6 @@ fn object_of<T, G>(objects: &[Object<T, G>], element: u32) -> usize {
 impl<T, G> Sealed for &mut [Object<T, G>] {}
 impl<T, G, const COUNT: usize> Sealed for &mut [Object<T, G>; COUNT] {}
 
-#[allow(private_interfaces)]
 impl<'a, T, G: Listed> Scene<'a> for &'a mut [Object<T, G>] {
     type Thing = G;
     type Material = T;
@@ -175,7 +192,6 @@ impl<'a, T, G: Listed> Scene<'a> for &'a mut [Object<T, G>] {
     }
 }
 
-#[allow(private_interfaces)]
 impl<'a, T, G: Listed, const COUNT: usize> Scene<'a> for &'a mut [Object<T, G>; COUNT] {
     type Thing = G;
     type Material = T;
@@ -207,33 +223,21 @@ impl<'a, T, G: Listed, const COUNT: usize> Scene<'a> for &'a mut [Object<T, G>; 
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<'a, T = (), G = &'a Mesh<'a>, O = DrawOptions, K = Perspective> {
-    objects: Objects<'a, G, T>,
-    entries: &'a [Entry],
-    vertices: &'a [Slot],
-    screen: Screen,
-    options: O,
-    kind: PhantomData<K>,
+    pub(super) objects: Objects<'a, G, T>,
+    pub(super) elements: Elements<'a>,
+    pub(super) options: O,
+    pub(super) kind: PhantomData<K>,
+}
+
+/// The elements of a list, and the frame that they were prepared for.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Elements<'a> {
+    pub(super) entries: &'a [Entry],
+    pub(super) vertices: &'a [Slot],
+    pub(super) screen: Screen,
 }
 
 impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
-    #[inline]
-    pub(super) fn new(
-        screen: Screen,
-        options: O,
-        objects: Objects<'a, G, T>,
-        entries: &'a [Entry],
-        vertices: &'a [Slot],
-    ) -> Self {
-        Self {
-            objects,
-            entries,
-            vertices,
-            screen,
-            options,
-            kind: PhantomData,
-        }
-    }
-
     /// The things that may have pixels in a canvas's rows, in the order in which they are to be drawn, each with its
     /// object's material. If the list is sorted, each part holds consecutive elements of one object; otherwise, each
     /// object is one part.
@@ -252,13 +256,14 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     where
         O: Copy,
     {
-        self.screen.check(canvas.frame_size())?;
+        self.elements.screen.check(canvas.frame_size())?;
         Ok(self.runs(canvas.rows()).map(|(material, placed, entries)| {
             let part = Prepared {
                 objects: Objects::One(placed, ()),
-                entries,
-                vertices: self.vertices,
-                screen: self.screen,
+                elements: Elements {
+                    entries,
+                    ..self.elements
+                },
                 options: self.options,
                 kind: PhantomData,
             };
@@ -268,12 +273,12 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
 
     /// Consecutive elements of one thing, of which the first may have pixels in some rows.
     #[inline]
-    fn runs<'s>(
+    pub(super) fn runs<'s>(
         &'s self,
         rows: &Range<u32>,
     ) -> impl Iterator<Item = (&'s T, Placed<G>, &'a [Entry])> + use<'s, 'a, T, G, O, K> {
         let rows = rows.start.cast_signed()..rows.end.cast_signed();
-        let mut rest = Some(self.entries);
+        let mut rest = Some(self.elements.entries);
         iter::from_fn(move || match &self.objects {
             Objects::One(placed, material) => Some((material, *placed, rest.take()?)),
             Objects::Many {
@@ -331,9 +336,7 @@ impl<'a, T, G, M: Copy, Z: Copy, B: Copy, K> Prepared<'a, T, G, DrawOptions<M, Z
     ) -> Prepared<'a, T, G, DrawOptions<M, Z, A>, K> {
         Prepared {
             objects: self.objects,
-            entries: self.entries,
-            vertices: self.vertices,
-            screen: self.screen,
+            elements: self.elements,
             options: self.options.with_blending(blending),
             kind: PhantomData,
         }
@@ -367,30 +370,19 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         B: Blending<C>,
         K: ProjectionKind,
     {
-        let screen = &prepared.screen;
+        let screen = &prepared.elements.screen;
         screen.check(self.frame_size())?;
         let rows = self.rows().clone();
         let mut drawn = Drawn::default();
         for (_, placed, entries) in prepared.runs(&rows) {
-            let Placed {
-                thing,
-                model,
-                view,
-                listing,
-            } = &placed;
-            let shared = Shared {
-                mesh: thing.mesh(),
-                placement: Placement::new(model, *view),
-                // Those that are culled are not in the list.
-                cull: Cull::Nothing,
-                scissor: screen.scissor(&rows),
-            };
+            let Placed { thing, listing, .. } = &placed;
+            let shared = placed.shared(screen, &rows);
             let is_missed = !meets(listing.rows, G::REACH, &shared.scissor.rows);
             let run = Run {
                 shared: &shared,
                 // A band that the thing misses costs one test.
                 entries: if is_missed { &[] } else { entries },
-                vertices: prepared.vertices,
+                vertices: prepared.elements.vertices,
                 first: listing.first,
             };
             let paint = (&mut *self, &prepared.options, *shader);
@@ -412,21 +404,24 @@ fn meets([start, end]: [i16; 2], reach: i32, rows: &Range<i32>) -> bool {
 
 /// Elements of one thing, and the rows to draw.
 pub struct Run<'r> {
-    shared: &'r Shared<'r>,
-    entries: &'r [Entry],
-    vertices: &'r [Slot],
+    pub(super) shared: &'r Shared<'r>,
+    pub(super) entries: &'r [Entry],
+    pub(super) vertices: &'r [Slot],
     /// The number of the thing's first element.
-    first: u32,
+    pub(super) first: u32,
 }
 
 impl<'r> Run<'r> {
     /// The elements within `reach` of the rows: for each, its index in the thing, and its corners.
     #[inline]
     fn elements(&self, reach: i32) -> impl Iterator<Item = (usize, Corners)> + use<'r> {
-        let (rows, first) = (&self.shared.scissor.rows, self.first);
+        let (shared, first) = (self.shared, self.first);
         let entries = self.entries.iter();
-        let met = entries.filter(move |entry| meets(entry.rows, reach, rows));
-        met.map(move |entry| (entry.element.wrapping_sub(first) as usize, entry.corners))
+        let met = entries.filter(move |entry| meets(entry.rows, reach, &shared.scissor.rows));
+        met.map(move |entry| {
+            shared.placement.entry.set(ptr::from_ref(entry).addr());
+            (entry.element.wrapping_sub(first) as usize, entry.corners)
+        })
     }
 
     #[inline(never)]
@@ -477,6 +472,17 @@ impl<'r> Run<'r> {
         draw.drawn()
     }
 
+    /// Twice the area of a triangle on the screen; 0 for an edge.
+    pub(super) fn area(&self, corners: Corners) -> i64 {
+        match corners {
+            Corners::Whole([a, b, c]) => match (self.vertex(a), self.vertex(b), self.vertex(c)) {
+                (Some(a), Some(b), Some(c)) => raster::area(&ScreenVertex::screens([&a, &b, &c])),
+                _ => 0,
+            },
+            Corners::Clipped { first, count } => Polygon::area(&self.polygon(first, count)),
+        }
+    }
+
     /// The vertex of this number.
     #[inline]
     fn vertex(&self, number: u16) -> Option<ScreenVertex> {
@@ -486,8 +492,21 @@ impl<'r> Run<'r> {
     }
 
     /// The ends of an edge.
+    #[inline]
     fn ends(&self, corners: Corners) -> Option<[ClippedVertex; 2]> {
-        let [first, second, _] = Barycentric::CORNERS;
+        let ([from, to], [a, b]) = match corners {
+            Corners::Whole([from, to, _]) => {
+                let [a, b, _] = Barycentric::CORNERS;
+                ([from, to], [a, b])
+            }
+            Corners::Clipped { first, .. } => {
+                let second = first.wrapping_add(2);
+                (
+                    [first, second],
+                    [self.barycentric(first)?, self.barycentric(second)?],
+                )
+            }
+        };
         let end = |number: u16, barycentric: Barycentric| {
             let vertex = self.vertex(number)?;
             Some(ClippedVertex {
@@ -495,15 +514,14 @@ impl<'r> Run<'r> {
                 barycentric,
             })
         };
-        match corners {
-            Corners::Whole([a, b, _]) => Some([end(a, first)?, end(b, second)?]),
-            Corners::Clipped { first, .. } => {
-                let clipped = |number: u16| match self.vertices.get(usize::from(number)) {
-                    Some(&Slot::Barycentric(barycentric)) => end(number, barycentric),
-                    _ => None,
-                };
-                Some([clipped(first)?, clipped(first.wrapping_add(2))?])
-            }
+        Some([end(from, a)?, end(to, b)?])
+    }
+
+    /// The barycentric weights after the vertex of this number.
+    fn barycentric(&self, number: u16) -> Option<Barycentric> {
+        match self.vertices.get(usize::from(number)) {
+            Some(&Slot::Barycentric(barycentric)) => Some(barycentric),
+            _ => None,
         }
     }
 

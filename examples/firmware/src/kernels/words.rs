@@ -4,9 +4,9 @@ use core::hint::black_box;
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use fixel::Index;
 use fixel::mesh::Keyframes;
 use fixel::prelude::*;
+use fixel::{Index, Prepared, ShadeList};
 use static_cell::ConstStaticCell;
 
 use super::ticks::Stopwatch;
@@ -86,6 +86,8 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     })?;
     watch.print("sort", "triangle", triangles, sorted - plain);
 
+    lit_in_bands(watch, list)?;
+
     let ray = canvas.ray(&options, &mvp, Point::new(32, 32));
     let ticks = watch.time(|| drawn(u32::from(ray.and_then(|ray| ray.hit(&BALL)).is_some())))?;
     watch.print("ray", "triangle", triangles, ticks);
@@ -113,6 +115,48 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
         let ticks = watch.time(|| drawn(canvas.draw_with(&options, ball, &mvp, &clay).drawn))?;
         watch.print(name, "triangle", triangles, ticks);
     }
+    Ok(())
+}
+
+/// A lit ball, prepared for bands of eight rows: lit in each band, and lit once for all.
+fn lit_in_bands(watch: &mut Stopwatch, list: &mut DrawList<400, 250>) -> Result<(), Error> {
+    let projection = Projection::perspective(deg!(60), (1, 1), fx!(1), fx!(10))?;
+    let mvp = projection * Transform::translate(vec3!(0, 0, -2.2));
+    let ball = list.prepare(&DrawOptions::new(), (SIZE, SIZE), &BALL, &mvp)?;
+    let sun = black_box(Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?);
+    let white = Flat::new(Rgb565::WHITE);
+    bands(watch, &ball, ["lit-bands", "lit-once"], white.lit(sun))?;
+    bands(
+        watch,
+        &ball,
+        ["lit-faces-bands", "lit-faces-once"],
+        white.lit_faces(sun),
+    )
+}
+
+/// Draws a list in bands of eight rows, and again with the shader's values stored.
+fn bands<S: ShaderFor<Rgb565>>(
+    watch: &mut Stopwatch,
+    ball: &Prepared<'_, (), &Mesh<'_>>,
+    [in_bands, once]: [&str; 2],
+    shader: S,
+) -> Result<(), Error> {
+    let triangles = BALL.faces().len() as u32;
+    let mut colors = [Rgb565::BLACK; (SIZE * 8) as usize];
+    let mut all = |shader: &dyn Fn(&mut Canvas<'_, Rgb565>) -> Result<Drawn, Error>| {
+        for first in (0..SIZE).step_by(8) {
+            shader(&mut Canvas::band(&mut colors, SIZE, SIZE, first)?)?;
+        }
+        Ok::<_, Error>(())
+    };
+    let ticks = watch.time(|| all(&|band| band.draw_prepared(ball, &shader)))?;
+    watch.print(in_bands, "triangle", triangles, ticks);
+    let mut memory = ShadeList::<S, 250>::new();
+    let ticks = watch.time(|| {
+        let shades = ball.shade(&mut memory, |()| shader)?;
+        all(&|band| band.draw_prepared(ball, &shades.of(&shader)))
+    })?;
+    watch.print(once, "triangle", triangles, ticks);
     Ok(())
 }
 

@@ -1,0 +1,210 @@
+//! The values of a shader, computed once for all bands.
+
+use core::fmt;
+use core::ptr;
+
+use heapless::Vec;
+
+use super::prepared::{Elements, Run};
+use super::{Entry, Listed, Prepared};
+use crate::Error;
+use crate::mesh::{Missing, Primitive};
+use crate::shade::{Fragment, Lanes, Shader, Varyings};
+
+/// Memory for the light on a prepared list, or for whatever else a shader computes for each triangle or edge.
+///
+/// Without it, a shader is asked for its [`varyings`](Shader::varyings) once in each band that a triangle or edge is
+/// in. [`Prepared::shade`] asks once in a frame and stores the answers here; the pixels are the same. A small lit ball
+/// in bands of eight rows, whose triangles lie in 1.3 bands on average, takes 8 % fewer instructions on a Cortex-M4,
+/// and 10 % fewer if its faces are lit. The larger the triangles and the lower the bands, the more is saved.
+///
+/// For each triangle or edge, it needs the size of what the shader interpolates, for three corners, and of what it has
+/// [per face](crate::shade::PerFace): 4 bytes for faces in white light, 12 for white light at the corners.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+/// use fixel::{ShadeList, prelude::*, shade::Lit};
+///
+/// static BALL: Mesh = shape!(sphere(12, 8));
+/// let projection = Projection::perspective(deg!(60), (16, 12), fx!(1), fx!(10))?;
+/// let mvp = projection * Transform::translate(vec3!(0, 0, -2.5));
+/// let sun = Light::new(vec3!(1, 2, 3), fx!(0), fx!(1))?;
+/// let white = Flat::new(Gray8::WHITE).lit(sun);
+///
+/// let mut list: DrawList<100, 80> = DrawList::new(); // on a microcontroller, statics
+/// let mut light: ShadeList<Lit<Flat<Gray8>>, 100> = ShadeList::new();
+/// let ball = list.prepare(&DrawOptions::new(), (16, 12), &BALL, &mvp)?;
+/// let light = ball.shade(&mut light, |()| white)?;
+///
+/// let mut color = [Gray8::BLACK; 16 * 4];
+/// for first_row in [0, 4, 8] {
+///     let mut band = Canvas::band(&mut color, 16, 12, first_row)?;
+///     band.clear(Gray8::BLACK);
+///     band.draw_prepared(&ball, &light.of(&white))?; // no light is computed here
+///     // … to the display
+/// }
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone)]
+pub struct ShadeList<S: Shader, const ELEMENTS: usize> {
+    values: Vec<Values<S>, ELEMENTS>,
+}
+
+/// The numbers at three corners, and the values of the face.
+type Values<S> = (
+    [<<<S as Shader>::Varyings as Varyings>::Lanes as Lanes>::Of<i32>; 3],
+    <<S as Shader>::Varyings as Varyings>::Face,
+);
+
+impl<S: Shader, const ELEMENTS: usize> Default for ShadeList<S, ELEMENTS> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<S: Shader, const ELEMENTS: usize> fmt::Debug for ShadeList<S, ELEMENTS> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("ShadeList").finish_non_exhaustive()
+    }
+}
+
+impl<S: Shader, const ELEMENTS: usize> ShadeList<S, ELEMENTS> {
+    /// Empty memory.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { values: Vec::new() }
+    }
+}
+
+impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
+    /// Asks a shader for the values of each triangle or edge, once for all bands. `shader_of` returns the shader of an
+    /// object's material; for a thing without a material, it is `|()| shader`.
+    ///
+    /// In each band, draw with [`of`](Shades::of), which takes these values in place of those of the shader. If
+    /// something else is drawn with it, the shader is asked as ever.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Full`], with the length that is needed, if the memory is too short.
+    pub fn shade<S: Shader, const ELEMENTS: usize>(
+        &self,
+        memory: &'a mut ShadeList<S, ELEMENTS>,
+        shader_of: impl Fn(&T) -> S,
+    ) -> Result<Shades<'a, S>, Error> {
+        let values = &mut memory.values;
+        values.clear();
+        let none = <<S::Varyings as Varyings>::Lanes as Lanes>::splat(0);
+        let empty = ([none; 3], <S::Varyings as Varyings>::Face::default());
+        let Elements {
+            entries,
+            vertices,
+            screen,
+        } = self.elements;
+        let needed = entries.len();
+        values.resize(needed, empty).map_err(|_| Error::Full {
+            of: G::ELEMENTS,
+            needed,
+            room: ELEMENTS,
+        })?;
+        let first = address(entries);
+        let mut missing = Missing::default();
+        let frame = 0..screen.frame.height;
+        for (material, placed, entries) in self.runs(&frame) {
+            let (shader, shared) = (shader_of(material), placed.shared(&screen, &frame));
+            let run = Run {
+                shared: &shared,
+                entries,
+                vertices,
+                first: placed.listing.first,
+            };
+            for entry in entries {
+                let element = entry.element.wrapping_sub(run.first) as usize;
+                let values = values.get_mut(index(ptr::from_ref(entry).addr(), first));
+                if let (Some(indices), Some(values)) = (placed.thing.indices(element), values) {
+                    let primitive = shared.primitive(indices, run.area(entry.corners));
+                    let corners = shader.varyings(&primitive);
+                    let [(a, face), (b, _), (c, _)] = corners.map(Varyings::split);
+                    *values = ([a, b, c], face);
+                }
+            }
+            missing += shared.placement.missing();
+        }
+        Ok(Shades {
+            first,
+            values,
+            missing,
+        })
+    }
+}
+
+/// The address of a list's first entry.
+fn address(entries: &[Entry]) -> usize {
+    entries.as_ptr().addr()
+}
+
+/// The place in a list of the entry at an address; beyond its end for other addresses.
+#[inline]
+fn index(entry: usize, first: usize) -> usize {
+    entry.wrapping_sub(first) / size_of::<Entry>()
+}
+
+/// The values that [`Prepared::shade`] computed.
+#[doc(hidden)]
+#[derive(Clone, Copy)]
+pub struct Shades<'a, S: Shader> {
+    /// The address of the list's first entry. The list cannot change while these values exist, so an address says which
+    /// entry it is, and whether it is one of this list.
+    first: usize,
+    values: &'a [Values<S>],
+    /// The attributes that the shaders asked for and the meshes lack.
+    missing: Missing,
+}
+
+impl<'a, S: Shader> Shades<'a, S> {
+    /// The shader that computed the values, with these in place of its own.
+    #[must_use]
+    #[inline]
+    pub const fn of(&self, shader: &S) -> Shaded<'a, S> {
+        Shaded {
+            shader: *shader,
+            shades: *self,
+        }
+    }
+}
+
+/// A shader whose values are stored.
+#[doc(hidden)]
+#[derive(Clone, Copy)]
+pub struct Shaded<'a, S: Shader> {
+    shader: S,
+    shades: Shades<'a, S>,
+}
+
+impl<S: Shader> Shader for Shaded<'_, S> {
+    type Color = S::Color;
+    type Varyings = S::Varyings;
+
+    const READS_DEPTH: bool = S::READS_DEPTH;
+
+    #[inline]
+    fn varyings(&self, primitive: &Primitive<'_>) -> [S::Varyings; 3] {
+        let Shades {
+            first,
+            values,
+            missing,
+        } = self.shades;
+        let placement = primitive.placement;
+        match values.get(index(placement.entry.get(), first)) {
+            Some(&(numbers, face)) => {
+                placement.miss(missing);
+                numbers.map(|corner| Varyings::join(corner, face))
+            }
+            None => self.shader.varyings(primitive),
+        }
+    }
+
+    #[inline]
+    fn shade(&self, at: &Fragment, varyings: S::Varyings) -> Option<S::Color> {
+        self.shader.shade(at, varyings)
+    }
+}
