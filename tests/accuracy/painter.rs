@@ -13,10 +13,13 @@ const SIZE: (u32, u32) = (40, 30);
 const NEAR: f64 = 1.;
 const FAR: f64 = 64.;
 
-/// The triangles that a function draws, in drawing order.
+/// The triangles with pixels that a function draws, in drawing order.
 fn drawn(draw: impl FnOnce(&Recorder<'_, Flat<Gray8>, 0>)) -> Vec<usize> {
     let record = record(Flat::new(Gray8::BLACK), draw);
-    record.corners.iter().map(|(face, _)| *face).collect()
+    let mut faces: Vec<usize> = record.corners.iter().map(|(face, _)| *face).collect();
+    // A shader is asked once for each part of a clipped triangle.
+    faces.dedup();
+    faces
 }
 
 /// Triangles in eye space.
@@ -168,7 +171,7 @@ fn farther_triangles_come_first_in_parallel() {
 /// Many triangles at one distance keep the order of the mesh, and those behind come before them.
 #[test]
 fn triangles_at_equal_distances_keep_their_order() {
-    let corner = |x: f64, z: f64| [[x, 0., z], [x + 0.5, 0., z], [x, 0.5, z]];
+    let corner = |x: f64, z: f64| [[x, 0., z], [x + 1., 0., z], [x, 1., z]];
     let mut scene = Scene {
         corners: Vec::new(),
         faces: Vec::new(),

@@ -58,7 +58,8 @@ impl Shader for Counting<'_> {
     }
 
     fn shade(&self, _: &Fragment, ([height], PerFace(side)): Self::Varyings) -> Option<Gray8> {
-        Some(Gray8::new(side + (height + 64).clamp(0, 128) as u8))
+        let height = u8::try_from((height + 64).clamp(0, 128)).unwrap();
+        Some(Gray8::new(side + height))
     }
 }
 
