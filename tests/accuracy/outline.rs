@@ -349,7 +349,7 @@ fn drawn_edges_are_the_models() {
         }
         assert_eq!(next, None);
         assert!(
-            checked > 0 || !(0.9..3.).contains(&distance),
+            checked > 0 || !(1.6..3.).contains(&distance),
             "nothing checked at a distance of {distance}"
         );
     });
