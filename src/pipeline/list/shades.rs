@@ -80,8 +80,8 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     /// Asks a shader for the values of each triangle or edge, once for all bands. `shader_of` returns the shader of an
     /// object's material; for a thing without a material, it is `|()| shader`.
     ///
-    /// In each band, draw with [`of`](Shades::of), which takes these values in place of those of the shader. If
-    /// something else is drawn with it, the shader is asked as ever.
+    /// In each band, draw with `.of(&shader)` of the result, which takes these values in place of those of the shader.
+    /// If something else is drawn with it, the shader is asked as ever.
     ///
     /// # Errors
     ///
