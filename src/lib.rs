@@ -180,38 +180,33 @@
 //!
 //! # The path of a pixel
 //!
-//! These functions carry out the stages, in this order:
+//! These functions carry out the stages. Each stands below the one that calls it:
 //!
 //! ```text
-//! mesh      in flash: positions, faces, attributes
-//!  │         1  Canvas::draw          a draw call: mesh, Mvp, shader    pipeline/
-//!  │         2  run::triangles        each triangle in turn
-//!  ▼
-//! assemble   3  assemble::triangle    culled, whole, or clipped
-//!  │         4  VertexCache::vertex   projected for a neighbor, or now
-//!  │         5  Projector::project    model → clip space → screen
-//!  │         6  Draw::whole           inside the scissor?
-//!  ▼
-//! raster     7  Blit::primitive       the varyings of the corners       shade/
-//!  │         8  Rasterizer::triangle  in blocks of rows                 raster/
-//!  │         9  scan_convert          top-left rule, row by row
-//!  ▼
-//! span      10  Setup::lay            the gradients of 1/w, attributes
-//!  │        11  Blit::rows            their values where a row starts   span/
-//!  │        12  straight::straight    or pieces, Newton, divide,
-//!  │                                  as Policy::of_span chooses
-//!  ▼
-//! pixel     13  Pixels::visible       depth test                        canvas/
-//!  │        14  Pixels::shade
-//!  │        15  Shader::shade         varyings → color                  shade/
-//!  ▼        16  Storage::store        as a color or as bytes            canvas/
-//! canvas    your memory: a frame, or a band of one
+//! Canvas::draw_with                   options, a thing, its Mvp, a shader    pipeline/
+//! └─ run::draw                        in code that exists once
+//!    └─ assemble::triangle            culled, whole, or clipped
+//!       ├─ VertexCache::vertex        projected for a neighbor, or now
+//!       │  └─ Projector::project      model → clip space → screen
+//!       └─ Draw::whole                inside the scissor?
+//!          └─ Rasterizer::triangle    in blocks of rows                      raster/
+//!             ├─ scan_convert         top-left rule, row by row
+//!             ├─ Blit::lay            once, if a row has pixels              span/
+//!             │  ├─ Lit::varyings     what the shader wants interpolated     shade/
+//!             │  └─ Setup::lay        the gradient of 1/w; then those of the varyings
+//!             └─ Blit::draw           row by row, in spans
+//!                ├─ Pixels::visible   depth test                             canvas/
+//!                └─ Pixels::shade
+//!                   ├─ Lit::shade     varyings → color                       shade/
+//!                   └─ Native::store  as a color; others as bytes            canvas/
 //! ```
 //!
-//! The column on the right names the folder; a line without one belongs to the folder above it. Each folder depends
-//! only on those before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`, `canvas`, `raster`, `span`,
-//! `pipeline`. Varyings are the values that a shader wants interpolated. The four kernels (straight, pieces, Newton,
-//! divide) are private; each [mode] chooses among them.
+//! The column on the right names the folder; a line without one belongs to the folder above it. `Lit` stands for any
+//! shader, and `Native` for any storage. Between `Blit::draw` and its pixels there is one of four kernels (straight,
+//! pieces, Newton, divide), which the [mode] chooses for each span.
+//!
+//! Each folder depends only on those before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`, `canvas`,
+//! `raster`, `span`, `pipeline`.
 #![no_std]
 #![forbid(unsafe_code)]
 
