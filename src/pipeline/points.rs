@@ -115,7 +115,7 @@ fn pixels<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> D
         call,
         blitter,
         |_| 0,
-        |raster, at, _| raster::point(raster, at),
+        |raster, at, _| raster::point(raster, at, None),
     )
 }
 

@@ -3,11 +3,30 @@
 use core::ops::Range;
 
 use super::edge::{Edge, first_center};
+use super::point::point;
 use super::scissor::meet;
 use super::{ClippedVertex, Patch, Rasterizer, Rows, ScreenVertex};
 
 /// Draws a hairline: in each step along the longer axis, the pixel that contains the line.
 pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
+    // Where lines meet at a corner, none of them may pass a center in its pixel. Blended pixels are left out, so that
+    // those of polylines are not blended twice.
+    if !raster.blends {
+        let ([a, b], [c, d]) = (ends[0].vertex.screen, ends[1].vertex.screen);
+        let (start, end) = if is_steep(ends) { (b, d) } else { (a, c) };
+        let [first, last] = if end < start {
+            [ends[1], ends[0]]
+        } else {
+            ends
+        };
+        // The center of a pixel that contains the first end is before it, or that of one with the last not before it.
+        if start.min(end) & 255 > 128 {
+            point(raster, &first.vertex, Some(&[first.barycentric; 3]));
+        }
+        if start.max(end) & 255 <= 128 {
+            point(raster, &last.vertex, Some(&[last.barycentric; 3]));
+        }
+    }
     let Some(Course {
         laid,
         steep,
@@ -42,6 +61,13 @@ pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
     }
 }
 
+/// Whether a line's longer axis is the vertical one.
+#[inline]
+fn is_steep([from, to]: [&ClippedVertex; 2]) -> bool {
+    let ([x0, y0], [x1, y1]) = (from.vertex.screen, to.vertex.screen);
+    x0.abs_diff(x1) < y0.abs_diff(y1)
+}
+
 /// A line from its left to its right end or, if it is steep, from its upper to its lower end.
 pub(super) struct Course<'r> {
     pub(super) laid: &'r mut dyn Rows,
@@ -63,10 +89,7 @@ impl<'r> Course<'r> {
         [mut from, mut to]: [&ClippedVertex; 2],
     ) -> Option<Self> {
         let scissor = raster.scissor;
-        let steep = {
-            let ([x0, y0], [x1, y1]) = (from.vertex.screen, to.vertex.screen);
-            x0.abs_diff(x1) < y0.abs_diff(y1)
-        };
+        let steep = is_steep([from, to]);
         // The coordinates along the longer axis and across it.
         let major_first = |[x, y]: [i32; 2]| if steep { [y, x] } else { [x, y] };
         let ([mut start, mut minor], [mut end, mut minor_end]) = (
@@ -150,14 +173,14 @@ mod tests {
             "....7...8....",
             "....7...8....",
             ".....7.8.....",
-            ".66.......9..",
-            "...6....99...",
+            ".66..7.8..99.",
+            "...66...99...",
             "........22...",
-            "...5......2..",
+            "...55.....22.",
             ".55..4.3.....",
             ".....4.3.....",
             "....4...3....",
-            ".............",
+            "....4...3....",
             ".............",
         ];
         let mut picture = Picture::new(13, 13);
@@ -172,10 +195,11 @@ mod tests {
         turned.assert(&expected);
     }
 
-    /// The end of a line is the start of the next: it is drawn once, on a pixel's center or beside it.
+    /// The end of a line is the start of the next: it is blended once, on a pixel's center or beside it.
     #[test]
-    fn lines_end_to_end_draw_no_pixel_twice() {
+    fn lines_end_to_end_blend_no_pixel_twice() {
         let mut picture = Picture::new(12, 4);
+        picture.blends = true;
         let scissor = picture.scissor();
         let places = [[2, 2], [14, 6], [26, 6], [38, 14], [46, 10]];
         for (ink, ends) in ('a'..).zip(places.windows(2)) {
@@ -210,7 +234,7 @@ mod tests {
             "##..........",
             "..####......",
             "......####..",
-            "..........#.",
+            "..........##",
         ]);
         let mut inner = Picture::new(12, 4);
         let scissor = Scissor {

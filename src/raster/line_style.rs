@@ -10,8 +10,11 @@ use crate::{Error, Scalar};
 /// whose centers are at most half the width away from the line. A center exactly on the upper or left end of the run
 /// does not belong to it; a center on the lower or right end does. So a line of width n has n pixels in each run. A
 /// center at the left end of a line (in steep lines, the upper end) belongs to the line; a center at the right (lower)
-/// end does not. So [hairlines](Self::HAIRLINE) that continue each other along the same axis draw no pixel twice. The
-/// pixels do not depend on the line's direction.
+/// end does not. The pixels do not depend on the line's direction.
+///
+/// A [hairline](Self::HAIRLINE) also draws the pixels that contain its ends, so that lines meet at every corner. Only
+/// where colors are [blended](crate::DrawOptions::with_blending) or translucent does it leave out such a pixel if it
+/// passes no center there: then hairlines that continue each other along the same axis blend no pixel twice.
 ///
 /// ```text
 ///  run        #   #   #            As in OpenGL, the width counts across the longer axis.

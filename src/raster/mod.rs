@@ -70,6 +70,9 @@ pub(crate) trait Blitter {
     /// Whether the pixels of a primitive differ in anything but their position. If not, a patch has no meaning.
     fn varies(&self) -> bool;
 
+    /// Whether colors are mixed with those below, so that it matters how often a pixel is drawn.
+    fn blends(&self) -> bool;
+
     /// Lays the interpolants of a triangle, edge or point over a patch, which is the whole or a part of it.
     fn lay(&mut self, primitive: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows;
 }

@@ -13,6 +13,7 @@ use crate::mesh::{Indices, Mesh, Placement, Primitive};
 /// Rows of characters: `.` where nothing was drawn, `!` where something was drawn twice.
 pub(crate) struct Picture {
     rows: Vec<Vec<char>>,
+    pub(crate) blends: bool,
     /// The character that pixels are drawn as.
     pub(crate) ink: char,
     /// The places of the last patch.
@@ -25,6 +26,7 @@ impl Picture {
     pub(crate) fn new(width: usize, height: usize) -> Self {
         Self {
             rows: std::vec![std::vec!['.'; width]; height],
+            blends: false,
             ink: '#',
             screen: [[0; 2]; 3],
             spans: Vec::new(),
@@ -68,6 +70,10 @@ impl Picture {
 impl Blitter for Picture {
     fn varies(&self) -> bool {
         true
+    }
+
+    fn blends(&self) -> bool {
+        self.blends
     }
 
     fn lay(&mut self, _: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows {

@@ -2,14 +2,18 @@
 
 use super::{Barycentric, Patch, Rasterizer, Rows, ScreenVertex};
 
-/// Draws the pixel that contains a point.
-pub(crate) fn point(raster: &mut Rasterizer<'_>, at: &ScreenVertex) {
+/// Draws the pixel that contains a point, which has these places in the mesh's triangle.
+pub(crate) fn point(
+    raster: &mut Rasterizer<'_>,
+    at: &ScreenVertex,
+    barycentric: Option<&[Barycentric; 3]>,
+) {
     let scissor = raster.scissor;
     // Without `map`, which stays a loop in a build for size.
     let [x, y] = at.screen;
     let [x, y] = [x >> 8, y >> 8];
     if scissor.columns.contains(&x) && scissor.rows.contains(&y) {
-        lay(raster, at, [x, y], None).span(y, &(x..x + 1));
+        lay(raster, at, [x, y], barycentric).span(y, &(x..x + 1));
     }
 }
 
@@ -47,7 +51,7 @@ mod tests {
     fn drawn(places: &[[i32; 2]], scissor: &Scissor) -> Picture {
         let mut picture = Picture::new(5, 3);
         for &place in places {
-            picture.draw(scissor, |raster| point(raster, &vertex(place)));
+            picture.draw(scissor, |raster| point(raster, &vertex(place), None));
         }
         picture
     }

@@ -18,6 +18,8 @@ pub(crate) struct Rasterizer<'r> {
     pub(super) scissor: &'r Scissor,
     /// Whether patches matter.
     pub(super) varies: bool,
+    /// Whether the colors below are read.
+    pub(super) blends: bool,
     /// Memory for the rows of a triangle.
     block: [Columns; ROWS as usize],
 }
@@ -31,6 +33,7 @@ impl<'r> Rasterizer<'r> {
     ) -> Self {
         Self {
             varies: blitter.varies(),
+            blends: blitter.blends(),
             blitter,
             primitive,
             scissor,

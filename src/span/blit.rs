@@ -217,6 +217,10 @@ where
         Self::VARIES
     }
 
+    fn blends(&self) -> bool {
+        S::READS_COLOR
+    }
+
     fn lay(&mut self, primitive: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows {
         let [a, b, c] = self.shading.varyings(primitive);
         let ((a, face), (b, _), (c, _)) = (a.split(), b.split(), c.split());

@@ -10,6 +10,7 @@ use crate::reference::linear::IDENTITY;
 use crate::reference::lines::Line;
 use crate::reference::{projection, view};
 use embedded_graphics::pixelcolor::Gray8;
+use fixel::canvas::Add;
 use fixel::prelude::*;
 use fixel::view::{Perspective, ProjectionKind};
 use rand::Rng;
@@ -19,15 +20,18 @@ const SIZE: (u32, u32) = (150, 28);
 
 /// Whether a pixel belongs to the line between two snapped ends. In each column (or row, if the line is steeper than
 /// 45°) whose center the line crosses, the pixel with the crossing does. A center exactly at the end with the lesser
-/// coordinate counts; one at the other end does not. Computed in exact integers for each pixel.
-fn on_line([a, b]: [Point; 2], pixel: [i32; 2]) -> bool {
+/// coordinate counts; one at the other end does not. The pixels that contain the ends belong to it, too, unless the line
+/// crosses another pixel of their column (or row), or `blends`. Computed in exact integers for each pixel.
+pub fn on_line([a, b]: [Point; 2], blends: bool, pixel: [i32; 2]) -> bool {
     let [dx, dy] = [0, 1].map(|i| i64::from(b[i]) - i64::from(a[i]));
     let major = usize::from(dy.abs() > dx.abs());
     let minor = 1 - major;
     let (a, b) = if a[major] <= b[major] { (a, b) } else { (b, a) };
     let center = pixel[major] * 256 + 128;
     if center < a[major] || center >= b[major] {
-        return false;
+        let is_in = |end: Point| end.map(|at| at.div_euclid(256)) == pixel;
+        // Beyond the lesser end, only its own pixel can be before the first center; beyond the greater, after the last.
+        return !blends && (center < a[major] && is_in(a) || center >= b[major] && is_in(b));
     }
     // The crossing: a + (center - a) · slope, a rational number, rounded down.
     let length = i64::from(b[major] - a[major]);
@@ -37,7 +41,7 @@ fn on_line([a, b]: [Point; 2], pixel: [i32; 2]) -> bool {
 }
 
 /// How often mesh edges, drawn as lines through the pixel projection, draw each pixel.
-fn drawn(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
+fn drawn(points: &[Point], edges: &[[u16; 2]], blends: bool) -> Vec<u32> {
     let projection = pixel_projection(SIZE);
     let mut counter = Counter::new(SIZE);
     let positions: Vec<Vec3> = points.iter().copied().map(at_subpixel).collect();
@@ -45,23 +49,24 @@ fn drawn(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
         .unwrap()
         .with_edges(edges)
         .unwrap();
-    assert_eq!(
-        counter
-            .draw_edges(&DrawOptions::new(), &mesh, &projection)
-            .clipped,
-        0
-    );
+    let options = DrawOptions::new();
+    let drawn = if blends {
+        counter.draw_edges(&options.with_blending(Add), &mesh, &projection)
+    } else {
+        counter.draw_edges(&options, &mesh, &projection)
+    };
+    assert_eq!(drawn.clipped, 0);
     counter.take()
 }
 
-fn modeled(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
+fn modeled(points: &[Point], edges: &[[u16; 2]], blends: bool) -> Vec<u32> {
     let ends = |edge: &[u16; 2]| edge.map(|index| points[usize::from(index)]);
     Bounds::new(SIZE.0, SIZE.1)
         .pixels()
         .map(|pixel| {
             edges
                 .iter()
-                .map(|edge| u32::from(on_line(ends(edge), pixel)))
+                .map(|edge| u32::from(on_line(ends(edge), blends, pixel)))
                 .sum()
         })
         .collect()
@@ -72,10 +77,11 @@ fn modeled(points: &[Point], edges: &[[u16; 2]]) -> Vec<u32> {
 fn lines_are_the_models() {
     cases(512, |random| {
         let ends = [point(random, SIZE), point(random, SIZE)];
-        let model = modeled(&ends, &[[0, 1]]);
+        let blends = random.random();
+        let model = modeled(&ends, &[[0, 1]], blends);
         for edge in [[0, 1], [1, 0]] {
             assert_eq!(
-                picture(&drawn(&ends, &[edge]), SIZE.0),
+                picture(&drawn(&ends, &[edge], blends), SIZE.0),
                 picture(&model, SIZE.0),
                 "{ends:?}"
             );
@@ -83,10 +89,10 @@ fn lines_are_the_models() {
     });
 }
 
-/// Lines joined end to end, all within 45° of the same axis direction, draw no pixel twice and leave no gap: one
+/// Lines joined end to end, all within 45° of the same axis direction, blend no pixel twice and leave no gap: one
 /// pixel for each center from the first end to the last.
 #[test]
-fn polylines_draw_no_pixel_twice() {
+fn polylines_blend_no_pixel_twice() {
     cases(512, |random| {
         // All points are in the guard band: 500,000 plus 11 steps of 899 is less than 2048 pixels.
         let (mut last, steep, back) = (point(random, SIZE), random.random(), random.random());
@@ -107,14 +113,33 @@ fn polylines_draw_no_pixel_twice() {
         let edges: Vec<[u16; 2]> = (1..u16::try_from(points.len()).unwrap())
             .map(|i| [i - 1, i])
             .collect();
-        let counts = drawn(&points, &edges);
+        let counts = drawn(&points, &edges, true);
         assert!(counts.iter().all(|&count| count <= 1), "{points:?}");
         // No pixel is missing: together, the lines have the model's pixels of all edges.
         assert_eq!(
             picture(&counts, SIZE.0),
-            picture(&modeled(&points, &edges), SIZE.0),
+            picture(&modeled(&points, &edges, true), SIZE.0),
             "{points:?}"
         );
+    });
+}
+
+/// A rectangle's sides have the pixels of all four corners, wherever the corners lie in them.
+#[test]
+fn rectangles_have_their_corners() {
+    cases(256, |random| {
+        let [[left, top], [right, bottom]] = [(); 2].map(|()| {
+            [SIZE.0, SIZE.1].map(|length| random.random_range(0..256 * length.cast_signed()))
+        });
+        let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
+        let counts = drawn(&corners, &[[0, 1], [1, 2], [3, 2], [0, 3]], false);
+        for corner in corners {
+            let [x, y] = corner.map(|at| usize::try_from(at >> 8).unwrap());
+            assert!(
+                counts[y * SIZE.0 as usize + x] > 0,
+                "{corner:?} of {corners:?}"
+            );
+        }
     });
 }
 
@@ -306,10 +331,14 @@ fn check_line(line: &Line<1>, extent: [f64; 2], pixels: &[Drawn]) {
         let pixel = [f64::from(x), f64::from(y)];
         let q = line.fraction_at(major, pixel[major] + 0.5);
         let value = line.at(q.clamp(0., 1.));
-        // Only rounding puts a pixel beyond the line's end or beside the line. Across, an error along the line counts
-        // too, times the slope.
+        // A pixel has its center between the line's ends, or contains one of them. Only rounding puts one beyond the
+        // line's end or beside the line. Across, an error along the line counts too, times the slope.
+        let contains =
+            |end: f64| (pixel[major] - ROUNDING..=pixel[major] + 1. + ROUNDING).contains(&end);
         assert!(
-            (low - ROUNDING..=high + ROUNDING).contains(&(pixel[major] + 0.5)),
+            (low - ROUNDING..=high + ROUNDING).contains(&(pixel[major] + 0.5))
+                || contains(low)
+                || contains(high),
             "{:?} is not from {low} to {high} along the line",
             [x, y]
         );

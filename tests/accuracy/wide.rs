@@ -4,6 +4,7 @@ use crate::bands::{CASES, Point, SIZE, counts, drawn, modeled, point};
 use crate::common::random::{Random, cases, within};
 use crate::common::recorder::Seen;
 use crate::common::{at_subpixel, pixel_projection};
+use crate::lines;
 use crate::reference::blending::over;
 use crate::reference::coverage::{Bounds, center, picture};
 use crate::reference::lines::share;
@@ -36,7 +37,12 @@ fn line<'a>(ends: &'a [Vec3; 2], edge: &'a [[u16; 2]; 1]) -> Mesh<'a> {
 /// Whether a pixel belongs to the wide line between two snapped ends; `half` of the width is in units of 1/256 pixel.
 /// Along the longer axis, its center must lie between the ends, the lesser end included. Across, it must lie at most
 /// `half` from the line, and less than that above the line or left of it. Computed in exact integers.
+///
+/// A line of width 1 is a hairline.
 fn on_line([a, b]: [Point; 2], half: i64, pixel: [i32; 2]) -> bool {
+    if half == 128 {
+        return lines::on_line([a, b], false, pixel);
+    }
     let [dx, dy] = [0, 1].map(|i| i64::from(b[i]) - i64::from(a[i]));
     let major = usize::from(dy.abs() > dx.abs());
     let minor = 1 - major;

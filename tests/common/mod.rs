@@ -8,9 +8,10 @@ pub mod random;
 pub mod recorder;
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::Drawn;
+use fixel::canvas::{Blending, TestAndWrite};
 use fixel::prelude::*;
 use fixel::view::{Parallel, ProjectionKind};
+use fixel::{Drawn, mode};
 
 use recorder::{Recorder, record};
 
@@ -60,9 +61,9 @@ impl Counter {
     }
 
     /// Draws a mesh's edges.
-    pub fn draw_edges<K: ProjectionKind>(
+    pub fn draw_edges<K: ProjectionKind, B: Blending<Gray8>>(
         &mut self,
-        options: &DrawOptions,
+        options: &DrawOptions<mode::Newton, TestAndWrite, B>,
         mesh: &Mesh,
         mvp: &Mvp<K>,
     ) -> Drawn {

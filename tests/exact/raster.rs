@@ -4,6 +4,7 @@
 
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::canvas::Add;
 use fixel::prelude::*;
 use fixel::view::Parallel;
 
@@ -408,9 +409,10 @@ fn a_viewport_scales() {
     );
 }
 
-/// A line has a pixel per column, or per row if it is steeper than 45°, without the last one.
+/// A line has a pixel per column, or per row if it is steeper than 45°, from end to end. Blended, it lacks a last one
+/// whose center it does not pass.
 #[test]
-fn lines_omit_their_last_pixel() {
+fn lines_have_the_pixels_of_their_ends() {
     let positions = positions(&[
         [0.5, 0.5],
         [7.5, 3.5],
@@ -426,6 +428,19 @@ fn lines_omit_their_last_pixel() {
         .unwrap();
     let mut counter = Counter::new(SIZE);
     counter.draw_edges(&DrawOptions::new(), &mesh, &pixel_projection(SIZE));
+    assert_counts(
+        &mut counter,
+        "
+            11......
+            1.11....
+            1...11..
+            .1....11
+            .1111111
+            .1......
+        ",
+    );
+    let blended = DrawOptions::new().with_blending(Add);
+    counter.draw_edges(&blended, &mesh, &pixel_projection(SIZE));
     assert_counts(
         &mut counter,
         "

@@ -255,7 +255,10 @@ fn shaders_learn_which_face_or_edge_they_color() {
     let asked = |draw: &dyn Fn(&mut Canvas<'_, Gray8>, &Asked<'_>)| {
         let seen = RefCell::new(Vec::new());
         picture(|canvas| draw(canvas, &Asked(&seen)));
-        seen.into_inner()
+        let mut seen = seen.into_inner();
+        // A line asks again for the pixel of each end.
+        seen.dedup();
+        seen
     };
     let faces = |numbers: &[usize]| numbers.iter().map(|&n| [Some(n), None]).collect::<Vec<_>>();
     let numbers = |numbers: &[usize]| numbers.iter().map(|&n| [None, Some(n)]).collect::<Vec<_>>();
@@ -265,7 +268,7 @@ fn shaders_learn_which_face_or_edge_they_color() {
     assert_eq!(draw, numbers(&[0, 1, 2]));
     let draw =
         asked(&|canvas, shader| _ = canvas.draw(mesh.points(PointStyle::PIXEL), &mvp, shader));
-    assert_eq!(draw, vec![[None; 2]; 4]);
+    assert_eq!(draw, [[None; 2]]);
 
     let listed = asked(&|canvas, shader| {
         let mut list: DrawList<20, 40> = DrawList::new();

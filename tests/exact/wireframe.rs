@@ -1,7 +1,7 @@
 //! A mesh's edges drawn over the mesh itself: no visible edge has gaps.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-use fixel::canvas::{Biased, DepthTest, TestAndWrite};
+use fixel::canvas::{Add, Biased, DepthTest, TestAndWrite};
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;
@@ -65,12 +65,19 @@ fn over<K: ProjectionKind>(mesh: &Mesh, mvp: &Mvp<K>, test: impl DepthTest) -> V
     colors
 }
 
-/// Draws only the edges, without depth.
+/// Draws only the edges, without depth. Blended, they lack the pixels of ends whose centers they do not pass: there, a
+/// face narrower than a pixel may be before the end.
 fn alone<K: ProjectionKind>(mesh: &Mesh, edges: &[[u16; 2]], mvp: &Mvp<K>) -> Vec<Gray8> {
     let mesh = mesh.with_edges(edges).unwrap();
     let mut colors = vec![Gray8::BLACK; PIXELS];
     let mut canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
-    canvas.draw(mesh.edges(LineStyle::HAIRLINE), mvp, &Flat::new(EDGE));
+    let options = DrawOptions::new().with_blending(Add);
+    canvas.draw_with(
+        &options,
+        mesh.edges(LineStyle::HAIRLINE),
+        mvp,
+        &Flat::new(EDGE),
+    );
     colors
 }
 

@@ -155,7 +155,9 @@ fn the_largest_mesh_in_one_place_draws_only_points() {
         let mut counter = Counter::new(SIZE);
         assert_eq!(counter.draw(&BOTH_SIDES, &mesh, &mvp).drawn, 0);
         counter.draw_edges(&DrawOptions::new(), &mesh, &mvp);
-        assert!(counter.take().iter().all(|&count| count == 0));
+        // A line without length is a point.
+        let seen: u32 = if place == vec3!(0, 0, -2) { 65_535 } else { 0 };
+        assert_eq!(counter.take().iter().copied().max(), Some(seen));
         counter.draw_points(&DrawOptions::new(), &mesh, &mvp);
         let counts = counter.take();
         // In front of the eye, each of the points is drawn, all in the same pixel.
