@@ -35,7 +35,8 @@
 /// | `scale = 0.01` | positions are multiplied by this number |
 /// | `up = z` | z points up in the file; the model is turned so that y does. This is the default for STL, `up = y` for other formats |
 ///
-/// Positions are rounded to the nearest [`Scalar`](crate::Scalar), texture coordinates to the nearest
+/// Positions keep the order of the file, so that a [table of your own](trait@crate::Shader) may have a value for each;
+/// those that no face uses are left out. They are rounded to the nearest [`Scalar`](crate::Scalar), texture coordinates to the nearest
 /// [`TexCoord`](crate::TexCoord). A mesh has at most 65,536 positions. Polygons are cut into triangles, also concave
 /// ones; [`Mesh::edges`](crate::Mesh::edges) are the sides of the polygons. If only some corners have texture
 /// coordinates, the others get (0, 0); corners without a normal get their triangle's.

@@ -218,8 +218,8 @@ impl<'a> Sprites<'a> {
         Self { anchor, ..self }
     }
 
-    /// Multiplies the size of each sprite by a scale of its own. A scale of 0 hides it, and a negative one turns it
-    /// upside down. A sprite is left out if a corner is farther from the eye along an axis than a `Scalar` can express.
+    /// Multiplies the size of each sprite by a scale of its own. A scale of 0 hides it, and a negative one turns it by
+    /// 180°. A sprite is left out if a corner is farther from the eye along an axis than a `Scalar` can express.
     ///
     /// # Errors
     ///

@@ -263,7 +263,8 @@ number! {
 number! {
     /// Sines, cosines, components of unit vectors and parts of a whole: signed, 2 integer and 30 fraction bits.
     ///
-    /// A [`Scalar`] times a fraction is a [`Scalar`].
+    /// The range is from −2 to 2, and results beyond it saturate. A [`Scalar`] times a fraction is a [`Scalar`]: write
+    /// `fx!(3) * angle.sin()`, not `angle.sin() * 3`.
     ///
     /// ```
     /// use fixel::{Fraction, deg, fx};

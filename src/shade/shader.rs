@@ -95,6 +95,38 @@ pub struct Fragment {
 /// }
 /// ```
 ///
+/// For values of your own at each position of the mesh, keep a slice in the shader, and read it by
+/// [`Corner::index`](crate::mesh::Corner::index):
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::prelude::*;
+/// /// Brightnesses from 0 to 255, one for each position.
+/// #[derive(Clone, Copy)]
+/// struct Heat(&'static [u8]);
+///
+/// impl Shader for Heat {
+///     type Color = Gray8;
+///     type Varyings = [i32; 1];
+///
+///     fn varyings(&self, primitive: &Primitive) -> [[i32; 1]; 3] {
+///         primitive.corners(|corner| [i32::from(self.0[usize::from(corner.index())]) << 16])
+///     }
+///
+///     fn shade(&self, _: &Fragment, [heat]: [i32; 1]) -> Option<Gray8> {
+///         Some(Gray8::new((heat >> 16) as u8))
+///     }
+/// }
+///
+/// static SQUARE: Mesh = shape!(plane(1, 1));
+/// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+/// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
+/// let mut pixels = [Gray8::new(0); 4 * 4];
+/// Canvas::new(&mut pixels, 4, 4)?.draw(&SQUARE, &mvp, &Heat(&[0, 0, 200, 200]));
+/// assert!(pixels[0] > pixels[15] || pixels[0] < pixels[15]);
+/// # Ok::<(), Error>(())
+/// ```
+///
 /// Each stack of shaders is a type of its own, and there is no `dyn Shader`: a call for each pixel would take longer
 /// than most shaders. To keep objects with different shaders in one list, choose the shader once for each draw call: by
 /// an enum, or by a trait of your own whose method draws the object. (For a [`DrawList`](crate::DrawList), see

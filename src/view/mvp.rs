@@ -40,6 +40,24 @@ use crate::sealed::Sealed;
 /// # Ok::<(), Error>(())
 /// ```
 ///
+/// `Mvp` alone is in perspective. A function for views of both kinds is generic:
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::{prelude::*, view::ProjectionKind};
+/// static BALL: Mesh = shape!(sphere(8, 6));
+/// fn draw<K: ProjectionKind>(canvas: &mut Canvas<'_, Gray8>, view: &Mvp<K>) -> bool {
+///     let ball = *view * Transform::translate(vec3!(0, 0, -4));
+///     canvas.draw(&BALL, &ball, &Flat::new(Gray8::new(9))).drawn > 0
+/// }
+/// let mut pixels = [Gray8::new(0); 64];
+/// let mut canvas = Canvas::new(&mut pixels, 8, 8)?;
+/// let parallel = Projection::orthographic(Window::centered(fx!(4), fx!(4)), fx!(0), fx!(9))?;
+/// assert!(draw(&mut canvas, &parallel.into()));
+/// assert!(draw(&mut canvas, &Projection::perspective(deg!(60), (1, 1), fx!(0.1), fx!(9))?.into()));
+/// # Ok::<(), Error>(())
+/// ```
+///
 /// A camera or a model transform alone does not compile, because it lacks a projection:
 ///
 /// ```compile_fail
