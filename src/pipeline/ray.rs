@@ -29,10 +29,13 @@ use crate::{Error, Fraction, Scalar, Vec3};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Ray {
-    origin: Vec3,
-    direction: Direction,
-    /// Which faces it passes through, by their winding in model space.
-    cull: Cull,
+    /// The point where the ray starts.
+    pub origin: Vec3,
+    /// The direction of the ray.
+    pub direction: Direction,
+    /// Which faces the ray passes through: none, those that it meets from behind, or those that it meets from the
+    /// front, where their corners run counter-clockwise.
+    pub cull: Cull,
 }
 
 /// The place where a ray meets a mesh; [`Ray::hit`] returns it.
@@ -74,31 +77,6 @@ impl Ray {
             direction: Direction::of(direction),
             cull: Cull::Nothing,
         })
-    }
-
-    /// Sets which faces the ray passes through: none, those that it meets from behind, or those that it meets from the
-    /// front, where their corners run counter-clockwise.
-    #[must_use]
-    pub const fn with_cull(self, cull: Cull) -> Self {
-        Self { cull, ..self }
-    }
-
-    /// The point where the ray starts.
-    #[must_use]
-    pub const fn origin(&self) -> Vec3 {
-        self.origin
-    }
-
-    /// The direction of the ray.
-    #[must_use]
-    pub const fn direction(&self) -> Direction {
-        self.direction
-    }
-
-    /// Which faces the ray passes through.
-    #[must_use]
-    pub const fn cull(&self) -> Cull {
-        self.cull
     }
 
     /// The point at a distance from the origin, rounded to nearest; saturates.
@@ -153,8 +131,8 @@ impl Ray {
 struct RayView {
     origin: [i32; 3],
     direction: [i32; 3],
-    /// The longest axis.
-    main: usize,
+    /// The longest axis, and the two aside, so that the three are right-handed.
+    axes: [usize; 3],
     cull_sign: i64,
 }
 
@@ -171,40 +149,29 @@ impl RayView {
     fn new(ray: &Ray) -> Self {
         let direction = ray.direction.to_bits();
         let [x, y, z] = direction.map(i32::unsigned_abs);
-        let main = if x >= y && x >= z {
-            0
+        let axes = if x >= y && x >= z {
+            [0, 1, 2]
         } else if y >= z {
-            1
+            [1, 2, 0]
         } else {
-            2
+            [2, 0, 1]
         };
         Self {
             origin: ray.origin.to_bits(),
             direction,
-            main,
-            cull_sign: i64::from(direction[main].signum()),
-        }
-    }
-
-    /// The axes aside, so that the three are right-handed.
-    const fn axes(&self) -> [usize; 2] {
-        match self.main {
-            0 => [1, 2],
-            1 => [2, 0],
-            _ => [0, 1],
+            axes,
+            cull_sign: i64::from(direction[axes[0]].signum()),
         }
     }
 
     fn see(&self, position: Vec3) -> Seen {
-        let (position, main) = (position.to_bits(), self.main);
+        let (position, [main, aside @ ..]) = (position.to_bits(), self.axes);
         let from = |axis: usize| i64::from(position[axis]) - i64::from(self.origin[axis]);
         let ahead = from(main);
         let along = i64::from(self.direction[main]);
         Seen {
             // This is a component of the cross product of a vector of at most √2 · 2^32 and one of 2^30.
-            aside: self
-                .axes()
-                .map(|axis| from(axis) * along - ahead * i64::from(self.direction[axis])),
+            aside: aside.map(|axis| from(axis) * along - ahead * i64::from(self.direction[axis])),
             ahead: ahead * i64::from(along.signum() as i32),
         }
     }
@@ -249,7 +216,7 @@ impl RayView {
 
     /// The distance from the origin of a point `ahead` · 2^-46 ahead along the main axis; saturates.
     fn distance(&self, ahead: i64) -> Scalar {
-        let along = u64::from(self.direction[self.main].unsigned_abs());
+        let along = u64::from(self.direction[self.axes[0]].unsigned_abs());
         let rounded = ahead.unsigned_abs() + along / 2;
         let distance = rounded.checked_div(along).unwrap_or_default();
         Scalar::from_bits(distance.min(i32::MAX.unsigned_abs().into()) as i32)

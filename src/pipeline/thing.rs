@@ -63,7 +63,7 @@ where
 
     #[inline]
     fn shading(&self) -> (S, B, Z) {
-        (self.2, self.1.blending(), self.1.depth())
+        (self.2, self.1.blending, self.1.depth)
     }
 
     #[inline]
@@ -74,7 +74,7 @@ where
         stages: impl FnOnce(&mut dyn Blitter) -> Drawn,
     ) -> Drawn {
         stages(&mut Blit::<_, _, K, _>::new(
-            self.1.mode(),
+            self.1.mode,
             self.0,
             shading,
             shift,

@@ -320,13 +320,18 @@ impl<'a, T, G, M: Copy, Z: Copy, B: Copy, K> Prepared<'a, T, G, DrawOptions<M, Z
     /// in which some objects are translucent.
     ///
     /// ```
+    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
     /// use fixel::{prelude::*, canvas::Opacity};
     /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
     /// let projection = Projection::perspective(deg!(60), (2, 1), fx!(1), fx!(10))?;
     /// let mvp = projection * Transform::translate(vec3!(0, 0, -3));
     /// let mut list: DrawList<12, 24> = DrawList::new();
     /// let opaque = list.prepare(&DrawOptions::new(), (24, 12), &BOX, &mvp)?;
-    /// assert_eq!(opaque.with_blending(Opacity(90)).options().blending(), Opacity(90));
+    /// let glass = opaque.with_blending(Opacity(90));
+    /// let mut pixels = [Gray8::new(100); 24 * 12];
+    /// let mut canvas = Canvas::new(&mut pixels, 24, 12)?;
+    /// canvas.draw_prepared(&glass, &Flat::new(Gray8::new(255)))?;
+    /// assert!(canvas.pixels().any(|pixel| (101..255).contains(&pixel.luma())));
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
@@ -340,12 +345,6 @@ impl<'a, T, G, M: Copy, Z: Copy, B: Copy, K> Prepared<'a, T, G, DrawOptions<M, Z
             options: self.options.with_blending(blending),
             kind: PhantomData,
         }
-    }
-
-    /// Returns the options that it is drawn with.
-    #[must_use]
-    pub const fn options(&self) -> DrawOptions<M, Z, B> {
-        self.options
     }
 }
 
