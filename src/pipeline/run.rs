@@ -21,39 +21,8 @@ use crate::view::ProjectionKind;
 pub(super) fn triangles<K: ProjectionKind>(call: &Call<'_, K>, to: &mut impl Assembly) {
     // Before the faces are found: this takes fewer registers on Cortex-M0+.
     let mut vertices = VertexCache::new();
-    triangles_from(call, (0, call.shared.mesh.faces()), &mut vertices, to);
-}
-
-/// Runs triangles, the first of which has the index `first`, with the caller's cache.
-#[inline]
-fn triangles_from<K: ProjectionKind>(
-    call: &Call<'_, K>,
-    (first, faces): (usize, &[[Index; 3]]),
-    vertices: &mut VertexCache,
-    to: &mut impl Assembly,
-) {
-    for (face, indices) in (first..).zip(faces) {
-        assemble::triangle(call, vertices, (face, indices), to);
-    }
-}
-
-/// Runs edges through the vertex and assembly stages. `ends_of` returns the positions of an edge, or nothing if it is
-/// not to be drawn; `each` receives the two ends of its part that is inside all planes, and whether it was clipped.
-#[inline]
-pub(super) fn each_edge<K: ProjectionKind, E>(
-    call: &Call<'_, K>,
-    edges: &[E],
-    ends_of: impl Fn(&Call<'_, K>, &mut VertexCache, usize, &E) -> Option<[Index; 2]>,
-    mut each: impl FnMut(Indices, [&ClippedVertex; 2], bool),
-) {
-    let mut vertices = VertexCache::new();
-    for (at, edge) in edges.iter().enumerate() {
-        let Some(ends) = ends_of(call, &mut vertices, at, edge) else {
-            continue;
-        };
-        assemble::edge(call, &mut vertices, ends, |line, is_clipped| {
-            each(Indices::of_edge(at, ends), line, is_clipped);
-        });
+    for (face, indices) in call.shared.mesh.faces().iter().enumerate() {
+        assemble::triangle(call, &mut vertices, (face, indices), to);
     }
 }
 
@@ -86,7 +55,9 @@ pub(super) fn quads<K: ProjectionKind>(
         let is_done =
             is_plane.is_some_and(|is_plane| rectangle(call, (at, pair), is_plane, &mut draw));
         if !is_done {
-            triangles_from(call, (at, pair), vertices, &mut draw);
+            for (face, indices) in (at..).zip(pair) {
+                assemble::triangle(call, vertices, (face, indices), &mut draw);
+            }
         }
     }
     draw.drawn()

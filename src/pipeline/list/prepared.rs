@@ -15,7 +15,7 @@ use crate::mesh::{Indices, Mesh, Placement};
 use crate::pipeline::assemble::Assembly;
 use crate::pipeline::call::{Screen, Shared};
 use crate::pipeline::clip::ClippedPolygon;
-use crate::pipeline::edges::Edges;
+use crate::pipeline::edges::EdgesOf;
 use crate::pipeline::run::Draw;
 use crate::pipeline::thing::{DrawLine, Pen};
 use crate::pipeline::{DrawOptions, Drawn};
@@ -169,20 +169,17 @@ impl<'a, T, G: Listed> Scene<'a> for &'a mut [Object<T, G>] {
     type Material = T;
 
     #[inline]
-    fn list<V: AsMvp>(
-        self,
-        filling: &mut Filling<'_>,
-        screen: &Screen,
-        view: &V,
-    ) -> Objects<'a, G, T> {
-        let (world, camera) = (*view.model_of(), *view.camera_of());
-        let view = Mvp {
-            projection: *view.projection_of(),
-            camera,
-            model: world,
-        };
+    fn list<V: AsMvp>(self, filling: &mut Filling<'_>, view: &V) -> Objects<'a, G, T> {
+        let (projection, camera) = (*view.projection_of(), *view.camera_of());
+        let world = *view.model_of();
         for object in &mut *self {
-            object.listing = filling.thing(screen, &object.thing, &(view * object.model));
+            let model = world * object.model;
+            let mvp = Mvp {
+                projection,
+                camera,
+                model,
+            };
+            object.listing = filling.thing(&object.thing, &mvp);
         }
         Objects::Many {
             objects: self,
@@ -197,13 +194,8 @@ impl<'a, T, G: Listed, const COUNT: usize> Scene<'a> for &'a mut [Object<T, G>; 
     type Material = T;
 
     #[inline]
-    fn list<V: AsMvp>(
-        self,
-        filling: &mut Filling<'_>,
-        screen: &Screen,
-        view: &V,
-    ) -> Objects<'a, G, T> {
-        self.as_mut_slice().list(filling, screen, view)
+    fn list<V: AsMvp>(self, filling: &mut Filling<'_>, view: &V) -> Objects<'a, G, T> {
+        self.as_mut_slice().list(filling, view)
     }
 }
 
@@ -453,7 +445,7 @@ impl<'r> Run<'r> {
     #[inline(never)]
     pub(super) fn draw_edges(
         &self,
-        edges: &Edges<'_>,
+        edges: EdgesOf<'_>,
         reach: i32,
         line: DrawLine<'_>,
         blitter: &mut dyn Blitter,
@@ -548,7 +540,7 @@ impl<'r> Run<'r> {
 
 impl Slot {
     #[inline]
-    fn vertex(self) -> Option<ScreenVertex> {
+    pub(super) fn vertex(self) -> Option<ScreenVertex> {
         match self {
             Self::Vertex {
                 screen,
