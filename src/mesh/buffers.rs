@@ -33,20 +33,6 @@ pub struct Counts {
     pub colors: usize,
 }
 
-impl Counts {
-    /// No elements.
-    pub(super) const ZERO: Self = Self {
-        positions: 0,
-        faces: 0,
-        edges: 0,
-        uvs: 0,
-        uv_faces: 0,
-        normals: 0,
-        normal_faces: 0,
-        colors: 0,
-    };
-}
-
 /// Memory for a shape that is built at run time: one slice per list, each at least as long as [`Counts`] says.
 ///
 /// Attributes and edges are left out if their slice is empty.

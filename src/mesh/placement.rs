@@ -97,19 +97,15 @@ impl<'a> Placement<'a> {
 
     #[cold]
     pub(super) fn lacks_uvs(&self) -> Vec2 {
-        self.missing.set(Missing {
-            uvs: true,
-            ..self.missing.get()
-        });
+        let (uvs, colors) = (true, false);
+        self.miss(Missing { uvs, colors });
         Vec2::default()
     }
 
     #[cold]
     pub(super) fn lacks_colors(&self) -> Rgb888 {
-        self.missing.set(Missing {
-            colors: true,
-            ..self.missing.get()
-        });
+        let (uvs, colors) = (false, true);
+        self.miss(Missing { uvs, colors });
         Rgb888::WHITE
     }
 }

@@ -70,7 +70,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
             &viewport,
         );
         let mut at = ScreenVertex::UNSET;
-        projector.project(0, &mut at);
+        projector.project(0, None, &mut at);
         if at.outcode != 0 {
             return None;
         }

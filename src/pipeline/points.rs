@@ -157,7 +157,7 @@ fn each_point<K: ProjectionKind>(
         // A mesh has at most 65,536 positions.
         let index = index as Index;
         let mut at = ScreenVertex::UNSET;
-        call.projector.project(index, &mut at);
+        call.projector.project(index, None, &mut at);
         if at.outcode != 0 {
             continue;
         }

@@ -77,8 +77,8 @@ fn rectangle<K: ProjectionKind>(
     };
     let ([a, ..], [.., d]) = (one, other);
     let [mut from, mut to] = [ScreenVertex::UNSET; 2];
-    call.projector.project(a, &mut from);
-    call.projector.project(d, &mut to);
+    call.projector.project(a, None, &mut from);
+    call.projector.project(d, None, &mut to);
     // The other two corners have the coordinates of these.
     if from.outcode | to.outcode != 0 {
         return from.outcode & to.outcode != 0;

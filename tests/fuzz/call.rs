@@ -175,11 +175,8 @@ impl<K: ProjectionKind> Call<'_, K> {
         let uv_faces = own(uvs.as_ref().and_then(Attribute::faces));
         let normal_faces = own(normals.as_ref().and_then(Attribute::faces));
         let (stored, bytes) = (Small::normals(&stored), Small::uvs_of_8(&bytes, grid));
-        let quantized = flash::quantized(
-            self.mesh.without_normals().without_uvs(),
-            (&stored, &normal_faces),
-            (&bytes, &uv_faces),
-        );
+        let bare = self.mesh.without_normals().without_uvs();
+        let quantized = bare.quantized((&stored, &normal_faces), (&bytes, &uv_faces));
         let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7)).unwrap();
         let call = Call {
             mesh: &quantized,

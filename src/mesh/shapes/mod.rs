@@ -170,7 +170,9 @@ impl Shape {
             edges: edges as usize,
             uvs: positions,
             normals: positions,
-            ..Counts::ZERO
+            uv_faces: 0,
+            normal_faces: 0,
+            colors: 0,
         }
     }
 

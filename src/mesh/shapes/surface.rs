@@ -1,7 +1,7 @@
 //! The surfaces of the shapes; most are bent grids.
 
 use super::Shape;
-use super::writer::{MeshWriter, ONE, Vertex};
+use super::writer::{MeshWriter, ONE};
 use crate::{Angle, Scalar, TexCoord, Vec3};
 
 const ZERO: TexCoord = TexCoord::ZERO;
@@ -116,11 +116,9 @@ pub(super) const fn write(writer: &mut MeshWriter<'_>, shape: Shape) {
                 writer.place(place, Vec3::Y, [u, v]);
             } else {
                 let (sin, cos) = (sin as i64, cos as i64);
-                writer.vertex(&Vertex {
-                    position: [ring.radius * sin, ring.y, ring.radius * cos],
-                    normal: [ring.out * sin, ring.up * ONE, ring.out * cos],
-                    uv: [u, v],
-                });
+                let position = [ring.radius * sin, ring.y, ring.radius * cos];
+                let normal = [ring.out * sin, ring.up * ONE, ring.out * cos];
+                writer.vertex(position, normal, [u, v]);
             }
             column += 1;
         }
@@ -185,21 +183,15 @@ const fn write_grid(writer: &mut MeshWriter<'_>, shape: Shape) {
 const fn cap(writer: &mut MeshWriter<'_>, slices: u32, y: i64) {
     let center = writer.next();
     let half = TexCoord::from_bits(UNIT.to_bits() / 2);
-    writer.vertex(&Vertex {
-        position: [0, ONE * y, 0],
-        normal: [0, ONE * y, 0],
-        uv: [half, half],
-    });
+    let normal = [0, ONE * y, 0];
+    writer.vertex(normal, normal, [half, half]);
     let mut slice = 0;
     while slice < slices {
         let (sin, cos) = sin_cos(angle(slice, slices, false));
         // A disc of the texture; v grows toward +z on the upper cap and toward −z on the lower.
         let down = if y > 0 { cos } else { -cos };
-        writer.vertex(&Vertex {
-            position: [ONE * sin, ONE * y, ONE * cos],
-            normal: [0, ONE * y, 0],
-            uv: [texture(sin), texture(down)],
-        });
+        let position = [ONE * sin, ONE * y, ONE * cos];
+        writer.vertex(position, normal, [texture(sin), texture(down)]);
         let (this, next) = (center + 1 + slice, center + 1 + (slice + 1) % slices);
         if y > 0 {
             writer.triangle([center, this, next]);

@@ -7,13 +7,6 @@ use crate::{Error, TexCoord, Vec2, Vec3};
 /// One, in the bits of a `Unit`.
 pub(super) const ONE: i64 = 1 << 30;
 
-/// A vertex; its position and normal are in units of 2⁻⁶⁰.
-pub(super) struct Vertex {
-    pub(super) position: [i64; 3],
-    pub(super) normal: [i64; 3],
-    pub(super) uv: [TexCoord; 2],
-}
-
 /// Writes a mesh into buffers and knows where the next elements go.
 pub(super) struct MeshWriter<'a> {
     buffers: Buffers<'a>,
@@ -60,9 +53,9 @@ impl<'a> MeshWriter<'a> {
         self.buffers.positions[at as usize].to_bits()
     }
 
-    pub(super) const fn vertex(&mut self, vertex: &Vertex) {
-        let position = rounded(vertex.position);
-        self.place(position, rounded(vertex.normal), vertex.uv);
+    /// Writes a vertex whose position and normal are in units of 2⁻⁶⁰.
+    pub(super) const fn vertex(&mut self, position: [i64; 3], normal: [i64; 3], uv: [TexCoord; 2]) {
+        self.place(rounded(position), rounded(normal), uv);
     }
 
     pub(super) const fn place(&mut self, position: Vec3, normal: Vec3, [u, v]: [TexCoord; 2]) {

@@ -17,7 +17,11 @@ pub(super) fn sort<G: Listed, T>(
 ) {
     for entry in &mut *entries {
         if let Some(listing) = objects.listing(entry.element) {
-            entry.set_nearness(vertices, listing.depth_shift);
+            let corners = corners(entry.corners, vertices);
+            let farthest = corners.map(|corner| nearness(&corner, listing.depth_shift));
+            let nearness = farthest.min().unwrap_or_default();
+            // In place of the rows, so that an entry needs no more memory; they are found again afterwards.
+            entry.rows = [(nearness >> 16) as i16, nearness as i16];
         }
     }
     heap_sort(entries);
@@ -52,16 +56,7 @@ fn corners(corners: Corners, vertices: &[Slot]) -> impl Iterator<Item = ScreenVe
 }
 
 impl Entry {
-    /// Stores the nearness of its farthest corner, for [`heap_sort`]. It takes the place of the rows, so that an entry
-    /// needs no more memory; they are found again afterwards.
-    fn set_nearness(&mut self, vertices: &[Slot], shift: DepthShift) {
-        let corners = corners(self.corners, vertices);
-        let farthest = corners.map(|corner| nearness(&corner, shift)).min();
-        let nearness = farthest.unwrap_or_default();
-        self.rows = [(nearness >> 16) as i16, nearness as i16];
-    }
-
-    /// Its rank in the order: the [nearness](Self::set_nearness), then its number.
+    /// Its rank in the order: the [`nearness`] of its farthest corner, then its number.
     fn rank(&self) -> u64 {
         let [high, low] = self.rows.map(|bits| u64::from(bits.cast_unsigned()));
         high << 48 | low << 32 | u64::from(self.element)
