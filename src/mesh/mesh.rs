@@ -248,8 +248,8 @@ impl<'a> Mesh<'a> {
     }
 
     /// The position at `index`; the origin for an index that no checked list holds.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn position(&self, index: Index) -> Vec3 {
-        self.positions.at(index)
+        Vec3::from_bits(self.positions.stored(index).to_bits())
     }
 }

@@ -146,7 +146,8 @@ impl Mesh<'_> {
     /// ```
     #[must_use]
     pub fn part(&self, faces: Range<usize>) -> Self {
-        let range = self.part_range(&faces);
+        let end = faces.end.min(self.faces.len());
+        let range = faces.start.min(end)..end;
         Self {
             faces: self.faces.get(range.clone()).unwrap_or_default(),
             // The sum is at most the number of faces in the whole mesh.
@@ -157,11 +158,5 @@ impl Mesh<'_> {
             colors: self.colors.part(&range),
             ..*self
         }
-    }
-
-    /// A range of triangles, cut at the end of the list.
-    pub(super) fn part_range(&self, faces: &Range<usize>) -> Range<usize> {
-        let end = faces.end.min(self.faces.len());
-        faces.start.min(end)..end
     }
 }

@@ -132,7 +132,7 @@ use prepared::{Elements, Objects, Placed, Run};
 /// );
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct DrawList<const ELEMENTS: usize, const VERTICES: usize> {
     entries: Vec<Entry, ELEMENTS>,
     vertices: Vec<Slot, VERTICES>,
@@ -169,12 +169,6 @@ pub(super) enum Slot {
         exponent: u8,
     },
     Barycentric(Barycentric),
-}
-
-impl<const ELEMENTS: usize, const VERTICES: usize> Default for DrawList<ELEMENTS, VERTICES> {
-    fn default() -> Self {
-        Self::new()
-    }
 }
 
 impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> {

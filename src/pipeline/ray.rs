@@ -223,53 +223,39 @@ impl RayView {
     }
 }
 
-/// The inverse of a transform: points of eye space in model space.
-struct Inverse<'t> {
-    transform: &'t Transform,
-    /// The columns of the inverse matrix, times the determinant and a power of two.
-    columns: [[i32; 3]; 3],
-    /// The determinant times that power, which is positive: columns have its sign.
-    determinant: i64,
-}
-
-impl<'t> Inverse<'t> {
-    /// `None` if the transform's matrix has no inverse.
-    fn of(transform: &'t Transform) -> Option<Self> {
-        let [x, ..] = transform.linear;
-        let [first, second, third] = transform.normal_matrix();
-        let determinant = dot(&x, &first);
-        let transpose = |axis: usize| [first[axis], second[axis], third[axis]];
-        (determinant > 0).then_some(Self {
-            transform,
-            columns: [transpose(0), transpose(1), transpose(2)],
-            determinant,
-        })
+/// A point and a direction of eye space in model space, from where `view` transforms them. The point is rounded to
+/// nearest. `None` if the transform's matrix has no inverse, or if the point is out of range.
+fn in_model(
+    view: &Transform,
+    point: [BlockFloat; 3],
+    direction: &[BlockFloat; 3],
+) -> Option<(Vec3, [i32; 3])> {
+    let [x, ..] = view.linear;
+    let [first, second, third] = view.normal_matrix();
+    // Positive, because the columns have the sign of the determinant.
+    let determinant = dot(&x, &first);
+    if determinant <= 0 {
+        return None;
     }
-
-    /// A direction, of any positive length.
-    fn direction(&self, direction: &[BlockFloat; 3]) -> Option<[i32; 3]> {
-        let mut mantissas = [0; 3];
-        block::normalize(&mut mantissas, direction);
-        unit(self.columns.map(|column| dot(&column, &mantissas)))
+    // The columns of the inverse matrix, times the determinant and a power of two.
+    let columns = [0, 1, 2].map(|axis: usize| [first[axis], second[axis], third[axis]]);
+    let mut offset = point;
+    for (number, &moved) in offset.iter_mut().zip(&view.translation) {
+        *number = number.plus(BlockFloat::new((-moved).into(), view.translation_exp));
     }
-
-    /// A point, rounded to nearest; `None` if it is out of range.
-    fn point(&self, point: &[BlockFloat; 3]) -> Option<Vec3> {
-        let (transform, mut offset) = (self.transform, *point);
-        for (number, &moved) in offset.iter_mut().zip(&transform.translation) {
-            let moved = BlockFloat::new((-moved).into(), transform.translation_exp);
-            *number = number.plus(moved);
-        }
-        let mut mantissas = [0; 3];
-        let exp = block::normalize(&mut mantissas, &offset) - transform.linear_exp;
-        let determinant = BlockFloat::new(self.determinant, 0);
-        let bits = self.columns.map(|column| {
-            let at = BlockFloat::new(dot(&column, &mantissas), exp).over(determinant);
-            block::fixed(at.value, at.exp, 16)
-        });
-        let is_inside = |&v: &i32| i32::MIN < v && v < i32::MAX;
-        bits.iter().all(is_inside).then(|| Vec3::from_bits(bits))
+    let mut mantissas = [0; 3];
+    let exp = block::normalize(&mut mantissas, &offset) - view.linear_exp;
+    let bits = columns.map(|column| {
+        let at = BlockFloat::new(dot(&column, &mantissas), exp);
+        let at = at.over(BlockFloat::new(determinant, 0));
+        block::fixed(at.value, at.exp, 16)
+    });
+    if bits.iter().any(|&v| v == i32::MIN || v == i32::MAX) {
+        return None;
     }
+    block::normalize(&mut mantissas, direction);
+    let direction = unit(columns.map(|column| dot(&column, &mantissas)))?;
+    Some((Vec3::from_bits(bits), direction))
 }
 
 impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
@@ -342,11 +328,10 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         let x = at(pixel.x, columns.start, columns.end);
         let y = at(pixel.y, rows.start, rows.end).negated();
         let [near, direction] = mvp.projection_of().sight(x, y);
-        let view = mvp.model_view_of();
-        let inverse = Inverse::of(&view)?;
+        let (origin, direction) = in_model(&mvp.model_view_of(), near, &direction)?;
         Some(Ray {
-            origin: inverse.point(&near)?,
-            direction: Direction::from_bits(inverse.direction(&direction)?),
+            origin,
+            direction: Direction::from_bits(direction),
             cull: screen.cull,
         })
     }

@@ -485,38 +485,22 @@ impl<'r> Run<'r> {
     /// The ends of an edge.
     #[inline]
     fn ends(&self, corners: Corners) -> Option<[ClippedVertex; 2]> {
-        let ([from, to], [a, b]) = match corners {
-            Corners::Whole([from, to, _]) => {
-                let [a, b, _] = Barycentric::CORNERS;
-                ([from, to], [a, b])
-            }
-            Corners::Clipped { first, .. } => {
-                let second = first.wrapping_add(2);
-                (
-                    [first, second],
-                    [self.barycentric(first)?, self.barycentric(second)?],
-                )
+        let (from, to) = match corners {
+            Corners::Whole([from, to, _]) => (self.vertex(from)?, self.vertex(to)?),
+            Corners::Clipped { first, count } => {
+                return self.polygon(first, count).first_chunk().copied();
             }
         };
-        let end = |number: u16, barycentric: Barycentric| {
-            let vertex = self.vertex(number)?;
-            Some(ClippedVertex {
+        let [a, b, _] = Barycentric::CORNERS;
+        Some(
+            [(from, a), (to, b)].map(|(vertex, barycentric)| ClippedVertex {
                 vertex,
                 barycentric,
-            })
-        };
-        Some([end(from, a)?, end(to, b)?])
+            }),
+        )
     }
 
-    /// The barycentric weights after the vertex of this number.
-    fn barycentric(&self, number: u16) -> Option<Barycentric> {
-        match self.vertices.get(usize::from(number)) {
-            Some(&Slot::Barycentric(barycentric)) => Some(barycentric),
-            _ => None,
-        }
-    }
-
-    /// The corners of a clipped triangle.
+    /// The corners of a clipped triangle, or the ends of a clipped edge.
     fn polygon(&self, first: u16, count: u16) -> ClippedPolygon {
         let start = usize::from(first).wrapping_sub(1);
         let slots = self

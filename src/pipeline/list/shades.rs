@@ -106,7 +106,7 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
             needed,
             room: ELEMENTS,
         })?;
-        let first = address(entries);
+        let first = entries.as_ptr().addr();
         let mut missing = Missing::default();
         let frame = 0..screen.frame.height;
         for (material, placed, entries) in self.runs(&frame) {
@@ -135,11 +135,6 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
             missing,
         })
     }
-}
-
-/// The address of a list's first entry.
-fn address(entries: &[Entry]) -> usize {
-    entries.as_ptr().addr()
 }
 
 /// The place in a list of the entry at an address; beyond its end for other addresses.
