@@ -34,7 +34,7 @@ use crate::raster::{
 };
 use crate::sealed::Sealed;
 use crate::view::{AsMvp, ProjectionKind};
-use prepared::{Elements, Objects, Placed, Run};
+use prepared::{Objects, Placed, Run};
 
 /// Memory for the triangles or edges of a frame that is drawn in bands.
 ///
@@ -375,14 +375,11 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
             }
         }
         sort(&mut self.entries, &self.vertices, &objects);
-        let elements = Elements {
+        Ok(Prepared {
+            objects,
             entries: &self.entries,
             vertices: &self.vertices,
             screen,
-        };
-        Ok(Prepared {
-            objects,
-            elements,
             options,
             kind: PhantomData,
         })

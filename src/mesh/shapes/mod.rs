@@ -185,7 +185,7 @@ impl Shape {
     pub const fn build(self, buffers: Buffers<'_>) -> Result<Mesh<'_>, Error> {
         let mut writer = ok!(MeshWriter::new(buffers, self.counts()));
         surface::write(&mut writer, self);
-        writer.mesh()
+        writer.buffers.mesh(writer.counts)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Writes the vertices, triangles and edges of a shape one after the other.
 
 use crate::error::ok;
-use crate::mesh::{Buffers, Counts, Index, Mesh};
+use crate::mesh::{Buffers, Counts, Index};
 use crate::{Error, TexCoord, Vec2, Vec3};
 
 /// One, in the bits of a `Unit`.
@@ -9,9 +9,10 @@ pub(super) const ONE: i64 = 1 << 30;
 
 /// Writes a mesh into buffers and knows where the next elements go.
 pub(super) struct MeshWriter<'a> {
-    buffers: Buffers<'a>,
-    counts: Counts,
-    positions: u32,
+    pub(super) buffers: Buffers<'a>,
+    pub(super) counts: Counts,
+    /// The number of the next vertex.
+    pub(super) positions: u32,
     faces: usize,
     edges: usize,
 }
@@ -37,11 +38,6 @@ impl<'a> MeshWriter<'a> {
             faces: 0,
             edges: 0,
         })
-    }
-
-    /// The number of the next vertex.
-    pub(super) const fn next(&self) -> u32 {
-        self.positions
     }
 
     /// Keeps numbers in place of a position that is written later.
@@ -81,9 +77,5 @@ impl<'a> MeshWriter<'a> {
             self.buffers.edges[self.edges] = [from as Index, to as Index];
             self.edges += 1;
         }
-    }
-
-    pub(super) const fn mesh(self) -> Result<Mesh<'a>, Error> {
-        self.buffers.mesh(self.counts)
     }
 }

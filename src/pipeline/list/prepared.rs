@@ -216,17 +216,12 @@ impl<'a, T, G: Listed, const COUNT: usize> Scene<'a> for &'a mut [Object<T, G>; 
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<'a, T = (), G = &'a Mesh<'a>, O = DrawOptions, K = Perspective> {
     pub(super) objects: Objects<'a, G, T>,
-    pub(super) elements: Elements<'a>,
-    pub(super) options: O,
-    pub(super) kind: PhantomData<K>,
-}
-
-/// The elements of a list, and the frame that they were prepared for.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Elements<'a> {
     pub(super) entries: &'a [Entry],
     pub(super) vertices: &'a [Slot],
+    /// The frame that they were prepared for.
     pub(super) screen: Screen,
+    pub(super) options: O,
+    pub(super) kind: PhantomData<K>,
 }
 
 impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
@@ -248,14 +243,13 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     where
         O: Copy,
     {
-        self.elements.screen.check(canvas.frame_size())?;
+        self.screen.check(canvas.frame_size())?;
         Ok(self.runs(canvas.rows()).map(|(material, placed, entries)| {
             let part = Prepared {
                 objects: Objects::One(placed, ()),
-                elements: Elements {
-                    entries,
-                    ..self.elements
-                },
+                entries,
+                vertices: self.vertices,
+                screen: self.screen,
                 options: self.options,
                 kind: PhantomData,
             };
@@ -270,7 +264,7 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
         rows: &Range<u32>,
     ) -> impl Iterator<Item = (&'s T, Placed<G>, &'a [Entry])> + use<'s, 'a, T, G, O, K> {
         let rows = rows.start.cast_signed()..rows.end.cast_signed();
-        let mut rest = Some(self.elements.entries);
+        let mut rest = Some(self.entries);
         iter::from_fn(move || match &self.objects {
             Objects::One(placed, material) => Some((material, *placed, rest.take()?)),
             Objects::Many {
@@ -333,7 +327,9 @@ impl<'a, T, G, M: Copy, Z: Copy, B: Copy, K> Prepared<'a, T, G, DrawOptions<M, Z
     ) -> Prepared<'a, T, G, DrawOptions<M, Z, A>, K> {
         Prepared {
             objects: self.objects,
-            elements: self.elements,
+            entries: self.entries,
+            vertices: self.vertices,
+            screen: self.screen,
             options: self.options.with_blending(blending),
             kind: PhantomData,
         }
@@ -361,7 +357,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         B: Blending<C>,
         K: ProjectionKind,
     {
-        let screen = &prepared.elements.screen;
+        let screen = &prepared.screen;
         screen.check(self.frame_size())?;
         let rows = self.rows().clone();
         let mut drawn = Drawn::default();
@@ -373,7 +369,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
                 shared: &shared,
                 // A band that the thing misses costs one test.
                 entries: if is_missed { &[] } else { entries },
-                vertices: prepared.elements.vertices,
+                vertices: prepared.vertices,
                 first: listing.first,
             };
             let paint = (&mut *self, &prepared.options, *shader);
