@@ -93,7 +93,7 @@ impl Material<'_> {
 /// display.assert_pattern(&["RRBB", "RRBB", "RRBB", "RRBB"]);
 ///
 /// canvas.clear(Rgb565::BLACK);
-/// for part in PARTS.iter().filter(|part| part.material().texture == Some("sea.png")) {
+/// for part in PARTS.iter().filter(|part| part.material.texture == Some("sea.png")) {
 ///     canvas.draw(&SQUARE.part(part.faces()), &mvp, &Flat::new(Rgb565::GREEN));
 /// }
 /// let mut display = MockDisplay::new();
@@ -105,7 +105,8 @@ impl Material<'_> {
 pub struct Part<'a> {
     start: usize,
     end: usize,
-    material: Material<'a>,
+    /// The material.
+    pub material: Material<'a>,
 }
 
 impl<'a> Part<'a> {
@@ -123,12 +124,6 @@ impl<'a> Part<'a> {
     #[must_use]
     pub const fn faces(&self) -> Range<usize> {
         self.start..self.end
-    }
-
-    /// The material.
-    #[must_use]
-    pub const fn material(&self) -> &Material<'a> {
-        &self.material
     }
 }
 

@@ -232,9 +232,9 @@ impl<S: Sampler<Color: Texel>, A: Addressing, F: Filter<S::Color>, D> Textured<S
     /// The corners' columns and rows.
     #[inline]
     pub(super) fn corners(&self, primitive: &Primitive<'_>) -> [Texels; 3] {
-        let [a, b, c] = primitive.uvs().map(Vec2::to_bits);
+        let [a, b, c] = primitive.corners(|corner| corner.uv().to_bits());
         let coordinates = |bits: [i32; 3], log2| {
-            let is_face = primitive.is_face();
+            let is_face = primitive.face().is_some();
             texels(bits, if is_face { origin::<A>(bits) } else { 0 }, log2)
         };
         let [width, height] = self.texture.size_log2();

@@ -143,10 +143,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         let one_by_one = &mut |canvas: &mut Frame<'_>| {
             let mut drawn = Drawn::default();
             for part in &parts {
-                let (mesh, color) = (
-                    self.mesh.part(part.faces()),
-                    Flat::rgb(part.material().color),
-                );
+                let (mesh, color) = (self.mesh.part(part.faces()), Flat::rgb(part.material.color));
                 drawn = canvas.draw_with(options, &mesh, &self.mvp, &color);
             }
             drawn
