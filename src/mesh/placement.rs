@@ -17,7 +17,7 @@ pub(crate) struct Placement<'a> {
     pub(super) view: Transform,
     /// Computed when a shader asks for the first normal.
     normals: OnceCell<NormalMatrix>,
-    missing: Cell<Missing>,
+    pub(crate) missing: Cell<Missing>,
     /// The address of the list's entry that is drawn; 0 if none is.
     pub(crate) entry: Cell<usize>,
 }
@@ -79,12 +79,6 @@ impl<'a> Placement<'a> {
         let matrix = NormalMatrix::of(self.model);
         let _ = self.normals.set(matrix);
         matrix.direction(normal)
-    }
-
-    /// The attributes that shaders asked for and the mesh lacks.
-    #[inline]
-    pub(crate) fn missing(&self) -> Missing {
-        self.missing.get()
     }
 
     /// Notes attributes that a shader asked for and the mesh lacks.

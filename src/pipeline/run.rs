@@ -98,7 +98,7 @@ fn rectangle<K: ProjectionKind>(
     let is_plane = is_plane([&shared.primitive(one, area), &shared.primitive(other, area)]);
     if is_plane {
         draw.raster.of(one, area).rectangle(half);
-        draw.drawn.drawn += 2;
+        draw.drawn += 2;
     }
     is_plane
 }
@@ -107,7 +107,9 @@ fn rectangle<K: ProjectionKind>(
 pub(super) struct Draw<'d> {
     raster: Rasterizer<'d>,
     shared: &'d Shared<'d>,
-    drawn: Drawn,
+    submitted: usize,
+    drawn: u32,
+    clipped: u32,
 }
 
 impl<'d> Draw<'d> {
@@ -124,10 +126,9 @@ impl<'d> Draw<'d> {
                 &shared.scissor,
             ),
             shared,
-            drawn: Drawn {
-                submitted: submitted as u32,
-                ..Drawn::default()
-            },
+            submitted,
+            drawn: 0,
+            clipped: 0,
         }
     }
 
@@ -135,8 +136,10 @@ impl<'d> Draw<'d> {
     #[inline]
     pub(super) fn drawn(self) -> Drawn {
         Drawn {
-            missing: self.shared.placement.missing(),
-            ..self.drawn
+            submitted: self.submitted as u32,
+            drawn: self.drawn,
+            clipped: self.clipped,
+            missing: self.shared.placement.missing.get(),
         }
     }
 
@@ -157,8 +160,8 @@ impl<'d> Draw<'d> {
         line: impl FnOnce(&mut Rasterizer<'d>),
     ) {
         line(self.raster.of(indices, 0));
-        self.drawn.drawn += 1;
-        self.drawn.clipped += u32::from(is_clipped);
+        self.drawn += 1;
+        self.clipped += u32::from(is_clipped);
     }
 }
 
@@ -168,7 +171,7 @@ impl Assembly for Draw<'_> {
         // By reference: moved, it would be copied.
         if let Some(triangle) = &Triangle::new(corners, None, area, &self.shared.scissor) {
             self.raster.of(indices, area).triangle(triangle, None);
-            self.drawn.drawn += 1;
+            self.drawn += 1;
         }
     }
 
@@ -176,8 +179,8 @@ impl Assembly for Draw<'_> {
     fn clipped(&mut self, indices: Indices, polygon: &[ClippedVertex]) {
         if let Some(polygon) = Polygon::new(polygon, self.shared.cull) {
             let drawn = u32::from(polygon.draw(self.raster.of(indices, polygon.area)));
-            self.drawn.drawn += drawn;
-            self.drawn.clipped += drawn;
+            self.drawn += drawn;
+            self.clipped += drawn;
         }
     }
 }

@@ -122,7 +122,7 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
                     *values = ([a, b, c], face);
                 }
             }
-            missing += shared.placement.missing();
+            missing += shared.placement.missing.get();
         }
         Ok(Shades {
             first,
