@@ -25,7 +25,6 @@ pub(super) fn triangle<K: ProjectionKind>(
     (face, corners): (usize, &[Index; 3]),
     to: &mut impl Assembly,
 ) {
-    let indices = || Indices::of_face(face, *corners);
     let copies;
     let [a, b, c] = if let Some(vertices) = vertices.corners(&call.projector, *corners) {
         vertices
@@ -39,12 +38,12 @@ pub(super) fn triangle<K: ProjectionKind>(
         // Back faces, half of most meshes, are rejected here, before any attribute is read.
         let area = raster::area(&[a.screen, b.screen, c.screen]);
         if !call.shared.cull.leaves_out(area) {
-            to.whole(indices(), [a, b, c], area);
+            to.whole(Indices::of_face(face, *corners), [a, b, c], area);
         }
     } else if a.outcode & b.outcode & c.outcode == 0 {
         let mut polygon = ClippedPolygon::new();
         clip(&call.projector, corners, outcode, &mut polygon);
-        to.clipped(indices(), &polygon);
+        to.clipped(Indices::of_face(face, *corners), &polygon);
     }
 }
 
