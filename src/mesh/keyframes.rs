@@ -87,19 +87,6 @@ fn between(from: Vec3, to: Vec3, t: Scalar) -> Vec3 {
     Vec3::from_bits([mix(x, u), mix(y, v), mix(z, w)])
 }
 
-/// Writes the vectors between those of two lists.
-#[inline]
-fn blend_list(
-    blended: &mut [Vec3],
-    from: impl Iterator<Item = Vec3>,
-    to: impl Iterator<Item = Vec3>,
-    t: Scalar,
-) {
-    for ((blended, from), to) in blended.iter_mut().zip(from).zip(to) {
-        *blended = between(from, to, t);
-    }
-}
-
 impl<'a> Keyframes<'a> {
     /// Makes a pair of poses.
     ///
@@ -206,12 +193,24 @@ impl<'a> Keyframes<'a> {
     {
         let all = self.first.positions();
         let positions = room(positions, all.len())?;
-        blend_list(positions, all.iter(), self.positions.iter(), t);
+        for ((to, a), b) in positions
+            .iter_mut()
+            .zip(all.iter())
+            .zip(self.positions.iter())
+        {
+            *to = between(a, b, t);
+        }
         let mut blended: Mesh<'m> = self.first.without_normals();
         if !normals.is_empty() && self.normals.len() > 0 {
             let normals = room(normals, self.normals.len())?;
             let Attribute { values, faces } = self.first.normals;
-            blend_list(normals, values.iter(), self.normals.iter(), t);
+            for ((to, a), b) in normals
+                .iter_mut()
+                .zip(values.iter())
+                .zip(self.normals.iter())
+            {
+                *to = between(a, b, t);
+            }
             let values = Values::Full(normals);
             blended.normals = Attribute { values, faces };
         }

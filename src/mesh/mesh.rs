@@ -248,8 +248,8 @@ impl<'a> Mesh<'a> {
     }
 
     /// The position at `index`; the origin for an index that no checked list holds.
-    #[inline(never)]
+    #[inline]
     pub(crate) fn position(&self, index: Index) -> Vec3 {
-        Vec3::from_bits(self.positions.stored(index).to_bits())
+        self.positions.at(index)
     }
 }

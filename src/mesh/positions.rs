@@ -120,6 +120,12 @@ impl<'a> Positions<'a> {
             }
         }
     }
+
+    /// The position at an index; the origin for an index that no checked list holds.
+    #[inline(never)]
+    pub(crate) fn at(&self, index: Index) -> Vec3 {
+        Vec3::from_bits(self.stored(index).to_bits())
+    }
 }
 
 impl Eq for Positions<'_> {}

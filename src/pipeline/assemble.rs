@@ -1,11 +1,11 @@
-//! Primitive assembly: from a mesh's indices to triangles on the screen, which are whole, clipped or
+//! Primitive assembly: from a mesh's indices to triangles and lines on the screen, which are whole, clipped or
 //! rejected.
 
 use super::cache::VertexCache;
 use super::call::Call;
 use super::clip::{ClippedPolygon, clip};
 use crate::mesh::{Index, Indices};
-use crate::raster::{self, ClippedVertex, Polygon, ScreenVertex};
+use crate::raster::{self, Barycentric, ClippedVertex, Polygon, ScreenVertex};
 use crate::view::ProjectionKind;
 
 /// Receives assembled triangles, to draw them or to list them.
@@ -45,6 +45,39 @@ pub(super) fn triangle<K: ProjectionKind>(
         clip(&call.projector, corners, outcode, &mut polygon);
         to.clipped(Indices::of_face(face, *corners), &polygon);
     }
+}
+
+/// Assembles one edge of the mesh: `each` receives its indices, the two ends of the part that is inside all planes, and
+/// whether it was clipped.
+#[inline(always)]
+#[allow(clippy::inline_always)] // a call takes 30 to 40 instructions, and the compiler's choice depends on the build's path
+pub(super) fn edge<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    vertices: &mut VertexCache,
+    indices: Indices,
+    each: &mut impl FnMut(Indices, [&ClippedVertex; 2], bool),
+) {
+    let [first, second, _] = Barycentric::CORNERS;
+    let mut end = |index: Index, barycentric: Barycentric| ClippedVertex {
+        vertex: *vertices.vertex(&call.projector, index),
+        barycentric,
+    };
+    let [a, b, _] = indices.corners;
+    let (from, to) = (&end(a, first), &end(b, second));
+    let mut clipped = ClippedPolygon::new();
+    let any = from.vertex.outcode | to.vertex.outcode;
+    let ends = if any == 0 {
+        [from, to]
+    } else {
+        if from.vertex.outcode & to.vertex.outcode == 0 {
+            clip(&call.projector, &[a, b], any, &mut clipped);
+        }
+        let [from, to] = &*clipped else {
+            return;
+        };
+        [from, to]
+    };
+    each(indices, ends, any != 0);
 }
 
 /// Twice the area of the part of a triangle that is inside all planes; 0 if there is none. [`triangle`] culls by its

@@ -4,12 +4,11 @@ use super::Drawn;
 use super::assemble;
 use super::cache::VertexCache;
 use super::call::{Call, To};
-use super::clip::{ClippedPolygon, clip};
 use super::run::Draw;
 use super::thing::{Paint, Pen, Thing};
 use crate::Vec3;
 use crate::mesh::{Index, Indices, Mesh, Outline, Positions};
-use crate::raster::{self, Barycentric, Blitter, ClippedVertex, LineStyle, Rasterizer};
+use crate::raster::{self, Blitter, ClippedVertex, LineStyle, Rasterizer};
 use crate::sealed::Sealed;
 use crate::view::{AsMvp, ProjectionKind};
 
@@ -245,33 +244,22 @@ impl EdgesOf<'_> {
         mut each: impl FnMut(Indices, [&ClippedVertex; 2], bool),
     ) {
         let mut vertices = VertexCache::new();
-        for indices in (0..).map_while(|edge| self.at(edge)) {
-            if let Some(outline) = self.outline
-                && !is_drawn(call, &mut vertices, outline, indices.number())
-            {
-                continue;
-            }
-            let [first, second, _] = Barycentric::CORNERS;
-            let mut end = |index: Index, barycentric: Barycentric| ClippedVertex {
-                vertex: *vertices.vertex(&call.projector, index),
-                barycentric,
-            };
-            let [a, b, _] = indices.corners;
-            let (from, to) = (&end(a, first), &end(b, second));
-            let mut clipped = ClippedPolygon::new();
-            let any = from.vertex.outcode | to.vertex.outcode;
-            let ends = if any == 0 {
-                [from, to]
-            } else {
-                if from.vertex.outcode & to.vertex.outcode == 0 {
-                    clip(&call.projector, &[a, b], any, &mut clipped);
+        match self.outline {
+            None => {
+                for (edge, &ends) in self.mesh.edge_indices().iter().enumerate() {
+                    let indices = Indices::of_edge(edge, ends);
+                    assemble::edge(call, &mut vertices, indices, &mut each);
                 }
-                let [from, to] = &*clipped else {
-                    continue;
-                };
-                [from, to]
-            };
-            each(indices, ends, any != 0);
+            }
+            Some(outline) => {
+                for (edge, &faces) in outline.edges().iter().enumerate() {
+                    if is_drawn(call, &mut vertices, faces, edge < outline.creases()) {
+                        let [a, b, ..] = faces;
+                        let indices = Indices::of_edge(edge, [a, b]);
+                        assemble::edge(call, &mut vertices, indices, &mut each);
+                    }
+                }
+            }
         }
     }
 }
@@ -281,12 +269,9 @@ impl EdgesOf<'_> {
 fn is_drawn<K: ProjectionKind>(
     call: &Call<'_, K>,
     vertices: &mut VertexCache,
-    outline: &Outline<'_>,
-    edge: usize,
+    [a, b, c, d]: [Index; 4],
+    is_crease: bool,
 ) -> bool {
-    let Some(&[a, b, c, d]) = outline.edges().get(edge) else {
-        return false;
-    };
     let cull = call.shared.cull;
     let left = assemble::area(call, vertices, [a, b, c]);
     // A border has no second face. It counts as a face without area.
@@ -296,6 +281,5 @@ fn is_drawn<K: ProjectionKind>(
         assemble::area(call, vertices, [b, a, d])
     };
     let is_silhouette = left.signum() != right.signum();
-    (edge < outline.creases() || is_silhouette)
-        && !(cull.leaves_out(left) && cull.leaves_out(right))
+    (is_crease || is_silhouette) && !(cull.leaves_out(left) && cull.leaves_out(right))
 }

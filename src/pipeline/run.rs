@@ -21,8 +21,20 @@ use crate::view::ProjectionKind;
 pub(super) fn triangles<K: ProjectionKind>(call: &Call<'_, K>, to: &mut impl Assembly) {
     // Before the faces are found: this takes fewer registers on Cortex-M0+.
     let mut vertices = VertexCache::new();
-    for (face, indices) in call.shared.mesh.faces().iter().enumerate() {
-        assemble::triangle(call, &mut vertices, (face, indices), to);
+    triangles_from(call, (0, call.shared.mesh.faces()), &mut vertices, to);
+}
+
+/// Runs triangles, the first of which has the index `first`, with the caller's cache. (A function of its own, because
+/// otherwise each triangle takes a call in programs that also draw quads.)
+#[inline]
+fn triangles_from<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    (first, faces): (usize, &[[Index; 3]]),
+    vertices: &mut VertexCache,
+    to: &mut impl Assembly,
+) {
+    for (face, indices) in (first..).zip(faces) {
+        assemble::triangle(call, vertices, (face, indices), to);
     }
 }
 
@@ -55,9 +67,7 @@ pub(super) fn quads<K: ProjectionKind>(
         let is_done =
             is_plane.is_some_and(|is_plane| rectangle(call, (at, pair), is_plane, &mut draw));
         if !is_done {
-            for (face, indices) in (at..).zip(pair) {
-                assemble::triangle(call, vertices, (face, indices), &mut draw);
-            }
+            triangles_from(call, (at, pair), vertices, &mut draw);
         }
     }
     draw.drawn()

@@ -12,7 +12,7 @@ use fixel::canvas::{
     TestAndWrite,
 };
 use fixel::mesh::flash::{Small, UvGrid, short_normal};
-use fixel::mesh::{Material, Part, flash};
+use fixel::mesh::{Material, Part};
 use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::shade::{PartColors, Translucent};

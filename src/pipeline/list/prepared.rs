@@ -488,12 +488,11 @@ impl<'r> Run<'r> {
             }
         };
         let [a, b, _] = Barycentric::CORNERS;
-        Some(
-            [(from, a), (to, b)].map(|(vertex, barycentric)| ClippedVertex {
-                vertex,
-                barycentric,
-            }),
-        )
+        let end = |vertex, barycentric| ClippedVertex {
+            vertex,
+            barycentric,
+        };
+        Some([end(from, a), end(to, b)])
     }
 
     /// The corners of a clipped triangle, or the ends of a clipped edge.
