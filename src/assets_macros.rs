@@ -66,7 +66,7 @@ macro_rules! include_mesh {
 /// static HOUSE: Mesh = include_mesh!("../tests/models/house.obj");
 /// static PARTS: &[Part] = include_materials!("../tests/models/house.obj");
 /// assert_eq!(PARTS.len(), 2);
-/// let [walls, roof] = [PARTS[0].material(), PARTS[1].material()];
+/// let [walls, roof] = [PARTS[0].material, PARTS[1].material];
 /// assert_eq!((walls.name, walls.texture), ("brick", Some("brick.tga")));
 /// assert_eq!((roof.name, PARTS[1].faces()), ("tiles", 10..14));
 ///
@@ -79,7 +79,7 @@ macro_rules! include_mesh {
 /// canvas.draw(&HOUSE, &mvp, &PartColors::rgb(PARTS).lit_faces(sun));
 /// // ... or one by one.
 /// for part in PARTS {
-///     canvas.draw(&HOUSE.part(part.faces()), &mvp, &Flat::rgb(part.material().color).lit_faces(sun));
+///     canvas.draw(&HOUSE.part(part.faces()), &mvp, &Flat::rgb(part.material.color).lit_faces(sun));
 /// }
 /// # Ok::<(), Error>(())
 /// ```

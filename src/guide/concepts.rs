@@ -187,8 +187,8 @@
 //!     .with_depth(TestOnly) // hides nothing that is drawn later
 //!     .with_blending(Opacity(96)); // of 255
 //! let floor = DrawOptions::new().with_mode(Fast::within(fx!(0.25)));
-//! assert_eq!(glass.cull(), Cull::Nothing);
-//! assert_eq!(floor.cull(), Cull::Back);
+//! assert_eq!(glass.cull, Cull::Nothing);
+//! assert_eq!(floor.cull, Cull::Back);
 //! ```
 //!
 //! Each option is a type, so a program contains only the variants that it names. [Choosing a mode](crate::guide::modes)

@@ -133,7 +133,9 @@ impl<'a> Mesh<'a> {
     }
 
     /// The mesh with attributes in fewer bits. The lists are known to fit it; those of faces may be empty.
-    pub(super) const fn with_small(
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn quantized(
         self,
         (normals, normal_faces): (&'a Small<'a, Vec3>, &'a [[Index; 3]]),
         (uvs, uv_faces): (&'a Small<'a, Vec2>, &'a [[Index; 3]]),

@@ -18,8 +18,10 @@ use crate::Vec3;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bounds {
-    pub(crate) least: Vec3,
-    pub(crate) most: Vec3,
+    /// The corner with the least coordinates.
+    pub least: Vec3,
+    /// The corner with the greatest coordinates.
+    pub most: Vec3,
 }
 
 impl Bounds {
@@ -27,18 +29,6 @@ impl Bounds {
     #[must_use]
     pub const fn new(a: Vec3, b: Vec3) -> Self {
         Self { least: a, most: a }.with(b)
-    }
-
-    /// The corner with the least coordinates.
-    #[must_use]
-    pub const fn least(&self) -> Vec3 {
-        self.least
-    }
-
-    /// The corner with the greatest coordinates.
-    #[must_use]
-    pub const fn most(&self) -> Vec3 {
-        self.most
     }
 
     /// The smallest box around this one and a point.

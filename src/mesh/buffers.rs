@@ -33,20 +33,6 @@ pub struct Counts {
     pub colors: usize,
 }
 
-impl Counts {
-    /// No elements.
-    pub(super) const ZERO: Self = Self {
-        positions: 0,
-        faces: 0,
-        edges: 0,
-        uvs: 0,
-        uv_faces: 0,
-        normals: 0,
-        normal_faces: 0,
-        colors: 0,
-    };
-}
-
 /// Memory for a shape that is built at run time: one slice per list, each at least as long as [`Counts`] says.
 ///
 /// Attributes and edges are left out if their slice is empty.
@@ -89,29 +75,14 @@ impl<'a> Buffers<'a> {
 
     /// `counts` without the lists whose slices are empty; an error if another slice is too short.
     pub(super) const fn wanted(&self, counts: Counts) -> Result<Counts, Error> {
-        let mut wanted = counts;
-        if self.edges.is_empty() {
-            wanted.edges = 0;
-        }
-        if self.uvs.is_empty() {
-            wanted.uvs = 0;
-        }
-        if self.normals.is_empty() {
-            wanted.normals = 0;
-        }
-        let room = [
-            (wanted.positions, self.positions.len()),
-            (wanted.faces, self.faces.len()),
-            (wanted.edges, self.edges.len()),
-            (wanted.uvs, self.uvs.len()),
-            (wanted.normals, self.normals.len()),
-        ];
-        let mut list = 0;
-        while list < room.len() {
-            ok!(check_count(room[list].0, room[list].1));
-            list += 1;
-        }
-        Ok(wanted)
+        ok!(check_count(counts.positions, self.positions.len()));
+        ok!(check_count(counts.faces, self.faces.len()));
+        Ok(Counts {
+            edges: ok!(optional(counts.edges, self.edges.len())),
+            uvs: ok!(optional(counts.uvs, self.uvs.len())),
+            normals: ok!(optional(counts.normals, self.normals.len())),
+            ..counts
+        })
     }
 
     /// The mesh of the first elements of each list, as many as `counts` says.
@@ -128,6 +99,15 @@ impl<'a> Buffers<'a> {
             (&[], &[]),
         ))
     }
+}
+
+/// How much of a list is written if there is this much room: all, or nothing if there is none.
+const fn optional(needed: usize, room: usize) -> Result<usize, Error> {
+    if room == 0 {
+        return Ok(0);
+    }
+    ok!(check_count(needed, room));
+    Ok(needed)
 }
 
 /// The first `count` elements of a list, or all if it is shorter.

@@ -3,7 +3,7 @@
 pub use embedded_graphics::pixelcolor::Rgb888;
 
 pub use super::attribute::{Small, UvGrid, short_normal};
-use super::{Buffers, Index, Mesh, Outline, Positions};
+use super::{Buffers, Index, Mesh};
 pub use crate::message::checked;
 use crate::{Vec2, Vec3};
 
@@ -37,12 +37,6 @@ impl<const N: usize> Room<N> {
             normals: &mut self.normals,
         }
     }
-}
-
-/// An outline that the macro has found.
-#[must_use]
-pub const fn outline(edges: &[[Index; 4]], creases: usize) -> Outline<'_> {
-    Outline::of(edges, creases)
 }
 
 /// The first elements of a list, as many as the result's length says.
@@ -117,44 +111,6 @@ pub const fn quantized_8<const N: usize>(uvs: &[Vec2]) -> ([[u8; 2]; N], UvGrid)
     (steps, grid)
 }
 
-/// Positions with 32-bit components.
-#[must_use]
-pub const fn long(positions: &[Vec3]) -> Positions<'_> {
-    Positions::long(positions)
-}
-
-/// Positions with 16-bit components.
-///
-/// # Panics
-///
-/// If there are more than 16 fraction bits.
-#[must_use]
-pub const fn short(positions: &[[i16; 3]], fraction: u32) -> Positions<'_> {
-    checked(Positions::short(positions, fraction), "mesh")
-}
-
-/// A mesh of lists that are known to fit each other: checking them again would take the compiler most of its time.
-#[must_use]
-pub const fn mesh<'a>(
-    positions: Positions<'a>,
-    faces: (&'a [[Index; 3]], &'a [[Index; 2]]),
-    uvs: (&'a [Vec2], &'a [[Index; 3]]),
-    normals: (&'a [Vec3], &'a [[Index; 3]]),
-    colors: (&'a [Rgb888], &'a [[Index; 3]]),
-) -> Mesh<'a> {
-    Mesh::of_lists(positions, faces, uvs, normals, colors)
-}
-
-/// A mesh with normals and texture coordinates in fewer bits, in lists that are known to fit it.
-#[must_use]
-pub const fn quantized<'a>(
-    mesh: Mesh<'a>,
-    normals: (&'a Small<'a, Vec3>, &'a [[Index; 3]]),
-    uvs: (&'a Small<'a, Vec2>, &'a [[Index; 3]]),
-) -> Mesh<'a> {
-    mesh.with_small(normals, uvs)
-}
-
 /// Lists from the little-endian bytes of their elements: the macros that read files write lists as bytes, because the
 /// compiler reads these several times as fast as numbers. Patterns and operators, because in the compiler, an index takes
 /// as long as several of them, and a call as long as ten.
@@ -216,14 +172,18 @@ macro_rules! __mesh {
     ($room:expr, $counts:expr) => {{
         static POSITIONS: [$crate::Vec3; $counts.positions] =
             $crate::mesh::flash::first(&$room.positions);
-        $crate::__mesh!($room, $counts, @ $crate::mesh::flash::long(&POSITIONS))
+        $crate::__mesh!($room, $counts, @ $crate::mesh::Positions::long(&POSITIONS))
     }};
     ($room:expr, $counts:expr, short) => {{
         #[allow(long_running_const_eval)]
         const SHORT: ([[i16; 3]; $counts.positions], u32) =
             $crate::mesh::flash::shortened(&$room.positions);
         static POSITIONS: [[i16; 3]; $counts.positions] = SHORT.0;
-        $crate::__mesh!($room, $counts, @ $crate::mesh::flash::short(&POSITIONS, SHORT.1))
+        const SHORTENED: $crate::mesh::Positions<'static> = $crate::mesh::flash::checked(
+            $crate::mesh::Positions::short(&POSITIONS, SHORT.1),
+            "mesh",
+        );
+        $crate::__mesh!($room, $counts, @ SHORTENED)
     }};
     ($room:expr, $counts:expr, quantized_8) => {
         $crate::__mesh!($room, $counts, quantized_8 uvs_of_8 u8)
@@ -240,11 +200,10 @@ macro_rules! __mesh {
         #[allow(long_running_const_eval)]
         static NORMALS: [[i8; 3]; $counts.normals] = flash::normals_of_8(&$room.normals);
         static SMALL_NORMALS: Small<'static, $crate::Vec3> = Small::normals(&NORMALS);
-        flash::quantized(
-            $crate::__mesh!($room, $counts, short).without_uvs().without_normals(),
-            (&SMALL_NORMALS, &[]),
-            (&SMALL_UVS, &[]),
-        )
+        $crate::__mesh!($room, $counts, short)
+            .without_uvs()
+            .without_normals()
+            .quantized((&SMALL_NORMALS, &[]), (&SMALL_UVS, &[]))
     }};
     ($room:expr, $counts:expr, $other:ident) => {
         ::core::compile_error!(
@@ -252,12 +211,12 @@ macro_rules! __mesh {
         )
     };
     ($room:expr, $counts:expr, @ $positions:expr) => {{
-        use $crate::mesh::flash::{first, mesh};
+        use $crate::mesh::flash::first;
         static FACES: [[$crate::Index; 3]; $counts.faces] = first(&$room.faces);
         static EDGES: [[$crate::Index; 2]; $counts.edges] = first(&$room.edges);
         static UVS: [$crate::Vec2; $counts.uvs] = first(&$room.uvs);
         static NORMALS: [$crate::Vec3; $counts.normals] = first(&$room.normals);
-        static MESH: $crate::Mesh<'static> = mesh(
+        static MESH: $crate::Mesh<'static> = $crate::Mesh::of_lists(
             $positions,
             (&FACES, &EDGES),
             (&UVS, &[]),

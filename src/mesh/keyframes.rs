@@ -211,10 +211,8 @@ impl<'a> Keyframes<'a> {
             {
                 *to = between(a, b, t);
             }
-            blended.normals = Attribute {
-                values: Values::Full(normals),
-                faces,
-            };
+            let values = Values::Full(normals);
+            blended.normals = Attribute { values, faces };
         }
         Ok(Mesh {
             positions: Positions::long(positions),

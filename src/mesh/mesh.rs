@@ -151,8 +151,11 @@ impl<'a> Mesh<'a> {
         ))
     }
 
-    /// A mesh of lists that are known to fit each other. An attribute without faces belongs to the positions.
-    pub(crate) const fn of_lists(
+    /// A mesh of lists that are known to fit each other: checking them again would take the compiler most of its time.
+    /// An attribute without faces belongs to the positions.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn of_lists(
         positions: Positions<'a>,
         (faces, edges): (&'a [[Index; 3]], &'a [[Index; 2]]),
         uvs: (&'a [Vec2], &'a [[Index; 3]]),

@@ -70,7 +70,9 @@ impl<'a> Outline<'a> {
     }
 
     /// An outline of edges that are known to be right.
-    pub(super) const fn of(edges: &'a [[Index; 4]], creases: usize) -> Self {
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn of(edges: &'a [[Index; 4]], creases: usize) -> Self {
         Self { edges, creases }
     }
 

@@ -93,7 +93,7 @@ impl Material<'_> {
 /// display.assert_pattern(&["RRBB", "RRBB", "RRBB", "RRBB"]);
 ///
 /// canvas.clear(Rgb565::BLACK);
-/// for part in PARTS.iter().filter(|part| part.material().texture == Some("sea.png")) {
+/// for part in PARTS.iter().filter(|part| part.material.texture == Some("sea.png")) {
 ///     canvas.draw(&SQUARE.part(part.faces()), &mvp, &Flat::new(Rgb565::GREEN));
 /// }
 /// let mut display = MockDisplay::new();
@@ -105,7 +105,8 @@ impl Material<'_> {
 pub struct Part<'a> {
     start: usize,
     end: usize,
-    material: Material<'a>,
+    /// The material.
+    pub material: Material<'a>,
 }
 
 impl<'a> Part<'a> {
@@ -124,12 +125,6 @@ impl<'a> Part<'a> {
     pub const fn faces(&self) -> Range<usize> {
         self.start..self.end
     }
-
-    /// The material.
-    #[must_use]
-    pub const fn material(&self) -> &Material<'a> {
-        &self.material
-    }
 }
 
 impl Mesh<'_> {
@@ -146,7 +141,8 @@ impl Mesh<'_> {
     /// ```
     #[must_use]
     pub fn part(&self, faces: Range<usize>) -> Self {
-        let range = self.part_range(&faces);
+        let end = faces.end.min(self.faces.len());
+        let range = faces.start.min(end)..end;
         Self {
             faces: self.faces.get(range.clone()).unwrap_or_default(),
             // The sum is at most the number of faces in the whole mesh.
@@ -157,11 +153,5 @@ impl Mesh<'_> {
             colors: self.colors.part(&range),
             ..*self
         }
-    }
-
-    /// A range of triangles, cut at the end of the list.
-    pub(super) fn part_range(&self, faces: &Range<usize>) -> Range<usize> {
-        let end = faces.end.min(self.faces.len());
-        faces.start.min(end)..end
     }
 }

@@ -17,7 +17,7 @@ pub(crate) struct Placement<'a> {
     pub(super) view: Transform,
     /// Computed when a shader asks for the first normal.
     normals: OnceCell<NormalMatrix>,
-    missing: Cell<Missing>,
+    pub(crate) missing: Cell<Missing>,
     /// The address of the list's entry that is drawn; 0 if none is.
     pub(crate) entry: Cell<usize>,
 }
@@ -81,12 +81,6 @@ impl<'a> Placement<'a> {
         matrix.direction(normal)
     }
 
-    /// The attributes that shaders asked for and the mesh lacks.
-    #[inline]
-    pub(crate) fn missing(&self) -> Missing {
-        self.missing.get()
-    }
-
     /// Notes attributes that a shader asked for and the mesh lacks.
     #[inline]
     pub(crate) fn miss(&self, missing: Missing) {
@@ -97,19 +91,15 @@ impl<'a> Placement<'a> {
 
     #[cold]
     pub(super) fn lacks_uvs(&self) -> Vec2 {
-        self.missing.set(Missing {
-            uvs: true,
-            ..self.missing.get()
-        });
+        let (uvs, colors) = (true, false);
+        self.miss(Missing { uvs, colors });
         Vec2::default()
     }
 
     #[cold]
     pub(super) fn lacks_colors(&self) -> Rgb888 {
-        self.missing.set(Missing {
-            colors: true,
-            ..self.missing.get()
-        });
+        let (uvs, colors) = (false, true);
+        self.miss(Missing { uvs, colors });
         Rgb888::WHITE
     }
 }

@@ -39,7 +39,10 @@ enum List<'a> {
 const FRACTION: u32 = 16;
 
 impl<'a> Positions<'a> {
-    pub(crate) const fn long(positions: &'a [Vec3]) -> Self {
+    /// Positions with 32-bit components.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn long(positions: &'a [Vec3]) -> Self {
         Self {
             list: List::Long(positions),
         }
@@ -51,7 +54,8 @@ impl<'a> Positions<'a> {
     }
 
     /// Positions in units of 2^-`fraction`.
-    pub(crate) const fn short(positions: &'a [[i16; 3]], fraction: u32) -> Result<Self, Error> {
+    #[doc(hidden)]
+    pub const fn short(positions: &'a [[i16; 3]], fraction: u32) -> Result<Self, Error> {
         ok!(check_parts("fraction bits", fraction, [0, FRACTION]));
         let up = FRACTION - fraction;
         Ok(Self {

@@ -139,7 +139,7 @@ impl Primitive<'_> {
     #[inline]
     pub const fn is_front(&self) -> bool {
         // A triangle without area has no pixels.
-        self.is_face() && (self.area < 0) != self.placement.view.is_mirror
+        self.indices.face().is_some() && (self.area < 0) != self.placement.view.is_mirror
     }
 
     /// The index of the triangle among the mesh's [`faces`](Mesh::faces); `None` for an edge or a point. In a
@@ -202,13 +202,6 @@ impl Primitive<'_> {
         }
     }
 
-    /// Whether this is a triangle rather than an edge or a point.
-    #[must_use]
-    #[inline]
-    pub const fn is_face(&self) -> bool {
-        self.indices.face().is_some()
-    }
-
     /// Calls `f` with each of the three corners and returns the results. For an edge, the second end comes twice; for
     /// a point, all three corners are the same.
     #[must_use]
@@ -232,15 +225,6 @@ impl Primitive<'_> {
     pub(crate) fn eye_positions(&self) -> [Vec3; 3] {
         let view = &self.placement.view;
         self.positions().map(|position| view.point(position))
-    }
-
-    /// The texture coordinates of the corners; (0, 0) where the mesh has none.
-    #[must_use]
-    #[inline]
-    pub fn uvs(&self) -> [Vec2; 3] {
-        #[allow(clippy::redundant_closure_for_method_calls)]
-        // The closure works for any lifetime, the path `Corner::uv` does not.
-        self.corners(|corner| corner.uv())
     }
 
     /// The normal of the triangle's plane in model space: (b − a) × (c − a) for the corners a, b and c.

@@ -25,7 +25,6 @@ pub(super) fn triangle<K: ProjectionKind>(
     (face, corners): (usize, &[Index; 3]),
     to: &mut impl Assembly,
 ) {
-    let indices = || Indices::of_face(face, *corners);
     let copies;
     let [a, b, c] = if let Some(vertices) = vertices.corners(&call.projector, *corners) {
         vertices
@@ -39,46 +38,46 @@ pub(super) fn triangle<K: ProjectionKind>(
         // Back faces, half of most meshes, are rejected here, before any attribute is read.
         let area = raster::area(&[a.screen, b.screen, c.screen]);
         if !call.shared.cull.leaves_out(area) {
-            to.whole(indices(), [a, b, c], area);
+            to.whole(Indices::of_face(face, *corners), [a, b, c], area);
         }
     } else if a.outcode & b.outcode & c.outcode == 0 {
         let mut polygon = ClippedPolygon::new();
         clip(&call.projector, corners, outcode, &mut polygon);
-        to.clipped(indices(), &polygon);
+        to.clipped(Indices::of_face(face, *corners), &polygon);
     }
 }
 
-/// Assembles one edge of the mesh: `each` receives the two ends of the part that is inside all planes, and whether it
-/// was clipped.
+/// Assembles one edge of the mesh: `each` receives its indices, the two ends of the part that is inside all planes, and
+/// whether it was clipped.
 #[inline(always)]
 #[allow(clippy::inline_always)] // a call takes 30 to 40 instructions, and the compiler's choice depends on the build's path
 pub(super) fn edge<K: ProjectionKind>(
     call: &Call<'_, K>,
     vertices: &mut VertexCache,
-    indices: [Index; 2],
-    each: impl FnOnce([&ClippedVertex; 2], bool),
+    indices: Indices,
+    each: &mut impl FnMut(Indices, [&ClippedVertex; 2], bool),
 ) {
     let [first, second, _] = Barycentric::CORNERS;
     let mut end = |index: Index, barycentric: Barycentric| ClippedVertex {
         vertex: *vertices.vertex(&call.projector, index),
         barycentric,
     };
-    let [a, b] = indices;
-    let (a, b) = (&end(a, first), &end(b, second));
+    let [a, b, _] = indices.corners;
+    let (from, to) = (&end(a, first), &end(b, second));
     let mut clipped = ClippedPolygon::new();
-    let any = a.vertex.outcode | b.vertex.outcode;
+    let any = from.vertex.outcode | to.vertex.outcode;
     let ends = if any == 0 {
-        [a, b]
+        [from, to]
     } else {
-        if a.vertex.outcode & b.vertex.outcode == 0 {
-            clip(&call.projector, &indices, any, &mut clipped);
+        if from.vertex.outcode & to.vertex.outcode == 0 {
+            clip(&call.projector, &[a, b], any, &mut clipped);
         }
         let [from, to] = &*clipped else {
             return;
         };
         [from, to]
     };
-    each(ends, any != 0);
+    each(indices, ends, any != 0);
 }
 
 /// Twice the area of the part of a triangle that is inside all planes; 0 if there is none. [`triangle`] culls by its

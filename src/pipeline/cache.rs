@@ -45,7 +45,7 @@ impl VertexCache {
         // The remainder is below `SIZE`, so there is no bounds check.
         let entry = &mut self.entries[usize::from(index) % SIZE];
         if entry.index != index {
-            projector.project(index, entry);
+            projector.project(index, None, entry);
         }
         entry
     }

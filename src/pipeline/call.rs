@@ -7,7 +7,7 @@ use embedded_graphics::geometry::Size;
 use super::vertex::Projector;
 use crate::Error;
 use crate::mesh::{Indices, Mesh, Placement, Primitive};
-use crate::raster::{Cull, DepthShift, Scissor};
+use crate::raster::{Cull, Scissor};
 use crate::view::{AsMvp, ProjectionKind, Viewport};
 
 /// A frame, the part of it that is drawn to, and which faces are culled.
@@ -91,9 +91,5 @@ impl<'m, K: ProjectionKind> Call<'m, K> {
                 scissor: screen.scissor(rows),
             },
         }
-    }
-
-    pub(super) fn depth_shift(&self) -> DepthShift {
-        self.projector.depth_shift()
     }
 }

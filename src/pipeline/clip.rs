@@ -58,7 +58,7 @@ pub(crate) fn clip<K: ProjectionKind>(
     }
     for corner in polygon {
         let mut vertex = ScreenVertex::UNSET;
-        projector.project_inside(&corner.position, &mut vertex);
+        projector.project(0, Some(&corner.position), &mut vertex);
         let _ = clipped.push(ClippedVertex {
             vertex,
             barycentric: corner.barycentric,
@@ -171,7 +171,7 @@ mod tests {
         );
         let outcodes = [0, 1, 2].map(|index| {
             let mut vertex = ScreenVertex::UNSET;
-            projector.project(index, &mut vertex);
+            projector.project(index, None, &mut vertex);
             vertex.outcode
         });
         let mut clipped = ClippedPolygon::new();

@@ -4,8 +4,8 @@ use super::Drawn;
 use super::assemble;
 use super::cache::VertexCache;
 use super::call::{Call, To};
-use super::run::{self, Draw};
-use super::thing::{DrawLine, Paint, Pen, Thing};
+use super::run::Draw;
+use super::thing::{Paint, Pen, Thing};
 use crate::Vec3;
 use crate::mesh::{Index, Indices, Mesh, Outline, Positions};
 use crate::raster::{self, Blitter, ClippedVertex, LineStyle, Rasterizer};
@@ -16,10 +16,16 @@ use crate::view::{AsMvp, ProjectionKind};
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Edges<'m, const SMOOTH: bool = false> {
+    pub(super) of: EdgesOf<'m>,
+    pub(super) style: LineStyle<SMOOTH>,
+}
+
+/// Edges to choose from: those of a mesh, or of its outline.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct EdgesOf<'m> {
     pub(super) mesh: &'m Mesh<'m>,
     /// All edges of the mesh if it is `None`.
-    pub(super) outline: Option<&'m Outline<'m>>,
-    pub(super) style: LineStyle<SMOOTH>,
+    outline: Option<&'m Outline<'m>>,
 }
 
 impl Mesh<'_> {
@@ -40,11 +46,9 @@ impl Mesh<'_> {
     /// ```
     #[must_use]
     pub const fn edges<const SMOOTH: bool>(&self, style: LineStyle<SMOOTH>) -> Edges<'_, SMOOTH> {
-        Edges {
-            mesh: self,
-            outline: None,
-            style,
-        }
+        let (mesh, outline) = (self, None);
+        let of = EdgesOf { mesh, outline };
+        Edges { of, style }
     }
 
     /// The edges of an [`Outline`] of this mesh, to be drawn or listed like [`edges`](Self::edges): those creases and
@@ -107,11 +111,9 @@ impl Mesh<'_> {
         outline: &'m Outline<'m>,
         style: LineStyle<SMOOTH>,
     ) -> Edges<'m, SMOOTH> {
-        Edges {
-            mesh: self,
-            outline: Some(outline),
-            style,
-        }
+        let (mesh, outline) = (self, Some(outline));
+        let of = EdgesOf { mesh, outline };
+        Edges { of, style }
     }
 }
 
@@ -176,23 +178,43 @@ where
     LineStyle<SMOOTH>: Pen<C>,
 {
     fn draw<V: AsMvp>(self, to: To<'_>, mvp: &V, paint: impl Paint<C>) -> Drawn {
-        let call = Call::new(to, self.mesh, mvp);
-        let shift = call.depth_shift();
-        self.style.paint::<V::Kind>(paint, shift, |line, blitter| {
-            match self.outline {
-                // Not through a `DrawLine`: a program that draws only hairlines is smaller if it calls the rasterizer
-                // directly.
-                None if self.style.is_hairline() => edges(&call, (raster::line, 0), blitter),
-                None => edges(&call, (line, self.style.reach()), blitter),
-                Some(outline) => draw_outline(&call, outline, (line, self.style.reach()), blitter),
+        let Self { of, style } = self;
+        let call = Call::new(to, of.mesh, mvp);
+        let shift = call.projector.depth_shift();
+        style.paint::<V::Kind>(paint, shift, |line, blitter| {
+            // Not through a `DrawLine`: a program that draws only hairlines is smaller if it calls the rasterizer
+            // directly.
+            if of.outline.is_none() && style.is_hairline() {
+                draw(&call, of, (raster::line, 0), blitter)
+            } else {
+                draw(&call, of, (line, style.reach()), blitter)
             }
         })
     }
 }
 
-impl<const SMOOTH: bool> Edges<'_, SMOOTH> {
+/// Draws the edges that are chosen, each by `line`, which reaches this many rows beyond its ends.
+#[inline(never)]
+fn draw<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    edges: EdgesOf<'_>,
+    (line, reach): (impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]), i32),
+    blitter: &mut dyn Blitter,
+) -> Drawn {
+    let mut draw = Draw::new(blitter, &call.shared, edges.count());
+    edges.assemble(call, |indices, ends, is_clipped| {
+        let [a, b] = ends;
+        // Most edges miss a band: no shader is asked for them.
+        if draw.meets([a.vertex.screen[1], b.vertex.screen[1]], reach) {
+            draw.line(indices, is_clipped, |raster| line(raster, ends));
+        }
+    });
+    draw.drawn()
+}
+
+impl EdgesOf<'_> {
     /// How many edges there are to choose from.
-    pub(super) const fn count(&self) -> usize {
+    pub(super) const fn count(self) -> usize {
         match self.outline {
             None => self.mesh.edge_indices().len(),
             Some(outline) => outline.edges().len(),
@@ -201,7 +223,7 @@ impl<const SMOOTH: bool> Edges<'_, SMOOTH> {
 
     /// The edge at this place among those to choose from.
     #[inline]
-    pub(super) fn at(&self, edge: usize) -> Option<Indices> {
+    pub(super) fn at(self, edge: usize) -> Option<Indices> {
         let [a, b] = match self.outline {
             None => *self.mesh.edge_indices().get(edge)?,
             Some(outline) => {
@@ -212,38 +234,37 @@ impl<const SMOOTH: bool> Edges<'_, SMOOTH> {
         Some(Indices::of_edge(edge, [a, b]))
     }
 
-    /// Assembles the edges that are drawn, as [`run::each_edge`] does.
+    /// Assembles the edges that are chosen: all of a mesh; of an outline, the creases, silhouettes and borders of which
+    /// at least one face is not culled. `each` receives the two ends of an edge's part that is inside all planes, and
+    /// whether it was clipped.
     #[inline]
-    pub(super) fn each<K: ProjectionKind>(
-        &self,
+    pub(super) fn assemble<K: ProjectionKind>(
+        self,
         call: &Call<'_, K>,
-        each: impl FnMut(Indices, [&ClippedVertex; 2], bool),
+        mut each: impl FnMut(Indices, [&ClippedVertex; 2], bool),
     ) {
+        let mut vertices = VertexCache::new();
         match self.outline {
-            None => run::each_edge(call, self.mesh.edge_indices(), all, each),
-            Some(outline) => run::each_edge(call, outline.edges(), ends_of(outline), each),
+            None => {
+                for (edge, &ends) in self.mesh.edge_indices().iter().enumerate() {
+                    let indices = Indices::of_edge(edge, ends);
+                    assemble::edge(call, &mut vertices, indices, &mut each);
+                }
+            }
+            Some(outline) => {
+                for (edge, &faces) in outline.edges().iter().enumerate() {
+                    if is_drawn(call, &mut vertices, faces, edge < outline.creases()) {
+                        let [a, b, ..] = faces;
+                        let indices = Indices::of_edge(edge, [a, b]);
+                        assemble::edge(call, &mut vertices, indices, &mut each);
+                    }
+                }
+            }
         }
     }
 }
 
-/// Chooses all edges.
-#[allow(clippy::unnecessary_wraps, clippy::trivially_copy_pass_by_ref)] // as the signature demands
-fn all<K>(_: &Call<'_, K>, _: &mut VertexCache, _: usize, edge: &[Index; 2]) -> Option<[Index; 2]> {
-    Some(*edge)
-}
-
-/// Chooses the edges of an outline that are drawn, and returns their ends.
-#[inline]
-fn ends_of<K: ProjectionKind>(
-    outline: &Outline<'_>,
-) -> impl Fn(&Call<'_, K>, &mut VertexCache, usize, &[Index; 4]) -> Option<[Index; 2]> {
-    |call, vertices, at, &edge| {
-        let [a, b, ..] = edge;
-        is_drawn(call, vertices, edge, at < outline.creases()).then_some([a, b])
-    }
-}
-
-/// Whether an edge is drawn, from how its faces are turned.
+/// Whether an edge of an outline is drawn, from how its faces are turned.
 #[inline]
 fn is_drawn<K: ProjectionKind>(
     call: &Call<'_, K>,
@@ -261,45 +282,4 @@ fn is_drawn<K: ProjectionKind>(
     };
     let is_silhouette = left.signum() != right.signum();
     (is_crease || is_silhouette) && !(cull.leaves_out(left) && cull.leaves_out(right))
-}
-
-/// Draws all edges of a mesh, each by `line`, which reaches this many rows beyond its ends.
-#[inline(never)]
-fn edges<K: ProjectionKind>(
-    call: &Call<'_, K>,
-    line: (impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]), i32),
-    blitter: &mut dyn Blitter,
-) -> Drawn {
-    lines(call, blitter, call.shared.mesh.edge_indices(), all, line)
-}
-
-/// Draws the creases, silhouettes and borders of an outline of which at least one face is not culled.
-#[inline(never)]
-fn draw_outline<K: ProjectionKind>(
-    call: &Call<'_, K>,
-    outline: &Outline<'_>,
-    line: (DrawLine<'_>, i32),
-    blitter: &mut dyn Blitter,
-) -> Drawn {
-    lines(call, blitter, outline.edges(), ends_of(outline), line)
-}
-
-/// Draws edges, each by `line`.
-#[inline]
-fn lines<K: ProjectionKind, E>(
-    call: &Call<'_, K>,
-    blitter: &mut dyn Blitter,
-    edges: &[E],
-    ends_of: impl Fn(&Call<'_, K>, &mut VertexCache, usize, &E) -> Option<[Index; 2]>,
-    (line, reach): (impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]), i32),
-) -> Drawn {
-    let mut draw = Draw::new(blitter, &call.shared, edges.len());
-    run::each_edge(call, edges, ends_of, |indices, ends, is_clipped| {
-        let [a, b] = ends;
-        // Most edges miss a band: no shader is asked for them.
-        if draw.meets([a.vertex.screen[1], b.vertex.screen[1]], reach) {
-            draw.line(indices, is_clipped, |raster| line(raster, ends));
-        }
-    });
-    draw.drawn()
 }

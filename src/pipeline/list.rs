@@ -20,21 +20,21 @@ use heapless::{Vec, VecView};
 use super::Drawn;
 use super::assemble::Assembly;
 use super::cache;
-use super::call::{Call, Screen, Shared};
+use super::call::{Call, Screen};
 use super::edges::Edges;
 use super::options::Options;
 use super::run;
-use super::thing::{DrawLine, Fill};
+use super::thing::DrawLine;
 use crate::Error;
 use crate::canvas::check_size;
 use crate::mesh::{Index, Indices, Mesh};
 use crate::raster::{
-    Barycentric, Blitter, ClippedVertex, DepthShift, LineStyle, Polygon, ScreenVertex, Triangle,
-    first_center,
+    Barycentric, Blitter, ClippedVertex, Cull, DepthShift, LineStyle, Polygon, Scissor,
+    ScreenVertex, Triangle, first_center,
 };
 use crate::sealed::Sealed;
 use crate::view::{AsMvp, ProjectionKind};
-use prepared::{Elements, Objects, Placed, Run};
+use prepared::{Objects, Placed, Run};
 
 /// Memory for the triangles or edges of a frame that is drawn in bands.
 ///
@@ -132,7 +132,7 @@ use prepared::{Elements, Objects, Placed, Run};
 /// );
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct DrawList<const ELEMENTS: usize, const VERTICES: usize> {
     entries: Vec<Entry, ELEMENTS>,
     vertices: Vec<Slot, VERTICES>,
@@ -169,12 +169,6 @@ pub(super) enum Slot {
         exponent: u8,
     },
     Barycentric(Barycentric),
-}
-
-impl<const ELEMENTS: usize, const VERTICES: usize> Default for DrawList<ELEMENTS, VERTICES> {
-    fn default() -> Self {
-        Self::new()
-    }
 }
 
 impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> {
@@ -361,12 +355,15 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
         let mut filling = Filling {
             entries: self.entries.as_mut_view(),
             slots: self.vertices.as_mut_view(),
+            screen: &screen,
+            cull: screen.cull,
+            scissor: screen.scissor(&(0..frame.height)),
             element: 0,
             needed: [0; 2],
             rows: NO_ROWS,
             numbers: [(0, 0); cache::SIZE],
         };
-        let objects = scene.list(&mut filling, &screen, view);
+        let objects = scene.list(&mut filling, view);
         let [elements, vertices] = filling.needed;
         let most = VERTICES.min(Self::MAX_VERTICES);
         for (of, needed, room) in [
@@ -378,14 +375,11 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
             }
         }
         sort(&mut self.entries, &self.vertices, &objects);
-        let elements = Elements {
+        Ok(Prepared {
+            objects,
             entries: &self.entries,
             vertices: &self.vertices,
             screen,
-        };
-        Ok(Prepared {
-            objects,
-            elements,
             options,
             kind: PhantomData,
         })
@@ -409,6 +403,10 @@ struct Listing {
 pub struct Filling<'l> {
     entries: &'l mut VecView<Entry>,
     slots: &'l mut VecView<Slot>,
+    screen: &'l Screen,
+    /// Of the present thing, by the winding on the screen.
+    cull: Cull,
+    scissor: Scissor,
     /// The number of elements of the things before the present one.
     element: u32,
     /// How many elements and vertices are visible so far.
@@ -423,8 +421,10 @@ pub struct Filling<'l> {
 impl Filling<'_> {
     /// Adds the visible elements of a thing.
     #[inline]
-    fn thing<G: Listed, V: AsMvp>(&mut self, screen: &Screen, thing: &G, mvp: &V) -> Listing {
-        let call = Call::new((screen, &(0..screen.frame.height)), thing.mesh(), mvp);
+    fn thing<G: Listed, V: AsMvp>(&mut self, thing: &G, mvp: &V) -> Listing {
+        let rows = 0..self.screen.frame.height;
+        let call = Call::new((self.screen, &rows), thing.mesh(), mvp);
+        self.cull = call.shared.cull;
         self.rows = NO_ROWS;
         self.numbers = [(0, 0); cache::SIZE];
         thing.fill(&call, self);
@@ -433,7 +433,7 @@ impl Filling<'_> {
         Listing {
             first,
             rows: self.rows,
-            depth_shift: call.depth_shift(),
+            depth_shift: call.projector.depth_shift(),
         }
     }
 
@@ -478,7 +478,7 @@ impl Filling<'_> {
     }
 
     /// Adds the corners of a clipped triangle or edge.
-    fn clipped(&mut self, corners: &[ClippedVertex]) -> Corners {
+    fn corners(&mut self, corners: &[ClippedVertex]) -> Corners {
         let first = (self.needed[1] as u16).wrapping_add(1);
         for corner in corners {
             self.add_vertex(&corner.vertex);
@@ -490,32 +490,21 @@ impl Filling<'_> {
     }
 }
 
-/// The triangles of a mesh, while they are listed.
-struct Triangles<'f, 'l, 'm> {
-    filling: &'f mut Filling<'l>,
-    shared: &'f Shared<'m>,
-}
-
-impl Assembly for Triangles<'_, '_, '_> {
+impl Assembly for Filling<'_> {
     fn whole(&mut self, indices: Indices, corners: [&ScreenVertex; 3], area: i64) {
-        if let Some(triangle) = &Triangle::new(corners, None, area, &self.shared.scissor) {
-            let numbers = corners.map(|corner| self.filling.number(corner));
+        if let Some(triangle) = &Triangle::new(corners, None, area, &self.scissor) {
+            let numbers = corners.map(|corner| self.number(corner));
             // Rows of a frame are 0 to 2048.
             let rows = [triangle.rows.start as i16, triangle.rows.end as i16];
-            self.filling
-                .add(indices.number(), rows, Corners::Whole(numbers));
+            self.add(indices.number(), rows, Corners::Whole(numbers));
         }
     }
 
     fn clipped(&mut self, indices: Indices, polygon: &[ClippedVertex]) {
-        let part = Polygon::new(polygon, self.shared.cull);
-        if let Some(rows) = part.and_then(|part| part.rows(&self.shared.scissor)) {
-            let corners = self.filling.clipped(polygon);
-            self.filling.add(
-                indices.number(),
-                [rows.start as i16, rows.end as i16],
-                corners,
-            );
+        let part = Polygon::new(polygon, self.cull);
+        if let Some(rows) = part.and_then(|part| part.rows(&self.scissor)) {
+            let (corners, rows) = (self.corners(polygon), [rows.start as i16, rows.end as i16]);
+            self.add(indices.number(), rows, corners);
         }
     }
 }
@@ -527,7 +516,7 @@ impl Assembly for Triangles<'_, '_, '_> {
     note = "a list takes `&mesh`, `mesh.edges(style)`, `mesh.outline(&outline, style)` or `&mut objects`"
 )]
 pub trait Listed: Copy + Sealed {
-    /// How it is drawn.
+    /// How its lines are drawn.
     type Style;
 
     /// What its elements are called.
@@ -557,14 +546,14 @@ pub trait Listed: Copy + Sealed {
 }
 
 impl Listed for &Mesh<'_> {
-    type Style = Fill;
+    type Style = LineStyle;
 
     const ELEMENTS: &'static str = "triangles";
     const REACH: i32 = 0;
 
     #[inline]
-    fn style(&self) -> Fill {
-        Fill
+    fn style(&self) -> LineStyle {
+        LineStyle::HAIRLINE // triangles have no lines, so any style will do
     }
 
     #[inline]
@@ -584,8 +573,7 @@ impl Listed for &Mesh<'_> {
 
     #[inline]
     fn fill<K: ProjectionKind>(&self, call: &Call<'_, K>, filling: &mut Filling<'_>) {
-        let shared = &call.shared;
-        run::triangles(call, &mut Triangles { filling, shared });
+        run::triangles(call, filling);
     }
 
     #[inline]
@@ -612,25 +600,25 @@ impl<const SMOOTH: bool> Listed for Edges<'_, SMOOTH> {
 
     #[inline]
     fn mesh(&self) -> &Mesh<'_> {
-        self.mesh
+        self.of.mesh
     }
 
     #[inline]
     fn count(&self) -> usize {
-        self.count()
+        self.of.count()
     }
 
     #[inline]
     fn indices(&self, edge: usize) -> Option<Indices> {
-        self.at(edge)
+        self.of.at(edge)
     }
 
     #[inline]
     fn fill<K: ProjectionKind>(&self, call: &Call<'_, K>, filling: &mut Filling<'_>) {
-        self.each(call, |edge, ends, is_clipped| {
+        self.of.assemble(call, |edge, ends, is_clipped| {
             let [a, b] = ends.map(|end| end.vertex.screen[1]);
             let corners = if is_clipped {
-                filling.clipped(&ends.map(|end| *end))
+                filling.corners(&ends.map(|end| *end))
             } else {
                 let [a, b] = ends.map(|end| filling.number(&end.vertex));
                 Corners::Whole([a, b, 0])
@@ -647,12 +635,7 @@ impl<const SMOOTH: bool> Listed for Edges<'_, SMOOTH> {
 
     #[inline]
     fn draw(&self, run: &Run<'_>, line: DrawLine<'_>, blitter: &mut dyn Blitter) -> Drawn {
-        let edges = Edges {
-            mesh: self.mesh,
-            outline: self.outline,
-            style: LineStyle::HAIRLINE,
-        };
-        run.draw_edges(&edges, self.style.reach(), line, blitter)
+        run.draw_edges(self.of, self.style.reach(), line, blitter)
     }
 }
 
@@ -665,7 +648,6 @@ pub trait Scene<'a>: Sealed {
     fn list<V: AsMvp>(
         self,
         filling: &mut Filling<'_>,
-        screen: &Screen,
         view: &V,
     ) -> Objects<'a, Self::Thing, Self::Material>;
 }
@@ -675,20 +657,13 @@ impl<'a, G: Listed> Scene<'a> for G {
     type Material = ();
 
     #[inline]
-    fn list<V: AsMvp>(
-        self,
-        filling: &mut Filling<'_>,
-        screen: &Screen,
-        view: &V,
-    ) -> Objects<'a, G, ()> {
-        Objects::One(
-            Placed {
-                listing: filling.thing(screen, &self, view),
-                thing: self,
-                model: *view.model_of(),
-                view: view.model_view_of(),
-            },
-            (),
-        )
+    fn list<V: AsMvp>(self, filling: &mut Filling<'_>, view: &V) -> Objects<'a, G, ()> {
+        let placed = Placed {
+            listing: filling.thing(&self, view),
+            thing: self,
+            model: *view.model_of(),
+            view: view.model_view_of(),
+        };
+        Objects::One(placed, ())
     }
 }

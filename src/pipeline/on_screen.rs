@@ -70,7 +70,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
             &viewport,
         );
         let mut at = ScreenVertex::UNSET;
-        projector.project(0, &mut at);
+        projector.project(0, None, &mut at);
         if at.outcode != 0 {
             return None;
         }
@@ -218,7 +218,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         mvp: &V,
     ) -> u32 {
         let view = mvp.model_view_of();
-        let (a, b) = (view.point(bounds.least()), view.point(bounds.most()));
+        let (a, b) = (view.point(bounds.least), view.point(bounds.most));
         let diagonal = a.wide_distance(b);
         // Twice the distance of the middle.
         let ahead = -(i64::from(a.z.to_bits()) + i64::from(b.z.to_bits()));

@@ -19,17 +19,22 @@ use crate::view::Viewport;
 /// ```
 /// use fixel::prelude::*;
 /// let left: DrawOptions = DrawOptions::new().with_viewport(Viewport::new(0, 0, 160, 240)?);
-/// assert_eq!(left.viewport(), Some(Viewport::new(0, 0, 160, 240)?));
+/// assert_eq!(left.viewport, Some(Viewport::new(0, 0, 160, 240)?));
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DrawOptions<M = Newton, Z = TestAndWrite, B = Replace> {
-    cull: Cull,
-    viewport: Option<Viewport>,
-    mode: M,
-    depth: Z,
-    blending: B,
+    /// Which faces are culled.
+    pub cull: Cull,
+    /// The part of the frame that is drawn to; `None` for the whole frame.
+    pub viewport: Option<Viewport>,
+    /// How attributes are interpolated.
+    pub mode: M,
+    /// How depths are tested and stored.
+    pub depth: Z,
+    /// How colors are blended with those on the canvas.
+    pub blending: B,
 }
 
 /// Any [`DrawOptions`], for what depends neither on mode nor on depth test and blending.
@@ -128,35 +133,5 @@ impl<M: Copy, Z: Copy, B: Copy> DrawOptions<M, Z, B> {
             depth,
             blending,
         }
-    }
-
-    /// Returns which faces are culled.
-    #[must_use]
-    pub const fn cull(&self) -> Cull {
-        self.cull
-    }
-
-    /// Returns the part of the frame that is drawn to; `None` for the whole frame.
-    #[must_use]
-    pub const fn viewport(&self) -> Option<Viewport> {
-        self.viewport
-    }
-
-    /// Returns how attributes are interpolated.
-    #[must_use]
-    pub const fn mode(&self) -> M {
-        self.mode
-    }
-
-    /// Returns how depths are tested and stored.
-    #[must_use]
-    pub const fn depth(&self) -> Z {
-        self.depth
-    }
-
-    /// Returns how colors are blended with those on the canvas.
-    #[must_use]
-    pub const fn blending(&self) -> B {
-        self.blending
     }
 }

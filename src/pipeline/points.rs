@@ -60,7 +60,7 @@ impl Sealed for Points<'_> {}
 impl<C> Thing<C> for Points<'_> {
     fn draw<V: AsMvp>(self, to: To<'_>, mvp: &V, mut paint: impl Paint<C>) -> Drawn {
         let call = Call::new(to, self.mesh, mvp);
-        paint.run::<V::Kind>(call.depth_shift(), paint.shading(), |blitter| {
+        paint.run::<V::Kind>(call.projector.depth_shift(), paint.shading(), |blitter| {
             if self.style.is_pixel() {
                 pixels(&call, blitter)
             } else {
@@ -132,7 +132,7 @@ fn sized_points<K: ProjectionKind>(
             HalfSize::Equal(half) => half,
             HalfSize::OverDistance(mantissa, exp) => {
                 // near / w = q · 2^(exponent − 16 − shift), as for the depth.
-                let shift = i32::from(at.exponent) - 16 - call.depth_shift().0 - exp;
+                let shift = i32::from(at.exponent) - 16 - call.projector.depth_shift().0 - exp;
                 block::shift(product(mantissa, at.q.cast_signed()), shift + 8)
             }
         })
@@ -157,7 +157,7 @@ fn each_point<K: ProjectionKind>(
         // A mesh has at most 65,536 positions.
         let index = index as Index;
         let mut at = ScreenVertex::UNSET;
-        call.projector.project(index, &mut at);
+        call.projector.project(index, None, &mut at);
         if at.outcode != 0 {
             continue;
         }

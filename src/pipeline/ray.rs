@@ -29,10 +29,13 @@ use crate::{Error, Fraction, Scalar, Vec3};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Ray {
-    origin: Vec3,
-    direction: Direction,
-    /// Which faces it passes through, by their winding in model space.
-    cull: Cull,
+    /// The point where the ray starts.
+    pub origin: Vec3,
+    /// The direction of the ray.
+    pub direction: Direction,
+    /// Which faces the ray passes through: none, those that it meets from behind, or those that it meets from the
+    /// front, where their corners run counter-clockwise.
+    pub cull: Cull,
 }
 
 /// The place where a ray meets a mesh; [`Ray::hit`] returns it.
@@ -74,31 +77,6 @@ impl Ray {
             direction: Direction::of(direction),
             cull: Cull::Nothing,
         })
-    }
-
-    /// Sets which faces the ray passes through: none, those that it meets from behind, or those that it meets from the
-    /// front, where their corners run counter-clockwise.
-    #[must_use]
-    pub const fn with_cull(self, cull: Cull) -> Self {
-        Self { cull, ..self }
-    }
-
-    /// The point where the ray starts.
-    #[must_use]
-    pub const fn origin(&self) -> Vec3 {
-        self.origin
-    }
-
-    /// The direction of the ray.
-    #[must_use]
-    pub const fn direction(&self) -> Direction {
-        self.direction
-    }
-
-    /// Which faces the ray passes through.
-    #[must_use]
-    pub const fn cull(&self) -> Cull {
-        self.cull
     }
 
     /// The point at a distance from the origin, rounded to nearest; saturates.
@@ -153,8 +131,8 @@ impl Ray {
 struct RayView {
     origin: [i32; 3],
     direction: [i32; 3],
-    /// The longest axis.
-    main: usize,
+    /// The longest axis, and the two aside, so that the three are right-handed.
+    axes: [usize; 3],
     cull_sign: i64,
 }
 
@@ -171,40 +149,29 @@ impl RayView {
     fn new(ray: &Ray) -> Self {
         let direction = ray.direction.to_bits();
         let [x, y, z] = direction.map(i32::unsigned_abs);
-        let main = if x >= y && x >= z {
-            0
+        let axes = if x >= y && x >= z {
+            [0, 1, 2]
         } else if y >= z {
-            1
+            [1, 2, 0]
         } else {
-            2
+            [2, 0, 1]
         };
         Self {
             origin: ray.origin.to_bits(),
             direction,
-            main,
-            cull_sign: i64::from(direction[main].signum()),
-        }
-    }
-
-    /// The axes aside, so that the three are right-handed.
-    const fn axes(&self) -> [usize; 2] {
-        match self.main {
-            0 => [1, 2],
-            1 => [2, 0],
-            _ => [0, 1],
+            axes,
+            cull_sign: i64::from(direction[axes[0]].signum()),
         }
     }
 
     fn see(&self, position: Vec3) -> Seen {
-        let (position, main) = (position.to_bits(), self.main);
+        let (position, [main, aside @ ..]) = (position.to_bits(), self.axes);
         let from = |axis: usize| i64::from(position[axis]) - i64::from(self.origin[axis]);
         let ahead = from(main);
         let along = i64::from(self.direction[main]);
         Seen {
             // This is a component of the cross product of a vector of at most √2 · 2^32 and one of 2^30.
-            aside: self
-                .axes()
-                .map(|axis| from(axis) * along - ahead * i64::from(self.direction[axis])),
+            aside: aside.map(|axis| from(axis) * along - ahead * i64::from(self.direction[axis])),
             ahead: ahead * i64::from(along.signum() as i32),
         }
     }
@@ -249,60 +216,46 @@ impl RayView {
 
     /// The distance from the origin of a point `ahead` · 2^-46 ahead along the main axis; saturates.
     fn distance(&self, ahead: i64) -> Scalar {
-        let along = u64::from(self.direction[self.main].unsigned_abs());
+        let along = u64::from(self.direction[self.axes[0]].unsigned_abs());
         let rounded = ahead.unsigned_abs() + along / 2;
         let distance = rounded.checked_div(along).unwrap_or_default();
         Scalar::from_bits(distance.min(i32::MAX.unsigned_abs().into()) as i32)
     }
 }
 
-/// The inverse of a transform: points of eye space in model space.
-struct Inverse<'t> {
-    transform: &'t Transform,
-    /// The columns of the inverse matrix, times the determinant and a power of two.
-    columns: [[i32; 3]; 3],
-    /// The determinant times that power, which is positive: columns have its sign.
-    determinant: i64,
-}
-
-impl<'t> Inverse<'t> {
-    /// `None` if the transform's matrix has no inverse.
-    fn of(transform: &'t Transform) -> Option<Self> {
-        let [x, ..] = transform.linear;
-        let [first, second, third] = transform.normal_matrix();
-        let determinant = dot(&x, &first);
-        let transpose = |axis: usize| [first[axis], second[axis], third[axis]];
-        (determinant > 0).then_some(Self {
-            transform,
-            columns: [transpose(0), transpose(1), transpose(2)],
-            determinant,
-        })
+/// A point and a direction of eye space in model space, from where `view` transforms them. The point is rounded to
+/// nearest. `None` if the transform's matrix has no inverse, or if the point is out of range.
+fn in_model(
+    view: &Transform,
+    point: [BlockFloat; 3],
+    direction: &[BlockFloat; 3],
+) -> Option<(Vec3, [i32; 3])> {
+    let [x, ..] = view.linear;
+    let [first, second, third] = view.normal_matrix();
+    // Positive, because the columns have the sign of the determinant.
+    let determinant = dot(&x, &first);
+    if determinant <= 0 {
+        return None;
     }
-
-    /// A direction, of any positive length.
-    fn direction(&self, direction: &[BlockFloat; 3]) -> Option<[i32; 3]> {
-        let mut mantissas = [0; 3];
-        block::normalize(&mut mantissas, direction);
-        unit(self.columns.map(|column| dot(&column, &mantissas)))
+    // The columns of the inverse matrix, times the determinant and a power of two.
+    let columns = [0, 1, 2].map(|axis: usize| [first[axis], second[axis], third[axis]]);
+    let mut offset = point;
+    for (number, &moved) in offset.iter_mut().zip(&view.translation) {
+        *number = number.plus(BlockFloat::new((-moved).into(), view.translation_exp));
     }
-
-    /// A point, rounded to nearest; `None` if it is out of range.
-    fn point(&self, point: &[BlockFloat; 3]) -> Option<Vec3> {
-        let (transform, mut offset) = (self.transform, *point);
-        for (number, &moved) in offset.iter_mut().zip(&transform.translation) {
-            let moved = BlockFloat::new((-moved).into(), transform.translation_exp);
-            *number = number.plus(moved);
-        }
-        let mut mantissas = [0; 3];
-        let exp = block::normalize(&mut mantissas, &offset) - transform.linear_exp;
-        let determinant = BlockFloat::new(self.determinant, 0);
-        let bits = self.columns.map(|column| {
-            let at = BlockFloat::new(dot(&column, &mantissas), exp).over(determinant);
-            block::fixed(at.value, at.exp, 16)
-        });
-        let is_inside = |&v: &i32| i32::MIN < v && v < i32::MAX;
-        bits.iter().all(is_inside).then(|| Vec3::from_bits(bits))
+    let mut mantissas = [0; 3];
+    let exp = block::normalize(&mut mantissas, &offset) - view.linear_exp;
+    let bits = columns.map(|column| {
+        let at = BlockFloat::new(dot(&column, &mantissas), exp);
+        let at = at.over(BlockFloat::new(determinant, 0));
+        block::fixed(at.value, at.exp, 16)
+    });
+    if bits.iter().any(|&v| v == i32::MIN || v == i32::MAX) {
+        return None;
     }
+    block::normalize(&mut mantissas, direction);
+    let direction = unit(columns.map(|column| dot(&column, &mantissas)))?;
+    Some((Vec3::from_bits(bits), direction))
 }
 
 impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
@@ -375,11 +328,10 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         let x = at(pixel.x, columns.start, columns.end);
         let y = at(pixel.y, rows.start, rows.end).negated();
         let [near, direction] = mvp.projection_of().sight(x, y);
-        let view = mvp.model_view_of();
-        let inverse = Inverse::of(&view)?;
+        let (origin, direction) = in_model(&mvp.model_view_of(), near, &direction)?;
         Some(Ray {
-            origin: inverse.point(&near)?,
-            direction: Direction::from_bits(inverse.direction(&direction)?),
+            origin,
+            direction: Direction::from_bits(direction),
             cull: screen.cull,
         })
     }

@@ -24,7 +24,8 @@ pub(super) fn triangles<K: ProjectionKind>(call: &Call<'_, K>, to: &mut impl Ass
     triangles_from(call, (0, call.shared.mesh.faces()), &mut vertices, to);
 }
 
-/// Runs triangles, the first of which has the index `first`, with the caller's cache.
+/// Runs triangles, the first of which has the index `first`, with the caller's cache. (A function of its own, because
+/// otherwise each triangle takes a call in programs that also draw quads.)
 #[inline]
 fn triangles_from<K: ProjectionKind>(
     call: &Call<'_, K>,
@@ -34,26 +35,6 @@ fn triangles_from<K: ProjectionKind>(
 ) {
     for (face, indices) in (first..).zip(faces) {
         assemble::triangle(call, vertices, (face, indices), to);
-    }
-}
-
-/// Runs edges through the vertex and assembly stages. `ends_of` returns the positions of an edge, or nothing if it is
-/// not to be drawn; `each` receives the two ends of its part that is inside all planes, and whether it was clipped.
-#[inline]
-pub(super) fn each_edge<K: ProjectionKind, E>(
-    call: &Call<'_, K>,
-    edges: &[E],
-    ends_of: impl Fn(&Call<'_, K>, &mut VertexCache, usize, &E) -> Option<[Index; 2]>,
-    mut each: impl FnMut(Indices, [&ClippedVertex; 2], bool),
-) {
-    let mut vertices = VertexCache::new();
-    for (at, edge) in edges.iter().enumerate() {
-        let Some(ends) = ends_of(call, &mut vertices, at, edge) else {
-            continue;
-        };
-        assemble::edge(call, &mut vertices, ends, |line, is_clipped| {
-            each(Indices::of_edge(at, ends), line, is_clipped);
-        });
     }
 }
 
@@ -106,8 +87,8 @@ fn rectangle<K: ProjectionKind>(
     };
     let ([a, ..], [.., d]) = (one, other);
     let [mut from, mut to] = [ScreenVertex::UNSET; 2];
-    call.projector.project(a, &mut from);
-    call.projector.project(d, &mut to);
+    call.projector.project(a, None, &mut from);
+    call.projector.project(d, None, &mut to);
     // The other two corners have the coordinates of these.
     if from.outcode | to.outcode != 0 {
         return from.outcode & to.outcode != 0;
@@ -127,7 +108,7 @@ fn rectangle<K: ProjectionKind>(
     let is_plane = is_plane([&shared.primitive(one, area), &shared.primitive(other, area)]);
     if is_plane {
         draw.raster.of(one, area).rectangle(half);
-        draw.drawn.drawn += 2;
+        draw.drawn += 2;
     }
     is_plane
 }
@@ -136,7 +117,9 @@ fn rectangle<K: ProjectionKind>(
 pub(super) struct Draw<'d> {
     raster: Rasterizer<'d>,
     shared: &'d Shared<'d>,
-    drawn: Drawn,
+    submitted: usize,
+    drawn: u32,
+    clipped: u32,
 }
 
 impl<'d> Draw<'d> {
@@ -153,10 +136,9 @@ impl<'d> Draw<'d> {
                 &shared.scissor,
             ),
             shared,
-            drawn: Drawn {
-                submitted: submitted as u32,
-                ..Drawn::default()
-            },
+            submitted,
+            drawn: 0,
+            clipped: 0,
         }
     }
 
@@ -164,8 +146,10 @@ impl<'d> Draw<'d> {
     #[inline]
     pub(super) fn drawn(self) -> Drawn {
         Drawn {
-            missing: self.shared.placement.missing(),
-            ..self.drawn
+            submitted: self.submitted as u32,
+            drawn: self.drawn,
+            clipped: self.clipped,
+            missing: self.shared.placement.missing.get(),
         }
     }
 
@@ -186,8 +170,8 @@ impl<'d> Draw<'d> {
         line: impl FnOnce(&mut Rasterizer<'d>),
     ) {
         line(self.raster.of(indices, 0));
-        self.drawn.drawn += 1;
-        self.drawn.clipped += u32::from(is_clipped);
+        self.drawn += 1;
+        self.clipped += u32::from(is_clipped);
     }
 }
 
@@ -197,7 +181,7 @@ impl Assembly for Draw<'_> {
         // By reference: moved, it would be copied.
         if let Some(triangle) = &Triangle::new(corners, None, area, &self.shared.scissor) {
             self.raster.of(indices, area).triangle(triangle, None);
-            self.drawn.drawn += 1;
+            self.drawn += 1;
         }
     }
 
@@ -205,8 +189,8 @@ impl Assembly for Draw<'_> {
     fn clipped(&mut self, indices: Indices, polygon: &[ClippedVertex]) {
         if let Some(polygon) = Polygon::new(polygon, self.shared.cull) {
             let drawn = u32::from(polygon.draw(self.raster.of(indices, polygon.area)));
-            self.drawn.drawn += drawn;
-            self.drawn.clipped += drawn;
+            self.drawn += drawn;
+            self.clipped += drawn;
         }
     }
 }

@@ -137,11 +137,6 @@ fn uvs_of([left, right, top, bottom]: [TexCoord; 4]) -> [Vec2; 4] {
     [[left, bottom], [right, bottom], [left, top], [right, top]].map(|[u, v]| Vec2::new(u, v))
 }
 
-/// A point plus an offset; `None` if it is out of range.
-fn moved(point: Vec3, offset: Vec3) -> Option<Vec3> {
-    Some(point + offset).filter(|&sum| is_inside(sum))
-}
-
 /// A scale, the corners of a sprite at this scale, and whether all of them are in range.
 type LastScale = (BlockFloat, [Vec3; 4], bool);
 
@@ -239,12 +234,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
     /// The corners of a sprite in eye space; all the same, so that it has no pixels, if one of them is out of range.
     fn corners(&self, sprite: usize, position: Vec3, last: &mut LastScale) -> [Vec3; 4] {
         let position = self.view.point(position);
-        let scale = self
-            .sprites
-            .scales
-            .get(sprite)
-            .copied()
-            .unwrap_or(Scalar::ONE);
+        let scale = self.sprites.scales.get(sprite).unwrap_or(&Scalar::ONE);
         let mut scale = BlockFloat::new(scale.to_bits().into(), 16);
         if self.grows {
             // Nothing behind the eye is visible.
@@ -256,7 +246,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
             *last = (scale, corners, corners.into_iter().all(is_inside));
         }
         let &mut (_, [a, b, c, d], corners_are_inside) = last;
-        let corner = |offset| moved(position, offset);
+        let corner = |offset| Some(position + offset).filter(|&sum| is_inside(sum));
         let all = || Some([corner(a)?, corner(b)?, corner(c)?, corner(d)?]);
         if corners_are_inside && is_inside(position) {
             all().unwrap_or_default()

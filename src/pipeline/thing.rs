@@ -63,7 +63,7 @@ where
 
     #[inline]
     fn shading(&self) -> (S, B, Z) {
-        (self.2, self.1.blending(), self.1.depth())
+        (self.2, self.1.blending, self.1.depth)
     }
 
     #[inline]
@@ -74,7 +74,7 @@ where
         stages: impl FnOnce(&mut dyn Blitter) -> Drawn,
     ) -> Drawn {
         stages(&mut Blit::<_, _, K, _>::new(
-            self.1.mode(),
+            self.1.mode,
             self.0,
             shading,
             shift,
@@ -87,7 +87,7 @@ impl Sealed for &Mesh<'_> {}
 impl<C> Thing<C> for &Mesh<'_> {
     fn draw<V: AsMvp>(self, to: To<'_>, mvp: &V, mut paint: impl Paint<C>) -> Drawn {
         let call = Call::new(to, self, mvp);
-        paint.run::<V::Kind>(call.depth_shift(), paint.shading(), |blitter| {
+        paint.run::<V::Kind>(call.projector.depth_shift(), paint.shading(), |blitter| {
             run::draw(&call, blitter)
         })
     }
@@ -96,7 +96,7 @@ impl<C> Thing<C> for &Mesh<'_> {
 /// Draws a line between two ends.
 pub(super) type DrawLine<'l> = &'l dyn Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]);
 
-/// How triangles or lines are drawn on a canvas of color `C`.
+/// How lines are drawn on a canvas of color `C`.
 #[doc(hidden)]
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot draw lines of color `{C}`",
@@ -110,25 +110,6 @@ pub trait Pen<C>: Copy {
         shift: DepthShift,
         stages: impl FnOnce(DrawLine<'_>, &mut dyn Blitter) -> Drawn,
     ) -> Drawn;
-}
-
-/// How faces are drawn: filled.
-#[doc(hidden)]
-#[derive(Clone, Copy, Debug)]
-pub struct Fill;
-
-impl<C> Pen<C> for Fill {
-    #[inline]
-    fn paint<K: ProjectionKind>(
-        self,
-        mut paint: impl Paint<C>,
-        shift: DepthShift,
-        stages: impl FnOnce(DrawLine<'_>, &mut dyn Blitter) -> Drawn,
-    ) -> Drawn {
-        paint.run::<K>(shift, paint.shading(), |blitter| {
-            stages(&|_, _| (), blitter)
-        })
-    }
 }
 
 impl<C> Pen<C> for LineStyle {

@@ -249,23 +249,17 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         })
     }
 
-    /// Projects one of the positions to the screen.
-    #[inline]
-    pub(crate) fn project(&self, index: Index, to: &mut ScreenVertex) {
-        self.place(index, None, to);
-    }
-
-    /// Projects a position of clip space that is inside all planes, such as a corner of a clipped polygon.
-    #[inline]
-    pub(super) fn project_inside(&self, position: &ClipPosition, to: &mut ScreenVertex) {
-        self.place(0, Some(position), to);
-    }
-
-    /// Projects `inside`, or the position at `index` if it is `None`.
+    /// Projects the position at `index` to the screen; instead of it `inside`, if there is one: a position of clip space
+    /// that is inside all planes, such as a corner of a clipped polygon.
     ///
     /// Out of line, with an out-parameter: callers stay short, and the vertex is not copied.
     #[inline(never)]
-    fn place(&self, index: Index, inside: Option<&ClipPosition>, to: &mut ScreenVertex) {
+    pub(crate) fn project(
+        &self,
+        index: Index,
+        inside: Option<&ClipPosition>,
+        to: &mut ScreenVertex,
+    ) {
         let computed;
         let position = if let Some(position) = inside {
             position
@@ -443,7 +437,7 @@ mod tests {
             let projector = Projector::new(mesh.positions(), projection, &view, &viewport);
             let [inside, outside] = [0, 1].map(|index| {
                 let mut vertex = ScreenVertex::UNSET;
-                projector.project(index, &mut vertex);
+                projector.project(index, None, &mut vertex);
                 vertex
             });
             assert_eq!(inside.outcode, 0, "{projection:?} {positions:?}");

@@ -173,7 +173,7 @@ impl<'a> PartColors<'a> {
             .parts
             .partition_point(|part| part.faces().start <= face);
         match after.checked_sub(1).and_then(|last| self.parts.get(last)) {
-            Some(part) if face < part.faces().end => part.material().color,
+            Some(part) if face < part.faces().end => part.material.color,
             _ => Rgb888::WHITE,
         }
     }

@@ -45,7 +45,7 @@ impl<S: Shader<Color: Output<Color: PixelFormat>>, L: Lighting> Shader for Lit<S
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         let [a, b, c] = self.surface.varyings(primitive);
-        let face = if L::READS_FACE && primitive.is_face() {
+        let face = if L::READS_FACE && primitive.face().is_some() {
             primitive.world_normal()
         } else {
             Direction::NONE
@@ -85,7 +85,7 @@ impl<S: Shader<Color: Output<Color: PixelFormat>>, L: Lighting> Shader for FaceL
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        let light = if primitive.is_face() {
+        let light = if primitive.face().is_some() {
             self.light.at(&SurfacePoint::middle::<L>(primitive))
         } else {
             Illumination {

@@ -142,7 +142,7 @@ impl<S: Sampler<Color: Texel>, A: Addressing, F: Filter<S::Color>> Shader
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         let texels = self.corners(primitive);
-        let density = if primitive.is_face() {
+        let density = if primitive.face().is_some() {
             let eyes = primitive.eye_positions().map(Vec3::to_bits);
             self.detail.scale + density(eyes, texels.map(|Texels(at)| at))
         } else {

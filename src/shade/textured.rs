@@ -6,11 +6,11 @@ use embedded_graphics::pixelcolor::{GrayColor, PixelColor};
 
 use super::masked::Masked;
 use super::{Fragment, Shader, Texel, Texels};
+use crate::Error;
 use crate::mesh::Primitive;
 use crate::texture::{
     Addressing, Bilinear, Blend, Clamp, CutOut, Filter, Nearest, Repeat, Sampler, origin, texels,
 };
-use crate::{Error, Vec2};
 
 /// A texture: each pixel shows the texel nearest to its center, or a blend of the four around it
 /// ([`bilinear`](Self::bilinear)).
@@ -232,9 +232,9 @@ impl<S: Sampler<Color: Texel>, A: Addressing, F: Filter<S::Color>, D> Textured<S
     /// The corners' columns and rows.
     #[inline]
     pub(super) fn corners(&self, primitive: &Primitive<'_>) -> [Texels; 3] {
-        let [a, b, c] = primitive.uvs().map(Vec2::to_bits);
+        let [a, b, c] = primitive.corners(|corner| corner.uv().to_bits());
         let coordinates = |bits: [i32; 3], log2| {
-            let is_face = primitive.is_face();
+            let is_face = primitive.face().is_some();
             texels(bits, if is_face { origin::<A>(bits) } else { 0 }, log2)
         };
         let [width, height] = self.texture.size_log2();
@@ -279,7 +279,7 @@ impl<S: Sampler<Color: Texel>, A: Addressing, F: Filter<S::Color>> Shader for Te
 mod tests {
     use super::super::fixture::{IDENTITY, edge, face, shade};
     use super::*;
-    use crate::{Mesh, Vec3, vec2};
+    use crate::{Mesh, Vec2, Vec3, vec2};
     use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 
     /// Four columns and two rows; a texel is its column plus ten times its row.

@@ -25,7 +25,7 @@ const PIXELS: f64 = 1.01;
 const PART: f64 = 0.0001;
 
 fn corners(bounds: &Bounds) -> [Vec3; 8] {
-    let [a, b] = [bounds.least(), bounds.most()];
+    let [a, b] = [bounds.least, bounds.most];
     from_fn(|i| {
         let pick = |bit: usize, a: Scalar, b: Scalar| if i >> bit & 1 == 0 { a } else { b };
         Vec3::new(pick(0, a.x, b.x), pick(1, a.y, b.y), pick(2, a.z, b.z))
@@ -97,7 +97,7 @@ fn sizes<K: ProjectionKind>(
     let canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
     let found = canvas.size_on_screen(&DrawOptions::new(), bounds, &mvp);
 
-    let [a, b] = [bounds.least(), bounds.most()].map(|corner| point(&eye, exact(corner)));
+    let [a, b] = [bounds.least, bounds.most].map(|corner| point(&eye, exact(corner)));
     let diagonal = a
         .iter()
         .zip(b)

@@ -63,7 +63,7 @@ fn check_numbers(hit: &Hit, ray: Ray, corners: [Vec3; 3]) {
             "{hit:?}: {mix} along axis {axis}"
         );
     }
-    let along = crate::reference::linear::subtract(exact(hit.point), exact(ray.origin()));
+    let along = crate::reference::linear::subtract(exact(hit.point), exact(ray.origin));
     let distance = crate::reference::linear::length(along);
     assert!(
         (distance - f64::from(hit.distance)).abs() <= 2_f64.powi(-14),

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::mesh::flash::{Small, normals_of_8, quantized, quantized_8, quantized_16};
+use fixel::mesh::flash::{Small, normals_of_8, quantized_8, quantized_16};
 use fixel::prelude::*;
 use rand::Rng;
 
@@ -19,7 +19,7 @@ fn seen(normals: &[Vec3; 3], uvs: Small<'_, Vec2>) -> Attributes {
     let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
     let normals = normals_of_8::<3>(normals);
     let normals = Small::normals(&normals);
-    let mesh = quantized(mesh, (&normals, &[]), (&uvs, &[]));
+    let mesh = mesh.quantized((&normals, &[]), (&uvs, &[]));
     let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100)).unwrap();
     let mut pixels = [Gray8::new(0); 12];
     let mut canvas = Canvas::new(&mut pixels, 4, 3).unwrap();

@@ -413,7 +413,7 @@ fn lines_that_reach_into_a_band_are_in_view() {
             // A unit is a pixel, and a smooth line reaches half a pixel farther than half its width.
             let reach = (width.width() + fx!(1)) / 2;
             let reach = Vec3::new(reach, reach, fx!(0));
-            let (least, most) = (bounds.least() - reach, bounds.most() + reach);
+            let (least, most) = (bounds.least - reach, bounds.most + reach);
             let reached = bounds.with(least).with(most);
             assert!(band.is_in_view(&thin, &reached, &mvp), "{ends:?} {width:?}");
             has_pixels += 1;

@@ -15,7 +15,7 @@ fn a_part_has_only_its_own_values() {
     static PARTS: &[Part] = include_materials!("../models/house.obj");
     static ROOF: Mesh = include_mesh!("../models/house.obj", part = "tiles", scale = 2);
     let whole = HOUSE.part(PARTS[1].faces());
-    assert_eq!(PARTS[1].material().name, "tiles");
+    assert_eq!(PARTS[1].material.name, "tiles");
     assert_eq!(ROOF.faces().len(), whole.faces().len());
     assert!(ROOF.positions().len() < HOUSE.positions().len());
     for (own, all) in ROOF.faces().iter().zip(whole.faces()) {
@@ -50,17 +50,17 @@ fn materials_are_those_of_the_file() {
     assert_eq!(PARTS.len(), expected.len());
     for (part, (faces, texture, material)) in PARTS.iter().zip(expected) {
         assert_eq!(
-            (part.faces(), part.material().texture, part.material().name),
+            (part.faces(), part.material.texture, part.material.name),
             (faces, texture, material)
         );
     }
-    assert_eq!(PARTS[1].material().color, Rgb888::new(161, 51, 41)); // 0.63 0.2 0.16
+    assert_eq!(PARTS[1].material.color, Rgb888::new(161, 51, 41)); // 0.63 0.2 0.16
 }
 
 #[test]
 fn a_material_has_its_appearance() {
     static PARTS: &[Part] = include_materials!("../models/lantern.obj");
-    let [glass, flame, label] = [0, 1, 2].map(|at| *PARTS[at].material());
+    let [glass, flame, label] = [0, 1, 2].map(|at| PARTS[at].material);
     let named = |name, color| Material {
         name,
         ..Material::new(color)
@@ -207,7 +207,7 @@ fn an_object_and_its_normals() {
     static HOUSE: Mesh = include_mesh!("../models/house.obj", normals);
     static BARE: Mesh = include_mesh!("../models/house.obj");
     let parts: &[Part] = include_materials!("../../examples/assets/balloon.glb");
-    assert_eq!(parts[1].material().name, "wicker");
+    assert_eq!(parts[1].material.name, "wicker");
     assert_eq!(BASKET.faces().len(), parts[1].faces().len());
     assert!(
         BASKET.positions().iter().all(|p| p.y < fx!(0)) && !BASKET.has_uvs() && BALLOON.has_uvs()

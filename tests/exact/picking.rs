@@ -46,9 +46,9 @@ fn culling_decides_which_sides_a_ray_meets() {
         (Cull::Back, [true, false]),
         (Cull::Front, [false, true]),
     ] {
-        let rays = [above, below].map(|ray| ray.with_cull(cull).hit(&FLOOR).is_some());
+        let rays = [above, below].map(|ray| Ray { cull, ..ray }.hit(&FLOOR).is_some());
         assert_eq!(rays, meets, "{cull:?}");
-        assert_eq!(away.with_cull(cull).hit(&FLOOR), None);
+        assert_eq!(Ray { cull, ..away }.hit(&FLOOR), None);
     }
     assert_eq!(Ray::new(Vec3::X, Vec3::ZERO), Err(Error::ZeroDirection));
     // Of several faces in one place, a ray meets the last, because that one is drawn over the others.
@@ -73,7 +73,7 @@ fn pixels_outside_and_models_without_an_inverse_have_no_ray() {
     assert_eq!(
         canvas
             .ray(&options, &tiny, Point::zero())
-            .map(|ray| ray.origin().x.abs() < fx!(9999)),
+            .map(|ray| ray.origin.x.abs() < fx!(9999)),
         Some(true)
     );
 }
@@ -93,7 +93,7 @@ fn the_middle_pixel_of_a_frame_of_odd_size_is_on_the_line_of_sight() {
         canvas.ray(&options, &parallel, Point::new(4, 4)),
     ] {
         let ray = ray.unwrap();
-        assert_eq!(ray.origin(), vec3!(0, 0, 4));
+        assert_eq!(ray.origin, vec3!(0, 0, 4));
         assert_eq!(ray.hit(&BALL).map(|hit| hit.point), Some(Vec3::Z));
     }
 }

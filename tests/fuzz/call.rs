@@ -12,7 +12,7 @@ use fixel::canvas::{
     TestAndWrite,
 };
 use fixel::mesh::flash::{Small, UvGrid, short_normal};
-use fixel::mesh::{Material, Part, flash};
+use fixel::mesh::{Material, Part};
 use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::shade::{PartColors, Translucent};
@@ -143,10 +143,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         let one_by_one = &mut |canvas: &mut Frame<'_>| {
             let mut drawn = Drawn::default();
             for part in &parts {
-                let (mesh, color) = (
-                    self.mesh.part(part.faces()),
-                    Flat::rgb(part.material().color),
-                );
+                let (mesh, color) = (self.mesh.part(part.faces()), Flat::rgb(part.material.color));
                 drawn = canvas.draw_with(options, &mesh, &self.mvp, &color);
             }
             drawn
@@ -175,11 +172,8 @@ impl<K: ProjectionKind> Call<'_, K> {
         let uv_faces = own(uvs.as_ref().and_then(Attribute::faces));
         let normal_faces = own(normals.as_ref().and_then(Attribute::faces));
         let (stored, bytes) = (Small::normals(&stored), Small::uvs_of_8(&bytes, grid));
-        let quantized = flash::quantized(
-            self.mesh.without_normals().without_uvs(),
-            (&stored, &normal_faces),
-            (&bytes, &uv_faces),
-        );
+        let bare = self.mesh.without_normals().without_uvs();
+        let quantized = bare.quantized((&stored, &normal_faces), (&bytes, &uv_faces));
         let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7)).unwrap();
         let call = Call {
             mesh: &quantized,

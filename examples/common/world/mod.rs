@@ -214,7 +214,7 @@ impl World {
     /// Moves the lamps that reach a box to the front, and returns their number.
     fn lamps_near(&self, bounds: &Bounds, near: &mut [Colored<PointLight>; LAMPS]) -> usize {
         let reached = self.lamps.iter().filter(|(place, _)| {
-            let nearest = place.max(bounds.least()).min(bounds.most());
+            let nearest = place.max(bounds.least).min(bounds.most);
             place.distance(nearest) < REACH
         });
         near.iter_mut()
@@ -350,7 +350,7 @@ impl Scene {
         O: Storage<Rgb565>,
         D: DepthBuffer,
     {
-        let (least, most) = (POND.least(), POND.most());
+        let (least, most) = (POND.least, POND.most);
         let corners = [
             [least.x, most.z],
             [most.x, most.z],

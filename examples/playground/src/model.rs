@@ -113,7 +113,7 @@ impl Model {
 
         let mesh = self.mesh()?;
         let bounds = mesh.bounds();
-        let center = bounds.least() / fx!(2) + bounds.most() / fx!(2);
+        let center = bounds.least / fx!(2) + bounds.most / fx!(2);
         let distances = mesh.positions().iter().map(|at| at.distance(center));
         self.ball = [
             center.x,

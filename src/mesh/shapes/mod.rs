@@ -170,7 +170,9 @@ impl Shape {
             edges: edges as usize,
             uvs: positions,
             normals: positions,
-            ..Counts::ZERO
+            uv_faces: 0,
+            normal_faces: 0,
+            colors: 0,
         }
     }
 
@@ -183,7 +185,7 @@ impl Shape {
     pub const fn build(self, buffers: Buffers<'_>) -> Result<Mesh<'_>, Error> {
         let mut writer = ok!(MeshWriter::new(buffers, self.counts()));
         surface::write(&mut writer, self);
-        writer.mesh()
+        writer.buffers.mesh(writer.counts)
     }
 }
 

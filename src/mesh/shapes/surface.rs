@@ -1,7 +1,7 @@
 //! The surfaces of the shapes; most are bent grids.
 
 use super::Shape;
-use super::writer::{MeshWriter, ONE, Vertex};
+use super::writer::{MeshWriter, ONE};
 use crate::{Angle, Scalar, TexCoord, Vec3};
 
 const ZERO: TexCoord = TexCoord::ZERO;
@@ -48,19 +48,10 @@ pub(super) enum Surface {
     Cylinder,
 }
 
-/// A row of vertices around the y axis.
-struct Ring {
-    /// In units of 2⁻³⁰.
-    radius: i64,
-    /// The height, in units of 2⁻⁶⁰.
-    y: i64,
-    /// The parts of the normals that point away from the axis and along it, in units of 2⁻³⁰.
-    out: i64,
-    up: i64,
-}
-
-const fn ring(shape: Shape, row: u32) -> Ring {
-    let (radius, y, out, up) = match shape.surface {
+/// A row of vertices around the y axis: the radius, in units of 2⁻³⁰; the height, in units of 2⁻⁶⁰; and the parts of the
+/// normals that point away from the axis and along it, in units of 2⁻³⁰.
+const fn ring(shape: Shape, row: u32) -> (i64, i64, i64, i64) {
+    match shape.surface {
         Surface::Torus(tube) => {
             let tube = tube.to_bits() as i64;
             // From the inside over the top to the outside.
@@ -74,8 +65,7 @@ const fn ring(shape: Shape, row: u32) -> Ring {
             let (radius, y) = sin_cos(angle(row, shape.rows, true));
             (radius, y * ONE, radius, y)
         }
-    };
-    Ring { radius, y, out, up }
+    }
 }
 
 /// Writes the elements of a shape.
@@ -99,7 +89,7 @@ pub(super) const fn write(writer: &mut MeshWriter<'_>, shape: Shape) {
     }
     let mut row = 0;
     while row <= rows {
-        let ring = ring(shape, row);
+        let (radius, y, out, up) = ring(shape, row);
         let is_pole = matches!(shape.surface, Surface::Sphere) && (row == 0 || row == rows);
         let v = ratio(row, rows);
         let mut column = 0;
@@ -116,11 +106,9 @@ pub(super) const fn write(writer: &mut MeshWriter<'_>, shape: Shape) {
                 writer.place(place, Vec3::Y, [u, v]);
             } else {
                 let (sin, cos) = (sin as i64, cos as i64);
-                writer.vertex(&Vertex {
-                    position: [ring.radius * sin, ring.y, ring.radius * cos],
-                    normal: [ring.out * sin, ring.up * ONE, ring.out * cos],
-                    uv: [u, v],
-                });
+                let position = [radius * sin, y, radius * cos];
+                let normal = [out * sin, up * ONE, out * cos];
+                writer.vertex(position, normal, [u, v]);
             }
             column += 1;
         }
@@ -183,23 +171,17 @@ const fn write_grid(writer: &mut MeshWriter<'_>, shape: Shape) {
 
 /// Closes a cylinder at `y` with a fan of triangles.
 const fn cap(writer: &mut MeshWriter<'_>, slices: u32, y: i64) {
-    let center = writer.next();
+    let center = writer.positions;
     let half = TexCoord::from_bits(UNIT.to_bits() / 2);
-    writer.vertex(&Vertex {
-        position: [0, ONE * y, 0],
-        normal: [0, ONE * y, 0],
-        uv: [half, half],
-    });
+    let normal = [0, ONE * y, 0];
+    writer.vertex(normal, normal, [half, half]);
     let mut slice = 0;
     while slice < slices {
         let (sin, cos) = sin_cos(angle(slice, slices, false));
         // A disc of the texture; v grows toward +z on the upper cap and toward −z on the lower.
         let down = if y > 0 { cos } else { -cos };
-        writer.vertex(&Vertex {
-            position: [ONE * sin, ONE * y, ONE * cos],
-            normal: [0, ONE * y, 0],
-            uv: [texture(sin), texture(down)],
-        });
+        let position = [ONE * sin, ONE * y, ONE * cos];
+        writer.vertex(position, normal, [texture(sin), texture(down)]);
         let (this, next) = (center + 1 + slice, center + 1 + (slice + 1) % slices);
         if y > 0 {
             writer.triangle([center, this, next]);
@@ -230,7 +212,7 @@ const fn cuboid(writer: &mut MeshWriter<'_>, corner: Vec3) {
     let mut side = 0;
     while side < SIDES.len() {
         let [out, right, down] = SIDES[side];
-        let a = writer.next();
+        let a = writer.positions;
         let mut normal = [0; 3];
         normal[out.0] = if out.1 { 1 << 16 } else { -(1 << 16) };
         let mut vertex = 0;

@@ -1,24 +1,18 @@
 //! Writes the vertices, triangles and edges of a shape one after the other.
 
 use crate::error::ok;
-use crate::mesh::{Buffers, Counts, Index, Mesh};
+use crate::mesh::{Buffers, Counts, Index};
 use crate::{Error, TexCoord, Vec2, Vec3};
 
 /// One, in the bits of a `Unit`.
 pub(super) const ONE: i64 = 1 << 30;
 
-/// A vertex; its position and normal are in units of 2⁻⁶⁰.
-pub(super) struct Vertex {
-    pub(super) position: [i64; 3],
-    pub(super) normal: [i64; 3],
-    pub(super) uv: [TexCoord; 2],
-}
-
 /// Writes a mesh into buffers and knows where the next elements go.
 pub(super) struct MeshWriter<'a> {
-    buffers: Buffers<'a>,
-    counts: Counts,
-    positions: u32,
+    pub(super) buffers: Buffers<'a>,
+    pub(super) counts: Counts,
+    /// The number of the next vertex.
+    pub(super) positions: u32,
     faces: usize,
     edges: usize,
 }
@@ -46,11 +40,6 @@ impl<'a> MeshWriter<'a> {
         })
     }
 
-    /// The number of the next vertex.
-    pub(super) const fn next(&self) -> u32 {
-        self.positions
-    }
-
     /// Keeps numbers in place of a position that is written later.
     pub(super) const fn keep(&mut self, at: u32, numbers: [i32; 3]) {
         self.buffers.positions[at as usize] = Vec3::from_bits(numbers);
@@ -60,9 +49,9 @@ impl<'a> MeshWriter<'a> {
         self.buffers.positions[at as usize].to_bits()
     }
 
-    pub(super) const fn vertex(&mut self, vertex: &Vertex) {
-        let position = rounded(vertex.position);
-        self.place(position, rounded(vertex.normal), vertex.uv);
+    /// Writes a vertex whose position and normal are in units of 2⁻⁶⁰.
+    pub(super) const fn vertex(&mut self, position: [i64; 3], normal: [i64; 3], uv: [TexCoord; 2]) {
+        self.place(rounded(position), rounded(normal), uv);
     }
 
     pub(super) const fn place(&mut self, position: Vec3, normal: Vec3, [u, v]: [TexCoord; 2]) {
@@ -88,9 +77,5 @@ impl<'a> MeshWriter<'a> {
             self.buffers.edges[self.edges] = [from as Index, to as Index];
             self.edges += 1;
         }
-    }
-
-    pub(super) const fn mesh(self) -> Result<Mesh<'a>, Error> {
-        self.buffers.mesh(self.counts)
     }
 }

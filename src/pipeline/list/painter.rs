@@ -2,7 +2,7 @@
 
 use super::prepared::Objects;
 use super::{Corners, Entry, Listed, Slot};
-use crate::raster::DepthShift;
+use crate::raster::{DepthShift, ScreenVertex};
 
 /// Sorts triangles or edges back to front: by their farthest corners and, where these are equally far, by their
 /// numbers.
@@ -17,40 +17,34 @@ pub(super) fn sort<G: Listed, T>(
 ) {
     for entry in &mut *entries {
         if let Some(listing) = objects.listing(entry.element) {
-            entry.set_nearness(vertices, listing.depth_shift);
+            let corners = corners(entry.corners, vertices);
+            let farthest = corners.map(|corner| nearness(&corner, listing.depth_shift));
+            let nearness = farthest.min().unwrap_or_default();
+            // In place of the rows, so that an entry needs no more memory; they are found again afterwards.
+            entry.rows = [(nearness >> 16) as i16, nearness as i16];
         }
     }
     heap_sort(entries);
     for entry in entries {
         // All rows between the corners. In some of them, a clipped triangle may have no pixel.
         let (mut least, mut most) = (i32::MAX, i32::MIN);
-        for Corner { y, .. } in corners(entry.corners, vertices) {
+        for ScreenVertex { screen: [_, y], .. } in corners(entry.corners, vertices) {
             (least, most) = (least.min(y), most.max(y));
         }
         entry.rows = G::rows(least, most);
     }
 }
 
-/// A corner, as far as the order needs it.
-struct Corner {
-    /// In units of 1/256 row.
-    y: i32,
-    q: u32,
-    exponent: u8,
-}
-
-impl Corner {
-    /// Greater is nearer: 1/w or, under a parallel projection, the depth, each with 26 bits and an exponent. It is
-    /// comparable between objects.
-    fn nearness(&self, shift: DepthShift) -> u32 {
-        // A depth is q shifted right by 15 to 47. In perspective, all q have the same top bit, so that the shift
-        // decides first; under a parallel projection, all shifts are equal.
-        (47 - shift.of(self.exponent)) << 26 | self.q >> 5
-    }
+/// Greater is nearer: 1/w or, under a parallel projection, the depth, each with 26 bits and an exponent. It is
+/// comparable between objects.
+fn nearness(corner: &ScreenVertex, shift: DepthShift) -> u32 {
+    // A depth is q shifted right by 15 to 47. In perspective, all q have the same top bit, so that the shift decides
+    // first; under a parallel projection, all shifts are equal.
+    (47 - shift.of(corner.exponent)) << 26 | corner.q >> 5
 }
 
 /// The corners of a triangle or edge, which may be clipped.
-fn corners(corners: Corners, vertices: &[Slot]) -> impl Iterator<Item = Corner> {
+fn corners(corners: Corners, vertices: &[Slot]) -> impl Iterator<Item = ScreenVertex> {
     let (whole, clipped) = match corners {
         Corners::Whole(numbers) => (numbers, 0..0),
         // Each vertex is followed by its barycentric weights.
@@ -58,27 +52,11 @@ fn corners(corners: Corners, vertices: &[Slot]) -> impl Iterator<Item = Corner> 
     };
     let slot = |number: u16| vertices.get(usize::from(number).wrapping_sub(1));
     let numbers = whole.into_iter().chain(clipped);
-    numbers.filter_map(move |number| match *slot(number)? {
-        Slot::Vertex {
-            screen: [_, y],
-            q,
-            exponent,
-        } => Some(Corner { y, q, exponent }),
-        Slot::Barycentric(_) => None,
-    })
+    numbers.filter_map(move |number| slot(number)?.vertex())
 }
 
 impl Entry {
-    /// Stores the nearness of its farthest corner, for [`heap_sort`]. It takes the place of the rows, so that an entry
-    /// needs no more memory; they are found again afterwards.
-    fn set_nearness(&mut self, vertices: &[Slot], shift: DepthShift) {
-        let corners = corners(self.corners, vertices);
-        let farthest = corners.map(|corner| corner.nearness(shift)).min();
-        let nearness = farthest.unwrap_or_default();
-        self.rows = [(nearness >> 16) as i16, nearness as i16];
-    }
-
-    /// Its rank in the order: the [nearness](Self::set_nearness), then its number.
+    /// Its rank in the order: the [`nearness`] of its farthest corner, then its number.
     fn rank(&self) -> u64 {
         let [high, low] = self.rows.map(|bits| u64::from(bits.cast_unsigned()));
         high << 48 | low << 32 | u64::from(self.element)

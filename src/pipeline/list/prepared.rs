@@ -15,7 +15,7 @@ use crate::mesh::{Indices, Mesh, Placement};
 use crate::pipeline::assemble::Assembly;
 use crate::pipeline::call::{Screen, Shared};
 use crate::pipeline::clip::ClippedPolygon;
-use crate::pipeline::edges::Edges;
+use crate::pipeline::edges::EdgesOf;
 use crate::pipeline::run::Draw;
 use crate::pipeline::thing::{DrawLine, Pen};
 use crate::pipeline::{DrawOptions, Drawn};
@@ -169,20 +169,17 @@ impl<'a, T, G: Listed> Scene<'a> for &'a mut [Object<T, G>] {
     type Material = T;
 
     #[inline]
-    fn list<V: AsMvp>(
-        self,
-        filling: &mut Filling<'_>,
-        screen: &Screen,
-        view: &V,
-    ) -> Objects<'a, G, T> {
-        let (world, camera) = (*view.model_of(), *view.camera_of());
-        let view = Mvp {
-            projection: *view.projection_of(),
-            camera,
-            model: world,
-        };
+    fn list<V: AsMvp>(self, filling: &mut Filling<'_>, view: &V) -> Objects<'a, G, T> {
+        let (projection, camera) = (*view.projection_of(), *view.camera_of());
+        let world = *view.model_of();
         for object in &mut *self {
-            object.listing = filling.thing(screen, &object.thing, &(view * object.model));
+            let model = world * object.model;
+            let mvp = Mvp {
+                projection,
+                camera,
+                model,
+            };
+            object.listing = filling.thing(&object.thing, &mvp);
         }
         Objects::Many {
             objects: self,
@@ -197,13 +194,8 @@ impl<'a, T, G: Listed, const COUNT: usize> Scene<'a> for &'a mut [Object<T, G>; 
     type Material = T;
 
     #[inline]
-    fn list<V: AsMvp>(
-        self,
-        filling: &mut Filling<'_>,
-        screen: &Screen,
-        view: &V,
-    ) -> Objects<'a, G, T> {
-        self.as_mut_slice().list(filling, screen, view)
+    fn list<V: AsMvp>(self, filling: &mut Filling<'_>, view: &V) -> Objects<'a, G, T> {
+        self.as_mut_slice().list(filling, view)
     }
 }
 
@@ -224,17 +216,12 @@ impl<'a, T, G: Listed, const COUNT: usize> Scene<'a> for &'a mut [Object<T, G>; 
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<'a, T = (), G = &'a Mesh<'a>, O = DrawOptions, K = Perspective> {
     pub(super) objects: Objects<'a, G, T>,
-    pub(super) elements: Elements<'a>,
-    pub(super) options: O,
-    pub(super) kind: PhantomData<K>,
-}
-
-/// The elements of a list, and the frame that they were prepared for.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Elements<'a> {
     pub(super) entries: &'a [Entry],
     pub(super) vertices: &'a [Slot],
+    /// The frame that they were prepared for.
     pub(super) screen: Screen,
+    pub(super) options: O,
+    pub(super) kind: PhantomData<K>,
 }
 
 impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
@@ -256,14 +243,13 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     where
         O: Copy,
     {
-        self.elements.screen.check(canvas.frame_size())?;
+        self.screen.check(canvas.frame_size())?;
         Ok(self.runs(canvas.rows()).map(|(material, placed, entries)| {
             let part = Prepared {
                 objects: Objects::One(placed, ()),
-                elements: Elements {
-                    entries,
-                    ..self.elements
-                },
+                entries,
+                vertices: self.vertices,
+                screen: self.screen,
                 options: self.options,
                 kind: PhantomData,
             };
@@ -278,7 +264,7 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
         rows: &Range<u32>,
     ) -> impl Iterator<Item = (&'s T, Placed<G>, &'a [Entry])> + use<'s, 'a, T, G, O, K> {
         let rows = rows.start.cast_signed()..rows.end.cast_signed();
-        let mut rest = Some(self.elements.entries);
+        let mut rest = Some(self.entries);
         iter::from_fn(move || match &self.objects {
             Objects::One(placed, material) => Some((material, *placed, rest.take()?)),
             Objects::Many {
@@ -320,13 +306,18 @@ impl<'a, T, G, M: Copy, Z: Copy, B: Copy, K> Prepared<'a, T, G, DrawOptions<M, Z
     /// in which some objects are translucent.
     ///
     /// ```
+    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
     /// use fixel::{prelude::*, canvas::Opacity};
     /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
     /// let projection = Projection::perspective(deg!(60), (2, 1), fx!(1), fx!(10))?;
     /// let mvp = projection * Transform::translate(vec3!(0, 0, -3));
     /// let mut list: DrawList<12, 24> = DrawList::new();
     /// let opaque = list.prepare(&DrawOptions::new(), (24, 12), &BOX, &mvp)?;
-    /// assert_eq!(opaque.with_blending(Opacity(90)).options().blending(), Opacity(90));
+    /// let glass = opaque.with_blending(Opacity(90));
+    /// let mut pixels = [Gray8::new(100); 24 * 12];
+    /// let mut canvas = Canvas::new(&mut pixels, 24, 12)?;
+    /// canvas.draw_prepared(&glass, &Flat::new(Gray8::new(255)))?;
+    /// assert!(canvas.pixels().any(|pixel| (101..255).contains(&pixel.luma())));
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
@@ -336,16 +327,12 @@ impl<'a, T, G, M: Copy, Z: Copy, B: Copy, K> Prepared<'a, T, G, DrawOptions<M, Z
     ) -> Prepared<'a, T, G, DrawOptions<M, Z, A>, K> {
         Prepared {
             objects: self.objects,
-            elements: self.elements,
+            entries: self.entries,
+            vertices: self.vertices,
+            screen: self.screen,
             options: self.options.with_blending(blending),
             kind: PhantomData,
         }
-    }
-
-    /// Returns the options that it is drawn with.
-    #[must_use]
-    pub const fn options(&self) -> DrawOptions<M, Z, B> {
-        self.options
     }
 }
 
@@ -370,7 +357,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         B: Blending<C>,
         K: ProjectionKind,
     {
-        let screen = &prepared.elements.screen;
+        let screen = &prepared.screen;
         screen.check(self.frame_size())?;
         let rows = self.rows().clone();
         let mut drawn = Drawn::default();
@@ -382,7 +369,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
                 shared: &shared,
                 // A band that the thing misses costs one test.
                 entries: if is_missed { &[] } else { entries },
-                vertices: prepared.elements.vertices,
+                vertices: prepared.vertices,
                 first: listing.first,
             };
             let paint = (&mut *self, &prepared.options, *shader);
@@ -454,7 +441,7 @@ impl<'r> Run<'r> {
     #[inline(never)]
     pub(super) fn draw_edges(
         &self,
-        edges: &Edges<'_>,
+        edges: EdgesOf<'_>,
         reach: i32,
         line: DrawLine<'_>,
         blitter: &mut dyn Blitter,
@@ -494,38 +481,21 @@ impl<'r> Run<'r> {
     /// The ends of an edge.
     #[inline]
     fn ends(&self, corners: Corners) -> Option<[ClippedVertex; 2]> {
-        let ([from, to], [a, b]) = match corners {
-            Corners::Whole([from, to, _]) => {
-                let [a, b, _] = Barycentric::CORNERS;
-                ([from, to], [a, b])
-            }
-            Corners::Clipped { first, .. } => {
-                let second = first.wrapping_add(2);
-                (
-                    [first, second],
-                    [self.barycentric(first)?, self.barycentric(second)?],
-                )
+        let (from, to) = match corners {
+            Corners::Whole([from, to, _]) => (self.vertex(from)?, self.vertex(to)?),
+            Corners::Clipped { first, count } => {
+                return self.polygon(first, count).first_chunk().copied();
             }
         };
-        let end = |number: u16, barycentric: Barycentric| {
-            let vertex = self.vertex(number)?;
-            Some(ClippedVertex {
-                vertex,
-                barycentric,
-            })
+        let [a, b, _] = Barycentric::CORNERS;
+        let end = |vertex, barycentric| ClippedVertex {
+            vertex,
+            barycentric,
         };
-        Some([end(from, a)?, end(to, b)?])
+        Some([end(from, a), end(to, b)])
     }
 
-    /// The barycentric weights after the vertex of this number.
-    fn barycentric(&self, number: u16) -> Option<Barycentric> {
-        match self.vertices.get(usize::from(number)) {
-            Some(&Slot::Barycentric(barycentric)) => Some(barycentric),
-            _ => None,
-        }
-    }
-
-    /// The corners of a clipped triangle.
+    /// The corners of a clipped triangle, or the ends of a clipped edge.
     fn polygon(&self, first: u16, count: u16) -> ClippedPolygon {
         let start = usize::from(first).wrapping_sub(1);
         let slots = self
@@ -549,7 +519,7 @@ impl<'r> Run<'r> {
 
 impl Slot {
     #[inline]
-    fn vertex(self) -> Option<ScreenVertex> {
+    pub(super) fn vertex(self) -> Option<ScreenVertex> {
         match self {
             Self::Vertex {
                 screen,

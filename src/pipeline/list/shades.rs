@@ -5,7 +5,7 @@ use core::ptr;
 
 use heapless::Vec;
 
-use super::prepared::{Elements, Run};
+use super::prepared::Run;
 use super::{Entry, Listed, Prepared};
 use crate::Error;
 use crate::mesh::{Missing, Primitive};
@@ -95,26 +95,21 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
         values.clear();
         let none = <<S::Varyings as Varyings>::Lanes as Lanes>::splat(0);
         let empty = ([none; 3], <S::Varyings as Varyings>::Face::default());
-        let Elements {
-            entries,
-            vertices,
-            screen,
-        } = self.elements;
-        let needed = entries.len();
+        let needed = self.entries.len();
         values.resize(needed, empty).map_err(|_| Error::Full {
             of: G::ELEMENTS,
             needed,
             room: ELEMENTS,
         })?;
-        let first = address(entries);
+        let first = self.entries.as_ptr().addr();
         let mut missing = Missing::default();
-        let frame = 0..screen.frame.height;
+        let frame = 0..self.screen.frame.height;
         for (material, placed, entries) in self.runs(&frame) {
-            let (shader, shared) = (shader_of(material), placed.shared(&screen, &frame));
+            let (shader, shared) = (shader_of(material), placed.shared(&self.screen, &frame));
             let run = Run {
                 shared: &shared,
                 entries,
-                vertices,
+                vertices: self.vertices,
                 first: placed.listing.first,
             };
             for entry in entries {
@@ -127,7 +122,7 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
                     *values = ([a, b, c], face);
                 }
             }
-            missing += shared.placement.missing();
+            missing += shared.placement.missing.get();
         }
         Ok(Shades {
             first,
@@ -135,11 +130,6 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
             missing,
         })
     }
-}
-
-/// The address of a list's first entry.
-fn address(entries: &[Entry]) -> usize {
-    entries.as_ptr().addr()
 }
 
 /// The place in a list of the entry at an address; beyond its end for other addresses.

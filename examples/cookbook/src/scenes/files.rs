@@ -27,13 +27,9 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
             * Transform::rotate_y(Angle::from_degrees(25 * turn));
         for part in PARTS {
             let mesh = BALLOON.part(part.faces());
-            match part.material().texture {
+            match part.material.texture {
                 Some(_) => canvas.draw(&mesh, &mvp, &Textured::new(&SILK).lit(sun)),
-                None => canvas.draw(
-                    &mesh,
-                    &mvp,
-                    &Flat::rgb(part.material().color).lit_faces(sun),
-                ),
+                None => canvas.draw(&mesh, &mvp, &Flat::rgb(part.material.color).lit_faces(sun)),
             };
         }
     }

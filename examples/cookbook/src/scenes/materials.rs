@@ -24,16 +24,12 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     // Part by part, each with its texture or its color.
     for part in PARTS {
         let mesh = CABIN.part(part.faces());
-        match part.material().texture {
+        match part.material.texture {
             Some("planks.tga") => {
                 let planks = Textured::new(&PLANKS).lit_faces(sun);
                 canvas.draw(&mesh, &near, &planks)
             }
-            _ => canvas.draw(
-                &mesh,
-                &near,
-                &Flat::rgb(part.material().color).lit_faces(sun),
-            ),
+            _ => canvas.draw(&mesh, &near, &Flat::rgb(part.material.color).lit_faces(sun)),
         };
     }
 

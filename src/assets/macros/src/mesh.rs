@@ -85,7 +85,7 @@ pub fn outline(arguments: &Arguments) -> Result<Expansion, String> {
     let list = expansion.bytes(bytes(&edges, u16::to_le_bytes));
     expansion.push(&format!(
         "#[allow(long_running_const_eval)] static EDGES: [[fixel::Index; 4]; {}] = fixel::mesh::flash::outline_edges({list});
-         fixel::mesh::flash::outline(&EDGES, {creases})",
+         fixel::Outline::of(&EDGES, {creases})",
         edges.len(),
     ));
     Ok(expansion)
@@ -136,7 +136,7 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
             lists.positions.len(),
             positions,
         );
-        "fixel::mesh::flash::long(&POSITIONS)".to_string()
+        "fixel::mesh::Positions::long(&POSITIONS)".to_string()
     } else {
         let (short, fraction) = lists.shortened();
         list(
@@ -146,7 +146,9 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
             short.len(),
             bytes(&short, i16::to_le_bytes),
         );
-        format!("fixel::mesh::flash::short(&POSITIONS, {fraction})")
+        format!(
+            "fixel::mesh::flash::checked(fixel::mesh::Positions::short(&POSITIONS, {fraction}), \"mesh\")"
+        )
     };
     let uvs = bytes(&lists.uvs, i32::to_le_bytes);
     let normals = bytes(&lists.normals, i32::to_le_bytes);
@@ -156,7 +158,7 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
             list("UVS", "fixel::Vec2", "vec2s", uv_count, uvs);
             list("NORMALS", "fixel::Vec3", "vec3s", normal_count, normals);
             out.push(&format!(
-                "static MESH: fixel::Mesh<'static> = fixel::mesh::flash::mesh({positions}, (&FACES, &EDGES), \
+                "static MESH: fixel::Mesh<'static> = fixel::Mesh::of_lists({positions}, (&FACES, &EDGES), \
                  (&UVS, &UV_FACES), (&NORMALS, &NORMAL_FACES), (&COLORS, &COLOR_FACES));\nMESH"
             ));
         }
@@ -178,11 +180,8 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
                  static NORMALS: [[i8; 3]; {normal_count}] =
                      assets::normals_of_8(&assets::vec3s::<{normal_count}>({normals}));
                  static SMALL_NORMALS: assets::Small<'static, fixel::Vec3> = assets::Small::normals(&NORMALS);
-                 assets::quantized(
-                     assets::mesh({positions}, (&FACES, &EDGES), (&[], &[]), (&[], &[]), (&COLORS, &COLOR_FACES)),
-                     (&SMALL_NORMALS, &NORMAL_FACES),
-                     (&SMALL_UVS, &UV_FACES),
-                 )"
+                 fixel::Mesh::of_lists({positions}, (&FACES, &EDGES), (&[], &[]), (&[], &[]), (&COLORS, &COLOR_FACES))
+                     .quantized((&SMALL_NORMALS, &NORMAL_FACES), (&SMALL_UVS, &UV_FACES))"
             ));
         }
     }
