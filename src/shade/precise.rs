@@ -260,8 +260,8 @@ impl<C: PixelFormat> Varyings for Precise<C> {
         Self::Lanes::COUNT == 3 && C::MAX_STEPS[0] < 1 << 5 && C::MAX_STEPS[2] < 1 << 5;
 
     #[inline]
-    fn tolerances() -> <Self::Lanes as Lanes>::Of<Tolerance> {
-        <Self::Lanes as Lanes>::splat(Tolerance::Units(Self::TOLERANCE))
+    fn tolerance(_: usize) -> Tolerance {
+        Tolerance::Units(Self::TOLERANCE)
     }
 
     #[inline]
