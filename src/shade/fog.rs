@@ -5,9 +5,7 @@ use core::marker::PhantomData;
 use embedded_graphics::geometry::Point;
 
 use super::ramp::Ramp;
-use super::{
-    Diffuse, Fragment, Illumination, Output, PixelFormat, Precise, Shader, Specular, Within,
-};
+use super::{Fragment, Output, PixelFormat, Precise, Shader, Within};
 use crate::error::{check_range, ok};
 use crate::mesh::Primitive;
 use crate::num::wide::clamp_negative;
@@ -250,11 +248,6 @@ impl<O: Output<Color: PixelFormat>, D: Density> Output for Fogged<O, D> {
     type With<T: PixelFormat> = O::With<T>;
 
     const IS_OPAQUE: bool = O::IS_OPAQUE;
-
-    #[inline]
-    fn lit<L: Diffuse, S: Specular>(self, light: Illumination<L, S>) -> O::With<O::Color> {
-        self.map(|color| color.lit(light))
-    }
 
     #[inline]
     fn map<T: PixelFormat>(self, f: impl FnOnce(Precise<O::Color>) -> Precise<T>) -> O::With<T> {

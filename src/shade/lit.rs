@@ -1,7 +1,7 @@
 //! Surfaces under a light.
 
 use super::format::FRACTION;
-use super::light::{Diffuse, FULL, Illumination, Light, Lighting, Specular, SurfacePoint};
+use super::light::{self, Amount as _, FULL, Illumination, Light, Lighting, SurfacePoint};
 use super::{ColorOf, Fragment, Output, PerFace, PixelFormat, PreciseOf, Shader, Within};
 use crate::math::Direction;
 use crate::mesh::Primitive;
@@ -14,31 +14,15 @@ pub struct Lit<S, L = Light> {
     pub(super) light: L,
 }
 
-/// The numbers that say how a surface is lit: one brightness, or one for each channel; and one more for highlights.
-type Packed<L, C> = (
-    <<L as Lighting>::Diffuse as Diffuse>::Channels<C>,
-    <<L as Lighting>::Specular as Specular>::Channels,
-);
-
 /// What a light `L` throws on a surface.
-type Amount<L> = Illumination<<L as Lighting>::Diffuse, <L as Lighting>::Specular>;
+type LightOf<L> = Illumination<<L as Lighting>::Diffuse, <L as Lighting>::Specular>;
 
-#[inline]
-fn pack<L: Lighting, C: PixelFormat>(light: Amount<L>) -> Packed<L, C> {
-    (light.diffuse.pack::<C>(), light.specular.pack())
-}
-
-#[inline]
-fn unpack<L: Lighting, C: PixelFormat>((diffuse, specular): Packed<L, C>) -> Amount<L> {
-    Illumination {
-        diffuse: Diffuse::unpack::<C>(diffuse),
-        specular: Specular::unpack(specular),
-    }
-}
+/// The varyings of a light `L` on a surface `S`.
+type Packed<L, S> = light::Packed<<L as Lighting>::Diffuse, <L as Lighting>::Specular, ColorOf<S>>;
 
 impl<S: Shader<Color: Output<Color: PixelFormat>>, L: Lighting> Shader for Lit<S, L> {
     type Color = PreciseOf<S>;
-    type Varyings = (S::Varyings, Within<FRACTION, Packed<L, ColorOf<S>>>);
+    type Varyings = (S::Varyings, Within<FRACTION, Packed<L, S>>);
 
     const READS_DEPTH: bool = S::READS_DEPTH;
 
@@ -51,8 +35,9 @@ impl<S: Shader<Color: Output<Color: PixelFormat>>, L: Lighting> Shader for Lit<S
             Direction::NONE
         };
         let [x, y, z] = primitive.corners(|corner| {
-            let point = SurfacePoint::corner::<L>(corner, face);
-            Within(pack::<L, ColorOf<S>>(self.light.at(&point)))
+            let (normal, position) = (corner.world_normal(), || corner.world_position());
+            let point = SurfacePoint::new::<L>(normal, face, position);
+            Within(self.light.at(&point).pack::<ColorOf<S>>())
         });
         [(a, x), (b, y), (c, z)]
     }
@@ -63,7 +48,7 @@ impl<S: Shader<Color: Output<Color: PixelFormat>>, L: Lighting> Shader for Lit<S
         at: &Fragment,
         (inside, Within(light)): Self::Varyings,
     ) -> Option<PreciseOf<S>> {
-        let light = unpack::<L, ColorOf<S>>(light);
+        let light = LightOf::<L>::unpack::<ColorOf<S>>(light);
         Some(self.surface.shade(at, inside)?.lit(light))
     }
 }
@@ -79,21 +64,23 @@ pub struct FaceLit<S, L = Light> {
 
 impl<S: Shader<Color: Output<Color: PixelFormat>>, L: Lighting> Shader for FaceLit<S, L> {
     type Color = PreciseOf<S>;
-    type Varyings = (S::Varyings, PerFace<Packed<L, ColorOf<S>>>);
+    type Varyings = (S::Varyings, PerFace<Packed<L, S>>);
 
     const READS_DEPTH: bool = S::READS_DEPTH;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         let light = if primitive.is_face() {
-            self.light.at(&SurfacePoint::middle::<L>(primitive))
+            let (normal, position) = (primitive.world_normal(), || primitive.world_middle());
+            let point = SurfacePoint::new::<L>(normal, normal, position);
+            self.light.at(&point)
         } else {
             Illumination {
-                diffuse: Diffuse::white(FULL),
+                diffuse: L::Diffuse::of([FULL; 3]),
                 specular: L::Specular::default(),
             }
         };
-        let light = PerFace(pack::<L, ColorOf<S>>(light));
+        let light = PerFace(light.pack::<ColorOf<S>>());
         let [a, b, c] = self.surface.varyings(primitive);
         [(a, light), (b, light), (c, light)]
     }
@@ -104,7 +91,7 @@ impl<S: Shader<Color: Output<Color: PixelFormat>>, L: Lighting> Shader for FaceL
         at: &Fragment,
         (inside, PerFace(light)): Self::Varyings,
     ) -> Option<PreciseOf<S>> {
-        let light = unpack::<L, ColorOf<S>>(light);
+        let light = LightOf::<L>::unpack::<ColorOf<S>>(light);
         Some(self.surface.shade(at, inside)?.lit(light))
     }
 }

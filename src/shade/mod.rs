@@ -63,8 +63,8 @@ pub use gradient::Gradient;
 pub use lanes::Lanes;
 pub(crate) use lanes::MOST as MOST_VARYINGS;
 pub use light::{
-    Colored, Diffuse, Falloff, Illumination, Lamp, Light, Lighting, PointLight, Shiny, Specular,
-    SpotLight, SurfacePoint, TwoSided, Viewer,
+    Amount, Colored, Falloff, Illumination, Lamp, Light, Lighting, PointLight, Shiny, SpotLight,
+    SurfacePoint, TwoSided, Viewer,
 };
 pub use lit::{FaceLit, Lit};
 pub use masked::Masked;

@@ -4,7 +4,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
 use super::format::fraction;
-use super::{Diffuse, Illumination, PixelFormat, Precise, Shader, Specular};
+use super::{Amount, Illumination, PixelFormat, Precise, Shader};
 
 /// The output of a [`Shader`] for a pixel: a color of the canvas, a [`Precise`] color, or a [`Translucent`] one of
 /// either.
@@ -36,9 +36,13 @@ pub trait Output: Copy {
 
     /// This output under a light.
     #[must_use]
-    fn lit<D: Diffuse, S: Specular>(self, light: Illumination<D, S>) -> Self::With<Self::Color>
+    #[inline]
+    fn lit<D: Amount, S: Amount>(self, light: Illumination<D, S>) -> Self::With<Self::Color>
     where
-        Self::Color: PixelFormat;
+        Self::Color: PixelFormat,
+    {
+        self.map(|color| color.lit(light))
+    }
 
     /// Applies a function to the color in full precision.
     #[must_use]
@@ -114,12 +118,12 @@ impl<C: PixelColor> Output for C {
     const IS_PLAIN: bool = true;
 
     #[inline]
-    fn lit<D: Diffuse, S: Specular>(self, light: Illumination<D, S>) -> Precise<C>
+    fn lit<D: Amount, S: Amount>(self, light: Illumination<D, S>) -> Precise<C>
     where
         C: PixelFormat,
     {
         // Exact, because the steps have no fraction.
-        Precise::of_products(self.steps(), light.diffuse.rgb()).glossed(light.specular.number())
+        Precise::of_products(self.steps(), light.diffuse.rgb()).glossed(light.specular)
     }
 
     #[inline]
@@ -169,12 +173,6 @@ impl<C: PixelColor> Output for C {
 impl<C: PixelFormat> Output for Precise<C> {
     type Color = C;
     type With<D: PixelFormat> = Precise<D>;
-
-    #[inline]
-    fn lit<D: Diffuse, S: Specular>(self, light: Illumination<D, S>) -> Self {
-        self.times(light.diffuse.rgb())
-            .glossed(light.specular.number())
-    }
 
     #[inline]
     fn map<D: PixelFormat>(self, f: impl FnOnce(Self) -> Precise<D>) -> Precise<D> {
@@ -275,7 +273,7 @@ impl<O: Output<Color: PixelFormat>> Output for Translucent<O> {
     const IS_OPAQUE: bool = false;
 
     #[inline]
-    fn lit<D: Diffuse, S: Specular>(self, light: Illumination<D, S>) -> Self::With<O::Color> {
+    fn lit<D: Amount, S: Amount>(self, light: Illumination<D, S>) -> Self::With<O::Color> {
         Translucent {
             color: self.color.lit(light),
             opacity: self.opacity,

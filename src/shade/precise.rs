@@ -6,7 +6,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::Rgb888;
 
 use super::format::{each, luma, threshold, whole, zip};
-use super::{Channels, Lanes, PixelFormat, Tolerance, Varyings};
+use super::{Amount, Channels, Illumination, Lanes, PixelFormat, Tolerance, Varyings};
 
 /// A color of format `C` whose channels keep 16 fraction bits.
 ///
@@ -189,16 +189,19 @@ impl<C: PixelFormat> Precise<C> {
         }))
     }
 
-    /// This color with a highlight, if there is one.
+    /// The color under a light.
     #[inline]
-    pub(super) fn glossed(self, specular: Option<i32>) -> Self {
-        let Some(specular) = specular else {
+    pub(super) fn lit<D: Amount, S: Amount>(self, light: Illumination<D, S>) -> Self {
+        self.times(light.diffuse.rgb()).glossed(light.specular)
+    }
+
+    /// The color with a highlight.
+    #[inline]
+    pub(super) fn glossed<S: Amount>(self, specular: S) -> Self {
+        if S::IS_NONE {
             return self;
-        };
-        Self::of_raised(zip(self.raised, C::MAX_STEPS, |level, most| {
-            let glossed = level.wrapping_add(specular.wrapping_mul(most));
-            glossed.min((most << 16) + HALF)
-        }))
+        }
+        self.plus(Self::of_products(C::MAX_STEPS, specular.rgb()))
     }
 
     /// The channels as fractions, 0 to 65,536.
