@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use embedded_graphics::geometry::Point;
 
 use super::ramp::Ramp;
-use super::{Fragment, Output, PixelFormat, Precise, Shader, Within};
+use super::{Adapted, Effect, Output, PixelFormat, Precise, Within};
 use crate::error::{check_range, ok};
 use crate::mesh::Primitive;
 use crate::num::wide::clamp_negative;
@@ -186,41 +186,28 @@ impl<C: PixelFormat> Fog<C, ExponentialFog> {
     }
 }
 
-/// A surface in fog; see [`Shader::in_fog`](super::Shader::in_fog).
-#[doc(hidden)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct InFog<S, C, D = LinearFog> {
-    pub(super) surface: S,
-    pub(super) fog: Fog<C, D>,
-}
+/// A surface in fog; see [`Shader::in_fog`].
+///
+/// [`Shader::in_fog`]: super::Shader::in_fog
+pub type InFog<S, C, D = LinearFog> = Adapted<S, Fog<C, D>>;
 
-impl<S, C, D> Shader for InFog<S, C, D>
-where
-    S: Shader<Color: Output<Color = C>>,
-    C: PixelFormat,
-    D: Density,
-{
-    type Color = Fogged<S::Color, D>;
-    type Varyings = (S::Varyings, Within<UNSEEN, [i32; 1]>);
-
-    const READS_DEPTH: bool = S::READS_DEPTH;
+impl<O: Output<Color = C>, C: PixelFormat, D: Density> Effect<O> for Fog<C, D> {
+    type Color = Fogged<O, D>;
+    type Varyings = Within<UNSEEN, [i32; 1]>;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        let [a, b, c] = self.surface.varyings(primitive);
-        let density = &self.fog.density;
-        let [x, y, z] = primitive.corners(|corner| Within([density.varying(corner.distance())]));
-        [(a, x), (b, y), (c, z)]
+        primitive.corners(|corner| Within([self.density.varying(corner.distance())]))
     }
 
     #[inline]
-    fn shade(&self, at: &Fragment, (inside, Within([x])): Self::Varyings) -> Option<Self::Color> {
-        Some(Fogged {
-            output: self.surface.shade(at, inside)?,
-            fog: self.fog.color,
+    fn apply(&self, output: O, Within([x]): Self::Varyings) -> Self::Color {
+        Fogged {
+            output,
+            fog: self.color,
             varying: x,
             density: PhantomData,
-        })
+        }
     }
 }
 
@@ -233,14 +220,6 @@ pub struct Fogged<O: Output, D> {
     fog: O::Color,
     varying: i32,
     density: PhantomData<D>,
-}
-
-impl<O: Output<Color: PixelFormat>, D: Density> Fogged<O, D> {
-    /// In full precision.
-    #[inline]
-    fn precise(self) -> O::With<O::Color> {
-        self.map(|color| color)
-    }
 }
 
 impl<O: Output<Color: PixelFormat>, D: Density> Output for Fogged<O, D> {
@@ -264,7 +243,7 @@ impl<O: Output<Color: PixelFormat>, D: Density> Output for Fogged<O, D> {
                 return mixed;
             }
         }
-        self.precise().finish(at)
+        self.map(|color| color).finish(at)
     }
 
     #[inline]
@@ -277,18 +256,8 @@ impl<O: Output<Color: PixelFormat>, D: Density> Output for Fogged<O, D> {
         if O::IS_OPAQUE {
             self.finish(at)
         } else {
-            self.precise().onto(below, at)
+            self.map(|color| color).onto(below, at)
         }
-    }
-
-    #[inline]
-    fn cover(self, below: O::Color, share: i32, at: Point) -> O::Color {
-        self.precise().cover(below, share, at)
-    }
-
-    #[inline]
-    fn parts(self) -> (Precise<O::Color>, i32) {
-        self.precise().parts()
     }
 }
 

@@ -51,11 +51,11 @@ mod views;
 mod fixture;
 
 #[doc(hidden)]
-pub use adapters::{Converted, Dithered, Map, Tinted};
+pub use adapters::{Adapted, Converted, Dithered, Effect, Map, Tint, Tinted};
 pub use flat::{FaceColors, Flat, PartColors};
+pub use fog::{Density, ExponentialFog, Fog, LinearFog};
 #[doc(hidden)]
-pub use fog::Fogged;
-pub use fog::{Density, ExponentialFog, Fog, InFog, LinearFog};
+pub use fog::{Fogged, InFog};
 pub(crate) use format::fraction;
 pub use format::{Channels, PixelFormat};
 pub use gouraud::Gouraud;
@@ -66,7 +66,8 @@ pub use light::{
     Amount, Colored, Falloff, Illumination, Lamp, Light, Lighting, PointLight, Shiny, SpotLight,
     SurfacePoint, TwoSided, Viewer,
 };
-pub use lit::{FaceLit, Lit};
+#[doc(hidden)]
+pub use lit::{ByFace, ByVertex, FaceLit, Lit};
 pub use masked::Masked;
 pub use mipmapped::Mipmapped;
 pub use output::{ColorOf, Output, PreciseOf, Translucent};

@@ -75,15 +75,23 @@ pub trait Output: Copy {
 
     /// The new color of a pixel that is covered in a share of at most `share`/65,536.
     #[doc(hidden)]
+    #[inline]
     fn cover(self, below: Self::Color, share: i32, at: Point) -> Self::Color
     where
-        Self::Color: PixelFormat;
+        Self::Color: PixelFormat,
+    {
+        self.map(|color| color).cover(below, share, at)
+    }
 
     /// The color and its share, from 0 to 65,536.
     #[doc(hidden)]
+    #[inline]
     fn parts(self) -> (Precise<Self::Color>, i32)
     where
-        Self::Color: PixelFormat;
+        Self::Color: PixelFormat,
+    {
+        self.map(|color| color).parts()
+    }
 
     /// A function of the color below and this one, in the share of this one. `plain` is the same function of colors that
     /// have no fraction bits.
@@ -145,14 +153,6 @@ impl<C: PixelColor> Output for C {
         C: PixelFormat,
     {
         below.covered(self, share, at)
-    }
-
-    #[inline]
-    fn parts(self) -> (Precise<C>, i32)
-    where
-        C: PixelFormat,
-    {
-        (self.into(), 1 << 16)
     }
 
     #[inline]
