@@ -2,7 +2,7 @@
 
 use core::ops::Mul;
 
-use super::Vec3;
+use super::{NormalMatrix, Vec3};
 use crate::Scalar;
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt as unit;
@@ -112,7 +112,7 @@ impl Transform {
     }
 
     /// Makes a transform without translation from rows in units of 2^-`exp`.
-    fn from_linear(rows: &[[i64; 3]; 3], exp: i32) -> Self {
+    pub(crate) fn from_linear(rows: &[[i64; 3]; 3], exp: i32) -> Self {
         let mut t = Self::IDENTITY;
         t.linear_exp = normalize_rows(&mut t.linear, rows, exp);
         t
@@ -152,12 +152,6 @@ impl Transform {
         let mut t = Self::from_linear(&[[x, 0, 0], [0, y, 0], [0, 0, z]], 16);
         t.is_mirror = is_mirror;
         t
-    }
-
-    /// Makes the transform that moves `origin` to zero, then rotates by `rows`, in units of 2^-30.
-    pub(crate) fn from_pose(rows: [[i64; 3]; 3], origin: Vec3) -> Self {
-        let rotation = Self::from_linear(&rows, 30);
-        rotation * Self::translate(-origin)
     }
 
     /// Transforms a point, rounded to nearest (half up); saturates.
@@ -261,7 +255,7 @@ impl Transform {
     /// It is the inverse transpose: the cofactors, with the sign of the determinant.
     #[must_use]
     #[inline(never)]
-    pub(crate) fn normal_matrix(&self) -> [[i32; 3]; 3] {
+    pub(crate) fn normal_matrix(&self) -> NormalMatrix {
         let [x, y, z] = self.linear;
         let cofactors = [unit::cross(y, z), unit::cross(z, x), unit::cross(x, y)];
         let mut matrix = [[0; 3]; 3];
@@ -271,7 +265,7 @@ impl Transform {
                 *v = -*v;
             }
         }
-        matrix
+        NormalMatrix(matrix)
     }
 }
 

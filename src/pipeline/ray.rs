@@ -4,7 +4,7 @@ use embedded_graphics::geometry::Point;
 
 use super::options::Options;
 use crate::canvas::{Canvas, Storage};
-use crate::math::{Direction, Transform};
+use crate::math::{Direction, NormalMatrix, Transform};
 use crate::mesh::Mesh;
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt::unit;
@@ -269,7 +269,7 @@ impl<'t> Inverse<'t> {
     /// `None` if the transform's matrix has no inverse.
     fn of(transform: &'t Transform) -> Option<Self> {
         let [x, ..] = transform.linear;
-        let [first, second, third] = transform.normal_matrix();
+        let NormalMatrix([first, second, third]) = transform.normal_matrix();
         let determinant = dot(&x, &first);
         let transpose = |axis: usize| [first[axis], second[axis], third[axis]];
         (determinant > 0).then_some(Self {

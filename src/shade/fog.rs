@@ -6,7 +6,7 @@ use embedded_graphics::geometry::Point;
 
 use super::ramp::Ramp;
 use super::{Adapted, Effect, Output, PixelFormat, Precise, Within};
-use crate::error::{check_range, ok};
+use crate::error::{check_order, check_range, ok};
 use crate::mesh::Primitive;
 use crate::num::wide::clamp_negative;
 use crate::sealed::{Sealed, sealed};
@@ -153,10 +153,7 @@ impl<C: PixelFormat> Fog<C> {
     ///
     /// [`Error::Empty`] if `far` is not beyond `near`.
     pub const fn linear(color: C, near: Scalar, far: Scalar) -> Result<Self, Error> {
-        let Some(range) = Ramp::new(near, far, BITS) else {
-            let (of, low, high) = ("fog", near, far);
-            return Err(Error::Empty { of, low, high });
-        };
+        let range = Ramp::new(ok!(check_order("fog", near, far)), BITS);
         let far = far.to_bits();
         Ok(Self {
             color,

@@ -118,7 +118,6 @@ impl Lamp for Light {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::NormalMatrix;
     use crate::shade::fixture::scale;
     use crate::{fx, vec3};
 
@@ -156,7 +155,9 @@ mod tests {
     #[test]
     fn normals_stay_perpendicular_on_stretched_and_mirrored_models() {
         let sun = Light::new(vec3!(0, 1, 0), fx!(0), fx!(1)).unwrap();
-        let on = |model, normal| sun.brightness(NormalMatrix::of(&model).direction(normal));
+        let on = |model: crate::Transform, normal| {
+            sun.brightness(model.normal_matrix().direction(normal))
+        };
         let close = |found: i32, expected: f64| {
             assert!(
                 (f64::from(found) / 65536.0 - expected).abs() < 1e-5,
