@@ -81,17 +81,6 @@ pub(crate) fn compose(rows: &[AffineRow; 3], other: &Transform) -> Transform {
     Transform::from_block_floats(&numbers)
 }
 
-/// Rounds rows in units of 2^-`exp` to mantissas, and returns their exponent.
-// Filled in place and out of line, because `map` copies arrays of this size.
-#[inline(never)]
-fn normalize_rows(mantissas: &mut [[i32; 3]; 3], rows: &[[i64; 3]; 3], exp: i32) -> i32 {
-    let mut numbers = [BlockFloat::ZERO; 9];
-    for (number, value) in numbers.iter_mut().zip(rows.as_flattened()) {
-        *number = BlockFloat::new(*value, exp);
-    }
-    block::normalize(mantissas.as_flattened_mut(), &numbers)
-}
-
 impl Transform {
     /// The transform that moves nothing.
     pub const IDENTITY: Self = Self {
@@ -112,9 +101,15 @@ impl Transform {
     }
 
     /// Makes a transform without translation from rows in units of 2^-`exp`.
+    // Filled in place and out of line, because `map` copies arrays of this size.
+    #[inline(never)]
     pub(crate) fn from_linear(rows: &[[i64; 3]; 3], exp: i32) -> Self {
         let mut t = Self::IDENTITY;
-        t.linear_exp = normalize_rows(&mut t.linear, rows, exp);
+        let mut numbers = [BlockFloat::ZERO; 9];
+        for (number, value) in numbers.iter_mut().zip(rows.as_flattened()) {
+            *number = BlockFloat::new(*value, exp);
+        }
+        t.linear_exp = block::normalize(t.linear.as_flattened_mut(), &numbers);
         t
     }
 
@@ -258,8 +253,7 @@ impl Transform {
     pub(crate) fn normal_matrix(&self) -> NormalMatrix {
         let [x, y, z] = self.linear;
         let cofactors = [unit::cross(y, z), unit::cross(z, x), unit::cross(x, y)];
-        let mut matrix = [[0; 3]; 3];
-        normalize_rows(&mut matrix, &cofactors, 0);
+        let mut matrix = Self::from_linear(&cofactors, 0).linear;
         if dot(&x, &matrix[0]) < 0 {
             for v in matrix.as_flattened_mut() {
                 *v = -*v;

@@ -220,10 +220,6 @@ pub trait Channels: Varyings + Default + Sealed {
 
     /// All three channels; those that are not used are 0.
     fn all(self) -> [i32; 3];
-
-    /// The channels of an RGB color, or its luma.
-    #[doc(hidden)]
-    fn of_rgb(channels: [i32; 3]) -> Self;
 }
 
 sealed!([i32; 3], [i32; 1]);
@@ -240,11 +236,6 @@ impl Channels for [i32; 3] {
     fn all(self) -> [i32; 3] {
         self
     }
-
-    #[inline]
-    fn of_rgb(channels: [i32; 3]) -> Self {
-        channels
-    }
 }
 
 impl Channels for [i32; 1] {
@@ -258,11 +249,6 @@ impl Channels for [i32; 1] {
     #[inline]
     fn all(self) -> [i32; 3] {
         [self[0], 0, 0]
-    }
-
-    #[inline]
-    fn of_rgb(channels: [i32; 3]) -> Self {
-        [luma(channels)]
     }
 }
 

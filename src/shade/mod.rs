@@ -36,7 +36,6 @@ mod gradient;
 mod lanes;
 mod light;
 mod lit;
-mod masked;
 mod mipmapped;
 mod output;
 mod precise;
@@ -68,12 +67,11 @@ pub use light::{
 };
 #[doc(hidden)]
 pub use lit::{ByFace, ByVertex, FaceLit, Lit};
-pub use masked::Masked;
 pub use mipmapped::Mipmapped;
 pub use output::{ColorOf, Output, PreciseOf, Translucent};
 pub use precise::Precise;
 pub use shader::{Fragment, Shader, ShaderFor};
 pub use texel::Texel;
-pub use textured::Textured;
+pub use textured::{Masked, Textured};
 pub use varyings::{PerFace, Texels, Tolerance, Varyings, Within};
 pub use views::{DepthView, NormalView};

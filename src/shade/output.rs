@@ -92,25 +92,6 @@ pub trait Output: Copy {
     {
         self.map(|color| color).parts()
     }
-
-    /// A function of the color below and this one, in the share of this one. `plain` is the same function of colors that
-    /// have no fraction bits.
-    #[doc(hidden)]
-    #[inline]
-    fn change(
-        self,
-        below: Self::Color,
-        at: Point,
-        plain: impl FnOnce(Self::Color, Self::Color) -> Precise<Self::Color>,
-        precise: impl FnOnce(Precise<Self::Color>, Precise<Self::Color>) -> Precise<Self::Color>,
-    ) -> Self::Color
-    where
-        Self::Color: PixelFormat,
-    {
-        let _ = plain;
-        let ((color, share), below) = (self.parts(), Precise::from(below));
-        below.mix(precise(below, color), share).finish(at)
-    }
 }
 
 /// The color of the canvas that a shader is for.
@@ -153,20 +134,6 @@ impl<C: PixelColor> Output for C {
         C: PixelFormat,
     {
         below.covered(self, share, at)
-    }
-
-    #[inline]
-    fn change(
-        self,
-        below: C,
-        at: Point,
-        plain: impl FnOnce(C, C) -> Precise<C>,
-        _: impl FnOnce(Precise<C>, Precise<C>) -> Precise<C>,
-    ) -> C
-    where
-        C: PixelFormat,
-    {
-        plain(below, self).finish(at)
     }
 }
 

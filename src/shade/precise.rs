@@ -208,7 +208,11 @@ impl<C: PixelFormat> Precise<C> {
     #[must_use]
     #[inline]
     pub fn fractions(self) -> [i32; 3] {
-        zip(self.levels(), C::MAX_STEPS, fraction)
+        // For each level of 8 bits the nearest fraction. A level of at most 24 bits loses 2, so that the product has 30:
+        // at most 2^14 · 2^16.
+        zip(self.levels(), C::MAX_STEPS, |level, most| {
+            over(level >> 2, most).wrapping_add(1 << 13) >> 14
+        })
     }
 
     /// This color in another format.
@@ -224,12 +228,6 @@ impl<C: PixelFormat> Precise<C> {
             fractions
         };
         Precise::of_products(D::MAX_STEPS, fractions)
-    }
-
-    /// The channels in the form in which they are interpolated.
-    #[inline]
-    fn channels(self) -> C::Channels {
-        C::Channels::first(self.raised)
     }
 }
 
@@ -248,13 +246,6 @@ const fn over(steps: i32, most: i32) -> i32 {
         .wrapping_add(steps.wrapping_mul(rest) >> n)
 }
 
-/// A level as a fraction of `most` steps, 2ⁿ − 1: 65,536 for white, and for each level of 8 bits the nearest one.
-#[inline]
-const fn fraction(level: i32, most: i32) -> i32 {
-    // A level of at most 24 bits loses 2, so that the product has 30: at most 2^14 · 2^16.
-    over(level >> 2, most).wrapping_add(1 << 13) >> 14
-}
-
 impl<C: PixelFormat> Varyings for Precise<C> {
     type Lanes = <C::Channels as Varyings>::Lanes;
     type Face = <C::Channels as Varyings>::Face;
@@ -269,7 +260,7 @@ impl<C: PixelFormat> Varyings for Precise<C> {
 
     #[inline]
     fn split(self) -> (<Self::Lanes as Lanes>::Of<i32>, Self::Face) {
-        self.channels().split()
+        C::Channels::first(self.raised).split()
     }
 
     #[inline]

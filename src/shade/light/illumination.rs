@@ -2,7 +2,7 @@
 
 use super::FULL;
 use crate::sealed::{Sealed, sealed};
-use crate::shade::format::{each, zip};
+use crate::shade::format::{each, luma, zip};
 use crate::shade::{Channels, PixelFormat, Varyings};
 
 /// The light at a point of a surface, in units of 2⁻¹⁶ of full brightness.
@@ -181,7 +181,12 @@ impl Amount for [i32; 3] {
 
     #[inline]
     fn pack<C: PixelFormat>(self) -> C::Channels {
-        C::Channels::of_rgb(each(self, limited))
+        let limited = each(self, limited);
+        C::Channels::first(if C::Channels::IS_GRAY {
+            [luma(limited); 3]
+        } else {
+            limited
+        })
     }
 
     #[inline]
