@@ -1,9 +1,9 @@
 //! Directions in world space, and the matrix that takes a model's normals there.
 
-use crate::Vec3;
 use crate::num::Fraction;
 use crate::num::rsqrt::{measure, unit};
 use crate::num::wide::dot;
+use crate::{Error, Vec3};
 
 /// A vector of length one, or of length zero where there is no direction.
 ///
@@ -29,6 +29,14 @@ impl Direction {
         match unit([x as i64, y as i64, z as i64]) {
             Some(components) => Self(components),
             None => Self::NONE,
+        }
+    }
+
+    /// [`of`](Self::of), where a direction is needed.
+    pub(crate) const fn checked(vector: Vec3) -> Result<Self, Error> {
+        match Self::of(vector) {
+            Self::NONE => Err(Error::ZeroDirection),
+            direction => Ok(direction),
         }
     }
 

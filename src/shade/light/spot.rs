@@ -67,10 +67,7 @@ impl SpotLight {
         range: Scalar,
     ) -> Result<Self, Error> {
         let lamp = PointLight::new(position, brightness, range)?;
-        let axis = Direction::of(axis);
-        if axis == Direction::NONE {
-            return Err(Error::ZeroDirection);
-        }
+        let axis = Direction::checked(axis)?;
         if inner.to_bits() >= outer.to_bits() || outer.to_bits() > Angle::QUARTER.to_bits() {
             return Err(Error::Cone { inner, outer });
         }
@@ -93,12 +90,6 @@ impl SpotLight {
             lamp: self.lamp.with_falloff(falloff),
             ..self
         }
-    }
-
-    /// The lamp's falloff.
-    #[must_use]
-    pub const fn falloff(&self) -> Falloff {
-        self.lamp.falloff()
     }
 }
 

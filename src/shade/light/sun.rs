@@ -59,11 +59,8 @@ impl Light {
     pub const fn new(direction: Vec3, ambient: Scalar, diffuse: Scalar) -> Result<Self, Error> {
         let ambient = ok!(brightness(ambient));
         let diffuse = ok!(brightness(diffuse));
-        let toward = Direction::of(direction);
+        let toward = ok!(Direction::checked(direction));
         let [x, y, z] = toward.to_bits();
-        if x == 0 && y == 0 && z == 0 {
-            return Err(Error::ZeroDirection);
-        }
         // No longer than the unit vector.
         let direction = [
             ((x as i64 * diffuse as i64) >> 16) as i32,
