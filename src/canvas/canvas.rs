@@ -112,7 +112,15 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     {
         check_size(width, height)?;
         check_length(pixels.len(), (width * height) as usize)?;
-        Self::band(pixels, width, height, 0)
+        // Not a band of all rows: the compiler knows the first and the last row of a frame of known size.
+        Ok(Self {
+            cells: pixels,
+            depths: &mut [],
+            buffer: PhantomData,
+            width,
+            height,
+            rows: 0..height,
+        })
     }
 
     /// A band of a frame of `width` x `height` pixels: as many rows as `pixels` holds, starting at `first_row`.
