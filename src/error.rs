@@ -82,6 +82,16 @@ pub(crate) const fn check_range(
     })
 }
 
+/// Returns how far `high` is above `low`, in bits.
+pub(crate) const fn check_order(of: &'static str, low: Scalar, high: Scalar) -> Result<i64, Error> {
+    let length = high.to_bits() as i64 - low.to_bits() as i64;
+    if length > 0 {
+        Ok(length)
+    } else {
+        Err(Error::Empty { of, low, high })
+    }
+}
+
 /// An error unless an angle can lie between two faces.
 pub(crate) const fn check_crease(angle: Angle) -> Result<(), Error> {
     if angle.to_bits() > Angle::HALF.to_bits() {

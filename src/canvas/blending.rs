@@ -133,17 +133,34 @@ impl<C: PixelFormat> Blending<C> for Opacity {
     }
 }
 
+/// A function of the color below and an output, in the share of the output. `plain` is the same function of colors that
+/// have no fraction bits.
+#[inline]
+fn changed<C: PixelFormat, O: Output<Color = C>>(
+    output: O,
+    below: C,
+    at: Point,
+    plain: impl FnOnce(C, C) -> Precise<C>,
+    precise: impl FnOnce(Precise<C>, Precise<C>) -> Precise<C>,
+) -> C {
+    if O::IS_PLAIN {
+        return plain(below, output.finish(at)).finish(at);
+    }
+    let ((color, share), below) = (output.parts(), Precise::from(below));
+    below.mix(precise(below, color), share).finish(at)
+}
+
 impl<C: PixelFormat> Blending<C> for Add {
     #[inline]
     fn blend<O: Output<Color = C>>(self, output: O, below: impl FnOnce() -> C, at: Point) -> C {
-        output.change(below(), at, Precise::of_sum, Precise::plus)
+        changed(output, below(), at, Precise::of_sum, Precise::plus)
     }
 }
 
 impl<C: PixelFormat> Blending<C> for Multiply {
     #[inline]
     fn blend<O: Output<Color = C>>(self, output: O, below: impl FnOnce() -> C, at: Point) -> C {
-        output.change(below(), at, Precise::of_product, |below, color| {
+        changed(output, below(), at, Precise::of_product, |below, color| {
             below.times(color.fractions())
         })
     }

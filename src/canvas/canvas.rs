@@ -10,7 +10,7 @@ use embedded_graphics::primitives::{PointsIter, Rectangle};
 
 use super::depth::{DepthBuffer, LinearDepth, NoDepth};
 
-use super::storage::{Cell, Cells, Memory, Native, Storage};
+use super::storage::{Cell, Memory, Native, Storage};
 use crate::Error;
 use crate::error::check_length;
 
@@ -112,6 +112,7 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     {
         check_size(width, height)?;
         check_length(pixels.len(), (width * height) as usize)?;
+        // Not a band of all rows: the compiler knows the first and the last row of a frame of known size.
         Ok(Self {
             cells: pixels,
             depths: &mut [],
@@ -273,7 +274,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         C: PixelColor,
         T: DrawTarget<Color = C>,
     {
-        display.fill_contiguous(&self.area(), self.pixels())
+        display.fill_contiguous(&self.bounding_box(), self.pixels())
     }
 
     /// Shows the canvas on a display of another color, as [`show`](Self::show) does. `color` converts the color at each
@@ -305,17 +306,9 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         display: &mut T,
         mut color: impl FnMut(Point, C) -> T::Color,
     ) -> Result<(), T::Error> {
-        let area = self.area();
+        let area = self.bounding_box();
         let colors = area.points().zip(self.pixels());
         display.fill_contiguous(&area, colors.map(|(at, pixel)| color(at, pixel)))
-    }
-
-    /// The part of the frame that is in memory.
-    pub(super) fn area(&self) -> Rectangle {
-        Rectangle::new(
-            Point::new(0, self.rows.start.cast_signed()),
-            Size::new(self.width, self.row_count()),
-        )
     }
 }
 
@@ -407,19 +400,13 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// ```
     #[must_use]
     pub fn depth_at(&self, point: Point) -> Option<u16> {
-        if !self.area().contains(point) {
+        if !self.bounding_box().contains(point) {
             return None;
         }
         // The area has no negative coordinates.
         let (x, y) = (point.x.cast_unsigned(), point.y.cast_unsigned());
         let at = (y - self.rows.start) * self.width + x;
         self.depths.get(at as usize).copied()
-    }
-
-    /// [`Memory::cells`] for a single row.
-    #[inline]
-    pub(crate) fn cells(&mut self, row: u32, columns: Range<u32>) -> Option<Cells<'_, C, O, D>> {
-        self.memory().cells(row, columns)
     }
 
     /// The memory of all pixels and depths.
@@ -438,7 +425,10 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
 impl<C, O: Storage<C>, D> Dimensions for Canvas<'_, C, O, D> {
     /// The part of the frame that is in memory.
     fn bounding_box(&self) -> Rectangle {
-        self.area()
+        Rectangle::new(
+            Point::new(0, self.rows.start.cast_signed()),
+            Size::new(self.width, self.row_count()),
+        )
     }
 }
 

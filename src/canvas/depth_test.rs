@@ -116,7 +116,7 @@ depth_tests! {
 /// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
 /// canvas.clear(BinaryColor::Off);
 /// let behind = DrawOptions::new().with_depth(Biased::behind(TestAndWrite));
-/// assert_eq!((behind.depth().steps(), behind.depth().slope()), (-2, fx!(-1)));
+/// assert_eq!(behind.depth(), Biased::new(TestAndWrite, -2, fx!(-1)));
 /// canvas.draw_with(&behind, &BOX, &mvp, &Flat::new(BinaryColor::Off));
 /// canvas.draw(BOX.edges(LineStyle::HAIRLINE), &mvp, &Flat::new(BinaryColor::On));
 /// # Ok::<(), Error>(())
@@ -126,7 +126,7 @@ depth_tests! {
 pub struct Biased<Z = super::TestAndWrite> {
     test: Z,
     steps: i32,
-    slope: i32,
+    slope: Scalar,
     /// The change of the current triangle's 1/w.
     added: i32,
     /// The left shift of the current span's 1/w.
@@ -142,7 +142,7 @@ impl<Z> Biased<Z> {
         Self {
             test,
             steps,
-            slope: slope.to_bits(),
+            slope,
             added: 0,
             up: 0,
         }
@@ -169,27 +169,6 @@ impl<Z> Biased<Z> {
     pub const fn behind_outlines(test: Z) -> Self {
         Self::new(test, -2, crate::fx!(-4))
     }
-
-    /// The test whose depths are moved.
-    #[must_use]
-    pub const fn test(&self) -> Z
-    where
-        Z: Copy,
-    {
-        self.test
-    }
-
-    /// The steps of the depth buffer by which depths are moved.
-    #[must_use]
-    pub const fn steps(&self) -> i32 {
-        self.steps
-    }
-
-    /// The factor of the depth difference between neighboring pixels.
-    #[must_use]
-    pub const fn slope(&self) -> Scalar {
-        Scalar::from_bits(self.slope)
-    }
 }
 
 impl<Z> Sealed for Biased<Z> {}
@@ -203,7 +182,7 @@ impl<Z: DepthTest> DepthTest for Biased<Z> {
     fn triangle(&mut self, steepness: u32) {
         self.test.triangle(steepness);
         // 32 bits by 32 bits fit; the sum with 1/w saturates anyway.
-        let added = (i64::from(self.slope) * i64::from(steepness)) >> 16;
+        let added = (i64::from(self.slope.to_bits()) * i64::from(steepness)) >> 16;
         self.added = added.clamp(i32::MIN.into(), i32::MAX.into()) as i32;
     }
 

@@ -1,6 +1,7 @@
 //! Error diffusion.
 
 use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::Dimensions;
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 
 use super::canvas::Canvas;
@@ -65,7 +66,7 @@ impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
         let colors = self
             .pixels()
             .map(|gray| diffusion.color(contrast.stretch(gray), last));
-        display.fill_contiguous(&self.area(), colors)
+        display.fill_contiguous(&self.bounding_box(), colors)
     }
 }
 

@@ -1,4 +1,4 @@
-//! Labels: text and shapes at a place and a depth of the picture.
+//! The canvas as an embedded-graphics target: text and shapes over the picture, or at a place and a depth of it.
 
 use core::convert::Infallible;
 use core::iter;
@@ -38,7 +38,7 @@ impl<'c, T> Label<'c, T> {
 impl<C, O: Storage<C>, D: DepthBuffer> Label<'_, Canvas<'_, C, O, D>> {
     /// Draws the pixels of `columns` of a row of the frame that are not hidden.
     fn draw_row(&mut self, row: u32, columns: &Range<u32>, colors: impl Iterator<Item = C>) {
-        let Some(mut cells) = self.canvas.cells(row, columns.clone()) else {
+        let Some(mut cells) = self.canvas.memory().cells(row, columns.clone()) else {
             return;
         };
         // The colors come second, so that `zip` does not consume one more than there are cells.
@@ -126,6 +126,44 @@ impl<C, O: Storage<C>, D> Dimensions for Label<'_, Canvas<'_, C, O, D>> {
         let Point { x, y } = self.origin;
         let top_left = Point::new(top_left.x.saturating_sub(x), top_left.y.saturating_sub(y));
         Rectangle::new(top_left, size)
+    }
+}
+
+impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
+    /// A label that nothing hides, at the frame's corner.
+    const fn over(&mut self) -> Label<'_, Self> {
+        Label::new(self, Point::zero(), u16::MAX)
+    }
+}
+
+/// Drawing cannot fail. It does not touch the depth buffer, except that `clear` clears both.
+///
+/// Any point and any rectangle is allowed, even one that reaches beyond the range of `i32`.
+impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Canvas<'_, C, O, D> {
+    type Color = C;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        self.over().draw_iter(pixels)
+    }
+
+    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = C>,
+    {
+        self.over().fill_contiguous(area, colors)
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
+        self.over().fill_solid(area, color)
+    }
+
+    /// Clears the depth buffer too, as [`Canvas::clear`] does. Adapters such as
+    /// [`clipped`](embedded_graphics::draw_target::DrawTargetExt::clipped) turn a `clear` into a
+    /// fill, which leaves the depth buffer alone.
+    fn clear(&mut self, color: C) -> Result<(), Infallible> {
+        Canvas::clear(self, color);
+        Ok(())
     }
 }
 

@@ -20,7 +20,6 @@ mod contrast;
 mod depth;
 mod depth_test;
 mod diffusion;
-mod draw_target;
 mod label;
 mod storage;
 

@@ -76,38 +76,32 @@ impl<C: PixelColor> Storage<C> for Native {
     }
 }
 
-impl<C, const N: usize> Storage<C> for BigEndian
-where
-    C: PixelColor + ToBytes<Bytes = [u8; N]> + From<C::Raw>,
-{
-    type Cell = [u8; N];
+/// Stores raw bytes in an order, and reads them from the most significant one.
+macro_rules! bytes {
+    ($($Order:ident $store:ident $(from $end:ident)?;)+) => {$(
+        impl<C, const N: usize> Storage<C> for $Order
+        where
+            C: PixelColor + ToBytes<Bytes = [u8; N]> + From<C::Raw>,
+        {
+            type Cell = [u8; N];
 
-    #[inline]
-    fn store(color: C) -> [u8; N] {
-        color.to_be_bytes()
-    }
+            #[inline]
+            fn store(color: C) -> [u8; N] {
+                color.$store()
+            }
 
-    #[inline]
-    fn load(cell: [u8; N]) -> C {
-        C::Raw::from_u32(number(cell.iter())).into()
-    }
+            #[inline]
+            fn load(cell: [u8; N]) -> C {
+                C::Raw::from_u32(number(cell.iter()$(.$end())?)).into()
+            }
+        }
+
+        impl<C: ToBytes<Bytes = [u8; N]>, const N: usize> Cell<C, $Order> for [u8; N] {}
+    )+};
 }
-
-impl<C, const N: usize> Storage<C> for LittleEndian
-where
-    C: PixelColor + ToBytes<Bytes = [u8; N]> + From<C::Raw>,
-{
-    type Cell = [u8; N];
-
-    #[inline]
-    fn store(color: C) -> [u8; N] {
-        color.to_le_bytes()
-    }
-
-    #[inline]
-    fn load(cell: [u8; N]) -> C {
-        C::Raw::from_u32(number(cell.iter().rev())).into()
-    }
+bytes! {
+    BigEndian to_be_bytes;
+    LittleEndian to_le_bytes from rev;
 }
 
 /// The number whose most significant byte comes first.
@@ -135,8 +129,6 @@ fn number<'b>(bytes: impl Iterator<Item = &'b u8>) -> u32 {
 pub trait Cell<C, O> {}
 
 impl<C: PixelColor> Cell<C, Native> for C {}
-impl<C: ToBytes<Bytes = [u8; N]>, const N: usize> Cell<C, BigEndian> for [u8; N] {}
-impl<C: ToBytes<Bytes = [u8; N]>, const N: usize> Cell<C, LittleEndian> for [u8; N] {}
 
 /// The colors and depths of a canvas. Once it is in registers, rows are found without reading the canvas.
 pub(crate) struct Memory<'a, C, O: Storage<C>, D> {

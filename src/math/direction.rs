@@ -3,7 +3,7 @@
 use crate::num::Fraction;
 use crate::num::rsqrt::{measure, unit};
 use crate::num::wide::dot;
-use crate::{Transform, Vec3};
+use crate::{Error, Vec3};
 
 /// A vector of length one, or of length zero where there is no direction.
 ///
@@ -29,6 +29,14 @@ impl Direction {
         match unit([x as i64, y as i64, z as i64]) {
             Some(components) => Self(components),
             None => Self::NONE,
+        }
+    }
+
+    /// [`of`](Self::of), where a direction is needed.
+    pub(crate) const fn checked(vector: Vec3) -> Result<Self, Error> {
+        match Self::of(vector) {
+            Self::NONE => Err(Error::ZeroDirection),
+            direction => Ok(direction),
         }
     }
 
@@ -77,23 +85,17 @@ impl Direction {
 /// The matrix that takes a model's normals to world space: the inverse transpose of the model's linear part, up to a
 /// positive factor. With it, normals stay at right angles to a surface that is stretched or mirrored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct NormalMatrix {
+pub(crate) struct NormalMatrix(
     /// Rows, below 2^30.
-    rows: [[i32; 3]; 3],
-}
+    pub(crate) [[i32; 3]; 3],
+);
 
 impl NormalMatrix {
-    pub(crate) fn of(model: &Transform) -> Self {
-        Self {
-            rows: model.normal_matrix(),
-        }
-    }
-
     /// Returns the direction in world space of a model's normal, which may have any length.
     pub(crate) fn direction(&self, normal: Vec3) -> Direction {
         // Three products of 30 by 31 bits: below 2^63.
         let normal = normal.to_bits();
-        let components = unit(self.rows.map(|row| dot(&row, &normal)));
+        let components = unit(self.0.map(|row| dot(&row, &normal)));
         Direction(components.unwrap_or_default())
     }
 }

@@ -40,6 +40,24 @@ macro_rules! vector {
         vector!(@from $Vector [$($part),+]: [f64; $len] [f32; $len] [i32; $len]);
 
         impl $Vector {
+            /// Makes a vector from its components.
+            #[must_use]
+            pub const fn new($($part: $Number),+) -> Self {
+                Self { $($part),+ }
+            }
+
+            /// Makes a vector from the bits of its components.
+            #[must_use]
+            pub const fn from_bits([$($part),+]: [i32; $len]) -> Self {
+                Self::new($($Number::from_bits($part)),+)
+            }
+
+            /// Returns the bits of the components.
+            #[must_use]
+            pub const fn to_bits(self) -> [i32; $len] {
+                [$(self.$part.to_bits()),+]
+            }
+
             /// Makes a vector of equal components.
             #[must_use]
             pub const fn splat(component: $Number) -> Self {

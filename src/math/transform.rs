@@ -2,7 +2,7 @@
 
 use core::ops::Mul;
 
-use super::Vec3;
+use super::{NormalMatrix, Vec3};
 use crate::Scalar;
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt as unit;
@@ -81,17 +81,6 @@ pub(crate) fn compose(rows: &[AffineRow; 3], other: &Transform) -> Transform {
     Transform::from_block_floats(&numbers)
 }
 
-/// Rounds rows in units of 2^-`exp` to mantissas, and returns their exponent.
-// Filled in place and out of line, because `map` copies arrays of this size.
-#[inline(never)]
-fn normalize_rows(mantissas: &mut [[i32; 3]; 3], rows: &[[i64; 3]; 3], exp: i32) -> i32 {
-    let mut numbers = [BlockFloat::ZERO; 9];
-    for (number, value) in numbers.iter_mut().zip(rows.as_flattened()) {
-        *number = BlockFloat::new(*value, exp);
-    }
-    block::normalize(mantissas.as_flattened_mut(), &numbers)
-}
-
 impl Transform {
     /// The transform that moves nothing.
     pub const IDENTITY: Self = Self {
@@ -112,9 +101,15 @@ impl Transform {
     }
 
     /// Makes a transform without translation from rows in units of 2^-`exp`.
-    fn from_linear(rows: &[[i64; 3]; 3], exp: i32) -> Self {
+    // Filled in place and out of line, because `map` copies arrays of this size.
+    #[inline(never)]
+    pub(crate) fn from_linear(rows: &[[i64; 3]; 3], exp: i32) -> Self {
         let mut t = Self::IDENTITY;
-        t.linear_exp = normalize_rows(&mut t.linear, rows, exp);
+        let mut numbers = [BlockFloat::ZERO; 9];
+        for (number, value) in numbers.iter_mut().zip(rows.as_flattened()) {
+            *number = BlockFloat::new(*value, exp);
+        }
+        t.linear_exp = block::normalize(t.linear.as_flattened_mut(), &numbers);
         t
     }
 
@@ -152,12 +147,6 @@ impl Transform {
         let mut t = Self::from_linear(&[[x, 0, 0], [0, y, 0], [0, 0, z]], 16);
         t.is_mirror = is_mirror;
         t
-    }
-
-    /// Makes the transform that moves `origin` to zero, then rotates by `rows`, in units of 2^-30.
-    pub(crate) fn from_pose(rows: [[i64; 3]; 3], origin: Vec3) -> Self {
-        let rotation = Self::from_linear(&rows, 30);
-        rotation * Self::translate(-origin)
     }
 
     /// Transforms a point, rounded to nearest (half up); saturates.
@@ -261,17 +250,16 @@ impl Transform {
     /// It is the inverse transpose: the cofactors, with the sign of the determinant.
     #[must_use]
     #[inline(never)]
-    pub(crate) fn normal_matrix(&self) -> [[i32; 3]; 3] {
+    pub(crate) fn normal_matrix(&self) -> NormalMatrix {
         let [x, y, z] = self.linear;
         let cofactors = [unit::cross(y, z), unit::cross(z, x), unit::cross(x, y)];
-        let mut matrix = [[0; 3]; 3];
-        normalize_rows(&mut matrix, &cofactors, 0);
+        let mut matrix = Self::from_linear(&cofactors, 0).linear;
         if dot(&x, &matrix[0]) < 0 {
             for v in matrix.as_flattened_mut() {
                 *v = -*v;
             }
         }
-        matrix
+        NormalMatrix(matrix)
     }
 }
 

@@ -27,24 +27,6 @@ pub struct Vec2 {
 impl Vec2 {
     /// The top left corner of the texture.
     pub const ZERO: Self = Self::from_bits([0, 0]);
-
-    /// Makes a texture coordinate from its components.
-    #[must_use]
-    pub const fn new(x: TexCoord, y: TexCoord) -> Self {
-        Self { x, y }
-    }
-
-    /// Makes a texture coordinate from the bits of its components, in units of 2⁻²⁰.
-    #[must_use]
-    pub const fn from_bits(bits: [i32; 2]) -> Self {
-        Self::new(TexCoord::from_bits(bits[0]), TexCoord::from_bits(bits[1]))
-    }
-
-    /// Returns the bits of the components, in units of 2⁻²⁰.
-    #[must_use]
-    pub const fn to_bits(self) -> [i32; 2] {
-        [self.x.to_bits(), self.y.to_bits()]
-    }
 }
 
 /// A [`Vec2`] from two literals, each rounded to the nearest [`TexCoord`] at compile time.

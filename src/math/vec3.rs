@@ -44,32 +44,10 @@ impl Vec3 {
     /// The unit vector along z.
     pub const Z: Self = Self::from_ints(0, 0, 1);
 
-    /// Makes a vector from its components.
-    #[must_use]
-    pub const fn new(x: Scalar, y: Scalar, z: Scalar) -> Self {
-        Self { x, y, z }
-    }
-
     /// Makes a vector from whole numbers; exact.
     #[must_use]
     pub const fn from_ints(x: i16, y: i16, z: i16) -> Self {
         Self::from_bits([(x as i32) << 16, (y as i32) << 16, (z as i32) << 16])
-    }
-
-    /// Makes a vector from the bits of its components, in units of 2⁻¹⁶.
-    #[must_use]
-    pub const fn from_bits(bits: [i32; 3]) -> Self {
-        Self::new(
-            Scalar::from_bits(bits[0]),
-            Scalar::from_bits(bits[1]),
-            Scalar::from_bits(bits[2]),
-        )
-    }
-
-    /// Returns the bits of the components, in units of 2⁻¹⁶.
-    #[must_use]
-    pub const fn to_bits(self) -> [i32; 3] {
-        [self.x.to_bits(), self.y.to_bits(), self.z.to_bits()]
     }
 }
 

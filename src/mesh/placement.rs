@@ -76,7 +76,7 @@ impl<'a> Placement<'a> {
         if let Some(matrix) = self.normals.get() {
             return matrix.direction(normal);
         }
-        let matrix = NormalMatrix::of(self.model);
+        let matrix = self.model.normal_matrix();
         let _ = self.normals.set(matrix);
         matrix.direction(normal)
     }

@@ -4,7 +4,7 @@ use embedded_graphics::geometry::Point;
 
 use super::options::Options;
 use crate::canvas::{Canvas, Storage};
-use crate::math::{Direction, Transform};
+use crate::math::{Direction, NormalMatrix, Transform};
 use crate::mesh::Mesh;
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt::unit;
@@ -231,7 +231,7 @@ fn in_model(
     direction: &[BlockFloat; 3],
 ) -> Option<(Vec3, [i32; 3])> {
     let [x, ..] = view.linear;
-    let [first, second, third] = view.normal_matrix();
+    let NormalMatrix([first, second, third]) = view.normal_matrix();
     // Positive, because the columns have the sign of the determinant.
     let determinant = dot(&x, &first);
     if determinant <= 0 {

@@ -5,43 +5,72 @@ use core::marker::PhantomData;
 use super::format::FRACTION;
 use super::{
     Channels, ColorOf, Fragment, Illumination, Output, PixelFormat, Precise, PreciseOf, Shader,
-    Within,
+    Varyings, Within,
 };
 use crate::mesh::Primitive;
 
-/// A surface times the interpolated vertex color, channel by channel; see [`Shader::tinted`].
+/// A surface whose output an effect changes that has varyings of its own.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Tinted<S> {
+pub struct Adapted<S, E> {
     pub(super) surface: S,
+    pub(super) effect: E,
 }
 
-impl<S: Shader<Color: Output<Color: PixelFormat>>> Shader for Tinted<S> {
-    type Color = PreciseOf<S>;
-    type Varyings = (
-        S::Varyings,
-        Within<FRACTION, <ColorOf<S> as PixelFormat>::Channels>,
-    );
+/// What changes the output of type `O` of a surface: a light, a tint, or fog.
+#[doc(hidden)]
+pub trait Effect<O: Output>: Copy {
+    /// The new output.
+    type Color: Output;
+
+    /// What the effect interpolates beside the surface.
+    type Varyings: Varyings;
+
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3];
+
+    /// The new output at a pixel.
+    fn apply(&self, output: O, varyings: Self::Varyings) -> Self::Color;
+}
+
+impl<S: Shader, E: Effect<S::Color>> Shader for Adapted<S, E> {
+    type Color = E::Color;
+    type Varyings = (S::Varyings, E::Varyings);
 
     const READS_DEPTH: bool = S::READS_DEPTH;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         let [a, b, c] = self.surface.varyings(primitive);
-        let [x, y, z] = primitive.corners(|corner| {
-            let fractions = ColorOf::<S>::fractions(corner.color());
-            Within(Channels::first(fractions))
-        });
+        let [x, y, z] = self.effect.varyings(primitive);
         [(a, x), (b, y), (c, z)]
     }
 
     #[inline]
-    fn shade(&self, at: &Fragment, (inside, Within(tint)): Self::Varyings) -> Option<PreciseOf<S>> {
-        let tint = Illumination {
-            diffuse: tint.all(),
-            specular: (),
-        };
-        Some(self.surface.shade(at, inside)?.lit(tint))
+    fn shade(&self, at: &Fragment, (inside, own): Self::Varyings) -> Option<E::Color> {
+        Some(self.effect.apply(self.surface.shade(at, inside)?, own))
+    }
+}
+
+/// A surface times the interpolated vertex color, channel by channel; see [`Shader::tinted`].
+pub type Tinted<S> = Adapted<S, Tint>;
+
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Tint;
+
+impl<O: Output<Color: PixelFormat>> Effect<O> for Tint {
+    type Color = O::With<O::Color>;
+    type Varyings = Within<FRACTION, <O::Color as PixelFormat>::Channels>;
+
+    #[inline]
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
+        primitive.corners(|corner| Within(Channels::first(O::Color::fractions(corner.color()))))
+    }
+
+    #[inline]
+    fn apply(&self, output: O, Within(tint): Self::Varyings) -> Self::Color {
+        let (diffuse, specular) = (tint.all(), ());
+        output.lit(Illumination { diffuse, specular })
     }
 }
 

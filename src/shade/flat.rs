@@ -101,18 +101,13 @@ impl<C: PixelColor> Shader for Flat<C> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct FaceColors<'a, C> {
     colors: &'a [C],
-    /// The color of faces beyond the end of the list.
-    last: C,
 }
 
 impl<'a, C: PixelColor + Default> FaceColors<'a, C> {
     /// A shader of these colors.
     #[must_use]
-    pub fn new(colors: &'a [C]) -> Self {
-        Self {
-            colors,
-            last: colors.last().copied().unwrap_or_default(),
-        }
+    pub const fn new(colors: &'a [C]) -> Self {
+        Self { colors }
     }
 }
 
@@ -126,7 +121,8 @@ impl<C: PixelColor + Default> Shader for FaceColors<'_, C> {
     fn varyings(&self, primitive: &Primitive<'_>) -> [PerFace<C>; 3] {
         let index = primitive.face().or(primitive.edge());
         let color = index.and_then(|index| self.colors.get(index));
-        [PerFace(*color.unwrap_or(&self.last)); 3]
+        let color = color.or(self.colors.last()).copied();
+        [PerFace(color.unwrap_or_default()); 3]
     }
 
     #[inline]

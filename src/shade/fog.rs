@@ -5,10 +5,8 @@ use core::marker::PhantomData;
 use embedded_graphics::geometry::Point;
 
 use super::ramp::Ramp;
-use super::{
-    Diffuse, Fragment, Illumination, Output, PixelFormat, Precise, Shader, Specular, Within,
-};
-use crate::error::{check_range, ok};
+use super::{Adapted, Effect, Output, PixelFormat, Precise, Within};
+use crate::error::{check_order, check_range, ok};
 use crate::mesh::Primitive;
 use crate::num::wide::clamp_negative;
 use crate::sealed::{Sealed, sealed};
@@ -155,10 +153,7 @@ impl<C: PixelFormat> Fog<C> {
     ///
     /// [`Error::Empty`] if `far` is not beyond `near`.
     pub const fn linear(color: C, near: Scalar, far: Scalar) -> Result<Self, Error> {
-        let Some(range) = Ramp::new(near, far, BITS) else {
-            let (of, low, high) = ("fog", near, far);
-            return Err(Error::Empty { of, low, high });
-        };
+        let range = Ramp::new(ok!(check_order("fog", near, far)), BITS);
         let far = far.to_bits();
         Ok(Self {
             color,
@@ -188,41 +183,28 @@ impl<C: PixelFormat> Fog<C, ExponentialFog> {
     }
 }
 
-/// A surface in fog; see [`Shader::in_fog`](super::Shader::in_fog).
-#[doc(hidden)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct InFog<S, C, D = LinearFog> {
-    pub(super) surface: S,
-    pub(super) fog: Fog<C, D>,
-}
+/// A surface in fog; see [`Shader::in_fog`].
+///
+/// [`Shader::in_fog`]: super::Shader::in_fog
+pub type InFog<S, C, D = LinearFog> = Adapted<S, Fog<C, D>>;
 
-impl<S, C, D> Shader for InFog<S, C, D>
-where
-    S: Shader<Color: Output<Color = C>>,
-    C: PixelFormat,
-    D: Density,
-{
-    type Color = Fogged<S::Color, D>;
-    type Varyings = (S::Varyings, Within<UNSEEN, [i32; 1]>);
-
-    const READS_DEPTH: bool = S::READS_DEPTH;
+impl<O: Output<Color = C>, C: PixelFormat, D: Density> Effect<O> for Fog<C, D> {
+    type Color = Fogged<O, D>;
+    type Varyings = Within<UNSEEN, [i32; 1]>;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        let [a, b, c] = self.surface.varyings(primitive);
-        let density = &self.fog.density;
-        let [x, y, z] = primitive.corners(|corner| Within([density.varying(corner.distance())]));
-        [(a, x), (b, y), (c, z)]
+        primitive.corners(|corner| Within([self.density.varying(corner.distance())]))
     }
 
     #[inline]
-    fn shade(&self, at: &Fragment, (inside, Within([x])): Self::Varyings) -> Option<Self::Color> {
-        Some(Fogged {
-            output: self.surface.shade(at, inside)?,
-            fog: self.fog.color,
+    fn apply(&self, output: O, Within([x]): Self::Varyings) -> Self::Color {
+        Fogged {
+            output,
+            fog: self.color,
             varying: x,
             density: PhantomData,
-        })
+        }
     }
 }
 
@@ -237,24 +219,11 @@ pub struct Fogged<O: Output, D> {
     density: PhantomData<D>,
 }
 
-impl<O: Output<Color: PixelFormat>, D: Density> Fogged<O, D> {
-    /// In full precision.
-    #[inline]
-    fn precise(self) -> O::With<O::Color> {
-        self.map(|color| color)
-    }
-}
-
 impl<O: Output<Color: PixelFormat>, D: Density> Output for Fogged<O, D> {
     type Color = O::Color;
     type With<T: PixelFormat> = O::With<T>;
 
     const IS_OPAQUE: bool = O::IS_OPAQUE;
-
-    #[inline]
-    fn lit<L: Diffuse, S: Specular>(self, light: Illumination<L, S>) -> O::With<O::Color> {
-        self.map(|color| color.lit(light))
-    }
 
     #[inline]
     fn map<T: PixelFormat>(self, f: impl FnOnce(Precise<O::Color>) -> Precise<T>) -> O::With<T> {
@@ -271,7 +240,7 @@ impl<O: Output<Color: PixelFormat>, D: Density> Output for Fogged<O, D> {
                 return mixed;
             }
         }
-        self.precise().finish(at)
+        self.map(|color| color).finish(at)
     }
 
     #[inline]
@@ -284,18 +253,8 @@ impl<O: Output<Color: PixelFormat>, D: Density> Output for Fogged<O, D> {
         if O::IS_OPAQUE {
             self.finish(at)
         } else {
-            self.precise().onto(below, at)
+            self.map(|color| color).onto(below, at)
         }
-    }
-
-    #[inline]
-    fn cover(self, below: O::Color, share: i32, at: Point) -> O::Color {
-        self.precise().cover(below, share, at)
-    }
-
-    #[inline]
-    fn parts(self) -> (Precise<O::Color>, i32) {
-        self.precise().parts()
     }
 }
 

@@ -220,10 +220,6 @@ pub trait Channels: Varyings + Default + Sealed {
 
     /// All three channels; those that are not used are 0.
     fn all(self) -> [i32; 3];
-
-    /// The channels of an RGB color, or its luma.
-    #[doc(hidden)]
-    fn of_rgb(channels: [i32; 3]) -> Self;
 }
 
 sealed!([i32; 3], [i32; 1]);
@@ -240,11 +236,6 @@ impl Channels for [i32; 3] {
     fn all(self) -> [i32; 3] {
         self
     }
-
-    #[inline]
-    fn of_rgb(channels: [i32; 3]) -> Self {
-        channels
-    }
 }
 
 impl Channels for [i32; 1] {
@@ -259,38 +250,21 @@ impl Channels for [i32; 1] {
     fn all(self) -> [i32; 3] {
         [self[0], 0, 0]
     }
-
-    #[inline]
-    fn of_rgb(channels: [i32; 3]) -> Self {
-        [luma(channels)]
-    }
 }
 
 /// The 8x8 matrix of Bayer (1973): each number from 0 to 63 once, with consecutive numbers far apart.
 ///
-/// Each number is built from bits: those of x ^ y and of y, interleaved and in reverse order.
-static BAYER: [[u8; 8]; 8] = bayer();
-
-const fn bayer() -> [[u8; 8]; 8] {
-    let mut matrix = [[0; 8]; 8];
-    let mut y = 0;
-    while y < 8 {
-        let mut x = 0;
-        while x < 8 {
-            let (odd, even) = (x ^ y, y);
-            let mut bit = 0;
-            while bit < 3 {
-                // The lowest bits, which change from pixel to pixel, count most.
-                let pair = ((odd >> bit) & 1) << 1 | (even >> bit) & 1;
-                matrix[y][x] |= (pair << (4 - 2 * bit)) as u8;
-                bit += 1;
-            }
-            x += 1;
-        }
-        y += 1;
-    }
-    matrix
-}
+/// Each number consists of the bits of x ^ y and of y, interleaved and in reverse order.
+static BAYER: [[u8; 8]; 8] = [
+    [0, 32, 8, 40, 2, 34, 10, 42],
+    [48, 16, 56, 24, 50, 18, 58, 26],
+    [12, 44, 4, 36, 14, 46, 6, 38],
+    [60, 28, 52, 20, 62, 30, 54, 22],
+    [3, 35, 11, 43, 1, 33, 9, 41],
+    [51, 19, 59, 27, 49, 17, 57, 25],
+    [15, 47, 7, 39, 13, 45, 5, 37],
+    [63, 31, 55, 23, 61, 29, 53, 21],
+];
 
 /// The number to add to a level, in units of 2⁻¹⁶ step, before it is cut to whole steps: (m + ½)/64 of a step, where
 /// m is the matrix at this pixel. It lies between 512 and 65,024; its mean is half a step.

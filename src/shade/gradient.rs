@@ -4,6 +4,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 
 use super::ramp::Ramp;
 use super::{Fragment, PixelFormat, Precise, Shader};
+use crate::error::check_order;
 use crate::mesh::Primitive;
 use crate::{Error, Scalar};
 
@@ -62,11 +63,7 @@ impl<C: PixelFormat> Gradient<C> {
         (bottom, low): (Scalar, Rgb888),
         (top, high): (Scalar, Rgb888),
     ) -> Result<Self, Error> {
-        let ramp = Ramp::new(bottom, top, BITS).ok_or(Error::Empty {
-            of: "gradient",
-            low: bottom,
-            high: top,
-        })?;
+        let ramp = Ramp::new(check_order("gradient", bottom, top)?, BITS);
         let (low, [r, g, b]) = (
             Precise::<C>::of_rgb(low).levels(),
             Precise::<C>::of_rgb(high).levels(),

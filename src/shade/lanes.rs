@@ -39,18 +39,6 @@ pub trait Lanes: Copy + Sealed {
 
     /// Whether a condition holds for all values.
     fn all<T: Copy>(lanes: &Self::Of<T>, f: impl FnMut(&T) -> bool) -> bool;
-
-    /// Inserts a value before the others.
-    fn prepend<T: Copy>(first: T, rest: Self::Of<T>) -> <Self::Next as Lanes>::Of<T>;
-
-    /// Splits off the first value.
-    fn behead<T: Copy>(lanes: <Self::Next as Lanes>::Of<T>) -> (T, Self::Of<T>);
-
-    /// Appends the values of `b` to those of `a`.
-    fn join<B: Lanes, T: Copy>(a: Self::Of<T>, b: B::Of<T>) -> <Self::Plus<B> as Lanes>::Of<T>;
-
-    /// Splits the values that [`join`](Self::join) joined.
-    fn split<B: Lanes, T: Copy>(both: <Self::Plus<B> as Lanes>::Of<T>) -> (Self::Of<T>, B::Of<T>);
 }
 
 /// The most numbers that a shader may interpolate.
@@ -66,6 +54,7 @@ macro_rules! lanes {
             type Of<T: Copy> = [T; $n];
             const COUNT: usize = $n;
             type Next = [(); $next];
+            lanes!(sum $($less)?);
 
             #[inline]
             fn splat<T: Copy>(value: T) -> [T; $n] {
@@ -91,62 +80,14 @@ macro_rules! lanes {
                 true $(&& f($x))*
             }
 
-            lanes!(next $n $next: $($x)*);
-            lanes!(sum $n $($less)?: $($x)*);
         }
     )+};
     // A sum of more than eight does not compile where it is a pair of varyings.
-    (next 8 $next:tt: $($x:ident)*) => {
-        fn prepend<T: Copy>(first: T, _: [T; 8]) -> [T; 8] {
-            [first; 8]
-        }
-
-        fn behead<T: Copy>(all: [T; 8]) -> (T, [T; 8]) {
-            (all[0], all)
-        }
-    };
-    (next $n:tt $next:tt: $($x:ident)*) => {
-        #[inline]
-        fn prepend<T: Copy>(before: T, [$($x),*]: [T; $n]) -> [T; $next] {
-            [before, $($x),*]
-        }
-
-        #[inline]
-        fn behead<T: Copy>([before, $($x),*]: [T; $next]) -> (T, [T; $n]) {
-            (before, [$($x),*])
-        }
-    };
-    (sum 0:) => {
+    (sum) => {
         type Plus<B: Lanes> = B;
-
-        #[inline]
-        fn join<B: Lanes, T: Copy>(_: [T; 0], b: B::Of<T>) -> B::Of<T> {
-            b
-        }
-
-        #[inline]
-        fn split<B: Lanes, T: Copy>(both: B::Of<T>) -> ([T; 0], B::Of<T>) {
-            ([], both)
-        }
     };
-    (sum $n:tt $less:tt: $first:ident $($x:ident)*) => {
+    (sum $less:tt) => {
         type Plus<B: Lanes> = <<[(); $less] as Lanes>::Plus<B> as Lanes>::Next;
-
-        #[inline]
-        fn join<B: Lanes, T: Copy>(
-            [first, $($x),*]: [T; $n],
-            b: B::Of<T>,
-        ) -> <Self::Plus<B> as Lanes>::Of<T> {
-            let rest = <[(); $less]>::join::<B, T>([$($x),*], b);
-            <[(); $less] as Lanes>::Plus::<B>::prepend(first, rest)
-        }
-
-        #[inline]
-        fn split<B: Lanes, T: Copy>(both: <Self::Plus<B> as Lanes>::Of<T>) -> ([T; $n], B::Of<T>) {
-            let (first, rest) = <[(); $less] as Lanes>::Plus::<B>::behead(both);
-            let ([$($x),*], b) = <[(); $less]>::split::<B, T>(rest);
-            ([first, $($x),*], b)
-        }
     };
 }
 
@@ -160,19 +101,4 @@ lanes! {
     6 before 7 after 5: x0 y0 x1 y1 x2 y2 x3 y3 x4 y4 x5 y5;
     7 before 8 after 6: x0 y0 x1 y1 x2 y2 x3 y3 x4 y4 x5 y5 x6 y6;
     8 before 8 after 7: x0 y0 x1 y1 x2 y2 x3 y3 x4 y4 x5 y5 x6 y6 x7 y7;
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_are_added_and_split_again() {
-        let both = <[(); 3] as Lanes>::join::<[(); 5], _>([1, 2, 3], [4, 5, 6, 7, 8]);
-        assert_eq!(both, [1, 2, 3, 4, 5, 6, 7, 8]);
-        let parts = <[(); 3] as Lanes>::split::<[(); 5], _>(both);
-        assert_eq!(parts, ([1, 2, 3], [4, 5, 6, 7, 8]));
-        assert_eq!(<[(); 0] as Lanes>::join::<[(); 1], _>([], [9]), [9]);
-        assert_eq!(<[(); 1] as Lanes>::split::<[(); 0], _>([9]), ([9], []));
-    }
 }

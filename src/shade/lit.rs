@@ -1,118 +1,89 @@
 //! Surfaces under a light.
 
 use super::format::FRACTION;
-use super::light::{Diffuse, FULL, Illumination, Light, Lighting, Specular, SurfacePoint};
-use super::{ColorOf, Fragment, Output, PerFace, PixelFormat, PreciseOf, Shader, Within};
+use super::light::{self, Amount as _, FULL, Illumination, Light, Lighting, SurfacePoint};
+use super::{Adapted, Effect, Output, PerFace, PixelFormat, Within};
 use crate::math::Direction;
 use crate::mesh::Primitive;
 
 /// A surface under light that is computed at the vertices and interpolated (Gouraud shading); see [`Shader::lit`].
+///
+/// [`Shader::lit`]: super::Shader::lit
+pub type Lit<S, L = Light> = Adapted<S, ByVertex<L>>;
+
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Lit<S, L = Light> {
-    pub(super) surface: S,
-    pub(super) light: L,
-}
-
-/// The numbers that say how a surface is lit: one brightness, or one for each channel; and one more for highlights.
-type Packed<L, C> = (
-    <<L as Lighting>::Diffuse as Diffuse>::Channels<C>,
-    <<L as Lighting>::Specular as Specular>::Channels,
-);
+pub struct ByVertex<L>(pub(super) L);
 
 /// What a light `L` throws on a surface.
-type Amount<L> = Illumination<<L as Lighting>::Diffuse, <L as Lighting>::Specular>;
+type LightOf<L> = Illumination<<L as Lighting>::Diffuse, <L as Lighting>::Specular>;
 
-#[inline]
-fn pack<L: Lighting, C: PixelFormat>(light: Amount<L>) -> Packed<L, C> {
-    (light.diffuse.pack::<C>(), light.specular.pack())
-}
+/// The varyings of a light `L` on a surface of color `C`.
+type Packed<L, C> = light::Packed<<L as Lighting>::Diffuse, <L as Lighting>::Specular, C>;
 
-#[inline]
-fn unpack<L: Lighting, C: PixelFormat>((diffuse, specular): Packed<L, C>) -> Amount<L> {
-    Illumination {
-        diffuse: Diffuse::unpack::<C>(diffuse),
-        specular: Specular::unpack(specular),
-    }
-}
-
-impl<S: Shader<Color: Output<Color: PixelFormat>>, L: Lighting> Shader for Lit<S, L> {
-    type Color = PreciseOf<S>;
-    type Varyings = (S::Varyings, Within<FRACTION, Packed<L, ColorOf<S>>>);
-
-    const READS_DEPTH: bool = S::READS_DEPTH;
+impl<O: Output<Color: PixelFormat>, L: Lighting> Effect<O> for ByVertex<L> {
+    type Color = O::With<O::Color>;
+    type Varyings = Within<FRACTION, Packed<L, O::Color>>;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        let [a, b, c] = self.surface.varyings(primitive);
         let face = if L::READS_FACE && primitive.face().is_some() {
             primitive.world_normal()
         } else {
             Direction::NONE
         };
-        let [x, y, z] = primitive.corners(|corner| {
-            let point = SurfacePoint::corner::<L>(corner, face);
-            Within(pack::<L, ColorOf<S>>(self.light.at(&point)))
-        });
-        [(a, x), (b, y), (c, z)]
+        primitive.corners(|corner| {
+            let (normal, position) = (corner.world_normal(), || corner.world_position());
+            let point = SurfacePoint::new::<L>(normal, face, position);
+            Within(self.0.at(&point).pack::<O::Color>())
+        })
     }
 
     #[inline]
-    fn shade(
-        &self,
-        at: &Fragment,
-        (inside, Within(light)): Self::Varyings,
-    ) -> Option<PreciseOf<S>> {
-        let light = unpack::<L, ColorOf<S>>(light);
-        Some(self.surface.shade(at, inside)?.lit(light))
+    fn apply(&self, output: O, Within(light): Self::Varyings) -> Self::Color {
+        output.lit(LightOf::<L>::unpack::<O::Color>(light))
     }
 }
 
 /// A surface under light that is computed once per triangle, at its center and for its own normal; see
 /// [`Shader::lit_faces`].
+///
+/// [`Shader::lit_faces`]: super::Shader::lit_faces
+pub type FaceLit<S, L = Light> = Adapted<S, ByFace<L>>;
+
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct FaceLit<S, L = Light> {
-    pub(super) surface: S,
-    pub(super) light: L,
-}
+pub struct ByFace<L>(pub(super) L);
 
-impl<S: Shader<Color: Output<Color: PixelFormat>>, L: Lighting> Shader for FaceLit<S, L> {
-    type Color = PreciseOf<S>;
-    type Varyings = (S::Varyings, PerFace<Packed<L, ColorOf<S>>>);
-
-    const READS_DEPTH: bool = S::READS_DEPTH;
+impl<O: Output<Color: PixelFormat>, L: Lighting> Effect<O> for ByFace<L> {
+    type Color = O::With<O::Color>;
+    type Varyings = PerFace<Packed<L, O::Color>>;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         let light = if primitive.face().is_some() {
-            self.light.at(&SurfacePoint::middle::<L>(primitive))
+            let (normal, position) = (primitive.world_normal(), || primitive.world_middle());
+            let point = SurfacePoint::new::<L>(normal, normal, position);
+            self.0.at(&point)
         } else {
             Illumination {
-                diffuse: Diffuse::white(FULL),
+                diffuse: L::Diffuse::of([FULL; 3]),
                 specular: L::Specular::default(),
             }
         };
-        let light = PerFace(pack::<L, ColorOf<S>>(light));
-        let [a, b, c] = self.surface.varyings(primitive);
-        [(a, light), (b, light), (c, light)]
+        [PerFace(light.pack::<O::Color>()); 3]
     }
 
     #[inline]
-    fn shade(
-        &self,
-        at: &Fragment,
-        (inside, PerFace(light)): Self::Varyings,
-    ) -> Option<PreciseOf<S>> {
-        let light = unpack::<L, ColorOf<S>>(light);
-        Some(self.surface.shade(at, inside)?.lit(light))
+    fn apply(&self, output: O, PerFace(light): Self::Varyings) -> Self::Color {
+        output.lit(LightOf::<L>::unpack::<O::Color>(light))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::fixture::{IDENTITY, count, face, scale, shade};
-    use super::super::{Flat, Gouraud, Texels, Textured, Varyings};
+    use super::super::{Flat, Gouraud, Shader, Texels, Textured, Varyings};
     use super::*;
     use crate::{Mesh, Vec3, fx, vec2, vec3};
     use embedded_graphics::pixelcolor::{Gray8, Rgb565, Rgb888, RgbColor};

@@ -36,7 +36,6 @@ mod gradient;
 mod lanes;
 mod light;
 mod lit;
-mod masked;
 mod mipmapped;
 mod output;
 mod precise;
@@ -51,11 +50,11 @@ mod views;
 mod fixture;
 
 #[doc(hidden)]
-pub use adapters::{Converted, Dithered, Map, Tinted};
+pub use adapters::{Adapted, Converted, Dithered, Effect, Map, Tint, Tinted};
 pub use flat::{FaceColors, Flat, PartColors};
+pub use fog::{Density, ExponentialFog, Fog, LinearFog};
 #[doc(hidden)]
-pub use fog::Fogged;
-pub use fog::{Density, ExponentialFog, Fog, InFog, LinearFog};
+pub use fog::{Fogged, InFog};
 pub(crate) use format::fraction;
 pub use format::{Channels, PixelFormat};
 pub use gouraud::Gouraud;
@@ -63,16 +62,16 @@ pub use gradient::Gradient;
 pub use lanes::Lanes;
 pub(crate) use lanes::MOST as MOST_VARYINGS;
 pub use light::{
-    Colored, Diffuse, Falloff, Illumination, Lamp, Light, Lighting, PointLight, Shiny, Specular,
-    SpotLight, SurfacePoint, TwoSided, Viewer,
+    Amount, Colored, Falloff, Illumination, Lamp, Light, Lighting, PointLight, Shiny, SpotLight,
+    SurfacePoint, TwoSided, Viewer,
 };
-pub use lit::{FaceLit, Lit};
-pub use masked::Masked;
+#[doc(hidden)]
+pub use lit::{ByFace, ByVertex, FaceLit, Lit};
 pub use mipmapped::Mipmapped;
 pub use output::{ColorOf, Output, PreciseOf, Translucent};
 pub use precise::Precise;
 pub use shader::{Fragment, Shader, ShaderFor};
 pub use texel::Texel;
-pub use textured::Textured;
+pub use textured::{Masked, Textured};
 pub use varyings::{PerFace, Texels, Tolerance, Varyings, Within};
 pub use views::{DepthView, NormalView};

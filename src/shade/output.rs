@@ -4,7 +4,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
 use super::format::fraction;
-use super::{Diffuse, Illumination, PixelFormat, Precise, Shader, Specular};
+use super::{Amount, Illumination, PixelFormat, Precise, Shader};
 
 /// The output of a [`Shader`] for a pixel: a color of the canvas, a [`Precise`] color, or a [`Translucent`] one of
 /// either.
@@ -36,9 +36,13 @@ pub trait Output: Copy {
 
     /// This output under a light.
     #[must_use]
-    fn lit<D: Diffuse, S: Specular>(self, light: Illumination<D, S>) -> Self::With<Self::Color>
+    #[inline]
+    fn lit<D: Amount, S: Amount>(self, light: Illumination<D, S>) -> Self::With<Self::Color>
     where
-        Self::Color: PixelFormat;
+        Self::Color: PixelFormat,
+    {
+        self.map(|color| color.lit(light))
+    }
 
     /// Applies a function to the color in full precision.
     #[must_use]
@@ -71,33 +75,22 @@ pub trait Output: Copy {
 
     /// The new color of a pixel that is covered in a share of at most `share`/65,536.
     #[doc(hidden)]
-    fn cover(self, below: Self::Color, share: i32, at: Point) -> Self::Color
-    where
-        Self::Color: PixelFormat;
-
-    /// The color and its share, from 0 to 65,536.
-    #[doc(hidden)]
-    fn parts(self) -> (Precise<Self::Color>, i32)
-    where
-        Self::Color: PixelFormat;
-
-    /// A function of the color below and this one, in the share of this one. `plain` is the same function of colors that
-    /// have no fraction bits.
-    #[doc(hidden)]
     #[inline]
-    fn change(
-        self,
-        below: Self::Color,
-        at: Point,
-        plain: impl FnOnce(Self::Color, Self::Color) -> Precise<Self::Color>,
-        precise: impl FnOnce(Precise<Self::Color>, Precise<Self::Color>) -> Precise<Self::Color>,
-    ) -> Self::Color
+    fn cover(self, below: Self::Color, share: i32, at: Point) -> Self::Color
     where
         Self::Color: PixelFormat,
     {
-        let _ = plain;
-        let ((color, share), below) = (self.parts(), Precise::from(below));
-        below.mix(precise(below, color), share).finish(at)
+        self.map(|color| color).cover(below, share, at)
+    }
+
+    /// The color and its share, from 0 to 65,536.
+    #[doc(hidden)]
+    #[inline]
+    fn parts(self) -> (Precise<Self::Color>, i32)
+    where
+        Self::Color: PixelFormat,
+    {
+        self.map(|color| color).parts()
     }
 }
 
@@ -114,12 +107,12 @@ impl<C: PixelColor> Output for C {
     const IS_PLAIN: bool = true;
 
     #[inline]
-    fn lit<D: Diffuse, S: Specular>(self, light: Illumination<D, S>) -> Precise<C>
+    fn lit<D: Amount, S: Amount>(self, light: Illumination<D, S>) -> Precise<C>
     where
         C: PixelFormat,
     {
         // Exact, because the steps have no fraction.
-        Precise::of_products(self.steps(), light.diffuse.rgb()).glossed(light.specular.number())
+        Precise::of_products(self.steps(), light.diffuse.rgb()).glossed(light.specular)
     }
 
     #[inline]
@@ -142,39 +135,11 @@ impl<C: PixelColor> Output for C {
     {
         below.covered(self, share, at)
     }
-
-    #[inline]
-    fn parts(self) -> (Precise<C>, i32)
-    where
-        C: PixelFormat,
-    {
-        (self.into(), 1 << 16)
-    }
-
-    #[inline]
-    fn change(
-        self,
-        below: C,
-        at: Point,
-        plain: impl FnOnce(C, C) -> Precise<C>,
-        _: impl FnOnce(Precise<C>, Precise<C>) -> Precise<C>,
-    ) -> C
-    where
-        C: PixelFormat,
-    {
-        plain(below, self).finish(at)
-    }
 }
 
 impl<C: PixelFormat> Output for Precise<C> {
     type Color = C;
     type With<D: PixelFormat> = Precise<D>;
-
-    #[inline]
-    fn lit<D: Diffuse, S: Specular>(self, light: Illumination<D, S>) -> Self {
-        self.times(light.diffuse.rgb())
-            .glossed(light.specular.number())
-    }
 
     #[inline]
     fn map<D: PixelFormat>(self, f: impl FnOnce(Self) -> Precise<D>) -> Precise<D> {
@@ -275,7 +240,7 @@ impl<O: Output<Color: PixelFormat>> Output for Translucent<O> {
     const IS_OPAQUE: bool = false;
 
     #[inline]
-    fn lit<D: Diffuse, S: Specular>(self, light: Illumination<D, S>) -> Self::With<O::Color> {
+    fn lit<D: Amount, S: Amount>(self, light: Illumination<D, S>) -> Self::With<O::Color> {
         Translucent {
             color: self.color.lit(light),
             opacity: self.opacity,

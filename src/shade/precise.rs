@@ -6,7 +6,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::Rgb888;
 
 use super::format::{each, luma, threshold, whole, zip};
-use super::{Channels, Lanes, PixelFormat, Tolerance, Varyings};
+use super::{Amount, Channels, Illumination, Lanes, PixelFormat, Tolerance, Varyings};
 
 /// A color of format `C` whose channels keep 16 fraction bits.
 ///
@@ -189,23 +189,30 @@ impl<C: PixelFormat> Precise<C> {
         }))
     }
 
-    /// This color with a highlight, if there is one.
+    /// The color under a light.
     #[inline]
-    pub(super) fn glossed(self, specular: Option<i32>) -> Self {
-        let Some(specular) = specular else {
+    pub(super) fn lit<D: Amount, S: Amount>(self, light: Illumination<D, S>) -> Self {
+        self.times(light.diffuse.rgb()).glossed(light.specular)
+    }
+
+    /// The color with a highlight.
+    #[inline]
+    pub(super) fn glossed<S: Amount>(self, specular: S) -> Self {
+        if S::IS_NONE {
             return self;
-        };
-        Self::of_raised(zip(self.raised, C::MAX_STEPS, |level, most| {
-            let glossed = level.wrapping_add(specular.wrapping_mul(most));
-            glossed.min((most << 16) + HALF)
-        }))
+        }
+        self.plus(Self::of_products(C::MAX_STEPS, specular.rgb()))
     }
 
     /// The channels as fractions, 0 to 65,536.
     #[must_use]
     #[inline]
     pub fn fractions(self) -> [i32; 3] {
-        zip(self.levels(), C::MAX_STEPS, fraction)
+        // For each level of 8 bits the nearest fraction. A level of at most 24 bits loses 2, so that the product has 30:
+        // at most 2^14 · 2^16.
+        zip(self.levels(), C::MAX_STEPS, |level, most| {
+            over(level >> 2, most).wrapping_add(1 << 13) >> 14
+        })
     }
 
     /// This color in another format.
@@ -221,12 +228,6 @@ impl<C: PixelFormat> Precise<C> {
             fractions
         };
         Precise::of_products(D::MAX_STEPS, fractions)
-    }
-
-    /// The channels in the form in which they are interpolated.
-    #[inline]
-    fn channels(self) -> C::Channels {
-        C::Channels::first(self.raised)
     }
 }
 
@@ -245,13 +246,6 @@ const fn over(steps: i32, most: i32) -> i32 {
         .wrapping_add(steps.wrapping_mul(rest) >> n)
 }
 
-/// A level as a fraction of `most` steps, 2ⁿ − 1: 65,536 for white, and for each level of 8 bits the nearest one.
-#[inline]
-const fn fraction(level: i32, most: i32) -> i32 {
-    // A level of at most 24 bits loses 2, so that the product has 30: at most 2^14 · 2^16.
-    over(level >> 2, most).wrapping_add(1 << 13) >> 14
-}
-
 impl<C: PixelFormat> Varyings for Precise<C> {
     type Lanes = <C::Channels as Varyings>::Lanes;
     type Face = <C::Channels as Varyings>::Face;
@@ -260,13 +254,13 @@ impl<C: PixelFormat> Varyings for Precise<C> {
         Self::Lanes::COUNT == 3 && C::MAX_STEPS[0] < 1 << 5 && C::MAX_STEPS[2] < 1 << 5;
 
     #[inline]
-    fn tolerances() -> <Self::Lanes as Lanes>::Of<Tolerance> {
-        <Self::Lanes as Lanes>::splat(Tolerance::Units(Self::TOLERANCE))
+    fn tolerance(_: usize) -> Tolerance {
+        Tolerance::Units(Self::TOLERANCE)
     }
 
     #[inline]
     fn split(self) -> (<Self::Lanes as Lanes>::Of<i32>, Self::Face) {
-        self.channels().split()
+        C::Channels::first(self.raised).split()
     }
 
     #[inline]

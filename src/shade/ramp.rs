@@ -1,6 +1,5 @@
 //! The position of a number in a range.
 
-use crate::Scalar;
 use crate::num::reciprocal;
 
 /// A range of numbers, whose length is prepared for division.
@@ -14,19 +13,15 @@ pub(super) struct Ramp {
 }
 
 impl Ramp {
-    /// The range from `low` to `high`, whose shares have `bits` fraction bits; `None` if `high` is not above `low`.
-    pub(super) const fn new(low: Scalar, high: Scalar, bits: u32) -> Option<Self> {
-        let range = high.to_bits() as i64 - low.to_bits() as i64;
-        if range <= 0 {
-            return None;
-        }
-        // The range may take 32 bits. It is shifted to 32, and loses the last one.
-        let up = range.leading_zeros() - 32;
-        let number = (range.cast_unsigned() << up >> 1) as u32;
-        Some(Self {
+    /// A range of this length, above 0 and of at most 32 bits, whose shares have `bits` fraction bits.
+    pub(super) const fn new(length: i64, bits: u32) -> Self {
+        // The length is shifted to 32 bits, and loses the last one.
+        let up = length.leading_zeros() - 32;
+        let number = (length.cast_unsigned() << up >> 1) as u32;
+        Self {
             inverse: reciprocal(number),
             down: 62 - bits - up,
-        })
+        }
     }
 
     /// A distance of 32 bits and a sign as a share of the length.

@@ -4,8 +4,8 @@
 use embedded_graphics::geometry::Point;
 
 use super::{
-    ColorOf, Converted, Density, Dithered, FaceLit, Fog, InFog, Lighting, Lit, Map, Output,
-    PixelFormat, Tinted, Varyings,
+    Adapted, ByFace, ByVertex, ColorOf, Converted, Density, Dithered, FaceLit, Fog, InFog,
+    Lighting, Lit, Map, Output, PixelFormat, Tint, Tinted, Varyings,
 };
 use crate::mesh::Primitive;
 
@@ -242,9 +242,9 @@ pub trait Shader: Copy {
     where
         ColorOf<Self>: PixelFormat,
     {
-        Lit {
+        Adapted {
             surface: self,
-            light,
+            effect: ByVertex(light),
         }
     }
 
@@ -289,9 +289,9 @@ pub trait Shader: Copy {
     where
         ColorOf<Self>: PixelFormat,
     {
-        FaceLit {
+        Adapted {
             surface: self,
-            light,
+            effect: ByFace(light),
         }
     }
 
@@ -328,7 +328,10 @@ pub trait Shader: Copy {
     where
         ColorOf<Self>: PixelFormat,
     {
-        Tinted { surface: self }
+        Adapted {
+            surface: self,
+            effect: Tint,
+        }
     }
 
     /// Puts this surface in fog, which takes one of the at most eight [`Varyings`].
@@ -355,7 +358,10 @@ pub trait Shader: Copy {
     where
         ColorOf<Self>: PixelFormat,
     {
-        InFog { surface: self, fog }
+        Adapted {
+            surface: self,
+            effect: fog,
+        }
     }
 
     /// Applies a function to each pixel and its color: any effect in one line. `None` leaves the pixel as it is.

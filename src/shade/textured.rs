@@ -4,8 +4,7 @@ use core::marker::PhantomData;
 
 use embedded_graphics::pixelcolor::{GrayColor, PixelColor};
 
-use super::masked::Masked;
-use super::{Fragment, Shader, Texel, Texels};
+use super::{Fragment, Shader, Texel, Texels, Translucent};
 use crate::Error;
 use crate::mesh::Primitive;
 use crate::texture::{
@@ -223,8 +222,17 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     where
         S::Color: PixelColor,
     {
-        let masked = Masked::new(self.texture, mask)?;
-        Ok(Textured::of(masked, self.detail))
+        let (size, given) = (self.texture.size_log2(), mask.size_log2());
+        if size != given {
+            // At most 2^15.
+            let pixels = |[width, height]: [u32; 2]| [1 << (width & 15), 1 << (height & 15)];
+            return Err(Error::MaskSize {
+                given: pixels(given),
+                texture: pixels(size),
+            });
+        }
+        let texture = self.texture;
+        Ok(Textured::of(Masked { texture, mask }, self.detail))
     }
 }
 
@@ -275,12 +283,45 @@ impl<S: Sampler<Color: Texel>, A: Addressing, F: Filter<S::Color>> Shader for Te
     }
 }
 
+/// A texture whose opacities are in another texture, the mask; see [`Textured::masked`].
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Masked<S, M> {
+    texture: S,
+    mask: M,
+}
+
+impl<S: Sampler<Color: PixelColor>, M: Sampler<Color: GrayColor>> Sampler for Masked<S, M> {
+    type Color = Translucent<S::Color>;
+
+    #[inline]
+    fn size_log2(&self) -> [u32; 2] {
+        self.texture.size_log2()
+    }
+
+    #[inline]
+    fn texel(&self, u: i32, v: i32) -> Self::Color {
+        self.texel_at(0, u, v)
+    }
+
+    #[inline]
+    fn texel_at(&self, level: u32, u: i32, v: i32) -> Self::Color {
+        // White is 1, 3, 15 or 255.
+        let scale = 255 / M::Color::WHITE.luma().max(1);
+        let mask = self.mask.texel_at(level, u, v);
+        Translucent {
+            color: self.texture.texel_at(level, u, v),
+            opacity: mask.luma().wrapping_mul(scale),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::fixture::{IDENTITY, edge, face, shade};
     use super::*;
     use crate::{Mesh, Vec2, Vec3, vec2};
-    use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+    use embedded_graphics::pixelcolor::{Gray4, Gray8, GrayColor, Rgb565};
 
     /// Four columns and two rows; a texel is its column plus ten times its row.
     static SKIN: [[Gray8; 4]; 2] = [
@@ -373,6 +414,16 @@ mod tests {
         assert_eq!(
             shade(&Textured::new(&SKIN).clamped(), Texels(ends)).luma(),
             10
+        );
+    }
+
+    #[test]
+    fn a_mask_of_another_size_is_refused() {
+        let (skin, mask) = ([[Rgb565::new(1, 2, 3); 4]; 2], [[Gray4::new(15); 2]; 4]);
+        let error = Textured::new(&skin).masked(&mask).unwrap_err();
+        assert_eq!(
+            std::format!("{error}"),
+            "mask has 2x4 texels: it must have 4x2, like its texture"
         );
     }
 }

@@ -8,9 +8,9 @@ use super::lanes::{Lanes, MOST};
 ///
 /// ```
 /// use fixel::shade::{Texels, Tolerance, Varyings, Within};
-/// assert_eq!(Texels::tolerances(), [Tolerance::Texels; 2]);
-/// assert_eq!(Within::<64, [i32; 1]>::tolerances(), [Tolerance::Units(64)]);
-/// assert_eq!(<[i32; 1]>::tolerances(), [Tolerance::Units(0)]);
+/// assert_eq!(Texels::tolerance(0), Tolerance::Texels);
+/// assert_eq!(Within::<64, [i32; 1]>::tolerance(0), Tolerance::Units(64));
+/// assert_eq!(<[i32; 1]>::tolerance(0), Tolerance::Units(0));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -36,11 +36,11 @@ pub enum Tolerance {
 ///
 /// ```compile_fail
 /// use fixel::shade::{Texels, Varyings};
-/// let _ = <(Texels, ([i32; 4], [i32; 3]))>::tolerances(); // nine
+/// let _ = <(Texels, ([i32; 4], [i32; 3]))>::tolerance(0); // nine
 /// ```
 /// ```
 /// use fixel::shade::{Texels, Varyings};
-/// let _ = <(Texels, ([i32; 3], [i32; 3]))>::tolerances();
+/// let _ = <(Texels, ([i32; 3], [i32; 3]))>::tolerance(0);
 /// ```
 ///
 /// If a single number must be exact, all numbers of the shader are interpolated exactly, even in triangles in which a
@@ -75,8 +75,12 @@ pub trait Varyings: Copy {
     #[doc(hidden)]
     const PAIRS: bool = false;
 
-    /// How exact each number must be.
-    fn tolerances() -> <Self::Lanes as Lanes>::Of<Tolerance>;
+    /// How exact a number must be, given its place among the numbers; exact unless implemented.
+    #[must_use]
+    #[inline]
+    fn tolerance(_lane: usize) -> Tolerance {
+        Tolerance::Units(0)
+    }
 
     /// Splits a corner's values into the numbers to interpolate and the values that belong to the face.
     fn split(self) -> (<Self::Lanes as Lanes>::Of<i32>, Self::Face);
@@ -93,11 +97,6 @@ where
     type Face = ();
 
     #[inline]
-    fn tolerances() -> <[(); N] as Lanes>::Of<Tolerance> {
-        <[(); N]>::splat(Tolerance::Units(0))
-    }
-
-    #[inline]
     fn split(self) -> (Self, ()) {
         (self, ())
     }
@@ -111,11 +110,6 @@ where
 impl Varyings for () {
     type Lanes = [(); 0];
     type Face = ();
-
-    #[inline]
-    fn tolerances() -> [Tolerance; 0] {
-        []
-    }
 
     #[inline]
     fn split(self) -> ([i32; 0], ()) {
@@ -142,8 +136,8 @@ impl Varyings for Texels {
     type Face = ();
 
     #[inline]
-    fn tolerances() -> [Tolerance; 2] {
-        [Tolerance::Texels; 2]
+    fn tolerance(_: usize) -> Tolerance {
+        Tolerance::Texels
     }
 
     #[inline]
@@ -177,8 +171,8 @@ impl<const UNITS: u32, V: Varyings> Varyings for Within<UNITS, V> {
     const PAIRS: bool = V::PAIRS;
 
     #[inline]
-    fn tolerances() -> <V::Lanes as Lanes>::Of<Tolerance> {
-        V::Lanes::splat(Tolerance::Units(UNITS))
+    fn tolerance(_: usize) -> Tolerance {
+        Tolerance::Units(UNITS)
     }
 
     #[inline]
@@ -208,11 +202,6 @@ impl<T: Copy + Default> Varyings for PerFace<T> {
     type Face = T;
 
     #[inline]
-    fn tolerances() -> [Tolerance; 0] {
-        []
-    }
-
-    #[inline]
     fn split(self) -> ([i32; 0], T) {
         ([], self.0)
     }
@@ -230,25 +219,35 @@ impl<A: Varyings, B: Varyings> Varyings for (A, B) {
     type Face = (A::Face, B::Face);
 
     #[inline]
-    fn tolerances() -> <Both<A, B> as Lanes>::Of<Tolerance> {
+    fn tolerance(lane: usize) -> Tolerance {
         const {
             assert!(
                 A::Lanes::COUNT + B::Lanes::COUNT <= MOST,
                 "a shader interpolates at most eight numbers"
             );
         }
-        A::Lanes::join::<B::Lanes, _>(A::tolerances(), B::tolerances())
+        match lane.checked_sub(A::Lanes::COUNT) {
+            None => A::tolerance(lane),
+            Some(lane) => B::tolerance(lane),
+        }
     }
 
     #[inline]
     fn split(self) -> (<Both<A, B> as Lanes>::Of<i32>, (A::Face, B::Face)) {
         let ((a, a_face), (b, b_face)) = (self.0.split(), self.1.split());
-        (A::Lanes::join::<B::Lanes, _>(a, b), (a_face, b_face))
+        let mut both = Both::<A, B>::splat(0);
+        let (first, second) = both.as_mut().split_at_mut(A::Lanes::COUNT);
+        first.copy_from_slice(a.as_ref());
+        second.copy_from_slice(b.as_ref());
+        (both, (a_face, b_face))
     }
 
     #[inline]
     fn join(numbers: <Both<A, B> as Lanes>::Of<i32>, (a_face, b_face): (A::Face, B::Face)) -> Self {
-        let (a, b) = A::Lanes::split::<B::Lanes, _>(numbers);
+        let (mut a, mut b) = (A::Lanes::splat(0), B::Lanes::splat(0));
+        let (first, second) = numbers.as_ref().split_at(A::Lanes::COUNT);
+        a.as_mut().copy_from_slice(first);
+        b.as_mut().copy_from_slice(second);
         (A::join(a, a_face), B::join(b, b_face))
     }
 }

@@ -63,7 +63,7 @@ where
             canvas,
             shading,
             test: shading.test(),
-            interpolator: Interpolator::new(mode, &S::Varyings::tolerances(), Self::PAIRS, shift),
+            interpolator: Interpolator::new(mode, S::Varyings::tolerance, Self::PAIRS, shift),
             face: FaceOf::<S>::default(),
         }
     }

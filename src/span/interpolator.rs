@@ -59,14 +59,14 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
     #[inline(never)]
     pub(super) fn new(
         mode: M,
-        tolerances: &L::Of<Tolerance>,
+        tolerance: fn(usize) -> Tolerance,
         pairs: bool,
         shift: DepthShift,
     ) -> Self {
-        let attributes = L::map(tolerances, |tolerance| Attribute {
-            tolerance: mode.affine_within(*tolerance).min(MOST_TOLERANCE),
-            ..Attribute::UNSET
-        });
+        let mut attributes = L::splat(Attribute::UNSET);
+        for (lane, attribute) in attributes.as_mut().iter_mut().enumerate() {
+            attribute.tolerance = mode.affine_within(tolerance(lane)).min(MOST_TOLERANCE);
+        }
         let interpolation = match (Self::OVER_W, pairs) {
             (false, _) => Interpolation::Linear,
             (true, false) => Interpolation::Perspective,

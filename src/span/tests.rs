@@ -56,7 +56,7 @@ fn numbers(
         stored: 0,
         target: PhantomData,
     };
-    draw(canvas.cells(0, columns.clone()).unwrap(), pixels);
+    draw(canvas.memory().cells(0, columns.clone()).unwrap(), pixels);
     for (column, color) in (0..).zip(colors) {
         assert_eq!(color == Gray8::WHITE, columns.contains(&column), "{column}");
     }
@@ -233,7 +233,11 @@ fn the_later_of_two_pixels_at_one_depth_shows() {
             down: 15,
             count: columns.len(),
         };
-        pixels.straight(span, canvas.cells(0, columns).unwrap(), |_, _, none| *none);
+        pixels.straight(
+            span,
+            canvas.memory().cells(0, columns).unwrap(),
+            |_, _, none| *none,
+        );
     };
     let depth = 1 << 30;
     draw(b'a', 0..6, depth);

@@ -57,8 +57,9 @@ impl Camera {
         }
         let i = unit::unit(side).ok_or(Error::UpAlongView { up })?;
         let j = unit::cross(k, i).map(|v| (v + (1 << 29)) >> 30);
+        let rotation = Transform::from_linear(&[i.map(i64::from), j, k.map(i64::from)], 30);
         Ok(Self {
-            view: Transform::from_pose([i.map(i64::from), j, k.map(i64::from)], eye),
+            view: rotation * Transform::translate(-eye),
         })
     }
 

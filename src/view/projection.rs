@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use super::{Viewport, Window};
 use crate::num::block::{self, BlockFloat};
 use crate::sealed::{Sealed, sealed};
-use crate::{Error, Matrix4, Scalar, Vec3};
+use crate::{Matrix4, Scalar, Vec3};
 
 mod parallel;
 mod perspective;
@@ -134,16 +134,21 @@ fn scalar(number: BlockFloat) -> Scalar {
     Scalar::from_bits(block::fixed(number.value, number.exp, 16))
 }
 
-/// Returns the distance between two numbers and their sum, in units of 2^-16: 33 bits.
-fn extent(of: &'static str, low: Scalar, high: Scalar) -> Result<(i64, i64), Error> {
-    if low < high {
-        Ok((bits(high) - bits(low), bits(high) + bits(low)))
-    } else {
-        Err(Error::Empty { of, low, high })
-    }
-}
-
 impl<K: ProjectionKind> Projection<K> {
+    /// From the factor, the slope along z, and the offset of x and of y.
+    fn of_axes(axes: [[BlockFloat; 3]; 2], near: Scalar, far: Scalar) -> Self {
+        let [[x, x_slope, x_offset], [y, y_slope, y_offset]] = axes;
+        Self {
+            rows: [
+                Row::new([x, BlockFloat::ZERO, x_slope], x_offset),
+                Row::new([BlockFloat::ZERO, y, y_slope], y_offset),
+            ],
+            near,
+            far,
+            kind: PhantomData,
+        }
+    }
+
     /// Returns the distance of the near plane.
     #[must_use]
     pub const fn near(&self) -> Scalar {

@@ -122,8 +122,8 @@ where
     type Lanes = [(); N];
     type Face = ();
 
-    fn tolerances() -> <[(); N] as Lanes>::Of<Tolerance> {
-        <[(); N]>::splat(Tolerance::Texels)
+    fn tolerance(_: usize) -> Tolerance {
+        Tolerance::Texels
     }
 
     fn split(self) -> ([i32; N], ()) {

@@ -111,6 +111,11 @@ struct Placed<S, C> {
 /// Converts a color to the one that a computer's screen shows.
 pub type Screen<C> = fn(C) -> Rgb888;
 
+/// How exact each number must be.
+fn tolerances<V: Varyings>() -> Vec<Tolerance> {
+    (0..V::Lanes::COUNT).map(V::tolerance).collect()
+}
+
 /// Gives each wanted number its own place with the same tolerance; `None` if there are too few places.
 fn places(wanted: &[Tolerance], offered: &[Tolerance]) -> Option<[usize; 8]> {
     let mut places = [0; 8];
@@ -214,8 +219,7 @@ impl<'a> Surface<'a> {
         V: Varyings<Face: FaceValues>,
         S: ShaderFor<C, Varyings: Varyings<Face: FaceValues>> + 'a,
     {
-        let (wanted, offered) = (S::Varyings::tolerances(), V::tolerances());
-        let places = places(wanted.as_ref(), offered.as_ref());
+        let places = places(&tolerances::<S::Varyings>(), &tolerances::<V>());
         match places.filter(|_| S::Varyings::PAIRS == V::PAIRS) {
             Some(places) => Ok(layout(Any(Box::new(Placed {
                 shader,

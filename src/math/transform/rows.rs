@@ -69,13 +69,6 @@ impl Transform {
     }
 }
 
-impl From<Transform> for Matrix4 {
-    /// Returns [`Transform::to_matrix`].
-    fn from(transform: Transform) -> Self {
-        transform.to_matrix()
-    }
-}
-
 impl TryFrom<Matrix4> for Transform {
     type Error = Error;
 
@@ -119,7 +112,10 @@ mod tests {
                     assert!(error.abs() <= slack, "{error}");
                 }
             }
-            assert_eq!(Transform::try_from(matrix).map(Matrix4::from), Ok(matrix));
+            assert_eq!(
+                Transform::try_from(matrix).map(|t| t.to_matrix()),
+                Ok(matrix)
+            );
         });
     }
 

@@ -168,7 +168,7 @@ fn normals_follow_mirrors_and_uneven_scales() {
     // −2x' + y' = 0.
     for x in [0.5, -0.5] {
         let factors = Vec3::new(Scalar::try_from(x).unwrap(), Scalar::ONE, Scalar::ONE);
-        let rows = Transform::scale_axes(factors).normal_matrix();
+        let rows = Transform::scale_axes(factors).normal_matrix().0;
         let normal = rows.map(|row| f64::from(row[0]) + f64::from(row[1]));
         let slope = 1.0 / x;
         assert!(normal[1] > 0.0);
@@ -313,7 +313,7 @@ fn normals_stay_at_right_angles() {
         let t = transform(random);
         // Column i of the normal matrix times column j of the matrix is 0 unless i = j; there it is
         // the determinant's magnitude, up to a positive factor.
-        let n = t.normal_matrix().map(|row| row.map(f64::from));
+        let n = t.normal_matrix().0.map(|row| row.map(f64::from));
         let m = t.linear.map(|row| row.map(f64::from));
         for i in 0..3 {
             for j in 0..3 {

@@ -1,7 +1,8 @@
 //! Lights that are changed: in a color, with highlights, or on both sides of a sheet.
 
-use super::{Diffuse, Illumination, Lamp, Lighting, SurfacePoint, Viewer};
+use super::{Amount, Illumination, Lamp, Lighting, SurfacePoint, Viewer};
 use crate::math::Direction;
+use crate::shade::format::zip;
 
 /// A light in a color; see [`Lighting::colored`].
 #[doc(hidden)]
@@ -23,10 +24,8 @@ impl<L: Lighting> Lighting for Colored<L> {
     #[inline]
     fn at(&self, point: &SurfacePoint) -> Illumination<[i32; 3], L::Specular> {
         let light = self.light.at(point);
-        let [r, g, b] = light.diffuse.rgb();
-        let [red, green, blue] = self.color;
         Illumination {
-            diffuse: [share(r, red), share(g, green), share(b, blue)],
+            diffuse: zip(light.diffuse.rgb(), self.color, share),
             specular: light.specular,
         }
     }

@@ -2,6 +2,7 @@
 
 use super::FULL;
 use crate::sealed::{Sealed, sealed};
+use crate::shade::format::{each, luma, zip};
 use crate::shade::{Channels, PixelFormat, Varyings};
 
 /// The light at a point of a surface, in units of 2⁻¹⁶ of full brightness.
@@ -37,17 +38,17 @@ impl Illumination {
     }
 }
 
-impl<D: Diffuse, S: Specular> Illumination<D, S> {
+impl<D: Amount, S: Amount> Illumination<D, S> {
     /// The sum of two amounts of light, which saturates.
     #[must_use]
     #[inline]
-    pub fn plus<E: Diffuse, T: Specular>(
+    pub fn plus<E: Amount, T: Amount>(
         self,
         other: Illumination<E, T>,
     ) -> Illumination<D::Or<E>, S::Or<T>> {
         Illumination {
-            diffuse: self.diffuse.plus(other.diffuse),
-            specular: self.specular.plus(other.specular),
+            diffuse: sum(self.diffuse, other.diffuse),
+            specular: sum(self.specular, other.specular),
         }
     }
 
@@ -55,10 +56,34 @@ impl<D: Diffuse, S: Specular> Illumination<D, S> {
     #[inline]
     pub(super) fn join(self, other: Self) -> Self {
         Self {
-            diffuse: self.diffuse.join(other.diffuse),
-            specular: self.specular.join(other.specular),
+            diffuse: sum(self.diffuse, other.diffuse),
+            specular: sum(self.specular, other.specular),
         }
     }
+
+    /// The varyings on a canvas of color `C`.
+    #[inline]
+    pub(in crate::shade) fn pack<C: PixelFormat>(self) -> Packed<D, S, C> {
+        (self.diffuse.pack::<C>(), self.specular.pack::<C>())
+    }
+
+    /// The light of varyings that [`pack`](Self::pack) made.
+    #[inline]
+    pub(in crate::shade) fn unpack<C: PixelFormat>((diffuse, specular): Packed<D, S, C>) -> Self {
+        Self {
+            diffuse: D::unpack::<C>(diffuse),
+            specular: S::unpack::<C>(specular),
+        }
+    }
+}
+
+/// The numbers that say how a surface is lit: one brightness, or one for each channel; and one more for highlights.
+pub(in crate::shade) type Packed<D, S, C> =
+    (<D as Amount>::Channels<C>, <S as Amount>::Channels<C>);
+
+#[inline]
+fn sum<A: Amount, B: Amount, R: Amount>(a: A, b: B) -> R {
+    R::of(zip(a.rgb(), b.rgb(), i32::saturating_add))
 }
 
 /// The light, limited to the range from darkness to full brightness.
@@ -67,50 +92,65 @@ fn limited(light: i32) -> i32 {
     light.clamp(0, FULL)
 }
 
-/// Light that is multiplied by a surface's color: white, or red, green and blue.
+/// An amount of light: white, or red, green and blue, or `()` for none.
 ///
 /// White light takes one varying, colored light one for each channel of the canvas.
 #[doc(hidden)]
-pub trait Diffuse: Copy + Default + Sealed {
+pub trait Amount: Copy + Default + Sealed {
     /// This light and another one together.
-    type Or<E: Diffuse>: Diffuse;
+    type Or<E: Amount>: Amount;
+
+    /// This light and a white one together.
+    type OrWhite: Amount;
 
     /// The varyings on a canvas of color `C`.
     type Channels<C: PixelFormat>: Varyings + Default;
 
-    fn white(brightness: i32) -> Self;
+    const IS_NONE: bool = false;
+
+    fn of(rgb: [i32; 3]) -> Self;
     fn rgb(self) -> [i32; 3];
-    #[must_use]
-    fn join(self, other: Self) -> Self;
-    fn plus<E: Diffuse>(self, other: E) -> Self::Or<E>;
     fn pack<C: PixelFormat>(self) -> Self::Channels<C>;
     fn unpack<C: PixelFormat>(channels: Self::Channels<C>) -> Self;
 }
 
 sealed!(i32, ()); // [i32; 3] is sealed as channels
 
-impl Diffuse for i32 {
-    type Or<E: Diffuse> = E;
+impl Amount for () {
+    type Or<E: Amount> = E;
+    type OrWhite = i32;
+    type Channels<C: PixelFormat> = ();
+
+    const IS_NONE: bool = true;
+
+    #[inline]
+    fn of(_: [i32; 3]) -> Self {}
+
+    #[inline]
+    fn rgb(self) -> [i32; 3] {
+        [0; 3]
+    }
+
+    #[inline]
+    fn pack<C: PixelFormat>(self) {}
+
+    #[inline]
+    fn unpack<C: PixelFormat>((): ()) {}
+}
+
+impl Amount for i32 {
+    type Or<E: Amount> = E::OrWhite;
+    type OrWhite = Self;
     type Channels<C: PixelFormat> = [Self; 1];
 
     #[inline]
-    fn white(brightness: i32) -> Self {
-        brightness
+    fn of([light, ..]: [i32; 3]) -> Self {
+        light
     }
 
     #[inline]
     fn rgb(self) -> [i32; 3] {
         [self; 3]
-    }
-
-    #[inline]
-    fn join(self, other: Self) -> Self {
-        self.saturating_add(other)
-    }
-
-    #[inline]
-    fn plus<E: Diffuse>(self, other: E) -> E {
-        other.join(E::white(self))
     }
 
     #[inline]
@@ -124,13 +164,14 @@ impl Diffuse for i32 {
     }
 }
 
-impl Diffuse for [i32; 3] {
-    type Or<E: Diffuse> = Self;
+impl Amount for [i32; 3] {
+    type Or<E: Amount> = Self;
+    type OrWhite = Self;
     type Channels<C: PixelFormat> = C::Channels;
 
     #[inline]
-    fn white(brightness: i32) -> Self {
-        [brightness; 3]
+    fn of(rgb: Self) -> Self {
+        rgb
     }
 
     #[inline]
@@ -139,98 +180,17 @@ impl Diffuse for [i32; 3] {
     }
 
     #[inline]
-    fn join(self, other: Self) -> Self {
-        let ([r, g, b], [x, y, z]) = (self, other);
-        [
-            r.saturating_add(x),
-            g.saturating_add(y),
-            b.saturating_add(z),
-        ]
-    }
-
-    #[inline]
-    fn plus<E: Diffuse>(self, other: E) -> Self {
-        self.join(other.rgb())
-    }
-
-    #[inline]
     fn pack<C: PixelFormat>(self) -> C::Channels {
-        let [r, g, b] = self;
-        C::Channels::of_rgb([limited(r), limited(g), limited(b)])
+        let limited = each(self, limited);
+        C::Channels::first(if C::Channels::IS_GRAY {
+            [luma(limited); 3]
+        } else {
+            limited
+        })
     }
 
     #[inline]
     fn unpack<C: PixelFormat>(channels: C::Channels) -> Self {
         channels.all()
-    }
-}
-
-/// A highlight, which takes one varying, or none.
-#[doc(hidden)]
-pub trait Specular: Copy + Default + Sealed {
-    /// This highlight and another one together.
-    type Or<T: Specular>: Specular;
-
-    type Channels: Varyings + Default;
-
-    fn number(self) -> Option<i32>;
-    #[must_use]
-    fn join(self, other: Self) -> Self;
-    fn plus<T: Specular>(self, other: T) -> Self::Or<T>;
-    fn pack(self) -> Self::Channels;
-    fn unpack(channels: Self::Channels) -> Self;
-}
-
-impl Specular for () {
-    type Or<T: Specular> = T;
-    type Channels = ();
-
-    #[inline]
-    fn number(self) -> Option<i32> {
-        None
-    }
-
-    #[inline]
-    fn join(self, (): ()) {}
-
-    #[inline]
-    fn plus<T: Specular>(self, other: T) -> T {
-        other
-    }
-
-    #[inline]
-    fn pack(self) {}
-
-    #[inline]
-    fn unpack((): ()) {}
-}
-
-impl Specular for i32 {
-    type Or<T: Specular> = Self;
-    type Channels = [Self; 1];
-
-    #[inline]
-    fn number(self) -> Option<i32> {
-        Some(self)
-    }
-
-    #[inline]
-    fn join(self, other: Self) -> Self {
-        self.saturating_add(other)
-    }
-
-    #[inline]
-    fn plus<T: Specular>(self, other: T) -> Self {
-        self.saturating_add(other.number().unwrap_or_default())
-    }
-
-    #[inline]
-    fn pack(self) -> [Self; 1] {
-        [limited(self)]
-    }
-
-    #[inline]
-    fn unpack([specular]: [Self; 1]) -> Self {
-        specular
     }
 }

@@ -13,7 +13,8 @@ mod together;
 mod viewer;
 
 pub use adapters::{Colored, Shiny, TwoSided};
-pub use illumination::{Diffuse, Illumination, Specular};
+pub(super) use illumination::Packed;
+pub use illumination::{Amount, Illumination};
 pub use lamp::Lamp;
 pub use point::{Falloff, PointLight};
 pub use spot::SpotLight;
@@ -24,7 +25,6 @@ use embedded_graphics::pixelcolor::Rgb888;
 
 use crate::error::{check_range, ok};
 use crate::math::Direction;
-use crate::mesh::{Corner, Primitive};
 use crate::shade::PixelFormat;
 use crate::{Error, Scalar, Vec3};
 
@@ -66,29 +66,18 @@ pub struct SurfacePoint {
 }
 
 impl SurfacePoint {
-    /// A corner of a primitive, with what a light `L` reads.
+    /// The point as light `L` reads it: without a position if the light is the same everywhere.
     #[inline]
-    pub(super) fn corner<L: Lighting>(corner: &Corner<'_>, face: Direction) -> Self {
-        Self {
-            normal: corner.world_normal(),
-            face,
-            position: if L::READS_POSITION {
-                corner.world_position()
-            } else {
-                Vec3::ZERO
-            },
-        }
-    }
-
-    /// The middle of a triangle, with what a light `L` reads.
-    #[inline]
-    pub(super) fn middle<L: Lighting>(triangle: &Primitive<'_>) -> Self {
-        let normal = triangle.world_normal();
+    pub(super) fn new<L: Lighting>(
+        normal: Direction,
+        face: Direction,
+        position: impl FnOnce() -> Vec3,
+    ) -> Self {
         Self {
             normal,
-            face: normal,
+            face,
             position: if L::READS_POSITION {
-                triangle.world_middle()
+                position()
             } else {
                 Vec3::ZERO
             },
@@ -139,10 +128,10 @@ impl SurfacePoint {
 )]
 pub trait Lighting: Copy {
     /// The type of [`Illumination::diffuse`]: `i32` for white light, `[i32; 3]` for light in a color.
-    type Diffuse: Diffuse;
+    type Diffuse: Amount;
 
     /// The type of [`Illumination::specular`]: `i32` for a light that makes highlights, else `()`.
-    type Specular: Specular;
+    type Specular: Amount;
 
     /// Whether [`at`](Self::at) reads [`SurfacePoint::position`]. `false` saves a transform for each corner.
     const READS_POSITION: bool = true;
@@ -316,11 +305,11 @@ mod tests {
         }
         let spot = |axis, inner, outer| {
             SpotLight::new(Vec3::ZERO, axis, (inner, outer), fx!(1), fx!(1))
-                .map(|spot| spot.with_falloff(Falloff::Linear).falloff())
+                .map(|spot| spot.with_falloff(Falloff::Linear))
         };
         let degrees = Angle::from_degrees;
         let widest = spot(Vec3::X, degrees(0), degrees(90));
-        assert_eq!(widest, Ok(Falloff::Linear));
+        assert!(widest.is_ok_and(|spot| spot.with_falloff(Falloff::Smooth) != spot));
         assert_eq!(
             spot(Vec3::ZERO, degrees(0), degrees(9)),
             Err(Error::ZeroDirection)

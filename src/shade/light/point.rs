@@ -13,8 +13,8 @@ use crate::{Error, Scalar, Vec3};
 /// ```
 /// use fixel::prelude::*;
 /// use fixel::shade::{Falloff, PointLight};
-/// let lamp = PointLight::new(Vec3::ZERO, fx!(1), fx!(8))?.with_falloff(Falloff::Linear);
-/// assert_eq!(lamp.falloff(), Falloff::Linear);
+/// let lamp = PointLight::new(Vec3::ZERO, fx!(1), fx!(8))?;
+/// assert_eq!(lamp.with_falloff(Falloff::default()), lamp); // smooth
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -101,12 +101,6 @@ impl PointLight {
     #[must_use]
     pub const fn with_falloff(self, falloff: Falloff) -> Self {
         Self { falloff, ..self }
-    }
-
-    /// The lamp's falloff.
-    #[must_use]
-    pub const fn falloff(&self) -> Falloff {
-        self.falloff
     }
 
     /// The light at a distance that is `part` of the range, where `square` is the square of `part`; all in units of

@@ -3,7 +3,7 @@
 use super::adapters::share;
 use super::{Falloff, Lamp, PointLight, SurfacePoint};
 use crate::math::Direction;
-use crate::num::reciprocal;
+use crate::shade::ramp::Ramp;
 use crate::{Angle, Error, Scalar, Vec3};
 
 /// White light from a point in world space, in a cone: a lamp like [`PointLight`] that shines in one direction.
@@ -47,9 +47,8 @@ pub struct SpotLight {
     outer: i32,
     /// The difference of the cosines, in units of 2⁻³⁰: 1 to 2³⁰.
     edge: i32,
-    /// 2⁶¹ / (`edge` · 2^`up`), from 2³⁰ to 2³¹; the divisor has 31 bits.
-    inverse: u32,
-    up: u32,
+    /// The share of `edge` that an angle is inside, with 16 fraction bits.
+    ramp: Ramp,
 }
 
 impl SpotLight {
@@ -68,24 +67,19 @@ impl SpotLight {
         range: Scalar,
     ) -> Result<Self, Error> {
         let lamp = PointLight::new(position, brightness, range)?;
-        let axis = Direction::of(axis);
-        if axis == Direction::NONE {
-            return Err(Error::ZeroDirection);
-        }
+        let axis = Direction::checked(axis)?;
         if inner.to_bits() >= outer.to_bits() || outer.to_bits() > Angle::QUARTER.to_bits() {
             return Err(Error::Cone { inner, outer });
         }
         let [most, least] = [inner, outer].map(|angle| angle.cos().to_bits());
         // Angles that differ by little may have the same cosine.
         let edge = (most - least).max(1);
-        let up = edge.leading_zeros() - 1;
         Ok(Self {
             lamp,
             axis,
             outer: least,
             edge,
-            inverse: reciprocal(edge.cast_unsigned() << up),
-            up,
+            ramp: Ramp::new(edge.into(), 16),
         })
     }
 
@@ -97,12 +91,6 @@ impl SpotLight {
             ..self
         }
     }
-
-    /// The lamp's falloff.
-    #[must_use]
-    pub const fn falloff(&self) -> Falloff {
-        self.lamp.falloff()
-    }
 }
 
 impl Lamp for SpotLight {
@@ -112,9 +100,8 @@ impl Lamp for SpotLight {
         if light == 0 || inside <= 0 {
             return (toward, 0);
         }
-        // Products of 30 and 31 bits; t is in units of 2^-16, t² (3 − 2t) in units of 2^-48.
-        let inside = u64::from(inside.min(self.edge).cast_unsigned());
-        let t = (inside * u64::from(self.inverse)) >> (45 - self.up);
+        // t is in units of 2^-16, t² (3 − 2t) in units of 2^-48.
+        let t = self.ramp.share(inside.min(self.edge).into());
         let part = (t * t * ((3 << 16) - 2 * t)) >> 32;
         (toward, share(light, part as i32))
     }

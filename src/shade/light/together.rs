@@ -1,6 +1,6 @@
 //! Several lights at once.
 
-use super::{Diffuse, Illumination, Lighting, Specular, SurfacePoint};
+use super::{Amount, Illumination, Lighting, SurfacePoint};
 
 /// All lights of an array.
 impl<L: Lighting, const N: usize> Lighting for [L; N] {
@@ -37,8 +37,8 @@ macro_rules! tuples {
     ($($($Light:ident $light:ident)+;)+) => {$(
         /// All lights of a tuple; they may have different types.
         impl<$($Light: Lighting),+> Lighting for ($($Light,)+) {
-            type Diffuse = tuples!(type Diffuse Diffuse $($Light)+);
-            type Specular = tuples!(type Specular Specular $($Light)+);
+            type Diffuse = tuples!(type Diffuse $($Light)+);
+            type Specular = tuples!(type Specular $($Light)+);
 
             const READS_POSITION: bool = $($Light::READS_POSITION)||+;
             const READS_FACE: bool = $($Light::READS_FACE)||+;
@@ -54,9 +54,9 @@ macro_rules! tuples {
     (sum $point:ident $first:ident $($rest:ident)+) => {
         $first.at($point).plus(tuples!(sum $point $($rest)+))
     };
-    (type $Kind:ident $Part:ident $Last:ident) => { $Last::$Part };
-    (type $Kind:ident $Part:ident $First:ident $($Rest:ident)+) => {
-        <$First::$Part as $Kind>::Or<tuples!(type $Kind $Part $($Rest)+)>
+    (type $Part:ident $Last:ident) => { $Last::$Part };
+    (type $Part:ident $First:ident $($Rest:ident)+) => {
+        <$First::$Part as Amount>::Or<tuples!(type $Part $($Rest)+)>
     };
 }
 

@@ -1,5 +1,6 @@
 //! Where a picture is seen from.
 
+use crate::error::ok;
 use crate::math::Direction;
 use crate::num::rsqrt::unit;
 use crate::num::wide::dot;
@@ -43,10 +44,7 @@ impl Viewer {
     ///
     /// [`Error::ZeroDirection`] if `direction` is zero.
     pub const fn toward(direction: Vec3) -> Result<Self, Error> {
-        match Direction::of(direction) {
-            Direction::NONE => Err(Error::ZeroDirection),
-            direction => Ok(Self(Position::Toward(direction))),
-        }
+        Ok(Self(Position::Toward(ok!(Direction::checked(direction)))))
     }
 
     /// The viewer of a picture whose camera is a rigid transform, as are all that [`Camera`](crate::Camera)'s own

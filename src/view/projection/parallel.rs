@@ -1,8 +1,7 @@
 //! Parallel projections: distant objects keep their size.
 
-use core::marker::PhantomData;
-
-use super::{Parallel, Projection, Row, bits, extent, number};
+use super::{Parallel, Projection, bits, number};
+use crate::error::check_order;
 use crate::num::Fraction;
 use crate::num::block::BlockFloat;
 use crate::view::Window;
@@ -92,27 +91,18 @@ impl Projection<Parallel> {
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, Error> {
-        extent("view", near, far)?;
+        check_order("view", near, far)?;
         let row = |low, high, shear: BlockFloat| -> Result<_, Error> {
-            let (size, middle) = extent("window", low, high)?;
-            let size = BlockFloat::new(size, 16);
+            let size = BlockFloat::new(check_order("window", low, high)?, 16);
             let scale = BlockFloat::new(2, 0).over(size);
             let slope = scale.times(shear).negated();
-            let offset = BlockFloat::new(-middle, 16)
+            let offset = BlockFloat::new(-(bits(low) + bits(high)), 16)
                 .over(size)
                 .plus(slope.times(number(plane)));
-            Ok((scale, slope, offset))
+            Ok([scale, slope, offset])
         };
-        let (x, x_slope, x_offset) = row(window.left, window.right, shear[0])?;
-        let (y, y_slope, y_offset) = row(window.bottom, window.top, shear[1])?;
-        Ok(Self {
-            rows: [
-                Row::new([x, BlockFloat::ZERO, x_slope], x_offset),
-                Row::new([BlockFloat::ZERO, y, y_slope], y_offset),
-            ],
-            near,
-            far,
-            kind: PhantomData,
-        })
+        let x = row(window.left, window.right, shear[0])?;
+        let y = row(window.bottom, window.top, shear[1])?;
+        Ok(Self::of_axes([x, y], near, far))
     }
 }

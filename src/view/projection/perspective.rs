@@ -2,15 +2,15 @@
 
 use core::marker::PhantomData;
 
-use super::{Perspective, Projection, Row, bits, extent};
-use crate::error::check_extent;
+use super::{Perspective, Projection, Row, bits};
+use crate::error::{check_extent, check_order};
 use crate::num::block::{self, BlockFloat};
 use crate::view::{Aspect, Window};
 use crate::{Angle, Error, Scalar, Vec3};
 
 fn check_planes(near: Scalar, far: Scalar) -> Result<(), Error> {
     check_extent("distance of the near plane", near, Scalar::MAX)?;
-    extent("view", near, far)?;
+    check_order("view", near, far)?;
     Ok(())
 }
 
@@ -104,19 +104,15 @@ impl Projection<Perspective> {
     /// ```
     pub fn frustum(window: Window, near: Scalar, far: Scalar) -> Result<Self, Error> {
         check_planes(near, far)?;
-        let (width, across) = extent("window", window.left, window.right)?;
-        let (height, up) = extent("window", window.bottom, window.top)?;
-        let ratio = |value, size| BlockFloat::new(value, 0).over(BlockFloat::new(size, 0));
-        let (double, zero) = (2 * bits(near), BlockFloat::ZERO);
-        Ok(Self {
-            rows: [
-                Row::new([ratio(double, width), zero, ratio(across, width)], zero),
-                Row::new([zero, ratio(double, height), ratio(up, height)], zero),
-            ],
-            near,
-            far,
-            kind: PhantomData,
-        })
+        let axis = |low, high| -> Result<_, Error> {
+            let size = BlockFloat::new(check_order("window", low, high)?, 0);
+            let [double, middle] = [2 * bits(near), bits(low) + bits(high)]
+                .map(|number| BlockFloat::new(number, 0).over(size));
+            Ok([double, middle, BlockFloat::ZERO])
+        };
+        let x = axis(window.left, window.right)?;
+        let y = axis(window.bottom, window.top)?;
+        Ok(Self::of_axes([x, y], near, far))
     }
 
     /// Returns the vertical field of view, 2·atan((top − bottom) / (2·near)).

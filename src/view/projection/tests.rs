@@ -1,6 +1,7 @@
 //! The coefficients of projections against their formulas in f64, and refused arguments.
 
 use super::*;
+use crate::Error;
 use crate::random::{Random, cases, within};
 use crate::{Angle, Vec3};
 use core::f64::consts::TAU;

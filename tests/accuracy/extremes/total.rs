@@ -166,12 +166,12 @@ impl Varyings for Rough {
     type Lanes = [(); 3];
     type Face = ();
 
-    fn tolerances() -> [Tolerance; 3] {
+    fn tolerance(lane: usize) -> Tolerance {
         [
             Tolerance::Texels,
             Tolerance::Units(1 << 20),
             Tolerance::Units(u32::MAX),
-        ]
+        ][lane]
     }
 
     fn split(self) -> ([i32; 3], ()) {
