@@ -59,30 +59,28 @@ impl<'r> Rasterizer<'r> {
     /// A center on a left or top edge belongs to the triangle, one on a right or bottom edge does not.
     #[inline(never)]
     pub(crate) fn triangle(&mut self, triangle: &Triangle<'_>, part: Option<&Part<'_>>) {
-        let patch = &triangle.patch;
-        // For the many slivers that pass between all centers, nothing is laid.
-        let (mut blitter, mut laid) = (Some(&mut *self.blitter), None);
+        let block = &mut self.block;
         let Range { start, end } = triangle.rows;
-        let mut first = start;
-        while first < end {
-            let next = end.min(first + ROWS);
-            let count = (next - first).cast_unsigned() as usize;
-            let rows = self.block.get_mut(..count).unwrap_or_default();
-            scan_convert(rows, first, &patch.vertices, patch.area > 0);
-            if triangle.is_cut {
-                cut(rows, &self.scissor.columns);
+        let (mut first, mut rows) = (start, scan_convert(block, start, triangle));
+        // For the many slivers that pass between all centers, nothing is laid.
+        while !rows.iter().copied().any(has_pixels) {
+            first += ROWS;
+            if first >= end {
+                return;
             }
-            if laid.is_none() && rows.iter().copied().any(has_pixels) {
-                laid = blitter
-                    .take()
-                    .map(|blitter| blitter.lay(&self.primitive, patch));
+            rows = scan_convert(block, first, triangle);
+        }
+        let laid = self.blitter.lay(&self.primitive, &triangle.patch);
+        loop {
+            match part {
+                None => laid.draw(first, rows),
+                Some(part) => part.rows(laid, first, rows),
             }
-            match (&mut laid, part) {
-                (None, _) => {}
-                (Some(laid), None) => laid.draw(first, rows),
-                (Some(laid), Some(part)) => part.rows(*laid, first, rows),
+            first += ROWS;
+            if first >= end {
+                return;
             }
-            first = next;
+            rows = scan_convert(block, first, triangle);
         }
     }
 
@@ -112,7 +110,7 @@ impl<'r> Rasterizer<'r> {
     }
 }
 
-/// Finds the columns of consecutive rows whose centers lie between the edges of a triangle.
+/// Finds the columns of a block of rows whose centers lie between the edges of a triangle, in the scissor.
 ///
 /// ```text
 ///      a ●
@@ -122,13 +120,19 @@ impl<'r> Rasterizer<'r> {
 ///  c ●
 /// ```
 #[inline(never)]
-pub(super) fn scan_convert(
-    rows: &mut [Columns],
+pub(super) fn scan_convert<'b>(
+    block: &'b mut [Columns],
     first: i32,
-    vertices: &[&ScreenVertex; 3],
-    is_clockwise: bool,
-) {
-    let count = (rows.len() as u32).cast_signed();
+    triangle: &Triangle<'_>,
+) -> &'b [Columns] {
+    let vertices = &triangle.patch.vertices;
+    let is_clockwise = triangle.patch.area > 0;
+    let count = (block.len() as u32)
+        .cast_signed()
+        .min(triangle.rows.end - first);
+    let rows = block
+        .get_mut(..count.cast_unsigned() as usize)
+        .unwrap_or_default();
     // The first of the rows that is not above a corner.
     let row_of = |corner: &ScreenVertex| {
         let row = first_center(corner.screen[1]) - first;
@@ -168,6 +172,10 @@ pub(super) fn scan_convert(
             }
         }
     }
+    if let Some(scissor) = triangle.cut {
+        cut(rows, &scissor.columns);
+    }
+    rows
 }
 
 /// Whether a row has a pixel.

@@ -14,8 +14,8 @@ pub(crate) struct Triangle<'a> {
     pub(super) patch: Patch<'a>,
     /// The rows of the scissor in which it may have pixels.
     pub(crate) rows: Range<i32>,
-    /// Whether some of its columns may be outside the scissor.
-    pub(super) is_cut: bool,
+    /// The scissor, if some of its columns may be outside.
+    pub(super) cut: Option<&'a Scissor>,
 }
 
 /// Twice the area of a triangle, in units of (1/256 pixel)²: positive for corners that run clockwise on the screen.
@@ -27,8 +27,17 @@ pub(crate) fn area([a, b, c]: &[[i32; 2]; 3]) -> i64 {
 
 /// Whether a triangle covers the center of a pixel.
 pub(super) fn covers(corners: [&ScreenVertex; 3], area: i64, [x, row]: [i32; 2]) -> bool {
+    let triangle = Triangle {
+        patch: Patch {
+            vertices: corners,
+            area,
+            ..Patch::EVEN
+        },
+        rows: row..row + 1,
+        cut: None,
+    };
     let mut columns = [[0; 2]];
-    scan_convert(&mut columns, row, &corners, area > 0);
+    scan_convert(&mut columns, row, &triangle);
     let [[start, end]] = columns;
     (i32::from(start)..i32::from(end)).contains(&x)
 }
@@ -41,7 +50,7 @@ impl<'a> Triangle<'a> {
         vertices: [&'a ScreenVertex; 3],
         barycentric: Option<&'a [Barycentric; 3]>,
         area: i64,
-        scissor: &Scissor,
+        scissor: &'a Scissor,
     ) -> Option<Self> {
         let [[ax, ay], [bx, by], [cx, cy]] = ScreenVertex::screens(vertices);
         let (top, bottom) = (ay.min(by).min(cy), ay.max(by).max(cy));
@@ -64,7 +73,7 @@ impl<'a> Triangle<'a> {
                 area,
             },
             rows,
-            is_cut: inside != columns,
+            cut: (inside != columns).then_some(scissor),
         })
     }
 }

@@ -74,7 +74,7 @@ pub(crate) const ONE: u32 = 1 << 30;
 /// Replaces an attribute's values at the corners by attribute · weight · 2^-bits, rounded to nearest, and returns
 /// that scale. Weights are below 2³¹.
 #[inline]
-pub(crate) fn weigh(values: &mut [i32; 3], weights: [u32; 3], least_bits: u32) -> Scale {
+pub(crate) fn weigh(values: &mut [i32; 3], weights: &[u32; 3], least_bits: u32) -> Scale {
     let [a, b, c] = values.map(i32::unsigned_abs);
     let scale = Scale::of(a.max(b).max(c), least_bits);
     if scale.bits == 32 {
@@ -97,8 +97,8 @@ pub(crate) fn weigh(values: &mut [i32; 3], weights: [u32; 3], least_bits: u32) -
 /// Clamps values of 31 bits away from the ends of `i32`, by as much as rounding may add to them where the weight is
 /// least. One step beyond the ends would wrap around.
 #[cold]
-fn leave_room(values: &mut [i32; 3], weights: [u32; 3]) {
-    let least = weights.into_iter().fold(1 << 30, u32::min);
+fn leave_room(values: &mut [i32; 3], weights: &[u32; 3]) {
+    let least = weights.iter().copied().fold(1 << 30, u32::min);
     // The error of an interpolant is below 64 units, and a unit is 2^32 / weight of the value.
     let room = 1 << 7 << least.leading_zeros().min(20);
     for value in values {
@@ -121,7 +121,7 @@ mod tests {
                     for values in [[value, 0, 0], [-value, value, value], [!value; 3]] {
                         let weights = [weight, least, weight];
                         let mut weighted = values;
-                        weigh(&mut weighted, weights, 1);
+                        weigh(&mut weighted, &weights, 1);
                         for (p, weight) in weighted.into_iter().zip(weights) {
                             assert!(
                                 2 * p.unsigned_abs() + 113 <= weight,

@@ -251,8 +251,7 @@ impl Setup {
         };
         // In a small triangle, attributes would be pairs.
         let mut is_small = self.q.is_small && self.interpolation != Interpolation::Paired;
-        let mut is_whole = true;
-        for attribute in attributes {
+        for attribute in &mut *attributes {
             let mut values = attribute.at(patch);
             attribute.scale = if is_affine {
                 let [a, b, c] = values;
@@ -260,7 +259,7 @@ impl Setup {
                 values = [a << up, b << up, c << up];
                 Scale::AFFINE
             } else {
-                weigh(&mut values, weights, least_bits)
+                weigh(&mut values, &weights, least_bits)
             };
             let [a, b, c] = values;
             let range = a.max(b).max(c).wrapping_sub(a.min(b).min(c));
@@ -271,9 +270,9 @@ impl Setup {
                 &mut attribute.gradient,
             );
             is_small &= attribute.gradient.is_small;
-            is_whole &= attribute.scale.bits() == WHOLE;
         }
-        if is_affine || is_linear && is_whole {
+        let is_whole = |attribute: &Attribute| attribute.scale.bits() == WHOLE;
+        if is_affine || is_linear && attributes.iter().all(is_whole) {
             straight(is_small)
         } else if is_linear {
             Plan::Scaled
@@ -298,7 +297,7 @@ impl Setup {
         };
         for attribute in attributes {
             let mut values = attribute.at(patch);
-            attribute.scale = weigh(&mut values, weights, 1);
+            attribute.scale = weigh(&mut values, &weights, 1);
             basis.lay_wide(values, &mut attribute.gradient);
         }
     }
