@@ -493,9 +493,9 @@ impl Filling<'_> {
 impl Assembly for Filling<'_> {
     fn whole(&mut self, indices: Indices, corners: [&ScreenVertex; 3], area: i64) {
         if let Some(triangle) = &Triangle::new(corners, None, area, &self.scissor) {
-            let numbers = corners.map(|corner| self.number(corner));
             // Rows of a frame are 0 to 2048.
             let rows = [triangle.rows.start as i16, triangle.rows.end as i16];
+            let numbers = corners.map(|corner| self.number(corner));
             self.add(indices.number(), rows, Corners::Whole(numbers));
         }
     }
