@@ -10,6 +10,27 @@ use crate::{Angle, Error, Vec3};
 /// Fraction bits of an angle in radians. The sum at one position saturates at 512 radians.
 const FRACTION: u32 = 22;
 
+/// A triangle's normal of length one, in units of 2⁻³⁰, and the angles at its corners; `None` for a triangle without
+/// area.
+fn measured(corners: [Vec3; 3]) -> Option<(Direction, [i32; 3])> {
+    let [a, b, c] = corners;
+    let sides = [a.way_to(b), b.way_to(c), c.way_to(a)];
+    // Sides take 33 bits. With 31 bits and a sign, a difference of two products fits into 64.
+    let size = sides
+        .as_flattened()
+        .iter()
+        .fold(0, |all, x| all | x.unsigned_abs());
+    let down = u32::from(size >= 1 << 31);
+    let [[x, y, z], [u, v, w], _] = sides.map(|side| side.map(|x| x >> down));
+    let cross = |a: i64, b: i64, c: i64, d: i64| (a * b).saturating_sub(c * d);
+    let normal = unit([cross(y, w, z, v), cross(z, u, x, w), cross(x, v, y, u)])?;
+    let [ab, bc, ca] = [unit(sides[0])?, unit(sides[1])?, unit(sides[2])?];
+    Some((
+        Direction::from_bits(normal),
+        [angle(ca, ab), angle(ab, bc), angle(bc, ca)],
+    ))
+}
+
 /// The angle between −`a` and `b`, both of length one in units of 2⁻³⁰, with a relative error below 2⁻¹³.
 ///
 /// A chord s of the unit circle belongs to an angle of 2 asin(s/2). Up to 90 degrees, that is s · P(s²/4) with a
@@ -182,25 +203,8 @@ impl<'a> Mesh<'a> {
         sum.normalized().unwrap_or_default()
     }
 
-    /// A triangle's normal of length one, in units of 2⁻³⁰, and the angles at its corners; `None` for a triangle without
-    /// area.
     fn measured(&self, face: [Index; 3]) -> Option<(Direction, [i32; 3])> {
-        let [a, b, c] = face.map(|index| self.position(index));
-        let sides = [a.way_to(b), b.way_to(c), c.way_to(a)];
-        // Sides take 33 bits. With 31 bits and a sign, a difference of two products fits into 64.
-        let size = sides
-            .as_flattened()
-            .iter()
-            .fold(0, |all, x| all | x.unsigned_abs());
-        let down = u32::from(size >= 1 << 31);
-        let [[x, y, z], [u, v, w], _] = sides.map(|side| side.map(|x| x >> down));
-        let cross = |a: i64, b: i64, c: i64, d: i64| (a * b).saturating_sub(c * d);
-        let normal = unit([cross(y, w, z, v), cross(z, u, x, w), cross(x, v, y, u)])?;
-        let [ab, bc, ca] = [unit(sides[0])?, unit(sides[1])?, unit(sides[2])?];
-        Some((
-            Direction::from_bits(normal),
-            [angle(ca, ab), angle(ab, bc), angle(bc, ca)],
-        ))
+        measured(face.map(|index| self.position(index)))
     }
 }
 
