@@ -116,7 +116,7 @@ depth_tests! {
 /// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
 /// canvas.clear(BinaryColor::Off);
 /// let behind = DrawOptions::new().with_depth(Biased::behind(TestAndWrite));
-/// assert_eq!(behind.depth(), Biased::new(TestAndWrite, -2, fx!(-1)));
+/// assert_eq!((behind.depth.steps, behind.depth.slope), (-2, fx!(-1)));
 /// canvas.draw_with(&behind, &BOX, &mvp, &Flat::new(BinaryColor::Off));
 /// canvas.draw(BOX.edges(LineStyle::HAIRLINE), &mvp, &Flat::new(BinaryColor::On));
 /// # Ok::<(), Error>(())
@@ -124,9 +124,12 @@ depth_tests! {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Biased<Z = super::TestAndWrite> {
-    test: Z,
-    steps: i32,
-    slope: Scalar,
+    /// The test whose depths are moved.
+    pub test: Z,
+    /// The steps of the depth buffer by which depths are moved.
+    pub steps: i32,
+    /// The factor of the depth difference between neighboring pixels.
+    pub slope: Scalar,
     /// The change of the current triangle's 1/w.
     added: i32,
     /// The left shift of the current span's 1/w.

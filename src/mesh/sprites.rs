@@ -297,6 +297,62 @@ impl<'a> Sprites<'a> {
         self.positions
     }
 
+    /// Width and height at scale 1.
+    #[must_use]
+    pub const fn size(&self) -> (Scalar, Scalar) {
+        let [width, height] = self.size;
+        (width, height)
+    }
+
+    /// Whether the size is in pixels.
+    #[must_use]
+    pub const fn is_in_pixels(&self) -> bool {
+        self.is_in_pixels
+    }
+
+    /// The axis about which the sprites turn, if there is one.
+    #[must_use]
+    pub const fn axis(&self) -> Option<Vec3> {
+        self.axis
+    }
+
+    /// The point of a sprite that lies at its position, as a texture coordinate.
+    #[must_use]
+    pub const fn anchor(&self) -> Vec2 {
+        self.anchor
+    }
+
+    /// The scale of each sprite; empty if all have scale 1.
+    #[must_use]
+    pub const fn scales(&self) -> &'a [Scalar] {
+        self.scales
+    }
+
+    /// The color of each sprite; empty if they have none.
+    #[must_use]
+    pub const fn colors(&self) -> &'a [Rgb888] {
+        self.colors
+    }
+
+    /// The frame of each sprite; empty if all show the first one.
+    #[must_use]
+    pub const fn frames(&self) -> &'a [u16] {
+        self.frames
+    }
+
+    /// Columns and rows of frames in the texture.
+    #[must_use]
+    pub const fn grid(&self) -> (u16, u16) {
+        let [columns, rows] = self.grid;
+        (columns, rows)
+    }
+
+    /// The border that is left out of each frame.
+    #[must_use]
+    pub const fn inset(&self) -> Vec2 {
+        self.inset
+    }
+
     /// The texture coordinates of a sprite at the left, right, top and bottom.
     pub(crate) fn frame(&self, sprite: usize) -> [TexCoord; 4] {
         let [columns, rows] = self.grid.map(u32::from);
@@ -324,7 +380,27 @@ impl<'a> Sprites<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{fx, vec3};
+    use crate::{fx, vec2, vec3};
+
+    #[test]
+    fn options_can_be_read() {
+        let (positions, scales, frames) = ([Vec3::ZERO], [fx!(2)], [3]);
+        let (colors, grid) = ([Rgb888::new(1, 2, 3)], (4, 2));
+        let size = (fx!(1), fx!(3));
+        let plain = Sprites::new(&positions, size).unwrap();
+        assert!(!plain.is_in_pixels() && plain.scales().is_empty() && plain.colors().is_empty());
+        assert_eq!((plain.axis(), plain.anchor()), (None, vec2!(0.5, 0.5)));
+        assert_eq!((plain.grid(), plain.frames()), ((1, 1), &[][..]));
+        let all = Sprites::in_pixels(&positions, size)
+            .and_then(|all| all.with_axis(Vec3::Y)?.with_scales(&scales))
+            .and_then(|all| all.with_colors(&colors)?.with_frames(grid, &frames))
+            .unwrap()
+            .with_anchor(vec2!(0.5, 1));
+        assert!(all.is_in_pixels() && all.size() == size && all.grid() == grid);
+        assert_eq!((all.axis(), all.anchor()), (Some(Vec3::Y), vec2!(0.5, 1)));
+        assert_eq!((all.scales(), all.colors()), (&scales[..], &colors[..]));
+        assert_eq!(all.frames(), frames);
+    }
 
     #[test]
     fn frames_are_counted_row_by_row() {

@@ -8,24 +8,18 @@ use super::scissor::meet;
 use super::{ClippedVertex, Patch, Rasterizer, Rows, ScreenVertex};
 
 /// Draws a hairline: in each step along the longer axis, the pixel that contains the line.
+#[inline(never)]
 pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
-    // Where lines meet at a corner, none of them may pass a center in its pixel. Blended pixels are left out, so that
-    // those of polylines are not blended twice.
     if !raster.blends {
-        let ([a, b], [c, d]) = (ends[0].vertex.screen, ends[1].vertex.screen);
-        let (start, end) = if is_steep(ends) { (b, d) } else { (a, c) };
-        let [first, last] = if end < start {
-            [ends[1], ends[0]]
+        let steep = is_steep(ends);
+        let [from, to] = ends;
+        let (first, last) = if along(to, steep) < along(from, steep) {
+            (to, from)
         } else {
-            ends
+            (from, to)
         };
-        // The center of a pixel that contains the first end is before it, or that of one with the last not before it.
-        if start.min(end) & 255 > 128 {
-            point(raster, &first.vertex, Some(&[first.barycentric; 3]));
-        }
-        if start.max(end) & 255 <= 128 {
-            point(raster, &last.vertex, Some(&[last.barycentric; 3]));
-        }
+        draw_end(raster, first, steep, false);
+        draw_end(raster, last, steep, true);
     }
     let Some(Course {
         laid,
@@ -59,6 +53,22 @@ pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
             (first, offset) = (step + 1, next);
         }
     }
+}
+
+/// Draws the pixel that contains an end of a line, unless the line passes the center there: the first end before it, or
+/// the last one behind it. Where lines meet at a corner, none of them may. Blended, polylines would have such pixels twice.
+#[inline(never)]
+fn draw_end(raster: &mut Rasterizer<'_>, end: &ClippedVertex, steep: bool, is_last: bool) {
+    if (along(end, steep) & 255 <= 128) == is_last {
+        point(raster, &end.vertex, Some(&[end.barycentric; 3]));
+    }
+}
+
+/// An end's coordinate along the longer axis.
+#[inline]
+fn along(end: &ClippedVertex, steep: bool) -> i32 {
+    let [x, y] = end.vertex.screen;
+    if steep { y } else { x }
 }
 
 /// Whether a line's longer axis is the vertical one.

@@ -63,20 +63,24 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
         pairs: bool,
         shift: DepthShift,
     ) -> Self {
-        let mut attributes = L::splat(Attribute::UNSET);
-        for (lane, attribute) in attributes.as_mut().iter_mut().enumerate() {
-            attribute.tolerance = mode.affine_within(tolerance(lane)).min(MOST_TOLERANCE);
-        }
         let interpolation = match (Self::OVER_W, pairs) {
             (false, _) => Interpolation::Linear,
             (true, false) => Interpolation::Perspective,
             (true, true) => Interpolation::Paired,
         };
+        let mut lanes = L::splat(0);
+        for (lane, number) in lanes.as_mut().iter_mut().enumerate() {
+            *number = lane;
+        }
         Self {
             mode,
             planes: Planes {
                 setup: Setup::new(interpolation, Self::LEAST_BITS, shift),
-                attributes,
+                // Made where they belong: changed in a loop, they would be copied to there.
+                attributes: L::map(&lanes, |&lane| Attribute {
+                    tolerance: mode.affine_within(tolerance(lane)).min(MOST_TOLERANCE),
+                    ..Attribute::UNSET
+                }),
             },
             plan: Self::BEST,
             kind: PhantomData,

@@ -220,7 +220,8 @@ pub struct Prepared<'a, T = (), G = &'a Mesh<'a>, O = DrawOptions, K = Perspecti
     pub(super) vertices: &'a [Slot],
     /// The frame that they were prepared for.
     pub(super) screen: Screen,
-    pub(super) options: O,
+    /// The options that it is drawn with.
+    pub options: O,
     pub(super) kind: PhantomData<K>,
 }
 

@@ -14,7 +14,7 @@ use crate::{Error, Scalar, Vec3};
 /// use fixel::prelude::*;
 /// use fixel::shade::{Falloff, PointLight};
 /// let lamp = PointLight::new(Vec3::ZERO, fx!(1), fx!(8))?;
-/// assert_eq!(lamp.with_falloff(Falloff::default()), lamp); // smooth
+/// assert_eq!(lamp.falloff, Falloff::Smooth);
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -68,7 +68,8 @@ pub struct PointLight {
     /// The negative brightness in units of 2⁻¹⁵.
     short_brightness: i16,
     up: u8,
-    falloff: Falloff,
+    /// How the light decreases with distance.
+    pub falloff: Falloff,
 }
 
 impl PointLight {

@@ -41,7 +41,8 @@ use crate::{Angle, Error, Scalar, Vec3};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SpotLight {
-    lamp: PointLight,
+    /// The lamp without its cone.
+    pub lamp: PointLight,
     axis: Direction,
     /// The cosine of the outer angle, in units of 2⁻³⁰.
     outer: i32,
