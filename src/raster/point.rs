@@ -3,7 +3,7 @@
 use super::{Barycentric, Patch, Rasterizer, Rows, ScreenVertex};
 
 /// Draws the pixel that contains a point, which has these places in the mesh's triangle.
-#[inline(never)]
+#[inline]
 pub(crate) fn point(
     raster: &mut Rasterizer<'_>,
     at: &ScreenVertex,
