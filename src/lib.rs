@@ -192,17 +192,17 @@
 //!          └─ Rasterizer::triangle    in blocks of rows                      raster/
 //!             ├─ scan_convert         top-left rule, row by row
 //!             ├─ Blit::lay            once, if a row has pixels              span/
-//!             │  ├─ Lit::varyings     what the shader wants interpolated     shade/
+//!             │  ├─ Adapted::varyings what the shader wants interpolated     shade/
 //!             │  └─ Setup::lay        the gradient of 1/w; then those of the varyings
 //!             └─ Blit::draw           row by row, in spans
 //!                ├─ Pixels::visible   depth test                             canvas/
 //!                └─ Pixels::shade
-//!                   ├─ Lit::shade     varyings → color                       shade/
+//!                   ├─ Adapted::shade varyings → color                       shade/
 //!                   └─ Native::store  as a color; others as bytes            canvas/
 //! ```
 //!
-//! The column on the right names the folder; a line without one belongs to the folder above it. `Lit` stands for any
-//! shader, and `Native` for any storage. Between `Blit::draw` and its pixels there is one of four kernels (straight,
+//! The column on the right names the folder; a line without one belongs to the folder above it. `Adapted`,
+//! which `.lit(light)` makes, stands for any shader, and `Native` for any storage. Between `Blit::draw` and its pixels there is one of four kernels (straight,
 //! pieces, Newton, divide), which the [mode] chooses for each span.
 //!
 //! Each folder depends only on those before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`, `canvas`,
