@@ -210,6 +210,7 @@ gray! {
 /// let color = <Rgb565 as PixelFormat>::Channels::first([1, 2, 3]);
 /// assert_eq!((gray, color), ([7], [1, 2, 3]));
 /// ```
+#[doc(hidden)]
 pub trait Channels: Varyings + Default + Sealed {
     /// Whether all channels are equal.
     #[doc(hidden)]
