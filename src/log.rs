@@ -25,15 +25,13 @@ format!(Debug2Format: Hit, Matrix4, PointStyle, ScreenPoint, Segment, Shape, Win
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::canvas::{
-        Biased, ColorIndex, Contrast, NoDepth, NoTest, TestAndWrite, TestOnly, WriteOnly,
-    };
+    use crate::canvas::{Biased, ColorIndex, Contrast, NoTest, TestAndWrite, TestOnly, WriteOnly};
     use crate::mesh::{Counts, Missing};
     use crate::mode::{Affine, Compact, Exact, Fast, Newton};
     use crate::shade::{Colored, PerFace, Shiny, Texels, Tolerance, TwoSided, Within};
     use crate::texture::{Bilinear, Clamp, Nearest, Repeat};
-    use crate::{Aspect, Camera, Cull, DrawOptions, Drawn, Fragment, Light, Mvp, Rate, Spin};
-    use crate::{LineStyle, Transform, Viewport, math::Direction};
+    use crate::{Camera, Cull, DrawOptions, Drawn, Fragment, Light, Mvp, Rate, Spin};
+    use crate::{LineStyle, Transform, Viewport, math::Direction, view::Aspect};
 
     const fn logs<T: Format>() {}
 
@@ -47,7 +45,7 @@ mod tests {
         all!(Counts Missing Shape Fragment Light Tolerance Texels Within<8, Texels> PerFace<u8>);
         all!(Colored<Light> Shiny<Light> TwoSided<Light> LineStyle LineStyle<true> PointStyle);
         all!(Drawn DrawOptions ScreenPoint Cull Exact Affine Newton Fast Compact);
-        all!(ColorIndex Contrast NoDepth NoTest TestAndWrite TestOnly WriteOnly Biased);
+        all!(ColorIndex Contrast NoTest TestAndWrite TestOnly WriteOnly Biased);
         all!(Repeat Clamp Nearest Bilinear Aspect Camera Mvp Projection Segment Viewport Window);
     }
 }
