@@ -11,8 +11,8 @@ fn main() {
         println!("cargo::rustc-link-arg-bins=-Tlink.x"); // of cortex-m-rt
     }
     if has("PICO") {
-        // The folder with memory.x. Embassy defines the memory of an STM32.
-        println!("cargo::rustc-link-search={}", env!("CARGO_MANIFEST_DIR"));
-        println!("cargo::rerun-if-changed=memory.x");
+        // Not beside Cargo.toml: linkers look there first, and Embassy defines the memory of an STM32.
+        println!("cargo::rustc-link-search={}/pico", env!("CARGO_MANIFEST_DIR"));
+        println!("cargo::rerun-if-changed=pico/memory.x");
     }
 }
