@@ -12,7 +12,10 @@ fn main() {
     }
     if has("PICO") {
         // Not beside Cargo.toml: linkers look there first, and Embassy defines the memory of an STM32.
-        println!("cargo::rustc-link-search={}/pico", env!("CARGO_MANIFEST_DIR"));
+        println!(
+            "cargo::rustc-link-search={}/pico",
+            env!("CARGO_MANIFEST_DIR")
+        );
         println!("cargo::rerun-if-changed=pico/memory.x");
     }
 }
