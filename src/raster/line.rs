@@ -55,8 +55,8 @@ pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
     }
 }
 
-/// Draws the pixel that contains an end of a line, unless the line passes the center there: the first end before it, or
-/// the last one behind it. Where lines meet at a corner, none of them may. Blended, polylines would have such pixels twice.
+/// Draws the pixel that contains an end of a line, if the line does not pass its center. Otherwise, where lines meet at
+/// a corner, none of them might draw it. A blended line leaves such pixels out, so that a polyline blends none twice.
 #[inline(never)]
 fn draw_end(raster: &mut Rasterizer<'_>, end: &ClippedVertex, steep: bool, is_last: bool) {
     if (along(end, steep) & 255 <= 128) == is_last {

@@ -118,7 +118,7 @@ const fn beyond(at: i32) -> i32 {
     (at + 128) >> 8
 }
 
-/// Half a size in units of 1/256 pixel, limited to what is drawn.
+/// Half the size of a point, clamped to the sizes that are drawn, in units of 1/256 pixel.
 #[inline]
 pub(crate) fn half_size(half: i64) -> i32 {
     let [least, most] = HALF;

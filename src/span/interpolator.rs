@@ -31,7 +31,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
     /// Whether attributes are divided by w.
     pub(super) const OVER_W: bool = K::PERSPECTIVE && !matches!(M::BEST, Plan::Straight);
 
-    /// The plan for what is not linear.
+    /// The plan for attributes that are not linear on the screen.
     pub(super) const BEST: Plan = if Self::OVER_W && L::COUNT > 0 {
         M::BEST
     } else {

@@ -1,4 +1,4 @@
-//! What is computed for the pixels of a triangle and of a span: the choice, and who makes it.
+//! How the pixels of a triangle or a span are computed, and who chooses.
 //!
 //! Notation, for values along a row of pixels: f is an attribute, q is 1/w, and p is f · q. f′, q′ and p′ are their
 //! changes from one pixel to the next, and δ = |q′| / q. q is scaled so that its greatest value in a triangle has bit
@@ -15,7 +15,7 @@ use super::pixels::Span;
 use super::setup::Planes;
 use crate::shade::{Lanes, Tolerance};
 
-/// What is computed for the pixels of a triangle, or of a span.
+/// How the pixels of a triangle or a span are computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Plan {
     /// Rows of a triangle whose planes are small: attributes are linear, and a row is a single span.
@@ -33,7 +33,7 @@ pub(crate) enum Plan {
     Pieces(u32),
     /// One division per pixel.
     Divide,
-    /// The same, with interpolants that each pixel computes anew.
+    /// One division per pixel, of interpolants that are computed for that pixel alone, without steps.
     Anew,
 }
 
@@ -42,8 +42,8 @@ pub(crate) trait Policy: Copy {
     /// The plan for attributes that are not affine. A mode divides at each pixel where this plan is not possible, and
     /// programs contain no others.
     ///
-    /// [`Straight`](Plan::Straight) means that nothing is ever divided. [`Divide`](Plan::Divide) and
-    /// [`Anew`](Plan::Anew) mean that everything is. With `Divide`, that is the only path, from wide planes.
+    /// With [`Straight`](Plan::Straight), nothing is ever divided. With [`Divide`](Plan::Divide) or
+    /// [`Anew`](Plan::Anew), all attributes are. `Divide` has no other path, and reads the wide planes.
     const BEST: Plan;
 
     /// The greatest error that an attribute may have, in its units, if that saves all divisions; with 0, none are
