@@ -60,7 +60,7 @@ use prepared::{Objects, Placed, Run};
 ///
 /// Prepared things keep their camera, projection, transforms and options. Drawing takes none of these, so a list cannot
 /// be drawn with others. It refuses a canvas of another frame size. As long as the prepared things are in use, the
-/// list, and the objects of the scene, cannot change. If labels in the bands need the objects' places, copy these before:
+/// list, and the objects of the scene, cannot change; [`Prepared::objects`] shows them:
 ///
 /// ```compile_fail,E0506
 /// use fixel::prelude::*;

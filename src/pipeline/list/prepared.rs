@@ -226,6 +226,36 @@ pub struct Prepared<'a, T = (), G = &'a Mesh<'a>, O = DrawOptions, K = Perspecti
 }
 
 impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
+    /// The objects of the scene, in the order of their slice; none for a thing that was prepared alone. The scene borrows
+    /// them, so this is how a band reads where they are:
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+    /// use fixel::prelude::*;
+    /// static BALL: Mesh = shape!(sphere(12, 8));
+    /// let camera = Camera::look_at(Vec3::ZERO, vec3!(0, 0, -1), Vec3::Y)?;
+    /// let view = Projection::perspective(deg!(60), (16, 12), fx!(1), fx!(10))? * camera;
+    /// let options = DrawOptions::new();
+    /// let mut objects = [Object::new(&BALL, Transform::translate(vec3!(0, 0, -3)), "ball")];
+    /// let mut list: DrawList<200, 100> = DrawList::new();
+    /// let scene = list.prepare(&options, (16, 12), &mut objects, &view)?;
+    /// let mut color = [Gray8::BLACK; 16 * 4];
+    /// for first_row in [0, 4, 8] {
+    ///     let band = Canvas::band(&mut color, 16, 12, first_row)?;
+    ///     let ball = &scene.objects()[0];
+    ///     let place = band.project(&options, &(view * ball.model), Vec3::ZERO);
+    ///     assert_eq!((ball.material, place.map(|at| at.x.round())), ("ball", Some(8)));
+    /// }
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub const fn objects(&self) -> &'a [Object<T, G>] {
+        match &self.objects {
+            Objects::One(..) => &[],
+            Objects::Many { objects, .. } => objects,
+        }
+    }
+
     /// The things that may have pixels in a canvas's rows, in the order in which they are to be drawn, each with its
     /// object's material. If the list is sorted, each part holds consecutive elements of one object; otherwise, each
     /// object is one part.
