@@ -12,7 +12,7 @@ use fixel::prelude::*;
 use super::common::lighthouse;
 use super::cost::{self, CORES};
 use super::exact::{self, Eye};
-use super::formats;
+use super::formats::{self, Deep};
 use super::model::{FACES, Model};
 use super::program::{self, Text};
 use super::record::Recorder;
@@ -66,6 +66,8 @@ pub struct App {
     /// The counts of the scenes as they are measured.
     measured: [Option<[u32; 4]>; 5],
     colors: [[Rgb565; PIXELS]; SLOTS],
+    /// The same for displays of another format.
+    deep: [[Deep; PIXELS]; SLOTS],
     shown: [[u32; PIXELS]; SLOTS],
     mono: [BinaryColor; PIXELS],
     /// The lighthouse is shown before its sky in a display's colors: where nothing is drawn, depths are 0.
@@ -87,6 +89,7 @@ impl App {
             text: Text::new(),
             measured: [None; 5],
             colors: [[Rgb565::BLACK; PIXELS]; SLOTS],
+            deep: [[Deep::BLACK; PIXELS]; SLOTS],
             shown: [[0; PIXELS]; SLOTS],
             mono: [BinaryColor::Off; PIXELS],
             depths: [[0; PIXELS]; SLOTS],
@@ -118,6 +121,8 @@ impl App {
     /// Draws the background, and clears the depths. It is not timed.
     pub fn clear(&mut self, slot: usize) -> Done {
         let view = View::new(&self.fields)?;
+        let band = self.deep[slot % SLOTS].get_mut(view.band());
+        band.unwrap_or_default().fill(Deep::BLACK);
         let mut bench = self.bench(slot, &view)?;
         view.scene.background(&mut bench.canvas);
         bench.depths.fill(0);
@@ -128,7 +133,7 @@ impl App {
     pub fn draw(&mut self, slot: usize) -> Done {
         let view = View::new(&self.fields)?;
         self.draw_view(slot, &view)?;
-        if view.scene == Scene::Lighthouse && !view.is_mono() {
+        if view.scene == Scene::Lighthouse && !view.is_deep() && !view.is_mono() {
             lighthouse::caption(&mut self.bench(slot, &view)?.canvas);
         }
         Ok(())
@@ -142,17 +147,15 @@ impl App {
         if view.scene == Scene::Lighthouse && view.is_mono() {
             return self.draw_mono(slot, view, mode);
         }
-        let Bench {
-            mut canvas,
-            depths,
-            model,
-            ..
-        } = self.bench(slot, view)?;
-        if view.scene.has_depth() {
-            view.scene
-                .draw(&mut canvas.with_depth(depths)?, view, mode, model)
+        let band = view.band();
+        let slot = slot % SLOTS;
+        let depths = self.depths[slot].get_mut(band.clone()).unwrap_or_default();
+        if view.is_deep() {
+            let colors = self.deep[slot].get_mut(band).unwrap_or_default();
+            scene::draw(colors, depths, view, mode, &self.model)
         } else {
-            scene::flat(&mut canvas, view, mode)
+            let colors = self.colors[slot].get_mut(band).unwrap_or_default();
+            scene::draw(colors, depths, view, mode, &self.model)
         }
     }
 
@@ -165,8 +168,7 @@ impl App {
             .unwrap_or_default();
         let canvas = Canvas::band(mono, view.size.width, view.size.height, view.first_row)?;
         let mut canvas = canvas.with_depth(depths)?;
-        let drawn = scene::lighthouse(&mut canvas, view, mode)?;
-        lighthouse::caption(&mut canvas);
+        let drawn = scene::night(&mut canvas, view, mode)?;
         let colors = self.colors[slot % SLOTS]
             .get_mut(band.clone())
             .unwrap_or_default();
@@ -298,12 +300,24 @@ impl App {
         let slot = slot % SLOTS;
         let pixels = (view.size.width * view.size.height) as usize;
         let has_sky = view.scene == Scene::Lighthouse && !view.is_mono();
-        if let (Some(colors), Some(shown)) = (
-            self.colors[slot].get(..pixels),
-            self.shown[slot].get_mut(..pixels),
-        ) {
-            let sky = has_sky.then_some(&self.depths[slot][..pixels]);
-            formats::show(colors, sky, view.size, view.format, shown);
+        let sky = has_sky.then(|| &self.depths[slot][..pixels]);
+        let shown = &mut self.shown[slot][..pixels];
+        if view.is_deep() {
+            formats::show(
+                &self.deep[slot][..pixels],
+                sky,
+                view.size,
+                view.format,
+                shown,
+            );
+        } else {
+            formats::show(
+                &self.colors[slot][..pixels],
+                sky,
+                view.size,
+                view.format,
+                shown,
+            );
         }
         Ok(())
     }
@@ -321,10 +335,15 @@ impl App {
     /// Writes the CRC-32 of the picture's pixels, as the firmware computes it: row by row, the more significant byte
     /// first.
     pub fn checksum(&mut self, slot: usize) -> Done {
-        let size = View::new(&self.fields)?.size;
-        let pixels = (size.width * size.height) as usize;
-        let colors = self.colors[slot % SLOTS].iter().take(pixels);
-        let bytes = colors.flat_map(|color| color.into_storage().to_be_bytes());
+        let view = View::new(&self.fields)?;
+        let pixels = (view.size.width * view.size.height) as usize;
+        let slot = slot % SLOTS;
+        let is_deep = view.is_deep();
+        let colors = self.colors[slot].iter().zip(&self.deep[slot]);
+        let bytes = colors.take(pixels).flat_map(|(color, deep)| {
+            let color = if is_deep { deep.rounded() } else { *color };
+            color.into_storage().to_be_bytes()
+        });
         let crc = !bytes.fold(u32::MAX, |crc, byte| {
             (0..8).fold(crc ^ u32::from(byte), |crc, _| {
                 (crc >> 1) ^ (0xedb8_8320 * (crc & 1))
@@ -386,7 +405,7 @@ impl App {
 
 /// What a drawing needs.
 struct Bench<'a> {
-    canvas: Target<'a, NoDepth>,
+    canvas: Target<'a, Rgb565, NoDepth>,
     depths: &'a mut [u16],
     model: &'a Model,
     pixels: &'a [Cell<[i32; 3]>],

@@ -1,12 +1,13 @@
 //! The scenes, and their draw calls in every mode.
 
-use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics::pixelcolor::{BinaryColor, Rgb565, RgbColor};
 use fixel::Drawn;
-use fixel::canvas::{DepthBuffer, NoDepth};
+use fixel::canvas::DepthBuffer;
 use fixel::mode::Mode;
 use fixel::prelude::*;
 
 use super::common::{lighthouse, scenes};
+use super::formats::Color;
 use super::model::Model;
 use super::view::View;
 
@@ -25,7 +26,7 @@ pub enum Scene {
 }
 
 /// The canvas of a scene; most scenes have a depth buffer.
-pub type Target<'a, D = LinearDepth> = Canvas<'a, Rgb565, Native, D>;
+pub type Target<'a, C = Rgb565, D = LinearDepth> = Canvas<'a, C, Native, D>;
 
 /// A mesh of a scene, with the size of its texture.
 pub struct Part<'a> {
@@ -54,7 +55,7 @@ impl Scene {
     }
 
     /// Fills the canvas with the scene's background.
-    pub fn background<D: DepthBuffer>(self, canvas: &mut Target<'_, D>) {
+    pub fn background<D: DepthBuffer>(self, canvas: &mut Target<'_, Rgb565, D>) {
         match self {
             Self::Lighthouse => lighthouse::sky(canvas),
             _ => canvas.clear(Rgb565::BLACK),
@@ -66,28 +67,34 @@ impl Scene {
     /// # Errors
     ///
     /// The view's camera is out of range, or there is no model.
-    pub fn draw<M: Mode>(
+    fn draw<C: Color, M: Mode>(
         self,
-        canvas: &mut Target<'_>,
+        canvas: &mut Target<'_, C>,
         view: &View,
         mode: M,
         model: &Model,
     ) -> Result<Drawn, Error> {
         let options = &DrawOptions::new().with_mode(mode).with_cull(view.cull());
         let mvp = &view.mvp()?;
+        let checkered = C::shader(scenes::checkered());
         Ok(match self {
-            Self::Floor => scenes::floor(canvas, options, mvp),
-            Self::Cube => scenes::cube(canvas, options, mvp),
-            Self::Sphere | Self::SphereFlat => scenes::sphere(canvas, options, mvp),
-            Self::Lighthouse => return lighthouse(canvas, view, mode),
+            Self::Floor => canvas.draw_with(options, &scenes::FLOOR, mvp, &checkered),
+            Self::Cube => canvas.draw_with(options, &scenes::CUBE, mvp, &checkered),
+            Self::Sphere | Self::SphereFlat => {
+                let shaded = C::shader(scenes::shaded());
+                canvas.draw_with(options, &scenes::SPHERE, mvp, &shaded)
+            }
+            Self::Lighthouse => {
+                let waves = C::shader(lighthouse::waves());
+                let sea = canvas.draw_with(options, &lighthouse::SEA, mvp, &waves);
+                let skin = C::shader(lighthouse::skin()?);
+                let island = canvas.draw_with(options, &lighthouse::ISLAND, mvp, &skin);
+                both([sea, island])
+            }
             Self::Own => {
                 let sun = Light::new(vec3!(2, 3, 4), fx!(0.35), fx!(0.65))?;
-                canvas.draw_with(
-                    options,
-                    &model.mesh()?,
-                    mvp,
-                    &Textured::new(model.texture()?).lit(sun),
-                )
+                let lit = C::shader(Textured::new(model.texture()?).lit(sun));
+                canvas.draw_with(options, &model.mesh()?, mvp, &lit)
             }
             Self::World => return Ok(Drawn::default()),
         })
@@ -123,39 +130,49 @@ impl Scene {
     }
 }
 
-/// Draws the flat sphere, which needs no depth buffer.
+/// Draws a view, or a band of it, in a mode: all scenes but the flat sphere with a depth buffer.
 ///
 /// # Errors
 ///
-/// The view's camera is out of range.
-pub fn flat<M: Mode>(
-    canvas: &mut Target<'_, NoDepth>,
+/// The view's camera is out of range, there is no model, or the memory is too short.
+pub fn draw<C: Color, M: Mode>(
+    colors: &mut [C],
+    depths: &mut [u16],
     view: &View,
     mode: M,
+    model: &Model,
 ) -> Result<Drawn, Error> {
+    let mut canvas = Canvas::band(colors, view.size.width, view.size.height, view.first_row)?;
+    if view.scene.has_depth() {
+        return view
+            .scene
+            .draw(&mut canvas.with_depth(depths)?, view, mode, model);
+    }
     let options = &DrawOptions::new().with_mode(mode).with_cull(view.cull());
-    Ok(scenes::sphere_flat(canvas, options, &view.mvp()?))
+    let faceted = C::shader(scenes::faceted());
+    Ok(canvas.draw_with(options, &scenes::SPHERE, &view.mvp()?, &faceted))
 }
 
-/// Draws the lighthouse in any color; in black and white with its background.
+/// Draws the lighthouse by night, as it is drawn in black and white, with its background and caption.
 ///
 /// # Errors
 ///
 /// The view's camera is out of range.
-pub fn lighthouse<C: PixelFormat, M: Mode>(
-    canvas: &mut Canvas<'_, C, Native, LinearDepth>,
+pub fn night<M: Mode>(
+    canvas: &mut Target<'_, BinaryColor>,
     view: &View,
     mode: M,
 ) -> Result<Drawn, Error> {
     let options = DrawOptions::new().with_mode(mode).with_cull(view.cull());
-    if view.is_mono() {
-        lighthouse::sky(canvas);
-    }
-    let [sea, island] = lighthouse::draw(canvas, &options, &view.mvp()?)?;
-    Ok(Drawn {
-        submitted: sea.submitted + island.submitted,
-        drawn: sea.drawn + island.drawn,
-        clipped: sea.clipped + island.clipped,
-        ..sea
-    })
+    lighthouse::sky(canvas);
+    let drawn = lighthouse::draw(canvas, &options, &view.mvp()?)?;
+    lighthouse::caption(canvas);
+    Ok(both(drawn))
+}
+
+/// What two draw calls did.
+fn both([sea, island]: [Drawn; 2]) -> Drawn {
+    let mut drawn = sea;
+    drawn += island;
+    drawn
 }

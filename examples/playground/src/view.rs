@@ -191,6 +191,12 @@ impl View {
         pixels(self.first_row)..pixels(self.first_row.saturating_add(self.rows))
     }
 
+    /// Whether the picture keeps full precision, because the display has another format than Rgb565.
+    pub fn is_deep(&self) -> bool {
+        let is_night = self.scene == Scene::Lighthouse && self.is_mono();
+        self.format != 0 && self.scene != Scene::World && !is_night
+    }
+
     /// Whether the display is black and white.
     pub fn is_mono(&self) -> bool {
         self.format == 5
