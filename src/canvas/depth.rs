@@ -167,6 +167,22 @@ impl DepthBuffer for FloatDepth {
     }
 }
 
+impl WideFloatDepth {
+    /// The number q for which q · 2^-`down` is the depth of a code, at most 2^31 - 1.
+    pub(crate) fn decode(code: u32, down: u32) -> u32 {
+        // As for `float`: the depth is (2^11 + m) · 2^(e - 11), where e is the exponent's code less 16.
+        let (exponent, mantissa) = (code >> 11, code & 0x7ff | 1 << 11);
+        let up = (exponent + down).cast_signed() - 27;
+        if up > 19 {
+            return i32::MAX.cast_unsigned();
+        }
+        if up < 0 {
+            return mantissa >> up.unsigned_abs().min(31);
+        }
+        mantissa << up
+    }
+}
+
 impl DepthBuffer for WideFloatDepth {
     #[inline]
     fn encode(q: u32, down: u32) -> u32 {
@@ -237,6 +253,23 @@ mod tests {
     #[test]
     fn wide_float_codes_rise_with_the_interpolant() {
         codes_rise::<WideFloatDepth, 5>();
+    }
+
+    /// A decoded depth is the least of its code, and those that are greater than any number of 31 bits saturate.
+    #[test]
+    fn decoding_is_the_inverse_of_encoding() {
+        for code in (1 << 11)..=0xffff {
+            for down in 15..=47 {
+                let q = WideFloatDepth::decode(code, down);
+                if q == i32::MAX.cast_unsigned() {
+                    assert!(WideFloatDepth::encode(q, down) <= code);
+                } else if q >> 11 > 0 {
+                    assert_eq!(WideFloatDepth::encode(q, down), code);
+                    assert!(WideFloatDepth::encode(q - 1, down) < code);
+                }
+            }
+        }
+        assert_eq!(WideFloatDepth::decode(0, 15), 0);
     }
 
     /// Depths below 1 in the narrow formats, and below 2^-16 in the wide one, are encoded as infinitely far at every

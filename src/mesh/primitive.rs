@@ -100,11 +100,23 @@ pub struct Primitive<'a> {
     pub(crate) mesh: &'a Mesh<'a>,
     pub(crate) placement: &'a Placement<'a>,
     pub(crate) indices: Indices,
-    /// The upper half of twice the area on the screen: negative for corners that run counter-clockwise.
+    /// Of a triangle, the upper half of twice the area on the screen: negative for corners that run counter-clockwise.
+    ///
+    /// Of an outline's edge, the greatest change of depth from a pixel to the next on the faces beside it, if depths are
+    /// biased, in the format [`WideFloatDepth`](crate::canvas::WideFloatDepth); of other edges and of points, 0.
     pub(crate) area: i32,
 }
 
 impl Primitive<'_> {
+    /// How steep the faces beside an edge are: see `area`.
+    #[inline]
+    pub(crate) const fn beside(&self) -> u32 {
+        match self.indices.element {
+            Element::Edge(_) => self.area.cast_unsigned(),
+            Element::Face(_) | Element::Point => 0,
+        }
+    }
+
     /// Whether this is a triangle that shows its front to the eye, by the same rule as for culling; an edge or a point
     /// has no front. So a shader can give the two sides of a sheet two colors:
     ///

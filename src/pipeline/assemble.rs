@@ -4,8 +4,11 @@
 use super::cache::VertexCache;
 use super::call::Call;
 use super::clip::{ClippedPolygon, clip};
+use crate::canvas::{DepthBuffer, WideFloatDepth};
 use crate::mesh::{Index, Indices};
-use crate::raster::{self, Barycentric, ClippedVertex, Polygon, ScreenVertex};
+use crate::num::reciprocal;
+use crate::num::wide::{product, upper};
+use crate::raster::{self, Barycentric, ClippedVertex, DepthShift, Polygon, ScreenVertex};
 use crate::view::ProjectionKind;
 
 /// Receives assembled triangles, to draw them or to list them.
@@ -48,14 +51,14 @@ pub(super) fn triangle<K: ProjectionKind>(
 }
 
 /// Assembles one edge of the mesh: `each` receives its indices, the two ends of the part that is inside all planes, and
-/// whether it was clipped.
+/// whether it was clipped, and how steep the faces beside it are.
 #[inline(always)]
 #[allow(clippy::inline_always)] // a call takes 30 to 40 instructions, and the compiler's choice depends on the build's path
 pub(super) fn edge<K: ProjectionKind>(
     call: &Call<'_, K>,
     vertices: &mut VertexCache,
-    indices: Indices,
-    each: &mut impl FnMut(Indices, [&ClippedVertex; 2], bool),
+    (indices, beside): (Indices, u16),
+    each: &mut impl FnMut(Indices, [&ClippedVertex; 2], bool, u16),
 ) {
     let [first, second, _] = Barycentric::CORNERS;
     let mut end = |index: Index, barycentric: Barycentric| ClippedVertex {
@@ -77,31 +80,65 @@ pub(super) fn edge<K: ProjectionKind>(
         };
         [from, to]
     };
-    each(indices, ends, any != 0);
+    each(indices, ends, any != 0, beside);
 }
 
 /// Twice the area of the part of a triangle that is inside all planes; 0 if there is none. [`triangle`] culls by its
-/// sign.
+/// sign. Also, if depths are biased and the triangle is not culled, how [steep](steepness) it is beside an edge.
 #[inline(never)]
 pub(super) fn area<K: ProjectionKind>(
     call: &Call<'_, K>,
     vertices: &mut VertexCache,
     indices: [Index; 3],
-) -> i64 {
-    let (mut any, mut all) = (0, !0);
-    let screens = indices.map(|index| {
-        let vertex = vertices.vertex(&call.projector, index);
-        any |= vertex.outcode;
-        all &= vertex.outcode;
-        vertex.screen
-    });
-    if any == 0 {
-        return raster::area(&screens);
-    }
-    if all != 0 {
-        return 0;
-    }
+    is_crease: bool,
+) -> (i64, u16) {
+    let corners = indices.map(|index| *vertices.vertex(&call.projector, index));
+    let [a, b, c] = &corners;
+    let any = a.outcode | b.outcode | c.outcode;
     let mut polygon = ClippedPolygon::new();
-    clip(&call.projector, &indices, any, &mut polygon);
-    Polygon::area(&polygon)
+    let (area, widest) = if any == 0 {
+        let corners = [a, b, c];
+        let area = raster::area(&ScreenVertex::screens(corners));
+        (area, Some((corners, area)))
+    } else if a.outcode & b.outcode & c.outcode == 0 {
+        clip(&call.projector, &indices, any, &mut polygon);
+        (Polygon::area(&polygon), Polygon::widest(&polygon))
+    } else {
+        (0, None)
+    };
+    let steepness = match widest {
+        Some((corners, widest)) if call.is_biased && !call.shared.cull.leaves_out(area) => {
+            steepness(corners, widest, call.projector.depth_shift(), is_crease)
+        }
+        _ => 0,
+    };
+    (area, steepness)
+}
+
+/// The greatest change of depth in a triangle of this doubled area from a pixel to the next, across or down, in the
+/// format [`WideFloatDepth`]. It is at most the triangle's range of depths, or twice that if the edge is no crease: on a
+/// round body, the pixels of a silhouette may lie over the next triangle.
+fn steepness(corners: [&ScreenVertex; 3], area: i64, shift: DepthShift, is_crease: bool) -> u16 {
+    let ([a, b, c], exponent) = ScreenVertex::weights(corners);
+    let range = a.max(b).max(c) - a.min(b).min(c);
+    let [b, c] = [b, c].map(|q| q.cast_signed() - a.cast_signed());
+    let [from, to_b, to_c] = ScreenVertex::screens(corners);
+    let side = |to: [i32; 2]| [to[0] - from[0], to[1] - from[1]];
+    let ([bx, by], [cx, cy]) = (side(to_b), side(to_c));
+    // The change per 1/256 pixel, times the area. Interpolants differ by 31 bits, sides have 20, so it has 52.
+    let across = product(b, cy) - product(c, by);
+    let down = product(c, bx) - product(b, cx);
+    let gain = across.unsigned_abs().max(down.unsigned_abs());
+    // Let the gain be g · 2^(32 - z), and the area a · 2^(32 - y), where g and a have 32 bits with the top bit set. Then
+    // the change per pixel, 256 · gain / area, is (g · (2^62 / a) / 2^32) · 2^(y - z - 22). If the gain or the area is
+    // 0, g is, too, or the result does not matter: a triangle without area is culled.
+    let [z, y] = [gain, area.unsigned_abs()].map(u64::leading_zeros);
+    let [g, a] =
+        [gain << (z & 63), area.unsigned_abs() << (y & 63)].map(|number| (number >> 32) as u32);
+    let change = upper(g, reciprocal(a >> 1));
+    let shift = shift.of(exponent);
+    // A shift of 15 or less makes a change greater than any depth.
+    let steepness = WideFloatDepth::encode(change, (shift + 22 + z).saturating_sub(y).max(15));
+    let most = WideFloatDepth::encode(range, shift - u32::from(!is_crease));
+    steepness.min(most) as u16
 }

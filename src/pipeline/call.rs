@@ -16,6 +16,8 @@ pub struct Screen {
     pub(super) frame: Size,
     pub(super) viewport: Viewport,
     pub(super) cull: Cull,
+    /// Whether depths are [biased](crate::canvas::Biased).
+    pub(super) is_biased: bool,
 }
 
 impl Screen {
@@ -68,6 +70,8 @@ impl Shared<'_> {
 /// A mesh, and the transform that takes it to the screen.
 #[derive(Clone, Debug)]
 pub(super) struct Call<'m, K> {
+    /// Whether depths are [biased](crate::canvas::Biased).
+    pub(super) is_biased: bool,
     pub(super) shared: Shared<'m>,
     pub(super) projector: Projector<'m, K>,
 }
@@ -83,6 +87,7 @@ impl<'m, K: ProjectionKind> Call<'m, K> {
         let view = mvp.model_view_of();
         let viewport = &screen.viewport;
         Self {
+            is_biased: screen.is_biased,
             projector: Projector::new(mesh.positions(), mvp.projection_of(), &view, viewport),
             shared: Shared {
                 mesh,

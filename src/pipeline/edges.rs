@@ -57,9 +57,8 @@ impl Mesh<'_> {
     /// Faces are found to be front or back by the same rule as for drawn triangles, so the outline of a closed mesh has
     /// no gaps.
     ///
-    /// To remove hidden lines, draw the faces first, in the color of the background and behind their true depth. For
-    /// creases, [`Biased::behind`](crate::canvas::Biased::behind) is far enough; silhouettes need
-    /// [`Biased::behind_outlines`](crate::canvas::Biased::behind_outlines).
+    /// To remove hidden lines, draw the faces first, in the color of the background, and then the outline
+    /// [`Biased::in_front`](crate::canvas::Biased::in_front): it knows how steep the faces beside each line are.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -72,9 +71,10 @@ impl Mesh<'_> {
     /// let (mut color, mut depth) = ([BinaryColor::Off; 24 * 24], [0; 24 * 24]);
     /// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
     /// canvas.clear(BinaryColor::Off);
-    /// let behind = DrawOptions::new().with_depth(Biased::behind_outlines(TestAndWrite));
-    /// canvas.draw_with(&behind, &CAN, &mvp, &Flat::new(BinaryColor::Off));
-    /// canvas.draw(CAN.outline(&RIMS, LineStyle::HAIRLINE), &mvp, &Flat::new(BinaryColor::On));
+    /// canvas.draw(&CAN, &mvp, &Flat::new(BinaryColor::Off));
+    /// let in_front = DrawOptions::new().with_depth(Biased::in_front(TestAndWrite));
+    /// let rims = CAN.outline(&RIMS, LineStyle::HAIRLINE);
+    /// canvas.draw_with(&in_front, rims, &mvp, &Flat::new(BinaryColor::On));
     /// let mut display = MockDisplay::new();
     /// canvas.show(&mut display)?;
     /// display.assert_pattern(&[
@@ -202,11 +202,11 @@ fn draw<K: ProjectionKind>(
     blitter: &mut dyn Blitter,
 ) -> Drawn {
     let mut draw = Draw::new(blitter, &call.shared, edges.count());
-    edges.assemble(call, |indices, ends, is_clipped| {
+    edges.assemble(call, |indices, ends, is_clipped, beside| {
         let [a, b] = ends;
         // Most edges miss a band: no shader is asked for them.
         if draw.meets([a.vertex.screen[1], b.vertex.screen[1]], reach) {
-            draw.line(indices, is_clipped, |raster| line(raster, ends));
+            draw.line((indices, beside), is_clipped, |raster| line(raster, ends));
         }
     });
     draw.drawn()
@@ -235,28 +235,29 @@ impl EdgesOf<'_> {
     }
 
     /// Assembles the edges that are chosen: all of a mesh; of an outline, the creases, silhouettes and borders of which
-    /// at least one face is not culled. `each` receives the two ends of an edge's part that is inside all planes, and
-    /// whether it was clipped.
+    /// at least one face is not culled. `each` receives the two ends of an edge's part that is inside all planes,
+    /// whether it was clipped, and how steep the faces beside it are.
     #[inline]
     pub(super) fn assemble<K: ProjectionKind>(
         self,
         call: &Call<'_, K>,
-        mut each: impl FnMut(Indices, [&ClippedVertex; 2], bool),
+        mut each: impl FnMut(Indices, [&ClippedVertex; 2], bool, u16),
     ) {
         let mut vertices = VertexCache::new();
         match self.outline {
             None => {
                 for (edge, &ends) in self.mesh.edge_indices().iter().enumerate() {
                     let indices = Indices::of_edge(edge, ends);
-                    assemble::edge(call, &mut vertices, indices, &mut each);
+                    assemble::edge(call, &mut vertices, (indices, 0), &mut each);
                 }
             }
             Some(outline) => {
                 for (edge, &faces) in outline.edges().iter().enumerate() {
-                    if is_drawn(call, &mut vertices, faces, edge < outline.creases()) {
+                    let is_crease = edge < outline.creases();
+                    if let Some(beside) = drawn_beside(call, &mut vertices, faces, is_crease) {
                         let [a, b, ..] = faces;
                         let indices = Indices::of_edge(edge, [a, b]);
-                        assemble::edge(call, &mut vertices, indices, &mut each);
+                        assemble::edge(call, &mut vertices, (indices, beside), &mut each);
                     }
                 }
             }
@@ -264,22 +265,24 @@ impl EdgesOf<'_> {
     }
 }
 
-/// Whether an edge of an outline is drawn, from how its faces are turned.
+/// How steep the faces beside an edge of an outline are; `None` if it is not drawn, because of how they are turned.
 #[inline]
-fn is_drawn<K: ProjectionKind>(
+fn drawn_beside<K: ProjectionKind>(
     call: &Call<'_, K>,
     vertices: &mut VertexCache,
     [a, b, c, d]: [Index; 4],
     is_crease: bool,
-) -> bool {
+) -> Option<u16> {
     let cull = call.shared.cull;
-    let left = assemble::area(call, vertices, [a, b, c]);
+    let (left, beside) = assemble::area(call, vertices, [a, b, c], is_crease);
     // A border has no second face. It counts as a face without area.
-    let right = if d == a {
-        0
+    let (right, other) = if d == a {
+        (0, 0)
     } else {
-        assemble::area(call, vertices, [b, a, d])
+        assemble::area(call, vertices, [b, a, d], is_crease)
     };
     let is_silhouette = left.signum() != right.signum();
-    (is_crease || is_silhouette) && !(cull.leaves_out(left) && cull.leaves_out(right))
+    let is_drawn =
+        (is_crease || is_silhouette) && !(cull.leaves_out(left) && cull.leaves_out(right));
+    is_drawn.then_some(beside.max(other))
 }

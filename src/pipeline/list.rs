@@ -152,10 +152,14 @@ pub(super) struct Entry {
 /// The numbers of an element's corners in the list of vertices, counted from 1.
 #[derive(Clone, Copy, Debug)]
 enum Corners {
-    /// A triangle or edge that is inside all planes: its vertices. The third of an edge is 0.
+    /// A triangle that is inside all planes: its vertices.
     Whole([u16; 3]),
-    /// A clipped triangle or edge: `count` corners from `first` on, each a vertex and its barycentric weights.
-    Clipped { first: u16, count: u16 },
+    /// An edge that is inside all planes: its vertices, and how steep the faces beside it are, as in
+    /// [`Primitive::area`](crate::mesh::Primitive).
+    Edge { ends: [u16; 2], beside: u16 },
+    /// A clipped triangle or edge: `count` corners from `first` on, each a vertex and its barycentric weights; and what is
+    /// beside an edge.
+    Clipped { first: u16, count: u16, beside: u16 },
 }
 
 /// A vertex on the screen, or the barycentric weights of the vertex before it.
@@ -478,7 +482,7 @@ impl Filling<'_> {
     }
 
     /// Adds the corners of a clipped triangle or edge.
-    fn corners(&mut self, corners: &[ClippedVertex]) -> Corners {
+    fn corners(&mut self, corners: &[ClippedVertex], beside: u16) -> Corners {
         let first = (self.needed[1] as u16).wrapping_add(1);
         for corner in corners {
             self.add_vertex(&corner.vertex);
@@ -486,7 +490,11 @@ impl Filling<'_> {
         }
         // At most nine.
         let count = corners.len() as u16;
-        Corners::Clipped { first, count }
+        Corners::Clipped {
+            first,
+            count,
+            beside,
+        }
     }
 }
 
@@ -503,7 +511,8 @@ impl Assembly for Filling<'_> {
     fn clipped(&mut self, indices: Indices, polygon: &[ClippedVertex]) {
         let part = Polygon::new(polygon, self.cull);
         if let Some(rows) = part.and_then(|part| part.rows(&self.scissor)) {
-            let (corners, rows) = (self.corners(polygon), [rows.start as i16, rows.end as i16]);
+            let corners = self.corners(polygon, 0);
+            let rows = [rows.start as i16, rows.end as i16];
             self.add(indices.number(), rows, corners);
         }
     }
@@ -615,13 +624,13 @@ impl<const SMOOTH: bool> Listed for Edges<'_, SMOOTH> {
 
     #[inline]
     fn fill<K: ProjectionKind>(&self, call: &Call<'_, K>, filling: &mut Filling<'_>) {
-        self.of.assemble(call, |edge, ends, is_clipped| {
+        self.of.assemble(call, |edge, ends, is_clipped, beside| {
             let [a, b] = ends.map(|end| end.vertex.screen[1]);
             let corners = if is_clipped {
-                filling.corners(&ends.map(|end| *end))
+                filling.corners(&ends.map(|end| *end), beside)
             } else {
-                let [a, b] = ends.map(|end| filling.number(&end.vertex));
-                Corners::Whole([a, b, 0])
+                let ends = ends.map(|end| filling.number(&end.vertex));
+                Corners::Edge { ends, beside }
             };
             filling.add(edge.number(), Self::rows(a.min(b), a.max(b)), corners);
         });

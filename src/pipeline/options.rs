@@ -40,19 +40,20 @@ pub struct DrawOptions<M = Newton, Z = TestAndWrite, B = Replace> {
 /// Any [`DrawOptions`], for what depends neither on mode nor on depth test and blending.
 #[doc(hidden)]
 pub trait Options: Copy + Sealed {
-    /// The part of a frame of this size that is drawn to, and the faces that are culled.
+    /// The part of a frame of this size that is drawn to, the faces that are culled, and whether depths are biased.
     fn screen(&self, frame: Size) -> Screen;
 }
 
 impl<M, Z, B> Sealed for DrawOptions<M, Z, B> {}
 
-impl<M: Copy, Z: Copy, B: Copy> Options for DrawOptions<M, Z, B> {
+impl<M: Copy, Z: DepthTest, B: Copy> Options for DrawOptions<M, Z, B> {
     #[inline]
     fn screen(&self, frame: Size) -> Screen {
         Screen {
             frame,
             viewport: self.viewport.unwrap_or(Viewport::whole(frame)),
             cull: self.cull,
+            is_biased: Z::IS_BIASED,
         }
     }
 }

@@ -163,7 +163,7 @@ fn each_point<K: ProjectionKind>(
         }
         let (half, [_, y]) = (half_of(&at), at.screen);
         if draw.meets([y, y], (half >> 8) + 1) {
-            draw.line(Indices::of_point(index), false, |raster| {
+            draw.line((Indices::of_point(index), 0), false, |raster| {
                 point(raster, &at, half);
             });
         }

@@ -161,15 +161,15 @@ impl<'d> Draw<'d> {
         (a.min(b) >> 8) - reach < rows.end && (a.max(b) >> 8) + reach >= rows.start
     }
 
-    /// Draws an edge or a point by `line`.
+    /// Draws an edge or a point by `line`; the faces beside an outline's edge are this steep.
     #[inline]
     pub(super) fn line(
         &mut self,
-        indices: Indices,
+        (indices, beside): (Indices, u16),
         is_clipped: bool,
         line: impl FnOnce(&mut Rasterizer<'d>),
     ) {
-        line(self.raster.of(indices, 0));
+        line(self.raster.of(indices, i64::from(beside) << 32));
         self.drawn += 1;
         self.clipped += u32::from(is_clipped);
     }

@@ -217,6 +217,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
                 (colors, &[]),
             );
             let call = Call {
+                is_biased: false,
                 projector: self.projector.with_positions(mesh.positions()),
                 shared: Shared {
                     mesh: &mesh,

@@ -61,8 +61,8 @@ use crate::{Error, Scalar};
 ///
 /// Depth and attributes vary along the longer axis, as on a hairline; beyond an end, they are those of the end. So a
 /// pixel has the depth of a place up to √2 · (width + 1)/2 pixels away. If a mesh hides the lines on it, draw it
-/// [`Biased`](crate::canvas::Biased) by that many pixels, as below; for silhouettes,
-/// [`behind_outlines`](crate::canvas::Biased::behind_outlines). Draw smooth lines last, with
+/// [`Biased`](crate::canvas::Biased) by that many pixels, as below; or draw its outline nearer by as many. Draw smooth
+/// lines last, with
 /// [`TestOnly`](crate::canvas::TestOnly): what is drawn later, behind a pixel that a line covers only in part, would
 /// not show through.
 ///

@@ -62,6 +62,13 @@ impl<'a> Polygon<'a> {
         Self::new(outline, Cull::Nothing).map_or(0, |fan| fan.area)
     }
 
+    /// The triangle of an outline's fan that has the greatest area, and its doubled area; `None` if there is none.
+    pub(crate) fn widest(outline: &'a [ClippedVertex]) -> Option<([&'a ScreenVertex; 3], i64)> {
+        let fan = Self::new(outline, Cull::Nothing)?;
+        let widest = fan.triangles().max_by_key(|(_, area)| area.abs())?;
+        Some((vertices(widest.0), widest.1))
+    }
+
     /// The triangles of the fan, and their doubled areas.
     #[inline]
     fn triangles(&self) -> impl Iterator<Item = ([&'a ClippedVertex; 3], i64)> + use<'a> {

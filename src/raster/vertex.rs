@@ -42,6 +42,20 @@ impl ScreenVertex {
     pub(crate) const fn screens([a, b, c]: [&Self; 3]) -> [[i32; 2]; 3] {
         [a.screen, b.screen, c.screen]
     }
+
+    /// The interpolants of depth of three vertices, brought to one exponent, and that exponent.
+    #[inline]
+    pub(crate) fn weights([a, b, c]: [&Self; 3]) -> ([u32; 3], u8) {
+        if a.exponent == b.exponent && b.exponent == c.exponent {
+            return ([a.q, b.q, c.q], a.exponent);
+        }
+        let exponent = a.exponent.max(b.exponent).max(c.exponent);
+        let shifted = |vertex: &Self| {
+            let down = u32::from(exponent - vertex.exponent);
+            (vertex.q >> down.min(31)).max(LEAST_WEIGHT)
+        };
+        ([shifted(a), shifted(b), shifted(c)], exponent)
+    }
 }
 
 /// A point of a triangle: the barycentric weights of the second and the third corner, in units of 2⁻³⁰. The first

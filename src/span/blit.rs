@@ -12,7 +12,7 @@ use super::plan::{Plan, Policy};
 use super::scale::Scale;
 use super::setup::{Attribute, Planes, SPAN, unpaired};
 use super::shading::Shading;
-use crate::canvas::{DepthBuffer, DepthTest};
+use crate::canvas::{DepthBuffer, DepthTest, WideFloatDepth};
 use crate::mesh::Primitive;
 use crate::raster::{Blitter, Columns, DepthShift, Patch, Rows};
 use crate::shade::{Lanes, MOST_VARYINGS, Varyings};
@@ -229,8 +229,9 @@ where
             self.interpolator.start([a, b, c]);
             self.interpolator.set_up(patch);
             if S::Test::IS_BIASED {
-                let steepness = self.interpolator.planes.setup.steepness();
-                self.test.triangle(steepness);
+                let setup = &self.interpolator.planes.setup;
+                let beside = WideFloatDepth::decode(primitive.beside(), setup.down);
+                self.test.triangle(setup.steepness().max(beside));
             }
         }
         self

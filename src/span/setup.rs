@@ -4,7 +4,7 @@ use super::gradient::{Basis, Gradient};
 use super::plan::Plan;
 use super::scale::{ONE, Scale, WHOLE, weigh};
 use crate::num::wide::product;
-use crate::raster::{Barycentric, DepthShift, LEAST_WEIGHT, Patch, ScreenVertex};
+use crate::raster::{Barycentric, DepthShift, Patch, ScreenVertex};
 use crate::shade::Lanes;
 
 /// The most pixels of a span; every span computes its interpolants afresh.
@@ -164,28 +164,13 @@ impl Setup {
         }
     }
 
-    /// The vertices' interpolants of depth, brought to one exponent, and that exponent.
-    #[inline]
-    fn weights(patch: &Patch<'_>) -> ([u32; 3], u8) {
-        let [a, b, c] = patch.vertices;
-        if a.exponent == b.exponent && b.exponent == c.exponent {
-            return ([a.q, b.q, c.q], a.exponent);
-        }
-        let exponent = a.exponent.max(b.exponent).max(c.exponent);
-        let shifted = |vertex: &ScreenVertex| {
-            let down = u32::from(exponent - vertex.exponent);
-            (vertex.q >> down.min(31)).max(LEAST_WEIGHT)
-        };
-        ([shifted(a), shifted(b), shifted(c)], exponent)
-    }
-
     /// Lays all interpolants through the vertices of a patch; returns their plan, which is [`Plan::BySpan`] if they
     /// must be divided.
     ///
     /// The same code serves any number of attributes: a copy for each number would be most of a small program.
     #[inline(never)]
     pub(super) fn lay(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) -> Plan {
-        let (q, exponent) = Self::weights(patch);
+        let (q, exponent) = ScreenVertex::weights(patch.vertices);
         self.down = self.shift.of(exponent);
         let [first, second, third] = q;
         self.least = first.min(second).min(third);
@@ -286,7 +271,7 @@ impl Setup {
     #[cold]
     #[inline(never)]
     pub(super) fn lay_wide(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
-        let (q, exponent) = Self::weights(patch);
+        let (q, exponent) = ScreenVertex::weights(patch.vertices);
         self.down = self.shift.of(exponent);
         let mut basis = Basis::without_weights(patch);
         basis.start_wide(patch);

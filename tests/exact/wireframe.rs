@@ -1,7 +1,7 @@
 //! A mesh's edges drawn over the mesh itself: no visible edge has gaps.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-use fixel::canvas::{Add, Biased, DepthTest, TestAndWrite};
+use fixel::canvas::{Add, Biased, DepthTest, TestAndWrite, WriteOnly};
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;
@@ -135,8 +135,8 @@ fn edges_over_the_mesh_have_no_gaps() {
 }
 
 /// The outlines of round meshes over the meshes themselves, in many poses: the number of pixels, and how many of them the
-/// mesh hides if its depths are moved by `test`.
-fn hidden_outlines(test: impl DepthTest) -> [usize; 2] {
+/// mesh hides if depths are moved by `face` for the faces and by `line` for the lines.
+fn hidden_outlines(face: impl DepthTest, line: impl DepthTest) -> [usize; 2] {
     static ROUND_BALL: Mesh = shape!(sphere(24, 16));
     static ROUND_CAN: Mesh = shape!(cylinder(24));
     static MESHES: [(&Mesh, Outline); 2] = [
@@ -154,10 +154,11 @@ fn hidden_outlines(test: impl DepthTest) -> [usize; 2] {
             let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
             let mut canvas = canvas.with_depth(&mut depths).unwrap();
             if is_hidden {
-                let options = DrawOptions::new().with_depth(test);
+                let options = DrawOptions::new().with_depth(face);
                 canvas.draw_with(&options, mesh, &mvp, &Flat::new(SURFACE));
             }
-            canvas.draw(
+            canvas.draw_with(
+                &DrawOptions::new().with_depth(line),
                 mesh.outline(&outline, LineStyle::HAIRLINE),
                 &mvp,
                 &Flat::new(EDGE),
@@ -173,10 +174,106 @@ fn hidden_outlines(test: impl DepthTest) -> [usize; 2] {
 
 #[test]
 fn silhouettes_of_round_meshes_have_hardly_any_gaps() {
-    let [outlines, gaps] = hidden_outlines(Biased::behind_outlines(TestAndWrite));
-    assert!(gaps * 250 <= outlines, "{gaps} of {outlines}");
-    let [outlines, gaps] = hidden_outlines(Biased::behind(TestAndWrite));
+    let [outlines, gaps] = hidden_outlines(TestAndWrite, Biased::in_front(TestAndWrite));
+    assert!(gaps * 150 <= outlines, "{gaps} of {outlines}");
+    // For contrast: lines that know nothing of their faces, and faces that know nothing of their lines.
+    let [outlines, gaps] = hidden_outlines(TestAndWrite, TestAndWrite);
+    assert!(gaps * 3 > outlines, "{gaps} of {outlines}");
+    let [outlines, gaps] = hidden_outlines(Biased::behind(TestAndWrite), TestAndWrite);
     assert!(gaps * 50 > outlines, "{gaps} of {outlines}");
+}
+
+/// The border of a sheet that leans back in all directions, from a corner in the middle of the picture, and may go on
+/// beyond it. Its lines move nearer by what the depth of the sheet changes per pixel: whole, in bands and from a list.
+#[test]
+fn outlines_move_as_the_faces_beside_them_are_steep() {
+    static SHEET: Mesh = shape!(plane(1, 1));
+    static BORDER: Outline = outline!(SHEET, deg!(30));
+    const SLOPE: f64 = 3.0;
+    cases(300, |random| {
+        // Depth is linear in a parallel view: 65,536 steps over the whole of it.
+        let size = random.random_range(3.0..20.0_f64);
+        let window = Window::centered(
+            Scalar::try_from(4.0 * f64::from(SIZE.0) / f64::from(SIZE.1)).unwrap(),
+            fx!(4),
+        );
+        let depth = 60.0;
+        let projection = Projection::orthographic(window, fx!(0), fx!(60)).unwrap();
+        let (turn, lean) = (random.random_range(0..360), random.random_range(5..80));
+        let model = Transform::translate(vec3!(0, 0, -30))
+            * Transform::rotate_z(Angle::from_degrees(turn))
+            * Transform::rotate_x(Angle::from_degrees(lean))
+            * Transform::scale(Scalar::try_from(size).unwrap())
+            * Transform::translate(vec3!(1, 0, 1));
+        let mvp = projection * model;
+        let draw = |test: Biased<WriteOnly>, band: u32, is_listed: bool| {
+            let mut depths = vec![0; PIXELS];
+            let mut colors = vec![Gray8::BLACK; PIXELS];
+            let options = DrawOptions::new().with_cull(Cull::Nothing).with_depth(test);
+            let lines = SHEET.outline(&BORDER, LineStyle::HAIRLINE);
+            let mut list: DrawList<8, 40> = DrawList::new();
+            let listed = list.prepare(&options, SIZE, lines, &mvp).unwrap();
+            for first in (0..SIZE.1).step_by(band as usize) {
+                let pixels = (first * SIZE.0) as usize..((first + band) * SIZE.0) as usize;
+                let canvas = Canvas::band(&mut colors[pixels.clone()], SIZE.0, SIZE.1, first);
+                let mut canvas = canvas.unwrap().with_depth(&mut depths[pixels]).unwrap();
+                if is_listed {
+                    canvas.draw_prepared(&listed, &Flat::new(EDGE)).unwrap();
+                } else {
+                    canvas.draw_with(&options, lines, &mvp, &Flat::new(EDGE));
+                }
+            }
+            depths
+        };
+        let plain = draw(Biased::new(WriteOnly, 0, fx!(0)), SIZE.1, false);
+        let slope = Scalar::try_from(SLOPE).unwrap();
+        let moved = draw(Biased::new(WriteOnly, 0, slope), SIZE.1, false);
+        for (band, is_listed) in [(16, false), (SIZE.1, true), (8, true)] {
+            assert!(moved == draw(Biased::new(WriteOnly, 0, slope), band, is_listed));
+        }
+        // The sheet's sides point along (1, 0, 0) and (0, 0, 1), and its normal along (0, 1, 0), leaned and turned. On
+        // it, depth changes per unit across and down by the ratios of the normal's components; along a side, by what it
+        // changes for a unit of the longer axis.
+        let [lean, turn] = [lean, turn].map(|degrees| f64::from(degrees).to_radians());
+        let turned = |[x, y, z]: [f64; 3]| {
+            let (y, z) = (
+                y * lean.cos() - z * lean.sin(),
+                y * lean.sin() + z * lean.cos(),
+            );
+            [
+                x * turn.cos() - y * turn.sin(),
+                x * turn.sin() + y * turn.cos(),
+                z,
+            ]
+            .map(f64::abs)
+        };
+        let [x, y, z] = turned([0.0, 1.0, 0.0]);
+        let face = (x / z).max(y / z);
+        let sides = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]].map(|side| {
+            let [x, y, z] = turned(side);
+            face.max(z / x.max(y))
+        });
+        let pixel = 4.0 / f64::from(SIZE.1);
+        let expected = sides.map(|steepness| SLOPE * steepness * pixel / depth * 65_536.0);
+        // Corners are rounded to half of 1/256 pixel at both ends of a sheet's shorter side, which is that many pixels
+        // long; the format has 11 bits after the first; codes are cut twice.
+        let side = (2.0 * size).min(2.0) * lean.sin().min(lean.cos()) / pixel;
+        let tolerance = expected[0].max(expected[1]) * (4.0 / 256.0 / side + 2.0 / 2048.0) + 2.0;
+        let pixels = plain.iter().zip(&moved).filter(|(plain, _)| **plain > 0);
+        let mut count = 0;
+        for (&plain, &moved) in pixels {
+            let change = f64::from(moved) - f64::from(plain);
+            assert!(
+                moved == 65_535
+                    || expected
+                        .iter()
+                        .any(|expected| (change - expected).abs() <= tolerance),
+                "{change} for {expected:?} ± {tolerance}"
+            );
+            count += 1;
+        }
+        assert!(count > 10);
+    });
 }
 
 /// For contrast: without a depth bias, the mesh hides some pixels of its edges.

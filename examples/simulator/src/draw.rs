@@ -87,8 +87,7 @@ impl<'a> Style<'a> {
         };
         let bias = match lines {
             Lines::Edges => Biased::behind(TestAndWrite),
-            Lines::Outline if look.shade.is_some() => Biased::behind_outlines(TestAndWrite),
-            _ => Biased::new(TestAndWrite, 0, fx!(0)),
+            Lines::Outline | Lines::None => Biased::new(TestAndWrite, 0, fx!(0)),
         };
         // Lines are black on a surface. Those around it differ from the background.
         let is_around = is_mono || look.shade == Some(Shade::Wire);
@@ -275,7 +274,8 @@ impl Posed<'_> {
             return self.draw_edges(canvas, shader);
         }
         let draw = |piece: &Piece<'_>| {
-            let (options, mesh) = (&self.options(piece), &piece.mesh);
+            let options = &(self.options(piece)).with_depth(Biased::in_front(TestAndWrite));
+            let mesh = &piece.mesh;
             match (&self.mvp, &piece.outline) {
                 (AnyMvp::Perspective(mvp), Some(outline)) => canvas.draw_with(
                     options,

@@ -47,8 +47,9 @@ fn nearness(corner: &ScreenVertex, shift: DepthShift) -> u32 {
 fn corners(corners: Corners, vertices: &[Slot]) -> impl Iterator<Item = ScreenVertex> {
     let (whole, clipped) = match corners {
         Corners::Whole(numbers) => (numbers, 0..0),
+        Corners::Edge { ends: [a, b], .. } => ([a, b, 0], 0..0),
         // Each vertex is followed by its barycentric weights.
-        Corners::Clipped { first, count } => ([0; 3], first..first.saturating_add(2 * count)),
+        Corners::Clipped { first, count, .. } => ([0; 3], first..first.saturating_add(2 * count)),
     };
     let slot = |number: u16| vertices.get(usize::from(number).wrapping_sub(1));
     let numbers = whole.into_iter().chain(clipped);

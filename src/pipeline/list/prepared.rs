@@ -460,7 +460,8 @@ impl<'r> Run<'r> {
                         draw.whole(indices, corners, area);
                     }
                 }
-                Corners::Clipped { first, count } => {
+                Corners::Edge { .. } => {}
+                Corners::Clipped { first, count, .. } => {
                     draw.clipped(indices, &self.polygon(first, count));
                 }
             }
@@ -479,12 +480,17 @@ impl<'r> Run<'r> {
     ) -> Drawn {
         let mut draw = Draw::new(blitter, self.shared, edges.count());
         for (edge, corners) in self.elements(reach) {
+            let (is_clipped, beside) = match corners {
+                Corners::Whole(_) => continue,
+                Corners::Edge { beside, .. } => (false, beside),
+                Corners::Clipped { beside, .. } => (true, beside),
+            };
             let Some(indices) = edges.at(edge) else {
                 continue;
             };
             if let Some([from, to]) = &self.ends(corners) {
-                let is_clipped = matches!(corners, Corners::Clipped { .. });
-                draw.line(indices, is_clipped, |raster| line(raster, [from, to]));
+                let edge = (indices, beside);
+                draw.line(edge, is_clipped, |raster| line(raster, [from, to]));
             }
         }
         draw.drawn()
@@ -497,7 +503,8 @@ impl<'r> Run<'r> {
                 (Some(a), Some(b), Some(c)) => raster::area(&ScreenVertex::screens([&a, &b, &c])),
                 _ => 0,
             },
-            Corners::Clipped { first, count } => Polygon::area(&self.polygon(first, count)),
+            Corners::Edge { .. } => 0,
+            Corners::Clipped { first, count, .. } => Polygon::area(&self.polygon(first, count)),
         }
     }
 
@@ -513,8 +520,9 @@ impl<'r> Run<'r> {
     #[inline]
     fn ends(&self, corners: Corners) -> Option<[ClippedVertex; 2]> {
         let (from, to) = match corners {
-            Corners::Whole([from, to, _]) => (self.vertex(from)?, self.vertex(to)?),
-            Corners::Clipped { first, count } => {
+            Corners::Whole(_) => return None,
+            Corners::Edge { ends: [a, b], .. } => (self.vertex(a)?, self.vertex(b)?),
+            Corners::Clipped { first, count, .. } => {
                 return self.polygon(first, count).first_chunk().copied();
             }
         };

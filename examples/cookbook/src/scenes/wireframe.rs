@@ -1,7 +1,7 @@
 //! A model in anti-aliased lines: its silhouettes and its creases, without hidden lines.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::canvas::{Biased, TestAndWrite, TestOnly};
+use fixel::canvas::{Biased, TestOnly};
 use fixel::prelude::*;
 
 static ISLAND: Mesh = include_mesh!("../../../assets/lighthouse.obj");
@@ -16,12 +16,11 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let (paper, ink) = (Rgb888::new(244, 238, 222), Rgb888::new(24, 44, 96));
     canvas.clear(paper.into());
 
-    // The faces hide the lines behind them. To spare the lines on their own borders, they
-    // move away from the eye.
-    let behind = DrawOptions::new().with_depth(Biased::behind_outlines(TestAndWrite));
-    canvas.draw_with(&behind, &ISLAND, &view, &Flat::rgb(paper));
+    // The faces hide the lines behind them. So as not to be hidden by their own faces, lines
+    // move toward the eye, by as much as those get nearer in three quarters of a pixel.
+    canvas.draw(&ISLAND, &view, &Flat::rgb(paper));
     let lines = ISLAND.outline(&OUTLINE, LineStyle::HAIRLINE.smooth());
-    let before = DrawOptions::new().with_depth(TestOnly);
-    canvas.draw_with(&before, lines, &view, &Flat::rgb(ink));
+    let in_front = DrawOptions::new().with_depth(Biased::new(TestOnly, 2, fx!(0.75)));
+    canvas.draw_with(&in_front, lines, &view, &Flat::rgb(ink));
     Ok(())
 }
