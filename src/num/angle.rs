@@ -29,7 +29,7 @@ use crate::{Error, Scalar};
 /// assert_eq!(deg!(62.5).to_string(), "62.5 degrees");
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub struct Angle(u32);
 
 /// The units in a turn.
@@ -273,6 +273,13 @@ impl fmt::Display for Angle {
     /// Writes degrees from 0 to 360, rounded to four decimals.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(Message::new("{} degrees", &[Piece::Degrees(*self)]).text())
+    }
+}
+
+impl fmt::Debug for Angle {
+    /// Writes degrees as `Display` does, and the bits, which tell an angle from its neighbors.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{self} ({:#010x})", self.0)
     }
 }
 

@@ -142,6 +142,10 @@ fn degrees_are_displayed() {
     ] {
         assert_eq!(angle.to_string(), shown);
     }
+    assert_eq!(
+        std::format!("{:?}", Angle::QUARTER),
+        "90 degrees (0x40000000)"
+    );
 }
 
 #[test]
