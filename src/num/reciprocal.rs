@@ -28,16 +28,19 @@ pub const fn reciprocal(q: u32) -> u32 {
 /// The top bit of every `q`. Setting it again tells the compiler that `q` is not zero.
 const TOP: u32 = 1 << 30;
 
+#[inline]
 const fn by_division(q: u32) -> u32 {
     (((1 << 61) - 1) / (q | TOP) as u64) as u32
 }
 
 /// Rounds q to 16 bits: the relative error is at most 2^-17, for the smallest q.
+#[inline]
 const fn coarse(q: u32) -> u32 {
     (q >> 15 & 0xffff | 1 << 15) + (q >> 14 & 1)
 }
 
 /// Returns 2^48 / q to 17 or 18 bits, by a division.
+#[inline]
 const fn divided_seed(q: u32) -> u32 {
     // The middle of an interval of 17 bits: the relative error is 2^-18 for the smallest q, 2^-17
     // for the largest.
@@ -57,6 +60,7 @@ const SEEDS: [u8; 32] = {
 };
 
 /// Returns 2^48 / q to 17 or 18 bits, without a division and in products of 32 bits.
+#[inline]
 const fn seed(q: u32) -> u32 {
     let coarse = coarse(q);
     let seed = SEEDS[(q >> 25 & 31) as usize] as u32;
@@ -70,6 +74,7 @@ const fn seed(q: u32) -> u32 {
     (seed << 2).wrapping_add_signed(more)
 }
 
+#[inline]
 const fn by_newton(q: u32, seed: u32) -> u32 {
     // With q's rounding, the seed's relative error is below 1.25 * 2^-16. A Newton step squares it: the
     // result is too small by less than 0.8 units, and never too large. seed * q is within 2^33 of
@@ -95,6 +100,7 @@ pub(crate) const fn short_reciprocal(d: u32) -> u32 {
     }
 }
 
+#[inline]
 const fn short_by_table(d: u32) -> u32 {
     // The seed uses all bits of d: it is exact or one unit too small, and so is r.
     let up = d >> 15 & 1 ^ 1;

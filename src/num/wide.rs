@@ -99,6 +99,7 @@ fn saturate_negative(value: i32, bits: u32) -> i32 {
 
 /// Marks a branch that is seldom taken: the others then need no jump around it.
 #[cold]
+#[inline]
 pub(crate) const fn cold() {}
 
 /// Marks a branch that is seldom taken, but only where registers have 64 bits.
@@ -348,6 +349,7 @@ const SMALL: i32 = 1 << 20;
 
 #[cfg(any(test, narrow_core))]
 impl CutRow {
+    #[inline]
     pub(crate) fn new(whole: [i32; 3]) -> Self {
         let rounded = |a: i32, bits: u32| (a + (1 << bits >> 1)) >> bits;
         let upper = whole.map(|a| rounded(a, 20));

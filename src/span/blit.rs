@@ -87,28 +87,32 @@ where
     fn solid_rows(&mut self, first: i32, rows: &[Columns]) {
         let mut pixels = self.pixels(first, 0);
         let mut memory = self.canvas.memory();
-        for (row, &[start, end]) in (first..).zip(rows) {
+        let mut row = first;
+        for &[start, end] in rows.iter() {
             let columns = i32::from(start).cast_unsigned()..i32::from(end).cast_unsigned();
             pixels.point = Point::new(i32::from(start) - 1, row);
             if let Some(cells) = memory.reborrow().cells(row.cast_unsigned(), columns) {
                 pixels.solid(cells, Count::<S>::splat(0));
             }
+            row += 1;
         }
     }
 
     /// Draws rows of a small triangle whose attributes are linear.
     #[inline(always)]
     fn small_rows(&mut self, first: i32, rows: &[Columns]) {
-        let mut rest = (self, (first..).zip(rows));
+        let mut rest = (self, first, rows.iter());
         // Kept in memory: a loop over pixels takes all registers of a small core, but between rows, the compiler would
         // rather keep this in registers. After this line, it must assume that `rolled` changes it.
         black_box(&mut rest);
         loop {
             rolled();
-            let (blit, rows) = &mut rest;
-            let Some((row, &[start, end])) = rows.next() else {
+            let (blit, next, rows) = &mut rest;
+            let Some(&[start, end]) = rows.next() else {
                 return;
             };
+            let row = *next;
+            *next += 1;
             let columns = i32::from(start)..i32::from(end);
             if columns.start >= columns.end {
                 continue;
@@ -138,13 +142,15 @@ where
     /// Draws rows of any triangle.
     #[inline(always)]
     fn any_rows(&mut self, first: i32, rows: &[Columns]) {
-        for (row, &[start, end]) in (first..).zip(rows) {
+        let mut row = first;
+        for &[start, end] in rows.iter() {
             let (mut start, end) = (i32::from(start), i32::from(end));
             while start < end {
                 let stop = end.min(start + SPAN);
                 self.any_span(row, start..stop);
                 start = stop;
             }
+            row += 1;
         }
     }
 
