@@ -187,6 +187,16 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer> Cells<'a, C, O, D> {
         self.colors.len()
     }
 
+    /// Splits off the colors of the first `N` pixels, whose depths are not used; `None` if fewer are left.
+    #[inline]
+    pub(crate) fn colors<const N: usize>(&mut self) -> Option<&'a mut [O::Cell; N]> {
+        // Before they are taken.
+        if self.colors.len() < N {
+            return None;
+        }
+        first(&mut self.colors, N).first_chunk_mut()
+    }
+
     /// Splits off the first `count` pixels, or all that are left.
     #[inline]
     pub(crate) fn first(

@@ -2,7 +2,7 @@
 
 use embedded_graphics::geometry::Point;
 
-use super::pixels::{CellOf, CellsOf, Count, Numbers, Pixels, Scales, Span, Target, rolled};
+use super::pixels::{CellsOf, Count, Numbers, Pixels, Scales, Span, Target, rolled};
 use super::shading::Shading;
 use crate::num::wide::seldom;
 use crate::shade::Lanes;
@@ -40,38 +40,35 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
         });
     }
 
-    /// Draws a span whose pixels differ in nothing but their position.
+    /// Draws a span whose pixels differ in nothing but their position, so that depths are neither tested nor stored.
     #[inline]
     pub(super) fn solid(&mut self, mut cells: CellsOf<'_, T>, numbers: Numbers<S>) {
-        let draw = |pixels: &mut Self, cell: CellOf<'_, T>| {
-            if pixels.visible(&cell.1, 0, 0) {
-                pixels.shade(cell, numbers);
+        let mut draw = |color: &mut _| {
+            if self.visible(&None, 0, 0) {
+                self.shade((color, None), numbers);
             }
         };
         // By hand, because the compiler unrolls no loop when it optimizes for size.
-        let four = |pixels: &mut Self, cells: &mut CellsOf<'_, T>| {
-            let mut cells = cells.first(4);
-            if let (Some(a), Some(b), Some(c), Some(d)) =
-                (cells.next(), cells.next(), cells.next(), cells.next())
-            {
-                draw(pixels, a);
-                draw(pixels, b);
-                draw(pixels, c);
-                draw(pixels, d);
+        let mut four = |cells: &mut CellsOf<'_, T>| {
+            if let Some([a, b, c, d]) = cells.colors() {
+                draw(a);
+                draw(b);
+                draw(c);
+                draw(d);
             }
         };
         // What blends takes too many registers for that.
         while !S::READS_COLOR && cells.len() >= 8 {
             rolled();
-            four(self, &mut cells);
-            four(self, &mut cells);
+            four(&mut cells);
+            four(&mut cells);
         }
-        if !S::READS_COLOR && cells.len() >= 4 {
-            four(self, &mut cells);
+        if !S::READS_COLOR {
+            four(&mut cells);
         }
-        for cell in cells.first(usize::MAX) {
+        for (color, _) in cells.first(usize::MAX) {
             rolled();
-            draw(self, cell);
+            draw(color);
         }
     }
 }
