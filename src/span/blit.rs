@@ -84,6 +84,7 @@ where
 
     /// Draws rows of one color.
     #[inline(always)]
+    #[allow(clippy::explicit_counter_loop, clippy::explicit_iter_loop)] // zip and `into_iter` are calls without LTO
     fn solid_rows(&mut self, first: i32, rows: &[Columns]) {
         let mut pixels = self.pixels(first, 0);
         let mut memory = self.canvas.memory();
@@ -141,6 +142,7 @@ where
 
     /// Draws rows of any triangle.
     #[inline(always)]
+    #[allow(clippy::explicit_counter_loop, clippy::explicit_iter_loop)] // zip and `into_iter` are calls without LTO
     fn any_rows(&mut self, first: i32, rows: &[Columns]) {
         let mut row = first;
         for &[start, end] in rows.iter() {
