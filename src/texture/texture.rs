@@ -29,17 +29,17 @@ use crate::error::{check_length, ok};
 /// # Cost
 ///
 /// Reading a texel takes an instruction more than from rows, `&[[C; W]; H]`. In addition, loops over pixels that take all
-/// registers load the size from the stack. The table lists instructions per frame for the benchmark's floor: 47,610
+/// registers load up to two numbers from the stack. The table lists instructions per frame for the benchmark's floor: 47,610
 /// pixels with a 64x64 texture and a depth buffer. Where the size is known while you write the program,
 /// [`include_texture!`](crate::include_texture) makes rows, too.
 ///
 /// | | rows | `Texture` |
 /// |---|---:|---:|
-/// | Cortex-M4, `Newton` | 1,194,280 | 1,404,000 |
+/// | Cortex-M4, `Newton` | 1,194,280 | 1,355,600 |
 /// | the same at opt-level "s" | 1,288,080 | 1,401,800 |
-/// | Cortex-M4, `Fast` | 1,359,560 | 1,568,480 |
-/// | Cortex-M0+, `Newton` | 2,417,440 | 2,435,200 |
-/// | Cortex-M0+, `Fast` | 2,359,720 | 2,574,800 |
+/// | Cortex-M4, `Fast` | 1,359,560 | 1,519,360 |
+/// | Cortex-M0+, `Newton` | 2,417,440 | 2,384,520 |
+/// | Cortex-M0+, `Fast` | 2,359,720 | 2,526,440 |
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Texture<'a, C> {
     /// As many as the size needs, so at least one.
@@ -47,7 +47,7 @@ pub struct Texture<'a, C> {
     /// What takes the place of an empty slice, which cannot occur.
     first: &'a C,
     size_log2: [u8; 2],
-    /// Minus the width. So one number both multiplies the row and has the bits that the column lacks.
+    /// Minus the width: its bits are those that a column lacks.
     minus_width: i32,
 }
 
@@ -123,18 +123,21 @@ impl<C: Copy> Sampler for Texture<'_, C> {
         [width.into(), height.into()]
     }
 
-    /// All that does not depend on the pixel stays in registers: no length is tested at a pixel, and no size is read.
+    /// A loop over pixels has no registers to spare, so this needs only three numbers beside the coordinates: the address
+    /// of the texels, their number, and minus the width.
     #[inline]
     fn texel(&self, u: i32, v: i32) -> C {
         let (all, one) = (self.texels, slice::from_ref(self.first));
         // The compiler sees that this has at least one texel. It must not be a branch: optimized for size, the compiler
         // would leave it in the loop over pixels.
         let texels = select_unpredictable(all.is_empty(), one, all);
-        let column = u & !self.minus_width;
-        let index = column.wrapping_sub(v.wrapping_mul(self.minus_width));
+        // −1 − (v · width + u modulo width), by the same number twice: −1 − (u modulo width) is !u | −width.
+        let complement = v
+            .wrapping_mul(self.minus_width)
+            .wrapping_add(!u | self.minus_width);
         // The number of texels is a power of two. The mask limits the row to the height, and shows that no index is out
         // of range.
-        let index = index.cast_unsigned() as usize & (texels.len() - 1);
+        let index = !complement.cast_unsigned() as usize & (texels.len() - 1);
         texels.get(index).copied().unwrap_or(*self.first)
     }
 }
