@@ -66,7 +66,7 @@ pub struct Textured<S, A = Repeat, F = Nearest, D = ()> {
 }
 
 impl<S: Sampler> Textured<S> {
-    /// A shader of a repeating texture: a reference to rows of texels or to a [`Texture`](crate::Texture), or another
+    /// A shader of a repeating texture: a reference to rows of texels, a [`Texture`](crate::Texture), or another
     /// [`Sampler`].
     #[must_use]
     pub const fn new(texture: S) -> Self {

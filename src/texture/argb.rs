@@ -103,8 +103,8 @@ impl Argb1555 {
         if self.is_hole() {
             return None;
         }
-        let [r, g, b] = [self.0 >> 10 & 31, self.0 >> 5 & 31, self.0 & 31];
-        Some(Rgb565::new(r as u8, (g << 1 | g >> 4) as u8, b as u8))
+        let [r, g, b] = [self.0 >> 10, self.0 >> 4 & 0x3e | self.0 >> 9 & 1, self.0];
+        Some(Rgb565::new(r as u8 & 31, g as u8, b as u8 & 31))
     }
 }
 

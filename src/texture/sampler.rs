@@ -9,8 +9,9 @@ use crate::message;
 /// Width and height are powers of two.
 ///
 /// Rows of texels are a sampler by reference, and the fastest one, because their size is part of the type.
-/// [`Texture`](super::Texture), [`Indexed`](super::Indexed), [`Raw`](super::Raw), [`Mipmap`](super::Mipmap) and
-/// references to them are samplers, too. Your own can compute its texels:
+/// [`Texture`](super::Texture), [`Indexed`](super::Indexed), [`Raw`](super::Raw) and [`Mipmap`](super::Mipmap) are
+/// samplers themselves. References to them are not: they would be followed at each pixel, because the compiler cannot
+/// know that a pixel of the canvas is no part of them. Your own sampler can compute its texels:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -49,8 +50,8 @@ use crate::message;
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a texture",
     label = "not a texture",
-    note = "textures are `Texture`, `Indexed`, `Raw`, `Mipmap` and references to rows of texels, `&[[Rgb565; 64]; 64]`; \
-            for a slice of texels, write `Texture::new(&texels, width, height)?`"
+    note = "textures are `Texture`, `Indexed`, `Raw` and `Mipmap`, without `&`, and references to rows of texels, \
+            `&[[Rgb565; 64]; 64]`; for a slice of texels, write `Texture::new(&texels, width, height)?`"
 )]
 pub trait Sampler: Copy {
     /// A texel: a color, a [`Translucent`](crate::shade::Translucent) one, [`Argb4444`](super::Argb4444) or
@@ -103,25 +104,6 @@ pub(super) const fn size_log2(width: usize, height: usize) -> [u32; 2] {
         }
     }
     message::checked(exponents(given(width), given(height)), "texture")
-}
-
-impl<S: Sampler> Sampler for &S {
-    type Color = S::Color;
-
-    #[inline]
-    fn size_log2(&self) -> [u32; 2] {
-        (**self).size_log2()
-    }
-
-    #[inline]
-    fn texel(&self, u: i32, v: i32) -> S::Color {
-        (**self).texel(u, v)
-    }
-
-    #[inline]
-    fn texel_at(&self, level: u32, u: i32, v: i32) -> S::Color {
-        (**self).texel_at(level, u, v)
-    }
 }
 
 impl<C: Copy, const W: usize, const H: usize> Sampler for &[[C; W]; H] {

@@ -1,5 +1,8 @@
 //! Textures whose size is known at run time.
 
+use core::hint::select_unpredictable;
+use core::slice;
+
 use super::Sampler;
 use super::sampler::{self, exponents, size_log2};
 use crate::Error;
@@ -19,29 +22,33 @@ use crate::error::{check_length, ok};
 /// static STRIPES: [[Rgb565; 2]; 1] = [[Rgb565::RED, Rgb565::BLUE]];
 /// static SKINS: [Texture<Rgb565>; 2] = [BRICK, Texture::from_rows(&STRIPES)];
 /// assert_eq!(SKINS.map(|skin| (skin.width(), skin.height())), [(8, 4), (2, 1)]);
-/// let shader = Textured::new(&SKINS[1]);
+/// let shader = Textured::new(SKINS[1]);
 /// # let _ = shader;
 /// ```
 ///
 /// # Cost
 ///
-/// Reading a texel takes a shift and two masks more than from rows, `&[[C; W]; H]`, and more registers. The table lists
-/// instructions per frame for the benchmark's floor: 47,610 pixels with a 64x64 texture. A shader holds either the
-/// texture itself, `Textured::new(SKIN)`, or a reference to it; with a reference, the size is read again at each pixel:
+/// Reading a texel takes an instruction more than from rows, `&[[C; W]; H]`. In addition, loops over pixels that take all
+/// registers load up to two numbers from the stack. The table lists instructions per frame for the benchmark's floor: 47,610
+/// pixels with a 64x64 texture and a depth buffer. Where the size is known while you write the program,
+/// [`include_texture!`](crate::include_texture) makes rows, too.
 ///
-/// | | rows | `Texture` | `&Texture` |
-/// |---|---:|---:|---:|
-/// | Cortex-M4, `Newton` | 1,386,960 | 1,538,720 | 2,387,200 |
-/// | Cortex-M4, `Affine` | 1,202,040 | 1,406,040 | 2,060,960 |
-/// | Cortex-M0+, `Newton` | 2,787,600 | 3,007,200 | 3,514,680 |
-/// | Cortex-M0+, `Affine` | 2,180,000 | 2,247,480 | 2,992,280 |
+/// | | rows | `Texture` |
+/// |---|---:|---:|
+/// | Cortex-M4, `Newton` | 1,194,280 | 1,355,600 |
+/// | the same at opt-level "s" | 1,288,080 | 1,401,800 |
+/// | Cortex-M4, `Fast` | 1,359,560 | 1,519,360 |
+/// | Cortex-M0+, `Newton` | 2,417,440 | 2,384,520 |
+/// | Cortex-M0+, `Fast` | 2,359,720 | 2,526,440 |
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Texture<'a, C> {
     /// As many as the size needs, so at least one.
     texels: &'a [C],
-    /// The color for an empty slice, which cannot occur.
-    first: C,
+    /// What takes the place of an empty slice, which cannot occur.
+    first: &'a C,
     size_log2: [u8; 2],
+    /// Minus the width: its bits are those that a column lacks.
+    minus_width: i32,
 }
 
 impl<'a, C: Copy> Texture<'a, C> {
@@ -82,8 +89,9 @@ impl<'a, C: Copy> Texture<'a, C> {
     const fn of(texels: &'a [C], [width, height]: [u32; 2]) -> Self {
         Self {
             texels,
-            first: texels[0],
+            first: &texels[0],
             size_log2: [width as u8, height as u8],
+            minus_width: -(1 << width),
         }
     }
 
@@ -115,16 +123,22 @@ impl<C: Copy> Sampler for Texture<'_, C> {
         [width.into(), height.into()]
     }
 
-    /// The number of texels is a power of two. The mask with one less limits the row to the height. It also shows the
-    /// compiler that only an empty slice lacks the texel, so it tests for that once, before the loop over pixels.
+    /// A loop over pixels has no registers to spare, so this needs only three numbers beside the coordinates: the address
+    /// of the texels, their number, and minus the width.
     #[inline]
     fn texel(&self, u: i32, v: i32) -> C {
-        let (u, v) = (u.cast_unsigned() as usize, v.cast_unsigned() as usize);
-        let width = u32::from(self.size_log2[0]);
-        let row = v.wrapping_shl(width);
-        let column = u & (1_usize.wrapping_shl(width) - 1);
-        let index = (row | column) & self.texels.len().wrapping_sub(1);
-        self.texels.get(index).copied().unwrap_or(self.first)
+        let (all, one) = (self.texels, slice::from_ref(self.first));
+        // The compiler sees that this has at least one texel. It must not be a branch: optimized for size, the compiler
+        // would leave it in the loop over pixels.
+        let texels = select_unpredictable(all.is_empty(), one, all);
+        // −1 − (v · width + u modulo width), by the same number twice: −1 − (u modulo width) is !u | −width.
+        let complement = v
+            .wrapping_mul(self.minus_width)
+            .wrapping_add(!u | self.minus_width);
+        // The number of texels is a power of two. The mask limits the row to the height, and shows that no index is out
+        // of range.
+        let index = !complement.cast_unsigned() as usize & (texels.len() - 1);
+        texels.get(index).copied().unwrap_or(*self.first)
     }
 }
 

@@ -203,7 +203,7 @@ pub fn draw(which: u8, lights: Lights, color: Rgb888, between: [u16; 2], then: i
         14 => then.draw(&large.clamped().tinted()),
         15 => then.draw(&Textured::new(&WIDE)),
         16 => then.draw(&Textured::new(&WIDE).clamped().bilinear()),
-        17 => then.draw(&Textured::new(&INDICES)),
+        17 => then.draw(&Textured::new(INDICES)),
         18 => then.draw(&Textured::new(&ONE).bilinear()),
         19 => then.draw(&DepthView::<Rgb565>::between(far, near)),
         20 => then.draw(&NormalView::<Rgb565>::new()),

@@ -54,7 +54,8 @@ mod scenes; // examples/common/scenes.rs of fixel, which colors the sphere at co
 ";
 
 /// The texture of a model that has none.
-const PLAIN: &str = "static SKIN: [[Rgb565; 1]; 1] = [[Rgb565::new(26, 53, 26)]];
+const PLAIN: &str =
+    "static SKIN: Texture<Rgb565> = Texture::from_rows(&[[Rgb565::new(26, 53, 26)]]);
 
 ";
 
@@ -81,7 +82,7 @@ fn drawing(scene: Scene) -> Option<[&'static str; 2]> {
         Scene::Cube => ["CUBE", "Textured::new(&SKIN)"],
         Scene::Sphere => ["scenes::SPHERE", "scenes::shaded()"],
         Scene::SphereFlat => ["scenes::SPHERE", "scenes::faceted()"],
-        Scene::Own => ["MODEL", "Textured::new(&SKIN).lit(sun)"],
+        Scene::Own => ["MODEL", "Textured::new(SKIN).lit(sun)"],
         Scene::Lighthouse | Scene::World => return None,
     })
 }

@@ -58,7 +58,7 @@ impl Shown for BinaryColor {
 /// A texture of colors and opacities.
 pub type Skin<'a, T> = Texture<'a, Translucent<T>>;
 
-type Sampled<'a, C, A, F> = Converted<Textured<&'a Skin<'a, <C as Shown>::Texel>, A, F>, C>;
+type Sampled<'a, C, A, F> = Converted<Textured<Skin<'a, <C as Shown>::Texel>, A, F>, C>;
 
 /// A surface without light: one color, or a texture in one of four ways.
 #[derive(Clone, Copy)]
@@ -81,7 +81,7 @@ impl<'a, C: Shown> Base<'a, C> {
             let color = if white { Rgb888::WHITE } else { finish.color };
             return Self::Plain(Flat::rgb(color));
         };
-        let skin = Textured::new(texture);
+        let skin = Textured::new(*texture);
         match (filter, finish.is_clamped) {
             (Filter::Nearest, false) => Self::Repeated(skin.converted()),
             (Filter::Nearest, true) => Self::Clamped(skin.clamped().converted()),

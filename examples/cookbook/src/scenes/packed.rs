@@ -22,7 +22,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let camera = Camera::look_at(vec3!(2.4, 3.1, 8.4), vec3!(-0.7, 1.5, 0), Vec3::Y)?;
     let view = projection * camera;
     let light = Light::new(vec3!(-1, 1, 1), fx!(1), fx!(0.2))?;
-    let skin = Textured::new(&SKIN).converted().lit(light);
+    let skin = Textured::new(SKIN).converted().lit(light);
     gray.draw(&ISLAND, &view, &skin);
     // Surfaces without light are black, like the sky: lines tell them apart.
     let contrast = Contrast::of(&gray, 4);

@@ -54,6 +54,37 @@ impl Frame {
         Ok(())
     }
 
+    /// Draws all poses of the floor and the cube with a shader, and prints the ticks of the draw calls.
+    pub fn textured<M: Mode, S: ShaderFor<Rgb565>>(
+        &mut self,
+        watch: &mut Stopwatch,
+        mode_name: &str,
+        options: &DrawOptions<M>,
+        names: [&str; 2],
+        shader: &S,
+    ) -> Result<(), Error> {
+        let things = [
+            (&scenes::FLOOR, scenes::floor_mvp as Posed),
+            (&scenes::CUBE, scenes::cube_mvp),
+        ];
+        for (name, (mesh, mvp)) in names.into_iter().zip(things) {
+            let mut ticks = 0;
+            for pose in 0..POSES {
+                let mvp = mvp(pose)?;
+                let mut canvas = Canvas::new(&mut *self.colors, WIDTH, HEIGHT)?;
+                canvas.clear(Rgb565::BLACK);
+                let mut canvas = canvas.with_depth(&mut *self.depths)?;
+                canvas.clear_depth();
+                ticks += watch.time(|| {
+                    canvas.draw_with(options, mesh, &mvp, shader);
+                    Ok::<_, Error>(())
+                })?;
+            }
+            watch.print_frames(mode_name, name, POSES.cast_unsigned(), ticks);
+        }
+        Ok(())
+    }
+
     /// Draws a scene; returns the ticks.
     fn pose<M: Mode>(
         &mut self,

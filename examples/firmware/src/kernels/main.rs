@@ -14,7 +14,8 @@
 //!
 //! Pixels are RGB565 in the processor's byte order, textures 64x64 with the nearest texel, and only draw calls are
 //! measured. `depth-pass` and `depth-fail` have a depth buffer that lets all pixels pass or none. The other kernels
-//! have no depth buffer.
+//! have no depth buffer. `texture` in a name, also in a scene's, means a texture whose size is known at run time; the
+//! others are rows, whose size is in the type.
 //!
 //! On the host, `kernels SCENE` draws a scene's poses, for `.ci/host` to count. `kernels painter` compares painter's
 //! order with a depth buffer; `kernels painter SCENE depth` and `kernels painter SCENE sorted` only draw, with a depth
@@ -45,6 +46,8 @@ mod pieces;
 #[cfg(target_os = "none")]
 mod setup;
 #[cfg(target_os = "none")]
+mod skins;
+#[cfg(target_os = "none")]
 mod ticks;
 #[cfg(target_os = "none")]
 mod wall;
@@ -74,6 +77,7 @@ mod firmware {
     use super::mono;
     use super::pieces;
     use super::setup::{self, Kind};
+    use super::skins;
     use super::ticks::Stopwatch;
 
     use super::wall::{self, Bench, Depths};
@@ -107,6 +111,7 @@ mod firmware {
         frame.measure(&mut watch, "newton", Newton)?;
         frame.measure(&mut watch, "fast", Fast::within(fx!(0.25)))?;
         frame.measure(&mut watch, "compact", Compact)?;
+        skins::frames(&mut frame, &mut watch)?;
 
         // With a tolerance of half a texel, the pieces of this wall have 16 pixels.
         let fast = Fast::within(fx!(0.5));
@@ -176,6 +181,7 @@ mod firmware {
             &skin.in_fog(thick),
             Depths::None,
         )?;
+        skins::kernels(&mut bench)?;
         Ok(())
     }
 

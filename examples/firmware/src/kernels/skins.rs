@@ -1,0 +1,93 @@
+//! Measures textures whose size is known at run time, to compare with rows, whose size is in the type.
+
+use core::hint::black_box;
+
+use embedded_graphics::pixelcolor::raw::LittleEndian;
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::mode::{Affine, Fast, Mode, Newton};
+use fixel::prelude::*;
+use fixel::texture::{Argb1555, Indexed, Raw};
+
+use super::common::scenes::CHECKER;
+use super::frames::Frame;
+use super::ticks::Stopwatch;
+use super::wall::{Bench, Depths};
+
+/// Texels of one byte each: indices, and, in pairs, colors whose low byte comes first.
+static BYTES: [u8; 2 * 64 * 64] = [0x41; 2 * 64 * 64];
+
+/// Colors for the indices.
+static COLORS: [Rgb565; 256] = [Rgb565::BLUE; 256];
+
+/// Texels without a hole.
+static LEAVES: [Argb1555; 64 * 64] = [Argb1555::new(3, 20, 5); 64 * 64];
+
+/// Prints the costs of the floor and the cube, which [`Frame::measure`] draws with rows.
+pub fn frames(frame: &mut Frame, watch: &mut Stopwatch) -> Result<(), Error> {
+    frames_in(frame, watch, "newton", Newton)?;
+    frames_in(frame, watch, "fast", Fast::within(fx!(0.25)))
+}
+
+fn frames_in<M: Mode>(
+    frame: &mut Frame,
+    watch: &mut Stopwatch,
+    mode_name: &str,
+    mode: M,
+) -> Result<(), Error> {
+    // Hidden from the compiler, which would otherwise know the size.
+    let texture = black_box(Texture::new(CHECKER.as_flattened(), 64, 64)?);
+    let options = DrawOptions::new().with_mode(mode);
+    let skin = Textured::new(texture);
+    frame.textured(
+        watch,
+        mode_name,
+        &options,
+        ["floor-texture", "cube-texture"],
+        &skin,
+    )
+}
+
+/// Prints the costs of pixels.
+pub fn kernels(bench: &mut Bench) -> Result<(), Error> {
+    let texture = black_box(Texture::new(CHECKER.as_flattened(), 64, 64)?);
+    let skin = Textured::new(texture);
+    bench.kernel("affine-texture", Affine, &skin, Depths::None)?;
+    bench.kernel("newton-texture", Newton, &skin, Depths::None)?;
+    bench.kernel("newton-texture-depth-pass", Newton, &skin, Depths::Far)?;
+    bench.kernel(
+        "affine-texture-clamped",
+        Affine,
+        &skin.clamped(),
+        Depths::None,
+    )?;
+    bench.kernel(
+        "affine-texture-bilinear",
+        Affine,
+        &skin.bilinear(),
+        Depths::None,
+    )?;
+
+    let indices = black_box(Texture::new(&BYTES[..64 * 64], 64, 64)?);
+    let indexed = Textured::new(Indexed {
+        indices,
+        colors: &COLORS,
+    });
+    bench.kernel("affine-texture-indexed", Affine, &indexed, Depths::None)?;
+
+    let raw = black_box(Raw::<Rgb565, LittleEndian>::new(&BYTES, 64, 64)?);
+    bench.kernel(
+        "affine-texture-raw",
+        Affine,
+        &Textured::new(raw),
+        Depths::None,
+    )?;
+
+    let leaves = black_box(Texture::new(&LEAVES, 64, 64)?);
+    bench.kernel(
+        "affine-texture-argb1555",
+        Affine,
+        &Textured::new(leaves),
+        Depths::None,
+    )?;
+    Ok(())
+}
