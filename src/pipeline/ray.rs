@@ -97,13 +97,20 @@ impl Ray {
         let view = RayView::new(self);
         let mut nearest: Option<(i64, usize, [i32; 3])> = None;
         for (face, indices) in mesh.faces().iter().enumerate() {
-            let corners = indices.map(|index| view.see(mesh.position(index)));
+            let [a, b, c] = *indices;
+            let [a, b, c] = [mesh.position(a), mesh.position(b), mesh.position(c)];
+            let corners = [view.see(a), view.see(b), view.see(c)];
             let Some(barycentric) = view.meet(&corners, self.cull) else {
                 continue;
             };
-            let [a, b, c] = [0, 1, 2].map(|i: usize| corners[i].ahead * i64::from(barycentric[i]));
+            let ([[a, ..], [b, ..], [c, ..]], [of_a, of_b, of_c]) = (corners, barycentric);
+            let [a, b, c] = [
+                a * i64::from(of_a),
+                b * i64::from(of_b),
+                c * i64::from(of_c),
+            ];
             // The shares of three numbers of 33 bits: no more than the greatest.
-            let ahead = a + b + c;
+            let ahead = (a + b + c) * view.forward;
             if ahead >= 0 && nearest.is_none_or(|(least, ..)| ahead <= least) {
                 nearest = Some((ahead, face, barycentric));
             }
@@ -129,75 +136,92 @@ impl Ray {
 /// Space as seen along a ray: the axis along which the ray is longest points ahead, and the other two are sheared so
 /// that they are 0 on the ray.
 struct RayView {
+    /// The longest axis.
+    main: Axis,
+    /// Of the longest axis, and of the two aside, so that the three are right-handed.
     origin: [i32; 3],
     direction: [i32; 3],
-    /// The longest axis, and the two aside, so that the three are right-handed.
-    axes: [usize; 3],
-    cull_sign: i64,
+    /// The sign of the main component.
+    forward: i64,
 }
 
-/// A position relative to a ray.
 #[derive(Clone, Copy)]
-struct Seen {
-    /// The sheared coordinates, times the ray's main component: below 2^63, and 0 on the ray.
-    aside: [i64; 2],
-    /// How far ahead of the origin along the main axis, in units of 2^-16: 33 bits and a sign.
-    ahead: i64,
+enum Axis {
+    X,
+    Y,
+    Z,
 }
+
+impl Axis {
+    /// Three components in another order: this axis's first.
+    #[inline]
+    const fn first(self, [x, y, z]: [i32; 3]) -> [i32; 3] {
+        match self {
+            Self::X => [x, y, z],
+            Self::Y => [y, z, x],
+            Self::Z => [z, x, y],
+        }
+    }
+}
+
+/// A position relative to a ray's origin, along its main axis and the two aside, in units of 2^-16: 33 bits.
+type Seen = [i64; 3];
 
 impl RayView {
     fn new(ray: &Ray) -> Self {
         let direction = ray.direction.to_bits();
         let [x, y, z] = direction.map(i32::unsigned_abs);
-        let axes = if x >= y && x >= z {
-            [0, 1, 2]
+        let main = if x >= y && x >= z {
+            Axis::X
         } else if y >= z {
-            [1, 2, 0]
+            Axis::Y
         } else {
-            [2, 0, 1]
+            Axis::Z
         };
+        let direction = main.first(direction);
         Self {
-            origin: ray.origin.to_bits(),
+            main,
+            origin: main.first(ray.origin.to_bits()),
             direction,
-            axes,
-            cull_sign: i64::from(direction[axes[0]].signum()),
+            forward: direction[0].signum().into(),
         }
     }
 
+    #[inline]
     fn see(&self, position: Vec3) -> Seen {
-        let (position, [main, aside @ ..]) = (position.to_bits(), self.axes);
-        let from = |axis: usize| i64::from(position[axis]) - i64::from(self.origin[axis]);
-        let ahead = from(main);
-        let along = i64::from(self.direction[main]);
-        Seen {
-            // This is a component of the cross product of a vector of at most √2 · 2^32 and one of 2^30.
-            aside: aside.map(|axis| from(axis) * along - ahead * i64::from(self.direction[axis])),
-            ahead: ahead * i64::from(along.signum() as i32),
-        }
+        let [x, y, z] = self.main.first(position.to_bits());
+        let [from_x, from_y, from_z] = self.origin;
+        let from = |at: i32, origin: i32| i64::from(at) - i64::from(origin);
+        [from(x, from_x), from(y, from_y), from(z, from_z)]
     }
 
     /// The barycentric coordinates, in units of 2^-30, of the point where the ray's line meets a triangle; `None` if it
     /// does not, or if the triangle is culled.
+    #[inline]
     fn meet(&self, [a, b, c]: &[Seen; 3], cull: Cull) -> Option<[i32; 3]> {
-        let is_beside = |axis: usize| {
-            let [a, b, c] = [a, b, c].map(|corner| corner.aside[axis]);
-            a.min(b).min(c) > 0 || a.max(b).max(c) < 0
-        };
-        if is_beside(0) || is_beside(1) {
+        let [along, one, other] = self.direction.map(i64::from);
+        // The sheared coordinates, times the ray's main component: each is a component of the cross product of a vector
+        // of at most √2 · 2^32 and one of 2^30, so below 2^63.
+        let is_beside = |[a, b, c]: [i64; 3]| a.min(b).min(c) > 0 || a.max(b).max(c) < 0;
+        let first = |at: &Seen| at[1] * along - at[0] * one;
+        let firsts = [first(a), first(b), first(c)];
+        if is_beside(firsts) {
             return None;
         }
+        let second = |at: &Seen| at[2] * along - at[0] * other;
+        let seconds = [second(a), second(b), second(c)];
+        if is_beside(seconds) {
+            return None;
+        }
+        let ([xa, xb, xc], [ya, yb, yc]) = (firsts.map(i128::from), seconds.map(i128::from));
         // Twice the areas of the triangles that two corners make with the ray: exact, 127 bits.
-        let area = |from: &Seen, to: &Seen| {
-            let ([x, y], [u, v]) = (from.aside.map(i128::from), to.aside.map(i128::from));
-            x * v - y * u
-        };
-        let areas = [area(b, c), area(c, a), area(a, b)];
+        let areas = [xb * yc - yb * xc, xc * ya - yc * xa, xa * yb - ya * xb];
         let is_met = areas.iter().all(|&v| v >= 0) || areas.iter().all(|&v| v <= 0);
         // Each is at most 2^126 in magnitude, and so is their sum, which is twice the area of the triangle.
         let [_, second, third] = areas.map(i128::unsigned_abs);
         let sum: i128 = areas.iter().sum();
         // Counter-clockwise is the front if the main axis points toward the viewer.
-        let side = self.cull_sign * sum.signum() as i64;
+        let side = self.forward * sum.signum() as i64;
         if !is_met || cull.leaves_out(side) {
             return None;
         }
@@ -216,7 +240,7 @@ impl RayView {
 
     /// The distance from the origin of a point `ahead` · 2^-46 ahead along the main axis; saturates.
     fn distance(&self, ahead: i64) -> Scalar {
-        let along = u64::from(self.direction[self.axes[0]].unsigned_abs());
+        let along = u64::from(self.direction[0].unsigned_abs());
         let rounded = ahead.unsigned_abs() + along / 2;
         let distance = rounded.checked_div(along).unwrap_or_default();
         Scalar::from_bits(distance.min(i32::MAX.unsigned_abs().into()) as i32)
