@@ -93,11 +93,12 @@ impl<C, O: Storage<C>, D: DepthBuffer> Target for Canvas<'_, C, O, D> {
 pub(super) type CellsOf<'c, T> =
     Cells<'c, <T as Target>::Color, <T as Target>::Storage, <T as Target>::Depth>;
 
+/// A pixel's color in memory.
+pub(super) type ColorOf<'c, T> =
+    &'c mut <<T as Target>::Storage as Storage<<T as Target>::Color>>::Cell;
+
 /// A pixel in memory: its color, and its depth if there is a depth buffer.
-pub(super) type CellOf<'c, T> = (
-    &'c mut <<T as Target>::Storage as Storage<<T as Target>::Color>>::Cell,
-    Option<&'c mut u16>,
-);
+pub(super) type CellOf<'c, T> = (ColorOf<'c, T>, Option<&'c mut u16>);
 
 /// Tests and shades the pixels of a span, one after the other.
 pub(super) struct Pixels<S: Shading, T> {

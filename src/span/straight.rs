@@ -2,7 +2,7 @@
 
 use embedded_graphics::geometry::Point;
 
-use super::pixels::{CellsOf, Count, Numbers, Pixels, Scales, Span, Target, rolled};
+use super::pixels::{CellsOf, ColorOf, Count, Numbers, Pixels, Scales, Span, Target, rolled};
 use super::shading::Shading;
 use crate::num::wide::seldom;
 use crate::shade::Lanes;
@@ -43,32 +43,37 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
     /// Draws a span whose pixels differ in nothing but their position, so that depths are neither tested nor stored.
     #[inline]
     pub(super) fn solid(&mut self, mut cells: CellsOf<'_, T>, numbers: Numbers<S>) {
-        let mut draw = |color: &mut _| {
-            if self.visible(&None, 0, 0) {
-                self.shade((color, None), numbers);
-            }
-        };
-        // By hand, because the compiler unrolls no loop when it optimizes for size.
-        let mut four = |cells: &mut CellsOf<'_, T>| {
-            if let Some([a, b, c, d]) = cells.colors() {
-                draw(a);
-                draw(b);
-                draw(c);
-                draw(d);
-            }
-        };
-        // What blends takes too many registers for that.
+        // By hand, because the compiler unrolls no loop when it optimizes for size. What blends takes too many
+        // registers for that.
         while !S::READS_COLOR && cells.len() >= 8 {
             rolled();
-            four(&mut cells);
-            four(&mut cells);
+            self.four(&mut cells, numbers);
+            self.four(&mut cells, numbers);
         }
         if !S::READS_COLOR {
-            four(&mut cells);
+            self.four(&mut cells, numbers);
         }
-        for (color, _) in cells.first(usize::MAX) {
+        for cell in cells.first(usize::MAX) {
             rolled();
-            draw(color);
+            self.one(cell.0, numbers);
+        }
+    }
+
+    /// Draws the first four pixels of a span, unless it has fewer.
+    #[inline(always)] // otherwise, what the pixels share is computed at each
+    fn four(&mut self, cells: &mut CellsOf<'_, T>, numbers: Numbers<S>) {
+        if let Some([a, b, c, d]) = cells.colors() {
+            self.one(a, numbers);
+            self.one(b, numbers);
+            self.one(c, numbers);
+            self.one(d, numbers);
+        }
+    }
+
+    #[inline(always)]
+    fn one(&mut self, color: ColorOf<'_, T>, numbers: Numbers<S>) {
+        if self.visible(&None, 0, 0) {
+            self.shade((color, None), numbers);
         }
     }
 }

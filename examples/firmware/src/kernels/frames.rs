@@ -31,6 +31,13 @@ impl Frame {
         }
     }
 
+    /// A black canvas without depth.
+    pub fn canvas(&mut self) -> Result<Canvas<'_, Rgb565>, Error> {
+        let mut canvas = Canvas::new(&mut *self.colors, WIDTH, HEIGHT)?;
+        canvas.clear(Rgb565::BLACK);
+        Ok(canvas)
+    }
+
     /// Draws all poses of all scenes, and prints the ticks of the draw calls.
     pub fn measure<M: Mode>(
         &mut self,

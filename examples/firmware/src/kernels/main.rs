@@ -10,7 +10,8 @@
 //! The cost of a pixel is the difference between two drawings of one triangle that covers a frame of 64 rows.
 //! `unit=pixel` compares frames of 16 and 48 columns, which lie within one span, and so measures only the inner loop.
 //! `unit=long-pixel` compares 48 and 240 columns, and so includes a pixel's share, 1/64, of the start of a span. The
-//! cost of a triangle is the difference between two prepared lists, one of which has more of the same triangles.
+//! cost of a triangle is the difference between two prepared lists, one of which has more of the same triangles. That of
+//! `rows-of-64` is a share of a sphere whose rows have 64 vertices.
 //!
 //! Pixels are RGB565 in the processor's byte order, textures 64x64 with the nearest texel, and only draw calls are
 //! measured. `depth-pass` and `depth-fail` have a depth buffer that lets all pixels pass or none. The other kernels
@@ -44,6 +45,8 @@ mod painter;
 #[cfg(target_os = "none")]
 mod pieces;
 #[cfg(target_os = "none")]
+mod rows;
+#[cfg(target_os = "none")]
 mod setup;
 #[cfg(target_os = "none")]
 mod skins;
@@ -76,6 +79,7 @@ mod firmware {
     use super::lights;
     use super::mono;
     use super::pieces;
+    use super::rows;
     use super::setup::{self, Kind};
     use super::skins;
     use super::ticks::Stopwatch;
@@ -108,6 +112,7 @@ mod firmware {
         mono::measure(&mut watch)?;
 
         let mut frame = Frame::take();
+        rows::measure(&mut watch, &mut frame)?;
         frame.measure(&mut watch, "newton", Newton)?;
         frame.measure(&mut watch, "fast", Fast::within(fx!(0.25)))?;
         frame.measure(&mut watch, "compact", Compact)?;
