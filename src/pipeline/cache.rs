@@ -5,28 +5,68 @@ use crate::mesh::Index;
 use crate::raster::ScreenVertex;
 use crate::view::ProjectionKind;
 
-/// Recently projected vertices, because neighboring triangles share them.
+/// Recently projected vertices, because neighboring triangles share them. They take 1 KiB of stack.
+///
+/// A vertex of a grid is projected once if the rows are up to 62 vertices apart, and twice if they are farther apart,
+/// because two rows do not fit.
 pub(super) struct VertexCache {
     entries: [ScreenVertex; SIZE],
+    slots: Slots,
 }
 
-/// A power of two. Vertices of a mesh whose rows are up to 31 vertices apart are projected only once. The cache takes
-/// 1 KiB of stack.
+/// A power of two.
 pub(super) const SIZE: usize = 64;
+
+/// Which of [`SIZE`] slots a vertex has.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Slots {
+    /// The distance between the slots of neighboring indices, in units of 2^-10.
+    step: u32,
+}
+
+impl Slots {
+    /// The slots of a mesh's vertices. Vertices whose indices are 64 apart share one; but if these are neighbors, because
+    /// rows are 63 to 65 vertices apart, or 127 to 129 and so on, they would take it from each other, and be projected up
+    /// to ten times. Then, slots are 75/64 apart. A face in the middle tells how far apart the rows are.
+    #[inline]
+    pub(super) fn new(faces: &[[Index; 3]]) -> Self {
+        let [a, b, c] = faces.get(faces.len() / 2).copied().unwrap_or_default();
+        // Of three corners, two are neighbors in a row, and the other is in the next row. At two before the other corner,
+        // this is 0; at two after it, 4.
+        let mut apart = a.wrapping_sub(b).wrapping_add(2);
+        if apart < 5 {
+            apart = b.wrapping_sub(c).wrapping_add(2);
+        }
+        let step = if apart % 64 < 5 && apart >= 5 {
+            1200
+        } else {
+            1024
+        };
+        Self { step }
+    }
+
+    /// The slot of an index. Index 0 has slot 0, alone of the first 54.
+    #[inline]
+    pub(super) fn of(self, index: Index) -> usize {
+        // The remainder is below `SIZE`, so that there is no bounds check.
+        ((u32::from(index) * self.step) >> 10) as usize % SIZE
+    }
+}
 
 impl VertexCache {
     #[inline]
-    pub(super) const fn new() -> Self {
+    pub(super) const fn new(slots: Slots) -> Self {
         // All bits 0 but one, which is set in place: any other array is built twice, and copied, on the stack.
         let mut cache = Self {
             entries: [ScreenVertex::UNSET; SIZE],
+            slots,
         };
         // Index 1 never maps to slot 0, so it marks slot 0 as empty; index 0 marks the others.
         cache.entries[0].index = 1;
         cache
     }
 
-    /// Forgets all vertices, if their indices are below `count`.
+    /// Forgets all vertices, if their indices are below `count` and are their slots.
     #[inline]
     pub(super) fn forget(&mut self, count: usize) {
         for entry in self.entries.iter_mut().take(count) {
@@ -42,8 +82,7 @@ impl VertexCache {
         projector: &Projector<'_, K>,
         index: Index,
     ) -> &ScreenVertex {
-        // The remainder is below `SIZE`, so there is no bounds check.
-        let entry = &mut self.entries[usize::from(index) % SIZE];
+        let entry = &mut self.entries[self.slots.of(index)];
         if entry.index != index {
             projector.project(index, None, entry);
         }
@@ -60,8 +99,8 @@ impl VertexCache {
         self.vertex(projector, a);
         self.vertex(projector, b);
         self.vertex(projector, c);
-        let slot = |index| usize::from(index) % SIZE;
-        let (a, b, c) = (slot(a), slot(b), slot(c));
+        let slots = self.slots;
+        let (a, b, c) = (slots.of(a), slots.of(b), slots.of(c));
         // Destructured by hand, as in `ScreenVertex::screens`.
         let entries = &self.entries;
         (a != b && b != c && c != a).then(|| [&entries[a], &entries[b], &entries[c]])
@@ -76,5 +115,83 @@ impl VertexCache {
         indices: [Index; 3],
     ) -> [ScreenVertex; 3] {
         indices.map(|index| *self.vertex(projector, index))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::vec::Vec;
+
+    use super::*;
+
+    /// The triangles of a grid of about 1000 quads with rows of this many vertices. Bit by bit, `order` says how the quads
+    /// are cut and in which order their triangles and corners come.
+    fn grid(length: Index, order: u32) -> Vec<[Index; 3]> {
+        let mut faces = Vec::new();
+        for row in 0..=1000 / (length - 1) {
+            for column in 0..length - 1 {
+                let corner = row * length + column;
+                let mut quad = [corner, corner + length, corner + length + 1, corner + 1];
+                quad.rotate_left(order as usize & 3);
+                if order & 4 != 0 {
+                    quad.reverse();
+                }
+                let [a, b, c, d] = quad;
+                let mut halves = [[a, b, c], [a, c, d]];
+                if order & 8 != 0 {
+                    halves.reverse();
+                }
+                faces.extend(halves);
+            }
+        }
+        faces
+    }
+
+    /// How often vertices are projected, and how many triangles have corners that share a slot.
+    fn costs(faces: &[[Index; 3]]) -> [usize; 2] {
+        let slots = Slots::new(faces);
+        let (mut entries, mut projected, mut shared) = ([None; SIZE], 0, 0);
+        for corners in faces {
+            let of = corners.map(|index| slots.of(index));
+            let is_shared = of[0] == of[1] || of[1] == of[2] || of[2] == of[0];
+            // As in `corners`, then in `copies`.
+            for _ in 0..=usize::from(is_shared) {
+                for (&index, slot) in corners.iter().zip(of) {
+                    projected += usize::from(entries[slot].replace(index) != Some(index));
+                }
+            }
+            shared += usize::from(is_shared);
+        }
+        [projected, shared]
+    }
+
+    /// With slots that are always 64 apart, vertices of rows of 64 would be projected ten times.
+    #[test]
+    fn no_number_of_vertices_in_a_row_is_a_cliff() {
+        for length in 3..=300 {
+            for order in 0..16 {
+                let faces = grid(length, order);
+                let [projected, shared] = costs(&faces);
+                let most = usize::from(faces.iter().flatten().copied().max().unwrap()) + 1;
+                // Where slots begin again, a twentieth more.
+                let times = if length <= 60 { 1 } else { 2 };
+                let case = std::format!("rows of {length}, order {order}");
+                assert!(
+                    20 * projected <= 21 * times * most,
+                    "{projected} of {most} in {case}"
+                );
+                assert!(40 * shared <= faces.len(), "{shared} in {case}");
+            }
+        }
+    }
+
+    /// Index 1 marks slot 0 as empty, and index 0 marks the others.
+    #[test]
+    fn index_0_alone_of_the_first_has_slot_0() {
+        for length in [9, 64] {
+            let slots = Slots::new(&grid(length, 0));
+            let in_slot_0: Vec<_> = (0..54).filter(|&index| slots.of(index) == 0).collect();
+            assert_eq!(in_slot_0, [0]);
+        }
     }
 }

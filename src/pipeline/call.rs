@@ -4,6 +4,7 @@ use core::ops::Range;
 
 use embedded_graphics::geometry::Size;
 
+use super::cache::Slots;
 use super::vertex::Projector;
 use crate::Error;
 use crate::mesh::{Indices, Mesh, Placement, Primitive};
@@ -70,6 +71,7 @@ impl Shared<'_> {
 /// A mesh, and the transform that takes it to the screen.
 #[derive(Clone, Debug)]
 pub(super) struct Call<'m, K> {
+    pub(super) slots: Slots,
     /// Whether depths are [biased](crate::canvas::Biased).
     pub(super) is_biased: bool,
     pub(super) shared: Shared<'m>,
@@ -87,6 +89,7 @@ impl<'m, K: ProjectionKind> Call<'m, K> {
         let view = mvp.model_view_of();
         let viewport = &screen.viewport;
         Self {
+            slots: Slots::new(mesh.faces()),
             is_biased: screen.is_biased,
             projector: Projector::new(mesh.positions(), mvp.projection_of(), &view, viewport),
             shared: Shared {

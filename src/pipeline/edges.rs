@@ -243,7 +243,7 @@ impl EdgesOf<'_> {
         call: &Call<'_, K>,
         mut each: impl FnMut(Indices, [&ClippedVertex; 2], bool, u16),
     ) {
-        let mut vertices = VertexCache::new();
+        let mut vertices = VertexCache::new(call.slots);
         match self.outline {
             None => {
                 for (edge, &ends) in self.mesh.edge_indices().iter().enumerate() {

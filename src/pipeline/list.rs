@@ -366,6 +366,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
             needed: [0; 2],
             rows: NO_ROWS,
             numbers: [(0, 0); cache::SIZE],
+            numbered: cache::Slots::new(&[]),
         };
         let objects = scene.list(&mut filling, view);
         let [elements, vertices] = filling.needed;
@@ -420,6 +421,7 @@ pub struct Filling<'l> {
     /// Recently added positions of the present thing, each with its vertex's number in the list, counted from 1; 0
     /// means none.
     numbers: [(Index, u16); cache::SIZE],
+    numbered: cache::Slots,
 }
 
 impl Filling<'_> {
@@ -431,6 +433,7 @@ impl Filling<'_> {
         self.cull = call.shared.cull;
         self.rows = NO_ROWS;
         self.numbers = [(0, 0); cache::SIZE];
+        self.numbered = call.slots;
         thing.fill(&call, self);
         let first = self.element;
         self.element = first.wrapping_add(thing.count() as u32);
@@ -471,7 +474,7 @@ impl Filling<'_> {
 
     /// The number of a vertex; it is added unless it was added recently.
     fn number(&mut self, vertex: &ScreenVertex) -> u16 {
-        let slot = usize::from(vertex.index) % cache::SIZE;
+        let slot = self.numbered.of(vertex.index);
         let (index, number) = self.numbers[slot];
         if number != 0 && index == vertex.index {
             return number;

@@ -20,7 +20,7 @@ use crate::view::ProjectionKind;
 #[inline]
 pub(super) fn triangles<K: ProjectionKind>(call: &Call<'_, K>, to: &mut impl Assembly) {
     // Before the faces are found: this takes fewer registers on Cortex-M0+.
-    let mut vertices = VertexCache::new();
+    let mut vertices = VertexCache::new(call.slots);
     triangles_from(call, (0, call.shared.mesh.faces()), &mut vertices, to);
 }
 

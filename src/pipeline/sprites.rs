@@ -4,7 +4,7 @@
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::Drawn;
-use super::cache::VertexCache;
+use super::cache::{Slots, VertexCache};
 use super::call::{Call, Shared, To};
 use super::run::{self, IsPlane};
 use super::thing::{Paint, Thing};
@@ -185,7 +185,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
         // If all sprites have the same texture coordinates, they are written only here.
         let mut uvs = [uvs_of(sprites.frame(0)); BATCH];
         let mut colors = [[Rgb888::WHITE; 4]; BATCH];
-        let mut vertices = VertexCache::new();
+        let mut vertices = VertexCache::new(Slots::new(&[]));
         // The corners of the last scale, because many sprites have the same.
         let mut last = (BlockFloat::ZERO, [Vec3::ZERO; 4], true);
         for (batch, positions) in sprites.positions.chunks(BATCH).enumerate() {
@@ -218,6 +218,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
             );
             let call = Call {
                 is_biased: false,
+                slots: Slots::new(&[]),
                 projector: self.projector.with_positions(mesh.positions()),
                 shared: Shared {
                     mesh: &mesh,

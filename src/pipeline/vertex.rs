@@ -235,17 +235,18 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         if (t + nearest) | (farthest - t) >= 0 && size(x).max(size(y)) < upper(self.w(t)) {
             0
         } else {
-            self.each_outcode(position)
+            self.each_outcode(*position)
         }
     }
 
     /// The [`outcode`](Self::outcode), computed plane by plane.
     ///
-    /// Out of line, because it is long and few vertices of visible triangles need it.
+    /// Out of line, because it is long and few vertices of visible triangles need it. The position is passed by value,
+    /// so that others stay in registers.
     #[inline(never)]
-    fn each_outcode(&self, position: &ClipPosition) -> u8 {
+    fn each_outcode(&self, position: ClipPosition) -> u8 {
         (0..6).fold(0, |outcode, plane| {
-            outcode | u8::from(self.is_outside(position, plane)) << plane
+            outcode | u8::from(self.is_outside(&position, plane)) << plane
         })
     }
 
@@ -260,12 +261,12 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         inside: Option<&ClipPosition>,
         to: &mut ScreenVertex,
     ) {
-        let computed;
+        // By value: a position that is sometimes behind a reference is always kept in memory.
         let position = if let Some(position) = inside {
-            position
+            *position
         } else {
-            computed = self.clip_position(index);
-            let outcode = self.outcode(&computed);
+            let position = self.clip_position(index);
+            let outcode = self.outcode(&position);
             if outcode != 0 {
                 *to = ScreenVertex {
                     outcode,
@@ -274,7 +275,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
                 };
                 return;
             }
-            &computed
+            position
         };
         let (screen, q, exponent) = if K::PERSPECTIVE {
             // t is positive and below 2^62. Let t' = t · 2^up / 2^33, which has 31 bits, r = 2^61 / t' and
@@ -282,7 +283,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             //
             // Inside all planes, t has at least 16 bits. So its upper half is not zero, after a shift by 30 if need
             // be, and everything that follows needs only 32 bits.
-            let ([mut t, mut x, mut y], mut coarse) = (*position, 0);
+            let ([mut t, mut x, mut y], mut coarse) = (position, 0);
             if upper(t) == 0 {
                 (t, x, y) = (t << 30, x << 30, y << 30);
                 coarse = 30;
@@ -303,7 +304,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
                 (up + coarse) as u8,
             )
         } else {
-            let [t, x, y] = *position;
+            let [t, x, y] = position;
             let down = GUARD_BITS.cast_signed() - self.fraction;
             let on_screen = |x: i64| block::shift(x, down) as i32;
             let q = block::shift(t, 31 - self.fraction);
