@@ -13,7 +13,8 @@ from pathlib import Path
 MOST = 1.02
 FILE = Path("tests/instructions.csv")
 HEAD = ["target", "optimization", "mode", "what", "per", "instructions"]
-OUTPUTS = {"3": "", "s": ".size"}  # the ending of the name of a target's output, by opt-level
+# The ending of the name of a target's output, by opt-level; "plain" is without link-time optimization.
+OUTPUTS = {"3": "", "s": ".size", "3 plain": ".plain", "s plain": ".plain-size"}
 COUNTED = 1000  # costs of kernels are kept for this many pixels or triangles
 
 
