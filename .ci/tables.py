@@ -134,7 +134,9 @@ def claims(instructions, other):
     goals = [name.removesuffix(" goal") for name in other if name.endswith(" goal")]
     compact, compact_m0 = ratios("s", M4, "newton"), ratios("s", M0, "fast")
     cube = [frame(M0, "fast", "cube", layout) for layout in LAYOUTS]
-    yield benchmarks, "Every goal is met.", all(code(name) <= other[f"{name} goal"] for name in goals)
+    missed = {name for name in goals if code(name) > other[f"{name} goal"]}
+    yield benchmarks, "Two goals are missed: those of points and lines and of triangles of one color.", (
+        missed == {"lines", "flat"})
     yield (modes, "its error is as large as the error of `Fast` within a quarter",
            texels(other["sphere fast error max"]) == texels(other["sphere affine error max"]))
     yield (modes, "`Newton`; `Affine` takes a little more",

@@ -8,7 +8,7 @@ use crate::canvas::{DepthBuffer, WideFloatDepth};
 use crate::mesh::{Index, Indices};
 use crate::num::reciprocal;
 use crate::num::wide::{product, upper};
-use crate::raster::{self, Barycentric, ClippedVertex, DepthShift, Polygon, ScreenVertex};
+use crate::raster::{self, Barycentric, ClippedVertex, Polygon, ScreenVertex};
 use crate::view::ProjectionKind;
 
 /// Receives assembled triangles, to draw them or to list them.
@@ -84,41 +84,57 @@ pub(super) fn edge<K: ProjectionKind>(
 }
 
 /// Twice the area of the part of a triangle that is inside all planes; 0 if there is none. [`triangle`] culls by its
-/// sign. Also, if depths are biased and the triangle is not culled, how [steep](steepness) it is beside an edge.
+/// sign.
 #[inline(never)]
 pub(super) fn area<K: ProjectionKind>(
     call: &Call<'_, K>,
     vertices: &mut VertexCache,
     indices: [Index; 3],
+) -> i64 {
+    let (mut any, mut all) = (0, !0);
+    let screens = indices.map(|index| {
+        let vertex = vertices.vertex(&call.projector, index);
+        any |= vertex.outcode;
+        all &= vertex.outcode;
+        vertex.screen
+    });
+    if any == 0 {
+        return raster::area(&screens);
+    }
+    if all != 0 {
+        return 0;
+    }
+    let mut polygon = ClippedPolygon::new();
+    clip(&call.projector, &indices, any, &mut polygon);
+    Polygon::area(&polygon)
+}
+
+/// How steep a triangle beside an edge is: the greatest change of depth from a pixel to the next, across or down, in the
+/// format [`WideFloatDepth`]; 0 if it is outside. It is at most the triangle's range of depths, or twice that if the edge
+/// is no crease: on a round body, the pixels of a silhouette may lie over the next triangle.
+#[inline(never)]
+pub(super) fn steepness<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    vertices: &mut VertexCache,
+    indices: [Index; 3],
     is_crease: bool,
-) -> (i64, u16) {
+) -> u16 {
     let corners = indices.map(|index| *vertices.vertex(&call.projector, index));
     let [a, b, c] = &corners;
     let any = a.outcode | b.outcode | c.outcode;
     let mut polygon = ClippedPolygon::new();
-    let (area, widest) = if any == 0 {
+    let widest = if any == 0 {
         let corners = [a, b, c];
-        let area = raster::area(&ScreenVertex::screens(corners));
-        (area, Some((corners, area)))
-    } else if a.outcode & b.outcode & c.outcode == 0 {
-        clip(&call.projector, &indices, any, &mut polygon);
-        (Polygon::area(&polygon), Polygon::widest(&polygon))
+        Some((corners, raster::area(&ScreenVertex::screens(corners))))
     } else {
-        (0, None)
-    };
-    let steepness = match widest {
-        Some((corners, widest)) if call.is_biased && !call.shared.cull.leaves_out(area) => {
-            steepness(corners, widest, call.projector.depth_shift(), is_crease)
+        if a.outcode & b.outcode & c.outcode == 0 {
+            clip(&call.projector, &indices, any, &mut polygon);
         }
-        _ => 0,
+        Polygon::widest(&polygon)
     };
-    (area, steepness)
-}
-
-/// The greatest change of depth in a triangle of this doubled area from a pixel to the next, across or down, in the
-/// format [`WideFloatDepth`]. It is at most the triangle's range of depths, or twice that if the edge is no crease: on a
-/// round body, the pixels of a silhouette may lie over the next triangle.
-fn steepness(corners: [&ScreenVertex; 3], area: i64, shift: DepthShift, is_crease: bool) -> u16 {
+    let Some((corners, area)) = widest else {
+        return 0;
+    };
     let ([a, b, c], exponent) = ScreenVertex::weights(corners);
     let range = a.max(b).max(c) - a.min(b).min(c);
     let [b, c] = [b, c].map(|q| q.cast_signed() - a.cast_signed());
@@ -131,12 +147,12 @@ fn steepness(corners: [&ScreenVertex; 3], area: i64, shift: DepthShift, is_creas
     let gain = across.unsigned_abs().max(down.unsigned_abs());
     // Let the gain be g · 2^(32 - z), and the area a · 2^(32 - y), where g and a have 32 bits with the top bit set. Then
     // the change per pixel, 256 · gain / area, is (g · (2^62 / a) / 2^32) · 2^(y - z - 22). If the gain or the area is
-    // 0, g is, too, or the result does not matter: a triangle without area is culled.
+    // 0, g is, too, or the result does not matter: a triangle without area has no pixels.
     let [z, y] = [gain, area.unsigned_abs()].map(u64::leading_zeros);
     let [g, a] =
         [gain << (z & 63), area.unsigned_abs() << (y & 63)].map(|number| (number >> 32) as u32);
     let change = upper(g, reciprocal(a >> 1));
-    let shift = shift.of(exponent);
+    let shift = call.projector.depth_shift().of(exponent);
     // A shift of 15 or less makes a change greater than any depth.
     let steepness = WideFloatDepth::encode(change, (shift + 22 + z).saturating_sub(y).max(15));
     let most = WideFloatDepth::encode(range, shift - u32::from(!is_crease));

@@ -274,15 +274,24 @@ fn drawn_beside<K: ProjectionKind>(
     is_crease: bool,
 ) -> Option<u16> {
     let cull = call.shared.cull;
-    let (left, beside) = assemble::area(call, vertices, [a, b, c], is_crease);
+    let (left, right) = ([a, b, c], [b, a, d]);
+    let left_area = assemble::area(call, vertices, left);
     // A border has no second face. It counts as a face without area.
-    let (right, other) = if d == a {
-        (0, 0)
+    let right_area = if d == a {
+        0
     } else {
-        assemble::area(call, vertices, [b, a, d], is_crease)
+        assemble::area(call, vertices, right)
     };
-    let is_silhouette = left.signum() != right.signum();
-    let is_drawn =
-        (is_crease || is_silhouette) && !(cull.leaves_out(left) && cull.leaves_out(right));
-    is_drawn.then_some(beside.max(other))
+    let is_silhouette = left_area.signum() != right_area.signum();
+    let [hides_left, hides_right] = [left_area, right_area].map(|area| cull.leaves_out(area));
+    if !(is_crease || is_silhouette) || hides_left && hides_right {
+        return None;
+    }
+    let mut beside = 0;
+    for (face, is_hidden) in [(left, hides_left), (right, hides_right)] {
+        if call.is_biased && !is_hidden {
+            beside = beside.max(assemble::steepness(call, vertices, face, is_crease));
+        }
+    }
+    Some(beside)
 }
