@@ -11,7 +11,7 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Gray8, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Alignment, Text};
-use fixel::canvas::{Contrast, DepthBuffer, Storage};
+use fixel::canvas::{Biased, Contrast, DepthBuffer, Storage, TestAndWrite};
 use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::shade::{Flat, Light, PixelFormat, Texels, Textured, Within};
@@ -241,12 +241,9 @@ where
     let sea = canvas.draw_with(options, &SEA, mvp, &crests());
     let island = canvas.draw_with(options, &ISLAND, mvp, &stretched()?);
     let white = Flat::new(C::from_rgb(Rgb888::WHITE, Point::zero()));
-    canvas.draw_with(
-        options,
-        ISLAND.outline(&SILHOUETTES, LineStyle::HAIRLINE),
-        mvp,
-        &white,
-    );
+    let in_front = options.with_depth(Biased::in_front(TestAndWrite));
+    let silhouettes = ISLAND.outline(&SILHOUETTES, LineStyle::HAIRLINE);
+    canvas.draw_with(&in_front, silhouettes, mvp, &white);
     Ok([sea, island])
 }
 
