@@ -141,10 +141,10 @@ impl<Z> Biased<Z> {
     /// neighboring pixels. That is the difference across or the one down, whichever is greater. Positive values move a
     /// surface nearer. Depths saturate at both ends.
     ///
-    /// For an edge of an [outline](crate::Mesh::outline), it is the difference on the steeper of those faces beside it
-    /// that are not culled, or the difference along the line, whichever is greater. A face seen almost from its side may
-    /// be a hundredth of a pixel wide; so the difference counts at most as the face's whole range of depths, or twice
-    /// that range if the edge is no crease: there, the next face recedes, too.
+    /// An edge of an [outline](crate::Mesh::outline) takes the greatest of these differences: along the line, and on each
+    /// of its two faces that is not culled. A face may be so narrow on the screen that a pixel is many times its width.
+    /// So it counts with at most the difference between its nearest and its farthest corner; with twice that if the edge
+    /// is not a crease, because then the next face recedes, too.
     #[must_use]
     pub const fn new(test: Z, steps: i32, slope: Scalar) -> Self {
         Self {
@@ -168,9 +168,9 @@ impl<Z> Biased<Z> {
     /// `test` with depths moved nearer by two steps and by the depth difference between neighboring pixels, for
     /// [outlines](crate::Mesh::outline) over a mesh that is drawn where it is.
     ///
-    /// A line has pixels whose centers are up to half a pixel beside it, where a face may be nearer than the line, but by
-    /// less than this. Measured on balls and cans, 0.5 % of the pixels of silhouettes are missing, those of balls of a
-    /// few pixels. Where a surface is as closely before a line as the faces beside it are deep, the line shines through.
+    /// The center of a line's pixel may be half a pixel beside the line. There, a face may be nearer than the line, but by
+    /// less than this. In a test with balls and cans, 0.5 % of the pixels of silhouettes are missing, on balls that are
+    /// only a few pixels wide. A line shines through a surface that is in front of it by less than it is moved.
     #[must_use]
     pub const fn in_front(test: Z) -> Self {
         Self::new(test, 2, crate::fx!(1))

@@ -7,8 +7,8 @@ use crate::view::ProjectionKind;
 
 /// Recently projected vertices, because neighboring triangles share them. They take 1 KiB of stack.
 ///
-/// A vertex of a grid is projected once if the rows are up to 62 vertices apart, and twice if they are farther apart,
-/// because two rows do not fit.
+/// A vertex of a grid is projected once if the rows have up to 60 vertices, and twice if they have more, because two
+/// longer rows do not fit.
 pub(super) struct VertexCache {
     entries: [ScreenVertex; SIZE],
     slots: Slots,

@@ -157,8 +157,8 @@ enum Corners {
     /// An edge that is inside all planes: its vertices, and how steep the faces beside it are, as in
     /// [`Primitive::area`](crate::mesh::Primitive).
     Edge { ends: [u16; 2], beside: u16 },
-    /// A clipped triangle or edge: `count` corners from `first` on, each a vertex and its barycentric weights; and what is
-    /// beside an edge.
+    /// A clipped triangle or edge: `count` corners from `first` on, each a vertex and its barycentric weights. Of an edge,
+    /// also how steep the faces beside it are.
     Clipped { first: u16, count: u16, beside: u16 },
 }
 

@@ -145,6 +145,7 @@ struct RayView {
     forward: i64,
 }
 
+/// An axis of model space.
 #[derive(Clone, Copy)]
 enum Axis {
     X,

@@ -29,17 +29,19 @@ use crate::error::{check_length, ok};
 /// # Cost
 ///
 /// Reading a texel takes an instruction more than from rows, `&[[C; W]; H]`. In addition, loops over pixels that take all
-/// registers load up to two numbers from the stack. The table lists instructions per frame for the benchmark's floor: 47,610
-/// pixels with a 64x64 texture and a depth buffer. Where the size is known while you write the program,
-/// [`include_texture!`](crate::include_texture) makes rows, too.
+/// registers load up to two numbers from the stack. The table lists millions of instructions per frame for the
+/// benchmark's floor: 47,610 pixels with a 64x64 texture and a depth buffer. Where the size is known while you write the
+/// program, [`include_texture!`](crate::include_texture) makes rows, too.
 ///
+/// <!-- figures: textures of run-time size -->
 /// | | rows | `Texture` |
 /// |---|---:|---:|
-/// | Cortex-M4, `Newton` | 1,194,280 | 1,355,600 |
-/// | the same at opt-level "s" | 1,288,080 | 1,401,800 |
-/// | Cortex-M4, `Fast` | 1,359,560 | 1,519,360 |
-/// | Cortex-M0+, `Newton` | 2,417,440 | 2,384,520 |
-/// | Cortex-M0+, `Fast` | 2,359,720 | 2,526,440 |
+/// | Cortex-M4, `Newton` | 1.19 | 1.36 |
+/// | the same at opt-level "s" | 1.29 | 1.40 |
+/// | Cortex-M4, `Fast` | 1.36 | 1.52 |
+/// | Cortex-M0+, `Newton` | 2.42 | 2.38 |
+/// | Cortex-M0+, `Fast` | 2.36 | 2.53 |
+/// <!-- end -->
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Texture<'a, C> {
     /// As many as the size needs, so at least one.

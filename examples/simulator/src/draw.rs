@@ -274,7 +274,9 @@ impl Posed<'_> {
             return self.draw_edges(canvas, shader);
         }
         let draw = |piece: &Piece<'_>| {
-            let options = &(self.options(piece)).with_depth(Biased::in_front(TestAndWrite));
+            let options = &self
+                .options(piece)
+                .with_depth(Biased::in_front(TestAndWrite));
             let mesh = &piece.mesh;
             match (&self.mvp, &piece.outline) {
                 (AnyMvp::Perspective(mvp), Some(outline)) => canvas.draw_with(

@@ -10,8 +10,8 @@
 //! The cost of a pixel is the difference between two drawings of one triangle that covers a frame of 64 rows.
 //! `unit=pixel` compares frames of 16 and 48 columns, which lie within one span, and so measures only the inner loop.
 //! `unit=long-pixel` compares 48 and 240 columns, and so includes a pixel's share, 1/64, of the start of a span. The
-//! cost of a triangle is the difference between two prepared lists, one of which has more of the same triangles. That of
-//! `rows-of-64` is a share of a sphere whose rows have 64 vertices.
+//! cost of a triangle is the difference between two prepared lists, one of which has more of the same triangles. For
+//! `rows-of-64`, it is the cost of a whole sphere whose rows have 64 vertices, divided by the number of its triangles.
 //!
 //! Pixels are RGB565 in the processor's byte order, textures 64x64 with the nearest texel, and only draw calls are
 //! measured. `depth-pass` and `depth-fail` have a depth buffer that lets all pixels pass or none. The other kernels

@@ -9,8 +9,8 @@ use super::common::scenes;
 use super::frames::Frame;
 use super::ticks::Stopwatch;
 
-/// Spheres with rows of so many vertices: about powers of two, and about the number of vertices that a draw call
-/// keeps.
+/// How many vertices the rows of a sphere have: numbers around powers of two, and around the number of vertices that a
+/// draw call keeps.
 const ROWS: [(&str, u32); 17] = [
     ("rows-of-31", 31),
     ("rows-of-32", 32),
@@ -31,7 +31,7 @@ const ROWS: [(&str, u32); 17] = [
     ("rows-of-300", 300),
 ];
 
-/// Each sphere has about so many triangles.
+/// Each sphere has about this many triangles.
 const TRIANGLES: u32 = 2000;
 
 static POSITIONS: ConstStaticCell<[Vec3; 2000]> = ConstStaticCell::new([Vec3::ZERO; 2000]);
