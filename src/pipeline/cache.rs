@@ -82,11 +82,19 @@ impl VertexCache {
         projector: &Projector<'_, K>,
         index: Index,
     ) -> &ScreenVertex {
+        self.refresh(projector, index);
+        &self.entries[self.slots.of(index)]
+    }
+
+    /// Projects a vertex, unless it is in its slot already; whether it was not.
+    #[inline]
+    fn refresh<K: ProjectionKind>(&mut self, projector: &Projector<'_, K>, index: Index) -> bool {
         let entry = &mut self.entries[self.slots.of(index)];
-        if entry.index != index {
+        let is_new = entry.index != index;
+        if is_new {
             projector.project(index, None, entry);
         }
-        entry
+        is_new
     }
 
     /// The corners of a triangle, from the cache or projected now; `None` if two of them share a slot.
@@ -97,14 +105,21 @@ impl VertexCache {
         projector: &Projector<'_, K>,
         [a, b, c]: [Index; 3],
     ) -> Option<[&ScreenVertex; 3]> {
-        self.vertex(projector, a);
-        self.vertex(projector, b);
-        self.vertex(projector, c);
-        let slots = self.slots;
-        let (a, b, c) = (slots.of(a), slots.of(b), slots.of(c));
+        // Only a vertex that was not there can take the slot of another.
+        self.refresh(projector, a);
+        if self.refresh(projector, b) && self.slots.of(b) == self.slots.of(a) {
+            return None;
+        }
+        if self.refresh(projector, c) {
+            let slot = self.slots.of(c);
+            if slot == self.slots.of(a) || slot == self.slots.of(b) {
+                return None;
+            }
+        }
         // Destructured by hand, as in `ScreenVertex::screens`.
-        let entries = &self.entries;
-        (a != b && b != c && c != a).then(|| [&entries[a], &entries[b], &entries[c]])
+        let (entries, slots) = (&self.entries, self.slots);
+        let entry = |index| &entries[slots.of(index)];
+        Some([entry(a), entry(b), entry(c)])
     }
 
     /// The corners of any triangle.

@@ -3,7 +3,7 @@
 use core::hint::black_box;
 use core::num::NonZeroU32;
 
-use crate::num::wide::{DIVIDES, divide, times_short};
+use crate::num::wide::{DIVIDES, divide};
 
 /// The first column whose center is on an edge or to the right of it, stepped exactly from row to row.
 ///
@@ -114,28 +114,37 @@ const SHORT: i32 = 128 << 8;
 /// and one more: at most 129 units.
 const BELOW: u32 = 1 << 8;
 
+/// A number of 64 bits from its halves.
+#[inline]
+const fn join(upper: i32, lower: i32) -> i64 {
+    (upper as i64) << 32 | lower.cast_unsigned() as i64
+}
+
 impl ShortEdge {
-    /// The edge from `from` down to `to`, at `row`, whose center it crosses; `None` if it is too long.
+    /// Whether the edges of a triangle of this width and height are short.
+    #[inline]
+    pub(super) const fn fits(width: i32, height: i32) -> bool {
+        DIVIDES && width | height < SHORT
+    }
+
+    /// The edge from `from` down to `to`, at `row`, whose center it crosses; `None` if it is level.
     #[inline]
     pub(super) fn new([x, y]: [i32; 2], to: [i32; 2], row: i32) -> Option<Self> {
         let (dx, dy) = (to[0] - x, to[1] - y);
-        let raised = (dx + SHORT).cast_unsigned();
-        if !DIVIDES || (raised | dy.cast_unsigned() << 1) >= 2 * SHORT.cast_unsigned() {
+        if dy <= 0 {
             return None;
         }
         // step = 2^32 · dx / dy, rounded toward zero, 16 bits at a time.
-        let dy = dy.max(1);
-        let (size, down) = (dx << 16, (row << 8) + 128 - y);
-        let quotient = size / dy;
-        let lower = ((size - quotient * dy) << 16) / dy;
-        let step = (i64::from(quotient) << 16) + i64::from(lower);
-        let moved = times_short(step, down) >> 8;
-        // (x · 2^24 + 2^31 - BELOW) in halves.
-        let x = x + 127;
-        let lower = (x << 24).cast_unsigned() | ((1 << 24) - BELOW);
-        let start = (i64::from(x >> 8) << 32) | i64::from(lower);
+        let size = dx << 16;
+        let upper = size / dy;
+        let lower = ((size - upper * dy) << 16) / dy;
+        let step = join(upper >> 16, upper << 16).wrapping_add(lower.into());
+        // 2^8 · (x · 2^24 + 2^31 - BELOW), and then down to the center of the row.
+        let down = ((row << 8) + 128 - y).cast_unsigned();
+        let start = join(x + 127, -(BELOW << 8).cast_signed());
+        let x = start.wrapping_add(step.wrapping_mul(down.into())) >> 8;
         // One row back, as in `Edge::new`.
-        let x = start.wrapping_add(moved).wrapping_sub(step);
+        let x = x.wrapping_sub(step);
         Some(Self { x, step })
     }
 
@@ -206,9 +215,8 @@ mod tests {
     /// The limits, from both sides.
     #[test]
     fn edges_of_up_to_128_pixels_are_short() {
-        let is_short = |dx, dy| ShortEdge::new([3, 0], [3 + dx, dy], 0).is_some();
-        assert!(is_short(SHORT - 1, SHORT - 1) && is_short(-SHORT, 1));
-        assert!(!is_short(SHORT, 1) && !is_short(-SHORT - 1, 1) && !is_short(0, SHORT));
+        assert!(ShortEdge::fits(SHORT - 1, SHORT - 1));
+        assert!(!ShortEdge::fits(SHORT, 1) && !ShortEdge::fits(1, SHORT));
     }
 
     /// Compares every row of every edge with the rational crossing, for every row it may start at.

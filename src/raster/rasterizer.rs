@@ -114,68 +114,95 @@ impl<'r> Rasterizer<'r> {
 ///
 /// ```text
 ///      a ●
-///       ╱ ╲         Clockwise, the edge from a down to b ends rows on the right,
-///      ╱   ● b      as does the one from b to c;
-///     ╱ ╱           the edge from c up to a begins them on the left.
+///       ╱ ╲         From the highest corner, a, down to the lowest one, c: the edge from a to c bounds
+///      ╱   ● b      rows on one side, those from a to b and from b to c on the other.
+///     ╱ ╱
 ///  c ●
 /// ```
 #[inline(never)]
-pub(super) fn scan_convert<'b>(
+pub(super) fn scan_convert<'b, 't>(
     block: &'b mut [Columns],
     first: i32,
-    triangle: &Triangle<'_>,
+    triangle: &Triangle<'t>,
 ) -> &'b [Columns] {
-    let vertices = &triangle.patch.vertices;
-    let is_clockwise = triangle.patch.area > 0;
+    let Patch {
+        vertices: [mut a, mut b, mut c],
+        size: [width, height],
+        area,
+        ..
+    } = triangle.patch;
     let count = (block.len() as u32)
         .cast_signed()
         .min(triangle.rows.end - first);
     let rows = block
         .get_mut(..count.cast_unsigned() as usize)
         .unwrap_or_default();
-    // The first of the rows that is not above a corner.
-    let row_of = |corner: &ScreenVertex| {
-        let row = first_center(corner.screen[1]) - first;
-        row.max(0).min(count).cast_unsigned() as usize
+    // If abc runs clockwise, the edge from a to c is on the left. An exchange of two corners turns that around.
+    let mut is_right = area < 0;
+    let mut sort = |a: &'t ScreenVertex, b: &'t ScreenVertex| {
+        let is_sorted = a.screen[1] <= b.screen[1];
+        is_right ^= !is_sorted;
+        if is_sorted { (a, b) } else { (b, a) }
     };
-    let [.., mut from] = *vertices;
-    let mut from_row = row_of(from);
-    for &to in vertices {
-        let to_row = row_of(to);
-        let is_down = to_row > from_row;
-        let (top, bottom, start, end) = if is_down {
-            (from, to, from_row, to_row)
+    (a, b) = sort(a, b);
+    (b, c) = sort(b, c);
+    (a, b) = sort(a, b);
+    // Rows above a or below c are not asked for.
+    let middle = first_center(b.screen[1]) - first;
+    let middle = middle.max(0).min(count).cast_unsigned() as usize;
+    let is_short = ShortEdge::fits(width, height);
+    let edge = |rows: &mut [Columns], [top, bottom]: [&ScreenVertex; 2], row, side: bool| {
+        let side = usize::from(side);
+        if is_short {
+            short_edge(rows, [top, bottom], row, side);
         } else {
-            (to, from, to_row, from_row)
-        };
-        (from, from_row) = (to, to_row);
-        // An edge may pass the center of no row.
-        if start == end {
-            continue;
+            long_edge(rows, [top, bottom], row, side);
         }
-        let Some(rows) = rows.get_mut(start..end) else {
-            continue;
-        };
-        let side = usize::from(is_down == is_clockwise);
-        let row = first + (start as u32).cast_signed();
-        // An empty statement keeps the compiler from unrolling the loops, because most edges pass few rows.
-        if let Some(mut edge) = ShortEdge::new(top.screen, bottom.screen, row) {
-            for columns in rows {
-                black_box(());
-                columns[side] = edge.next();
-            }
-        } else {
-            let mut edge = Edge::new(top.screen, bottom.screen, row);
-            for columns in rows {
-                black_box(());
-                columns[side] = edge.next() as i16;
-            }
-        }
+    };
+    edge(rows, [a, c], first, is_right);
+    if let Some((upper, lower)) = rows.split_at_mut_checked(middle) {
+        edge(upper, [a, b], first, !is_right);
+        edge(lower, [b, c], first + (middle as u32).cast_signed(), !is_right);
     }
     if let Some(scissor) = triangle.cut {
         cut(rows, &scissor.columns);
     }
     rows
+}
+
+/// Sets the columns on one side of rows to those of an edge from a corner down to another, the first of them at `row`.
+#[inline]
+fn short_edge(
+    rows: &mut [Columns],
+    [top, bottom]: [&ScreenVertex; 2],
+    row: i32,
+    side: usize,
+) {
+    let Some(mut edge) = ShortEdge::new(top.screen, bottom.screen, row) else {
+        return;
+    };
+    // An empty statement keeps the compiler from unrolling the loops, because most edges pass few rows.
+    for columns in rows {
+        black_box(());
+        columns[side & 1] = edge.next();
+    }
+}
+
+#[inline(never)]
+fn long_edge(
+    rows: &mut [Columns],
+    [top, bottom]: [&ScreenVertex; 2],
+    row: i32,
+    side: usize,
+) {
+    if rows.is_empty() {
+        return;
+    }
+    let mut edge = Edge::new(top.screen, bottom.screen, row);
+    for columns in rows {
+        black_box(());
+        columns[side & 1] = edge.next() as i16;
+    }
 }
 
 /// Whether a row has a pixel.

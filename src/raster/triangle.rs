@@ -30,6 +30,7 @@ pub(super) fn covers(corners: [&ScreenVertex; 3], area: i64, [x, row]: [i32; 2])
     let triangle = Triangle {
         patch: Patch {
             vertices: corners,
+            size: [i32::MAX; 2], // not computed
             area,
             ..Patch::EVEN
         },
