@@ -139,7 +139,7 @@ impl<'e> ErrorDiffusion<'e> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
+    use embedded_graphics::pixelcolor::PixelColor;
 
     /// A gray of a program: one of `MOST` + 1.
     #[derive(Clone, Copy, Debug, PartialEq)]
@@ -152,10 +152,6 @@ mod tests {
     impl<const MOST: i32> PixelFormat for Gray<MOST> {
         const MAX_STEPS: [i32; 3] = [MOST; 3];
         type Channels = [i32; 1];
-
-        fn fractions(color: Rgb888) -> [i32; 3] {
-            Gray8::fractions(color)
-        }
 
         fn steps(self) -> [i32; 3] {
             [self.0; 3]

@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::format::FRACTION;
+use super::format::{FRACTION, fractions};
 use super::{
     Channels, ColorOf, Fragment, Illumination, Output, PixelFormat, Precise, PreciseOf, Shader,
     Varyings, Within,
@@ -64,7 +64,7 @@ impl<O: Output<Color: PixelFormat>> Effect<O> for Tint {
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        primitive.corners(|corner| Within(Channels::first(O::Color::fractions(corner.color()))))
+        primitive.corners(|corner| Within(Channels::first(fractions::<O::Color>(corner.color()))))
     }
 
     #[inline]

@@ -45,9 +45,6 @@ pub trait PixelFormat: PixelColor {
     /// The channels that are interpolated: `[i32; 3]`, or `[i32; 1]` for gray.
     type Channels: Channels;
 
-    /// The channels of `color` as fractions, 0 to 65,536; for gray, its luma.
-    fn fractions(color: Rgb888) -> [i32; 3];
-
     /// The channels in whole steps, 0 to [`MAX_STEPS`](Self::MAX_STEPS).
     fn steps(self) -> [i32; 3];
 
@@ -111,13 +108,19 @@ pub(crate) const fn fraction(c: u8) -> i32 {
     c as i32 * 257 + (c >> 7) as i32
 }
 
+/// The channels of a color as fractions, 0 to 65,536; for a gray format, its luma.
 #[inline]
-fn rgb_fractions(color: Rgb888) -> [i32; 3] {
-    [
+pub(super) fn fractions<C: PixelFormat>(color: Rgb888) -> [i32; 3] {
+    let rgb = [
         fraction(color.r()),
         fraction(color.g()),
         fraction(color.b()),
-    ]
+    ];
+    if C::Channels::IS_GRAY {
+        [luma(rgb); 3]
+    } else {
+        rgb
+    }
 }
 
 /// The luma of fractions.
@@ -145,11 +148,6 @@ macro_rules! rgb {
             ];
 
             #[inline]
-            fn fractions(color: Rgb888) -> [i32; 3] {
-                rgb_fractions(color)
-            }
-
-            #[inline]
             fn steps(self) -> [i32; 3] {
                 [self.r().into(), self.g().into(), self.b().into()]
             }
@@ -173,11 +171,6 @@ macro_rules! gray {
             type Channels = [i32; 1];
 
             const MAX_STEPS: [i32; 3] = [$white; 3];
-
-            #[inline]
-            fn fractions(color: Rgb888) -> [i32; 3] {
-                [luma(rgb_fractions(color)); 3]
-            }
 
             #[inline]
             fn steps(self) -> [i32; 3] {

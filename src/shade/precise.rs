@@ -3,9 +3,9 @@
 use core::marker::PhantomData;
 
 use embedded_graphics::geometry::Point;
-use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
-use super::format::{each, luma, threshold, whole, zip};
+use super::format::{each, fractions, luma, threshold, whole, zip};
 use super::{Amount, Channels, Illumination, Lanes, PixelFormat, Tolerance, Varyings};
 
 /// A color of format `C` whose channels keep 16 fraction bits.
@@ -83,11 +83,22 @@ impl<C: PixelFormat> Precise<C> {
         each(self.raised, |level| level.wrapping_sub(HALF))
     }
 
-    /// A color of 24 bits, with an error of at most 0.003 step; exact for black and white.
+    /// A color of 24 bits. The error is at most 1/65,536 step, that of a gray at most 0.003 step; black and white are
+    /// exact.
     #[must_use]
     #[inline]
     pub fn of_rgb(color: Rgb888) -> Self {
-        Self::of_products(C::MAX_STEPS, C::fractions(color))
+        if C::Channels::IS_GRAY {
+            return Self::of_products(C::MAX_STEPS, fractions::<C>(color));
+        }
+        let channels = [color.r().into(), color.g().into(), color.b().into()];
+        Self::of_raised(zip(channels, C::MAX_STEPS, |channel, most| {
+            // A constant: steps in 1/255 of white, in units of 2^-24, rounded up so that white is exact. Products take 32
+            // bits with half a step.
+            let steps = (most.cast_unsigned() << 24) / 255 + 1;
+            let level = channel.cast_unsigned().wrapping_mul(steps);
+            (level.wrapping_add(HALF.cast_unsigned() << 8) >> 8).cast_signed()
+        }))
     }
 
     /// Steps times fractions: exact.

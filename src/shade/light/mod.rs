@@ -25,7 +25,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 
 use crate::error::{check_range, ok};
 use crate::math::Direction;
-use crate::shade::PixelFormat;
+use crate::shade::format::fractions;
 use crate::{Error, Scalar, Vec3};
 
 /// Full brightness.
@@ -163,7 +163,7 @@ pub trait Lighting: Copy {
     fn colored(self, color: Rgb888) -> Colored<Self> {
         Colored {
             light: self,
-            color: Rgb888::fractions(color),
+            color: fractions::<Rgb888>(color),
         }
     }
 
