@@ -1,4 +1,5 @@
-//! The build script: tells `num/wide.rs` which products the target's core has.
+//! The build script: tells `num/wide.rs` which products the target's core has, and functions that are copied for speed
+//! whether the program is optimized for size.
 //!
 //! This file is not a module of the library. Stable Rust has no `cfg` that tells Cortex-M23 from Cortex-M33, or
 //! Cortex-M3 from Cortex-M4; only the target's name does.
@@ -7,7 +8,11 @@ use std::env;
 
 fn main() {
     println!("cargo::rerun-if-changed=src/build.rs");
-    println!("cargo::rustc-check-cfg=cfg(narrow_core, dsp_core)");
+    println!("cargo::rustc-check-cfg=cfg(narrow_core, dsp_core, for_size)");
+    // The optimizer copies functions that it deems short into all callers, for size, too.
+    if env::var("OPT_LEVEL").is_ok_and(|level| level == "s" || level == "z") {
+        println!("cargo::rustc-cfg=for_size");
+    }
     // Armv6-M (Cortex-M0, M0+, M1) and the baseline of Armv8-M (Cortex-M23).
     let target = env::var("TARGET").unwrap_or_default();
     if target.starts_with("thumbv6m") || target.starts_with("thumbv8m.base") {

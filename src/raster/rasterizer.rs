@@ -151,18 +151,12 @@ pub(super) fn scan_convert<'b, 't>(
     let middle = first_center(b.screen[1]) - first;
     let middle = middle.max(0).min(count).cast_unsigned() as usize;
     let is_short = ShortEdge::fits(width, height);
-    let edge = |rows: &mut [Columns], [top, bottom]: [&ScreenVertex; 2], row, side: bool| {
-        let side = usize::from(side);
-        if is_short {
-            short_edge(rows, [top, bottom], row, side);
-        } else {
-            long_edge(rows, [top, bottom], row, side);
-        }
-    };
-    edge(rows, [a, c], first, is_right);
+    edge(rows, usize::from(is_right), [a, c], first, is_short);
+    let side = usize::from(!is_right);
     if let Some((upper, lower)) = rows.split_at_mut_checked(middle) {
-        edge(upper, [a, b], first, !is_right);
-        edge(lower, [b, c], first + (middle as u32).cast_signed(), !is_right);
+        edge(upper, side, [a, b], first, is_short);
+        let first = first + (middle as u32).cast_signed();
+        edge(lower, side, [b, c], first, is_short);
     }
     if let Some(scissor) = triangle.cut {
         cut(rows, &scissor.columns);
@@ -170,30 +164,36 @@ pub(super) fn scan_convert<'b, 't>(
     rows
 }
 
-/// Sets the columns on one side of rows to those of an edge from a corner down to another, the first of them at `row`.
-#[inline]
-fn short_edge(
+/// Sets the columns on one side of rows to those of an edge from a corner down to another; the first row is `row`.
+#[cfg_attr(for_size, inline(never))]
+#[cfg_attr(not(for_size), inline)]
+fn edge(
     rows: &mut [Columns],
-    [top, bottom]: [&ScreenVertex; 2],
-    row: i32,
     side: usize,
+    ends: [&ScreenVertex; 2],
+    row: i32,
+    is_short: bool,
 ) {
-    let Some(mut edge) = ShortEdge::new(top.screen, bottom.screen, row) else {
+    if !is_short {
+        long_edge(rows, side, ends, row);
         return;
-    };
-    // An empty statement keeps the compiler from unrolling the loops, because most edges pass few rows.
-    for columns in rows {
-        black_box(());
-        columns[side & 1] = edge.next();
+    }
+    let [top, bottom] = ends;
+    if let Some(mut edge) = ShortEdge::new(top.screen, bottom.screen, row) {
+        // An empty statement keeps the compiler from unrolling the loops, because most edges pass few rows.
+        for columns in rows {
+            black_box(());
+            columns[side & 1] = edge.next();
+        }
     }
 }
 
 #[inline(never)]
 fn long_edge(
     rows: &mut [Columns],
+    side: usize,
     [top, bottom]: [&ScreenVertex; 2],
     row: i32,
-    side: usize,
 ) {
     if rows.is_empty() {
         return;

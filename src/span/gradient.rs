@@ -1,7 +1,7 @@
 //! The plane equations of interpolants.
 
 use crate::num::reciprocal;
-use crate::num::wide::{product, times_short, upper};
+use crate::num::wide::{DIVIDES, product, times_short, upper};
 use crate::raster::{Patch, ScreenVertex};
 
 /// An interpolant over a triangle: its value at every pixel center, accurate to one unit.
@@ -31,6 +31,27 @@ pub(crate) struct WidePlane {
     dy: i64,
 }
 
+/// The value at the center of pixel (0, 0) and its change per column and per row, modulo 2³².
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SmallPlane {
+    step: i32,
+    row: i32,
+    start: i32,
+}
+
+impl SmallPlane {
+    /// The sum of this plane and 2^16 times another one. If the value of this plane has 16 bits without a sign, it is the
+    /// lower half of the sum's value, and that of the other is the upper half.
+    #[inline]
+    pub(super) const fn paired(self, upper: Self) -> Self {
+        Self {
+            step: self.step.wrapping_add(upper.step << 16),
+            row: self.row.wrapping_add(upper.row << 16),
+            start: self.start.wrapping_add(upper.start << 16),
+        }
+    }
+}
+
 impl Gradient {
     /// Nothing to interpolate.
     pub(crate) const NONE: Self = Self {
@@ -41,13 +62,12 @@ impl Gradient {
         is_small: false,
     };
 
-    /// Adds 2^16 times this plane to `lower`; both are small. If the value of `lower` has 16 bits without a sign, it is
-    /// the lower half of the sum's value, and this plane's value is the upper half.
-    pub(super) fn pair_with(&self, lower: &mut Self) {
-        let add = |to: &mut i32, upper: i32| *to = to.wrapping_add(upper << 16);
-        add(&mut lower.step, self.step);
-        add(&mut lower.row, self.row);
-        add(&mut lower.start, self.start);
+    #[inline]
+    pub(super) fn set(&mut self, SmallPlane { step, row, start }: SmallPlane) {
+        self.is_small = true;
+        self.step = step;
+        self.row = row;
+        self.start = start;
     }
 
     /// The value at a pixel.
@@ -210,9 +230,10 @@ impl Basis {
         ]
     }
 
-    /// Lays a plane through 2^`raised` times the values at the corners, whose range [is small](Self::is_small).
-    #[inline(never)]
-    pub(crate) fn lay_small(&self, [a, b, c]: [i32; 3], raised: u32, gradient: &mut Gradient) {
+    /// A plane through 2^`raised` times the values at the corners, whose range [is small](Self::is_small).
+    #[cfg_attr(for_size, inline(never))]
+    #[cfg_attr(not(for_size), inline)]
+    pub(crate) fn small(&self, [a, b, c]: [i32; 3], raised: u32) -> SmallPlane {
         let up = self.up + raised;
         let (b, c) = (
             b.wrapping_sub(a) << (up & 31),
@@ -224,10 +245,8 @@ impl Basis {
             ((product(b, weight_b) + product(c, weight_c) + (1 << 31)) >> 32) as i32
         };
         let (step, row) = (gain(b_step, c_step), gain(b_row, c_row));
-        gradient.is_small = true;
-        gradient.step = step;
-        gradient.row = row;
-        gradient.start = (a << (raised & 31)).wrapping_add(moved([step, row], self.to_center));
+        let start = (a << (raised & 31)).wrapping_add(moved([step, row], self.to_center));
+        SmallPlane { step, row, start }
     }
 
     /// Lays a small plane through the values at the corners, if their range allows that, or a wide one.
@@ -240,7 +259,7 @@ impl Basis {
         gradient: &mut Gradient,
     ) {
         if self.is_small(range) {
-            self.lay_small(values, 0, gradient);
+            gradient.set(self.small(values, 0));
         } else {
             self.start_wide(patch);
             self.lay_wide(values, gradient);
@@ -331,7 +350,10 @@ const fn rounded(fine: i64) -> i32 {
 /// The change of a value along a way in units of 1/256 pixel, rounded to the nearest unit, modulo 2³².
 #[inline]
 const fn moved([step, row]: [i32; 2], [x, y]: [i32; 2]) -> i32 {
-    // A way takes 21 bits, so sums of its products with 8 bits take 30.
+    if DIVIDES {
+        return ((product(step, x) + product(row, y) + 128) >> 8) as i32;
+    }
+    // Without a product of 64 bits. A way takes 21 bits, so sums of its products with 8 bits take 30.
     let fine = (step & 0xff) * x + (row & 0xff) * y;
     let coarse = (step >> 8)
         .wrapping_mul(x)

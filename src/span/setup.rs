@@ -191,15 +191,17 @@ impl Setup {
                 {
                     let cut =
                         |[a, b, c]: [i32; 3]| [a >> PAIR_DOWN, b >> PAIR_DOWN, c >> PAIR_DOWN];
-                    basis.lay_small(cut(first.corners), 0, &mut first.gradient);
-                    basis.lay_small(second.corners, Scale::AFFINE_UP, &mut second.gradient);
-                    basis.lay_small(cut(third.corners), 0, &mut third.gradient);
-                    third.gradient.pair_with(&mut first.gradient);
+                    let plane = basis.small(second.corners, Scale::AFFINE_UP);
+                    second.gradient.set(plane);
+                    let (lower, upper) = (cut(first.corners), cut(third.corners));
+                    let plane = basis.small(lower, 0).paired(basis.small(upper, 0));
+                    first.gradient.set(plane);
                     return Plan::Small;
                 }
                 for attribute in attributes {
                     attribute.scale = Scale::AFFINE;
-                    basis.lay_small(attribute.corners, Scale::AFFINE_UP, &mut attribute.gradient);
+                    let plane = basis.small(attribute.corners, Scale::AFFINE_UP);
+                    attribute.gradient.set(plane);
                 }
                 straight(self.q.is_small && !is_paired)
             }
