@@ -176,7 +176,7 @@ impl<'d> Draw<'d> {
 }
 
 impl Assembly for Draw<'_> {
-    #[inline]
+    #[cfg_attr(not(for_size), inline(never))] // so that the loop over faces, half of them rejected, has its registers
     fn whole(&mut self, indices: Indices, corners: [&ScreenVertex; 3], area: i64) {
         // By reference: moved, it would be copied.
         if let Some(triangle) = &Triangle::new(corners, None, area, &self.shared.scissor) {

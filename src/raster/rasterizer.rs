@@ -57,7 +57,7 @@ impl<'r> Rasterizer<'r> {
     /// Draws what lies in the scissor of a triangle; of that, if `part` is given, only the pixels that it selects.
     ///
     /// A center on a left or top edge belongs to the triangle, one on a right or bottom edge does not.
-    #[inline(never)]
+    #[cfg_attr(for_size, inline(never))]
     pub(crate) fn triangle(&mut self, triangle: &Triangle<'_>, part: Option<&Part<'_>>) {
         let block = &mut self.block;
         let Range { start, end } = triangle.rows;
@@ -166,7 +166,6 @@ pub(super) fn scan_convert<'b, 't>(
 
 /// Sets the columns on one side of rows to those of an edge from a corner down to another; the first row is `row`.
 #[cfg_attr(for_size, inline(never))]
-#[cfg_attr(not(for_size), inline)]
 fn edge(
     rows: &mut [Columns],
     side: usize,

@@ -46,7 +46,7 @@ pub(super) fn covers(corners: [&ScreenVertex; 3], area: i64, [x, row]: [i32; 2])
 impl<'a> Triangle<'a> {
     /// A triangle of a mesh or, with places, of a clipped polygon; `None` if the smallest upright rectangle around it
     /// contains no pixel center of the scissor.
-    #[inline(never)]
+    #[cfg_attr(for_size, inline(never))]
     pub(crate) fn new(
         vertices: [&'a ScreenVertex; 3],
         barycentric: Option<&'a [Barycentric; 3]>,

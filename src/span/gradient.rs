@@ -232,7 +232,6 @@ impl Basis {
 
     /// A plane through 2^`raised` times the values at the corners, whose range [is small](Self::is_small).
     #[cfg_attr(for_size, inline(never))]
-    #[cfg_attr(not(for_size), inline)]
     pub(crate) fn small(&self, [a, b, c]: [i32; 3], raised: u32) -> SmallPlane {
         let up = self.up + raised;
         let (b, c) = (
