@@ -147,7 +147,7 @@ pub(super) fn scan_convert<'b, 't>(
     (a, b) = sort(a, b);
     (b, c) = sort(b, c);
     (a, b) = sort(a, b);
-    // Rows above a or below c are not asked for.
+    // All rows are between a and c.
     let middle = first_center(b.screen[1]) - first;
     let middle = middle.max(0).min(count).cast_unsigned() as usize;
     let is_short = ShortEdge::fits(width, height);

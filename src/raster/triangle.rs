@@ -27,20 +27,16 @@ pub(crate) fn area([a, b, c]: &[[i32; 2]; 3]) -> i64 {
 
 /// Whether a triangle covers the center of a pixel.
 pub(super) fn covers(corners: [&ScreenVertex; 3], area: i64, [x, row]: [i32; 2]) -> bool {
-    let triangle = Triangle {
-        patch: Patch {
-            vertices: corners,
-            size: [i32::MAX; 2], // not computed
-            area,
-            ..Patch::EVEN
-        },
+    let scissor = Scissor {
+        columns: x..x + 1,
         rows: row..row + 1,
-        cut: None,
     };
     let mut columns = [[0; 2]];
-    scan_convert(&mut columns, row, &triangle);
+    if let Some(triangle) = &Triangle::new(corners, None, area, &scissor) {
+        scan_convert(&mut columns, row, triangle);
+    }
     let [[start, end]] = columns;
-    (i32::from(start)..i32::from(end)).contains(&x)
+    start < end
 }
 
 impl<'a> Triangle<'a> {
