@@ -299,6 +299,28 @@ mod tests {
         }
     }
 
+    /// Levels are c · white / 255, within a unit of 2^-16; the brightest is white.
+    #[test]
+    fn levels_of_24_bits_are_exact_to_a_unit() {
+        fn check<C: PixelFormat>() {
+            for channel in 0..=255_u8 {
+                let color = Rgb888::new(channel, 255 - channel, channel / 2);
+                let levels = Precise::<C>::of_rgb(color).levels();
+                let channels = [color.r(), color.g(), color.b()];
+                for ((level, channel), white) in levels.into_iter().zip(channels).zip(C::MAX_STEPS) {
+                    let exact = i64::from(channel) * i64::from(white) << 16;
+                    let error = 255 * i64::from(level) - exact;
+                    assert!(error.abs() < 255, "{error} / 255 for {channel} of {white}");
+                    assert!(channel < 255 || error == 0, "{level} for {white}");
+                }
+            }
+        }
+        check::<Rgb555>();
+        check::<Rgb565>();
+        check::<Rgb666>();
+        check::<Bgr888>();
+    }
+
     #[test]
     fn gray_is_luma() {
         for (color, weight) in [

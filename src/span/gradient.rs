@@ -110,6 +110,8 @@ pub(crate) struct Basis {
     up: u32,
     /// Values whose range is below this make a small plane; 0 if the triangle's shape does not allow any.
     limit: u32,
+    /// The same for coarse planes.
+    coarse_limit: u32,
     wide: Wide,
 }
 
@@ -133,7 +135,7 @@ struct Wide {
 /// from the rounding of the weights, which is at most ¼ because b and c, the shifted differences between corners, are
 /// below 2^30. From the first corner to the center of any pixel there are at most 43 steps. The rounding of `start`
 /// adds ½, and the reciprocal of the area, with an error of 2^-30, less than a unit of a range below 2^30. In all, this
-/// is 33¾ units.
+/// is 33¾ units. A coarse plane has twice the steps, and less than 67½ units.
 const SMALL: i32 = 43 << 8;
 
 /// The most bits by which the differences between corners are shifted left.
@@ -149,6 +151,7 @@ impl Basis {
             weights: [[0; 2]; 2],
             up: 0,
             limit: 0,
+            coarse_limit: 0,
             wide: Wide {
                 sides: [[0; 2]; 2],
                 shift: 0,
@@ -157,13 +160,13 @@ impl Basis {
         }
     }
 
-    /// Starts a triangle.
+    /// Starts a triangle, of which some planes may be [coarse](Self::is_coarse).
     #[inline]
-    pub(crate) fn new(patch: &Patch<'_>) -> Self {
+    pub(crate) fn new(patch: &Patch<'_>, has_coarse: bool) -> Self {
         let mut basis = Self::without_weights(patch);
         let [[x, y], [bx, by], [cx, cy]] = ScreenVertex::screens(patch.vertices);
         let [wide, high] = patch.size;
-        if wide + high > SMALL {
+        if wide + high > SMALL << u32::from(has_coarse) {
             return basis;
         }
         // Twice the area is then below 2^27. Let r be 2^62 / (area · 2^zeros), and s = side · 2^(zeros + 8 - up).
@@ -185,7 +188,10 @@ impl Basis {
             [weight(y - by), weight(bx - x)],
         ];
         basis.up = up;
-        basis.limit = 1 << (30 - up);
+        basis.coarse_limit = 1 << (30 - up);
+        if wide + high <= SMALL {
+            basis.limit = basis.coarse_limit;
+        }
         basis
     }
 
@@ -193,6 +199,13 @@ impl Basis {
     #[inline]
     pub(crate) const fn is_small(&self, range: u32) -> bool {
         range < self.limit
+    }
+
+    /// Whether values of this range make a coarse plane: a small one for a triangle of twice the width and height, which
+    /// has twice the error.
+    #[inline]
+    pub(crate) const fn is_coarse(&self, range: u32) -> bool {
+        range < self.coarse_limit
     }
 
     /// Prepares for wide planes, unless that is done already.
@@ -230,7 +243,8 @@ impl Basis {
         ]
     }
 
-    /// A plane through 2^`raised` times the values at the corners, whose range [is small](Self::is_small).
+    /// A plane through 2^`raised` times the values at the corners, whose range [is small](Self::is_small) or
+    /// [coarse](Self::is_coarse).
     #[cfg_attr(for_size, inline(never))]
     pub(crate) fn small(&self, [a, b, c]: [i32; 3], raised: u32) -> SmallPlane {
         let up = self.up + raised;
@@ -374,8 +388,8 @@ mod tests {
         [*all.iter().min().unwrap(), *all.iter().max().unwrap()]
     }
 
-    /// Lays a plane through `values` at places on the screen; `None` if they are in a line.
-    fn laid(screen: [[i32; 2]; 3], values: [i32; 3]) -> Option<Gradient> {
+    /// Lays a plane, which may be coarse, through `values` at places on the screen; `None` if they are in a line.
+    fn laid(screen: [[i32; 2]; 3], values: [i32; 3], is_coarse: bool) -> Option<Gradient> {
         let vertices = screen.map(vertex);
         let area = area(&screen);
         let patch = Patch {
@@ -387,10 +401,14 @@ mod tests {
             }),
             area,
         };
-        let (mut basis, mut gradient) = (Basis::new(&patch), Gradient::NONE);
+        let (mut basis, mut gradient) = (Basis::new(&patch, is_coarse), Gradient::NONE);
         if area != 0 {
             let range = values.iter().max().unwrap() - values.iter().min().unwrap();
-            basis.lay(values, range.cast_unsigned(), &patch, &mut gradient);
+            if is_coarse && basis.is_coarse(range.cast_unsigned()) {
+                gradient.set(basis.small(values, 0));
+            } else {
+                basis.lay(values, range.cast_unsigned(), &patch, &mut gradient);
+            }
         }
         (area != 0).then_some(gradient)
     }
@@ -434,8 +452,9 @@ mod tests {
 
     /// A wide plane's reciprocal has an error of 2^-30, which is two units of a range below 2^31; rounding adds ½.
     #[test]
-    fn small_planes_are_within_33_and_wide_ones_within_two_units() {
-        cases(2000, |random| {
+    fn small_planes_are_within_33_coarse_ones_within_67_and_wide_ones_within_two_units() {
+        cases(4000, |random| {
+            let is_coarse = random.random();
             let at = [(); 2].map(|()| random.random_range(-(2048_i32 << 8)..2048 << 8));
             let size = random.random_range(4_u32..15);
             let parts =
@@ -449,10 +468,14 @@ mod tests {
                 ]
             };
             let screen = [at, place(parts[0]), place(parts[1])];
-            let Some(gradient) = laid(screen, values) else {
+            let Some(gradient) = laid(screen, values, is_coarse) else {
                 return;
             };
-            let most = if gradient.is_small { 3375 } else { 250 };
+            let most = match (gradient.is_small, is_coarse) {
+                (false, _) => 250,
+                (true, false) => 3375,
+                (true, true) => 6750,
+            };
             for [x, y] in pixels(screen) {
                 let value = if gradient.is_small {
                     gradient.small_at(x, y)
@@ -476,11 +499,14 @@ mod tests {
     /// The limits of shape and range, from both sides.
     #[test]
     fn triangles_and_ranges_up_to_the_limits_have_small_planes() {
-        let is_small = |screen, values| laid(screen, values).unwrap().is_small;
+        let is_small = |screen, values| laid(screen, values, false).unwrap().is_small;
+        let is_coarse = |screen, values| laid(screen, values, true).unwrap().is_small;
         let square = |side: i32| [[0, 0], [side, 0], [0, side]];
         // Width and height of 43 pixels, and a unit more.
         assert!(is_small(square(SMALL / 2), [0, 1 << 29, 0]));
         assert!(!is_small(square(SMALL / 2 + 1), [0, 1 << 29, 0]));
+        assert!(is_coarse(square(SMALL), [0, 1 << 29, 0]));
+        assert!(!is_coarse(square(SMALL + 1), [0, 1 << 29, 0]));
         // A range of 30 bits.
         assert!(is_small(square(4096), [-(1 << 29), (1 << 29) - 1, 0]));
         assert!(!is_small(square(4096), [-(1 << 29), 1 << 29, 0]));

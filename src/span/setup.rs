@@ -99,8 +99,8 @@ const PAIR_DOWN: u32 = 5;
 ///
 /// The first is the lower half: the upper bits of its step are where RGB565 has red.
 ///
-/// The first and the third are levels raised by half a step, from half a step to 31½. A plane's error of [33¾
-/// units](super::gradient) and a unit for the bits that are cut are a sixtieth of a step in units of 2^-11 step. So a
+/// The first and the third are levels raised by half a step, from half a step to 31½. A coarse plane's error of
+/// [67½ units](super::gradient) and a unit for the bits that are cut are a thirtieth of a step in units of 2^-11 step. So a
 /// half stays between 0 and 2^16.
 #[inline]
 pub(super) const fn unpaired(pair: i32, second: i32) -> [i32; 3] {
@@ -119,7 +119,7 @@ pub(crate) enum Interpolation {
     Linear,
     /// Over w.
     Perspective,
-    /// Over w; there are three attributes, of which small triangles have the first and the third [paired](unpaired).
+    /// Over w; there are three attributes, of which triangles that are not large have the first and the third [paired](unpaired).
     Paired,
 }
 
@@ -175,29 +175,32 @@ impl Setup {
         let [first, second, third] = q;
         self.least = first.min(second).min(third);
         let change = first.max(second).max(third) - self.least;
-        let mut basis = Basis::new(patch);
-        basis.lay(signed(q), change, patch, &mut self.q);
         let is_paired = self.interpolation == Interpolation::Paired;
+        let mut basis = Basis::new(patch, is_paired);
+        basis.lay(signed(q), change, patch, &mut self.q);
         let affine = match self.interpolation {
             Interpolation::Linear => None,
             _ => self.affine_range(attributes, change),
         };
-        match affine {
-            Some(range)
-                if patch.barycentric.is_none() && basis.is_small(range << Scale::AFFINE_UP) =>
+        let affine = affine.map(|range| range << Scale::AFFINE_UP);
+        match (affine, &mut *attributes) {
+            (Some(range), [first, second, third])
+                if is_paired
+                    && basis.is_coarse(range)
+                    && patch.barycentric.is_none()
+                    && patch.size[0] <= SPAN << 8 =>
             {
-                if let (true, true, [first, second, third]) =
-                    (self.q.is_small, is_paired, &mut *attributes)
-                {
-                    let cut =
-                        |[a, b, c]: [i32; 3]| [a >> PAIR_DOWN, b >> PAIR_DOWN, c >> PAIR_DOWN];
-                    let plane = basis.small(second.corners, Scale::AFFINE_UP);
-                    second.gradient.set(plane);
-                    let (lower, upper) = (cut(first.corners), cut(third.corners));
-                    let plane = basis.small(lower, 0).paired(basis.small(upper, 0));
-                    first.gradient.set(plane);
-                    return Plan::Small;
-                }
+                let cut = |[a, b, c]: [i32; 3]| [a >> PAIR_DOWN, b >> PAIR_DOWN, c >> PAIR_DOWN];
+                let plane = basis.small(second.corners, Scale::AFFINE_UP);
+                second.gradient.set(plane);
+                let (lower, upper) = (cut(first.corners), cut(third.corners));
+                let plane = basis.small(lower, 0).paired(basis.small(upper, 0));
+                first.gradient.set(plane);
+                Plan::Small
+            }
+            (Some(range), attributes)
+                if basis.is_small(range) && patch.barycentric.is_none() =>
+            {
                 for attribute in attributes {
                     attribute.scale = Scale::AFFINE;
                     let plane = basis.small(attribute.corners, Scale::AFFINE_UP);

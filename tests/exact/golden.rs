@@ -64,14 +64,14 @@ fn checksums_of_the_cube() {
 #[test]
 fn checksums_of_the_sphere() {
     const CRC: [u32; 8] = [
-        0xd3f0_8325,
-        0xef45_08f4,
-        0xbd91_40cb,
-        0x793a_5379,
-        0x5146_da60,
-        0x1b3a_5808,
-        0x25c1_80f4,
-        0x6570_3ab7,
+        0x68f1_34c5,
+        0xf88b_8fe9,
+        0x8b37_7054,
+        0xd04c_eb25,
+        0xed0e_2476,
+        0x1596_6a58,
+        0x7e38_1dc7,
+        0xd01a_b1a1,
     ];
     let drawn = poses(&|k, canvas| {
         scenes::sphere(canvas, &PASS, &scenes::sphere_mvp(k).unwrap());
@@ -126,16 +126,16 @@ fn scenes_in<I: Mode>(mode: I) -> [u32; 3] {
 
 #[test]
 fn checksums_in_every_mode() {
-    let exact = [0xcea2_0ac4, 0x9303_8f3d, 0xef45_08f4];
+    let exact = [0xcea2_0ac4, 0x9303_8f3d, 0xf88b_8fe9];
     assert_eq!(scenes_in(Exact), exact);
     // `Compact` may round values differently, but no texel here changes.
     assert_eq!(scenes_in(Compact), exact);
     // `Newton` does not divide, and carries red and blue in one number. So some of the sphere's colors have an error of
     // a fourteenth of a step.
-    assert_eq!(scenes_in(Newton), [0xcea2_0ac4, 0x9303_8f3d, 0xaf97_9935]);
+    assert_eq!(scenes_in(Newton), [0xcea2_0ac4, 0x9303_8f3d, 0x1014_91dc]);
     assert_eq!(
         scenes_in(Fast::within(fx!(0.25))),
-        [0xcea2_0ac4, 0xad31_9453, 0xaf97_9935]
+        [0xcea2_0ac4, 0xad31_9453, 0x1014_91dc]
     );
-    assert_eq!(scenes_in(Affine), [0x96f7_ce3f, 0x713d_66be, 0x398d_3770]);
+    assert_eq!(scenes_in(Affine), [0x96f7_ce3f, 0x713d_66be, 0x55dd_cad2]);
 }
