@@ -46,6 +46,46 @@ def ring_rate(count):
     return f"{whole(125e6 / (2 * count))} to {whole(125e6 / count)}"
 
 
+FIXEL, TGX, SMALL3DLIB = "#d9822b", "#4a90d9", "#8a8f98"
+# Spheres by their triangles: millions of instructions for interpolated colors with depth, and for one color, on
+# Cortex-M4; tgx with an FPU, small3dlib at -O3 without. Measured once, on the scenes and with the poses of `kernels`.
+OTHERS = {
+    "tgx": (TGX, [(480, 1.19, 0.53), (1984, 1.93, 1.09), (4512, 3.01, 1.95), (6160, 3.68, 2.49), (7812, 4.34, 3.02),
+                  (8064, 4.43, 3.10)]),
+    "small3dlib": (SMALL3DLIB, [(480, 2.79, 0.70), (1984, 4.02, 1.65), (7812, 7.75, 4.74)]),
+}
+
+
+def drawing(width, height, label, parts):
+    """A drawing in the page's own color of text."""
+    return (f'<div><svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" '
+            f'style="max-width:100%" role="img" aria-label="{label}" font-size="12" fill="currentColor">'
+            + "".join(parts) + "</svg></div>")
+
+
+def text(x, y, words, anchor="middle"):
+    return f'<text x="{x:g}" y="{y:g}" text-anchor="{anchor}">{words}</text>'
+
+
+def chart(left, title, curves):
+    """Millions of instructions over triangles, from 0 to 8 and from 0 to 9,000; curves have a name, a color and points."""
+    def place(point):
+        return f"{left + 28 + point[0] / 9000 * 270:.1f} {220 - point[1] / 8 * 180:.1f}"
+
+    yield text(left + 163, 20, title)
+    for million in range(0, 9, 2):
+        yield f'<path d="M{place((0, million))}H{left + 298}" stroke="currentColor" stroke-opacity=".2"/>'
+        yield text(left + 22, 224 - million / 8 * 180, f"{million} M", "end")
+    for triangles in range(0, 9000, 2000):
+        yield text(left + 28 + triangles / 9000 * 270, 238, f"{triangles:,}")
+    for name, color, points in curves:
+        yield f'<path d="M{"L".join(map(place, points))}" fill="none" stroke="{color}" stroke-width="2"/>'
+        yield "".join(f'<path d="M{place(point)}h0" stroke="{color}" stroke-width="6" stroke-linecap="round"/>'
+                      for point in points)
+        x, y = place(points[-1]).split()
+        yield text(float(x) - 8, float(y) - 8, name, "end")
+
+
 def names(instructions, other):
     """The functions for expressions. instructions[target, optimization, mode, what, per] are the counts of
     tests/instructions.csv; other[what] are the figures of tests/figures.csv."""
@@ -99,6 +139,36 @@ def names(instructions, other):
         wrong, size = other[f"painter {scene} wrong"], other[f"painter {scene} list"]
         costs = measured(million, f"painter {scene} depth", f"painter {scene} sorted")
         return f"{f'{wrong:.2f} %' if wrong else '0'} | {tenths(size / 1024)} KiB | {costs}"
+
+    def spheres():
+        """Instructions for spheres of different numbers of triangles."""
+        def ours(name):
+            return [(count, instructions[M4, "3", "newton", f"{name}-{count}", "mean-of-poses"] / 1e6)
+                    for count, *_ in OTHERS["tgx"][1]]
+
+        parts = []
+        for way, (title, name) in enumerate([("interpolated colors, with depth", "sphere"), ("one color", "sphere-flat")]):
+            theirs = [(who, color, [(point[0], point[1 + way]) for point in points])
+                      for who, (color, points) in OTHERS.items()]
+            parts += chart(340 * way, title, [("fixel", FIXEL, ours(name)), *theirs])
+        return drawing(660, 250, "Millions of instructions for a frame over the triangles of a sphere, for fixel, tgx and "
+                       "small3dlib", parts)
+
+    def skins():
+        """Instructions for a pixel of each kind of texture."""
+        kinds = [("rows, <tspan font-family='monospace'>[[C; 64]; 64]</tspan>", "affine"), ("Texture", "affine-texture"),
+                 ("Texture, clamped", "affine-texture-clamped"), ("Indexed, 256 colors", "affine-texture-indexed"),
+                 ("Raw, bytes", "affine-texture-raw"), ("Argb1555, with holes", "affine-texture-argb1555"),
+                 ("rows with a cut-out color", "affine-cut-out"), ("Mipmap", "affine-mipmap"),
+                 ("rows, bilinear", "affine-bilinear"), ("Texture, bilinear", "affine-texture-bilinear"),
+                 ("Mipmap, bilinear", "affine-mipmap-bilinear"), ("Mipmap, trilinear", "affine-trilinear")]
+        parts = []
+        for at, (name, what) in enumerate(kinds):
+            y, count = 16 + 20 * at, instructions[M4, "3", "kernel", what, units[what]] / 1000
+            parts.append(text(188, y + 4, name, "end"))
+            parts.append(f'<path d="M196 {y}h{count * 1.6:.1f}" stroke="{FIXEL}" stroke-width="11"/>')
+            parts.append(text(202 + count * 1.6, y + 4, tenths(count), "start"))
+        return drawing(660, 20 * len(kinds) + 12, "Instructions for a pixel of each kind of texture", parts)
 
     def kib(what):
         return whole(math.ceil(other[what] / 1024))

@@ -95,7 +95,8 @@ const fn place(at: usize) -> [i32; 3] {
 }
 
 /// Red, green and blue of a surface with a normal in units of 2⁻¹⁶, under light from (2, 3, 6)/7.
-const fn lit([x, y, z]: [i32; 3]) -> [u8; 3] {
+#[must_use]
+pub const fn lit([x, y, z]: [i32; 3]) -> [u8; 3] {
     let facing = (2 * x + 3 * y + 6 * z) / 7;
     let light = if facing > 0 { facing } else { 0 };
     // An ambient light of a quarter.

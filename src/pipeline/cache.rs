@@ -82,22 +82,22 @@ impl VertexCache {
         projector: &Projector<'_, K>,
         index: Index,
     ) -> &ScreenVertex {
-        self.entry(projector, index).0
+        let entry = &mut self.entries[self.slots.of(index)];
+        if entry.index != index {
+            projector.project(index, None, entry);
+        }
+        entry
     }
 
-    /// A vertex, and whether it is projected now.
+    /// Projects a vertex, unless it is in its slot already; whether it was not.
     #[inline]
-    fn entry<K: ProjectionKind>(
-        &mut self,
-        projector: &Projector<'_, K>,
-        index: Index,
-    ) -> (&ScreenVertex, bool) {
+    fn refresh<K: ProjectionKind>(&mut self, projector: &Projector<'_, K>, index: Index) -> bool {
         let entry = &mut self.entries[self.slots.of(index)];
         let is_new = entry.index != index;
         if is_new {
             projector.project(index, None, entry);
         }
-        (entry, is_new)
+        is_new
     }
 
     /// The corners of a triangle, from the cache or projected now; `None` if two of them share a slot.
@@ -109,14 +109,15 @@ impl VertexCache {
         [a, b, c]: [Index; 3],
     ) -> Option<[&ScreenVertex; 3]> {
         // Only a vertex that is projected now can take the slot of another.
-        self.vertex(projector, a);
-        let (_, is_new) = self.entry(projector, b);
-        if is_new && self.slots.of(b) == self.slots.of(a) {
+        self.refresh(projector, a);
+        if self.refresh(projector, b) && self.slots.of(b) == self.slots.of(a) {
             return None;
         }
-        let (_, is_new) = self.entry(projector, c);
-        if is_new && [a, b].map(|index| self.slots.of(index)).contains(&self.slots.of(c)) {
-            return None;
+        if self.refresh(projector, c) {
+            let slot = self.slots.of(c);
+            if slot == self.slots.of(a) || slot == self.slots.of(b) {
+                return None;
+            }
         }
         // Destructured by hand, as in `ScreenVertex::screens`.
         let (entries, slots) = (&self.entries, self.slots);

@@ -122,7 +122,12 @@ where
             let pixels = blit.pixels(row, x);
             let Planes { setup, attributes } = &blit.interpolator.planes;
             let mut span = Span::<Count<S>> {
-                q: setup.q.at(x, y).cast_unsigned(),
+                q: if Self::PAIRS {
+                    setup.q.at(x, y)
+                } else {
+                    setup.q.small_at(x, y)
+                }
+                .cast_unsigned(),
                 p: Count::<S>::map(attributes, |p: &Attribute| p.gradient.small_at(x, y)),
                 dq: setup.q.step,
                 dp: Count::<S>::map(attributes, |p: &Attribute| p.gradient.step),

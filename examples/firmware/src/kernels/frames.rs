@@ -20,7 +20,7 @@ pub struct Frame {
 }
 
 /// A scene's model-view-projection in a pose.
-type Posed = fn(i32) -> Result<Mvp<Perspective>, Error>;
+pub type Posed = fn(i32) -> Result<Mvp<Perspective>, Error>;
 
 impl Frame {
     /// Takes the memory; can be called once.
@@ -61,34 +61,30 @@ impl Frame {
         Ok(())
     }
 
-    /// Draws all poses of the floor and the cube with a shader, and prints the ticks of the draw calls.
-    pub fn textured<M: Mode, S: ShaderFor<Rgb565>>(
+    /// Draws all poses of a mesh, with or without a depth buffer, and prints the ticks of the draw
+    /// calls.
+    pub fn mesh<M: Mode, S: ShaderFor<Rgb565>>(
         &mut self,
         watch: &mut Stopwatch,
-        mode_name: &str,
-        options: &DrawOptions<M>,
-        names: [&str; 2],
+        (mode_name, options): (&str, &DrawOptions<M>),
+        (name, mesh, mvp): (&str, &Mesh, Posed),
         shader: &S,
+        has_depth: bool,
     ) -> Result<(), Error> {
-        let things = [
-            (&scenes::FLOOR, scenes::floor_mvp as Posed),
-            (&scenes::CUBE, scenes::cube_mvp),
-        ];
-        for (name, (mesh, mvp)) in names.into_iter().zip(things) {
-            let mut ticks = 0;
-            for pose in 0..POSES {
-                let mvp = mvp(pose)?;
-                let mut canvas = Canvas::new(&mut *self.colors, WIDTH, HEIGHT)?;
-                canvas.clear(Rgb565::BLACK);
+        let mut ticks = 0;
+        for pose in 0..POSES {
+            let mvp = mvp(pose)?;
+            let mut canvas = Canvas::new(&mut *self.colors, WIDTH, HEIGHT)?;
+            canvas.clear(Rgb565::BLACK);
+            ticks += if has_depth {
                 let mut canvas = canvas.with_depth(&mut *self.depths)?;
                 canvas.clear_depth();
-                ticks += watch.time(|| {
-                    canvas.draw_with(options, mesh, &mvp, shader);
-                    Ok::<_, Error>(())
-                })?;
-            }
-            watch.print_frames(mode_name, name, POSES.cast_unsigned(), ticks);
+                watch.time(|| Ok::<_, Error>(_ = canvas.draw_with(options, mesh, &mvp, shader)))
+            } else {
+                watch.time(|| Ok(_ = canvas.draw_with(options, mesh, &mvp, shader)))
+            }?;
         }
+        watch.print_frames(mode_name, name, POSES.cast_unsigned(), ticks);
         Ok(())
     }
 

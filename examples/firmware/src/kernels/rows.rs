@@ -1,6 +1,7 @@
-//! Measures meshes whose rows have different numbers of vertices: no number may take much more than the next.
+//! Measures spheres: of one size whose rows have different numbers of vertices, of which no number may take much more
+//! than the next, and of different numbers of triangles.
 
-use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::mesh::{Buffers, Shape};
 use fixel::prelude::*;
 use static_cell::ConstStaticCell;
@@ -31,22 +32,51 @@ const ROWS: [(&str, u32); 17] = [
     ("rows-of-300", 300),
 ];
 
-/// Each sphere has about this many triangles.
+/// Each of these spheres has about this many triangles.
 const TRIANGLES: u32 = 2000;
 
-static POSITIONS: ConstStaticCell<[Vec3; 2000]> = ConstStaticCell::new([Vec3::ZERO; 2000]);
-static FACES: ConstStaticCell<[[u16; 3]; 2400]> = ConstStaticCell::new([[0; 3]; 2400]);
+/// Slices and stacks of spheres, and names that tell their triangles: with interpolated colors, and in one color. The
+/// measured sphere has 32.
+const SIZES: [(u32, [&str; 2]); 6] = [
+    (16, ["sphere-480", "sphere-flat-480"]),
+    (32, ["sphere-1984", "sphere-flat-1984"]),
+    (48, ["sphere-4512", "sphere-flat-4512"]),
+    (56, ["sphere-6160", "sphere-flat-6160"]),
+    (63, ["sphere-7812", "sphere-flat-7812"]),
+    (64, ["sphere-8064", "sphere-flat-8064"]),
+];
 
-/// Draws the spheres in one color, without a depth buffer.
+/// Vertices of the largest sphere.
+const MOST: usize = 65 * 65;
+static POSITIONS: ConstStaticCell<[Vec3; MOST]> = ConstStaticCell::new([Vec3::ZERO; MOST]);
+static COLORS: ConstStaticCell<[Rgb888; MOST]> = ConstStaticCell::new([Rgb888::BLACK; MOST]);
+static FACES: ConstStaticCell<[[u16; 3]; 8064]> = ConstStaticCell::new([[0; 3]; 8064]);
+
+/// Draws the spheres: with interpolated colors and a depth buffer, or in one color without.
 pub fn measure(watch: &mut Stopwatch, frame: &mut Frame) -> Result<(), Error> {
-    let (positions, faces) = (POSITIONS.take(), FACES.take());
+    let (positions, faces, colors) = (POSITIONS.take(), FACES.take(), COLORS.take());
+    let (red, options) = (Flat::new(Rgb565::RED), DrawOptions::new());
+    for (slices, [colored, flat]) in SIZES {
+        let sphere = Shape::sphere(slices, slices)?;
+        let ball = sphere.build(Buffers::new(&mut *positions, &mut *faces))?;
+        let places = ball.positions();
+        for (color, at) in colors.iter_mut().zip(0..places.len()) {
+            // The normal of a unit sphere is the position.
+            let normal = places.get(at).unwrap_or(Vec3::ZERO).to_bits();
+            let [r, g, b] = scenes::lit(normal);
+            *color = Rgb888::new(r, g, b);
+        }
+        let ball = ball.with_colors(&colors[..places.len()], None)?;
+        let (mode, posed) = (("newton", &options), scenes::sphere_mvp);
+        frame.mesh(watch, mode, (colored, &ball, posed), &Gouraud::new(), true)?;
+        frame.mesh(watch, mode, (flat, &ball, posed), &red, false)?;
+    }
     let mvp = scenes::sphere_mvp(0)?;
     for (name, length) in ROWS {
         let slices = length - 1;
         let sphere = Shape::sphere(slices, TRIANGLES / (2 * slices) + 1)?;
-        let ball = sphere.build(Buffers::new(positions, faces))?;
+        let ball = sphere.build(Buffers::new(&mut *positions, &mut *faces))?;
         let mut canvas = frame.canvas()?;
-        let red = Flat::new(Rgb565::RED);
         let ticks = watch.time(|| {
             let drawn = canvas.draw(&ball, &mvp, &red);
             assert!(drawn.drawn > 0 && drawn.clipped == 0);

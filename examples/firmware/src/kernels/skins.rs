@@ -8,8 +8,8 @@ use fixel::mode::{Affine, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::texture::{Argb1555, Indexed, Raw};
 
-use super::common::scenes::CHECKER;
-use super::frames::Frame;
+use super::common::scenes::{self, CHECKER};
+use super::frames::{Frame, Posed};
 use super::ticks::Stopwatch;
 use super::wall::{Bench, Depths};
 
@@ -38,13 +38,13 @@ fn frames_in<M: Mode>(
     let texture = black_box(Texture::new(CHECKER.as_flattened(), 64, 64)?);
     let options = DrawOptions::new().with_mode(mode);
     let skin = Textured::new(texture);
-    frame.textured(
-        watch,
-        mode_name,
-        &options,
-        ["floor-texture", "cube-texture"],
-        &skin,
-    )
+    for thing in [
+        ("floor-texture", &scenes::FLOOR, scenes::floor_mvp as Posed),
+        ("cube-texture", &scenes::CUBE, scenes::cube_mvp),
+    ] {
+        frame.mesh(watch, (mode_name, &options), thing, &skin, true)?;
+    }
+    Ok(())
 }
 
 /// Prints the costs of pixels.
