@@ -131,32 +131,31 @@ pub(super) fn scan_convert<'b, 't>(
         area,
         ..
     } = triangle.patch;
-    let count = (block.len() as u32)
-        .cast_signed()
-        .min(triangle.rows.end - first);
-    let rows = block
-        .get_mut(..count.cast_unsigned() as usize)
-        .unwrap_or_default();
-    // If abc runs clockwise, the edge from a to c is on the left. An exchange of two corners turns that around.
-    let mut is_right = area < 0;
+    let rows_to = |row: i32| (row - first).max(0).cast_unsigned() as usize;
+    let count = rows_to(triangle.rows.end).min(block.len());
+    let rows = block.get_mut(..count).unwrap_or_default();
+    // If abc runs clockwise, the edge from a to c is on the left: side 0. An exchange of two corners turns that around.
+    let mut sign = (area >> 32) as i32;
     let mut sort = |a: &'t ScreenVertex, b: &'t ScreenVertex| {
-        let is_sorted = a.screen[1] <= b.screen[1];
-        is_right ^= !is_sorted;
-        if is_sorted { (a, b) } else { (b, a) }
+        if a.screen[1] <= b.screen[1] {
+            (a, b)
+        } else {
+            sign = !sign;
+            (b, a)
+        }
     };
     (a, b) = sort(a, b);
     (b, c) = sort(b, c);
     (a, b) = sort(a, b);
     // All rows are between a and c.
-    let middle = first_center(b.screen[1]) - first;
-    let middle = middle.max(0).min(count).cast_unsigned() as usize;
+    let middle = rows_to(first_center(b.screen[1])).min(count);
+    let side = usize::from(sign < 0);
     let is_short = ShortEdge::fits(width, height);
-    edge(rows, usize::from(is_right), [a, c], first, is_short);
-    let side = usize::from(!is_right);
+    edge(rows, side, [a, c], first, is_short);
     if let Some((upper, lower)) = rows.split_at_mut_checked(middle) {
-        edge(upper, side, [a, b], first, is_short);
+        edge(upper, 1 - side, [a, b], first, is_short);
         let first = first + (middle as u32).cast_signed();
-        edge(lower, side, [b, c], first, is_short);
+        edge(lower, 1 - side, [b, c], first, is_short);
     }
     if let Some(scissor) = triangle.cut {
         cut(rows, &scissor.columns);
