@@ -135,7 +135,7 @@ pub(crate) struct Memory<'a, C, O: Storage<C>, D> {
     pub(super) colors: &'a mut [O::Cell],
     /// Empty if there is no depth buffer.
     pub(super) depths: &'a mut [u16],
-    pub(super) width: u32,
+    pub(crate) width: u32,
     pub(super) first_row: u32,
     pub(super) buffer: PhantomData<D>,
 }
@@ -154,7 +154,19 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer> Memory<'a, C, O, D> {
     /// do. It returns `None` and does not panic if memory ends before them, or if columns end before they start.
     #[inline]
     pub(crate) fn cells(self, row: u32, columns: Range<u32>) -> Option<Cells<'a, C, O, D>> {
-        let first = (row - self.first_row) * self.width;
+        let first = self.begin(row);
+        self.cells_from(first, columns)
+    }
+
+    /// Where a row begins.
+    #[inline]
+    pub(crate) fn begin(&self, row: u32) -> u32 {
+        row.wrapping_sub(self.first_row).wrapping_mul(self.width)
+    }
+
+    /// The [`cells`](Self::cells) of a row that begins at `first`.
+    #[inline]
+    pub(crate) fn cells_from(self, first: u32, columns: Range<u32>) -> Option<Cells<'a, C, O, D>> {
         // It wraps: a triangle's row that is left of the frame ends before it starts, possibly below 0. The result is
         // then a range outside of any memory.
         let (start, end) = (

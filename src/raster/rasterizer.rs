@@ -165,13 +165,7 @@ pub(super) fn scan_convert<'b, 't>(
 
 /// Sets the columns on one side of rows to those of an edge from a corner down to another; the first row is `row`.
 #[cfg_attr(for_size, inline(never))]
-fn edge(
-    rows: &mut [Columns],
-    side: usize,
-    ends: [&ScreenVertex; 2],
-    row: i32,
-    is_short: bool,
-) {
+fn edge(rows: &mut [Columns], side: usize, ends: [&ScreenVertex; 2], row: i32, is_short: bool) {
     if !is_short {
         long_edge(rows, side, ends, row);
         return;
@@ -187,12 +181,7 @@ fn edge(
 }
 
 #[inline(never)]
-fn long_edge(
-    rows: &mut [Columns],
-    side: usize,
-    [top, bottom]: [&ScreenVertex; 2],
-    row: i32,
-) {
+fn long_edge(rows: &mut [Columns], side: usize, [top, bottom]: [&ScreenVertex; 2], row: i32) {
     if rows.is_empty() {
         return;
     }

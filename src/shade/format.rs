@@ -307,8 +307,9 @@ mod tests {
                 let color = Rgb888::new(channel, 255 - channel, channel / 2);
                 let levels = Precise::<C>::of_rgb(color).levels();
                 let channels = [color.r(), color.g(), color.b()];
-                for ((level, channel), white) in levels.into_iter().zip(channels).zip(C::MAX_STEPS) {
-                    let exact = i64::from(channel) * i64::from(white) << 16;
+                for ((level, channel), white) in levels.into_iter().zip(channels).zip(C::MAX_STEPS)
+                {
+                    let exact = (i64::from(channel) * i64::from(white)) << 16;
                     let error = 255 * i64::from(level) - exact;
                     assert!(error.abs() < 255, "{error} / 255 for {channel} of {white}");
                     assert!(channel < 255 || error == 0, "{level} for {white}");

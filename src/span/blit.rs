@@ -88,14 +88,15 @@ where
     fn solid_rows(&mut self, first: i32, rows: &[Columns]) {
         let mut pixels = self.pixels(first, 0);
         let mut memory = self.canvas.memory();
-        let mut row = first;
+        let (mut row, mut begin) = (first, memory.begin(first.cast_unsigned()));
         for &[start, end] in rows.iter() {
             let columns = i32::from(start).cast_unsigned()..i32::from(end).cast_unsigned();
             pixels.point = Point::new(i32::from(start) - 1, row);
-            if let Some(cells) = memory.reborrow().cells(row.cast_unsigned(), columns) {
+            if let Some(cells) = memory.reborrow().cells_from(begin, columns) {
                 pixels.solid(cells, Count::<S>::splat(0));
             }
             row += 1;
+            begin = begin.wrapping_add(memory.width);
         }
     }
 

@@ -198,9 +198,7 @@ impl Setup {
                 first.gradient.set(plane);
                 Plan::Small
             }
-            (Some(range), attributes)
-                if basis.is_small(range) && patch.barycentric.is_none() =>
-            {
+            (Some(range), attributes) if basis.is_small(range) && patch.barycentric.is_none() => {
                 for attribute in attributes {
                     attribute.scale = Scale::AFFINE;
                     let plane = basis.small(attribute.corners, Scale::AFFINE_UP);
