@@ -49,7 +49,7 @@ where
     const HAS_SMALL: bool = Interpolator::<Count<S>, K, M>::HAS_SMALL;
 
     /// Whether small triangles carry two attributes in one number.
-    const PAIRS: bool = S::Varyings::PAIRS && Self::OVER_W && Self::HAS_SMALL;
+    const PAIRS: bool = S::Varyings::PAIRS && Self::HAS_SMALL;
 
     #[inline]
     pub(crate) fn new(mode: M, canvas: &'p mut T, shading: S, shift: DepthShift) -> Self {

@@ -9,7 +9,7 @@ use super::newton::FRACTION;
 use super::pixels::Span;
 use super::plan::{Plan, Policy};
 use super::scale::WHOLE;
-use super::setup::{Attribute, Interpolation, Planes, Setup};
+use super::setup::{Attribute, Planes, Setup};
 use crate::raster::{DepthShift, Patch};
 use crate::shade::{Lanes, Tolerance};
 use crate::view::ProjectionKind;
@@ -63,11 +63,6 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
         pairs: bool,
         shift: DepthShift,
     ) -> Self {
-        let interpolation = match (Self::OVER_W, pairs) {
-            (false, _) => Interpolation::Linear,
-            (true, false) => Interpolation::Perspective,
-            (true, true) => Interpolation::Paired,
-        };
         let mut lanes = L::splat(0);
         for (lane, number) in lanes.as_mut().iter_mut().enumerate() {
             *number = lane;
@@ -75,7 +70,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
         Self {
             mode,
             planes: Planes {
-                setup: Setup::new(interpolation, Self::LEAST_BITS, shift),
+                setup: Setup::new([!Self::OVER_W, pairs], Self::LEAST_BITS, shift),
                 // Made where they belong: changed in a loop, they would be copied to there.
                 attributes: L::map(&lanes, |&lane| Attribute {
                     tolerance: mode.affine_within(tolerance(lane)).min(MOST_TOLERANCE),

@@ -100,7 +100,7 @@ impl Policy for Exact {
 ///
 /// All triangles and all spans take one path. So a program contains neither the paths for small triangles and for
 /// linear spans, nor the choice among them. On a Cortex-M4 at opt-level "s", drawing textured triangles with a depth
-/// buffer takes a fifth less code than in mode [`Newton`], and 2 to 2.5 times the instructions. On a core
+/// buffer takes a fifth less code than in mode [`Newton`], and 2 to 2.7 times the instructions. On a core
 /// without 64-bit products, it takes 3 to 5 times the instructions of [`Fast`].
 ///
 /// The error is at most as large as in [`Newton`]. Stored depths may differ by a step from those of the other modes, so

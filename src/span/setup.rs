@@ -57,23 +57,26 @@ impl Attribute {
         ]
     }
 
-    /// The range of its values, if it may be interpolated without regard to 1/w, whose least value is `least` and
-    /// whose range is `change`.
+    /// The range of its values, if they are small enough for [`Scale::AFFINE`].
+    #[inline]
+    fn affine_range(&self) -> Option<u32> {
+        let [a, b, c] = self.corners;
+        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+        let fits = low >= -Scale::MOST_AFFINE && high <= Scale::MOST_AFFINE;
+        fits.then(|| (high - low).cast_unsigned())
+    }
+
+    /// Whether it may be interpolated without regard to 1/w, whose least value is `least` and whose range is `change`.
     ///
     /// Let q be 1/w and f the attribute, both at the corners, and λ the barycentric weights of a pixel, which add up
-    /// to 1. The affine value is Σλf, the exact value Σλqf / Σλq. Their difference is the covariance of q and f,
+    /// to 1. The affine value is Σλf, the exact value is Σλqf / Σλq. Their difference is the covariance of q and f,
     /// weighted by λ, divided by the mean Σλq. The covariance is at most a quarter of the product of the ranges of q
     /// and f, and the mean is at least `least`. So the error is at most `change` · range of f / (4 · `least`), which
     /// must be below the tolerance.
     #[inline]
-    fn affine_range(&self, least: u32, change: u32) -> Option<u32> {
-        let [a, b, c] = self.corners;
-        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-        let is_affine = low >= -Scale::MOST_AFFINE
-            && high <= Scale::MOST_AFFINE
-            && product(high - low, change.cast_signed())
-                < product((4 * self.tolerance).cast_signed(), least.cast_signed());
-        is_affine.then(|| (high - low).cast_unsigned())
+    fn is_affine(&self, range: u32, least: u32, change: u32) -> bool {
+        product(range.cast_signed(), change.cast_signed())
+            < product((4 * self.tolerance).cast_signed(), least.cast_signed())
     }
 }
 
@@ -112,17 +115,6 @@ pub(super) const fn unpaired(pair: i32, second: i32) -> [i32; 3] {
     ]
 }
 
-/// How the attributes of a draw call are interpolated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Interpolation {
-    /// Directly, as fractions in units of 2⁻³⁰.
-    Linear,
-    /// Over w.
-    Perspective,
-    /// Over w; there are three attributes, of which triangles that are not large have the first and the third [paired](unpaired).
-    Paired,
-}
-
 /// The interpolants of a primitive.
 pub(crate) struct Planes<L: Lanes> {
     pub(super) setup: Setup,
@@ -132,7 +124,11 @@ pub(crate) struct Planes<L: Lanes> {
 /// What all attributes of a primitive share, and the interpolant of 1/w (or depth).
 #[derive(Debug)]
 pub(crate) struct Setup {
-    pub(super) interpolation: Interpolation,
+    /// Whether attributes are interpolated directly, as fractions in units of 2⁻³⁰, and not over w.
+    pub(super) is_linear: bool,
+    /// Whether there are three attributes, of which triangles that are not large have the first and the third
+    /// [paired](unpaired).
+    pub(super) is_paired: bool,
     /// The least number of bits of a [`Scale`] in triangles where 1/w changes less than fourfold. With b bits, an
     /// interpolant's unit is 2^(b − 30) units of the attribute. More bits than the attribute has cost accuracy, but
     /// save scaling.
@@ -150,12 +146,13 @@ impl Setup {
     /// The set-up for a draw call, before the first patch.
     #[inline]
     pub(super) const fn new(
-        interpolation: Interpolation,
+        [is_linear, is_paired]: [bool; 2],
         least_bits: u32,
         shift: DepthShift,
     ) -> Self {
         Self {
-            interpolation,
+            is_linear,
+            is_paired,
             least_bits,
             shift,
             q: Gradient::NONE,
@@ -175,17 +172,17 @@ impl Setup {
         let [first, second, third] = q;
         self.least = first.min(second).min(third);
         let change = first.max(second).max(third) - self.least;
-        let is_paired = self.interpolation == Interpolation::Paired;
-        let mut basis = Basis::new(patch, is_paired);
+        let mut basis = Basis::new(patch, self.is_paired);
         basis.lay(signed(q), change, patch, &mut self.q);
-        let affine = match self.interpolation {
-            Interpolation::Linear => None,
-            _ => self.affine_range(attributes, change),
+        let affine = if self.is_linear && !self.is_paired {
+            None
+        } else {
+            self.affine_range(attributes, change)
         };
         let affine = affine.map(|range| range << Scale::AFFINE_UP);
         match (affine, &mut *attributes) {
             (Some(range), [first, second, third])
-                if is_paired
+                if self.is_paired
                     && basis.is_coarse(range)
                     && patch.barycentric.is_none()
                     && patch.size[0] <= SPAN << 8 =>
@@ -204,9 +201,12 @@ impl Setup {
                     let plane = basis.small(attribute.corners, Scale::AFFINE_UP);
                     attribute.gradient.set(plane);
                 }
-                straight(self.q.is_small && !is_paired)
+                straight(self.q.is_small)
             }
-            _ => self.lay_attributes(attributes, &mut basis, (q, affine.is_some()), patch),
+            _ => {
+                let is_affine = affine.is_some() && !self.is_linear;
+                self.lay_attributes(attributes, &mut basis, (q, is_affine), patch)
+            }
         }
     }
 
@@ -215,7 +215,11 @@ impl Setup {
     fn affine_range(&self, attributes: &[Attribute], change: u32) -> Option<u32> {
         let mut widest = 0;
         for attribute in attributes {
-            widest = attribute.affine_range(self.least, change)?.max(widest);
+            let range = attribute.affine_range()?;
+            if !self.is_linear && !attribute.is_affine(range, self.least, change) {
+                return None;
+            }
+            widest = range.max(widest);
         }
         Some(widest)
     }
@@ -229,8 +233,7 @@ impl Setup {
         (q, is_affine): ([u32; 3], bool),
         patch: &Patch<'_>,
     ) -> Plan {
-        let is_linear = self.interpolation == Interpolation::Linear;
-        let (weights, least_bits) = if is_linear {
+        let (weights, least_bits) = if self.is_linear {
             ([ONE; 3], self.least_bits)
         } else if self.least > SHALLOW {
             (q, self.least_bits)
@@ -238,7 +241,7 @@ impl Setup {
             (q, 1)
         };
         // In a small triangle, attributes would be pairs.
-        let mut is_small = self.q.is_small && self.interpolation != Interpolation::Paired;
+        let mut is_small = self.q.is_small && !self.is_paired;
         for attribute in &mut *attributes {
             let mut values = attribute.at(patch);
             attribute.scale = if is_affine {
@@ -260,9 +263,9 @@ impl Setup {
             is_small &= attribute.gradient.is_small;
         }
         let is_whole = |attribute: &Attribute| attribute.scale.bits() == WHOLE;
-        if is_affine || is_linear && attributes.iter().all(is_whole) {
+        if is_affine || self.is_linear && attributes.iter().all(is_whole) {
             straight(is_small)
-        } else if is_linear {
+        } else if self.is_linear {
             Plan::Scaled
         } else {
             Plan::BySpan
@@ -279,10 +282,7 @@ impl Setup {
         let mut basis = Basis::without_weights(patch);
         basis.start_wide(patch);
         basis.lay_wide(signed(q), &mut self.q);
-        let weights = match self.interpolation {
-            Interpolation::Linear => [ONE; 3],
-            _ => q,
-        };
+        let weights = if self.is_linear { [ONE; 3] } else { q };
         for attribute in attributes {
             let mut values = attribute.at(patch);
             attribute.scale = weigh(&mut values, &weights, 1);
@@ -325,7 +325,7 @@ mod tests {
             corners: [0, 100, 200],
             ..Attribute::UNSET
         }];
-        let mut setup = Setup::new(Interpolation::Perspective, 28, DepthShift(47));
+        let mut setup = Setup::new([false; 2], 28, DepthShift(47));
         assert_eq!(setup.lay(&mut attributes, &patch), Plan::BySpan);
         attributes[0].scale.bits()
     }
