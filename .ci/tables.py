@@ -209,8 +209,8 @@ def claims(instructions, other):
         missed == {"lines", "flat"})
     yield (modes, "its error is as large as the error of `Fast` within a quarter",
            texels(other["sphere fast error max"]) == texels(other["sphere affine error max"]))
-    yield (modes, "`Newton`; `Affine` takes a little more",
-           1 < frame(M4, "affine", "sphere") / frame(M4, "newton", "sphere") < 1.1)
+    yield (modes, "`Newton`; `Affine` takes as long",
+           0.95 < frame(M4, "affine", "sphere") / frame(M4, "newton", "sphere") < 1.05)
     yield (modes, "half of `Newton`'s time, unless rows are level",
            frame(M0, "fast", "cube") <= 0.5 * frame(M0, "newton", "cube"))
     yield (modes, "on a Cortex-M4 it takes at most six tenths of `Exact`'s time",
@@ -226,7 +226,7 @@ def claims(instructions, other):
            4.5 <= kernel("newton-depth-pass", M0) / kernel("newton-depth-pass") < 6.5)
     yield "src/span/mode.rs", "takes a fifth less code than in mode [`Newton`]", (
         0.75 <= code("compact") / code("depth") < 0.85)
-    yield "src/span/mode.rs", "and 2 to 2.5 times the instructions", 1.95 <= min(compact) and max(compact) < 2.55
+    yield "src/span/mode.rs", "and 2 to 2.7 times the instructions", 1.95 <= min(compact) and max(compact) < 2.75
     yield ("src/span/mode.rs", "it takes 3 to 5 times the instructions of [`Fast`]",
            2.5 <= min(compact_m0) and max(compact_m0) < 5.5)
     yield ("src/span/mode.rs", "costs more than five times the instructions, and a frame of the measured cube about twice",
