@@ -68,7 +68,7 @@ def text(x, y, words, anchor="middle"):
 
 
 def chart(left, title, curves):
-    """Millions of instructions over triangles, from 0 to 8 and from 0 to 9,000; curves have a name, a color and points."""
+    """Millions of instructions over triangles, from 0 to 8 and from 0 to 9,000; curves have a color and points."""
     def place(point):
         return f"{left + 28 + point[0] / 9000 * 270:.1f} {220 - point[1] / 8 * 180:.1f}"
 
@@ -78,12 +78,10 @@ def chart(left, title, curves):
         yield text(left + 22, 224 - million / 8 * 180, f"{million} M", "end")
     for triangles in range(0, 9000, 2000):
         yield text(left + 28 + triangles / 9000 * 270, 238, f"{triangles:,}")
-    for name, color, points in curves:
+    for color, points in curves:
         yield f'<path d="M{"L".join(map(place, points))}" fill="none" stroke="{color}" stroke-width="2"/>'
         yield "".join(f'<path d="M{place(point)}h0" stroke="{color}" stroke-width="6" stroke-linecap="round"/>'
                       for point in points)
-        x, y = place(points[-1]).split()
-        yield text(float(x) - 8, float(y) - 8, name, "end")
 
 
 def names(instructions, other):
@@ -148,10 +146,13 @@ def names(instructions, other):
 
         parts = []
         for way, (title, name) in enumerate([("interpolated colors, with depth", "sphere"), ("one color", "sphere-flat")]):
-            theirs = [(who, color, [(point[0], point[1 + way]) for point in points])
-                      for who, (color, points) in OTHERS.items()]
-            parts += chart(340 * way, title, [("fixel", FIXEL, ours(name)), *theirs])
-        return drawing(660, 250, "Millions of instructions for a frame over the triangles of a sphere, for fixel, tgx and "
+            theirs = [(color, [(point[0], point[1 + way]) for point in points]) for color, points in OTHERS.values()]
+            parts += chart(340 * way, title, [(FIXEL, ours(name)), *theirs])
+        colors = {"fixel": FIXEL, "tgx, with an FPU": TGX, "small3dlib": SMALL3DLIB}
+        for at, (who, color) in enumerate(colors.items()):
+            parts.append(f'<path d="M{170 + 130 * at} 258h16" stroke="{color}" stroke-width="3"/>')
+            parts.append(text(192 + 130 * at, 262, who, "start"))
+        return drawing(660, 270, "Millions of instructions for a frame over the triangles of a sphere, for fixel, tgx and "
                        "small3dlib", parts)
 
     def skins():
