@@ -1,14 +1,13 @@
 #!/usr/bin/python3
-"""Runs a board's program on an emulated core, with a model of the chip's registers that it needs, and of its display.
+"""Runs the STM32F4's program on an emulated core, with a model of the registers that it needs, and of its display.
 
-emulate.py pico|stm32f4 PROGRAM PICTURE.ppm
+emulate.py PROGRAM PICTURE.ppm
 
 Writes what the display shows after two frames, and prints the time in ms at which the second one was drawn. The model
 of DMA sends a band at the last moment, when the program waits for it. So a program that draws into a band that is being
 sent shows a wrong picture. The display follows the data sheets: CS selects it, and DC tells commands from data; CASET
-and RASET set a window, and RAMWR writes to it. Registers have the addresses of the RP2040's data sheet and of the
-STM32F405's reference manual, RM0090. Only Debian's own Python finds the packages
-python3-unicorn and python3-pyelftools.
+and RASET set a window, and RAMWR writes to it. Registers have the addresses of the STM32F405's reference manual, RM0090.
+Only Debian's own Python finds the packages python3-unicorn and python3-pyelftools.
 """
 import collections
 import struct
@@ -124,78 +123,6 @@ class Chip:
         return at
 
 
-class Pico(Chip):
-    """An RP2040. The program waits by asking the DMA."""
-
-    def __init__(self, program):
-        super().__init__(program, UC_CPU_ARM_CORTEX_M0, [(0x10000000, 0x200000), (0x20000000, 0x42000)],
-                         [(0x40000000, 0x100000), (0x50000000, 0x10000), (0xD0000000, 0x1000)])
-        self.registers[0x4000C000] = 0xFFFFFFFF  # all peripherals are in reset
-        # The boot ROM's functions do what `rom` does, and return. The one at 0x18 looks up the others.
-        self.core.mem_map(0, 0x1000)
-        self.core.mem_write(0, struct.pack("<H", 0x4770) * 0x800)  # BX LR
-        self.core.mem_write(0x18, struct.pack("<H", 0x101))
-        self.core.hook_add(UC_HOOK_CODE, self.rom, begin=0x100, end=0x1FF)
-
-    def rom(self, core, at, *_):
-        target, source, length = (core.reg_read(register) for register in (UC_ARM_REG_R0, UC_ARM_REG_R1, UC_ARM_REG_R2))
-        if at == 0x100:
-            functions = {b"MS": 0x111, b"S4": 0x111, b"MC": 0x121, b"C4": 0x121, b"L3": 0x131}
-            core.reg_write(UC_ARM_REG_R0, functions[source.to_bytes(2, "little")])
-        elif at == 0x110:
-            core.mem_write(target, bytes([source & 0xFF]) * length)
-        elif at == 0x120:
-            core.mem_write(target, bytes(core.mem_read(source, length)))
-        elif at == 0x130:  # counts leading zeros
-            core.reg_write(UC_ARM_REG_R0, 32 - target.bit_length())
-
-    def read(self, address):
-        if address >> 20 == 0x400:
-            address &= ~0x3000
-        value = self.registers[address]
-        if address == 0x4000C008:  # peripherals that are not in reset
-            return ~self.registers[0x4000C000]
-        if address in (0x40024004, 0x40028000, 0x4002C000):  # the oscillator and the PLLs are stable
-            return value | 1 << 31
-        if address in (0x40008038, 0x40008044):  # the selected clock, one bit for each
-            return 1 << (self.registers[address - 8] & 3)
-        if address in (0x4005400C, 0x40054028):  # the lower half of the timer
-            self.microseconds += 5137
-            return self.microseconds
-        if address == 0x4003C00C:  # SPI: everything was sent, and something was received
-            return 0b111
-        if address == 0x5000000C:
-            self.send()
-        if address == 0xD0000078 or 0xD0000100 <= address < 0xD0000180:  # the divider is ready, every lock is free
-            return 1
-        return value
-
-    def write(self, address, value):
-        if address >> 20 == 0x400:  # aliases flip, set and clear bits
-            alias, address = address >> 12 & 3, address & ~0x3000
-            before = self.registers[address]
-            value = (value, before ^ value, before | value, before & ~value)[alias]
-        self.registers[address] = value
-        if address == 0x4003C008:
-            self.display.receive([value & 0xFF])
-        elif address in (0xD0000014, 0xD0000018):
-            self.display.pins(value >> 17 & 1, value >> 16 & 1, high=address == 0xD0000014)
-        elif address == 0x5000002C:  # the DMA transfer's destination: writing it starts the transfer
-            self.transfer = self.registers[0x50000000], self.registers[0x50000008]
-        elif 0xD0000060 <= address <= 0xD000006C:
-            self.divide(signed=address >= 0xD0000068)
-
-    def divide(self, signed):
-        dividend, divisor = (self.registers[0xD0000060 + 8 * signed + at] for at in (0, 4))
-        if signed:
-            dividend, divisor = (value - (value >> 31 << 32) for value in (dividend, divisor))
-        quotient = abs(dividend) // abs(divisor) if divisor else 0
-        if (dividend < 0) != (divisor < 0):
-            quotient = -quotient
-        self.registers[0xD0000070] = quotient & 0xFFFFFFFF
-        self.registers[0xD0000074] = dividend - quotient * divisor & 0xFFFFFFFF
-
-
 class Stm32f4(Chip):
     """An STM32F405. The program sleeps until an interrupt says that the DMA is ready."""
 
@@ -277,9 +204,9 @@ class Stm32f4(Chip):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 4 or sys.argv[1] not in ("pico", "stm32f4"):
+    if len(sys.argv) != 3:
         sys.exit(__doc__)
-    board, program, picture = sys.argv[1:]
-    chip, vectors = (Pico(program), 0x10000100) if board == "pico" else (Stm32f4(program), 0x08000000)
-    chip.run(vectors)
+    _, program, picture = sys.argv
+    chip = Stm32f4(program)
+    chip.run(0x08000000)
     chip.display.write(picture)
