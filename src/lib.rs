@@ -186,7 +186,7 @@
 //! Canvas::draw_with                   options, a thing, its Mvp, a shader    pipeline/
 //! └─ run::draw                        in code that exists once
 //!    └─ assemble::triangle            culled, whole, or clipped
-//!       ├─ VertexCache::vertex        projected for a neighbor, or now
+//!       ├─ VertexCache::refresh       projected for a neighbor, or now
 //!       │  └─ Projector::project      model → clip space → screen
 //!       └─ Draw::whole                inside the scissor?
 //!          └─ Rasterizer::triangle    in blocks of rows                      raster/
@@ -201,9 +201,9 @@
 //!                   └─ Native::store  as a color; others as bytes            canvas/
 //! ```
 //!
-//! The column on the right names the folder; a line without one belongs to the folder above it. `Adapted`,
-//! which `.lit(light)` makes, stands for any shader, and `Native` for any storage. Between `Blit::draw` and its pixels there is one of four kernels (straight,
-//! pieces, Newton, divide), which the [mode] chooses for each span.
+//! The column on the right names the folder; a line without one belongs to the folder above it. `Adapted`, which
+//! `.lit(light)` makes, stands for any shader, and `Native` for any storage. Between `Blit::draw` and its pixels there is
+//! one of four kernels (straight, pieces, Newton, divide), which the [mode] chooses for each span.
 //!
 //! Each folder depends only on those before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`, `canvas`,
 //! `raster`, `span`, `pipeline`.
