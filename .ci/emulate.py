@@ -100,8 +100,9 @@ class Chip:
         """Ends the transfer under way. Returns whether there was one."""
         transfer, self.transfer = self.transfer, None
         if transfer:
-            start, length = transfer
-            self.display.receive(self.core.mem_read(start, length))
+            start, count, size = transfer
+            words = self.core.mem_read(start, count * size)
+            self.display.receive(b"".join(words[at : at + size][::-1] for at in range(0, len(words), size)))
         return transfer is not None
 
     def run(self, vectors):
@@ -190,7 +191,8 @@ class Stm32f4(Chip):
         self.registers[address] = value
         if address == 0x4001300C:
             self.received = True
-            self.display.receive([value & 0xFF])
+            is_wide = self.registers[0x40013000] >> 11 & 1
+            self.display.receive(value.to_bytes(4, "big")[2 if is_wide else 3 :])
         elif address == 0x40020018:  # port A: bits of the lower half set pins, bits of the upper half clear them
             self.display.pins(value >> 4 & 1, 0, high=True)
             self.display.pins(value >> 20 & 1, 0, high=False)
@@ -198,7 +200,7 @@ class Stm32f4(Chip):
             self.display.pins(0, value & 1, high=True)
             self.display.pins(0, value >> 16 & 1, high=False)
         elif address == self.CONTROL and value & 1:
-            self.transfer = self.registers[self.SOURCE], self.registers[self.COUNT]
+            self.transfer = self.registers[self.SOURCE], self.registers[self.COUNT], 1 << (value >> 13 & 3)
         elif address == self.FLAGS + 8:
             self.registers[self.FLAGS] &= ~value
 

@@ -296,7 +296,7 @@ pub use error::Error;
 #[doc(hidden)]
 pub use pipeline::Thing;
 pub use pipeline::{
-    DrawList, DrawOptions, Drawn, Hit, Object, Prepared, Ray, ScreenPoint, ShadeList,
+    DrawList, DrawOptions, Drawn, Hit, Object, Prepared, Ray, ScreenPoint, ShadeList, Shades,
 };
 pub use raster::{Cull, LineStyle, PointStyle};
 

@@ -29,6 +29,7 @@ const MAX_SIZE: u32 = 2048;
 /// | pixels in memory | element of the slice | type |
 /// |---|---|---|
 /// | colors | `Rgb565` | `Canvas<Rgb565>` |
+/// | words of raw bits, for a bus of 16-bit words | `u16` | `Canvas<Rgb565, `[`Words`](super::Words)`>` |
 /// | bytes, most significant first | `[u8; 2]` | `Canvas<Rgb565, BigEndian>` |
 /// | bytes, least significant first | `[u8; 2]` | `Canvas<Rgb565, LittleEndian>` |
 /// | entries of a palette | [`ColorIndex`](super::ColorIndex) | `Canvas<ColorIndex>` |

@@ -4,7 +4,7 @@ use core::convert::Infallible;
 use core::iter;
 use core::ops::Range;
 
-use embedded_graphics::Pixel;
+use embedded_graphics::{Drawable, Pixel};
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Dimensions, Point};
 use embedded_graphics::pixelcolor::PixelColor;
@@ -130,6 +130,41 @@ impl<C, O: Storage<C>, D> Dimensions for Label<'_, Canvas<'_, C, O, D>> {
 }
 
 impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
+    /// Draws text, a shape or an image of embedded-graphics over the picture, unless its bounding box misses the rows
+    /// in memory.
+    ///
+    /// The pixels are those of `thing.draw(&mut canvas)`. That computes every pixel of the thing in each band of a frame
+    /// and skips those outside; this computes them only in the bands that show some. It trusts the bounding box: pixels
+    /// that a thing draws outside of its box may be missing.
+    ///
+    /// ```
+    /// use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
+    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+    /// use embedded_graphics::{geometry::Point, text::Text};
+    /// use fixel::prelude::*;
+    ///
+    /// let text = Text::new("fixel", Point::new(2, 9), MonoTextStyle::new(&FONT_6X10, Gray8::WHITE));
+    /// let mut pixels = [Gray8::BLACK; 40 * 8];
+    /// for first_row in [0, 8, 16, 24] {
+    ///     let mut band = Canvas::band(&mut pixels, 40, 32, first_row)?;
+    ///     band.clear(Gray8::BLACK);
+    ///     band.overlay(&text);
+    ///     let is_shown = band.pixels().any(|pixel| pixel == Gray8::WHITE);
+    ///     assert_eq!(is_shown, first_row < 16);
+    /// }
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn overlay<T>(&mut self, thing: &T)
+    where
+        C: PixelColor,
+        D: DepthBuffer,
+        T: Drawable<Color = C> + Dimensions,
+    {
+        if self.over().inside(&thing.bounding_box()).is_some() {
+            let Ok(_) = thing.draw(self);
+        }
+    }
+
     /// A label that nothing hides, at the frame's corner.
     const fn over(&mut self) -> Label<'_, Self> {
         Label::new(self, Point::zero(), u16::MAX)

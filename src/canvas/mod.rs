@@ -2,12 +2,12 @@
 //!
 #![cfg_attr(doc, doc = page_picture!("formats", "A ball in 16 bits of color, in four grays, in black and white"))]
 //! A [`Canvas`] has three type parameters: its color, how the color is stored, and its depth buffer. They follow from
-//! the memory that it is given; only a canvas of bytes must name its color and the order of the bytes. Each draw call
+//! the memory that it is given; only a canvas of words or bytes must name its color and the storage. Each draw call
 //! chooses how it uses the depth buffer, and how its colors are blended with those on the canvas.
 //!
 //! | choice | types |
 //! |---|---|
-//! | storage of a color | [`Native`], or embedded-graphics' `BigEndian` and `LittleEndian` for bytes |
+//! | storage of a color | [`Native`], [`Words`], or embedded-graphics' `BigEndian` and `LittleEndian` for bytes |
 //! | depth buffer | [`NoDepth`], [`LinearDepth`], [`FloatDepth`] or [`WideFloatDepth`] |
 //! | depth test of a draw call | [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], or [`Biased`] around one of these |
 //! | blending of a draw call | [`Replace`], [`Opacity`], [`Add`] or [`Multiply`] |
@@ -33,4 +33,4 @@ pub use depth_test::{Biased, DepthTest, NoTest, TestAndWrite, TestOnly, WriteOnl
 pub use diffusion::ErrorDiffusion;
 pub use label::Label;
 pub(crate) use storage::{Cells, Memory};
-pub use storage::{Native, Storage};
+pub use storage::{Native, Storage, Words};

@@ -4,6 +4,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 
 use super::{Index, Mesh, Placement};
 use crate::math::Direction;
+use crate::num::wide::product;
 use crate::{Scalar, Vec2, Vec3};
 
 /// Where a primitive's data are in its mesh.
@@ -247,9 +248,10 @@ impl Primitive<'_> {
     pub fn normal(&self) -> Vec3 {
         let [a, b, c] = self.positions().map(Vec3::to_bits);
         // Differences take 33 bits. Halved, they fit into 32, and the difference of two products fits into 64.
-        let side = |from: i32, to: i32| (i64::from(to) - i64::from(from)) >> 1;
+        let side = |from: i32, to: i32| ((i64::from(to) - i64::from(from)) >> 1) as i32;
         let [b, c] = [b, c].map(|p| [side(a[0], p[0]), side(a[1], p[1]), side(a[2], p[2])]);
-        let cross = |i: usize, j: usize| (b[i] * c[j]).saturating_sub(b[j] * c[i]);
+        let cross =
+            |i: usize, j: usize| product(b[i], c[j]).saturating_sub(product(b[j], c[i]));
         let normal = [cross(1, 2), cross(2, 0), cross(0, 1)];
         let bits = normal.iter().fold(0, |all, x| all | x.unsigned_abs());
         // One leading zero remains, for the sign.

@@ -1,6 +1,6 @@
 //! The length and the direction of vectors, by an integer reciprocal square root.
 
-use crate::num::wide::{dot, product, product_to_31_bits};
+use crate::num::wide::{dot, product, product_to_31_bits, unsigned_product};
 
 /// Seeds: ⌊256/√t⌋ − 256 at the middle of each 128th of t from 1/4 to 1.
 static SEEDS: [u8; 96] = seeds();
@@ -28,13 +28,15 @@ const fn reciprocal_root(value: u32) -> u32 {
     let seed = 256 + if index < 96 { SEEDS[index] as u32 } else { 0 };
     // y(3 − ty²)/2: the seed has 8 fraction bits, t·y² has 30 (32 + 16 − 18), y has 30. Only by rounding does a Newton
     // step end above the root, so y is below 2^31: where the root is that great, the step ends 9e-5 below it.
-    let ty2 = ((value as u64 * (seed * seed) as u64) >> 18) as u32;
-    let y = ((seed as u64 * ((3 << 30) - ty2) as u64) >> 9) as i32;
+    let ty2 = (unsigned_product(value, seed * seed) >> 18) as u32;
+    let y = (unsigned_product(seed, (3 << 30) - ty2) >> 9) as i32;
     // y(1 + h/2 + 3h²/8) with h = 1 − ty² < 2^-11, which is negative only by rounding: y² has 30 fraction bits, t·y²
     // 62, h 42.
     let square = (product(y, y) >> 30).cast_unsigned() as u32;
-    let h = (((1 << 62) - (value as u64 * square as u64).cast_signed()) >> 20) as i32;
-    let gain = (h >> 1) + ((3 * (product(h, h) >> 32)) >> 13) as i32;
+    let h = (((1 << 62) - unsigned_product(value, square).cast_signed()) >> 20) as i32;
+    // The upper half of h² is below 2^30.
+    let triple = 3 * (product(h, h) >> 32).cast_unsigned() as u32;
+    let gain = (h >> 1) + (triple >> 13).cast_signed();
     let y = y
         .cast_unsigned()
         .wrapping_add_signed(((product(y, gain) + (1 << 41)) >> 42) as i32);

@@ -46,6 +46,29 @@ pub(crate) const fn product(a: i32, b: i32) -> i64 {
     }
 }
 
+/// Returns the exact product.
+#[inline]
+pub(crate) const fn unsigned_product(a: u32, b: u32) -> u64 {
+    if IS_NARROW {
+        by_signed_product(a, b)
+    } else {
+        a as u64 * b as u64
+    }
+}
+
+/// Returns [`unsigned_product`] by a signed product.
+#[inline]
+const fn by_signed_product(a: u32, b: u32) -> u64 {
+    let product = product(a.cast_signed(), b.cast_signed()).cast_unsigned();
+    // Where a top bit is set, the signed number is 2^32 too small.
+    let [a_top, b_top] = [
+        (a.cast_signed() >> 31).cast_unsigned(),
+        (b.cast_signed() >> 31).cast_unsigned(),
+    ];
+    let missing = (b & a_top).wrapping_add(a & b_top);
+    product.wrapping_add((missing as u64) << 32)
+}
+
 /// Returns the exact product; `b` must be at most 2^31.
 #[inline]
 pub(crate) const fn product_to_31_bits(a: i32, b: u32) -> i64 {
@@ -495,7 +518,13 @@ mod tests {
         for a in ends {
             for b in ends {
                 assert_eq!(of_halves(a, b), i64::from(a) * i64::from(b), "{a} · {b}");
-                let (a, b) = (a.cast_unsigned(), b.cast_unsigned() & (u32::MAX >> 1));
+                let (a, b) = (a.cast_unsigned(), b.cast_unsigned());
+                assert_eq!(
+                    by_signed_product(a, b),
+                    u64::from(a) * u64::from(b),
+                    "{a} · {b}"
+                );
+                let b = b & (u32::MAX >> 1);
                 let upper = (u64::from(a) * u64::from(b)) >> 32;
                 assert_eq!(u64::from(upper_of_signed(a, b)), upper, "{a} · {b}");
             }
@@ -741,7 +770,9 @@ mod tests {
             let a = random.random::<i32>();
             let b = random.random::<i32>();
             assert_eq!(of_halves(a, b), i64::from(a) * i64::from(b));
-            let (a, b) = (a.cast_unsigned(), b.cast_unsigned() & (u32::MAX >> 1));
+            let (a, b) = (a.cast_unsigned(), b.cast_unsigned());
+            assert_eq!(by_signed_product(a, b), u64::from(a) * u64::from(b));
+            let b = b & (u32::MAX >> 1);
             let upper = (u64::from(a) * u64::from(b)) >> 32;
             assert_eq!(u64::from(upper_of_signed(a, b)), upper);
         });

@@ -10,7 +10,7 @@ mod prepared;
 mod shades;
 
 pub use prepared::{Object, Prepared};
-pub use shades::ShadeList;
+pub use shades::{ShadeList, Shades};
 
 use core::marker::PhantomData;
 

@@ -1,12 +1,12 @@
 //! Draws the scene on your computer: `cargo run --example picture > scene.ppm`. Three numbers as arguments set
-//! the width, the height and the time in milliseconds.
+//! the width, the height and the time in milliseconds. With `--features ball`, it is the other scene.
 
 use std::error::Error;
 use std::io::{self, Write};
 
+use boards::scene::{Memory, Scene};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
-use scene::Scene;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let numbers: Result<Vec<u32>, _> = std::env::args().skip(1).map(|text| text.parse()).collect();
@@ -16,9 +16,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         _ => return Err("expected width, height and time".into()),
     };
     let mut pixels = vec![Rgb565::BLACK; (width * height) as usize];
-    let mut depths = vec![0; pixels.len()];
-    let mut canvas = Canvas::new(&mut pixels, width, height)?.with_depth(&mut depths)?;
-    Scene::new(width, height)?.draw(now_ms.into(), &mut canvas);
+    let mut canvas = Canvas::new(&mut pixels, width, height)?;
+    let (scene, mut memory) = (Scene::new(width, height)?, Memory::new());
+    scene.at(now_ms.into(), &mut memory)?.draw(&mut canvas);
 
     let mut picture = format!("P6 {width} {height} 255\n").into_bytes();
     for color in canvas.pixels().map(Rgb888::from) {

@@ -7,7 +7,7 @@ use embedded_hal::digital::OutputPin;
 use embedded_hal::spi::SpiBus;
 use embedded_hal_bus::spi::ExclusiveDevice;
 use mipidsi::Builder;
-use mipidsi::dcs::{InterfaceExt, SetColumnAddress, SetPageAddress, WriteMemoryStart};
+use mipidsi::dcs::{DcsCommand, SetColumnAddress, SetPageAddress, WriteMemoryStart};
 use mipidsi::interface::SpiInterface;
 use mipidsi::models::{ILI9341Rgb565, Model, ST7789};
 use mipidsi::options::{ColorInversion, ColorOrder, ModelOptions, Orientation, Rotation};
@@ -34,19 +34,30 @@ pub struct Panel<CS, DC, RESET> {
 }
 
 impl<CS: OutputPin, DC: OutputPin, RESET: OutputPin> Panel<CS, DC, RESET> {
-    /// Sets up an ST7789 with 240x240 pixels.
+    /// Sets up an ST7789 with 240x240 pixels, or one in landscape with 320x240.
     ///
     /// # Errors
     ///
     /// An error of the bus or of a pin.
     pub fn st7789(
+        (width, height): (u32, u32),
         bus: &mut impl SpiBus,
         pins: Pins<CS, DC, RESET>,
         delay: &mut impl DelayNs,
     ) -> Result<Self, BusError> {
-        let mut options = ModelOptions::with_all((240, 240), (0, 0));
+        let mut options = ModelOptions::with_all((240, width as u16), (0, 0));
         options.invert_colors = ColorInversion::Inverted;
-        Self::new(ST7789, &options, (240, 240), bus, pins, delay)
+        if width > height {
+            options.orientation = Orientation::new().rotate(Rotation::Deg90);
+        }
+        Self::new(
+            ST7789,
+            &options,
+            (width as u16, height as u16),
+            bus,
+            pins,
+            delay,
+        )
     }
 
     /// Sets up an ILI9341 in landscape, with 320x240 pixels.
@@ -90,28 +101,87 @@ impl<CS: OutputPin, DC: OutputPin, RESET: OutputPin> Panel<CS, DC, RESET> {
         })
     }
 
-    /// Tells the display that a frame follows, row by row from the top, with two bytes per pixel, the more significant
-    /// one first. The display stays selected for these bytes.
+    /// Tells the display that a frame follows, row by row from the top: its columns, its rows, and that pixels follow.
+    /// A pixel is a word of 16 bits, or two bytes, the more significant one first. The display stays selected for them.
     ///
     /// # Errors
     ///
     /// An error of the bus or of a pin.
-    pub fn start_frame(&mut self, bus: &mut impl SpiBus) -> Result<(), BusError> {
-        // The last bytes of a transfer may still be on their way, and must arrive before a pin changes.
+    pub fn start_frame<W: Word>(&mut self, bus: &mut impl SpiBus<W>) -> Result<(), BusError> {
+        let (column, row) = self.last;
+        // The last words of a transfer may still be on their way, and must arrive before a pin changes.
         bus.flush().map_err(|_| BusError)?;
-        self.commands(bus).ok_or(BusError)?;
-        self.pins.cs.set_low().map_err(|_| BusError)
+        // Deselected for a moment, the display forgets the bits of an incomplete word.
+        self.pins.cs.set_high().map_err(|_| BusError)?;
+        self.pins.cs.set_low().map_err(|_| BusError)?;
+        self.command(
+            bus,
+            SetColumnAddress::new(0, column).instruction(),
+            &[0, column],
+        )?;
+        self.command(bus, SetPageAddress::new(0, row).instruction(), &[0, row])?;
+        self.command(bus, WriteMemoryStart.instruction(), &[])
     }
 
-    fn commands(&mut self, bus: &mut impl SpiBus) -> Option<()> {
-        let device = ExclusiveDevice::new_no_delay(bus, &mut self.pins.cs).ok()?;
-        let mut display = SpiInterface::new(device, &mut self.pins.dc, &mut []);
-        display
-            .write_command(SetColumnAddress::new(0, self.last.0))
-            .ok()?;
-        display
-            .write_command(SetPageAddress::new(0, self.last.1))
-            .ok()?;
-        display.write_command(WriteMemoryStart).ok()
+    /// Fills the display with some pixels, over and over. Until then, its memory holds noise, so do this before you switch
+    /// on the backlight.
+    ///
+    /// # Errors
+    ///
+    /// An error of the bus or of a pin.
+    pub fn clear<W: Word>(
+        &mut self,
+        bus: &mut impl SpiBus<W>,
+        pixels: &[W],
+    ) -> Result<(), BusError> {
+        let (column, row) = self.last;
+        let bytes = 2 * (usize::from(column) + 1) * (usize::from(row) + 1);
+        let mut left = bytes / size_of::<W>();
+        self.start_frame(bus)?;
+        while left > 0 && !pixels.is_empty() {
+            let words = pixels.get(..left).unwrap_or(pixels);
+            bus.write(words).map_err(|_| BusError)?;
+            left -= words.len();
+        }
+        Ok(())
+    }
+
+    /// Sends a command and its numbers. Before it come eight bits of zeros, the command to do nothing, so that a bus of
+    /// 16-bit words can send it.
+    fn command<W: Word>(
+        &mut self,
+        bus: &mut impl SpiBus<W>,
+        code: u8,
+        numbers: &[u16],
+    ) -> Result<(), BusError> {
+        bus.flush().map_err(|_| BusError)?;
+        self.pins.dc.set_low().map_err(|_| BusError)?;
+        W::send(bus, &[code.into()])?;
+        bus.flush().map_err(|_| BusError)?;
+        self.pins.dc.set_high().map_err(|_| BusError)?;
+        W::send(bus, numbers)
+    }
+}
+
+/// What a bus sends at a time: a byte, or a word of 16 bits.
+pub trait Word: Copy + 'static {
+    /// Sends numbers, each with its most significant bit first.
+    ///
+    /// # Errors
+    ///
+    /// An error of the bus.
+    fn send(bus: &mut impl SpiBus<Self>, numbers: &[u16]) -> Result<(), BusError>;
+}
+
+impl Word for u8 {
+    fn send(bus: &mut impl SpiBus<u8>, numbers: &[u16]) -> Result<(), BusError> {
+        let mut numbers = numbers.iter();
+        numbers.try_for_each(|number| bus.write(&number.to_be_bytes()).map_err(|_| BusError))
+    }
+}
+
+impl Word for u16 {
+    fn send(bus: &mut impl SpiBus<u16>, numbers: &[u16]) -> Result<(), BusError> {
+        bus.write(numbers).map_err(|_| BusError)
     }
 }

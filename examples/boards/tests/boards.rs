@@ -8,15 +8,19 @@ mod wires;
 #[path = "../../cookbook/tests/display/panel.rs"]
 mod display;
 
-use embedded_graphics::pixelcolor::{Rgb565, raw::BigEndian};
+use std::convert::Infallible;
+
+use boards::panel::{Panel, Pins, Word};
+use boards::{ball, floor};
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::pixelcolor::raw::{BigEndian, ToBytes};
 use embedded_hal::spi::SpiBus;
+use fixel::canvas::Words;
 use fixel::prelude::*;
-use scene::Scene;
-use scene::panel::{Panel, Pins};
 
 use wires::{Pin, Wires};
 
-/// A board's frame, the height of its bands, and the checksum of the scene at one second.
+/// A board's frame, the height of its bands, and the checksum of its scene at one second.
 struct Board {
     size: (u32, u32),
     rows: u32,
@@ -38,52 +42,73 @@ const ESP32C3: Board = Board {
     rows: 60,
     crc: PICO.crc,
 };
+/// The ball on a Pico.
+const BALL: Board = Board {
+    size: (320, 240),
+    rows: 30,
+    crc: 0xdf84_69b2,
+};
 
-/// The bytes of the whole frame.
-fn frame((width, height): (u32, u32), now_ms: u64) -> Vec<u8> {
-    let mut pixels = vec![[0; 2]; (width * height) as usize];
-    let mut depths = vec![0; pixels.len()];
-    let canvas: Canvas<Rgb565, BigEndian> = Canvas::new(&mut pixels, width, height).unwrap();
-    let mut canvas = canvas.with_depth(&mut depths).unwrap();
-    Scene::new(width, height).unwrap().draw(now_ms, &mut canvas);
-    canvas.as_bytes().to_vec()
+/// The bytes of a frame that is drawn in bands of so many rows.
+macro_rules! draw {
+    ($scene:ident, $O:ty, $cell:expr, $size:expr, $rows:expr, $now_ms:expr) => {{
+        let (width, height) = $size;
+        let scene = $scene::Scene::new(width, height).unwrap();
+        let mut memory = $scene::Memory::new();
+        let moment = scene.at($now_ms, &mut memory).unwrap();
+        let mut pixels = vec![$cell; (width * $rows) as usize];
+        let mut bytes: Vec<u8> = vec![];
+        for first_row in (0..height).step_by($rows as usize) {
+            let mut band =
+                Canvas::<Rgb565, $O>::band(&mut pixels, width, height, first_row).unwrap();
+            moment.draw(&mut band);
+            bytes.extend(band.pixels().flat_map(|pixel| pixel.to_be_bytes()));
+        }
+        bytes
+    }};
 }
 
-/// Draws the frame in bands, all in the same memory, and passes the bytes of each to `send`.
-fn bands(board: &Board, now_ms: u64, mut send: impl FnMut(&[u8])) {
-    let (width, height) = board.size;
-    let scene = Scene::new(width, height).unwrap();
-    let mut colors = vec![[0; 2]; (width * board.rows) as usize];
-    let mut depths = vec![0; colors.len()];
-    for first_row in (0..height).step_by(board.rows as usize) {
-        scene
-            .draw_band(now_ms, first_row, &mut colors, &mut depths)
-            .unwrap();
-        send(colors.as_flattened());
-    }
+/// The whole frame in words.
+fn frame(size: (u32, u32), now_ms: u64) -> Vec<u8> {
+    draw!(floor, Words, 0, size, size.1, now_ms)
 }
 
 #[test]
 fn bands_equal_the_frame() {
-    for board in [PICO, STM32F4, ESP32C3] {
-        for now_ms in [0, 1000, 7777] {
-            let mut sent = vec![];
-            bands(&board, now_ms, |band| sent.extend_from_slice(band));
+    for now_ms in [0, 1000, 7777] {
+        for Board { size, rows, .. } in [PICO, STM32F4, ESP32C3] {
+            let whole = frame(size, now_ms);
             assert!(
-                sent == frame(board.size, now_ms),
-                "{:?} at {now_ms}",
-                board.size
+                whole == draw!(floor, Words, 0, size, rows, now_ms),
+                "{size:?} at {now_ms}"
             );
+            let bytes = draw!(floor, BigEndian, [0; 2], size, rows, now_ms);
+            assert!(whole == bytes, "{size:?} at {now_ms}");
         }
+        let Board { size, rows, .. } = BALL;
+        let [whole, bands] = [size.1, rows].map(|rows| draw!(ball, Words, 0, size, rows, now_ms));
+        assert!(whole == bands, "the ball at {now_ms}");
     }
 }
 
-/// A chip draws the same bits: you can compare this checksum with one that your firmware logs.
+/// A board draws these bits: you can compare the checksum with one that your firmware logs.
 #[test]
 fn checksums_of_the_boards_pictures() {
     for board in [PICO, STM32F4, ESP32C3] {
         let crc = crc32fast::hash(&frame(board.size, 1000));
-        assert_eq!(crc, board.crc, "{:#x} at {:?}", crc, board.size);
+        assert_eq!(crc, board.crc, "{crc:#x} at {:?}", board.size);
+    }
+    let crc = crc32fast::hash(&draw!(ball, Words, 0, BALL.size, BALL.size.1, 1000));
+    assert_eq!(crc, BALL.crc, "{crc:#x}");
+}
+
+/// The list has room for the visible triangles at all times, and there is text.
+#[test]
+fn the_ball_fits_into_its_memory() {
+    let scene = ball::Scene::new(320, 240).unwrap();
+    let mut memory = ball::Memory::new();
+    for now_ms in (0..60_000).step_by(250) {
+        assert!(scene.at(now_ms, &mut memory).is_ok(), "at {now_ms} ms");
     }
 }
 
@@ -95,12 +120,27 @@ fn pins(wires: &Wires) -> Pins<Pin, Pin, Pin> {
     }
 }
 
-/// Sends two frames as a board does, and checks that the display shows the second one.
-fn show(board: &Board, mut bus: Wires, mut panel: Panel<Pin, Pin, Pin>) {
+/// The words of 16 bits that have these bytes, the more significant one first.
+fn pairs(bytes: &[u8]) -> Vec<u16> {
+    let (pairs, _) = bytes.as_chunks();
+    pairs.iter().map(|&pair| u16::from_be_bytes(pair)).collect()
+}
+
+/// Clears the display and sends two frames as a board does, in bytes or in words, and checks that the display shows the
+/// second one.
+fn show<W: Word>(
+    board: &Board,
+    mut bus: Wires,
+    mut panel: Panel<Pin, Pin, Pin>,
+    words: fn(&[u8]) -> Vec<W>,
+) where
+    Wires: SpiBus<W, Error = Infallible>,
+{
     let mut display = display::Panel::default();
+    panel.clear(&mut bus, &words(&[0; 1000])).unwrap();
     for now_ms in [0, 1000] {
         panel.start_frame(&mut bus).unwrap();
-        bands(board, now_ms, |band| bus.write(band).unwrap());
+        bus.write(&words(&frame(board.size, now_ms))).unwrap();
     }
     let mut commands = bus.commands();
     for command in &mut commands {
@@ -123,11 +163,20 @@ fn show(board: &Board, mut bus: Wires, mut panel: Panel<Pin, Pin, Pin>) {
 
 #[test]
 fn an_st7789_shows_the_bands() {
-    for board in [PICO, ESP32C3] {
-        let wires = Wires::default();
+    let panel = |board: &Board, wires: &Wires| {
         let mut bus = wires.clone();
-        let panel = Panel::st7789(&mut bus, pins(&wires), &mut wires.clone()).unwrap();
-        show(&board, bus, panel);
+        Panel::st7789(board.size, &mut bus, pins(wires), &mut wires.clone()).unwrap()
+    };
+    let wires = Wires::default();
+    show(
+        &ESP32C3,
+        wires.clone(),
+        panel(&ESP32C3, &wires),
+        <[u8]>::to_vec,
+    );
+    for board in [PICO, BALL] {
+        let wires = Wires::default();
+        show(&board, wires.clone(), panel(&board, &wires), pairs);
     }
 }
 
@@ -136,7 +185,7 @@ fn an_ili9341_shows_the_bands() {
     let wires = Wires::default();
     let mut bus = wires.clone();
     let panel = Panel::ili9341(&mut bus, pins(&wires), &mut wires.clone()).unwrap();
-    show(&STM32F4, bus, panel);
+    show(&STM32F4, bus, panel, pairs);
 }
 
 /// The log has one line for each command with its data. Other events are in words.
@@ -144,10 +193,10 @@ fn an_ili9341_shows_the_bands() {
 fn an_st7789_receives_these_bytes() {
     let wires = Wires::default();
     let mut bus = wires.clone();
-    let mut panel = Panel::st7789(&mut bus, pins(&wires), &mut wires.clone()).unwrap();
-    panel.start_frame(&mut bus).unwrap();
-    bus.write(&[0x12, 0x34, 0x56, 0x78]).unwrap();
-    panel.start_frame(&mut bus).unwrap();
+    let mut panel = Panel::st7789(PICO.size, &mut bus, pins(&wires), &mut wires.clone()).unwrap();
+    panel.start_frame::<u8>(&mut bus).unwrap();
+    SpiBus::<u8>::write(&mut bus, &[0x12, 0x34, 0x56, 0x78]).unwrap();
+    panel.start_frame::<u16>(&mut bus).unwrap();
     let lines = [
         "reset low",
         "wait 10 us",
@@ -178,7 +227,7 @@ fn an_ili9341_receives_these_bytes() {
     let wires = Wires::default();
     let mut bus = wires.clone();
     let mut panel = Panel::ili9341(&mut bus, pins(&wires), &mut wires.clone()).unwrap();
-    panel.start_frame(&mut bus).unwrap();
+    panel.start_frame::<u8>(&mut bus).unwrap();
     let lines = [
         "reset low",
         "wait 10 us",

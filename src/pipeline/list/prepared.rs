@@ -417,7 +417,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
 /// Whether an element of these rows, which reaches this far beyond them, may have pixels in others.
 #[inline]
 fn meets([start, end]: [i16; 2], reach: i32, rows: &Range<i32>) -> bool {
-    (i32::from(start) - reach).max(rows.start) < (i32::from(end) + reach).min(rows.end)
+    i32::from(start) - reach < rows.end && rows.start < i32::from(end) + reach
 }
 
 /// Elements of one thing, and the rows to draw.

@@ -138,8 +138,8 @@ fn index(entry: usize, first: usize) -> usize {
     entry.wrapping_sub(first) / size_of::<Entry>()
 }
 
-/// The values that [`Prepared::shade`] computed.
-#[doc(hidden)]
+/// The values that [`Prepared::shade`] computed; [`of`](Self::of) makes a shader of them. It borrows the
+/// [`ShadeList`], which has an example.
 #[derive(Clone, Copy)]
 pub struct Shades<'a, S: Shader> {
     /// The address of the list's first entry. The list cannot change while these values exist, so an address says which

@@ -12,25 +12,23 @@
 #![no_std]
 #![no_main]
 
+use boards::panel::{Panel, Pins};
+use boards::scene::{Memory, Scene};
+use embedded_graphics::pixelcolor::{Rgb565, raw::BigEndian};
 use esp_hal::clock::CpuClock;
 use esp_hal::delay::Delay;
 use esp_hal::dma_tx_buffer;
 use esp_hal::gpio::{Level, Output, OutputConfig};
 use esp_hal::spi::master::{Config, Spi};
 use esp_hal::time::{Instant, Rate};
+use fixel::canvas::Canvas;
 use panic_halt as _;
-use scene::Scene;
-use scene::panel::{Panel, Pins};
-use static_cell::ConstStaticCell;
 
 const WIDTH: u32 = 240;
 const HEIGHT: u32 = 240;
 /// Rows of a band; their number divides the height. A transfer has at most 32,736 bytes, which is 68 rows.
 const ROWS: u32 = 60;
 const BAND: usize = (WIDTH * ROWS) as usize;
-
-/// One band of depth, in static memory to keep it off the stack.
-static DEPTHS: ConstStaticCell<[u16; BAND]> = ConstStaticCell::new([0; BAND]);
 
 // The boot loader looks for this.
 esp_bootloader_esp_idf::esp_app_desc!();
@@ -51,23 +49,27 @@ fn main() -> ! {
         dc: Output::new(chip.GPIO4, Level::High, OutputConfig::default()),
         reset: Output::new(chip.GPIO5, Level::High, OutputConfig::default()),
     };
-    let mut panel = Panel::st7789(&mut spi, pins, &mut Delay::new()).unwrap();
+    let mut panel = Panel::st7789((WIDTH, HEIGHT), &mut spi, pins, &mut Delay::new()).unwrap();
+
+    // Two bands of 28 KiB in memory that DMA can read.
+    let mut colors = dma_tx_buffer!(2 * BAND).unwrap();
+    let mut black = dma_tx_buffer!(2 * BAND).unwrap();
+    panel.clear(&mut spi, black.as_mut_slice()).unwrap();
     let _light = Output::new(chip.GPIO3, Level::High, OutputConfig::default());
 
-    // Two bands of color, 28 KiB each, in memory that DMA can read.
-    let mut colors = dma_tx_buffer!(2 * BAND).unwrap();
-    let black = dma_tx_buffer!(2 * BAND).unwrap();
-    let depths = DEPTHS.take();
-    let scene = Scene::new(WIDTH, HEIGHT).unwrap();
-
     // From here on, a band is always being sent. The first one is black.
+    let scene = Scene::new(WIDTH, HEIGHT).unwrap();
+    let mut memory = Memory::new();
     panel.start_frame(&mut spi).unwrap();
     let mut transfer = spi.write_buffer(2 * BAND, black).ok().unwrap();
     loop {
         let now_ms = Instant::now().duration_since_epoch().as_millis();
+        let moment = scene.at(now_ms, &mut memory).unwrap();
         for first_row in (0..HEIGHT).step_by(ROWS as usize) {
+            // DMA sends bytes, and the display wants the more significant one first.
             let (pixels, _) = colors.as_mut_slice().as_chunks_mut();
-            scene.draw_band(now_ms, first_row, pixels, depths).unwrap();
+            let band = Canvas::<Rgb565, BigEndian>::band(pixels, WIDTH, HEIGHT, first_row);
+            moment.draw(&mut band.unwrap());
             // A transfer owns its memory: nothing can be drawn into it until `wait` returns it.
             let (mut spi, sent) = transfer.wait();
             if first_row == 0 {

@@ -16,6 +16,8 @@
 
 use core::mem::swap;
 
+use boards::panel::{Panel, Pins};
+use boards::scene::{Memory, Scene};
 use cortex_m::singleton;
 use embassy_executor::Spawner;
 use embassy_futures::join::join;
@@ -24,9 +26,9 @@ use embassy_stm32::spi::{self, Spi};
 use embassy_stm32::time::mhz;
 use embassy_stm32::{Config, bind_interrupts, dma, peripherals, rcc};
 use embassy_time::{Delay, Instant};
+use embedded_graphics::pixelcolor::Rgb565;
+use fixel::canvas::{Canvas, Words};
 use panic_halt as _;
-use scene::Scene;
-use scene::panel::{Panel, Pins};
 
 const WIDTH: u32 = 320;
 const HEIGHT: u32 = 240;
@@ -75,27 +77,30 @@ async fn main(_spawner: Spawner) {
         reset: Output::new(chip.PB1, Level::High, Speed::Low),
     };
     let mut panel = Panel::ili9341(&mut spi, pins, &mut Delay).unwrap();
+
+    // Two bands: 50 KiB, none of it on the stack. A pixel is a word of the bus.
+    let mut colors = singleton!(: [u16; BAND] = [0; BAND]).unwrap();
+    let mut ready = singleton!(: [u16; BAND] = [0; BAND]).unwrap();
+    panel.clear(&mut spi, &ready[..]).unwrap();
     let _light = Output::new(chip.PB10, Level::High, Speed::Low);
 
-    // Two bands of color and one of depth: 75 KiB, none of it on the stack.
-    let mut colors = singleton!(: [[u8; 2]; BAND] = [[0; 2]; BAND]).unwrap();
-    let mut ready = singleton!(: [[u8; 2]; BAND] = [[0; 2]; BAND]).unwrap();
-    let depths = singleton!(: [u16; BAND] = [0; BAND]).unwrap();
-    let scene = Scene::new(WIDTH, HEIGHT).unwrap();
-
     // The first band that is sent is black.
-    panel.start_frame(&mut spi).unwrap();
+    let scene = Scene::new(WIDTH, HEIGHT).unwrap();
+    let memory = singleton!(: Memory = Memory::new()).unwrap();
+    panel.start_frame::<u16>(&mut spi).unwrap();
     loop {
-        let now_ms = Instant::now().as_millis();
+        let moment = scene.at(Instant::now().as_millis(), memory).unwrap();
         for first_row in (0..HEIGHT).step_by(ROWS as usize) {
             // `join` starts the transfer, then draws; it returns when both are done.
-            let sending = spi.write(ready.as_flattened());
-            let drawing = async { scene.draw_band(now_ms, first_row, colors, depths) };
-            let (sent, drawn) = join(sending, drawing).await;
+            let sending = spi.write(&ready[..]);
+            let drawing = async {
+                let band = Canvas::<Rgb565, Words>::band(&mut colors[..], WIDTH, HEIGHT, first_row);
+                moment.draw(&mut band.unwrap());
+            };
+            let (sent, ()) = join(sending, drawing).await;
             sent.unwrap();
-            drawn.unwrap();
             if first_row == 0 {
-                panel.start_frame(&mut spi).unwrap();
+                panel.start_frame::<u16>(&mut spi).unwrap();
             }
             swap(&mut colors, &mut ready);
         }

@@ -1,6 +1,6 @@
 //! Wires that record everything that is sent over them.
 //!
-//! The bus sends as late as it may, when it is flushed. So a pin that changes too early changes the meaning of bytes,
+//! The bus sends bytes, or words of 16 bits, as two bytes each. It sends as late as it may, when it is flushed. So a pin that changes too early changes the meaning of bytes,
 //! as it does on a chip whose bus has a queue.
 
 use std::cell::RefCell;
@@ -40,7 +40,8 @@ impl Record {
                     .data
                     .push(byte);
                 write!(self.log, " {byte:02x}").unwrap();
-            } else {
+            } else if byte != 0 {
+                // 0 is the command to do nothing.
                 self.commands.push(Command {
                     code: byte,
                     data: vec![],
@@ -86,29 +87,36 @@ impl spi::ErrorType for Wires {
     type Error = Infallible;
 }
 
-impl SpiBus for Wires {
-    fn write(&mut self, bytes: &[u8]) -> Result<(), Infallible> {
-        self.0.borrow_mut().queue.extend_from_slice(bytes);
-        Ok(())
-    }
+macro_rules! bus {
+    ($word:ty) => {
+        impl SpiBus<$word> for Wires {
+            fn write(&mut self, words: &[$word]) -> Result<(), Infallible> {
+                let bytes = words.iter().flat_map(|word| word.to_be_bytes());
+                self.0.borrow_mut().queue.extend(bytes);
+                Ok(())
+            }
 
-    fn flush(&mut self) -> Result<(), Infallible> {
-        self.0.borrow_mut().flush();
-        Ok(())
-    }
+            fn flush(&mut self) -> Result<(), Infallible> {
+                self.0.borrow_mut().flush();
+                Ok(())
+            }
 
-    fn read(&mut self, _: &mut [u8]) -> Result<(), Infallible> {
-        unreachable!("there is no line back")
-    }
+            fn read(&mut self, _: &mut [$word]) -> Result<(), Infallible> {
+                unreachable!("there is no line back")
+            }
 
-    fn transfer(&mut self, _: &mut [u8], _: &[u8]) -> Result<(), Infallible> {
-        unreachable!("there is no line back")
-    }
+            fn transfer(&mut self, _: &mut [$word], _: &[$word]) -> Result<(), Infallible> {
+                unreachable!("there is no line back")
+            }
 
-    fn transfer_in_place(&mut self, _: &mut [u8]) -> Result<(), Infallible> {
-        unreachable!("there is no line back")
-    }
+            fn transfer_in_place(&mut self, _: &mut [$word]) -> Result<(), Infallible> {
+                unreachable!("there is no line back")
+            }
+        }
+    };
 }
+bus!(u8);
+bus!(u16);
 
 impl DelayNs for Wires {
     fn delay_ns(&mut self, ns: u32) {

@@ -1,0 +1,43 @@
+//! A Raspberry Pi Pico (RP2040) and an ST7789. Both cores draw, while DMA sends what is finished.
+#![no_std]
+#![no_main]
+
+use boards::pico::{Share, animate, start};
+use boards::scene::Memory;
+use cortex_m::singleton;
+use hal::multicore::{Multicore, Stack};
+use panic_halt as _;
+use rp2040_hal as hal;
+
+/// The second-stage boot loader, which the chip runs first to set up its flash.
+#[unsafe(link_section = ".boot2")]
+#[used]
+static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_GENERIC_03H;
+
+/// The stack of core 1, in words of four bytes: half as much again as was measured.
+static STACK: Stack<2048> = Stack::new();
+
+/// The ball takes longest to prepare, the crate and the floor to draw.
+fn share(core: u32) -> Share {
+    if cfg!(feature = "ball") {
+        Share::frames(core)
+    } else {
+        Share::bands(core)
+    }
+}
+
+#[hal::entry]
+fn main() -> ! {
+    let mut board = start().unwrap();
+    let timer = board.timer;
+    let [here, there] = [
+        singleton!(: Memory = Memory::new()).unwrap(),
+        singleton!(: Memory = Memory::new()).unwrap(),
+    ];
+    let mut cores = Multicore::new(&mut board.psm, &mut board.ppb, &mut board.fifo);
+    let stack = STACK.take().unwrap();
+    cores.cores()[1]
+        .spawn(stack, move || animate(share(1), timer, there))
+        .unwrap();
+    animate(share(0), timer, here)
+}
