@@ -250,8 +250,7 @@ impl Primitive<'_> {
         // Differences take 33 bits. Halved, they fit into 32, and the difference of two products fits into 64.
         let side = |from: i32, to: i32| ((i64::from(to) - i64::from(from)) >> 1) as i32;
         let [b, c] = [b, c].map(|p| [side(a[0], p[0]), side(a[1], p[1]), side(a[2], p[2])]);
-        let cross =
-            |i: usize, j: usize| product(b[i], c[j]).saturating_sub(product(b[j], c[i]));
+        let cross = |i: usize, j: usize| product(b[i], c[j]).saturating_sub(product(b[j], c[i]));
         let normal = [cross(1, 2), cross(2, 0), cross(0, 1)];
         let bits = normal.iter().fold(0, |all, x| all | x.unsigned_abs());
         // One leading zero remains, for the sign.

@@ -1,15 +1,19 @@
 //! As an embedded-graphics target, the canvas shows the same as embedded-graphics' own framebuffer.
 
+use std::cell::Cell;
 use std::convert::Infallible;
 
-use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::framebuffer::{Framebuffer, buffer_size};
 use embedded_graphics::geometry::{Dimensions, Point, Size};
 use embedded_graphics::image::GetPixel;
+use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, RawU16};
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
-use embedded_graphics::primitives::Rectangle;
+use embedded_graphics::primitives::{Primitive, PrimitiveStyle, Rectangle};
+use embedded_graphics::text::Text;
+use embedded_graphics::{Drawable, Pixel};
+use fixel::canvas::Words;
 use fixel::prelude::*;
 use rand::Rng;
 
@@ -51,6 +55,12 @@ fn a_canvas_is_a_framebuffer() {
             Canvas::new(&mut bytes, WIDTH, HEIGHT).unwrap();
         draw(&mut canvas);
         assert!(canvas.as_bytes() == theirs.1.data(), "little-endian");
+
+        let mut words = [0_u16; PIXELS];
+        draw(&mut Canvas::<Rgb565, Words>::new(&mut words, WIDTH, HEIGHT).unwrap());
+        let wanted = theirs.0.data().chunks_exact(2);
+        let wanted = wanted.map(|pair| u16::from_be_bytes([pair[0], pair[1]]));
+        assert!(wanted.eq(words), "words");
 
         let mut colors = [Rgb565::BLACK; PIXELS];
         draw(&mut Canvas::new(&mut colors, WIDTH, HEIGHT).unwrap());
@@ -97,6 +107,68 @@ impl<T: DrawTarget<Color = Rgb565, Error = Infallible>> Draw for T {
     fn draw(&mut self, random: &mut Random, crops: bool) {
         pictures::draw(self, random, crops);
     }
+}
+
+/// A thing that counts how often it is drawn.
+struct Counted<'t, T>(T, &'t Cell<u32>);
+
+impl<T: Dimensions> Dimensions for Counted<'_, T> {
+    fn bounding_box(&self) -> Rectangle {
+        self.0.bounding_box()
+    }
+}
+
+impl<T: Drawable> Drawable for Counted<'_, T> {
+    type Color = T::Color;
+    type Output = T::Output;
+
+    fn draw<D: DrawTarget<Color = T::Color>>(&self, target: &mut D) -> Result<T::Output, D::Error> {
+        self.1.set(self.1.get() + 1);
+        self.0.draw(target)
+    }
+}
+
+/// Draws a thing over a band. Returns whether the band shows some of it, and checks that it was drawn only then.
+fn is_overlaid(
+    band: &mut Canvas<'_, Rgb565>,
+    thing: impl Drawable<Color = Rgb565> + Dimensions,
+) -> bool {
+    let (count, area) = (Cell::new(0), thing.bounding_box());
+    band.overlay(&Counted(thing, &count));
+    let is_seen = !band.bounding_box().intersection(&area).is_zero_sized();
+    assert_eq!(count.get(), u32::from(is_seen), "{area:?}");
+    is_seen
+}
+
+/// Wherever text and shapes are, bands show what is drawn on the frame, and only those that show some of it draw.
+#[test]
+fn overlays_are_drawn_in_the_bands_that_show_them() {
+    let (mut drawn, mut skipped) = (0, 0);
+    cases(1000, |random| {
+        let at = Point::new(random.random_range(-40..50), random.random_range(-20..40));
+        let size = Size::new(random.random_range(0..30), random.random_range(0..30));
+        let style = MonoTextStyle::new(&FONT_6X10, Rgb565::YELLOW);
+        let text = Text::new("fixel\n3D", at, style);
+        let line = PrimitiveStyle::with_stroke(Rgb565::RED, random.random_range(1..6));
+        let shape = Rectangle::new(at, size).into_styled(line);
+        let rows = random.random_range(1..=HEIGHT);
+        let mut whole = [Rgb565::BLACK; PIXELS];
+        let mut frame = Canvas::new(&mut whole, WIDTH, HEIGHT).unwrap();
+        shape.draw(&mut frame).unwrap();
+        text.draw(&mut frame).unwrap();
+        let mut pixels = [Rgb565::BLACK; PIXELS];
+        let mut first = 0;
+        for pixels in pixels.chunks_mut((rows * WIDTH) as usize) {
+            let mut band = Canvas::band(pixels, WIDTH, HEIGHT, first).unwrap();
+            first += rows;
+            for is_seen in [is_overlaid(&mut band, shape), is_overlaid(&mut band, text)] {
+                drawn += u32::from(is_seen);
+                skipped += u32::from(!is_seen);
+            }
+        }
+        assert!(pixels == whole, "{size} at {at}, in bands of {rows}");
+    });
+    assert!(drawn > 500 && skipped > 500, "{drawn}, {skipped}");
 }
 
 /// `fill_contiguous` stops reading an endless iterator when the area is full.

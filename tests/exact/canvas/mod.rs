@@ -6,9 +6,9 @@ use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
-use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::{Gray4, Gray8, GrayColor, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
-use fixel::canvas::{ColorIndex, NoDepth, Storage};
+use fixel::canvas::{ColorIndex, NoDepth, Storage, Words};
 use fixel::prelude::*;
 
 const MAX_SIZE: u32 = Canvas::<Gray8>::MAX_SIZE;
@@ -117,6 +117,29 @@ fn bytes_are_in_bus_order() {
     let mut canvas: Canvas<Gray8, BigEndian> = Canvas::new(&mut pixels, 1, 1).unwrap();
     canvas.clear(Gray8::new(7));
     assert_eq!(canvas.as_bytes(), [7]);
+}
+
+/// The raw bits of each color, in the smallest integer that holds them.
+#[test]
+fn words_are_raw_bits() {
+    let mut pixels = [0_u16; 2];
+    let mut canvas: Canvas<Rgb565, Words> = Canvas::new(&mut pixels, 2, 1).unwrap();
+    canvas.clear(Rgb565::new(1, 2, 3));
+    assert!(canvas.pixels().all(|pixel| pixel == Rgb565::new(1, 2, 3)));
+    assert_eq!(pixels, [1 << 11 | 2 << 5 | 3; 2]);
+    let mut pixels = [0_u32];
+    let mut canvas = any_of::<Rgb888, Words>(&mut pixels);
+    canvas.clear(Rgb888::new(1, 2, 3));
+    assert!(canvas.pixels().eq([Rgb888::new(1, 2, 3)]));
+    assert_eq!(pixels, [0x01_0203]);
+    let mut pixels = [0_u8];
+    any_of::<Gray4, Words>(&mut pixels).clear(Gray4::new(7));
+    assert_eq!(pixels, [7]);
+}
+
+/// Makes a canvas of one pixel in any storage.
+fn any_of<C, O: Storage<C>>(cells: &mut [O::Cell]) -> Canvas<'_, C, O> {
+    Canvas::new(cells, 1, 1).unwrap()
 }
 
 /// The color and the storage of a canvas.
