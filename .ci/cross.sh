@@ -19,6 +19,8 @@ cross() {
   if [ -n "$found" ]; then
     cargo "$@" "${flags[@]}" --target-dir target/cross
   else
+    # Debian's compiler comes without a linker of its own.
+    flags+=(--config 'target."cfg(target_os = \"none\")".linker = "ld.lld"')
     RUSTC_BOOTSTRAP=1 RUSTC=/usr/bin/rustc /usr/bin/cargo "$@" -Zbuild-std="${library:-core}" "${flags[@]}" --target-dir target/cross
   fi
 }
