@@ -4,11 +4,11 @@ use core::convert::Infallible;
 use core::iter;
 use core::ops::Range;
 
-use embedded_graphics::{Drawable, Pixel};
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Dimensions, Point};
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::primitives::Rectangle;
+use embedded_graphics::{Drawable, Pixel};
 
 use super::canvas::Canvas;
 use super::depth::DepthBuffer;

@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 
 use super::{Index, Mesh, Placement};
 use crate::math::Direction;
-use crate::num::wide::product;
+use crate::num::wide::scaled_cross;
 use crate::{Scalar, Vec2, Vec3};
 
 /// Where a primitive's data are in its mesh.
@@ -247,15 +247,10 @@ impl Primitive<'_> {
     #[must_use]
     pub fn normal(&self) -> Vec3 {
         let [a, b, c] = self.positions().map(Vec3::to_bits);
-        // Differences take 33 bits. Halved, they fit into 32, and the difference of two products fits into 64.
+        // Differences take 33 bits. Halved, they fit into 32.
         let side = |from: i32, to: i32| ((i64::from(to) - i64::from(from)) >> 1) as i32;
         let [b, c] = [b, c].map(|p| [side(a[0], p[0]), side(a[1], p[1]), side(a[2], p[2])]);
-        let cross = |i: usize, j: usize| product(b[i], c[j]).saturating_sub(product(b[j], c[i]));
-        let normal = [cross(1, 2), cross(2, 0), cross(0, 1)];
-        let bits = normal.iter().fold(0, |all, x| all | x.unsigned_abs());
-        // One leading zero remains, for the sign.
-        let up = bits.leading_zeros().clamp(1, 63) - 1;
-        Vec3::from_bits(normal.map(|x| ((x << up) >> 32) as i32))
+        Vec3::from_bits(scaled_cross(b, c))
     }
 
     /// The direction of [`normal`](Self::normal) in world space, where lights are.

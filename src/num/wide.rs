@@ -249,6 +249,53 @@ fn narrow_divide(numerator: i32, divisor: i32) -> (i32, i32) {
     (quotient + more, remainder)
 }
 
+/// Returns the cross product, shifted so that its largest component has 31 bits, and rounded down; zero if it is zero.
+#[inline]
+pub(crate) const fn scaled_cross(a: [i32; 3], b: [i32; 3]) -> [i32; 3] {
+    if IS_NARROW && are_small(a, b) {
+        small_scaled_cross(a, b)
+    } else {
+        wide_scaled_cross(a, b)
+    }
+}
+
+#[inline]
+const fn wide_scaled_cross([ax, ay, az]: [i32; 3], [bx, by, bz]: [i32; 3]) -> [i32; 3] {
+    // Below 2^63, but for components of -2^31.
+    let [x, y, z] = [
+        product(ay, bz).saturating_sub(product(az, by)),
+        product(az, bx).saturating_sub(product(ax, bz)),
+        product(ax, by).saturating_sub(product(ay, bx)),
+    ];
+    let bits = x.unsigned_abs() | y.unsigned_abs() | z.unsigned_abs();
+    // One leading zero remains, for the sign.
+    let zeros = bits.leading_zeros();
+    let up = if zeros == 0 { 0 } else { zeros - 1 } & 63;
+    [
+        upper_shifted(x, up),
+        upper_shifted(y, up),
+        upper_shifted(z, up),
+    ]
+}
+
+/// Whether all components have 15 bits and a sign: then their products have 30.
+#[inline]
+const fn are_small([a, b, c]: [i32; 3], [d, e, f]: [i32; 3]) -> bool {
+    const fn raised(x: i32) -> u32 {
+        x.wrapping_add(1 << 15).cast_unsigned()
+    }
+    raised(a) | raised(b) | raised(c) | raised(d) | raised(e) | raised(f) < 1 << 16
+}
+
+/// Returns [`scaled_cross`] of [small](are_small) vectors by products of 32 bits. The difference of two of them has 31.
+#[inline]
+const fn small_scaled_cross([ax, ay, az]: [i32; 3], [bx, by, bz]: [i32; 3]) -> [i32; 3] {
+    let [x, y, z] = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];
+    let bits = x.unsigned_abs() | y.unsigned_abs() | z.unsigned_abs();
+    let up = (bits | 1).leading_zeros().wrapping_sub(1) & 31;
+    [x << up, y << up, z << up]
+}
+
 /// Multiplies by a number of 16 bits; wraps.
 #[inline]
 pub(crate) const fn times_short(a: i64, b: i32) -> i64 {
@@ -431,6 +478,28 @@ const fn up_by_halves(value: i64, up: u32) -> i64 {
     let upper =
         (upper << (up & 31)).cast_unsigned() | (lower >> 1 >> (31u32.wrapping_sub(up) & 31));
     ((upper as u64) << 32 | (lower << (up & 31)) as u64).cast_signed()
+}
+
+/// Returns the upper half of a number shifted left by less than 64 bits.
+#[inline]
+pub(crate) const fn upper_shifted(value: i64, up: u32) -> i32 {
+    if IS_NARROW {
+        upper_shifted_by_halves(value, up)
+    } else {
+        ((value << (up & 63)) >> 32) as i32
+    }
+}
+
+/// Out of line, like [`narrow_product`].
+#[inline(never)]
+const fn upper_shifted_by_halves(value: i64, up: u32) -> i32 {
+    let (upper, lower) = ((value >> 32) as i32, value.cast_unsigned() as u32);
+    if up < 32 {
+        let below = lower >> 1 >> (31u32.wrapping_sub(up) & 31);
+        upper << up | below.cast_signed()
+    } else {
+        (lower << (up & 31)).cast_signed()
+    }
 }
 
 /// Shifts `q` left until its top bit is set. Lowers an exponent, which stands above `mantissa` bits, by the number of
@@ -626,6 +695,36 @@ mod tests {
         }
     }
 
+    /// Vectors with components at the ends of 15 bits, equal ones and zeros.
+    #[test]
+    fn small_cross_products_are_scaled_alike() {
+        let (least, most) = (-(1 << 15), (1 << 15) - 1);
+        cases(4096, |random| {
+            let mut component = || match random.random_range(0..6) {
+                0 => 0,
+                1 => least,
+                2 => most,
+                3 => random.random_range(-3..3),
+                _ => random.random_range(least..=most),
+            };
+            let (a, b) = ([(); 3].map(|()| component()), [(); 3].map(|()| component()));
+            assert!(are_small(a, b));
+            for b in [a, b] {
+                let wide = wide_scaled_cross(a, b);
+                assert_eq!(small_scaled_cross(a, b), wide, "{a:?} x {b:?}");
+                assert_eq!(scaled_cross(a, b), wide);
+            }
+        });
+        for beyond in [least - 1, most + 1, i32::MIN, i32::MAX] {
+            for at in 0..6 {
+                let mut sides = [0; 6];
+                sides[at] = beyond;
+                let [a, b, c, d, e, f] = sides;
+                assert!(!are_small([a, b, c], [d, e, f]), "{sides:?}");
+            }
+        }
+    }
+
     #[test]
     fn narrow_dot_products_are_exact() {
         cases(256, |random| {
@@ -700,6 +799,11 @@ mod tests {
             assert_eq!(
                 exact.map(|dot| up_by_halves(dot, up)),
                 exact.map(|dot| dot << up)
+            );
+            let up = random.random_range(0..64);
+            assert_eq!(
+                exact.map(|dot| upper_shifted_by_halves(dot, up)),
+                exact.map(|dot| ((dot << up) >> 32) as i32)
             );
         });
     }

@@ -135,7 +135,7 @@ use prepared::{Objects, Placed, Run};
 #[derive(Clone, Debug, Default)]
 pub struct DrawList<const ELEMENTS: usize, const VERTICES: usize> {
     entries: Vec<Entry, ELEMENTS>,
-    vertices: Vec<Slot, VERTICES>,
+    vertices: Vec<ScreenVertex, VERTICES>,
 }
 
 /// A visible triangle or edge.
@@ -157,22 +157,9 @@ enum Corners {
     /// An edge that is inside all planes: its vertices, and how steep the faces beside it are, as in
     /// [`Primitive::area`](crate::mesh::Primitive).
     Edge { ends: [u16; 2], beside: u16 },
-    /// A clipped triangle or edge: `count` corners from `first` on, each a vertex and its barycentric weights. Of an edge,
-    /// also how steep the faces beside it are.
+    /// A clipped triangle or edge: `count` corners from `first` on, each a vertex, and its barycentric weights in the
+    /// place of the next vertex's `screen`. Of an edge, also how steep the faces beside it are.
     Clipped { first: u16, count: u16, beside: u16 },
-}
-
-/// A vertex on the screen, or the barycentric weights of the vertex before it.
-///
-/// It has fields of its own instead of a [`ScreenVertex`], so that the tag fits in between them.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Slot {
-    Vertex {
-        screen: [i32; 2],
-        q: u32,
-        exponent: u8,
-    },
-    Barycentric(Barycentric),
 }
 
 impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> {
@@ -350,7 +337,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
         (options, frame): (O, Size),
         scene: S,
         view: &V,
-        sort: impl FnOnce(&mut [Entry], &[Slot], &Objects<'_, S::Thing, S::Material>),
+        sort: impl FnOnce(&mut [Entry], &[ScreenVertex], &Objects<'_, S::Thing, S::Material>),
     ) -> Result<Prepared<'a, S::Material, S::Thing, O, V::Kind>, Error> {
         check_size(frame.width, frame.height)?;
         let screen = options.screen(frame);
@@ -358,7 +345,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
         self.vertices.clear();
         let mut filling = Filling {
             entries: self.entries.as_mut_view(),
-            slots: self.vertices.as_mut_view(),
+            vertices: self.vertices.as_mut_view(),
             screen: &screen,
             cull: screen.cull,
             scissor: screen.scissor(&(0..frame.height)),
@@ -407,7 +394,7 @@ struct Listing {
 /// A list that is being filled. Once it is full, it only counts.
 pub struct Filling<'l> {
     entries: &'l mut VecView<Entry>,
-    slots: &'l mut VecView<Slot>,
+    vertices: &'l mut VecView<ScreenVertex>,
     screen: &'l Screen,
     /// Of the present thing, by the winding on the screen.
     cull: Cull,
@@ -458,18 +445,10 @@ impl Filling<'_> {
     }
 
     /// Adds a vertex and returns its number, which is wrong if there is no room.
-    fn add_slot(&mut self, slot: Slot) -> u16 {
-        self.needed[1] += 1;
-        let _ = self.slots.push(slot);
-        self.needed[1] as u16
-    }
-
     fn add_vertex(&mut self, vertex: &ScreenVertex) -> u16 {
-        self.add_slot(Slot::Vertex {
-            screen: vertex.screen,
-            q: vertex.q,
-            exponent: vertex.exponent,
-        })
+        self.needed[1] += 1;
+        let _ = self.vertices.push(*vertex);
+        self.needed[1] as u16
     }
 
     /// The number of a vertex; it is added unless it was added recently.
@@ -489,7 +468,11 @@ impl Filling<'_> {
         let first = (self.needed[1] as u16).wrapping_add(1);
         for corner in corners {
             self.add_vertex(&corner.vertex);
-            self.add_slot(Slot::Barycentric(corner.barycentric));
+            let Barycentric(screen) = corner.barycentric;
+            self.add_vertex(&ScreenVertex {
+                screen,
+                ..ScreenVertex::UNSET
+            });
         }
         // At most nine.
         let count = corners.len() as u16;

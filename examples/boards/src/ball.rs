@@ -25,8 +25,8 @@ type Clay = FaceLit<Flat<Rgb565>, Light>;
 
 /// The triangles that face the eye, and their light: once for all bands.
 pub struct Memory {
-    list: DrawList<1040, 600>,
-    light: ShadeList<Clay, 1040>,
+    list: DrawList<736, 440>,
+    light: ShadeList<Clay, 736>,
 }
 
 impl Memory {

@@ -37,11 +37,13 @@ use rp2040_hal as hal;
 use crate::panel::{Panel, Pins};
 use crate::scene::{Memory, Scene};
 
-/// Columns of the display, rows of the display, rows of a band, and bands in memory.
-#[cfg(not(feature = "ball"))]
-const LAYOUT: (u32, u32, u32, usize) = (240, 240, 40, 3);
-#[cfg(feature = "ball")]
-const LAYOUT: (u32, u32, u32, usize) = (320, 240, 30, 4);
+/// Columns and rows of the display, rows of a band, and bands in memory. The taller bands are, the fewer triangles are in
+/// several of them; two cores need a band each, and one that is being sent.
+const LAYOUT: (u32, u32, u32, usize) = match (cfg!(feature = "ball"), cfg!(feature = "dual")) {
+    (false, _) => (240, 240, 40, 3),
+    (true, false) => (320, 240, 120, 2),
+    (true, true) => (320, 240, 60, 3),
+};
 
 /// Columns of the display.
 const WIDTH: u32 = LAYOUT.0;

@@ -1,7 +1,7 @@
 //! Painter's order: the elements of a list from back to front.
 
 use super::prepared::Objects;
-use super::{Corners, Entry, Listed, Slot};
+use super::{Corners, Entry, Listed};
 use crate::raster::{DepthShift, ScreenVertex};
 
 /// Sorts triangles or edges back to front: by their farthest corners and, where these are equally far, by their
@@ -12,13 +12,13 @@ use crate::raster::{DepthShift, ScreenVertex};
 #[inline(never)]
 pub(super) fn sort<G: Listed, T>(
     entries: &mut [Entry],
-    vertices: &[Slot],
+    vertices: &[ScreenVertex],
     objects: &Objects<'_, G, T>,
 ) {
     for entry in &mut *entries {
         if let Some(listing) = objects.listing(entry.element) {
             let corners = corners(entry.corners, vertices);
-            let farthest = corners.map(|corner| nearness(&corner, listing.depth_shift));
+            let farthest = corners.map(|corner| nearness(corner, listing.depth_shift));
             let nearness = farthest.min().unwrap_or_default();
             // In place of the rows, so that an entry needs no more memory; they are found again afterwards.
             entry.rows = [(nearness >> 16) as i16, nearness as i16];
@@ -28,7 +28,7 @@ pub(super) fn sort<G: Listed, T>(
     for entry in entries {
         // All rows between the corners. In some of them, a clipped triangle may have no pixel.
         let (mut least, mut most) = (i32::MAX, i32::MIN);
-        for ScreenVertex { screen: [_, y], .. } in corners(entry.corners, vertices) {
+        for &ScreenVertex { screen: [_, y], .. } in corners(entry.corners, vertices) {
             (least, most) = (least.min(y), most.max(y));
         }
         entry.rows = G::rows(least, most);
@@ -44,16 +44,15 @@ fn nearness(corner: &ScreenVertex, shift: DepthShift) -> u32 {
 }
 
 /// The corners of a triangle or edge, which may be clipped.
-fn corners(corners: Corners, vertices: &[Slot]) -> impl Iterator<Item = ScreenVertex> {
+fn corners(corners: Corners, vertices: &[ScreenVertex]) -> impl Iterator<Item = &ScreenVertex> {
     let (whole, clipped) = match corners {
         Corners::Whole(numbers) => (numbers, 0..0),
         Corners::Edge { ends: [a, b], .. } => ([a, b, 0], 0..0),
         // Each vertex is followed by its barycentric weights.
         Corners::Clipped { first, count, .. } => ([0; 3], first..first.saturating_add(2 * count)),
     };
-    let slot = |number: u16| vertices.get(usize::from(number).wrapping_sub(1));
-    let numbers = whole.into_iter().chain(clipped);
-    numbers.filter_map(move |number| slot(number)?.vertex())
+    let numbers = whole.into_iter().chain(clipped.step_by(2));
+    numbers.filter_map(|number| vertices.get(usize::from(number).wrapping_sub(1)))
 }
 
 impl Entry {

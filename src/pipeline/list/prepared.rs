@@ -9,7 +9,7 @@ use core::ptr;
 
 use embedded_graphics::pixelcolor::PixelColor;
 
-use super::{Corners, Entry, Filling, Listed, Listing, NO_ROWS, Scene, Slot};
+use super::{Corners, Entry, Filling, Listed, Listing, NO_ROWS, Scene};
 use crate::canvas::{Blending, Canvas, DepthBuffer, DepthTest, Storage};
 use crate::mesh::{Indices, Mesh, Placement};
 use crate::pipeline::assemble::Assembly;
@@ -124,9 +124,8 @@ impl<G: Listed> Placed<G> {
     pub(super) fn shared(&self, screen: &Screen, rows: &Range<u32>) -> Shared<'_> {
         Shared {
             mesh: self.thing.mesh(),
+            cull: screen.cull.mirrored(self.view.is_mirror),
             placement: Placement::new(&self.model, self.view),
-            // Those that are culled are not in the list.
-            cull: Cull::Nothing,
             scissor: screen.scissor(rows),
         }
     }
@@ -217,7 +216,7 @@ impl<'a, T, G: Listed, const COUNT: usize> Scene<'a> for &'a mut [Object<T, G>; 
 pub struct Prepared<'a, T = (), G = &'a Mesh<'a>, O = DrawOptions, K = Perspective> {
     pub(super) objects: Objects<'a, G, T>,
     pub(super) entries: &'a [Entry],
-    pub(super) vertices: &'a [Slot],
+    pub(super) vertices: &'a [ScreenVertex],
     /// The frame that they were prepared for.
     pub(super) screen: Screen,
     /// The options that it is drawn with.
@@ -424,7 +423,7 @@ fn meets([start, end]: [i16; 2], reach: i32, rows: &Range<i32>) -> bool {
 pub struct Run<'r> {
     pub(super) shared: &'r Shared<'r>,
     pub(super) entries: &'r [Entry],
-    pub(super) vertices: &'r [Slot],
+    pub(super) vertices: &'r [ScreenVertex],
     /// The number of the thing's first element.
     pub(super) first: u32,
 }
@@ -455,7 +454,7 @@ impl<'r> Run<'r> {
                 Corners::Whole([a, b, c]) => {
                     let corners = (self.vertex(a), self.vertex(b), self.vertex(c));
                     if let (Some(a), Some(b), Some(c)) = corners {
-                        let corners = [&a, &b, &c];
+                        let corners = [a, b, c];
                         let area = raster::area(&ScreenVertex::screens(corners));
                         draw.whole(indices, corners, area);
                     }
@@ -496,24 +495,28 @@ impl<'r> Run<'r> {
         draw.drawn()
     }
 
-    /// Twice the area of a triangle on the screen; 0 for an edge.
+    /// Twice the area of a triangle on the screen, or a number of its sign where culling has left only one; 0 for an edge.
     pub(super) fn area(&self, corners: Corners) -> i64 {
-        match corners {
-            Corners::Whole([a, b, c]) => match (self.vertex(a), self.vertex(b), self.vertex(c)) {
-                (Some(a), Some(b), Some(c)) => raster::area(&ScreenVertex::screens([&a, &b, &c])),
-                _ => 0,
-            },
-            Corners::Edge { .. } => 0,
-            Corners::Clipped { first, count, .. } => Polygon::area(&self.polygon(first, count)),
+        match (self.shared.cull, corners) {
+            (_, Corners::Edge { .. }) => 0,
+            (Cull::Back, _) => -1,
+            (Cull::Front, _) => 1,
+            (Cull::Nothing, Corners::Whole([a, b, c])) => {
+                match (self.vertex(a), self.vertex(b), self.vertex(c)) {
+                    (Some(a), Some(b), Some(c)) => raster::area(&ScreenVertex::screens([a, b, c])),
+                    _ => 0,
+                }
+            }
+            (Cull::Nothing, Corners::Clipped { first, count, .. }) => {
+                Polygon::area(&self.polygon(first, count))
+            }
         }
     }
 
     /// The vertex of this number.
     #[inline]
-    fn vertex(&self, number: u16) -> Option<ScreenVertex> {
-        self.vertices
-            .get(usize::from(number).wrapping_sub(1))?
-            .vertex()
+    fn vertex(&self, number: u16) -> Option<&'r ScreenVertex> {
+        self.vertices.get(usize::from(number).wrapping_sub(1))
     }
 
     /// The ends of an edge.
@@ -527,8 +530,8 @@ impl<'r> Run<'r> {
             }
         };
         let [a, b, _] = Barycentric::CORNERS;
-        let end = |vertex, barycentric| ClippedVertex {
-            vertex,
+        let end = |vertex: &ScreenVertex, barycentric| ClippedVertex {
+            vertex: *vertex,
             barycentric,
         };
         Some([end(from, a), end(to, b)])
@@ -537,40 +540,19 @@ impl<'r> Run<'r> {
     /// The corners of a clipped triangle, or the ends of a clipped edge.
     fn polygon(&self, first: u16, count: u16) -> ClippedPolygon {
         let start = usize::from(first).wrapping_sub(1);
-        let slots = self
+        let corners = self
             .vertices
             .get(start..start.wrapping_add(usize::from(2 * count)));
         let mut polygon = ClippedPolygon::new();
-        for pair in slots.unwrap_or_default().chunks_exact(2) {
-            if let [vertex, Slot::Barycentric(barycentric)] = *pair
-                && let Some(vertex) = vertex.vertex()
-            {
+        for pair in corners.unwrap_or_default().chunks_exact(2) {
+            if let &[vertex, ScreenVertex { screen, .. }] = pair {
                 // At most as many as were clipped.
                 let _ = polygon.push(ClippedVertex {
                     vertex,
-                    barycentric,
+                    barycentric: Barycentric(screen),
                 });
             }
         }
         polygon
-    }
-}
-
-impl Slot {
-    #[inline]
-    pub(super) fn vertex(self) -> Option<ScreenVertex> {
-        match self {
-            Self::Vertex {
-                screen,
-                q,
-                exponent,
-            } => Some(ScreenVertex {
-                screen,
-                q,
-                exponent,
-                ..ScreenVertex::UNSET
-            }),
-            Self::Barycentric(_) => None,
-        }
     }
 }
