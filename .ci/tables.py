@@ -178,6 +178,19 @@ def names(instructions, other):
         """Frames, if each instruction takes 1.5 cycles."""
         return whole(core_mhz * 1e6 / (1.5 * instructions[target, "3", "newton", scene, layout]))
 
+    def rate(what):
+        """Frames a second of a Pico."""
+        return f"{125e6 / other[what]:.0f}"
+
+    def board(name, bands):
+        ram = [bands, other[f"{name} RAM"] - bands, other[f"{name} stack"]]
+        return f"{cells(rate, [f'{name} cycles', f'{name} instant'])} | {' + '.join(kb(size) for size in ram)}"
+
+    def cycles(name):
+        counts = f"{other[f'{name} cycles'] / 1e6:.2f}"
+        rates = cells(rate, [f"{name} {bus}" for bus in ["cycles", "gaps", "instant"]])
+        return f"{counts} | {rates} | {whole(other[f'{name} stack'])}"
+
     return globals() | locals()
 
 
