@@ -133,9 +133,9 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// Draws text, a shape or an image of embedded-graphics over the picture, unless its bounding box misses the rows
     /// in memory.
     ///
-    /// The pixels are those of `thing.draw(&mut canvas)`. That computes every pixel of the thing in each band of a frame
-    /// and skips those outside; this computes them only in the bands that show some. It trusts the bounding box: pixels
-    /// that a thing draws outside of its box may be missing.
+    /// It shows what `thing.draw(&mut canvas)` shows, and saves time in bands: `draw` computes all pixels of a text in
+    /// every band, `overlay` only in the bands that show some of them. A pixel that a thing draws outside of its bounding
+    /// box may be missing.
     ///
     /// ```
     /// use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};

@@ -62,10 +62,11 @@ pub enum Native {}
 
 /// A [`Storage`] that keeps the integer of a color's raw bits, such as a `u16` for `Rgb565`.
 ///
-/// Where a bus or its DMA sends words of 16 bits, the most significant bit first, this is what a display expects. The
-/// processor stores such a pixel at once, while it stores [`BigEndian`] bytes one by one: on an emulated RP2040, a
-/// textured pixel takes a tenth less time. Many buses also leave a gap between two words, so half as many are sent
-/// faster.
+/// Use it where the bus and its DMA send words of 16 bits, the most significant bit first, as a display of 16-bit colors
+/// expects them. The processor then stores a pixel at once, where it stores [`BigEndian`] bytes one by one; and many
+/// buses rest after each word, so that fewer words are sent faster.
+///
+/// A color of up to 8 bits takes a `u8`, of up to 16 a `u16`, and of more a `u32`; its upper bits are 0.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -162,7 +163,7 @@ fn number<'b>(bytes: impl Iterator<Item = &'b u8>) -> u32 {
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be a pixel of this canvas",
-    label = "not a color, nor an array of bytes that the canvas's type asks for",
+    label = "not a color, nor the integer or the array of bytes that the canvas's type asks for",
     note = "a slice of colors makes a canvas of colors; a slice of arrays makes one of bytes if its type says so: \
             `let canvas: Canvas<Rgb565, BigEndian> = Canvas::new(&mut bytes, width, height)?`, where `bytes` is \
             `[[u8; 2]; N]`",

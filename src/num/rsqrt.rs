@@ -1,6 +1,6 @@
 //! The length and the direction of vectors, by an integer reciprocal square root.
 
-use crate::num::wide::{dot, product, product_to_31_bits, unsigned_product, upper_shifted};
+use crate::num::wide::{dot, product, product_to_31_bits, unsigned_product};
 
 /// Seeds: ⌊256/√t⌋ − 256 at the middle of each 128th of t from 1/4 to 1.
 static SEEDS: [u8; 96] = seeds();
@@ -139,9 +139,9 @@ pub(crate) const fn measure([x, y, z]: [i64; 3]) -> Option<Measured> {
     // The upper half, once all bits but the sign are used. (No caller has a component of -2^63.)
     let left = size.leading_zeros().saturating_sub(1);
     let mantissas = [
-        upper_shifted(x, left),
-        upper_shifted(y, left),
-        upper_shifted(z, left),
+        (x << left >> 32) as i32,
+        (y << left >> 32) as i32,
+        (z << left >> 32) as i32,
     ];
     let up = left.cast_signed() - 32;
     // Each at most 2^62, their sum from 2^60 to 3 · 2^62.

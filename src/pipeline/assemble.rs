@@ -7,7 +7,7 @@ use super::clip::{ClippedPolygon, clip};
 use crate::canvas::{DepthBuffer, WideFloatDepth};
 use crate::mesh::{Index, Indices};
 use crate::num::reciprocal;
-use crate::num::wide::{product, upper};
+use crate::num::wide::{product, unsigned_product};
 use crate::raster::{self, Barycentric, ClippedVertex, Polygon, ScreenVertex};
 use crate::view::ProjectionKind;
 
@@ -151,7 +151,7 @@ pub(super) fn steepness<K: ProjectionKind>(
     let [z, y] = [gain, area.unsigned_abs()].map(u64::leading_zeros);
     let [g, a] =
         [gain << (z & 63), area.unsigned_abs() << (y & 63)].map(|number| (number >> 32) as u32);
-    let change = upper(g, reciprocal(a >> 1));
+    let change = (unsigned_product(g, reciprocal(a >> 1)) >> 32) as u32;
     let shift = call.projector.depth_shift().of(exponent);
     // A shift of 15 or less makes a change greater than any depth.
     let steepness = WideFloatDepth::encode(change, (shift + 22 + z).saturating_sub(y).max(15));

@@ -1,7 +1,7 @@
 //! The plane equations of interpolants.
 
 use crate::num::reciprocal;
-use crate::num::wide::{DIVIDES, product, times_short, upper};
+use crate::num::wide::{DIVIDES, product, times_short, unsigned_product};
 use crate::raster::{Patch, ScreenVertex};
 
 /// An interpolant over a triangle: its value at every pixel center, accurate to one unit.
@@ -312,8 +312,9 @@ impl Wide {
         // numerator · inverse · 2^(shift - 32), from the halves of the numerator; the product takes 91 bits.
         let inverse = self.inverse.cast_unsigned();
         let (high, low) = ((numerator >> 32) as i32, numerator.cast_unsigned() as u32);
-        let upper = product(high, self.inverse) + i64::from(upper(low, inverse));
-        let lower = u64::from(low.wrapping_mul(inverse));
+        let lower = unsigned_product(low, inverse);
+        let upper = product(high, self.inverse) + i64::from((lower >> 32) as u32);
+        let lower = u64::from(lower as u32);
         let up = self.shift.cast_unsigned();
         if self.shift < 0 {
             upper >> (up.wrapping_neg() & 31)

@@ -73,7 +73,7 @@ pub struct Scene {
     sun: Light,
 }
 
-/// What is kept for a frame: nothing.
+/// This scene prepares nothing that needs memory.
 pub struct Memory;
 
 impl Memory {

@@ -77,10 +77,11 @@ struct Queue {
     state: Option<State>,
     finished: Deque<Band, BANDS>,
     free: Vec<Band, BANDS>,
-    /// Bands put into the queue, and bands of it that were started, since the program began.
-    queued: u32,
-    started: u32,
-    /// The last frame that was begun, counted from 1, and its time.
+    /// The frame and the number in it of the band that comes into the queue next.
+    next: (u32, u32),
+    /// The number in its frame of the band that is started next.
+    start: u32,
+    /// The frames that were begun, and the time of the last.
     begun: u32,
     now_ms: u64,
 }
@@ -110,7 +111,7 @@ fn wait_for<T>(mut f: impl FnMut(&mut Queue) -> Option<T>) -> T {
 #[derive(Clone, Copy)]
 pub struct Share {
     first_frame: u32,
-    frame_step: usize,
+    frame_step: u32,
     first_band: u32,
     band_step: usize,
 }
@@ -154,17 +155,18 @@ impl Share {
 /// The memory is too short for the scene.
 pub fn animate(share: Share, timer: Timer, memory: &mut Memory) -> ! {
     let scene = Scene::new(WIDTH, HEIGHT).unwrap();
-    for frame in (share.first_frame..).step_by(share.frame_step) {
+    let mut frame = share.first_frame;
+    loop {
         let moment = scene.at(begin(frame, timer), memory).unwrap();
         for number in (share.first_band..BANDS_OF_FRAME).step_by(share.band_step) {
             let band = wait_for(|queue| queue.free.pop());
             let pixels = band.as_mut_slice();
             let canvas = Canvas::<Rgb565, Words>::band(pixels, WIDTH, HEIGHT, number * ROWS);
             moment.draw(&mut canvas.unwrap());
-            send(frame * BANDS_OF_FRAME + number, band);
+            send((frame, number), band);
         }
+        frame = frame.wrapping_add(share.frame_step);
     }
-    unreachable!("2^32 frames take years")
 }
 
 /// The time of a frame, which is the same on both cores. They begin frames in their order.
@@ -172,20 +174,25 @@ fn begin(frame: u32, timer: Timer) -> u64 {
     wait_for(|queue| {
         if queue.begun == frame {
             queue.now_ms = timer.get_counter().ticks() / 1000;
-            queue.begun += 1;
+            queue.begun = frame.wrapping_add(1);
         }
-        (queue.begun == frame + 1).then_some(queue.now_ms)
+        (queue.begun == frame.wrapping_add(1)).then_some(queue.now_ms)
     })
 }
 
-/// Puts a band into the queue once all bands before it are there.
-fn send(number: u32, band: Band) {
+/// Puts a band into the queue once all bands before it are there. `at` is its frame, and its number in the frame.
+fn send(at: (u32, u32), band: Band) {
     let mut band = Some(band);
     wait_for(|queue| {
-        if queue.queued != number {
+        if queue.next != at {
             return None;
         }
-        queue.queued += 1;
+        let (frame, number) = at;
+        queue.next = if number + 1 < BANDS_OF_FRAME {
+            (frame, number + 1)
+        } else {
+            (frame.wrapping_add(1), 0)
+        };
         queue.finished.push_back(band.take()?).ok()?;
         queue.start_next();
         Some(())
@@ -198,11 +205,11 @@ impl Queue {
         self.state = match self.state.take() {
             Some(State::Idle(channel, mut bus)) => match self.finished.pop_front() {
                 Some(band) => {
-                    if self.started.is_multiple_of(BANDS_OF_FRAME) {
+                    if self.start == 0 {
                         // This chip's pins and bus return no errors.
                         self.panel.start_frame(&mut bus).ok();
                     }
-                    self.started += 1;
+                    self.start = (self.start + 1) % BANDS_OF_FRAME;
                     Some(State::Sends(Config::new(channel, band, bus).start()))
                 }
                 None => Some(State::Idle(channel, bus)),
@@ -293,8 +300,8 @@ pub fn start() -> Option<Board> {
         state: Some(State::Idle(channel, bus)),
         finished: Deque::new(),
         free,
-        queued: 0,
-        started: 0,
+        next: (0, 0),
+        start: 0,
         begun: 0,
         now_ms: 0,
     };

@@ -49,7 +49,7 @@ const BALL: Board = Board {
     crc: 0xdf84_69b2,
 };
 
-/// The bytes of a frame that is drawn in bands of so many rows.
+/// The bytes of a frame, drawn in bands of `$rows` rows.
 macro_rules! draw {
     ($scene:ident, $O:ty, $cell:expr, $size:expr, $rows:expr, $now_ms:expr) => {{
         let (width, height) = $size;

@@ -140,7 +140,7 @@ fn is_overlaid(
     is_seen
 }
 
-/// Wherever text and shapes are, bands show what is drawn on the frame, and only those that show some of it draw.
+/// Text and shapes look the same in bands and in the frame, and are drawn only in the bands that show some of them.
 #[test]
 fn overlays_are_drawn_in_the_bands_that_show_them() {
     let (mut drawn, mut skipped) = (0, 0);

@@ -1,4 +1,4 @@
-//! A Raspberry Pi Pico (RP2040) and an ST7789. One core draws, while DMA sends what is finished.
+//! A Raspberry Pi Pico (RP2040) and an ST7789. One core draws; DMA sends the finished bands.
 #![no_std]
 #![no_main]
 

@@ -1,4 +1,4 @@
-//! A Raspberry Pi Pico (RP2040) and an ST7789. Both cores draw, while DMA sends what is finished.
+//! A Raspberry Pi Pico (RP2040) and an ST7789. Both cores draw; DMA sends the finished bands.
 #![no_std]
 #![no_main]
 
