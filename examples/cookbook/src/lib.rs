@@ -3,6 +3,8 @@
 //! A library, so that the program and the tests share one build of their meshes and textures, which take the compiler
 //! longer than the code.
 
+pub mod bus;
+pub mod displays;
 mod pages;
 mod scenes;
 pub mod world;
@@ -14,6 +16,7 @@ use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics_simulator::SimulatorDisplay;
 use fixel::prelude::*;
 
+pub use displays::DISPLAYS;
 pub use pages::{PAGES, SIZE as PAGE_SIZE};
 pub use scenes::{Draw, Frame, SCENES};
 
@@ -51,6 +54,12 @@ pub fn picture(
 #[must_use]
 pub fn assets() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets")
+}
+
+/// The picture of a program that drives a display.
+#[must_use]
+pub fn display(name: &str) -> PathBuf {
+    assets().join("displays").join(name).with_extension("png")
 }
 
 /// The picture of a type's page.

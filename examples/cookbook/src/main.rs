@@ -7,7 +7,9 @@ use std::path::PathBuf;
 
 use clap::Parser;
 use clap::builder::PossibleValuesParser;
-use cookbook::{PAGE_SIZE, PAGES, SIZE, WORLD, all, assets, page, picture, world};
+use cookbook::{
+    DISPLAYS, PAGE_SIZE, PAGES, SIZE, WORLD, all, assets, display, page, picture, world,
+};
 use embedded_graphics::geometry::Size;
 use embedded_graphics_simulator::OutputSettings;
 
@@ -15,11 +17,11 @@ use embedded_graphics_simulator::OutputSettings;
 /// also an animation.
 #[derive(Parser)]
 struct Args {
-    /// Draw only these scenes.
-    #[arg(value_parser = PossibleValuesParser::new(all().map(|(name, _)| name)))]
+    /// Draw only these scenes, or what these programs show on displays.
+    #[arg(value_parser = PossibleValuesParser::new(names()))]
     scenes: Vec<String>,
 
-    /// Picture size in pixels, if not 320x240.
+    /// Picture size of scenes in pixels, if not 320x240.
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<Size>,
 
@@ -33,6 +35,11 @@ struct Args {
     crc: bool,
 }
 
+fn names() -> impl Iterator<Item = &'static str> {
+    let displays = DISPLAYS.iter().map(|&(name, _)| name);
+    all().map(|(name, _)| name).chain(displays)
+}
+
 fn size(text: &str) -> Result<Size, String> {
     text.split_once('x')
         .and_then(|(width, height)| Some(Size::new(width.parse().ok()?, height.parse().ok()?)))
@@ -43,8 +50,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let args = Args::parse();
     let folder = if args.renew { assets() } else { PathBuf::new() };
     let size = args.size.unwrap_or(SIZE);
+    let is_wanted = |name| args.scenes.is_empty() || args.scenes.iter().any(|scene| scene == name);
     for (name, draw) in all() {
-        if args.scenes.is_empty() || args.scenes.iter().any(|scene| scene == name) {
+        if is_wanted(name) {
             let shown = picture(draw, size)?;
             if args.crc {
                 let pixels = shown.to_be_bytes();
@@ -69,6 +77,19 @@ fn main() -> Result<(), Box<dyn Error>> {
         for &(name, draw) in PAGES {
             let path = page(name);
             picture(draw, PAGE_SIZE)?
+                .to_rgb_output_image(&OutputSettings::default())
+                .save_png(&path)?;
+            println!("{}", path.display());
+        }
+    }
+    for &(name, draw) in DISPLAYS {
+        if is_wanted(name) && !args.crc {
+            let path = if args.renew {
+                display(name)
+            } else {
+                PathBuf::from(name).with_extension("png")
+            };
+            draw()?
                 .to_rgb_output_image(&OutputSettings::default())
                 .save_png(&path)?;
             println!("{}", path.display());

@@ -1,38 +1,34 @@
 //! The picture on a real panel. A display driver from another project writes the canvas to recorded wires. A model of
 //! the controller, made from its data sheet, reads the record, and must show the canvas.
 
-mod panel;
+mod recipes;
 
 #[path = "../../../common/mod.rs"]
 mod common;
 
 use std::collections::BTreeSet;
 
+use cookbook::bus::mipi::{Command, Panel, commands};
+use cookbook::bus::{NoDelay, Wires};
+use cookbook::displays::{Driver, driver};
 use embedded_graphics::pixelcolor::raw::{BigEndian, RawData, RawU16};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_hal::spi::SpiDevice;
 use fixel::canvas::{DepthBuffer, Storage};
 use fixel::prelude::*;
+use mipidsi::Builder;
 use mipidsi::dcs::{InterfaceExt, SetColumnAddress, SetPageAddress, WriteMemoryStart};
 use mipidsi::interface::SpiInterface;
 use mipidsi::models::{ILI9341Rgb565, Model, ST7789};
 use mipidsi::options::{Orientation, Rotation};
-use mipidsi::{Builder, Display, NoResetPin};
 
 use common::{lighthouse, scenes};
-use panel::{Command, NoDelay, Panel, Wires};
-
-type Driver<'b, M> = Display<SpiInterface<'b, Wires, Wires>, M, NoResetPin>;
 
 /// A square panel of 240x240 pixels that is not rotated.
 const SQUARE: (u32, u32) = (240, 240);
 
 fn square<'b>(wires: &Wires, buffer: &'b mut [u8]) -> Driver<'b, ST7789> {
-    let interface = SpiInterface::new(wires.clone(), wires.clone(), buffer);
-    Builder::new(ST7789, interface)
-        .display_size(240, 240)
-        .init(&mut NoDelay)
-        .unwrap()
+    driver(ST7789, (240, 240), wires, buffer)
 }
 
 /// A panel of 240x320 pixels, rotated by a quarter turn.
@@ -55,15 +51,15 @@ fn draw<O: Storage<Rgb565>, D: DepthBuffer>(canvas: &mut Canvas<'_, Rgb565, O, D
     lighthouse::caption(canvas);
 }
 
-fn raw(color: Rgb565) -> u16 {
-    RawU16::from(color).into_inner()
+fn raw(color: Rgb565) -> u32 {
+    RawU16::from(color).into_inner().into()
 }
 
 /// Draws the whole frame as colors, which the panel must show, and passes it to `show`.
 fn frame(
     (width, height): (u32, u32),
     show: impl FnOnce(&Canvas<'_, Rgb565, Native, LinearDepth>),
-) -> Vec<u16> {
+) -> Vec<u32> {
     let mut pixels = vec![Rgb565::BLACK; (width * height) as usize];
     let mut depths = vec![0; pixels.len()];
     let canvas = Canvas::new(&mut pixels, width, height).unwrap();
@@ -100,9 +96,9 @@ fn in_bands(size: (u32, u32), rows: u32, mut show: impl FnMut(&Bytes<'_>)) {
 type Bytes<'a> = Canvas<'a, Rgb565, BigEndian, LinearDepth>;
 
 /// The panel's picture after all commands.
-fn shown(wires: &Wires, size: (u32, u32)) -> Vec<u16> {
-    let mut panel = Panel::default();
-    panel.read(&wires.take());
+fn shown(wires: &Wires, size: (u32, u32)) -> Vec<u32> {
+    let mut panel = Panel::new(240, 320);
+    panel.read(&commands(wires.take()));
     panel.picture(size)
 }
 
@@ -113,7 +109,7 @@ fn written(commands: Vec<Command>) -> Vec<Vec<u8>> {
 }
 
 /// Compares pictures, and names only the first pixel that differs.
-fn assert_same(shown: &[u16], expected: &[u16], width: u32) {
+fn assert_same(shown: &[u32], expected: &[u32], width: u32) {
     assert_eq!(shown.len(), expected.len());
     if let Some(at) = (0..shown.len()).find(|&at| shown[at] != expected[at]) {
         let (x, y) = (at % width as usize, at / width as usize);
@@ -163,14 +159,14 @@ fn bytes_equal_those_that_the_driver_sends() {
     let mut display = square(&wires, &mut buffer);
     wires.take();
     frame(SQUARE, |canvas| canvas.show(&mut display).unwrap());
-    let sent = written(wires.take());
+    let sent = written(commands(wires.take()));
     for rows in [SQUARE.1, 16, 37] {
         let mut bytes = vec![];
         in_bands(SQUARE, rows, |band| {
             bytes.extend_from_slice(band.as_bytes());
             // Send bands in the same way as frames.
             band.show(&mut display).unwrap();
-            assert!(written(wires.take()) == [band.as_bytes()]);
+            assert!(written(commands(wires.take())) == [band.as_bytes()]);
         });
         assert!(sent == [bytes], "bands of {rows} rows");
     }

@@ -1,0 +1,281 @@
+//! Panels with the command set of MIPI DCS: ST7789, ILI9341, GC9A01, ILI9488.
+
+use std::convert::Infallible;
+
+use embedded_graphics::pixelcolor::raw::RawU16;
+use embedded_graphics::pixelcolor::{Rgb565, Rgb666, Rgb888};
+use embedded_hal::digital::{ErrorType, InputPin};
+
+use super::{Run, Wires};
+
+/// A command byte and the data bytes that follow it.
+pub struct Command {
+    /// The command byte.
+    pub code: u8,
+    /// Its data.
+    pub data: Vec<u8>,
+    /// When the first byte of data began, in times of a byte.
+    pub start: u64,
+}
+
+/// Returns the commands that the bytes on the wires are.
+pub fn commands(runs: Vec<Run>) -> Vec<Command> {
+    let mut commands: Vec<Command> = vec![];
+    for Run {
+        is_data,
+        bytes,
+        start,
+    } in runs
+    {
+        if is_data {
+            let command = commands.last_mut().expect("data bytes follow a command");
+            if command.data.is_empty() {
+                command.start = start;
+            }
+            command.data.extend(bytes);
+        } else {
+            commands.extend(bytes.into_iter().map(|code| Command {
+                code,
+                data: vec![],
+                start,
+            }));
+        }
+    }
+    commands
+}
+
+/// The contents of a controller's registers and memory.
+#[allow(clippy::struct_excessive_bools)] // one for each bit of the registers
+pub struct Panel {
+    /// Width and height of the memory while columns and rows are not exchanged.
+    size: (u16, u16),
+    is_awake: bool,
+    is_on: bool,
+    bits_per_pixel: u8,
+    is_exchanged: bool,
+    /// The glass has blue where the controller has red: the program must exchange them.
+    is_blue_first: bool,
+    /// The window's first and last column, both inclusive.
+    columns: (u16, u16),
+    rows: (u16, u16),
+    /// Each pixel as it was sent, `None` until then.
+    memory: Vec<Option<u32>>,
+}
+
+impl Panel {
+    /// Returns a panel that sleeps, with a memory of this size.
+    pub fn new(width: u16, height: u16) -> Self {
+        Self {
+            size: (width, height),
+            is_awake: false,
+            is_on: false,
+            bits_per_pixel: 0,
+            is_exchanged: false,
+            is_blue_first: false,
+            columns: (0, 0),
+            rows: (0, 0),
+            memory: vec![None; usize::from(width) * usize::from(height)],
+        }
+    }
+
+    /// The same panel with a glass that has blue where the controller has red.
+    #[must_use]
+    pub fn with_blue_first(self) -> Self {
+        Self {
+            is_blue_first: true,
+            ..self
+        }
+    }
+
+    /// Executes commands; panics at a command that the data sheets do not allow here.
+    pub fn read(&mut self, commands: &[Command]) {
+        for Command { code, data, .. } in commands {
+            match (code, data.as_slice()) {
+                // SWRESET keeps the memory.
+                (0x01, []) => (self.is_awake, self.is_on) = (false, false),
+                (0x11, []) => self.is_awake = true,
+                (0x29, []) => self.is_on = true,
+                // NORON, INVOFF, INVON, TEOFF, TEON and the manufacturers' registers (voltages, timing, gamma) change
+                // only the display, not the memory.
+                (0x13 | 0x20 | 0x21 | 0x34, []) | (0x35, [_]) | (0x60.., _) => {}
+                // MADCTL: bit 5 exchanges rows and columns, and bits 7 and 6 mirror them, so that the host counts from
+                // the upper left corner of the rotated panel. Bit 3 exchanges red and blue.
+                (0x36, &[mode]) => {
+                    let is_blue_first = mode & 0b1000 != 0;
+                    assert_eq!(
+                        is_blue_first, self.is_blue_first,
+                        "red and blue are exchanged"
+                    );
+                    self.is_exchanged = mode & 0b10_0000 != 0;
+                }
+                // COLMOD: bits 2 to 0 give the pixel format on the bus.
+                (0x3a, &[format]) => {
+                    self.bits_per_pixel = match format & 0b111 {
+                        0b101 => 16,
+                        0b110 => 18,
+                        other => panic!("pixel format {other:#b}"),
+                    };
+                }
+                (0x2a, data) => self.columns = window(data, self.size().0),
+                (0x2b, data) => self.rows = window(data, self.size().1),
+                (0x2c, data) => self.write(data),
+                (code, data) => panic!("command {code:#04x} with {data:02x?}"),
+            }
+        }
+    }
+
+    /// Columns and rows as the host counts them.
+    fn size(&self) -> (u16, u16) {
+        let (width, height) = self.size;
+        if self.is_exchanged {
+            (height, width)
+        } else {
+            (width, height)
+        }
+    }
+
+    /// RAMWR: the pointer starts at the window's upper left corner and moves right. At the end of a row it goes to the
+    /// start of the next one, and at the end of the window back to the window's start. 16 bits of color are two bytes,
+    /// red in the upper five bits of the first; 18 bits are three, each in its upper six bits.
+    fn write(&mut self, data: &[u8]) {
+        let bytes = match self.bits_per_pixel {
+            16 => 2,
+            18 => 3,
+            other => panic!("{other} bits a pixel"),
+        };
+        assert!(data.len().is_multiple_of(bytes), "part of a pixel");
+        let width = usize::from(self.size().0);
+        let (mut column, mut row) = (self.columns.0, self.rows.0);
+        for pixel in data.chunks_exact(bytes) {
+            let color = match *pixel {
+                [upper, lower] => u32::from(upper) << 8 | u32::from(lower),
+                [red, green, blue] => [red, green, blue]
+                    .iter()
+                    .fold(0, |color, level| color << 6 | u32::from(level >> 2)),
+                _ => unreachable!("a chunk has two or three bytes"),
+            };
+            self.memory[usize::from(row) * width + usize::from(column)] = Some(color);
+            column += 1;
+            if column > self.columns.1 {
+                column = self.columns.0;
+                row += 1;
+            }
+            if row > self.rows.1 {
+                row = self.rows.0;
+            }
+        }
+    }
+
+    /// Returns the raw bits of the pixels, row by row from the upper left corner; `None` for one that was never written.
+    /// Panics if the panel is dark.
+    pub fn pixels(&self) -> &[Option<u32>] {
+        assert!(self.is_awake && self.is_on, "the panel is dark");
+        &self.memory
+    }
+
+    /// Returns the raw bits of the `width` x `height` pixels at the upper left corner. Panics if the panel is dark, if
+    /// one of these pixels was never written, or if a pixel outside them was.
+    pub fn picture(&self, (width, height): (u32, u32)) -> Vec<u32> {
+        let columns = u32::from(self.size().0);
+        let mut picture = vec![];
+        for (at, pixel) in (0..).zip(self.pixels()) {
+            let (column, row) = (at % columns, at / columns);
+            let is_inside = column < width && row < height;
+            assert_eq!(pixel.is_some(), is_inside, "({column}, {row}) was written");
+            picture.extend(pixel);
+        }
+        picture
+    }
+
+    /// Returns the color of a pixel's raw bits.
+    pub fn color(&self, raw: u32) -> Rgb888 {
+        if self.bits_per_pixel == 16 {
+            return Rgb565::from(RawU16::new(raw as u16)).into();
+        }
+        let [red, green, blue] = [12, 6, 0].map(|bit| (raw >> bit & 0x3f) as u8);
+        Rgb666::new(red, green, blue).into()
+    }
+}
+
+/// The first and the last column or row, each in two bytes, the more significant one first.
+fn window(data: &[u8], size: u16) -> (u16, u16) {
+    let &[a, b, c, d] = data else {
+        panic!("a window takes four bytes, not {data:02x?}");
+    };
+    let window = (u16::from_be_bytes([a, b]), u16::from_be_bytes([c, d]));
+    assert!(
+        window.0 <= window.1 && window.1 < size,
+        "{window:?} of {size}"
+    );
+    window
+}
+
+/// A panel's output for the tearing effect: high while the panel reads no row from its memory.
+///
+/// The panel reads its rows in turn, [`Scan::LINES`] lines in [`Scan::PERIOD`] times of a byte: 60 times a second on a
+/// bus of 62.5 MHz. The first [`Scan::BLANK`] lines are the pause, as ST7789 does it after a reset.
+pub struct Scan(pub Wires);
+
+impl Scan {
+    /// The time of a scan.
+    pub const PERIOD: u64 = 62_500_000 / 8 / 60;
+    /// Lines of a scan, each as long as the others.
+    pub const LINES: u64 = 320 + Self::BLANK;
+    /// Lines at its beginning in which no row is read.
+    pub const BLANK: u64 = 24;
+
+    /// Returns the time at which the panel reads a row of a frame.
+    pub fn time(frame: u64, row: u64) -> u64 {
+        frame * Self::PERIOD + (Self::BLANK + row) * Self::PERIOD / Self::LINES
+    }
+}
+
+impl ErrorType for Scan {
+    type Error = Infallible;
+}
+
+impl InputPin for Scan {
+    fn is_high(&mut self) -> Result<bool, Infallible> {
+        self.0.wait(8); // about a microsecond
+        let now = self.0.now() % Self::PERIOD;
+        Ok(now < Self::time(0, 0))
+    }
+
+    fn is_low(&mut self) -> Result<bool, Infallible> {
+        Ok(!self.is_high()?)
+    }
+}
+
+/// A pin that a program reads in place of [`Scan`], and that lets it wait for nothing but the 1.1 ms in which it draws.
+pub struct Ignored(pub Wires);
+
+impl ErrorType for Ignored {
+    type Error = Infallible;
+}
+
+impl InputPin for Ignored {
+    fn is_high(&mut self) -> Result<bool, Infallible> {
+        self.0.wait(9000);
+        Ok(false)
+    }
+
+    fn is_low(&mut self) -> Result<bool, Infallible> {
+        Ok(false)
+    }
+}
+
+/// Returns what a panel of `side` x `side` pixels shows in a scan of its memory, while `commands` write whole frames of
+/// 16 bits a pixel: for each pixel, the color that was the last to be written before it was read.
+pub fn scanned(commands: &[Command], scan: u64, side: u32) -> Vec<Option<u16>> {
+    let frames = commands.iter().filter(|command| command.code == 0x2c);
+    let frames: Vec<_> = frames.collect();
+    let pixels = 0..u64::from(side * side);
+    let color = |at: u64| {
+        let now = Scan::time(scan, at / u64::from(side));
+        let written = |frame: &&&Command| frame.start + 2 * at + 2 <= now;
+        let frame = frames.iter().rev().find(written)?;
+        let bytes = frame.data.get(2 * at as usize..)?.first_chunk()?;
+        Some(u16::from_be_bytes(*bytes))
+    };
+    pixels.map(color).collect()
+}

@@ -1,0 +1,222 @@
+//! The guide's programs that drive displays, each through another project's driver.
+
+use std::fs;
+use std::path::Path;
+
+use cookbook::bus::Wires;
+use cookbook::bus::mipi::{Command, Ignored, Scan, scanned};
+use cookbook::displays::{
+    self, epaper, frames, ili9341, ili9488, is_round, oled, round, tearing, window,
+};
+use cookbook::{DISPLAYS, display};
+use embedded_graphics::geometry::Point;
+use embedded_graphics::pixelcolor::raw::{BigEndian, RawData, RawU16};
+use embedded_graphics::pixelcolor::{BinaryColor, Rgb565, Rgb888, RgbColor};
+use embedded_graphics_simulator::SimulatorDisplay;
+use epd_waveshare::epd2in13_v2::Display2in13;
+use fixel::canvas::Words;
+use fixel::prelude::*;
+
+use super::assert_same;
+
+#[test]
+fn pictures_are_those_of_the_documentation() {
+    for &(name, show) in DISPLAYS {
+        let shown = SimulatorDisplay::<Rgb888>::load_png(display(name)).unwrap();
+        assert!(show().unwrap().diff(&shown).is_none(), "{name} has changed");
+    }
+}
+
+#[test]
+fn programs_are_short() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src/displays");
+    for (name, _) in DISPLAYS {
+        let text = fs::read_to_string(folder.join(name).with_extension("rs")).unwrap();
+        let lines = text.lines().count();
+        assert!(lines <= 60, "{name} has {lines} lines");
+    }
+}
+
+fn raw(colors: impl Iterator<Item = Rgb565>) -> Vec<u32> {
+    colors
+        .map(|color| RawU16::from(color).into_inner().into())
+        .collect()
+}
+
+/// After the window was sent, the panel shows what it would show had the whole frame been sent again.
+#[test]
+fn a_window_is_that_part_of_the_frame() {
+    let turns = [deg!(10), deg!(70)];
+    let all = (240, 240);
+    let ran = displays::run_window(&turns).unwrap();
+    let [first, last] = turns.map(|turn| displays::run_window(&[turn]).unwrap());
+    assert_same(&ran.panel.picture(all), &last.panel.picture(all), 240);
+    assert_ne!(first.panel.picture(all), last.panel.picture(all));
+    let size = window::WINDOW.size;
+    assert_eq!(
+        ran.sent() - first.sent(),
+        2 * (size.width * size.height) as usize
+    );
+}
+
+/// The circle's pixels are those of a whole frame. A sixth of the bytes is not sent.
+#[test]
+fn a_round_panel_gets_its_circle() {
+    let ran = displays::run_round().unwrap();
+    let (mut colors, mut depths) = (vec![Rgb565::BLACK; 240 * 240], vec![0; 240 * 240]);
+    let frame = Canvas::new(&mut colors, 240, 240).unwrap();
+    let mut frame = frame.with_depth(&mut depths).unwrap();
+    round::draw(&mut frame, Point::zero()).unwrap();
+    let mut missing = 0;
+    for ((at, pixel), expected) in (0..).zip(ran.panel.pixels()).zip(raw(frame.pixels())) {
+        let (column, row) = (at % 240, at / 240);
+        match pixel {
+            Some(pixel) => assert_eq!(*pixel, expected, "({column}, {row})"),
+            None => {
+                assert!(!is_round(column, row), "({column}, {row}) was not sent");
+                missing += 1;
+            }
+        }
+    }
+    assert_eq!(ran.sent(), 2 * (240 * 240 - missing));
+    // A circle leaves 1 - pi/4 of its square free: 21.5 %. Bands of 16 rows save a part of that.
+    assert!(
+        (0.14..0.215).contains(&(missing as f64 / 57_600.0)),
+        "{missing}"
+    );
+}
+
+#[test]
+fn an_oled_shows_the_frame() {
+    let (mut colors, mut depths) = ([BinaryColor::Off; 128 * 64], [0; 128 * 64]);
+    let frame = Canvas::new(&mut colors, 128, 64).unwrap();
+    let mut frame = frame.with_depth(&mut depths).unwrap();
+    oled::draw(&mut frame).unwrap();
+    let expected: Vec<_> = frame.pixels().map(BinaryColor::is_on).collect();
+    assert!(displays::run_oled().unwrap() == expected);
+    assert!(expected.iter().filter(|lit| **lit).count() > 1000);
+}
+
+/// One full refresh, and then quick ones. Each leaves on the paper what was drawn, though it drives a small part of the
+/// pixels.
+#[test]
+fn paper_is_refreshed_where_it_changes() {
+    let turns = [0, 10, 30, 55].map(Angle::from_degrees);
+    let panel = displays::run_epaper(&turns).unwrap();
+    let mut drawn = Display2in13::default();
+    epaper::draw(&mut drawn, turns[3]).unwrap();
+    for (row, (paper, drawn)) in panel
+        .paper
+        .iter()
+        .zip(drawn.buffer().chunks(16))
+        .enumerate()
+    {
+        // The last six bits of a row are not on the glass.
+        assert_eq!(paper[..15], drawn[..15], "row {row}");
+        assert_eq!((paper[15] ^ drawn[15]) & 0xc0, 0, "row {row}");
+    }
+    let are_full: Vec<_> = panel.refreshes.iter().map(|refresh| refresh.0).collect();
+    assert_eq!(are_full, [true, false, false, false]);
+    for (_, changed) in &panel.refreshes[1..] {
+        // The two sails: 110x13 pixels each, before and after. The panel has 30,500.
+        assert!((1000..4 * 110 * 13).contains(changed), "{changed}");
+    }
+}
+
+#[test]
+fn eighteen_bits_are_the_upper_ones_of_24() {
+    let ran = displays::run_ili9488().unwrap();
+    let pixels = (ili9488::WIDTH * ili9488::HEIGHT) as usize;
+    let (mut colors, mut depths) = (vec![[0; 3]; pixels], vec![0; pixels]);
+    let frame = Canvas::<Rgb888, BigEndian>::new(&mut colors, ili9488::WIDTH, ili9488::HEIGHT);
+    let mut frame = frame.unwrap().with_depth(&mut depths).unwrap();
+    ili9488::draw(&mut frame).unwrap();
+    let six = |color: Rgb888| {
+        let [red, green, blue] =
+            [color.r(), color.g(), color.b()].map(|level| u32::from(level) / 4);
+        (red * 64 + green) * 64 + blue
+    };
+    let expected: Vec<_> = frame.pixels().map(six).collect();
+    let picture = ran.panel.picture((ili9488::WIDTH, ili9488::HEIGHT));
+    assert_same(&picture, &expected, ili9488::WIDTH);
+}
+
+#[test]
+fn words_are_sent_as_they_are() {
+    let ran = displays::run_ili9341().unwrap();
+    let pixels = (ili9341::WIDTH * ili9341::HEIGHT) as usize;
+    let (mut words, mut depths) = (vec![0; pixels], vec![0; pixels]);
+    let frame = Canvas::<Rgb565, Words>::new(&mut words, ili9341::WIDTH, ili9341::HEIGHT);
+    let mut frame = frame.unwrap().with_depth(&mut depths).unwrap();
+    ili9341::draw(&mut frame).unwrap();
+    let expected: Vec<_> = frame.as_cells().iter().map(|&word| word.into()).collect();
+    let picture = ran.panel.picture((ili9341::WIDTH, ili9341::HEIGHT));
+    assert_same(&picture, &expected, ili9341::WIDTH);
+}
+
+/// Every frame arrives as it was drawn, although the next one is drawn while it is sent.
+#[test]
+fn a_frame_is_not_drawn_into_while_it_is_sent() {
+    let turns = [10, 40, 80, 130].map(Angle::from_degrees);
+    let ran = displays::run_frames(&turns).unwrap();
+    let writes = ran.commands.iter().filter(|command| command.code == 0x2c);
+    let sent: Vec<_> = writes.map(|command| &command.data).collect();
+    assert_eq!(sent.len(), turns.len());
+    for (turn, sent) in turns.into_iter().zip(sent) {
+        let mut frame = vec![[0; 2]; frames::PIXELS];
+        frames::draw(&mut frame, turn).unwrap();
+        assert!(*sent == frame.as_flattened(), "{turn:?}");
+    }
+}
+
+/// Returns, for each scan that begins after the first frame is there and while others are sent, the frames whose rows
+/// it shows; `None` for a row that is written while it is read.
+fn frames_of_scans(commands: &[Command]) -> Vec<Vec<Option<usize>>> {
+    let side = tearing::SIDE as usize;
+    let writes = commands.iter().filter(|command| command.code == 0x2c);
+    let writes: Vec<_> = writes.collect();
+    let end = |write: &Command| write.start + write.data.len() as u64;
+    let first = end(writes[0]).div_ceil(Scan::PERIOD);
+    let last = end(writes[writes.len() - 1]) / Scan::PERIOD;
+    let frames = (first..=last).map(|scan| {
+        let seen = scanned(commands, scan, tearing::SIDE);
+        let rows = seen.chunks(side).enumerate().map(|(row, seen)| {
+            let seen: Vec<_> = seen
+                .iter()
+                .flat_map(|pixel| pixel.unwrap().to_be_bytes())
+                .collect();
+            let shows = |write: &&Command| write.data[2 * side * row..][..2 * side] == seen;
+            writes.iter().position(shows)
+        });
+        let mut rows: Vec<_> = rows.collect();
+        rows.dedup();
+        rows
+    });
+    frames.collect()
+}
+
+/// Whenever the program gets ready, no scan shows rows of two frames. Without the panel's signal, scans do.
+#[test]
+fn no_frame_is_torn() {
+    let ways = [0_i16, 1, 2, 3, 4, 5].map(|step| fx!(0.3) * Scalar::from(step));
+    let mut torn = 0;
+    for ready in (0..Scan::PERIOD).step_by(9001) {
+        let wires = Wires::default();
+        wires.wait(ready);
+        let ran = displays::run_tearing(&wires, Scan(wires.clone()), &ways).unwrap();
+        let scans = frames_of_scans(&ran.commands);
+        assert!(scans.len() >= 4, "{scans:?}");
+        assert!(
+            scans.iter().all(|frames| matches!(frames[..], [Some(_)])),
+            "{ready}: {scans:?}"
+        );
+
+        let wires = Wires::default();
+        wires.wait(ready);
+        let ignored = Ignored(wires.clone());
+        let ran = displays::run_tearing(&wires, ignored, &ways).unwrap();
+        let scans = frames_of_scans(&ran.commands);
+        torn += usize::from(scans.iter().any(|frames| frames.len() > 1));
+    }
+    assert!(torn > 10, "{torn} of 15");
+}
