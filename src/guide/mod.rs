@@ -9,29 +9,31 @@
 //!    what differs.
 //! 3. **[Cookbook](cookbook)**: short programs with their pictures, one idea each.
 //! 4. **[Firmware](firmware)**: from `cargo new` to a panel on SPI, with bands and DMA.
-//! 5. **[Choosing a mode](modes)**: speed against accuracy, and how each bound is derived.
-//! 6. **[Limits](limits)**: the range of each quantity, and what happens beyond it.
-//! 7. **[Benchmarks](benchmarks)**: what drawing costs, beside other libraries.
+//! 5. **[Displays](displays)**: windows of a frame, round panels, electronic paper, OLEDs, 18 bits a pixel, tearing,
+//!    two frames.
+//! 6. **[Choosing a mode](modes)**: speed against accuracy, and how each bound is derived.
+//! 7. **[Limits](limits)**: the range of each quantity, and what happens beyond it.
+//! 8. **[Benchmarks](benchmarks)**: what drawing costs, beside other libraries.
 #![cfg_attr(doc, doc = page_picture!("shaders", "Balls in eight shaders"))]
 
 /// A title, and the picture of a scene of the cookbook.
 #[cfg(feature = "assets")]
 macro_rules! picture {
-    ($title:literal, $name:literal) => {
+    ($title:literal, $($name:literal),+) => {
         concat!(
             "# ",
             $title,
             "\n\n![",
             $title,
             "](",
-            fixel_macros::picture_uri!("examples/assets/" $name ".png"),
+            fixel_macros::picture_uri!("examples/assets/" $($name)+ ".png"),
             ")\n\n"
         )
     };
 }
 #[cfg(not(feature = "assets"))]
 macro_rules! picture {
-    ($title:literal, $name:literal) => {
+    ($title:literal, $($name:literal),+) => {
         concat!("# ", $title, "\n\n")
     };
 }
@@ -48,6 +50,28 @@ macro_rules! recipe {
             "\n# mod scene {\n",
             include_str!(concat!("../../examples/cookbook/src/scenes/", $name, ".rs")),
             "# }\n```\n"
+        )
+    };
+}
+
+/// The title and the picture of a program that drives a display.
+macro_rules! display_picture {
+    ($title:literal, $name:literal) => {
+        picture!($title, "displays/", $name)
+    };
+}
+
+/// A program that drives a display. The tests of the cookbook compile and run it, with the drivers.
+macro_rules! display_program {
+    ($name:literal) => {
+        concat!(
+            "```ignore\n",
+            include_str!(concat!(
+                "../../examples/cookbook/src/displays/",
+                $name,
+                ".rs"
+            )),
+            "```\n"
         )
     };
 }
@@ -106,6 +130,8 @@ pub mod cookbook {}
 #[cfg_attr(doc, doc = page_picture!("firmware", "The program of this page: a spinning ring with a caption"))]
 #[doc = include_str!("firmware.md")]
 pub mod firmware {}
+
+pub mod displays;
 
 /// A mode is the method that interpolates textures and colors across a triangle. This page says which mode suits which
 /// scene and processor core, how large an error to expect, and how each bound is derived.

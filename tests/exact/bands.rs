@@ -227,6 +227,43 @@ fn bands_equal_the_frame_in_parallel() {
     });
 }
 
+/// A window of the frame is a canvas of its size, whose viewport is the frame's, moved. It covers the frame's pixels.
+/// (Interpolated values may differ by the mode's error, because spans begin at the window's edge.)
+#[test]
+fn windows_cover_the_pixels_of_the_frame() {
+    let draw = |scene: &Scene, mvp: &Mvp, [x, y, width, height]: [u32; 4]| {
+        let mut color = vec![Rgb888::new(1, 2, 3); (width * height) as usize];
+        let mut canvas = Canvas::new(&mut color, width, height).unwrap();
+        let [left, top] = [x, y].map(|at| -at.cast_signed());
+        let frame = Viewport::new(left, top, WIDTH, HEIGHT).unwrap();
+        let (mesh, options) = (scene.mesh(), common::BOTH_SIDES.with_viewport(frame));
+        canvas.draw_with(&options, &mesh, mvp, &Index);
+        let white = Flat::new(Rgb888::new(255, 255, 255));
+        canvas.draw_with(&options, mesh.edges(LineStyle::HAIRLINE), mvp, &white);
+        canvas.draw_with(&options, mesh.points(PointStyle::PIXEL), mvp, &white);
+        color
+    };
+    cases(256, |random| {
+        let scene = scene(random);
+        let fov = Angle::from_degrees(random.random_range(10..150));
+        let projection = Projection::perspective(fov, (WIDTH, HEIGHT), fx!(0.1), fx!(50)).unwrap();
+        let mvp = projection * Transform::translate(vec3!(0, 0, -4));
+        let frame = draw(&scene, &mvp, [0, 0, WIDTH, HEIGHT]);
+        let [x, y] = [WIDTH, HEIGHT].map(|size| random.random_range(0..size));
+        let width = random.random_range(1..=WIDTH - x);
+        let height = random.random_range(1..=HEIGHT - y);
+        let window = draw(&scene, &mvp, [x, y, width, height]);
+        for (row, found) in (y..).zip(window.chunks(width as usize)) {
+            let expected = &frame[(row * WIDTH + x) as usize..][..width as usize];
+            assert!(
+                found == expected,
+                "row {row} of {:?}",
+                [x, y, width, height]
+            );
+        }
+    });
+}
+
 /// The same with floating-point depths, for direct draw calls and for prepared triangles.
 #[test]
 fn bands_equal_the_frame_in_floating_depth() {
