@@ -53,10 +53,8 @@
 #![doc = display_program!("oled")]
 //!
 #![doc = display_picture!("18 bits a pixel", "ili9488")]
-//! On SPI, an ILI9488 cannot take 16 bits a pixel. A canvas of `Rgb888` in [`BigEndian`] bytes has the three bytes that
+//! On SPI, an ILI9488 cannot take 16 bits a pixel. A canvas of `Rgb888` in `BigEndian` bytes has the three bytes that
 //! the panel wants, so that a DMA channel can send them as they are. The driver sets the panel up, and opens the window.
-//!
-//! [`BigEndian`]: embedded_graphics::pixelcolor::raw::BigEndian
 //!
 #![doc = display_program!("ili9488")]
 //!

@@ -11,7 +11,7 @@ use embedded_graphics_simulator::SimulatorDisplay;
 use fixel::prelude::*;
 
 /// After a change that is meant to change a picture, run `cargo run -p cookbook -- --renew`, look at the picture,
-/// and say why in the changelog.
+/// and say why in the commit.
 #[test]
 fn pictures_are_those_of_the_documentation() {
     for (name, draw) in all() {
