@@ -3,6 +3,8 @@
 //! A checksum may change, but only on purpose: look at the picture (`simulator --scene NAME --out NAME.png`), explain
 //! the change in the commit, and put the new checksum here. Firmware draws the same pictures (`.ci/run`).
 
+mod words;
+
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::mode::{Affine, Compact, Exact, Fast, Mode, Newton};
