@@ -3,6 +3,7 @@ import { $, camera, settings, showCamera, showSettings } from "./controls.js";
 import { compare, showNumbers } from "./figures.js";
 import { read } from "./files.js";
 import { Crate, FLOOR, LIGHTHOUSE, MODES, OWN, WORLD, load } from "./module.js";
+import { showSegment } from "./segment.js";
 
 /** The slot for measuring. Slots 0 and 1 have the pictures of the modes that are seen. */
 const SCRATCH = 2;
@@ -223,6 +224,7 @@ onunhandledrejection = ({ reason }) => {
 async function start() {
   crate = new Crate(await load("playground.wasm.gz"));
   crate.read("read_texture", PLAIN.data, PLAIN);
+  showSegment(crate);
   await choose(LIGHTHOUSE);
   document.querySelector("main").inert = false;
 }

@@ -79,6 +79,14 @@ export class Crate {
     this.ask(action, size, bytes.length);
   }
 
+  /** A segment from one distance to another: the fractions of picture and segment, and the distance, at one of them. */
+  foreshorten(start, end, fraction, isInSpace) {
+    this.fields.set([start, end, fraction]);
+    if (!this.exports.foreshorten(Number(isInSpace))) throw new Error(this.text());
+    const [onScreen, inSpace, distance] = this.fields;
+    return { onScreen, inSpace, distance };
+  }
+
   /** The program that draws a picture. */
   program(settings) {
     this.ask("program", settings);

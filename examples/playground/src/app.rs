@@ -4,10 +4,11 @@ use core::cell::Cell;
 use core::fmt::Write;
 
 use embedded_graphics::pixelcolor::{BinaryColor, IntoStorage, Rgb565, RgbColor};
-use fixel::Drawn;
 use fixel::canvas::NoDepth;
 use fixel::mode::{Affine, Compact, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
+use fixel::view::Segment;
+use fixel::{Drawn, Fraction};
 
 use super::common::lighthouse;
 use super::cost::{self, CORES};
@@ -373,6 +374,30 @@ impl App {
         let size = [self.fields[3], self.fields[4]].map(|side| side as u32);
         let pixels = &self.input[..bytes.min(INPUT)];
         self.model.read_texture(pixels, size)
+    }
+
+    /// Reads the distances of a segment's ends, and a fraction of its picture or (`number` is 1) of the segment, from the
+    /// fields. Writes the fraction of the picture, that of the segment, and the distance there.
+    pub fn foreshorten(&mut self, number: usize) -> Done {
+        let [start, end, given, ..] = self.fields;
+        let (start, end) = (Scalar::try_from(start)?, Scalar::try_from(end)?);
+        let given = Some(Fraction::try_from(given)?);
+        let found = Segment::new(start, end).and_then(|segment| {
+            let on_screen = if number == 1 {
+                segment.on_screen(given?)?
+            } else {
+                given?
+            };
+            let in_space = segment.in_space(on_screen)?;
+            Some([
+                on_screen.into(),
+                in_space.into(),
+                segment.distance(on_screen)?.into(),
+            ])
+        });
+        // The page shows no segment that begins behind the eye.
+        self.fields[..3].copy_from_slice(&found.unwrap_or([f64::NAN; 3]));
+        Ok(())
     }
 
     /// Keeps an error's message for the page.

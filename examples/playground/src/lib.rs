@@ -80,7 +80,7 @@ exports! {
     fn shown(app, slot) -> *const u32 { app.shown(slot) }
     /// The picture as it was drawn, in Rgb565.
     fn picture(app, slot) -> *const u16 { app.picture(slot) }
-    do names home clear draw show measure errors checksum program read_model read_texture
+    do names home clear draw show measure errors checksum program read_model read_texture foreshorten
 }
 
 #[cfg(target_arch = "wasm32")]

@@ -27,6 +27,7 @@ files! {
     "module.js": "text/javascript" = "../page/module.js",
     "figures.js": "text/javascript" = "../page/figures.js",
     "files.js": "text/javascript" = "../page/files.js",
+    "segment.js": "text/javascript" = "../page/segment.js",
     "playground.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/playground.wasm.gz"),
     "reader.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/reader.wasm.gz"),
     "world.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/world.wasm.gz"),
