@@ -9,9 +9,11 @@
 //!    what differs.
 //! 3. **[Cookbook](cookbook)**: short programs with their pictures, one idea each.
 //! 4. **[Firmware](firmware)**: from `cargo new` to a panel on SPI, with bands and DMA.
-//! 5. **[Choosing a mode](modes)**: speed against accuracy, and how each bound is derived.
-//! 6. **[Limits](limits)**: the range of each quantity, and what happens beyond it.
-//! 7. **[Benchmarks](benchmarks)**: what drawing costs, beside other libraries.
+//! 5. **[Mathematics](mathematics)**: from similar triangles to the pixel; every formula derived, and checked by a
+//!    program.
+//! 6. **[Choosing a mode](modes)**: speed against accuracy, and how each bound is derived.
+//! 7. **[Limits](limits)**: the range of each quantity, and what happens beyond it.
+//! 8. **[Benchmarks](benchmarks)**: what drawing costs, beside other libraries.
 #![cfg_attr(doc, doc = page_picture!("shaders", "Balls in eight shaders"))]
 
 /// A title, and the picture of a scene of the cookbook.
@@ -52,7 +54,11 @@ macro_rules! recipe {
     };
 }
 
+#[macro_use]
+mod formula;
+
 pub mod concepts;
+pub mod mathematics;
 
 /// For readers who know another 3D library: the names of its parts in fixel, and the differences that show in a
 /// picture.
