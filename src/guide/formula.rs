@@ -3,12 +3,20 @@
 /// Formulas beside each other, or below each other where the page is narrow, each in braces:
 /// `formula!({x^2 = frac(1)(w[0])} {…})`.
 macro_rules! formula {
-    ($({ $($math:tt)+ })+) => {
+    ({ $($first:tt)+ } $({ $($other:tt)+ })*) => {
         concat!(
             "\n\n<div style=\"margin: 0 0 .75em 1.5em\">",
-            $("<math displaystyle=\"true\" style=\"padding: .2em 0\">", math!($($math)+), "</math>&emsp; ",)+
+            one_formula!($($first)+),
+            $("&emsp; ", one_formula!($($other)+),)*
             "</div>\n\n"
         )
+    };
+}
+
+/// In the style of a line of its own: fractions have their full size.
+macro_rules! one_formula {
+    ($($math:tt)+) => {
+        concat!("<math displaystyle=\"true\" style=\"padding: .2em 0\">", math!($($math)+), "</math>")
     };
 }
 

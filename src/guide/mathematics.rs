@@ -1,10 +1,9 @@
 //! From similar triangles to the pixel: the mathematics of a picture in perspective.
 //!
 //! With this page you can work out by hand where a point of your scene lands on the screen, where parallel lines meet,
-//! and why a texture bends if depth is interpolated the wrong way. You can also bound the error of the fixed-point
-//! result. You need vectors and matrices, but no graphics. Each step states a claim, derives it, and checks numbers
-//! with the call that computes them. At its end it names the tests that check the claim for random numbers, by their
-//! files in the repository's folder `tests`.
+//! and why a texture bends if depth is interpolated the wrong way. You can also say where the errors of fixed point
+//! come from, and how large they are. You need vectors and matrices, but no graphics. Each step states a claim,
+//! derives it, and checks numbers with the call that computes them.
 //!
 //! 1. [A point](#a-point): similar triangles
 //! 2. [A matrix](#a-matrix): homogeneous coordinates and pseudo-depth
@@ -18,7 +17,8 @@
 //! 10. [Time](#time): turns that do not drift
 //!
 //! The axes are right-handed: x runs to the right, y up, and the eye is at the origin and looks along −z. The numbers
-//! *n* and *f* are the distances of the near and the far plane, both above zero.
+//! *n* and *f* are the distances of the near and the far plane, both above zero. A step ends with the tests that check
+//! its claim, mostly for random numbers. Their files are in the repository's folder `tests`.
 //!
 //! # A point
 //!
@@ -143,6 +143,10 @@
 //!
 //! let inner = Matrix4::perspective_transform(fx!(2), fx!(10));
 //! assert_eq!(inner.project(vec3!(1, 1, -5)), Some(vec3!(0.4, 0.4, -8))); // 12 − 20/5
+//! for z in [-2, -10] {
+//!     let depth = inner.project(Vec3::from_ints(0, 0, z)).unwrap().z;
+//!     assert_eq!(depth, Scalar::from(z)); // both planes stay
+//! }
 //! let [middle, scale] = [vec3!(0, 0, -1.5), vec3!(1, 1, -0.25)];
 //! let window = Window::centered(fx!(2), fx!(2));
 //! let matrix = Projection::frustum(window, fx!(2), fx!(10))?.to_matrix();
@@ -153,9 +157,9 @@
 //! <div class="warning">
 //!
 //! **Clipping after the division.** The point (1, 1, 3) lies behind the eye. Its *w* is −3, and a division would put
-//! it at (−⅔, −⅔), inside the window. A triangle with such a corner would be drawn mirrored, across the wrong part of
-//! the picture, and no test on the screen can tell. Clip first, while *w* still has its sign, then divide. Draw calls
-//! do.
+//! it at (−⅔, −⅔), inside the window. A triangle with such a corner would be drawn to the mirrored point, across the
+//! wrong part of the picture, and no test on the screen can tell. Clip first, while *w* still has its sign, then
+//! divide. Draw calls do.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -247,15 +251,18 @@
     {prime(y) to -n frac(v[y])(v[z])}
 )]
 //!
-//! This is also the image of the point *v* itself: the line of sight to a vanishing point is parallel to the lines
-//! that meet there. [`Projection::vanishing_point`](crate::Projection::vanishing_point) computes it.
+//! This is also the image of the point *v* itself, or of −*v* if *v* points backward: the line of sight to a vanishing
+//! point is parallel to the lines that meet there. [`Projection::vanishing_point`](crate::Projection::vanishing_point)
+//! computes it.
 //!
 //! ```
 //! use fixel::prelude::*;
 //!
 //! let projection = Projection::frustum(Window::centered(fx!(2), fx!(2)), fx!(2), fx!(10))?;
 //! assert_eq!(projection.vanishing_point(vec3!(1, 0, -4)), Some([fx!(0.5), fx!(0)]));
-//! assert_eq!(projection.vanishing_point(vec3!(1, 2, 0)), None); // the slope stays 2
+//! assert_eq!(projection.vanishing_point(vec3!(1, 2, 0)), None);
+//! assert_eq!(projection.image(vec3!(0, 0, -4)), Some([fx!(0), fx!(0)]));
+//! assert_eq!(projection.image(vec3!(1, 2, -4)), Some([fx!(0.5), fx!(1)])); // the slope stays 2
 //! // The image of (3, −1, −2) + 1000 · (1, 0, −4) is nearly there.
 //! let [x, y] = projection.image(vec3!(1003, -1, -4002)).unwrap().map(f64::from);
 //! assert!((x - 0.5).abs() < 0.002 && y.abs() < 0.001);
@@ -515,8 +522,8 @@
 //! [Choosing a mode](crate::guide::modes#the-interpolants-and-their-rounding) adds up the rounding errors of each
 //! mode.
 //!
-//! Tests: reciprocals beside their code, in `src/num/reciprocal.rs`, `src/span/newton.rs` and `src/span/pieces.rs`;
-//! all modes against a model in `f64` in `accuracy/promises.rs`.
+//! Tests, beside the code: exact reciprocals in `src/num/reciprocal.rs`, a Newton step in `src/num/wide.rs`, pieces in
+//! `src/span/pieces.rs`. All modes are compared with a model in `f64` in `accuracy/promises.rs`.
 //!
 //! # A camera
 //!
