@@ -6,7 +6,8 @@
 //!
 #![cfg_attr(doc, doc = diagram!("pipeline"))]
 //! The [guide] leads from [concepts](guide::concepts) to [firmware](guide::firmware). If you know OpenGL or another
-//! library, begin with [coming from](guide::coming_from). To work on the crate itself, begin with [the path of a
+//! library, begin with [coming from](guide::coming_from). If you know linear algebra but no graphics, begin with the
+//! [mathematics](guide::mathematics). To work on the crate itself, begin with [the path of a
 //! pixel](#the-path-of-a-pixel), the stages above function by function.
 //!
 //! # A picture
@@ -278,6 +279,8 @@ pub mod shade;
 mod span;
 
 /// How attributes are interpolated: the trait [`Mode`](mode::Mode) and its five implementations.
+///
+/// [Mathematics](crate::guide::mathematics#a-triangle) derives why a pixel needs a reciprocal, and how the modes save it.
 ///
 #[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
 pub mod mode {

@@ -11,9 +11,11 @@
 //! 4. **[Firmware](firmware)**: from `cargo new` to a panel on SPI, with bands and DMA.
 //! 5. **[Displays](displays)**: windows of a frame, round panels, electronic paper, OLEDs, 18 bits a pixel, tearing,
 //!    two frames.
-//! 6. **[Choosing a mode](modes)**: speed against accuracy, and how each bound is derived.
-//! 7. **[Limits](limits)**: the range of each quantity, and what happens beyond it.
-//! 8. **[Benchmarks](benchmarks)**: what drawing costs, beside other libraries.
+//! 6. **[Mathematics](mathematics)**: from similar triangles to the pixel; every formula derived, and checked by a
+//!    program.
+//! 7. **[Choosing a mode](modes)**: speed against accuracy, and how each bound is derived.
+//! 8. **[Limits](limits)**: the range of each quantity, and what happens beyond it.
+//! 9. **[Benchmarks](benchmarks)**: what drawing costs, beside other libraries.
 #![cfg_attr(doc, doc = page_picture!("shaders", "Balls in eight shaders"))]
 
 /// A title, and the picture of a scene of the cookbook.
@@ -76,7 +78,11 @@ macro_rules! display_program {
     };
 }
 
+#[macro_use]
+mod formula;
+
 pub mod concepts;
+pub mod mathematics;
 
 /// For readers who know another 3D library: the names of its parts in fixel, and the differences that show in a
 /// picture.

@@ -705,6 +705,21 @@ mod tests {
         });
     }
 
+    /// The residual is rounded by less than 2^-28, times 1 − e ≤ 1.25, and the result by less than a unit, 2^-29 of it.
+    #[test]
+    fn a_newton_step_squares_the_error() {
+        cases(256, |random| {
+            let q = random.random_range(1_i32 << 29..=i32::MAX);
+            let least = (3_i64 << 58) / i64::from(q);
+            let most = ((5_i64 << 58) / i64::from(q)).min(i32::MAX.into());
+            let guess = random.random_range(least..=most) as i32;
+            let error = |r: i32| 1. - f64::from(q) * f64::from(r) / 2_f64.powi(60);
+            let step = short_newton_step(q, guess);
+            let off = error(step) - error(guess).powi(2);
+            assert!(off.abs() <= 1.25 * 2_f64.powi(-28), "{q}, {guess}: {off}");
+        });
+    }
+
     #[test]
     fn narrow_products_with_17_bits_are_exact() {
         cases(256, |random| {

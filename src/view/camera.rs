@@ -8,6 +8,7 @@ use crate::{Angle, Error, Scalar, Transform, Vec3};
 ///
 #[cfg_attr(doc, doc = diagram!("eye"))]
 /// In eye space the eye is at the origin and looks down −z; x runs to the right and y up.
+/// [Mathematics](crate::guide::mathematics#a-camera) derives this transform and its inverse.
 ///
 /// ```
 /// use fixel::prelude::*;

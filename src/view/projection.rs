@@ -102,6 +102,8 @@ impl Row {
 /// `far` are distances ahead of the eye. A projection maps its frustum or box to normalized device
 /// coordinates, ±1 from edge to edge.
 ///
+/// [Mathematics](crate::guide::mathematics#a-matrix) derives the matrix from similar triangles.
+///
 /// The coefficients have 30 significant bits, whatever their size; if a coordinate of the picture depends both on x (or
 /// y) and on z, these are bits of the greater coefficient.
 ///

@@ -7,6 +7,7 @@ use crate::{Scalar, Vec3};
 ///
 /// A distance is −z in eye space, or the homogeneous coordinate w. Halfway along the picture is not
 /// halfway along the segment: 1/w is linear on screen, and so is every attribute over w.
+/// [Mathematics](crate::guide::mathematics#a-segment) derives the formulas below.
 ///
 /// Use it for preparation, tests and learning; drawing computes the same numbers in a faster way. Fractions run from 0
 /// at the start to 1 at the end. Results are rounded to nearest, half away from zero.

@@ -1,0 +1,102 @@
+//! Formulas of the guide in MathML, which browsers show without a script.
+
+/// Formulas beside each other, or below each other where the page is narrow, each in braces:
+/// `formula!({x^2 = frac(1)(w[0])} {…})`.
+macro_rules! formula {
+    ({ $($first:tt)+ } $({ $($other:tt)+ })*) => {
+        concat!(
+            "\n\n<div style=\"margin: 0 0 .75em 1.5em\">",
+            one_formula!($($first)+),
+            $("&emsp; ", one_formula!($($other)+),)*
+            "</div>\n\n"
+        )
+    };
+}
+
+/// In the style of a line of its own: fractions have their full size.
+macro_rules! one_formula {
+    ($($math:tt)+) => {
+        concat!("<math displaystyle=\"true\" style=\"padding: .2em 0\">", math!($($math)+), "</math>")
+    };
+}
+
+/// The MathML of a formula. A name of one letter is a variable; a longer one stands upright.
+macro_rules! math {
+    () => {
+        ""
+    };
+    ($base:tt ^ $power:tt $($rest:tt)*) => {
+        concat!("<msup>", math!($base), math!($power), "</msup>", math!($($rest)*))
+    };
+    ($base:ident [$($index:tt)+] $($rest:tt)*) => {
+        concat!("<msub>", math!($base), "<mrow>", math!($($index)+), "</mrow></msub>", math!($($rest)*))
+    };
+    (frac($($above:tt)+)($($below:tt)+) $($rest:tt)*) => {
+        concat!(
+            "<mfrac><mrow>",
+            math!($($above)+),
+            "</mrow><mrow>",
+            math!($($below)+),
+            "</mrow></mfrac>",
+            math!($($rest)*)
+        )
+    };
+    (sqrt($($of:tt)+) $($rest:tt)*) => {
+        concat!("<msqrt>", math!($($of)+), "</msqrt>", math!($($rest)*))
+    };
+    (prime($($of:tt)+) $($rest:tt)*) => {
+        concat!(math!($($of)+), "<mo lspace=\"0\" rspace=\"0\">′</mo>", math!($($rest)*))
+    };
+    (dotted($($of:tt)+) $($rest:tt)*) => {
+        concat!("<mover>", math!($($of)+), "<mo>˙</mo></mover>", math!($($rest)*))
+    };
+    (twice_dotted($($of:tt)+) $($rest:tt)*) => {
+        concat!("<mover>", math!($($of)+), "<mo>¨</mo></mover>", math!($($rest)*))
+    };
+    (matrix($($([$($entry:tt)+])+);+) $($rest:tt)*) => {
+        concat!(
+            "<mrow><mo>(</mo><mtable displaystyle=\"true\">",
+            $("<mtr>", $("<mtd>", math!($($entry)+), "</mtd>",)+ "</mtr>",)+
+            "</mtable><mo>)</mo></mrow>",
+            math!($($rest)*)
+        )
+    };
+    // A variable whose name Rust warns about: Greek letters look like Latin ones.
+    (var $letter:literal $($rest:tt)*) => {
+        concat!("<mi>", $letter, "</mi>", math!($($rest)*))
+    };
+    // A function with its argument, such as `fun sin φ`.
+    (fun $name:ident $($rest:tt)*) => {
+        concat!("<mspace width=\".2em\"/><mi>", stringify!($name), "</mi><mspace width=\".2em\"/>", math!($($rest)*))
+    };
+    (($($inner:tt)+) $($rest:tt)*) => {
+        concat!("<mrow><mo>(</mo>", math!($($inner)+), "<mo>)</mo></mrow>", math!($($rest)*))
+    };
+    ({ $($inner:tt)+ } $($rest:tt)*) => {
+        concat!("<mrow>", math!($($inner)+), "</mrow>", math!($($rest)*))
+    };
+    (- $($rest:tt)*) => {
+        concat!("<mo>−</mo>", math!($($rest)*))
+    };
+    (dot $($rest:tt)*) => {
+        concat!("<mo>·</mo>", math!($($rest)*))
+    };
+    (times $($rest:tt)*) => {
+        concat!("<mo>×</mo>", math!($($rest)*))
+    };
+    (to $($rest:tt)*) => {
+        concat!("<mo>→</mo>", math!($($rest)*))
+    };
+    (partial $($rest:tt)*) => {
+        concat!("<mo>∂</mo>", math!($($rest)*))
+    };
+    ($number:literal $($rest:tt)*) => {
+        concat!("<mn>", $number, "</mn>", math!($($rest)*))
+    };
+    ($name:ident $($rest:tt)*) => {
+        concat!("<mi>", stringify!($name), "</mi>", math!($($rest)*))
+    };
+    ($operator:tt $($rest:tt)*) => {
+        concat!("<mo>", stringify!($operator), "</mo>", math!($($rest)*))
+    };
+}
