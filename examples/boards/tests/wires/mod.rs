@@ -45,6 +45,7 @@ impl Record {
                 self.commands.push(Command {
                     code: byte,
                     data: vec![],
+                    start: 0,
                 });
                 write!(self.log, "\n{byte:02x}").unwrap();
             }

@@ -9,6 +9,7 @@
 pub mod mipi;
 pub mod ssd1306;
 pub mod ssd1680;
+pub mod tearing;
 
 use std::cell::RefCell;
 use std::convert::Infallible;
@@ -18,6 +19,8 @@ use std::rc::Rc;
 use embedded_hal::delay::DelayNs;
 use embedded_hal::digital::{self, InputPin, OutputPin};
 use embedded_hal::spi::{self, Operation, SpiDevice};
+
+use mipi::Command;
 
 /// A bus that writes only, and its D/C line. Clones are ends of the same wires.
 #[derive(Clone, Default)]
@@ -38,6 +41,32 @@ pub struct Run {
     pub bytes: Vec<u8>,
     /// When the first of them began, in the times that the bus takes for a byte.
     pub start: u64,
+}
+
+/// Returns the commands that the bytes on the wires are.
+pub fn commands(runs: Vec<Run>) -> Vec<Command> {
+    let mut commands: Vec<Command> = vec![];
+    for Run {
+        is_data,
+        bytes,
+        start,
+    } in runs
+    {
+        if is_data {
+            let command = commands.last_mut().expect("data bytes follow a command");
+            if command.data.is_empty() {
+                command.start = start;
+            }
+            command.data.extend(bytes);
+        } else {
+            commands.extend(bytes.into_iter().map(|code| Command {
+                code,
+                data: vec![],
+                start,
+            }));
+        }
+    }
+    commands
 }
 
 impl Wires {

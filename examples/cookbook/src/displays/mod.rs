@@ -30,8 +30,9 @@ use mipidsi::interface::SpiInterface;
 use mipidsi::models::{GC9A01, Model, ST7789};
 use mipidsi::{Builder, Display, NoResetPin};
 
-use crate::bus::mipi::{self, Command, Ignored, Scan, commands, scanned};
-use crate::bus::{NoDelay, Unconnected, Wires, ssd1306, ssd1680};
+use crate::bus::mipi::{self, Command};
+use crate::bus::tearing::{Ignored, Scan, scanned};
+use crate::bus::{NoDelay, Unconnected, Wires, commands, ssd1306, ssd1680};
 
 /// A picture of what panels show.
 pub type Picture = SimulatorDisplay<Rgb888>;

@@ -8,8 +8,8 @@ mod common;
 
 use std::collections::BTreeSet;
 
-use cookbook::bus::mipi::{Command, Panel, commands};
-use cookbook::bus::{NoDelay, Wires};
+use cookbook::bus::mipi::{Command, Panel};
+use cookbook::bus::{NoDelay, Wires, commands};
 use cookbook::displays::{Driver, driver};
 use embedded_graphics::pixelcolor::raw::{BigEndian, RawData, RawU16};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};

@@ -4,7 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use cookbook::bus::Wires;
-use cookbook::bus::mipi::{Command, Ignored, Scan, scanned};
+use cookbook::bus::mipi::Command;
+use cookbook::bus::tearing::{Ignored, Scan, scanned};
 use cookbook::displays::{
     self, epaper, frames, ili9341, ili9488, is_round, oled, round, tearing, window,
 };
