@@ -3,8 +3,9 @@
 
 emulate.py PROGRAM PICTURE.ppm
 
-Writes what the display shows after two frames, and prints the time in ms at which the second one was drawn. The model
-of DMA sends a band at the last moment, when the program waits for it. So a program that draws into a band that is being
+Writes what the display shows after some frames. Prints the time in ms at which the last one was drawn; the mean of the
+instructions for a frame; a frame's time in microseconds, at 1.5 cycles for an instruction (a band is drawn while another
+one is sent, and the longer of the two counts); and the bytes of stack. The model of DMA sends a band at the last moment, when the program waits for it. So a program that draws into a band that is being
 sent shows a wrong picture. The display follows the data sheets: CS selects it, and DC tells commands from data; CASET
 and RASET set a window, and RAMWR writes to it. Registers have the addresses of the STM32F405's reference manual, RM0090.
 Only Debian's own Python finds the packages python3-unicorn and python3-pyelftools.
@@ -14,12 +15,12 @@ import struct
 import sys
 
 from elftools.elf.elffile import ELFFile
-from unicorn import UC_ARCH_ARM, UC_HOOK_CODE, UC_MODE_MCLASS, UC_MODE_THUMB, Uc, UcError
+from unicorn import UC_ARCH_ARM, UC_HOOK_BLOCK, UC_HOOK_CODE, UC_MODE_MCLASS, UC_MODE_THUMB, Uc, UcError
 from unicorn.arm_const import (UC_ARM_REG_LR, UC_ARM_REG_PC, UC_ARM_REG_PRIMASK, UC_ARM_REG_R0, UC_ARM_REG_R1,
                                UC_ARM_REG_R2, UC_ARM_REG_SP, UC_CPU_ARM_CORTEX_M0, UC_CPU_ARM_CORTEX_M4)
 
 RETURN = 0x08080000  # the return address of interrupt handlers: flash that no program uses
-FRAMES = 4  # the first holds a black band; the last but one is the picture, which is complete when the next begins
+FRAMES = 10  # one clears the display, one begins with a black band; the last but one is shown once the last begins
 
 
 class Display:
@@ -64,7 +65,7 @@ class Display:
             for pixel in self.pixels:
                 channels = (pixel >> 11, 31), (pixel >> 5 & 63, 63), (pixel & 31, 31)
                 file.write(bytes((level * 255 + most // 2) // most for level, most in channels))
-        print(self.frames[-2])
+        return self.frames[-2]
 
 
 class Chip:
@@ -81,11 +82,34 @@ class Chip:
                                lambda _, at, __, value, start: self.write(start + at, value), start)
         self.registers = collections.defaultdict(int)
         self.microseconds, self.transfer = 0, None
+        self.instructions, self.blocks, self.starts, self.lowest = 0, {}, [], 1 << 32
+        self.core.hook_add(UC_HOOK_BLOCK, self.count)
         self.display = Display(self)
         with open(program, "rb") as file:
             for segment in ELFFile(file).iter_segments("PT_LOAD"):
                 if segment["p_filesz"]:
                     self.core.mem_write(segment["p_paddr"], segment.data())  # at its address in flash
+
+    def count(self, _, address, size, __):
+        """Counts the instructions of a block that begins, and finds the deepest stack. In flash, blocks do not change."""
+        self.lowest = min(self.lowest, self.core.reg_read(UC_ARM_REG_SP) or self.lowest)
+        found = self.blocks.get((address, size))
+        if found is None:
+            code, at, found = self.core.mem_read(address, size), 0, 0
+            while at < size:
+                at += 4 if code[at + 1] >= 0xE8 else 2
+                found += 1
+            self.blocks[address, size] = found
+        self.instructions += found
+
+    def frames(self, bands):
+        """The mean of the instructions for a frame and of the seconds that it takes. The first band that is sent is
+        black, while the first one of a frame is drawn."""
+        work = [after[0] - before[0] for before, after in zip(self.starts, self.starts[1:])]
+        frames = len(work) // bands
+        seconds = [max(1.5 * count / self.CLOCK_HZ, 8 * size / self.BUS_HZ)
+                   for count, (_, size) in zip(work, self.starts)]
+        return sum(work[: frames * bands]) / frames, sum(seconds[: frames * bands]) / frames
 
     def read(self, address):
         return self.registers[address]
@@ -129,6 +153,7 @@ class Stm32f4(Chip):
 
     FLAGS, CONTROL, COUNT, SOURCE = 0x40026400, 0x40026458, 0x4002645C, 0x40026464  # of DMA 2 and its stream 3
     TIMER = 0x40000000
+    CLOCK_HZ, BUS_HZ = 168e6, 42e6
 
     def __init__(self, program):
         super().__init__(program, UC_CPU_ARM_CORTEX_M4, [(0x08000000, 0x100000), (0x20000000, 0x20000)],
@@ -200,7 +225,9 @@ class Stm32f4(Chip):
             self.display.pins(0, value & 1, high=True)
             self.display.pins(0, value >> 16 & 1, high=False)
         elif address == self.CONTROL and value & 1:
-            self.transfer = self.registers[self.SOURCE], self.registers[self.COUNT], 1 << (value >> 13 & 3)
+            size = 1 << (value >> 13 & 3)
+            self.transfer = self.registers[self.SOURCE], self.registers[self.COUNT], size
+            self.starts.append((self.instructions, self.registers[self.COUNT] * size))
         elif address == self.FLAGS + 8:
             self.registers[self.FLAGS] &= ~value
 
@@ -211,4 +238,6 @@ if __name__ == "__main__":
     _, program, picture = sys.argv
     chip = Stm32f4(program)
     chip.run(0x08000000)
-    chip.display.write(picture)
+    now_ms = chip.display.write(picture)
+    count, seconds = chip.frames(bands=2 * len(chip.display.pixels) // chip.starts[0][1])
+    print(now_ms, round(count), round(seconds * 1e6), chip.word(0x08000000) - chip.lowest)

@@ -64,7 +64,20 @@ function event() {
   }
 }
 chip.logger = { debug() {}, info(_, text) { if (text === 'SEV') event(); }, warn: complain, error: complain };
-chip.setInterrupt = (...args) => cores.forEach(({ core }) => core.setInterrupt(...args));
+// An interrupt is requested by a peripheral for as long as it wants, or once by the program. rp2040js takes the second
+// for the first.
+let lines = 0;
+chip.setInterrupt = (irq, isHigh) => {
+  lines = isHigh ? lines | 1 << irq : lines & ~(1 << irq);
+  for (const { core } of cores) core.setInterrupt(irq, isHigh);
+};
+for (const { core } of cores) {
+  const enter = core.exceptionEntry.bind(core);
+  core.exceptionEntry = exception => {
+    if (exception >= 16) core.pendingInterrupts &= ~(1 << exception - 16) | lines;
+    enter(exception);
+  };
+}
 const [readSio, writeSio] = [sio.readUint32.bind(sio), sio.writeUint32.bind(sio)];
 const start = [];
 sio.readUint32 = at => {

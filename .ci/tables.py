@@ -186,6 +186,11 @@ def names(instructions, other):
         ram = [bands, other[f"{name} RAM"] - bands, other[f"{name} stack"]]
         return f"{cells(rate, [f'{name} cycles', f'{name} instant'])} | {' + '.join(kb(size) for size in ram)}"
 
+    def estimated_board(name, bands, mhz):
+        ram = [bands, other[f"{name} RAM"] - bands, other[f"{name} stack"]]
+        alone = mhz * 1e6 / 1.5 / other[f"{name} instructions"]
+        return f"{1e6 / other[f'{name} us']:.0f} | {alone:.0f} | {' + '.join(kb(size) for size in ram)}"
+
     def cycles(name):
         counts = f"{other[f'{name} cycles'] / 1e6:.2f}"
         rates = cells(rate, [f"{name} {bus}" for bus in ["cycles", "gaps", "instant"]])

@@ -10,6 +10,8 @@ pub mod floor;
 pub mod panel;
 #[cfg(feature = "pico")]
 pub mod pico;
+#[cfg(all(feature = "pico", not(feature = "rtic")))]
+pub mod queue;
 
 #[cfg(feature = "ball")]
 pub use ball as scene;

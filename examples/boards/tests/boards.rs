@@ -256,8 +256,10 @@ fn an_ili9341_receives_these_bytes() {
 #[test]
 fn the_guide_quotes_the_programs() {
     const GUIDE: &str = include_str!("../../../src/guide/firmware.md");
-    const PROGRAMS: [&str; 2] = [
+    const PROGRAMS: [&str; 4] = [
         include_str!("../src/bin/stm32f4.rs"),
+        include_str!("../src/bin/pico_rtic.rs"),
+        include_str!("../src/bin/pico_rtic.rs"),
         include_str!("../src/bin/esp32c3.rs"),
     ];
     let plain =

@@ -2,7 +2,7 @@
 #![no_std]
 #![no_main]
 
-use boards::pico::{Share, animate, start};
+use boards::queue::{Share, animate, start};
 use boards::scene::Memory;
 use cortex_m::singleton;
 use panic_halt as _;
