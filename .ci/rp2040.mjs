@@ -136,8 +136,12 @@ for (let i = 0; i < elf.readUInt16LE(44); i++) {
   if (type === 1 && size) chip.flash.set(elf.subarray(offset, offset + size), address - FLASH);
 }
 
-// What rp2040js lacks: the chip's revision register's neighbor, and the unit that protects memory.
-chip.peripherals[0x40064].readUint32 = () => 0;
+// What rp2040js lacks: the core's voltage (1.1 V, as after a reset), the ring oscillator's registers, the register that
+// aborts transfers (Embassy reads it, and no abort lasts), and the unit that protects memory.
+chip.peripherals[0x40064].readUint32 = at => (at === 0x00 ? 0xb1 : 0);
+chip.peripherals[0x40060].writeUint32 = () => {};
+const readDma = dma.readUint32.bind(dma);
+dma.readUint32 = at => (at === 0x444 ? 0 : readDma(at));
 const [read, write, mpu] = [chip.ppb.readUint32.bind(chip.ppb), chip.ppb.writeUint32.bind(chip.ppb), new Map()];
 chip.ppb.readUint32 = at => (at >= 0xd90 && at <= 0xda0 ? mpu.get(at) ?? 0 : read(at));
 chip.ppb.writeUint32 = (at, value) => (at >= 0xd90 && at <= 0xda0 ? mpu.set(at, value) : write(at, value));

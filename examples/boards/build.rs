@@ -6,11 +6,11 @@ fn main() {
     let has = |board| var_os(format!("CARGO_FEATURE_{board}")).is_some();
     if has("ESP32C3") {
         println!("cargo::rustc-link-arg-bins=-Tlinkall.x"); // of esp-hal
-    } else if has("PICO") || has("STM32F4") {
+    } else if has("PICO") || has("EMBASSY") || has("STM32F4") {
         println!("cargo::rustc-link-arg-bins=--nmagic");
         println!("cargo::rustc-link-arg-bins=-Tlink.x"); // of cortex-m-rt
     }
-    if has("PICO") {
+    if has("PICO") || has("EMBASSY") {
         // Not beside Cargo.toml: linkers look there first, and Embassy defines the memory of an STM32.
         println!(
             "cargo::rustc-link-search={}/pico",

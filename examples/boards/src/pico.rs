@@ -14,7 +14,7 @@ use cortex_m::singleton;
 use embedded_hal::digital::OutputPin;
 use embedded_hal::spi::MODE_0;
 use hal::clocks::{Clock, init_clocks_and_plls};
-use hal::dma::single_buffer::Transfer;
+use hal::dma::single_buffer::{Config, Transfer};
 use hal::dma::{CH0, Channel, DMAExt, SingleChannel};
 use hal::fugit::HertzU32;
 use hal::gpio::bank0::{Gpio16, Gpio17, Gpio18, Gpio19, Gpio20};
@@ -59,20 +59,59 @@ type Data = (
     Pin<Gpio18, FunctionSpi, PullDown>,
 );
 /// A bus of 16-bit words.
-pub type Bus = Spi<spi::Enabled, pac::SPI0, Data, 16>;
+type Bus = Spi<spi::Enabled, pac::SPI0, Data, 16>;
 /// A pin that the program sets.
-pub type Output<I> = Pin<I, FunctionSioOutput, PullDown>;
+type Output<I> = Pin<I, FunctionSioOutput, PullDown>;
 
 /// What the DMA does.
-pub enum State {
+enum State {
     /// Nothing.
     Idle(Channel<CH0>, Bus),
     /// It sends a band.
     Sends(Transfer<Channel<CH0>, Band, Bus>),
 }
 
-/// The display on its pins.
-pub type Display = Panel<Output<Gpio17>, Output<Gpio16>, Output<Gpio20>>;
+/// Sends bands to the display by DMA, frame after frame. When a band was sent, DMA requests its interrupt 0.
+pub struct Sender {
+    panel: Panel<Output<Gpio17>, Output<Gpio16>, Output<Gpio20>>,
+    state: Option<State>,
+    /// The number in its frame of the band that is started next.
+    next: u32,
+}
+
+impl Sender {
+    /// The band that was sent last, unless it was returned before. Withdraws the request of the interrupt.
+    pub fn sent(&mut self) -> Option<Band> {
+        let (state, band) = match self.state.take()? {
+            State::Sends(transfer) if transfer.is_done() => {
+                let (mut channel, band, bus) = transfer.wait();
+                channel.check_irq0();
+                (State::Idle(channel, bus), Some(band))
+            }
+            state => (state, None),
+        };
+        self.state = Some(state);
+        band
+    }
+
+    /// Starts to send the band that `next` returns, unless another one is being sent.
+    pub fn start(&mut self, next: impl FnOnce() -> Option<Band>) {
+        self.state = match self.state.take() {
+            Some(State::Idle(channel, mut bus)) => match next() {
+                Some(band) => {
+                    if self.next == 0 {
+                        // This chip's pins and bus return no errors.
+                        self.panel.start_frame(&mut bus).ok();
+                    }
+                    self.next = (self.next + 1) % BANDS_OF_FRAME;
+                    Some(State::Sends(Config::new(channel, band, bus).start()))
+                }
+                None => Some(State::Idle(channel, bus)),
+            },
+            state => state,
+        }
+    }
+}
 
 /// The board once it is set up.
 pub struct Board {
@@ -84,10 +123,8 @@ pub struct Board {
     pub ppb: pac::PPB,
     /// For the second core.
     pub fifo: sio::SioFifo,
-    /// The display, which is clear and lit.
-    pub panel: Display,
-    /// DMA and bus. When a band was sent, DMA requests its interrupt 0.
-    pub state: State,
+    /// The way to the display, which is clear and lit.
+    pub sender: Sender,
     /// The memory of the bands.
     pub bands: Vec<Band, BANDS>,
 }
@@ -147,8 +184,11 @@ pub fn set_up(mut pac: pac::Peripherals) -> Option<Board> {
         psm: pac.PSM,
         ppb: pac.PPB,
         fifo: sio.fifo,
-        panel,
-        state: State::Idle(channel, bus),
+        sender: Sender {
+            panel,
+            state: Some(State::Idle(channel, bus)),
+            next: 0,
+        },
         bands: free,
     })
 }

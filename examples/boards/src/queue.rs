@@ -10,26 +10,21 @@ use cortex_m::peripheral::NVIC;
 use critical_section::Mutex;
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::canvas::{Canvas, Words};
-use hal::dma::SingleChannel;
-use hal::dma::single_buffer::Config;
 use hal::pac::{self, interrupt};
 use hal::{Timer, sio};
 use heapless::{Deque, Vec};
 use rp2040_hal as hal;
 
-use crate::pico::{self, BANDS, BANDS_OF_FRAME, Band, Display, HEIGHT, ROWS, State, WIDTH};
+use crate::pico::{self, BANDS, BANDS_OF_FRAME, Band, HEIGHT, ROWS, Sender, WIDTH};
 use crate::scene::{Memory, Scene};
 
-/// The display, and the bands.
+/// The bands, and their way to the display.
 struct Queue {
-    panel: Display,
-    state: Option<State>,
+    sender: Sender,
     finished: Deque<Band, BANDS>,
     free: Vec<Band, BANDS>,
     /// The frame and the number in it of the band that comes into the queue next.
     next: (u32, u32),
-    /// The number in its frame of the band that is started next.
-    start: u32,
     /// The frames that were begun, and the time of the last.
     begun: u32,
     now_ms: u64,
@@ -145,20 +140,7 @@ fn send(at: (u32, u32), band: Band) {
 impl Queue {
     /// Starts the next band, if there is one and nothing is being sent.
     fn start_next(&mut self) {
-        self.state = match self.state.take() {
-            Some(State::Idle(channel, mut bus)) => match self.finished.pop_front() {
-                Some(band) => {
-                    if self.start == 0 {
-                        // This chip's pins and bus return no errors.
-                        self.panel.start_frame(&mut bus).ok();
-                    }
-                    self.start = (self.start + 1) % BANDS_OF_FRAME;
-                    Some(State::Sends(Config::new(channel, band, bus).start()))
-                }
-                None => Some(State::Idle(channel, bus)),
-            },
-            state => state,
-        }
+        self.sender.start(|| self.finished.pop_front());
     }
 }
 
@@ -168,10 +150,7 @@ fn DMA_IRQ_0() {
     critical_section::with(|cs| {
         let mut queue = QUEUE.borrow_ref_mut(cs);
         let Some(queue) = queue.as_mut() else { return };
-        if let Some(State::Sends(transfer)) = queue.state.take() {
-            let (mut channel, band, bus) = transfer.wait();
-            channel.check_irq0();
-            queue.state = Some(State::Idle(channel, bus));
+        if let Some(band) = queue.sender.sent() {
             queue.free.push(band).ok();
         }
         queue.start_next();
@@ -195,12 +174,10 @@ pub struct Rest {
 pub fn start() -> Option<Rest> {
     let board = pico::set_up(pac::Peripherals::take()?)?;
     let queue = Queue {
-        panel: board.panel,
-        state: Some(board.state),
+        sender: board.sender,
         finished: Deque::new(),
         free: board.bands,
         next: (0, 0),
-        start: 0,
         begun: 0,
         now_ms: 0,
     };

@@ -256,24 +256,27 @@ fn an_ili9341_receives_these_bytes() {
 #[test]
 fn the_guide_quotes_the_programs() {
     const GUIDE: &str = include_str!("../../../src/guide/firmware.md");
-    const PROGRAMS: [&str; 4] = [
-        include_str!("../src/bin/stm32f4.rs"),
-        include_str!("../src/bin/pico_rtic.rs"),
-        include_str!("../src/bin/pico_rtic.rs"),
-        include_str!("../src/bin/esp32c3.rs"),
+    const EMBASSY: &str = include_str!("../src/bin/pico_embassy.rs");
+    const RTIC: &str = include_str!("../src/bin/pico_rtic.rs");
+    const ESP32C3: &str = include_str!("../src/bin/esp32c3.rs");
+    const SECTIONS: [(&str, &[&str]); 2] = [
+        ("Embassy and RTIC", &[EMBASSY, RTIC, RTIC]),
+        ("Three boards", &[ESP32C3]),
     ];
     let plain =
         |text: &str| -> Vec<String> { text.lines().map(|line| line.trim().to_string()).collect() };
-    let section = GUIDE.split("\n# Three boards\n").nth(1).unwrap();
-    let section = section.split("\n# ").next().unwrap();
-    let quotes: Vec<_> = section.split("```").skip(1).step_by(2).collect();
-    assert_eq!(quotes.len(), PROGRAMS.len());
-    for (quote, program) in quotes.iter().zip(PROGRAMS) {
-        let quote = plain(quote.strip_prefix("ignore\n").unwrap());
-        let program = plain(program);
-        assert!(
-            program.windows(quote.len()).any(|lines| lines == quote),
-            "not in the program: {quote:#?}"
-        );
+    for (title, programs) in SECTIONS {
+        let section = GUIDE.split(&format!("\n# {title}\n")).nth(1).unwrap();
+        let section = section.split("\n# ").next().unwrap();
+        let quotes: Vec<_> = section.split("```").skip(1).step_by(2).collect();
+        assert_eq!(quotes.len(), programs.len(), "{title}");
+        for (quote, program) in quotes.iter().zip(programs) {
+            let quote = plain(quote.strip_prefix("ignore\n").unwrap());
+            let program = plain(program);
+            assert!(
+                program.windows(quote.len()).any(|lines| lines == quote),
+                "not in the program: {quote:#?}"
+            );
+        }
     }
 }
