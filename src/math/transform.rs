@@ -58,6 +58,24 @@ pub(crate) struct AffineRow {
     pub(crate) offset_exp: i32,
 }
 
+impl AffineRow {
+    /// Writes the coefficients of the row that applies `other` first, and returns its offset. Nothing is rounded.
+    #[inline]
+    pub(crate) fn after(&self, other: &Transform, linear: &mut [BlockFloat]) -> BlockFloat {
+        let [x, y, z] = &other.linear;
+        for (product, ((&x, &y), &z)) in linear.iter_mut().zip(x.iter().zip(y).zip(z)) {
+            *product = BlockFloat::new(dot(&self.row, &[x, y, z]), self.exp + other.linear_exp);
+        }
+        // Terms that may cancel are added before the sum is rounded.
+        let [a, b] = self.offset;
+        BlockFloat::new(
+            dot(&self.row, &other.translation),
+            self.exp + other.translation_exp,
+        )
+        .plus(BlockFloat::new(product(a, b), self.offset_exp))
+    }
+}
+
 /// Returns the transform that applies `other` first, then the three rows.
 ///
 /// Nothing is rounded before the end, where all rows take one exponent.
@@ -65,18 +83,8 @@ pub(crate) struct AffineRow {
 pub(crate) fn compose(rows: &[AffineRow; 3], other: &Transform) -> Transform {
     let mut numbers = [BlockFloat::ZERO; 12];
     let (linear, translation) = numbers.split_at_mut(9);
-    let [x, y, z] = &other.linear;
     for (row, (linear, moved)) in rows.iter().zip(linear.chunks_exact_mut(3).zip(translation)) {
-        for (product, ((&x, &y), &z)) in linear.iter_mut().zip(x.iter().zip(y).zip(z)) {
-            *product = BlockFloat::new(dot(&row.row, &[x, y, z]), row.exp + other.linear_exp);
-        }
-        // Terms that may cancel are added before the sum is rounded.
-        let [a, b] = row.offset;
-        *moved = BlockFloat::new(
-            dot(&row.row, &other.translation),
-            row.exp + other.translation_exp,
-        )
-        .plus(BlockFloat::new(product(a, b), row.offset_exp));
+        *moved = row.after(other, linear);
     }
     Transform::from_block_floats(&numbers)
 }

@@ -61,7 +61,7 @@ impl BlockFloat {
 
     /// Returns the highest exponent at which the value stays below 2^`bits`; `i32::MAX` for zero.
     #[inline]
-    const fn finest(self, bits: i32) -> i32 {
+    pub(crate) const fn finest(self, bits: i32) -> i32 {
         if self.value == 0 {
             return i32::MAX;
         }

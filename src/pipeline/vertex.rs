@@ -18,7 +18,7 @@ const GUARD: i32 = 2048;
 const GUARD_BITS: u32 = GUARD.trailing_zeros() + 8;
 
 /// A position in clip space: t, which is w in perspective and depth under a parallel projection; x to the right and y
-/// down, in units of the guard band. Each is an integer, multiplied by 2^`fraction`.
+/// down, in units of the guard band. Each is an integer, and has the fraction bits of its row.
 pub(crate) type ClipPosition = [i64; 3];
 
 /// Which coordinate of a [`ClipPosition`] a plane bounds.
@@ -42,8 +42,8 @@ pub(crate) struct Projector<'m, K> {
     positions: Positions<'m>,
     rows: [wide::Row; 3],
     offsets: [i64; 3],
-    /// Fraction bits of clip coordinates.
-    fraction: i32,
+    /// Fraction bits of each clip coordinate; the same in perspective, where x and y are divided by w.
+    fractions: [u8; 3],
     /// The least t that is inside, negated, and the greatest.
     ends: [i64; 2],
     /// The viewport's center, in units of 1/256 pixel.
@@ -67,6 +67,28 @@ fn scaled(row: &Row, unit: &BlockFloat, size: i32) -> AffineRow {
         offset: [offset, factor],
         offset_exp: row.offset_exp + exp,
     }
+}
+
+/// The greatest number of fraction bits of a coefficient.
+const MOST_EXP: i32 = 40;
+
+/// Writes a row of clip space, after `view`, with as many fraction bits as fit. Returns those of the clip coordinate.
+#[inline(never)]
+fn finest_row(line: &AffineRow, view: &Transform, row: &mut [i32; 3], offset: &mut i64) -> u8 {
+    let mut linear = [BlockFloat::ZERO; 3];
+    let moved = line.after(view, &mut linear);
+    // The limits are those of perspective: see `Projector::new`.
+    let of_offset = moved.finest(60).saturating_sub(16);
+    let exp = linear
+        .iter()
+        .fold(of_offset, |exp, m| exp.min(m.finest(29)));
+    let exp = exp.clamp(0, MOST_EXP);
+    // If the exponent was clamped to 0, they saturate.
+    for (m, number) in row.iter_mut().zip(&linear) {
+        *m = number.at(exp).clamp(-(1 << 29), 1 << 29) as i32;
+    }
+    *offset = moved.at(exp + 16).clamp(-(1 << 60), 1 << 60);
+    (exp + 16).cast_unsigned() as u8
 }
 
 impl<'m, K: ProjectionKind> Projector<'m, K> {
@@ -93,10 +115,12 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             (depth, one)
         } else {
             // t = (far − distance) / (far − near), slightly below 1 at the near plane. Both terms have the same factor,
-            // so that the far plane keeps its bits however close together the planes are.
+            // so that the far plane keeps its bits however close together the planes are. The factor is even, because
+            // coefficients have 29 bits: if the view does not turn, nothing more is rounded.
             let length = i64::from(far) - i64::from(near);
             let part = BlockFloat::new((1 << 16) - 1, 0).over(BlockFloat::new(length, 0));
             let (m, exp) = part.rounded();
+            let m = m & !1;
             let depth = AffineRow {
                 row: [0, 0, m],
                 exp,
@@ -108,45 +132,56 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         let [width, height] = [viewport.width, viewport.height].map(u32::cast_signed);
         let [x, y] = &projection.rows;
         let lines = [depth, scaled(x, &unit, width), scaled(y, &unit, -height)];
-        let mut clip = compose(&lines, view);
-
-        // The finest exponent at which coefficients stay below 2^29 and offsets below 2^60. Positions have 31 bits
-        // and a sign, so the sum of three products and an offset stays below 3 · 2^60 + 2^60 = 2^62. Mantissas have
-        // 30 bits.
-        let exp = (clip.linear_exp - 1)
-            .min(clip.translation_exp + 60 - 16 - 30)
-            .clamp(0, 40);
-        let fraction = exp + 16;
-        // If the exponent was clamped to 0, coefficients and offsets are treated as smaller than they are.
-        let (down, up) = (
-            (clip.linear_exp - exp).max(1),
-            (fraction - clip.translation_exp).min(30),
-        );
-        for m in clip.linear.as_flattened_mut() {
-            *m = ((*m >> (down - 1).min(31)) + 1) >> 1;
+        let (mut rows, mut offsets, mut fractions) = ([[0; 3]; 3], [0; 3], [0; 3]);
+        if K::PERSPECTIVE {
+            // All rows have one exponent, because x and y are divided by t.
+            let clip = compose(&lines, view);
+            // The finest exponent at which coefficients stay below 2^29 and offsets below 2^60. Positions have 31 bits
+            // and a sign, so the sum of three products and an offset stays below 3 · 2^60 + 2^60 = 2^62. Mantissas have
+            // 30 bits.
+            let exp = (clip.linear_exp - 1)
+                .min(clip.translation_exp + 60 - 16 - 30)
+                .clamp(0, MOST_EXP);
+            let fraction = exp + 16;
+            // If the exponent was clamped to 0, coefficients and offsets are treated as smaller than they are.
+            let (down, up) = (
+                (clip.linear_exp - exp).max(1),
+                (fraction - clip.translation_exp).min(30),
+            );
+            rows = clip.linear;
+            for m in rows.as_flattened_mut() {
+                *m = ((*m >> (down - 1).min(31)) + 1) >> 1;
+            }
+            offsets = clip.translation.map(|m| block::shift(m.into(), up));
+            fractions = [fraction.cast_unsigned() as u8; 3];
+        } else {
+            // Each row has its own, because a box may be millions of times as wide as it is deep or high.
+            let to = rows.iter_mut().zip(&mut offsets).zip(&mut fractions);
+            for (line, ((row, offset), fraction)) in lines.iter().zip(to) {
+                *fraction = finest_row(line, view, row, offset);
+            }
         }
         // At the near plane, t is 1 + 2^-16, or 1 − 2^-16 under a parallel projection: see above. The plane is nearer by
         // 2^-27 of its distance or, under a parallel projection, by 2^-19 of the distance between the planes, because
         // rounding must not move what lies exactly in it to its outside. (Terms of t have an error of 2^-29 of the
         // greatest, which may be a few hundred under a parallel projection.)
+        let fraction = i32::from(fractions[0]);
         let ends = if K::PERSPECTIVE {
             let least = (1 << 27) + (1 << 11) - 1;
             let most = unit.times(BlockFloat::new(far.into(), 16));
             [
-                -block::shift(least, exp - 11),
+                -block::shift(least, fraction - 27),
                 most.at(fraction).min(i64::MAX >> 1),
             ]
         } else {
             let most = (1 << 19) - (1 << 3) + 1;
-            [0, block::shift(most, exp - 3)]
+            [0, block::shift(most, fraction - 19)]
         };
-        let offset = |m: i32| block::shift(m.into(), up);
-        let [t, x, y] = clip.translation;
         Self {
             positions,
-            rows: clip.linear.map(wide::Row::new),
-            offsets: [offset(t), offset(x), offset(y)],
-            fraction,
+            rows: rows.map(wide::Row::new),
+            offsets,
+            fractions,
             ends,
             center: viewport.center(),
             kind: PhantomData,
@@ -176,13 +211,13 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         [ot + t, ox + x, oy + y]
     }
 
-    /// The homogeneous coordinate: w in perspective, 1 under a parallel projection.
+    /// The homogeneous coordinate with the fraction bits of x or y: w in perspective, 1 under a parallel projection.
     #[inline]
-    fn w(&self, t: i64) -> i64 {
+    fn w(&self, t: i64, axis: usize) -> i64 {
         if K::PERSPECTIVE {
             t
         } else {
-            1 << self.fraction
+            1 << self.fractions.get(axis).map_or(0, |bits| bits & 63)
         }
     }
 
@@ -191,7 +226,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     /// are top and bottom and bound y.
     #[inline]
     fn bound(&self, t: i64, plane: u32) -> i64 {
-        self.ends.get(plane as usize).copied().unwrap_or(self.w(t))
+        let end = self.ends.get(plane as usize).copied();
+        end.unwrap_or(self.w(t, axis(plane)))
     }
 
     /// How far inside a plane a position lies; negative outside.
@@ -232,7 +268,14 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         let [nearest, farthest] = self.ends;
         // The upper halves decide, unless the position is next to a side plane.
         let size = |x: i64| upper(x) ^ (upper(x) >> 31);
-        if (t + nearest) | (farthest - t) >= 0 && size(x).max(size(y)) < upper(self.w(t)) {
+        let ends = (t + nearest) | (farthest - t);
+        let is_inside = if K::PERSPECTIVE {
+            ends >= 0 && size(x).max(size(y)) < upper(t)
+        } else {
+            let [of_x, of_y] = [1, 2].map(|axis| upper(self.w(t, axis)));
+            ends >= 0 && size(x) < of_x && size(y) < of_y
+        };
+        if is_inside {
             0
         } else {
             self.each_outcode(*position)
@@ -304,12 +347,11 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
                 (up + coarse) as u8,
             )
         } else {
-            let [t, x, y] = position;
-            let down = GUARD_BITS.cast_signed() - self.fraction;
-            let on_screen = |x: i64| block::shift(x, down) as i32;
-            let q = block::shift(t, 31 - self.fraction);
+            let ([t, x, y], [of_t, of_x, of_y]) = (position, self.fractions.map(i32::from));
+            let on_screen = |x, of_x| block::shift(x, GUARD_BITS.cast_signed() - of_x) as i32;
+            let q = block::shift(t, 31 - of_t);
             let q = (q.cast_unsigned() as u32).clamp(LEAST_WEIGHT, MOST_WEIGHT);
-            ([on_screen(x), on_screen(y)], q, 0)
+            ([on_screen(x, of_x), on_screen(y, of_y)], q, 0)
         };
         let [cx, cy] = self.center;
         // A position that is inside only by the tolerance may lie slightly beyond the guard band.
@@ -352,17 +394,14 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         if is_outside(*t, t_offset + nearest) || is_outside(t.map(|c| -c), farthest - t_offset) {
             return true;
         }
-        let (w, w_offset) = if K::PERSPECTIVE {
-            (*t, t_offset)
-        } else {
-            ([0; 3], 1 << self.fraction)
-        };
+        let w = if K::PERSPECTIVE { *t } else { [0; 3] };
         let [cx, cy] = self.center;
         let sides = [
-            (x, x_offset, cx, &scissor.columns),
-            (y, y_offset, cy, &scissor.rows),
+            (x, [x_offset, self.w(t_offset, 1)], cx, &scissor.columns),
+            (y, [y_offset, self.w(t_offset, 2)], cy, &scissor.rows),
         ];
-        sides.into_iter().any(|(row, offset, center, pixels)| {
+        sides.into_iter().any(|(row, offsets, center, pixels)| {
+            let [offset, w_offset] = offsets;
             // The ends are at most half a viewport and 33 pixels from its center, in units of 2^-19 of the guard band.
             [(pixels.start - 1, 1), (pixels.end + 1, -1)]
                 .into_iter()
@@ -383,7 +422,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     pub(crate) fn depth_shift(&self) -> DepthShift {
         DepthShift(if K::PERSPECTIVE {
             // 1/t = q · 2^(exponent + fraction − 94), and the depth is 2^16 times that.
-            78 - self.fraction
+            78 - i32::from(self.fractions[0])
         } else {
             // All exponents are 0.
             15

@@ -143,8 +143,8 @@ impl Policy for Affine {
 /// Let δ be the relative change of 1/w from one pixel to the next. Linear extrapolation from the reciprocals of 1/w
 /// at two pixels has a relative error of 2δ² at the third; one Newton step squares it. δ is at most 2⁻⁶, so the
 /// reciprocal has a relative error of at most 2⁻²¹. If 1/w changes faster, or by a factor of two along a span, the
-/// span is drawn as in [`Exact`]. In addition, rounding adds an error of up to 57 units to an attribute (less than
-/// 0.0008 texels to a texture coordinate), on top of the error of [`Exact`].
+/// span is drawn as in [`Compact`]. In addition, rounding adds an error of up to 57 units to an attribute (less than
+/// 0.0008 texels to a texture coordinate), on top of the error of [`Compact`].
 ///
 /// Nothing is divided where division makes no visible difference:
 ///
@@ -258,7 +258,7 @@ impl Policy for Newton {
 /// The reciprocals at the ends have 16 bits, and two Newton steps compute each from the last one. So a piece takes no
 /// division and no 64-bit product. This makes it the mode for cores on which these are slow, such as Cortex-M0+; it is
 /// fast on all cores. If 1/w changes by 1/64 of itself per pixel, or by a factor of two along a span, the span is
-/// drawn as in [`Exact`].
+/// drawn as in [`Compact`].
 ///
 /// The tolerance is in texels, whatever the texture's size. For a color, it counts steps of its channels (a channel of
 /// an [`Rgb565`](embedded_graphics::pixelcolor::Rgb565) has 32 or 64 values); for other varyings, it counts multiples

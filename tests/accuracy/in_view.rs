@@ -19,7 +19,7 @@ const SIZE: (u32, u32) = (64, 48);
 /// for rounding. Four moves have a relative error of 2.7e-8 (`relative`), times at most 120 from the eye and 2,048
 /// pixels, half the guard band. Coefficients of at most 3 are rounded to 27 bits, times at most 24 for the three
 /// coordinates of a corner. Together that is below 0.01 pixel at a distance of 1, so that a distance below 1 counts as
-/// 1.
+/// 1. In parallel, a unit is at most 512 pixels wide, and 120 units have an error of 0.0017 pixel.
 const PIXELS: f64 = 1.01;
 /// A box this far beyond the near or the far plane must count as out of view, as a fraction of the plane's distance.
 const PART: f64 = 0.0001;
@@ -80,7 +80,7 @@ fn is_out(bounds: &Bounds, view: &View, [start, end]: [u32; 2]) -> bool {
         &|p| -p.clip[1] * half[1] < (rows[0] - half[1]) * p.w - slack(p.w),
         &|p| -p.clip[1] * half[1] > (rows[1] - half[1]) * p.w + slack(p.w),
         &|p| p.distance < model.near - PART * model.near.abs().max(1.),
-        &|p| p.distance > model.far * (1. + PART),
+        &|p| p.distance > model.far + PART * model.far.abs().max(1.),
     ];
     planes.iter().any(|plane| clips.iter().all(plane))
 }
@@ -213,14 +213,15 @@ fn boxes_in_perspective_are_in_view_as_in_the_model() {
 fn boxes_in_parallel_are_in_view_as_in_the_model() {
     cases(2000, |random| {
         let (moves, bounds, rows) = (moves(random), bounds(random), rows(random));
-        let half = random.random_range(1.0..40_f64);
-        let window = Window::centered(
-            Scalar::try_from(2. * half).unwrap(),
-            Scalar::try_from(1.5 * half).unwrap(),
-        );
+        // Widths, heights and depths of very different sizes: rows of clip space have exponents of their own.
+        let [width, height, length] =
+            within(random, [-3.0..6_f64, -3.0..6., -8.0..8.]).map(|size| number(size.exp2()));
+        let window = Window::centered(width, height);
+        let near = number(random.random_range(-20.0..20.));
+        let far = near + length;
         let [l, r, b, t] = [window.left, window.right, window.bottom, window.top].map(f64::from);
-        let model = projection::orthographic(l, r, b, t, -20., 40.);
-        let projection = Projection::orthographic(window, fx!(-20), fx!(40)).unwrap();
+        let model = projection::orthographic(l, r, b, t, f64::from(near), f64::from(far));
+        let projection = Projection::orthographic(window, near, far).unwrap();
         check((projection, model), &moves, &bounds, rows);
     });
 }

@@ -1,10 +1,11 @@
-//! Products of transforms and projections, compared with f64: the position of a point, and its depth.
+//! Products of transforms and projections in perspective, compared with f64: the position of a point, and its depth.
+//! (For parallel projections, see [`parallel`](crate::extremes).)
 
 use std::array;
 use std::ops::Range;
 
 use fixel::prelude::*;
-use fixel::view::{Parallel, Perspective, ProjectionKind};
+use fixel::view::Perspective;
 use rand::Rng;
 
 use crate::common::random::{Random, cases, list, within};
@@ -58,8 +59,8 @@ fn perspective(fov: Angle, near: f64, far: f64) -> (Projection<Perspective>, Mod
 }
 
 /// Compares the position of a point with the model's.
-fn compare<K: ProjectionKind>(
-    (projection, model): (Projection<K>, ModelProjection),
+fn compare(
+    (projection, model): (Projection<Perspective>, ModelProjection),
     moves: &[Move],
     viewport: Viewport,
     points: &[Vec3],
@@ -107,22 +108,10 @@ fn compare_spots(
             let row = model.matrix[axis].into_iter();
             f64::from(size) / 2. * row.fold(0., |most: f64, m| most.max(m.abs()))
         };
-        let parallel = model.kind == projection::Kind::Parallel;
-        let of_depth = if parallel {
-            GUARD / (model.far - model.near)
-        } else {
-            GUARD
-        };
         let scale = pixels(0, viewport.size().width)
             .max(pixels(1, viewport.size().height))
-            .max(of_depth);
-        // An offset in the projection counts as a distance too.
-        let size = size(moves, p)
-            + if parallel {
-                model.near.abs().max(model.far.abs()).max(1.)
-            } else {
-                0.
-            };
+            .max(GUARD);
+        let size = size(moves, p);
         // Away from the middle, an error of w causes an error of x and y.
         let off = [0, 1].map(|axis: usize| (wanted.screen[axis] - middle[axis]).abs());
         let aside = 1. + off[0].max(off[1]) / GUARD;
@@ -130,14 +119,7 @@ fn compare_spots(
         let depth = model.depth(wanted.distance);
         // Besides the error of t = w / near · (1 + 2^-16): the errors of its reciprocal, of the near plane's
         // reciprocal, and of the scale 65536, 2^-30 each.
-        let depth_error = relative(moves)
-            * size
-            * 65536.
-            * if parallel {
-                scale / GUARD
-            } else {
-                scale / GUARD * depth / 65536. / wanted.distance
-            }
+        let depth_error = relative(moves) * size * scale / GUARD * depth / wanted.distance
             + 65536. * 2_f64.powi(-28);
         let margin = error + 2. * SIDE;
         let clear = |margin: f64| {
@@ -247,40 +229,6 @@ fn points_in_a_frustum_are_the_models() {
 }
 
 #[test]
-fn points_in_parallel_are_the_models() {
-    cases(CASES, |random| {
-        let window = window(random, -9.0..1., 2.0..20.);
-        let near = random.random_range(-10.0..5.);
-        let length = if random.random() {
-            random.random_range(1.0..100.)
-        } else {
-            random.random_range(100.0..20_000.)
-        };
-        let [n, f] = [near, near + length].map(number);
-        let exact = [window.left, window.right, window.bottom, window.top, n, f].map(f64::from);
-        let projection: (Projection<Parallel>, ModelProjection) = if random.random() {
-            let [l, r, b, t, n1, f1] = exact;
-            (
-                Projection::orthographic(window, n, f).unwrap(),
-                projection::orthographic(l, r, b, t, n1, f1),
-            )
-        } else {
-            let angle = Angle::from_bits(random.random());
-            let ratio = Scalar::try_from(random.random_range(0.0..2.)).unwrap();
-            (
-                Projection::oblique(angle, ratio, n, window, n, f).unwrap(),
-                oblique(radians(angle), f64::from(ratio), exact),
-            )
-        };
-        let mut moves = mvp(random);
-        // Move the points anywhere between the planes.
-        let way = random.random_range(0.0..1.);
-        moves.insert(0, crate::moves::to([0., 0., -near - way * length]));
-        compare(projection, &moves, viewport(random), &points(random));
-    });
-}
-
-#[test]
 fn depth_falls_with_distance() {
     cases(CASES, |random| {
         let [near, far] = within(random, [0.01..2., 10.0..1000.]);
@@ -311,11 +259,4 @@ fn depth_falls_with_distance() {
             );
         }
     });
-}
-
-/// The model's oblique projection, moved so that it leaves the near plane in place, as the crate's does. The model's
-/// own leaves the plane through the eye in place.
-fn oblique(angle: f64, ratio: f64, [l, r, b, t, n, f]: [f64; 6]) -> ModelProjection {
-    let (x, y) = (n * ratio * angle.cos(), n * ratio * angle.sin());
-    projection::oblique(angle, ratio, (l + x, r + x, b + y, t + y), n, f)
 }

@@ -209,6 +209,13 @@ fn values_in_perspective_are_within_the_bounds() {
 
 #[test]
 fn values_in_parallel_are_within_the_bounds() {
+    // What the page of modes states.
+    let stated = |mode, most| Bound::parallel(mode, [0, most, 0]).at(1., 1.);
+    assert!(stated(Mode::Exact, 256 << 16) <= 3.3);
+    assert!(stated(Mode::Affine, 1 << 28) <= 36.5);
+    for mode in Mode::PARALLEL {
+        assert!(stated(mode, i32::MAX) <= 659.);
+    }
     cases(1500, |random| {
         loop {
             let (shape, values) = (shape(random), values(random));

@@ -11,6 +11,7 @@ mod judge;
 mod limits;
 mod meshes;
 mod outlines;
+mod parallel;
 mod parts;
 mod planes;
 mod proofs;

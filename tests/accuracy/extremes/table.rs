@@ -140,7 +140,7 @@ const SHOWN: &str = include_str!("../../../src/guide/extremes.md");
 
 #[test]
 fn nothing_is_worse_than_the_guide_shows() {
-    let all: [&Cases; 9] = [
+    let all: [&Cases; 10] = [
         &super::planes::CASES,
         &super::depth::CASES,
         &super::coordinates::CASES,
@@ -149,6 +149,7 @@ fn nothing_is_worse_than_the_guide_shows() {
         &super::canvases::CASES,
         &super::textures::CASES,
         &super::meshes::CASES,
+        &super::parallel::CASES,
         &super::rotations::CASES,
     ];
     let rows: Vec<&Row> = all.iter().flat_map(|cases| cases.iter()).collect();
