@@ -347,10 +347,15 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
                 (up + coarse) as u8,
             )
         } else {
-            let ([t, x, y], [of_t, of_x, of_y]) = (position, self.fractions.map(i32::from));
-            let on_screen = |x, of_x| block::shift(x, GUARD_BITS.cast_signed() - of_x) as i32;
-            let q = block::shift(t, 31 - of_t);
-            let q = (q.cast_unsigned() as u32).clamp(LEAST_WEIGHT, MOST_WEIGHT);
+            // Inside all planes, a coordinate is at most 1, but for rounding, so that 61 fraction bits fit. There are at
+            // most 56.
+            let ([t, x, y], [of_t, of_x, of_y]) = (position, self.fractions);
+            let raised = |x: i64, of_x| x << (61_u8.wrapping_sub(of_x) & 63);
+            let on_screen = |x, of_x| {
+                ((raised(x, of_x) + (1 << (60 - GUARD_BITS))) >> (61 - GUARD_BITS)) as i32
+            };
+            let q = ((raised(t, of_t) + (1 << 29)) >> 30).cast_unsigned() as u32;
+            let q = q.clamp(LEAST_WEIGHT, MOST_WEIGHT);
             ([on_screen(x, of_x), on_screen(y, of_y)], q, 0)
         };
         let [cx, cy] = self.center;
