@@ -445,7 +445,7 @@ const WORDS: &[Word] = &[
         Ok(())
     }),
     ("FloatDepth", 0x235f_2e84, |c| {
-        let (mut pixels, mut depths) = ([Rgb888::BLACK; PIXELS], [0; PIXELS]);
+        let (mut pixels, mut depths) = (vec![Rgb888::BLACK; PIXELS], vec![0; PIXELS]);
         let canvas = Canvas::new(&mut pixels, WIDTH, HEIGHT)?;
         let mut canvas = canvas.with_depth_format::<FloatDepth>(&mut depths)?;
         canvas.draw(&RING, &view()?, &Textured::new(&SKIN));
@@ -458,7 +458,7 @@ const WORDS: &[Word] = &[
         Ok(())
     }),
     ("WideFloatDepth", 0x235f_2e84, |c| {
-        let (mut pixels, mut depths) = ([Rgb888::BLACK; PIXELS], [0; PIXELS]);
+        let (mut pixels, mut depths) = (vec![Rgb888::BLACK; PIXELS], vec![0; PIXELS]);
         let canvas = Canvas::new(&mut pixels, WIDTH, HEIGHT)?;
         let mut canvas = canvas.with_depth_format::<WideFloatDepth>(&mut depths)?;
         canvas.draw(&RING, &view()?, &Textured::new(&SKIN));
@@ -504,9 +504,9 @@ const WORDS: &[Word] = &[
 
 #[test]
 fn checksums_of_every_word() {
-    let mut wrong = String::new();
+    let mut wrong = Vec::new();
     for (name, expected, draw) in WORDS {
-        let (mut pixels, mut depths) = ([Rgb888::BLACK; PIXELS], [0; PIXELS]);
+        let (mut pixels, mut depths) = (vec![Rgb888::BLACK; PIXELS], vec![0; PIXELS]);
         let canvas = Canvas::new(&mut pixels, WIDTH, HEIGHT).unwrap();
         let mut canvas = canvas.with_depth(&mut depths).unwrap();
         let background = Rgb888::new(41, 73, 89);
@@ -514,14 +514,11 @@ fn checksums_of_every_word() {
         draw(&mut canvas).unwrap();
         let drawn = canvas.pixels().filter(|&color| color != background).count();
         assert!(drawn > 30, "{name} draws {drawn} pixels");
-        let bytes: Vec<_> = canvas
-            .pixels()
-            .flat_map(|color| color.to_be_bytes())
-            .collect();
+        let bytes: Vec<_> = canvas.pixels().flat_map(ToBytes::to_be_bytes).collect();
         let found = crc32fast::hash(&bytes);
         if found != *expected {
-            wrong += &format!("{name}: {found:#010x}, not {expected:#010x}\n");
+            wrong.push(format!("{name}: {found:#010x}, not {expected:#010x}"));
         }
     }
-    assert!(wrong.is_empty(), "{wrong}");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
