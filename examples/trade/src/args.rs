@@ -11,7 +11,8 @@ Examples:
   trade --firmware target/ci/thumbv7em-none-eabi --firmware m0p=target/thumbv6m
                                                with the cost on two Cortex-M cores
   trade --firmware target/thumbv7em --sizes thumbv7em=target/sizes
-                                               and the code that each mode takes";
+                                               and the code that each mode takes
+  trade --summary examples/assets/trade.png    one picture from the figures that the project keeps";
 
 /// Measures every interpolation mode: its error against a model in f64, and its cost.
 #[derive(Clone, Debug, Parser)]
@@ -42,6 +43,10 @@ pub struct Args {
     /// Measure only the scenes and planes, and leave out the sweeps.
     #[arg(long)]
     pub no_sweeps: bool,
+
+    /// Measure nothing, and draw what tests/instructions.csv and tests/figures.csv say as one picture.
+    #[arg(long, value_name = "PNG")]
+    pub summary: Option<PathBuf>,
 
     /// Directory for the results.
     #[arg(long, value_name = "DIR", default_value = "target/trade")]

@@ -20,6 +20,8 @@
 //! Code is the size of the smallest firmware that draws textured triangles with a depth buffer in the mode, minus the
 //! size of one that draws nothing, at opt-level "s". Instructions are counted at opt-level 3.
 //!
+//! With `--summary`, it measures nothing, and draws the figures that the project keeps as one picture, for README.
+//!
 //! A texel error is the larger of the errors of column and row on a texture of 256x256, whatever shader the scene has.
 //! PSNR compares the RGB565 picture with the model's over the pixels that the scene covers. The background would only
 //! raise it.

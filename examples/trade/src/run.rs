@@ -30,6 +30,10 @@ struct Elsewhere {
 
 /// Runs everything that the command line asks for.
 pub fn run(args: &Args) -> Result<()> {
+    plot::fonts()?;
+    if let Some(path) = &args.summary {
+        return plot::save_png(path, &plot::Summary::read()?);
+    }
     // Read the files first, so that a mistake in them wastes no measurement.
     let elsewhere = read(args)?;
     fs::create_dir_all(&args.out)?;
@@ -78,7 +82,6 @@ pub fn run(args: &Args) -> Result<()> {
         sweep::write_csv(&args.out.join("sweeps.csv"), &points)?;
     }
 
-    plot::fonts()?;
     plot::save(&args.out.join("trade"), &plot::Scatter::new(&rows))?;
     for (sweep, range) in swept {
         let figure = plot::Curves {

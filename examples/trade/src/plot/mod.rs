@@ -5,6 +5,7 @@ mod chart;
 mod curves;
 mod legend;
 mod scatter;
+mod summary;
 
 use std::path::Path;
 
@@ -18,6 +19,7 @@ use super::modes;
 
 pub use curves::Curves;
 pub use scatter::Scatter;
+pub use summary::Summary;
 
 /// A figure that can be drawn on paper of any kind.
 pub trait Figure {
@@ -42,21 +44,25 @@ pub fn fonts() -> Result<()> {
         .map_err(|_| "the font cannot be read".into())
 }
 
-/// Saves a figure; `stem` is the path without its ending.
+/// Saves a figure as PNG and as SVG; `stem` is the path without its ending.
 pub fn save(stem: &Path, figure: &impl Figure) -> Result<()> {
+    save_png(&stem.with_extension("png"), figure)?;
+    draw(
+        SVGBackend::new(&stem.with_extension("svg"), figure.size()),
+        figure,
+    )
+}
+
+/// Saves a figure as PNG.
+pub fn save_png(path: &Path, figure: &impl Figure) -> Result<()> {
     let (width, height) = figure.size();
     let mut bytes = vec![0; 3 * width as usize * height as usize];
     draw(
         BitMapBackend::with_buffer(&mut bytes, (width, height)),
         figure,
     )?;
-    RgbImage::from_raw(width, height, bytes)
-        .ok_or("the plot has no pixels")?
-        .save(stem.with_extension("png"))?;
-    draw(
-        SVGBackend::new(&stem.with_extension("svg"), (width, height)),
-        figure,
-    )
+    let picture = RgbImage::from_raw(width, height, bytes).ok_or("the plot has no pixels")?;
+    Ok(picture.save(path)?)
 }
 
 fn draw<DB: DrawingBackend>(backend: DB, figure: &impl Figure) -> Result<()>
