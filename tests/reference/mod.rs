@@ -18,6 +18,7 @@
 //! | `silhouette` | how far a point is inside or outside a union of triangles |
 //! | `attributes` | perspective-correct values and their gradients at a point |
 //! | `raster` | a mesh drawn as a picture: every surface at every pixel |
+//! | `diffusion` | error diffusion of a frame |
 //! | `blending` | blending of two colors |
 //! | `fog` | the part of a surface's color that shows through fog |
 //! | `light` | the brightness of a surface under lights |
@@ -25,6 +26,7 @@
 //! | `mipmap` | reduced textures, the level of a pixel, means over areas |
 //! | `outline` | the edges of a mesh, their faces, and the angles between the faces |
 //! | `normals` | normals of a mesh that has none |
+//! | `ray` | where a ray meets a triangle |
 //! | `scenes` | the measured scenes |
 //! | `sprites` | the corners of sprites |
 //! | `texture` | a texture's color between its texels |
@@ -42,6 +44,7 @@ pub mod attributes;
 pub mod blending;
 pub mod clip;
 pub mod coverage;
+pub mod diffusion;
 pub mod distance;
 pub mod fog;
 pub mod light;
@@ -52,6 +55,7 @@ pub mod normals;
 pub mod outline;
 pub mod projection;
 pub mod raster;
+pub mod ray;
 pub mod scenes;
 pub mod silhouette;
 pub mod sprites;
