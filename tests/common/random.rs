@@ -1,40 +1,84 @@
-//! Random inputs: a test runs for many of them, the same ones each time.
+//! Random inputs: a test runs for many of them, the same ones each time. If one fails, a small one that fails is sought.
 
 use std::ops::Range;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::vec::Vec;
 use std::{env, eprintln};
 
-use rand::distr::uniform::{SampleRange, SampleUniform};
-use rand::{Rng, SeedableRng};
+use rand::distr::uniform::SampleUniform;
+use rand::rngs::SmallRng;
+use rand::{Rng, RngCore, SeedableRng};
+
+/// The length that a [`list`] may have, in parts of its range.
+const WHOLE: usize = 32;
 
 /// The generator of the inputs.
-pub type Random = rand::rngs::SmallRng;
+#[derive(Clone)]
+pub struct Random {
+    generator: SmallRng,
+    /// How long lists may be, from 1 to [`WHOLE`].
+    length: usize,
+    has_made_lists: bool,
+}
 
-/// Runs a test for `count` generators. If it panics, a message names the generator's seed.
+impl RngCore for Random {
+    fn next_u32(&mut self) -> u32 {
+        self.generator.next_u32()
+    }
+
+    fn next_u64(&mut self) -> u64 {
+        self.generator.next_u64()
+    }
+
+    fn fill_bytes(&mut self, bytes: &mut [u8]) {
+        self.generator.fill_bytes(bytes);
+    }
+}
+
+/// Runs a test for `count` generators.
 ///
-/// The environment variable `FIXEL_SEED` is the seed of the first generator, 0 without it: another one gives other
-/// inputs, and the one that a message names repeats that failure at once.
+/// If it panics, it runs again with shorter and then longer lists, until it panics again: the first failing input that
+/// is found in this way has few triangles. The last message names its seed and the length of its lists. The
+/// environment variables `FIXEL_SEED` and `FIXEL_LENGTH` repeat it at once: they are the first generator's seed (0
+/// without it, and another one gives other inputs) and the length of all lists, from 1 to 32.
 pub fn cases(count: u64, mut test: impl FnMut(&mut Random)) {
     run(count, &mut test);
 }
 
 /// Not generic, so that it is compiled once.
 fn run(count: u64, test: &mut dyn FnMut(&mut Random)) {
-    let first = env::var("FIXEL_SEED").map_or(0, |seed| seed.parse().expect("FIXEL_SEED is a u64"));
-    for seed in (0..count).map(|case| case.wrapping_add(first)) {
-        let _named = Named(seed);
-        test(&mut Random::seed_from_u64(seed));
-    }
-}
-
-/// Names a seed while a panic unwinds.
-struct Named(u64);
-
-impl Drop for Named {
-    fn drop(&mut self) {
-        if std::thread::panicking() {
-            eprintln!("failed with FIXEL_SEED={}", self.0);
+    let variable = |name, without| {
+        env::var(name).map_or(without, |text| text.parse().expect("a whole number"))
+    };
+    let (first, longest) = (
+        variable("FIXEL_SEED", 0),
+        variable("FIXEL_LENGTH", WHOLE as u64) as usize,
+    );
+    let seeds = (0..count).map(|case| case.wrapping_add(first));
+    let mut fails = |seed, length| {
+        let mut random = Random {
+            generator: SmallRng::seed_from_u64(seed),
+            length,
+            has_made_lists: false,
+        };
+        let result = catch_unwind(AssertUnwindSafe(|| test(&mut random)));
+        (result.err(), random.has_made_lists)
+    };
+    for seed in seeds.clone() {
+        let (Some(panic), has_made_lists) = fails(seed, longest) else {
+            continue;
+        };
+        let shorter = if has_made_lists { 1..longest } else { 1..1 };
+        for length in shorter {
+            for seed in seeds.clone() {
+                if let (Some(panic), _) = fails(seed, length) {
+                    eprintln!("failed with FIXEL_SEED={seed} FIXEL_LENGTH={length}");
+                    resume_unwind(panic);
+                }
+            }
         }
+        eprintln!("failed with FIXEL_SEED={seed}");
+        resume_unwind(panic);
     }
 }
 
@@ -54,10 +98,12 @@ pub fn within<T: SampleUniform + PartialOrd, const N: usize>(
 /// A list of random items, whose length is in a range.
 pub fn list<T>(
     random: &mut Random,
-    length: impl SampleRange<usize>,
+    length: Range<usize>,
     mut item: impl FnMut(&mut Random) -> T,
 ) -> Vec<T> {
-    (0..random.random_range(length))
+    random.has_made_lists = true;
+    let lengths = (length.len() * random.length).div_ceil(WHOLE);
+    (0..random.random_range(length.start..length.start + lengths))
         .map(|_| item(random))
         .collect()
 }
