@@ -27,6 +27,38 @@ export function settings() {
   return found;
 }
 
+/** Controls whose values an address keeps, besides those of the camera. */
+const kept = () => [...document.querySelectorAll("fieldset select, [type=checkbox], #tolerance, #divider, #axis")];
+/** The part of the camera that the visitor moves. */
+const VIEW = ["yaw", "pitch", "distance", "fov", "near", "far", "right", "down"];
+/** The value of a control as the page begins. */
+function initial({ type, options, defaultChecked, defaultValue }) {
+  if (options) return ([...options].find((option) => option.defaultSelected) ?? options[0]).value;
+  return type === "checkbox" ? String(defaultChecked) : defaultValue || "50"; // the middle, where a slider begins
+}
+const value = ({ type, checked, value }) => (type === "checkbox" ? String(checked) : value);
+
+/** Writes what differs from the scene's start view into the page's address. */
+export function keep(home) {
+  const found = { ...camera, ...settings() };
+  const changed = kept().filter((control) => value(control) !== initial(control));
+  const changes = changed.map((control) => [control.id, value(control)]);
+  const moves = VIEW.filter((name) => Math.abs(found[name] - home[name]) > 1e-3).map((name) => [name, String(+found[name].toPrecision(5))]);
+  history.replaceState(null, "", `#${new URLSearchParams([["scene", camera.scene], ...moves, ...changes])}`);
+}
+
+/** Sets the controls as the address says; returns the scene and the view that it has kept. */
+export function recall() {
+  const found = new URLSearchParams(location.hash.slice(1));
+  for (const control of kept()) {
+    if (!found.has(control.id)) continue;
+    if (control.type === "checkbox") control.checked = found.get(control.id) === "true";
+    else control.value = found.get(control.id);
+  }
+  const numbers = ["scene", ...VIEW].map((name) => [name, parseFloat(found.get(name))]);
+  return Object.fromEntries(numbers.filter(([, number]) => Number.isFinite(number)));
+}
+
 /** Makes sliders show the camera. */
 export function showCamera() {
   for (const id in UNITS) $(id).value = camera[id];

@@ -26,7 +26,7 @@ export function showNumbers({ submitted, drawn, clipped, pixels, checksum, ...se
       : ["Time per picture", `${short(time)} ms`, "In this browser"],
     rate
       ? ["Pictures a second", whole(rate)]
-      : ["Checksum", checksum.toString(16).padStart(8, "0"), "CRC-32 of the left picture's pixels"],
+      : ["Checksum", checksum.toString(16).padStart(8, "0"), "CRC-32 of the left picture's pixels as they are shown"],
     ["RAM, whole picture", kib(height), "Colors and depths"],
     [`RAM, ${band} rows`, kib(Math.min(band, height)), "Colors and depths of a band"],
   ];

@@ -1,5 +1,5 @@
 // The page: what is drawn, and what the visitor does with it.
-import { $, camera, settings, showCamera, showSettings } from "./controls.js";
+import { $, camera, keep, recall, settings, showCamera, showSettings } from "./controls.js";
 import { compare, showNumbers } from "./figures.js";
 import { read } from "./files.js";
 import { Crate, FLOOR, LIGHTHOUSE, MODES, OWN, WORLD, load } from "./module.js";
@@ -20,6 +20,8 @@ const frame = () => new Promise(requestAnimationFrame);
 let crate;
 
 let beginnings = 0;
+/** Settles when the chosen scene is drawn and measured. */
+let shown;
 /** Ends what waits, and shows the settings. Returns a function to wait with, which tells whether to go on. */
 function begin() {
   const mine = ++beginnings;
@@ -76,9 +78,10 @@ function timed(settings) {
   return Math.min(mean(), mean(), mean());
 }
 
-/** Fills in figures and program. */
+/** Fills in figures and program, and keeps the settings in the address. */
 async function measure(goesOn) {
   const now = settings();
+  keep(crate.ask("home", now));
   const left = crate.ask("checksum", crate.ask("measure", now, SCRATCH));
   showNumbers(left, timed(now));
   if (left.submitted === 0) tell("hint", "Drop a model here (.obj, .stl, .ply, .gltf or .glb), with its materials and pictures.");
@@ -120,18 +123,18 @@ async function drawBands() {
   if (await goesOn(pause(1500))) changed();
 }
 
-/** Shows a scene in its start view. */
-async function choose(scene) {
+/** Shows a scene in its start view, or in one that an address has kept. */
+async function choose(scene, kept = {}) {
   scenes[scene].checked = true;
   tell("trouble", "");
   tell("status", "Loading …");
   if (scene === WORLD) crate.world ??= await load("world.wasm.gz");
   if (!scenes[scene].checked) return; // in the meantime
-  Object.assign(camera, crate.ask("home", { ...settings(), scene }));
+  Object.assign(camera, crate.ask("home", { ...settings(), scene }), kept);
   showCamera();
   const { title, textContent } = scenes[scene].parentElement;
   tell("status", `${textContent}: ${title}.`);
-  changed();
+  shown = changed();
 }
 
 async function open(files) {
@@ -155,7 +158,8 @@ async function open(files) {
 function move(right, down, factor = 1) {
   const { yaw, pitch, distance, scene } = camera;
   camera.yaw = (yaw + right) % 360;
-  camera.pitch = Math.max(-90, Math.min(pitch + down, 90));
+  // The lighthouse is hollow below.
+  camera.pitch = Math.max(scene === LIGHTHOUSE ? 0 : -90, Math.min(pitch + down, 90));
   // The floor's eye is at its center, so it goes back and forth.
   const [least, wanted] = scene === FLOOR ? [0, distance + Math.log2(factor) * 4] : [0.3, distance * factor];
   camera.distance = Math.max(least, Math.min(wanted, 200));
@@ -216,6 +220,7 @@ ondragover = ondragleave = ondrop = (event) => {
   if (event.type === "drop" && event.dataTransfer.files.length) open([...event.dataTransfer.files]);
 };
 
+onhashchange = () => location.reload();
 onunhandledrejection = ({ reason }) => {
   tell("trouble", reason.message);
   tell("status", "");
@@ -225,7 +230,14 @@ async function start() {
   crate = new Crate(await load("playground.wasm.gz"));
   crate.read("read_texture", PLAIN.data, PLAIN);
   showSegment(crate);
-  await choose(LIGHTHOUSE);
   document.querySelector("main").inert = false;
+  const { scene, ...kept } = recall();
+  await choose(scenes[scene] ? scene : FLOOR, kept);
+  await shown;
+  // Without an address that says what to show, the picture turns, unless the visitor has done something already.
+  if (scene === undefined && beginnings === 1 && !matchMedia("(prefers-reduced-motion)").matches) {
+    $("spins").checked = true;
+    changed();
+  }
 }
 start();

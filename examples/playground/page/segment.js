@@ -41,7 +41,7 @@ function move(fraction, isInSpace) {
     point("pixel", screen(at.onScreen), 7, "seen"),
     point("place", inSpace(at.inSpace), 7, "seen"),
     words([0, 0], "eye", 0, 24),
-    words([NEAR, -0.9], "screen", 0, 4),
+    words([NEAR, -0.9], "screen", 28, 0),
     words(screen(at.onScreen), `q = ${short(at.onScreen)}`, -38, -8),
     words(inSpace(at.inSpace), `t = ${short(at.inSpace)}`, 4, -14),
     ...ends.map((end, index) => words(end, `z${"₀₁"[index]} = ${short(end[0])}`, 0, 22)),

@@ -333,17 +333,26 @@ impl App {
         self.colors[slot % SLOTS].as_ptr().cast()
     }
 
-    /// Writes the CRC-32 of the picture's pixels, as the firmware computes it: row by row, the more significant byte
-    /// first.
+    /// Writes the CRC-32 of the picture's pixels, row by row: in 16-bit color as the firmware computes it, the more
+    /// significant byte first; in other formats of the bytes of red, green and blue that are shown.
     pub fn checksum(&mut self, slot: usize) -> Done {
         let view = View::new(&self.fields)?;
         let pixels = (view.size.width * view.size.height) as usize;
+        let is_converted = view.format != 0 && view.scene != Scene::World;
+        if is_converted {
+            self.show(slot)?;
+        }
         let slot = slot % SLOTS;
-        let is_deep = view.is_deep();
-        let colors = self.colors[slot].iter().zip(&self.deep[slot]);
-        let bytes = colors.take(pixels).flat_map(|(color, deep)| {
-            let color = if is_deep { deep.rounded() } else { *color };
-            color.into_storage().to_be_bytes()
+        let colors = self.colors[slot].iter().zip(&self.shown[slot]);
+        let bytes = colors.take(pixels).flat_map(|(color, shown)| {
+            let [high, low] = color.into_storage().to_be_bytes();
+            let [red, green, blue, _] = shown.to_le_bytes();
+            let (bytes, count) = if is_converted {
+                ([red, green, blue], 3)
+            } else {
+                ([high, low, 0], 2)
+            };
+            bytes.into_iter().take(count)
         });
         let crc = !bytes.fold(u32::MAX, |crc, byte| {
             (0..8).fold(crc ^ u32::from(byte), |crc, _| {

@@ -64,11 +64,6 @@ impl Deep {
     fn precise(self) -> Precise<Rgb565> {
         Precise::from_levels(self.0)
     }
-
-    /// The color that a canvas of Rgb565 would have, which is not dithered.
-    pub fn rounded(self) -> Rgb565 {
-        self.precise().finish(Point::zero())
-    }
 }
 
 /// Writes bytes of red, green, blue and opacity. The page knows formats by their place. `sky` has the depths of a

@@ -52,7 +52,8 @@ const scene = (index) => page.click(`#scenes label:nth-child(${index + 1})`);
 
 beforeEach(async () => {
   await page.size(1280, 900);
-  await page.send("Page.navigate", { url: ADDRESS });
+  await page.send("Page.navigate", { url: "about:blank" }); // or another fragment would load nothing
+  await page.send("Page.navigate", { url: `${ADDRESS}#scene=${LIGHTHOUSE}` });
   await page.until(`document.readyState === "complete" && document.querySelector("#plot svg") !== null`);
 });
 // Nothing is asked of any other place: the page works offline.
@@ -77,9 +78,12 @@ test("the lighthouse is there, with its numbers, its plot and its program", asyn
 test("a drag turns the picture, and the start view comes back", async () => {
   const { left, top } = await page.box("#canvas");
   const [x, y] = [Math.round(left) + 100, Math.round(top) + 200];
-  await page.drag([x, y], [x + 60, y - 30]);
+  await page.drag([x, y], [x + 60, y + 30]);
   const { yaw, pitch } = home(LIGHTHOUSE);
-  await shows(view(LIGHTHOUSE, { yaw: yaw + 60 * 0.4, pitch: pitch - 30 * 0.4 }));
+  await shows(view(LIGHTHOUSE, { yaw: yaw + 60 * 0.4, pitch: pitch + 30 * 0.4 }));
+  // Nobody sees it from below, where it is hollow.
+  await page.drag([x, y], [x, y - 190]);
+  await shows(view(LIGHTHOUSE, { yaw: yaw + 60 * 0.4, pitch: 0 }));
   await page.click("#home");
   await shows(view(LIGHTHOUSE));
 });
@@ -158,6 +162,45 @@ test("errors as colors", async () => {
   await page.choose("#mode", 0);
   await shows(view(LIGHTHOUSE, { mode: 0 }));
   assert.ok(!(await pixels()).equals(before));
+});
+
+test("without a fragment, the page opens on a floor that turns", async () => {
+  await page.send("Page.navigate", { url: "about:blank" });
+  await page.send("Page.navigate", { url: ADDRESS });
+  await page.until(`document.querySelector("#spins").checked`, true);
+  await page.until(`/Affine/.test(${text("#plot")})`);
+  await page.until(`Number((${NUMBER})("Pictures a second")) > 0`);
+  assert.match(await page.evaluate(text("#status")), /^Floor/);
+});
+
+test("the address holds the state", async () => {
+  await page.choose("#mode", 3);
+  await page.choose("#format", 2);
+  const { left, top } = await page.box("#canvas");
+  await page.drag([left + 100, top + 200], [left + 160, top + 200]);
+  const yaw = home(LIGHTHOUSE).yaw + 60 * 0.4;
+  await shows(view(LIGHTHOUSE, { mode: 3, format: 2, yaw }));
+  const kept = await page.until(`/yaw=.*mode=3.*format=2/.test(location.hash) && location.href`);
+  await page.send("Page.navigate", { url: "about:blank" });
+  await page.send("Page.navigate", { url: kept });
+  const rounded = Number(new URLSearchParams(new URL(kept).hash.slice(1)).get("yaw"));
+  assert.ok(Math.abs(rounded - yaw) < 0.01);
+  await shows(view(LIGHTHOUSE, { mode: 3, format: 2, yaw: rounded }));
+});
+
+test("on the segment, one point is dragged and the other one follows", async () => {
+  const values = () => page.evaluate(`["on_screen", "in_space"].map((id) => Number(document.getElementById(id).value))`);
+  const dragged = async (selector, right, down) => {
+    const { left, top, width, height } = await page.box(selector);
+    const [x, y] = [left + width / 2, top + height / 2];
+    await page.drag([x, y], [x + right / 2, y + down / 2], [x + right, y + down]);
+    return values();
+  };
+  // The segment's ends are at the distances 1 and 4: t = q / (4 - 3q), and q = 4t / (1 + 3t).
+  const [[q], [, t]] = [await dragged("#pixel", 0, 20), await values()];
+  assert.ok(q > 0.6 && Math.abs(t - q / (4 - 3 * q)) < 1e-6, `${q}, ${t}`);
+  const [p, s] = await dragged("#place", 100, 40);
+  assert.ok(s > t + 0.1 && Math.abs(p - (4 * s) / (1 + 3 * s)) < 1e-6, `${p}, ${s}`);
 });
 
 test("bands in slow motion are the same picture", async () => {

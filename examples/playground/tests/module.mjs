@@ -25,6 +25,24 @@ test("the measured scenes have the simulator's checksums", () => {
   rmSync(folder, { recursive: true });
 });
 
+test("each format of a display has a checksum of its own, of what is shown", () => {
+  const found = [0, 1, 2, 3, 4, 5].map((format) => {
+    const settings = view(4, { format, size: "128x64" });
+    const told = checksum(settings);
+    if (format === 0) return told;
+    const { data } = crate.image("show", settings, 0);
+    const bytes = data.filter((_, at) => at % 4 !== 3);
+    let crc = -1;
+    for (const byte of bytes) {
+      crc ^= byte;
+      for (let bit = 0; bit < 8; bit++) crc = (crc >>> 1) ^ (0xedb88320 & -(crc & 1));
+    }
+    assert.equal(told, (~crc >>> 0).toString(16).padStart(8, "0"));
+    return told;
+  });
+  assert.equal(new Set(found).size, 6);
+});
+
 test("errors are those that modes promise", () => {
   for (const scene of [0, 1, 2, 4]) {
     // In texels (guide to modes): Exact, Newton and Compact a thousandth, Fast its tolerance and 2^-13 of the texture.
