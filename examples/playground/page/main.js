@@ -38,12 +38,14 @@ async function changed() {
   tell("hint", "");
   try {
     let last = performance.now();
-    const yaw = camera.yaw - last * 0.015;
+    // The floor lies ahead of the eye, which looks left and right; other scenes turn.
+    const turned = (now) => (camera.scene === FLOOR ? 25 * Math.sin(now / 3000) : now * 0.015);
+    const yaw = camera.yaw - turned(last);
     for (let pictures = 1; await goesOn(frame()); pictures++) {
       const time = draw();
       const now = performance.now();
       if (!settings().spins) break;
-      camera.yaw = (yaw + now * 0.015) % 360;
+      camera.yaw = (yaw + turned(now)) % 360;
       if (pictures % 20) continue;
       showNumbers(crate.ask("measure", settings(), SCRATCH), time, 20000 / (now - last));
       last = now;
