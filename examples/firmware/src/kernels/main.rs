@@ -113,8 +113,10 @@ mod firmware {
 
         let mut frame = Frame::take();
         rows::measure(&mut watch, &mut frame)?;
+        frame.measure(&mut watch, "exact", Exact)?;
         frame.measure(&mut watch, "newton", Newton)?;
         frame.measure(&mut watch, "fast", Fast::within(fx!(0.25)))?;
+        frame.measure(&mut watch, "affine", Affine)?;
         frame.measure(&mut watch, "compact", Compact)?;
         skins::frames(&mut frame, &mut watch)?;
 

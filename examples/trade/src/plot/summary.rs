@@ -65,7 +65,7 @@ impl Summary {
                     let found = figures.get(&name).copied();
                     found.ok_or_else(|| format!("the figures lack '{name}'"))
                 };
-                let cost = format!("thumbv7em-none-eabi,3,{mode},{scene},frame");
+                let cost = format!("thumbv7em-none-eabi,3,{mode},{scene},mean-of-poses");
                 let error = format!("errors,{scene} {mode} error max");
                 points.push(Point {
                     scene,
