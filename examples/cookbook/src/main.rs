@@ -65,7 +65,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 .save_png(&path)?;
             println!("{}", path.display());
             if name == WORLD {
-                let path = path.with_extension("gif");
+                let path = path.with_extension("webp");
                 let turns = (0..world::FRAMES).map(world::turn_of);
                 let frames = turns.map(|turn| picture(|canvas| world::walk(canvas, turn), size));
                 animation::save(&path, &frames.collect::<Result<Vec<_>, _>>()?)?;

@@ -11,7 +11,7 @@ pub use garden::{LOOK, WALK, viewer};
 use super::scenes::Frame;
 
 /// Frames of the walk, once around.
-pub const FRAMES: u32 = 64;
+pub const FRAMES: u32 = 96;
 
 /// The moment of a frame.
 #[must_use]
