@@ -278,6 +278,45 @@ fn highlights_follow_blinn_and_phong() {
     });
 }
 
+/// Under a parallel projection, every surface is seen from the same direction, wherever it is.
+#[test]
+fn parallel_views_light_the_side_that_is_seen() {
+    let mut backs = 0;
+    cases(CASES, |random| {
+        loop {
+            let (eye, target) = (vector(random), vector(random));
+            let (normal, position, toward) = (vector(random), vector(random), vector(random));
+            let Ok(camera) = Camera::look_at(eye, target, Vec3::Y) else {
+                continue;
+            };
+            let window = Window::centered(fx!(2), fx!(2));
+            let projection = Projection::orthographic(window, fx!(-1), fx!(1)).unwrap();
+            let viewer = Viewer::of(&(projection * camera * Transform::IDENTITY));
+            let Some((point, exact)) = surface(normal, position) else {
+                continue;
+            };
+            let seen = dot(exact.normal, normalized(subtract(f64s(eye), f64s(target))));
+            // The direction of view has an error of a few units of 2^-30.
+            if toward == Vec3::ZERO || seen.abs() <= 1e-6 {
+                continue;
+            }
+            backs += u32::from(seen < 0.);
+            let facing = Point {
+                normal: exact.normal.map(|part| part * seen.signum()),
+                ..exact
+            };
+            let sun = Light::new(toward, fx!(0), fx!(1)).unwrap();
+            let source = Source::Sun {
+                toward: f64s(toward),
+                brightness: 1.,
+            };
+            compare_diffuse(&sun.two_sided(viewer), &source, (&point, facing), 4.);
+            break;
+        }
+    });
+    assert!(backs > 1500, "{backs}");
+}
+
 /// Through the whole pipeline, at vertices and at faces: lights stay in world space while model and camera turn.
 #[test]
 fn corners_and_faces_are_lit_in_world_space() {

@@ -186,6 +186,7 @@ where
     let (w, h) = (width as usize, height as usize);
     let first = texels[..w * h].to_vec();
     let mipmap = Mipmap::build(&mut texels, width, height).unwrap();
+    assert_eq!([mipmap.width(), mipmap.height()], [width, height]);
     assert_eq!(mipmap.texels()[..w * h], first);
     assert_eq!(Mipmap::new(mipmap.texels(), width, height), Ok(mipmap));
     for channel in 0..3 {
