@@ -45,7 +45,9 @@ fn materials_are_those_of_the_file() {
     let expected = [
         (0..10, Some("planks.tga"), "planks"),
         (10..30, None, "paint"),
-        (30..50, None, "stone"),
+        (30..32, None, "door"),
+        (32..34, None, "glass"),
+        (34..54, None, "stone"),
     ];
     assert_eq!(PARTS.len(), expected.len());
     for (part, (faces, texture, material)) in PARTS.iter().zip(expected) {

@@ -20,7 +20,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
 
     let floor = Transform::scale(fx!(60));
     let grass = Flat::rgb(Rgb888::new(60, 90, 50)).lit_faces(sun);
-    canvas.draw(&FLOOR, &(view * floor), &grass.in_fog(fog));
+    canvas.draw(&FLOOR, &(view * floor), &grass.in_fog(fog).dithered());
     for row in 0..9_i16 {
         for column in -1..=1_i16 {
             let height = fx!(0.6) + Scalar::from((row * 7 + column * 15 + 40) % 5) / 4;
@@ -29,7 +29,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
             let tower = Transform::translate(place + Vec3::new(fx!(0), height * 3 / 2, fx!(0)))
                 * Transform::scale_axes(Vec3::new(fx!(1), height, fx!(1)));
             let brick = Flat::rgb(Rgb888::new(190, 110, 80)).lit_faces(sun);
-            canvas.draw(&TOWER, &(view * tower), &brick.in_fog(fog));
+            canvas.draw(&TOWER, &(view * tower), &brick.in_fog(fog).dithered());
         }
     }
     Ok(())

@@ -3,10 +3,12 @@
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_4X6, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::{Drawable, geometry::Point, text::Text};
+use fixel::canvas::TestOnly;
 use fixel::prelude::*;
 
 static BALL: Mesh = shape!(sphere(32, 24));
-static RING: Mesh = shape!(torus(fx!(0.006), 96, 4));
+static RING: Mesh = shape!(torus(fx!(0.002), 96, 3));
+static ORBIT: Outline = outline!(RING, deg!(180));
 /// Names, distances from the sun, places in their orbits, colors.
 static PLANETS: [(&str, Scalar, Angle, Rgb888); 4] = [
     ("Mercury", fx!(2.1), deg!(345), Rgb888::new(190, 170, 150)),
@@ -17,22 +19,26 @@ static PLANETS: [(&str, Scalar, Angle, Rgb888); 4] = [
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let frame = canvas.frame_size();
-    let is_wide = frame.width > 3 * frame.height / 2;
-    let fov = if is_wide { deg!(34) } else { deg!(46) };
+    let fov = [deg!(46), deg!(34)][usize::from(frame.width > 3 * frame.height / 2)];
     let projection = Projection::perspective(fov, frame, fx!(0.5), fx!(50))?;
     let view = projection * Camera::look_at(vec3!(0, 2.8, 10), vec3!(0, 0, 0.4), Vec3::Y)?;
     let options = DrawOptions::new();
     canvas.clear(Rgb565::new(0, 1, 3));
-    let sun = Flat::rgb(Rgb888::new(255, 220, 90));
-    canvas.draw(&BALL, &(view * Transform::scale(fx!(1.3))), &sun);
+    let sun = view * Transform::scale(fx!(1.3));
+    canvas.draw(&BALL, &sun, &Flat::rgb(Rgb888::new(255, 220, 90)));
     let light = PointLight::new(Vec3::ZERO, fx!(1), fx!(60))?;
-    let dim = Light::new(vec3!(0, 1, 1), fx!(0.3), fx!(0.2))?;
+    let lights = (light, Light::new(vec3!(0, 1, 1), fx!(0.3), fx!(0.2))?);
     for &(_, distance, angle, color) in &PLANETS {
-        let orbit = view * Transform::scale(distance);
-        canvas.draw(&RING, &orbit, &Flat::new(Rgb565::new(6, 12, 8)));
         let place = Transform::translate(place(distance, angle));
         let planet = view * place * Transform::scale(fx!(0.34));
-        canvas.draw(&BALL, &planet, &Flat::rgb(color).lit((light, dim)));
+        canvas.draw(&BALL, &planet, &Flat::rgb(color).lit(lights));
+    }
+    // Anti-aliased lines must not hide one another where they meet.
+    let behind = options.with_depth(TestOnly);
+    let line = RING.outline(&ORBIT, LineStyle::HAIRLINE.smooth());
+    for &(_, distance, ..) in &PLANETS {
+        let orbit = view * Transform::scale(distance);
+        canvas.draw_with(&behind, line, &orbit, &Flat::new(Rgb565::new(14, 28, 16)));
     }
 
     // Text keeps its size. Its place and its depth are those of a point of the scene.
@@ -41,8 +47,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     for &(name, distance, angle, color) in &PLANETS {
         let style = MonoTextStyle::new(font, color.into());
         if let Some(at) = canvas.project(&options, &view, place(distance, angle)) {
-            let text = Text::new(name, Point::new(offset, -offset), style);
-            text.draw(&mut canvas.label(at))?;
+            Text::new(name, Point::new(offset, -offset), style).draw(&mut canvas.label(at))?;
         }
     }
     Ok(())

@@ -5,8 +5,8 @@ use fixel::canvas::{Biased, TestOnly};
 use fixel::prelude::*;
 
 static ISLAND: Mesh = include_mesh!("../../../assets/lighthouse.obj");
-// Edges between faces whose normals differ by more than 35 degrees are creases.
-static OUTLINE: Outline = include_outline!("../../../assets/lighthouse.obj", crease = 35);
+// Edges between faces whose normals differ by more than 50 degrees are creases.
+static OUTLINE: Outline = include_outline!("../../../assets/lighthouse.obj", crease = 50);
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let size = canvas.frame_size();
@@ -17,10 +17,10 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     canvas.clear(paper.into());
 
     // The faces hide the lines behind them. So as not to be hidden by their own faces, lines
-    // move toward the eye, by as much as those get nearer in three quarters of a pixel.
+    // move toward the eye, by as much as those get nearer in half a pixel.
     canvas.draw(&ISLAND, &view, &Flat::rgb(paper));
     let lines = ISLAND.outline(&OUTLINE, LineStyle::HAIRLINE.smooth());
-    let in_front = DrawOptions::new().with_depth(Biased::new(TestOnly, 2, fx!(0.75)));
+    let in_front = DrawOptions::new().with_depth(Biased::new(TestOnly, 2, fx!(0.5)));
     canvas.draw_with(&in_front, lines, &view, &Flat::rgb(ink));
     Ok(())
 }
