@@ -246,13 +246,67 @@ fn write_text(
     write("triangles.obj", &Text(text), spare, Panel::St7789, notes)
 }
 
+/// An ELF file with these bytes in two segments.
+fn elf(address: u32, bytes: &[u8]) -> Vec<u8> {
+    let mut file = b"\x7fELF\x01\x01\x01".to_vec();
+    file.resize(16, 0);
+    let mut put = |words: &[u32]| file.extend(words.iter().flat_map(|word| word.to_le_bytes()));
+    // An Arm program. Its header has 52 bytes, and two more of 32 bytes each follow.
+    put(&[
+        0x0028_0002,
+        1,
+        address,
+        52,
+        0,
+        0,
+        0x0020_0034,
+        0x0028_0002,
+        0,
+    ]);
+    let (all, half) = (bytes.len() as u32, bytes.len() as u32 / 2);
+    for (from, to) in [(0, half), (half, all)] {
+        // Load, from the file's bytes, for RAM, in flash.
+        put(&[
+            1,
+            116 + from,
+            0x2000_0000 + from,
+            address + from,
+            to - from,
+            to - from,
+            4,
+            1,
+        ]);
+    }
+    file.extend(bytes);
+    file
+}
+
+#[test]
+fn firmware_must_lie_below_the_model() {
+    let words = house();
+    let wrong = |firmware: &[u8], message: &str| {
+        let error = uf2(firmware, &words).unwrap_err();
+        assert!(error.contains(message), "{error}");
+    };
+    assert!(uf2(&elf(0x1003_fff8, &[0; 8]), &words).is_ok());
+    wrong(
+        &elf(0x1003_fff8, &[0; 10]),
+        "firmware: 5 bytes at 0x1003fffd are outside its flash",
+    );
+    wrong(
+        &elf(0x0fff_fff0, &[0; 8]),
+        "4 bytes at 0xffffff0 are outside",
+    );
+    wrong(b"no firmware", "firmware: ");
+}
+
 #[test]
 fn a_uf2_holds_firmware_and_model() {
     let words = house();
     let firmware: Vec<u8> = (0..10_000_u32)
         .map(|at| (at * 7).to_le_bytes()[0])
         .collect();
-    let file = uf2(&firmware, &words);
+    let file = uf2(&elf(0x1000_0000, &firmware), &words).unwrap();
     let (blocks, rest) = file.as_chunks::<512>();
     assert!(rest.is_empty());
     let sectors = |bytes: usize| bytes.div_ceil(4096) * 16;
