@@ -1,6 +1,7 @@
 // The page: what is drawn, and what the visitor does with it.
 import { $, camera, settings, showCamera, showSettings } from "./controls.js";
 import { compare, showNumbers } from "./figures.js";
+import { showBoard } from "./board.js";
 import { read } from "./files.js";
 import { Crate, FLOOR, LIGHTHOUSE, MODES, OWN, WORLD, load } from "./module.js";
 import { showSegment } from "./segment.js";
@@ -18,6 +19,8 @@ const pause = (time) => new Promise((resume) => setTimeout(resume, time));
 const frame = () => new Promise(requestAnimationFrame);
 /** The module. */
 let crate;
+/** The visitor's model, with its materials and pictures, the latest file first. */
+let own = [];
 
 let beginnings = 0;
 /** Ends what waits, and shows the settings. Returns a function to wait with, which tells whether to go on. */
@@ -139,6 +142,8 @@ async function open(files) {
   try {
     const { model, texture, name, notes } = await read(files);
     if (model) crate.read("read_model", model);
+    own = model ? files : [...files, ...own];
+    showBoard(own);
     // The last model's texture does not suit another one.
     const { data, ...size } = texture ?? PLAIN;
     crate.read("read_texture", data, size);
@@ -225,6 +230,7 @@ async function start() {
   crate = new Crate(await load("playground.wasm.gz"));
   crate.read("read_texture", PLAIN.data, PLAIN);
   showSegment(crate);
+  showBoard(own);
   await choose(LIGHTHOUSE);
   document.querySelector("main").inert = false;
 }
