@@ -9,7 +9,7 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::mesh::flash::{UvGrid, short_normal};
 use fixel::{Vec2, Vec3};
 use fixel_assets::vector::{along, length, sub};
-use fixel_assets::{Files, Format, Image, Material, Model, Options, Picture};
+use fixel_assets::{Alpha, Files, Format, Image, Material, Model, Options, Picture};
 
 use crate::header::{self, HEADER, Header, MAGIC, NO_TEXTURE, VERSION, WORDS};
 use crate::{Panel, PartRecord, TextureRecord};
@@ -159,6 +159,7 @@ fn parts(
     let mut pictures = Vec::new();
     let mut places = HashMap::new();
     let mut parts = Vec::new();
+    let mut is_simple = true;
     for run in model.runs() {
         let material = run.material.and_then(|at| model.materials.get(at as usize));
         let material = material.unwrap_or(&plain);
@@ -176,10 +177,16 @@ fn parts(
                 }
             })
         });
+        let picture = texture.and_then(|at: u32| pictures.get(at as usize));
+        let has_holes = material.alpha != Alpha::Ignored && picture.is_some_and(Picture::has_alpha);
+        is_simple &= material.emission == [0; 3] && material.opacity >= 1.0 && !has_holes;
         let [red, green, blue] = material.color;
         let color = u32::from_be_bytes([0, red, green, blue]);
         let [start, end] = run.faces.map(|at| u32::try_from(at).unwrap_or(u32::MAX));
         parts.push([start, end, color, texture.unwrap_or(NO_TEXTURE)]);
+    }
+    if !is_simple {
+        notes.push("all materials are opaque, and none sends out light".into());
     }
     if let (true, Some(spare)) = (pictures.is_empty(), spare) {
         pictures.push(spare.clone());

@@ -38,6 +38,45 @@ fn house() -> Vec<u32> {
     words
 }
 
+#[test]
+fn notes_tell_what_is_left_out() {
+    let lantern = |lines: &str| {
+        let obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
+        let files = Pair(obj.into(), format!("newmtl a\n{lines}\n"));
+        let mut notes = Vec::new();
+        write("a.obj", &files, None, Panel::St7789, &mut notes).unwrap();
+        notes
+    };
+    let opaque = ["all materials are opaque, and none sends out light"];
+    assert_eq!(lantern("Kd 1 0 0"), [""; 0]);
+    assert_eq!(lantern("d 0.5"), opaque);
+    assert_eq!(lantern("Ke 1 1 0"), opaque);
+    let [missing] = &lantern("map_Kd a.png")[..] else {
+        panic!("one note")
+    };
+    assert!(
+        missing.starts_with("picture a.png cannot be read: "),
+        "{missing}"
+    );
+}
+
+/// A model and its materials.
+struct Pair(String, String);
+
+impl Files for Pair {
+    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+        match path.to_str() {
+            Some("a.obj") => Ok(self.0.clone().into()),
+            Some("a.mtl") => Ok(self.1.clone().into()),
+            _ => Err(io::ErrorKind::NotFound.into()),
+        }
+    }
+
+    fn has(&self, path: &Path) -> bool {
+        self.read(path).is_ok()
+    }
+}
+
 /// Word numbers of the header.
 const LENGTH: usize = 2;
 const CHECKSUM: usize = 3;
