@@ -2,6 +2,8 @@
 //
 //     rp2040.mjs PROGRAM PICTURE.ppm [--bus gaps|instant] [--fault NAME] [--profile FILE]
 //
+// The program is an ELF file or a UF2.
+//
 // rp2040js emulates a core, clocks, timer, SPI with its FIFO, DMA with its requests, and pins; it must be installed in
 // target/rp2040 (.ci/boards does it). The second core is added here. The panel follows its data sheet: CS selects it, DC
 // tells commands from data, CASET and RASET set a window, and RAMWR writes to it. A byte that is sent while CS is high is
@@ -128,12 +130,17 @@ const functions = {
   0x130: ([value]) => Math.clz32(value),
 };
 
-// The program's segments, at their addresses in flash.
-const elf = readFileSync(program);
-for (let i = 0; i < elf.readUInt16LE(44); i++) {
-  const header = elf.readUInt32LE(28) + i * elf.readUInt16LE(42);
-  const [type, offset, , address, size] = [0, 4, 8, 12, 16].map(at => elf.readUInt32LE(header + at));
-  if (type === 1 && size) chip.flash.set(elf.subarray(offset, offset + size), address - FLASH);
+// The program's segments, or the blocks of a UF2, at their addresses in flash.
+const file = readFileSync(program);
+const put = (offset, size, address) => chip.flash.set(file.subarray(offset, offset + size), address - FLASH);
+if (file.toString('latin1', 0, 4) === 'UF2\n') {
+  for (let at = 0; at < file.length; at += 512) put(at + 32, file.readUInt32LE(at + 16), file.readUInt32LE(at + 12));
+} else {
+  for (let i = 0; i < file.readUInt16LE(44); i++) {
+    const header = file.readUInt32LE(28) + i * file.readUInt16LE(42);
+    const [type, offset, , address, size] = [0, 4, 8, 12, 16].map(at => file.readUInt32LE(header + at));
+    if (type === 1 && size) put(offset, size, address);
+  }
 }
 
 // What rp2040js lacks: the core's voltage (1.1 V, as after a reset), the ring oscillator's registers, the register that

@@ -10,12 +10,17 @@ fn main() {
         println!("cargo::rustc-link-arg-bins=--nmagic");
         println!("cargo::rustc-link-arg-bins=-Tlink.x"); // of cortex-m-rt
     }
+    if has("MODEL") && has("PICO") {
+        // A small file, because the playground loads it.
+        println!("cargo::rustc-link-arg-bin=pico_model=--strip-all");
+    }
     if has("PICO") || has("EMBASSY") {
         // Not beside Cargo.toml: linkers look there first, and Embassy defines the memory of an STM32.
+        let folder = if has("MODEL") { "pico/model" } else { "pico" };
         println!(
-            "cargo::rustc-link-search={}/pico",
+            "cargo::rustc-link-search={}/{folder}",
             env!("CARGO_MANIFEST_DIR")
         );
-        println!("cargo::rerun-if-changed=pico/memory.x");
+        println!("cargo::rerun-if-changed={folder}/memory.x");
     }
 }

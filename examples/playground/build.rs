@@ -17,7 +17,7 @@ fn main() -> io::Result<()> {
     let lines: Vec<String> = lines.lines().filter_map(wanted).collect();
     fs::write(out.join("costs.csv"), lines.join("\n"))?;
 
-    // The modules, if they were built before. A folder of this package is …/target/release/build/playground-0/out.
+    // The modules and the program, if they were built before. A folder of this package is …/target/release/build/playground-0/out.
     println!("cargo::rerun-if-env-changed=PLAYGROUND_MODULES");
     let modules = env::var_os("PLAYGROUND_MODULES")
         .map(PathBuf::from)
@@ -25,11 +25,12 @@ fn main() -> io::Result<()> {
             let target = out.ancestors().nth(4)?;
             Some(target.join("wasm32-unknown-unknown/release"))
         });
-    // The reader is built for its size.
+    // The reader is built for its size, and the last one for a board.
     for (folder, name) in [
         ("", "playground.wasm"),
         ("", "world.wasm"),
         ("../size", "reader.wasm"),
+        ("../../thumbv6m-none-eabi/release", "pico_model"),
     ] {
         let module = modules
             .as_ref()

@@ -7,6 +7,8 @@
 
 pub mod ball;
 pub mod floor;
+#[cfg(feature = "model")]
+pub mod model;
 pub mod panel;
 #[cfg(feature = "pico")]
 pub mod pico;

@@ -16,6 +16,15 @@ use mipidsi::options::{ColorInversion, ColorOrder, ModelOptions, Orientation, Ro
 #[derive(Debug)]
 pub struct BusError;
 
+/// What drives a display.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Controller {
+    /// With 240x240 pixels, or 320x240 in landscape.
+    St7789,
+    /// With 320x240 pixels.
+    Ili9341,
+}
+
 /// The pins of a display, except for the clock and the data of its bus.
 pub struct Pins<CS, DC, RESET> {
     /// Chip select, low while the display listens.

@@ -24,17 +24,21 @@ use hal::{Sio, Spi, Timer, Watchdog, sio, spi};
 use heapless::Vec;
 use rp2040_hal as hal;
 
-use crate::panel::{Panel, Pins};
+use crate::panel::{Controller, Panel, Pins};
 
 /// Columns and rows of the display, rows of a band, and bands in memory. The taller bands are, the fewer triangles are in
 /// several of them; two cores need a band each, and one that is being sent.
-const LAYOUT: (u32, u32, u32, usize) = match (cfg!(feature = "ball"), cfg!(feature = "dual")) {
-    (false, _) => (240, 240, 40, 3),
-    (true, false) => (320, 240, 120, 2),
-    (true, true) => (320, 240, 60, 3),
+const LAYOUT: (u32, u32, u32, usize) = if cfg!(feature = "model") {
+    (320, 240, 120, 2)
+} else {
+    match (cfg!(feature = "ball"), cfg!(feature = "dual")) {
+        (false, _) => (240, 240, 40, 3),
+        (true, false) => (320, 240, 120, 2),
+        (true, true) => (320, 240, 60, 3),
+    }
 };
 
-/// Columns of the display.
+/// Columns of the display; `pico_model` has displays of fewer, too.
 pub const WIDTH: u32 = LAYOUT.0;
 /// Rows of the display.
 pub const HEIGHT: u32 = LAYOUT.1;
@@ -42,17 +46,24 @@ pub const HEIGHT: u32 = LAYOUT.1;
 pub const ROWS: u32 = LAYOUT.2;
 /// Bands of a frame.
 pub const BANDS_OF_FRAME: u32 = HEIGHT / ROWS;
-/// Pixels of a band.
+/// Pixels of a band, as many as the display has columns.
 pub const PIXELS: usize = (WIDTH * ROWS) as usize;
 /// Bands in memory: on their way, and one for each core to draw into.
 pub const BANDS: usize = LAYOUT.3;
 
 /// The pixels of a band, each a word of the bus.
-pub type Band = &'static mut [u16; PIXELS];
+pub type Band = &'static mut [u16];
 
 /// The frequency of the Pico's crystal.
 const CRYSTAL_HZ: u32 = 12_000_000;
-const BUS_HZ: HertzU32 = HertzU32::Hz(62_500_000);
+
+/// The bus of a controller. Its data sheet allows less; modules are known to work at this.
+const fn bus(controller: Controller) -> HertzU32 {
+    match controller {
+        Controller::St7789 => HertzU32::Hz(62_500_000),
+        Controller::Ili9341 => HertzU32::Hz(31_250_000),
+    }
+}
 
 type Data = (
     Pin<Gpio19, FunctionSpi, PullDown>,
@@ -129,8 +140,14 @@ pub struct Board {
     pub bands: Vec<Band, BANDS>,
 }
 
-/// Sets up clocks, bus and display, clears the display, and switches its backlight on. May be called once.
-pub fn set_up(mut pac: pac::Peripherals) -> Option<Board> {
+/// Sets up clocks, bus and an ST7789, clears the display, and switches its backlight on. May be called once.
+pub fn set_up(pac: pac::Peripherals) -> Option<Board> {
+    set_up_with(pac, Controller::St7789, WIDTH)
+}
+
+/// The same for a display with another controller, and at most [`WIDTH`] columns.
+#[inline] // leaves out the code for other controllers
+pub fn set_up_with(mut pac: pac::Peripherals, controller: Controller, width: u32) -> Option<Board> {
     // The processor and its peripherals run at 125 MHz.
     let mut watchdog = Watchdog::new(pac.WATCHDOG);
     let clocks = init_clocks_and_plls(
@@ -164,17 +181,28 @@ pub fn set_up(mut pac: pac::Peripherals) -> Option<Board> {
     let mut bytes = Spi::<_, _, _, 8>::new(pac.SPI0, (data, clock)).init(
         &mut pac.RESETS,
         frequency,
-        BUS_HZ,
+        bus(controller),
         MODE_0,
     );
-    let mut panel = Panel::st7789((WIDTH, HEIGHT), &mut bytes, pins, &mut timer).ok()?;
+    let mut panel = match controller {
+        Controller::St7789 => Panel::st7789((width, HEIGHT), &mut bytes, pins, &mut timer),
+        Controller::Ili9341 => Panel::ili9341(&mut bytes, pins, &mut timer),
+    }
+    .ok()?;
     let (device, data) = bytes.disable().free();
-    let mut bus =
-        Spi::<_, _, _, 16>::new(device, data).init(&mut pac.RESETS, frequency, BUS_HZ, MODE_0);
+    let mut bus = Spi::<_, _, _, 16>::new(device, data).init(
+        &mut pac.RESETS,
+        frequency,
+        bus(controller),
+        MODE_0,
+    );
 
     let bands = singleton!(: [[u16; PIXELS]; BANDS] = [[0; PIXELS]; BANDS])?;
-    let free: Vec<Band, BANDS> = bands.iter_mut().collect();
-    panel.clear(&mut bus, free.first()?.as_slice()).ok()?;
+    let bands = bands
+        .iter_mut()
+        .map(|band| band.get_mut(..(width * ROWS) as usize));
+    let free: Vec<Band, BANDS> = bands.collect::<Option<_>>()?;
+    panel.clear(&mut bus, free.first()?).ok()?;
     let Ok(()) = gpio.gpio21.into_push_pull_output().set_high();
 
     let mut channel = pac.DMA.split(&mut pac.RESETS).ch0;

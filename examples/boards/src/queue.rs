@@ -8,15 +8,20 @@ use core::cell::RefCell;
 use cortex_m::asm::{sev, wfe};
 use cortex_m::peripheral::NVIC;
 use critical_section::Mutex;
-use embedded_graphics::pixelcolor::Rgb565;
-use fixel::canvas::{Canvas, Words};
 use hal::pac::{self, interrupt};
 use hal::{Timer, sio};
 use heapless::{Deque, Vec};
 use rp2040_hal as hal;
+#[cfg(not(feature = "model"))]
+use {
+    crate::pico::HEIGHT,
+    crate::scene::{Memory, Scene},
+    embedded_graphics::pixelcolor::Rgb565,
+    fixel::canvas::{Canvas, Words},
+};
 
-use crate::pico::{self, BANDS, BANDS_OF_FRAME, Band, HEIGHT, ROWS, Sender, WIDTH};
-use crate::scene::{Memory, Scene};
+use crate::panel::Controller;
+use crate::pico::{self, BANDS, BANDS_OF_FRAME, Band, ROWS, Sender, WIDTH};
 
 /// The bands, and their way to the display.
 struct Queue {
@@ -86,24 +91,53 @@ impl Share {
     }
 }
 
-/// Draws a core's share for ever.
+/// Draws a core's share of the scene for ever.
 ///
 /// # Panics
 ///
 /// The memory is too short for the scene.
+#[cfg(not(feature = "model"))]
 pub fn animate(share: Share, timer: Timer, memory: &mut Memory) -> ! {
     let scene = Scene::new(WIDTH, HEIGHT).unwrap();
-    let mut frame = share.first_frame;
-    loop {
-        let moment = scene.at(begin(frame, timer), memory).unwrap();
-        for number in (share.first_band..BANDS_OF_FRAME).step_by(share.band_step) {
-            let band = wait_for(|queue| queue.free.pop());
-            let pixels = band.as_mut_slice();
-            let canvas = Canvas::<Rgb565, Words>::band(pixels, WIDTH, HEIGHT, number * ROWS);
+    repeat(share, timer, |frame| {
+        let moment = scene.at(frame.now_ms, memory).unwrap();
+        frame.draw(|pixels, first_row| {
+            let canvas = Canvas::<Rgb565, Words>::band(pixels, WIDTH, HEIGHT, first_row);
             moment.draw(&mut canvas.unwrap());
-            send((frame, number), band);
+        });
+    })
+}
+
+/// Draws a core's share of frames for ever.
+pub fn repeat(share: Share, timer: Timer, mut draw: impl FnMut(Frame)) -> ! {
+    let mut number = share.first_frame;
+    loop {
+        let now_ms = begin(number, timer);
+        draw(Frame {
+            now_ms,
+            number,
+            share,
+        });
+        number = number.wrapping_add(share.frame_step);
+    }
+}
+
+/// A frame that is to be drawn.
+pub struct Frame {
+    /// Its time.
+    pub now_ms: u64,
+    number: u32,
+    share: Share,
+}
+
+impl Frame {
+    /// Draws a core's share of the frame: gives pixels and first row of each band to `draw`, and sends the band.
+    pub fn draw(self, mut draw: impl FnMut(&mut [u16], u32)) {
+        for number in (self.share.first_band..BANDS_OF_FRAME).step_by(self.share.band_step) {
+            let band = wait_for(|queue| queue.free.pop());
+            draw(band, number * ROWS);
+            send((self.number, number), band);
         }
-        frame = frame.wrapping_add(share.frame_step);
     }
 }
 
@@ -170,9 +204,15 @@ pub struct Rest {
     pub fifo: sio::SioFifo,
 }
 
-/// Sets up the board and the queue. May be called once.
+/// Sets up the board, with an ST7789, and the queue. May be called once.
 pub fn start() -> Option<Rest> {
-    let board = pico::set_up(pac::Peripherals::take()?)?;
+    start_with(Controller::St7789, WIDTH)
+}
+
+/// The same for a display with another controller or fewer columns.
+#[inline] // leaves out the code for other controllers
+pub fn start_with(controller: Controller, width: u32) -> Option<Rest> {
+    let board = pico::set_up_with(pac::Peripherals::take()?, controller, width)?;
     let queue = Queue {
         sender: board.sender,
         finished: Deque::new(),

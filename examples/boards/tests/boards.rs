@@ -280,3 +280,93 @@ fn the_guide_quotes_the_programs() {
         }
     }
 }
+
+/// The linker keeps `pico_model` out of the flash that belongs to the model.
+#[test]
+fn a_model_begins_where_its_program_must_end() {
+    const MEMORY: &str = include_str!("../pico/model/memory.x");
+    assert!(MEMORY.contains("FLASH : ORIGIN = 0x10000100, LENGTH = 256K - 0x100\n"));
+    assert_eq!(flash_model::ADDRESS, 0x1000_0000 + 256 * 1024);
+}
+
+#[cfg(feature = "model")]
+mod model {
+    use super::*;
+    use boards::model::Scene;
+    use embedded_graphics::pixelcolor::RgbColor;
+    use embedded_graphics::pixelcolor::raw::RawU16;
+    use fixel_assets::Disk;
+    use flash_model::write;
+
+    /// The cabin for a panel of 320x240 pixels.
+    fn cabin() -> Vec<u32> {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/cabin.obj");
+        let panel = flash_model::Panel::Ili9341;
+        write(path, &Disk, None, panel, &mut Vec::new()).unwrap()
+    }
+
+    /// The frame at a time, in bands.
+    fn bands(words: &[u32], rows: u32, now_ms: u64) -> Vec<Rgb565> {
+        let scene = Scene::new(words).unwrap();
+        let (width, height) = scene.size();
+        let mut pixels = vec![0; (width * rows) as usize];
+        let mut depths = vec![0; pixels.len()];
+        let mut frame = Vec::new();
+        for first_row in (0..height).step_by(rows as usize) {
+            let canvas =
+                Canvas::<Rgb565, Words>::band(&mut pixels, width, height, first_row).unwrap();
+            scene.draw(now_ms, canvas, &mut depths).unwrap();
+            let colors = pixels.iter().map(|&word| Rgb565::from(RawU16::new(word)));
+            frame.extend(colors);
+        }
+        frame
+    }
+
+    #[test]
+    fn bands_of_a_model_equal_its_frame() {
+        let words = cabin();
+        for now_ms in [0, 1000, 7777] {
+            let whole = bands(&words, 240, now_ms);
+            assert!(whole == bands(&words, 120, now_ms), "at {now_ms}");
+            // It turns: the same picture comes only after ten seconds.
+            assert!(whole != bands(&words, 240, now_ms + 5000), "at {now_ms}");
+            assert!(whole == bands(&words, 240, now_ms + 10_000), "at {now_ms}");
+        }
+    }
+
+    #[test]
+    fn a_model_is_in_the_middle_of_its_panel_at_all_times() {
+        let words = cabin();
+        for now_ms in (0..10_000).step_by(500) {
+            let frame = bands(&words, 240, now_ms);
+            let sky = frame[0];
+            let is_drawn = |x: usize, y: usize| frame[320 * y + x] != sky;
+            assert!(is_drawn(160, 120), "at {now_ms}");
+            // It keeps within the ball, which is seen as a disk in the middle square.
+            for (x, y) in (0..240).flat_map(|y| (0..320).map(move |x| (x, y))) {
+                let from_middle = (2 * x as i32 - 319).pow(2) + (2 * y as i32 - 239).pow(2);
+                // A pixel's middle lies within half a pixel.
+                let is_outside = from_middle > 241 * 241;
+                assert!(!(is_outside && is_drawn(x, y)), "({x}, {y}) at {now_ms}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_damaged_model_is_a_message_on_the_same_panel() {
+        let mut words = cabin();
+        words[100] ^= 1;
+        let frame = bands(&words, 120, 0);
+        assert_eq!(frame.len(), 320 * 240);
+        let count = |color| frame.iter().filter(|&&pixel| pixel == color).count();
+        let (text, background) = (count(Rgb565::WHITE), count(Rgb565::BLACK));
+        assert!(
+            text > 300 && text + background == frame.len(),
+            "{text} {background}"
+        );
+        // Another message, and the usual panel.
+        let missing = bands(&[u32::MAX; 100], 120, 0);
+        assert_eq!(missing.len(), 240 * 240);
+        assert!(missing.contains(&Rgb565::WHITE));
+    }
+}

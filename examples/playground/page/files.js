@@ -3,15 +3,12 @@ import { fetched } from "./module.js";
 
 let module;
 
-/**
- * Reads dropped files. Returns what `Crate.read` needs of the model and of the texture, each undefined if there is none;
- * the name of the file that was read; and notes.
- */
-export async function read(files) {
+/** Gives files to the module, and what they are for: an export with its arguments. Returns the parts of its answer. */
+async function ask(files, action, ...args) {
   module ??= await WebAssembly.compile(await fetched("reader.wasm.gz"));
   const contents = await Promise.all(files.map((file) => file.arrayBuffer()));
-  // A new instance for each drop, because memory does not shrink.
-  const { memory, add, read, part, part_size } = (await WebAssembly.instantiate(module)).exports;
+  // A new instance each time, because memory does not shrink.
+  const { memory, add, part, part_size, ...actions } = (await WebAssembly.instantiate(module)).exports;
   const put = (bytes) => {
     const at = add(bytes.length);
     new Uint8Array(memory.buffer, at, bytes.length).set(bytes);
@@ -21,18 +18,32 @@ export async function read(files) {
       put(new TextEncoder().encode(name));
       put(new Uint8Array(contents[index]));
     }
-    read();
+    actions[action](...args);
   } catch {
-    throw new Error(`${files[0].name}: there is not enough memory to read it.`);
+    throw new Error(`${files.at(-1).name}: there is not enough memory to read it.`);
   }
   const parts = Array.from({ length: 6 }, (_, at) => new Uint8Array(memory.buffer, part(at), part_size(at)));
   const text = (at) => new TextDecoder().decode(parts[at]);
   if (text(5)) throw new Error(text(5));
+  return { parts, name: text(3), notes: text(4).split("\n").filter(Boolean) };
+}
+
+/**
+ * Reads dropped files. Returns what `Crate.read` needs of the model and of the texture, each undefined if there is none;
+ * the name of the file that was read; and notes.
+ */
+export async function read(files) {
+  const { parts, ...rest } = await ask(files, "read");
   const [width, height] = new Uint32Array(parts[2].slice().buffer);
   return {
     model: parts[0].length ? parts[0] : undefined,
     texture: width ? { data: parts[1], width, height } : undefined,
-    name: text(3),
-    notes: text(4).split("\n").filter(Boolean),
+    ...rest,
   };
+}
+
+/** Makes a UF2 of a board's program and the files' model, for the panel of a number. Returns its bytes, and as above. */
+export async function flash(program, files, panel) {
+  const { parts, ...rest } = await ask([new File([program], "program"), ...files], "flash", panel);
+  return { uf2: parts[0], ...rest };
 }

@@ -1,6 +1,7 @@
 // The page: what is drawn, and what the visitor does with it.
 import { $, camera, keep, recall, settings, showCamera, showSettings } from "./controls.js";
 import { compare, showNumbers } from "./figures.js";
+import { showBoard } from "./board.js";
 import { read } from "./files.js";
 import { Crate, FLOOR, LIGHTHOUSE, MODES, OWN, WORLD, load } from "./module.js";
 import { showSegment } from "./segment.js";
@@ -18,6 +19,8 @@ const pause = (time) => new Promise((resume) => setTimeout(resume, time));
 const frame = () => new Promise(requestAnimationFrame);
 /** The module. */
 let crate;
+/** The visitor's model, with its materials and pictures, the latest file first. */
+let own = [];
 
 let beginnings = 0;
 /** Settles when the chosen scene is drawn and measured. */
@@ -144,6 +147,8 @@ async function open(files) {
   try {
     const { model, texture, name, notes } = await read(files);
     if (model) crate.read("read_model", model);
+    own = model ? files : [...files, ...own];
+    showBoard(own);
     // The last model's texture does not suit another one.
     const { data, ...size } = texture ?? PLAIN;
     crate.read("read_texture", data, size);
@@ -232,6 +237,7 @@ async function start() {
   crate = new Crate(await load("playground.wasm.gz"));
   crate.read("read_texture", PLAIN.data, PLAIN);
   showSegment(crate);
+  showBoard(own);
   document.querySelector("main").inert = false;
   const { scene, ...kept } = recall();
   await choose(scenes[scene] ? scene : FLOOR, kept);

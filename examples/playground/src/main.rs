@@ -31,11 +31,13 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-/// Refuses to go on without a module.
+/// Refuses to go on without a module or a program.
 fn built() -> Result<(), String> {
     const BUILD: &str = "
   cargo build --release --lib -p playground -p playground-world --target wasm32-unknown-unknown
-  cargo build --profile size -p playground-reader --target wasm32-unknown-unknown";
+  cargo build --profile size -p playground-reader --target wasm32-unknown-unknown
+  cargo build --release --manifest-path examples/boards/Cargo.toml --features model,pico --bin pico_model \
+    --target thumbv6m-none-eabi --target-dir target";
     match FILES.iter().find(|file| file.bytes.is_empty()) {
         Some(File { name, .. }) => Err(format!("{name} was not built. First:{BUILD}")),
         None => Ok(()),

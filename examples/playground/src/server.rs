@@ -13,7 +13,7 @@ pub struct File {
 
 macro_rules! files {
     ($($name:literal: $kind:literal = $path:expr,)+) => {
-        /// The page, and the modules: empty if they were not built before.
+        /// The page, the modules, and a board's program: empty if they were not built before.
         pub static FILES: [File; [$($name),+].len()] =
             [$(File { name: $name, kind: $kind, bytes: include_bytes!($path) }),+];
     };
@@ -27,10 +27,14 @@ files! {
     "module.js": "text/javascript" = "../page/module.js",
     "figures.js": "text/javascript" = "../page/figures.js",
     "files.js": "text/javascript" = "../page/files.js",
+    "board.js": "text/javascript" = "../page/board.js",
     "segment.js": "text/javascript" = "../page/segment.js",
     "playground.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/playground.wasm.gz"),
     "reader.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/reader.wasm.gz"),
     "world.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/world.wasm.gz"),
+    "pico_model.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/pico_model.gz"),
+    "lighthouse.obj": "text/plain" = "../../assets/lighthouse.obj",
+    "lighthouse.png": "image/png" = "../../assets/lighthouse.png",
 }
 
 /// Writes a line to the output, which may be closed.

@@ -1,15 +1,17 @@
 // The page in Chromium, as a person uses it. PAGE is the folder with the page, ADDRESS its place on a file server,
-// SIMULATOR the program that draws on the host. PICTURES may name a folder for screenshots.
+// SIMULATOR the program that draws on the host, MODEL the one that makes files for a board. PICTURES may name a folder for
+// screenshots.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import test, { after, afterEach, beforeEach } from "node:test";
+import { crc32, gunzipSync } from "node:zlib";
 import { Page } from "./devtools.mjs";
 import { checksum, crate, drop, home, view } from "./page.mjs";
 
-const { ADDRESS, SIMULATOR, PICTURES } = process.env;
+const { ADDRESS, SIMULATOR, MODEL, PICTURES } = process.env;
 const assets = resolve(import.meta.dirname ?? new URL(".", import.meta.url).pathname, "../../assets");
 const folder = mkdtempSync(join(tmpdir(), "playground-files-"));
 const LIGHTHOUSE = 4;
@@ -273,6 +275,84 @@ test("a glTF model of a hundred-thousandth of a unit is opened with its buffer a
     vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n`;
   await shows(await own({ "triangle.obj": obj, "lighthouse.png": skin }));
   assert.equal(await page.evaluate(text("#status")), "triangle.gltf is read.");
+});
+
+/** What an ELF file puts into memory: addresses and bytes. */
+function segments(elf) {
+  const all = Array.from({ length: elf.readUInt16LE(44) }, (_, at) => elf.readUInt32LE(28) + 32 * at);
+  const loaded = all.filter((at) => elf.readUInt32LE(at) === 1 && elf.readUInt32LE(at + 16) > 0);
+  return loaded.map((at) => {
+    const [offset, , address, size] = [4, 8, 12, 16].map((field) => elf.readUInt32LE(at + field));
+    return { address, bytes: elf.subarray(offset, offset + size) };
+  });
+}
+
+/** Saves a UF2, and returns what it puts into the Pico's flash. */
+async function saved(name) {
+  await page.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: folder });
+  await page.click("#flash");
+  await page.until(`${text("#flashed")}.startsWith("${name} holds")`);
+  const path = join(folder, name);
+  for (let wait = 0; !existsSync(path) && wait < 100; wait++) await new Promise((resume) => setTimeout(resume, 100));
+  const file = readFileSync(path);
+  rmSync(path);
+  const flash = Buffer.alloc(2 << 20, 0xff);
+  assert.equal(file.length % 512, 0);
+  for (let at = 0; at < file.length; at += 512) {
+    const word = (index) => file.readUInt32LE(at + 4 * index);
+    assert.deepEqual([word(0), word(1), word(2), word(127)], [0x0a324655, 0x9e5d5157, 0x2000, 0x0ab16f30]);
+    // Block by block, 256 bytes each, for an RP2040.
+    assert.deepEqual([word(4), word(5), word(6), word(7)], [256, at / 512, file.length / 512, 0xe48bff56]);
+    file.copy(flash, word(3) - FLASH, at + 32, at + 288);
+  }
+  return { file, flash };
+}
+const FLASH = 0x10000000;
+/** Where the model begins in flash. */
+const BEHIND = 0x40000;
+
+test("a file for a Pico holds its program and the model", async () => {
+  const program = gunzipSync(readFileSync(join(process.env.PAGE, "pico_model.gz")));
+  const elf = join(folder, "pico_model");
+  writeFileSync(elf, program);
+  const cabin = ["cabin.obj", "cabin.mtl", "planks.tga"].map((name) => join(assets, name));
+  const cases = [
+    // The number of triangles, the texture's width, and what the host makes the same file of.
+    ["lighthouse.uf2", [], 0, 1144, 128, ["st7789", ...lighthouse]],
+    ["cabin.uf2", cabin, 1, 50, 32, ["ili9341", cabin[0]]],
+  ];
+  for (const [name, files, panel, faces, width, args] of cases) {
+    if (files.length) await page.drop("#stage", files);
+    await page.until(`${text("#flash")}`, `Save ${name.replace("uf2", "obj")} as UF2`);
+    await page.evaluate(`document.querySelector("#panel").selectedIndex = ${panel}`);
+    const { file, flash } = await saved(name);
+    for (const { address, bytes } of segments(program)) {
+      assert.ok(flash.subarray(address - FLASH, address - FLASH + bytes.length).equals(bytes), `${address}`);
+    }
+    const word = (index) => flash.readUInt32LE(BEHIND + 4 * index);
+    assert.equal(flash.toString("latin1", BEHIND, BEHIND + 4), "fixm");
+    // The checksum is that of everything behind it. src/lib.rs of the package flash-model has the format.
+    assert.equal(word(3), crc32(flash.subarray(BEHIND + 16, BEHIND + word(2))));
+    assert.deepEqual([word(4), word(11)], [panel, faces]);
+    const lists = [6, 6, 3, 6, 4, 6, 16].map((size, list) => Math.ceil((word(10 + list) * size) / 4));
+    assert.equal(word(19 + lists.reduce((sum, words) => sum + words)), width);
+    // The emulated boards of .ci/boards run files from there.
+    assert.ok(execFileSync(MODEL, [elf, ...args], { maxBuffer: 1 << 24 }).equals(file), `${name} is not the host's`);
+  }
+});
+
+test("the page tells why a model cannot be saved for a Pico", async () => {
+  // The page draws as many triangles, but all lists with indices of their own take 2 MB.
+  const count = 65_535;
+  const corner = (at) => `${(at % count) + 1}/${count - (at % count)}/${count - (at % count)}`;
+  const lines = (line) => Array.from({ length: count }, (_, at) => line(at)).join("\n");
+  const points = lines((at) => `v ${at} ${at % 2} ${at % 3}\nvt ${at / count} 0\nvn ${at} 1 0`);
+  const faces = lines((at) => `f ${corner(at)} ${corner(at + 1)} ${corner(at + 2)}`);
+  writeFileSync(join(folder, "many.obj"), `${points}\n${faces}\n`);
+  await page.drop("#stage", [join(folder, "many.obj"), lighthouse[1]]);
+  await page.until(text("#flash"), "Save many.obj as UF2");
+  await page.click("#flash");
+  await page.until(`/^model many.obj: it takes \\d+ bytes of flash: 1835008 fit$/.test(${text("#flashed")})`);
 });
 
 test("the page tells why a file cannot be read, and the last picture stays", async () => {

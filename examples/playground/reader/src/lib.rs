@@ -13,6 +13,9 @@
 //! | 5 | why nothing could be read |
 //!
 //! A part that does not exist is empty.
+//!
+//! For a board, the page first adds the board's program, then the files, and calls `flash`. Part 0 is then a UF2 of both,
+//! and parts 3 to 5 are as above.
 
 mod model;
 mod texture;
@@ -22,6 +25,7 @@ use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use fixel_assets::{Files, Format};
+use flash_model::Panel;
 
 /// The files and the answer. A browser calls one function at a time, so no one waits for the lock.
 static READER: Mutex<Reader> = Mutex::new(Reader {
@@ -29,10 +33,12 @@ static READER: Mutex<Reader> = Mutex::new(Reader {
     answer: [const { Vec::new() }; 6],
 });
 
+type Answer = [Vec<u8>; 6];
+
 struct Reader {
     /// Names and contents in turn.
     bytes: Vec<Vec<u8>>,
-    answer: [Vec<u8>; 6],
+    answer: Answer,
 }
 
 fn reader() -> MutexGuard<'static, Reader> {
@@ -54,6 +60,18 @@ pub extern "C" fn add(size: usize) -> *mut u8 {
 #[allow(unsafe_code)] // promises that no other symbol has this name
 #[unsafe(no_mangle)]
 pub extern "C" fn read() {
+    respond(answer);
+}
+
+/// Makes a UF2 of a program, which is the first file, and the model of the others, for the panel of this number.
+#[allow(unsafe_code)] // promises that no other symbol has this name
+#[unsafe(no_mangle)]
+pub extern "C" fn flash(panel: u32) {
+    respond(|files| flashed(files, panel));
+}
+
+/// Keeps the answer to the files, which it takes.
+fn respond(answer: impl Fn(&Dropped) -> Result<Answer, String>) {
     let mut reader = reader();
     let bytes = std::mem::take(&mut reader.bytes);
     let files = bytes.chunks_exact(2);
@@ -94,6 +112,12 @@ impl Dropped<'_> {
         let is_it = |(other, _): &&(String, _)| other.eq_ignore_ascii_case(name);
         self.0.iter().find(is_it).map(|(_, contents)| *contents)
     }
+
+    /// The name of the first model.
+    fn model(&self) -> Option<&str> {
+        let mut names = self.0.iter().map(|(name, _)| name.as_str());
+        names.find(|name| Format::of(Path::new(name)).is_some())
+    }
 }
 
 impl Files for Dropped<'_> {
@@ -108,13 +132,12 @@ impl Files for Dropped<'_> {
 }
 
 /// The answer for a model and its texture, or for a texture alone.
-fn answer(files: &Dropped) -> Result<[Vec<u8>; 6], String> {
+fn answer(files: &Dropped) -> Result<Answer, String> {
     let mut notes = Vec::new();
-    let is_model = |(name, _): &&(String, _)| Format::of(Path::new(name)).is_some();
-    let (name, mesh, texture) = if let Some((name, _)) = files.0.iter().find(is_model) {
+    let (name, mesh, texture) = if let Some(name) = files.model() {
         let (mesh, model) = model::read(name, files, &mut notes)?;
         let texture = texture::of_model(name, &model, files, &mut notes);
-        (name.clone(), mesh, texture)
+        (name.into(), mesh, texture)
     } else {
         let texture = texture::dropped(files.0.iter())?;
         (texture.name.clone(), Vec::new(), Some(texture))
@@ -128,4 +151,20 @@ fn answer(files: &Dropped) -> Result<[Vec<u8>; 6], String> {
         notes.join("\n").into_bytes(),
         Vec::new(),
     ])
+}
+
+/// The answer for a board: a UF2 of its program and a model.
+fn flashed(files: &Dropped, panel: u32) -> Result<Answer, String> {
+    let panel = Panel::of(panel).ok_or_else(|| format!("there is no panel {panel}"))?;
+    let (program, files) = files.0.split_first().ok_or("there is no program")?;
+    let files = Dropped(files.to_vec());
+    let name = files.model().ok_or("there is no model")?;
+    let spare = texture::dropped(files.0.iter().filter(|(other, _)| other != name));
+    let spare = spare.ok().map(|texture| texture.picture);
+    let mut notes = Vec::new();
+    let words = flash_model::write(name, &files, spare.as_ref(), panel, &mut notes)?;
+    let uf2 = flash_model::uf2(program.1, &words)?;
+    let notes = notes.join("\n").into_bytes();
+    let none = Vec::new();
+    Ok([uf2, none.clone(), none.clone(), name.into(), notes, none])
 }

@@ -14,7 +14,8 @@ const SIDE: u32 = 512;
 pub struct Texture {
     /// Its file.
     pub name: String,
-    picture: Picture,
+    /// Its pixels.
+    pub picture: Picture,
     /// How `include_texture!` is called.
     call: String,
 }

@@ -1,0 +1,49 @@
+//! A Raspberry Pi Pico (RP2040) that shows the model behind this program in flash, on an ST7789 or an ILI9341. The
+//! playground and `--example model` put both into one UF2.
+#![no_std]
+#![no_main]
+
+use boards::model::Scene;
+use boards::panel::Controller;
+use boards::pico::{HEIGHT, PIXELS};
+use boards::queue::{Share, repeat, start_with};
+use cortex_m::singleton;
+use embedded_graphics::pixelcolor::Rgb565;
+use fixel::canvas::{Canvas, Words};
+use flash_model::{ADDRESS, Panel, WORDS};
+use panic_halt as _;
+use rp2040_hal as hal;
+
+/// The second-stage boot loader, which the chip runs first to set up its flash.
+#[unsafe(link_section = ".boot2")]
+#[used]
+static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_GENERIC_03H;
+
+/// The flash behind the program.
+fn flash() -> &'static [u32] {
+    // SAFETY: these words are in the Pico's flash, memory.x keeps the program out of them, and nothing writes to them.
+    #[allow(unsafe_code)]
+    unsafe {
+        core::slice::from_raw_parts(ADDRESS as *const u32, WORDS)
+    }
+}
+
+#[hal::entry]
+fn main() -> ! {
+    let words = flash();
+    let scene = Scene::new(words).unwrap();
+    let (width, _) = scene.size();
+    let controller = match Panel::wanted(words) {
+        Panel::St7789 => Controller::St7789,
+        Panel::Ili9341 => Controller::Ili9341,
+    };
+    let board = start_with(controller, width).unwrap();
+    let depths = singleton!(: [u16; PIXELS] = [0; PIXELS]).unwrap();
+    repeat(Share::WHOLE, board.timer, |frame| {
+        let now_ms = frame.now_ms;
+        frame.draw(|pixels, first_row| {
+            let canvas = Canvas::<Rgb565, Words>::band(pixels, width, HEIGHT, first_row).unwrap();
+            scene.draw(now_ms, canvas, depths).unwrap();
+        });
+    })
+}

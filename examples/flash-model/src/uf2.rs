@@ -1,0 +1,99 @@
+//! UF2: the file that a Pico's drive takes. Its blocks of 512 bytes each carry 256 bytes and their address.
+
+use std::ops::Range;
+
+use elf::abi::PT_LOAD;
+use elf::endian::LittleEndian;
+use elf::{ElfBytes, ParseError};
+
+/// Where flash begins, and with it the firmware.
+const FLASH: u32 = 0x1000_0000;
+/// The bytes that are erased together. A Pico's boot loader wants to get all of them (RP2040-E14 in its data sheet).
+const SECTOR: usize = 4096;
+/// The bytes of a block.
+const PAYLOAD: usize = 256;
+const BLOCK: usize = 512;
+
+const START: [u32; 2] = [0x0a32_4655, 0x9e5d_5157];
+const END: u32 = 0x0ab1_6f30;
+/// The family's number is in the block.
+const HAS_FAMILY: u32 = 0x2000;
+const RP2040: u32 = 0xe48b_ff56;
+
+/// A UF2 of the firmware, which is an ELF file, and the words of a model.
+///
+/// # Errors
+///
+/// The firmware is no ELF file, or does not lie in flash below the model.
+pub fn uf2(firmware: &[u8], model: &[u32]) -> Result<Vec<u8>, String> {
+    let firmware = image(firmware).map_err(|problem| format!("firmware: {problem}"))?;
+    let model: Vec<u8> = model.iter().flat_map(|word| word.to_le_bytes()).collect();
+    let mut pages: Vec<(u32, [u8; PAYLOAD])> = Vec::new();
+    for (start, bytes) in [(FLASH, firmware), (crate::ADDRESS, model)] {
+        let mut bytes = bytes;
+        bytes.resize(bytes.len().next_multiple_of(SECTOR), 0xff);
+        let pages_of = bytes.as_chunks().0.iter().copied();
+        pages.extend((start..).step_by(PAYLOAD).zip(pages_of));
+    }
+    let count = u32::try_from(pages.len()).unwrap_or(u32::MAX);
+    let blocks = (0..).zip(&pages).flat_map(|(number, (address, page))| {
+        let [first, second] = START;
+        let head = [
+            first, second, HAS_FAMILY, *address, 256, number, count, RP2040,
+        ];
+        let mut block: Vec<u8> = head.iter().flat_map(|word| word.to_le_bytes()).collect();
+        block.extend(page);
+        block.resize(BLOCK - 4, 0);
+        block.extend(END.to_le_bytes());
+        block
+    });
+    Ok(blocks.collect())
+}
+
+/// What an ELF file puts into flash.
+fn image(file: &[u8]) -> Result<Vec<u8>, String> {
+    let say = |problem: ParseError| problem.to_string();
+    let file = ElfBytes::<LittleEndian>::minimal_parse(file).map_err(say)?;
+    let mut image = Vec::new();
+    let segments = file.segments().ok_or("it has no segments")?;
+    for segment in segments
+        .iter()
+        .filter(|segment| segment.p_type == PT_LOAD && segment.p_filesz > 0)
+    {
+        let bytes = file.segment_data(&segment).map_err(say)?;
+        let start = segment.p_paddr.checked_sub(FLASH.into());
+        let end = start.and_then(|start| start.checked_add(segment.p_filesz));
+        let room = u64::from(crate::ADDRESS - FLASH);
+        let (Some(start), Some(end)) = (start, end.filter(|&end| end <= room)) else {
+            let address = segment.p_paddr;
+            return Err(format!(
+                "{} bytes at {address:#x} are outside its flash",
+                bytes.len()
+            ));
+        };
+        // Both are less than 256 KiB.
+        let [start, end] = [start, end].map(|at| usize::try_from(at).unwrap_or(0));
+        image.resize(image.len().max(end), 0xff);
+        image[start..end].copy_from_slice(bytes);
+    }
+    Ok(image)
+}
+
+/// The bytes that a UF2 has at addresses; 0xff where it has none, as erased flash.
+#[must_use]
+pub fn region(uf2: &[u8], addresses: Range<u32>) -> Vec<u8> {
+    let mut bytes = vec![0xff; addresses.len()];
+    for block in uf2.as_chunks::<BLOCK>().0 {
+        let word = |at: usize| {
+            let word = block[at..].first_chunk().copied();
+            word.map_or(0, u32::from_le_bytes)
+        };
+        for (address, &byte) in (word(12)..).zip(&block[32..32 + PAYLOAD]) {
+            let at = address.checked_sub(addresses.start);
+            if let Some(to) = at.and_then(|at| bytes.get_mut(at as usize)) {
+                *to = byte;
+            }
+        }
+    }
+    bytes
+}

@@ -1,0 +1,246 @@
+//! Makes the words of a model file.
+
+use std::collections::HashMap;
+use std::path::Path;
+
+use bytemuck::NoUninit;
+use embedded_graphics::pixelcolor::raw::{RawData, RawU16};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use fixel::mesh::flash::{UvGrid, short_normal};
+use fixel::{Vec2, Vec3};
+use fixel_assets::vector::{along, length, sub};
+use fixel_assets::{Alpha, Files, Format, Image, Material, Model, Options, Picture};
+
+use crate::header::{self, HEADER, Header, MAGIC, NO_TEXTURE, VERSION, WORDS};
+use crate::{Panel, PartRecord, TextureRecord};
+
+/// The most texels along a side of a texture: as many as a panel has rows.
+const SIDE: u32 = 256;
+/// The radius of a model. Below 1, so that 16 bits hold a coordinate with 15 fraction bits.
+const RADIUS: f64 = 1.0 - 1.0 / 16384.0;
+
+/// The words of the model `name`, with what was changed or left out in `notes`. A model without pictures gets `spare`.
+///
+/// # Errors
+///
+/// Those of the importer, or the model is too large for flash.
+pub fn write(
+    name: &str,
+    files: &dyn Files,
+    spare: Option<&Picture>,
+    panel: Panel,
+    notes: &mut Vec<String>,
+) -> Result<Vec<u32>, String> {
+    let path = Path::new(name);
+    let mut model = fixel_assets::read(path, files)?;
+    model.complete();
+    let scale = fit(&mut model);
+    notes.extend(model.notes.iter());
+    if !model.colors.is_empty() {
+        notes.push("the colors of corners are left out".into());
+    }
+    let options = Options {
+        scale,
+        z_up: Format::of(path) == Some(Format::Stl),
+        ..Options::default()
+    };
+    let of_model = |problem| format!("model {name}: {problem}");
+    let lists = model.lists(&options).map_err(of_model)?;
+    let (parts, pictures) = parts(&model, files, spare, notes);
+
+    let (positions, fraction) = lists.shortened();
+    let normals = lists.normals.iter();
+    let normals: Vec<_> = normals
+        .map(|&bits| short_normal(Vec3::from_bits(bits)))
+        .collect();
+    let mut corners = [[0; 2]; 2];
+    let mut uvs = Vec::new();
+    let mut uv_faces = lists.uv_faces;
+    if pictures.is_empty() {
+        uv_faces.clear();
+    } else {
+        let axis = |axis: usize| lists.uvs.iter().map(move |uv| uv[axis]);
+        corners[0] = [0, 1].map(|at| axis(at).min().unwrap_or(0));
+        corners[1] = [0, 1].map(|at| axis(at).max().unwrap_or(0));
+        let grid = UvGrid::around(&corners.map(Vec2::from_bits), u16::MAX);
+        let all = lists.uvs.iter();
+        uvs = all.map(|&uv| grid.nearest(Vec2::from_bits(uv))).collect();
+    }
+
+    let mut side = SIDE;
+    loop {
+        let (textures, texels) = textures(&pictures, side);
+        let mut words = vec![0; HEADER];
+        let header = Header {
+            magic: MAGIC,
+            version: VERSION,
+            panel: panel as u32,
+            fraction,
+            uv_corners: corners,
+            positions: list(&mut words, &positions),
+            faces: list(&mut words, &lists.faces),
+            normals: list(&mut words, &normals),
+            normal_faces: list(&mut words, &lists.normal_faces),
+            uvs: list(&mut words, &uvs),
+            uv_faces: list(&mut words, &uv_faces),
+            parts: list(&mut words, &parts),
+            textures: list(&mut words, &textures),
+            texels: list(&mut words, &texels),
+            ..Header::default()
+        };
+        if words.len() <= WORDS {
+            if side < SIDE {
+                notes.push(format!(
+                    "pictures are at most {side} texels wide and high, to fit into flash"
+                ));
+            }
+            return Ok(sealed(words, header));
+        }
+        if pictures.is_empty() || side == 1 {
+            return Err(of_model(format!(
+                "it takes {} bytes of flash: {} fit",
+                4 * words.len(),
+                4 * WORDS
+            )));
+        }
+        side /= 2;
+    }
+}
+
+/// The words with their header in the first of them.
+fn sealed(mut words: Vec<u32>, mut header: Header) -> Vec<u32> {
+    header.length = u32::try_from(4 * words.len()).unwrap_or(u32::MAX);
+    words[..HEADER].copy_from_slice(bytemuck::cast_slice(&[header]));
+    header.checksum = header::checksum(&words);
+    words[..HEADER].copy_from_slice(bytemuck::cast_slice(&[header]));
+    words
+}
+
+/// Appends a list, and returns its number of elements.
+fn list<T: NoUninit>(words: &mut Vec<u32>, list: &[T]) -> u32 {
+    let bytes: &[u8] = bytemuck::cast_slice(list);
+    words.extend(bytes.chunks(4).map(|chunk| {
+        let mut word = [0; 4];
+        word[..chunk.len()].copy_from_slice(chunk);
+        u32::from_le_bytes(word)
+    }));
+    u32::try_from(list.len()).unwrap_or(u32::MAX)
+}
+
+/// Moves the middle of the model's box to the origin, and returns the scale that makes its radius about 1.
+fn fit(model: &mut Model) -> f64 {
+    let corners = model.triangles.iter().flat_map(|triangle| triangle.corners);
+    let used: Vec<_> = corners
+        .map(|corner| model.positions[corner.position as usize])
+        .collect();
+    let bound = |pick: fn(f64, f64) -> f64| {
+        [0, 1, 2].map(|axis| used.iter().map(|at| at[axis]).reduce(pick).unwrap_or(0.0))
+    };
+    let (low, high) = (bound(f64::min), bound(f64::max));
+    let center = along(low, sub(high, low), 0.5);
+    let distances = used.iter().map(|&at| length(sub(at, center)));
+    let radius = distances.fold(0.0, f64::max);
+    // Lines are not drawn, and could reach beyond the faces.
+    model.edges.clear();
+    for position in &mut model.positions {
+        *position = sub(*position, center);
+    }
+    if radius > 0.0 { RADIUS / radius } else { 1.0 }
+}
+
+/// The parts, and the pictures that they name, each in its material's tint.
+fn parts(
+    model: &Model,
+    files: &dyn Files,
+    spare: Option<&Picture>,
+    notes: &mut Vec<String>,
+) -> (Vec<PartRecord>, Vec<Picture>) {
+    let plain = Material::new(String::new());
+    let mut pictures = Vec::new();
+    let mut places = HashMap::new();
+    let mut parts = Vec::new();
+    let mut is_simple = true;
+    for run in model.runs() {
+        let material = run.material.and_then(|at| model.materials.get(at as usize));
+        let material = material.unwrap_or(&plain);
+        let texture = material.texture.and_then(|image| {
+            *places.entry((image, material.tint)).or_insert_with(|| {
+                match picture(model, image, files) {
+                    Ok(picture) => {
+                        pictures.push(tinted(picture, material.tint));
+                        u32::try_from(pictures.len() - 1).ok()
+                    }
+                    Err(problem) => {
+                        notes.push(problem);
+                        None
+                    }
+                }
+            })
+        });
+        let picture = texture.and_then(|at: u32| pictures.get(at as usize));
+        let has_holes = material.alpha != Alpha::Ignored && picture.is_some_and(Picture::has_alpha);
+        is_simple &= material.emission == [0; 3] && material.opacity >= 1.0 && !has_holes;
+        let [red, green, blue] = material.color;
+        let color = u32::from_be_bytes([0, red, green, blue]);
+        let [start, end] = run.faces.map(|at| u32::try_from(at).unwrap_or(u32::MAX));
+        parts.push([start, end, color, texture.unwrap_or(NO_TEXTURE)]);
+    }
+    if !is_simple {
+        notes.push("all materials are opaque, and none sends out light".into());
+    }
+    if let (true, Some(spare)) = (pictures.is_empty(), spare) {
+        pictures.push(spare.clone());
+        for part in &mut parts {
+            part[3] = 0;
+        }
+    }
+    (parts, pictures)
+}
+
+/// A picture that a model names or contains.
+fn picture(model: &Model, at: u32, files: &dyn Files) -> Result<Picture, String> {
+    let (name, bytes) = match model.images.get(at as usize) {
+        Some(Image::File(path)) => {
+            let bytes = files.read(path).map_err(|problem| problem.to_string());
+            (path.display().to_string(), bytes)
+        }
+        Some(Image::Bytes(name, bytes)) => (name.clone(), Ok(bytes.clone())),
+        None => (at.to_string(), Err("it does not exist".into())),
+    };
+    let picture = bytes.and_then(|bytes| Picture::decode(&bytes));
+    picture.map_err(|problem| format!("picture {name} cannot be read: {problem}"))
+}
+
+/// The picture with its colors multiplied by a tint.
+fn tinted(mut picture: Picture, tint: [u8; 3]) -> Picture {
+    for pixel in &mut picture.pixels {
+        for (channel, tint) in pixel.iter_mut().zip(tint) {
+            let product = u16::from(*channel) * u16::from(tint);
+            *channel = u8::try_from((product + 127) / 255).unwrap_or(u8::MAX);
+        }
+    }
+    picture
+}
+
+/// The textures of pictures whose sides have at most `most` texels.
+fn textures(pictures: &[Picture], most: u32) -> (Vec<TextureRecord>, Vec<u16>) {
+    let mut texels = Vec::new();
+    let textures = pictures.iter().map(|picture| {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 0 to 8
+        let near = |side: u32| 1 << f64::from(side.clamp(1, most)).log2().round() as u32;
+        let [width, height] = [picture.width, picture.height].map(near);
+        let first = u32::try_from(texels.len()).unwrap_or(u32::MAX);
+        let resampled;
+        let picture = if [width, height] == [picture.width, picture.height] {
+            picture
+        } else {
+            resampled = picture.resampled(width, height);
+            &resampled
+        };
+        texels.extend(picture.pixels.iter().map(|&[red, green, blue, _]| {
+            RawU16::from(Rgb565::from(Rgb888::new(red, green, blue))).into_inner()
+        }));
+        [width, height, first]
+    });
+    (textures.collect(), texels)
+}

@@ -1,0 +1,372 @@
+//! A model on its way into flash and out of it, and what is refused there.
+
+use std::io;
+use std::path::Path;
+
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use fixel::Vec3;
+use fixel::texture::Sampler;
+use fixel_assets::{Files, Picture};
+use flash_model::{ADDRESS, FLASH, Model, Panel, Problem, region, uf2, write};
+
+/// The house of tests/models, with a picture for its bricks.
+struct House;
+
+const HOUSE: &[u8] = include_bytes!("../../../tests/models/house.obj");
+const MATERIALS: &[u8] = include_bytes!("../../../tests/models/house.mtl");
+const BRICK: &[u8] = include_bytes!("../../../src/texture/samples/brick.tga");
+
+impl Files for House {
+    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+        match path.to_str() {
+            Some("house.obj") => Ok(HOUSE.into()),
+            Some("house.mtl") => Ok(MATERIALS.into()),
+            Some("brick.tga") => Ok(BRICK.into()),
+            _ => Err(io::ErrorKind::NotFound.into()),
+        }
+    }
+
+    fn has(&self, path: &Path) -> bool {
+        self.read(path).is_ok()
+    }
+}
+
+fn house() -> Vec<u32> {
+    let mut notes = Vec::new();
+    let words = write("house.obj", &House, None, Panel::Ili9341, &mut notes).unwrap();
+    assert_eq!(notes, Vec::<String>::new());
+    words
+}
+
+#[test]
+fn notes_tell_what_is_left_out() {
+    let lantern = |lines: &str| {
+        let obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
+        let files = Pair(obj.into(), format!("newmtl a\n{lines}\n"));
+        let mut notes = Vec::new();
+        write("a.obj", &files, None, Panel::St7789, &mut notes).unwrap();
+        notes
+    };
+    let opaque = ["all materials are opaque, and none sends out light"];
+    assert_eq!(lantern("Kd 1 0 0"), [""; 0]);
+    assert_eq!(lantern("d 0.5"), opaque);
+    assert_eq!(lantern("Ke 1 1 0"), opaque);
+    let [missing] = &lantern("map_Kd a.png")[..] else {
+        panic!("one note")
+    };
+    assert!(
+        missing.starts_with("picture a.png cannot be read: "),
+        "{missing}"
+    );
+}
+
+/// A model and its materials.
+struct Pair(String, String);
+
+impl Files for Pair {
+    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+        match path.to_str() {
+            Some("a.obj") => Ok(self.0.clone().into()),
+            Some("a.mtl") => Ok(self.1.clone().into()),
+            _ => Err(io::ErrorKind::NotFound.into()),
+        }
+    }
+
+    fn has(&self, path: &Path) -> bool {
+        self.read(path).is_ok()
+    }
+}
+
+/// Word numbers of the header.
+const LENGTH: usize = 2;
+const CHECKSUM: usize = 3;
+const PANEL: usize = 4;
+const COUNTS: usize = 10;
+const HEADER: usize = 19;
+
+/// The words with a right length and checksum.
+fn sealed(mut words: Vec<u32>) -> Vec<u32> {
+    words[LENGTH] = u32::try_from(4 * words.len()).unwrap();
+    let bytes: Vec<u8> = words[4..]
+        .iter()
+        .flat_map(|word| word.to_le_bytes())
+        .collect();
+    words[CHECKSUM] = crc32fast::hash(&bytes);
+    words
+}
+
+#[test]
+fn a_model_comes_out_as_it_went_in() {
+    let words = house();
+    let model = Model::read(&words).unwrap();
+    assert_eq!(model.panel(), Panel::Ili9341);
+    assert_eq!(Panel::wanted(&words), Panel::Ili9341);
+
+    // The box around its faces reaches from (-1, 0, -1) to (1, 2, 1), so its middle is (0, 1, 0), and the corners of the
+    // walls' feet are farthest from there.
+    let mesh = model.mesh();
+    let radius = f64::sqrt(3.0);
+    let wanted = [
+        [-1.0, 0.0, 1.0],
+        [1.0, 0.0, 1.0],
+        [1.0, 0.0, -1.0],
+        [-1.0, 0.0, -1.0],
+    ];
+    for (found, [x, y, z]) in mesh.positions().iter().zip(wanted) {
+        let wanted = [x, y - 1.0, z].map(|at| at / radius);
+        for (found, wanted) in found.to_bits().into_iter().zip(wanted) {
+            // The radius is smaller by 2^-14, and a step is 2^-15.
+            let error = f64::from(found) / 65536.0 - wanted;
+            assert!(error.abs() <= 1.5 / 16384.0, "{found} {wanted}");
+        }
+    }
+    assert_eq!(mesh.faces().len(), 14);
+    assert!(mesh.has_normals() && mesh.has_uvs());
+    assert!(
+        mesh.positions()
+            .iter()
+            .all(|at| at.distance(Vec3::ZERO) <= fixel::fx!(1))
+    );
+
+    let parts: Vec<_> = model.parts().collect();
+    let [walls, roof] = &parts[..] else {
+        panic!("{} parts", parts.len())
+    };
+    assert_eq!((walls.faces.clone(), roof.faces.clone()), (0..10, 10..14));
+    // 0.35, 0.3 and 0.3 of 255, rounded.
+    assert_eq!(roof.color, Rgb888::new(89, 77, 77));
+    assert!(roof.texture.is_none());
+    let brick = Picture::decode(BRICK).unwrap();
+    let skin = walls.texture.unwrap();
+    assert_eq!(skin.size_log2(), [3, 2]);
+    let texels = (0..4).flat_map(|v| (0..8).map(move |u| skin.texel(u, v)));
+    let pixels = brick.pixels.iter();
+    let pixels = pixels.map(|&[r, g, b, _]| Rgb565::from(Rgb888::new(r, g, b)));
+    assert!(texels.eq(pixels));
+}
+
+#[test]
+fn every_damaged_bit_is_noticed() {
+    let words = house();
+    for bit in 0..32 * words.len() {
+        let mut words = words.clone();
+        words[bit / 32] ^= 1 << (bit % 32);
+        let problem = Model::read(&words).unwrap_err();
+        match bit / 32 {
+            0 => assert_eq!(problem, Problem::Missing),
+            1 => assert_eq!(problem, Problem::Version(words[1])),
+            LENGTH => assert!(
+                matches!(problem, Problem::Length(_) | Problem::Checksum { .. }),
+                "{problem}"
+            ),
+            _ => assert!(matches!(problem, Problem::Checksum { .. }), "{problem}"),
+        }
+        // A panel shows the message.
+        let message = problem.to_string();
+        assert!(message.lines().count() <= 3 && message.lines().all(|line| line.len() <= 36));
+    }
+    assert_eq!(Model::read(&[]).err(), Some(Problem::Missing));
+    assert_eq!(Model::read(&[u32::MAX; 100]).err(), Some(Problem::Missing));
+    let short = Model::read(&words[..words.len() - 1]).err();
+    assert_eq!(short, Some(Problem::Length(words[LENGTH])));
+}
+
+#[test]
+fn lists_that_do_not_fit_each_other_are_refused() {
+    let refused = |change: &dyn Fn(&mut Vec<u32>)| {
+        let mut words = house();
+        change(&mut words);
+        assert_eq!(Model::read(&sealed(words)).err(), Some(Problem::Lists));
+    };
+    assert!(Model::read(&sealed(house())).is_ok());
+    refused(&|words| words[PANEL] = 2);
+    refused(&|words| words[PANEL + 1] = 17); // fraction bits
+    refused(&|words| words.push(0));
+    for list in COUNTS..HEADER {
+        for count in [0, 1, 999, u32::MAX] {
+            if house()[list] != count {
+                refused(&|words| words[list] = count);
+            }
+        }
+    }
+    let words = house();
+    let counts: Vec<usize> = words[COUNTS..HEADER]
+        .iter()
+        .map(|&count| count as usize)
+        .collect();
+    let sizes = [6, 6, 3, 6, 4, 6, 16, 12, 2];
+    let mut at = HEADER;
+    let starts: Vec<usize> = counts
+        .iter()
+        .zip(sizes)
+        .map(|(count, size)| {
+            let start = at;
+            at += (count * size).div_ceil(4);
+            start
+        })
+        .collect();
+    let [_, faces, _, normal_faces, _, uv_faces, parts, textures, _] = starts[..] else {
+        panic!("nine lists")
+    };
+    assert_eq!(at, words.len());
+    for list in [faces, normal_faces, uv_faces] {
+        refused(&|words| words[list] |= 0x7fff);
+    }
+    refused(&|words| words[parts + 1] = 15); // a face beyond the last
+    refused(&|words| words[parts] = 11); // ends before it begins
+    refused(&|words| words[parts + 3] = 1); // a second texture
+    refused(&|words| words[textures] = 7);
+    refused(&|words| words[textures + 1] = 0);
+    refused(&|words| words[textures + 2] = 1);
+}
+
+#[test]
+fn a_model_that_is_too_large_gets_smaller_pictures_or_is_refused() {
+    let spare = Picture {
+        width: 4096,
+        height: 4096,
+        pixels: vec![[255; 4]; 4096 * 4096],
+        table: None,
+    };
+    let mut notes = Vec::new();
+    let words = write_text(&triangles(1, 1), Some(&spare), &mut notes).unwrap();
+    assert!(notes.is_empty(), "{notes:?}");
+    assert_eq!(
+        Model::read(&words)
+            .unwrap()
+            .parts()
+            .next()
+            .unwrap()
+            .texture
+            .unwrap()
+            .size_log2(),
+        [8; 2]
+    );
+    // These triangles take 1.8 MB.
+    write_text(&triangles(21_845, 4), Some(&spare), &mut notes).unwrap();
+    assert_eq!(
+        notes,
+        ["pictures are at most 128 texels wide and high, to fit into flash"]
+    );
+    let error = write_text(&triangles(21_845, 6), None, &mut notes).unwrap_err();
+    assert!(error.ends_with("bytes of flash: 1835008 fit"), "{error}");
+    let error = write_text(&triangles(21_846, 1), None, &mut notes).unwrap_err();
+    assert!(error.contains("a mesh can have at most 65536"), "{error}");
+}
+
+/// Triangles apart from each other, each several times.
+fn triangles(count: usize, times: usize) -> String {
+    use std::fmt::Write;
+    let mut text = String::new();
+    for at in 0..count {
+        let _ = writeln!(text, "v {at} 0 0\nv {at} 1 0\nv {at} 0 1");
+        text += &"f -3 -2 -1\n".repeat(times);
+    }
+    text
+}
+
+struct Text<'a>(&'a str);
+
+impl Files for Text<'_> {
+    fn read(&self, _: &Path) -> io::Result<Vec<u8>> {
+        Ok(self.0.into())
+    }
+
+    fn has(&self, _: &Path) -> bool {
+        true
+    }
+}
+
+fn write_text(
+    text: &str,
+    spare: Option<&Picture>,
+    notes: &mut Vec<String>,
+) -> Result<Vec<u32>, String> {
+    write("triangles.obj", &Text(text), spare, Panel::St7789, notes)
+}
+
+/// An ELF file with these bytes in two segments.
+fn elf(address: u32, bytes: &[u8]) -> Vec<u8> {
+    let mut file = b"\x7fELF\x01\x01\x01".to_vec();
+    file.resize(16, 0);
+    let mut put = |words: &[u32]| file.extend(words.iter().flat_map(|word| word.to_le_bytes()));
+    // An Arm program. Its header has 52 bytes, and two more of 32 bytes each follow.
+    put(&[
+        0x0028_0002,
+        1,
+        address,
+        52,
+        0,
+        0,
+        0x0020_0034,
+        0x0028_0002,
+        0,
+    ]);
+    let (all, half) = (bytes.len() as u32, bytes.len() as u32 / 2);
+    for (from, to) in [(0, half), (half, all)] {
+        // Load, from the file's bytes, for RAM, in flash.
+        put(&[
+            1,
+            116 + from,
+            0x2000_0000 + from,
+            address + from,
+            to - from,
+            to - from,
+            4,
+            1,
+        ]);
+    }
+    file.extend(bytes);
+    file
+}
+
+#[test]
+fn firmware_must_lie_below_the_model() {
+    let words = house();
+    let wrong = |firmware: &[u8], message: &str| {
+        let error = uf2(firmware, &words).unwrap_err();
+        assert!(error.contains(message), "{error}");
+    };
+    assert!(uf2(&elf(0x1003_fff8, &[0; 8]), &words).is_ok());
+    wrong(
+        &elf(0x1003_fff8, &[0; 10]),
+        "firmware: 5 bytes at 0x1003fffd are outside its flash",
+    );
+    wrong(
+        &elf(0x0fff_fff0, &[0; 8]),
+        "4 bytes at 0xffffff0 are outside",
+    );
+    wrong(b"no firmware", "firmware: ");
+}
+
+#[test]
+fn a_uf2_holds_firmware_and_model() {
+    let words = house();
+    let firmware: Vec<u8> = (0..10_000_u32)
+        .map(|at| (at * 7).to_le_bytes()[0])
+        .collect();
+    let file = uf2(&elf(0x1000_0000, &firmware), &words).unwrap();
+    let (blocks, rest) = file.as_chunks::<512>();
+    assert!(rest.is_empty());
+    let sectors = |bytes: usize| bytes.div_ceil(4096) * 16;
+    assert_eq!(
+        blocks.len(),
+        sectors(firmware.len()) + sectors(4 * words.len())
+    );
+    for (number, block) in blocks.iter().enumerate() {
+        let word = |at: usize| u32::from_le_bytes(block[4 * at..][..4].try_into().unwrap());
+        assert_eq!(
+            [word(0), word(1), word(127)],
+            [0x0a32_4655, 0x9e5d_5157, 0x0ab1_6f30]
+        );
+        assert_eq!([word(2), word(4), word(7)], [0x2000, 256, 0xe48b_ff56]);
+        assert_eq!([word(5) as usize, word(6) as usize], [number, blocks.len()]);
+        assert_eq!(word(3) % 256, 0);
+    }
+    assert!(region(&file, 0x1000_0000..0x1000_2710) == firmware);
+    let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+    assert!(region(&file, ADDRESS..ADDRESS + words[LENGTH]) == bytes);
+    // All other flash stays erased.
+    let rest = region(&file, 0x1000_2710..ADDRESS);
+    assert!(rest.iter().all(|&byte| byte == 0xff) && FLASH.start == ADDRESS);
+}
