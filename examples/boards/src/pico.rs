@@ -57,7 +57,7 @@ pub type Band = &'static mut [u16];
 /// The frequency of the Pico's crystal.
 const CRYSTAL_HZ: u32 = 12_000_000;
 
-/// The bus of a controller. Its data sheet allows less; modules are known to work at this.
+/// The clock of a controller's bus. An ILI9341's data sheet allows 10 MHz; faster is usual.
 const fn bus(controller: Controller) -> HertzU32 {
     match controller {
         Controller::St7789 => HertzU32::Hz(62_500_000),

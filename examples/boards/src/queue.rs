@@ -8,20 +8,16 @@ use core::cell::RefCell;
 use cortex_m::asm::{sev, wfe};
 use cortex_m::peripheral::NVIC;
 use critical_section::Mutex;
+use embedded_graphics::pixelcolor::Rgb565;
+use fixel::canvas::{Canvas, Words};
 use hal::pac::{self, interrupt};
 use hal::{Timer, sio};
 use heapless::{Deque, Vec};
 use rp2040_hal as hal;
-#[cfg(not(feature = "model"))]
-use {
-    crate::pico::HEIGHT,
-    crate::scene::{Memory, Scene},
-    embedded_graphics::pixelcolor::Rgb565,
-    fixel::canvas::{Canvas, Words},
-};
 
 use crate::panel::Controller;
-use crate::pico::{self, BANDS, BANDS_OF_FRAME, Band, ROWS, Sender, WIDTH};
+use crate::pico::{self, BANDS, BANDS_OF_FRAME, Band, HEIGHT, ROWS, Sender, WIDTH};
+use crate::scene::{Memory, Scene};
 
 /// The bands, and their way to the display.
 struct Queue {
@@ -96,53 +92,23 @@ impl Share {
 /// # Panics
 ///
 /// The memory is too short for the scene.
-#[cfg(not(feature = "model"))]
 pub fn animate(share: Share, timer: Timer, memory: &mut Memory) -> ! {
     let scene = Scene::new(WIDTH, HEIGHT).unwrap();
-    repeat(share, timer, |frame| {
-        let moment = scene.at(frame.now_ms, memory).unwrap();
-        frame.draw(|pixels, first_row| {
-            let canvas = Canvas::<Rgb565, Words>::band(pixels, WIDTH, HEIGHT, first_row);
-            moment.draw(&mut canvas.unwrap());
-        });
-    })
-}
-
-/// Draws a core's share of frames for ever.
-pub fn repeat(share: Share, timer: Timer, mut draw: impl FnMut(Frame)) -> ! {
-    let mut number = share.first_frame;
+    let mut frame = share.first_frame;
     loop {
-        let now_ms = begin(number, timer);
-        draw(Frame {
-            now_ms,
-            number,
-            share,
-        });
-        number = number.wrapping_add(share.frame_step);
-    }
-}
-
-/// A frame that is to be drawn.
-pub struct Frame {
-    /// Its time.
-    pub now_ms: u64,
-    number: u32,
-    share: Share,
-}
-
-impl Frame {
-    /// Draws a core's share of the frame: gives pixels and first row of each band to `draw`, and sends the band.
-    pub fn draw(self, mut draw: impl FnMut(&mut [u16], u32)) {
-        for number in (self.share.first_band..BANDS_OF_FRAME).step_by(self.share.band_step) {
-            let band = wait_for(|queue| queue.free.pop());
-            draw(band, number * ROWS);
-            send((self.number, number), band);
+        let moment = scene.at(begin(frame, timer), memory).unwrap();
+        for number in (share.first_band..BANDS_OF_FRAME).step_by(share.band_step) {
+            let band = free();
+            let canvas = Canvas::<Rgb565, Words>::band(&mut band[..], WIDTH, HEIGHT, number * ROWS);
+            moment.draw(&mut canvas.unwrap());
+            send((frame, number), band);
         }
+        frame = frame.wrapping_add(share.frame_step);
     }
 }
 
 /// The time of a frame, which is the same on both cores. They begin frames in their order.
-fn begin(frame: u32, timer: Timer) -> u64 {
+pub fn begin(frame: u32, timer: Timer) -> u64 {
     wait_for(|queue| {
         if queue.begun == frame {
             queue.now_ms = timer.get_counter().ticks() / 1000;
@@ -152,8 +118,13 @@ fn begin(frame: u32, timer: Timer) -> u64 {
     })
 }
 
+/// A band to draw into, as soon as there is one.
+pub fn free() -> Band {
+    wait_for(|queue| queue.free.pop())
+}
+
 /// Puts a band into the queue once all bands before it are there. `at` is its frame, and its number in the frame.
-fn send(at: (u32, u32), band: Band) {
+pub fn send(at: (u32, u32), band: Band) {
     let mut band = Some(band);
     wait_for(|queue| {
         if queue.next != at {

@@ -4,8 +4,8 @@ use std::io;
 use std::path::Path;
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::Vec3;
 use fixel::texture::Sampler;
+use fixel::{Mesh, Vec2, Vec3};
 use fixel_assets::{Files, Picture};
 use flash_model::{ADDRESS, FLASH, Model, Panel, Problem, region, uf2, write};
 
@@ -143,6 +143,30 @@ fn a_model_comes_out_as_it_went_in() {
     let pixels = brick.pixels.iter();
     let pixels = pixels.map(|&[r, g, b, _]| Rgb565::from(Rgb888::new(r, g, b)));
     assert!(texels.eq(pixels));
+}
+
+/// Normals along an axis, and texture coordinates in whole steps of their grid: 65,535 steps of 16 units.
+#[test]
+fn attributes_belong_to_their_corners() {
+    const MOST: f64 = 65_535.0 / 65_536.0;
+    let obj = format!(
+        "v -1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 1\nvt {MOST} 1\nvt 0 {}\nvn 0 0 1\nvn 0 -9 0\n\
+         f 1/2/1 2/3/2 3/1/1\nf 2/1/2 1/1/2 4/2/1\n",
+        1.0 - MOST
+    );
+    let picture = Picture::decode(BRICK).unwrap();
+    let words = write_text(&obj, Some(&picture), &mut Vec::new()).unwrap();
+    let model = Model::read(&words).unwrap();
+    let mesh = model.mesh();
+    let positions: Vec<_> = mesh.positions().iter().collect();
+    let normals = [[0, 0, 127 << 9], [0, -127 << 9, 0]].map(Vec3::from_bits);
+    let uvs = [[0, 0], [16 * 65_535, 0], [0, 16 * 65_535]].map(Vec2::from_bits);
+    let wanted = Mesh::new(&positions, &[[0, 1, 2], [1, 0, 3]]).unwrap();
+    let wanted = wanted.with_normals(&normals, Some(&[[0, 1, 0], [1, 1, 0]]));
+    let wanted = wanted
+        .unwrap()
+        .with_uvs(&uvs, Some(&[[1, 2, 0], [0, 0, 1]]));
+    assert_eq!(Ok(mesh), wanted);
 }
 
 #[test]

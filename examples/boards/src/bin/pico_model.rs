@@ -5,8 +5,8 @@
 
 use boards::model::Scene;
 use boards::panel::Controller;
-use boards::pico::{HEIGHT, PIXELS};
-use boards::queue::{Share, repeat, start_with};
+use boards::pico::{BANDS_OF_FRAME, HEIGHT, PIXELS, ROWS};
+use boards::queue::{begin, free, send, start_with};
 use cortex_m::singleton;
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::canvas::{Canvas, Words};
@@ -39,11 +39,15 @@ fn main() -> ! {
     };
     let board = start_with(controller, width).unwrap();
     let depths = singleton!(: [u16; PIXELS] = [0; PIXELS]).unwrap();
-    repeat(Share::WHOLE, board.timer, |frame| {
-        let now_ms = frame.now_ms;
-        frame.draw(|pixels, first_row| {
-            let canvas = Canvas::<Rgb565, Words>::band(pixels, width, HEIGHT, first_row).unwrap();
-            scene.draw(now_ms, canvas, depths).unwrap();
-        });
-    })
+    let mut frame = 0_u32;
+    loop {
+        let now_ms = begin(frame, board.timer);
+        for number in 0..BANDS_OF_FRAME {
+            let band = free();
+            let canvas = Canvas::<Rgb565, Words>::band(&mut band[..], width, HEIGHT, number * ROWS);
+            scene.draw(now_ms, canvas.unwrap(), depths).unwrap();
+            send((frame, number), band);
+        }
+        frame = frame.wrapping_add(1);
+    }
 }
