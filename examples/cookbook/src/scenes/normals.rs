@@ -1,6 +1,9 @@
 //! A model without normals, in flat faces, and with computed normals: creased, and smooth.
 
-use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use embedded_graphics::text::{Alignment, Text};
+use embedded_graphics::{Drawable, geometry::Point};
 use fixel::prelude::*;
 
 /// Front and back are concave polygons of 32 corners, cut into triangles at compile time.
@@ -30,5 +33,12 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let mut normals = [Vec3::ZERO; 64];
     let smooth = CLOVER.with_smooth_normals(&mut normals)?;
     canvas.draw(&smooth, &at(fx!(2.5)), &jade.lit(sun));
+
+    let style = MonoTextStyle::new(&FONT_6X10, Rgb565::WHITE);
+    let bottom = size.height.cast_signed() * 5 / 6;
+    for (third, name) in (0..).zip(["faces", "creased", "smooth"]) {
+        let middle = Point::new(size.width.cast_signed() * (2 * third + 1) / 6, bottom);
+        Text::with_alignment(name, middle, style, Alignment::Center).draw(canvas)?;
+    }
     Ok(())
 }
