@@ -61,7 +61,8 @@ static COARSE_RING: Mesh = shape!(torus(fx!(0.45), 16, 8));
 static BALL: Mesh = shape!(sphere(32, 24));
 static COARSE_BALL: Mesh = shape!(sphere(10, 6));
 static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
-static FLOOR: Mesh = shape!(plane(24, 24));
+// Light is computed at corners: a cone's edge is as sharp as the squares are small.
+static FLOOR: Mesh = shape!(plane(80, 80));
 static SHEET: Mesh = shape!(plane(1, 1));
 
 const SLATE: Rgb565 = Rgb565::new(5, 12, 8);
