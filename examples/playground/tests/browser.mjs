@@ -319,7 +319,7 @@ test("a file for a Pico holds its program and the model", async () => {
   const cases = [
     // The number of triangles, the texture's width, and what the host makes the same file of.
     ["lighthouse.uf2", [], 0, 1144, 128, ["st7789", ...lighthouse]],
-    ["cabin.uf2", cabin, 1, 50, 32, ["ili9341", cabin[0]]],
+    ["cabin.uf2", cabin, 1, 54, 32, ["ili9341", cabin[0]]],
   ];
   for (const [name, files, panel, faces, width, args] of cases) {
     if (files.length) await page.drop("#stage", files);
