@@ -124,9 +124,9 @@ depth_tests! {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Biased<Z = super::TestAndWrite> {
-    /// The test whose depths are moved.
+    /// The wrapped test.
     pub test: Z,
-    /// The steps of the depth buffer by which depths are moved.
+    /// How far depths move, in steps of the depth buffer.
     pub steps: i32,
     /// The factor of the depth difference between neighboring pixels.
     pub slope: Scalar,

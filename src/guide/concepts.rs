@@ -17,7 +17,7 @@
 //!
 //! A draw call takes a mesh (the shape), a model-view-projection (where it is, and from where it is seen) and a shader
 //! (its colors), and writes pixels to a canvas (your memory). All four are plain values that belong to your program.
-//! Between draw calls, nothing is kept but the canvas.
+//! The canvas is the only state between draw calls.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Rgb565, RgbColor};

@@ -73,8 +73,8 @@ pub(super) fn quads<K: ProjectionKind>(
     draw.drawn()
 }
 
-/// Draws two triangles that are an upright rectangle at one depth, from the first corner of the first one to the last
-/// corner of the second one; returns whether it is done.
+/// Fast path for two triangles that form an axis-aligned rectangle at one depth, from the first corner of the first
+/// triangle to the last corner of the second; false if they must be drawn as two triangles.
 #[inline]
 fn rectangle<K: ProjectionKind>(
     call: &Call<'_, K>,

@@ -54,7 +54,7 @@ impl<'r> Rasterizer<'r> {
         self.blitter.lay(&self.primitive, patch)
     }
 
-    /// Draws what lies in the scissor of a triangle; of that, if `part` is given, only the pixels that it selects.
+    /// Fills a triangle inside the scissor; with `part`, only the pixels that it selects.
     ///
     /// A center on a left or top edge belongs to the triangle, one on a right or bottom edge does not.
     #[cfg_attr(for_size, inline(never))]
