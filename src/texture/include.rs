@@ -68,7 +68,8 @@ pub(super) const fn texels<C: Copy, const N: usize>(table: &[C], pixels: &[u8]) 
 
 impl<F: File, const N: usize, const K: usize> Convert<F, N, K> for u8 {
     const TEXELS: &'static [u8; N] = match F::PIXELS.first_chunk() {
-        Some(indices) if K <= 256 => indices,
+        // One byte for each pixel, which is as many as 256 colors need.
+        Some(indices) if F::PIXELS.len() == N => indices,
         _ => message::too_many_colors(F::PATH, K, 256),
     };
 }

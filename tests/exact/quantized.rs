@@ -118,14 +118,17 @@ fn pixels_equal_those_of_the_unquantized_mesh() {
 #[test]
 fn attributes_that_a_mesh_lacks_are_reported() {
     static BALL: Mesh = shape!(sphere(8, 6), quantized_16).without_edges();
-    let missing = |mesh: &Mesh<'_>| {
+    fn missing(mesh: &Mesh<'_>, shader: &impl ShaderFor<Rgb565>) -> [bool; 2] {
         let projection = Projection::perspective(deg!(60), SIZE, fx!(0.1), fx!(100)).unwrap();
         let mvp = projection * Transform::translate(vec3!(0, 0, -4));
         let mut picture = vec![Rgb565::BLACK; PIXELS];
         let mut canvas = Canvas::new(&mut picture, SIZE.0, SIZE.1).unwrap();
-        canvas.draw(mesh, &mvp, &Textured::new(&SKIN)).missing.uvs
-    };
-    assert!(!missing(&BALL));
-    assert!(missing(&BALL.without_uvs()));
+        let missing = canvas.draw(mesh, &mvp, shader).missing;
+        [missing.uvs, missing.colors]
+    }
+    let textured = Textured::new(&SKIN);
+    assert_eq!(missing(&BALL, &textured), [false, false]);
+    assert_eq!(missing(&BALL.without_uvs(), &textured), [true, false]);
+    assert_eq!(missing(&BALL, &Gouraud::new()), [false, true]);
     assert!(BALL.edge_indices().is_empty());
 }
