@@ -28,11 +28,11 @@ pub fn walk(canvas: &mut Frame<'_>, turn: Angle) -> Result<(), Error> {
     garden::draw(canvas, turn)
 }
 
-/// Draws the frame that the documentation shows.
+/// Draws the moment that the documentation shows, which the firmware draws, too.
 ///
 /// # Errors
 ///
 /// None.
 pub fn draw(canvas: &mut Frame<'_>) -> Result<(), Error> {
-    walk(canvas, turn_of(13))
+    walk(canvas, Angle::from_bits(u32::MAX / 64 * 13))
 }
