@@ -7,8 +7,8 @@ use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::{Drawable, geometry::Point, text::Text};
 use fixel::canvas::{
-    Add, Biased, Contrast, ErrorDiffusion, FloatDepth, Multiply, NoTest, Opacity, TestAndWrite,
-    WideFloatDepth,
+    Add, Biased, Contrast, DepthBuffer, ErrorDiffusion, FloatDepth, Multiply, NoTest, Opacity,
+    TestAndWrite, WideFloatDepth,
 };
 use fixel::mesh::{Keyframes, Material, Part};
 use fixel::prelude::*;
@@ -56,6 +56,18 @@ fn sun() -> Result<Light, Error> {
 /// Draws with a shader, on a background that is neither black nor white.
 fn with<S: ShaderFor<Rgb888>>(canvas: &mut Picture<'_>, mesh: &Mesh, shader: &S) -> Drawn {
     canvas.draw(mesh, &view()?, shader);
+    Ok(())
+}
+
+/// Draws sheets so close to each other that the format of depths decides where each is in front.
+fn in_format<D: DepthBuffer>(canvas: &mut Picture<'_>) -> Drawn {
+    let (mut pixels, mut depths) = (vec![Rgb888::BLACK; PIXELS], vec![0; PIXELS]);
+    let format = Canvas::new(&mut pixels, WIDTH, HEIGHT)?.with_depth_format::<D>(&mut depths);
+    let mut format = format?;
+    format.draw(&SHEET, &view()?, &Textured::new(&SKIN));
+    let lean = Transform::rotate_z(deg!(0.01)) * Transform::rotate_x(deg!(0.02));
+    format.draw(&SHEET, &(view()? * lean), &Flat::new(ORANGE));
+    format.show(canvas)?;
     Ok(())
 }
 
@@ -444,32 +456,8 @@ const WORDS: &[Word] = &[
         c.draw_with(&options, &RING, &view()?, &Textured::new(&SKIN));
         Ok(())
     }),
-    ("FloatDepth", 0x235f_2e84, |c| {
-        let (mut pixels, mut depths) = (vec![Rgb888::BLACK; PIXELS], vec![0; PIXELS]);
-        let canvas = Canvas::new(&mut pixels, WIDTH, HEIGHT)?;
-        let mut canvas = canvas.with_depth_format::<FloatDepth>(&mut depths)?;
-        canvas.draw(&RING, &view()?, &Textured::new(&SKIN));
-        canvas.draw(
-            &CUBE,
-            &(view()? * Transform::scale(fx!(0.8))),
-            &Flat::new(ORANGE),
-        );
-        canvas.show(c)?;
-        Ok(())
-    }),
-    ("WideFloatDepth", 0x235f_2e84, |c| {
-        let (mut pixels, mut depths) = (vec![Rgb888::BLACK; PIXELS], vec![0; PIXELS]);
-        let canvas = Canvas::new(&mut pixels, WIDTH, HEIGHT)?;
-        let mut canvas = canvas.with_depth_format::<WideFloatDepth>(&mut depths)?;
-        canvas.draw(&RING, &view()?, &Textured::new(&SKIN));
-        canvas.draw(
-            &CUBE,
-            &(view()? * Transform::scale(fx!(0.8))),
-            &Flat::new(ORANGE),
-        );
-        canvas.show(c)?;
-        Ok(())
-    }),
+    ("FloatDepth", 0x4016_7d8b, in_format::<FloatDepth>),
+    ("WideFloatDepth", 0x7811_6199, in_format::<WideFloatDepth>),
     ("DrawList", 0x2956_de48, |c| {
         let mut list = Box::new(DrawList::<600, 700>::new());
         let ring = list.prepare(&DrawOptions::new(), c.frame_size(), &RING, &view()?)?;
