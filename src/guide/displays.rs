@@ -20,9 +20,9 @@
 //! Most of a dashboard stands still. If you know where something moves, draw only that window (yellow), and send only
 //! its pixels: here a ninth of the frame.
 //!
-//! A canvas of the window's size becomes a window of the frame by its viewport: that of the whole frame, moved by minus
-//! the window's corner. It covers the same pixels as the frame; interpolated colors and texture coordinates agree
-//! within the [mode's](crate::guide::modes) error, because a row of pixels begins at the window's edge.
+//! Give a canvas of the window's size the viewport of the whole frame, moved left and up by the window's corner. The
+//! canvas then shows that window. It covers the same pixels as the frame; interpolated colors and texture coordinates
+//! agree within the [mode's](crate::guide::modes) error, because a row of pixels begins at the window's edge.
 //! [Ordered dithering](crate::shade::PixelFormat) follows the canvas: for dithered colors, let corners be multiples
 //! of 8. embedded-graphics draws into the window and sends it with `translated`. The window must contain the moving
 //! thing both where it was and where it is now; [`Canvas::project`](crate::Canvas::project) tells where points are.

@@ -173,7 +173,7 @@
 //!
 //! </div>
 //!
-//! Tests: `accuracy/formulas/projection.rs`; what is behind the eye in `accuracy/clipping.rs`.
+//! Tests: `accuracy/formulas/projection.rs`; points behind the eye in `accuracy/clipping.rs`.
 //!
 //! # A window
 //!

@@ -1,4 +1,4 @@
-//! A sky, compared with rays in f64: its directions do not depend on where the eye is, and its colors follow the height.
+//! A sky, compared with rays in f64: its directions do not depend on the eye's place, and its colors follow the height.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888};
 use fixel::canvas::NoTest;
@@ -40,10 +40,10 @@ fn gray(height: f64, [bottom, top]: [f64; 2], [low, high]: [u8; 2]) -> f64 {
     f64::from(low) + (f64::from(high) - f64::from(low)) * share
 }
 
-/// A gray may be off by half a step by rounding, by 1/15 at the corners (the promise of [`Gradient`]), and by an eighth by
-/// interpolation (that of the modes). Corners on the screen are rounded to 1/256 pixel, which may move a pixel of the
-/// dome by 1/512 pixel and, because triangles are tilted, its values a little more: a hundredth of a pixel is allowed
-/// for, in each direction. The camera's rotation has 30 bits, which add nothing.
+/// A gray may be off by half a step by rounding, by 1/15 at the corners (the promise of [`Gradient`]), and by an
+/// eighth by interpolation (the promise of the modes). Corners on the screen are rounded to 1/256 pixel, which may
+/// move a pixel of the dome by 1/512 pixel and, because triangles are tilted, its values a little more: a hundredth of
+/// a pixel is allowed for, in each direction. The camera's rotation has 30 bits, which add nothing.
 #[test]
 fn a_sky_shows_the_height_of_each_direction() {
     const TOLERANCE: f64 = 0.5 + 1. / 15. + 1. / 8.;

@@ -1,4 +1,4 @@
-//! A model from flash turns in the sun; without one, a message says what is wrong.
+//! Draws the model in flash, turning in the sun, or a message if there is none or it is damaged.
 
 use core::fmt::Write;
 

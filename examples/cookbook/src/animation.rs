@@ -4,9 +4,9 @@ use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-use embedded_graphics::geometry::{OriginDimensions, Point};
-use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use embedded_graphics_simulator::SimulatorDisplay;
+use embedded_graphics::geometry::OriginDimensions;
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use webp::{AnimEncoder, AnimFrame, WebPConfig};
 
 /// Pictures a second.
@@ -22,6 +22,10 @@ pub fn save(path: &Path, pictures: &[SimulatorDisplay<Rgb565>]) -> Result<(), Bo
     config.quality = QUALITY;
     config.method = 6; // the slowest, for the smallest file
     config.use_sharp_yuv = 1;
+    let pixels = |picture: &SimulatorDisplay<Rgb565>| {
+        let image = picture.to_rgb_output_image(&OutputSettings::default());
+        image.as_image_buffer().to_vec() // red, green and blue of each pixel
+    };
     let frames: Vec<Vec<u8>> = pictures.iter().map(pixels).collect();
     let mut encoder = AnimEncoder::new(size.width, size.height, &config);
     for (frame, number) in frames.iter().zip(0_u32..) {
@@ -37,15 +41,4 @@ pub fn save(path: &Path, pictures: &[SimulatorDisplay<Rgb565>]) -> Result<(), Bo
         .try_encode()
         .map_err(|error| format!("WebP: {error:?}"))?;
     Ok(fs::write(path, &*file)?)
-}
-
-/// Red, green and blue of all pixels.
-fn pixels(picture: &SimulatorDisplay<Rgb565>) -> Vec<u8> {
-    let size = picture.size();
-    let row = |y| (0..size.width.cast_signed()).map(move |x| Point::new(x, y));
-    (0..size.height.cast_signed())
-        .flat_map(row)
-        .map(|at| Rgb888::from(picture.get_pixel(at)))
-        .flat_map(|color| [color.r(), color.g(), color.b()])
-        .collect()
 }

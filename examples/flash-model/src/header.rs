@@ -17,7 +17,7 @@ pub const WORDS: usize = (FLASH.end - FLASH.start) as usize / 4;
 pub(crate) const MAGIC: u32 = u32::from_le_bytes(*b"fixm");
 /// The version of the format.
 pub(crate) const VERSION: u32 = 1;
-/// The words before those of which the checksum is.
+/// The words at the start that the checksum leaves out.
 const UNCHECKED: usize = 4;
 /// A part's texture if it has none.
 pub(crate) const NO_TEXTURE: u32 = u32::MAX;
@@ -27,7 +27,7 @@ pub type PartRecord = [u32; 4];
 /// Width, height and the index of the first texel.
 pub type TextureRecord = [u32; 3];
 
-/// What comes first.
+/// The first words of a model.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 pub struct Header {

@@ -71,7 +71,7 @@ impl<'a> Model<'a> {
     ///
     /// # Errors
     ///
-    /// There is no model, it is of another version, incomplete or damaged, or its lists do not fit each other.
+    /// `words` hold no model, or one of another version; it is cut off or damaged; or its lists do not fit each other.
     pub fn read(words: &'a [u32]) -> Result<Self, Problem> {
         let (header, words) = header::read(words)?;
         let mut lists = Lists(words);

@@ -15,9 +15,9 @@ pub enum Problem {
     Length(u32),
     /// The model's bytes have another checksum than its header.
     Checksum {
-        /// That of the bytes.
+        /// The checksum of the bytes.
         is: u32,
-        /// That of the header.
+        /// The checksum in the header.
         wanted: u32,
     },
     /// The lists do not fit each other, although the checksum is right.

@@ -1,4 +1,4 @@
-//! A model on its way into flash and out of it, and what is refused there.
+//! A model is the same after it was written and read back; bad bytes are refused.
 
 use std::io;
 use std::path::Path;

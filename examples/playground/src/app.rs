@@ -385,8 +385,8 @@ impl App {
         self.model.read_texture(pixels, size)
     }
 
-    /// Reads the distances of a segment's ends, and a fraction of its picture or (`number` is 1) of the segment, from the
-    /// fields. Writes the fraction of the picture, that of the segment, and the distance there.
+    /// Reads from the fields the distances of a segment's ends, and a fraction on the screen or, if `number` is 1, in
+    /// space. Writes the point's fraction on the screen, its fraction in space, and its distance.
     pub fn foreshorten(&mut self, number: usize) -> Done {
         let [start, end, given, ..] = self.fields;
         let (start, end) = (Scalar::try_from(start)?, Scalar::try_from(end)?);

@@ -41,7 +41,7 @@ struct View {
     viewport: Viewport,
 }
 
-/// The errors of a point's x and y in pixels, besides rounding to 1/256 pixel, and that of its depth in steps, besides
+/// The errors of a point's x and y in pixels, besides rounding to 1/256 pixel, and of its depth in steps, besides
 /// rounding down; each with its bound. `None` if the point is clipped.
 type Errors = Option<[Worst; 3]>;
 

@@ -60,7 +60,7 @@ fn a_window_is_that_part_of_the_frame() {
     );
 }
 
-/// The circle's pixels are those of a whole frame. 15 % or more of the bytes is not sent.
+/// Inside the circle, the panel shows the pixels of a whole frame. At least 15 % of the bytes are not sent.
 #[test]
 fn a_round_panel_gets_its_circle() {
     let ran = displays::run_round().unwrap();

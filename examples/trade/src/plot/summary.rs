@@ -27,8 +27,8 @@ const PART: (u32, u32, u32, u32) = (0, 88, 320, 152);
 /// Height of a view and of the line above it.
 const VIEW: u32 = PART.3 * ZOOM + 64;
 const SCENES: [(&str, &str, Mark); 2] = [
-    ("floor", "a floor: 2 triangles, 47,610 pixels", Mark::Circle),
-    ("cube", "a cube: 12 triangles, 28,549 pixels", Mark::Square),
+    ("floor", "a floor of 2 triangles", Mark::Circle),
+    ("cube", "a cube of 12 triangles", Mark::Square),
 ];
 
 /// A mode's cost and error in a scene.
