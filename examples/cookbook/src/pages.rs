@@ -21,7 +21,7 @@ use super::scenes::{Draw, Frame};
 mod benchmarks;
 
 /// The size of these pictures.
-pub const SIZE: Size = Size::new(120, 80);
+pub const SIZE: Size = Size::new(240, 160);
 
 /// The pictures by the name of the type or the module.
 pub const PAGES: &[(&str, Draw)] = &[
@@ -431,7 +431,7 @@ fn blending(canvas: &mut Frame<'_>) -> Drawn {
     ];
     for (at, color) in (0..12).zip(stripes.iter().cycle()) {
         canvas.fill_solid(
-            &Rectangle::new(Point::new(0, 8 * at), Size::new(SIZE.width, 8)),
+            &Rectangle::new(Point::new(0, 14 * at), Size::new(SIZE.width, 14)),
             *color,
         )?;
     }
@@ -449,11 +449,11 @@ fn modes(canvas: &mut Frame<'_>) -> Drawn {
     let camera = Camera::look_at(vec3!(0, 1.1, 1.75), vec3!(0, -0.35, 0), Vec3::Y)?;
     let mvp = projection * camera * Transform::rotate_y(deg!(20));
     let part = |x| -> Result<DrawOptions, Error> {
-        Ok(DrawOptions::new().with_viewport(Viewport::new(x, 0, half - 1, size.height)?))
+        Ok(DrawOptions::new().with_viewport(Viewport::new(x, 0, half - 2, size.height)?))
     };
     let floor = Textured::new(&CHECKERS);
     canvas.draw_with(&part(0)?.with_mode(Affine), &SHEET, &mvp, &floor);
-    canvas.draw_with(&part(half.cast_signed() + 1)?, &SHEET, &mvp, &floor);
+    canvas.draw_with(&part(half.cast_signed() + 2)?, &SHEET, &mvp, &floor);
     Ok(())
 }
 
@@ -534,9 +534,9 @@ fn shaders(canvas: &mut Frame<'_>) -> Drawn {
 fn measured(canvas: &mut Frame<'_>) -> Drawn {
     canvas.clear(SLATE);
     // As wide in proportion as the frame of 320x240 for which the scenes are made.
-    let (width, height) = (53, SIZE.height / 2);
+    let (width, height) = (106, SIZE.height / 2);
     let part = |column: i32, row: i32| -> Result<DrawOptions, Error> {
-        let corner = (4 + 60 * column, row * height.cast_signed());
+        let corner = (7 + 120 * column, row * height.cast_signed());
         Ok(DrawOptions::new().with_viewport(Viewport::new(corner.0, corner.1, width, height)?))
     };
     benchmarks::floor(canvas, &part(0, 0)?, &benchmarks::floor_mvp(0)?);

@@ -3,6 +3,7 @@
 #[cfg(not(target_os = "none"))]
 mod bands;
 mod blending;
+mod corridor;
 mod cut_out;
 mod detail;
 mod files;
@@ -46,6 +47,7 @@ pub const SCENES: &[(&str, Draw)] = &[
     #[cfg(not(target_os = "none"))] // has a vector for its band
     ("bands", bands::draw),
     ("blending", blending::draw),
+    ("corridor", corridor::draw),
     ("cut_out", cut_out::draw),
     ("detail", detail::draw),
     ("files", files::draw),
