@@ -121,6 +121,7 @@ pub mod coming_from {}
 #[doc = recipe!("Labels", "labels")]
 #[doc = recipe!("Picking", "picking")]
 #[doc = recipe!("Instruments", "instruments")]
+#[doc = recipe!("A drone's display", "drone")]
 #[doc = picture!("A little world", "world")]
 /// A walk through a garden at dusk puts most of this together. Walls, grass and water have mipmaps. Trees are sprites,
 /// and so is the glow around each lamp; the lamps light the walls near them. There is fog, a sky with stars and a moon,

@@ -1,6 +1,8 @@
 //! A bird in two poses, and a flock of birds between them.
 
-use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use embedded_graphics::{Drawable, geometry::Point, text::Text};
 use fixel::mesh::Keyframes;
 use fixel::prelude::*;
 
@@ -42,12 +44,16 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let white = Flat::rgb(Rgb888::new(250, 240, 225)).lit_faces(sun);
     let both_sides = DrawOptions::new().with_cull(Cull::Nothing);
     canvas.clear(Rgb565::new(9, 30, 22));
+    let text = MonoTextStyle::new(&FONT_6X10, Rgb565::WHITE);
     let mut positions = [Vec3::ZERO; UP.len()]; // one bird at a time
-    for i in 0..5_i16 {
+    for (i, share) in (0..5_i16).zip(["0", "1/4", "1/2", "3/4", "1"]) {
         let bird = STROKE.blend(Scalar::from(i) / 4, &mut positions, &mut [])?;
         let place = vec3!(-2.2, 0, 2) + vec3!(1.3, 0.2, -1.7) * Scalar::from(i);
         let mvp = view * Transform::translate(place) * Transform::rotate_y(deg!(140));
         canvas.draw_with(&both_sides, &bird, &mvp, &white);
+        if let Some(at) = canvas.project(&both_sides, &view, place - vec3!(-0.4, 1.45, 0)) {
+            Text::new(share, Point::zero(), text).draw(&mut canvas.label(at))?;
+        }
     }
     Ok(())
 }

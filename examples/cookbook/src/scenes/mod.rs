@@ -6,6 +6,7 @@ mod blending;
 mod corridor;
 mod cut_out;
 mod detail;
+mod drone;
 mod files;
 mod fog;
 mod hello;
@@ -50,6 +51,7 @@ pub const SCENES: &[(&str, Draw)] = &[
     ("corridor", corridor::draw),
     ("cut_out", cut_out::draw),
     ("detail", detail::draw),
+    ("drone", drone::draw),
     ("files", files::draw),
     ("fog", fog::draw),
     ("hello", hello::draw),
