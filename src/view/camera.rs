@@ -6,8 +6,9 @@ use crate::{Angle, Error, Scalar, Transform, Vec3};
 
 /// A camera: the rigid transform from world space to eye space.
 ///
-#[cfg_attr(doc, doc = diagram!("eye"))]
-/// In eye space the eye is at the origin and looks down −z; x runs to the right and y up.
+#[cfg_attr(doc, doc = diagram!("look_at"))]
+/// In eye space the eye is at the origin and looks down −z; x runs to the right and y up. In the
+/// figure, these axes are *i*, *j* and *k*.
 /// [Mathematics](crate::guide::mathematics#a-camera) derives this transform and its inverse.
 ///
 /// ```

@@ -5,6 +5,7 @@ use crate::{Scalar, Vec3};
 
 /// A segment in space, given by the distances of its two ends ahead of the eye.
 ///
+#[cfg_attr(doc, doc = diagram!("foreshortening"))]
 /// A distance is −z in eye space, or the homogeneous coordinate w. Halfway along the picture is not
 /// halfway along the segment: 1/w is linear on screen, and so is every attribute over w.
 /// [Mathematics](crate::guide::mathematics#a-segment) derives the formulas below.
