@@ -1,9 +1,7 @@
-//! Hills that the program computes, with their normals, in colors by height.
+//! Hills in fog, drawn in bands: the program computes them, with their normals, and colors them by height.
 
-use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::Index;
-use fixel::prelude::*;
-use fixel::shade::Gradient;
+use embedded_graphics::{geometry::Size, pixelcolor::Rgb565, pixelcolor::Rgb888};
+use fixel::{Index, prelude::*, shade::Gradient};
 
 static WATER: Mesh = shape!(plane(1, 1));
 /// Squares along a side.
@@ -11,23 +9,22 @@ const SIDE: usize = 32;
 const CORNERS: usize = (SIDE + 1) * (SIDE + 1);
 
 /// The height of the ground: waves of several lengths and directions.
-fn height(x: Scalar, z: Scalar) -> Scalar {
-    let wave = |turns: Scalar, height: Scalar| {
-        let angle = Angle::from_turns(turns);
-        height * angle.sin()
-    };
+fn ground_at(x: Scalar, z: Scalar) -> Scalar {
+    let wave = |turns, height: Scalar| height * Angle::from_turns(turns).sin();
     wave(x / 11 + z / 31, fx!(1.1)) + wave(z / 9 - x / 23, fx!(0.9)) + wave((x + z) / 4, fx!(0.18))
 }
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
-    let size = canvas.frame_size();
-    let projection = Projection::perspective(deg!(45), size, fx!(0.5), fx!(60))?;
-    let view = projection * Camera::look_at(vec3!(-8, 5.2, 13), vec3!(0, -0.5, 0), Vec3::Y)?;
+/// Pixels of a band. Their colors and depths take 20 KiB: on a chip, statics.
+const BAND: u32 = 320 * 16;
 
+pub fn draw(display: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
+    let Size { width, height } = display.frame_size();
+    let projection = Projection::perspective(deg!(45), (width, height), fx!(0.5), fx!(60))?;
+    let view = projection * Camera::look_at(vec3!(-8, 5.2, 13), vec3!(0, -0.5, 0), Vec3::Y)?;
     let positions: [Vec3; CORNERS] = core::array::from_fn(|at| {
         let place = |at: usize| Scalar::from(at as u8) * 3 / 4 - fx!(12);
         let (x, z) = (place(at % (SIDE + 1)), place(at / (SIDE + 1)));
-        Vec3::new(x, height(x, z), z)
+        Vec3::new(x, ground_at(x, z), z)
     });
     let faces: [[Index; 3]; 2 * SIDE * SIDE] = core::array::from_fn(|at| {
         let (row, column) = (at / 2 / SIDE, at / 2 % SIDE);
@@ -37,17 +34,26 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     });
     let mut normals = [Vec3::ZERO; CORNERS];
     let hills = Mesh::new(&positions, &faces)?.with_smooth_normals(&mut normals)?;
-
     let haze = Rgb565::new(20, 45, 27);
-    canvas.clear(haze);
+    let fog = Fog::linear(haze, fx!(14), fx!(44))?;
     let sun = Light::new(vec3!(3, 2, 1), fx!(0.25), fx!(0.75))?;
     let (grass, snow) = (Rgb888::new(60, 110, 40), Rgb888::new(250, 245, 230));
-    let ground = Gradient::<Rgb565>::new((fx!(-0.6), grass), (fx!(1.8), snow))?;
-    let fog = Fog::linear(haze, fx!(14), fx!(44))?;
-    canvas.draw(&hills, &view, &ground.lit(sun).in_fog(fog));
-    // Water at one height hides the ground below it.
-    let lake = Transform::translate(vec3!(0, -0.9, 0)) * Transform::scale(fx!(12));
+    let heights = Gradient::new((fx!(-0.6), grass), (fx!(1.8), snow))?;
+    let ground = heights.lit(sun).in_fog(fog).dithered();
     let blue = Flat::rgb(Rgb888::new(50, 90, 140)).in_fog(fog);
-    canvas.draw(&WATER, &(view * lake), &blue);
+    // Water at one height hides the ground below it.
+    let lake = view * Transform::translate(vec3!(0, -0.9, 0)) * Transform::scale(fx!(12));
+
+    let (mut colors, mut depths) = ([haze; BAND as usize], [0; BAND as usize]);
+    let rows = BAND / width;
+    for first_row in (0..height).step_by(rows as usize) {
+        let pixels = (width * rows.min(height - first_row)) as usize;
+        let band = Canvas::band(&mut colors[..pixels], width, height, first_row)?;
+        let mut band = band.with_depth(&mut depths[..pixels])?;
+        band.clear(haze);
+        band.draw(&hills, &view, &ground);
+        band.draw(&WATER, &lake, &blue);
+        band.show(display)?;
+    }
     Ok(())
 }
