@@ -121,3 +121,15 @@ impl<F: File, S: FromFile<F, N, K>, C: Table<F, M>, const N: usize, const K: usi
         colors: C::TABLE,
     };
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_index_of_three_bytes_begins_with_the_least() {
+        let table: std::vec::Vec<u32> = (0..=0x1_0000).collect();
+        let pixels = [2, 1, 0, 0, 0, 1];
+        assert_eq!(texels::<u32, 2>(&table, &pixels), [0x102, 0x1_0000]);
+    }
+}
