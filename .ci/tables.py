@@ -100,8 +100,8 @@ def names(instructions, other):
         key = target, optimization, mode
         return cells(million, [instructions[*key, scene, "mean-of-poses"] for scene in scenes or SCENES])
 
-    def frame(mode, scene, *targets):
-        return cells(million, [instructions[target, "3", mode, scene, "frame"] for target in targets])
+    def means(mode, scene, *targets):
+        return cells(million, [instructions[target, "3", mode, scene, "mean-of-poses"] for target in targets])
 
     def bands(scene, *targets):
         counts = [instructions[target, "3", "newton", scene, layout] for target in targets for layout in LAYOUTS]
