@@ -98,7 +98,7 @@ pub struct Add;
 /// A [`Blending`]: the color on the canvas is multiplied by the new one, channel by channel, where white is 1. For
 /// shadows, stained glass. The product is rounded to nearest, or dithered.
 ///
-/// Put such a surface in white fog, so that it fades.
+/// In fog, such a surface must fade to white, which changes nothing: put it in white fog.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

@@ -39,7 +39,7 @@ pub struct Transform {
     pub(crate) translation: [i32; 3],
     /// Same meaning as `linear_exp`.
     pub(crate) translation_exp: i32,
-    /// Whether the determinant is negative: kept, because it takes long to find out from a matrix.
+    /// Whether the determinant is negative. Kept, because computing it from the matrix is slow.
     pub(crate) is_mirror: bool,
 }
 

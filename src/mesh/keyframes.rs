@@ -126,8 +126,8 @@ impl<'a> Keyframes<'a> {
     }
 
     /// The mesh at a time along a chain of poses, in which each pair begins with the pose that ends the one before it:
-    /// at time 0 the first pose, at time 1 the second, at 1.5 the middle between the second and the third. Times before
-    /// the first pose and after the last count as these.
+    /// at time 0 the first pose, at time 1 the second, at 1.5 the middle between the second and the third. Before
+    /// time 0, it is the first pose; after the last pose, the last.
     ///
     /// ```
     /// use fixel::mesh::Keyframes;

@@ -399,7 +399,7 @@ pub struct Filling<'l> {
     /// Of the present thing, by the winding on the screen.
     cull: Cull,
     scissor: Scissor,
-    /// The number of elements of the things before the present one.
+    /// How many triangles or edges the objects before the present one have.
     element: u32,
     /// How many elements and vertices are visible so far.
     needed: [usize; 2],

@@ -316,7 +316,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// # Ok::<(), Error>(())
     /// ```
     ///
-    /// The distances of hits on several objects are in the units of each. Compare their depths instead:
+    /// Distances to hits on two objects cannot be compared, because each is in its own object's units. Compare depths:
     ///
     /// ```
     /// # use embedded_graphics::{geometry::Point, pixelcolor::Gray8};

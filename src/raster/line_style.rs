@@ -12,9 +12,9 @@ use crate::{Error, Scalar};
 /// center at the left end of a line (in steep lines, the upper end) belongs to the line; a center at the right (lower)
 /// end does not. The pixels do not depend on the line's direction.
 ///
-/// A [hairline](Self::HAIRLINE) also draws the pixels that contain its ends, so that lines meet at every corner. Only
-/// where colors are [blended](crate::DrawOptions::with_blending) or translucent does it leave out such a pixel if it
-/// passes no center there: then hairlines that continue each other along the same axis blend no pixel twice.
+/// A [hairline](Self::HAIRLINE) also draws the pixels that contain its ends, so that lines meet at every corner. If
+/// colors are [blended](crate::DrawOptions::with_blending) or translucent, it draws such a pixel only if it passes the
+/// pixel's center: two hairlines in a row then do not blend the pixel between them twice.
 ///
 /// ```text
 ///  run        #   #   #            As in OpenGL, the width counts across the longer axis.

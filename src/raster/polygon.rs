@@ -17,9 +17,9 @@ pub(crate) struct Polygon<'a> {
     outline: &'a [ClippedVertex],
     /// Twice the area of the outline, positive if it runs clockwise on the screen.
     pub(crate) area: i64,
-    /// Whether a triangle has turned over. It counts even outside the scissor: in a folded fan, every pixel is a span
-    /// of its own, and a band that ignored this triangle would draw longer spans, whose values may differ from the
-    /// frame's by a unit.
+    /// Whether a triangle of the fan has turned over, even one outside the scissor. In a folded fan, every pixel is a
+    /// span of its own. A band that ignored triangles outside of it would draw longer spans, whose values may differ
+    /// from the frame's by a unit.
     is_folded: bool,
 }
 

@@ -210,7 +210,7 @@ mod tests {
     use crate::{LineStyle, Scalar, fx};
 
     /// The share that each pixel is covered by a line between two places in quarters of a pixel: in sixteenths as a
-    /// hexadecimal digit, where f is all of it. What the rasterizer leaves out has no share.
+    /// hexadecimal digit, where f is all of it; a dot for a pixel that is not drawn.
     fn shares(width: Scalar, ends: [[i32; 2]; 2]) -> std::vec::Vec<std::string::String> {
         let coverage = Cell::default();
         let mut picture = Picture::new(12, 7);

@@ -39,8 +39,8 @@ pub(crate) enum Plan {
 
 /// The decisions of a mode.
 pub(crate) trait Policy: Copy {
-    /// The plan for attributes that are not affine. A mode divides at each pixel where this plan is not possible, and
-    /// programs contain no others.
+    /// The plan for attributes that are not affine. Where this plan is not possible, the mode divides at each pixel. A
+    /// program contains code for these two cases only.
     ///
     /// With [`Straight`](Plan::Straight), nothing is ever divided. With [`Divide`](Plan::Divide) or
     /// [`Anew`](Plan::Anew), all attributes are. `Divide` has no other path, and reads the wide planes.

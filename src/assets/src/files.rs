@@ -15,7 +15,7 @@ pub trait Files {
     /// Whether there is such a file.
     fn has(&self, path: &Path) -> bool;
 
-    /// Is told now and then how many of a model's bytes have been read.
+    /// Called now and then, with the number of a model's bytes that have been read, and of all its bytes.
     fn progress(&self, _done: usize, _all: usize) {}
 }
 

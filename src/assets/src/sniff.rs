@@ -15,8 +15,8 @@ pub enum Format {
     Gltf,
 }
 
-/// A format, unless it cannot be read; its name with an article, its endings, and how its files begin, if that is
-/// enough to know them.
+/// A format, or `None` if fixel cannot read it; its name with an article; its file name extensions; and the text with
+/// which its files begin, if that identifies them.
 type Row = (Option<Format>, &'static str, &'static str, &'static str);
 
 const FORMATS: [Row; 17] = [

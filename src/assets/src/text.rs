@@ -23,7 +23,7 @@ pub fn one_line(message: &str) -> String {
     cut(&words.join(" ").replace(char::is_control, ""), 300)
 }
 
-/// The byte that ends the lines of a text, maybe with another.
+/// The last byte of the line ends of a text: a carriage return if most lines end with it alone, else a line feed.
 pub fn line_end(text: &[u8]) -> u8 {
     let count = |end| text.split(|&byte| byte == end).count();
     b"\n\r"[usize::from(count(b'\r') > 2 * count(b'\n'))]

@@ -255,9 +255,9 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
         }
     }
 
-    /// The things that may have pixels in a canvas's rows, in the order in which they are to be drawn, each with its
-    /// object's material. If the list is sorted, each part holds consecutive elements of one object; otherwise, each
-    /// object is one part.
+    /// What to draw in a canvas's rows, in this order: parts of the list, each with its object's material. In a sorted
+    /// list, a part is a run of elements of one object; otherwise, it is a whole object. A part that has no pixels in
+    /// these rows may be left out.
     ///
     /// # Errors
     ///

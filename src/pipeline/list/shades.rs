@@ -77,11 +77,11 @@ impl<S: Shader, const ELEMENTS: usize> ShadeList<S, ELEMENTS> {
 }
 
 impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
-    /// Asks a shader for the values of each triangle or edge, once for all bands. `shader_of` returns the shader of an
-    /// object's material; for a thing without a material, it is `|()| shader`.
+    /// Computes the shader's values for each triangle or edge, once for all bands. `shader_of` returns the shader for an
+    /// object's material; if there are no materials, write `|()| shader`.
     ///
-    /// In each band, draw with `.of(&shader)` of the result, which takes these values in place of those of the shader.
-    /// If something else is drawn with it, the shader is asked as ever.
+    /// In each band, draw with `.of(&shader)` of the result: it uses the computed values. If anything else is drawn with
+    /// it, the shader computes its values as usual.
     ///
     /// # Errors
     ///
@@ -151,7 +151,7 @@ pub struct Shades<'a, S: Shader> {
 }
 
 impl<'a, S: Shader> Shades<'a, S> {
-    /// The shader that computed the values, with these in place of its own.
+    /// Makes a shader that uses the computed values. `shader` must be the one that computed them.
     #[must_use]
     #[inline]
     pub const fn of(&self, shader: &S) -> Shaded<'a, S> {

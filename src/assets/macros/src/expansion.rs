@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use fixel_assets::Notes;
 use proc_macro::{Group, Literal, Span, TokenStream, TokenTree};
 
-/// The text of a block, in which some words stand for other tokens.
+/// The text of a block of code. Some words in it are placeholders for other tokens.
 #[derive(Default)]
 pub struct Expansion {
     text: String,
