@@ -259,8 +259,8 @@ impl Primitive<'_> {
         self.placement.direction(self.normal())
     }
 
-    /// The mean of the three corners, accurate to 2⁻¹⁶ in model space, in world space; rounded to nearest there, it
-    /// saturates to the range of [`Scalar`].
+    /// The mean of the three corners in world space, from a mean that is accurate to 2⁻¹⁶ in model space. It is rounded
+    /// to nearest, and saturates to the range of [`Scalar`].
     #[must_use]
     pub fn world_middle(&self) -> Vec3 {
         let [a, b, c] = self.positions().map(Vec3::to_bits);
