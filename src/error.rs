@@ -172,7 +172,8 @@ errors! {
         /// The refused height.
         height: Scalar,
     } = "aspect ratio is {} to {}: both must be above 0", Scalar(width), Scalar(height);
-    /// A range without length: of depth between the near and the far plane, of a window, a fog or a gradient.
+    /// A range whose upper end is not above its lower end: the depths from the near to the far plane, or the range of a
+    /// window, a fog or a gradient.
     Empty {
         /// What has the range.
         of: &'static str,

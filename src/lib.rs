@@ -99,7 +99,7 @@
 //!    convenience and in the first guess of [`Angle::atan2`], never per vertex or per pixel.
 //! 2. **Same bits everywhere.** Results do not depend on the target's word length or instructions: the host and the
 //!    board draw the same picture.
-//! 3. **Total.** No accepted value can cause a panic or a write outside the canvas. Constructors refuse values that
+//! 3. **No panics.** No accepted value can cause a panic or a write outside the canvas. Constructors refuse values that
 //!    cannot be drawn, with an [`Error`] that names the value and the bound. [`guide::limits`] gives the ranges in
 //!    which accuracy is promised, and says what happens beyond them.
 //! 4. **Watertight.** Triangles that share an edge cover each pixel center exactly once, clipped or not.

@@ -76,7 +76,7 @@ pub struct Opacity(pub u8);
 /// A [`Blending`]: the color is added to the one on the canvas, channel by channel, at most to white. For fire, sparks,
 /// beams of light. Exact.
 ///
-/// Put such a surface in black fog, so that it fades.
+/// To fade such a surface with distance, put it in black fog.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -98,7 +98,7 @@ pub struct Add;
 /// A [`Blending`]: the color on the canvas is multiplied by the new one, channel by channel, where white is 1. For
 /// shadows, stained glass. The product is rounded to nearest, or dithered.
 ///
-/// In fog, such a surface must fade to white, which changes nothing: put it in white fog.
+/// To fade such a surface with distance, put it in white fog.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

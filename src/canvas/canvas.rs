@@ -35,9 +35,9 @@ const MAX_SIZE: u32 = 2048;
 /// | entries of a palette | [`ColorIndex`](super::ColorIndex) | `Canvas<ColorIndex>` |
 ///
 /// [`BigEndian`](embedded_graphics::pixelcolor::raw::BigEndian) and
-/// [`LittleEndian`](embedded_graphics::pixelcolor::raw::LittleEndian) are embedded-graphics' types. Displays with
-/// several pixels in a byte get them on the way out: see [`show`](Self::show) and [`pages`](Self::pages). Draw for
-/// these in bands: 8 rows of 128 pixels take 1 KiB, as much as a whole packed frame of 128x64.
+/// [`LittleEndian`](embedded_graphics::pixelcolor::raw::LittleEndian) are embedded-graphics' types. For displays with
+/// several pixels in a byte, [`show`](Self::show) and [`pages`](Self::pages) pack the pixels. Draw in bands for these
+/// displays: a band of 8 rows of 128 pixels takes 1 KiB, as much as a whole packed frame of 128x64.
 ///
 /// [`with_depth`](Self::with_depth) and [`with_depth_format`](Self::with_depth_format) add a depth buffer.
 ///
@@ -57,7 +57,8 @@ const MAX_SIZE: u32 = 2048;
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// `Canvas<Rgb565>` has no depth buffer. So a function that draws names the whole type, or takes any:
+/// `Canvas<Rgb565>` is the type without a depth buffer. A function that draws on a canvas with one names the whole
+/// type, or is generic:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -89,9 +90,9 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
 
     /// A canvas of `width` x `height` pixels, row by row from the top.
     ///
-    /// A slice of colors makes a canvas that stores them as they are. A slice of arrays of bytes makes one of bytes,
-    /// whose color and byte order its type must name: `Canvas<Rgb565, BigEndian>` stores `[u8; 2]`. Most displays
-    /// expect the most significant byte first. `bytes.as_chunks_mut().0` views a slice of bytes as such arrays.
+    /// Over a slice of colors, the canvas stores them unchanged. Over a slice of byte arrays, it stores bytes, and its
+    /// type must name the color and the byte order: `Canvas<Rgb565, BigEndian>` stores `[u8; 2]`. Most displays expect
+    /// the most significant byte first. `bytes.as_chunks_mut().0` views a slice of bytes as such arrays.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor, raw::BigEndian};
@@ -361,7 +362,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         self.clear_depth();
     }
 
-    /// Sets every depth to infinity and keeps the colors, so that the next draw call covers them.
+    /// Sets every depth to infinity and keeps the colors. The next draw call then covers the picture.
     ///
     /// Use it for a second scene over the first, such as a cockpit or a gauge that no wall may hide. Without a depth
     /// buffer, it does nothing.

@@ -141,10 +141,10 @@ impl<Z> Biased<Z> {
     /// neighboring pixels. That is the difference across or the one down, whichever is greater. Positive values move a
     /// surface nearer. Depths saturate at both ends.
     ///
-    /// An edge of an [outline](crate::Mesh::outline) takes the greatest of these differences: along the line, and on each
-    /// of its two faces that is not culled. A face may be so narrow on the screen that a pixel is many times its width.
-    /// So it counts with at most the difference between its nearest and its farthest corner; with twice that if the edge
-    /// is not a crease, because then the next face recedes, too.
+    /// An edge of an [outline](crate::Mesh::outline) takes the greatest of these differences: along the line, and on
+    /// each of its two faces that is not culled. A face may be so narrow on the screen that a pixel is many times its
+    /// width. So the difference of a face is limited to the difference between its nearest and its farthest corner. If
+    /// the edge is not a crease, the limit is twice that, because the next face recedes, too.
     #[must_use]
     pub const fn new(test: Z, steps: i32, slope: Scalar) -> Self {
         Self {
@@ -157,9 +157,9 @@ impl<Z> Biased<Z> {
     }
 
     /// `test` with depths moved away by two steps and by the depth difference between neighboring pixels. This is
-    /// enough for edges drawn over the mesh to have no gaps. (A sliver that the near plane cuts may hide a pixel of its
-    /// own edge, because its new corners, rounded to 1/256 pixel, tilt it.) Silhouettes of round bodies need more: draw
-    /// an outline [`in_front`](Self::in_front).
+    /// enough for edges drawn over the mesh to have no gaps. (A sliver that the near plane clips may hide a pixel of
+    /// its own edge: its new corners are rounded to 1/256 pixel, which tilts it.) Silhouettes of round bodies need
+    /// more: draw an outline [`in_front`](Self::in_front).
     #[must_use]
     pub const fn behind(test: Z) -> Self {
         Self::new(test, -2, crate::fx!(-1))

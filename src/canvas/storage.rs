@@ -15,7 +15,7 @@ use crate::sealed::{Sealed, sealed};
 /// [`Native`] keeps the color itself, and [`Words`] the integer of its raw bits, for a bus that sends words of 16 bits.
 /// embedded-graphics' [`BigEndian`] and [`LittleEndian`] keep its raw bytes in that order, for a bus that sends bytes.
 ///
-/// Use it as the bound of code that draws on a canvas however it stores its colors, or sends the bytes of canvases of
+/// Use this trait as a bound: for code that draws on canvases of any storage, or that sends the bytes of canvases of
 /// any color:
 ///
 /// ```
@@ -194,7 +194,8 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer> Memory<'a, C, O, D> {
     }
 
     /// The pixels of `columns` of `row` with their depths. Both must lie within the canvas's area, as the rasterizer's
-    /// do. It returns `None` and does not panic if memory ends before them, or if columns end before they start.
+    /// do. Returns `None` if the memory is too short for these pixels, or if `columns` ends before it starts. It does
+    /// not panic.
     #[inline]
     pub(crate) fn cells(self, row: u32, columns: Range<u32>) -> Option<Cells<'a, C, O, D>> {
         let first = self.begin(row);

@@ -1,4 +1,5 @@
-//! The terms of this crate, in the order in which a program meets them: what you pass to a draw call, and what it does.
+//! The terms of this crate, in the order in which a program uses them: the arguments of a draw call, and what the call
+//! does with them.
 //!
 //! 1. [The parts of a program](#the-parts-of-a-program)
 //! 2. [Numbers](#numbers)
@@ -17,7 +18,7 @@
 //!
 //! A draw call takes a mesh (the shape), a model-view-projection (where it is, and from where it is seen) and a shader
 //! (its colors), and writes pixels to a canvas (your memory). All four are plain values that belong to your program.
-//! The canvas is the only state between draw calls.
+//! Between draw calls, only the canvas keeps state.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -57,7 +58,7 @@
 //! |---|---|---|
 //! | `fx!(0.25)` | [`Scalar`](crate::Scalar): a coordinate, a distance, a brightness | ±32,768 in steps of 1/65,536 |
 //! | `vec3!(0, 1.5, 4)` | [`Vec3`](crate::Vec3): three scalars | the same |
-//! | `vec2!(0.5, 1)` | [`Vec2`](crate::Vec2): a texture coordinate in repeats of the texture | ±2048 in steps of 10⁻⁶ |
+//! | `vec2!(0.5, 1)` | [`Vec2`](crate::Vec2): a texture coordinate: 1 is the whole width or height of the texture | ±2048 in steps of 10⁻⁶ |
 //! | `deg!(62.5)` | [`Angle`](crate::Angle): a fraction of a turn | one turn, in steps of 10⁻⁷ degrees |
 //!
 //! A literal beyond the range does not compile. A number that is known only when the program runs, a float or an
@@ -87,15 +88,15 @@
 //! ```
 //!
 //! Choose the unit so that your scene is between a tenth of a unit and a few thousand units in size: a meter for a
-//! garden, a centimeter for a machine. [Limits](crate::guide::limits) says how accurate the picture is in which range.
+//! garden, a centimeter for a machine. [Limits](crate::guide::limits) gives the accuracy of the picture for each range.
 //!
 //! The page of [`num`](crate::num) says how results are rounded.
 //!
 //! # Mesh
 //!
 //! A [`Mesh`](crate::Mesh) borrows positions and faces, and optionally texture coordinates, normals, colors and edges.
-//! `shape!` and `include_mesh!` make one while your program is compiled, so that it lies in flash. A mesh of your own
-//! slices can lie in flash, too:
+//! `shape!` and `include_mesh!` make a mesh at compile time, so it is stored in flash. A mesh of your own slices can be
+//! in flash, too:
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -107,12 +108,12 @@
 //! assert_eq!(ROOF.faces().len(), 1);
 //! ```
 //!
-//! The order of a triangle's corners tells its front from its back:
+//! The order of a triangle's corners determines which side is its front:
 //!
 #![doc = diagram!("winding")]
 //!
-//! If a model looks as if you saw its inside, its triangles run clockwise: swap two corners of each, or draw with
-//! [`Cull::Front`](crate::Cull::Front).
+//! If you see the inside of a model, the corners of its triangles are in clockwise order: swap two corners of each, or
+//! draw with [`Cull::Front`](crate::Cull::Front).
 //!
 //! # Transform, camera, projection
 //!
@@ -121,9 +122,9 @@
 //! - A [`Transform`](crate::Transform) places a model in the world. `a * b` applies `b` first.
 //! - A [`Camera`](crate::Camera) says where the eye is and where it looks. It moves and turns the world so that the eye
 //!   is at the origin and looks along −z.
-//! - A [`Projection`](crate::Projection) sets the angle of view, and the distances of the near and the far plane.
-//!   [`perspective`](crate::Projection::perspective) takes the vertical angle, from the bottom of the picture to its
-//!   top.
+//! - A [`Projection`](crate::Projection) sets the angle of view, and the distances of the near and the far plane: only
+//!   what is between these planes is drawn. [`perspective`](crate::Projection::perspective) takes the vertical angle,
+//!   from the bottom of the picture to its top.
 //!
 #![doc = diagram!("eye")]
 //!
@@ -147,10 +148,11 @@
 //!
 //! # Shader
 //!
-//! A [`Shader`](crate::Shader) gives each pixel its color. Some shaders are surfaces: [`Flat`](crate::Flat),
-//! [`Gouraud`](crate::Gouraud), [`Textured`](crate::Textured). Adapters (`lit`, `in_fog`, `map`) wrap them, in any
-//! order and number. The module [`shade`](crate::shade) lists all of them. The compiler makes one loop of a whole
-//! stack, and links only the shaders that you name.
+//! A [`Shader`](crate::Shader) gives each pixel its color. Some shaders are surfaces: [`Flat`](crate::Flat) has one
+//! color, [`Gouraud`](crate::Gouraud) interpolates vertex colors, [`Textured`](crate::Textured) shows a texture, whose
+//! pixels are called texels. Adapters (`lit`, `in_fog`, `map`) wrap a surface. You can use any number of them, in any
+//! order. The module [`shade`](crate::shade) lists all of them. The compiler turns the whole stack into one loop, and
+//! the program contains only the shaders that you name.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -196,27 +198,28 @@
 //!
 //! # Canvas
 //!
-//! A [`Canvas`](crate::Canvas) is a picture in your memory: its size, its colors, and optionally a depth buffer. A
-//! slice of colors makes a canvas of colors; a slice of arrays, such as `[u8; 2]`, one of bytes in the order that a
-//! display wants. A canvas consists of references and a few numbers, so make a new one for each frame.
+//! A [`Canvas`](crate::Canvas) is a picture in your memory: its size, its colors, and optionally a depth buffer. Over a
+//! slice of colors, a canvas stores colors. Over a slice of arrays, such as `[u8; 2]`, it stores bytes in the order
+//! that a display expects. A canvas consists of references and a few numbers, so make a new one for each frame.
 //!
 //! A canvas is an embedded-graphics `DrawTarget`: text and shapes go on top. [`show`](crate::Canvas::show) copies it to
-//! another `DrawTarget`; [`as_bytes`](crate::Canvas::as_bytes) gives its bytes to a DMA channel. If a display has
-//! several pixels in a byte, [`show`](crate::Canvas::show) or [`pages`](crate::Canvas::pages) packs them.
+//! another `DrawTarget`; [`as_bytes`](crate::Canvas::as_bytes) gives its bytes to a DMA channel. For a display with
+//! several pixels in a byte, [`show`](crate::Canvas::show) or [`pages`](crate::Canvas::pages) packs the pixels.
 //!
 //! # Depth
 //!
-//! With a depth buffer, triangles may be drawn in any order, and the nearest one shows. The buffer takes two bytes a
-//! pixel, and stores how near each pixel is:
+//! With a depth buffer, triangles may be drawn in any order; you always see the nearest one. The buffer takes two bytes
+//! a pixel, and stores how near each pixel is:
 //!
 #![doc = diagram!("depth")]
 //!
-//! `clear` sets all depths to 0, which is infinitely far. Half of the steps lie between the near plane and twice its
-//! distance. So put the near plane as far away as the scene allows; a distant far plane costs nothing. For scenes that
-//! reach far beyond 1,000 times the near plane's distance, use the format [`FloatDepth`](crate::canvas::FloatDepth).
+//! `clear` sets all depths to 0, which is infinitely far. Half of the depth steps cover only the distances from the
+//! near plane to twice as far. So put the near plane as far away as the scene allows. The far plane may be at any
+//! distance: it does not change the steps. For scenes that reach far beyond 1,000 times the near plane's distance, use
+//! the format [`FloatDepth`](crate::canvas::FloatDepth).
 //!
-//! A scene without a depth buffer must be drawn from back to front. A [`DrawList`](crate::DrawList) can sort
-//! it.
+//! A scene without a depth buffer must be drawn from back to front. A [`DrawList`](crate::DrawList), a list of
+//! transformed triangles, can sort it.
 //!
 //! # Band
 //!
@@ -251,8 +254,8 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! Put together, the bands equal the whole frame, bit for bit. Every draw call transforms its mesh again in every band.
-//! If that takes too long, a [`DrawList`](crate::DrawList) transforms it once a frame. The program in
+//! Together, the bands give the same picture as the whole frame, bit for bit. Every draw call transforms its mesh again
+//! in every band. If that takes too long, a [`DrawList`](crate::DrawList) transforms it once a frame. The program in
 //! [firmware](crate::guide::firmware) uses two bands: it draws one while the other is sent.
 //!
 //! # When the scene is wrong
@@ -262,13 +265,13 @@
 //! | what you see | what to check |
 //! |---|---|
 //! | nothing, and [`submitted`](crate::Drawn::submitted) is 0 | the mesh has no faces |
-//! | nothing, and [`drawn`](crate::Drawn::drawn) is 0 | all triangles are culled or out of view: if [`Cull::Nothing`](crate::Cull::Nothing) shows them, they run clockwise; [`Canvas::project`](crate::Canvas::project) gives the place of a point on the screen, or `None` if it is nearer than the near plane, beyond the far plane, or far outside the viewport |
-//! | nothing, although triangles are drawn | the depths of the last frame are left: call `clear` before each frame |
-//! | the inside of objects | the triangles run clockwise: see [Mesh](#mesh) |
+//! | nothing, and [`drawn`](crate::Drawn::drawn) is 0 | all triangles are culled or out of view: if [`Cull::Nothing`](crate::Cull::Nothing) shows them, their corners are in clockwise order; [`Canvas::project`](crate::Canvas::project) gives the place of a point on the screen, or `None` if it is nearer than the near plane, beyond the far plane, or far outside the viewport |
+//! | nothing, although triangles are drawn | the depth buffer still has the depths of the last frame: call `clear` before each frame |
+//! | the inside of objects | the corners of triangles are in clockwise order: see [Mesh](#mesh) |
 //! | one color in place of a texture or of vertex colors | [`missing`](crate::Drawn::missing): the mesh lacks texture coordinates or colors |
 //! | lit surfaces are dark | the direction of a [`Light`](crate::Light) points to the light, in world space; surfaces that face away from it have only its ambient brightness |
 //! | a spot or a highlight with jagged edges, or none | light is computed at the corners of triangles: make the mesh finer |
 //! | distant surfaces flicker through each other | move the near plane away from the eye: see [Depth](#depth) |
 //! | lines on a surface are broken | draw the surface with [`Biased::behind`](crate::canvas::Biased::behind), slightly behind its true depth; or draw its [outline](crate::Mesh::outline) with [`Biased::in_front`](crate::canvas::Biased::in_front) |
 //!
-//! [Firmware](crate::guide::firmware#when-the-picture-is-wrong) has the same for displays.
+//! [Firmware](crate::guide::firmware#when-the-picture-is-wrong) has a similar table for displays.

@@ -1,7 +1,8 @@
 //! Each program on this page drives a display through a driver of another project. You can copy the one that fits your
 //! panel, and change its scene. The programs are generic over bus and pins (embedded-hal), so they compile for your
-//! computer and for your chip. The project's tests run them over recorded wires: a model of each controller, written
-//! from its data sheet, must show the picture that the canvas holds. None of them has run on a real panel yet.
+//! computer and for your chip. The project's tests record what each program sends, and feed it to a model of the
+//! controller, written from its data sheet. The model must show the picture that is on the canvas. None of them has run
+//! on a real panel yet.
 //!
 //! | program | panel | driver, and the version it was tried with |
 //! |---|---|---|
@@ -22,25 +23,26 @@
 //!
 //! Give a canvas of the window's size the viewport of the whole frame, moved left and up by the window's corner. The
 //! canvas then shows that window. It covers the same pixels as the frame; interpolated colors and texture coordinates
-//! agree within the [mode's](crate::guide::modes) error, because a row of pixels begins at the window's edge.
-//! [Ordered dithering](crate::shade::PixelFormat) follows the canvas: for dithered colors, let corners be multiples
-//! of 8. embedded-graphics draws into the window and sends it with `translated`. The window must contain the moving
-//! thing both where it was and where it is now; [`Canvas::project`](crate::Canvas::project) tells where points are.
+//! agree within the [mode's](crate::guide::modes) error, because a row of pixels begins at the window's edge. The
+//! pattern of [ordered dithering](crate::shade::PixelFormat) begins at the corner of the canvas. For dithered colors,
+//! let the coordinates of the window's corner be multiples of 8. embedded-graphics draws into the window and sends it
+//! with `translated`. The window must contain the moving thing both where it was and where it is now;
+//! [`Canvas::project`](crate::Canvas::project) tells where points are.
 //!
 #![doc = display_program!("window")]
 //!
 #![doc = display_picture!("A round panel", "round")]
-//! Nobody sees the corners of a round panel. A circle leaves a fifth of its square empty; with bands of 16 rows, each as
-//! wide as the circle is there (right), 15 % of the pixels are neither drawn nor sent. Lower bands save more, and
-//! transform the mesh more often.
+//! Nobody sees the corners of a round panel. A circle leaves a fifth of its square empty; with bands of 16 rows, each
+//! as wide as the circle is there (right), 15 % of the pixels are neither drawn nor sent. Bands of fewer rows save
+//! more, but transform the mesh more often.
 //!
 #![doc = display_program!("round")]
 //!
 #![doc = display_picture!("Electronic paper", "epaper")]
-//! A full refresh of electronic paper flashes, and takes seconds. A quick one takes a third of a second, and drives only
-//! the pixels that differ from the picture before: on the right, the red ones to black and the blue ones to white. So
-//! the picture should differ only where something moved. Ordered dithering keeps its pattern in place;
-//! [diffused errors](crate::canvas::ErrorDiffusion) look better, and change pixels everywhere below a change: use them
+//! A full refresh of electronic paper flashes, and takes seconds. A quick one takes a third of a second, and drives
+//! only the pixels that differ from the picture before: on the right, the red ones to black and the blue ones to white.
+//! So the picture should differ only where something moved. Ordered dithering keeps its pattern in place; [error
+//! diffusion](crate::canvas::ErrorDiffusion) looks better, but a small change alters pixels everywhere below it: use it
 //! for pictures that get a full refresh. Paper also needs a full refresh now and then, to remove what quick ones leave:
 //! the panel's data sheet says how often.
 //!
@@ -68,18 +70,18 @@
 //! The panel reads its memory 60 times a second. If a frame arrives while it reads, it shows the upper part of one frame
 //! and the lower part of another: a tear (left). The panel's output TE tells when it begins to read.
 //!
-//! Which of the two is faster decides when to start. If the bus needs longer for a frame than the panel for reading it,
-//! start as soon as the panel has begun (TE falls), and be done before it comes around a second time. If the bus is
-//! faster, start when the panel has finished (TE rises). A frame must be in memory as a whole, because drawing between
-//! bands would make it late. Panels read in the direction of their longer side, so a rotated panel cannot be kept from
-//! tearing in this way.
+//! Which of the two is faster decides when to start. If the bus takes longer to send a frame than the panel takes to
+//! read it, start as soon as the panel has begun to read (TE falls). Finish before its next pass catches up with you.
+//! If the bus is faster, start when the panel has finished (TE rises). A frame must be in memory as a whole, because
+//! drawing between bands would make it late. Panels read in the direction of their longer side, so a rotated panel
+//! cannot be kept from tearing in this way.
 //!
 #![doc = display_program!("tearing")]
 //!
 #![doc = display_picture!("Two frames", "frames")]
-//! While one frame is sent, the next one is drawn into the other. Two frames of 240x240 pixels take 225 KiB: too much
-//! for a Pico beside all else, but not for the PSRAM on many boards with an RP2350. Depth should stay in fast memory,
-//! because each pixel reads and writes it several times.
+//! While one buffer is sent, the next frame is drawn into the other buffer. Two frames of 240x240 pixels take 225 KiB:
+//! too much for a Pico beside all else, but not for the PSRAM on many boards with an RP2350. Depth should stay in fast
+//! memory, because each pixel reads and writes it several times.
 //!
 #![doc = display_program!("frames")]
 //!

@@ -92,9 +92,9 @@
 )})]
 //!
 //! The depth is −*A* + *B*/*w*. It is called pseudo-depth, because it keeps the order of distances but not their
-//! proportions: with *n* = 2 and *f* = 10, half of its range is used up at a distance of 3⅓. The distance itself would
-//! not do: along a line on the screen, 1/*w* changes evenly and *w* does not ([below](#a-segment)). A depth buffer of
-//! fixel stores 65535 *n*/*w*, which is also linear in 1/*w*, and needs no far plane.
+//! proportions: with *n* = 2 and *f* = 10, half of its range is used up at a distance of 3⅓. The distance itself is not
+//! suitable: along a line on the screen, 1/*w* changes evenly, but *w* does not ([below](#a-segment)). A depth buffer
+//! of fixel stores 65535 *n*/*w*, which is also linear in 1/*w*, and needs no far plane.
 //!
 #![doc = diagram!("pseudo_depth")]
 //!
@@ -156,9 +156,9 @@
 //!
 //! <div class="warning">
 //!
-//! **Clipping after the division.** The point (1, 1, 3) lies behind the eye. Its *w* is −3, and a division would put
-//! it at (−⅔, −⅔), inside the window. A triangle with such a corner would be drawn to the mirrored point, across the
-//! wrong part of the picture, and no test on the screen can tell. Clip first, while *w* still has its sign, then
+//! **Clipping after the division.** The point (1, 1, 3) lies behind the eye. Its *w* is −3, and a division would put it
+//! at (−⅔, −⅔), inside the window. A triangle with such a corner would reach to the mirrored point, across the wrong
+//! part of the picture. No test of screen positions can detect this. Clip first, while *w* still has its sign, then
 //! divide. Draw calls do.
 //!
 //! ```
@@ -226,8 +226,8 @@
 //! <div class="warning">
 //!
 //! **Whole pixels for corners.** A corner that is rounded to whole pixels moves by up to half a pixel, and takes its
-//! edges and its texture with it: a model that turns slowly trembles. Keep a fraction (fixel has 8 bits of it), and
-//! test coverage at the centers of pixels, half a pixel from their edges.
+//! edges and its texture with it: a slowly turning model jitters. Keep a fraction (fixel has 8 bits of it), and test
+//! coverage at the centers of pixels, half a pixel from their edges.
 //!
 //! </div>
 //!
@@ -378,10 +378,11 @@
 //!
 //! <div class="warning">
 //!
-//! **Interpolating z.** Linear on the screen, the middle of this segment would be at a distance of 2.5; it is at 1.6.
-//! A depth test would let the wrong surface win, and a texture that is interpolated in this way bends along the
-//! diagonal of each square. Interpolate 1/*w* and *a*/*w*, and divide last. The mode [`Affine`](crate::mode::Affine)
-//! skips the division on purpose; [its error](crate::guide::modes#affine) has a formula.
+//! **Interpolating z.** If *z* were linear on the screen, the middle of the picture of this segment would be at a
+//! distance of 2.5. It is at 1.6. A depth test would let the wrong surface win, and a texture that is interpolated in
+//! this way bends along the diagonal of each square. Interpolate 1/*w* and *a*/*w*, and divide last. The mode
+//! [`Affine`](crate::mode::Affine) skips the division on purpose; [its error](crate::guide::modes#affine) has a
+//! formula.
 //!
 //! </div>
 //!

@@ -1,12 +1,12 @@
 //! The guide: from concepts to firmware.
 //!
 //! Read the pages in this order, or go straight to your question. The tests compile every program on these pages, and
-//! run those that can run on a computer.
+//! run every one that can run on a computer.
 //!
 //! 1. **[Concepts](concepts)**: mesh, projection, camera, shader, options, canvas, depth and band, with diagrams;
 //!    how to write numbers; and what to check when the scene is wrong.
 //! 2. **[Coming from](coming_from)** OpenGL, tgx, embedded-3dgfx or small3dlib: their terms, the terms of fixel, and
-//!    what differs.
+//!    what differs. Skip it if you know none of these.
 //! 3. **[Cookbook](cookbook)**: short programs with their pictures, one idea each.
 //! 4. **[Firmware](firmware)**: from `cargo new` to a panel on SPI, with bands and DMA.
 //! 5. **[Displays](displays)**: windows of a frame, round panels, electronic paper, OLEDs, 18 bits a pixel, tearing,
@@ -123,11 +123,11 @@ pub mod coming_from {}
 #[doc = recipe!("Instruments", "instruments")]
 #[doc = recipe!("A drone's display", "drone")]
 #[doc = picture!("A little world", "world")]
-/// A walk through a garden at dusk puts most of this together. Walls, grass and water have mipmaps. Trees are sprites,
-/// and so is the glow around each lamp; the lamps light the walls near them. There is fog, a sky with stars and a moon,
-/// and a mirror image under translucent water. Labels, a compass, gauges and a map are drawn over the picture. The
-/// command `cargo run -p cookbook world` draws the picture and an animation. The program is in `examples/common/world`;
-/// it draws whole frames or bands, and needs no memory besides the canvas.
+/// A walk through a garden at dusk uses most of the techniques on this page. Walls, grass and water have mipmaps. Trees
+/// are sprites, and so is the glow around each lamp; the lamps light the walls near them. There is fog, a sky with
+/// stars and a moon, and a mirror image under translucent water. Labels, a compass, gauges and a map are drawn over the
+/// picture. The command `cargo run -p cookbook world` draws the picture and an animation. The program is in
+/// `examples/common/world`; it draws whole frames or bands, and needs no memory besides the canvas.
 ///
 // So rows of 100 columns fit the page.
 /// <style>.docblock pre.rust { font-size: 15px }</style>

@@ -111,9 +111,9 @@ pub const fn quantized_8<const N: usize>(uvs: &[Vec2]) -> ([[u8; 2]; N], UvGrid)
     (steps, grid)
 }
 
-/// Lists from the little-endian bytes of their elements: the macros that read files write lists as bytes, because the
-/// compiler reads these several times as fast as numbers. Patterns and operators, because in the compiler, an index takes
-/// as long as several of them, and a call as long as ten.
+/// Makes lists from the little-endian bytes of their elements. The macros that read files write lists as bytes, because
+/// the compiler reads bytes several times as fast as numbers. Patterns and operators, because in the compiler, an index
+/// takes as long as several of them, and a call as long as ten.
 ///
 /// # Panics
 ///

@@ -106,10 +106,10 @@ impl<'a> Mesh<'a> {
     /// These positions take half the flash and draw the same pixels, bit for bit, as [`Scalar`](crate::Scalar)s of
     /// the same value. With 14 fraction bits, for example, they range from −2 to almost 2 in steps of 1/16384.
     ///
-    /// Rounding to these units moves a position by up to half a unit along each axis. On the screen, the position moves
-    /// by up to √3/2 units times focal length / w, and by as much again times the slope x/w or y/w at which it is seen.
-    /// For a sphere that fills 320x240, with 14 fraction bits, this is 0.008 pixels. Such a position takes 7
-    /// instructions more to transform than a 32-bit one on Cortex-M4, and about 10 more on Cortex-M0+.
+    /// Rounding to these units moves a position by up to half a unit along each axis. On the screen, this moves the
+    /// position by up to √3/2 · (1 + s) units times focal length / w, where s is the slope x/w or y/w at which the
+    /// position is seen. For a sphere that fills 320x240, with 14 fraction bits, this is 0.008 pixels. Such a position
+    /// takes 7 instructions more to transform than a 32-bit one on Cortex-M4, and about 10 more on Cortex-M0+.
     ///
     /// [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) produce such meshes with the argument
     /// `short`; [`Mesh::shortened`] converts the positions of any mesh.
@@ -195,8 +195,8 @@ impl<'a> Mesh<'a> {
 
     /// The mesh without its edges. A `static` of the result takes no flash for them.
     ///
-    /// [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) make all lists, and those that a `static`
-    /// keeps take flash. So drop the ones that no draw call reads:
+    /// [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) make all lists, and every list that a
+    /// `static` keeps takes flash. So drop the lists that no draw call reads:
     ///
     /// ```
     /// use fixel::prelude::*;

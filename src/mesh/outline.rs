@@ -157,7 +157,8 @@ const fn hash([x, y, z]: [i32; 3]) -> u32 {
     ((mixed ^ mixed >> 15) as u64 * 0x2C1B_3C6D) as u32
 }
 
-/// The vector from one position to another. If a component takes 32 bits and a sign, each loses its last bit.
+/// The vector from one position to another. If a component needs 32 bits and a sign, every component loses its lowest
+/// bit.
 const fn direction([a, b, c]: [i32; 3], [x, y, z]: [i32; 3]) -> [i64; 3] {
     let sides = [
         x as i64 - a as i64,

@@ -7,8 +7,8 @@ use crate::view::ProjectionKind;
 
 /// Recently projected vertices, because neighboring triangles share them. They take 1 KiB of stack.
 ///
-/// A vertex of a grid is projected once if the rows have up to 60 vertices, and twice if they have more, because two
-/// longer rows do not fit.
+/// A vertex of a grid is projected once if the rows have up to 60 vertices. In longer rows, it is overwritten before
+/// the next row needs it, and is projected twice.
 pub(super) struct VertexCache {
     entries: [ScreenVertex; SIZE],
     slots: Slots,

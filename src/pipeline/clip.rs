@@ -66,7 +66,7 @@ pub(crate) fn clip<K: ProjectionKind>(
     }
 }
 
-/// Writes to `inside` the part of a polygon or a line that is inside a plane.
+/// Clips a polygon or a line by a plane, and writes the part that is inside to `inside`.
 #[inline(never)]
 fn clip_to_plane<K: ProjectionKind>(
     projector: &Projector<'_, K>,

@@ -183,8 +183,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 
     /// The size of `bounds` on the screen in whole pixels, to choose among meshes with different levels of detail: the
-    /// length of their diagonal, seen at the distance of their center, in widths of pixels, rounded to the nearest 1/256
-    /// and then down. (The diameter of a ball is 1/√3 of it.)
+    /// length in pixels of the box's diagonal, as seen at the distance of its center. The length is rounded to the
+    /// nearest 1/256, then down. (The diameter of a ball is 1/√3 of it.)
     ///
     /// Under a perspective projection, it is `u32::MAX` unless the center is ahead of the eye by more than half of the
     /// diagonal. Corners are rounded to [`Scalar`](crate::Scalar)s in eye space, and saturate there.

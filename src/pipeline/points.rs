@@ -75,7 +75,7 @@ impl<C> Thing<C> for Points<'_> {
 enum HalfSize {
     /// All have the same.
     Equal(i64),
-    /// A mantissa · 2^-exponent over the distance, in units of the near plane's.
+    /// Half the size is mantissa · 2^-exponent / distance, with the distance in units of the near plane's distance.
     OverDistance(i32, i32),
 }
 

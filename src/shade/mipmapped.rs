@@ -95,9 +95,10 @@ impl<S: Sampler, A, F> Textured<S, A, F> {
     ///
     /// # Cost
     ///
-    /// The table lists the host's instructions for each pixel of the benchmark's floor (x86-64, default mode, 64x64 texels
-    /// of Rgb565, no pixel at level 0). For microcontrollers, the program `kernels` prints them (its kernels with
-    /// mipmap or trilinear in their names). In addition, each triangle takes a few hundred instructions for its density.
+    /// The table lists the host's instructions for each pixel of the benchmark's floor (x86-64, default mode, 64x64
+    /// texels of Rgb565, no pixel at level 0). For microcontrollers, the program `kernels` prints these figures (in the
+    /// lines whose names contain "mipmap" or "trilinear"). In addition, each triangle takes a few hundred instructions
+    /// for its density.
     ///
     /// | | nearest | bilinear | trilinear |
     /// |---|---:|---:|---:|

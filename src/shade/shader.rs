@@ -31,8 +31,8 @@ pub struct Fragment {
 /// values.
 ///
 #[cfg_attr(doc, doc = page_picture!("lit", "A ring that is lit"))]
-/// [`varyings`](Self::varyings) runs once for each triangle, edge or point that has pixels; if that is clipped, once for
-/// each of its parts. [`shade`](Self::shade) runs once for each visible pixel, with the values interpolated in correct
+/// [`varyings`](Self::varyings) runs once for each triangle, edge or point that has pixels, or once for each part of a
+/// clipped one. [`shade`](Self::shade) runs once for each visible pixel, with the values interpolated in correct
 /// perspective; it returns `None` to leave the pixel as it is. [`Varyings`] lists the types that can be interpolated.
 ///
 /// ```

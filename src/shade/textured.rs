@@ -108,8 +108,8 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     /// texture then looks smooth.
     ///
     /// The first texel's center lies half a texel from the texture's corner. Beyond the outermost centers, a repeating
-    /// texture blends with its other edge, and a [`clamped`](Self::clamped) one keeps the color of its edge. A reduced
-    /// texture flickers as without this filter; a [`mipmapped`](Self::mipmapped) one does not.
+    /// texture blends with its other edge, and a [`clamped`](Self::clamped) one keeps the color of its edge. A texture
+    /// that is drawn smaller still flickers with this filter; a [`mipmapped`](Self::mipmapped) texture does not.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, GrayColor}};

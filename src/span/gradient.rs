@@ -279,7 +279,8 @@ impl Basis {
         }
     }
 
-    /// Lays a plane through the values at the corners of any triangle; needs [`start_wide`](Self::start_wide).
+    /// Computes the gradient of an attribute from its values at the corners of any triangle. Call
+    /// [`start_wide`](Self::start_wide) first.
     #[inline(never)]
     pub(crate) fn lay_wide(&self, values: [i32; 3], gradient: &mut Gradient) {
         let [dx, dy] = self.gains(values);

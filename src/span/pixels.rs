@@ -15,7 +15,7 @@ use crate::shade::{Fragment, Lanes, Varyings};
 /// The interpolated numbers of a shader, one `i32` in each lane.
 pub(super) type Numbers<S> = <Count<S> as Lanes>::Of<i32>;
 
-/// The scales of a shader's numbers.
+/// The scale of each number that a shader interpolates.
 pub(super) type Scales<S> = <Count<S> as Lanes>::Of<Scale>;
 
 /// The number of a shader's interpolated numbers.

@@ -15,7 +15,7 @@ impl Scale {
     /// All bits 0: the scale of an attribute before its first triangle.
     pub(crate) const UNSET: Self = Self { bits: 0 };
 
-    /// The scale of all attributes of a triangle that is drawn affinely in a mode that divides.
+    /// The scale of all attributes if a mode that divides draws the triangle affinely.
     pub(crate) const AFFINE: Self = Self { bits: 28 };
 
     /// Left shift of such a triangle's attributes, so that interpolation rounds only fractions of them.

@@ -9,8 +9,8 @@
 //! | [`Mipmap`] | known at run time | a color, with reductions of the texture for triangles far away |
 //!
 //! [`include_texture!`](crate::include_texture) turns a picture file into any of them at compile time. The shader
-//! [`Textured`](crate::Textured) draws them and your own [`Sampler`]s. Texels of [`Argb4444`] have an opacity, and those
-//! of [`Argb1555`] may be holes.
+//! [`Textured`](crate::Textured) draws all of these, and your own [`Sampler`]s. Texels of [`Argb4444`] have an opacity,
+//! and those of [`Argb1555`] may be holes.
 
 // Files are read at compile time, where `From` is not const; offsets lie within a file.
 #![allow(

@@ -10,8 +10,8 @@ use crate::message;
 ///
 /// Rows of texels are a sampler by reference, and the fastest one, because their size is part of the type.
 /// [`Texture`](super::Texture), [`Indexed`](super::Indexed), [`Raw`](super::Raw) and [`Mipmap`](super::Mipmap) are
-/// samplers themselves. References to them are not: they would be followed at each pixel, because the compiler cannot
-/// know that a pixel of the canvas is no part of them. Your own sampler can compute its texels:
+/// samplers themselves. References to them are not samplers. A reference would be read again at each pixel, because the
+/// compiler cannot know that writing a pixel does not change the texture. Your own sampler can compute its texels:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

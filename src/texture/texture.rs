@@ -28,10 +28,10 @@ use crate::error::{check_length, ok};
 ///
 /// # Cost
 ///
-/// Reading a texel takes an instruction more than from rows, `&[[C; W]; H]`. In addition, loops over pixels that take all
-/// registers load up to two numbers from the stack. The table lists millions of instructions per frame for the
-/// benchmark's floor: 47,610 pixels with a 64x64 texture and a depth buffer. Where the size is known while you write the
-/// program, [`include_texture!`](crate::include_texture) makes rows, too.
+/// Reading a texel takes one instruction more than from rows, `&[[C; W]; H]`. A loop over pixels that already needs all
+/// registers also loads up to two numbers from the stack. The table lists millions of instructions per frame for the
+/// benchmark's floor: 47,610 pixels with a 64x64 texture and a depth buffer. Where the size is known while you write
+/// the program, [`include_texture!`](crate::include_texture) makes rows, too.
 ///
 /// <!-- figures: textures of run-time size -->
 /// | | rows | `Texture` |

@@ -39,9 +39,9 @@ impl Camera {
     ///
     /// # Errors
     ///
-    /// [`Error::EyeAtTarget`] if eye and target are equal; [`Error::UpAlongView`] if `up` is zero, or so close to the
-    /// view direction that the roll would be noise. An angle below 1.9e-7 radians (0.04 seconds of arc) is always
-    /// refused, one above 8e-6 never.
+    /// [`Error::EyeAtTarget`] if eye and target are equal; [`Error::UpAlongView`] if `up` is zero, or so nearly
+    /// parallel to the view direction that the roll would be noise. Angles between them below 1.9e-7 radians (0.04
+    /// seconds of arc) are always refused; angles above 8e-6 never.
     pub fn look_at(eye: Vec3, target: Vec3, up: Vec3) -> Result<Self, Error> {
         /// The largest mantissa of each vector is from 2^29 to 2^30. The product of lengths is at least
         /// 2^58, and a component of this size at most 2^-19 of it.

@@ -104,8 +104,8 @@ impl Row {
 ///
 /// [Mathematics](crate::guide::mathematics#a-matrix) derives the matrix from similar triangles.
 ///
-/// The coefficients have 30 significant bits, whatever their size; if a coordinate of the picture depends both on x (or
-/// y) and on z, these are bits of the greater coefficient.
+/// Coefficients of any size have 30 significant bits. If a coordinate of the picture depends on x (or y) and on z, the
+/// 30 bits are those of the larger of the two coefficients.
 ///
 /// ```
 /// use fixel::prelude::*;

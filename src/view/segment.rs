@@ -73,8 +73,8 @@ impl Segment {
         divide(bits(self.start) * bits(self.end) * ONE, a + b).map(Scalar::from_bits)
     }
 
-    /// Returns the fraction of the segment at a fraction q of its picture:
-    /// t = q·w₀ / (w₁ − q·(w₁ − w₀)).
+    /// Converts q, a fraction of the way along the picture, to t, the fraction of the way along the segment: t = q·w₀ /
+    /// (w₁ − q·(w₁ − w₀)).
     ///
     /// `None` in the cases of [`distance`](Self::distance).
     #[must_use]

@@ -1,6 +1,7 @@
 //! What a reader replaced or left out.
 
-/// The most sentences, and the most names, that are kept. A file may have any number of them.
+/// The largest number of messages, and of names, that are kept. A file may cause any number of them. A file may have
+/// any number of them.
 const MOST: usize = 32;
 
 /// Sentences for the user about what was replaced or left out, one for each kind.

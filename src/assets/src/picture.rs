@@ -220,7 +220,7 @@ fn indexed(
     Ok(picture)
 }
 
-/// The indices of a row, which have 1, 2, 4 or 8 bits, the first in the highest bits of a byte.
+/// The indices of the pixels of a row. An index has 1, 2, 4 or 8 bits; the first one is in the highest bits of a byte.
 fn unpacked(row: &[u8], bits: usize, width: usize) -> impl Iterator<Item = u8> {
     let mask = u8::MAX >> (8 - bits);
     (0..width).map(move |x| row[x * bits / 8] >> (8 - bits - x * bits % 8) & mask)
@@ -245,7 +245,8 @@ fn masked(raw: &[u8], masks: [u32; 4]) -> [u8; 4] {
     color
 }
 
-/// Makes pixels opaque if all of them are invisible: programs write 0 to a channel that they do not use.
+/// Makes all pixels opaque if all are invisible, because some programs write 0 to an alpha channel that they do not
+/// use.
 fn shown(mut pixels: Vec<[u8; 4]>) -> Vec<[u8; 4]> {
     if pixels.iter().all(|pixel| pixel[3] == 0) {
         for pixel in &mut pixels {

@@ -199,7 +199,8 @@ const fn texture(unit: i64) -> TexCoord {
 }
 
 const fn cuboid(writer: &mut MeshWriter<'_>, corner: Vec3) {
-    /// Normal, right and down of each side as seen from outside; each is an axis and whether it points along it.
+    /// For each side, as seen from outside: the directions of its normal, its right and its down. A direction is an
+    /// axis, and whether it points along the axis or against it.
     const SIDES: [[(usize, bool); 3]; 6] = [
         [(2, true), (0, true), (1, false)],
         [(0, true), (2, false), (1, false)],

@@ -7,8 +7,8 @@ use crate::shade::{Channels, PixelFormat, Varyings};
 
 /// The light at a point of a surface, in units of 2⁻¹⁶ of full brightness.
 ///
-/// A light may exceed full brightness up to a thousand times, and be below 0, which takes away light of another one. A
-/// surface limits the sum of its lights to the range from 0 to full brightness.
+/// A light may have up to a thousand times full brightness. It may also be negative: it then takes away light from
+/// others. A surface limits the sum of its lights to the range from 0 to full brightness.
 ///
 /// ```
 /// use fixel::shade::Illumination;

@@ -7,8 +7,8 @@ use super::{
 use crate::math::Direction;
 use crate::{Error, Scalar};
 
-/// A light that comes from one place or direction, and so can make highlights: [`Light`](super::Light),
-/// [`PointLight`] and [`SpotLight`].
+/// A light from one place or direction. Such a light can make highlights: [`Light`](super::Light), [`PointLight`] and
+/// [`SpotLight`].
 pub trait Lamp: Lighting {
     /// The direction from a point toward the light, and the strength of the light at the point: 65,536 is full
     /// brightness. Where no light reaches the point, the strength is 0, and the direction may be [`Direction::NONE`].

@@ -26,8 +26,9 @@ impl Projection<Parallel> {
         Self::sheared([BlockFloat::ZERO; 2], near, window, near, far)
     }
 
-    /// Makes an oblique projection: the plane at the distance `plane` is undistorted and shows the window, and a point
-    /// behind it moves in the picture by `ratio` times its distance from that plane, one before it the other way.
+    /// Makes an oblique projection. The plane at the distance `plane` is undistorted and shows the window. A point
+    /// behind this plane moves in the picture by `ratio` times its distance from the plane; a point in front of it
+    /// moves the other way.
     ///
     /// It moves in the direction of `angle`, counter-clockwise from the right. What lies in the near plane itself is not
     /// drawn, so let `near` be less than `plane` if the front of a model is to be undistorted.

@@ -1,4 +1,4 @@
-//! A model and its picture, as a modeling program saves them.
+//! A model and its texture, in the files that a modeling program saves.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::mesh::Part;

@@ -8,7 +8,7 @@ use embedded_graphics::{Drawable, text::Alignment, text::Text};
 use fixel::prelude::*;
 
 static BALL: Mesh = shape!(sphere(32, 24));
-/// Sky above ground, and lines every 10 degrees, which are 7 rows.
+/// Sky above ground, and a line every 10 degrees (every 7 rows of the texture).
 static SKIN: [[Rgb565; 64]; 128] = {
     let mut texels = [[Rgb565::CSS_DODGER_BLUE; 64]; 128];
     let mut at = 0_usize;

@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::{Rgb565, WebColors};
 use fixel::prelude::*;
 use fixel::texture::Mipmap;
 
-/// A texel of four tiles with dark joints, of 16x16 texels.
+/// A texel of a texture of 16x16 texels, which shows four tiles with dark joints.
 fn tile(row: usize, column: usize) -> Rgb565 {
     match (row % 8, column % 8) {
         (0, _) | (_, 0) => Rgb565::new(7, 8, 8),
