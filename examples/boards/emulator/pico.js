@@ -160,8 +160,12 @@ export class Pico {
     const { core } = active;
     if (active.at < clock.nanos) active.at = clock.nanos;
     else clock.tick(active.at - clock.nanos);
-    if (core.PC < ROM_END) this.#call(core);
-    else active.at += (core.executeInstruction() * 1e9) / chip.clkSys;
+    if (core.PC < ROM_END) {
+      this.#call(core);
+      return;
+    }
+    const cycles = core.executeInstruction(); // which may change the time, too
+    active.at += (cycles * 1e9) / chip.clkSys;
   }
 
   /** The core that is behind, of those that do not wait. */

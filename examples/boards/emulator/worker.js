@@ -1,5 +1,5 @@
 // Runs a program on the emulated Pico in a worker of a page. Takes the bytes of a UF2. Posts each frame once it is
-// complete: its columns; its pixels as red, green, blue and alpha; the seconds after which the program began it;
+// complete: its columns; its pixels as red, green, blue and alpha; the milliseconds after which the program began it;
 // the seconds until the next one; and the bytes on the bus until then. An error ends the run, and is posted.
 import { Pico, rgb } from "./pico.js";
 
@@ -32,7 +32,7 @@ function show({ asked, panel }, { at, received, pixels }, next) {
   postMessage({
     width,
     rgba,
-    begun: asked.shift() / 1e6,
+    begun: Math.floor(asked.shift() / 1000),
     lasts: (next.at - at) / 1e9,
     bytes: next.received - received,
   });
