@@ -1,13 +1,13 @@
 // Runs a program on the emulated Pico in a worker of a page. Takes the bytes of a UF2. Posts each frame once it is
 // complete: its columns; its pixels as red, green, blue and alpha; the milliseconds after which the program began it;
-// the seconds until the next one; and the bytes on the bus until then. An error ends the run, and is posted.
+// the seconds until the next one; and the bytes on the bus until then. An error ends the run: its first line is posted.
 import { Pico, rgb } from "./pico.js";
 
 onmessage = ({ data }) => {
   try {
     run(new Pico(data));
   } catch (error) {
-    postMessage({ error: error.message });
+    postMessage({ error: error.message.split("\n", 1)[0] });
   }
 };
 

@@ -376,11 +376,24 @@ test("a file for a Pico runs on an emulated one, whose display shows the host's 
   }
 });
 
-test("the page tells that it was built without the emulator", async () => {
-  await page.evaluate(`(() => {
+/** Makes the page get something else in place of a file. */
+const replace = (name, response) =>
+  page.evaluate(`(() => {
     const { fetch } = window;
-    window.fetch = (name) => (name === "emulator.js.gz" ? new Response("", { status: 404 }) : fetch(name));
+    window.fetch = (asked) => (asked === "${name}" ? ${response} : fetch(asked));
   })()`);
+
+test("the page tells why the emulated Pico has stopped", async () => {
+  const program = gunzipSync(readFileSync(join(process.env.PAGE, "pico_model.gz")));
+  for (const { bytes } of segments(program)) bytes.fill(0xff);
+  await replace("pico_model.gz", `new Response(Uint8Array.from(atob("${program.toString("base64")}"), (at) => at.charCodeAt()))`);
+  await page.click("#emulate");
+  await page.until(`/^The board has stopped: .* at 10000000 is not implemented/.test(${text("#flashed")})`);
+  assert.equal(await page.evaluate(text("#emulate")), "Run it here");
+});
+
+test("the page tells that it was built without the emulator", async () => {
+  await replace("emulator.js.gz", `new Response("", { status: 404 })`);
   await page.click("#emulate");
   const told = "emulator.js.gz is missing here (404). This page was built without the emulator. Everything else works.";
   await page.until(text("#flashed"), told);
