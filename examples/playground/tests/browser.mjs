@@ -386,7 +386,8 @@ const replace = (name, response) =>
 test("the page tells why the emulated Pico has stopped", async () => {
   const program = gunzipSync(readFileSync(join(process.env.PAGE, "pico_model.gz")));
   for (const { bytes } of segments(program)) bytes.fill(0xff);
-  await replace("pico_model.gz", `new Response(Uint8Array.from(atob("${program.toString("base64")}"), (at) => at.charCodeAt()))`);
+  const bytes = `Uint8Array.from(atob("${program.toString("base64")}"), (byte) => byte.charCodeAt())`;
+  await replace("pico_model.gz", `new Response(${bytes})`);
   await page.click("#emulate");
   await page.until(`/^The board has stopped: .* at 10000000 is not implemented/.test(${text("#flashed")})`);
   assert.equal(await page.evaluate(text("#emulate")), "Run it here");
