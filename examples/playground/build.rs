@@ -1,7 +1,7 @@
 //! The build script: what the module and the server contain besides code.
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 use flate2::Compression;
@@ -37,15 +37,27 @@ fn main() -> io::Result<()> {
             .map(|modules| modules.join(folder).join(name))
             .unwrap_or_default();
         println!("cargo::rerun-if-changed={}", module.display());
-        let mut file = fs::File::create(out.join(format!("{name}.gz")))?;
-        if let Ok(bytes) = fs::read(module) {
-            let mut packed = GzEncoder::new(file, Compression::best());
-            packed.write_all(&bytes)?;
-            file = packed.finish()?;
-        }
-        file.flush()?;
+        pack(&module, &out.join(format!("{name}.gz")))?;
     }
+
+    // The emulator, if npm made it. Cargo looks for changes in its folder, which is always there: for a file that is
+    // missing, it would build anew each time.
+    let emulator = "../boards/emulator";
+    println!("cargo::rerun-if-changed={emulator}");
+    let script = format!("{emulator}/dist/emulator.js");
+    pack(Path::new(&script), &out.join("emulator.js.gz"))?;
     Ok(())
+}
+
+/// Compresses a file; if it is missing, the result is empty.
+fn pack(from: &Path, to: &Path) -> io::Result<()> {
+    let mut file = fs::File::create(to)?;
+    if let Ok(bytes) = fs::read(from) {
+        let mut packed = GzEncoder::new(file, Compression::best());
+        packed.write_all(&bytes)?;
+        file = packed.finish()?;
+    }
+    file.flush()
 }
 
 /// A line that counts frames, or a loop that estimates need, on one of the two cores.

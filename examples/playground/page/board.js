@@ -1,10 +1,14 @@
-// A file for a board, which shows the visitor's model.
-import { $ } from "./controls.js";
+// A file for a board, which shows the visitor's model: saved, or run on an emulated board.
+import { $, short } from "./controls.js";
 import { flash } from "./files.js";
 import { fetched } from "./module.js";
 
 /** What is shown before a model was dropped. */
 const DEFAULT = ["lighthouse.obj", "lighthouse.png"];
+/** The emulated board, while it runs. */
+let worker;
+
+const tell = (text) => ($("flashed").textContent = text);
 
 async function fetchedFile(name) {
   const response = await fetch(name);
@@ -12,29 +16,73 @@ async function fetchedFile(name) {
   return new File([await response.blob()], name);
 }
 
-/** Makes a file of the model and the program, and saves it. */
-async function save(files) {
-  $("flashed").textContent = "Making the file …";
-  try {
-    const program = await fetched("pico_model.gz");
-    const model = files.length ? files : await Promise.all(DEFAULT.map(fetchedFile));
-    const { uf2, name, notes } = await flash(program, model, Number($("panel").value));
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([uf2]));
-    link.download = `${name.replace(/\.\w+$/, "")}.uf2`;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
-    const said = notes.map((note) => `${note[0].toUpperCase()}${note.slice(1)}.`);
-    said.unshift(`${link.download} holds ${name} and its program. Copy it to the Pico's drive.`);
-    $("flashed").textContent = said.join(" ");
-  } catch (error) {
-    $("flashed").textContent = error.message;
-  }
+/** Makes a file of the model and the program; returns its bytes, the model's name, and notes. */
+async function make(files) {
+  tell("Making the file …");
+  const program = await fetched("pico_model.gz");
+  const model = files.length ? files : await Promise.all(DEFAULT.map(fetchedFile));
+  const { uf2, name, notes } = await flash(program, model, Number($("panel").value));
+  return { uf2, name, notes: notes.map((note) => `${note[0].toUpperCase()}${note.slice(1)}.`) };
 }
 
-/** Makes the button save a file with the model of these files, or of the lighthouse if there is none. */
+/** An address of bytes, for a minute. */
+function addressOf(bytes, type) {
+  const address = URL.createObjectURL(new Blob([bytes], { type }));
+  setTimeout(() => URL.revokeObjectURL(address), 60_000);
+  return address;
+}
+
+async function save(files) {
+  const { uf2, name, notes } = await make(files);
+  const link = document.createElement("a");
+  link.href = addressOf(uf2);
+  link.download = `${name.replace(/\.\w+$/, "")}.uf2`;
+  link.click();
+  tell([`${link.download} holds ${name} and its program. Copy it to the Pico's drive.`, ...notes].join(" "));
+}
+
+/** Runs the file on the emulated board; stops it if it runs. */
+async function emulate(files) {
+  if (worker) return stop("Stopped.");
+  const { uf2, name, notes } = await make(files);
+  const script = await fetched("emulator.js.gz").catch(({ message }) => {
+    throw new Error(`${message} This page was built without the emulator. Everything else works.`);
+  });
+  worker?.terminate(); // a second press may have come meanwhile
+  worker = new Worker(addressOf(script, "text/javascript"));
+  $("emulate").textContent = "Stop";
+  $("screen").hidden = true;
+  $("emulated").textContent = "";
+  tell([`${name} runs on an emulated RP2040 at 125 MHz.`, ...notes].join(" "));
+  worker.onerror = ({ message }) => stop(message);
+  worker.onmessage = ({ data }) => (data.error ? stop(`The board has stopped: ${data.error}`) : show(data));
+  worker.postMessage(uf2.slice()); // not all of the memory that it lies in
+}
+
+function stop(why) {
+  worker.terminate();
+  worker = undefined;
+  $("emulate").textContent = "Run it here";
+  tell(why);
+}
+
+/** Shows a frame that the board has sent to its display. */
+function show({ width, rgba, begun, lasts, bytes }) {
+  const image = new ImageData(rgba, width);
+  Object.assign($("screen"), { width, height: image.height, hidden: false });
+  $("screen").getContext("2d").putImageData(image, 0, 0);
+  $("emulated").textContent = [
+    `${short(1 / lasts)} frames a second, ${bytes.toLocaleString("en")} bytes on the bus for each.`,
+    `This one was begun after ${(begun / 1000).toFixed(3)} seconds of the board's time, which passes more slowly here.`,
+  ].join(" ");
+}
+
+/** Makes the buttons use the model of these files, or the lighthouse if there is none. */
 export function showBoard(files) {
   const model = files.find(({ name }) => /\.(obj|stl|ply|gltf|glb)$/i.test(name));
+  const used = model ? files : [];
+  const report = ({ message }) => tell(message);
   $("flash").textContent = `Save ${model?.name ?? DEFAULT[0]} as UF2`;
-  $("flash").onclick = () => save(model ? files : []);
+  $("flash").onclick = () => save(used).catch(report);
+  $("emulate").onclick = () => emulate(used).catch(report);
 }

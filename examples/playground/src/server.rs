@@ -13,7 +13,7 @@ pub struct File {
 
 macro_rules! files {
     ($($name:literal: $kind:literal = $path:expr,)+) => {
-        /// The page, the modules, and a board's program: empty if they were not built before.
+        /// The page, the modules, a board's program and its emulator: empty if they were not built before.
         pub static FILES: [File; [$($name),+].len()] =
             [$(File { name: $name, kind: $kind, bytes: include_bytes!($path) }),+];
     };
@@ -33,8 +33,21 @@ files! {
     "reader.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/reader.wasm.gz"),
     "world.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/world.wasm.gz"),
     "pico_model.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/pico_model.gz"),
+    "emulator.js.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/emulator.js.gz"),
     "lighthouse.obj": "text/plain" = "../../assets/lighthouse.obj",
     "lighthouse.png": "image/png" = "../../assets/lighthouse.png",
+}
+
+impl File {
+    /// Whether it was built.
+    pub const fn is_there(&self) -> bool {
+        !self.bytes.is_empty()
+    }
+
+    /// Whether the page does everything else without it.
+    pub fn is_optional(&self) -> bool {
+        self.name == "emulator.js.gz"
+    }
 }
 
 /// Writes a line to the output, which may be closed.
@@ -73,7 +86,10 @@ fn answer(mut stream: TcpStream) -> io::Result<()> {
         .unwrap_or_default()
         .trim_start_matches('/');
     let name = if name.is_empty() { "index.html" } else { name };
-    let (status, kind, bytes) = match FILES.iter().find(|file| file.name == name) {
+    let (status, kind, bytes) = match FILES
+        .iter()
+        .find(|file| file.name == name && file.is_there())
+    {
         Some(file) => ("200 OK", file.kind, file.bytes),
         None => ("404 Not Found", "text/plain", &b"not found\n"[..]),
     };

@@ -30,11 +30,11 @@ const NUMBER = `(name) => [...document.querySelectorAll("#numbers div")]
 const shows = (settings) => page.until(`(${NUMBER})("Checksum")`, checksum(settings));
 const text = (selector) => `document.querySelector("${selector}").textContent`;
 const base64 = (data) => `btoa(Array.from(${data}, (byte) => String.fromCharCode(byte)).join(""))`;
-const pixels = async () =>
+const pixels = async (canvas = "#canvas") =>
   Buffer.from(
     await page.evaluate(`(() => {
-      const { width, height } = document.querySelector("#canvas");
-      return ${base64(`document.querySelector("#canvas").getContext("2d").getImageData(0, 0, width, height).data`)};
+      const { width, height } = document.querySelector("${canvas}");
+      return ${base64(`document.querySelector("${canvas}").getContext("2d").getImageData(0, 0, width, height).data`)};
     })()`),
     "base64",
   );
@@ -339,6 +339,66 @@ test("a file for a Pico holds its program and the model", async () => {
     // The emulated boards of .ci/boards run files from there.
     assert.ok(execFileSync(MODEL, [elf, ...args], { maxBuffer: 1 << 24 }).equals(file), `${name} is not the host's`);
   }
+});
+
+test("a file for a Pico runs on an emulated one, whose display shows the host's picture", async () => {
+  const cabin = ["cabin.obj", "cabin.mtl", "planks.tga"].map((name) => join(assets, name));
+  const cases = [
+    // The display's columns, and the clock of its bus.
+    ["lighthouse", [], 0, 240, 62_500_000],
+    ["cabin", cabin, 1, 320, 31_250_000],
+  ];
+  for (const [name, files, panel, width, clock] of cases) {
+    if (files.length) await page.drop("#stage", files);
+    await page.until(`${text("#flash")}`, `Save ${name}.obj as UF2`);
+    await page.evaluate(`document.querySelector("#panel").selectedIndex = ${panel}`);
+    const uf2 = join(folder, "run.uf2");
+    writeFileSync(uf2, (await saved(`${name}.uf2`)).file);
+    await page.click("#emulate");
+    await page.until(`${text("#flashed")}.startsWith("${name}.obj runs on")`);
+    // It has turned a little since the start.
+    const time = `Number(/after ([\\d.]+) seconds/.exec(${text("#emulated")})?.[1])`;
+    await page.until(`${time} > 0.5`);
+    assert.equal(await page.evaluate(text("#emulate")), "Stop");
+    await page.click("#emulate");
+    await page.until(text("#emulate"), "Run it here");
+
+    const host = execFileSync(MODEL, [uf2, `${Math.round(1000 * (await page.evaluate(time)))}`], { maxBuffer: 1 << 24 });
+    const head = `P6 ${width} 240 255\n`;
+    assert.equal(host.toString("latin1", 0, head.length), head);
+    const shown = (await pixels("#screen")).filter((_, at) => at % 4 !== 3);
+    assert.ok(shown.equals(host.subarray(head.length)), `${name}: the display shows another picture`);
+    // Two bytes a pixel, and three commands with their numbers. The bus lets no more frames through.
+    const bytes = 2 * width * 240 + 14;
+    const [, rate, told] = /^([\d.]+) frames a second, ([\d,]+) bytes/.exec(await page.evaluate(text("#emulated")));
+    assert.equal(told, bytes.toLocaleString("en"));
+    assert.ok(rate > 5 && rate <= clock / (8 * bytes), `${name}: ${rate} frames a second`);
+  }
+});
+
+/** Makes the page get something else in place of a file. */
+const replace = (name, response) =>
+  page.evaluate(`(() => {
+    const { fetch } = window;
+    window.fetch = (asked) => (asked === "${name}" ? ${response} : fetch(asked));
+  })()`);
+
+test("the page tells why the emulated Pico has stopped", async () => {
+  const program = gunzipSync(readFileSync(join(process.env.PAGE, "pico_model.gz")));
+  for (const { bytes } of segments(program)) bytes.fill(0xff);
+  const bytes = `Uint8Array.from(atob("${program.toString("base64")}"), (byte) => byte.charCodeAt())`;
+  await replace("pico_model.gz", `new Response(${bytes})`);
+  await page.click("#emulate");
+  await page.until(`/^The board has stopped: .* at 10000000 is not implemented/.test(${text("#flashed")})`);
+  assert.equal(await page.evaluate(text("#emulate")), "Run it here");
+});
+
+test("the page tells that it was built without the emulator", async () => {
+  await replace("emulator.js.gz", `new Response("", { status: 404 })`);
+  await page.click("#emulate");
+  const told = "emulator.js.gz is missing here (404). This page was built without the emulator. Everything else works.";
+  await page.until(text("#flashed"), told);
+  assert.equal(await page.evaluate(text("#emulate")), "Run it here");
 });
 
 test("the page tells why a model cannot be saved for a Pico", async () => {
