@@ -36,10 +36,10 @@
 /// | `up = z` | z points up in the file; the model is turned so that y does. This is the default for STL, `up = y` for other formats |
 ///
 /// Positions keep the order of the file, so that a [table of your own](trait@crate::Shader) may have a value for each;
-/// those that no face uses are left out. They are rounded to the nearest [`Scalar`](crate::Scalar), texture coordinates to the nearest
-/// [`TexCoord`](crate::TexCoord). A mesh has at most 65,536 positions. Polygons are cut into triangles, also concave
-/// ones; [`Mesh::edges`](crate::Mesh::edges) are the sides of the polygons. If only some corners have texture
-/// coordinates, the others get (0, 0); corners without a normal get their triangle's.
+/// those that no face uses are left out. They are rounded to the nearest [`Scalar`](crate::Scalar), texture coordinates
+/// to the nearest [`TexCoord`](crate::TexCoord). A mesh has at most 65,536 positions. Polygons are cut into triangles,
+/// also concave ones; [`Mesh::edges`](crate::Mesh::edges) are the sides of the polygons. If only some corners have
+/// texture coordinates, the others get (0, 0); corners without a normal get their triangle's.
 ///
 /// ```compile_fail
 /// use fixel::prelude::*;
@@ -90,8 +90,8 @@ macro_rules! include_materials {
     };
 }
 
-/// The [`Outline`](crate::mesh::Outline) of the mesh that [`include_mesh!`] makes of the same file and options, found by
-/// the compiler and stored in flash.
+/// The [`Outline`](crate::mesh::Outline) of the mesh that [`include_mesh!`] makes of the same file and options, found
+/// by the compiler and stored in flash.
 ///
 /// ```standalone_crate
 /// use fixel::mesh::Outline;
@@ -101,8 +101,8 @@ macro_rules! include_materials {
 /// assert!(EDGES.creases() > 0);
 /// ```
 ///
-/// The options are `object`, `part`, `scale` and `up`, as for the mesh, and `crease`: edges whose faces meet at more than
-/// this angle are creases. It is in degrees, from 0 to 180, and 30 without this option; 30 to 45 suit most models.
+/// The options are `object`, `part`, `scale` and `up`, as for the mesh, and `crease`: edges whose faces meet at more
+/// than this angle are creases. It is in degrees, from 0 to 180, and 30 without this option; 30 to 45 suit most models.
 /// [`Outline::build`](crate::mesh::Outline::build) describes which edges are found.
 #[macro_export]
 macro_rules! include_outline {
@@ -114,15 +114,15 @@ macro_rules! include_outline {
 /// A texture from a picture file, read by the compiler and stored in flash: PNG, JPEG, BMP, TGA, GIF or WebP, or a
 /// picture that a model contains.
 ///
-/// The expected type decides the result: a [`Texture`](crate::Texture); rows of the picture's size, such as
-/// `[[Rgb565; 64]; 64]`, which are faster to draw; the texels alone, such as `&[Rgb565]`; for a picture of at most 256
-/// colors, an [`Indexed`](crate::texture::Indexed) texture of a `Texture<u8>` or of rows, or the indices alone; with the
-/// option `mipmap`, a [`Mipmap`](crate::texture::Mipmap).
+/// The expected type decides the result: a [`Texture`](crate::Texture); rows of the picture's size, such as `[[Rgb565;
+/// 64]; 64]`, which are faster to draw; the texels alone, such as `&[Rgb565]`; for a picture of at most 256 colors, an
+/// [`Indexed`](crate::texture::Indexed) texture of a `Texture<u8>` or of rows, or the indices alone; with the option
+/// `mipmap`, a [`Mipmap`](crate::texture::Mipmap).
 ///
 /// The color may be any of embedded-graphics', or [`Argb4444`](crate::texture::Argb4444) or
 /// [`Argb1555`](crate::texture::Argb1555), which keep the picture's alpha. It is rounded to the nearest step of each
-/// channel; gray is the BT.601 luma (0.299 red + 0.587 green + 0.114 blue). Only the texels are stored in flash, not the
-/// file.
+/// channel; gray is the BT.601 luma (0.299 red + 0.587 green + 0.114 blue). Only the texels are stored in flash, not
+/// the file.
 ///
 /// ```standalone_crate
 /// use embedded_graphics::pixelcolor::{Gray8, Rgb565};

@@ -203,11 +203,11 @@
 //! ```
 //!
 //! The column on the right names the folder; a line without one belongs to the folder above it. `Adapted`, which
-//! `.lit(light)` makes, stands for any shader, and `Native` for any storage. Between `Blit::draw` and its pixels there is
-//! one of four kernels (straight, pieces, Newton, divide), which the [mode] chooses for each span.
+//! `.lit(light)` makes, stands for any shader, and `Native` for any storage. Between `Blit::draw` and its pixels there
+//! is one of four kernels (straight, pieces, Newton, divide), which the [mode] chooses for each span.
 //!
-//! Each folder depends only on those before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`, `canvas`,
-//! `raster`, `span`, `pipeline`.
+//! Each folder depends only on those before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`,
+//! `canvas`, `raster`, `span`, `pipeline`.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -280,7 +280,8 @@ mod span;
 
 /// How attributes are interpolated: the trait [`Mode`](mode::Mode) and its five implementations.
 ///
-/// [Mathematics](crate::guide::mathematics#a-triangle) derives why a pixel needs a reciprocal, and how the modes save it.
+/// [Mathematics](crate::guide::mathematics#a-triangle) derives why a pixel needs a reciprocal, and how the modes save
+/// it.
 ///
 #[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
 pub mod mode {

@@ -17,7 +17,8 @@ fn main() -> io::Result<()> {
     let lines: Vec<String> = lines.lines().filter_map(wanted).collect();
     fs::write(out.join("costs.csv"), lines.join("\n"))?;
 
-    // The modules and the program, if they were built before. A folder of this package is …/target/release/build/playground-0/out.
+    // The modules and the program, if they were built before. A folder of this package is
+    // …/target/release/build/playground-0/out.
     println!("cargo::rerun-if-env-changed=PLAYGROUND_MODULES");
     let modules = env::var_os("PLAYGROUND_MODULES")
         .map(PathBuf::from)

@@ -129,8 +129,8 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     ///
     /// # Errors
     ///
-    /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](Self::MAX_SIZE); [`Error::Length`] if `pixels` is not a
-    /// whole number of rows; [`Error::Rows`] if it holds no row, or a row outside the frame.
+    /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](Self::MAX_SIZE); [`Error::Length`] if `pixels`
+    /// is not a whole number of rows; [`Error::Rows`] if it holds no row, or a row outside the frame.
     pub fn band<P: Cell<C, O>>(
         pixels: &'a mut [P],
         width: u32,

@@ -24,8 +24,8 @@ use crate::sealed::{Sealed, sealed};
 ///
 /// Surfaces that are closer together than a step have equal depths, and the later one wins.
 ///
-/// Under a parallel projection, depth is linear in the distance itself: use [`LinearDepth`]. Shaders see the same linear
-/// [`Fragment::depth`](crate::Fragment::depth) with every format.
+/// Under a parallel projection, depth is linear in the distance itself: use [`LinearDepth`]. Shaders see the same
+/// linear [`Fragment::depth`](crate::Fragment::depth) with every format.
 ///
 /// Use the trait as the bound of code that draws with any depth buffer, or with none:
 ///

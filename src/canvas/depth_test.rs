@@ -168,9 +168,9 @@ impl<Z> Biased<Z> {
     /// `test` with depths moved nearer by two steps and by the depth difference between neighboring pixels, for
     /// [outlines](crate::Mesh::outline) over a mesh that is drawn where it is.
     ///
-    /// The center of a line's pixel may be half a pixel beside the line. There, a face may be nearer than the line, but by
-    /// less than this. In a test with balls and cans, 0.5 % of the pixels of silhouettes are missing, on balls that are
-    /// only a few pixels wide. A line shines through a surface that is in front of it by less than it is moved.
+    /// The center of a line's pixel may be half a pixel beside the line. There, a face may be nearer than the line, but
+    /// by less than this. In a test with balls and cans, 0.5 % of the pixels of silhouettes are missing, on balls that
+    /// are only a few pixels wide. A line shines through a surface that is in front of it by less than it is moved.
     #[must_use]
     pub const fn in_front(test: Z) -> Self {
         Self::new(test, 2, crate::fx!(1))

@@ -35,8 +35,8 @@ impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
     /// below. So brightness is kept, except where it would exceed white or fall below black. Details are finer than
     /// with ordered dithering, but in a moving picture they change from frame to frame.
     ///
-    /// The bands of a frame, shown one after the other, equal the whole frame. The display may be another canvas, of the
-    /// frame or of the same rows. It must consume every color that it is sent.
+    /// The bands of a frame, shown one after the other, equal the whole frame. The display may be another canvas, of
+    /// the frame or of the same rows. It must consume every color that it is sent.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{BinaryColor, Gray8};

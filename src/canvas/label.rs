@@ -134,8 +134,8 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// in memory.
     ///
     /// It shows what `thing.draw(&mut canvas)` shows, and saves time in bands: `draw` computes all pixels of a text in
-    /// every band, `overlay` only in the bands that show some of them. A pixel that a thing draws outside of its bounding
-    /// box may be missing.
+    /// every band, `overlay` only in the bands that show some of them. A pixel that a thing draws outside of its
+    /// bounding box may be missing.
     ///
     /// ```
     /// use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};

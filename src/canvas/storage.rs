@@ -62,9 +62,9 @@ pub enum Native {}
 
 /// A [`Storage`] that keeps the integer of a color's raw bits, such as a `u16` for `Rgb565`.
 ///
-/// Use it where the bus and its DMA send words of 16 bits, the most significant bit first, as a display of 16-bit colors
-/// expects them. The processor then stores a pixel at once, where it stores [`BigEndian`] bytes one by one; and many
-/// buses rest after each word, so that fewer words are sent faster.
+/// Use it where the bus and its DMA send words of 16 bits, the most significant bit first, as a display of 16-bit
+/// colors expects them. The processor then stores a pixel at once, where it stores [`BigEndian`] bytes one by one; and
+/// many buses rest after each word, so that fewer words are sent faster.
 ///
 /// A color of up to 8 bits takes a `u8`, of up to 16 a `u16`, and of more a `u32`; its upper bits are 0.
 ///

@@ -56,7 +56,8 @@
 //!
 #![doc = display_picture!("18 bits a pixel", "ili9488")]
 //! On SPI, an ILI9488 cannot take 16 bits a pixel. A canvas of `Rgb888` in `BigEndian` bytes has the three bytes that
-//! the panel wants, so that a DMA channel can send them as they are. The driver sets the panel up, and opens the window.
+//! the panel wants, so that a DMA channel can send them as they are. The driver sets the panel up, and opens the
+//! window.
 //!
 #![doc = display_program!("ili9488")]
 //!
@@ -67,8 +68,8 @@
 #![doc = display_program!("ili9341")]
 //!
 #![doc = display_picture!("No tearing", "tearing")]
-//! The panel reads its memory 60 times a second. If a frame arrives while it reads, it shows the upper part of one frame
-//! and the lower part of another: a tear (left). The panel's output TE tells when it begins to read.
+//! The panel reads its memory 60 times a second. If a frame arrives while it reads, it shows the upper part of one
+//! frame and the lower part of another: a tear (left). The panel's output TE tells when it begins to read.
 //!
 //! Which of the two is faster decides when to start. If the bus takes longer to send a frame than the panel takes to
 //! read it, start as soon as the panel has begun to read (TE falls). Finish before its next pass catches up with you.

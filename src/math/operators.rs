@@ -138,8 +138,8 @@ macro_rules! vector {
             ///
             /// # Errors
             ///
-            /// [`Error::NotRepresentable`] if a component is out of range; [`Error::NotFinite`] if it is infinite or not a
-            /// number.
+            /// [`Error::NotRepresentable`] if a component is out of range; [`Error::NotFinite`] if it is infinite or
+            /// not a number.
             fn try_from(array: $Array) -> Result<Self, Error> {
                 vector!(@new $parts array)
             }

@@ -129,8 +129,8 @@ impl<'a> Part<'a> {
 
 impl Mesh<'_> {
     /// The mesh reduced to a range of its triangles; a range beyond the end is cut. It keeps all positions and
-    /// attributes, drops the edges, and needs no new check. To shaders, its triangles have the [indices](crate::Primitive::face)
-    /// of the whole mesh.
+    /// attributes, drops the edges, and needs no new check. To shaders, its triangles have the
+    /// [indices](crate::Primitive::face) of the whole mesh.
     ///
     /// ```
     /// use fixel::prelude::*;

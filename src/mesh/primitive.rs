@@ -103,8 +103,8 @@ pub struct Primitive<'a> {
     pub(crate) indices: Indices,
     /// Of a triangle, the upper half of twice the area on the screen: negative for corners that run counter-clockwise.
     ///
-    /// Of an outline's edge, the greatest change of depth from a pixel to the next on the faces beside it, if depths are
-    /// biased, in the format [`WideFloatDepth`](crate::canvas::WideFloatDepth); of other edges and of points, 0.
+    /// Of an outline's edge, the greatest change of depth from a pixel to the next on the faces beside it, if depths
+    /// are biased, in the format [`WideFloatDepth`](crate::canvas::WideFloatDepth); of other edges and of points, 0.
     pub(crate) area: i32,
 }
 

@@ -263,8 +263,8 @@ impl<'a> Sprites<'a> {
         })
     }
 
-    /// Leaves out the border of each frame, or of the whole texture: this much of the texture's width on the left and on
-    /// the right, and of its height at the top and at the bottom.
+    /// Leaves out the border of each frame, or of the whole texture: this much of the texture's width on the left and
+    /// on the right, and of its height at the top and at the bottom.
     ///
     /// A [bilinear](crate::Textured::bilinear) filter blends texels of neighboring frames at the border. Half a texel
     /// prevents it: 1/128 for a texture of 64 texels. For mipmaps, take half a texel of the smallest level that is

@@ -109,9 +109,9 @@ pub(super) fn area<K: ProjectionKind>(
     Polygon::area(&polygon)
 }
 
-/// How steep a triangle beside an edge is: the greatest change of depth from a pixel to the next, across or down, in the
-/// format [`WideFloatDepth`]; 0 if it is outside. It is at most the triangle's range of depths, or twice that if the edge
-/// is no crease: on a round body, the pixels of a silhouette may lie over the next triangle.
+/// How steep a triangle beside an edge is: the greatest change of depth from a pixel to the next, across or down, in
+/// the format [`WideFloatDepth`]; 0 if it is outside. It is at most the triangle's range of depths, or twice that if
+/// the edge is no crease: on a round body, the pixels of a silhouette may lie over the next triangle.
 #[inline(never)]
 pub(super) fn steepness<K: ProjectionKind>(
     call: &Call<'_, K>,
@@ -145,9 +145,9 @@ pub(super) fn steepness<K: ProjectionKind>(
     let across = product(b, cy) - product(c, by);
     let down = product(c, bx) - product(b, cx);
     let gain = across.unsigned_abs().max(down.unsigned_abs());
-    // Let the gain be g · 2^(32 - z), and the area a · 2^(32 - y), where g and a have 32 bits with the top bit set. Then
-    // the change per pixel, 256 · gain / area, is (g · (2^62 / a) / 2^32) · 2^(y - z - 22). If the gain or the area is
-    // 0, g is, too, or the result does not matter: a triangle without area has no pixels.
+    // Let the gain be g · 2^(32 - z), and the area a · 2^(32 - y), where g and a have 32 bits with the top bit set.
+    // Then the change per pixel, 256 · gain / area, is (g · (2^62 / a) / 2^32) · 2^(y - z - 22). If the gain or the
+    // area is 0, g is, too, or the result does not matter: a triangle without area has no pixels.
     let [z, y] = [gain, area.unsigned_abs()].map(u64::leading_zeros);
     let [g, a] =
         [gain << (z & 63), area.unsigned_abs() << (y & 63)].map(|number| (number >> 32) as u32);

@@ -25,14 +25,14 @@ pub(super) struct Slots {
 }
 
 impl Slots {
-    /// The slots of a mesh's vertices. Vertices whose indices are 64 apart share one; but if these are neighbors, because
-    /// rows are 63 to 65 vertices apart, or 127 to 129 and so on, they would take it from each other, and be projected up
-    /// to ten times. Then, slots are 75/64 apart. A face in the middle tells how far apart the rows are.
+    /// The slots of a mesh's vertices. Vertices whose indices are 64 apart share one; but if these are neighbors,
+    /// because rows are 63 to 65 vertices apart, or 127 to 129 and so on, they would take it from each other, and be
+    /// projected up to ten times. Then, slots are 75/64 apart. A face in the middle tells how far apart the rows are.
     #[inline]
     pub(super) fn new(faces: &[[Index; 3]]) -> Self {
         let [a, b, c] = faces.get(faces.len() / 2).copied().unwrap_or_default();
-        // Of three corners, two are neighbors in a row, and the other is in the next row. At two before the other corner,
-        // this is 0; at two after it, 4.
+        // Of three corners, two are neighbors in a row, and the other is in the next row. At two before the other
+        // corner, this is 0; at two after it, 4.
         let mut apart = a.wrapping_sub(b).wrapping_add(2);
         if apart < 5 {
             apart = b.wrapping_sub(c).wrapping_add(2);
@@ -143,8 +143,8 @@ mod tests {
 
     use super::*;
 
-    /// The triangles of a grid of about 1000 quads with rows of this many vertices. Bit by bit, `order` says how the quads
-    /// are cut and in which order their triangles and corners come.
+    /// The triangles of a grid of about 1000 quads with rows of this many vertices. Bit by bit, `order` says how the
+    /// quads are cut and in which order their triangles and corners come.
     fn grid(length: Index, order: u32) -> Vec<[Index; 3]> {
         let mut faces = Vec::new();
         for row in 0..=1000 / (length - 1) {

@@ -1,7 +1,7 @@
 //! Lists: triangles or edges that are prepared once for all bands of a frame.
 //!
-//! [`DrawList`] is the memory, and this file fills it. [`prepared`] draws from it, and [`painter`] sorts it from back to
-//! front.
+//! [`DrawList`] is the memory, and this file fills it. [`prepared`] draws from it, and [`painter`] sorts it from back
+//! to front.
 
 #![allow(private_interfaces)] // of traits that only this crate calls
 

@@ -161,10 +161,10 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
                 *fraction = finest_row(line, view, row, offset);
             }
         }
-        // At the near plane, t is 1 + 2^-16, or 1 − 2^-16 under a parallel projection: see above. The plane is nearer by
-        // 2^-27 of its distance or, under a parallel projection, by 2^-19 of the distance between the planes, because
-        // rounding must not move what lies exactly in it to its outside. (Terms of t have an error of 2^-29 of the
-        // greatest, which may be a few hundred under a parallel projection.)
+        // At the near plane, t is 1 + 2^-16, or 1 − 2^-16 under a parallel projection: see above. The plane is nearer
+        // by 2^-27 of its distance or, under a parallel projection, by 2^-19 of the distance between the planes,
+        // because rounding must not move what lies exactly in it to its outside. (Terms of t have an error of 2^-29 of
+        // the greatest, which may be a few hundred under a parallel projection.)
         let fraction = i32::from(fractions[0]);
         let ends = if K::PERSPECTIVE {
             let least = (1 << 27) + (1 << 11) - 1;
@@ -293,8 +293,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         })
     }
 
-    /// Projects the position at `index` to the screen; instead of it `inside`, if there is one: a position of clip space
-    /// that is inside all planes, such as a corner of a clipped polygon.
+    /// Projects the position at `index` to the screen; instead of it `inside`, if there is one: a position of clip
+    /// space that is inside all planes, such as a corner of a clipped polygon.
     ///
     /// Out of line, with an out-parameter: callers stay short, and the vertex is not copied.
     #[inline(never)]
@@ -347,8 +347,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
                 (up + coarse) as u8,
             )
         } else {
-            // Inside all planes, a coordinate is at most 1, but for rounding, so that 61 fraction bits fit. There are at
-            // most 56.
+            // Inside all planes, a coordinate is at most 1, but for rounding, so that 61 fraction bits fit. There are
+            // at most 56.
             let ([t, x, y], [of_t, of_x, of_y]) = (position, self.fractions);
             let raised = |x: i64, of_x| x << (61_u8.wrapping_sub(of_x) & 63);
             let on_screen = |x, of_x| {

@@ -57,30 +57,32 @@ impl<S: Sampler, A, F> Textured<S, A, F> {
     ///
     /// # The level
     ///
-    /// At level 0, a pixel shows a texel of the texture; at level n, it shows the mean of 2ⁿ x 2ⁿ texels. The level at a
-    /// pixel is
+    /// At level 0, a pixel shows a texel of the texture; at level n, it shows the mean of 2ⁿ x 2ⁿ texels. The level at
+    /// a pixel is
     ///
     /// > log₂(density · z / focal · z / d)
     ///
-    /// where z is the distance along the view direction, `focal` the focal length in pixels, d the distance of the eye from
-    /// the triangle's plane, and `density` the number of texels per unit of the triangle, as a mean of both directions. z /
-    /// focal is a pixel's size at this distance. z / d is the factor by which the pixel's area is stretched on the plane,
-    /// along the line of sight. So the level suits the direction in which a texture is foreshortened most, as is usual in
-    /// graphics hardware; in the other direction, the picture is softer than necessary. Toward the corners of the picture,
-    /// the stretch exceeds z / d, at most by the ratio of the pixel's true distance to z.
+    /// where z is the distance along the view direction, `focal` the focal length in pixels, d the distance of the eye
+    /// from the triangle's plane, and `density` the number of texels per unit of the triangle, as a mean of both
+    /// directions. z / focal is a pixel's size at this distance. z / d is the factor by which the pixel's area is
+    /// stretched on the plane, along the line of sight. So the level suits the direction in which a texture is
+    /// foreshortened most, as is usual in graphics hardware; in the other direction, the picture is softer than
+    /// necessary. Toward the corners of the picture, the stretch exceeds z / d, at most by the ratio of the pixel's
+    /// true distance to z.
     ///
-    /// `density` and d are computed once for each triangle, and z comes from [`Fragment::depth`]. The level differs from
-    /// the formula by at most 1/8 if the depth is at least 32 and the triangle's sides and d are at least 1/16 unit. A
-    /// level below 0 counts as 0. Edges and points show level 0, and so does a triangle whose texels lie in a line.
+    /// `density` and d are computed once for each triangle, and z comes from [`Fragment::depth`]. The level differs
+    /// from the formula by at most 1/8 if the depth is at least 32 and the triangle's sides and d are at least 1/16
+    /// unit. A level below 0 counts as 0. Edges and points show level 0, and so does a triangle whose texels lie in a
+    /// line.
     ///
-    /// The formula holds for a perspective projection. Under a parallel one, distant surfaces do not become smaller: give
-    /// the texture the right size instead.
+    /// The formula holds for a perspective projection. Under a parallel one, distant surfaces do not become smaller:
+    /// give the texture the right size instead.
     ///
     /// # Accuracy
     ///
-    /// The table lists the mean difference between a pixel and the mean of the texture over its area, in steps of 255, on
-    /// the benchmark's floor from 1 to 20 units ahead. The texture has 64x64 texels, in squares of 8, and is repeated; the
-    /// eye moves in eight steps. `cargo test --test accuracy mipmap -- --nocapture` prints these figures.
+    /// The table lists the mean difference between a pixel and the mean of the texture over its area, in steps of 255,
+    /// on the benchmark's floor from 1 to 20 units ahead. The texture has 64x64 texels, in squares of 8, and is
+    /// repeated; the eye moves in eight steps. `cargo test --test accuracy mipmap -- --nocapture` prints these figures.
     ///
     /// | | 1 repeat | 8 repeats | 32 repeats |
     /// |---|---:|---:|---:|
@@ -90,8 +92,8 @@ impl<S: Sampler, A, F> Textured<S, A, F> {
     /// | mipmapped, bilinear | 4.73 | 6.26 | 7.05 |
     /// | mipmapped, trilinear | 4.67 | 6.06 | 6.42 |
     ///
-    /// A bilinear filter also softens the edges of near squares. With one level for a whole triangle, in place of one for
-    /// each pixel, the difference would be 37 for 8 repeats.
+    /// A bilinear filter also softens the edges of near squares. With one level for a whole triangle, in place of one
+    /// for each pixel, the difference would be 37 for 8 repeats.
     ///
     /// # Cost
     ///
@@ -121,11 +123,11 @@ impl<S: Sampler, A, F> Textured<S, A, F> {
 }
 
 impl<S: Sampler<Color: Blend>, A> Textured<S, A, Nearest, Mipmapped> {
-    /// Blends the four texels around each pixel in each of the two levels between which the pixel lies, and then the two
-    /// results, so that no edge shows where a level ends.
+    /// Blends the four texels around each pixel in each of the two levels between which the pixel lies, and then the
+    /// two results, so that no edge shows where a level ends.
     ///
-    /// Each blend is rounded as [`bilinear`](Self::bilinear) describes it. The position between two levels is cut to the
-    /// same units, 1/32 or 1/256 of a level.
+    /// Each blend is rounded as [`bilinear`](Self::bilinear) describes it. The position between two levels is cut to
+    /// the same units, 1/32 or 1/256 of a level.
     #[must_use]
     pub const fn trilinear(self) -> Textured<S, A, Trilinear, Mipmapped> {
         Textured::of(self.texture, self.detail)

@@ -93,8 +93,8 @@ impl<C: PixelFormat> Precise<C> {
         }
         let channels = [color.r().into(), color.g().into(), color.b().into()];
         Self::of_raised(zip(channels, C::MAX_STEPS, |channel, most| {
-            // A constant: steps in 1/255 of white, in units of 2^-24, rounded up so that white is exact. Products take 32
-            // bits with half a step.
+            // A constant: steps in 1/255 of white, in units of 2^-24, rounded up so that white is exact. Products take
+            // 32 bits with half a step.
             let steps = (most.cast_unsigned() << 24) / 255 + 1;
             let level = channel.cast_unsigned().wrapping_mul(steps);
             (level.wrapping_add(HALF.cast_unsigned() << 8) >> 8).cast_signed()
@@ -219,8 +219,8 @@ impl<C: PixelFormat> Precise<C> {
     #[must_use]
     #[inline]
     pub fn fractions(self) -> [i32; 3] {
-        // For each level of 8 bits the nearest fraction. A level of at most 24 bits loses 2, so that the product has 30:
-        // at most 2^14 · 2^16.
+        // For each level of 8 bits the nearest fraction. A level of at most 24 bits loses 2, so that the product has
+        // 30: at most 2^14 · 2^16.
         zip(self.levels(), C::MAX_STEPS, |level, most| {
             over(level >> 2, most).wrapping_add(1 << 13) >> 14
         })

@@ -71,8 +71,8 @@ pub struct Fragment {
 /// A shader that wraps another one passes on the inner [`Varyings`](Self::Varyings), alone or in a pair with its own,
 /// and calls the two inner methods. Most effects need no type of their own: see [`map`](Self::map).
 ///
-/// To change the color, it returns the output of the inner shader [`lit`](Output::lit) or [`mapped`](Output::map), which
-/// is a color in full precision:
+/// To change the color, it returns the output of the inner shader [`lit`](Output::lit) or [`mapped`](Output::map),
+/// which is a color in full precision:
 ///
 /// ```
 /// # use fixel::{Fragment, PixelFormat, Primitive, Shader};
@@ -203,8 +203,8 @@ pub trait Shader: Copy {
     /// with more than eight [`Varyings`] does not compile.
     ///
     #[cfg_attr(doc, doc = page_picture!("lit", "A coarse ring that looks round, because the light is interpolated"))]
-    /// Normals are the mesh's, or the triangle's own if the mesh has none. The light's varyings follow the surface's own:
-    /// one brightness if it is white, a number for each channel of the canvas if it has a color, and one more for
+    /// Normals are the mesh's, or the triangle's own if the mesh has none. The light's varyings follow the surface's
+    /// own: one brightness if it is white, a number for each channel of the canvas if it has a color, and one more for
     /// highlights. 65,536 is full brightness.
     ///
     /// ```
@@ -302,8 +302,8 @@ pub trait Shader: Copy {
     #[cfg_attr(doc, doc = page_picture!("tinted", "A cube with checkers, multiplied by the colors of its corners"))]
     /// A white vertex leaves the surface as it is, a black vertex makes it black.
     ///
-    /// The fractions of the vertex color (65,536 is 1) are varyings that follow the surface's own: three, or one for a gray
-    /// surface.
+    /// The fractions of the vertex color (65,536 is 1) are varyings that follow the surface's own: three, or one for a
+    /// gray surface.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888, RgbColor}};
@@ -421,8 +421,8 @@ pub trait Shader: Copy {
     #[cfg_attr(doc, doc = page_picture!("converted", "A ring in four grays, dithered"))]
     /// Colors are rounded, or dithered if `C` is coarse (see [`PixelFormat`]).
     ///
-    /// For example, it draws a texture whose color format differs from the canvas's. Every pixel is converted, so a texture
-    /// stored in the canvas's format is faster.
+    /// For example, it draws a texture whose color format differs from the canvas's. Every pixel is converted, so a
+    /// texture stored in the canvas's format is faster.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888, RgbColor}};

@@ -104,8 +104,8 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
         Textured::of(self.texture, self.detail)
     }
 
-    /// Blends the four texels around each pixel, with weights that depend on the distances of their centers. A magnified
-    /// texture then looks smooth.
+    /// Blends the four texels around each pixel, with weights that depend on the distances of their centers. A
+    /// magnified texture then looks smooth.
     ///
     /// The first texel's center lies half a texel from the texture's corner. Beyond the outermost centers, a repeating
     /// texture blends with its other edge, and a [`clamped`](Self::clamped) one keeps the color of its edge. A texture
@@ -130,8 +130,8 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     /// # Rounding
     ///
     /// The position between the centers is rounded to the nearest 1/32 texel for colors of 16 bits (such as
-    /// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565)), because one word holds all their channels during a blend. For
-    /// other colors it is rounded to the nearest 1/256 texel ([`Blend::WEIGHT_BITS`]).
+    /// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565)), because one word holds all their channels during a blend.
+    /// For other colors it is rounded to the nearest 1/256 texel ([`Blend::WEIGHT_BITS`]).
     ///
     /// Two blends along rows come first, each rounded to a whole step; one blend between the rows follows. A channel's
     /// error is at most one step, plus 1/32 (or 1/256) of the difference between the four texels. From black to white,
@@ -140,10 +140,10 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     ///
     /// # Cost
     ///
-    /// The table lists the instructions for a pixel in addition to those of the nearest texel, with `opt-level = 3`, for
-    /// the benchmark's floor with a 64x64 texture in flash. The ranges cover the modes `Exact` and `Affine`; in the
-    /// default mode, Rgb565 takes 48 more on the M4 and 75 more on the M0+. The last columns give the bytes of code with
-    /// `opt-level = "s"`.
+    /// The table lists the instructions for a pixel in addition to those of the nearest texel, with `opt-level = 3`,
+    /// for the benchmark's floor with a 64x64 texture in flash. The ranges cover the modes `Exact` and `Affine`; in the
+    /// default mode, Rgb565 takes 48 more on the M4 and 75 more on the M0+. The last columns give the bytes of code
+    /// with `opt-level = "s"`.
     ///
     /// | | Cortex-M4 | Cortex-M0+ | code, M4 | code, M0+ |
     /// |---|---:|---:|---:|---:|

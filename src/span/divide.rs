@@ -27,8 +27,8 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
         self.divide(span, cells, scales);
     }
 
-    /// The same as [`divide`](Self::divide), but `at` computes the interpolants of each pixel. In triangles of great depth,
-    /// stepping them would add up too much rounding. Depths are stepped, as in all modes.
+    /// The same as [`divide`](Self::divide), but `at` computes the interpolants of each pixel. In triangles of great
+    /// depth, stepping them would add up too much rounding. Depths are stepped, as in all modes.
     #[cold]
     #[inline(never)]
     pub(super) fn divide_anew(

@@ -40,8 +40,8 @@ pub(crate) struct SmallPlane {
 }
 
 impl SmallPlane {
-    /// The sum of this plane and 2^16 times another one. If the value of this plane has 16 bits without a sign, it is the
-    /// lower half of the sum's value, and that of the other is the upper half.
+    /// The sum of this plane and 2^16 times another one. If the value of this plane has 16 bits without a sign, it is
+    /// the lower half of the sum's value, and that of the other is the upper half.
     #[inline]
     pub(super) const fn paired(self, upper: Self) -> Self {
         Self {
@@ -201,8 +201,8 @@ impl Basis {
         range < self.limit
     }
 
-    /// Whether values of this range make a coarse plane: a small one for a triangle of twice the width and height, which
-    /// has twice the error.
+    /// Whether values of this range make a coarse plane: a small one for a triangle of twice the width and height,
+    /// which has twice the error.
     #[inline]
     pub(crate) const fn is_coarse(&self, range: u32) -> bool {
         range < self.coarse_limit

@@ -1,8 +1,9 @@
 //! From spans to pixels: interpolation, depth test, shader, blending, store.
 //!
 //! For each triangle and, where a mode decides later, for each span there is a [`plan`]. An [`interpolator`] lays
-//! [planes](setup) and starts spans as the plan says, and [`Blit`] calls its kernel: [`straight`] adds, [`pieces`] adds and computes a reciprocal at the ends of straight pieces, [`newton`]
-//! refines a reciprocal at every pixel, [`divide`] divides at every pixel.
+//! [planes](setup) and starts spans as the plan says, and [`Blit`] calls its kernel: [`straight`] adds, [`pieces`] adds
+//! and computes a reciprocal at the ends of straight pieces, [`newton`] refines a reciprocal at every pixel, [`divide`]
+//! divides at every pixel.
 
 // Kernels are inlined: out of line, a kernel keeps its interpolants and steps in memory, which takes 8 instructions per
 // pixel on Cortex-M4 in addition to 18.

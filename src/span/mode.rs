@@ -158,8 +158,8 @@ impl Policy for Affine {
 /// frames.
 ///
 /// On a core without 64-bit products, such as Cortex-M0+ and M23, use [`Fast`]
-/// ([`DrawOptions::fast`](crate::DrawOptions::fast)): there, a pixel that takes a Newton step costs more than five times
-/// the instructions, and a frame of the measured cube about twice.
+/// ([`DrawOptions::fast`](crate::DrawOptions::fast)): there, a pixel that takes a Newton step costs more than five
+/// times the instructions, and a frame of the measured cube about twice.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Newton};

@@ -102,8 +102,8 @@ const PAIR_DOWN: u32 = 5;
 ///
 /// The first is the lower half: the upper bits of its step are where RGB565 has red.
 ///
-/// The first and the third are levels raised by half a step, from half a step to 31½. A coarse plane's error of
-/// [67½ units](super::gradient) and a unit for the bits that are cut are a thirtieth of a step in units of 2^-11 step. So a
+/// The first and the third are levels raised by half a step, from half a step to 31½. A coarse plane's error of [67½
+/// units](super::gradient) and a unit for the bits that are cut are a thirtieth of a step in units of 2^-11 step. So a
 /// half stays between 0 and 2^16.
 #[inline]
 pub(super) const fn unpaired(pair: i32, second: i32) -> [i32; 3] {

@@ -11,7 +11,8 @@ use embedded_graphics::pixelcolor::{
 ///
 /// It is implemented for [`Gray8`], the RGB and BGR colors of embedded-graphics, [`Argb4444`](super::Argb4444),
 /// [`Argb1555`](super::Argb1555) and [`Translucent`](crate::shade::Translucent) colors. Coarser grays have too few
-/// steps to blend: store such a texture in [`Gray8`], and let [`converted`](crate::Shader::converted) dither the result.
+/// steps to blend: store such a texture in [`Gray8`], and let [`converted`](crate::Shader::converted) dither the
+/// result.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -67,8 +68,8 @@ pub trait Blend: Copy {
     }
 }
 
-/// Whether every lane of `mask` has `bits` unused bits above it: shifted by as many, no lane may reach the lowest bit of
-/// another, and the word may not lose a bit.
+/// Whether every lane of `mask` has `bits` unused bits above it: shifted by as many, no lane may reach the lowest bit
+/// of another, and the word may not lose a bit.
 const fn roomy(mask: u32, bits: u32) -> bool {
     let mut room = 0;
     while room < bits && mask.leading_zeros() > room && (mask << (room + 1)) & lowest(mask) == 0 {
@@ -131,8 +132,8 @@ pub(super) fn mean<const MASK: u32>([[a, b], [c, d]]: [[u32; 2]; 2]) -> u32 {
     ((a + b + c + d + (lowest(MASK) << 1)) >> 2) & MASK
 }
 
-/// Colors and the bits of their weights: a color's `$raw` bits, from them words of lanes with these masks, and the color
-/// `$of` these words.
+/// Colors and the bits of their weights: a color's `$raw` bits, from them words of lanes with these masks, and the
+/// color `$of` these words.
 macro_rules! blend {
     ($($Color:ident $bits:literal: |$color:ident| $raw:expr,
         [$($mask:literal |$bit:ident| $lanes:expr),+], |$words:pat_param| $of:expr;)+) => {$(
@@ -170,8 +171,8 @@ macro_rules! blend {
 }
 pub(super) use blend;
 
-/// Colors of 16 bits whose channels fit in one word with five unused bits above each: the middle channel is in the upper
-/// half.
+/// Colors of 16 bits whose channels fit in one word with five unused bits above each: the middle channel is in the
+/// upper half.
 macro_rules! one_word {
     ($($Color:ident $mask:literal)+) => {
         blend! {$(

@@ -26,7 +26,8 @@ pub struct Nearest;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bilinear;
 
-/// Blends the four texels around a point in each of the two levels between which a pixel lies, and then the two results.
+/// Blends the four texels around a point in each of the two levels between which a pixel lies, and then the two
+/// results.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

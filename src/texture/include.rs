@@ -13,8 +13,8 @@ pub trait File {
     const PATH: &'static str;
     /// Columns and rows, which a texture may have.
     const SIZE: [u32; 2];
-    /// The colors that occur, at least one. For each, red, green and blue in steps of 5, of 6 and of 8 bits; luma in steps
-    /// of 1, 2, 4 and 8 bits; the bits of `Argb1555` and of `Argb4444`, the high byte first.
+    /// The colors that occur, at least one. For each, red, green and blue in steps of 5, of 6 and of 8 bits; luma in
+    /// steps of 1, 2, 4 and 8 bits; the bits of `Argb1555` and of `Argb4444`, the high byte first.
     const COLORS: &'static [[u8; 17]];
     /// The pixels, row by row, as indices of colors; of a mipmap, those of all levels. An index has a byte or, if there
     /// are more than 256 colors, three bytes, the low one first.

@@ -7,9 +7,9 @@ use super::Sampler;
 /// A texture whose texels are indices into a table of colors: a byte a texel instead of two or three.
 ///
 /// `indices` is any sampler of bytes: rows, by reference, or a [`Texture<u8>`](super::Texture). Indices of four or two
-/// bits are [`Raw<Gray4>`](super::Raw) and `Raw<Gray2>`. `colors` has 1 to 256 entries. Indices beyond the last one show
-/// the last one; with 256 entries, which is the default, this check takes no time. To draw the same texture darker or
-/// in other colors, replace `colors`.
+/// bits are [`Raw<Gray4>`](super::Raw) and `Raw<Gray2>`. `colors` has 1 to 256 entries. Indices beyond the last one
+/// show the last one; with 256 entries, which is the default, this check takes no time. To draw the same texture darker
+/// or in other colors, replace `colors`.
 ///
 /// [`include_texture!`](crate::include_texture) makes it of a picture of few colors.
 ///

@@ -15,8 +15,9 @@ use crate::error::{check_length, ok};
 ///
 /// A mipmap borrows the texels of all levels, in one slice: level 0 first, each level row by row from the top. Together
 /// they take a third more memory than the texture; [`len`](Self::len) returns their number.
-/// [`include_texture!`](crate::include_texture) computes the levels of a picture at compile time. [`build`](Self::build)
-/// computes them at run time, in your memory. [`new`](Self::new) takes a slice that already has them.
+/// [`include_texture!`](crate::include_texture) computes the levels of a picture at compile time.
+/// [`build`](Self::build) computes them at run time, in your memory. [`new`](Self::new) takes a slice that already has
+/// them.
 ///
 /// [`Textured::mipmapped`](crate::Textured::mipmapped) shows each pixel the level that suits its distance. Without it,
 /// all pixels show level 0.
@@ -63,8 +64,8 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     ///
     /// # Panics
     ///
-    /// If the width or the height is not a power of two or is above [`Texture::MAX_SIZE`](crate::Texture::MAX_SIZE). Use
-    /// it only in constants, where this stops compilation.
+    /// If the width or the height is not a power of two or is above [`Texture::MAX_SIZE`](crate::Texture::MAX_SIZE).
+    /// Use it only in constants, where this stops compilation.
     #[must_use]
     pub const fn len(width: usize, height: usize) -> usize {
         len_of(size_log2(width, height))

@@ -125,8 +125,8 @@ impl<C: Copy> Sampler for Texture<'_, C> {
         [width.into(), height.into()]
     }
 
-    /// A loop over pixels has no registers to spare, so this needs only three numbers beside the coordinates: the address
-    /// of the texels, their number, and minus the width.
+    /// A loop over pixels has no registers to spare, so this needs only three numbers beside the coordinates: the
+    /// address of the texels, their number, and minus the width.
     #[inline]
     fn texel(&self, u: i32, v: i32) -> C {
         let (all, one) = (self.texels, slice::from_ref(self.first));

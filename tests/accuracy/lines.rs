@@ -20,8 +20,8 @@ const SIZE: (u32, u32) = (150, 28);
 
 /// Whether a pixel belongs to the line between two snapped ends. In each column (or row, if the line is steeper than
 /// 45°) whose center the line crosses, the pixel with the crossing does. A center exactly at the end with the lesser
-/// coordinate counts; one at the other end does not. The pixels that contain the ends belong to it, too, unless the line
-/// crosses another pixel of their column (or row), or `blends`. Computed in exact integers for each pixel.
+/// coordinate counts; one at the other end does not. The pixels that contain the ends belong to it, too, unless the
+/// line crosses another pixel of their column (or row), or `blends`. Computed in exact integers for each pixel.
 pub fn on_line([a, b]: [Point; 2], blends: bool, pixel: [i32; 2]) -> bool {
     let [dx, dy] = [0, 1].map(|i| i64::from(b[i]) - i64::from(a[i]));
     let major = usize::from(dy.abs() > dx.abs());

@@ -183,10 +183,10 @@ fn is_promised(mode: Mode, is_precise: bool, repeats: f64, far: f64) -> bool {
 /// What the page of limits states for any depth ratio up to 2¹⁹, in texels, for this many repeats of the texture: an
 /// error in proportion to the ratio, besides what the mode promises at a ratio of 1.
 ///
-/// The unit of an interpolant is at most 4¼ · 2⁻³⁰ · w of a repeat, which is 1.02 · 10⁻⁶ texel · w. Stepped interpolants
-/// have 56½ of these: 5.8 · 10⁻⁵, and at 2¹⁹ a fiftieth more, because 1/w itself is up to 40 units of 2,048 too small.
-/// Those that `Exact` computes anew have 0.51 of them; a corner's 1/w adds a unit of 1/w, 2.4 · 10⁻⁷, for each repeat
-/// between the corners, of which there are two where corners have opposite signs: 10⁻⁶ in all.
+/// The unit of an interpolant is at most 4¼ · 2⁻³⁰ · w of a repeat, which is 1.02 · 10⁻⁶ texel · w. Stepped
+/// interpolants have 56½ of these: 5.8 · 10⁻⁵, and at 2¹⁹ a fiftieth more, because 1/w itself is up to 40 units of
+/// 2,048 too small. Those that `Exact` computes anew have 0.51 of them; a corner's 1/w adds a unit of 1/w, 2.4 · 10⁻⁷,
+/// for each repeat between the corners, of which there are two where corners have opposite signs: 10⁻⁶ in all.
 fn stated(mode: Mode, is_precise: bool, repeats: f64, far: f64) -> f64 {
     let (base, slope) = match mode {
         Mode::Exact if is_precise => (0.001, 1e-6),
@@ -332,8 +332,8 @@ fn textured_triangles_keep_the_promises() {
     }
 }
 
-/// Triangles with a corner 16 to 1,000 times as far as another, which `Exact` draws within 0.001 texel throughout, or up
-/// to 490,000 times as far.
+/// Triangles with a corner 16 to 1,000 times as far as another, which `Exact` draws within 0.001 texel throughout, or
+/// up to 490,000 times as far.
 #[test]
 fn deep_triangles_keep_the_promises() {
     let mut worst = [Worst::default(); MODES];

@@ -279,8 +279,8 @@ impl Tests<'_> {
         for ((sum, expected), steps) in sum.into_iter().zip(expected).zip(steps) {
             let error = (sum / f64::from(SIDE * SIDE) - expected) * steps;
             // A dithered mean is within 1/128 step of the level, which leaves as much for the level. Other formats are
-            // rounded to nearest; each of up to four products drops less than 1/250 step, and the 2^-16ths of a color of 24
-            // bits and the weights of a luma (2^-15 each) are less than 0.012 of 255 steps.
+            // rounded to nearest; each of up to four products drops less than 1/250 step, and the 2^-16ths of a color
+            // of 24 bits and the weights of a luma (2^-15 each) are less than 0.012 of 255 steps.
             let tolerance = if C::IS_DITHERED {
                 1. / 64.
             } else {

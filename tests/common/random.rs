@@ -1,4 +1,5 @@
-//! Random inputs: a test runs for many of them, the same ones each time. If one fails, a small one that fails is sought.
+//! Random inputs: a test runs for many of them, the same ones each time. If one fails, a small one that fails is
+//! sought.
 
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};

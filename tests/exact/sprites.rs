@@ -48,7 +48,8 @@ fn corners<K: ProjectionKind>(
     sprites: &Sprites<'_>,
     mvp: &Mvp<K>,
 ) -> Vec<Vec3> {
-    // Corners that the shader does not see stay zero. They belong to triangles without pixels, which `check` leaves out.
+    // Corners that the shader does not see stay zero. They belong to triangles without pixels, which `check` leaves
+    // out.
     let found = RefCell::new(vec![Vec3::ZERO; 4 * sprites.positions().len()]);
     let probe = Probe::<_, Rgb565> {
         values: &|corner| {

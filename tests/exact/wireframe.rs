@@ -134,8 +134,8 @@ fn edges_over_the_mesh_have_no_gaps() {
     });
 }
 
-/// The outlines of round meshes over the meshes themselves, in many poses: the number of pixels, and how many of them the
-/// mesh hides if depths are moved by `face` for the faces and by `line` for the lines.
+/// The outlines of round meshes over the meshes themselves, in many poses: the number of pixels, and how many of them
+/// the mesh hides if depths are moved by `face` for the faces and by `line` for the lines.
 fn hidden_outlines(face: impl DepthTest, line: impl DepthTest) -> [usize; 2] {
     static ROUND_BALL: Mesh = shape!(sphere(24, 16));
     static ROUND_CAN: Mesh = shape!(cylinder(24));

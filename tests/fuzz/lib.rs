@@ -1,7 +1,8 @@
-//! The checks of draw calls made from arbitrary bytes. Each makes an input from bytes, passes it to the crate, and checks the invariants of the result.
+//! The checks of draw calls made from arbitrary bytes. Each makes an input from bytes, passes it to the crate, and
+//! checks the invariants of the result.
 //!
-//! The target for libFuzzer, `target.rs`, calls [`draw::check`] with arbitrary bytes; `replay.rs` calls it with the inputs that were
-//! kept. A check that fails panics.
+//! The target for libFuzzer, `target.rs`, calls [`draw::check`] with arbitrary bytes; `replay.rs` calls it with the
+//! inputs that were kept. A check that fails panics.
 //!
 //! | file | contents |
 //! |---|---|

@@ -132,8 +132,8 @@ impl<CS: OutputPin, DC: OutputPin, RESET: OutputPin> Panel<CS, DC, RESET> {
         self.command(bus, WriteMemoryStart.instruction(), &[])
     }
 
-    /// Fills the display with some pixels, over and over. Until then, its memory holds noise, so do this before you switch
-    /// on the backlight.
+    /// Fills the display with some pixels, over and over. Until then, its memory holds noise, so do this before you
+    /// switch on the backlight.
     ///
     /// # Errors
     ///

@@ -26,8 +26,8 @@ use rp2040_hal as hal;
 
 use crate::panel::{Controller, Panel, Pins};
 
-/// Columns and rows of the display, rows of a band, and bands in memory. The taller bands are, the fewer triangles are in
-/// several of them; two cores need a band each, and one that is being sent.
+/// Columns and rows of the display, rows of a band, and bands in memory. The taller bands are, the fewer triangles are
+/// in several of them; two cores need a band each, and one that is being sent.
 const LAYOUT: (u32, u32, u32, usize) = if cfg!(feature = "model") {
     (320, 240, 120, 2)
 } else {

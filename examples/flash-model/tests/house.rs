@@ -102,8 +102,8 @@ fn a_model_comes_out_as_it_went_in() {
     assert_eq!(model.panel(), Panel::Ili9341);
     assert_eq!(Panel::wanted(&words), Panel::Ili9341);
 
-    // The box around its faces reaches from (-1, 0, -1) to (1, 2, 1), so its middle is (0, 1, 0), and the corners of the
-    // walls' feet are farthest from there.
+    // The box around its faces reaches from (-1, 0, -1) to (1, 2, 1), so its middle is (0, 1, 0), and the corners of
+    // the walls' feet are farthest from there.
     let mesh = model.mesh();
     let radius = f64::sqrt(3.0);
     let wanted = [

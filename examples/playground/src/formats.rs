@@ -1,9 +1,9 @@
 //! The picture in the colors of a display.
 //!
-//! In a program, `converted` maps a shader's colors to the display's format, pixel by pixel. Here a picture for a display
-//! of another format than Rgb565 keeps what a shader returns, in full precision, and the page converts it after drawing.
-//! So the module has each shader only twice; the pixels are the same. The lighthouse's sky is not a shader: it is drawn
-//! again in the display's colors, with its caption over it.
+//! In a program, `converted` maps a shader's colors to the display's format, pixel by pixel. Here a picture for a
+//! display of another format than Rgb565 keeps what a shader returns, in full precision, and the page converts it after
+//! drawing. So the module has each shader only twice; the pixels are the same. The lighthouse's sky is not a shader: it
+//! is drawn again in the display's colors, with its caption over it.
 
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{

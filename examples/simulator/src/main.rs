@@ -11,8 +11,8 @@
 //! 6. Choose shaders: [`look`] has light and fog, and [`paint`] a shader for each piece. [`surface`] hides their types,
 //!    and [`mode`] chooses the library's types at run time.
 //! 7. Draw: [`draw`] a frame or a band of it, and [`bands`] a frame of bands.
-//! 8. Write: [`targets`] opens and fills all outputs: [`encoder`] writes pictures, and [`dump`] tables. [`output`] makes
-//!    sure that no file is lost.
+//! 8. Write: [`targets`] opens and fills all outputs: [`encoder`] writes pictures, and [`dump`] tables. [`output`]
+//!    makes sure that no file is lost.
 //! 9. Tell the user: [`report`] prints lines, [`progress`] shows long tasks, and [`window`] shows the picture.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg(not(target_os = "none"))]

@@ -92,8 +92,8 @@ pub fn are_same(a: &Path, b: &Path) -> bool {
 #[derive(Debug)]
 pub struct Output {
     name: String,
-    /// The file, and the unfinished file that is renamed to it, so that nobody ever sees an unfinished one; `None` for a
-    /// stream.
+    /// The file, and the unfinished file that is renamed to it, so that nobody ever sees an unfinished one; `None` for
+    /// a stream.
     file: Option<(PathBuf, PathBuf)>,
     /// The permissions of the file that is replaced.
     permissions: Option<Permissions>,

@@ -12,8 +12,8 @@ use crate::scene::{Band, Moment, Scene};
 
 /// Largest side of the small pictures that are only counted.
 const SMALL: u32 = 256;
-/// Checks that something is visible, and adds hints for the user to `notes`. Chooses the lines to be drawn. If materials
-/// hide everything, both sides are drawn.
+/// Checks that something is visible, and adds hints for the user to `notes`. Chooses the lines to be drawn. If
+/// materials hide everything, both sides are drawn.
 ///
 /// # Errors
 ///

@@ -1,8 +1,8 @@
 //! Reads models and pictures in any common format, for the crate `fixel`.
 //!
 //! [`read`] reads OBJ with its MTL materials, STL, PLY, and glTF, text or binary; [`Picture::decode`] reads PNG, JPEG,
-//! BMP, TGA, GIF and WebP. Both accept files that are not quite right, and say in [`Model::notes`] what they replaced or
-//! left out. The crate runs on the host: `fixel`'s macros put what it reads into flash.
+//! BMP, TGA, GIF and WebP. Both accept files that are not quite right, and say in [`Model::notes`] what they replaced
+//! or left out. The crate runs on the host: `fixel`'s macros put what it reads into flash.
 //!
 //! ```
 //! use std::io;
@@ -135,8 +135,8 @@ pub struct Corner {
 ///
 /// # Errors
 ///
-/// The file cannot be read, is not a model, ends too early, or has nothing to draw. The message is one line, which names
-/// the file, the line or the byte, the value and what was expected.
+/// The file cannot be read, is not a model, ends too early, or has nothing to draw. The message is one line, which
+/// names the file, the line or the byte, the value and what was expected.
 pub fn read(path: &Path, files: &dyn Files) -> Result<Model, String> {
     let name = path.display();
     let bytes = files

@@ -101,8 +101,8 @@ const fn narrow(index: u32) -> u16 {
     index as u16
 }
 
-/// Keeps the values of a list that corners or `others` name, in their order, and renumbers the corners. Returns them, and the new
-/// place of each old one.
+/// Keeps the values of a list that corners or `others` name, in their order, and renumbers the corners. Returns them,
+/// and the new place of each old one.
 fn compact<T: Clone>(
     values: &[T],
     triangles: &mut [Triangle],
@@ -287,9 +287,9 @@ impl Model {
         Ok(lists)
     }
 
-    /// A sentence about positions that become the same when they are multiplied by `scale` and rounded, with a scale that
-    /// keeps them apart; `None` if hardly any do. Positions within 1/65,536 of the model's size count as one, and a
-    /// hundredth of the others may merge.
+    /// A sentence about positions that become the same when they are multiplied by `scale` and rounded, with a scale
+    /// that keeps them apart; `None` if hardly any do. Positions within 1/65,536 of the model's size count as one, and
+    /// a hundredth of the others may merge.
     #[must_use]
     pub fn merging(&self, scale: f64) -> Option<String> {
         let corners = self.triangles.iter().flat_map(|triangle| triangle.corners);

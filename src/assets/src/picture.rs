@@ -98,8 +98,8 @@ impl Picture {
         Some((indices?, colors))
     }
 
-    /// Returns the picture in another size. Where it shrinks, each color is the mean of the area that it covers; where it
-    /// grows, colors are interpolated. Both are weighted by alpha: invisible colors have no weight.
+    /// Returns the picture in another size. Where it shrinks, each color is the mean of the area that it covers; where
+    /// it grows, colors are interpolated. Both are weighted by alpha: invisible colors have no weight.
     #[must_use]
     pub fn resampled(&self, width: u32, height: u32) -> Self {
         let (columns, rows) = (weights(self.width, width), weights(self.height, height));
@@ -226,8 +226,8 @@ fn unpacked(row: &[u8], bits: usize, width: usize) -> impl Iterator<Item = u8> {
     (0..width).map(move |x| row[x * bits / 8] >> (8 - bits - x * bits % 8) & mask)
 }
 
-/// The color of a pixel whose channels are the bits that masks select: red, green, blue and alpha. Without a mask, alpha
-/// is 255.
+/// The color of a pixel whose channels are the bits that masks select: red, green, blue and alpha. Without a mask,
+/// alpha is 255.
 fn masked(raw: &[u8], masks: [u32; 4]) -> [u8; 4] {
     let bits = raw
         .iter()

@@ -48,8 +48,8 @@ pub(super) enum Surface {
     Cylinder,
 }
 
-/// A row of vertices around the y axis: the radius, in units of 2⁻³⁰; the height, in units of 2⁻⁶⁰; and the parts of the
-/// normals that point away from the axis and along it, in units of 2⁻³⁰.
+/// A row of vertices around the y axis: the radius, in units of 2⁻³⁰; the height, in units of 2⁻⁶⁰; and the parts of
+/// the normals that point away from the axis and along it, in units of 2⁻³⁰.
 const fn ring(shape: Shape, row: u32) -> (i64, i64, i64, i64) {
     match shape.surface {
         Surface::Torus(tube) => {

@@ -225,8 +225,8 @@ pub struct Prepared<'a, T = (), G = &'a Mesh<'a>, O = DrawOptions, K = Perspecti
 }
 
 impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
-    /// The objects of the scene, in the order of their slice; none for a thing that was prepared alone. The scene borrows
-    /// them, so this is how a band reads where they are:
+    /// The objects of the scene, in the order of their slice; none for a thing that was prepared alone. The scene
+    /// borrows them, so this is how a band reads where they are:
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -495,7 +495,8 @@ impl<'r> Run<'r> {
         draw.drawn()
     }
 
-    /// Twice the area of a triangle on the screen, or a number of its sign where culling has left only one; 0 for an edge.
+    /// Twice the area of a triangle on the screen, or a number of its sign where culling has left only one; 0 for an
+    /// edge.
     pub(super) fn area(&self, corners: Corners) -> i64 {
         match (self.shared.cull, corners) {
             (_, Corners::Edge { .. }) => 0,

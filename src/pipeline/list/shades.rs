@@ -77,11 +77,11 @@ impl<S: Shader, const ELEMENTS: usize> ShadeList<S, ELEMENTS> {
 }
 
 impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
-    /// Computes the shader's values for each triangle or edge, once for all bands. `shader_of` returns the shader for an
-    /// object's material; if there are no materials, write `|()| shader`.
+    /// Computes the shader's values for each triangle or edge, once for all bands. `shader_of` returns the shader for
+    /// an object's material; if there are no materials, write `|()| shader`.
     ///
-    /// In each band, draw with `.of(&shader)` of the result: it uses the computed values. If anything else is drawn with
-    /// it, the shader computes its values as usual.
+    /// In each band, draw with `.of(&shader)` of the result: it uses the computed values. If anything else is drawn
+    /// with it, the shader computes its values as usual.
     ///
     /// # Errors
     ///

@@ -171,8 +171,8 @@ pub trait Lighting: Copy {
     /// are lit as if their normals pointed the other way.
     ///
     #[cfg_attr(doc, doc = page_picture!("two_sided", "Two sheets that turn their backs: dark without the adapter, bright with it"))]
-    /// A triangle turns its back to the viewer if its normal points to the other side of its plane. Edges and points have
-    /// no back.
+    /// A triangle turns its back to the viewer if its normal points to the other side of its plane. Edges and points
+    /// have no back.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};

@@ -30,8 +30,8 @@ impl Projection<Parallel> {
     /// behind this plane moves in the picture by `ratio` times its distance from the plane; a point in front of it
     /// moves the other way.
     ///
-    /// It moves in the direction of `angle`, counter-clockwise from the right. What lies in the near plane itself is not
-    /// drawn, so let `near` be less than `plane` if the front of a model is to be undistorted.
+    /// It moves in the direction of `angle`, counter-clockwise from the right. What lies in the near plane itself is
+    /// not drawn, so let `near` be less than `plane` if the front of a model is to be undistorted.
     ///
     /// # Errors
     ///

@@ -146,9 +146,9 @@ impl View {
     /// and the distance of an oblique projection's plane. In units of 2⁻³⁰:
     /// - A coefficient is a quotient (1.3), rounded to a mantissa (1); that of z is also a product of a sine (4.1).
     /// - The offset is a quotient and a product of such a coefficient and a distance (8.4), and a mantissa (1).
-    /// - The viewport's scale rounds coefficients (1), and so does the product with the view, to 29 bits (2). If an offset
-    ///   is so large that coefficients keep fewer bits, they are rounded by 2⁻⁴⁴ of it, and multiplied by up to 3 · 2¹⁵:
-    ///   6 of the offset.
+    /// - The viewport's scale rounds coefficients (1), and so does the product with the view, to 29 bits (2). If an
+    ///   offset is so large that coefficients keep fewer bits, they are rounded by 2⁻⁴⁴ of it, and multiplied by up to
+    ///   3 · 2¹⁵: 6 of the offset.
     /// - Each move has its own errors (3): see [`relative`](crate::moves::relative).
     ///
     /// So an offset has at most 15.4, and what is multiplied by a coefficient 9.4 and 6: 16 bounds both. A coefficient

@@ -1,7 +1,7 @@
 //! Wires that record everything that is sent over them.
 //!
-//! The bus sends bytes, or words of 16 bits, as two bytes each. It sends as late as it may, when it is flushed. So a pin that changes too early changes the meaning of bytes,
-//! as it does on a chip whose bus has a queue.
+//! The bus sends bytes, or words of 16 bits, as two bytes each. It sends as late as it may, when it is flushed. So a
+//! pin that changes too early changes the meaning of bytes, as it does on a chip whose bus has a queue.
 
 use std::cell::RefCell;
 use std::convert::Infallible;

@@ -135,8 +135,8 @@ impl Panel {
         }
     }
 
-    /// Returns the raw bits of the pixels, row by row from the upper left corner; `None` for one that was never written.
-    /// Panics if the panel is dark.
+    /// Returns the raw bits of the pixels, row by row from the upper left corner; `None` for one that was never
+    /// written. Panics if the panel is dark.
     pub fn pixels(&self) -> &[Option<u32>] {
         assert!(self.is_awake && self.is_on, "the panel is dark");
         &self.memory

@@ -70,8 +70,8 @@ fn corner(panel: u32, width: u32) -> Point {
     Point::new(x, y)
 }
 
-/// Lays a panel on the table: its number from the left, the size of its pixels, and their colors. Pixels without a color
-/// are the table's.
+/// Lays a panel on the table: its number from the left, the size of its pixels, and their colors. Pixels without a
+/// color are the table's.
 fn lay(
     picture: &mut Picture,
     panel: u32,

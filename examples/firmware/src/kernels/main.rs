@@ -1,11 +1,11 @@
 //! The cost on a microcontroller of the inner loops (a pixel in each mode, and the set-up of a triangle) and of frames
 //! (the mean of the eight poses of each measured scene).
 //!
-//! `cargo run --profile speed -p firmware --bin kernels --target thumbv7em-none-eabi` runs it under QEMU, which counts instructions;
-//! on a chip it counts the core's cycles. The first line says which of the two it counts, and how many a tick has. Then
-//! follows a line for each kernel, with its units (pixels or triangles), the ticks that they took, and the instructions
-//! or cycles of `each`. A line for each scene comes last, with its frames and the instructions or cycles of `each`.
-//! `--profile size` instead of `--profile speed` optimizes for size.
+//! `cargo run --profile speed -p firmware --bin kernels --target thumbv7em-none-eabi` runs it under QEMU, which counts
+//! instructions; on a chip it counts the core's cycles. The first line says which of the two it counts, and how many a
+//! tick has. Then follows a line for each kernel, with its units (pixels or triangles), the ticks that they took, and
+//! the instructions or cycles of `each`. A line for each scene comes last, with its frames and the instructions or
+//! cycles of `each`. `--profile size` instead of `--profile speed` optimizes for size.
 //!
 //! The cost of a pixel is the difference between two drawings of one triangle that covers a frame of 64 rows.
 //! `unit=pixel` compares frames of 16 and 48 columns, which lie within one span, and so measures only the inner loop.

@@ -14,8 +14,8 @@
 //!
 //! A part that does not exist is empty.
 //!
-//! For a board, the page first adds the board's program, then the files, and calls `flash`. Part 0 is then a UF2 of both,
-//! and parts 3 to 5 are as above.
+//! For a board, the page first adds the board's program, then the files, and calls `flash`. Part 0 is then a UF2 of
+//! both, and parts 3 to 5 are as above.
 
 mod model;
 mod texture;

@@ -35,8 +35,8 @@ pub fn assets(input: TokenStream) -> TokenStream {
     expanded.unwrap_or_else(|problem| error(&problem, span))
 }
 
-/// A picture of `fixel`'s own documentation as a `data:` URI, which is shown wherever the page is: docs.rs serves no other
-/// files. Its input is the parts of a path in the package.
+/// A picture of `fixel`'s own documentation as a `data:` URI, which is shown wherever the page is: docs.rs serves no
+/// other files. Its input is the parts of a path in the package.
 #[doc(hidden)]
 #[proc_macro]
 pub fn picture_uri(input: TokenStream) -> TokenStream {
