@@ -20,6 +20,7 @@ mod mipmaps;
 mod normals;
 mod packed;
 mod painter;
+#[cfg(not(target_os = "none"))]
 mod panels;
 #[cfg(not(target_os = "none"))]
 mod picking;
@@ -65,6 +66,7 @@ pub const SCENES: &[(&str, Draw)] = &[
     ("normals", normals::draw),
     ("packed", packed::draw),
     ("painter", painter::draw),
+    #[cfg(not(target_os = "none"))] // has vectors for its panels
     ("panels", panels::draw),
     #[cfg(not(target_os = "none"))] // writes a text
     ("picking", picking::draw),

@@ -23,11 +23,11 @@ fn show<C: PixelColor + Default>(
     color_of: impl Fn(C) -> Rgb565,
 ) -> Result<(), Error> {
     let frame = canvas.frame_size();
-    let size = Size::new((frame.width / 4).min(80) - 4, frame.height.min(240) - 16);
-    let (mut colors, mut depths) = ([C::default(); 80 * 240], [0; 80 * 240]);
+    let size = Size::new(frame.width / 4, frame.height).saturating_sub(Size::new(4, 16));
     let pixels = (size.width * size.height) as usize;
-    let panel = Canvas::new(&mut colors[..pixels], size.width, size.height)?;
-    let mut panel = panel.with_depth(&mut depths[..pixels])?;
+    let (mut colors, mut depths) = (vec![C::default(); pixels], vec![0; pixels]); // on a chip, statics
+    let panel = Canvas::new(&mut colors, size.width, size.height)?;
+    let mut panel = panel.with_depth(&mut depths)?;
     let projection = Projection::perspective(deg!(55), size, fx!(1), fx!(50))?;
     let camera = Camera::look_at(vec3!(2, 3.6, 7), vec3!(-0.25, 2.1, 0), Vec3::Y)?;
     panel.draw(&ISLAND, &(projection * camera), shader);
