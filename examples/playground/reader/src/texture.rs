@@ -108,7 +108,9 @@ pub fn of_model(
 fn of_image(name: &str, model: &Model, at: u32, files: &Dropped) -> Result<Texture, String> {
     let (name, bytes, call) = match model.images.get(at as usize) {
         Some(Image::File(path)) => {
-            let name = path.display().to_string();
+            // The file is dropped without its folder, and found by its name.
+            let found = files.find(path);
+            let name = found.map_or_else(|| path.display().to_string(), |(name, _)| name.clone());
             let bytes = files.read(path);
             let call = format!("{name:?}");
             (name, bytes.map_err(|problem| problem.to_string()), call)
