@@ -326,7 +326,7 @@ test("a turn is saved as a GIF, here in three colors", async () => {
   const [count, ...pictures] = await page.evaluate(`(async () => {
     const data = Uint8Array.from(atob("${file.toString("base64")}"), (byte) => byte.charCodeAt());
     const decoder = new ImageDecoder({ type: "image/gif", data });
-    await decoder.completed;
+    await Promise.all([decoder.tracks.ready, decoder.completed]);
     const found = [decoder.tracks.selectedTrack.frameCount];
     const context = new OffscreenCanvas(320, 240).getContext("2d");
     for (const frameIndex of [0, 12]) {
@@ -497,7 +497,7 @@ const CONTRAST = `(() => {
 })()`;
 
 test("no scrolling sideways, and text that can be read, in light and dark", async () => {
-  for (const width of [360, 800, 1400]) {
+  for (const width of [360, 800, 1280]) {
     await page.size(width, 900);
     for (const theme of ["light", "dark"]) {
       await page.theme(theme);

@@ -133,6 +133,13 @@ impl Files for Dropped<'_> {
     }
 }
 
+/// A file's name as the macros read it: with no escapes but these two. macOS takes letters apart, and `{:?}` would write
+/// an accent as `\u{308}`.
+fn quoted(name: &str) -> String {
+    let name = name.replace('\\', r"\\").replace('"', r#"\""#);
+    format!("\"{name}\"")
+}
+
 /// The answer for a model and its texture, or for a texture alone.
 fn answer(files: &Dropped) -> Result<Answer, String> {
     let mut notes = Vec::new();
