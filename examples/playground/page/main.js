@@ -11,8 +11,8 @@ import { showSegment } from "./segment.js";
 const SCRATCH = 2;
 /** Milliseconds of a turn in the page. */
 const TURN = 24_000;
-/** Pictures of a turn in a saved animation, and how long each is shown, in hundredths of a second. */
-const [PICTURES, DELAY] = [48, 6];
+/** How long each picture of a saved animation is shown, in hundredths of a second. */
+const DELAY = 6;
 /** The texture of a model that has none. */
 const PLAIN = { data: new Uint8Array(4).fill(215), width: 1, height: 1 };
 
@@ -159,18 +159,19 @@ async function saveTurn() {
     $("stage").className = "whole";
     const now = settings();
     const { width, height, yaw } = now;
+    const pictures = now.scene === WORLD ? 96 : 48; // a walk is longer than a turn
     const gif = await animation(width, height);
-    for (let at = 0; at < PICTURES; at++) {
-      tell("gif", `Saving ${Math.round((100 * at) / PICTURES)} %`);
+    for (let at = 0; at < pictures; at++) {
+      tell("gif", `Saving ${Math.round((100 * at) / pictures)} %`);
       if (!(await goesOn(frame()))) return;
-      const { image } = picture({ ...now, yaw: (yaw + turned(at / PICTURES)) % 360 }, 0);
+      const { image } = picture({ ...now, yaw: (yaw + turned(at / pictures)) % 360 }, 0);
       context.putImageData(image, 0, 0);
       gif.add(image, DELAY);
     }
     const file = gif.end();
     const name = `${scenes[now.scene].parentElement.textContent.toLowerCase().replaceAll(" ", "-")}.gif`;
     save(name, file);
-    tell("status", `${name} holds ${PICTURES} pictures in ${(file.size / 1e6).toFixed(1)} MB.`);
+    tell("status", `${name} holds ${pictures} pictures in ${(file.size / 1e6).toFixed(1)} MB.`);
   } catch (error) {
     tell("status", error.message);
   } finally {
