@@ -50,7 +50,7 @@ async function changed() {
     draw();
     if (!(await goesOn(pause(200)))) return;
     await measure(goesOn);
-    if (settings().spins) await turn(goesOn);
+    if (settings().spins && (await goesOn())) await turn(goesOn);
   } catch (error) {
     isTurning = false;
     tell("hint", `This cannot be drawn: ${error.message}`);
@@ -259,7 +259,7 @@ canvas.onkeydown = (event) => {
 
 oninput = ({ target }) => {
   if (target.name === "scene") choose(scenes.indexOf(target));
-  // It changes no figures, so that the picture turns on.
+  // The divider changes no figures: a picture that turns needs no pause.
   else if (target.id === "divider" && isTurning) showSettings();
   else if (target.type !== "file") changed();
 };
@@ -298,7 +298,8 @@ async function start() {
   showBoard(own);
   document.querySelector("main").inert = false;
   const { scene, ...kept } = recall();
-  // Without an address that says what to show, the picture turns; by itself, for no one who wants little motion.
+  // Without an address that says what to show, the picture turns. Where little motion is wanted, it never starts to
+  // turn by itself.
   if (scene === undefined) $("spins").checked = true;
   if (matchMedia("(prefers-reduced-motion)").matches) $("spins").checked = false;
   await choose(scenes[scene] ? scene : FLOOR, kept);

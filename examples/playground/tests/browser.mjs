@@ -523,7 +523,8 @@ test("axe finds nothing to mend, in light and dark", async () => {
       await page.theme(theme);
       for (const index of [LIGHTHOUSE, WORLD, OWN]) {
         await scene(index);
-        await page.until(`document.querySelectorAll("#scenes input")[${index}].checked && document.querySelector("#numbers dt")`);
+        await page.until(`document.querySelectorAll("#scenes input")[${index}].checked`);
+        await page.until(`${text("#code")}.includes("fn draw")`);
         const found = await page.evaluate(`${axe}; axe.run().then(({ violations }) =>
           violations.flatMap(({ id, help, nodes }) => nodes.map(({ target }) => id + " of " + target + ": " + help)))`);
         assert.deepEqual(found, [], `${theme}, ${width} pixels wide, scene ${index}`);
