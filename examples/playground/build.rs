@@ -26,11 +26,12 @@ fn main() -> io::Result<()> {
             let target = out.ancestors().nth(4)?;
             Some(target.join("wasm32-unknown-unknown/release"))
         });
-    // The reader is built for its size, and the last one for a board.
+    // What reads and writes files is built for its size, and the last one for a board.
     for (folder, name) in [
         ("", "playground.wasm"),
         ("", "world.wasm"),
         ("../size", "reader.wasm"),
+        ("../size", "animation.wasm"),
         ("../../thumbv6m-none-eabi/release", "pico_model"),
     ] {
         let module = modules

@@ -5,7 +5,7 @@
 //! around the pond. For a frame, or for each band of it, a program calls
 //!
 //! ```ignore
-//! world::draw(&mut canvas, Rate::rpm(8).angle_at(now_ms))?;
+//! world::draw(&mut canvas, Newton, Rate::rpm(8).angle_at(now_ms))?;
 //! ```
 //!
 //! | file | contents |
@@ -42,6 +42,7 @@ use embedded_graphics::pixelcolor::{GrayColor, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::text::{Alignment, Text};
 use fixel::canvas::{Add, DepthBuffer, Opacity, Storage, TestOnly};
 use fixel::mesh::Bounds;
+use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::shade::Colored;
 use fixel::texture::Argb1555;
@@ -102,15 +103,20 @@ pub fn viewer(turn: Angle) -> (Vec3, Vec3) {
     (along(&WALK, turn), along(&LOOK, turn))
 }
 
-/// Draws the world at a moment of the walk; a whole turn is one walk around the pond.
+/// Draws the world in a mode, at a moment of the walk; a whole turn is one walk around the pond.
 ///
 /// # Errors
 ///
 /// None: the numbers are constant.
-pub fn draw<O, D>(canvas: &mut Canvas<'_, Rgb565, O, D>, turn: Angle) -> Result<(), Error>
+pub fn draw<O, D, M>(
+    canvas: &mut Canvas<'_, Rgb565, O, D>,
+    mode: M,
+    turn: Angle,
+) -> Result<(), Error>
 where
     O: Storage<Rgb565>,
     D: DepthBuffer,
+    M: Mode,
 {
     let (eye, target) = viewer(turn);
     let size = canvas.frame_size();
@@ -122,14 +128,15 @@ where
         size: (size.width, size.height),
         view: projection * camera,
         fog: Fog::linear(sky::HAZE.into(), fx!(3), fx!(36))?,
+        options: DrawOptions::new().with_mode(mode),
         turn,
     };
 
     canvas.clear(sky::HAZE.into());
-    sky::draw(canvas, &(projection * camera.sky()))?;
+    sky::draw(canvas, &scene.options, &(projection * camera.sky()))?;
     let above = World::upright()?;
     scene.draw(canvas, &above)?;
-    if canvas.is_in_view(&DrawOptions::new(), &POND, &scene.view) {
+    if canvas.is_in_view(&scene.options, &POND, &scene.view) {
         // The ground hides what the water shows, except in the pond.
         let below = World::mirrored()?;
         scene.draw(canvas, &below)?;
@@ -155,7 +162,6 @@ where
 /// The world above the water, or its mirror image.
 struct World {
     model: Transform,
-    options: DrawOptions,
     dusk: Colored<Light>,
     /// Lamps with their places on the map.
     lamps: [(Vec3, Colored<PointLight>); LAMPS],
@@ -201,10 +207,8 @@ impl World {
                 PointLight::new(model.point(place), fx!(1), REACH)?.colored(LAMPLIGHT),
             );
         }
-        let options = DrawOptions::new();
         Ok(Self {
             model,
-            options,
             dusk,
             lamps,
             layers,
@@ -225,23 +229,23 @@ impl World {
 }
 
 /// How a frame is seen.
-struct Scene {
+struct Scene<M> {
     projection: Projection,
     size: (u32, u32),
     view: Mvp,
     fog: Fog<Rgb565>,
+    options: DrawOptions<M>,
     turn: Angle,
 }
 
-impl Scene {
+impl<M: Mode> Scene<M> {
     /// Draws everything that is solid.
     fn draw<O, D>(&self, canvas: &mut Canvas<'_, Rgb565, O, D>, world: &World) -> Result<(), Error>
     where
         O: Storage<Rgb565>,
         D: DepthBuffer,
     {
-        let World { options, model, .. } = world;
-        let (mvp, fog) = (self.view * *model, self.fog);
+        let (mvp, fog, options) = (self.view * world.model, self.fog, &self.options);
         let mut lamps = world.lamps.map(|(_, lamp)| lamp);
         let tile = |texture: &textures::Tile| {
             let tile = Textured::new(*texture).bilinear();
@@ -339,7 +343,7 @@ impl Scene {
         let leaves = Textured::new(texture).clamped().bilinear();
         let lamps = world.lamps.map(|(_, lamp)| lamp);
         let leaves = leaves.lit((world.dusk, lamps)).in_fog(self.fog);
-        let options = world.options.with_cull(Cull::Nothing);
+        let options = self.options.with_cull(Cull::Nothing);
         canvas.draw_with(&options, &plants, &(self.view * world.model), &leaves);
         Ok(())
     }
@@ -365,9 +369,7 @@ impl Scene {
         let mesh = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 3]])?.with_uvs(&uvs, None)?;
         let waves = Textured::new(textures::WATER).bilinear();
         let waves = waves.mipmapped(&self.projection, self.size)?;
-        let options = DrawOptions::new()
-            .with_depth(TestOnly)
-            .with_blending(Opacity(92));
+        let options = self.options.with_depth(TestOnly).with_blending(Opacity(92));
         canvas.draw_with(&options, &mesh, &self.view, &waves.in_fog(self.fog));
         Ok(())
     }
@@ -378,7 +380,7 @@ impl Scene {
         O: Storage<Rgb565>,
         D: DepthBuffer,
     {
-        let shine = DrawOptions::new().with_depth(TestOnly).with_blending(Add);
+        let shine = self.options.with_depth(TestOnly).with_blending(Add);
         let glow = Textured::new(&textures::GLOW)
             .clamped()
             .bilinear()
@@ -410,7 +412,7 @@ impl Scene {
         O: Storage<Rgb565>,
         D: DepthBuffer,
     {
-        if let Some(at) = canvas.project(&DrawOptions::new(), &self.view, point) {
+        if let Some(at) = canvas.project(&self.options, &self.view, point) {
             for (offset, color) in [(1, Rgb565::BLACK), (0, Rgb565::new(31, 58, 24))] {
                 let style = MonoTextStyle::new(&FONT_6X10, color);
                 let text = Text::with_alignment(

@@ -2,6 +2,7 @@
 
 use embedded_graphics::pixelcolor::{GrayColor, Rgb565, Rgb888};
 use fixel::canvas::{Add, DepthBuffer, NoTest, Storage};
+use fixel::mode::Mode;
 use fixel::prelude::*;
 
 use super::textures::{GLOW, MOON};
@@ -67,14 +68,17 @@ const MOON_AT: Vec3 = vec3!(9.5, 10.2, -26);
 
 /// Draws the sky behind everything, so it neither tests nor stores depth. The view is that of a
 /// [camera in its middle](Camera::sky).
-pub fn draw<O, D>(canvas: &mut Canvas<'_, Rgb565, O, D>, view: &Mvp) -> Result<(), Error>
+pub fn draw<O, D, M>(
+    canvas: &mut Canvas<'_, Rgb565, O, D>,
+    options: &DrawOptions<M>,
+    view: &Mvp,
+) -> Result<(), Error>
 where
     O: Storage<Rgb565>,
     D: DepthBuffer,
+    M: Mode,
 {
-    let behind = DrawOptions::new()
-        .with_depth(NoTest)
-        .with_cull(Cull::Nothing);
+    let behind = options.with_depth(NoTest).with_cull(Cull::Nothing);
     let dome = *view * Transform::scale(fx!(30));
     canvas.draw_with(&behind, &DOME, &dome, &Gouraud::new());
 

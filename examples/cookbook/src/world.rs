@@ -4,6 +4,7 @@
 #[path = "../../common/world/mod.rs"]
 mod garden;
 
+use fixel::mode::Newton;
 use fixel::prelude::*;
 
 pub use garden::{LOOK, WALK, viewer};
@@ -25,7 +26,7 @@ pub fn turn_of(frame: u32) -> Angle {
 ///
 /// None.
 pub fn walk(canvas: &mut Frame<'_>, turn: Angle) -> Result<(), Error> {
-    garden::draw(canvas, turn)
+    garden::draw(canvas, Newton, turn)
 }
 
 /// Draws the moment that the documentation shows, which the firmware draws, too.

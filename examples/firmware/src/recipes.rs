@@ -24,6 +24,7 @@ mod firmware {
     use crc32fast::Hasher;
     use embedded_graphics::pixelcolor::raw::ToBytes;
     use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+    use fixel::mode::Newton;
     use fixel::prelude::*;
     use semihosting::println;
     use static_cell::ConstStaticCell;
@@ -41,7 +42,7 @@ mod firmware {
 
     /// The little world, at the moment that the cookbook shows.
     fn draw_world(canvas: &mut Frame<'_>) -> Result<(), Error> {
-        world::draw(canvas, Angle::from_bits(u32::MAX / 64 * 13))
+        world::draw(canvas, Newton, Angle::from_bits(u32::MAX / 64 * 13))
     }
 
     fn run() -> Result<(), Error> {

@@ -9,6 +9,9 @@ export const short = (value) => (Number.isFinite(value) ? String(+value.toPrecis
 const UNITS = { tolerance: " texel", fov: "°", near: "", far: "", right: " pixel", down: " pixel" };
 const EXPONENTS = ["tolerance", "near", "far"];
 
+/** Controls of the camera and its picture. The little world has its own. */
+const OF_CAMERA = ["fov", "near", "far", "right", "down", "is_two_sided"];
+
 /** The scene and where its camera is, in settings of the module (src/view.rs). */
 export const camera = {};
 
@@ -20,8 +23,8 @@ export function settings() {
   const { scene, size, mode, other, near, far } = found;
   const [width, height] = size.split("x").map(Number);
   Object.assign(found, { width, height, first_row: 0, rows: height, far: Math.max(far, near + 1 / 3) });
-  found.modes = scene === WORLD || other < 0 ? [mode] : [mode, other];
-  if (scene === WORLD) found.format = 0; // It has colors and modes of its own.
+  found.modes = other < 0 ? [mode] : [mode, other];
+  if (scene === WORLD) found.format = 0; // It has colors of its own.
   found.interpolates = scene !== WORLD && scene !== FLAT_SPHERE;
   found.showsErrors &&= found.interpolates;
   return found;
@@ -59,6 +62,13 @@ export function recall() {
   return Object.fromEntries(numbers.filter(([, number]) => Number.isFinite(number)));
 }
 
+/** Angles that differ from the scene's start view become tenths of a degree, which the printed program can name. */
+export function roundAngles(home) {
+  const rounded = (name, now) => (Math.abs(now - home[name]) < 1e-9 ? now : Math.round(now * 10) / 10);
+  for (const name of ["yaw", "pitch"]) camera[name] = rounded(name, camera[name]);
+  $("fov").value = rounded("fov", Number($("fov").value));
+}
+
 /** Makes sliders show the camera. */
 export function showCamera() {
   for (const id in UNITS) $(id).value = camera[id];
@@ -72,7 +82,8 @@ export function showSettings() {
     $(id).previousElementSibling.value = told;
     $(id).setAttribute("aria-valuetext", told);
   }
-  $("accuracy").disabled = $("format").disabled = $("cost").hidden = now.scene === WORLD;
+  for (const id of [...OF_CAMERA, "format"]) $(id).disabled = now.scene === WORLD;
+  $("cost").hidden = now.scene === WORLD;
   $("showsErrors").disabled = $("figure").hidden = !now.interpolates;
   $("tolerance").disabled = !now.modes.includes(2);
   $("legend").hidden = !now.showsErrors;

@@ -39,10 +39,11 @@ export function showNumbers({ submitted, drawn, clipped, pixels, checksum, ...se
 /** Shows the errors and costs of the modes that are seen in a table, and those of all modes in a plot. */
 export function compare(marks) {
   const seen = marks.filter(({ isSeen }) => isSeen);
-  const row = (name, cells) => `<tr><th>${name}</th>${cells.join("")}</tr>`;
-  const numbers = (name, number) => row(name, seen.map((mark) => `<td>${short(number(mark))}</td>`));
+  const row = (head, cells) => `<tr>${head}${cells.join("")}</tr>`;
+  const numbers = (name, number) =>
+    row(`<th scope="row">${name}</th>`, seen.map((mark) => `<td>${short(number(mark))}</td>`));
   $("table").innerHTML = [
-    row("", seen.map(({ name }) => `<th>${name}</th>`)),
+    row("<td></td>", seen.map(({ name }) => `<th scope="col">${name}</th>`)),
     numbers("Largest error, in texels", ({ max }) => max),
     numbers("Mean error", ({ mean }) => mean),
     ...CORES.flatMap(({ id, name, clock, cycles }) => [

@@ -3,6 +3,15 @@ import { fetched } from "./module.js";
 
 let module;
 
+/** Saves a file on the visitor's computer. */
+export function save(name, blob) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}
+
 /** Gives files to the module, and what they are for: an export with its arguments. Returns the parts of its answer. */
 async function ask(files, action, ...args) {
   module ??= await WebAssembly.compile(await fetched("reader.wasm.gz"));

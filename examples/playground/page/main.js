@@ -1,13 +1,18 @@
 // The page: what is drawn, and what the visitor does with it.
-import { $, camera, keep, recall, settings, showCamera, showSettings } from "./controls.js";
+import { animation } from "./animation.js";
+import { $, camera, keep, recall, roundAngles, settings, showCamera, showSettings } from "./controls.js";
 import { compare, showNumbers } from "./figures.js";
 import { showBoard } from "./board.js";
-import { read } from "./files.js";
+import { read, save } from "./files.js";
 import { Crate, FLOOR, LIGHTHOUSE, MODES, OWN, WORLD, load } from "./module.js";
 import { showSegment } from "./segment.js";
 
 /** The slot for measuring. Slots 0 and 1 have the pictures of the modes that are seen. */
 const SCRATCH = 2;
+/** Milliseconds of a turn in the page. */
+const TURN = 24_000;
+/** How long each picture of a saved animation is shown, in hundredths of a second. */
+const DELAY = 6;
 /** The texture of a model that has none. */
 const PLAIN = { data: new Uint8Array(4).fill(215), width: 1, height: 1 };
 
@@ -23,11 +28,11 @@ let crate;
 let own = [];
 
 let beginnings = 0;
-/** Settles when the chosen scene is drawn and measured. */
-let shown;
+let isTurning = false;
 /** Ends what waits, and shows the settings. Returns a function to wait with, which tells whether to go on. */
 function begin() {
   const mine = ++beginnings;
+  isTurning = false;
   showSettings();
   return async (wait) => {
     await wait;
@@ -35,27 +40,39 @@ function begin() {
   };
 }
 
-/** Draws again, on and on while the picture turns; measures once nothing changes for a moment. */
+/** Draws again; once nothing changes for a moment, measures, and then turns the picture if it is to turn. */
 async function changed() {
   const goesOn = begin();
   tell("hint", "");
   try {
-    let last = performance.now();
-    // The floor lies ahead of the eye, which looks left and right; other scenes turn.
-    const turned = (now) => (camera.scene === FLOOR ? 25 * Math.sin(now / 3000) : now * 0.015);
-    const yaw = camera.yaw - turned(last);
-    for (let pictures = 1; await goesOn(frame()); pictures++) {
-      const time = draw();
-      const now = performance.now();
-      if (!settings().spins) break;
-      camera.yaw = (yaw + turned(now)) % 360;
-      if (pictures % 20) continue;
-      showNumbers(crate.ask("measure", settings(), SCRATCH), time, 20000 / (now - last));
-      last = now;
-    }
-    if (await goesOn(pause(200))) await measure(goesOn);
+    if (!(await goesOn(frame()))) return;
+    roundAngles(crate.ask("home", settings()));
+    draw();
+    if (!(await goesOn(pause(200)))) return;
+    await measure(goesOn);
+    if (settings().spins && (await goesOn())) await turn(goesOn);
   } catch (error) {
+    isTurning = false;
     tell("hint", `This cannot be drawn: ${error.message}`);
+  }
+}
+
+/** The degrees that the picture has turned by, after a part of a turn. The floor's eye looks left and right. */
+const turned = (part) => (camera.scene === FLOOR ? 25 * Math.sin(2 * Math.PI * part) : 360 * part);
+
+/** Draws on and on. */
+async function turn(goesOn) {
+  isTurning = true;
+  const { yaw } = camera;
+  const start = performance.now();
+  let last = start;
+  for (let pictures = 1; await goesOn(frame()); pictures++) {
+    const now = performance.now();
+    camera.yaw = (yaw + turned((now - start) / TURN)) % 360;
+    const time = draw();
+    if (pictures % 20) continue;
+    showNumbers(crate.ask("measure", settings(), SCRATCH), time, 20000 / (now - last));
+    last = now;
   }
 }
 
@@ -64,13 +81,17 @@ function draw() {
   const now = settings();
   const { width, height, divider } = now;
   const times = now.modes.map((mode, slot) => {
-    const view = { ...now, mode };
-    const time = crate.draw(view, slot);
-    const image = now.showsErrors ? crate.image("errors", view, SCRATCH) : crate.image("show", view, slot);
+    const { image, time } = picture({ ...now, mode }, slot);
     context.putImageData(image, 0, 0, slot * Math.round((divider / 100) * width), 0, width, height);
     return time;
   });
   return times[0];
+}
+
+/** Draws a picture, or its errors. Returns what is seen, and the milliseconds that drawing took. */
+function picture(view, slot) {
+  const time = crate.draw(view, slot);
+  return { image: view.showsErrors ? crate.image("errors", view, SCRATCH) : crate.image("show", view, slot), time };
 }
 
 /** Milliseconds for a picture: the best of three means, each over more than the clock's steps. */
@@ -83,10 +104,13 @@ function timed(settings) {
   return Math.min(mean(), mean(), mean());
 }
 
-/** Fills in figures and program, and keeps the settings in the address. */
+/** Keeps the settings in the address. */
+const remember = () => keep(crate.ask("home", settings()));
+
+/** Fills in figures and program. */
 async function measure(goesOn) {
   const now = settings();
-  keep(crate.ask("home", now));
+  remember();
   const left = crate.ask("checksum", crate.ask("measure", now, SCRATCH));
   showNumbers(left, timed(now));
   if (left.submitted === 0) tell("hint", "Drop a model here (.obj, .stl, .ply, .gltf or .glb), with its materials and pictures.");
@@ -128,6 +152,34 @@ async function drawBands() {
   if (await goesOn(pause(1500))) changed();
 }
 
+/** Saves a turn of the left picture as an animated GIF. */
+async function saveTurn() {
+  const goesOn = begin();
+  try {
+    $("stage").className = "whole";
+    const now = settings();
+    const { width, height, yaw } = now;
+    const pictures = now.scene === WORLD ? 96 : 48; // a walk is longer than a turn
+    const gif = await animation(width, height);
+    for (let at = 0; at < pictures; at++) {
+      tell("gif", `Saving ${Math.round((100 * at) / pictures)} %`);
+      if (!(await goesOn(frame()))) return;
+      const { image } = picture({ ...now, yaw: (yaw + turned(at / pictures)) % 360 }, 0);
+      context.putImageData(image, 0, 0);
+      gif.add(image, DELAY);
+    }
+    const file = gif.end();
+    const name = `${scenes[now.scene].parentElement.textContent.toLowerCase().replaceAll(" ", "-")}.gif`;
+    save(name, file);
+    tell("status", `${name} holds ${pictures} pictures in ${(file.size / 1e6).toFixed(1)} MB.`);
+  } catch (error) {
+    tell("status", error.message);
+  } finally {
+    tell("gif", "Save a GIF");
+  }
+  changed();
+}
+
 /** Shows a scene in its start view, or in one that an address has kept. */
 async function choose(scene, kept = {}) {
   scenes[scene].checked = true;
@@ -139,7 +191,7 @@ async function choose(scene, kept = {}) {
   showCamera();
   const { title, textContent } = scenes[scene].parentElement;
   tell("status", `${textContent}: ${title}.`);
-  shown = changed();
+  changed();
 }
 
 async function open(files) {
@@ -207,10 +259,16 @@ canvas.onkeydown = (event) => {
 
 oninput = ({ target }) => {
   if (target.name === "scene") choose(scenes.indexOf(target));
+  // The divider changes no figures: a picture that turns needs no pause.
+  else if (target.id === "divider" && isTurning) showSettings();
   else if (target.type !== "file") changed();
+};
+onchange = ({ target }) => {
+  if (target.id === "divider") remember();
 };
 $("home").onclick = () => choose(camera.scene);
 $("bands").onclick = drawBands;
+$("gif").onclick = saveTurn;
 $("copy").onclick = () => {
   getSelection().selectAllChildren($("code"));
   document.execCommand("copy"); // works without https, too
@@ -240,12 +298,10 @@ async function start() {
   showBoard(own);
   document.querySelector("main").inert = false;
   const { scene, ...kept } = recall();
+  // Without an address that says what to show, the picture turns. Where little motion is wanted, it never starts to
+  // turn by itself.
+  if (scene === undefined) $("spins").checked = true;
+  if (matchMedia("(prefers-reduced-motion)").matches) $("spins").checked = false;
   await choose(scenes[scene] ? scene : FLOOR, kept);
-  await shown;
-  // Without an address that says what to show, the picture turns, unless the visitor has done something already.
-  if (scene === undefined && beginnings === 1 && !matchMedia("(prefers-reduced-motion)").matches) {
-    $("spins").checked = true;
-    changed();
-  }
 }
 start();

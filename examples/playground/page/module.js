@@ -52,8 +52,9 @@ export class Crate {
     const start = performance.now();
     this.ask("draw", settings, slot);
     if (settings.scene === WORLD) {
-      const { width, height, first_row, rows, yaw } = settings;
-      const at = this.world.draw(width, height, first_row, rows, Math.round((yaw / 360) * 2 ** 32));
+      const { mode, tolerance, width, height, first_row, rows, yaw } = settings;
+      const moment = Math.round((yaw / 360) * 2 ** 32);
+      const at = this.world.draw(mode, 2 ** tolerance, width, height, first_row, rows, moment);
       const band = new Uint16Array(this.world.memory.buffer, at, width * rows);
       this.picture(settings, slot).set(band, width * first_row);
     }

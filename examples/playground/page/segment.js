@@ -41,10 +41,10 @@ function move(fraction, isInSpace) {
     point("pixel", screen(at.onScreen), 7, "seen"),
     point("place", inSpace(at.inSpace), 7, "seen"),
     words([0, 0], "eye", 0, 24),
-    words([NEAR, -0.9], "screen", 28, 0),
-    words(screen(at.onScreen), `q = ${short(at.onScreen)}`, -38, -8),
+    words([NEAR, -0.9], "screen", 36, 0),
+    words(screen(at.onScreen), `q = ${short(at.onScreen)}`, -42, -8),
     words(inSpace(at.inSpace), `t = ${short(at.inSpace)}`, 4, -14),
-    ...ends.map((end, index) => words(end, `z${"₀₁"[index]} = ${short(end[0])}`, 0, 22)),
+    ...ends.map((end, index) => words(end, `z${"₀₁"[index]} = ${short(end[0])}`, 0, [-14, 24][index])),
   ].join("");
   for (const [id, value] of [["on_screen", at.onScreen], ["in_space", at.inSpace]]) {
     $(id).value = value;

@@ -5,7 +5,7 @@ use core::fmt::Write;
 
 use embedded_graphics::pixelcolor::{BinaryColor, IntoStorage, Rgb565, RgbColor};
 use fixel::canvas::NoDepth;
-use fixel::mode::{Affine, Compact, Exact, Fast, Mode, Newton};
+use fixel::mode::{Mode, Newton};
 use fixel::prelude::*;
 use fixel::view::Segment;
 use fixel::{Drawn, Fraction};
@@ -26,34 +26,6 @@ const SLOTS: usize = 3;
 const PIXELS: usize = 640 * 480;
 /// Room for a model's lists or a texture's pixels, in bytes.
 const INPUT: usize = 1 << 22;
-
-/// Runs `$work` in the view's mode. The library's modes are types.
-macro_rules! in_mode {
-    ($view:expr, |$mode:ident| $work:expr) => {
-        match $view.mode {
-            0 => {
-                let $mode = Exact;
-                $work
-            }
-            1 => {
-                let $mode = Newton;
-                $work
-            }
-            2 => {
-                let $mode = Fast::within($view.tolerance);
-                $work
-            }
-            3 => {
-                let $mode = Affine;
-                $work
-            }
-            _ => {
-                let $mode = Compact;
-                $work
-            }
-        }
-    };
-}
 
 /// Where a pixel was not drawn, as bytes of red, green, blue and opacity.
 const NOTHING: u32 = u32::from_le_bytes([58, 62, 68, 255]);
@@ -141,7 +113,8 @@ impl App {
     }
 
     fn draw_view(&mut self, slot: usize, view: &View) -> Result<Drawn, Error> {
-        in_mode!(view, |mode| self.draw_in(slot, view, mode))
+        in_mode!(view.mode, view.tolerance, |mode| self
+            .draw_in(slot, view, mode))
     }
 
     fn draw_in<M: Mode>(&mut self, slot: usize, view: &View, mode: M) -> Result<Drawn, Error> {
@@ -226,7 +199,8 @@ impl App {
         if view.scene == Scene::SphereFlat {
             return Ok(()); // interpolates nothing
         }
-        in_mode!(view, |mode| self.record(slot, &view, mode))?;
+        in_mode!(view.mode, view.tolerance, |mode| self
+            .record(slot, &view, mode))?;
         let eye = Eye::new(&view);
         let (mvp, options) = (view.mvp()?, DrawOptions::new());
         let (width, height) = (view.size.width, view.size.height);

@@ -5,6 +5,7 @@
 //! | file | contents |
 //! |---|---|
 //! | `app` | the memory of the module, and what it does for the page |
+//! | `modes` | the modes by their numbers |
 //! | `view` | what the page asks for: scene, mode, size, camera |
 //! | `scene` | the scenes' draw calls |
 //! | `record` | the texel under each pixel, as a mode interpolates it |
@@ -15,9 +16,13 @@
 //! | `formats` | the picture in a display's colors |
 //! | `../reader` | a module of its own, which reads the user's files |
 //! | `../world` | another one, which draws the little world |
+//! | `../gif` | another one, which writes an animated GIF |
 //! | `main`, `server` | the program that serves the page, or writes it |
 //! | `../tests` | the page and its module under Node and in Chromium, and the printed programs: see `.ci/playground` |
 #![cfg_attr(target_arch = "wasm32", no_std)]
+
+#[macro_use]
+mod modes;
 
 mod app;
 #[path = "../../common/mod.rs"]

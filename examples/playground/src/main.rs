@@ -35,7 +35,7 @@ fn main() -> ExitCode {
 fn built() -> Result<(), String> {
     const BUILD: &str = "
   cargo build --release --lib -p playground -p playground-world --target wasm32-unknown-unknown
-  cargo build --profile size -p playground-reader --target wasm32-unknown-unknown
+  cargo build --profile size -p playground-reader -p playground-gif --target wasm32-unknown-unknown
   cargo build --release --manifest-path examples/boards/Cargo.toml --features model,pico --bin pico_model \
     --target thumbv6m-none-eabi --target-dir target";
     match FILES

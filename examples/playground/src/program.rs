@@ -112,7 +112,6 @@ fn own(calls: &[Call; 2], to: &mut Text) -> fmt::Result {
 /// The text has no room for it.
 pub fn write(view: &View, model: &Model, to: &mut Text) -> fmt::Result {
     let is_world = view.scene == Scene::World;
-    let mode = MODES[(view.mode as usize).min(MODES.len() - 1)];
     let format = (view.format as usize).min(FORMATS.len() - 1);
     let [color, black] = FORMATS[if is_world { 0 } else { format }];
     let [colors, mesh, texture] = head(view.scene);
@@ -127,10 +126,11 @@ pub fn write(view: &View, model: &Model, to: &mut Text) -> fmt::Result {
             "use embedded_graphics::pixelcolor::{{{color}, {colors}}};"
         )?,
     }
-    if !is_world {
-        writeln!(to, "use fixel::mode::{mode};")?;
-    }
-    writeln!(to, "use fixel::prelude::*;\n{mesh}{texture}")?;
+    writeln!(
+        to,
+        "use fixel::mode::{};\nuse fixel::prelude::*;\n{mesh}{texture}",
+        Mode(view).name()
+    )?;
     if view.scene == Scene::Own {
         own(&model.calls, to)?;
     }
@@ -142,7 +142,7 @@ pub fn write(view: &View, model: &Model, to: &mut Text) -> fmt::Result {
         "pub fn draw<T: DrawTarget<Color = {color}>>(display: &mut T) -> Result<(), Error> {{"
     )?;
     if !is_world {
-        options(view, mode, to)?;
+        options(view, to)?;
     }
     let depth = view.scene.has_depth();
     writeln!(
@@ -173,11 +173,8 @@ pub fn write(view: &View, model: &Model, to: &mut Text) -> fmt::Result {
             )?;
         }
         None if is_world => {
-            let moment = view.yaw.to_bits();
-            writeln!(
-                to,
-                "        world::draw(&mut band, Angle::from_bits({moment}))?;"
-            )?;
+            let (mode, moment) = (Mode(view), Degrees(view.yaw));
+            writeln!(to, "        world::draw(&mut band, {mode}, {moment})?;")?;
         }
         None => to.write_str(
             "        lighthouse::sky(&mut band);
@@ -195,68 +192,118 @@ pub fn write(view: &View, model: &Model, to: &mut Text) -> fmt::Result {
     )
 }
 
-/// The camera as `View::mvp` places it, and how triangles are drawn.
-fn options(view: &View, mode: &str, to: &mut Text) -> fmt::Result {
+/// The mode of a view, as an expression.
+struct Mode<'a>(&'a View);
+
+impl Mode<'_> {
+    fn name(&self) -> &'static str {
+        MODES[(self.0.mode as usize).min(MODES.len() - 1)]
+    }
+}
+
+impl fmt::Display for Mode<'_> {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.name() {
+            "Fast" => write!(to, "Fast::within(fx!({}))", self.0.tolerance),
+            name => to.write_str(name),
+        }
+    }
+}
+
+/// The shortest decimal of degrees, from -180 to 180, that `deg!` rounds to an angle.
+struct Degrees(Angle);
+
+impl fmt::Display for Degrees {
+    #[allow(clippy::cast_precision_loss)] // of whole numbers below 2^35
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let degrees = f64::from(self.0.to_bits().cast_signed()) / 4_294_967_296.0 * 360.0;
+        let mut scale = 1;
+        // With eight digits, steps are smaller than an angle's.
+        for digits in 0..=8 {
+            let steps = libm::round(degrees * scale as f64) as i64;
+            if digits == 8 || Angle::try_from_degrees(steps as f64 / scale as f64) == Ok(self.0) {
+                let sign = if steps < 0 { "-" } else { "" };
+                let [whole, rest] = [steps.abs() / scale, steps.abs() % scale];
+                return match digits {
+                    0 => write!(to, "deg!({sign}{whole})"),
+                    _ => write!(to, "deg!({sign}{whole}.{rest:0digits$})"),
+                };
+            }
+            scale *= 10;
+        }
+        Ok(())
+    }
+}
+
+/// The camera's transform as `View::mvp` multiplies it, without the factors that change nothing.
+fn camera(view: &View, to: &mut Text) -> fmt::Result {
     let View {
-        near,
-        far,
-        distance,
-        scale,
-        tolerance,
+        yaw,
+        pitch,
+        shift: [right, down],
         ..
+    } = *view;
+    let distance = -view.distance;
+    let Vec3 { x, y, z } = -view.center;
+    let mut factors = 0;
+    let mut factor = |changes: bool, text: fmt::Arguments<'_>| {
+        if !changes {
+            return Ok(());
+        }
+        factors += 1;
+        let before = if factors == 1 { "" } else { "\n            * " };
+        write!(to, "{before}Transform::{text}")
+    };
+    let turns = |angle| angle != Angle::ZERO;
+    factor(turns(down), format_args!("rotate_x({})", Degrees(down)))?;
+    factor(turns(right), format_args!("rotate_y({})", Degrees(right)))?;
+    factor(
+        distance != fx!(0),
+        format_args!("translate(vec3!(0, 0, {distance}))"),
+    )?;
+    factor(turns(pitch), format_args!("rotate_x({})", Degrees(pitch)))?;
+    factor(turns(yaw), format_args!("rotate_y({})", Degrees(yaw)))?;
+    factor(
+        view.center != Vec3::ZERO,
+        format_args!("translate(vec3!({x}, {y}, {z}))"),
+    )?;
+    if factors == 0 {
+        to.write_str("Transform::IDENTITY")?;
+    }
+    Ok(())
+}
+
+/// The camera, and how triangles are drawn.
+fn options(view: &View, to: &mut Text) -> fmt::Result {
+    let View {
+        near, far, scale, ..
     } = view;
-    let [fov, yaw, pitch] = [view.fov, view.yaw, view.pitch].map(Angle::to_bits);
-    let [right, down] = view.shift.map(Angle::to_bits);
-    let center = -view.center;
-    writeln!(to, "    let projection = Projection::perspective(")?;
+    let fov = Degrees(view.fov);
     writeln!(
         to,
-        "        Angle::from_bits({fov}), (WIDTH, HEIGHT), fx!({near}), fx!({far}))?;"
+        "    let projection = Projection::perspective({fov}, (WIDTH, HEIGHT), fx!({near}), fx!({far}))?;"
     )?;
     if view.scene == Scene::Lighthouse && view.is_home {
         writeln!(to, "    let camera = lighthouse::camera()?;")?;
     } else {
-        writeln!(to, "    let camera = Camera::from_view(")?;
-        to.write_str("        ")?;
-        if [right, down] != [0; 2] {
-            writeln!(to, "Transform::rotate_x(Angle::from_bits({down}))")?;
-            writeln!(
-                to,
-                "            * Transform::rotate_y(Angle::from_bits({right}))"
-            )?;
-            to.write_str("            * ")?;
-        }
-        writeln!(to, "Transform::translate(vec3!(0, 0, {}))", -*distance)?;
-        writeln!(
-            to,
-            "            * Transform::rotate_x(Angle::from_bits({pitch}))"
-        )?;
-        writeln!(
-            to,
-            "            * Transform::rotate_y(Angle::from_bits({yaw}))"
-        )?;
-        let (x, y, z) = (center.x, center.y, center.z);
-        writeln!(
-            to,
-            "            * Transform::translate(vec3!({x}, {y}, {z})),\n    );"
-        )?;
+        to.write_str("    let camera = Camera::from_view(\n        ")?;
+        camera(view, to)?;
+        to.write_str(",\n    );\n")?;
     }
+    to.write_str("    let mvp = projection * camera")?;
+    if *scale != fx!(1) {
+        write!(to, " * Transform::scale(fx!({scale}))")?;
+    }
+    to.write_str(";\n")?;
+    let cull = if view.is_two_sided {
+        ".with_cull(Cull::Nothing)"
+    } else {
+        ""
+    };
+    let mode = Mode(view);
     writeln!(
         to,
-        "    let mvp = projection * camera * Transform::scale(fx!({scale}));"
-    )?;
-    write!(to, "    let options = DrawOptions::new().with_mode({mode}")?;
-    if mode == "Fast" {
-        write!(to, "::within(fx!({tolerance}))")?;
-    }
-    writeln!(
-        to,
-        "){};",
-        if view.is_two_sided {
-            ".with_cull(Cull::Nothing)"
-        } else {
-            ""
-        }
+        "    let options = DrawOptions::new().with_mode({mode}){cull};"
     )?;
     if view.scene == Scene::Own {
         writeln!(

@@ -1,6 +1,6 @@
 // The page in Chromium, as a person uses it. PAGE is the folder with the page, ADDRESS its place on a file server,
-// SIMULATOR the program that draws on the host, MODEL the one that makes files for a board. PICTURES may name a folder for
-// screenshots.
+// SIMULATOR the program that draws on the host, MODEL the one that makes files for a board, AXE the script that checks
+// a page's accessibility. PICTURES may name a folder for screenshots.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -9,9 +9,10 @@ import { join, resolve } from "node:path";
 import test, { after, afterEach, beforeEach } from "node:test";
 import { crc32, gunzipSync } from "node:zlib";
 import { Page } from "./devtools.mjs";
-import { checksum, crate, drop, home, view } from "./page.mjs";
+import { checksum, crate, drop, home, tenths, view } from "./page.mjs";
 
 const { ADDRESS, SIMULATOR, MODEL, PICTURES } = process.env;
+const axe = readFileSync(process.env.AXE, "utf8");
 const assets = resolve(import.meta.dirname ?? new URL(".", import.meta.url).pathname, "../../assets");
 const folder = mkdtempSync(join(tmpdir(), "playground-files-"));
 const LIGHTHOUSE = 4;
@@ -50,6 +51,22 @@ async function decoded(path) {
   })()`);
   return { width, height, data: Buffer.from(data, "base64") };
 }
+/** Checks that the page shows one mode to the left of a column, and another one to the right. */
+async function comparesModes(index, left, right, column) {
+  const sides = [left, right].map((mode, slot) => {
+    const settings = view(index, { mode });
+    crate.draw(settings, slot);
+    return Buffer.from(crate.image("show", settings, slot).data);
+  });
+  assert.ok(!sides[0].equals(sides[1]));
+  await page.until(`new Promise((resume) => requestAnimationFrame(() => requestAnimationFrame(() => resume(true))))`);
+  const found = await pixels();
+  for (let row = 0; row < 240; row++) {
+    const [start, middle, end] = [0, column, 320].map((column) => 4 * (320 * row + column));
+    assert.ok(found.subarray(start, middle).equals(sides[0].subarray(start, middle)), `row ${row}, left`);
+    assert.ok(found.subarray(middle, end).equals(sides[1].subarray(middle, end)), `row ${row}, right`);
+  }
+}
 const scene = (index) => page.click(`#scenes label:nth-child(${index + 1})`);
 
 beforeEach(async () => {
@@ -82,10 +99,10 @@ test("a drag turns the picture, and the start view comes back", async () => {
   const [x, y] = [Math.round(left) + 100, Math.round(top) + 200];
   await page.drag([x, y], [x + 60, y + 30]);
   const { yaw, pitch } = home(LIGHTHOUSE);
-  await shows(view(LIGHTHOUSE, { yaw: yaw + 60 * 0.4, pitch: pitch + 30 * 0.4 }));
+  await shows(view(LIGHTHOUSE, { yaw: tenths(yaw + 60 * 0.4), pitch: tenths(pitch + 30 * 0.4) }));
   // Nobody sees it from below, where it is hollow.
   await page.drag([x, y], [x, y - 190]);
-  await shows(view(LIGHTHOUSE, { yaw: yaw + 60 * 0.4, pitch: 0 }));
+  await shows(view(LIGHTHOUSE, { yaw: tenths(yaw + 60 * 0.4), pitch: 0 }));
   await page.click("#home");
   await shows(view(LIGHTHOUSE));
 });
@@ -113,18 +130,7 @@ test("the divider is dragged; each side shows its mode", async () => {
   const y = top + height / 2;
   await page.drag([left + width / 2, y], [left + width * 0.4, y], [left + width / 4, y]);
   await page.until(`document.querySelector("#divider").value`, "25");
-  const sides = [1, 3].map((mode, slot) => {
-    const settings = view(LIGHTHOUSE, { mode });
-    crate.draw(settings, slot);
-    return Buffer.from(crate.image("show", settings, slot).data);
-  });
-  await page.until(`new Promise((resume) => requestAnimationFrame(() => requestAnimationFrame(() => resume(true))))`);
-  const found = await pixels();
-  for (let row = 0; row < 240; row++) {
-    const [start, middle, end] = [0, 80, 320].map((column) => 4 * (320 * row + column));
-    assert.ok(found.subarray(start, middle).equals(sides[0].subarray(start, middle)), `row ${row}, left`);
-    assert.ok(found.subarray(middle, end).equals(sides[1].subarray(middle, end)), `row ${row}, right`);
-  }
+  await comparesModes(LIGHTHOUSE, 1, 3, 80);
 });
 
 test("modes, colors and sizes: the pixels of the simulator's pictures", async () => {
@@ -169,7 +175,7 @@ test("errors as colors", async () => {
 test("without a fragment, the page opens on a floor that turns", async () => {
   await page.send("Page.navigate", { url: "about:blank" });
   await page.send("Page.navigate", { url: ADDRESS });
-  await page.until(`document.querySelector("#spins").checked`, true);
+  await page.until(`document.querySelector("#spins").checked && location.hash.includes("spins=true")`);
   await page.until(`/Affine/.test(${text("#plot")})`);
   await page.until(`Number((${NUMBER})("Pictures a second")) > 0`);
   assert.match(await page.evaluate(text("#status")), /^Floor/);
@@ -180,14 +186,24 @@ test("the address holds the state", async () => {
   await page.choose("#format", 2);
   const { left, top } = await page.box("#canvas");
   await page.drag([left + 100, top + 200], [left + 160, top + 200]);
-  const yaw = home(LIGHTHOUSE).yaw + 60 * 0.4;
+  const yaw = tenths(home(LIGHTHOUSE).yaw + 60 * 0.4);
   await shows(view(LIGHTHOUSE, { mode: 3, format: 2, yaw }));
   const kept = await page.until(`/yaw=.*mode=3.*format=2/.test(location.hash) && location.href`);
   await page.send("Page.navigate", { url: "about:blank" });
   await page.send("Page.navigate", { url: kept });
-  const rounded = Number(new URLSearchParams(new URL(kept).hash.slice(1)).get("yaw"));
-  assert.ok(Math.abs(rounded - yaw) < 0.01);
-  await shows(view(LIGHTHOUSE, { mode: 3, format: 2, yaw: rounded }));
+  await shows(view(LIGHTHOUSE, { mode: 3, format: 2, yaw }));
+});
+
+test("a picture that turns goes on after a reload", async () => {
+  await page.click("#spins");
+  await page.until(`(${NUMBER})("Pictures a second")`);
+  await page.send("Page.reload");
+  await page.until(`(${NUMBER})("Pictures a second")`);
+  await page.click("#spins");
+  await page.until(`(${NUMBER})("Checksum")`);
+  await page.send("Page.reload");
+  await page.until(`(${NUMBER})("Checksum")`);
+  assert.equal(await page.evaluate(`document.querySelector("#spins").checked`), false);
 });
 
 test("on the segment, one point is dragged and the other one follows", async () => {
@@ -212,9 +228,12 @@ test("bands in slow motion are the same picture", async () => {
   await shows(view(LIGHTHOUSE));
 });
 
-test("the little world draws what the host draws", async () => {
+test("the little world, in two modes", async () => {
   await scene(WORLD);
   await shows(view(WORLD));
+  await comparesModes(WORLD, 1, 3, 160);
+  await page.choose("#mode", 4);
+  await shows(view(WORLD, { mode: 4 }));
 });
 
 const lighthouse = ["lighthouse.obj", "lighthouse.png"].map((name) => join(assets, name));
@@ -287,15 +306,48 @@ function segments(elf) {
   });
 }
 
-/** Saves a UF2, and returns what it puts into the Pico's flash. */
-async function saved(name) {
+/** The file that a click saves, once the page tells so. */
+async function downloaded(button, name, told) {
   await page.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: folder });
-  await page.click("#flash");
-  await page.until(`${text("#flashed")}.startsWith("${name} holds")`);
+  await page.click(button);
+  await page.until(`${text(told)}.startsWith("${name} holds")`);
   const path = join(folder, name);
   for (let wait = 0; !existsSync(path) && wait < 100; wait++) await new Promise((resume) => setTimeout(resume, 100));
   const file = readFileSync(path);
   rmSync(path);
+  return file;
+}
+
+test("a turn is saved as a GIF, here in three colors", async () => {
+  await scene(0);
+  await page.choose("#mode", 3);
+  await shows(view(0, { mode: 3 }));
+  const file = await downloaded("#gif", "floor.gif", "#status");
+  const [count, ...pictures] = await page.evaluate(`(async () => {
+    const data = Uint8Array.from(atob("${file.toString("base64")}"), (byte) => byte.charCodeAt());
+    const decoder = new ImageDecoder({ type: "image/gif", data });
+    await Promise.all([decoder.tracks.ready, decoder.completed]);
+    const found = [decoder.tracks.selectedTrack.frameCount];
+    const context = new OffscreenCanvas(320, 240).getContext("2d");
+    for (const frameIndex of [0, 12]) {
+      context.drawImage((await decoder.decode({ frameIndex })).image, 0, 0);
+      const { data } = context.getImageData(0, 0, 320, 240);
+      found.push(${base64("data")});
+    }
+    return found;
+  })()`);
+  assert.equal(count, 48);
+  for (const [at, yaw] of [[0, 0], [1, 25]]) {
+    const settings = view(0, { mode: 3, yaw });
+    crate.draw(settings, 0);
+    const { data } = crate.image("show", settings, 0);
+    assert.ok(Buffer.from(pictures[at], "base64").equals(Buffer.from(data)), `yaw ${yaw}`);
+  }
+});
+
+/** Saves a UF2, and returns what it puts into the Pico's flash. */
+async function saved(name) {
+  const file = await downloaded("#flash", name, "#flashed");
   const flash = Buffer.alloc(2 << 20, 0xff);
   assert.equal(file.length % 512, 0);
   for (let at = 0; at < file.length; at += 512) {
@@ -466,9 +518,9 @@ test("the keyboard alone", async () => {
   const { yaw, distance } = home(LIGHTHOUSE);
   await page.evaluate(`document.querySelector("#canvas").focus()`);
   await page.press("ArrowRight");
-  await shows(view(LIGHTHOUSE, { yaw: yaw + 6 }));
+  await shows(view(LIGHTHOUSE, { yaw: tenths(yaw + 6) }));
   await page.press("+");
-  await shows(view(LIGHTHOUSE, { yaw: yaw + 6, distance: distance / 1.1 }));
+  await shows(view(LIGHTHOUSE, { yaw: tenths(yaw + 6), distance: distance / 1.1 }));
   await page.press("Home");
   await shows(view(LIGHTHOUSE));
   await page.evaluate(`document.querySelector("#divider").focus()`);
@@ -505,7 +557,7 @@ const CONTRAST = `(() => {
 })()`;
 
 test("no scrolling sideways, and text that can be read, in light and dark", async () => {
-  for (const width of [360, 800, 1400]) {
+  for (const width of [360, 800, 1280]) {
     await page.size(width, 900);
     for (const theme of ["light", "dark"]) {
       await page.theme(theme);
@@ -520,6 +572,23 @@ test("no scrolling sideways, and text that can be read, in light and dark", asyn
       await page.until(`[...document.querySelectorAll("#scenes input")].findIndex((input) => input.checked)`, index);
       const widest = await page.evaluate(`document.documentElement.scrollWidth`);
       assert.ok(widest <= width, `scene ${index} is ${widest} pixels wide on a screen of ${width}`);
+    }
+  }
+});
+
+test("axe finds nothing to mend, in light and dark", async () => {
+  for (const width of [360, 1280]) {
+    await page.size(width, 900);
+    for (const theme of ["light", "dark"]) {
+      await page.theme(theme);
+      for (const index of [LIGHTHOUSE, WORLD, OWN]) {
+        await scene(index);
+        await page.until(`document.querySelectorAll("#scenes input")[${index}].checked`);
+        await page.until(`${text("#code")}.includes("fn draw")`);
+        const found = await page.evaluate(`${axe}; axe.run().then(({ violations }) =>
+          violations.flatMap(({ id, help, nodes }) => nodes.map(({ target }) => id + " of " + target + ": " + help)))`);
+        assert.deepEqual(found, [], `${theme}, ${width} pixels wide, scene ${index}`);
+      }
     }
   }
 });

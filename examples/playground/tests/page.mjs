@@ -34,6 +34,9 @@ export async function drop(files) {
 const SETTINGS = { mode: 1, tolerance: -2, format: 0, band: 16, is_two_sided: 0, first_row: 0 };
 export const home = (scene) => crate.ask("home", { ...SETTINGS, scene });
 
+/** An angle as the page rounds it once it is another one than at the start. */
+export const tenths = (degrees) => Math.round(degrees * 10) / 10;
+
 /** The settings of a scene in its start view, with changes. */
 export function view(scene, { size = "320x240", ...changes } = {}) {
   const [width, height] = size.split("x").map(Number);

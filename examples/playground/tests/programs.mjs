@@ -20,22 +20,23 @@ const CORNERS = [[3, 1, 4], [5, 1, 4], [5, 1, 2], [3, 1, 2], [4, 3, 3]];
 const OBJ = `${CORNERS.map((at) => `v ${at.map((x) => x * 20000).join(" ")}`).join("\n")}
 vt 0 0\nvt 1 0\nvt 0.5 1\nvn 0 1 2\nvn 2 1 0\nvn 0 1 -2\nvn -2 1 0\nvn 0 -1 0
 f 1/1/1 2/2/1 5/3/1\nf 2/1/2 3/2/2 5/3/2\nf 3/1/3 4/2/3 5/3/3\nf 4/1/4 1/2/4 5/3/4\nf 4/1/5 3/2/5 2/3/5 1/1/5\n`;
-const [WIDTH, HEIGHT] = [20, 16];
-const texels = Array.from({ length: WIDTH * HEIGHT }, (_, at) => [at % 256, 255 - (at % 256), (at * 37) % 256]);
 /** A BMP file of 24 bits a pixel: rows from the lowest up, blue first. */
-function bitmap() {
+function bitmap(width, height) {
   const head = Buffer.alloc(54);
   head.write("BM");
-  const fields = [[54 + 3 * texels.length, 2], [54, 10], [40, 14], [WIDTH, 18], [HEIGHT, 22]];
+  const fields = [[54 + 3 * width * height, 2], [54, 10], [40, 14], [width, 18], [height, 22]];
   for (const [value, at] of fields) head.writeUInt32LE(value, at);
   head.writeUInt16LE(1, 26);
   head.writeUInt16LE(24, 28);
-  const rows = Array.from({ length: HEIGHT }, (_, row) => texels.slice(row * WIDTH, (row + 1) * WIDTH)).reverse();
-  return Buffer.concat([head, Buffer.from(rows.flat().flatMap(([r, g, b]) => [b, g, r]))]);
+  // Noise: in a large picture, nearly every texel has a color of its own.
+  const texels = Buffer.from(Array.from({ length: 3 * width * height }, (_, at) => Math.imul(at + 1, 0x9e3779b1) >>> 24));
+  return Buffer.concat([head, texels]);
 }
-const files = { "model.obj": OBJ, "skin.bmp": bitmap() };
-for (const [name, contents] of Object.entries(files)) writeFileSync(join(sources, name), contents);
-await drop(files);
+/** Drops a model and a texture, which the programs include, too. */
+function dropped(files) {
+  for (const [name, contents] of Object.entries(files)) writeFileSync(join(sources, name), contents);
+  return drop(files);
+}
 
 /** FNV-1a of red, green and blue. */
 function hash({ data }) {
@@ -60,6 +61,7 @@ function add(index, changes) {
   crate.draw(settings, 0);
   list.push(`    ${number} ${format} ${width} ${height} ${hash(crate.image("show", settings, 0))}_u32 "${about}";`);
 }
+await dropped({ "model.obj": OBJ, "skin.bmp": bitmap(20, 16) });
 for (let index = 0; index < WORLD; index++) {
   // As it is measured.
   add(index, {});
@@ -76,7 +78,10 @@ for (let index = 0; index < WORLD; index++) {
     });
   }
 }
-for (const yaw of [0, 216]) add(WORLD, { yaw });
+for (const mode of MODES.keys()) add(WORLD, { mode, yaw: 54 * mode });
+// Names with quotation marks, and with letters that macOS takes apart.
+await dropped({ 'a "large" model.obj': OBJ, "scha\u0308del.bmp": bitmap(1024, 1024) });
+add(OWN, {});
 
 writeFileSync(join(sources, "list.rs"), `programs! {\n${list.join("\n")}\n}\n`);
 for (const scene of ["scenes.rs", "lighthouse.rs", "world"])

@@ -106,11 +106,11 @@ pub extern "C" fn part_size(number: usize) -> usize {
 struct Dropped<'a>(Vec<(String, &'a [u8])>);
 
 impl Dropped<'_> {
-    fn find(&self, path: &Path) -> Option<&[u8]> {
+    fn find(&self, path: &Path) -> Option<&(String, &[u8])> {
         let name = path.file_name()?.to_str()?;
         // On some systems a file has the same name in other letters.
         let is_it = |(other, _): &&(String, _)| other.eq_ignore_ascii_case(name);
-        self.0.iter().find(is_it).map(|(_, contents)| *contents)
+        self.0.iter().find(is_it)
     }
 
     /// The name of the first model.
@@ -123,12 +123,21 @@ impl Dropped<'_> {
 impl Files for Dropped<'_> {
     fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
         let missing = || io::Error::other("drop it together with the model");
-        self.find(path).map(<[u8]>::to_vec).ok_or_else(missing)
+        self.find(path)
+            .map(|(_, contents)| contents.to_vec())
+            .ok_or_else(missing)
     }
 
     fn has(&self, path: &Path) -> bool {
         self.find(path).is_some()
     }
+}
+
+/// A file's name as the macros read it: with no escapes but these two. macOS takes letters apart, and `{:?}` would write
+/// an accent as `\u{308}`.
+fn quoted(name: &str) -> String {
+    let name = name.replace('\\', r"\\").replace('"', r#"\""#);
+    format!("\"{name}\"")
 }
 
 /// The answer for a model and its texture, or for a texture alone.

@@ -6,6 +6,8 @@ use std::path::Path;
 use fixel_assets::vector::{along, largest, length, sub};
 use fixel_assets::{Files, Format, Model, Options};
 
+use crate::quoted;
+
 /// The most triangles that the page draws.
 const FACES: usize = 65_536;
 
@@ -29,7 +31,7 @@ pub fn read(
             .all(|corner| corner.normal.is_some())
     });
     model.complete();
-    let mut call = format!("{name:?}");
+    let mut call = quoted(name);
     if !has_normals {
         call.push_str(", normals");
     }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use fixel_assets::{Files, Image, Material, Model, Picture};
 
-use crate::Dropped;
+use crate::{Dropped, quoted};
 
 /// The most texels along a side of a texture.
 const SIDE: u32 = 512;
@@ -60,7 +60,7 @@ pub fn dropped<'a>(files: impl Iterator<Item = &'a (String, &'a [u8])>) -> Resul
     let mut found = Err("there is no file".into());
     for (name, contents) in files {
         found = found.or_else(|_: String| match Picture::decode(contents) {
-            Ok(picture) => Ok(Texture::new(name, picture, format!("{name:?}"))),
+            Ok(picture) => Ok(Texture::new(name, picture, quoted(name))),
             Err(problem) => Err(format!(
                 "{name}: it is neither a model (.obj, .stl, .ply, .gltf, .glb) nor a picture for its texture: {problem}"
             )),
@@ -108,13 +108,15 @@ pub fn of_model(
 fn of_image(name: &str, model: &Model, at: u32, files: &Dropped) -> Result<Texture, String> {
     let (name, bytes, call) = match model.images.get(at as usize) {
         Some(Image::File(path)) => {
-            let name = path.display().to_string();
+            // The file is dropped without its folder, and found by its name.
+            let found = files.find(path);
+            let name = found.map_or_else(|| path.display().to_string(), |(name, _)| name.clone());
             let bytes = files.read(path);
-            let call = format!("{name:?}");
+            let call = quoted(&name);
             (name, bytes.map_err(|problem| problem.to_string()), call)
         }
         Some(Image::Bytes(image, bytes)) => {
-            let call = format!("{name:?}, image = {at}");
+            let call = format!("{}, image = {at}", quoted(name));
             let name = format!("image {at} {image}");
             (name.trim_end().into(), Ok(bytes.clone()), call)
         }

@@ -1,6 +1,9 @@
 //! The little world in a browser: a module of its own, which the page loads when someone wants to see it.
 #![cfg_attr(target_arch = "wasm32", no_std)]
 
+#[macro_use]
+#[path = "../../src/modes.rs"]
+mod modes;
 #[path = "../../../common/world/mod.rs"]
 mod world;
 
@@ -22,11 +25,13 @@ static MEMORY: Mutex<Memory> = Mutex::new(Memory {
     depths: [0; PIXELS],
 });
 
-/// Draws a band of the picture at a moment of the walk, a fraction of 2^32. Returns the band; null if its size is out
-/// of range.
+/// Draws a band of the picture in a mode, `Fast` within a tolerance in texels, at a moment of the walk, a fraction of
+/// 2^32. Returns the band; null if a number is out of range.
 #[allow(unsafe_code)] // promises that no other symbol has this name
 #[unsafe(no_mangle)]
 pub extern "C" fn draw(
+    mode: u32,
+    tolerance: f64,
     width: u32,
     height: u32,
     first_row: u32,
@@ -38,9 +43,13 @@ pub extern "C" fn draw(
     // The canvas refuses memory that is too short.
     let band = colors.get_mut(..pixels).unwrap_or_default();
     let depths = depths.get_mut(..pixels).unwrap_or_default();
-    let canvas =
-        Canvas::band(band, width, height, first_row).and_then(|band| band.with_depth(depths));
-    match canvas.and_then(|mut canvas| world::draw(&mut canvas, Angle::from_bits(moment))) {
+    let drawn = Scalar::try_from(tolerance).and_then(|tolerance| {
+        let canvas = Canvas::band(band, width, height, first_row)?;
+        let canvas = &mut canvas.with_depth(depths)?;
+        let moment = Angle::from_bits(moment);
+        in_mode!(mode, tolerance, |mode| world::draw(canvas, mode, moment))
+    });
+    match drawn {
         Ok(()) => colors.as_ptr().cast(),
         Err(_) => core::ptr::null(),
     }

@@ -1,0 +1,29 @@
+//! The modes by their numbers in the page. The library's modes are types.
+
+/// Runs `$work` in the mode with a number; `$tolerance` is that of `Fast`.
+macro_rules! in_mode {
+    ($number:expr, $tolerance:expr, |$mode:ident| $work:expr) => {
+        match $number {
+            0 => {
+                let $mode = ::fixel::mode::Exact;
+                $work
+            }
+            1 => {
+                let $mode = ::fixel::mode::Newton;
+                $work
+            }
+            2 => {
+                let $mode = ::fixel::mode::Fast::within($tolerance);
+                $work
+            }
+            3 => {
+                let $mode = ::fixel::mode::Affine;
+                $work
+            }
+            _ => {
+                let $mode = ::fixel::mode::Compact;
+                $work
+            }
+        }
+    };
+}
