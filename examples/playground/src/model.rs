@@ -1,6 +1,7 @@
 //! The user's own model, in memory of a fixed size.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use fixel::mesh::{Material, Part};
 use fixel::prelude::*;
 
 /// Most triangles, and most elements of any other list.
@@ -60,6 +61,7 @@ pub struct Model {
     uv_faces: List<[u16; 3]>,
     normals: List<Vec3>,
     normal_faces: List<[u16; 3]>,
+    parts: heapless::Vec<Part<'static>, FACES>,
     texels: [Rgb565; TEXELS],
     size: [u32; 2],
     /// What stands in the parentheses of `include_mesh!` and `include_texture!`; empty if there is no file.
@@ -78,6 +80,7 @@ impl Model {
             uv_faces: List::new([0; 3]),
             normals: List::new(Vec3::ZERO),
             normal_faces: List::new([0; 3]),
+            parts: heapless::Vec::new(),
             texels: [Rgb565::new(0, 0, 0); TEXELS],
             size: [0; 2],
             calls: [Call::new(), Call::new()],
@@ -91,7 +94,7 @@ impl Model {
     ///
     /// Those of a mesh: the reader makes none of them.
     pub fn read(&mut self, mut bytes: &[u8]) -> Result<(), Error> {
-        let (counts, rest) = bytes.split_at(bytes.len().min(24));
+        let (counts, rest) = bytes.split_at(bytes.len().min(28));
         bytes = rest;
         let mut counts = counts.as_chunks().0.iter();
         let mut count = || {
@@ -99,7 +102,7 @@ impl Model {
                 .next()
                 .map_or(0, |&count| u32::from_le_bytes(count) as usize)
         };
-        let counts: [usize; 6] = core::array::from_fn(|_| count());
+        let counts: [usize; 7] = core::array::from_fn(|_| count());
         let bytes = &mut bytes;
         self.positions.read(counts[0], bytes, vector);
         self.faces.read(counts[1], bytes, indices);
@@ -109,7 +112,13 @@ impl Model {
         self.uv_faces.read(counts[3], bytes, indices);
         self.normals.read(counts[4], bytes, vector);
         self.normal_faces.read(counts[5], bytes, indices);
-        self.calls[0] = call(bytes);
+        let (parts, rest) = bytes.split_at(bytes.len().min(counts[6] * 12));
+        self.parts.clear();
+        for &bytes in parts.as_chunks().0 {
+            // There is room: a model has at most as many parts as triangles.
+            let _ = self.parts.push(part(bytes));
+        }
+        self.calls[0] = call(rest);
 
         let mesh = self.mesh()?;
         let bounds = mesh.bounds();
@@ -131,6 +140,11 @@ impl Model {
         Mesh::new(self.positions.elements(), self.faces.elements())?
             .with_normals(self.normals.elements(), self.normal_faces.some())?
             .with_uvs(self.uvs.elements(), self.uv_faces.some())
+    }
+
+    /// The parts with their colors, for a model without a texture of which any material has a color.
+    pub fn parts(&self) -> Option<&[Part<'static>]> {
+        (self.calls[1].is_empty() && !self.parts.is_empty()).then_some(self.parts.as_slice())
     }
 
     /// Reads a texture from bytes of red, green, blue and opacity, and the call after them.
@@ -174,6 +188,14 @@ fn vector(bytes: [u8; 12]) -> Vec3 {
 /// The indices of a face in little-endian bytes.
 fn indices([a, b, c, d, e, f]: [u8; 6]) -> [u16; 3] {
     [[a, b], [c, d], [e, f]].map(u16::from_le_bytes)
+}
+
+/// A run of faces: the first one, the one after the last, and their color.
+fn part(bytes: [u8; 12]) -> Part<'static> {
+    let [start, end, color] = numbers(bytes).map(i32::cast_unsigned);
+    let [_, red, green, blue] = color.to_be_bytes();
+    let color = Rgb888::new(red, green, blue);
+    Part::new(start as usize..end as usize, Material::new(color))
 }
 
 fn call(bytes: &[u8]) -> Call {

@@ -4,7 +4,7 @@ use core::fmt::{self, Write};
 
 use fixel::prelude::*;
 
-use super::model::{Call, Model};
+use super::model::Model;
 use super::scene::Scene;
 use super::view::View;
 
@@ -76,26 +76,34 @@ fn head(scene: Scene) -> [&'static str; 3] {
 }
 
 /// The mesh and the shader that a band is drawn with; `None` for a scene that draws itself.
-fn drawing(scene: Scene) -> Option<[&'static str; 2]> {
+fn drawing(scene: Scene, model: &Model) -> Option<[&'static str; 2]> {
     Some(match scene {
         Scene::Floor => ["FLOOR", "Textured::new(&SKIN)"],
         Scene::Cube => ["CUBE", "Textured::new(&SKIN)"],
         Scene::Sphere => ["scenes::SPHERE", "scenes::shaded()"],
         Scene::SphereFlat => ["scenes::SPHERE", "scenes::faceted()"],
+        Scene::Own if model.parts().is_some() => {
+            ["MODEL", "PartColors::rgb::<Rgb565>(PARTS).lit(sun)"]
+        }
         Scene::Own => ["MODEL", "Textured::new(SKIN).lit(sun)"],
         Scene::Lighthouse | Scene::World => return None,
     })
 }
 
 /// The statics of the user's model, whose files the macros read.
-fn own(calls: &[Call; 2], to: &mut Text) -> fmt::Result {
-    let [mesh, texture] = calls;
+fn own(model: &Model, to: &mut Text) -> fmt::Result {
+    let [mesh, texture] = &model.calls;
     let mesh = if mesh.is_empty() {
         "\"model.obj\""
     } else {
-        mesh
+        mesh.as_str()
     };
     writeln!(to, "static MODEL: Mesh = include_mesh!({mesh});")?;
+    if model.parts().is_some() {
+        // The options after the name contain no quotation marks.
+        let name = mesh.rfind('"').map_or(mesh, |end| &mesh[..=end]);
+        return writeln!(to, "static PARTS: &[Part] = include_materials!({name});\n");
+    }
     if texture.is_empty() {
         return to.write_str(PLAIN);
     }
@@ -115,6 +123,15 @@ pub fn write(view: &View, model: &Model, to: &mut Text) -> fmt::Result {
     let format = (view.format as usize).min(FORMATS.len() - 1);
     let [color, black] = FORMATS[if is_world { 0 } else { format }];
     let [colors, mesh, texture] = head(view.scene);
+    let has_parts = view.scene == Scene::Own && model.parts().is_some();
+    let [part, part_colors] = if has_parts {
+        [
+            "use fixel::mesh::Part;\n",
+            "use fixel::shade::PartColors;\n",
+        ]
+    } else {
+        [""; 2]
+    };
 
     writeln!(to, "use embedded_graphics::draw_target::DrawTarget;")?;
     match colors.split_once(color) {
@@ -128,11 +145,11 @@ pub fn write(view: &View, model: &Model, to: &mut Text) -> fmt::Result {
     }
     writeln!(
         to,
-        "use fixel::mode::{};\nuse fixel::prelude::*;\n{mesh}{texture}",
+        "{part}use fixel::mode::{};\nuse fixel::prelude::*;\n{part_colors}{mesh}{texture}",
         Mode(view).name()
     )?;
     if view.scene == Scene::Own {
-        own(&model.calls, to)?;
+        own(model, to)?;
     }
     writeln!(to, "const WIDTH: u32 = {};", view.size.width)?;
     writeln!(to, "const HEIGHT: u32 = {};", view.size.height)?;
@@ -159,7 +176,7 @@ pub fn write(view: &View, model: &Model, to: &mut Text) -> fmt::Result {
         to.write_str("\n            .with_depth(&mut depths[..pixels])?")?;
     }
     to.write_str(";\n")?;
-    match drawing(view.scene) {
+    match drawing(view.scene, model) {
         Some([mesh, shader]) => {
             let converted = if color == "Rgb565" {
                 ""

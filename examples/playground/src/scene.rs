@@ -5,6 +5,7 @@ use fixel::Drawn;
 use fixel::canvas::DepthBuffer;
 use fixel::mode::Mode;
 use fixel::prelude::*;
+use fixel::shade::PartColors;
 
 use super::common::{lighthouse, scenes};
 use super::formats::Color;
@@ -93,8 +94,13 @@ impl Scene {
             }
             Self::Own => {
                 let sun = Light::new(vec3!(2, 3, 4), fx!(0.35), fx!(0.65))?;
+                let mesh = &model.mesh()?;
+                if let Some(parts) = model.parts() {
+                    let lit = C::shader(PartColors::rgb::<Rgb565>(parts).lit(sun));
+                    return Ok(canvas.draw_with(options, mesh, mvp, &lit));
+                }
                 let lit = C::shader(Textured::new(model.texture()?).lit(sun));
-                canvas.draw_with(options, &model.mesh()?, mvp, &lit)
+                canvas.draw_with(options, mesh, mvp, &lit)
             }
             Self::World => return Ok(Drawn::default()),
         })

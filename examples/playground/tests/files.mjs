@@ -99,6 +99,21 @@ test("a picture that a model contains is named by its number", async () => {
   assert.equal(call, 'include_texture!("a.gltf", image = 1)');
 });
 
+test("materials without pictures have their colors", async () => {
+  const model = painted.replace("f 1/1", "usemtl one\nf 1/1");
+  const files = (color) => ({ "a.mtl": `newmtl one\nKd ${color}\n`, "a.obj": model });
+  const [red, mesh, parts] = await drawn(files("1 0 0"));
+  assert.deepEqual([mesh, parts], ['include_mesh!("a.obj", normals)', 'include_materials!("a.obj")']);
+  const [blue] = await drawn(files("0 0 1"));
+  const [white, , gray] = await drawn(files("1 1 1"));
+  assert.equal(new Set([red, blue, white]).size, 3);
+  assert.equal(gray, undefined);
+  // A picture that follows is drawn instead.
+  await drop(files("1 0 0"));
+  const [, , skin] = await drawn({ "other.tga": tga(4, 4) });
+  assert.equal(skin, 'include_texture!("other.tga")');
+});
+
 test("notes tell what is missing, and what the page leaves out", async () => {
   const notes = async (files) => (await drop({ "a.obj": painted, ...files })).join("\n");
   assert.match(await notes({}), /a\.mtl/);

@@ -79,6 +79,10 @@ for (let index = 0; index < WORLD; index++) {
   }
 }
 for (const mode of MODES.keys()) add(WORLD, { mode, yaw: 54 * mode });
+const mtl = "newmtl roof\nKd 0.8 0.2 0.1\nnewmtl floor\nKd 0.3 0.3 0.6\n";
+const painted = `mtllib house.mtl\n${OBJ.replace("f 1/1/1", "usemtl roof\nf 1/1/1").replace("f 4/1/5", "usemtl floor\nf 4/1/5")}`;
+await dropped({ "house.mtl": mtl, "house.obj": painted });
+for (const format of [0, 2]) add(OWN, { format, pitch: -20 });
 // Names with quotation marks, and with letters that macOS takes apart.
 await dropped({ 'a "large" model.obj': OBJ, "scha\u0308del.bmp": bitmap(1024, 1024) });
 add(OWN, {});

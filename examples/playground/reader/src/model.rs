@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use fixel_assets::vector::{along, largest, length, sub};
-use fixel_assets::{Files, Format, Model, Options};
+use fixel_assets::{Files, Format, Material, Model, Options, Run};
 
 use crate::quoted;
 
@@ -50,6 +50,7 @@ pub fn read(
     }
     let (faces, uv_faces, normal_faces) = (&lists.faces, &lists.uv_faces, &lists.normal_faces);
     let (positions, uvs, normals) = (&lists.positions, &lists.uvs, &lists.normals);
+    let parts = parts(&model);
     let counts = [
         positions.len(),
         faces.len(),
@@ -57,6 +58,7 @@ pub fn read(
         uv_faces.len(),
         normals.len(),
         normal_faces.len(),
+        parts.len(),
     ];
     let mut mesh = Vec::new();
     #[allow(clippy::cast_possible_truncation)] // 65,536 at most
@@ -83,8 +85,34 @@ pub fn read(
     mesh.extend(words(uv_faces));
     mesh.extend(normals.iter().flatten().flat_map(|bits| bits.to_le_bytes()));
     mesh.extend(words(normal_faces));
+    mesh.extend(
+        parts
+            .as_flattened()
+            .iter()
+            .flat_map(|word| word.to_le_bytes()),
+    );
     mesh.extend(call.into_bytes());
     Ok((mesh, model))
+}
+
+/// The runs of faces with one material: the first face, the one after the last, and the material's color. None if no
+/// material has a color.
+fn parts(model: &Model) -> Vec<[u32; 3]> {
+    if !model.materials.iter().any(is_colored) {
+        return Vec::new();
+    }
+    let part = |run: Run| {
+        let material = run.material.and_then(|at| model.materials.get(at as usize));
+        let [red, green, blue] = material.map_or([255; 3], |material| material.color);
+        #[allow(clippy::cast_possible_truncation)] // 65,536 at most
+        let [start, end] = run.faces.map(|face| face as u32);
+        [start, end, u32::from_be_bytes([0, red, green, blue])]
+    };
+    model.runs().into_iter().map(part).collect()
+}
+
+fn is_colored(material: &Material) -> bool {
+    material.color != [255; 3]
 }
 
 /// Returns the scale at which the model fits the mesh's format, whose steps are 2^-16: 1 if it fits as it is, otherwise

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use fixel_assets::{Files, Image, Material, Model, Picture};
+use fixel_assets::{Files, Image, Model, Picture};
 
 use crate::{Dropped, quoted};
 
@@ -97,9 +97,8 @@ pub fn of_model(
         other != name && !model.files.iter().any(|file| file == Path::new(other))
     };
     found = found.or_else(|| dropped(files.0.iter().filter(is_other)).ok());
-    let is_colored = |material: &Material| material.color != [255; 3];
-    if found.is_none() && (!model.colors.is_empty() || model.materials.iter().any(is_colored)) {
-        notes.push("the page does not draw colors without a texture".into());
+    if !model.colors.is_empty() {
+        notes.push("the page does not draw the colors of corners".into());
     }
     found
 }
