@@ -443,6 +443,26 @@ mod tests {
     use crate::{Angle, Mesh, Vec3, fx};
     use rand::Rng;
 
+    /// Mantissas are rounded once, to the nearest.
+    #[test]
+    fn scaled_rows_are_nearest() {
+        cases(2000, |random| {
+            let unit = BlockFloat::new(random.random_range(1..1 << 40), random.random_range(0..40));
+            let size = random.random_range(1..4096);
+            let row = Row {
+                m: [(); 4].map(|()| random.random_range(-(1 << 30) + 1..1 << 30)),
+                exp: random.random_range(-20..60),
+                offset_exp: random.random_range(-20..60),
+            };
+            let (factor, _) = unit.times(BlockFloat::new(size.into(), 12)).rounded();
+            let AffineRow { row: linear, .. } = scaled(&row, &unit, size);
+            for (m, linear) in row.m.into_iter().zip(linear) {
+                let off = product(m, factor) - (i64::from(linear) << 29);
+                assert!(off.abs() <= 1 << 28, "{m} · {factor}: {linear}");
+            }
+        });
+    }
+
     /// The limits, from both sides.
     #[test]
     fn outcodes_change_at_each_plane() {

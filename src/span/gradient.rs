@@ -379,10 +379,31 @@ const fn moved([step, row]: [i32; 2], [x, y]: [i32; 2]) -> i32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::{Random, cases};
+    use crate::random::{Random, cases, number};
     use crate::raster::picture::vertex;
     use crate::raster::{area, first_center};
     use rand::Rng;
+
+    #[test]
+    fn quotients_keep_all_bits() {
+        cases(2000, |random| {
+            let (numerator, inverse) = (number(random), random.random_range(1 << 30..i32::MAX));
+            let numerator = i64::from(numerator) << random.random_range(0..32)
+                | i64::from(random.random::<u16>());
+            let shift = random.random_range(-31..32);
+            let wide = Wide {
+                sides: [[0; 2]; 2],
+                shift,
+                inverse,
+            };
+            let exact = (i128::from(numerator) * i128::from(inverse)) >> (32 - shift);
+            assert_eq!(
+                wide.quotient(numerator),
+                exact as i64,
+                "{numerator}, {wide:?}"
+            );
+        });
+    }
 
     /// The least and the greatest coordinate of corners, along an axis.
     fn ends(screen: [[i32; 2]; 3], axis: usize) -> [i32; 2] {
