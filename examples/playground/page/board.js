@@ -1,6 +1,6 @@
 // A file for a board, which shows the visitor's model: saved, or run on an emulated board.
 import { $, short } from "./controls.js";
-import { flash } from "./files.js";
+import { flash, save } from "./files.js";
 import { fetched } from "./module.js";
 
 /** What is shown before a model was dropped. */
@@ -25,20 +25,11 @@ async function make(files) {
   return { uf2, name, notes: notes.map((note) => `${note[0].toUpperCase()}${note.slice(1)}.`) };
 }
 
-/** An address of bytes, for a minute. */
-function addressOf(bytes, type) {
-  const address = URL.createObjectURL(new Blob([bytes], { type }));
-  setTimeout(() => URL.revokeObjectURL(address), 60_000);
-  return address;
-}
-
-async function save(files) {
+async function saveFile(files) {
   const { uf2, name, notes } = await make(files);
-  const link = document.createElement("a");
-  link.href = addressOf(uf2);
-  link.download = `${name.replace(/\.\w+$/, "")}.uf2`;
-  link.click();
-  tell([`${link.download} holds ${name} and its program. Copy it to the Pico's drive.`, ...notes].join(" "));
+  const file = `${name.replace(/\.\w+$/, "")}.uf2`;
+  save(file, new Blob([uf2]));
+  tell([`${file} holds ${name} and its program. Copy it to the Pico's drive.`, ...notes].join(" "));
 }
 
 /** Runs the file on the emulated board; stops it if it runs. */
@@ -49,7 +40,9 @@ async function emulate(files) {
     throw new Error(`${message} This page was built without the emulator. Everything else works.`);
   });
   worker?.terminate(); // a second press may have come meanwhile
-  worker = new Worker(addressOf(script, "text/javascript"));
+  const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
+  worker = new Worker(address);
+  URL.revokeObjectURL(address);
   $("emulate").textContent = "Stop";
   $("screen").hidden = true;
   $("emulated").textContent = "";
@@ -83,6 +76,6 @@ export function showBoard(files) {
   const used = model ? files : [];
   const report = ({ message }) => tell(message);
   $("flash").textContent = `Save ${model?.name ?? DEFAULT[0]} as UF2`;
-  $("flash").onclick = () => save(used).catch(report);
+  $("flash").onclick = () => saveFile(used).catch(report);
   $("emulate").onclick = () => emulate(used).catch(report);
 }
