@@ -23,11 +23,18 @@ fn float(value: Scalar) -> f64 {
     f64::from(value.to_bits()) / 65_536.0
 }
 
-/// Whether a row is within 2^-28 of its largest coefficient.
+/// Whether a row is within 2^-28 of its largest coefficient, and has exact zeros.
 fn close(row: &Row, expected: [f64; 4]) -> bool {
     let size = expected.iter().fold(0.0, |max: f64, v| max.max(v.abs()));
     let mut both = real(row).into_iter().zip(expected);
-    both.all(|(found, expected)| (found - expected).abs() <= size * f64::from(-28).exp2())
+    both.all(|(found, expected)| {
+        let allowed = if expected == 0. {
+            0.
+        } else {
+            size * f64::from(-28).exp2()
+        };
+        (found - expected).abs() <= allowed
+    })
 }
 
 fn one(value: f64) -> Scalar {
@@ -67,6 +74,8 @@ fn perspective_has_28_bits() {
         let scale = half.cos() / half.sin();
         // Half a unit of the angle is dropped, which matters at both ends of its range.
         let slack = f64::from(-28).exp2() + 8e-10 / (half.sin() * half.cos());
+        let [x, y] = projection.rows.map(|row| row.m);
+        assert_eq!((&x[1..], [y[0], y[2], y[3]]), (&[0; 3][..], [0; 3]));
         let found = real(&projection.rows[1])[1];
         assert!((found / scale - 1.0).abs() <= slack, "{found} {scale}");
         let x = scale * f64::from(size[1]) / f64::from(size[0]);
