@@ -102,7 +102,7 @@ macro_rules! include_materials {
 /// ```
 ///
 /// The options are `object`, `part`, `scale` and `up`, as for the mesh, and `crease`: edges whose faces meet at more
-/// than this angle are creases. It is in degrees, from 0 to 180, and 30 without this option; 30 to 45 suit most models.
+/// than this angle are creases. It is in degrees, from 0 to 180, and 30 by default; 30 to 45 suit most models.
 /// [`Outline::build`](crate::mesh::Outline::build) describes which edges are found.
 #[macro_export]
 macro_rules! include_outline {
@@ -148,7 +148,8 @@ macro_rules! include_outline {
 /// | `image = 1` | which picture of a model, counted from 0 |
 ///
 /// The path is relative to the source file. A picture of more than two million pixels needs the attribute
-/// `#![allow(long_running_const_eval)]` at the top of the program. A picture cannot become rows of another size:
+/// `#![allow(long_running_const_eval)]` at the top of the program. The array must have the size of the picture. This
+/// one does not, so it does not compile:
 ///
 /// ```compile_fail
 /// use embedded_graphics::pixelcolor::Rgb565;

@@ -77,8 +77,8 @@ pub enum NoDepth {}
 
 /// Depth in equal steps of 1/w: floor(65535 · near / w). The default.
 ///
-/// At distances up to 8 · near it is the finest format, from 16 · near on the coarsest. Its step, relative to the
-/// distance w, is w / (65535 · near).
+/// It is the finest format at distances up to 8 · near. At 16 · near and beyond, it is the coarsest. Its step, relative
+/// to the distance w, is w / (65535 · near).
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

@@ -9,7 +9,7 @@ use super::contrast::Contrast;
 use super::storage::Storage;
 use crate::shade::PixelFormat;
 
-/// Memory of an error diffusion (Floyd and Steinberg, 1976), for [`Canvas::show_diffused`].
+/// Memory for an error diffusion (Floyd and Steinberg, 1976), for [`Canvas::show_diffused`].
 ///
 /// It carries errors from row to row, and from band to band. Make a new one for each frame, and show the frame's bands
 /// with it from top to bottom.

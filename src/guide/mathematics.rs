@@ -117,8 +117,8 @@
 #![doc = formula!({-A n + B = -n^2} {-A f + B = -f^2} {A = n + f} {B = n f})]
 //!
 //! With *n* in the first two rows in place of the window, this is the perspective transform *P*. It squeezes the
-//! frustum into a box as wide as the window, with both planes where they were. Counted as a distance, *w* becomes
-//! *n* + *f* − *nf*/*w*.
+//! frustum into a box as wide as the window, with both planes where they were. A point at the distance *w* moves to the
+//! distance *n* + *f* − *nf*/*w*.
 //!
 #![doc = formula!({P = matrix(
     [n] [0] [0]     [0];
@@ -476,8 +476,9 @@
 #![doc = formula!({prime(r) = r (2 - Q r) = r (1 + e)} {1 - Q prime(r) = 1 - (1 - e) (1 + e) = e^2})]
 //!
 //! From one pixel to the next, *Q* changes by a small part δ of itself. The reciprocal of the last pixel is a guess
-//! with an error of δ, and one step (two products) makes it δ². The mode [`Newton`](crate::mode::Newton) guesses on
-//! the line through the last two reciprocals instead, with an error of about 2δ², and has 4δ⁴ after the step.
+//! with an error of δ, and one step (two products) makes it δ². The mode [`Newton`](crate::mode::Newton) takes its
+//! guess from the line through the last two reciprocals instead. The guess has an error of about 2δ², and the step
+//! makes it 4δ⁴.
 //!
 //! ```
 //! use fixel::num::reciprocal;
@@ -645,9 +646,9 @@
 //!
 #![doc = formula!({length = sqrt(i^2 + j^2) = sqrt(1 - k^2)})]
 //!
-//! In an isometric view, all three axes have the same length, and therefore the same *k*. The camera's back axis is a
-//! unit vector and has these three components, so each is 1/√3, and each length is √(2/3) = 0.816. The camera is
-//! turned by 45° and raised by the angle whose sine is 1/√3, 35.26°. A dimetric view has two equal lengths, a
+//! In an isometric view, all three axes have the same length, and therefore the same *k*. The three *k* are the
+//! components of the camera's back axis, a unit vector. So each is 1/√3, and each length is √(2/3) = 0.816. The camera
+//! is turned by 45° and raised by the angle whose sine is 1/√3, 35.26°. A dimetric view has two equal lengths, a
 //! trimetric view none. Looking along an axis shows the front, a side or the top.
 //!
 //! ```

@@ -15,7 +15,7 @@
 //!    program.
 //! 7. **[Choosing a mode](modes)**: speed against accuracy, and how each bound is derived.
 //! 8. **[Limits](limits)**: the range of each quantity, and what happens beyond it.
-//! 9. **[Benchmarks](benchmarks)**: what drawing costs, beside other libraries.
+//! 9. **[Benchmarks](benchmarks)**: what drawing costs, compared with other libraries.
 #![cfg_attr(doc, doc = page_picture!("shaders", "Balls in eight shaders"))]
 
 /// A title, and the picture of a scene of the cookbook.

@@ -173,10 +173,10 @@ impl<'a> Keyframes<'a> {
     /// The mesh between the two poses, in the caller's memory: the first pose at `t` = 0, the second at `t` = 1; other
     /// values of `t` extrapolate.
     ///
-    /// Each component is rounded once to the nearest 2⁻¹⁶, halves up, and saturates; at 0 and 1 it is exact. Blended
-    /// normals become shorter; this does not affect the lights of this crate, which use only directions. If you pass no
-    /// room for normals (`&mut []`), or if only one pose has them, the mesh has none, and light falls on its flat
-    /// faces.
+    /// Each component is rounded once to the nearest 2⁻¹⁶, halves up, and saturates. At `t` = 0 and `t` = 1 it is
+    /// exact. Blended normals become shorter; this does not affect the lights of this crate, which use only directions.
+    /// If you pass no room for normals (`&mut []`), or if only one pose has them, the mesh has none, and light falls on
+    /// its flat faces.
     ///
     /// # Errors
     ///

@@ -10,8 +10,8 @@ use crate::num::Angle;
 /// [`Mesh::outline`] draws the edges that show the shape, as seen from the eye:
 ///
 /// - *creases*, where two faces meet at an angle above a limit, if at least one of them is not culled;
-/// - *silhouettes*, where a front face meets a back face, and borders, which have only one face, again if at least one
-///   face is not culled.
+/// - *silhouettes*, where a front face meets a back face, and borders, which have only one face. As with creases, at
+///   least one face must not be culled.
 ///
 /// So a convex mesh shows no hidden lines even without a depth buffer. For other meshes, draw the faces into a depth
 /// buffer first, as in the example there; they hide the lines behind them.

@@ -259,8 +259,8 @@ impl Primitive<'_> {
         self.placement.direction(self.normal())
     }
 
-    /// The mean of the three corners in world space, from a mean that is accurate to 2⁻¹⁶ in model space. It is rounded
-    /// to nearest, and saturates to the range of [`Scalar`].
+    /// The mean of the three corners in world space. It is computed in model space, accurate to 2⁻¹⁶, and then
+    /// transformed, rounded to nearest, and saturated to the range of [`Scalar`].
     #[must_use]
     pub fn world_middle(&self) -> Vec3 {
         let [a, b, c] = self.positions().map(Vec3::to_bits);

@@ -117,8 +117,8 @@ const fn angle(phase: u32) -> Angle {
 
 /// An angle that turns at a [`Rate`] and advances by the time between frames.
 ///
-/// The rounding error of a frame carries over to the next. However time is divided into frames, the
-/// angle equals [`Rate::angle_at`] to the last bit.
+/// The rounding error of a frame carries over to the next. The angle equals [`Rate::angle_at`] to the last bit, no
+/// matter how time is divided into frames.
 ///
 /// ```
 /// use fixel::Rate;

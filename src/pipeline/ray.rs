@@ -290,9 +290,9 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// The result is `None` if the pixel is outside the viewport, if the model's transform has no inverse, or if the
     /// ray's origin is not within ±32,768 in model space.
     ///
-    /// The face that it [hits](Ray::hit) is the face drawn at the pixel, with two exceptions: two faces may have the
-    /// same depth there, or the pixel's center may be very close to the face's edge: within 1/200 of a pixel plus twice
-    /// the size on the screen of the model's smallest unit, 2⁻¹⁶. A ray also meets faces beyond the far plane.
+    /// The face that it [hits](Ray::hit) is the face drawn at the pixel, unless two faces have the same depth there, or
+    /// the pixel's center is very close to the face's edge. Very close is within 1/200 of a pixel plus twice the size
+    /// on the screen of the model's smallest unit, 2⁻¹⁶. A ray also meets faces beyond the far plane.
     ///
     /// ```
     /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};

@@ -22,8 +22,8 @@ use crate::mesh::Primitive;
 pub struct Fragment {
     /// Column and row in the frame, (0, 0) at the top left.
     pub point: Point,
-    /// Depth, in linear steps of 1/w (of the distance, under a parallel projection), whatever the depth buffer's
-    /// format: 65535 at the near plane, falling toward 0 with the distance.
+    /// Depth: 65535 at the near plane, falling toward 0 with the distance. Its steps are linear in 1/w (under a
+    /// parallel projection, in the distance), whatever the depth buffer's format.
     pub depth: u16,
 }
 

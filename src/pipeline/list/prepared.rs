@@ -226,7 +226,7 @@ pub struct Prepared<'a, T = (), G = &'a Mesh<'a>, O = DrawOptions, K = Perspecti
 
 impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     /// The objects of the scene, in the order of their slice; none for a thing that was prepared alone. The scene
-    /// borrows them, so this is how a band reads where they are:
+    /// borrows the objects, so a band reads their places here:
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
