@@ -252,5 +252,5 @@ def claims(instructions, other):
            kernel("newton", M0) > 5 * kernel("fast-16", M0) and 1.75 <= ratios("3", M0, "fast")[1] < 2.25)
     yield ("src/pipeline/on_screen.rs", "takes as many instructions as two or three triangles of one pixel",
            2 <= kernel("in-view") / kernel("setup-one-pixel") < 3.5)
-    yield ("src/mesh/mod.rs", "for normals, this takes a few instructions in a hundred on Cortex-M4",
+    yield ("src/mesh/mod.rs", "For normals, this takes a few percent of the instructions on Cortex-M4",
            1.01 <= kernel("lit-quantized") / kernel("lit") < 1.05)

@@ -20,26 +20,27 @@
 /// assert_eq!(ROOF.faces().len(), 4);
 /// ```
 ///
-/// The path is relative to the source file. When the file changes, or a file that it names, the program is compiled
-/// again. A file that cannot be read stops compilation, with a message that names the file and the line or the byte.
-/// Whatever is replaced or left out, such as a normal that is not a number, is a warning of the compiler, one for each
-/// kind; `#[allow(deprecated)]` on the `static` silences it.
+/// The path is relative to the source file. When the file or a file that it names changes, the program is compiled
+/// again. A file that cannot be read stops compilation, with a message that names the file and the line or the byte. If
+/// the macro replaces or leaves out something, such as a normal that is not a number, the compiler prints a warning,
+/// one for each kind. `#[allow(deprecated)]` on the `static` silences these warnings.
 ///
 /// | option | meaning |
 /// |---|---|
 /// | `short` | positions of 16 bits: see [`Mesh::short`](crate::Mesh::short) |
-/// | `quantized_16`, `quantized_8` | the same, with [normals of 8 bits and texture coordinates of 16 or 8](crate::mesh#less-flash) |
+/// | `quantized_16`, `quantized_8` | positions of 16 bits, with [normals of 8 bits and texture coordinates of 16 or 8](crate::mesh#less-flash) |
 /// | `normals` | normals for corners that have none: the mean of the faces around the point that meet at 60 degrees or less or, in OBJ files, are in the same smoothing group |
 /// | `object = "name"` | only the faces of the object with this name: a glTF mesh, or an OBJ object or group |
 /// | `part = "name"` | only the faces of the material with this name |
 /// | `scale = 0.01` | positions are multiplied by this number |
 /// | `up = z` | z points up in the file; the model is turned so that y does. This is the default for STL, `up = y` for other formats |
 ///
-/// Positions keep the order of the file, so that a [table of your own](trait@crate::Shader) may have a value for each;
-/// those that no face uses are left out. They are rounded to the nearest [`Scalar`](crate::Scalar), texture coordinates
-/// to the nearest [`TexCoord`](crate::TexCoord). A mesh has at most 65,536 positions. Polygons are cut into triangles,
-/// also concave ones; [`Mesh::edges`](crate::Mesh::edges) are the sides of the polygons. If only some corners have
-/// texture coordinates, the others get (0, 0); corners without a normal get their triangle's.
+/// Positions keep the order of the file, so a [table of your own](trait@crate::Shader) can have one value per position.
+/// Positions that no face uses are left out. Positions are rounded to the nearest [`Scalar`](crate::Scalar), and
+/// texture coordinates to the nearest [`TexCoord`](crate::TexCoord). A mesh has at most 65,536 positions. Polygons,
+/// including concave ones, are cut into triangles; [`Mesh::edges`](crate::Mesh::edges) are the sides of the polygons.
+/// If only some corners have texture coordinates, the others get (0, 0); corners without a normal get the normal of
+/// their triangle.
 ///
 /// ```compile_fail
 /// use fixel::prelude::*;
@@ -56,7 +57,7 @@ macro_rules! include_mesh {
 /// [`Part`](crate::mesh::Part)s for the mesh that [`include_mesh!`] makes of the same file.
 ///
 /// A part is a run of faces with one [`Material`](crate::mesh::Material). An OBJ file names its MTL files itself. Faces
-/// without a material are a white part without a name.
+/// without a material form a white part without a name.
 ///
 /// ```standalone_crate
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -101,9 +102,9 @@ macro_rules! include_materials {
 /// assert!(EDGES.creases() > 0);
 /// ```
 ///
-/// The options are `object`, `part`, `scale` and `up`, as for the mesh, and `crease`: edges whose faces meet at more
-/// than this angle are creases. It is in degrees, from 0 to 180, and 30 by default; 30 to 45 suit most models.
-/// [`Outline::build`](crate::mesh::Outline::build) describes which edges are found.
+/// The options `object`, `part`, `scale` and `up` are the same as for the mesh. The option `crease` is an angle in
+/// degrees, from 0 to 180, and 30 by default. Edges whose faces meet at more than this angle are creases; 30 to 45
+/// degrees suit most models. [`Outline::build`](crate::mesh::Outline::build) describes which edges are found.
 #[macro_export]
 macro_rules! include_outline {
     ($($input:tt)*) => {
@@ -114,15 +115,18 @@ macro_rules! include_outline {
 /// A texture from a picture file, read by the compiler and stored in flash: PNG, JPEG, BMP, TGA, GIF or WebP, or a
 /// picture that a model contains.
 ///
-/// The expected type decides the result: a [`Texture`](crate::Texture); rows of the picture's size, such as `[[Rgb565;
-/// 64]; 64]`, which are faster to draw; the texels alone, such as `&[Rgb565]`; for a picture of at most 256 colors, an
-/// [`Indexed`](crate::texture::Indexed) texture of a `Texture<u8>` or of rows, or the indices alone; with the option
-/// `mipmap`, a [`Mipmap`](crate::texture::Mipmap).
+/// The expected type decides the result:
 ///
-/// The color may be any of embedded-graphics', or [`Argb4444`](crate::texture::Argb4444) or
-/// [`Argb1555`](crate::texture::Argb1555), which keep the picture's alpha. It is rounded to the nearest step of each
-/// channel; gray is the BT.601 luma (0.299 red + 0.587 green + 0.114 blue). Only the texels are stored in flash, not
-/// the file.
+/// - a [`Texture`](crate::Texture);
+/// - rows of the picture's size, such as `[[Rgb565; 64]; 64]`, which are faster to draw;
+/// - the texels alone, such as `&[Rgb565]`;
+/// - for a picture of at most 256 colors, an [`Indexed`](crate::texture::Indexed) texture of a `Texture<u8>` or of
+///   rows, or the indices alone;
+/// - with the option `mipmap`, a [`Mipmap`](crate::texture::Mipmap).
+///
+/// The color may be any color of embedded-graphics, or it may be [`Argb4444`](crate::texture::Argb4444) or
+/// [`Argb1555`](crate::texture::Argb1555), which keep the picture's alpha. Each channel is rounded to its nearest step.
+/// Gray is the BT.601 luma (0.299 red + 0.587 green + 0.114 blue). Only the texels are stored in flash, not the file.
 ///
 /// ```standalone_crate
 /// use embedded_graphics::pixelcolor::{Gray8, Rgb565};
@@ -142,14 +146,14 @@ macro_rules! include_outline {
 ///
 /// | option | meaning |
 /// |---|---|
-/// | `size = "256x256"` | the picture is resampled to this size, in which width and height are powers of two, at most 32,768 |
-/// | `raw = rgb565` | the bytes of all texels, row by row, for [`Raw`](crate::texture::Raw): a `&'static [u8; N]`; also `bgr565`, `rgb555`, `rgb666`, `rgb888` and so on. The high byte comes first, with `rgb565_le` the low one |
+/// | `size = "256x256"` | the picture is resampled to this size; width and height must be powers of two, at most 32,768 |
+/// | `raw = rgb565` | the bytes of all texels, row by row, for [`Raw`](crate::texture::Raw): a `&'static [u8; N]`; also `bgr565`, `rgb555`, `rgb666`, `rgb888` and so on. The high byte comes first; with `rgb565_le`, the low byte comes first |
 /// | `mipmap` | all levels of a mipmap, each the mean of the picture's pixels |
 /// | `image = 1` | which picture of a model, counted from 0 |
 ///
 /// The path is relative to the source file. A picture of more than two million pixels needs the attribute
-/// `#![allow(long_running_const_eval)]` at the top of the program. The array must have the size of the picture. This
-/// one does not, so it does not compile:
+/// `#![allow(long_running_const_eval)]` at the top of the program. An array must have the size of the picture. The
+/// array in this example has another size, so it does not compile:
 ///
 /// ```compile_fail
 /// use embedded_graphics::pixelcolor::Rgb565;

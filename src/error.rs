@@ -137,9 +137,9 @@ macro_rules! errors {
 errors! {
     /// The reason why a value was refused. Its message names the value and the allowed range.
     ///
-    /// Functions that build or check a value return errors, and so do those that prepare a
-    /// [`DrawList`](crate::DrawList). Draw calls cannot fail, except that
-    /// those of a prepared list refuse a canvas of another frame size.
+    /// Functions that build or check a value, and functions that prepare a [`DrawList`](crate::DrawList), return
+    /// errors. Draw calls cannot fail, with one exception: drawing a prepared list fails if the frame size of the
+    /// canvas differs from that of the list.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -153,8 +153,8 @@ errors! {
 
     /// A number outside the range of its format.
     NotRepresentable {
-        /// The refused number in thousandths, rounded toward zero; saturates. (A program that prints errors need not
-        /// link the formatting of floats.)
+        /// The refused number in thousandths, rounded toward zero and saturated. (It is not a float, so that a program
+        /// that prints errors need not link the formatting of floats.)
         thousandths: i64,
         /// The format holds numbers from −`limit` to just below `limit`.
         limit: u32,
@@ -243,7 +243,7 @@ errors! {
         max: u32,
     } = "{} is {}: it must be a power of two, at most {}, such as {}",
         Text(of), Number(given), Number(max), Number(nearest(given, max));
-    /// A mask whose size differs from its texture's.
+    /// A mask whose size differs from the size of its texture.
     MaskSize {
         /// Columns and rows of the refused mask.
         given: [u32; 2],
@@ -299,7 +299,7 @@ errors! {
         /// Number of elements; the index must be below it.
         len: usize,
     } = "index {} in element {} is out of range: it must be below {}", Number(index), Number(at), Number(len);
-    /// Two meshes whose faces should be the same, and are not.
+    /// Two meshes whose faces must be the same but differ.
     FacesDiffer {
         /// The first face that differs.
         at: usize,
@@ -332,8 +332,8 @@ errors! {
         /// Most allowed.
         max: u32,
     } = "number of {} is {}: it must lie between {} and {}", Text(of), Number(given), Number(min), Number(max);
-    /// A length that is not positive, or too large: of a shape, a sprite or a point, the distance of a near plane, the
-    /// range of a light.
+    /// A length that is not positive or is too large: a dimension of a shape, a sprite or a point, the distance of a
+    /// near plane, or the range of a light.
     Extent {
         /// The name of the dimension.
         of: &'static str,
@@ -369,7 +369,7 @@ impl fmt::Display for Error {
 
 impl core::error::Error for Error {}
 
-/// Lets `?` follow operations of embedded-graphics on a canvas, which cannot fail.
+/// Allows `?` after operations of embedded-graphics on a canvas, which cannot fail.
 impl From<Infallible> for Error {
     fn from(never: Infallible) -> Self {
         match never {}

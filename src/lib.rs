@@ -1,14 +1,14 @@
 //! 3D scenes in microcontroller framebuffers, in fixed point.
 //!
-//! `fixel` (fixed + pixel) projects, clips, rasterizes and shades triangles, lines and points with integers
-//! only. Textures and colors are interpolated in correct perspective, every processor draws the same pixels, and you
-//! supply the memory. The crate is `no_std`, without allocation and without `unsafe`.
+//! `fixel` (fixed + pixel) projects, clips, rasterizes and shades triangles, lines and points with integers only.
+//! Textures and colors are interpolated in correct perspective, every processor draws the same pixels, and you supply
+//! the memory. The crate is `no_std` and uses no allocation and no `unsafe`.
 //!
 #![cfg_attr(doc, doc = diagram!("pipeline"))]
 //! The [guide] leads from [concepts](guide::concepts) to [firmware](guide::firmware). If you know OpenGL or another
 //! library, begin with [coming from](guide::coming_from). If you know linear algebra but no graphics, begin with the
 //! [mathematics](guide::mathematics). To work on the crate itself, begin with [the path of a
-//! pixel](#the-path-of-a-pixel), the stages above function by function.
+//! pixel](#the-path-of-a-pixel), which lists the functions that carry out the stages above.
 //!
 //! # A picture
 //!
@@ -60,8 +60,7 @@
 //! # assert!((0..24).any(|x| display.get_pixel(Point::new(x, 3)) == Some(Rgb565::YELLOW)));
 //! ```
 //!
-//! Import items of embedded-graphics one by one: its prelude has an `Angle`, a `Primitive` and a `Transform` of its
-//! own.
+//! Import items of embedded-graphics one by one, because its prelude has its own `Angle`, `Primitive` and `Transform`.
 //!
 //! # Parts
 //!
@@ -95,20 +94,20 @@
 //!
 //! # Promises
 //!
-//! 1. **No floating point, no allocation, no `unsafe`.** Floats appear only in constructors that take them for
-//!    convenience and in the first guess of [`Angle::atan2`], never per vertex or per pixel.
+//! 1. **No floating point, no allocation, no `unsafe`.** Floats appear only in constructors that accept them for
+//!    convenience, and in the first guess of [`Angle::atan2`]. They are never used per vertex or per pixel.
 //! 2. **Same bits everywhere.** Results do not depend on the target's word length or instructions: the host and the
 //!    board draw the same picture.
 //! 3. **No panics.** No accepted value can cause a panic or a write outside the canvas. Constructors refuse values that
 //!    cannot be drawn, with an [`Error`] that names the value and the bound. [`guide::limits`] gives the ranges in
 //!    which accuracy is promised, and says what happens beyond them.
-//! 4. **Watertight.** Triangles that share an edge cover each pixel center exactly once, clipped or not.
+//! 4. **Watertight.** Triangles that share an edge cover each pixel center exactly once, even if they are clipped.
 //! 5. **Bands equal frames.** A frame drawn in bands equals the frame drawn whole, bit for bit.
 //! 6. **Pay for what you use.** Depth, storage, color, shading and interpolation mode are type parameters. What your
-//!    program does not use adds no code. The feature `assets`, on by default, brings the macros that read files; a
-//!    program without files compiles faster with `default-features = false`. The feature `defmt`, off by default,
-//!    implements `defmt::Format` for the types that a program may want to log, for example [`Error`], [`Vec3`] and
-//!    [`Drawn`].
+//!    program does not use adds no code. The feature `assets`, on by default, provides the macros that read files. A
+//!    program that includes no files compiles faster with `default-features = false`. The feature `defmt`, off by
+//!    default, implements `defmt::Format` for the types that a program may want to log, for example [`Error`], [`Vec3`]
+//!    and [`Drawn`].
 //!
 //! # Drawing to a display
 //!
@@ -155,33 +154,33 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! Here every band transforms the whole mesh again. If that takes too long, fill a [`DrawList`] once a frame with
-//! [`DrawList::prepare`], and let every band draw from the list with [`Canvas::draw_prepared`].
+//! In this example, every band transforms the whole mesh again. If that takes too long, fill a [`DrawList`] once per
+//! frame with [`DrawList::prepare`], and let every band draw from the list with [`Canvas::draw_prepared`].
 //!
-//! For DMA, let the canvas store its pixels as the bytes that the bus needs: a `Canvas<Rgb565, BigEndian>` over
-//! `[[u8; 2]]` does so, and [`Canvas::as_bytes`] returns them. The [guide for firmware](guide::firmware)
-//! leads from `cargo new` to a picture on an SPI panel, by way of memory, bands, DMA, two cores and clocks.
+//! For DMA, let the canvas store its pixels as the bytes that the bus needs. A `Canvas<Rgb565, BigEndian>` over
+//! `[[u8; 2]]` stores such bytes, and [`Canvas::as_bytes`] returns them. The [guide for firmware](guide::firmware)
+//! leads from `cargo new` to a picture on an SPI panel. It covers memory, bands, DMA, two cores and clocks.
 //!
 //! # Speed against accuracy
 //!
-//! A [`Mode`](mode::Mode) interpolates attributes. It is a type, chosen per draw call. The [guide to
-//! modes](guide::modes) says which mode suits which scene and core, and derives the bounds of their errors. The
-//! [benchmarks](guide::benchmarks) say what drawing costs. The [cookbook](guide::cookbook) has small scenes, one idea
-//! each.
+//! A [`Mode`](mode::Mode) is a type that decides how attributes are interpolated. Each draw call chooses its mode. The
+//! [guide to modes](guide::modes) says which mode suits which scene and core, and derives the error bounds of the
+//! modes. The [benchmarks](guide::benchmarks) say what drawing costs. The [cookbook](guide::cookbook) contains small
+//! scenes that each show one idea.
 //!
 //! # Versions
 //!
 //! - **Pictures.** Versions that Cargo treats as compatible (0.1.0 and 0.1.7) draw the same bits. Checksums in the
 //!   tests enforce this. A new picture, even a better one, requires a new minor version, and the changelog says what
-//!   differs. A bug that breaks a promise above is fixed at once.
-//! - **Compiler.** The crate compiles with Rust 1.88. Only a new minor version may require a later compiler, which is
-//!   then at least six months old.
+//!   differs. A bug that breaks a promise above is fixed immediately.
+//! - **Compiler.** The crate compiles with Rust 1.88. Only a new minor version may require a later compiler. That
+//!   compiler is then at least six months old.
 //! - **Dependencies.** `fixed` and `embedded-graphics` appear in the interface. An incompatible new version of either
 //!   requires a new minor version of this crate.
 //!
 //! # The path of a pixel
 //!
-//! These functions carry out the stages. Each stands below the one that calls it:
+//! These functions carry out the stages. Each function is listed below the function that calls it:
 //!
 //! ```text
 //! Canvas::draw_with                   options, a thing, its Mvp, a shader    pipeline/
@@ -202,9 +201,10 @@
 //!                   └─ Native::store  as a color; others as bytes            canvas/
 //! ```
 //!
-//! The column on the right names the folder; a line without one belongs to the folder above it. `Adapted`, which
-//! `.lit(light)` makes, stands for any shader, and `Native` for any storage. Between `Blit::draw` and its pixels there
-//! is one of four kernels (straight, pieces, Newton, divide), which the [mode] chooses for each span.
+//! The column on the right names the folder; a line without a folder name belongs to the last folder named above it.
+//! Two types are only examples: `Adapted`, which `.lit(light)` makes, represents any shader, and `Native` represents
+//! any storage. One of four kernels (straight, pieces, Newton, divide) runs between `Blit::draw` and its pixels. The
+//! [mode] chooses the kernel for each span.
 //!
 //! Each folder depends only on those before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`,
 //! `canvas`, `raster`, `span`, `pipeline`.
@@ -280,8 +280,8 @@ mod span;
 
 /// How attributes are interpolated: the trait [`Mode`](mode::Mode) and its five implementations.
 ///
-/// [Mathematics](crate::guide::mathematics#a-triangle) derives why a pixel needs a reciprocal, and how the modes save
-/// it.
+/// [Mathematics](crate::guide::mathematics#a-triangle) explains why each pixel needs a reciprocal, and how the modes
+/// avoid computing it.
 ///
 #[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
 pub mod mode {
@@ -324,10 +324,10 @@ pub use {
 #[doc = include_str!("../README.md")]
 struct Readme;
 
-/// What most programs that draw import.
+/// The items that most programs import in order to draw.
 ///
-/// The prelude of embedded-graphics has an `Angle`, a `Primitive` and a `Transform` of its own. A program that imports
-/// both preludes says which of these it means:
+/// The prelude of embedded-graphics has its own `Angle`, `Primitive` and `Transform`. A program that imports both
+/// preludes must also import by name those of these items that it uses:
 ///
 /// ```
 /// use embedded_graphics::prelude::*;

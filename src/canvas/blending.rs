@@ -49,8 +49,8 @@ sealed!(Replace, Opacity, Add, Multiply);
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Replace;
 
-/// A [`Blending`]: every color covers the one on the canvas by the same share, from 0 (not at all) to 255 (wholly). For
-/// glass, water, ghosts.
+/// A [`Blending`]: every color covers the one on the canvas by the same share, from 0 (not at all) to 255 (wholly). Use
+/// it for glass, water and ghosts.
 ///
 /// For colors of 15 and 16 bits, the share has 32 steps. The error is at most 1.1 steps in a channel of 5 bits, 1.7
 /// steps in one of 6 bits, and 1 step in the channels of other colors. 0 keeps the color on the canvas, and 255
@@ -73,8 +73,8 @@ pub struct Replace;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Opacity(pub u8);
 
-/// A [`Blending`]: the color is added to the one on the canvas, channel by channel, at most to white. For fire, sparks,
-/// beams of light. Exact.
+/// A [`Blending`]: the color is added to the one on the canvas, channel by channel, and the sum is limited to white.
+/// Use it for fire, sparks and beams of light. The sum is exact.
 ///
 /// To fade such a surface with distance, put it in black fog.
 ///
@@ -95,8 +95,8 @@ pub struct Opacity(pub u8);
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Add;
 
-/// A [`Blending`]: the color on the canvas is multiplied by the new one, channel by channel, where white is 1. For
-/// shadows, stained glass. The product is rounded to nearest, or dithered.
+/// A [`Blending`]: the color on the canvas is multiplied by the new one, channel by channel, where white is 1. Use it
+/// for shadows and stained glass. The product is rounded to nearest, or dithered.
 ///
 /// To fade such a surface with distance, put it in white fog.
 ///

@@ -57,8 +57,8 @@ const MAX_SIZE: u32 = 2048;
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// `Canvas<Rgb565>` is the type without a depth buffer. A function that draws on a canvas with one names the whole
-/// type, or is generic:
+/// `Canvas<Rgb565>` is the type without a depth buffer. A function that draws on a canvas with a depth buffer must name
+/// the whole type or be generic:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -229,7 +229,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         self.cells.iter().map(|&cell| O::load(cell))
     }
 
-    /// The pixels in their stored form, in the same order.
+    /// The pixels in their stored form, row by row from the top, each row from the left.
     #[must_use]
     pub const fn as_cells(&self) -> &[O::Cell] {
         self.cells
@@ -244,12 +244,12 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         self.cells.as_flattened()
     }
 
-    /// Shows the canvas on a display of the same color, in one
-    /// [`fill_contiguous`](DrawTarget::fill_contiguous). A band goes to its place in the frame.
+    /// Shows the canvas on a display of the same color, in one call of
+    /// [`fill_contiguous`](DrawTarget::fill_contiguous). A band is shown at its place in the frame.
     /// [`show_with`](Self::show_with) shows it on a display of another color.
     ///
-    /// embedded-graphics' `Framebuffer` packs 8, 4 or 2 pixels into a byte, side by side, as panels of electronic paper
-    /// and many displays with few grays expect them. Shown on a framebuffer, a canvas is packed:
+    /// embedded-graphics' `Framebuffer` packs 8, 4 or 2 pixels that are side by side into a byte. Panels of electronic
+    /// paper and many displays with few grays expect this format. To pack a canvas, show it on a framebuffer:
     ///
     /// ```
     /// use embedded_graphics::framebuffer::{Framebuffer, buffer_size};
@@ -318,9 +318,9 @@ impl<O: Storage<BinaryColor>, D> Canvas<'_, BinaryColor, O, D> {
     /// The pixels as the bytes of an SSD1306 or a similar display: 8 rows of a column in a byte, the topmost in the
     /// least significant bit.
     ///
-    /// 8 rows are a *page*, a byte for each column from the left. Pages follow each other from the top, and the first
-    /// row of the canvas is the first row of a page. So a band for such a display begins at a multiple of 8 and has 8
-    /// rows, or 16, and so on. If its last page has fewer rows, the other bits are 0.
+    /// 8 rows form a *page*. A page has one byte for each column, from the left. Pages follow each other from the top,
+    /// and the first row of the canvas is the first row of a page. So a band for such a display begins at a multiple of
+    /// 8 and has 8 rows, or 16, and so on. If its last page has fewer rows, the other bits are 0.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::BinaryColor;
@@ -381,10 +381,10 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         self.depths.fill(0);
     }
 
-    /// The depth that is stored for a pixel, as the depth buffer encodes it; `None` outside of this canvas's rows, and
-    /// without a depth buffer.
+    /// The stored depth of a pixel, as the depth buffer encodes it; `None` outside this canvas's rows or without a
+    /// depth buffer.
     ///
-    /// A point of the scene is hidden if its [`ScreenPoint::depth`](crate::ScreenPoint::depth) is less:
+    /// A point of the scene is hidden if its [`ScreenPoint::depth`](crate::ScreenPoint::depth) is less than this depth:
     ///
     /// ```
     /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};

@@ -45,8 +45,8 @@ impl Contrast {
     /// The contrast of the rows in memory: the darkest gray becomes black and the lightest one white. At each end,
     /// `ignored`/256 of the pixels do not count, so that a single highlight does not set the contrast.
     ///
-    /// All bands of a frame need the same contrast, for example the previous frame's. The function takes 1 KiB of
-    /// stack.
+    /// All bands of a frame need the same contrast, for example the contrast of the previous frame. The function uses 1
+    /// KiB of stack.
     #[must_use]
     pub fn of<O: Storage<Gray8>, D>(canvas: &Canvas<'_, Gray8, O, D>, ignored: u8) -> Self {
         let mut counts = [0_u32; 256];

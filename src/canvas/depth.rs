@@ -6,8 +6,8 @@ use crate::sealed::{Sealed, sealed};
 /// A canvas's depth buffer: [`NoDepth`], or 16 bits per pixel in the format [`LinearDepth`], [`FloatDepth`] or
 /// [`WideFloatDepth`]. Sealed.
 ///
-/// A fragment is drawn if it is at least as near as the stored depth, so of two equal depths, the later one wins. 65535
-/// is the near plane, 0 is infinitely far.
+/// A fragment is drawn if it is at least as near as the stored depth, so of two fragments at equal depth, the later one
+/// wins. 65535 is the near plane, 0 is infinitely far.
 ///
 #[cfg_attr(doc, doc = diagram!("depth"))]
 /// Depths have one of three formats. In each, a nearer depth is a greater number, so the depth test is the same
@@ -93,15 +93,15 @@ pub enum LinearDepth {}
 
 /// Depth in floating point, with 4 bits of exponent and 12 of mantissa, for far/near up to 65,536.
 ///
-/// A step is 2⁻¹³ to 2⁻¹² of the distance (0.012 to 0.024 %) everywhere in the range: each halving of 1/w lowers the
-/// code by 4096. Surfaces at 65,536 · near or beyond are stored as 0.
+/// A step is 2⁻¹³ to 2⁻¹² of the distance (0.012 to 0.024 %) everywhere in the range, because each halving of 1/w
+/// lowers the code by 4096. Surfaces at 65,536 · near or beyond are stored as 0.
 ///
 /// Within one triangle, the error of the interpolated 1/w is 2⁻²⁴ of its largest value. If a triangle's far end is
 /// more than 3,000 times as far away as its near end, this error exceeds half a step there.
 ///
-/// A tested fragment takes 7 to 9 instructions more than with [`LinearDepth`] on Cortex-M4: in the default mode, a
-/// quarter more for the benchmark's floor and cube. On Cortex-M0+, which cannot count leading zeros, a fragment takes 9
-/// to 19 more.
+/// On Cortex-M4, a tested fragment takes 7 to 9 instructions more than with [`LinearDepth`]. In the default mode, this
+/// is a quarter more for the benchmark's floor and cube. On Cortex-M0+, which has no instruction that counts leading
+/// zeros, a fragment takes 9 to 19 instructions more.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

@@ -100,8 +100,8 @@ depth_tests! {
 
 /// A depth test with depths that are moved before they are tested and stored.
 ///
-/// On a Cortex-M4, it costs 8 to 12 instructions for each drawn pixel and 5 to 8 for each hidden one; on a Cortex-M0+,
-/// 15 or 16 and 12 to 14.
+/// On a Cortex-M4, it costs 8 to 12 instructions for each drawn pixel and 5 to 8 for each hidden pixel. On a
+/// Cortex-M0+, it costs 15 or 16 for each drawn pixel and 12 to 14 for each hidden pixel.
 ///
 /// If a mesh is moved away from the eye, lines and decals on its surface are drawn without gaps:
 ///
@@ -138,13 +138,14 @@ pub struct Biased<Z = super::TestAndWrite> {
 
 impl<Z> Biased<Z> {
     /// `test` with depths moved by `steps` steps of the depth buffer and by `slope` times the depth difference between
-    /// neighboring pixels. That is the difference across or the one down, whichever is greater. Positive values move a
-    /// surface nearer. Depths saturate at both ends.
+    /// neighboring pixels. This difference is the horizontal or the vertical one, whichever is greater. Positive values
+    /// move a surface nearer. Depths saturate at both ends.
     ///
-    /// An edge of an [outline](crate::Mesh::outline) takes the greatest of these differences: along the line, and on
-    /// each of its two faces that is not culled. A face may be so narrow on the screen that a pixel is many times its
-    /// width. So the difference of a face is limited to the difference between its nearest and its farthest corner. If
-    /// the edge is not a crease, the limit is twice that, because the next face recedes, too.
+    /// For an edge of an [outline](crate::Mesh::outline), `slope` multiplies the greatest of several differences: the
+    /// one along the line, and the one on each of the edge's two faces that is not culled. A face may be so narrow on
+    /// the screen that a pixel is many times as wide as the face. Therefore, the difference on a face is limited to the
+    /// depth difference between the nearest and the farthest corner of the face. If the edge is not a crease, the limit
+    /// is twice as large, because the next face also recedes.
     #[must_use]
     pub const fn new(test: Z, steps: i32, slope: Scalar) -> Self {
         Self {
@@ -156,21 +157,22 @@ impl<Z> Biased<Z> {
         }
     }
 
-    /// `test` with depths moved away by two steps and by the depth difference between neighboring pixels. This is
-    /// enough for edges drawn over the mesh to have no gaps. (A sliver that the near plane clips may hide a pixel of
-    /// its own edge: its new corners are rounded to 1/256 pixel, which tilts it.) Silhouettes of round bodies need
-    /// more: draw an outline [`in_front`](Self::in_front).
+    /// `test` with depths moved away by two steps and by the depth difference between neighboring pixels. With this
+    /// bias, edges drawn over the mesh have no gaps. (There is one exception. If the near plane clips a sliver, its new
+    /// corners are rounded to 1/256 pixel. This tilts the sliver, so it may hide a pixel of its own edge.) For
+    /// silhouettes of round bodies, this bias is too small: draw an outline [`in_front`](Self::in_front).
     #[must_use]
     pub const fn behind(test: Z) -> Self {
         Self::new(test, -2, crate::fx!(-1))
     }
 
     /// `test` with depths moved nearer by two steps and by the depth difference between neighboring pixels, for
-    /// [outlines](crate::Mesh::outline) over a mesh that is drawn where it is.
+    /// [outlines](crate::Mesh::outline) over a mesh that is drawn without a bias.
     ///
-    /// The center of a line's pixel may be half a pixel beside the line. There, a face may be nearer than the line, but
-    /// by less than this. In a test with balls and cans, 0.5 % of the pixels of silhouettes are missing, on balls that
-    /// are only a few pixels wide. A line shines through a surface that is in front of it by less than it is moved.
+    /// The center of a line's pixel may be half a pixel away from the line. At that center, a face may be nearer than
+    /// the line, but by less than the bias. In a test with balls and cans, 0.5 % of the silhouette pixels are missing.
+    /// They are on balls that are only a few pixels wide. A line is visible through a surface that is in front of it by
+    /// less than the bias.
     #[must_use]
     pub const fn in_front(test: Z) -> Self {
         Self::new(test, 2, crate::fx!(1))

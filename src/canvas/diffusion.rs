@@ -26,17 +26,17 @@ pub struct ErrorDiffusion<'e> {
 }
 
 impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
-    /// Shows a gray canvas on a display of fewer grays by error diffusion, in one
+    /// Shows a gray canvas on a display of fewer grays by error diffusion, in one call of
     /// [`fill_contiguous`](DrawTarget::fill_contiguous).
     ///
     /// Each pixel gets the nearest gray that the display has. The difference, at most half a step of these grays, is
     /// added to later pixels: 7/16 of it to the pixel on the right; 3/16, 5/16 and 1/16 to the pixels below on the
-    /// left, directly below, and below on the right. Parts that would go beyond the sides go to the pixel directly
-    /// below. So brightness is kept, except where it would exceed white or fall below black. Details are finer than
-    /// with ordered dithering, but in a moving picture they change from frame to frame.
+    /// left, directly below, and below on the right. Parts for pixels beyond the sides are added to the pixel directly
+    /// below instead. Brightness is therefore kept, except where it would exceed white or fall below black. Details are
+    /// finer than with ordered dithering, but in a moving picture they change from frame to frame.
     ///
-    /// The bands of a frame, shown one after the other, equal the whole frame. The display may be another canvas, of
-    /// the frame or of the same rows. It must consume every color that it is sent.
+    /// The bands of a frame, shown one after the other, equal the whole frame. The display may be another canvas that
+    /// holds the whole frame or the same rows. The display must consume every color that is sent to it.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{BinaryColor, Gray8};
@@ -71,8 +71,8 @@ impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
 }
 
 impl<'e> ErrorDiffusion<'e> {
-    /// The start of a frame. `errors` needs an element for each column; columns without one pass errors only to the
-    /// right. The previous contents of `errors` do not matter.
+    /// Starts the error diffusion of a frame. `errors` needs one element per column; columns without an element pass
+    /// errors only to the right. The previous contents of `errors` do not matter.
     #[must_use]
     pub fn new(errors: &'e mut [i16]) -> Self {
         errors.fill(0);

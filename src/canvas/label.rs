@@ -133,9 +133,9 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// Draws text, a shape or an image of embedded-graphics over the picture, unless its bounding box misses the rows
     /// in memory.
     ///
-    /// It shows what `thing.draw(&mut canvas)` shows, and saves time in bands: `draw` computes all pixels of a text in
-    /// every band, `overlay` only in the bands that show some of them. A pixel that a thing draws outside of its
-    /// bounding box may be missing.
+    /// The result is the same as with `thing.draw(&mut canvas)`, but `overlay` saves time when you draw in bands.
+    /// `draw` computes all pixels of a text in every band; `overlay` computes them only in the bands that show some of
+    /// them. However, pixels that a thing draws outside its bounding box may be missing.
     ///
     /// ```
     /// use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
@@ -171,7 +171,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     }
 }
 
-/// Drawing cannot fail. It does not touch the depth buffer, except that `clear` clears both.
+/// Drawing cannot fail. It does not change the depth buffer, except that `clear` clears both colors and depths.
 ///
 /// Any point and any rectangle is allowed, even one that reaches beyond the range of `i32`.
 impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Canvas<'_, C, O, D> {
@@ -194,8 +194,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Canvas<'_, C, 
     }
 
     /// Clears the depth buffer too, as [`Canvas::clear`] does. Adapters such as
-    /// [`clipped`](embedded_graphics::draw_target::DrawTargetExt::clipped) turn a `clear` into a
-    /// fill, which leaves the depth buffer alone.
+    /// [`clipped`](embedded_graphics::draw_target::DrawTargetExt::clipped) turn a `clear` into a fill, which does not
+    /// change the depth buffer.
     fn clear(&mut self, color: C) -> Result<(), Infallible> {
         Canvas::clear(self, color);
         Ok(())

@@ -12,11 +12,12 @@ use crate::sealed::{Sealed, sealed};
 
 /// How a canvas stores colors of type `C`. Sealed: four types implement it.
 ///
-/// [`Native`] keeps the color itself, and [`Words`] the integer of its raw bits, for a bus that sends words of 16 bits.
-/// embedded-graphics' [`BigEndian`] and [`LittleEndian`] keep its raw bytes in that order, for a bus that sends bytes.
+/// [`Native`] keeps the color itself. [`Words`] keeps the integer of the color's raw bits, for a bus that sends words
+/// of 16 bits. embedded-graphics' [`BigEndian`] and [`LittleEndian`] keep the color's raw bytes in the order that the
+/// name says, for a bus that sends bytes.
 ///
-/// Use this trait as a bound: for code that draws on canvases of any storage, or that sends the bytes of canvases of
-/// any color:
+/// Use this trait as a bound in code that draws on canvases of any storage, or that sends the bytes of canvases of any
+/// color:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor, raw::BigEndian};
@@ -63,10 +64,11 @@ pub enum Native {}
 /// A [`Storage`] that keeps the integer of a color's raw bits, such as a `u16` for `Rgb565`.
 ///
 /// Use it where the bus and its DMA send words of 16 bits, the most significant bit first, as a display of 16-bit
-/// colors expects them. The processor then stores a pixel at once, where it stores [`BigEndian`] bytes one by one; and
-/// many buses rest after each word, so that fewer words are sent faster.
+/// colors expects them. The processor then stores a pixel in one step, whereas it stores [`BigEndian`] bytes one by
+/// one. Many buses also pause after each word, so sending fewer words takes less time.
 ///
-/// A color of up to 8 bits takes a `u8`, of up to 16 a `u16`, and of more a `u32`; its upper bits are 0.
+/// A color of up to 8 bits is stored in a `u8`, a color of up to 16 bits in a `u16`, and a color of more bits in a
+/// `u32`. Unused upper bits are 0.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};

@@ -16,8 +16,8 @@
 //!
 #![doc = diagram!("pipeline")]
 //!
-//! A draw call takes a mesh (the shape), a model-view-projection (where it is, and from where it is seen) and a shader
-//! (its colors), and writes pixels to a canvas (your memory). All four are plain values that belong to your program.
+//! A draw call takes a mesh (the shape), a model-view-projection (the place of the shape and of the eye) and a shader
+//! (the colors). It writes pixels to a canvas (your memory). All four are plain values that belong to your program.
 //! Between draw calls, only the canvas keeps state.
 //!
 //! ```
@@ -57,13 +57,13 @@
 //! | you write | you get | range, resolution |
 //! |---|---|---|
 //! | `fx!(0.25)` | [`Scalar`](crate::Scalar): a coordinate, a distance, a brightness | ±32,768 in steps of 1/65,536 |
-//! | `vec3!(0, 1.5, 4)` | [`Vec3`](crate::Vec3): three scalars | the same |
-//! | `vec2!(0.5, 1)` | [`Vec2`](crate::Vec2): a texture coordinate: 1 is the whole width or height of the texture | ±2048 in steps of 10⁻⁶ |
+//! | `vec3!(0, 1.5, 4)` | [`Vec3`](crate::Vec3): three scalars | as for `Scalar` |
+//! | `vec2!(0.5, 1)` | [`Vec2`](crate::Vec2): a texture coordinate (1 is the whole width or height of the texture) | ±2048 in steps of 10⁻⁶ |
 //! | `deg!(62.5)` | [`Angle`](crate::Angle): a fraction of a turn | one turn, in steps of 10⁻⁷ degrees |
 //!
-//! A literal beyond the range does not compile. A number that is known only when the program runs, a float or an
-//! integer, becomes a scalar by `Scalar::try_from`, a texture coordinate by `TexCoord::try_from`, a vector by
-//! `Vec3::try_from`, and an angle by the constructors of [`Angle`](crate::Angle).
+//! A literal beyond the range does not compile. If a float or an integer is known only when the program runs, convert
+//! it: `Scalar::try_from` makes a scalar, `TexCoord::try_from` makes a texture coordinate, `Vec3::try_from` makes a
+//! vector, and the constructors of [`Angle`](crate::Angle) make an angle.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -95,8 +95,8 @@
 //! # Mesh
 //!
 //! A [`Mesh`](crate::Mesh) borrows positions and faces, and optionally texture coordinates, normals, colors and edges.
-//! `shape!` and `include_mesh!` make a mesh at compile time, so it is stored in flash. A mesh of your own slices can be
-//! in flash, too:
+//! `shape!` and `include_mesh!` make a mesh at compile time, so it is stored in flash. A mesh that borrows your own
+//! slices can also be in flash:
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -112,24 +112,24 @@
 //!
 #![doc = diagram!("winding")]
 //!
-//! If you see the inside of a model, the corners of its triangles are in clockwise order: swap two corners of each, or
-//! draw with [`Cull::Front`](crate::Cull::Front).
+//! If you see the inside of a model, the corners of its triangles are in clockwise order. Swap two corners of each
+//! triangle, or draw with [`Cull::Front`](crate::Cull::Front).
 //!
 //! # Transform, camera, projection
 //!
 #![doc = diagram!("axes")]
 //!
 //! - A [`Transform`](crate::Transform) places a model in the world. `a * b` applies `b` first.
-//! - A [`Camera`](crate::Camera) says where the eye is and where it looks. It moves and turns the world so that the eye
-//!   is at the origin and looks along −z.
-//! - A [`Projection`](crate::Projection) sets the angle of view, and the distances of the near and the far plane: only
+//! - A [`Camera`](crate::Camera) says where the eye is and where the eye looks. The camera moves and turns the world so
+//!   that the eye is at the origin and looks along −z.
+//! - A [`Projection`](crate::Projection) sets the angle of view, and the distances of the near and the far plane. Only
 //!   what is between these planes is drawn. [`perspective`](crate::Projection::perspective) takes the vertical angle,
 //!   from the bottom of the picture to its top.
 //!
 #![doc = diagram!("eye")]
 //!
-//! Their product is the [`Mvp`](crate::Mvp), the model-view-projection. It is read from right to left, in the order in
-//! which it transforms a point: `projection * camera * model`.
+//! Their product is the [`Mvp`](crate::Mvp), the model-view-projection. Read this product from right to left, in the
+//! order in which its factors transform a point: `projection * camera * model`.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -149,10 +149,10 @@
 //! # Shader
 //!
 //! A [`Shader`](crate::Shader) gives each pixel its color. Some shaders are surfaces: [`Flat`](crate::Flat) has one
-//! color, [`Gouraud`](crate::Gouraud) interpolates vertex colors, [`Textured`](crate::Textured) shows a texture, whose
-//! pixels are called texels. Adapters (`lit`, `in_fog`, `map`) wrap a surface. You can use any number of them, in any
-//! order. The module [`shade`](crate::shade) lists all of them. The compiler turns the whole stack into one loop, and
-//! the program contains only the shaders that you name.
+//! color, [`Gouraud`](crate::Gouraud) interpolates vertex colors, and [`Textured`](crate::Textured) shows a texture.
+//! The pixels of a texture are called texels. Adapters (`lit`, `in_fog`, `map`) wrap a surface. You can use any number
+//! of adapters, in any order. The module [`shade`](crate::shade) lists all surfaces and adapters. The compiler turns
+//! the whole stack into one loop, and the program contains only the shaders that you name.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -198,32 +198,34 @@
 //!
 //! # Canvas
 //!
-//! A [`Canvas`](crate::Canvas) is a picture in your memory: its size, its colors, and optionally a depth buffer. Over a
-//! slice of colors, a canvas stores colors. Over a slice of arrays, such as `[u8; 2]`, it stores bytes in the order
-//! that a display expects. A canvas consists of references and a few numbers, so make a new one for each frame.
+//! A [`Canvas`](crate::Canvas) is a picture in your memory: its size, its colors, and optionally a depth buffer. If the
+//! memory is a slice of colors, the canvas stores colors. If the memory is a slice of arrays, such as `[u8; 2]`, the
+//! canvas stores bytes in the order that a display expects. A canvas consists of references and a few numbers, so make
+//! a new one for each frame.
 //!
-//! A canvas is an embedded-graphics `DrawTarget`: text and shapes go on top. [`show`](crate::Canvas::show) copies it to
-//! another `DrawTarget`; [`as_bytes`](crate::Canvas::as_bytes) gives its bytes to a DMA channel. For a display with
-//! several pixels in a byte, [`show`](crate::Canvas::show) or [`pages`](crate::Canvas::pages) packs the pixels.
+//! A canvas is a `DrawTarget`, so embedded-graphics can draw text and shapes over the picture.
+//! [`show`](crate::Canvas::show) copies the picture to another `DrawTarget`. [`as_bytes`](crate::Canvas::as_bytes)
+//! returns the bytes of the picture for a DMA channel. For a display with several pixels in a byte,
+//! [`show`](crate::Canvas::show) or [`pages`](crate::Canvas::pages) packs the pixels.
 //!
 //! # Depth
 //!
 //! With a depth buffer, triangles may be drawn in any order; you always see the nearest one. The buffer takes two bytes
-//! a pixel, and stores how near each pixel is:
+//! per pixel, and stores how near each pixel is:
 //!
 #![doc = diagram!("depth")]
 //!
 //! `clear` sets all depths to 0, which is infinitely far. Half of the depth steps cover only the distances from the
-//! near plane to twice as far. So put the near plane as far away as the scene allows. The far plane may be at any
-//! distance: it does not change the steps. For scenes that reach far beyond 1,000 times the near plane's distance, use
-//! the format [`FloatDepth`](crate::canvas::FloatDepth).
+//! near plane to twice the distance of the near plane. So put the near plane as far away as the scene allows. The far
+//! plane may be at any distance: it does not change the steps. For scenes that reach far beyond 1,000 times the near
+//! plane's distance, use the format [`FloatDepth`](crate::canvas::FloatDepth).
 //!
-//! A scene without a depth buffer must be drawn from back to front. A [`DrawList`](crate::DrawList), a list of
-//! transformed triangles, can sort it.
+//! A scene without a depth buffer must be drawn from back to front. A [`DrawList`](crate::DrawList) holds transformed
+//! triangles, and can sort them in this order.
 //!
 //! # Band
 //!
-//! A frame of 320x240 takes 300 KiB with depth. If that is too much, draw it in bands:
+//! A frame of 320x240 pixels takes 300 KiB with depth. If that is too much, draw the frame in bands:
 //!
 #![doc = diagram!("band")]
 //!
@@ -255,22 +257,23 @@
 //! ```
 //!
 //! Together, the bands give the same picture as the whole frame, bit for bit. Every draw call transforms its mesh again
-//! in every band. If that takes too long, a [`DrawList`](crate::DrawList) transforms it once a frame. The program in
-//! [firmware](crate::guide::firmware) uses two bands: it draws one while the other is sent.
+//! in every band. If that takes too long, use a [`DrawList`](crate::DrawList), which transforms the mesh once per
+//! frame. The program in [firmware](crate::guide::firmware) uses two bands: it draws one while the other is sent.
 //!
 //! # When the scene is wrong
 //!
-//! A draw call returns [`Drawn`](crate::Drawn), which counts triangles and names missing attributes. Print it first:
+//! A draw call returns [`Drawn`](crate::Drawn), which counts triangles and names missing attributes. Print this value
+//! first:
 //!
 //! | what you see | what to check |
 //! |---|---|
 //! | nothing, and [`submitted`](crate::Drawn::submitted) is 0 | the mesh has no faces |
-//! | nothing, and [`drawn`](crate::Drawn::drawn) is 0 | all triangles are culled or out of view: if [`Cull::Nothing`](crate::Cull::Nothing) shows them, their corners are in clockwise order; [`Canvas::project`](crate::Canvas::project) gives the place of a point on the screen, or `None` if it is nearer than the near plane, beyond the far plane, or far outside the viewport |
+//! | nothing, and [`drawn`](crate::Drawn::drawn) is 0 | all triangles are culled or out of view. If [`Cull::Nothing`](crate::Cull::Nothing) shows them, their corners are in clockwise order. [`Canvas::project`](crate::Canvas::project) gives the position of a point on the screen, or `None` if the point is nearer than the near plane, beyond the far plane, or far outside the viewport |
 //! | nothing, although triangles are drawn | the depth buffer still has the depths of the last frame: call `clear` before each frame |
 //! | the inside of objects | the corners of triangles are in clockwise order: see [Mesh](#mesh) |
 //! | one color in place of a texture or of vertex colors | [`missing`](crate::Drawn::missing): the mesh lacks texture coordinates or colors |
 //! | lit surfaces are dark | the direction of a [`Light`](crate::Light) points to the light, in world space; surfaces that face away from it have only its ambient brightness |
-//! | a spot or a highlight with jagged edges, or none | light is computed at the corners of triangles: make the mesh finer |
+//! | a spot or a highlight has jagged edges, or is missing | light is computed at the corners of triangles: make the mesh finer |
 //! | distant surfaces flicker through each other | move the near plane away from the eye: see [Depth](#depth) |
 //! | lines on a surface are broken | draw the surface with [`Biased::behind`](crate::canvas::Biased::behind), slightly behind its true depth; or draw its [outline](crate::Mesh::outline) with [`Biased::in_front`](crate::canvas::Biased::in_front) |
 //!

@@ -2,23 +2,24 @@
 //!
 //! With this page you can work out by hand where a point of your scene lands on the screen, where parallel lines meet,
 //! and why a texture bends if depth is interpolated the wrong way. You can also say where the errors of fixed point
-//! come from, and how large they are. You need vectors and matrices, but no graphics. Each step states a claim,
-//! derives it, and checks numbers with the call that computes them.
+//! come from, and how large they are. You need to know vectors and matrices, but nothing about graphics. Each step
+//! states a claim, derives it, and checks numbers with the call that computes them.
 //!
 //! 1. [A point](#a-point): similar triangles
 //! 2. [A matrix](#a-matrix): homogeneous coordinates and pseudo-depth
 //! 3. [A window](#a-window): field of view, aspect ratio, pixels
 //! 4. [Lines](#lines): slopes, vanishing points, speed
 //! 5. [A segment](#a-segment): foreshortening
-//! 6. [A triangle](#a-triangle): one reciprocal a pixel
+//! 6. [A triangle](#a-triangle): one reciprocal per pixel
 //! 7. [Fixed point](#fixed-point): formats and errors
 //! 8. [A camera](#a-camera): look-at, the inverse, the order of transforms
 //! 9. [Parallel views](#parallel-views): orthographic, axonometric, oblique
 //! 10. [Time](#time): turns that do not drift
 //!
-//! The axes are right-handed: x runs to the right, y up, and the eye is at the origin and looks along −z. The numbers
-//! *n* and *f* are the distances of the near and the far plane, both above zero. A step ends with the tests that check
-//! its claim, mostly for random numbers. Their files are in the repository's folder `tests`.
+//! The axes are right-handed: x points to the right, and y points up. The eye is at the origin and looks along −z. The
+//! numbers *n* and *f* are the distances of the near and the far plane, both above zero. Each step ends with the names
+//! of the tests that check its claim, mostly with random numbers. The files of these tests are in the repository's
+//! folder `tests`.
 //!
 //! # A point
 //!
@@ -33,7 +34,7 @@
 //! holds for *x*.
 //!
 //! At *z* = 0 the line of sight is parallel to the near plane and never meets it. Behind the eye, *z* is positive and
-//! both signs flip: the image would be upside down, with left and right exchanged. For both,
+//! both signs flip: the image would be upside down, with left and right exchanged. In both cases,
 //! [`Projection::image`](crate::Projection::image) returns `None`.
 //!
 //! For practice, let *n* = 2, and take a cube whose corners have *x* = ±1, *y* = ±1, and *z* = −3 (front) or −5
@@ -67,20 +68,20 @@
 //! ahead of the eye.
 //!
 //! The picture shows a window on the near plane, from *l* to *r* and from *b* to *t*. In normalized device coordinates
-//! (ndc), the window reaches from −1 to 1 along both axes. With *nx* = *wx*′ that is:
+//! (ndc), the window reaches from −1 to 1 along both axes. With *nx* = *wx*′, this gives:
 //!
 #![doc = formula!(
     {x[ndc] = frac(2 prime(x) - (r + l))(r - l)}
     {w x[ndc] = frac(2 n)(r - l) x + frac(r + l)(r - l) z}
 )]
 //!
-//! The second formula is the first row of the matrix. The second row is the same for *y*. The third row makes a depth
-//! from *z* alone: *wz*<sub>ndc</sub> = *Az* + *B*. Two conditions determine *A* and *B*. The near plane, where *z* =
-//! −*n* and *w* = *n*, goes to −1, and the far plane goes to 1:
+//! The second formula is the first row of the matrix. The second row is the same for *y*. The third row computes a
+//! depth from *z* alone: *wz*<sub>ndc</sub> = *Az* + *B*. Two conditions determine *A* and *B*. The near plane, where
+//! *z* = −*n* and *w* = *n*, maps to −1, and the far plane maps to 1:
 //!
 #![doc = formula!({-A n + B = -n} {-A f + B = f})]
 //!
-//! Subtract the second from the first, then put *A* into the first:
+//! Subtract the second equation from the first, then insert *A* into the first:
 //!
 #![doc = formula!({A = -frac(f + n)(f - n)} {B = A n - n = -frac(2 f n)(f - n)})]
 //!
@@ -93,8 +94,8 @@
 //!
 //! The depth is −*A* + *B*/*w*. It is called pseudo-depth, because it keeps the order of distances but not their
 //! proportions: with *n* = 2 and *f* = 10, half of its range is used up at a distance of 3⅓. The distance itself is not
-//! suitable: along a line on the screen, 1/*w* changes evenly, but *w* does not ([below](#a-segment)). A depth buffer
-//! of fixel stores 65535 *n*/*w*, which is also linear in 1/*w*, and needs no far plane.
+//! suitable, because along a line on the screen, 1/*w* changes evenly, but *w* does not ([below](#a-segment)). A depth
+//! buffer of fixel stores 65535 *n*/*w*, which is also linear in 1/*w*, and needs no far plane.
 //!
 #![doc = diagram!("pseudo_depth")]
 //!
@@ -111,13 +112,13 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! **The same matrix is a product of three.** Let the depths of the near and the far plane stay as they are: (*Az* +
-//! *B*)/(−*z*) = *z* at *z* = −*n* and at *z* = −*f*.
+//! **The same matrix is a product of three matrices.** Let the depths of the near and the far plane stay as they are:
+//! (*Az* + *B*)/(−*z*) = *z* at *z* = −*n* and at *z* = −*f*.
 //!
 #![doc = formula!({-A n + B = -n^2} {-A f + B = -f^2} {A = n + f} {B = n f})]
 //!
 //! With *n* in the first two rows in place of the window, this is the perspective transform *P*. It squeezes the
-//! frustum into a box as wide as the window, with both planes where they were. A point at the distance *w* moves to the
+//! frustum into a box as wide as the window, and leaves both planes in place. A point at the distance *w* moves to the
 //! distance *n* + *f* − *nf*/*w*.
 //!
 #![doc = formula!({P = matrix(
@@ -135,8 +136,8 @@
     {fun translate (-frac(r + l)(r - l), -frac(t + b)(t - b), -frac(f + n)(f - n))}
 )]
 //!
-//! To check the third row: scaling gives −2(*n*+*f*)/(*f*−*n*) and −2*nf*/(*f*−*n*); moving adds (*f*+*n*)/(*f*−*n*)
-//! to the first of them, because the last row of *P* is −1 there. The results are *A* and *B*.
+//! To check the third row: scaling gives −2(*n*+*f*)/(*f*−*n*) and −2*nf*/(*f*−*n*); moving adds (*f*+*n*)/(*f*−*n*) to
+//! the first number, because the last row of *P* has −1 in the third column. The results are *A* and *B*.
 //!
 //! ```
 //! use fixel::{Matrix4, prelude::*};
@@ -159,7 +160,7 @@
 //! **Clipping after the division.** The point (1, 1, 3) lies behind the eye. Its *w* is −3, and a division would put it
 //! at (−⅔, −⅔), inside the window. A triangle with such a corner would reach to the mirrored point, across the wrong
 //! part of the picture. No test of screen positions can detect this. Clip first, while *w* still has its sign, then
-//! divide. Draw calls do.
+//! divide. Draw calls work in this order.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -177,7 +178,7 @@
 //!
 //! # A window
 //!
-//! **A vertical field of view and an aspect ratio say the same as a centered window.**
+//! **A vertical field of view and an aspect ratio are equivalent to a centered window.**
 //!
 #![doc = formula!({t = n fun tan frac(fov)(2)} {r = t dot aspect} {b = -t} {l = -r})]
 //!
@@ -185,10 +186,10 @@
 //!
 #![doc = diagram!("field_of_view")]
 //!
-//! In the right triangle between the eye, the middle of the window and its upper edge, the side opposite to half the
-//! field of view is *t*, and the side beside it is *n*. The second line solves the first for the aspect ratio and the
-//! angle. A window need not be centered: [`Projection::frustum`](crate::Projection::frustum) takes any, for one half
-//! of a stereo pair or for one of several panels. Its matrix has entries in the third column.
+//! In the right triangle between the eye, the middle of the window and its upper edge, the side opposite half the field
+//! of view is *t*, and the adjacent side is *n*. The second line solves the first for the aspect ratio and the angle. A
+//! window need not be centered: [`Projection::frustum`](crate::Projection::frustum) accepts any window, for one half of
+//! a stereo pair or for one of several panels. The matrix of an off-center window also has entries in the third column.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -225,8 +226,8 @@
 //!
 //! <div class="warning">
 //!
-//! **Whole pixels for corners.** A corner that is rounded to whole pixels moves by up to half a pixel, and takes its
-//! edges and its texture with it: a slowly turning model jitters. Keep a fraction (fixel has 8 bits of it), and test
+//! **Whole pixels for corners.** A corner that is rounded to whole pixels moves by up to half a pixel, and its edges
+//! and its texture move with it. A slowly turning model then jitters. Keep a fraction (8 bits in fixel), and test
 //! coverage at the centers of pixels, half a pixel from their edges.
 //!
 //! </div>
@@ -244,7 +245,7 @@
 //! the line. Both coordinates are multiplied by the same number, −*n*/*P<sub>z</sub>*, and the image keeps the slope
 //! *v<sub>y</sub>*/*v<sub>x</sub>*.
 //!
-//! **All other lines of a direction meet in one vanishing point.** As *t* grows, *P* no longer counts:
+//! **All other lines of a direction meet in one vanishing point.** As *t* grows, *P* no longer matters:
 //!
 #![doc = formula!(
     {prime(x) = -n frac(P[x] + t v[x])(P[z] + t v[z]) to -n frac(v[x])(v[z])}
@@ -269,8 +270,8 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! **Steps of equal length shrink on the way there.** The derivative of *x*′ is the speed of the image on the near
-//! plane. The quotient rule leaves a numerator without *t*, so that the speed falls with the square of the distance:
+//! **Steps of equal length shrink toward the vanishing point.** The derivative of *x*′ is the speed of the image on the
+//! near plane. The quotient rule leaves a numerator without *t*, so the speed falls with the square of the distance:
 //!
 #![doc = formula!(
     {frac(partial prime(x))(partial t) = -n frac(v[x] (P[z] + t v[z]) - (P[x] + t v[x]) v[z])((P[z] + t v[z])^2)}
@@ -279,7 +280,7 @@
 //!
 #![doc = diagram!("rails")]
 //!
-//! The rails have the direction −z. The sleepers run along x and stay level.
+//! The rails have the direction −z. The sleepers are parallel to x and stay level.
 //!
 //! ```
 //! use fixel::{fx, vec3, view::speed};
@@ -290,8 +291,8 @@
 //! assert_eq!(speed(fx!(1), track, ahead, fx!(3)), Some([fx!(0), fx!(0.0625)]));
 //! ```
 //!
-//! **A box has as many vanishing points as axes that are not parallel to the picture**: one if it faces the eye, two
-//! if it is turned, three if it is tilted, too. This is what one-, two- and three-point perspective means.
+//! **A box has one vanishing point for each of its axes that is not parallel to the picture**: one if it faces the eye,
+//! two if it is turned, and three if it is also tilted. This is what one-, two- and three-point perspective means.
 //!
 #![doc = diagram!("vanishing_points")]
 //!
@@ -310,14 +311,14 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! Tests: lines and slopes in `accuracy/formulas/camera.rs`, vanishing points in `accuracy/formulas/projection.rs`,
-//! one to three of them in `accuracy/formulas/pictures.rs`, speeds in `accuracy/formulas/segment.rs`.
+//! Tests: lines and slopes in `accuracy/formulas/camera.rs`, vanishing points in `accuracy/formulas/projection.rs`, one
+//! to three vanishing points in `accuracy/formulas/pictures.rs`, speeds in `accuracy/formulas/segment.rs`.
 //!
 //! # A segment
 //!
 //! **Halfway along the picture of a segment is not halfway along the segment.** Let *w*₀ and *w*₁ be the distances of
-//! its ends ahead of the eye: *w* is −*z*, and books whose *z* points ahead write *z* for it. Let *t* be the fraction
-//! of the way along the segment, and *q* the fraction of the way along its picture.
+//! its ends ahead of the eye. Here *w* is −*z*; books whose *z* axis points ahead write *z* in place of *w*. Let *t* be
+//! the fraction of the way along the segment, and *q* the fraction of the way along its picture.
 //!
 #![doc = diagram!("foreshortening")]
 //!
@@ -340,8 +341,8 @@
 //!
 #![doc = formula!({t = frac(q w[0])(w[1] - q (w[1] - w[0]))})]
 //!
-//! Put this into *w* = *w*₀ + *t* (*w*₁ − *w*₀). All but *w*₀ *w*₁ cancels in the numerator, and **1/*w* is linear on
-//! the screen**:
+//! Put this into *w* = *w*₀ + *t* (*w*₁ − *w*₀). In the numerator, everything except *w*₀ *w*₁ cancels. Therefore
+//! **1/*w* is linear on the screen**:
 //!
 #![doc = formula!(
     {w = frac(w[0] w[1])(w[1] - q (w[1] - w[0]))}
@@ -360,7 +361,7 @@
 //!
 #![doc = formula!({g = frac(f)(fun lerp (w[1] / w[0], 1, f))} {a = fun lerp (a[0], a[1], g)})]
 //!
-//! [`Segment`](crate::view::Segment) has all of these:
+//! [`Segment`](crate::view::Segment) computes all of these values:
 //!
 //! ```
 //! use fixel::{Fraction, fx, view::Segment};
@@ -379,10 +380,10 @@
 //! <div class="warning">
 //!
 //! **Interpolating z.** If *z* were linear on the screen, the middle of the picture of this segment would be at a
-//! distance of 2.5. It is at 1.6. A depth test would let the wrong surface win, and a texture that is interpolated in
-//! this way bends along the diagonal of each square. Interpolate 1/*w* and *a*/*w*, and divide last. The mode
-//! [`Affine`](crate::mode::Affine) skips the division on purpose; [its error](crate::guide::modes#affine) has a
-//! formula.
+//! distance of 2.5. Its true distance is 1.6. A depth test would let the wrong surface win, and a texture that is
+//! interpolated in this way bends along the diagonal of each square. Interpolate 1/*w* and *a*/*w*, and divide last.
+//! The mode [`Affine`](crate::mode::Affine) skips the division on purpose; [its error](crate::guide::modes#affine) has
+//! a formula.
 //!
 //! </div>
 //!
@@ -394,8 +395,8 @@
 //! linear across the triangle in space: position, texture coordinates, color, normal, light.
 //!
 //! The triangle lies in a plane *k* · (*x*, *y*, *z*) = *c*. If *c* were 0, the eye would be in the plane, and the
-//! triangle would not be seen. On the near plane, *x* = *x*′*w*/*n*, *y* = *y*′*w*/*n* and *z* = −*w*. Put these in
-//! and divide by *c* *w*:
+//! triangle would not be seen. On the near plane, *x* = *x*′*w*/*n*, *y* = *y*′*w*/*n* and *z* = −*w*. Substitute
+//! these, and divide by *c* *w*:
 //!
 #![doc = formula!({frac(1)(w) = frac(k[x] prime(x) + k[y] prime(y) - n k[z])(c n)})]
 //!
@@ -413,8 +414,8 @@
 //!
 #![doc = diagram!("weights")]
 //!
-//! Along a row of pixels, a linear function changes by the same amount from pixel to pixel. A renderer adds this
-//! amount to 1/*w* and to each *a*/*w*. **One reciprocal a pixel** then serves all attributes.
+//! Along a row of pixels, a linear function changes by the same amount from pixel to pixel. A renderer adds this amount
+//! to 1/*w* and to each *a*/*w*. **One reciprocal per pixel** then serves all attributes.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
@@ -445,7 +446,8 @@
 //! # Fixed point
 //!
 //! **A fixed-point number is an integer whose unit is a power of two.** The unit bounds the rounding error, and the
-//! number of bits the range. Each quantity has the format that its range needs; [`num`](crate::num) lists all of them:
+//! number of bits bounds the range. Each quantity has the format that its range needs; [`num`](crate::num) lists all of
+//! them:
 //!
 //! | quantity | bits | unit |
 //! |---|---|---|
@@ -475,10 +477,10 @@
 //!
 #![doc = formula!({prime(r) = r (2 - Q r) = r (1 + e)} {1 - Q prime(r) = 1 - (1 - e) (1 + e) = e^2})]
 //!
-//! From one pixel to the next, *Q* changes by a small part δ of itself. The reciprocal of the last pixel is a guess
-//! with an error of δ, and one step (two products) makes it δ². The mode [`Newton`](crate::mode::Newton) takes its
-//! guess from the line through the last two reciprocals instead. The guess has an error of about 2δ², and the step
-//! makes it 4δ⁴.
+//! From one pixel to the next, *Q* changes by a small fraction δ of its value. The reciprocal of the last pixel is a
+//! guess with an error of δ, and one step (two products) reduces the error to δ². The mode
+//! [`Newton`](crate::mode::Newton) takes its guess from the line through the last two reciprocals instead. This guess
+//! has an error of about 2δ², and the step reduces the error to 4δ⁴.
 //!
 //! ```
 //! use fixel::num::reciprocal;
@@ -493,7 +495,7 @@
 //! ```
 //!
 //! **A straight piece needs a reciprocal only at its ends.** Let *a* = *P*/*Q* along a row, where *P* and *Q* are
-//! linear, and let a dot be the change per pixel. Differentiate *aQ* = *P* twice:
+//! linear, and let a dot over a letter mean its change per pixel. Differentiate *aQ* = *P* twice:
 //!
 #![doc = formula!(
     {dotted(a) Q + a dotted(Q) = dotted(P)}
@@ -501,8 +503,8 @@
     {|twice_dotted(a)| = 2 |dotted(a)| var "δ"}
 )]
 //!
-//! A chord over *L* pixels is off by at most an eighth of *L*² times the second derivative, |*ȧ*| δ *L*²/4. The mode
-//! [`Fast`](crate::mode::Fast) takes the longest pieces that keep this below your tolerance.
+//! The error of a chord over *L* pixels is at most |*ȧ*| δ *L*²/4, an eighth of *L*² times the second derivative. The
+//! mode [`Fast`](crate::mode::Fast) takes the longest pieces that keep this below your tolerance.
 //!
 #![doc = diagram!("pieces")]
 //!
@@ -542,9 +544,9 @@
 //!
 //! The vector *k* points backward, because the eye looks along −z. The vector *i* is orthogonal to *up* and *k*, and
 //! *j* lies in the plane of *up* and *k*, on the side of *up*. The part of *up* along *k* drops out of the cross
-//! product, so *up* need not be orthogonal to *k*. The three are orthonormal. A matrix *R* with the rows *i*, *j* and
-//! *k* takes these axes to x, y and z, and the view is *R* · translate(−eye). If the eye is at the target, or *up* is
-//! parallel to *k*, there is no such view, and [`Camera::look_at`](crate::Camera::look_at) returns an error.
+//! product, so *up* need not be orthogonal to *k*. The three vectors are orthonormal. A matrix *R* with the rows *i*,
+//! *j* and *k* maps these axes to x, y and z, and the view is *R* · translate(−eye). If the eye is at the target, or
+//! *up* is parallel to *k*, there is no such view, and [`Camera::look_at`](crate::Camera::look_at) returns an error.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -567,8 +569,9 @@
 //!
 #![doc = formula!({(fun translate (p) dot R)^{-1}} {= R^T dot fun translate (-p)})]
 //!
-//! **A camera can be placed like a model**, by a product of moves, its pose. The view is the inverse: the product of
-//! the inverses, in reverse order. [`Camera::at_pose`](crate::Camera::at_pose) inverts a pose.
+//! **A camera can be placed like a model**, by a product of moves. This product is its pose. The view is the inverse of
+//! the pose: the product of the inverse moves, in reverse order. [`Camera::at_pose`](crate::Camera::at_pose) inverts a
+//! pose.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -588,13 +591,14 @@
 //! <div class="warning">
 //!
 //! **A camera that is not inverted.** A pose places the eye in the world; a view moves the world in front of the eye.
-//! The last line uses the pose as the view ([`Camera::from_view`](crate::Camera::from_view)), and the target is at (3,
-//! 0, 4), behind the eye. You notice this mistake when the scene moves with the camera instead of against it.
+//! The last line above uses the pose as the view ([`Camera::from_view`](crate::Camera::from_view)). This puts the
+//! target at (3, 0, 4), behind the eye. You notice this mistake when the scene moves with the camera instead of against
+//! it.
 //!
 //! </div>
 //!
-//! **A chain of transforms is read from right to left**: viewport · projection · camera · model · point. Factors do
-//! not commute: a model that is turned and then moved is not where it is when moved and then turned.
+//! **A chain of transforms is read from right to left**: viewport · projection · camera · model · point. Factors do not
+//! commute: if a model is turned and then moved, it is not in the same place as if it is moved and then turned.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::Gray8;
@@ -642,14 +646,14 @@
 //!
 //! **An axonometric view is orthographic, from a direction that shows three sides of a box.** A unit vector along an
 //! axis of the world has the components *i*, *j* and *k* in the axes of the camera, and the picture shows the first
-//! two. Their squares add up to 1, so its image has the
+//! two. The squares of the three components add up to 1, so the image of the vector has the
 //!
 #![doc = formula!({length = sqrt(i^2 + j^2) = sqrt(1 - k^2)})]
 //!
 //! In an isometric view, all three axes have the same length, and therefore the same *k*. The three *k* are the
 //! components of the camera's back axis, a unit vector. So each is 1/√3, and each length is √(2/3) = 0.816. The camera
-//! is turned by 45° and raised by the angle whose sine is 1/√3, 35.26°. A dimetric view has two equal lengths, a
-//! trimetric view none. Looking along an axis shows the front, a side or the top.
+//! is turned by 45° and raised by the angle whose sine is 1/√3, 35.26°. A dimetric view has two equal lengths, and a
+//! trimetric view has none. A view along an axis shows the front, a side or the top.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -666,7 +670,7 @@
 //!
 #![doc = formula!({prime(x) = x + var "ρ" d fun cos var "φ"} {prime(y) = y + var "ρ" d fun sin var "φ"})]
 //!
-//! An edge of length one, straight back, has an image of length ρ: 1 in a cavalier projection, ½ in a cabinet
+//! An edge of length one that points straight back has an image of length ρ: 1 in a cavalier projection, ½ in a cabinet
 //! projection.
 //!
 #![doc = diagram!("parallel")]
@@ -690,21 +694,21 @@
 //!
 //! # Time
 //!
-//! **A motion that repeats once a second is *f*(*t*) = sin 2π*t***, with *t* in seconds. A rate of *m* turns a minute
+//! **A motion that repeats once a second is *f*(*t*) = sin 2π*t***, with *t* in seconds. A rate of *m* turns per minute
 //! is
 //!
 #![doc = formula!({frac(2 var "π" m)(60 dot 1000)})]
 //!
-//! radians a millisecond: 0.00105 for ten turns a minute.
+//! radians per millisecond: 0.00105 for ten turns per minute.
 //!
 #![doc = diagram!("sine")]
 //!
 //! An [`Angle`](crate::Angle) counts units of 2⁻³² of a turn in 32 bits, which wrap at a whole turn. A program can
-//! compute it from the time since the start (absolute), or add a step for each frame (incremental). If it adds rounded
-//! steps, their errors add up: 16 ms at ten turns a minute are 11,453,246.12 units, and each frame loses 0.12 of a
-//! unit. [`Rate::angle_at`](crate::Rate::angle_at) is absolute: it multiplies rate and time as integers, drops whole
-//! turns, and rounds once. [`Spin`](crate::Spin) is incremental: it adds exact fractions of a turn, and rounds only
-//! the result. Both give the same bits at any time, however long the frames are.
+//! compute an angle from the time since the start (absolute), or add a step for each frame (incremental). If it adds
+//! rounded steps, their errors add up: 16 ms at ten turns per minute are 11,453,246.12 units, so each frame loses 0.12
+//! of a unit. [`Rate::angle_at`](crate::Rate::angle_at) is absolute: it multiplies rate and time as integers, drops
+//! whole turns, and rounds once. [`Spin`](crate::Spin) is incremental: it adds exact fractions of a turn, and rounds
+//! only the result. Both give the same bits at any time, for frames of any length.
 //!
 //! ```
 //! use fixel::{Angle, Fraction, Rate, deg};

@@ -1,18 +1,18 @@
 //! The guide: from concepts to firmware.
 //!
 //! Read the pages in this order, or go straight to your question. The tests compile every program on these pages, and
-//! run every one that can run on a computer.
+//! run each program that can run on a computer.
 //!
 //! 1. **[Concepts](concepts)**: mesh, projection, camera, shader, options, canvas, depth and band, with diagrams;
 //!    how to write numbers; and what to check when the scene is wrong.
 //! 2. **[Coming from](coming_from)** OpenGL, tgx, embedded-3dgfx or small3dlib: their terms, the terms of fixel, and
-//!    what differs. Skip it if you know none of these.
-//! 3. **[Cookbook](cookbook)**: short programs with their pictures, one idea each.
+//!    what differs. Skip this page if you know none of these libraries.
+//! 3. **[Cookbook](cookbook)**: short programs with their pictures. Each program shows one idea.
 //! 4. **[Firmware](firmware)**: from `cargo new` to a panel on SPI, with bands and DMA.
 //! 5. **[Displays](displays)**: windows of a frame, round panels, electronic paper, OLEDs, 18 bits a pixel, tearing,
 //!    two frames.
-//! 6. **[Mathematics](mathematics)**: from similar triangles to the pixel; every formula derived, and checked by a
-//!    program.
+//! 6. **[Mathematics](mathematics)**: from similar triangles to the pixel. Every formula is derived, and a program
+//!    checks it.
 //! 7. **[Choosing a mode](modes)**: speed against accuracy, and how each bound is derived.
 //! 8. **[Limits](limits)**: the range of each quantity, and what happens beyond it.
 //! 9. **[Benchmarks](benchmarks)**: what drawing costs, compared with other libraries.
@@ -84,8 +84,8 @@ mod formula;
 pub mod concepts;
 pub mod mathematics;
 
-/// For readers who know another 3D library: the names of its parts in fixel, and the differences that show in a
-/// picture.
+/// If you know another 3D library, this page gives the names of its parts in fixel, and the differences that you see in
+/// a picture.
 ///
 #[cfg_attr(doc, doc = diagram!("axes"))]
 #[doc = include_str!("coming_from.md")]
@@ -123,11 +123,11 @@ pub mod coming_from {}
 #[doc = recipe!("Instruments", "instruments")]
 #[doc = recipe!("A drone's display", "drone")]
 #[doc = picture!("A little world", "world")]
-/// A walk through a garden at dusk uses most of the techniques on this page. Walls, grass and water have mipmaps. Trees
-/// are sprites, and so is the glow around each lamp; the lamps light the walls near them. There is fog, a sky with
-/// stars and a moon, and a mirror image under translucent water. Labels, a compass, gauges and a map are drawn over the
-/// picture. The command `cargo run -p cookbook world` draws the picture and an animation. The program is in
-/// `examples/common/world`; it draws whole frames or bands, and needs no memory besides the canvas.
+/// A walk through a garden at dusk uses most of the techniques on this page. Walls, grass and water have mipmaps. The
+/// trees and the glow around each lamp are sprites. The lamps light the walls near them. The scene also has fog, a sky
+/// with stars and a moon, and a mirror image under translucent water. Labels, a compass, gauges and a map are drawn
+/// over the picture. The command `cargo run -p cookbook world` draws the picture and an animation. The program is in
+/// `examples/common/world`. It draws whole frames or bands, and needs no memory except the canvas.
 ///
 // So rows of 100 columns fit the page.
 /// <style>.docblock pre.rust { font-size: 15px }</style>

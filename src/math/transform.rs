@@ -132,8 +132,8 @@ impl Transform {
         t
     }
 
-    /// Scales all axes by one factor about the origin. The factor keeps 30 significant bits: from ±16,384 on, it is
-    /// rounded to nearest.
+    /// Scales all axes by one factor about the origin. The factor keeps 30 significant bits. If it is ±16,384 or more,
+    /// it is rounded to nearest.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -228,7 +228,7 @@ impl Transform {
     /// Makes a transform rigid again after many multiplications: the rows of its matrix become
     /// orthogonal and of length one.
     ///
-    /// The z axis keeps its direction, and the y axis stays in its plane with z. A mirror stays a mirror. A matrix
+    /// The z axis keeps its direction, and the y axis stays in the plane of y and z. A mirror stays a mirror. A matrix
     /// whose rows are zero or parallel is returned unchanged.
     ///
     /// Use it on rotations and translations that are multiplied frame by frame.

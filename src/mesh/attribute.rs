@@ -67,7 +67,8 @@ impl<'a, T: Copy> Attribute<'a, T> {
 
 /// Adds, removes and finds attributes.
 impl<'a> Mesh<'a> {
-    /// Adds texture coordinates: one per position, or, with `faces`, any number and three indices per triangle.
+    /// Adds texture coordinates: one per position or, with `faces`, any number of values and three indices per
+    /// triangle.
     ///
     /// # Errors
     ///
@@ -82,8 +83,8 @@ impl<'a> Mesh<'a> {
         Ok(Self { uvs, ..self })
     }
 
-    /// Adds normals in model space, of any length: one per position, or, with `faces`, any number and three indices
-    /// per triangle.
+    /// Adds normals in model space, of any length: one per position or, with `faces`, any number of values and three
+    /// indices per triangle.
     ///
     /// # Errors
     ///
@@ -97,7 +98,7 @@ impl<'a> Mesh<'a> {
         Ok(Self { normals, ..self })
     }
 
-    /// Adds colors: one per position, or, with `faces`, any number and three indices per triangle.
+    /// Adds colors: one per position or, with `faces`, any number of values and three indices per triangle.
     ///
     /// # Errors
     ///
@@ -118,7 +119,8 @@ impl<'a> Mesh<'a> {
         Self { uvs, ..self }
     }
 
-    /// The mesh without its normals; see [`without_edges`](Self::without_edges). Light then falls on flat faces.
+    /// The mesh without its normals; see [`without_edges`](Self::without_edges). Lighting then uses the normals of the
+    /// triangles.
     #[must_use]
     pub const fn without_normals(self) -> Self {
         let normals = Attribute::NONE;

@@ -5,8 +5,8 @@ use crate::Vec3;
 
 /// An upright box in model space, such as the smallest one around a mesh.
 ///
-/// From the box, [`Canvas::is_in_view`](crate::Canvas::is_in_view) tells whether a mesh may have pixels. For a
-/// `static`, the compiler computes a mesh's box.
+/// From the box, [`Canvas::is_in_view`](crate::Canvas::is_in_view) tells whether a mesh may have pixels. In a `static`,
+/// the compiler computes the box of a mesh.
 ///
 /// ```
 /// use fixel::mesh::Bounds;

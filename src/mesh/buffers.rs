@@ -4,7 +4,7 @@ use super::{Index, Mesh, Positions};
 use crate::error::{check_count, ok};
 use crate::{Error, Vec2, Vec3};
 
-/// The number of elements in each list of a mesh, and so the room that the mesh needs in [`Buffers`].
+/// The number of elements in each list of a mesh, which is the room that the mesh needs in [`Buffers`].
 ///
 /// ```
 /// use fixel::mesh::Shape;

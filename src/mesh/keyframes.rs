@@ -8,10 +8,10 @@ use crate::error::{check_length, ok};
 use crate::num::wide::product;
 use crate::{Error, Scalar, Vec3, message};
 
-/// Two poses of one mesh, to be blended: the positions, and the normals if both poses have them.
+/// Two poses of one mesh that can be blended: their positions and, if both poses have them, their normals.
 ///
-/// Both meshes need the same faces. Texture coordinates, colors and edges are those of the first. A `static` of this
-/// type is checked at compile time. Of the second mesh, it stores only positions and normals in flash.
+/// Both meshes need the same faces. Texture coordinates, colors and edges come from the first mesh. A `static` of this
+/// type is checked at compile time. It stores only the positions and normals of the second mesh in flash.
 ///
 /// An animation of many poses is an array of `Keyframes`, one for each step from a pose to the next: see
 /// [`blend_chain`](Self::blend_chain).
@@ -125,9 +125,9 @@ impl<'a> Keyframes<'a> {
         message::checked(result, "keyframes")
     }
 
-    /// The mesh at a time along a chain of poses, in which each pair begins with the pose that ends the one before it:
-    /// at time 0 the first pose, at time 1 the second, at 1.5 the middle between the second and the third. Before
-    /// time 0, it is the first pose; after the last pose, the last.
+    /// The mesh at a time along a chain of poses. Each pair must begin with the pose that ends the pair before it. The
+    /// mesh is the first pose at time 0, the second pose at time 1, and the middle between the second and the third
+    /// pose at time 1.5. Before time 0, it is the first pose; after the time of the last pose, it is the last pose.
     ///
     /// ```
     /// use fixel::mesh::Keyframes;
@@ -175,8 +175,8 @@ impl<'a> Keyframes<'a> {
     ///
     /// Each component is rounded once to the nearest 2⁻¹⁶, halves up, and saturates. At `t` = 0 and `t` = 1 it is
     /// exact. Blended normals become shorter; this does not affect the lights of this crate, which use only directions.
-    /// If you pass no room for normals (`&mut []`), or if only one pose has them, the mesh has none, and light falls on
-    /// its flat faces.
+    /// If you pass no room for normals (`&mut []`), or if only one pose has them, the mesh has no normals, and lighting
+    /// uses the normals of its triangles.
     ///
     /// # Errors
     ///

@@ -21,9 +21,9 @@ pub type Index = u16;
 /// and edges.
 ///
 #[cfg_attr(doc, doc = diagram!("winding"))]
-/// Attributes are indexed like positions, unless they come with faces of their own: in an OBJ file, a position may have
-/// a different texture coordinate in each face. In such faces, [`NO_VALUE`](Self::NO_VALUE) is the index of a corner
-/// without a value. Front faces are counter-clockwise as seen by the viewer.
+/// Attributes are indexed like positions, unless they have their own faces. For example, in an OBJ file, a position may
+/// have a different texture coordinate in each face. In such faces, [`NO_VALUE`](Self::NO_VALUE) is the index of a
+/// corner without a value. Front faces are counter-clockwise as seen by the viewer.
 ///
 /// The constructors check every index; for a `static`, this happens at compile time:
 ///
@@ -75,13 +75,13 @@ pub(super) const fn check<const K: usize>(
 }
 
 impl<'a> Mesh<'a> {
-    /// The index, in the `faces` of an attribute, of a corner that has no value. The corner then gets the texture
+    /// The index that marks, in the `faces` of an attribute, a corner without a value. The corner then gets the texture
     /// coordinate (0, 0), the normal of its triangle, or white.
     ///
     /// (In a list of 65,536 values, this index names the last value.)
     pub const NO_VALUE: Index = Index::MAX;
 
-    /// The most positions that an [`Index`] can count.
+    /// The largest number of positions that an [`Index`] can address.
     ///
     /// ```
     /// use fixel::{Error, Mesh, Vec3};
@@ -108,8 +108,9 @@ impl<'a> Mesh<'a> {
     ///
     /// Rounding to these units moves a position by up to half a unit along each axis. On the screen, this moves the
     /// position by up to √3/2 · (1 + s) units times focal length / w, where s is the slope x/w or y/w at which the
-    /// position is seen. For a sphere that fills 320x240, with 14 fraction bits, this is 0.008 pixels. Such a position
-    /// takes 7 instructions more to transform than a 32-bit one on Cortex-M4, and about 10 more on Cortex-M0+.
+    /// position is seen. For a sphere that fills 320x240, with 14 fraction bits, this is 0.008 pixels. Transforming
+    /// such a position takes 7 instructions more than transforming a 32-bit position on Cortex-M4, and about 10 more on
+    /// Cortex-M0+.
     ///
     /// [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) produce such meshes with the argument
     /// `short`; [`Mesh::shortened`] converts the positions of any mesh.
@@ -193,7 +194,7 @@ impl<'a> Mesh<'a> {
         Ok(Self { edges, ..self })
     }
 
-    /// The mesh without its edges. A `static` of the result takes no flash for them.
+    /// The mesh without its edges. A `static` that holds the result uses no flash for edges.
     ///
     /// [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) make all lists, and every list that a
     /// `static` keeps takes flash. So drop the lists that no draw call reads:

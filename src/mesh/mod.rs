@@ -8,15 +8,15 @@
 //!
 //! [`Sprites`] are rectangles that face the viewer, one at each position of a slice.
 //!
-//! [`Keyframes`] blends two poses of a mesh. [`Outline`] holds a mesh's edges with the faces beside them.
+//! [`Keyframes`] blends two poses of a mesh. [`Outline`] holds a mesh's edges, each with its adjacent faces.
 //!
 //! A shader reads a mesh as a [`Primitive`] and its [`Corner`]s.
 //!
 //! # Less flash
 //!
-//! [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) store a mesh in fewer bits with the argument
-//! `short` (only the positions), `quantized_16` or `quantized_8` (all lists; the number is the bits of a texture
-//! coordinate):
+//! [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) can store a mesh in fewer bits. The argument
+//! `short` reduces only the positions. The arguments `quantized_16` and `quantized_8` reduce all lists; the number in
+//! the name is the number of bits of a texture coordinate:
 //!
 //! | list | bytes | in fewer bits | largest error |
 //! |---|---|---|---|
@@ -27,12 +27,12 @@
 //!
 #![cfg_attr(doc, doc = page_picture!("quantized", "The same ring with numbers of 32 bits, and quantized"))]
 //! A normal's largest component becomes ±127, and the others are rounded to nearest, halves up. This turns the normal
-//! by at most asin(√½ / 127). For u and v each, the range from the least texture coordinate to the greatest is divided
-//! into equal steps. Where coordinates run from 0 to 1, a texture with 64 texels in a row moves by up to 1/2048 texel
-//! with 16 bits, and by up to 1/8 texel with 8.
+//! by at most asin(√½ / 127). The range from the least texture coordinate to the greatest is divided into equal steps,
+//! separately for u and v. If coordinates range from 0 to 1, a texture with 64 texels in a row moves by up to 1/2048
+//! texel with 16 bits, and by up to 1/8 texel with 8 bits.
 //!
-//! The attributes of each triangle that is drawn are unpacked; for normals, this takes a few instructions in a hundred
-//! on Cortex-M4. A program without such meshes does not contain the code.
+//! The attributes of each triangle are unpacked when it is drawn. For normals, this takes a few percent of the
+//! instructions on Cortex-M4. A program without such meshes does not contain the code.
 //!
 //! ```
 //! use fixel::prelude::*;

@@ -70,13 +70,13 @@ fn weighted(normal: Direction, angle: i32) -> Vec3 {
 }
 
 impl<'a> Mesh<'a> {
-    /// Adds computed normals, one per position, so that light runs smoothly over all edges.
+    /// Adds computed normals, one per position, so that light changes smoothly across all edges.
     ///
-    /// A normal is the mean of the normals of the triangles around its position, weighted by their angles there, so it
-    /// does not depend on how polygons were cut into triangles. It has length one. Its direction is accurate to 2⁻¹²
-    /// radians, if the triangles do not face away from one another and their angles there are at least 0.1 degrees.
-    /// Angles are multiples of 2⁻²² radians. A position without triangles, or only with sharper ones, gets the zero
-    /// vector.
+    /// A normal is the mean of the normals of the triangles around its position. Each triangle is weighted by its angle
+    /// at the position, so the normal does not depend on how polygons were cut into triangles. It has length one. Its
+    /// direction is accurate to 2⁻¹² radians, if the triangles do not face away from one another and their angles at
+    /// the position are at least 0.1 degrees. Angles are multiples of 2⁻²² radians. A position that has no triangles,
+    /// or only triangles with sharper angles, gets the zero vector.
     ///
     /// The time grows in proportion to the number of triangles, so a mesh that moves can get new normals in each frame.
     ///
@@ -116,12 +116,14 @@ impl<'a> Mesh<'a> {
         self.with_normals(normals, None)
     }
 
-    /// Adds computed normals, so that light runs smoothly over edges whose triangles meet at an angle of at most
-    /// `crease`, and jumps at sharper ones. At 0 degrees, only flat polygons are smooth; at 180, everything is.
+    /// Adds computed normals, so that light changes smoothly across edges whose triangles meet at an angle of at most
+    /// `crease`, and changes abruptly at sharper edges. At 0 degrees, only flat polygons are smooth; at 180 degrees,
+    /// everything is smooth.
     ///
-    /// The normal of a triangle's corner is a mean over the triangles around its position: over those whose own normals
-    /// are within `crease` of this triangle's, weighted as in [`with_smooth_normals`](Self::with_smooth_normals). Equal
-    /// normals are stored once: a box needs 6. There are at most three per triangle; `faces` receives their indices.
+    /// The normal of a triangle's corner is the mean of the normals of triangles around its position. Only triangles
+    /// whose own normals are within `crease` of this triangle's normal count. They are weighted as in
+    /// [`with_smooth_normals`](Self::with_smooth_normals). Equal normals are stored once, so a box needs 6. There are
+    /// at most three normals per triangle; `faces` receives the indices of the normals.
     ///
     /// The time grows with the square of the number of triangles, so do this once, not for each frame.
     ///
@@ -144,7 +146,7 @@ impl<'a> Mesh<'a> {
     /// # Errors
     ///
     /// [`Error::CreaseAngle`] if `crease` is above 180 degrees; [`Error::TooMany`] if `faces` has fewer elements than
-    /// the mesh has triangles, or if there are more different normals than `normals` has elements or than 65,535.
+    /// the mesh has triangles, or if the number of different normals is above the length of `normals` or above 65,535.
     pub fn with_creased_normals(
         self,
         crease: Angle,

@@ -10,16 +10,16 @@ use crate::num::Angle;
 /// [`Mesh::outline`] draws the edges that show the shape, as seen from the eye:
 ///
 /// - *creases*, where two faces meet at an angle above a limit, if at least one of them is not culled;
-/// - *silhouettes*, where a front face meets a back face, and borders, which have only one face. As with creases, at
-///   least one face must not be culled.
+/// - *silhouettes*, where a front face meets a back face, and borders, which have only one face. As with creases, these
+///   edges are drawn only if at least one of their faces is not culled.
 ///
-/// So a convex mesh shows no hidden lines even without a depth buffer. For other meshes, draw the faces into a depth
-/// buffer first, as in the example there; they hide the lines behind them.
+/// Therefore, a convex mesh shows no hidden lines even without a depth buffer. For other meshes, first draw the faces
+/// into a depth buffer, as in the example of [`Mesh::outline`]; the faces then hide the lines behind them.
 ///
-/// [`outline!`](crate::outline) finds the edges at compile time and stores 8 bytes for each in flash. At run time,
-/// [`build`](Self::build) does the same in the caller's memory. The outline may be drawn with another mesh that has the
-/// same faces, such as another frame of an animation. Silhouettes then follow the positions that are drawn; creases
-/// remain the same edges.
+/// [`outline!`](crate::outline) finds the edges at compile time and stores 8 bytes per edge in flash. At run time,
+/// [`build`](Self::build) finds the edges and stores them in the caller's memory. The outline may be drawn with another
+/// mesh that has the same faces, such as another frame of an animation. Silhouettes then follow the positions that are
+/// drawn; creases remain the same edges.
 ///
 /// ```
 /// use fixel::mesh::Outline;
@@ -77,14 +77,14 @@ impl<'a> Outline<'a> {
     }
 
     /// Finds the outline of a mesh. Edges at which the normals of the faces differ by more than `crease` are creases.
-    /// With 0 degrees, these are all edges of polygons; with 180 degrees, there are none.
+    /// At 0 degrees, all edges of polygons are creases; at 180 degrees, there are no creases.
     ///
-    /// `edges` needs room for the three sides of every face. About half of it is used.
+    /// `edges` needs room for the three sides of every face. About half of this room is used.
     ///
     /// Two sides form an edge if their ends have the same positions, even under different indices, so a seam of texture
-    /// coordinates is not a border. Faces without area count as absent. The diagonals of flat polygons, whose faces lie
-    /// within 2⁻¹⁰ radians (0.056 degrees) of one plane, are never creases. Two faces that run along an edge in the
-    /// same direction each have a border there. Lines of an OBJ file that belong to no face are left out.
+    /// coordinates is not a border. Faces without area are ignored. The diagonals of flat polygons, whose faces lie
+    /// within 2⁻¹⁰ radians (0.056 degrees) of one plane, are never creases. If two faces run along an edge in the same
+    /// direction, each face has a border at that edge. Lines of an OBJ file that belong to no face are left out.
     ///
     /// ```
     /// use fixel::mesh::Outline;

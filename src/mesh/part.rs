@@ -6,11 +6,11 @@ use embedded_graphics::pixelcolor::Rgb888;
 
 use super::Mesh;
 
-/// What a model file says of a surface. [`include_materials!`](crate::include_materials) makes it.
+/// What a model file says about a surface. [`include_materials!`](crate::include_materials) makes it.
 ///
-/// It is data for the program, which decides how to draw: a texture by its name, a translucent part with
-/// [`Opacity`](crate::canvas::Opacity) after the opaque ones, one that is seen from both sides with
-/// [`Cull::Nothing`](crate::Cull::Nothing).
+/// A material is only data: the program decides how to draw the surface. For example, the program can find a texture by
+/// its name, draw a translucent part with [`Opacity`](crate::canvas::Opacity) after the opaque parts, and draw a part
+/// that is seen from both sides with [`Cull::Nothing`](crate::Cull::Nothing).
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
@@ -24,17 +24,17 @@ pub struct Material<'a> {
     pub name: &'a str,
     /// The color where no texture is drawn.
     pub color: Rgb888,
-    /// The name of the texture: that of its file or, if the model contains the picture, of the picture.
+    /// The name of the texture: the name of its file or, if the model contains the picture, the name of the picture.
     pub texture: Option<&'a str>,
     /// What the texture's alpha means.
     pub alpha: TextureAlpha,
-    /// From 0, which is invisible, to 255, which is opaque.
+    /// The opacity, from 0 (invisible) to 255 (opaque).
     pub opacity: u8,
     /// Light that the surface sends out by itself.
     pub emission: Rgb888,
     /// Whether faces are seen from behind, too.
     pub two_sided: bool,
-    /// Whether the texture's border continues along u and v; otherwise, the texture repeats.
+    /// Whether the texture's border continues beyond its edges, along u and along v; otherwise, the texture repeats.
     pub clamp: [bool; 2],
 }
 
@@ -43,8 +43,8 @@ pub struct Material<'a> {
 pub enum TextureAlpha {
     /// Nothing: the texture is opaque.
     Ignored,
-    /// Texels below this alpha are holes, the others are opaque. The holes of [`Argb1555`](crate::texture::Argb1555)
-    /// are those below 128.
+    /// Texels with an alpha below this value are holes; the others are opaque. In
+    /// [`Argb1555`](crate::texture::Argb1555), texels with an alpha below 128 are holes.
     Cut(u8),
     /// The texels' opacity: see [`Argb4444`](crate::texture::Argb4444).
     Blended,
@@ -128,9 +128,9 @@ impl<'a> Part<'a> {
 }
 
 impl Mesh<'_> {
-    /// The mesh reduced to a range of its triangles; a range beyond the end is cut. It keeps all positions and
-    /// attributes, drops the edges, and needs no new check. To shaders, its triangles have the
-    /// [indices](crate::Primitive::face) of the whole mesh.
+    /// The mesh reduced to a range of its triangles; a range that reaches beyond the end is shortened. The part keeps
+    /// all positions and attributes, drops the edges, and needs no new check. For shaders, its triangles keep the
+    /// [indices](crate::Primitive::face) that they have in the whole mesh.
     ///
     /// ```
     /// use fixel::prelude::*;

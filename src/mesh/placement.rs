@@ -22,7 +22,7 @@ pub(crate) struct Placement<'a> {
     pub(crate) entry: Cell<usize>,
 }
 
-/// The attributes that a shader asked for and the mesh lacks; a draw call returns it.
+/// The attributes that a shader asked for but the mesh lacks; a draw call returns this value.
 ///
 /// Without texture coordinates, a mesh shows a single texel everywhere; without colors, it is white. Neither is an
 /// error, because both may be intended.

@@ -118,8 +118,8 @@ impl Primitive<'_> {
         }
     }
 
-    /// Whether this is a triangle that shows its front to the eye, by the same rule as for culling; an edge or a point
-    /// has no front. So a shader can give the two sides of a sheet two colors:
+    /// Whether this is a triangle whose front faces the eye, by the same rule as for culling; an edge or a point has no
+    /// front. With this function, a shader can give the two sides of a sheet different colors:
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;
@@ -156,7 +156,7 @@ impl Primitive<'_> {
     }
 
     /// The index of the triangle among the mesh's [`faces`](Mesh::faces); `None` for an edge or a point. In a
-    /// [part](Mesh::part) of a mesh, triangles keep the indices that they have in the whole.
+    /// [part](Mesh::part) of a mesh, triangles keep the indices that they have in the whole mesh.
     #[must_use]
     #[inline]
     pub const fn face(&self) -> Option<usize> {
@@ -308,8 +308,8 @@ pub struct Corner<'a> {
 }
 
 impl Corner<'_> {
-    /// The index of the position among the mesh's [`positions`](Mesh::positions), also in a part of a mesh: for values
-    /// of your own, one for each position.
+    /// The index of the position among the mesh's [`positions`](Mesh::positions), even in a part of a mesh. Use it to
+    /// look up your own values, one per position.
     #[must_use]
     #[inline]
     pub fn index(&self) -> Index {
@@ -340,7 +340,7 @@ impl Corner<'_> {
         -place.z
     }
 
-    /// The texture coordinate; (0, 0) if the mesh has none here.
+    /// The texture coordinate; (0, 0) if the mesh has none at this corner.
     #[must_use]
     #[inline]
     pub fn uv(&self) -> Vec2 {
@@ -349,7 +349,7 @@ impl Corner<'_> {
         uv.unwrap_or_else(|| self.primitive.placement.lacks_uvs())
     }
 
-    /// The normal in model space, of any length; the triangle's own if the mesh has none here.
+    /// The normal in model space, of any length; the triangle's own normal if the mesh has none at this corner.
     #[must_use]
     #[inline]
     pub fn normal(&self) -> Vec3 {
@@ -358,7 +358,7 @@ impl Corner<'_> {
         normal.unwrap_or_else(|| self.primitive.normal())
     }
 
-    /// The color; white if the mesh has none here.
+    /// The color; white if the mesh has none at this corner.
     #[must_use]
     #[inline]
     pub fn color(&self) -> Rgb888 {

@@ -10,9 +10,9 @@ use crate::{Error, Scalar, Vec2, Vec3};
 /// [`Canvas::draw`](crate::Canvas::draw) draws all of them, for example particles, in one call.
 ///
 /// All sprites have one size, in units of the world or in pixels. Their texture coordinates run from (0, 0) at the top
-/// left to (1, 1) at the bottom right. With an [axis](Self::with_axis), they turn only about it, as trees must. Each
-/// sprite may have a [scale](Self::with_scales), a [color](Self::with_colors) and a [frame](Self::with_frames) of its
-/// own.
+/// left to (1, 1) at the bottom right. With an [axis](Self::with_axis), they turn only about that axis, as trees must.
+/// Each sprite may have a [scale](Self::with_scales), a [color](Self::with_colors) and a [frame](Self::with_frames) of
+/// its own.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -59,17 +59,17 @@ use crate::{Error, Scalar, Vec2, Vec3};
 ///
 /// A sprite is two triangles, drawn by the same rules as a mesh's. Nothing is culled, because sprites have no backs. A
 /// sprite without an [axis](Self::with_axis) is a rectangle on the screen. It is drawn as one primitive, which costs
-/// less than two triangles, unless it is clipped, its shader has [values per face](crate::shade::PerFace) (as mipmaps
-/// have), or a varying changes both across and down, as the light of a lamp does. It has the same pixels and depths as
-/// the triangles, and its varyings are as accurate.
+/// less than two triangles. The exceptions are a sprite that is clipped, a shader that has [values per
+/// face](crate::shade::PerFace) (as mipmaps have), and a varying that changes both across and down, as the light of a
+/// lamp does. The one primitive has the same pixels and depths as the two triangles, and its varyings are as accurate.
 ///
-/// Every shader works: to it, sprites are a mesh in eye space whose normals point toward the viewer. The two triangles
-/// of sprite i have the indices 2i and 2i + 1. A corner's way from the sprite's position is accurate to 2⁻²⁶ of the
-/// longest one. Then corners are rounded to the nearest [`Scalar`]s in eye space, which moves them by at most
-/// 2⁻¹⁶ · focal length / w pixels. A sprite with a corner beyond ±32,768 in eye space is not drawn.
+/// Every shader works with sprites. For a shader, sprites are a mesh in eye space whose normals point toward the
+/// viewer. The two triangles of sprite i have the indices 2i and 2i + 1. The offset of a corner from the sprite's
+/// position is accurate to 2⁻²⁶ of the longest offset. Then corners are rounded to the nearest [`Scalar`]s in eye
+/// space, which moves them by at most 2⁻¹⁶ · focal length / w pixels. A sprite with a corner beyond ±32,768 in eye
+/// space is not drawn.
 ///
-/// With [`cut_out`](crate::Textured::cut_out), sprites may be drawn in any order, because holes leave depths as they
-/// are.
+/// With [`cut_out`](crate::Textured::cut_out), sprites may be drawn in any order, because holes do not change depths.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -154,8 +154,8 @@ impl<'a> Sprites<'a> {
         })
     }
 
-    /// Sprites of one width and height in pixels at any distance, such as marks on a map. Each has the depth of its
-    /// position.
+    /// Sprites of one width and height in pixels at any distance, such as marks on a map. Each sprite has the depth of
+    /// its position.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -211,8 +211,9 @@ impl<'a> Sprites<'a> {
         })
     }
 
-    /// Sets which point of a sprite lies at its position, as a texture coordinate: (0.5, 0.5) by default, which is the
-    /// middle. Use (0.5, 1) for something that stands on the ground. Beyond 0 to 1, the point lies outside the sprite.
+    /// Sets the point of a sprite that lies at its position, as a texture coordinate. The default is (0.5, 0.5), which
+    /// is the middle. Use (0.5, 1) for something that stands on the ground. If a coordinate is below 0 or above 1, the
+    /// point lies outside the sprite.
     #[must_use]
     pub const fn with_anchor(self, anchor: Vec2) -> Self {
         Self { anchor, ..self }
@@ -230,7 +231,7 @@ impl<'a> Sprites<'a> {
     }
 
     /// Gives each sprite a color, for shaders that read [vertex colors](crate::Corner::color):
-    /// [`Gouraud`](crate::Gouraud), and `tinted` ones.
+    /// [`Gouraud`](crate::Gouraud) and `tinted` shaders.
     ///
     /// # Errors
     ///
@@ -263,12 +264,12 @@ impl<'a> Sprites<'a> {
         })
     }
 
-    /// Leaves out the border of each frame, or of the whole texture: this much of the texture's width on the left and
-    /// on the right, and of its height at the top and at the bottom.
+    /// Leaves out the border of each frame, or of the whole texture. `inset` is the size of the border: a fraction of
+    /// the texture's width on the left and on the right, and a fraction of its height at the top and at the bottom.
     ///
-    /// A [bilinear](crate::Textured::bilinear) filter blends texels of neighboring frames at the border. Half a texel
-    /// prevents it: 1/128 for a texture of 64 texels. For mipmaps, take half a texel of the smallest level that is
-    /// used.
+    /// At the border, a [bilinear](crate::Textured::bilinear) filter also blends texels of neighboring frames. An inset
+    /// of half a texel prevents this: 1/128 for a texture of 64 texels. For mipmaps, use half a texel of the smallest
+    /// level that is used.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};

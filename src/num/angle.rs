@@ -85,14 +85,14 @@ impl Angle {
         (self.0 as i64 * 3_600_000 + (1 << 31)) >> 32
     }
 
-    /// Makes an angle from turns; exact. Whole turns drop out.
+    /// Makes an angle from turns; exact. Whole turns are dropped.
     #[must_use]
     pub const fn from_turns(turns: Scalar) -> Self {
         #[allow(clippy::cast_sign_loss)] // whole turns drop out
         Self((turns.to_bits() as u32) << 16)
     }
 
-    /// Makes an angle from radians, accurate to one unit. Whole turns drop out.
+    /// Makes an angle from radians, accurate to one unit. Whole turns are dropped.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -110,7 +110,7 @@ impl Angle {
         Self(units.cast_unsigned() as u32)
     }
 
-    /// Makes an angle from a float or an integer in degrees, rounded to the nearest unit. Whole turns drop out.
+    /// Makes an angle from a float or an integer in degrees, rounded to the nearest unit. Whole turns are dropped.
     ///
     /// # Errors
     ///
@@ -132,10 +132,10 @@ impl Angle {
         Self::nearest(degrees, 360.0)
     }
 
-    /// Makes an angle from a float in radians. Whole turns drop out.
+    /// Makes an angle from a float in radians. Whole turns are dropped.
     ///
-    /// It is accurate to one unit for up to ten million radians. Beyond, a turn is not 2π but the nearest `f64`, which
-    /// adds an error of 4e-17 of the float.
+    /// It is accurate to one unit for up to ten million radians. Beyond that, the `f64` nearest to 2π counts as a turn,
+    /// which adds an error of 4e-17 of the float.
     ///
     /// # Errors
     ///
@@ -144,7 +144,7 @@ impl Angle {
         Self::nearest(radians.into(), core::f64::consts::TAU)
     }
 
-    /// Makes an angle from a float in turns, rounded to the nearest unit. Whole turns drop out.
+    /// Makes an angle from a float in turns, rounded to the nearest unit. Whole turns are dropped.
     ///
     /// # Errors
     ///

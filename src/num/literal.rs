@@ -24,8 +24,8 @@ macro_rules! __rounded {
 
 /// A [`Scalar`](crate::Scalar) from a literal, rounded to nearest at compile time.
 ///
-/// `fx!(const …)` takes a constant expression of any primitive number. A value out of range does
-/// not compile. For a number known at run time, call `Scalar::try_from`.
+/// `fx!(const …)` accepts a constant expression of any primitive number type. A value out of range does not compile.
+/// For a number known at run time, call `Scalar::try_from`.
 ///
 /// ```
 /// use fixel::fx;
@@ -53,8 +53,8 @@ macro_rules! fx {
 
 /// An [`Angle`](crate::Angle) from a literal in degrees, rounded to the nearest unit at compile time.
 ///
-/// Whole turns drop out. `deg!(const …)` takes a constant expression of any primitive number. A value
-/// that is infinite or not a number does not compile. For a value known at run time, call
+/// Whole turns are dropped. `deg!(const …)` accepts a constant expression of any primitive number type. A value that is
+/// infinite or not a number does not compile. For a value known at run time, call
 /// [`Angle::try_from_degrees`](crate::Angle::try_from_degrees).
 ///
 /// ```

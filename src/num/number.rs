@@ -111,7 +111,8 @@ macro_rules! number {
         }
 
         impl fmt::Display for $Number {
-            /// Writes as many decimals as tell it from its neighbors, or as many as the format asks for.
+            /// Writes as many decimals as are needed to tell the number from its neighbors, or as many as the format
+            /// asks for.
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 fixed::types::$Fixed::from(*self).fmt(f)
             }
@@ -182,9 +183,9 @@ macro_rules! number {
 number! {
     /// Coordinates and distances: signed, 16 integer and 16 fraction bits.
     ///
-    /// Range −32768 to 32768 − 2⁻¹⁶, resolution 2⁻¹⁶ ≈ 1.5e-5. [`fx!`](crate::fx) writes a literal; `From` and
-    /// `TryFrom` convert floats and integers at run time. Operators never panic; [`num`](crate::num) says how they
-    /// round and saturate.
+    /// The range is −32768 to 32768 − 2⁻¹⁶, and the resolution is 2⁻¹⁶ ≈ 1.5e-5. [`fx!`](crate::fx) writes a literal;
+    /// `From` and `TryFrom` convert floats and integers at run time. Operators never panic; [`num`](crate::num) says
+    /// how they round and saturate.
     ///
     /// ```
     /// use fixel::{Error, Scalar, fx};
@@ -207,7 +208,7 @@ number! {
     /// assert_eq!(Scalar::from(I16F16::from(fx!(9)).sqrt()), fx!(3));
     /// ```
     ///
-    /// A float is not taken for a number, because converting it may fail:
+    /// A float is not accepted in place of a number, because its conversion may fail:
     ///
     /// ```compile_fail,E0308
     /// use fixel::prelude::*;
@@ -222,9 +223,9 @@ number! {
 number! {
     /// Texture coordinates in repeats of the texture: signed, 12 integer and 20 fraction bits.
     ///
-    /// Range −2048 to 2048 − 2⁻²⁰, resolution 2⁻²⁰ ≈ 9.5e-7. Its rounding moves a texture of 256 texels
-    /// by at most 1.2e-4 texel; a [`Scalar`] would move it by 2e-3. [`vec2!`](crate::vec2) writes
-    /// a pair of literals. Operators and conversions are those of [`Scalar`].
+    /// The range is −2048 to 2048 − 2⁻²⁰, and the resolution is 2⁻²⁰ ≈ 9.5e-7. The rounding moves a texture of 256
+    /// texels by at most 1.2e-4 texel; a [`Scalar`] would move it by 2e-3. [`vec2!`](crate::vec2) writes a pair of
+    /// literals. Operators and conversions are those of [`Scalar`].
     ///
     /// ```
     /// use fixel::{Error, TexCoord, Vec2, vec2};
@@ -248,8 +249,8 @@ number! {
 number! {
     /// Screen coordinates: signed, 24 integer and 8 fraction bits of a pixel.
     ///
-    /// x runs to the right and y down from the top left corner of the frame. The center of a pixel has
-    /// the fraction 1/2, so [`floor`](Self::floor) returns the pixel's column or row.
+    /// From the top left corner of the frame, x increases to the right, and y increases downward. The center of a pixel
+    /// has the fraction 1/2, so [`floor`](Self::floor) returns the pixel's column or row.
     ///
     /// ```
     /// use fixel::num::Subpixel;

@@ -52,13 +52,14 @@ impl Mesh<'_> {
     }
 
     /// The edges of an [`Outline`] of this mesh, to be drawn or listed like [`edges`](Self::edges): those creases and
-    /// silhouettes of which at least one face is not culled.
+    /// silhouettes that have at least one face that is not culled.
     ///
-    /// Faces are found to be front or back by the same rule as for drawn triangles, so the outline of a closed mesh has
-    /// no gaps.
+    /// The same rule as for drawn triangles decides whether a face is front or back, so the outline of a closed mesh
+    /// has no gaps.
     ///
-    /// To remove hidden lines, draw the faces first, in the color of the background, and then the outline
-    /// [`Biased::in_front`](crate::canvas::Biased::in_front): it knows how steep the faces beside each line are.
+    /// To remove hidden lines, draw the faces first, in the color of the background, and then the outline with
+    /// [`Biased::in_front`](crate::canvas::Biased::in_front), which takes into account how steep the faces beside each
+    /// line are.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -126,7 +127,7 @@ pub struct Line<const SMOOTH: bool = false> {
 }
 
 impl<const SMOOTH: bool> LineStyle<SMOOTH> {
-    /// A line in this style between two points of model space, which need no mesh.
+    /// A line in this style between two points of model space; no mesh is needed.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};

@@ -38,9 +38,9 @@ use prepared::{Objects, Placed, Run};
 
 /// Memory for the triangles or edges of a frame that is drawn in bands.
 ///
-/// They are transformed, culled and clipped once, and every band draws them from here. [`prepare`](Self::prepare) takes
-/// a mesh, edges, or several [`Object`]s. Sorted [back to front](Self::prepare_back_to_front), a list replaces the
-/// depth buffer.
+/// The triangles or edges are transformed, culled and clipped once, and every band draws them from the list.
+/// [`prepare`](Self::prepare) takes a mesh, edges, or several [`Object`]s. Sorted [back to
+/// front](Self::prepare_back_to_front), a list replaces the depth buffer.
 ///
 /// To sort whole objects instead, for example glass that is drawn last, sort them by the depths of their origins:
 ///
@@ -58,9 +58,10 @@ use prepared::{Objects, Placed, Run};
 ///
 /// # Which camera, which frame
 ///
-/// Prepared things keep their camera, projection, transforms and options. Drawing takes none of these, so a list cannot
-/// be drawn with others. It refuses a canvas of another frame size. As long as the prepared things are in use, the
-/// list, and the objects of the scene, cannot change; [`Prepared::objects`] shows them:
+/// Prepared things keep their camera, projection, transforms and options. Drawing a list takes none of these as
+/// arguments, so the list cannot be drawn with different ones. A canvas of another frame size is refused.
+/// [`Prepared::objects`] returns the objects of the scene. As long as the prepared things are in use, neither the list
+/// nor these objects can change:
 ///
 /// ```compile_fail,E0506
 /// use fixel::prelude::*;
@@ -163,7 +164,7 @@ enum Corners {
 }
 
 impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> {
-    /// The most vertices that a list can use, however long it is: 16-bit numbers count them from 1.
+    /// The most vertices that a list of any length can use, because 16-bit numbers count them from 1.
     pub const MAX_VERTICES: usize = u16::MAX as usize;
 
     /// An empty list.
@@ -246,8 +247,8 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// painter's order. A canvas without a depth buffer then shows nearer triangles over farther ones.
     ///
     /// Triangles are compared by the farthest corners of their visible parts, with a precision of 2⁻²⁵ of the distance.
-    /// Equally far triangles keep the order of the mesh, and of the objects. The method is heap sort, which needs no
-    /// further memory, and at most 2 n log₂ n comparisons for n visible triangles.
+    /// Triangles that are equally far away keep the order of the mesh, and of the objects. The method is heap sort,
+    /// which needs no further memory, and at most 2 n log₂ n comparisons for n visible triangles.
     ///
     /// The table compares the list with a depth buffer of 320x240, which takes 150 KiB. Figures are means of eight
     /// poses, printed by `kernels painter`; the instructions are those of x86-64, counted by
@@ -263,12 +264,12 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 9.01 | 9.51 |
     /// <!-- end -->
     ///
-    /// Sorting takes time for each triangle, and hidden pixels are drawn, too. But no pixel's depth is tested and
-    /// stored, which is most of the cost of a pixel of one color, such as the towers'.
+    /// Sorting takes time for each triangle, and hidden pixels are drawn, too. But no depths are tested and stored; for
+    /// a pixel of one color, such as a pixel of the towers, this is most of the cost.
     ///
     /// No order is right for triangles that cross each other, or that cover each other in a circle. A large triangle
-    /// may cover a small one in front of it if the small one's farthest corner is farther away. So draw a floor, or a
-    /// sky, in a call of its own before the others, or make its triangles as small as those of the objects on it.
+    /// may cover a small one in front of it if the small one's farthest corner is farther away. So draw a floor or a
+    /// sky in a separate call before the other objects, or make its triangles as small as those of the objects on it.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};

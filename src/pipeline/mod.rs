@@ -56,10 +56,10 @@ use options::Options;
 pub struct Drawn {
     /// The number of triangles, edges or points in the mesh.
     pub submitted: u32,
-    /// The number of these that may have changed a pixel. Triangles count if they are not culled and the smallest
-    /// upright rectangle around them contains a pixel center of the viewport in the canvas's rows. Lines and points
-    /// count if any part of them lies between the near and the far plane and in the guard band, ±2048 pixels around the
-    /// viewport's center, and may reach a row of the viewport in the canvas.
+    /// The number of these that may have changed a pixel. A triangle counts if it is not culled, and the smallest
+    /// upright rectangle around it contains a pixel center of the viewport in the canvas's rows. A line or point counts
+    /// if any part of it is between the near and the far plane and in the guard band (±2048 pixels around the
+    /// viewport's center), and may reach a row of the viewport in the canvas.
     pub drawn: u32,
     /// The number of these that were clipped by a plane of the view volume or of the guard band.
     pub clipped: u32,
@@ -78,8 +78,9 @@ impl AddAssign for Drawn {
 }
 
 impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
-    /// Projects a thing with `mvp` to the whole frame, and draws the part in this canvas. Back faces are culled, depth
-    /// is tested if the canvas has a depth buffer, and attributes are interpolated in correct perspective.
+    /// Projects a thing with `mvp` to the whole frame, and draws the part of it that is in this canvas. Back faces are
+    /// culled, depth is tested if the canvas has a depth buffer, and attributes are interpolated in correct
+    /// perspective.
     ///
     /// | `thing` | is drawn as |
     /// |---|---|

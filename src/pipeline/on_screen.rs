@@ -37,7 +37,7 @@ pub struct ScreenPoint {
 }
 
 impl ScreenPoint {
-    /// The same place, in front of everything: a [label](Canvas::label) there is hidden by nothing.
+    /// The same place, in front of everything: nothing hides a [label](Canvas::label) there.
     #[must_use]
     pub const fn on_top(self) -> Self {
         Self {
@@ -48,13 +48,13 @@ impl ScreenPoint {
 }
 
 impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
-    /// The screen position of a point of model space, with the same bits as when it is drawn.
+    /// The screen position of a point of model space, with the same bits as when the point is drawn.
     ///
     /// The result is `None` if the point is nearer than the near plane, beyond the far plane, or more than 2048
     /// pixels left or right of, above or below the viewport's center. The position may lie outside the viewport.
     ///
-    /// Use it to place a [`label`](Self::label) beside an object. For the opposite way, from a pixel into the scene,
-    /// see [`ray`](Self::ray).
+    /// Use it to place a [`label`](Self::label) beside an object. For the opposite direction, from a pixel into the
+    /// scene, see [`ray`](Self::ray).
     #[must_use]
     pub fn project(
         &self,
@@ -87,8 +87,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// surfaces hide what is drawn.
     ///
     /// Everything drawn to it has the point's depth, so it looks like a sheet of paper that faces the viewer. A pixel
-    /// is drawn if it is at least as near as the stored depth, which does not change. Drawing cannot fail. Any point
-    /// and any rectangle is allowed; `clear` fills every pixel that the scene does not hide.
+    /// is drawn if it is at least as near as the stored depth. The stored depth does not change. Drawing cannot fail.
+    /// Any point and any rectangle is allowed; `clear` fills every pixel that the scene does not hide.
     ///
     /// A label at a point of a surface may be hidden by parts of the same surface that are nearer. To avoid this, give
     /// [`ScreenPoint::depth`] a greater value, or project a point in front of the surface. Nothing hides a label
@@ -142,14 +142,14 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         Label::new(self, Point::new(x, y), at.depth)
     }
 
-    /// Whether a mesh within `bounds` may have a pixel in this canvas. If the result is `false`, it certainly has none,
-    /// be it drawn as triangles, as points or as hairlines. [Wide](crate::LineStyle) lines, points of a
-    /// [size](crate::PointStyle) and [sprites](crate::Sprites) reach beyond their positions: enlarge `bounds` by half
-    /// of that size; for smooth lines, by half a pixel more.
+    /// Whether a mesh within `bounds` may have a pixel in this canvas. If the result is `false`, the mesh certainly has
+    /// none, whether it is drawn as triangles, as points or as hairlines. [Wide](crate::LineStyle) lines, points of a
+    /// [size](crate::PointStyle) and [sprites](crate::Sprites) reach beyond their positions. For these, enlarge
+    /// `bounds` by half of their width or size; for smooth lines, by half a pixel more.
     ///
     /// On a Cortex-M4 the test takes as many instructions as two or three triangles of one pixel, most of them for a
-    /// set-up that every draw call needs before its first vertex. So if you skip a mesh that is out of view, or in
-    /// another band, it costs no more than that.
+    /// set-up that every draw call needs before its first vertex. So a mesh that you skip, because it is out of view or
+    /// in another band, costs no more than this test.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;
@@ -182,12 +182,12 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         !scissor.is_empty() && !projector.misses(bounds, &scissor)
     }
 
-    /// The size of `bounds` on the screen in whole pixels, to choose among meshes with different levels of detail: the
-    /// length in pixels of the box's diagonal, as seen at the distance of its center. The length is rounded to the
-    /// nearest 1/256, then down. (The diameter of a ball is 1/√3 of it.)
+    /// The size of `bounds` on the screen in whole pixels: the length of the box's diagonal, as seen at the distance of
+    /// the box's center. Use it to choose among meshes with different levels of detail. The length is rounded to the
+    /// nearest 1/256 pixel, then down to whole pixels. (The diameter of a ball is 1/√3 of this length.)
     ///
-    /// Under a perspective projection, it is `u32::MAX` unless the center is ahead of the eye by more than half of the
-    /// diagonal. Corners are rounded to [`Scalar`](crate::Scalar)s in eye space, and saturate there.
+    /// Under a perspective projection, the result is `u32::MAX` unless the center is ahead of the eye by more than half
+    /// of the diagonal. Corners are rounded to [`Scalar`](crate::Scalar)s in eye space, and saturate there.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;

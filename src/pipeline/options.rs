@@ -77,7 +77,8 @@ impl DrawOptions {
         }
     }
 
-    /// The default options in mode [`Fast`], within ¼ texel: for cores without 64-bit products, such as Cortex-M0+.
+    /// The default options in mode [`Fast`] with a tolerance of ¼ texel, for cores without 64-bit products, such as
+    /// Cortex-M0+.
     ///
     /// ```
     /// use fixel::mode::Fast;

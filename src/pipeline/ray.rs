@@ -87,9 +87,9 @@ impl Ray {
         self.origin + Vec3::from_bits(moved)
     }
 
-    /// The face of a mesh that the ray meets first, and the point there; `None` if it meets none.
+    /// The face of a mesh that the ray meets first, and the point there; `None` if the ray meets no face.
     ///
-    /// Whether the ray meets a face is decided exactly, and a ray through an edge between two faces meets one of them.
+    /// The test whether the ray meets a face is exact, and a ray through an edge between two faces meets one of them.
     /// Faces whose distances differ by less than 2⁻²⁹ of their extent count as equally far away; the last of them is
     /// returned, because it is the one drawn over the others.
     #[must_use]
@@ -284,15 +284,15 @@ fn in_model(
 }
 
 impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
-    /// The ray of a pixel in model space: the points that `mvp` projects to the pixel's center, from the near plane on.
-    /// It passes through the faces that `options` cull.
+    /// The ray of a pixel in model space, which starts at the near plane: the points that `mvp` projects to the pixel's
+    /// center. The ray passes through the faces that `options` cull.
     ///
     /// The result is `None` if the pixel is outside the viewport, if the model's transform has no inverse, or if the
     /// ray's origin is not within ±32,768 in model space.
     ///
     /// The face that it [hits](Ray::hit) is the face drawn at the pixel, unless two faces have the same depth there, or
-    /// the pixel's center is very close to the face's edge. Very close is within 1/200 of a pixel plus twice the size
-    /// on the screen of the model's smallest unit, 2⁻¹⁶. A ray also meets faces beyond the far plane.
+    /// the pixel's center is very close to the face's edge. Very close means within 1/200 of a pixel plus twice the
+    /// on-screen size of the model's smallest unit, 2⁻¹⁶. A ray also meets faces beyond the far plane.
     ///
     /// ```
     /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};

@@ -100,7 +100,7 @@ pub(super) type DrawLine<'l> = &'l dyn Fn(&mut Rasterizer<'_>, [&ClippedVertex; 
 #[doc(hidden)]
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot draw lines of color `{C}`",
-    note = "anti-aliased lines need a color of several `PixelFormat`"
+    note = "anti-aliased lines need a color that implements `PixelFormat`"
 )]
 pub trait Pen<C>: Copy {
     /// Runs the stages before the pixels, which draw each line as they are told.

@@ -3,7 +3,8 @@
 /// Which triangles are not drawn, depending on the side that they show.
 ///
 /// A triangle shows its front if its corners run counter-clockwise on the screen. If a transform mirrors the mesh (its
-/// matrix has a negative determinant), they run clockwise instead: a mirrored mesh shows the outside of its faces, too.
+/// matrix has a negative determinant), the corners of a front run clockwise instead. So a mirrored mesh also shows the
+/// outside of its faces.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

@@ -6,15 +6,15 @@ use crate::{Error, Scalar};
 /// The width of lines, and whether they are anti-aliased: for [`Mesh::edges`](crate::Mesh::edges) and
 /// [`Mesh::outline`](crate::Mesh::outline).
 ///
-/// For each pixel center that a line passes along its longer axis, a run of pixels is drawn across that axis: those
-/// whose centers are at most half the width away from the line. A center exactly on the upper or left end of the run
-/// does not belong to it; a center on the lower or right end does. So a line of width n has n pixels in each run. A
+/// For each pixel center that a line passes along its longer axis, a run of pixels is drawn across that axis: the
+/// pixels whose centers are at most half the width away from the line. A center exactly on the upper or left end of the
+/// run does not belong to it; a center on the lower or right end does. So a line of width n has n pixels in each run. A
 /// center at the left end of a line (in steep lines, the upper end) belongs to the line; a center at the right (lower)
 /// end does not. The pixels do not depend on the line's direction.
 ///
 /// A [hairline](Self::HAIRLINE) also draws the pixels that contain its ends, so that lines meet at every corner. If
-/// colors are [blended](crate::DrawOptions::with_blending) or translucent, it draws such a pixel only if it passes the
-/// pixel's center: two hairlines in a row then do not blend the pixel between them twice.
+/// colors are [blended](crate::DrawOptions::with_blending) or translucent, a hairline draws such a pixel only if the
+/// line passes the pixel's center. So two hairlines in a row do not blend the pixel between them twice.
 ///
 /// ```text
 ///  run        #   #   #            As in OpenGL, the width counts across the longer axis.
@@ -52,7 +52,7 @@ use crate::{Error, Scalar};
 /// # Anti-aliased lines
 ///
 /// In a [`smooth`](Self::smooth) style, each pixel takes the line's color in proportion to the share of the pixel that
-/// the line covers. The canvas needs a color of several [`PixelFormat`](crate::PixelFormat).
+/// the line covers. The canvas needs a color that implements [`PixelFormat`](crate::PixelFormat).
 ///
 /// Let d be the distance from the pixel's center to the nearest point of the line, whose ends are exact to 1/256 pixel.
 /// Then the share is (width + 1)/2 − d, limited to 0 and 1. So the width is measured at right angles to the line, ends
@@ -60,13 +60,12 @@ use crate::{Error, Scalar};
 /// as for [`Opacity`](crate::canvas::Opacity), and dithers coarse colors. On 1-bit panels, hairlines look better.
 ///
 /// Depth and attributes vary along the longer axis, as on a hairline; beyond an end, they are those of the end. So a
-/// pixel has the depth of a place up to √2 · (width + 1)/2 pixels away. If a mesh hides the lines on it, draw it
-/// [`Biased`](crate::canvas::Biased) by that many pixels, as below; or draw its outline nearer by as many. Draw smooth
-/// lines last, with
-/// [`TestOnly`](crate::canvas::TestOnly): what is drawn later, behind a pixel that a line covers only in part, would
-/// not show through.
+/// pixel has the depth of a place up to √2 · (width + 1)/2 pixels away. If a mesh hides the lines on it, draw the mesh
+/// [`Biased`](crate::canvas::Biased) by that many pixels, as below, or draw its outline nearer by as many pixels. Draw
+/// smooth lines last, with [`TestOnly`](crate::canvas::TestOnly), because anything that is drawn later, behind a pixel
+/// that a line covers only in part, would not show through.
 ///
-/// The blending of the options is applied first; the share then blends its result with the canvas.
+/// The blending of the options is applied first; then the share blends the result with the canvas.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};

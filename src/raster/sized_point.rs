@@ -10,13 +10,13 @@ use crate::{Error, Scalar};
 /// By default, a point is [one pixel](Self::PIXEL).
 ///
 /// A pixel belongs to a point if its center lies within the square or disc around the point's position on the screen,
-/// which is exact to 1/256 pixel. A square includes its lower and its right border. So a square of n pixels always
-/// covers n times n of them, squares at distances of their size adjoin without overlaps, and a square of size 1 is
-/// [one pixel](Self::PIXEL). A disc includes its border, and the pixel that
-/// contains the point, even if that pixel's center lies outside.
+/// which is exact to 1/256 pixel. A square includes its lower and its right border. So a square with a size of n pixels
+/// always covers n times n pixels, squares whose positions are one size apart adjoin without overlaps, and a square of
+/// size 1 is [one pixel](Self::PIXEL). A disc includes its border, and the pixel that contains the point, even if that
+/// pixel's center lies outside.
 ///
-/// Points are drawn with at least 1 and at most 255 pixels. All pixels of a square or disc have the depth and the
-/// attributes of its position.
+/// Points are drawn with a size of at least 1 and at most 255 pixels. All pixels of a square or disc have the depth and
+/// the attributes of its position.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -74,8 +74,8 @@ impl PointStyle {
 
     /// The same style with a size in world units, so that points become smaller with the distance.
     ///
-    /// The size on the screen follows the vertical scale of the projection. A scale in the model's transform has no
-    /// influence.
+    /// The size on the screen follows the vertical scale of the projection. A scale in the model's transform does not
+    /// change the size.
     #[must_use]
     pub const fn attenuated(self) -> Self {
         Self {

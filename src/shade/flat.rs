@@ -29,8 +29,8 @@ pub struct Flat<C> {
 }
 
 impl<C> Flat<C> {
-    /// A shader with one color, given as red, green and blue, for a canvas of color `C`. Light dims this color first;
-    /// then it is rounded, or dithered if `C` is coarse.
+    /// A shader with one color, given as red, green and blue, for a canvas of color `C`. The color is rounded, or
+    /// dithered if `C` is coarse, after any light has dimmed it.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
@@ -134,7 +134,7 @@ impl<C: PixelColor + Default> Shader for FaceColors<'_, C> {
 /// The color of each [`Part`] of a mesh; made by [`rgb`](Self::rgb).
 ///
 #[cfg_attr(doc, doc = page_picture!("part_colors", "A ring with red and white parts"))]
-/// Faces in no part are white, and so are edges and points.
+/// Faces that belong to no part are white. Edges and points are white, too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PartColors<'a> {
     parts: &'a [Part<'a>],
@@ -142,9 +142,10 @@ pub struct PartColors<'a> {
 
 impl<'a> PartColors<'a> {
     /// A shader of the parts' colors, for a canvas of color `C`. Parts must be in the order of their faces, as
-    /// [`include_materials!`](crate::include_materials) makes them. A triangle finds its part by binary search.
+    /// [`include_materials!`](crate::include_materials) makes them. The shader finds a triangle's part by binary
+    /// search.
     ///
-    /// Light dims a color first; then it is rounded, or dithered if `C` is coarse.
+    /// A color is rounded, or dithered if `C` is coarse, after any light has dimmed it.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};

@@ -12,7 +12,7 @@ use crate::num::wide::clamp_negative;
 use crate::sealed::{Sealed, sealed};
 use crate::{Error, Scalar};
 
-/// Air that hides distant surfaces: a color, and how much of a surface is left at a distance; see
+/// Fog that hides distant surfaces: its color, and how much of a surface remains visible at a distance; see
 /// [`Shader::in_fog`](super::Shader::in_fog).
 ///
 #[cfg_attr(doc, doc = page_picture!("in_fog", "A row of rings that fade into gray"))]
@@ -144,7 +144,7 @@ impl Density for ExponentialFog {
 }
 
 impl<C: PixelFormat> Fog<C> {
-    /// Fog that begins at the distance `near` and hides everything from `far` on.
+    /// Fog that begins at the distance `near` and hides everything at the distance `far` and beyond.
     ///
     /// If `far` − `near` is less than a unit, a triangle that reaches beyond `far` by 65,536 times that length fades at
     /// the wrong place.
@@ -163,7 +163,8 @@ impl<C: PixelFormat> Fog<C> {
 }
 
 impl<C: PixelFormat> Fog<C, ExponentialFog> {
-    /// Fog that is equally thick everywhere: at the distance z, e^(−`density` · z) is left of a surface.
+    /// Fog that is equally thick everywhere: at the distance z, the share e^(−`density` · z) of a surface remains
+    /// visible.
     ///
     /// # Errors
     ///

@@ -12,14 +12,14 @@ use crate::texture::Blend;
 
 /// A color whose channels can be interpolated, lit, tinted, blended, and rounded or dithered.
 ///
-/// Implemented for the colors of embedded-graphics. There are three channels: red, green and blue. A gray color has
-/// three equal ones, of which only the first is used; gray is the BT.601 luma of the stored values (without gamma):
-/// 0.299 red + 0.587 green + 0.114 blue, with weights rounded to 2⁻¹⁴. A *step* is a unit of a channel in the color's
-/// own format, 0 to 31 for the red of [`Rgb565`]. [`Precise`] is such a color with fraction bits.
+/// This trait is implemented for the colors of embedded-graphics. There are three channels: red, green and blue. A gray
+/// color has three equal channels, of which only the first is used. Gray is the BT.601 luma of the stored values
+/// (without gamma): 0.299 red + 0.587 green + 0.114 blue, with weights rounded to 2⁻¹⁴. A *step* is a unit of a channel
+/// in the color's own format, 0 to 31 for the red of [`Rgb565`]. [`Precise`] is such a color with fraction bits.
 ///
 /// Colors with 5 or more bits per channel are rounded to nearest. [`Gray4`], [`Gray2`] and [`BinaryColor`] (on is
 /// white) are dithered by an 8x8 ordered matrix that is fixed to the frame. The mean of 8x8 pixels that show one level
-/// differs from it by at most 1/128 step; black stays black, and white stays white.
+/// differs from that level by at most 1/128 step. Black stays black, and white stays white.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{BinaryColor, Rgb565, Rgb888}, prelude::*};
@@ -48,7 +48,7 @@ pub trait PixelFormat: PixelColor {
     /// The channels in whole steps, 0 to [`MAX_STEPS`](Self::MAX_STEPS).
     fn steps(self) -> [i32; 3];
 
-    /// The color of whole steps. Bits above those of the format are dropped.
+    /// The color with these channels, in whole steps. Bits above those of the format are dropped.
     #[must_use]
     fn from_steps(steps: [u8; 3]) -> Self;
 

@@ -11,14 +11,15 @@ use crate::{Error, Scalar};
 /// The fraction bits of a share of the way from bottom to top.
 const BITS: u32 = 12;
 
-/// Colors by the height (y) in model space, for a sky or for terrain: one color up to a low height, another one from a
-/// high height on, and a proportional mixture between them.
+/// Colors by the height (y) in model space, for a sky or for terrain: one color up to a low height, another color above
+/// a high height, and a proportional mixture between the two heights.
 ///
 #[cfg_attr(doc, doc = page_picture!("gradient", "A ball that is blue at the bottom and pale yellow at the top"))]
-/// The color is computed at the vertices, with an error of at most 1/60 step of a channel of 6 bits and 1/15 step of
-/// one of 8 bits, and interpolated in correct perspective.
+/// The color is computed at the vertices and interpolated in correct perspective. Its error at a vertex is at most 1/60
+/// step of a 6-bit channel and 1/15 step of an 8-bit channel.
 ///
-/// Draw a sky first, from inside, with a [camera that stays in its center](crate::Camera::sky), without depth:
+/// Draw a sky before everything else, from inside, with a [camera that stays in its center](crate::Camera::sky), and
+/// without a depth test:
 ///
 /// ```
 /// use embedded_graphics::mock_display::MockDisplay;
@@ -53,8 +54,8 @@ pub struct Gradient<C: PixelFormat> {
 }
 
 impl<C: PixelFormat> Gradient<C> {
-    /// The color of `low` up to its height, and the color of `high` from its height on. Heights are in the model's
-    /// units.
+    /// A gradient with the color of `low` up to its height, and the color of `high` above its height. Heights are in
+    /// the model's units.
     ///
     /// # Errors
     ///

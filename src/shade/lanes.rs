@@ -5,8 +5,7 @@
 
 use crate::sealed::Sealed;
 
-/// A number of values from 0 to 8, written as the type `[(); N]`; it names an array of this length for any type of
-/// value.
+/// A number N from 0 to 8, written as the type `[(); N]`; it names an array of N values of any type.
 ///
 /// Unlike array lengths, these numbers can be added on stable Rust. An adapter of a [`Shader`](super::Shader) needs the
 /// sum to append its own varyings to those of the inner shader.

@@ -20,9 +20,9 @@ pub struct Mipmapped {
 }
 
 impl<S: Sampler, A, F> Textured<S, A, F> {
-    /// Shows each pixel the level of a [`Mipmap`](crate::texture::Mipmap) that suits its distance, so that the texture
-    /// does not flicker far away. The projection and the size in pixels are those of the draw call, of its viewport if
-    /// it has one.
+    /// Shows at each pixel the level of a [`Mipmap`](crate::texture::Mipmap) that suits its distance, so that the
+    /// texture does not flicker far away. `projection` is that of the draw call, and `frame` is the size of the frame
+    /// in pixels, or of the viewport if the draw call has one.
     ///
     #[cfg_attr(doc, doc = page_picture!("mipmapped", "A tiled floor: the left half without mipmaps flickers in the distance, the right half is even"))]
     /// A pixel shows the nearest texel of the nearest level, a blend of four texels of that level
@@ -62,26 +62,25 @@ impl<S: Sampler, A, F> Textured<S, A, F> {
     ///
     /// > log₂(density · z / focal · z / d)
     ///
-    /// where z is the distance along the view direction, `focal` the focal length in pixels, d the distance of the eye
-    /// from the triangle's plane, and `density` the number of texels per unit of the triangle, as a mean of both
-    /// directions. z / focal is a pixel's size at this distance. z / d is the factor by which the pixel's area is
+    /// where z is the distance along the view direction, `focal` is the focal length in pixels, d is the distance of
+    /// the eye from the triangle's plane, and `density` is the number of texels per unit of the triangle, as a mean of
+    /// both directions. z / focal is a pixel's size at this distance. z / d is the factor by which the pixel's area is
     /// stretched on the plane, along the line of sight. So the level suits the direction in which a texture is
     /// foreshortened most, as is usual in graphics hardware; in the other direction, the picture is softer than
-    /// necessary. Toward the corners of the picture, the stretch exceeds z / d, at most by the ratio of the pixel's
-    /// true distance to z.
+    /// necessary. Toward the corners of the picture, the stretch is greater than z / d, by a factor of at most the
+    /// pixel's true distance divided by z.
     ///
     /// `density` and d are computed once for each triangle, and z comes from [`Fragment::depth`]. The level differs
     /// from the formula by at most 1/8 if the depth is at least 32 and the triangle's sides and d are at least 1/16
-    /// unit. A level below 0 counts as 0. Edges and points show level 0, and so does a triangle whose texels lie in a
-    /// line.
+    /// unit. A level below 0 counts as 0. Edges, points and triangles whose texels lie in a line show level 0.
     ///
     /// The formula holds for a perspective projection. Under a parallel one, distant surfaces do not become smaller:
     /// give the texture the right size instead.
     ///
     /// # Accuracy
     ///
-    /// The table lists the mean difference between a pixel and the mean of the texture over its area, in steps of 255,
-    /// on the benchmark's floor from 1 to 20 units ahead. The texture has 64x64 texels, in squares of 8, and is
+    /// The table lists the mean difference between a pixel and the mean of the texture over the pixel's area, in steps
+    /// of 255, on the benchmark's floor from 1 to 20 units ahead. The texture has 64x64 texels, in squares of 8, and is
     /// repeated; the eye moves in eight steps. `cargo test --test accuracy mipmap -- --nocapture` prints these figures.
     ///
     /// | | 1 repeat | 8 repeats | 32 repeats |
@@ -92,15 +91,15 @@ impl<S: Sampler, A, F> Textured<S, A, F> {
     /// | mipmapped, bilinear | 4.73 | 6.26 | 7.05 |
     /// | mipmapped, trilinear | 4.67 | 6.06 | 6.42 |
     ///
-    /// A bilinear filter also softens the edges of near squares. With one level for a whole triangle, in place of one
-    /// for each pixel, the difference would be 37 for 8 repeats.
+    /// A bilinear filter also softens the edges of near squares. If each triangle had one level, instead of one level
+    /// per pixel, the difference would be 37 for 8 repeats.
     ///
     /// # Cost
     ///
-    /// The table lists the host's instructions for each pixel of the benchmark's floor (x86-64, default mode, 64x64
-    /// texels of Rgb565, no pixel at level 0). For microcontrollers, the program `kernels` prints these figures (in the
-    /// lines whose names contain "mipmap" or "trilinear"). In addition, each triangle takes a few hundred instructions
-    /// for its density.
+    /// The table lists the host's instructions per pixel of the benchmark's floor (x86-64, default mode, 64x64 texels
+    /// of Rgb565, no pixel at level 0). For microcontrollers, the program `kernels` prints these figures (in the lines
+    /// whose names contain "mipmap" or "trilinear"). In addition, each triangle takes a few hundred instructions for
+    /// its density.
     ///
     /// | | nearest | bilinear | trilinear |
     /// |---|---:|---:|---:|
@@ -123,10 +122,10 @@ impl<S: Sampler, A, F> Textured<S, A, F> {
 }
 
 impl<S: Sampler<Color: Blend>, A> Textured<S, A, Nearest, Mipmapped> {
-    /// Blends the four texels around each pixel in each of the two levels between which the pixel lies, and then the
-    /// two results, so that no edge shows where a level ends.
+    /// Blends the four texels around each pixel in each of the two levels between which the pixel lies, then blends the
+    /// two results, so that no edge is visible where a level ends.
     ///
-    /// Each blend is rounded as [`bilinear`](Self::bilinear) describes it. The position between two levels is cut to
+    /// Each blend is rounded as described for [`bilinear`](Self::bilinear). The position between two levels is cut to
     /// the same units, 1/32 or 1/256 of a level.
     #[must_use]
     pub const fn trilinear(self) -> Textured<S, A, Trilinear, Mipmapped> {

@@ -1,7 +1,8 @@
 //! Shaders: from interpolated values to a color.
 //!
 #![cfg_attr(doc, doc = page_picture!("shaders", "Balls: flat, by face, by vertex, textured; lit by face, lit, shiny, a cartoon"))]
-//! A surface gives each pixel a color. The last column gives the number of values that are interpolated for it.
+//! A surface gives each pixel a color. The last column of the table gives the number of values that the surface
+//! interpolates.
 //!
 //! | surface | color of a pixel | varyings |
 //! |---|---|---|
@@ -14,7 +15,7 @@
 //! | [`DepthView`] | depth as gray | 0 |
 //! | [`NormalView`] | the direction of the normal as a color | 3, or 1 for gray |
 //!
-//! An adapter changes a surface. Adapters can be stacked in any order and number: they compute in [full
+//! An adapter changes a surface. Adapters can be stacked in any order and number. They compute in [full
 //! precision](Precise), and the canvas rounds or dithers the result once.
 //!
 //! | adapter | color of a pixel | more varyings |

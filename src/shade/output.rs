@@ -23,10 +23,10 @@ pub trait Output: Copy {
     /// The color of the canvas.
     type Color: PixelColor;
 
-    /// The same output in full precision, and in another format.
+    /// This output in full precision and in the color format `D`.
     type With<D: PixelFormat>: Output<Color = D>;
 
-    /// Whether the output hides what is below.
+    /// Whether the output hides the color on the canvas.
     #[doc(hidden)]
     const IS_OPAQUE: bool = true;
 
@@ -58,7 +58,7 @@ pub trait Output: Copy {
     #[must_use]
     fn finish(self, at: Point) -> Self::Color;
 
-    /// The share, in 255ths, by which the color covers the one on the canvas.
+    /// The share, in 255ths, of the canvas's color that this color covers.
     #[must_use]
     #[inline]
     fn opacity(self) -> u8 {
@@ -94,10 +94,10 @@ pub trait Output: Copy {
     }
 }
 
-/// The color of the canvas that a shader is for.
+/// The color of the canvases that a shader can draw on.
 pub type ColorOf<S> = <<S as Shader>::Color as Output>::Color;
 
-/// The output of a shader in full precision: what an adapter of it returns.
+/// The output of a shader in full precision, which an adapter around the shader returns.
 pub type PreciseOf<S> = <<S as Shader>::Color as Output>::With<ColorOf<S>>;
 
 impl<C: PixelColor> Output for C {
@@ -165,13 +165,13 @@ impl<C: PixelFormat> Output for Precise<C> {
 
 /// A color with an opacity, by which it covers the color on the canvas: from 0 (not at all) to 255 (wholly).
 ///
-/// [Masked textures](crate::Textured::masked) and [`Argb4444`](crate::texture::Argb4444) have such colors, and so may a
-/// shader of your own. Draw opaque surfaces first, then translucent ones, from back to front, with the depth test
-/// [`TestOnly`](crate::canvas::TestOnly), so that they hide nothing that is drawn later.
+/// [Masked textures](crate::Textured::masked) and [`Argb4444`](crate::texture::Argb4444) have such colors. A shader of
+/// your own may have them, too. Draw opaque surfaces first. Then draw translucent surfaces from back to front, with the
+/// depth test [`TestOnly`](crate::canvas::TestOnly), so that they hide nothing that is drawn later.
 ///
-/// For plain colors of 15 and 16 bits, the share has 32 steps: the error is at most 1.1 steps in a channel of 5 bits,
-/// 1.7 steps in one of 6 bits. It is half a step for other colors. An opacity of 0 keeps the color on the canvas, and
-/// 255 replaces it.
+/// For plain colors of 15 and 16 bits, the share has 32 steps, so the error is at most 1.1 steps in a 5-bit channel and
+/// 1.7 steps in a 6-bit channel. For other colors, the error is half a step. An opacity of 0 keeps the color on the
+/// canvas, and 255 replaces it.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4};
@@ -195,13 +195,13 @@ impl<C: PixelFormat> Output for Precise<C> {
 pub struct Translucent<C> {
     /// The color.
     pub color: C,
-    /// The color's share of the result, in 255ths; the color on the canvas has the rest.
+    /// The color's share of the result, in 255ths; the color on the canvas makes up the rest.
     pub opacity: u8,
 }
 
 impl<C> Translucent<C> {
-    /// The same color with its opacity multiplied by another one, where 255 is 1, and rounded to nearest. Use it for a
-    /// sprite that fades away.
+    /// The same color, with its opacity multiplied by `opacity`/255 and rounded to nearest. Use it for a sprite that
+    /// fades away.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;

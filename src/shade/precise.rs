@@ -11,9 +11,9 @@ use super::{Amount, Channels, Illumination, Lanes, PixelFormat, Tolerance, Varyi
 /// A color of format `C` whose channels keep 16 fraction bits.
 ///
 /// Light, tint, fog and every other adapter return such a color, so a whole stack of them is rounded or dithered once,
-/// where the canvas stores the result. A *level* is a channel in steps of the format: red of [`Rgb565`] runs from 0 to
-/// 31 · 65,536. A *fraction* is a share of full brightness, which is 65,536. Gray formats use only the first of three
-/// levels.
+/// where the canvas stores the result. A *level* is a channel in steps of the format, with 16 fraction bits: a red
+/// level of [`Rgb565`] is from 0 to 31 · 65,536. A *fraction* is a share of full brightness; full brightness is 65,536.
+/// Gray formats use only the first of the three levels.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Gray4, Rgb565}, prelude::*};
@@ -68,8 +68,8 @@ impl<C: PixelFormat> Precise<C> {
 
     /// The color of these levels.
     ///
-    /// They may lie outside black to white by up to 511 units of 2⁻¹⁶, far more than the error of interpolation.
-    /// Beyond that, the color is unspecified.
+    /// A level may be below black or above white by up to 511 units of 2⁻¹⁶, which is far more than the error of
+    /// interpolation. Beyond these limits, the color is unspecified.
     #[must_use]
     #[inline]
     pub fn from_levels(levels: [i32; 3]) -> Self {
@@ -83,7 +83,7 @@ impl<C: PixelFormat> Precise<C> {
         each(self.raised, |level| level.wrapping_sub(HALF))
     }
 
-    /// A color of 24 bits. The error is at most 1/65,536 step, that of a gray at most 0.003 step; black and white are
+    /// A color of 24 bits. The error is at most 1/65,536 step, or 0.003 step in a gray format; black and white are
     /// exact.
     #[must_use]
     #[inline]
@@ -173,7 +173,7 @@ impl<C: PixelFormat> Precise<C> {
         (level >> Self::DOWN).wrapping_mul(fraction >> 2) >> (14 - Self::DOWN)
     }
 
-    /// This color, channel by channel, times fractions from 0 to 65,536.
+    /// This color multiplied, channel by channel, by fractions from 0 to 65,536.
     #[must_use]
     #[inline]
     pub fn times(self, fractions: [i32; 3]) -> Self {

@@ -31,9 +31,10 @@ pub struct Fragment {
 /// values.
 ///
 #[cfg_attr(doc, doc = page_picture!("lit", "A ring that is lit"))]
-/// [`varyings`](Self::varyings) runs once for each triangle, edge or point that has pixels, or once for each part of a
-/// clipped one. [`shade`](Self::shade) runs once for each visible pixel, with the values interpolated in correct
-/// perspective; it returns `None` to leave the pixel as it is. [`Varyings`] lists the types that can be interpolated.
+/// [`varyings`](Self::varyings) is called once for each triangle, edge or point that has pixels. For a clipped triangle
+/// or edge, it is called once for each part. [`shade`](Self::shade) is called once for each visible pixel, with the
+/// values interpolated in correct perspective; it returns `None` to leave the pixel as it is. [`Varyings`] lists the
+/// types that can be interpolated.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
@@ -68,11 +69,11 @@ pub struct Fragment {
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// A shader that wraps another one passes on the inner [`Varyings`](Self::Varyings), alone or in a pair with its own,
-/// and calls the two inner methods. Most effects need no type of their own: see [`map`](Self::map).
+/// A shader that wraps another shader passes on the inner [`Varyings`](Self::Varyings), alone or in a pair with its
+/// own, and calls the two inner methods. Most effects need no type of their own: see [`map`](Self::map).
 ///
-/// To change the color, it returns the output of the inner shader [`lit`](Output::lit) or [`mapped`](Output::map),
-/// which is a color in full precision:
+/// To change the color, it calls [`lit`](Output::lit) or [`map`](Output::map) on the output of the inner shader, and
+/// returns the result, which is a color in full precision:
 ///
 /// ```
 /// # use fixel::{Fragment, PixelFormat, Primitive, Shader};
@@ -127,9 +128,9 @@ pub struct Fragment {
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// Each stack of shaders is a type of its own, and there is no `dyn Shader`: a call for each pixel would take longer
-/// than most shaders. To keep objects with different shaders in one list, choose the shader once for each draw call: by
-/// an enum, or by a trait of your own whose method draws the object. (For a [`DrawList`](crate::DrawList), see
+/// Each stack of shaders is a type of its own. There is no `dyn Shader`, because a call for each pixel would take
+/// longer than most shaders. To keep objects with different shaders in one list, choose the shader once for each draw
+/// call: by an enum, or by a trait of your own whose method draws the object. (For a [`DrawList`](crate::DrawList), see
 /// [`Object`](crate::Object).)
 ///
 /// ```
@@ -185,8 +186,9 @@ pub trait Shader: Copy {
 
     /// Whether [`shade`](Self::shade) reads [`Fragment::depth`].
     ///
-    /// Depth is left out, and reads as 0, only if three conditions hold: this is `false`, no depth buffer needs depth,
-    /// and nothing is interpolated. The default, `true`, is always correct; `false` makes such shaders faster.
+    /// Depth is not computed, and reads as 0, only if three conditions hold: this constant is `false`, no depth buffer
+    /// needs depth, and nothing is interpolated. The default, `true`, is always correct. `false` makes shaders faster
+    /// if these conditions hold.
     const READS_DEPTH: bool = true;
 
     /// The values at the three corners of a triangle. For an edge, they are the values at its first end, its second
@@ -199,13 +201,13 @@ pub trait Shader: Copy {
     /// Puts this surface under a light. The brightness is computed at the vertices and interpolated (Gouraud
     /// shading).
     ///
-    /// It takes one varying, or three if light and canvas have colors, and one more for highlights. A stack of shaders
-    /// with more than eight [`Varyings`] does not compile.
+    /// The light adds one varying, or three if light and canvas have colors, and one more for highlights. A stack of
+    /// shaders with more than eight [`Varyings`] does not compile.
     ///
     #[cfg_attr(doc, doc = page_picture!("lit", "A coarse ring that looks round, because the light is interpolated"))]
-    /// Normals are the mesh's, or the triangle's own if the mesh has none. The light's varyings follow the surface's
-    /// own: one brightness if it is white, a number for each channel of the canvas if it has a color, and one more for
-    /// highlights. 65,536 is full brightness.
+    /// The normals are those of the mesh, or the triangle's own normal if the mesh has none. The light's varyings
+    /// follow the surface's own: one brightness for white light, or a number for each channel of the canvas for colored
+    /// light; and one more number for highlights. 65,536 is full brightness.
     ///
     /// ```
     /// use embedded_graphics::mock_display::MockDisplay;
@@ -297,10 +299,10 @@ pub trait Shader: Copy {
 
     /// Multiplies this surface by the mesh's vertex colors.
     ///
-    /// The colors take three of the at most eight [`Varyings`], or one if the surface is gray.
+    /// The colors take three of the eight [`Varyings`] that a shader may have, or one if the surface is gray.
     ///
     #[cfg_attr(doc, doc = page_picture!("tinted", "A cube with checkers, multiplied by the colors of its corners"))]
-    /// A white vertex leaves the surface as it is, a black vertex makes it black.
+    /// A white vertex leaves the surface as it is; a black vertex makes it black.
     ///
     /// The fractions of the vertex color (65,536 is 1) are varyings that follow the surface's own: three, or one for a
     /// gray surface.
@@ -334,10 +336,10 @@ pub trait Shader: Copy {
         }
     }
 
-    /// Puts this surface in fog, which takes one of the at most eight [`Varyings`].
+    /// Puts this surface in fog, which takes one of the eight [`Varyings`] that a shader may have.
     ///
     #[cfg_attr(doc, doc = page_picture!("in_fog", "A row of rings that fade into gray"))]
-    /// Put light on the surface first, and fog around both: `.lit(sun).in_fog(fog)`.
+    /// Apply light first, then fog: `.lit(sun).in_fog(fog)`.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -366,8 +368,8 @@ pub trait Shader: Copy {
 
     /// Applies a function to each pixel and its color: any effect in one line. `None` leaves the pixel as it is.
     ///
-    /// The function may capture only [`Copy`] values. Surfaces made by an `rgb` function, such as
-    /// [`Flat::rgb`](super::Flat::rgb), do not know their color's type yet, so write it: `|_, color: Rgb565| …`.
+    /// The function may capture only [`Copy`] values. If an `rgb` function made the surface, such as
+    /// [`Flat::rgb`](super::Flat::rgb), its color's type is not known yet, so write it: `|_, color: Rgb565| …`.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -421,8 +423,8 @@ pub trait Shader: Copy {
     #[cfg_attr(doc, doc = page_picture!("converted", "A ring in four grays, dithered"))]
     /// Colors are rounded, or dithered if `C` is coarse (see [`PixelFormat`]).
     ///
-    /// For example, it draws a texture whose color format differs from the canvas's. Every pixel is converted, so a
-    /// texture stored in the canvas's format is faster.
+    /// For example, use it to draw a texture whose color format differs from the canvas's. Every pixel is converted, so
+    /// a texture stored in the canvas's format is faster.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888, RgbColor}};
@@ -452,8 +454,8 @@ pub trait Shader: Copy {
     }
 
     /// Dithers this surface, whatever its format: the mean of 8x8 pixels then differs from the exact color by at most
-    /// 1/128 step. Formats of fewer than 5 bits per channel are dithered anyway; in 15 and 16 bits, it hides the bands
-    /// of soft light and fog. Call it last.
+    /// 1/128 step. Formats with fewer than 5 bits per channel are dithered anyway. In formats of 15 and 16 bits,
+    /// dithering hides the bands of soft light and fog. Call this method last.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888};

@@ -37,15 +37,15 @@ use crate::texture::{
 ///
 /// The varyings are a column and a row, in texels with 16 fraction bits. Along a side of 16 or more texels, they hold
 /// the texture coordinates exactly; along a shorter side, they are rounded to nearest. Their range is ±32,768 texels
-/// (128 repeats of 256 texels, 8 of 4096); beyond it, they saturate. If the texture repeats, a triangle is first moved
-/// by whole repeats so that it begins in the first one. So the range limits only the extent of a triangle, not its
-/// place in the texture. Lines and points are not moved.
+/// (128 repeats of 256 texels, or 8 repeats of 4096 texels); beyond it, they saturate. If the texture repeats, a
+/// triangle is first moved by whole repeats so that it begins in the first one. So the range limits only the extent of
+/// a triangle, not its place in the texture. Lines and points are not moved.
 ///
 /// # The type
 ///
-/// The methods choose the type's parameters, which have defaults. A program that keeps a shader in a `struct` names
-/// them: the addressing is `Repeat` or `Clamp`; the filter is `Nearest`, `Bilinear` or `Trilinear`; the last one is
-/// `Mipmapped` for a mipmapped texture.
+/// The methods choose the type's parameters, which have defaults. A program that keeps a shader in a `struct` must name
+/// them: the addressing is `Repeat` or `Clamp`; the filter is `Nearest`, `Bilinear` or `Trilinear`; the last parameter
+/// is `Mipmapped` for a mipmapped texture.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -109,7 +109,8 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     ///
     /// The first texel's center lies half a texel from the texture's corner. Beyond the outermost centers, a repeating
     /// texture blends with its other edge, and a [`clamped`](Self::clamped) one keeps the color of its edge. A texture
-    /// that is drawn smaller still flickers with this filter; a [`mipmapped`](Self::mipmapped) texture does not.
+    /// that is drawn at a reduced size flickers even with this filter; a [`mipmapped`](Self::mipmapped) texture does
+    /// not.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, GrayColor}};
@@ -133,17 +134,17 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     /// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565)), because one word holds all their channels during a blend.
     /// For other colors it is rounded to the nearest 1/256 texel ([`Blend::WEIGHT_BITS`]).
     ///
-    /// Two blends along rows come first, each rounded to a whole step; one blend between the rows follows. A channel's
-    /// error is at most one step, plus 1/32 (or 1/256) of the difference between the four texels. From black to white,
-    /// this is two steps of red and three of green in Rgb565, and two steps of 255 in Rgb888. At the centers of texels
-    /// there is no error.
+    /// The filter first makes two blends along rows, each rounded to a whole step, and then one blend between the rows.
+    /// A channel's error is at most one step, plus 1/32 (or 1/256) of the difference between the four texels. Between
+    /// black and white, this is two steps of red and three steps of green in Rgb565, and two steps of 255 in Rgb888. At
+    /// the centers of texels, there is no error.
     ///
     /// # Cost
     ///
-    /// The table lists the instructions for a pixel in addition to those of the nearest texel, with `opt-level = 3`,
-    /// for the benchmark's floor with a 64x64 texture in flash. The ranges cover the modes `Exact` and `Affine`; in the
-    /// default mode, Rgb565 takes 48 more on the M4 and 75 more on the M0+. The last columns give the bytes of code
-    /// with `opt-level = "s"`.
+    /// The table lists the instructions per pixel that the filter takes in addition to those for the nearest texel,
+    /// with `opt-level = 3`, for the benchmark's floor with a 64x64 texture in flash. The ranges cover the modes
+    /// `Exact` and `Affine`; in the default mode, Rgb565 takes 48 more on the M4 and 75 more on the M0+. The last
+    /// columns give the bytes of code with `opt-level = "s"`.
     ///
     /// | | Cortex-M4 | Cortex-M0+ | code, M4 | code, M0+ |
     /// |---|---:|---:|---:|---:|
@@ -163,9 +164,9 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     /// Leaves out the texels of exactly this color, for example around fences, leaves and sprites. In these places,
     /// both color and depth of the canvas stay as they were.
     ///
-    /// Between texels, the nearest one decides whether there is a hole. Where there is none, a
-    /// [`bilinear`](Self::bilinear) filter blends as if the texels that are left out had the nearest texel's color, so
-    /// their own color never shows.
+    /// At each pixel, the nearest texel decides whether there is a hole. Where there is no hole, a
+    /// [`bilinear`](Self::bilinear) filter blends as if the left-out texels had the nearest texel's color. So the
+    /// left-out color is never visible.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
@@ -191,8 +192,8 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
         Textured::of(CutOut { texture, key }, self.detail)
     }
 
-    /// Gives each texel the opacity that a gray texture of the same size, the mask, has there: white is opaque, and
-    /// black leaves both color and depth of the canvas as they were.
+    /// Gives each texel an opacity from a mask, which is a gray texture of the same size: white is opaque, and black
+    /// leaves both color and depth of the canvas as they were.
     ///
     /// A bilinear filter blends colors and opacities separately, so give invisible texels the colors of their
     /// neighbors.

@@ -4,7 +4,8 @@ use super::lanes::{Lanes, MOST};
 
 /// The error that a varying may have if that saves the division by w.
 ///
-/// [`Varyings`] carry it in their types: [`Texels`], [`Within`], or plain numbers, whose tolerance is 0.
+/// The type of the [`Varyings`] says which tolerance they have: [`Texels`], [`Within`], or plain numbers, whose
+/// tolerance is 0.
 ///
 /// ```
 /// use fixel::shade::{Texels, Tolerance, Varyings, Within};
@@ -17,7 +18,7 @@ use super::lanes::{Lanes, MOST};
 pub enum Tolerance {
     /// The varying is a texture coordinate, in texels times 2^16; the [mode](crate::mode) decides.
     Texels,
-    /// This many units of the varying.
+    /// The error may be at most this many units of the varying.
     Units(u32),
 }
 
@@ -47,8 +48,8 @@ pub enum Tolerance {
 /// texture alone would be interpolated linearly. So prefer [`Within`] if a small error cannot be seen.
 ///
 /// The shader chooses the unit of an interpolated number. The default mode returns a number with an error of up to
-/// about 60 units, and the number may exceed the range of the corners by the same amount. So choose a unit far below
-/// anything that an eye can see, such as 2⁻¹⁶.
+/// about 60 units. The number may also be outside the range of the corners' values, by the same amount. So choose a
+/// unit far below anything that an eye can see, such as 2⁻¹⁶.
 ///
 /// ```
 /// use fixel::shade::{PerFace, Texels, Varyings, Within};
@@ -75,7 +76,7 @@ pub trait Varyings: Copy {
     #[doc(hidden)]
     const PAIRS: bool = false;
 
-    /// How exact a number must be, given its place among the numbers; exact unless implemented.
+    /// How exact the number at this place among the numbers must be; by default, it must be exact.
     #[must_use]
     #[inline]
     fn tolerance(_lane: usize) -> Tolerance {

@@ -99,11 +99,11 @@ impl<C: PixelFormat> Shader for DepthView<C> {
 /// The direction of normals in world space as a color.
 ///
 #[cfg_attr(doc, doc = page_picture!("normal_view", "A ring in the colors of its normals"))]
-/// Red is x, green is y and blue is z; each is dark at −1, half bright at 0 and bright at +1. Gray canvases show the
-/// luma of this color.
+/// Red shows x, green shows y and blue shows z; each is dark at −1, half bright at 0 and bright at +1. Gray canvases
+/// show the luma of this color.
 ///
-/// Normals are the mesh's, or the triangle's own if the mesh has none. A normal without a direction is mid-gray. The
-/// colors are interpolated, not the directions.
+/// The normals are those of the mesh, or the triangle's own normal if the mesh has none. A normal without a direction
+/// is mid-gray. The colors are interpolated, not the directions.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb888;

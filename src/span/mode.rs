@@ -22,8 +22,9 @@ use crate::shade::{Lanes, Tolerance};
 /// | [`Affine`] | no bound | additions | surfaces that face the eye or are small |
 /// | [`Compact`] | 0.001 | a 31-bit reciprocal | programs that must be small |
 ///
-/// Under a parallel projection, attributes are linear on the screen, so every mode only adds. Each mode draws the same
-/// pixels in bands and in whole frames, and on every target. Depths are the same in all modes but `Compact`.
+/// Under a parallel projection, attributes are linear on the screen, so every mode needs only additions. Each mode
+/// draws the same pixels in bands and in whole frames, and on every target. Depths are the same in all modes but
+/// `Compact`.
 ///
 /// A span is a piece of a row, of up to 64 pixels. For each span, a mode chooses among four loops over pixels, the
 /// kernels: straight, pieces, Newton, divide.
@@ -96,7 +97,7 @@ impl Policy for Exact {
     }
 }
 
-/// Perspective-correct, with a reciprocal of 1/w at every pixel and nothing else: the least code.
+/// Perspective-correct, with a reciprocal of 1/w at every pixel and nothing else: the mode with the least code.
 ///
 /// All triangles and all spans take one path. So a program contains neither the paths for small triangles and for
 /// linear spans, nor the choice among them. On a Cortex-M4 at opt-level "s", drawing textured triangles with a depth
@@ -123,8 +124,8 @@ impl Policy for Compact {
 #[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
 /// Under perspective, it bends textures, which no other mode does. Use it for surfaces that face the eye, are small, or
 /// are far away relative to their size. In addition, rounding adds an error of up to 37 units to an attribute (a
-/// two-thousandth of a texel to a texture coordinate), and up to four times that if it exceeds 2²⁸ units (4096 texels)
-/// in the triangle.
+/// two-thousandth of a texel to a texture coordinate), and up to four times that error if the attribute exceeds 2²⁸
+/// units (4096 texels) in the triangle.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Affine};
@@ -140,13 +141,13 @@ impl Policy for Affine {
 
 /// Perspective-correct, with one Newton step per pixel from the two pixels before it: the default.
 ///
-/// Let δ be the relative change of 1/w from one pixel to the next. Linear extrapolation from the reciprocals of 1/w
-/// at two pixels has a relative error of 2δ² at the third; one Newton step squares it. δ is at most 2⁻⁶, so the
-/// reciprocal has a relative error of at most 2⁻²¹. If 1/w changes faster, or by a factor of two along a span, the
+/// Let δ be the relative change of 1/w from one pixel to the next. Linear extrapolation from the reciprocals of 1/w at
+/// two pixels has a relative error of 2δ² at the third pixel; one Newton step squares this error. δ is at most 2⁻⁶, so
+/// the reciprocal has a relative error of at most 2⁻²¹. If 1/w changes faster, or by a factor of two along a span, the
 /// span is drawn as in [`Compact`]. In addition, rounding adds an error of up to 57 units to an attribute (less than
 /// 0.0008 texels to a texture coordinate), on top of the error of [`Compact`].
 ///
-/// Nothing is divided where division makes no visible difference:
+/// Where division makes no visible difference, this mode does not divide:
 ///
 /// - A row in which 1/w hardly changes, such as a row of a floor under a camera that does not roll, is drawn linearly
 ///   if the error is at most 16 units.
@@ -154,8 +155,8 @@ impl Policy for Affine {
 ///   ([`Varyings`](crate::shade::Varyings)): 16 units of a texture coordinate, an eighth of a step of a color. This
 ///   covers nearly all triangles of a model with vertex colors.
 ///
-/// Each span begins with the exact reciprocal, at every triangle's edge and every 64 pixels, so that bands equal
-/// frames.
+/// Each span begins with the exact reciprocal, at the edge of each triangle and every 64 pixels. So bands have the same
+/// pixels as whole frames.
 ///
 /// On a core without 64-bit products, such as Cortex-M0+ and M23, use [`Fast`]
 /// ([`DrawOptions::fast`](crate::DrawOptions::fast)): there, a pixel that takes a Newton step costs more than five
@@ -255,20 +256,20 @@ impl Policy for Newton {
 /// pixel. The straight line has an error of |f′| · δ · L² / 4. Pieces have 64, 32, 16, 8, 4 or 2 pixels: the greatest
 /// length that keeps this error below the tolerance everywhere in the triangle, and δ · L below 1/16.
 ///
-/// The reciprocals at the ends have 16 bits, and two Newton steps compute each from the last one. So a piece takes no
-/// division and no 64-bit product. This makes it the mode for cores on which these are slow, such as Cortex-M0+; it is
-/// fast on all cores. If 1/w changes by 1/64 of itself per pixel, or by a factor of two along a span, the span is
-/// drawn as in [`Compact`].
+/// The reciprocals at the ends have 16 bits, and two Newton steps compute each from the previous one. So a piece needs
+/// no division and no 64-bit product. This makes `Fast` the mode for cores on which these operations are slow, such as
+/// Cortex-M0+; it is fast on all cores. If 1/w changes by 1/64 of itself per pixel, or by a factor of two along a span,
+/// the span is drawn as in [`Compact`].
 ///
-/// The tolerance is in texels, whatever the texture's size. For a color, it counts steps of its channels (a channel of
-/// an [`Rgb565`](embedded_graphics::pixelcolor::Rgb565) has 32 or 64 values); for other varyings, it counts multiples
-/// of 2^16. In addition, an attribute has an error of up to 2^-13 of its greatest value in the triangle: 1/32 texel if
-/// a texture of 256 texels is seen once, more if it repeats.
+/// The tolerance is in texels, for a texture of any size. For a color, it counts steps of its channels (a channel of an
+/// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565) has 32 or 64 values); for other varyings, it counts multiples of
+/// 2^16. In addition, an attribute has an error of up to 2^-13 of its greatest value in the triangle: 1/32 texel if a
+/// texture of 256 texels is seen once, more if it repeats.
 ///
 /// A triangle that hardly changes in depth is a single piece, if the error of texture coordinates is within the
 /// tolerance and the error of other varyings is within what the shader allows ([`Varyings`](crate::shade::Varyings)).
 ///
-/// Pieces end within the triangle, so only rounding takes an attribute beyond the values at the corners.
+/// Pieces end within the triangle, so only rounding moves an attribute beyond the values at the corners.
 ///
 /// ```
 /// use fixel::mode::Fast;
@@ -286,8 +287,8 @@ pub struct Fast {
 const MOST_BITS: u32 = 28;
 
 impl Fast {
-    /// A tolerance of 1/32 texel: the counterpart of [`Newton`] with 16-bit products, for cores without longer ones.
-    /// For a texture of 256 texels, the total error is up to 1/16 texel.
+    /// A tolerance of 1/32 texel: the counterpart of [`Newton`] with 16-bit products, for cores without longer
+    /// products. For a texture of 256 texels, the total error is up to 1/16 texel.
     pub const NARROW: Self = Self::within(crate::fx!(0.031_25));
 
     /// Pieces with an error of at most this many texels, in addition to rounding. With 0 or less, there is a division

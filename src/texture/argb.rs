@@ -6,9 +6,8 @@ use super::blend::{self, Blend, bilinear, blend, each, linear, mean};
 
 /// A texel of 16 bits with an opacity of 4 bits, and 4 bits each of red, green and blue.
 ///
-/// Its color is [`Rgb565`]. A texel of opacity 0 leaves both
-/// color and depth of the canvas as they were. A bilinear filter blends colors whatever their opacities, so give texels
-/// of opacity 0 the colors of their neighbors.
+/// Its color is [`Rgb565`]. A texel of opacity 0 changes neither the color nor the depth on the canvas. A bilinear
+/// filter blends colors regardless of their opacities, so give texels of opacity 0 the colors of their neighbors.
 ///
 /// ```
 /// use fixel::texture::Argb4444;
@@ -23,9 +22,9 @@ pub struct Argb4444(u16);
 
 /// A texel of 16 bits that is either opaque or a hole: 1 bit of opacity, and 5 bits each of red, green and blue.
 ///
-/// Its color is [`Rgb565`]. A hole leaves both color and depth of the canvas as they were. Between texels, the nearest
-/// one decides whether there is a hole; where there is none, a [`Bilinear`](super::Bilinear) filter blends as if the
-/// holes had the nearest texel's color.
+/// Its color is [`Rgb565`]. A hole changes neither the color nor the depth on the canvas. Between texels, the nearest
+/// texel decides whether there is a hole. Where there is no hole, a [`Bilinear`](super::Bilinear) filter blends as if
+/// the holes had the nearest texel's color.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;

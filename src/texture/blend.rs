@@ -22,11 +22,11 @@ use embedded_graphics::pixelcolor::{
 /// assert_eq!(Rgb565::blend(quad, [8, 0]), Rgb565::new(8, 0, 0));
 /// ```
 pub trait Blend: Copy {
-    /// [`blend`](Self::blend) divides the distance between two texels into 2 to this power steps;
-    /// at least 1 and at most 15.
+    /// [`blend`](Self::blend) divides the distance between two texels into 2^`WEIGHT_BITS` steps; the value must be
+    /// from 1 to 15.
     const WEIGHT_BITS: u32;
 
-    /// The color between this one and another: this one if `weight` is 0, the other one if it is
+    /// The color between this color and `other`: this color if `weight` is 0, and `other` if `weight` is
     /// 2^[`WEIGHT_BITS`](Self::WEIGHT_BITS), its greatest value. Each channel is rounded to nearest, halves up.
     ///
     /// ```
@@ -36,8 +36,8 @@ pub trait Blend: Copy {
     /// assert_eq!(Rgb565::BLACK.mix(Rgb565::YELLOW, 32), Rgb565::YELLOW);
     /// ```
     ///
-    /// By default, this calls [`blend`](Self::blend) with this weight. So `blend` must then also accept the greatest
-    /// weight, which stands for 1.
+    /// By default, this function calls [`blend`](Self::blend) with `weight`. In that case, `blend` must also accept the
+    /// greatest weight, which means 1.
     #[must_use]
     #[inline]
     fn mix(self, other: Self, weight: u32) -> Self {

@@ -4,14 +4,14 @@ use embedded_graphics::pixelcolor::{Gray2, Gray4, Gray8, GrayColor};
 
 use super::Sampler;
 
-/// A texture whose texels are indices into a table of colors: a byte a texel instead of two or three.
+/// A texture whose texels are indices into a table of colors: one byte per texel instead of two or three.
 ///
-/// `indices` is any sampler of bytes: rows, by reference, or a [`Texture<u8>`](super::Texture). Indices of four or two
-/// bits are [`Raw<Gray4>`](super::Raw) and `Raw<Gray2>`. `colors` has 1 to 256 entries. Indices beyond the last one
-/// show the last one; with 256 entries, which is the default, this check takes no time. To draw the same texture darker
-/// or in other colors, replace `colors`.
+/// `indices` is any sampler of bytes: rows, by reference, or a [`Texture<u8>`](super::Texture). For indices of four or
+/// two bits, use [`Raw<Gray4>`](super::Raw) or `Raw<Gray2>`. `colors` has 1 to 256 entries. An index beyond the last
+/// entry shows the last entry; with 256 entries, which is the default, this check takes no time. To draw the same
+/// texture darker or in other colors, replace `colors`.
 ///
-/// [`include_texture!`](crate::include_texture) makes it of a picture of few colors.
+/// [`include_texture!`](crate::include_texture) makes such a texture from a picture of few colors.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};

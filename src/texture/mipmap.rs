@@ -8,19 +8,19 @@ use crate::error::{check_length, ok};
 
 /// A texture with its mipmap levels: the texture itself, and reductions of it for triangles that are far away.
 ///
-/// Level 0 is the texture. Each further level has half the width and half the height of the level before; the last one
-/// is reached when a side has one texel. A texel is the mean of the four that it replaces, each channel rounded to
+/// Level 0 is the texture. Each further level has half the width and half the height of the level before; in the last
+/// level, the shorter side has one texel. A texel is the mean of the four that it replaces, each channel rounded to
 /// nearest, halves up ([`Blend::mean`]). So at level n, a channel differs by at most n/2 steps from the mean of all
 /// texels that it replaces.
 ///
-/// A mipmap borrows the texels of all levels, in one slice: level 0 first, each level row by row from the top. Together
-/// they take a third more memory than the texture; [`len`](Self::len) returns their number.
+/// A mipmap borrows the texels of all levels, in one slice: level 0 first, each level row by row from the top. All
+/// levels together take a third more memory than the texture alone; [`len`](Self::len) returns the number of texels.
 /// [`include_texture!`](crate::include_texture) computes the levels of a picture at compile time.
-/// [`build`](Self::build) computes them at run time, in your memory. [`new`](Self::new) takes a slice that already has
-/// them.
+/// [`build`](Self::build) computes them at run time, in your memory. [`new`](Self::new) accepts a slice that already
+/// contains all levels.
 ///
-/// [`Textured::mipmapped`](crate::Textured::mipmapped) shows each pixel the level that suits its distance. Without it,
-/// all pixels show level 0.
+/// [`Textured::mipmapped`](crate::Textured::mipmapped) uses, at each pixel, the level that suits the pixel's distance.
+/// Without `mipmapped`, all pixels use level 0.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -71,7 +71,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
         len_of(size_log2(width, height))
     }
 
-    /// A mipmap of texels that have all levels already.
+    /// A mipmap of texels that already contain all levels.
     ///
     /// # Errors
     ///
@@ -87,7 +87,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
         })
     }
 
-    /// Computes all levels from level 0, with which `texels` begins; the rest of `texels` is overwritten.
+    /// Computes all levels from level 0. `texels` must begin with level 0; the rest of `texels` is overwritten.
     ///
     /// ```standalone_crate
     /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};

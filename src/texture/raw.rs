@@ -14,13 +14,14 @@ use crate::{Error, message};
 /// A texture of raw bytes, usually those of `include_bytes!`, in the format of embedded-graphics' `ImageRaw`.
 ///
 /// The colors are those of embedded-graphics, [`Argb4444`] and [`Argb1555`]. `O` is the order of the bytes of a texel:
-/// `BigEndian`, the default, has the high byte first, and `LittleEndian` the low byte. Texels smaller than a byte are
-/// packed: the first one lies in the high bits. So [`Gray4`](embedded_graphics::pixelcolor::Gray4) makes a mask of half
-/// a byte a texel. Rows follow each other without a gap, the top row first. Width and height are powers of two, at most
-/// [`Texture::MAX_SIZE`](crate::Texture::MAX_SIZE), and a row fills whole bytes.
+/// `BigEndian`, the default, has the high byte first; `LittleEndian` has the low byte first. Texels smaller than a byte
+/// are packed, with the first texel in the high bits. For example, a mask of
+/// [`Gray4`](embedded_graphics::pixelcolor::Gray4) takes half a byte per texel. Rows follow each other without a gap,
+/// the top row first. Width and height are powers of two, at most [`Texture::MAX_SIZE`](crate::Texture::MAX_SIZE), and
+/// a row fills whole bytes.
 ///
-/// The bytes are converted at each pixel that is drawn. Colors in memory, [`Texture`](super::Texture) or rows, are
-/// faster.
+/// The bytes are converted at each pixel that is drawn. A [`Texture`](super::Texture) or rows, which hold colors in
+/// memory, are faster.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray4, Rgb565, RgbColor, raw::LittleEndian};

@@ -8,7 +8,7 @@ use crate::message;
 ///
 /// Width and height are powers of two.
 ///
-/// Rows of texels are a sampler by reference, and the fastest one, because their size is part of the type.
+/// A reference to rows of texels is a sampler. It is the fastest one, because the size of the rows is part of the type.
 /// [`Texture`](super::Texture), [`Indexed`](super::Indexed), [`Raw`](super::Raw) and [`Mipmap`](super::Mipmap) are
 /// samplers themselves. References to them are not samplers. A reference would be read again at each pixel, because the
 /// compiler cannot know that writing a pixel does not change the texture. Your own sampler can compute its texels:
@@ -64,10 +64,10 @@ pub trait Sampler: Copy {
     /// The texel in column `u` and row `v`, both modulo the size; (0, 0) is the top left texel.
     fn texel(&self, u: i32, v: i32) -> Self::Color;
 
-    /// The texel of a mipmap level, whose width and height are those of the texture divided by 2^`level`. In the last
-    /// level, the shorter side has one texel.
+    /// A texel of a mipmap level. The width and height of the level are those of the texture divided by 2^`level`. In
+    /// the last level, the shorter side has one texel.
     ///
-    /// By default, it is the first of the texels that it stands for.
+    /// By default, it is the first of those texels of level 0 that it replaces.
     #[inline]
     fn texel_at(&self, level: u32, u: i32, v: i32) -> Self::Color {
         self.texel(u.wrapping_shl(level), v.wrapping_shl(level))

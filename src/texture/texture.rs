@@ -10,8 +10,8 @@ use crate::error::{check_length, ok};
 
 /// A texture that borrows its texels; its size is known at run time.
 ///
-/// Width and height are powers of two, at most [`MAX_SIZE`](Self::MAX_SIZE). The texels lie row by
-/// row, the top row first. [`include_texture!`](crate::include_texture) converts a picture file at compile time,
+/// Width and height are powers of two, at most [`MAX_SIZE`](Self::MAX_SIZE). The texels are stored row by row, the top
+/// row first. [`include_texture!`](crate::include_texture) converts a picture file at compile time,
 /// [`from_rows`](Self::from_rows) borrows rows of texels, and [`new`](Self::new) takes a slice. Textures of different
 /// sizes fit in one list:
 ///
@@ -28,10 +28,10 @@ use crate::error::{check_length, ok};
 ///
 /// # Cost
 ///
-/// Reading a texel takes one instruction more than from rows, `&[[C; W]; H]`. A loop over pixels that already needs all
-/// registers also loads up to two numbers from the stack. The table lists millions of instructions per frame for the
-/// benchmark's floor: 47,610 pixels with a 64x64 texture and a depth buffer. Where the size is known while you write
-/// the program, [`include_texture!`](crate::include_texture) makes rows, too.
+/// Reading a texel takes one instruction more than reading it from rows, `&[[C; W]; H]`. A loop over pixels that
+/// already needs all registers also loads up to two numbers from the stack. The table lists millions of instructions
+/// per frame for the benchmark's floor: 47,610 pixels with a 64x64 texture and a depth buffer. If you know the size
+/// when you write the program, [`include_texture!`](crate::include_texture) can also make rows.
 ///
 /// <!-- figures: textures of run-time size -->
 /// | | rows | `Texture` |

@@ -7,9 +7,9 @@ use crate::{Angle, Error, Scalar, Transform, Vec3};
 /// A camera: the rigid transform from world space to eye space.
 ///
 #[cfg_attr(doc, doc = diagram!("look_at"))]
-/// In eye space the eye is at the origin and looks down −z; x runs to the right and y up. In the
-/// figure, these axes are *i*, *j* and *k*.
-/// [Mathematics](crate::guide::mathematics#a-camera) derives this transform and its inverse.
+/// In eye space, the eye is at the origin and looks down −z; x points to the right, and y points up. In the figure,
+/// these axes are *i*, *j* and *k*. [Mathematics](crate::guide::mathematics#a-camera) derives this transform and its
+/// inverse.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -34,14 +34,14 @@ impl Camera {
     /// The axes of eye space are k = (eye − target)/‖·‖, i = (up × k)/‖·‖ and j = k × i, where ‖·‖ is the length of the
     /// vector before it. `up` may have any length, and need not be orthogonal to the view direction.
     ///
-    /// The components of k have an error of at most 1.5 · 2⁻²⁸. Those of i and j have 2⁻²⁸ / sin α more, where α is the
-    /// angle between `up` and the view direction.
+    /// The components of k have an error of at most 1.5 · 2⁻²⁸. For i and j, add 2⁻²⁸ / sin α to this bound, where α is
+    /// the angle between `up` and the view direction.
     ///
     /// # Errors
     ///
     /// [`Error::EyeAtTarget`] if eye and target are equal; [`Error::UpAlongView`] if `up` is zero, or so nearly
-    /// parallel to the view direction that the roll would be noise. Angles between them below 1.9e-7 radians (0.04
-    /// seconds of arc) are always refused; angles above 8e-6 never.
+    /// parallel to the view direction that the roll would be noise. An angle between the two below 1.9e-7 radians (0.04
+    /// seconds of arc) is always refused; an angle above 8e-6 radians is never refused.
     pub fn look_at(eye: Vec3, target: Vec3, up: Vec3) -> Result<Self, Error> {
         /// The largest mantissa of each vector is from 2^29 to 2^30. The product of lengths is at least
         /// 2^58, and a component of this size at most 2^-19 of it.
@@ -67,8 +67,8 @@ impl Camera {
 
     /// Makes a camera that `pose` places in the world, as it would place a model.
     ///
-    /// `pose` must be rigid, a product of rotations and translations; any other transform distorts
-    /// the picture.
+    /// `pose` must be rigid, that is, a product of rotations and translations; any other transform distorts the
+    /// picture.
     #[must_use]
     pub fn at_pose(pose: Transform) -> Self {
         Self::from_view(pose.inverse_rigid())
@@ -97,7 +97,7 @@ impl Camera {
     /// [`NoTest`](crate::canvas::NoTest), so that it is behind everything; it must lie between the near and the far
     /// plane.
     ///
-    /// A dome is a sphere seen from inside, with [`Cull::Front`](crate::Cull::Front): in colors by height
+    /// A dome is a sphere seen from inside, drawn with [`Cull::Front`](crate::Cull::Front). It is colored by height
     /// ([`Gradient`](crate::shade::Gradient)), or [`Textured`](crate::Textured) with a panorama. A sky box is a cube
     /// seen from inside, with a texture for each side; the cookbook shows [both](crate::guide::cookbook).
     ///
@@ -121,8 +121,9 @@ impl Camera {
     /// Under an orthographic projection this is a trimetric view, unless the angles foreshorten two axes
     /// equally.
     ///
-    /// Any values are allowed. At a distance of 0 the eye is at the target; at a negative one it is beyond the target,
-    /// which then lies behind it. A tilt above 90 degrees shows the world upside down, seen from the back.
+    /// Any values are allowed. At a distance of 0, the eye is at the target. At a negative distance, the eye is beyond
+    /// the target, so the target is behind the eye. A tilt above 90 degrees shows the world upside down, seen from the
+    /// back.
     #[must_use]
     pub fn trimetric(target: Vec3, distance: Scalar, turn: Angle, tilt: Angle) -> Self {
         let back = Vec3::new(Scalar::ZERO, Scalar::ZERO, -distance);

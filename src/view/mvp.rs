@@ -26,7 +26,7 @@ use crate::sealed::Sealed;
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// Draw calls also take a projection alone, for a model that is already in eye space:
+/// Draw calls also accept a projection alone, for a model that is already in eye space:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -40,7 +40,7 @@ use crate::sealed::Sealed;
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// `Mvp` alone is in perspective. A function for views of both kinds is generic:
+/// `Mvp` without a type parameter is in perspective. A function that accepts views of both kinds must be generic:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -95,7 +95,7 @@ impl<K: ProjectionKind> Mvp<K> {
 impl<K> Sealed for Mvp<K> {}
 impl<K> Sealed for Projection<K> {}
 
-/// What a draw call takes for a model-view-projection: an [`Mvp`], or a [`Projection`] alone.
+/// What a draw call accepts as a model-view-projection: an [`Mvp`], or a [`Projection`] alone.
 #[doc(hidden)]
 #[diagnostic::on_unimplemented(
     message = "`{Self}` lacks a projection",
@@ -161,7 +161,7 @@ impl<K: ProjectionKind> AsMvp for Projection<K> {
 }
 
 impl<K: ProjectionKind> From<Projection<K>> for Mvp<K> {
-    /// Makes the transform for a model in eye space: neither camera nor model moves anything.
+    /// Makes the transform for a model in eye space: the camera and the model transform move nothing.
     fn from(projection: Projection<K>) -> Self {
         Self {
             projection,

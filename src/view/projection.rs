@@ -98,9 +98,9 @@ impl Row {
 /// The part of eye space that is visible, and how it maps to the picture.
 ///
 #[cfg_attr(doc, doc = diagram!("eye"))]
-/// Eye space is right-handed: x runs to the right and y up, and the eye looks down −z. `near` and
-/// `far` are distances ahead of the eye. A projection maps its frustum or box to normalized device
-/// coordinates, ±1 from edge to edge.
+/// Eye space is right-handed: x points to the right, y points up, and the eye looks down −z. `near` and `far` are
+/// distances ahead of the eye. A projection maps its frustum or box to normalized device coordinates, ±1 from edge to
+/// edge.
 ///
 /// [Mathematics](crate::guide::mathematics#a-matrix) derives the matrix from similar triangles.
 ///
@@ -167,8 +167,8 @@ impl<K: ProjectionKind> Projection<K> {
     ///
     /// Its edges are accurate to 2⁻²⁹ of the largest of the four, then rounded to the nearest 2⁻¹⁶; they saturate.
     /// There are two exceptions: in perspective, the error is greater in proportion if the middle of the window is
-    /// farther from the line of sight than `near`; under an oblique projection, it is 1 + ratio times as great, and
-    /// `near` counts like an edge.
+    /// farther from the line of sight than `near`; under an oblique projection, the error is 1 + ratio times as great,
+    /// and `near` counts as an edge.
     #[must_use]
     pub fn window(&self) -> Window {
         Window {
@@ -258,7 +258,7 @@ impl<K: ProjectionKind> Projection<K> {
     /// Returns the matrix from eye space to homogeneous clip coordinates: entries are rounded to the
     /// nearest 2⁻¹⁶ and saturate.
     ///
-    /// Depth runs from −1 at the near plane to 1 at the far plane.
+    /// Depth is −1 at the near plane and 1 at the far plane.
     #[must_use]
     pub fn to_matrix(&self) -> Matrix4 {
         let [x, y] =

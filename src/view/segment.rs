@@ -6,8 +6,8 @@ use crate::{Scalar, Vec3};
 /// A segment in space, given by the distances of its two ends ahead of the eye.
 ///
 #[cfg_attr(doc, doc = diagram!("foreshortening"))]
-/// A distance is −z in eye space, or the homogeneous coordinate w. Halfway along the picture is not
-/// halfway along the segment: 1/w is linear on screen, and so is every attribute over w.
+/// A distance is −z in eye space, or the homogeneous coordinate w. Halfway along the picture is not halfway along the
+/// segment, because 1/w and every attribute divided by w are linear on the screen.
 /// [Mathematics](crate::guide::mathematics#a-segment) derives the formulas below.
 ///
 /// Use it for preparation, tests and learning; drawing computes the same numbers in a faster way. Fractions run from 0
@@ -65,8 +65,8 @@ impl Segment {
 
     /// Returns the distance at a fraction q of the picture: 1/w = 1/w₀ + q·(1/w₁ − 1/w₀).
     ///
-    /// `None` if the line of sight does not meet the segment's line ahead of the eye, which happens
-    /// only for fractions below 0 or above 1; or if the distance is out of range.
+    /// `None` if the distance is out of range, or if the line of sight does not meet the segment's line ahead of the
+    /// eye. The latter happens only for fractions below 0 or above 1.
     #[must_use]
     pub fn distance(self, on_screen: Fraction) -> Option<Scalar> {
         let (a, b) = self.weights(on_screen);

@@ -31,11 +31,11 @@ pub struct Viewport {
 }
 
 impl Viewport {
-    /// The largest width and height of a viewport, and the largest distance of its top left corner from the frame's, in
-    /// x and in y; in pixels.
+    /// The largest width and height of a viewport in pixels, and the largest distance in x and in y, in pixels, of its
+    /// top left corner from the frame's top left corner.
     pub const MAX: u32 = 4096;
 
-    /// Makes a viewport with its top left corner at (x, y), in pixels of the frame; y runs down.
+    /// Makes a viewport with its top left corner at (x, y), in pixels of the frame; y increases downward.
     ///
     /// # Errors
     ///
@@ -99,7 +99,7 @@ impl Viewport {
 impl TryFrom<Rectangle> for Viewport {
     type Error = Error;
 
-    /// Returns [`Viewport::new`] of the rectangle's corner and size.
+    /// Returns the result of [`Viewport::new`] for the rectangle's corner and size.
     fn try_from(Rectangle { top_left, size }: Rectangle) -> Result<Self, Error> {
         Self::new(top_left.x, top_left.y, size.width, size.height)
     }

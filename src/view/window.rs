@@ -4,8 +4,8 @@ use crate::Scalar;
 
 /// The edges of the rectangle in eye space that fills the picture.
 ///
-/// Under a perspective the rectangle lies on the near plane; under a parallel projection it is the
-/// cross section of the box. `x` runs to the right and `y` up.
+/// Under a perspective the rectangle lies on the near plane; under a parallel projection it is the cross section of the
+/// box. `x` increases to the right, and `y` increases upward.
 ///
 /// The window itself may hold any numbers. A projection refuses it unless `left` < `right` and
 /// `bottom` < `top`.

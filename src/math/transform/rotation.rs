@@ -98,7 +98,7 @@ impl Transform {
 
     /// Rotates by a quaternion, in the order `[x, y, z, w]` with the real part last.
     ///
-    /// The parts may have any common unit, because the quaternion is normalized: for a sensor's raw integers, use
+    /// The parts may have any common unit, because the quaternion is normalized. For a sensor's raw integers, use
     /// [`Scalar::from_bits`]. Entries are accurate to 2⁻²⁷.
     ///
     /// # Errors

@@ -21,8 +21,8 @@ fn is_mirror(&[x, y, z]: &[[i32; 3]; 3]) -> bool {
 impl Transform {
     /// Makes a transform from the rows of its 3×3 matrix, for column vectors, and its translation.
     ///
-    /// Any matrix is accepted. Entries of the matrix are accurate to 2⁻³⁰ of its largest entry, and so are those of the
-    /// translation.
+    /// Any matrix is accepted. Entries of the matrix are accurate to 2⁻³⁰ of its largest entry. Entries of the
+    /// translation are accurate to 2⁻³⁰ of the translation's largest entry.
     ///
     /// ```
     /// use fixel::prelude::*;

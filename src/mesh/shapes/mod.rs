@@ -16,8 +16,9 @@ use writer::MeshWriter;
 /// the caller's memory.
 ///
 /// All shapes are centered on the origin. They have positions, unit normals, texture coordinates from 0 to 1, and
-/// edges: a wireframe without the diagonals of quads. Triangles are counter-clockwise as seen from outside. Positions
-/// repeat where the texture or the normal jumps. To resize a shape, scale it with a [`Transform`](crate::Transform).
+/// edges, which form a wireframe without the diagonals of quads. Triangles are counter-clockwise as seen from outside.
+/// Positions repeat where the texture or the normal jumps. To resize a shape, scale it with a
+/// [`Transform`](crate::Transform).
 ///
 /// ```
 /// use fixel::mesh::{Buffers, Shape};
@@ -45,15 +46,15 @@ const fn parts(of: &'static str, given: u32, min: u32) -> Result<(), Error> {
 }
 
 impl Shape {
-    /// The most parts in one direction. Because indices have 16 bits, a sphere or a plane of so many parts has the
-    /// fewest in the other direction, and a torus or a cylinder can have only one part less.
+    /// The most parts in one direction. Because indices have 16 bits, a sphere or a plane with this many parts has the
+    /// fewest parts in the other direction, and a torus or a cylinder can have at most one part less than this.
     pub const MAX_PARTS: u32 = 16_384;
 
     /// A box from −`corner` to `corner`; the texture fills each of its six sides.
     ///
     /// A side is two triangles. The sides follow each other in the order front (z), right (x), back (−z), left (−x),
-    /// top (y), bottom (−y), so that [`Mesh::part`] draws each with its own texture. Scaled by −1 along x, a box
-    /// becomes a sky box: a viewer inside it sees its sides and its textures the right way round.
+    /// top (y), bottom (−y), so [`Mesh::part`] can select each side, to be drawn with its own texture. Scaled by −1
+    /// along x, a box becomes a sky box: a viewer inside it sees its sides and its textures the right way round.
     ///
     /// # Errors
     ///
@@ -101,7 +102,7 @@ impl Shape {
     }
 
     /// A horizontal square from −1 to 1 in x and z that faces up, as a grid of `columns` along x and `rows` along z.
-    /// The texture fills it; its top edge is at z = −1.
+    /// The texture fills the square; the top edge of the texture is at z = −1.
     ///
     /// # Errors
     ///
@@ -203,7 +204,7 @@ impl Shape {
 /// assert!(CRATE.has_uvs() && RING.has_normals());
 /// ```
 ///
-/// A second argument, `short`, stores 16-bit positions, which take half the flash:
+/// A second argument, `short`, stores 16-bit positions, which take half the flash; see
 /// [`Mesh::short`](crate::Mesh::short). With `quantized_16` or `quantized_8`, [attributes take less
 /// flash](crate::mesh#less-flash), too.
 ///

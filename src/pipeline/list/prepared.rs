@@ -33,8 +33,8 @@ use crate::{Error, Transform};
 /// The material is any value that says how to draw the object: a shader, or a value of your own by which you choose
 /// one.
 ///
-/// [`DrawList::prepare`](crate::DrawList::prepare) prepares a slice of objects, and notes in it which elements are
-/// whose. So triangles and edges of one frame need a slice each.
+/// [`DrawList::prepare`](crate::DrawList::prepare) prepares a slice of objects, and records in it which triangles or
+/// edges belong to which object. So the triangles and the edges of one frame need two separate slices.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -44,9 +44,9 @@ use crate::{Error, Transform};
 /// assert_eq!(crate_.material, "wood");
 /// ```
 ///
-/// All objects of a slice have one type of material. For different shaders, let it be a trait of your own. (The types
-/// below are those of the default options; in mode `Fast`, for example, the triangles are a
-/// `Prepared<(), &Mesh, DrawOptions<Fast>>`.)
+/// All objects of a slice have the same type of material. For different shaders, make the material a trait object
+/// (`&dyn`) of a trait of your own. (The types below are those of the default options; in mode `Fast`, for example, the
+/// triangles are a `Prepared<(), &Mesh, DrawOptions<Fast>>`.)
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -204,8 +204,8 @@ impl<'a, T, G: Listed, const COUNT: usize> Scene<'a> for &'a mut [Object<T, G>; 
 /// [`Canvas::draw_prepared`](crate::Canvas::draw_prepared) draws it. For objects with materials,
 /// [`parts`](Self::parts) yields one after the other.
 ///
-/// `T` is the type of the materials, `G` is what was listed, `O` are the options, and `K` is the kind of projection. It
-/// can be shared with another core that draws other bands of the same frame.
+/// `T` is the type of the materials, `G` is what was listed, `O` are the options, and `K` is the kind of projection. A
+/// `Prepared` can be shared with another core that draws other bands of the same frame.
 ///
 /// ```
 /// use fixel::{Prepared, prelude::*};
@@ -219,14 +219,14 @@ pub struct Prepared<'a, T = (), G = &'a Mesh<'a>, O = DrawOptions, K = Perspecti
     pub(super) vertices: &'a [ScreenVertex],
     /// The frame that they were prepared for.
     pub(super) screen: Screen,
-    /// The options that it is drawn with.
+    /// The options with which the list is drawn.
     pub options: O,
     pub(super) kind: PhantomData<K>,
 }
 
 impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     /// The objects of the scene, in the order of their slice; none for a thing that was prepared alone. The scene
-    /// borrows the objects, so a band reads their places here:
+    /// borrows the objects, so use this method to read their places while you draw a band:
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -255,13 +255,13 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
         }
     }
 
-    /// What to draw in a canvas's rows, in this order: parts of the list, each with its object's material. In a sorted
+    /// The parts of the list to draw in a canvas's rows, in drawing order, each with its object's material. In a sorted
     /// list, a part is a run of elements of one object; otherwise, it is a whole object. A part that has no pixels in
     /// these rows may be left out.
     ///
     /// # Errors
     ///
-    /// [`Error::Frame`] if the canvas belongs to a frame of another size than the one that the list was prepared for.
+    /// [`Error::Frame`] if the canvas's frame differs in size from the frame that the list was prepared for.
     #[allow(clippy::type_complexity)] // it is written here alone
     pub fn parts<'s, C, S: Storage<C>, D>(
         &'s self,
@@ -332,8 +332,8 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
 }
 
 impl<'a, T, G, M: Copy, Z: Copy, B: Copy, K> Prepared<'a, T, G, DrawOptions<M, Z, B>, K> {
-    /// The same triangles or edges, with another way to blend their colors with those on the canvas: for a sorted scene
-    /// in which some objects are translucent.
+    /// The same triangles or edges, with another way to blend their colors with those on the canvas. Use it for a
+    /// sorted scene in which some objects are translucent.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -369,7 +369,7 @@ impl<'a, T, G, M: Copy, Z: Copy, B: Copy, K> Prepared<'a, T, G, DrawOptions<M, Z
 impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Draws the triangles or edges that were [prepared](crate::DrawList::prepare) for this frame and meet this
     /// canvas's rows. The pixels are those of [`draw_with`](Self::draw_with), but nothing is transformed again. If
-    /// several objects were prepared, all are drawn with this shader; to draw each with its own, see
+    /// several objects were prepared, all are drawn with this shader; to draw each object with its own shader, see
     /// [`Prepared::parts`].
     ///
     /// # Errors

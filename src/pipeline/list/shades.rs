@@ -13,13 +13,15 @@ use crate::shade::{Fragment, Lanes, Shader, Varyings};
 
 /// Memory for the light on a prepared list, or for whatever else a shader computes for each triangle or edge.
 ///
-/// Without it, a shader is asked for its [`varyings`](Shader::varyings) once in each band that a triangle or edge is
-/// in. [`Prepared::shade`] asks once in a frame and stores the answers here; the pixels are the same. A small lit ball
-/// in bands of eight rows, whose triangles lie in 1.3 bands on average, takes 8 % fewer instructions on a Cortex-M4,
-/// and 10 % fewer if its faces are lit. The larger the triangles and the lower the bands, the more is saved.
+/// Without a `ShadeList`, a shader computes its [`varyings`](Shader::varyings) for a triangle or edge once in each band
+/// that contains a part of it. [`Prepared::shade`] computes them once per frame and stores them here. The pixels are
+/// the same. A small lit ball in bands of eight rows, whose triangles lie in 1.3 bands on average, takes 8 % fewer
+/// instructions on a Cortex-M4, and 10 % fewer if its faces are lit. The saving grows with larger triangles and with
+/// lower bands.
 ///
-/// For each triangle or edge, it needs the size of what the shader interpolates, for three corners, and of what it has
-/// [per face](crate::shade::PerFace): 4 bytes for faces in white light, 12 for white light at the corners.
+/// For each triangle or edge, the list stores the values that the shader interpolates, at three corners, and its values
+/// [per face](crate::shade::PerFace). This takes 4 bytes for faces in white light, and 12 bytes for white light at the
+/// corners.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -80,8 +82,8 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     /// Computes the shader's values for each triangle or edge, once for all bands. `shader_of` returns the shader for
     /// an object's material; if there are no materials, write `|()| shader`.
     ///
-    /// In each band, draw with `.of(&shader)` of the result: it uses the computed values. If anything else is drawn
-    /// with it, the shader computes its values as usual.
+    /// In each band, draw with the shader that the result's `.of(&shader)` returns; this shader uses the computed
+    /// values. If you draw anything else with it, it computes its values as usual.
     ///
     /// # Errors
     ///
@@ -138,8 +140,8 @@ fn index(entry: usize, first: usize) -> usize {
     entry.wrapping_sub(first) / size_of::<Entry>()
 }
 
-/// The values that [`Prepared::shade`] computed; [`of`](Self::of) makes a shader of them. It borrows the
-/// [`ShadeList`], which has an example.
+/// The values that [`Prepared::shade`] computed; [`of`](Self::of) makes a shader of them. A `Shades` borrows the
+/// [`ShadeList`]; see there for an example.
 #[derive(Clone, Copy)]
 pub struct Shades<'a, S: Shader> {
     /// The address of the list's first entry. The list cannot change while these values exist, so an address says which

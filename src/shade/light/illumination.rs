@@ -7,8 +7,8 @@ use crate::shade::{Channels, PixelFormat, Varyings};
 
 /// The light at a point of a surface, in units of 2⁻¹⁶ of full brightness.
 ///
-/// A light may have up to a thousand times full brightness. It may also be negative: it then takes away light from
-/// others. A surface limits the sum of its lights to the range from 0 to full brightness.
+/// A light may have up to a thousand times full brightness. It may also be negative; it then takes light away from
+/// other lights. A surface limits the sum of its lights to the range from 0 to full brightness.
 ///
 /// ```
 /// use fixel::shade::Illumination;
@@ -19,10 +19,10 @@ use crate::shade::{Channels, PixelFormat, Varyings};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Illumination<D = i32, S = ()> {
-    /// The light by which the surface's color is multiplied: one number if it is white, or red, green and blue. On a
+    /// The light by which the surface's color is multiplied: one number for white light, or red, green and blue. On a
     /// gray canvas, only red is used.
     pub diffuse: D,
-    /// The white of a highlight, which is added to the surface's color; `()` for no highlight.
+    /// The brightness of a white highlight, which is added to the surface's color; `()` for no highlight.
     pub specular: S,
 }
 
@@ -94,7 +94,7 @@ fn limited(light: i32) -> i32 {
 
 /// An amount of light: white, or red, green and blue, or `()` for none.
 ///
-/// White light takes one varying, colored light one for each channel of the canvas.
+/// White light takes one varying; colored light takes one for each channel of the canvas.
 #[doc(hidden)]
 pub trait Amount: Copy + Default + Sealed {
     /// This light and another one together.

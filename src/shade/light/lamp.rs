@@ -7,8 +7,8 @@ use super::{
 use crate::math::Direction;
 use crate::{Error, Scalar};
 
-/// A light from one place or direction. Such a light can make highlights: [`Light`](super::Light), [`PointLight`] and
-/// [`SpotLight`].
+/// A light from one place or direction: [`Light`](super::Light), [`PointLight`] or [`SpotLight`]. Such a light can make
+/// highlights.
 pub trait Lamp: Lighting {
     /// The direction from a point toward the light, and the strength of the light at the point: 65,536 is full
     /// brightness. Where no light reaches the point, the strength is 0, and the direction may be [`Direction::NONE`].
@@ -29,11 +29,11 @@ pub trait Lamp: Lighting {
     }
 
     /// Adds a highlight (Blinn–Phong) as the `viewer` sees it: `strength` · (n·h)^`exponent` of white, times the
-    /// strength of the light at the point. n is the normal and h the direction halfway between light and viewer.
+    /// strength of the light at the point. n is the normal, and h is the direction halfway between light and viewer.
     ///
-    /// An exponent of 8 makes a wide highlight, an exponent of 100 a small one. Highlights are computed at the corners
-    /// and interpolated, so a mesh must be fine enough to show them. They take one of the at most eight
-    /// [varyings](crate::shade::Varyings) of a shader.
+    /// An exponent of 8 makes a wide highlight; an exponent of 100 makes a small one. Highlights are computed at the
+    /// corners and interpolated, so a mesh must be fine enough to show them. Highlights take one of the eight
+    /// [varyings](crate::shade::Varyings) that a shader may have.
     ///
     /// # Errors
     ///

@@ -89,8 +89,8 @@ impl SurfacePoint {
 /// or a tuple of up to four.
 ///
 #[cfg_attr(doc, doc = page_picture!("colored", "A ball between a red and a blue lamp"))]
-/// [`Shader::lit`](crate::Shader::lit) and [`Shader::lit_faces`](crate::Shader::lit_faces) put a surface under it. A
-/// light of your own takes ten lines:
+/// [`Shader::lit`](crate::Shader::lit) and [`Shader::lit_faces`](crate::Shader::lit_faces) put a surface under such a
+/// light. You can write a light of your own in ten lines:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -139,11 +139,11 @@ pub trait Lighting: Copy {
     /// Whether [`at`](Self::at) reads [`SurfacePoint::face`]. `false` saves a normal for each triangle.
     const READS_FACE: bool = true;
 
-    /// The light that falls on a point of a surface, at most a thousand times full brightness, 65,536.
+    /// The light that falls on a point of a surface: at most a thousand times full brightness, which is 65,536.
     fn at(&self, point: &SurfacePoint) -> Illumination<Self::Diffuse, Self::Specular>;
 
-    /// The same light, in a color. Highlights keep their brightness, and stay white. On a canvas with colors,
-    /// it takes three of the at most eight [varyings](crate::shade::Varyings) of a shader.
+    /// The same light, in a color. Highlights keep their brightness, and stay white. On a canvas with colors, colored
+    /// light takes three of the eight [varyings](crate::shade::Varyings) that a shader may have.
     ///
     #[cfg_attr(doc, doc = page_picture!("colored", "A ball between a red and a blue lamp"))]
     /// ```
@@ -171,8 +171,8 @@ pub trait Lighting: Copy {
     /// are lit as if their normals pointed the other way.
     ///
     #[cfg_attr(doc, doc = page_picture!("two_sided", "Two sheets that turn their backs: dark without the adapter, bright with it"))]
-    /// A triangle turns its back to the viewer if its normal points to the other side of its plane. Edges and points
-    /// have no back.
+    /// A triangle turns its back to the viewer if its normal points to the side of its plane where the viewer is not.
+    /// Edges and points have no back.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};

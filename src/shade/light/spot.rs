@@ -9,9 +9,10 @@ use crate::{Angle, Error, Scalar, Vec3};
 /// White light from a point in world space, in a cone: a lamp like [`PointLight`] that shines in one direction.
 ///
 #[cfg_attr(doc, doc = page_picture!("spot_light", "A floor and a ball in a cone of light"))]
-/// Let θ be the angle between the cone's axis and the direction from the lamp to a surface. Up to the inner angle, the
-/// light equals the point light's; from the outer angle on, there is none. Between them, the point light is multiplied
-/// by t²(3 − 2t), where t = (cos θ − cos outer) / (cos inner − cos outer), so that it falls smoothly.
+/// Let θ be the angle between the cone's axis and the direction from the lamp to a surface. If θ is at most the inner
+/// angle, the light equals that of the point light; if θ is at least the outer angle, there is no light. Between the
+/// two angles, the point light is multiplied by t²(3 − 2t), where t = (cos θ − cos outer) / (cos inner − cos outer), so
+/// that it falls smoothly.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
@@ -53,8 +54,8 @@ pub struct SpotLight {
 }
 
 impl SpotLight {
-    /// A lamp at `position` that shines along `axis`, both in world space, with an inner and an outer angle, both
-    /// measured from the axis. Brightness and range have the same meaning as in [`PointLight::new`].
+    /// A lamp at `position` that shines along `axis`, with an inner and an outer angle, both measured from the axis.
+    /// Position and axis are in world space. Brightness and range have the same meaning as in [`PointLight::new`].
     ///
     /// # Errors
     ///

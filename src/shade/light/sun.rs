@@ -9,8 +9,8 @@ use crate::{Error, Scalar, Vec3};
 /// White light that comes from all sides (ambient) and, like the sun's, from one direction in world space (diffuse).
 ///
 #[cfg_attr(doc, doc = page_picture!("light", "A floor and a ball, lit from the left"))]
-/// A surface with unit normal n has the brightness ambient + diffuse · max(0, n·l), saturated at 1, where l is the
-/// unit vector toward the light (Lambert's law). It is computed in fixed point, with an error of at most 1e-5.
+/// A surface with unit normal n has the brightness ambient + diffuse · max(0, n·l), saturated at 1, where l is the unit
+/// vector toward the light (Lambert's law). The brightness is computed in fixed point, with an error of at most 1e-5.
 ///
 /// [`Shader::lit`](crate::Shader::lit) and [`Shader::lit_faces`](crate::Shader::lit_faces) put any surface under a
 /// light.

@@ -10,7 +10,7 @@ use crate::{Angle, Error, Scalar};
 impl Projection<Parallel> {
     /// Makes a parallel projection of a box, along −z.
     ///
-    /// `near` may be 0 or negative: the box may reach behind the eye.
+    /// `near` may be 0 or negative, so the box may extend behind the eye.
     ///
     /// # Errors
     ///
@@ -30,8 +30,8 @@ impl Projection<Parallel> {
     /// behind this plane moves in the picture by `ratio` times its distance from the plane; a point in front of it
     /// moves the other way.
     ///
-    /// It moves in the direction of `angle`, counter-clockwise from the right. What lies in the near plane itself is
-    /// not drawn, so let `near` be less than `plane` if the front of a model is to be undistorted.
+    /// The direction of this movement is `angle`, counter-clockwise from the right. What lies in the near plane is
+    /// drawn, so `plane` may equal `near`.
     ///
     /// # Errors
     ///

@@ -60,8 +60,8 @@ impl Projection<Perspective> {
         Ok(Self::from_scales(x, y, near, far))
     }
 
-    /// Makes a symmetric perspective from its focal length in pixels: an object as wide as it is
-    /// distant is `pixels` wide in a picture of `size` pixels.
+    /// Makes a symmetric perspective from its focal length in pixels: an object whose width equals its distance is
+    /// `pixels` wide in a picture of `size` pixels.
     ///
     /// # Errors
     ///
