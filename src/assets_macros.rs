@@ -33,7 +33,7 @@
 /// | `object = "name"` | only the faces of the object with this name: a glTF mesh, or an OBJ object or group |
 /// | `part = "name"` | only the faces of the material with this name |
 /// | `scale = 0.01` | positions are multiplied by this number |
-/// | `up = z` | z points up in the file; the model is turned so that y does. This is the default for STL, `up = y` for other formats |
+/// | `up = z` | z points up in the file; the model is turned so that y points up. `up = z` is the default for STL, and `up = y` for other formats |
 ///
 /// Positions keep the order of the file, so a [table of your own](trait@crate::Shader) can have one value per position.
 /// Positions that no face uses are left out. Positions are rounded to the nearest [`Scalar`](crate::Scalar), and
@@ -54,7 +54,7 @@ macro_rules! include_mesh {
 }
 
 /// The parts of a model's mesh with their materials, read by the compiler and stored in flash: a `&'static` list of
-/// [`Part`](crate::mesh::Part)s for the mesh that [`include_mesh!`] makes of the same file.
+/// [`Part`](crate::mesh::Part)s for the mesh that [`include_mesh!`] makes from the same file.
 ///
 /// A part is a run of faces with one [`Material`](crate::mesh::Material). An OBJ file names its MTL files itself. Faces
 /// without a material form a white part without a name.
@@ -91,8 +91,8 @@ macro_rules! include_materials {
     };
 }
 
-/// The [`Outline`](crate::mesh::Outline) of the mesh that [`include_mesh!`] makes of the same file and options, found
-/// by the compiler and stored in flash.
+/// The [`Outline`](crate::mesh::Outline) of the mesh that [`include_mesh!`] makes from the same file with the same
+/// options, found by the compiler and stored in flash.
 ///
 /// ```standalone_crate
 /// use fixel::mesh::Outline;
@@ -120,8 +120,8 @@ macro_rules! include_outline {
 /// - a [`Texture`](crate::Texture);
 /// - rows of the picture's size, such as `[[Rgb565; 64]; 64]`, which are faster to draw;
 /// - the texels alone, such as `&[Rgb565]`;
-/// - for a picture of at most 256 colors, an [`Indexed`](crate::texture::Indexed) texture of a `Texture<u8>` or of
-///   rows, or the indices alone;
+/// - for a picture of at most 256 colors, an [`Indexed`](crate::texture::Indexed) texture whose indices are a
+///   `Texture<u8>` or rows, or the indices alone;
 /// - with the option `mipmap`, a [`Mipmap`](crate::texture::Mipmap).
 ///
 /// The color may be any color of embedded-graphics, or it may be [`Argb4444`](crate::texture::Argb4444) or

@@ -138,8 +138,8 @@ errors! {
     /// The reason why a value was refused. Its message names the value and the allowed range.
     ///
     /// Functions that build or check a value, and functions that prepare a [`DrawList`](crate::DrawList), return
-    /// errors. Draw calls cannot fail, with one exception: drawing a prepared list fails if the frame size of the
-    /// canvas differs from that of the list.
+    /// errors. Draw calls cannot fail, with one exception: drawing a prepared list fails if the canvas and the list
+    /// have different frame sizes.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -153,8 +153,8 @@ errors! {
 
     /// A number outside the range of its format.
     NotRepresentable {
-        /// The refused number in thousandths, rounded toward zero and saturated. (It is not a float, so that a program
-        /// that prints errors need not link the formatting of floats.)
+        /// The refused number in thousandths, rounded toward zero and saturated. (It is an integer, so that a program
+        /// that prints errors does not need the code that formats floats.)
         thousandths: i64,
         /// The format holds numbers from −`limit` to just below `limit`.
         limit: u32,
@@ -195,7 +195,7 @@ errors! {
     } = "{} is {}: it must lie between {} and {}", Text(of), Scalar(given), Scalar(min), Scalar(max);
     /// A camera whose eye is at its target.
     EyeAtTarget {
-        /// The position of both.
+        /// The position of the eye and of the target.
         eye: Vec3,
     } = "eye and target are both at ({}, {}, {}): they must differ, to give the camera a direction to look in",
         Scalar(eye.x), Scalar(eye.y), Scalar(eye.z);
@@ -219,7 +219,7 @@ errors! {
         outer: Angle,
     } = "cone reaches from {} degrees to {} degrees: the outer angle must be above the inner one, and at most 90 degrees",
         Degrees(inner), Degrees(outer);
-    /// An angle that cannot lie between two faces.
+    /// A crease angle above 180 degrees, which two faces cannot form.
     CreaseAngle {
         /// The refused angle.
         angle: Angle,
@@ -235,7 +235,7 @@ errors! {
     } = "size is {}x{}: width and height must lie between 1 and {}", Number(width), Number(height), Number(max);
     /// A width or height of a texture that is not a power of two, or is too large.
     PowerOfTwo {
-        /// The name of the side, width or height.
+        /// The name of the side: width or height.
         of: &'static str,
         /// The refused number of texels.
         given: u32,
@@ -257,7 +257,7 @@ errors! {
         x: i32,
         /// The refused row of the top edge.
         y: i32,
-        /// Largest magnitude allowed for both.
+        /// Largest magnitude allowed for `x` and for `y`.
         max: u32,
     } = "viewport is at ({}, {}): both coordinates must lie between -{} and {}",
         Number(x), Number(y), Number(max), Number(max);
@@ -296,7 +296,7 @@ errors! {
         at: usize,
         /// The refused index.
         index: u32,
-        /// Number of elements; the index must be below it.
+        /// Number of elements; the index must be less than this number.
         len: usize,
     } = "index {} in element {} is out of range: it must be below {}", Number(index), Number(at), Number(len);
     /// Two meshes whose faces must be the same but differ.

@@ -8,7 +8,7 @@
 //! The [guide] leads from [concepts](guide::concepts) to [firmware](guide::firmware). If you know OpenGL or another
 //! library, begin with [coming from](guide::coming_from). If you know linear algebra but no graphics, begin with the
 //! [mathematics](guide::mathematics). To work on the crate itself, begin with [the path of a
-//! pixel](#the-path-of-a-pixel), which lists the functions that carry out the stages above.
+//! pixel](#the-path-of-a-pixel), which lists the functions for the stages in the diagram above.
 //!
 //! # A picture
 //!
@@ -103,16 +103,16 @@
 //!    which accuracy is promised, and says what happens beyond them.
 //! 4. **Watertight.** Triangles that share an edge cover each pixel center exactly once, even if they are clipped.
 //! 5. **Bands equal frames.** A frame drawn in bands equals the frame drawn whole, bit for bit.
-//! 6. **Pay for what you use.** Depth, storage, color, shading and interpolation mode are type parameters. What your
-//!    program does not use adds no code. The feature `assets`, on by default, provides the macros that read files. A
-//!    program that includes no files compiles faster with `default-features = false`. The feature `defmt`, off by
+//! 6. **Pay for what you use.** Depth, storage, color, shading and interpolation mode are type parameters. Parts that
+//!    your program does not use add no code. The feature `assets`, on by default, provides the macros that read files.
+//!    A program that includes no files compiles faster with `default-features = false`. The feature `defmt`, off by
 //!    default, implements `defmt::Format` for the types that a program may want to log, for example [`Error`], [`Vec3`]
 //!    and [`Drawn`].
 //!
 //! # Drawing to a display
 //!
-//! A frame of 320x240 takes 150 KiB of color and 150 KiB of depth. With less memory, draw the scene band by band
-//! into the same memory, and send each band to the display when it is finished.
+//! A frame of 320x240 takes 150 KiB for colors and 150 KiB for depths. If you have less memory, draw the scene band by
+//! band into the same memory, and send each band to the display when it is finished.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}};
@@ -171,8 +171,8 @@
 //! # Versions
 //!
 //! - **Pictures.** Versions that Cargo treats as compatible (0.1.0 and 0.1.7) draw the same bits. Checksums in the
-//!   tests enforce this. A new picture, even a better one, requires a new minor version, and the changelog says what
-//!   differs. A bug that breaks a promise above is fixed immediately.
+//!   tests enforce this. Any change to a picture, even an improvement, requires a new minor version, and the changelog
+//!   says what differs. A bug that breaks a promise above is fixed immediately.
 //! - **Compiler.** The crate compiles with Rust 1.88. Only a new minor version may require a later compiler. That
 //!   compiler is then at least six months old.
 //! - **Dependencies.** `fixed` and `embedded-graphics` appear in the interface. An incompatible new version of either
@@ -180,7 +180,8 @@
 //!
 //! # The path of a pixel
 //!
-//! These functions carry out the stages. Each function is listed below the function that calls it:
+//! These functions carry out the stages in the diagram at the top of this page. Each function is listed below the
+//! function that calls it:
 //!
 //! ```text
 //! Canvas::draw_with                   options, a thing, its Mvp, a shader    pipeline/
@@ -326,8 +327,8 @@ struct Readme;
 
 /// The items that most programs import in order to draw.
 ///
-/// The prelude of embedded-graphics has its own `Angle`, `Primitive` and `Transform`. A program that imports both
-/// preludes must also import by name those of these items that it uses:
+/// The prelude of embedded-graphics has its own `Angle`, `Primitive` and `Transform`. If a program imports both
+/// preludes and uses one of these three items, it must also import that item by name:
 ///
 /// ```
 /// use embedded_graphics::prelude::*;

@@ -10,8 +10,8 @@ use crate::shade::{Output, PixelFormat, Precise, fraction};
 /// [`Add`] or [`Multiply`]. Sealed.
 ///
 #[cfg_attr(doc, doc = page_picture!("blending", "A pane over stripes: Replace, Opacity, Add and Multiply"))]
-/// [`DrawOptions::with_blending`](crate::DrawOptions::with_blending) chooses it. Draw opaque surfaces first, then
-/// blended ones, from back to front. Draw the blended ones with [`TestOnly`](super::TestOnly), so that they hide
+/// [`DrawOptions::with_blending`](crate::DrawOptions::with_blending) chooses the blending. Draw opaque surfaces first,
+/// then blended ones, from back to front. Draw the blended ones with [`TestOnly`](super::TestOnly), so that they hide
 /// nothing that is drawn later.
 ///
 /// Each channel is blended as it is stored, without gamma. The result is rounded to nearest, or dithered if the color
@@ -49,8 +49,8 @@ sealed!(Replace, Opacity, Add, Multiply);
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Replace;
 
-/// A [`Blending`]: every color covers the one on the canvas by the same share, from 0 (not at all) to 255 (wholly). Use
-/// it for glass, water and ghosts.
+/// A [`Blending`]: each new color covers the color on the canvas by a fixed share, from 0 (not at all) to 255 (wholly).
+/// Use it for glass, water and ghosts.
 ///
 /// For colors of 15 and 16 bits, the share has 32 steps. The error is at most 1.1 steps in a channel of 5 bits, 1.7
 /// steps in one of 6 bits, and 1 step in the channels of other colors. 0 keeps the color on the canvas, and 255

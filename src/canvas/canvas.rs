@@ -36,8 +36,8 @@ const MAX_SIZE: u32 = 2048;
 ///
 /// [`BigEndian`](embedded_graphics::pixelcolor::raw::BigEndian) and
 /// [`LittleEndian`](embedded_graphics::pixelcolor::raw::LittleEndian) are embedded-graphics' types. For displays with
-/// several pixels in a byte, [`show`](Self::show) and [`pages`](Self::pages) pack the pixels. Draw in bands for these
-/// displays: a band of 8 rows of 128 pixels takes 1 KiB, as much as a whole packed frame of 128x64.
+/// several pixels in a byte, [`show`](Self::show) and [`pages`](Self::pages) pack the pixels. For these displays, draw
+/// in bands: before packing, a band of 8 rows of 128 pixels takes 1 KiB, as much as a whole packed frame of 128x64.
 ///
 /// [`with_depth`](Self::with_depth) and [`with_depth_format`](Self::with_depth_format) add a depth buffer.
 ///
@@ -130,7 +130,7 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     /// # Errors
     ///
     /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](Self::MAX_SIZE); [`Error::Length`] if `pixels`
-    /// is not a whole number of rows; [`Error::Rows`] if it holds no row, or a row outside the frame.
+    /// is not a whole number of rows; [`Error::Rows`] if the band has no row, or has a row outside the frame.
     pub fn band<P: Cell<C, O>>(
         pixels: &'a mut [P],
         width: u32,
@@ -165,8 +165,8 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
 
     /// Adds a depth buffer in [`LinearDepth`] format: one `u16` per pixel.
     ///
-    /// [`clear`](Canvas::clear) and [`clear_depth`](Canvas::clear_depth) clear it. A new buffer must
-    /// be all 0 (infinitely far) or be cleared before the first draw call.
+    /// [`clear`](Canvas::clear) and [`clear_depth`](Canvas::clear_depth) clear the depth buffer. A new buffer must be
+    /// all 0 (infinitely far) or be cleared before the first draw call.
     ///
     /// # Errors
     ///
@@ -282,8 +282,8 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// Shows the canvas on a display of another color, as [`show`](Self::show) does. `color` converts the color at each
     /// point of the frame.
     ///
-    /// A canvas of [`ColorIndex`](super::ColorIndex) looks its colors up in a palette this way. A gray canvas can be
-    /// dithered once the whole frame is drawn and its [`Contrast`](super::Contrast) is known:
+    /// For a canvas of [`ColorIndex`](super::ColorIndex), `color` looks up each color in a palette. A gray canvas can
+    /// be dithered once the whole frame is drawn and its [`Contrast`](super::Contrast) is known:
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{BinaryColor, Gray8, GrayColor};
@@ -315,12 +315,13 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
 }
 
 impl<O: Storage<BinaryColor>, D> Canvas<'_, BinaryColor, O, D> {
-    /// The pixels as the bytes of an SSD1306 or a similar display: 8 rows of a column in a byte, the topmost in the
-    /// least significant bit.
+    /// The pixels as the bytes of an SSD1306 or a similar display: each byte holds 8 rows of a column, the topmost in
+    /// the least significant bit.
     ///
     /// 8 rows form a *page*. A page has one byte for each column, from the left. Pages follow each other from the top,
-    /// and the first row of the canvas is the first row of a page. So a band for such a display begins at a multiple of
-    /// 8 and has 8 rows, or 16, and so on. If its last page has fewer rows, the other bits are 0.
+    /// and the first row of the canvas is the first row of a page. So let each band for such a display begin at a
+    /// multiple of 8, and give it 8 rows, 16 rows, and so on. If the last page of a band has fewer rows, its other bits
+    /// are 0.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::BinaryColor;
@@ -365,7 +366,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Sets every depth to infinity and keeps the colors. The next draw call then covers the picture.
     ///
     /// Use it for a second scene over the first, such as a cockpit or a gauge that no wall may hide. Without a depth
-    /// buffer, it does nothing.
+    /// buffer, this function does nothing.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;

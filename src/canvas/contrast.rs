@@ -7,8 +7,8 @@ use super::storage::Storage;
 
 /// A change of grays that makes one gray black and a lighter one white, and spreads the grays between them evenly.
 ///
-/// Displays with few grays need it: in black and white, a scene that has only dark grays becomes noise. The default
-/// changes nothing.
+/// Displays with few grays need it. Without it, a scene that has only dark grays becomes noise in black and white. The
+/// default changes nothing.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

@@ -6,8 +6,8 @@ use crate::sealed::{Sealed, sealed};
 /// A canvas's depth buffer: [`NoDepth`], or 16 bits per pixel in the format [`LinearDepth`], [`FloatDepth`] or
 /// [`WideFloatDepth`]. Sealed.
 ///
-/// A fragment is drawn if it is at least as near as the stored depth, so of two fragments at equal depth, the later one
-/// wins. 65535 is the near plane, 0 is infinitely far.
+/// A fragment is drawn if it is at least as near as the stored depth. Therefore, if two fragments have the same depth,
+/// the later one is visible. 65535 is the near plane, 0 is infinitely far.
 ///
 #[cfg_attr(doc, doc = diagram!("depth"))]
 /// Depths have one of three formats. In each, a nearer depth is a greater number, so the depth test is the same
@@ -22,7 +22,7 @@ use crate::sealed::{Sealed, sealed};
 /// | 65,536 | none | 0.024 % | 0.049 % |
 /// | 1,000,000 | none | none | 0.049 % |
 ///
-/// Surfaces that are closer together than a step have equal depths, and the later one wins.
+/// Surfaces that are closer together than a step have equal depths, and the later one is visible.
 ///
 /// Under a parallel projection, depth is linear in the distance itself: use [`LinearDepth`]. Shaders see the same
 /// linear [`Fragment::depth`](crate::Fragment::depth) with every format.
@@ -96,12 +96,12 @@ pub enum LinearDepth {}
 /// A step is 2⁻¹³ to 2⁻¹² of the distance (0.012 to 0.024 %) everywhere in the range, because each halving of 1/w
 /// lowers the code by 4096. Surfaces at 65,536 · near or beyond are stored as 0.
 ///
-/// Within one triangle, the error of the interpolated 1/w is 2⁻²⁴ of its largest value. If a triangle's far end is
-/// more than 3,000 times as far away as its near end, this error exceeds half a step there.
+/// Within one triangle, the error of the interpolated 1/w is 2⁻²⁴ of its largest value. If a triangle's far end is more
+/// than 3,000 times as far away as its near end, this error exceeds half a step at the far end.
 ///
-/// On Cortex-M4, a tested fragment takes 7 to 9 instructions more than with [`LinearDepth`]. In the default mode, this
-/// is a quarter more for the benchmark's floor and cube. On Cortex-M0+, which has no instruction that counts leading
-/// zeros, a fragment takes 9 to 19 instructions more.
+/// On Cortex-M4, a tested fragment takes 7 to 9 instructions more than with [`LinearDepth`]. In the default mode,
+/// drawing the benchmark's floor and cube takes a quarter more instructions. On Cortex-M0+, which has no instruction
+/// that counts leading zeros, a fragment takes 9 to 19 instructions more.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -120,8 +120,8 @@ pub enum FloatDepth {}
 /// A step is 2⁻¹² to 2⁻¹¹ of the distance (0.024 to 0.049 %) up to 2³² · near. This is twice as coarse as
 /// [`FloatDepth`], at the same cost.
 ///
-/// Within one triangle, the error of the interpolated 1/w is 2⁻²⁴ of its largest value. If a triangle's far end is
-/// more than 6,000 times as far away as its near end, this error exceeds half a step there.
+/// Within one triangle, the error of the interpolated 1/w is 2⁻²⁴ of its largest value. If a triangle's far end is more
+/// than 6,000 times as far away as its near end, this error exceeds half a step at the far end.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

@@ -7,7 +7,7 @@ use crate::sealed::Sealed;
 /// How a draw call uses the canvas's depth buffer.
 ///
 /// It is [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], or [`Biased`] around one of these.
-/// [`DrawOptions::with_depth`](crate::DrawOptions::with_depth) chooses it.
+/// [`DrawOptions::with_depth`](crate::DrawOptions::with_depth) chooses the depth test.
 ///
 /// ```
 /// use fixel::{prelude::*, canvas::TestOnly};
@@ -128,7 +128,7 @@ pub struct Biased<Z = super::TestAndWrite> {
     pub test: Z,
     /// How far depths move, in steps of the depth buffer.
     pub steps: i32,
-    /// The factor of the depth difference between neighboring pixels.
+    /// The factor by which the depth difference between neighboring pixels is multiplied.
     pub slope: Scalar,
     /// Half the change of the current primitive's 1/w.
     added: i32,
@@ -158,9 +158,9 @@ impl<Z> Biased<Z> {
     }
 
     /// `test` with depths moved away by two steps and by the depth difference between neighboring pixels. With this
-    /// bias, edges drawn over the mesh have no gaps. (There is one exception. If the near plane clips a sliver, its new
-    /// corners are rounded to 1/256 pixel. This tilts the sliver, so it may hide a pixel of its own edge.) For
-    /// silhouettes of round bodies, this bias is too small: draw an outline [`in_front`](Self::in_front).
+    /// bias, edges drawn over the mesh have no gaps. (There is one exception. If the near plane clips a very narrow
+    /// triangle, its new corners are rounded to 1/256 pixel. This tilts the triangle, so it may hide a pixel of its own
+    /// edge.) For silhouettes of round bodies, this bias is too small: draw an outline [`in_front`](Self::in_front).
     #[must_use]
     pub const fn behind(test: Z) -> Self {
         Self::new(test, -2, crate::fx!(-1))
@@ -171,8 +171,8 @@ impl<Z> Biased<Z> {
     ///
     /// The center of a line's pixel may be half a pixel away from the line. At that center, a face may be nearer than
     /// the line, but by less than the bias. In a test with balls and cans, 0.5 % of the silhouette pixels are missing.
-    /// They are on balls that are only a few pixels wide. A line is visible through a surface that is in front of it by
-    /// less than the bias.
+    /// The missing pixels are on balls that are only a few pixels wide. A line is visible through a surface that is in
+    /// front of it by less than the bias.
     #[must_use]
     pub const fn in_front(test: Z) -> Self {
         Self::new(test, 2, crate::fx!(1))

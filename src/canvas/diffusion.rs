@@ -35,8 +35,8 @@ impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
     /// below instead. Brightness is therefore kept, except where it would exceed white or fall below black. Details are
     /// finer than with ordered dithering, but in a moving picture they change from frame to frame.
     ///
-    /// The bands of a frame, shown one after the other, equal the whole frame. The display may be another canvas that
-    /// holds the whole frame or the same rows. The display must consume every color that is sent to it.
+    /// Bands that are shown from top to bottom give the same picture as the whole frame. The display may be another
+    /// canvas that holds the whole frame or the same rows. The display must consume every color that is sent to it.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{BinaryColor, Gray8};

@@ -134,8 +134,8 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// in memory.
     ///
     /// The result is the same as with `thing.draw(&mut canvas)`, but `overlay` saves time when you draw in bands.
-    /// `draw` computes all pixels of a text in every band; `overlay` computes them only in the bands that show some of
-    /// them. However, pixels that a thing draws outside its bounding box may be missing.
+    /// `draw` computes all pixels of a text in every band; `overlay` computes the pixels only in the bands that show
+    /// part of the text. Pixels that `thing` draws outside its bounding box may be missing.
     ///
     /// ```
     /// use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};

@@ -1,9 +1,10 @@
 //! The canvas: the caller's memory for a frame or a band of it, with or without a depth buffer.
 //!
 #![cfg_attr(doc, doc = page_picture!("formats", "A ball in 16 bits of color, in four grays, in black and white"))]
-//! A [`Canvas`] has three type parameters: its color, how the color is stored, and its depth buffer. These follow from
-//! the memory that the canvas is given. The program must name the color and the storage only for a canvas of words or
-//! bytes. Each draw call chooses how it uses the depth buffer, and how its colors are blended with those on the canvas.
+//! A [`Canvas`] has three type parameters: its color, how the color is stored, and its depth buffer. The compiler
+//! infers these types from the memory that the canvas is given. The program must name the color and the storage only
+//! for a canvas of words or bytes. Each draw call chooses how it uses the depth buffer, and how its colors are blended
+//! with those on the canvas.
 //!
 //! | choice | types |
 //! |---|---|

@@ -63,9 +63,9 @@ pub enum Native {}
 
 /// A [`Storage`] that keeps the integer of a color's raw bits, such as a `u16` for `Rgb565`.
 ///
-/// Use it where the bus and its DMA send words of 16 bits, the most significant bit first, as a display of 16-bit
-/// colors expects them. The processor then stores a pixel in one step, whereas it stores [`BigEndian`] bytes one by
-/// one. Many buses also pause after each word, so sending fewer words takes less time.
+/// Use it if the bus and its DMA send words of 16 bits with the most significant bit first. A display of 16-bit colors
+/// expects this order. The processor then stores a pixel in one step, whereas it stores [`BigEndian`] bytes one by one.
+/// Many buses also pause after each word, so sending fewer words takes less time.
 ///
 /// A color of up to 8 bits is stored in a `u8`, a color of up to 16 bits in a `u16`, and a color of more bits in a
 /// `u32`. Unused upper bits are 0.

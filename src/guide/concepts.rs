@@ -128,8 +128,8 @@
 //!
 #![doc = diagram!("eye")]
 //!
-//! Their product is the [`Mvp`](crate::Mvp), the model-view-projection. Read this product from right to left, in the
-//! order in which its factors transform a point: `projection * camera * model`.
+//! The product of projection, camera and model transform is the [`Mvp`](crate::Mvp), the model-view-projection. Read
+//! this product from right to left, in the order in which its factors transform a point: `projection * camera * model`.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -151,8 +151,8 @@
 //! A [`Shader`](crate::Shader) gives each pixel its color. Some shaders are surfaces: [`Flat`](crate::Flat) has one
 //! color, [`Gouraud`](crate::Gouraud) interpolates vertex colors, and [`Textured`](crate::Textured) shows a texture.
 //! The pixels of a texture are called texels. Adapters (`lit`, `in_fog`, `map`) wrap a surface. You can use any number
-//! of adapters, in any order. The module [`shade`](crate::shade) lists all surfaces and adapters. The compiler turns
-//! the whole stack into one loop, and the program contains only the shaders that you name.
+//! of adapters, in any order. The module [`shade`](crate::shade) lists all surfaces and adapters. The compiler turns a
+//! surface with all of its adapters into one loop, and the program contains only the shaders that you name.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -177,7 +177,7 @@
 //!
 //! [`Canvas::draw`](crate::Canvas::draw) culls back faces (it leaves them out), tests depth, interpolates in correct
 //! perspective, and replaces the colors on the canvas. [`draw_with`](crate::Canvas::draw_with) takes
-//! [`DrawOptions`](crate::DrawOptions) that change this for one call:
+//! [`DrawOptions`](crate::DrawOptions) that change these settings for one call:
 //!
 //! ```
 //! use fixel::mode::Fast;

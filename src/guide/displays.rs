@@ -34,7 +34,7 @@
 #![doc = display_picture!("A round panel", "round")]
 //! A round panel does not show the corners of the frame. A circle leaves a fifth of its square empty. With bands of 16
 //! rows, each as wide as the circle in these rows (right), 15 % of the pixels are neither drawn nor sent. Bands of
-//! fewer rows save more, but transform the mesh more often.
+//! fewer rows leave out more pixels, but transform the mesh more often.
 //!
 #![doc = display_program!("round")]
 //!
@@ -83,7 +83,7 @@
 //!
 #![doc = display_picture!("Two frames", "frames")]
 //! While one buffer is sent, the next frame is drawn into the other buffer. Two frames of 240x240 pixels take 225 KiB.
-//! This is too much for a Pico that must also hold everything else, but not for the PSRAM on many boards with an
+//! This is too much for a Pico that must also hold everything else, but it fits into the PSRAM on many boards with an
 //! RP2350. Depth should stay in fast memory, because each pixel reads and writes it several times.
 //!
 #![doc = display_program!("frames")]

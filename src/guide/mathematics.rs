@@ -117,9 +117,9 @@
 //!
 #![doc = formula!({-A n + B = -n^2} {-A f + B = -f^2} {A = n + f} {B = n f})]
 //!
-//! With *n* in the first two rows in place of the window, this is the perspective transform *P*. It squeezes the
-//! frustum into a box as wide as the window, and leaves both planes in place. A point at the distance *w* moves to the
-//! distance *n* + *f* − *nf*/*w*.
+//! The matrix with these *A* and *B*, and with *n* in the first two rows in place of the window, is the perspective
+//! transform *P*. It squeezes the frustum into a box as wide as the window, and leaves both planes in place. A point at
+//! the distance *w* moves to the distance *n* + *f* − *nf*/*w*.
 //!
 #![doc = formula!({P = matrix(
     [n] [0] [0]     [0];
@@ -252,9 +252,9 @@
     {prime(y) to -n frac(v[y])(v[z])}
 )]
 //!
-//! This is also the image of the point *v* itself, or of −*v* if *v* points backward: the line of sight to a vanishing
-//! point is parallel to the lines that meet there. [`Projection::vanishing_point`](crate::Projection::vanishing_point)
-//! computes it.
+//! The vanishing point is also the image of the point *v* itself, or of −*v* if *v* points backward: the line of sight
+//! to a vanishing point is parallel to the lines that meet there.
+//! [`Projection::vanishing_point`](crate::Projection::vanishing_point) computes the vanishing point.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -330,7 +330,7 @@
     {= frac((1 - t) w[0] prime(x[0]) + t w[1] prime(x[1]))((1 - t) w[0] + t w[1])}
 )]
 //!
-//! This is a mean of the images of the ends. The weight of the second is *q*:
+//! This is a mean of the images of the ends. The weight of the second image is *q*:
 //!
 #![doc = formula!(
     {q = frac(t w[1])(w[0] + t (w[1] - w[0]))}
@@ -404,8 +404,8 @@
 //! and *y*′ by the same substitution, and *d*/*w* is linear because 1/*w* is.
 //!
 //! The value of a linear function at a point is the mean of its values at the corners, weighted with the point's
-//! barycentric coordinates on the screen. These are proportional to the areas opposite to the corners, and *α* + *β* +
-//! *γ* = 1. Hence
+//! barycentric coordinates on the screen. These coordinates are proportional to the areas opposite to the corners, and
+//! *α* + *β* + *γ* = 1. Hence
 //!
 #![doc = formula!({a = frac
     (var "α" a[0] / w[0] + var "β" a[1] / w[1] + var "γ" a[2] / w[2])
@@ -504,7 +504,7 @@
 )]
 //!
 //! The error of a chord over *L* pixels is at most |*ȧ*| δ *L*²/4, an eighth of *L*² times the second derivative. The
-//! mode [`Fast`](crate::mode::Fast) takes the longest pieces that keep this below your tolerance.
+//! mode [`Fast`](crate::mode::Fast) uses the longest pieces that keep this error below your tolerance.
 //!
 #![doc = diagram!("pieces")]
 //!
@@ -591,14 +591,14 @@
 //! <div class="warning">
 //!
 //! **A camera that is not inverted.** A pose places the eye in the world; a view moves the world in front of the eye.
-//! The last line above uses the pose as the view ([`Camera::from_view`](crate::Camera::from_view)). This puts the
-//! target at (3, 0, 4), behind the eye. You notice this mistake when the scene moves with the camera instead of against
-//! it.
+//! The last line of the program above uses the pose as the view ([`Camera::from_view`](crate::Camera::from_view)). This
+//! puts the target at (3, 0, 4), behind the eye. You notice this mistake when the scene moves with the camera instead
+//! of against it.
 //!
 //! </div>
 //!
 //! **A chain of transforms is read from right to left**: viewport · projection · camera · model · point. Factors do not
-//! commute: if a model is turned and then moved, it is not in the same place as if it is moved and then turned.
+//! commute: a model that is turned and then moved is not in the same place as a model that is moved and then turned.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::Gray8;

@@ -47,7 +47,7 @@ impl Direction {
     }
 
     /// Returns the dot product, which is the cosine of the angle to another direction, with an error of at most 2⁻²⁸; 0
-    /// if one of them is [`NONE`](Self::NONE).
+    /// if either direction is [`NONE`](Self::NONE).
     ///
     /// ```
     /// use fixel::{Fraction, Vec3, math::Direction, vec3};

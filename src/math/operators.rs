@@ -76,7 +76,8 @@ macro_rules! vector {
                 Self::new($(self.$part.max(other.$part)),+)
             }
 
-            /// Interpolates linearly: the result is `self` at `t` = 0 and `other` at `t` = 1, and extrapolates beyond.
+            /// Interpolates linearly: the result is `self` at `t` = 0 and `other` at `t` = 1. Below 0 and above 1, it
+            /// is extrapolated.
             ///
             /// Each component is rounded to nearest once, halves up, and saturates.
             #[must_use]

@@ -7,7 +7,7 @@ use crate::TexCoord;
 /// (0, 0) is the top left corner of the texture and (1, 1) the bottom right corner of its first repeat. `y` increases
 /// downward, in the order of the stored rows.
 ///
-/// It has the operators of [`Vec3`](crate::Vec3), with the same rounding and saturation; none of them panics. The
+/// `Vec2` has the operators of [`Vec3`](crate::Vec3), with the same rounding and saturation; none of them panics. The
 /// factor or divisor is a [`Scalar`](crate::Scalar).
 ///
 /// ```

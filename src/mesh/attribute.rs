@@ -67,13 +67,12 @@ impl<'a, T: Copy> Attribute<'a, T> {
 
 /// Adds, removes and finds attributes.
 impl<'a> Mesh<'a> {
-    /// Adds texture coordinates: one per position or, with `faces`, any number of values and three indices per
-    /// triangle.
+    /// Adds texture coordinates: one per position, or any number if `faces` gives three indices per triangle.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if the number of values is not the number of positions or, with `faces`, if `faces` does not
-    /// have one entry per triangle; [`Error::Index`] if an entry names a value that does not exist.
+    /// Without `faces`: [`Error::Length`] unless there is one value per position. With `faces`: [`Error::Length`]
+    /// unless `faces` has one entry per triangle; [`Error::Index`] if an entry names a value that does not exist.
     pub const fn with_uvs(
         self,
         values: &'a [Vec2],
@@ -83,8 +82,8 @@ impl<'a> Mesh<'a> {
         Ok(Self { uvs, ..self })
     }
 
-    /// Adds normals in model space, of any length: one per position or, with `faces`, any number of values and three
-    /// indices per triangle.
+    /// Adds normals in model space, of any length: one per position, or any number if `faces` gives three indices per
+    /// triangle.
     ///
     /// # Errors
     ///
@@ -98,7 +97,7 @@ impl<'a> Mesh<'a> {
         Ok(Self { normals, ..self })
     }
 
-    /// Adds colors: one per position or, with `faces`, any number of values and three indices per triangle.
+    /// Adds colors: one per position, or any number if `faces` gives three indices per triangle.
     ///
     /// # Errors
     ///

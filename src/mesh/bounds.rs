@@ -5,8 +5,8 @@ use crate::Vec3;
 
 /// An upright box in model space, such as the smallest one around a mesh.
 ///
-/// From the box, [`Canvas::is_in_view`](crate::Canvas::is_in_view) tells whether a mesh may have pixels. In a `static`,
-/// the compiler computes the box of a mesh.
+/// [`Canvas::is_in_view`](crate::Canvas::is_in_view) uses the box to tell whether a mesh may have pixels. In a
+/// `static`, the compiler computes the box of a mesh.
 ///
 /// ```
 /// use fixel::mesh::Bounds;
@@ -54,7 +54,7 @@ impl Bounds {
 }
 
 impl Mesh<'_> {
-    /// Finds the smallest upright box around all positions; the origin alone if there are none.
+    /// Finds the smallest upright box around all positions; without positions, the box is the origin alone.
     #[must_use]
     pub const fn bounds(&self) -> Bounds {
         let positions = self.positions();

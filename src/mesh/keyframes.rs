@@ -8,7 +8,7 @@ use crate::error::{check_length, ok};
 use crate::num::wide::product;
 use crate::{Error, Scalar, Vec3, message};
 
-/// Two poses of one mesh that can be blended: their positions and, if both poses have them, their normals.
+/// Two poses of one mesh that can be blended: their positions, and their normals if both poses have normals.
 ///
 /// Both meshes need the same faces. Texture coordinates, colors and edges come from the first mesh. A `static` of this
 /// type is checked at compile time. It stores only the positions and normals of the second mesh in flash.
@@ -92,9 +92,9 @@ impl<'a> Keyframes<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if the meshes differ in how many positions, faces or normals they have;
-    /// [`Error::FacesDiffer`] if two faces differ, as indices of positions or, if both meshes have normals, as indices
-    /// of normals. If the normals of two files do not match, drop them with [`Mesh::without_normals`].
+    /// [`Error::Length`] if the meshes differ in how many positions, faces or normals they have. [`Error::FacesDiffer`]
+    /// if two faces have different position indices, or different normal indices where both meshes have normals. If the
+    /// normals of two files do not match, drop them with [`Mesh::without_normals`].
     pub const fn new(first: &Mesh<'a>, second: &Mesh<'a>) -> Result<Self, Error> {
         let positions = second.positions();
         ok!(check_length(positions.len(), first.positions().len()));
@@ -145,7 +145,7 @@ impl<'a> Keyframes<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if the chain is empty, and those of [`blend`](Self::blend).
+    /// [`Error::Length`] if the chain is empty; otherwise as for [`blend`](Self::blend).
     pub fn blend_chain<'m>(
         chain: &[Self],
         time: Scalar,
@@ -180,8 +180,8 @@ impl<'a> Keyframes<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::TooMany`] if a slice is shorter than its list in the first mesh; an empty slice for normals is
-    /// accepted.
+    /// [`Error::TooMany`] if a slice is shorter than the corresponding list of the first mesh; an empty slice for
+    /// normals is accepted.
     pub fn blend<'m>(
         &self,
         t: Scalar,

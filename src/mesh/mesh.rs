@@ -103,8 +103,9 @@ impl<'a> Mesh<'a> {
 
     /// A mesh of 16-bit positions, in units of 2^-`fraction`, and the triangles between them.
     ///
-    /// These positions take half the flash and draw the same pixels, bit for bit, as [`Scalar`](crate::Scalar)s of
-    /// the same value. With 14 fraction bits, for example, they range from −2 to almost 2 in steps of 1/16384.
+    /// These positions take half the flash of positions in [`Scalar`](crate::Scalar)s. With the same values, they draw
+    /// the same pixels, bit for bit. With 14 fraction bits, for example, they range from −2 to almost 2 in steps of
+    /// 1/16384.
     ///
     /// Rounding to these units moves a position by up to half a unit along each axis. On the screen, this moves the
     /// position by up to √3/2 · (1 + s) units times focal length / w, where s is the slope x/w or y/w at which the

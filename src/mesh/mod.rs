@@ -31,8 +31,8 @@
 //! separately for u and v. If coordinates range from 0 to 1, a texture with 64 texels in a row moves by up to 1/2048
 //! texel with 16 bits, and by up to 1/8 texel with 8 bits.
 //!
-//! The attributes of each triangle are unpacked when it is drawn. For normals, this takes a few percent of the
-//! instructions on Cortex-M4. A program without such meshes does not contain the code.
+//! The attributes of each triangle are unpacked when the triangle is drawn. For normals, this takes a few percent of
+//! the instructions on Cortex-M4. A program without such meshes does not contain the code that unpacks attributes.
 //!
 //! ```
 //! use fixel::prelude::*;

@@ -120,8 +120,8 @@ impl<'a> Mesh<'a> {
     /// `crease`, and changes abruptly at sharper edges. At 0 degrees, only flat polygons are smooth; at 180 degrees,
     /// everything is smooth.
     ///
-    /// The normal of a triangle's corner is the mean of the normals of triangles around its position. Only triangles
-    /// whose own normals are within `crease` of this triangle's normal count. They are weighted as in
+    /// The normal at a corner of a triangle is a mean over the triangles around that position. The mean includes only
+    /// triangles whose own normals are within `crease` of this triangle's normal. These triangles are weighted as in
     /// [`with_smooth_normals`](Self::with_smooth_normals). Equal normals are stored once, so a box needs 6. There are
     /// at most three normals per triangle; `faces` receives the indices of the normals.
     ///

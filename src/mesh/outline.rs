@@ -9,12 +9,12 @@ use crate::num::Angle;
 ///
 /// [`Mesh::outline`] draws the edges that show the shape, as seen from the eye:
 ///
-/// - *creases*, where two faces meet at an angle above a limit, if at least one of them is not culled;
-/// - *silhouettes*, where a front face meets a back face, and borders, which have only one face. As with creases, these
-///   edges are drawn only if at least one of their faces is not culled.
+/// - *creases*, where two faces meet at an angle above a limit;
+/// - *silhouettes*, where a front face meets a back face, and borders, which have only one face.
 ///
-/// Therefore, a convex mesh shows no hidden lines even without a depth buffer. For other meshes, first draw the faces
-/// into a depth buffer, as in the example of [`Mesh::outline`]; the faces then hide the lines behind them.
+/// An edge is drawn only if at least one of its faces is not culled. Therefore, a convex mesh shows no hidden lines
+/// even without a depth buffer. For other meshes, first draw the faces into a depth buffer, as in the example of
+/// [`Mesh::outline`]; the faces then hide the lines behind them.
 ///
 /// [`outline!`](crate::outline) finds the edges at compile time and stores 8 bytes per edge in flash. At run time,
 /// [`build`](Self::build) finds the edges and stores them in the caller's memory. The outline may be drawn with another
@@ -81,10 +81,10 @@ impl<'a> Outline<'a> {
     ///
     /// `edges` needs room for the three sides of every face. About half of this room is used.
     ///
-    /// Two sides form an edge if their ends have the same positions, even under different indices, so a seam of texture
-    /// coordinates is not a border. Faces without area are ignored. The diagonals of flat polygons, whose faces lie
-    /// within 2⁻¹⁰ radians (0.056 degrees) of one plane, are never creases. If two faces run along an edge in the same
-    /// direction, each face has a border at that edge. Lines of an OBJ file that belong to no face are left out.
+    /// Two sides form an edge if their ends have the same positions, even with different indices. Therefore, a seam of
+    /// texture coordinates is not a border. Faces without area are ignored. The diagonals of flat polygons, whose faces
+    /// lie within 2⁻¹⁰ radians (0.056 degrees) of one plane, are never creases. If two faces run along an edge in the
+    /// same direction, each face has a border at that edge. Lines of an OBJ file that belong to no face are left out.
     ///
     /// ```
     /// use fixel::mesh::Outline;
@@ -362,8 +362,9 @@ const fn partner(
 
 /// The [`Outline`](crate::mesh::Outline) of a mesh, found at compile time and stored in flash.
 ///
-/// The arguments are a `static` or `const` mesh, and the angle between faces above which their edge is a crease; 30 to
-/// 45 degrees suit most models. [`Outline::build`](crate::mesh::Outline::build) describes which edges are found.
+/// The first argument is a `static` or `const` mesh. The second argument is an angle: if two faces meet at a larger
+/// angle, their edge is a crease. 30 to 45 degrees suit most models. [`Outline::build`](crate::mesh::Outline::build)
+/// describes which edges are found.
 ///
 /// ```standalone_crate
 /// use fixel::mesh::Outline;

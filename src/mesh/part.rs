@@ -20,7 +20,7 @@ use super::Mesh;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Material<'a> {
-    /// Empty for faces without material.
+    /// The name; empty for faces without material.
     pub name: &'a str,
     /// The color where no texture is drawn.
     pub color: Rgb888,
@@ -69,9 +69,9 @@ impl Material<'_> {
 
 /// A run of a mesh's faces that have one material.
 ///
-/// [`include_materials!`](crate::include_materials) makes a list of them for the mesh of a file. [`PartColors`] draws
-/// all parts in their colors in one call; [`Mesh::part`](crate::Mesh::part) returns one part, to be drawn by itself,
-/// for example with its texture.
+/// [`include_materials!`](crate::include_materials) makes a list of the parts for the mesh of a file. [`PartColors`]
+/// draws all parts in their colors in one call; [`Mesh::part`](crate::Mesh::part) returns one part, to be drawn by
+/// itself, for example with its texture.
 ///
 /// [`PartColors`]: crate::shade::PartColors
 ///

@@ -57,11 +57,12 @@ use crate::{Error, Scalar, Vec2, Vec3};
 ///
 /// # How they are drawn
 ///
-/// A sprite is two triangles, drawn by the same rules as a mesh's. Nothing is culled, because sprites have no backs. A
-/// sprite without an [axis](Self::with_axis) is a rectangle on the screen. It is drawn as one primitive, which costs
-/// less than two triangles. The exceptions are a sprite that is clipped, a shader that has [values per
-/// face](crate::shade::PerFace) (as mipmaps have), and a varying that changes both across and down, as the light of a
-/// lamp does. The one primitive has the same pixels and depths as the two triangles, and its varyings are as accurate.
+/// A sprite is two triangles, drawn by the same rules as the triangles of a mesh. Nothing is culled, because sprites
+/// have no backs. A sprite without an [axis](Self::with_axis) is a rectangle on the screen. It is drawn as one
+/// primitive, which costs less than two triangles. However, it is drawn as two triangles if it is clipped, if the
+/// shader has [values per face](crate::shade::PerFace) (as with mipmaps), or if a varying changes both across and down
+/// (as the light of a lamp does). The single primitive has the same pixels and depths as the two triangles, and its
+/// varyings are as accurate.
 ///
 /// Every shader works with sprites. For a shader, sprites are a mesh in eye space whose normals point toward the
 /// viewer. The two triangles of sprite i have the indices 2i and 2i + 1. The offset of a corner from the sprite's
@@ -193,8 +194,9 @@ impl<'a> Sprites<'a> {
         })
     }
 
-    /// Lets the sprites turn only about an axis: their vertical sides are parallel to it, and their horizontal sides to
-    /// the image plane. The axis is a direction in model space, of any length. For a tree, it points up.
+    /// Lets the sprites turn only about an axis: their vertical sides are parallel to the axis, and their horizontal
+    /// sides are parallel to the image plane. The axis is a direction in model space, of any length. For a tree, it
+    /// points up.
     ///
     /// A sprite seen along its axis is so narrow that it has no pixels.
     ///
@@ -219,8 +221,9 @@ impl<'a> Sprites<'a> {
         Self { anchor, ..self }
     }
 
-    /// Multiplies the size of each sprite by a scale of its own. A scale of 0 hides it, and a negative one turns it by
-    /// 180°. A sprite is left out if a corner is farther from the eye along an axis than a `Scalar` can express.
+    /// Multiplies the size of each sprite by a scale of its own. A scale of 0 hides the sprite, and a negative scale
+    /// turns it by 180°. A sprite is left out if a corner is farther from the eye along an axis than a `Scalar` can
+    /// express.
     ///
     /// # Errors
     ///

@@ -134,8 +134,8 @@ impl Angle {
 
     /// Makes an angle from a float in radians. Whole turns are dropped.
     ///
-    /// It is accurate to one unit for up to ten million radians. Beyond that, the `f64` nearest to 2π counts as a turn,
-    /// which adds an error of 4e-17 of the float.
+    /// The angle is accurate to one unit for up to ten million radians. For larger floats, the `f64` nearest to 2π
+    /// counts as a turn. This adds an error of 4e-17 times the float.
     ///
     /// # Errors
     ///
@@ -203,10 +203,10 @@ impl Angle {
 
     /// Returns the sine.
     ///
-    /// The error is at most 1.6e-9; 0, 1 and −1 are exact at multiples of 90°, and the symmetries hold
-    /// to the last bit. An odd polynomial of degree 11 covers a quarter of a turn. In a picture of
-    /// 320x240 its error is invisible; the error of `micromath`'s sine, 1.1e-3, would move vertices of
-    /// the measured cube and sphere by up to 0.35 and 0.26 pixels.
+    /// The error is at most 1.6e-9; 0, 1 and −1 are exact at multiples of 90°, and the symmetries hold to the last bit.
+    /// An odd polynomial of degree 11 covers a quarter of a turn. In a picture of 320x240, the error of this polynomial
+    /// is invisible; the error of `micromath`'s sine, 1.1e-3, would move vertices of the measured cube and sphere by up
+    /// to 0.35 and 0.26 pixels.
     ///
     /// ```
     /// use fixel::{Angle, Fraction};

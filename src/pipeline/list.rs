@@ -58,8 +58,8 @@ use prepared::{Objects, Placed, Run};
 ///
 /// # Which camera, which frame
 ///
-/// Prepared things keep their camera, projection, transforms and options. Drawing a list takes none of these as
-/// arguments, so the list cannot be drawn with different ones. A canvas of another frame size is refused.
+/// Prepared things keep their camera, projection, transforms and options. The methods that draw a list have no such
+/// arguments, so they cannot draw it with a different camera, for example. A canvas of another frame size is refused.
 /// [`Prepared::objects`] returns the objects of the scene. As long as the prepared things are in use, neither the list
 /// nor these objects can change:
 ///
@@ -82,14 +82,15 @@ use prepared::{Objects, Placed, Run};
 /// [`ShadeList`].
 ///
 /// Without a list, each band transforms the whole mesh again. For a mesh of many small triangles, this takes longer
-/// than drawing them.
+/// than drawing the triangles.
 ///
 /// # Memory
 ///
 /// The list needs room for the visible triangles or edges (16 bytes each) and for their vertices (16 bytes each). A
 /// closed mesh in which neighboring triangles follow each other needs about half as many vertices as triangles. Other
-/// meshes need at most three vertices for each triangle, and up to 18 for each clipped one; an edge needs at most two,
-/// or four if it is clipped. If there is too little room, [`prepare`](Self::prepare) returns how much is needed.
+/// meshes need at most three vertices for each triangle, and up to 18 for each clipped triangle. An edge needs at most
+/// two vertices, or four if it is clipped. If there is too little room, [`prepare`](Self::prepare) returns how much is
+/// needed.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
@@ -177,8 +178,8 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     }
 
     /// Transforms, culls and clips the triangles of a mesh, edges, or the things of several [`Object`]s, for a `frame`
-    /// of this many columns and rows, as [`Canvas::draw_with`](crate::Canvas::draw_with) would for each of its bands.
-    /// The previous contents of the list are dropped.
+    /// of this many columns and rows. Without a list, [`Canvas::draw_with`](crate::Canvas::draw_with) does this work
+    /// again in each band. The previous contents of the list are dropped.
     ///
     /// `thing` is a mesh, [`mesh.edges(style)`](Mesh::edges) or [`mesh.outline(&outline, style)`](Mesh::outline), or a
     /// mutable borrow of a slice of objects, which share the `view`: a projection and a camera.
@@ -264,8 +265,8 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 9.01 | 9.51 |
     /// <!-- end -->
     ///
-    /// Sorting takes time for each triangle, and hidden pixels are drawn, too. But no depths are tested and stored; for
-    /// a pixel of one color, such as a pixel of the towers, this is most of the cost.
+    /// Sorting takes time for each triangle, and hidden pixels are drawn, too. In return, no depths are tested and
+    /// stored. For a pixel of one color, such as a pixel of the towers, the work on depth is most of the cost.
     ///
     /// No order is right for triangles that cross each other, or that cover each other in a circle. A large triangle
     /// may cover a small one in front of it if the small one's farthest corner is farther away. So draw a floor or a

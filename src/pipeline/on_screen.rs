@@ -86,9 +86,10 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// embedded-graphics draws, at a point of the scene. Its origin is the pixel that contains `at`, and nearer
     /// surfaces hide what is drawn.
     ///
-    /// Everything drawn to it has the point's depth, so it looks like a sheet of paper that faces the viewer. A pixel
-    /// is drawn if it is at least as near as the stored depth. The stored depth does not change. Drawing cannot fail.
-    /// Any point and any rectangle is allowed; `clear` fills every pixel that the scene does not hide.
+    /// Everything drawn to the label has the point's depth, so the label looks like a sheet of paper that faces the
+    /// viewer. A pixel is drawn if it is at least as near as the stored depth. The stored depth does not change.
+    /// Drawing cannot fail. Any point and any rectangle is allowed; `clear` fills every pixel that the scene does not
+    /// hide.
     ///
     /// A label at a point of a surface may be hidden by parts of the same surface that are nearer. To avoid this, give
     /// [`ScreenPoint::depth`] a greater value, or project a point in front of the surface. Nothing hides a label

@@ -114,7 +114,7 @@ impl<M: Copy, Z: Copy, B: Copy> DrawOptions<M, Z, B> {
         self.with(mode, self.depth, self.blending)
     }
 
-    /// Sets how depths are tested and stored. On a canvas without a depth buffer, this has no effect.
+    /// Sets how depths are tested and stored. On a canvas without a depth buffer, this setting has no effect.
     #[must_use]
     pub const fn with_depth<Y: DepthTest>(self, depth: Y) -> DrawOptions<M, Y, B> {
         self.with(self.mode, depth, self.blending)

@@ -13,8 +13,8 @@ use crate::{Error, Scalar};
 /// end does not. The pixels do not depend on the line's direction.
 ///
 /// A [hairline](Self::HAIRLINE) also draws the pixels that contain its ends, so that lines meet at every corner. If
-/// colors are [blended](crate::DrawOptions::with_blending) or translucent, a hairline draws such a pixel only if the
-/// line passes the pixel's center. So two hairlines in a row do not blend the pixel between them twice.
+/// colors are [blended](crate::DrawOptions::with_blending) or translucent, a hairline draws the pixel at an end only if
+/// the line passes the pixel's center. So two hairlines in a row do not blend the pixel between them twice.
 ///
 /// ```text
 ///  run        #   #   #            As in OpenGL, the width counts across the longer axis.
@@ -54,16 +54,17 @@ use crate::{Error, Scalar};
 /// In a [`smooth`](Self::smooth) style, each pixel takes the line's color in proportion to the share of the pixel that
 /// the line covers. The canvas needs a color that implements [`PixelFormat`](crate::PixelFormat).
 ///
-/// Let d be the distance from the pixel's center to the nearest point of the line, whose ends are exact to 1/256 pixel.
-/// Then the share is (width + 1)/2 − d, limited to 0 and 1. So the width is measured at right angles to the line, ends
-/// are round, and a line is equally strong in every direction. A share has an error of at most 1.3/256. Blending rounds
-/// as for [`Opacity`](crate::canvas::Opacity), and dithers coarse colors. On 1-bit panels, hairlines look better.
+/// The ends of a line are exact to 1/256 pixel. Let d be the distance from the pixel's center to the nearest point of
+/// the line. Then the share is (width + 1)/2 − d, limited to 0 and 1. So the width is measured at right angles to the
+/// line, ends are round, and a line is equally strong in every direction. A share has an error of at most 1.3/256.
+/// Blending rounds as for [`Opacity`](crate::canvas::Opacity), and dithers coarse colors. On 1-bit panels, hairlines
+/// look better.
 ///
 /// Depth and attributes vary along the longer axis, as on a hairline; beyond an end, they are those of the end. So a
 /// pixel has the depth of a place up to √2 · (width + 1)/2 pixels away. If a mesh hides the lines on it, draw the mesh
-/// [`Biased`](crate::canvas::Biased) by that many pixels, as below, or draw its outline nearer by as many pixels. Draw
-/// smooth lines last, with [`TestOnly`](crate::canvas::TestOnly), because anything that is drawn later, behind a pixel
-/// that a line covers only in part, would not show through.
+/// [`Biased`](crate::canvas::Biased) by this number of pixels, as in the example below. Or draw the outline of the mesh
+/// nearer by the same number of pixels. Draw smooth lines last, with [`TestOnly`](crate::canvas::TestOnly). Anything
+/// that is drawn later, behind a pixel that a line covers only in part, would not show through.
 ///
 /// The blending of the options is applied first; then the share blends the result with the canvas.
 ///

@@ -9,11 +9,11 @@ use crate::{Error, Scalar};
 ///
 /// By default, a point is [one pixel](Self::PIXEL).
 ///
-/// A pixel belongs to a point if its center lies within the square or disc around the point's position on the screen,
-/// which is exact to 1/256 pixel. A square includes its lower and its right border. So a square with a size of n pixels
-/// always covers n times n pixels, squares whose positions are one size apart adjoin without overlaps, and a square of
-/// size 1 is [one pixel](Self::PIXEL). A disc includes its border, and the pixel that contains the point, even if that
-/// pixel's center lies outside.
+/// A pixel belongs to a point if its center lies within the square or disc around the point's position on the screen.
+/// The position is exact to 1/256 pixel. A square includes its lower and its right border. So a square with a size of n
+/// pixels always covers n times n pixels, and a square of size 1 is [one pixel](Self::PIXEL). Squares whose positions
+/// are one size apart adjoin without overlaps. A disc includes its border, and the pixel that contains the point, even
+/// if that pixel's center lies outside.
 ///
 /// Points are drawn with a size of at least 1 and at most 255 pixels. All pixels of a square or disc have the depth and
 /// the attributes of its position.
@@ -39,7 +39,7 @@ impl Default for PointStyle {
 }
 
 impl PointStyle {
-    /// Points of one pixel: the one that contains the position. Their [`size`](Self::size) is 0.
+    /// Points of one pixel: the pixel that contains the position. Their [`size`](Self::size) is 0.
     pub const PIXEL: Self = Self {
         size: Scalar::ZERO,
         is_round: false,

@@ -75,7 +75,7 @@ impl<C: PixelColor> Shader for Flat<C> {
 /// One color per triangle, in the order of the mesh's faces.
 ///
 #[cfg_attr(doc, doc = page_picture!("face_colors", "A coarse ball whose triangles have different colors"))]
-/// Triangles beyond the end of the list have its last color; if the list is empty, all are black (the color's
+/// Triangles beyond the end of the list have its last color; if the list is empty, all triangles are black (the color's
 /// default). Edges and points have the first color.
 ///
 /// ```

@@ -146,8 +146,8 @@ impl Density for ExponentialFog {
 impl<C: PixelFormat> Fog<C> {
     /// Fog that begins at the distance `near` and hides everything at the distance `far` and beyond.
     ///
-    /// If `far` − `near` is less than a unit, a triangle that reaches beyond `far` by 65,536 times that length fades at
-    /// the wrong place.
+    /// If `far` − `near` is less than a unit, a triangle that reaches beyond `far` by 65,536 times `far` − `near` fades
+    /// at the wrong place.
     ///
     /// # Errors
     ///

@@ -15,7 +15,8 @@ use crate::texture::Blend;
 /// This trait is implemented for the colors of embedded-graphics. There are three channels: red, green and blue. A gray
 /// color has three equal channels, of which only the first is used. Gray is the BT.601 luma of the stored values
 /// (without gamma): 0.299 red + 0.587 green + 0.114 blue, with weights rounded to 2⁻¹⁴. A *step* is a unit of a channel
-/// in the color's own format, 0 to 31 for the red of [`Rgb565`]. [`Precise`] is such a color with fraction bits.
+/// in the color's own format: the red of [`Rgb565`] has 0 to 31 steps. [`Precise`] is a color whose channels have
+/// fraction bits.
 ///
 /// Colors with 5 or more bits per channel are rounded to nearest. [`Gray4`], [`Gray2`] and [`BinaryColor`] (on is
 /// white) are dithered by an 8x8 ordered matrix that is fixed to the frame. The mean of 8x8 pixels that show one level
@@ -59,8 +60,8 @@ pub trait PixelFormat: PixelColor {
         Precise::of_rgb(color).finish(at)
     }
 
-    /// This color, covered by another one in a share from 0 to 65,536; rounded or dithered. For colors of 15 and 16
-    /// bits, the share is first rounded to 1/32.
+    /// This color, of which another color covers a share; rounded or dithered. The share is from 0 to 65,536. For
+    /// colors of 15 and 16 bits, it is first rounded to 1/32.
     #[must_use]
     #[inline]
     fn covered(self, by: Self, share: i32, at: Point) -> Self {

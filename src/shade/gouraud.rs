@@ -8,8 +8,8 @@ use crate::mesh::Primitive;
 /// The mesh's vertex colors, interpolated in correct perspective; white if the mesh has none.
 ///
 #[cfg_attr(doc, doc = page_picture!("gouraud", "A cube whose corners' colors flow into each other"))]
-/// The canvas's color decides how they are interpolated and rounded: see [`PixelFormat`](super::PixelFormat). Gray is
-/// interpolated as one value.
+/// The canvas's color type decides how the vertex colors are interpolated and rounded: see
+/// [`PixelFormat`](super::PixelFormat). Gray is interpolated as one value.
 ///
 /// ```
 /// use embedded_graphics::mock_display::MockDisplay;

@@ -54,8 +54,8 @@ pub struct Gradient<C: PixelFormat> {
 }
 
 impl<C: PixelFormat> Gradient<C> {
-    /// A gradient with the color of `low` up to its height, and the color of `high` above its height. Heights are in
-    /// the model's units.
+    /// A gradient with the color of `low` up to the height of `low`, and the color of `high` above the height of
+    /// `high`. Heights are in the model's units.
     ///
     /// # Errors
     ///

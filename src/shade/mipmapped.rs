@@ -21,8 +21,8 @@ pub struct Mipmapped {
 
 impl<S: Sampler, A, F> Textured<S, A, F> {
     /// Shows at each pixel the level of a [`Mipmap`](crate::texture::Mipmap) that suits its distance, so that the
-    /// texture does not flicker far away. `projection` is that of the draw call, and `frame` is the size of the frame
-    /// in pixels, or of the viewport if the draw call has one.
+    /// texture does not flicker far away. `projection` is the projection of the draw call. `frame` is the size of the
+    /// frame in pixels; if the draw call has a viewport, it is the size of the viewport.
     ///
     #[cfg_attr(doc, doc = page_picture!("mipmapped", "A tiled floor: the left half without mipmaps flickers in the distance, the right half is even"))]
     /// A pixel shows the nearest texel of the nearest level, a blend of four texels of that level
@@ -74,8 +74,8 @@ impl<S: Sampler, A, F> Textured<S, A, F> {
     /// from the formula by at most 1/8 if the depth is at least 32 and the triangle's sides and d are at least 1/16
     /// unit. A level below 0 counts as 0. Edges, points and triangles whose texels lie in a line show level 0.
     ///
-    /// The formula holds for a perspective projection. Under a parallel one, distant surfaces do not become smaller:
-    /// give the texture the right size instead.
+    /// The formula holds for a perspective projection. Under a parallel projection, distant surfaces do not become
+    /// smaller. Give the texture the right size instead.
     ///
     /// # Accuracy
     ///
@@ -125,8 +125,8 @@ impl<S: Sampler<Color: Blend>, A> Textured<S, A, Nearest, Mipmapped> {
     /// Blends the four texels around each pixel in each of the two levels between which the pixel lies, then blends the
     /// two results, so that no edge is visible where a level ends.
     ///
-    /// Each blend is rounded as described for [`bilinear`](Self::bilinear). The position between two levels is cut to
-    /// the same units, 1/32 or 1/256 of a level.
+    /// Each blend is rounded as described for [`bilinear`](Self::bilinear). The position between two levels is rounded
+    /// down to the same units: 1/32 or 1/256 of a level.
     #[must_use]
     pub const fn trilinear(self) -> Textured<S, A, Trilinear, Mipmapped> {
         Textured::of(self.texture, self.detail)

@@ -6,8 +6,8 @@ use embedded_graphics::pixelcolor::PixelColor;
 use super::format::fraction;
 use super::{Amount, Illumination, PixelFormat, Precise, Shader};
 
-/// The output of a [`Shader`] for a pixel: a color of the canvas, a [`Precise`] color, or a [`Translucent`] one of
-/// either.
+/// The output of a [`Shader`] for a pixel: a color of the canvas, a [`Precise`] color, or either of these with an
+/// opacity ([`Translucent`]).
 ///
 /// An adapter changes the color by [`lit`](Self::lit) or [`map`](Self::map), in full precision and without touching
 /// the opacity. A color that no adapter changes is stored as it is.
@@ -166,8 +166,8 @@ impl<C: PixelFormat> Output for Precise<C> {
 /// A color with an opacity, by which it covers the color on the canvas: from 0 (not at all) to 255 (wholly).
 ///
 /// [Masked textures](crate::Textured::masked) and [`Argb4444`](crate::texture::Argb4444) have such colors. A shader of
-/// your own may have them, too. Draw opaque surfaces first. Then draw translucent surfaces from back to front, with the
-/// depth test [`TestOnly`](crate::canvas::TestOnly), so that they hide nothing that is drawn later.
+/// your own may return such colors, too. Draw opaque surfaces first. Then draw translucent surfaces from back to front,
+/// with the depth test [`TestOnly`](crate::canvas::TestOnly), so that they hide nothing that is drawn later.
 ///
 /// For plain colors of 15 and 16 bits, the share has 32 steps, so the error is at most 1.1 steps in a 5-bit channel and
 /// 1.7 steps in a 6-bit channel. For other colors, the error is half a step. An opacity of 0 keeps the color on the

@@ -10,10 +10,10 @@ use super::{Amount, Channels, Illumination, Lanes, PixelFormat, Tolerance, Varyi
 
 /// A color of format `C` whose channels keep 16 fraction bits.
 ///
-/// Light, tint, fog and every other adapter return such a color, so a whole stack of them is rounded or dithered once,
-/// where the canvas stores the result. A *level* is a channel in steps of the format, with 16 fraction bits: a red
-/// level of [`Rgb565`] is from 0 to 31 · 65,536. A *fraction* is a share of full brightness; full brightness is 65,536.
-/// Gray formats use only the first of the three levels.
+/// Light, tint, fog and every other adapter return such a color. So the result of a whole stack of adapters is rounded
+/// or dithered once, when the canvas stores it. A *level* is a channel in steps of the format, with 16 fraction bits: a
+/// red level of [`Rgb565`] is from 0 to 31 · 65,536. A *fraction* is a share of full brightness; full brightness is
+/// 65,536. Gray formats use only the first of the three levels.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Gray4, Rgb565}, prelude::*};

@@ -69,11 +69,11 @@ pub struct Fragment {
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// A shader that wraps another shader passes on the inner [`Varyings`](Self::Varyings), alone or in a pair with its
-/// own, and calls the two inner methods. Most effects need no type of their own: see [`map`](Self::map).
+/// A shader that wraps another shader calls the inner `varyings` and `shade`. Its [`Varyings`](Self::Varyings) are the
+/// inner ones, alone or in a pair with its own. Most effects need no type of their own: see [`map`](Self::map).
 ///
-/// To change the color, it calls [`lit`](Output::lit) or [`map`](Output::map) on the output of the inner shader, and
-/// returns the result, which is a color in full precision:
+/// To change the color, such a shader calls [`lit`](Output::lit) or [`map`](Output::map) on the output of the inner
+/// shader. It returns the result, which is a color in full precision:
 ///
 /// ```
 /// # use fixel::{Fragment, PixelFormat, Primitive, Shader};
@@ -177,8 +177,8 @@ pub struct Fragment {
 /// # Ok::<(), Error>(())
 /// ```
 pub trait Shader: Copy {
-    /// The output for a pixel: the canvas's color, a [`Precise`](super::Precise) color, or a
-    /// [`Translucent`](super::Translucent) one of either.
+    /// The output for a pixel: the canvas's color, a [`Precise`](super::Precise) color, or either of these with an
+    /// opacity ([`Translucent`](super::Translucent)).
     type Color: Output;
 
     /// The values to interpolate.
@@ -186,9 +186,8 @@ pub trait Shader: Copy {
 
     /// Whether [`shade`](Self::shade) reads [`Fragment::depth`].
     ///
-    /// Depth is not computed, and reads as 0, only if three conditions hold: this constant is `false`, no depth buffer
-    /// needs depth, and nothing is interpolated. The default, `true`, is always correct. `false` makes shaders faster
-    /// if these conditions hold.
+    /// The default, `true`, is always correct. `false` makes a shader faster if no depth buffer needs depth and nothing
+    /// is interpolated: only then is depth not computed, and it reads as 0.
     const READS_DEPTH: bool = true;
 
     /// The values at the three corners of a triangle. For an edge, they are the values at its first end, its second
@@ -369,7 +368,7 @@ pub trait Shader: Copy {
     /// Applies a function to each pixel and its color: any effect in one line. `None` leaves the pixel as it is.
     ///
     /// The function may capture only [`Copy`] values. If an `rgb` function made the surface, such as
-    /// [`Flat::rgb`](super::Flat::rgb), its color's type is not known yet, so write it: `|_, color: Rgb565| …`.
+    /// [`Flat::rgb`](super::Flat::rgb), the color's type is not known yet. Write the type: `|_, color: Rgb565| …`.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -423,8 +422,8 @@ pub trait Shader: Copy {
     #[cfg_attr(doc, doc = page_picture!("converted", "A ring in four grays, dithered"))]
     /// Colors are rounded, or dithered if `C` is coarse (see [`PixelFormat`]).
     ///
-    /// For example, use it to draw a texture whose color format differs from the canvas's. Every pixel is converted, so
-    /// a texture stored in the canvas's format is faster.
+    /// For example, use this method to draw a texture whose color format differs from the canvas's. Every pixel is
+    /// converted, so a texture stored in the canvas's format is faster.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888, RgbColor}};
@@ -482,10 +481,10 @@ pub trait Shader: Copy {
 }
 
 /// A [`Shader`] that a canvas of color `C` accepts, because its output is a `C`, in full precision or not, with an
-/// opacity or without. Draw calls of
-/// [`Canvas`](crate::Canvas) require it.
+/// opacity or without. Draw calls of [`Canvas`](crate::Canvas) require this trait.
 ///
-/// Every shader of that color implements this trait. For another color, the compiler's message says what to write:
+/// Every shader whose output has the color `C` implements this trait. For a shader of another color, the compiler's
+/// message says what to write:
 ///
 /// ```compile_fail
 /// use embedded_graphics::pixelcolor::{Gray8, Rgb565};

@@ -11,7 +11,7 @@ use crate::texture::{
     Addressing, Bilinear, Blend, Clamp, CutOut, Filter, Nearest, Repeat, Sampler, origin, texels,
 };
 
-/// A texture: each pixel shows the texel nearest to its center, or a blend of the four around it
+/// A texture: each pixel shows the texel nearest to its center, or a blend of the four texels around its center
 /// ([`bilinear`](Self::bilinear)).
 ///
 #[cfg_attr(doc, doc = page_picture!("textured", "A cube with checkers"))]
@@ -38,14 +38,14 @@ use crate::texture::{
 /// The varyings are a column and a row, in texels with 16 fraction bits. Along a side of 16 or more texels, they hold
 /// the texture coordinates exactly; along a shorter side, they are rounded to nearest. Their range is ±32,768 texels
 /// (128 repeats of 256 texels, or 8 repeats of 4096 texels); beyond it, they saturate. If the texture repeats, a
-/// triangle is first moved by whole repeats so that it begins in the first one. So the range limits only the extent of
-/// a triangle, not its place in the texture. Lines and points are not moved.
+/// triangle is first moved by whole repeats so that it begins in the first repeat. So the range limits only the extent
+/// of a triangle, not its place in the texture. Lines and points are not moved.
 ///
 /// # The type
 ///
 /// The methods choose the type's parameters, which have defaults. A program that keeps a shader in a `struct` must name
-/// them: the addressing is `Repeat` or `Clamp`; the filter is `Nearest`, `Bilinear` or `Trilinear`; the last parameter
-/// is `Mipmapped` for a mipmapped texture.
+/// the parameters: the addressing is `Repeat` or `Clamp`; the filter is `Nearest`, `Bilinear` or `Trilinear`; the last
+/// parameter is `Mipmapped` for a mipmapped texture.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -136,8 +136,8 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     ///
     /// The filter first makes two blends along rows, each rounded to a whole step, and then one blend between the rows.
     /// A channel's error is at most one step, plus 1/32 (or 1/256) of the difference between the four texels. Between
-    /// black and white, this is two steps of red and three steps of green in Rgb565, and two steps of 255 in Rgb888. At
-    /// the centers of texels, there is no error.
+    /// black and white, this error is two steps of red and three steps of green in Rgb565, and two steps of 255 in
+    /// Rgb888. At the centers of texels, there is no error.
     ///
     /// # Cost
     ///

@@ -2,10 +2,10 @@
 
 use super::lanes::{Lanes, MOST};
 
-/// The error that a varying may have if that saves the division by w.
+/// The error that a varying may have if this avoids the division by w.
 ///
-/// The type of the [`Varyings`] says which tolerance they have: [`Texels`], [`Within`], or plain numbers, whose
-/// tolerance is 0.
+/// The type of the [`Varyings`] determines the tolerance: [`Texels`], [`Within`], or plain numbers. The tolerance of
+/// plain numbers is 0.
 ///
 /// ```
 /// use fixel::shade::{Texels, Tolerance, Varyings, Within};
@@ -76,7 +76,7 @@ pub trait Varyings: Copy {
     #[doc(hidden)]
     const PAIRS: bool = false;
 
-    /// How exact the number at this place among the numbers must be; by default, it must be exact.
+    /// How exact the number at this index must be; by default, it must be exact.
     #[must_use]
     #[inline]
     fn tolerance(_lane: usize) -> Tolerance {
@@ -152,7 +152,7 @@ impl Varyings for Texels {
     }
 }
 
-/// Numbers that may have an error of `UNITS` units each if that saves the division by w.
+/// Numbers that may have an error of `UNITS` units each if this avoids the division by w.
 ///
 /// A color channel with 16 fraction bits, for example, may have an error of 1/8 step, which is invisible:
 ///

@@ -26,8 +26,8 @@ use crate::shade::{Lanes, Tolerance};
 /// draws the same pixels in bands and in whole frames, and on every target. Depths are the same in all modes but
 /// `Compact`.
 ///
-/// A span is a piece of a row, of up to 64 pixels. For each span, a mode chooses among four loops over pixels, the
-/// kernels: straight, pieces, Newton, divide.
+/// A span is up to 64 consecutive pixels of a row. For each span, a mode chooses one of four loops over pixels (the
+/// kernels): straight, pieces, Newton, divide.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::{Exact, Mode}};
@@ -122,10 +122,10 @@ impl Policy for Compact {
 /// Linear on the screen, which is correct under a parallel projection.
 ///
 #[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
-/// Under perspective, it bends textures, which no other mode does. Use it for surfaces that face the eye, are small, or
-/// are far away relative to their size. In addition, rounding adds an error of up to 37 units to an attribute (a
-/// two-thousandth of a texel to a texture coordinate), and up to four times that error if the attribute exceeds 2²⁸
-/// units (4096 texels) in the triangle.
+/// Under perspective, `Affine` bends textures; no other mode does. Use it for surfaces that face the eye, are small, or
+/// are far away relative to their size. Rounding adds an error of up to 37 units to an attribute (a two-thousandth of a
+/// texel to a texture coordinate). If the attribute exceeds 2²⁸ units (4096 texels) in the triangle, the rounding error
+/// is up to four times as large.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Affine};
@@ -144,8 +144,8 @@ impl Policy for Affine {
 /// Let δ be the relative change of 1/w from one pixel to the next. Linear extrapolation from the reciprocals of 1/w at
 /// two pixels has a relative error of 2δ² at the third pixel; one Newton step squares this error. δ is at most 2⁻⁶, so
 /// the reciprocal has a relative error of at most 2⁻²¹. If 1/w changes faster, or by a factor of two along a span, the
-/// span is drawn as in [`Compact`]. In addition, rounding adds an error of up to 57 units to an attribute (less than
-/// 0.0008 texels to a texture coordinate), on top of the error of [`Compact`].
+/// span is drawn as in [`Compact`]. Rounding adds an error of up to 57 units to an attribute (less than 0.0008 texels
+/// to a texture coordinate). The error of [`Compact`] comes on top of both errors.
 ///
 /// Where division makes no visible difference, this mode does not divide:
 ///
@@ -291,8 +291,8 @@ impl Fast {
     /// products. For a texture of 256 texels, the total error is up to 1/16 texel.
     pub const NARROW: Self = Self::within(crate::fx!(0.031_25));
 
-    /// Pieces with an error of at most this many texels, in addition to rounding. With 0 or less, there is a division
-    /// at every pixel.
+    /// Pieces with an error of at most this many texels, not counting the rounding error. If the number is 0 or less,
+    /// there is a division at every pixel.
     #[must_use]
     pub const fn within(texels: Scalar) -> Self {
         let bits = texels.to_bits();

@@ -9,7 +9,7 @@ use embedded_graphics::pixelcolor::{
 ///
 /// Each channel is blended as it is stored, without gamma.
 ///
-/// It is implemented for [`Gray8`], the RGB and BGR colors of embedded-graphics, [`Argb4444`](super::Argb4444),
+/// The trait is implemented for [`Gray8`], the RGB and BGR colors of embedded-graphics, [`Argb4444`](super::Argb4444),
 /// [`Argb1555`](super::Argb1555) and [`Translucent`](crate::shade::Translucent) colors. Coarser grays have too few
 /// steps to blend: store such a texture in [`Gray8`], and let [`converted`](crate::Shader::converted) dither the
 /// result.
@@ -54,7 +54,8 @@ pub trait Blend: Copy {
     /// The mean of four texels, which replaces them in the next level of a [`Mipmap`](super::Mipmap). Each channel is
     /// rounded to nearest, halves up.
     ///
-    /// By default, it is the [`blend`](Self::blend) halfway between them, which may be rounded a step too high.
+    /// By default, the mean is the [`blend`](Self::blend) halfway between the texels, which may be rounded a step too
+    /// high.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};

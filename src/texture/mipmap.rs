@@ -9,9 +9,9 @@ use crate::error::{check_length, ok};
 /// A texture with its mipmap levels: the texture itself, and reductions of it for triangles that are far away.
 ///
 /// Level 0 is the texture. Each further level has half the width and half the height of the level before; in the last
-/// level, the shorter side has one texel. A texel is the mean of the four that it replaces, each channel rounded to
-/// nearest, halves up ([`Blend::mean`]). So at level n, a channel differs by at most n/2 steps from the mean of all
-/// texels that it replaces.
+/// level, the shorter side has one texel. A texel is the mean of the four texels that it replaces. Each channel is
+/// rounded to nearest, halves up ([`Blend::mean`]). So at level n, a channel differs by at most n/2 steps from the mean
+/// of all texels that it replaces.
 ///
 /// A mipmap borrows the texels of all levels, in one slice: level 0 first, each level row by row from the top. All
 /// levels together take a third more memory than the texture alone; [`len`](Self::len) returns the number of texels.
@@ -19,8 +19,8 @@ use crate::error::{check_length, ok};
 /// [`build`](Self::build) computes them at run time, in your memory. [`new`](Self::new) accepts a slice that already
 /// contains all levels.
 ///
-/// [`Textured::mipmapped`](crate::Textured::mipmapped) uses, at each pixel, the level that suits the pixel's distance.
-/// Without `mipmapped`, all pixels use level 0.
+/// At each pixel, [`Textured::mipmapped`](crate::Textured::mipmapped) uses the level that suits the distance of the
+/// pixel. Without `mipmapped`, all pixels use level 0.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};

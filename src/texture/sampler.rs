@@ -58,7 +58,7 @@ pub trait Sampler: Copy {
     /// [`Argb1555`](super::Argb1555).
     type Color: Copy;
 
-    /// Width and height are 2 to these powers; at most 15.
+    /// The base-2 logarithms of width and height; each is at most 15.
     fn size_log2(&self) -> [u32; 2];
 
     /// The texel in column `u` and row `v`, both modulo the size; (0, 0) is the top left texel.
@@ -67,7 +67,7 @@ pub trait Sampler: Copy {
     /// A texel of a mipmap level. The width and height of the level are those of the texture divided by 2^`level`. In
     /// the last level, the shorter side has one texel.
     ///
-    /// By default, it is the first of those texels of level 0 that it replaces.
+    /// By default, this is the first of the level-0 texels that the texel replaces.
     #[inline]
     fn texel_at(&self, level: u32, u: i32, v: i32) -> Self::Color {
         self.texel(u.wrapping_shl(level), v.wrapping_shl(level))

@@ -74,8 +74,8 @@ impl<'a, C: Copy> Texture<'a, C> {
     ///
     /// # Errors
     ///
-    /// [`Error::PowerOfTwo`] if the width or the height is not a power of two or is too large;
-    /// [`Error::Length`] if the number of texels is not their product.
+    /// [`Error::PowerOfTwo`] if the width or the height is not a power of two or is too large; [`Error::Length`] if the
+    /// number of texels is not width times height.
     pub const fn new(texels: &'a [C], width: u32, height: u32) -> Result<Self, Error> {
         let [width, height] = ok!(exponents(width, height));
         ok!(check_length(texels.len(), 1 << (width + height)));

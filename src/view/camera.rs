@@ -40,8 +40,9 @@ impl Camera {
     /// # Errors
     ///
     /// [`Error::EyeAtTarget`] if eye and target are equal; [`Error::UpAlongView`] if `up` is zero, or so nearly
-    /// parallel to the view direction that the roll would be noise. An angle between the two below 1.9e-7 radians (0.04
-    /// seconds of arc) is always refused; an angle above 8e-6 radians is never refused.
+    /// parallel to the view direction that the roll would be noise. If the angle between `up` and the view direction is
+    /// below 1.9e-7 radians (0.04 seconds of arc), `up` is always refused; if the angle is above 8e-6 radians, `up` is
+    /// never refused.
     pub fn look_at(eye: Vec3, target: Vec3, up: Vec3) -> Result<Self, Error> {
         /// The largest mantissa of each vector is from 2^29 to 2^30. The product of lengths is at least
         /// 2^58, and a component of this size at most 2^-19 of it.
@@ -97,9 +98,9 @@ impl Camera {
     /// [`NoTest`](crate::canvas::NoTest), so that it is behind everything; it must lie between the near and the far
     /// plane.
     ///
-    /// A dome is a sphere seen from inside, drawn with [`Cull::Front`](crate::Cull::Front). It is colored by height
-    /// ([`Gradient`](crate::shade::Gradient)), or [`Textured`](crate::Textured) with a panorama. A sky box is a cube
-    /// seen from inside, with a texture for each side; the cookbook shows [both](crate::guide::cookbook).
+    /// A dome is a sphere seen from inside, drawn with [`Cull::Front`](crate::Cull::Front). Color the dome by height
+    /// with [`Gradient`](crate::shade::Gradient), or draw it with [`Textured`](crate::Textured) and a panorama. A sky
+    /// box is a cube seen from inside, with a texture for each side; the cookbook shows [both](crate::guide::cookbook).
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -115,8 +116,8 @@ impl Camera {
         Self { view }
     }
 
-    /// Makes a camera that looks at `target` from a `distance`. It starts in front of the target, on the side of +z,
-    /// turns to the right by `turn` and rises by `tilt`.
+    /// Makes a camera that looks at `target` from a `distance`. The camera starts in front of the target, on the side
+    /// of +z. It then turns to the right by `turn` and rises by `tilt`.
     ///
     /// Under an orthographic projection this is a trimetric view, unless the angles foreshorten two axes
     /// equally.

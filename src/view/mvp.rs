@@ -10,9 +10,9 @@ use crate::sealed::Sealed;
 /// left.
 ///
 #[cfg_attr(doc, doc = diagram!("pipeline"))]
-/// It is written as a product, `projection * camera * model`. The viewport transform, which would come
-/// leftmost, is not part of the product: [`DrawOptions::with_viewport`](crate::DrawOptions::with_viewport) sets it.
-/// Camera and model are stored separately, because lights are in world space, between the two.
+/// It is written as a product, `projection * camera * model`. The viewport transform would come leftmost, but it is not
+/// part of the product: [`DrawOptions::with_viewport`](crate::DrawOptions::with_viewport) sets it. The camera and the
+/// model transform are stored separately, because lights are in world space, between model space and eye space.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -40,7 +40,8 @@ use crate::sealed::Sealed;
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// `Mvp` without a type parameter is in perspective. A function that accepts views of both kinds must be generic:
+/// `Mvp` without a type parameter has a perspective projection. A function that accepts both kinds of projection must
+/// be generic:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -185,7 +186,7 @@ impl<K: ProjectionKind> Mul<Camera> for Projection<K> {
 impl<K: ProjectionKind> Mul<Transform> for Projection<K> {
     type Output = Mvp<K>;
 
-    /// Makes the transform for a model that `model` places in eye space, without a camera.
+    /// Makes the transform without a camera. `model` places the mesh in eye space.
     fn mul(self, model: Transform) -> Mvp<K> {
         Mvp {
             model,

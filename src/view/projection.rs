@@ -166,8 +166,8 @@ impl<K: ProjectionKind> Projection<K> {
     /// Returns the window on the near plane.
     ///
     /// Its edges are accurate to 2⁻²⁹ of the largest of the four, then rounded to the nearest 2⁻¹⁶; they saturate.
-    /// There are two exceptions: in perspective, the error is greater in proportion if the middle of the window is
-    /// farther from the line of sight than `near`; under an oblique projection, the error is 1 + ratio times as great,
+    /// There are two exceptions. In perspective, if the middle of the window is farther from the line of sight than
+    /// `near`, the error is greater in proportion. Under an oblique projection, the error is 1 + ratio times as great,
     /// and `near` counts as an edge.
     #[must_use]
     pub fn window(&self) -> Window {

@@ -76,17 +76,17 @@ impl Segment {
     /// Converts q, a fraction of the way along the picture, to t, the fraction of the way along the segment: t = q·w₀ /
     /// (w₁ − q·(w₁ − w₀)).
     ///
-    /// `None` in the cases of [`distance`](Self::distance).
+    /// `None` in the same cases as [`distance`](Self::distance).
     #[must_use]
     pub fn in_space(self, on_screen: Fraction) -> Option<Fraction> {
         let (a, b) = self.weights(on_screen);
         divide(b * ONE, a + b).map(Fraction::from_bits)
     }
 
-    /// Returns the fraction of the picture at a fraction t of the segment:
-    /// q = t·w₁ / (w₀ + t·(w₁ − w₀)).
+    /// Converts t, a fraction of the way along the segment, to q, the fraction of the way along the picture: q = t·w₁ /
+    /// (w₀ + t·(w₁ − w₀)).
     ///
-    /// `None` in the cases of [`distance`](Self::distance).
+    /// `None` in the same cases as [`distance`](Self::distance).
     #[must_use]
     pub fn on_screen(self, in_space: Fraction) -> Option<Fraction> {
         // The inverse is the same formula with the distances exchanged.
@@ -100,7 +100,7 @@ impl Segment {
     /// Interpolates an attribute, `a` at the start and `b` at the end, at a fraction q of the picture:
     /// lerp(a/w₀, b/w₁, q) / lerp(1/w₀, 1/w₁, q).
     ///
-    /// `None` in the cases of [`distance`](Self::distance).
+    /// `None` in the same cases as [`distance`](Self::distance).
     #[must_use]
     pub fn attribute(self, a: Scalar, b: Scalar, on_screen: Fraction) -> Option<Scalar> {
         let (at_start, at_end) = self.weights(on_screen);
@@ -111,8 +111,8 @@ impl Segment {
 /// Returns the velocity on the near plane of a point that moves through eye space along `point` + t ·
 /// `velocity`, rounded to nearest (half away from zero).
 ///
-/// Its x is −n·(vₓ·Pz − Pₓ·vz) / (Pz + vz·t)², with n = `near`; y likewise. `None` if the point is not
-/// ahead of the eye at time t, or if a component is out of range.
+/// The x component is −n·(vₓ·Pz − Pₓ·vz) / (Pz + vz·t)², with n = `near`; the y component is computed likewise. `None`
+/// if the point is not ahead of the eye at time t, or if a component is out of range.
 ///
 /// ```
 /// use fixel::view::speed;

@@ -31,8 +31,8 @@ pub struct Viewport {
 }
 
 impl Viewport {
-    /// The largest width and height of a viewport in pixels, and the largest distance in x and in y, in pixels, of its
-    /// top left corner from the frame's top left corner.
+    /// The largest width and height of a viewport, and the largest offset in x and in y of its top left corner from the
+    /// frame's top left corner. All are in pixels.
     pub const MAX: u32 = 4096;
 
     /// Makes a viewport with its top left corner at (x, y), in pixels of the frame; y increases downward.

@@ -46,8 +46,9 @@ const fn parts(of: &'static str, given: u32, min: u32) -> Result<(), Error> {
 }
 
 impl Shape {
-    /// The most parts in one direction. Because indices have 16 bits, a sphere or a plane with this many parts has the
-    /// fewest parts in the other direction, and a torus or a cylinder can have at most one part less than this.
+    /// The most parts in one direction. Indices have 16 bits. So a sphere of this many slices has 2 stacks, a plane of
+    /// this many columns or rows has at most 2 in the other direction, and a torus or a cylinder has at most one part
+    /// less.
     pub const MAX_PARTS: u32 = 16_384;
 
     /// A box from −`corner` to `corner`; the texture fills each of its six sides.
@@ -84,8 +85,8 @@ impl Shape {
 
     /// A torus around the y axis: a tube of radius `tube` whose center line is a circle of radius 1.
     ///
-    /// It has `slices` sides around the axis and `sides` around the tube. The texture wraps once around each, with
-    /// its seam on the inside.
+    /// It has `slices` sides around the axis and `sides` around the tube. The texture wraps once around the axis and
+    /// once around the tube, with its seam on the inside.
     ///
     /// # Errors
     ///
@@ -115,7 +116,7 @@ impl Shape {
 
     /// A closed cylinder of radius 1 around the y axis, from y = −1 to y = 1, with `slices` sides.
     ///
-    /// The texture wraps around the side once, and each cap is a disc cut from it.
+    /// The texture wraps around the side once, and each cap shows a disc cut from the texture.
     ///
     /// # Errors
     ///

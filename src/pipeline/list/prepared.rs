@@ -204,8 +204,8 @@ impl<'a, T, G: Listed, const COUNT: usize> Scene<'a> for &'a mut [Object<T, G>; 
 /// [`Canvas::draw_prepared`](crate::Canvas::draw_prepared) draws it. For objects with materials,
 /// [`parts`](Self::parts) yields one after the other.
 ///
-/// `T` is the type of the materials, `G` is what was listed, `O` are the options, and `K` is the kind of projection. A
-/// `Prepared` can be shared with another core that draws other bands of the same frame.
+/// `T` is the type of the materials, `G` is the type of what was listed, `O` is the type of the options, and `K` is the
+/// kind of projection. A `Prepared` can be shared with another core that draws other bands of the same frame.
 ///
 /// ```
 /// use fixel::{Prepared, prelude::*};
@@ -374,7 +374,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ///
     /// # Errors
     ///
-    /// [`Error::Frame`] if the canvas's frame differs in size from the frame that they were prepared for.
+    /// [`Error::Frame`] if the canvas's frame differs in size from the frame that the list was prepared for.
     pub fn draw_prepared<G, M, Z, B, K>(
         &mut self,
         prepared: &Prepared<'_, impl Sized, G, DrawOptions<M, Z, B>, K>,

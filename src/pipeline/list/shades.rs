@@ -19,9 +19,9 @@ use crate::shade::{Fragment, Lanes, Shader, Varyings};
 /// instructions on a Cortex-M4, and 10 % fewer if its faces are lit. The saving grows with larger triangles and with
 /// lower bands.
 ///
-/// For each triangle or edge, the list stores the values that the shader interpolates, at three corners, and its values
-/// [per face](crate::shade::PerFace). This takes 4 bytes for faces in white light, and 12 bytes for white light at the
-/// corners.
+/// For each triangle or edge, the list stores the values to interpolate at three corners, and the values [per
+/// face](crate::shade::PerFace). These values take 4 bytes for faces in white light, and 12 bytes for white light at
+/// the corners.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -82,8 +82,8 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     /// Computes the shader's values for each triangle or edge, once for all bands. `shader_of` returns the shader for
     /// an object's material; if there are no materials, write `|()| shader`.
     ///
-    /// In each band, draw with the shader that the result's `.of(&shader)` returns; this shader uses the computed
-    /// values. If you draw anything else with it, it computes its values as usual.
+    /// In each band, call `.of(&shader)` on the result, and draw with the shader that `of` returns. This shader uses
+    /// the computed values. If you draw anything else with this shader, it computes its values as usual.
     ///
     /// # Errors
     ///
@@ -153,7 +153,7 @@ pub struct Shades<'a, S: Shader> {
 }
 
 impl<'a, S: Shader> Shades<'a, S> {
-    /// Makes a shader that uses the computed values. `shader` must be the one that computed them.
+    /// Makes a shader that uses the computed values. `shader` must be the shader that computed the values.
     #[must_use]
     #[inline]
     pub const fn of(&self, shader: &S) -> Shaded<'a, S> {

@@ -28,8 +28,9 @@ pub trait Lamp: Lighting {
         0
     }
 
-    /// Adds a highlight (Blinn–Phong) as the `viewer` sees it: `strength` · (n·h)^`exponent` of white, times the
-    /// strength of the light at the point. n is the normal, and h is the direction halfway between light and viewer.
+    /// Adds a white highlight (Blinn–Phong) as the `viewer` sees it. Its brightness is `strength` · (n·h)^`exponent`
+    /// times the strength of the light at the point, where n is the normal, and h is the direction halfway between
+    /// light and viewer.
     ///
     /// An exponent of 8 makes a wide highlight; an exponent of 100 makes a small one. Highlights are computed at the
     /// corners and interpolated, so a mesh must be fine enough to show them. Highlights take one of the eight

@@ -133,13 +133,15 @@ pub trait Lighting: Copy {
     /// The type of [`Illumination::specular`]: `i32` for a light that makes highlights, else `()`.
     type Specular: Amount;
 
-    /// Whether [`at`](Self::at) reads [`SurfacePoint::position`]. `false` saves a transform for each corner.
+    /// Whether [`at`](Self::at) reads [`SurfacePoint::position`]. With `false`, no transform is computed for the
+    /// corners.
     const READS_POSITION: bool = true;
 
-    /// Whether [`at`](Self::at) reads [`SurfacePoint::face`]. `false` saves a normal for each triangle.
+    /// Whether [`at`](Self::at) reads [`SurfacePoint::face`]. With `false`, no normal is computed for the triangles.
     const READS_FACE: bool = true;
 
-    /// The light that falls on a point of a surface: at most a thousand times full brightness, which is 65,536.
+    /// The light that falls on a point of a surface: at most a thousand times full brightness. Full brightness is
+    /// 65,536.
     fn at(&self, point: &SurfacePoint) -> Illumination<Self::Diffuse, Self::Specular>;
 
     /// The same light, in a color. Highlights keep their brightness, and stay white. On a canvas with colors, colored

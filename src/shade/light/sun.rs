@@ -6,7 +6,7 @@ use crate::math::Direction;
 use crate::num::wide::dot;
 use crate::{Error, Scalar, Vec3};
 
-/// White light that comes from all sides (ambient) and, like the sun's, from one direction in world space (diffuse).
+/// White light from all sides (ambient) and, like sunlight, from one direction in world space (diffuse).
 ///
 #[cfg_attr(doc, doc = page_picture!("light", "A floor and a ball, lit from the left"))]
 /// A surface with unit normal n has the brightness ambient + diffuse · max(0, n·l), saturated at 1, where l is the unit
@@ -49,8 +49,8 @@ pub struct Light {
 impl Light {
     /// A light from `direction`, a vector of any length in world space that points from the surface toward the light.
     ///
-    /// A surface that squarely faces the light gets the brightness `diffuse`, in addition to `ambient` for all
-    /// surfaces. Both are between 0 and 1.
+    /// Every surface gets the brightness `ambient`. A surface that squarely faces the light also gets the brightness
+    /// `diffuse`. Both numbers are between 0 and 1.
     ///
     /// # Errors
     ///

@@ -10,7 +10,7 @@ use crate::{Error, Vec3};
 /// The place from which a picture is seen, in world space: a point under a perspective projection, a direction under a
 /// parallel one.
 ///
-/// Highlights and two-sided light depend on it.
+/// Highlights and two-sided light depend on the viewer.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -47,8 +47,8 @@ impl Viewer {
         Ok(Self(Position::Toward(ok!(Direction::checked(direction)))))
     }
 
-    /// The viewer of a picture whose camera is a rigid transform, as are all that [`Camera`](crate::Camera)'s own
-    /// constructors make.
+    /// The viewer of a picture whose camera is a rigid transform. A [`Camera`](crate::Camera) is rigid unless you make
+    /// it from a transform that is not rigid.
     #[must_use]
     pub fn of(picture: &impl AsMvp) -> Self {
         let from_eye = picture.camera_of().inverse_rigid();

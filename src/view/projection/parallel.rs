@@ -30,8 +30,8 @@ impl Projection<Parallel> {
     /// behind this plane moves in the picture by `ratio` times its distance from the plane; a point in front of it
     /// moves the other way.
     ///
-    /// The direction of this movement is `angle`, counter-clockwise from the right. What lies in the near plane is
-    /// drawn, so `plane` may equal `near`.
+    /// The direction of this movement is `angle`, counter-clockwise from the right. Points in the near plane are drawn,
+    /// so `plane` may equal `near`.
     ///
     /// # Errors
     ///

@@ -31,9 +31,10 @@ impl Projection<Perspective> {
         }
     }
 
-    /// Makes a symmetric perspective from the vertical field of view and the aspect ratio of the
-    /// picture: a size in pixels, `(320, 240)` or a
-    /// [`Size`](embedded_graphics::geometry::Size), or the ratio itself, `fx!(1.5)`.
+    /// Makes a symmetric perspective from the vertical field of view and the aspect ratio of the picture.
+    ///
+    /// The aspect ratio is given as a size in pixels, such as `(320, 240)` or a
+    /// [`Size`](embedded_graphics::geometry::Size), or as a number, such as `fx!(1.5)`.
     ///
     /// Its window has top = near · tan(fov / 2) and right = top · aspect.
     ///
@@ -87,7 +88,7 @@ impl Projection<Perspective> {
         Ok(Self::from_scales(scale(width), scale(height), near, far))
     }
 
-    /// Makes a perspective from its window on the near plane, which need not be centered.
+    /// Makes a perspective from its window on the near plane; the window need not be centered.
     ///
     /// # Errors
     ///
