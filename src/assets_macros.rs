@@ -20,9 +20,9 @@
 /// assert_eq!(ROOF.faces().len(), 4);
 /// ```
 ///
-/// The path is relative to the source file. When the file or a file that it names changes, the program is compiled
-/// again. A file that cannot be read stops compilation, with a message that names the file and the line or the byte. If
-/// the macro replaces or leaves out something, such as a normal that is not a number, the compiler prints a warning,
+/// The path is relative to the source file. The program is compiled again when the model's file changes, or a file that
+/// it names. A file that cannot be read stops compilation, with a message that names the file and the line or the byte.
+/// If the macro replaces or leaves out something, such as a normal that is not a number, the compiler prints a warning,
 /// one for each kind. `#[allow(deprecated)]` on the `static` silences these warnings.
 ///
 /// | option | meaning |

@@ -21,13 +21,14 @@
 //! Most of a dashboard does not move. If you know where something moves, draw only a window around it (yellow), and
 //! send only the pixels of this window, here a ninth of the frame.
 //!
-//! Give a canvas of the window's size the viewport of the whole frame, moved left and up by the window's corner. The
-//! canvas then shows that window. Triangles cover the same pixels as in the frame. Interpolated colors and texture
-//! coordinates can differ by up to the [mode's](crate::guide::modes) error, because a row of pixels begins at the
-//! window's edge. The pattern of [ordered dithering](crate::shade::PixelFormat) begins at the corner of the canvas. For
-//! dithered colors, use multiples of 8 as the coordinates of the window's corner. With `translated`, embedded-graphics
-//! draws into the window, and sends the window to its place. The window must contain both the old and the new position
-//! of what moves. [`Canvas::project`](crate::Canvas::project) gives the positions of points.
+//! Make a canvas as large as the window. Draw on it with the viewport of the whole frame, moved left and up by the
+//! coordinates of the window's top left corner. The canvas then shows that window. Triangles cover the same pixels as
+//! in the frame. Interpolated colors and texture coordinates can differ by up to the [mode's](crate::guide::modes)
+//! error, because a row of pixels begins at the window's edge. The pattern of [ordered
+//! dithering](crate::shade::PixelFormat) begins at the corner of the canvas. For dithered colors, use multiples of 8 as
+//! the coordinates of the window's corner. With `translated`, embedded-graphics draws into the window, and sends the
+//! window to its place. The window must contain both the old and the new position of what moves.
+//! [`Canvas::project`](crate::Canvas::project) gives the positions of points.
 //!
 #![doc = display_program!("window")]
 //!

@@ -284,8 +284,8 @@ fn in_model(
 }
 
 impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
-    /// The ray of a pixel in model space, which starts at the near plane: the points that `mvp` projects to the pixel's
-    /// center. The ray passes through the faces that `options` cull.
+    /// The ray of a pixel in model space: the points that `mvp` projects to the pixel's center. It starts at the near
+    /// plane. The ray passes through the faces that `options` cull.
     ///
     /// The result is `None` if the pixel is outside the viewport, if the model's transform has no inverse, or if the
     /// ray's origin is not within ±32,768 in model space.

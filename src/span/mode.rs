@@ -139,7 +139,8 @@ impl Policy for Affine {
     const BEST: Plan = Plan::Straight;
 }
 
-/// Perspective-correct, with one Newton step per pixel from the two pixels before it: the default.
+/// The default mode: perspective-correct, with one Newton step per pixel. The step starts from a value extrapolated
+/// from the two pixels before.
 ///
 /// Let δ be the relative change of 1/w from one pixel to the next. Linear extrapolation from the reciprocals of 1/w at
 /// two pixels has a relative error of 2δ² at the third pixel; one Newton step squares this error. δ is at most 2⁻⁶, so
