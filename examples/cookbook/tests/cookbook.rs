@@ -30,7 +30,7 @@ fn pictures_of_pages_are_those_of_the_documentation() {
         assert!(found.diff(&shown).is_none(), "{name} has changed");
         // Each page of the documentation is loaded with its picture.
         let bytes = fs::metadata(page(name)).unwrap().len();
-        assert!(bytes <= 12_288, "{name} has {bytes} bytes");
+        assert!(bytes <= 10_240, "{name} has {bytes} bytes");
     }
 }
 

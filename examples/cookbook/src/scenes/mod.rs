@@ -20,7 +20,6 @@ mod mipmaps;
 mod normals;
 mod packed;
 mod painter;
-#[cfg(not(target_os = "none"))]
 mod panels;
 #[cfg(not(target_os = "none"))]
 mod picking;
@@ -66,7 +65,6 @@ pub const SCENES: &[(&str, Draw)] = &[
     ("normals", normals::draw),
     ("packed", packed::draw),
     ("painter", painter::draw),
-    #[cfg(not(target_os = "none"))] // has vectors for its panels
     ("panels", panels::draw),
     #[cfg(not(target_os = "none"))] // writes a text
     ("picking", picking::draw),

@@ -3,17 +3,15 @@
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray8, PixelColor, Rgb565, raw::RawU16};
 use embedded_graphics::{prelude::*, text::Text};
-use fixel::canvas::ColorIndex;
-use fixel::prelude::*;
-use fixel::texture::Raw;
+use fixel::{canvas::ColorIndex, prelude::*, texture::Raw};
 
 static ISLAND: Mesh = include_mesh!("../../../assets/lighthouse.obj");
 const PIXELS: &[u8] = include_bytes!("../../../assets/lighthouse.rgb565");
 static SKIN: Raw<Rgb565> = Raw::checked(Raw::new(PIXELS, 128, 128));
 /// Colors from dark to bright.
-const GLOW: [u16; 8] = [
-    0x0003, 0x2888, 0x590a, 0x9109, 0xc9c6, 0xeb44, 0xfd45, 0xff71,
-];
+#[rustfmt::skip]
+const GLOW: [u16; 8] = [0x0003, 0x2888, 0x590a, 0x9109, 0xc9c6, 0xeb44, 0xfd45, 0xff71];
+const BAND: u32 = 76 * 64; // pixels of a band: 20 KiB
 
 /// Draws the scene in a panel's colors, and shows it in a column of the picture, with a caption.
 fn show<C: PixelColor + Default>(
@@ -24,21 +22,24 @@ fn show<C: PixelColor + Default>(
 ) -> Result<(), Error> {
     let frame = canvas.frame_size();
     let size = Size::new(frame.width / 4, frame.height).saturating_sub(Size::new(4, 16));
-    let pixels = (size.width * size.height) as usize;
-    let (mut colors, mut depths) = (vec![C::default(); pixels], vec![0; pixels]); // on a chip, statics
-    let panel = Canvas::new(&mut colors, size.width, size.height)?;
-    let mut panel = panel.with_depth(&mut depths)?;
     let projection = Projection::perspective(deg!(55), size, fx!(1), fx!(50))?;
     let camera = Camera::look_at(vec3!(2, 3.6, 7), vec3!(-0.25, 2.1, 0), Vec3::Y)?;
-    panel.draw(&ISLAND, &(projection * camera), shader);
-
     let corner = Point::new(2 + column * frame.width.cast_signed() / 4, 2);
-    for (at, pixel) in panel.bounding_box().points().zip(panel.pixels()) {
-        Pixel(corner + at, color_of(pixel)).draw(canvas)?;
+    let (mut colors, mut depths) = ([C::default(); BAND as usize], [0; BAND as usize]);
+    let rows = BAND / size.width;
+    for first_row in (0..size.height).step_by(rows as usize) {
+        let pixels = (size.width * rows.min(size.height - first_row)) as usize;
+        let band = Canvas::band(&mut colors[..pixels], size.width, size.height, first_row)?;
+        let mut band = band.with_depth(&mut depths[..pixels])?;
+        band.clear(C::default());
+        band.draw(&ISLAND, &(projection * camera), shader);
+        for (at, pixel) in band.bounding_box().points().zip(band.pixels()) {
+            Pixel(corner + at, color_of(pixel)).draw(canvas)?;
+        }
     }
     let style = MonoTextStyle::new(&FONT_6X10, Rgb565::WHITE);
-    let below = corner + Point::new(0, size.height.cast_signed() + 10);
-    Text::new(caption, below, style).draw(canvas)?;
+    let below = Point::new(0, size.height.cast_signed() + 10);
+    Text::new(caption, corner + below, style).draw(canvas)?;
     Ok(())
 }
 
