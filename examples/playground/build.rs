@@ -42,8 +42,8 @@ fn main() -> io::Result<()> {
         pack(&module, &out.join(format!("{name}.gz")))?;
     }
 
-    // The emulator, if npm made it. Cargo looks for changes in its folder, which is always there: for a file that is
-    // missing, it would build anew each time.
+    // The emulator, if npm made it. Cargo watches its folder, which always exists. If Cargo watched the file, a missing
+    // file would cause a new build every time.
     let emulator = "../boards/emulator";
     println!("cargo::rerun-if-changed={emulator}");
     let script = format!("{emulator}/dist/emulator.js");

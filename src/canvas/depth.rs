@@ -94,7 +94,8 @@ pub enum LinearDepth {}
 /// Depth in floating point, with 4 bits of exponent and 12 of mantissa, for far/near up to 65,536.
 ///
 /// A step is 2⁻¹³ to 2⁻¹² of the distance (0.012 to 0.024 %) everywhere in the range, because each halving of 1/w
-/// lowers the code by 4096. A surface is stored as 0 if its distance is at least 65,536 times that of the near plane.
+/// lowers the code by 4096. If a surface is at least 65,536 times as far away as the near plane, its depth is stored as
+/// 0.
 ///
 /// Within one triangle, the error of the interpolated 1/w is 2⁻²⁴ of its largest value. If a triangle's far end is more
 /// than 3,000 times as far away as its near end, this error exceeds half a step at the far end.

@@ -138,8 +138,8 @@ pub struct Biased<Z = super::TestAndWrite> {
 
 impl<Z> Biased<Z> {
     /// `test` with depths moved by `steps` steps of the depth buffer and by `slope` times the depth difference between
-    /// neighboring pixels. This difference is the horizontal or the vertical one, whichever is greater. Positive values
-    /// move a surface nearer. Depths saturate at both ends.
+    /// neighboring pixels. Of the differences to the next pixel in the row and to the next pixel in the column, the
+    /// greater one counts. Positive values move a surface nearer. Depths saturate at both ends.
     ///
     /// For an edge of an [outline](crate::Mesh::outline), `slope` multiplies the greatest of several differences: the
     /// one along the line, and the one on each of the edge's two faces that is not culled. A face may be so narrow on

@@ -122,9 +122,9 @@
 //! - A [`Transform`](crate::Transform) places a model in the world. `a * b` applies `b` first.
 //! - A [`Camera`](crate::Camera) says where the eye is and where the eye looks. The camera moves and turns the world so
 //!   that the eye is at the origin and looks along −z.
-//! - A [`Projection`](crate::Projection) sets the angle of view, and the distances of the near and the far plane. Only
-//!   what is between these planes is drawn. [`perspective`](crate::Projection::perspective) takes the vertical angle,
-//!   from the bottom of the picture to its top.
+//! - A [`Projection`](crate::Projection) sets the angle of view, and the distances of the near and the far plane. A
+//!   draw call draws only surfaces between these planes. [`perspective`](crate::Projection::perspective) takes the
+//!   vertical angle, from the bottom of the picture to its top.
 //!
 #![doc = diagram!("eye")]
 //!

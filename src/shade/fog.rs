@@ -61,8 +61,8 @@ pub trait Density: Copy + Sealed {
 
 sealed!(LinearFog, ExponentialFog);
 
-/// The density of linear fog: the whole surface is left up to a first distance, and nothing from a second one on.
-/// Between them, what is left falls linearly.
+/// The density of linear fog. Up to a first distance, a surface is wholly visible; beyond a second distance, it is
+/// hidden. Between these distances, its visible share falls linearly.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -204,7 +204,7 @@ pub trait Shader: Copy {
     /// shaders with more than eight [`Varyings`] does not compile.
     ///
     #[cfg_attr(doc, doc = page_picture!("lit", "A coarse ring that looks round, because the light is interpolated"))]
-    /// The normals are those of the mesh, or the triangle's own normal if the mesh has none. The light's varyings
+    /// The light uses the mesh's normals, or each triangle's own normal if the mesh has none. The light's varyings
     /// follow the surface's own: one brightness for white light, or a number for each channel of the canvas for colored
     /// light; and one more number for highlights. 65,536 is full brightness.
     ///

@@ -102,7 +102,7 @@ impl<C: PixelFormat> Shader for DepthView<C> {
 /// Red shows x, green shows y and blue shows z; each is dark at −1, half bright at 0 and bright at +1. Gray canvases
 /// show the luma of this color.
 ///
-/// The normals are those of the mesh, or the triangle's own normal if the mesh has none. A normal without a direction
+/// The view shows the mesh's normals, or each triangle's own normal if the mesh has none. A normal without a direction
 /// is mid-gray. The colors are interpolated, not the directions.
 ///
 /// ```

@@ -1,6 +1,6 @@
 //! The modes by their numbers in the page. The library's modes are types.
 
-/// Runs `$work` in the mode with a number; `$tolerance` is that of `Fast`.
+/// Runs `$work` in the mode that has this number in the page. Only mode `Fast` uses `$tolerance`.
 macro_rules! in_mode {
     ($number:expr, $tolerance:expr, |$mode:ident| $work:expr) => {
         match $number {

@@ -45,8 +45,8 @@ use crate::{Error, Transform};
 /// ```
 ///
 /// All objects of a slice have the same type of material. For different shaders, make the material a trait object
-/// (`&dyn`) of a trait of your own. (The types below are those of the default options; in mode `Fast`, for example, the
-/// triangles are a `Prepared<(), &Mesh, DrawOptions<Fast>>`.)
+/// (`&dyn`) of a trait of your own. (The example uses the default options. In mode `Fast`, the type of the triangles
+/// would be `Prepared<(), &Mesh, DrawOptions<Fast>>`.)
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};

@@ -72,7 +72,8 @@ pub extern "C" fn begin(width: u16, height: u16) -> *mut u8 {
     }
 }
 
-/// Adds the frame in the memory, which is shown for so many hundredths of a second. Returns whether it could.
+/// Adds the frame whose pixels are in the memory; `delay` is how long to show it, in hundredths of a second. Returns
+/// false if there is not enough memory.
 #[allow(unsafe_code)] // promises that no other symbol has this name
 #[unsafe(no_mangle)]
 pub extern "C" fn add(delay: u16) -> bool {
