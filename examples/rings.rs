@@ -1,19 +1,23 @@
-//! Draws a ring in the sun, and saves the picture as ring.ppm.
+//! Draws two linked rings in the sun, and saves the picture as rings.ppm.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, raw::ToBytes};
 use fixel::prelude::*;
 
-static RING: Mesh = shape!(torus(fx!(0.45), 48, 24)); // in flash; or include_mesh!("model.glb")
+static RING: Mesh = shape!(torus(fx!(0.25), 64, 24)); // in flash; or include_mesh!("model.glb")
 
 fn draw(color: &mut [Rgb565], depth: &mut [u16]) -> Result<(), Error> {
     let mut canvas = Canvas::new(color, 320, 240)?.with_depth(depth)?; // your memory
     let projection = Projection::perspective(deg!(45), (320, 240), fx!(0.1), fx!(100))?;
     let camera = Camera::look_at(vec3!(0, 2, 3.2), Vec3::ZERO, Vec3::Y)?;
+    let view = projection * camera;
     let sun = Light::new(vec3!(-1, 3, 2), fx!(0.25), fx!(0.75))?;
+    let orange = Flat::rgb(Rgb888::new(255, 150, 50)).lit(sun);
+    let blue = Flat::rgb(Rgb888::new(70, 140, 230)).lit(sun);
+    let left = view * Transform::translate(vec3!(-0.4, 0, 0)) * Transform::rotate_z(deg!(25));
+    let right = view * Transform::translate(vec3!(0.4, 0, 0)) * Transform::rotate_x(deg!(70));
     canvas.clear(Rgb565::new(3, 8, 8));
-    let orange = Flat::rgb(Rgb888::new(255, 150, 50));
-    let turn = Transform::rotate_z(deg!(25));
-    canvas.draw(&RING, &(projection * camera * turn), &orange.lit(sun));
+    canvas.draw(&RING, &left, &orange);
+    canvas.draw(&RING, &right, &blue);
     Ok(())
 }
 
@@ -24,5 +28,5 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for pixel in color {
         picture.extend(Rgb888::from(pixel).to_be_bytes());
     }
-    Ok(std::fs::write("ring.ppm", picture)?)
+    Ok(std::fs::write("rings.ppm", picture)?)
 }
