@@ -4,6 +4,14 @@
 //! Textures and colors are interpolated in correct perspective, every processor draws the same pixels, and you supply
 //! the memory. The crate is `no_std` and uses no allocation and no `unsafe`.
 //!
+#![cfg_attr(
+    all(doc, feature = "assets"),
+    doc = concat!(
+        "<img alt=\"A garden at dusk, with an inn, lamps and a pond\" width=\"320\" height=\"240\" src=\"",
+        fixel_macros::picture_uri!("examples/assets/world.png"),
+        "\">\n\n"
+    )
+)]
 #![cfg_attr(doc, doc = diagram!("pipeline"))]
 //! The [guide] leads from [concepts](guide::concepts) to [firmware](guide::firmware). If you know OpenGL or another
 //! library, begin with [coming from](guide::coming_from). If you know linear algebra but no graphics, begin with the
@@ -40,26 +48,27 @@
 //!     canvas.clear(Rgb565::BLACK);
 //!     let mvp = projection * camera * spin;
 //!     let drawn = canvas.draw(&MODEL, &mvp, &Textured::new(&SKIN).lit(sun)); // cannot fail
-//!     assert_eq!((drawn.submitted, drawn.drawn), (12, 4)); // triangles: the top and one side
+//!     assert_eq!((drawn.submitted, drawn.drawn), (12, 6)); // triangles: the top and two sides
 //!
 //!     // A canvas is an embedded-graphics DrawTarget, and copies itself to another one.
 //!     let style = MonoTextStyle::new(&FONT_4X6, Rgb565::YELLOW);
-//!     Text::new("60 fps", Point::new(1, 6), style).draw(&mut canvas)?;
+//!     Text::new("Hello", Point::new(1, 6), style).draw(&mut canvas)?;
 //!     canvas.show(display)?;
 //!     Ok(())
 //! }
 //!
 //! let mut display = MockDisplay::new(); // in place of a panel's driver
-//! frame(0, &mut display).unwrap();
+//! frame(600, &mut display).unwrap();
 //! # let is = |x, y, color| assert_eq!(display.get_pixel(Point::new(x, y)), Some(color));
-//! # // The four texels meet in the middle of the front, white above to the left and blue to the right.
-//! # let [left, right] = [28, 36].map(|x| display.get_pixel(Point::new(x, 21)).unwrap());
-//! # assert!(left.r() > 10 && left.r() == left.b());
-//! # assert!(right.r() == 0 && right.g() == 0 && right.b() > 10);
+//! # // The four texels meet in the middle of a side, white above to the left and blue to the right.
+//! # let [left, right] = [20, 28].map(|x| display.get_pixel(Point::new(x, 21)).unwrap());
+//! # assert!(left.r() > 8 && left.r() == left.b());
+//! # assert!(right.r() == 0 && right.g() == 0 && right.b() > 8);
 //! # is(1, 40, Rgb565::BLACK);
 //! # assert!((0..24).any(|x| display.get_pixel(Point::new(x, 3)) == Some(Rgb565::YELLOW)));
 //! ```
 //!
+#![cfg_attr(doc, doc = page_picture!("first", "The program's scene on 240x160 pixels: a checkered cube, and a text"))]
 //! Import items of embedded-graphics one by one, because its prelude has its own `Angle`, `Primitive` and `Transform`.
 //!
 //! # Parts

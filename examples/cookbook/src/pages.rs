@@ -25,6 +25,7 @@ pub const SIZE: Size = Size::new(240, 160);
 
 /// The pictures by the name of the type or the module.
 pub const PAGES: &[(&str, Draw)] = &[
+    ("first", first),
     ("flat", flat),
     ("face_colors", face_colors),
     ("part_colors", part_colors),
@@ -115,6 +116,21 @@ fn cube<S: ShaderFor<Rgb565>>(canvas: &mut Frame<'_>, mesh: &Mesh, shader: &S) -
     canvas.clear(SLATE);
     let mvp = view(canvas)? * Transform::rotate_y(deg!(35)) * Transform::scale(fx!(0.78));
     canvas.draw(mesh, &mvp, shader);
+    Ok(())
+}
+
+/// The scene of the crate's page: a cube with a texture of four texels, and a text.
+fn first(canvas: &mut Frame<'_>) -> Drawn {
+    static SKIN: [[Rgb565; 2]; 2] = [[Rgb565::WHITE, Rgb565::BLUE], [Rgb565::BLUE, Rgb565::WHITE]];
+    let projection = Projection::perspective(deg!(60), canvas.frame_size(), fx!(0.1), fx!(100))?;
+    let camera = Camera::look_at(vec3!(0, 1.5, 4), Vec3::ZERO, Vec3::Y)?;
+    let spin = Transform::rotate_y(Rate::rpm(10).angle_at(600));
+    let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?;
+    canvas.clear(Rgb565::BLACK);
+    let mvp = projection * camera * spin;
+    canvas.draw(&CUBE, &mvp, &Textured::new(&SKIN).lit(sun));
+    let style = MonoTextStyle::new(&FONT_6X10, Rgb565::YELLOW);
+    Text::new("Hello", Point::new(4, 12), style).draw(canvas)?;
     Ok(())
 }
 
