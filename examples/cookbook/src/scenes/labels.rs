@@ -1,4 +1,4 @@
-//! Names of planets, hidden by nearer planets.
+//! Names of planets. The sun hides a part of a name, because each name has the depth of its planet.
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_4X6, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
@@ -12,7 +12,7 @@ static ORBIT: Outline = outline!(RING, deg!(180));
 /// Names, distances from the sun, places in their orbits, colors.
 static PLANETS: [(&str, Scalar, Angle, Rgb888); 4] = [
     ("Mercury", fx!(2.1), deg!(345), Rgb888::new(190, 170, 150)),
-    ("Venus", fx!(2.9), deg!(93), Rgb888::new(240, 200, 120)),
+    ("Venus", fx!(2.9), deg!(137), Rgb888::new(240, 200, 120)),
     ("Earth", fx!(3.9), deg!(190), Rgb888::new(80, 140, 255)),
     ("Mars", fx!(4.8), deg!(245), Rgb888::new(240, 100, 60)),
 ];
