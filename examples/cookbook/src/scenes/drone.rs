@@ -15,7 +15,7 @@ const BLUE: Rgb888 = Rgb888::new(60, 120, 220);
 static GATES: [(Vec3, Angle, Rgb888, &str); 3] = [
     (vec3!(-0.6, 2.4, -7), deg!(10), ORANGE, "7 m"),
     (vec3!(5, 3.2, -14), deg!(-25), BLUE, "15 m"),
-    (vec3!(-9, 3.6, -26), deg!(50), BLUE, "28 m"),
+    (vec3!(-11.5, 3.6, -26), deg!(50), BLUE, "28 m"),
 ];
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
@@ -38,8 +38,9 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
         let stand = view * Transform::translate(place) * Transform::rotate_y(turn);
         let gate = stand * Transform::rotate_x(deg!(90)) * Transform::scale(fx!(1.5));
         canvas.draw(&GATE, &gate, &Flat::rgb(color).lit(sun).in_fog(fog));
-        if let Some(at) = canvas.project(&DrawOptions::new(), &view, place + vec3!(0, 1.9, 0)) {
-            Text::new(distance, Point::zero(), style).draw(&mut canvas.label(at.on_top()))?;
+        if let Some(at) = canvas.project(&DrawOptions::new(), &view, place + vec3!(0, 2.1, 0)) {
+            Text::with_alignment(distance, Point::zero(), style, Alignment::Center)
+                .draw(&mut canvas.label(at.on_top()))?;
         }
     }
 
