@@ -70,9 +70,9 @@ pub struct Fragment {
 /// ```
 ///
 /// A shader that wraps another shader calls the inner `varyings` and `shade`. Its [`Varyings`](Self::Varyings) are the
-/// inner ones, alone or in a pair with its own. Most effects need no type of their own: see [`map`](Self::map).
+/// inner shader's, alone or in a pair with its own. Most effects need no type of their own: see [`map`](Self::map).
 ///
-/// To change the color, such a shader calls [`lit`](Output::lit) or [`map`](Output::map) on the output of the inner
+/// To change the color, the outer shader calls [`lit`](Output::lit) or [`map`](Output::map) on the output of the inner
 /// shader. It returns the result, which is a color in full precision:
 ///
 /// ```
@@ -130,8 +130,8 @@ pub struct Fragment {
 ///
 /// Each stack of shaders is a type of its own. There is no `dyn Shader`, because a call for each pixel would take
 /// longer than most shaders. To keep objects with different shaders in one list, choose the shader once for each draw
-/// call: by an enum, or by a trait of your own whose method draws the object. (For a [`DrawList`](crate::DrawList), see
-/// [`Object`](crate::Object).)
+/// call: by an enum, or by a trait of your own with a method that draws the object. (For a
+/// [`DrawList`](crate::DrawList), see [`Object`](crate::Object).)
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -422,7 +422,7 @@ pub trait Shader: Copy {
     #[cfg_attr(doc, doc = page_picture!("converted", "A ring in four grays, dithered"))]
     /// Colors are rounded, or dithered if `C` is coarse (see [`PixelFormat`]).
     ///
-    /// For example, use this method to draw a texture whose color format differs from the canvas's. Every pixel is
+    /// For example, use this method to draw a texture in another color format than the canvas's. Every pixel is
     /// converted, so a texture stored in the canvas's format is faster.
     ///
     /// ```
@@ -501,6 +501,6 @@ pub trait Shader: Copy {
 )]
 pub trait ShaderFor<C>: Shader<Color: Output<Color = C>> {}
 
-// Without this, the message would only say that the associated types differ.
+// Without this attribute, the compiler's message would say only that the associated types differ.
 #[diagnostic::do_not_recommend]
 impl<C, S: Shader<Color: Output<Color = C>>> ShaderFor<C> for S {}
