@@ -116,12 +116,12 @@ fn step(random: &mut Random) -> Step {
         1 => Step::Y(random.random()),
         2 => Step::Z(random.random()),
         3 => Step::About(random.random(), random.random()),
-        // Within ±100.
+        // Offsets within ±100.
         _ => Step::Move([(); 3].map(|()| random.random_range(-6_553_600..6_553_600))),
     }
 }
 
-/// Any transform whose fields are in range.
+/// A random transform with all fields in range.
 fn transform(random: &mut Random) -> Transform {
     let [linear_exp, exp] = [(); 2].map(|()| random.random_range(block::MIN_EXP..=block::MAX_EXP));
     // Nine entries, then the translation.
@@ -177,7 +177,7 @@ fn normals_follow_mirrors_and_uneven_scales() {
     }
 }
 
-/// Only rotations drift: a translation, large or small, stays where it is to the last bit.
+/// Only rotations drift. A translation, large or small, keeps every bit.
 #[test]
 fn renormalizing_keeps_the_translation() {
     let turn = Transform::rotate(Vec3::from_ints(1, 2, 3), Angle::from_degrees(40)).unwrap();
@@ -220,7 +220,7 @@ fn steps_are_good_to_28_bits() {
         assert!(linear <= 3.0 * power(-28), "{linear:e}");
         assert!(translation <= f64::EPSILON);
         if !matches!(step, Step::About(..)) {
-            // Rounded to half of 2^-29: an entry of one takes the 30th bit.
+            // Rounding adds half of 2^-29, because an entry of one takes the 30th bit.
             assert!(linear <= 1.6e-9 + power(-30), "{linear:e}");
         }
     });
@@ -387,7 +387,7 @@ fn scales_and_offsets_below_16384_are_exact() {
         let scaled = Transform::scale(value).point(Vec3::from_ints(1, 0, -1));
         assert_eq!(scaled.to_bits(), [bits, 0, -bits]);
     }
-    // Beyond, to a multiple of two.
+    // A larger number is rounded to a multiple of two.
     let value = Scalar::from_bits(1 << 30 | 1);
     let moved = Transform::translate(Vec3::new(value, Scalar::ZERO, Scalar::ZERO));
     let scaled = Transform::scale(value).point(Vec3::X);
