@@ -84,7 +84,7 @@ impl Message {
         }
     }
 
-    /// Writes `parts` / `unit`, where `unit` is a power of ten, without zeros at the end.
+    /// Writes `parts` / `unit` without zeros at the end; `unit` is a power of ten.
     const fn decimal(&mut self, parts: i64, unit: i64) {
         if parts < 0 {
             self.byte(b'-');
@@ -131,7 +131,7 @@ pub const fn checked<T: Copy>(result: Result<T, Error>, name: &str) -> T {
     }
 }
 
-/// Stops compilation when a file's picture has more colors than a texture's type has room for.
+/// Stops compilation if a file's picture has more colors than fit into a texture's type.
 ///
 /// # Panics
 ///
@@ -143,7 +143,7 @@ pub(crate) const fn too_many_colors(name: &str, given: usize, max: usize) -> ! {
     )
 }
 
-/// Stops compilation when the size of a file's picture differs from the size in the type.
+/// Stops compilation if the size of a file's picture differs from the size in the type.
 pub(crate) const fn wrong_size(name: &str, given: [u32; 2], in_type: [usize; 2]) -> ! {
     let [width, height] = [Number(given[0] as i64), Number(given[1] as i64)];
     let [type_width, type_height] = [Number(in_type[0] as i64), Number(in_type[1] as i64)];

@@ -133,8 +133,8 @@ impl Transform {
         t
     }
 
-    /// Scales all axes by one factor about the origin. The factor keeps 30 significant bits. If it is ±16,384 or more,
-    /// it is rounded to nearest.
+    /// Scales all axes by one factor about the origin. The factor keeps 30 significant bits. A factor of ±16,384 or
+    /// more is rounded to nearest.
     ///
     /// ```
     /// use fixel::prelude::*;

@@ -124,8 +124,8 @@ impl<'a> Outline<'a> {
     }
 }
 
-/// Replaces the number of a side that has found its opposite side. `write` refuses meshes with more than 2^32 − 1
-/// sides, so no side has this number.
+/// This number replaces the number of a side whose opposite side has been found. `write` refuses meshes with more than
+/// 2^32 − 1 sides, so no side has this number.
 const USED: u32 = u32::MAX;
 
 /// The two ends of the side with this number, and the third corner of its face. Face i has the sides 3i to 3i + 2.

@@ -112,7 +112,8 @@ pub struct Primitive<'a> {
 }
 
 impl Primitive<'_> {
-    /// The change of depth on the faces beside an outline's edge: see `area`. 0 for everything else.
+    /// The change of depth on the faces beside an outline's edge: see `area`. The result is 0 for a triangle or a
+    /// point.
     #[inline]
     pub(crate) const fn beside(&self) -> u32 {
         match self.indices.element {

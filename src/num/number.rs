@@ -39,7 +39,7 @@ pub(crate) const fn multiply(a: i32, b: i32, fraction: u32) -> i32 {
 /// `a · 2^fraction / b`, rounded to nearest (half away from zero); saturates, and 0/0 is 0.
 #[inline]
 pub(crate) const fn divide(a: i32, b: i32, fraction: u32) -> i32 {
-    // At most 2^31 · 2^30, and half of a divisor.
+    // The sum is at most 2^31 · 2^30 plus half of a divisor, which fits into 64 bits.
     let (top, bottom) = (a.unsigned_abs() as u64, b.unsigned_abs() as u64);
     let quotient = match ((top << fraction) + bottom / 2).checked_div(bottom) {
         Some(quotient) => quotient.cast_signed(),

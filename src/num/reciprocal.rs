@@ -94,7 +94,7 @@ const fn by_newton(q: u32, seed: u32) -> u32 {
 #[inline]
 pub(crate) const fn short_reciprocal(d: u32) -> u32 {
     if DIVIDES {
-        // The bound tells the compiler that the divisor is not zero.
+        // The lower bound tells the compiler that the divisor is not zero.
         (1 << 31) / if d < 1 << 14 { 1 << 14 } else { d }
     } else {
         short_by_table(d)

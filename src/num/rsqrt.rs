@@ -19,8 +19,8 @@ const fn seeds() -> [u8; 96] {
 /// Returns the reciprocal square root of t = `value` / 2^32 in units of 2^-30, for a `value` of at least
 /// 2^30.
 ///
-/// The result is from 2^30 to 2^31 and its relative error at most 2^-29. The seed has an error of
-/// 1.2e-2, a Newton step leaves 2.1e-4, a step of the third order 2e-11; rounding adds the rest.
+/// The result is from 2^30 to 2^31, and its relative error is at most 2^-29. The seed has an error of 1.2e-2. A Newton
+/// step reduces the error to 2.1e-4, and a step of the third order reduces it to 2e-11. Rounding adds the rest.
 const fn reciprocal_root(value: u32) -> u32 {
     debug_assert!(value >= 1 << 30);
     // The top seven bits of t are 32 to 127. The comparison below proves it to the compiler.
@@ -48,7 +48,7 @@ const fn reciprocal_root(value: u32) -> u32 {
 /// units of 2^-29. The lower half of the entry is also the slope of the line, a signed number: the change for each
 /// 2^-23 of t. Each line is lowered by half of the distance between the chord to the next entry and the curve, so that
 /// lines lie on both sides of the curve, and raised by half a unit of 2^-13. Entries below 1/16 and above 3/4 are never
-/// read; with them, no index needs a check.
+/// read. They are there so that no index needs a check.
 static ROOTS: [u32; 256] = roots();
 
 const fn roots() -> [u32; 256] {

@@ -1,4 +1,4 @@
-//! The operators of numbers against their rule in 128 bits.
+//! The operators of numbers, compared with their rule in 128 bits.
 
 use super::{Fraction, Scalar, Subpixel, TexCoord};
 use crate::random::{Random, cases, number};

@@ -18,7 +18,7 @@ pub(crate) const DIVIDES: bool = !IS_NARROW;
 const COUNTS_ZEROS: bool =
     !IS_NARROW && !cfg!(all(target_arch = "riscv32", not(target_feature = "zbb")));
 
-/// Whether the core has an instruction that multiplies and adds the product to an upper half, as Cortex-M4 and M7 have.
+/// Whether the core has an instruction that adds a product to a number in the upper half, as Cortex-M4 and M7 have.
 /// `src/build.rs` derives this from the target's name.
 const HAS_DSP: bool = cfg!(dsp_core);
 
@@ -194,7 +194,7 @@ fn are_short([a, b]: [i32; 2], [c, d]: [i32; 2]) -> bool {
     raised(a) | raised(b) | raised(c) | raised(d) < 1 << 15
 }
 
-/// Returns [`cross`] of sides that [are short](are_short): they take 15 bits, and twice the area then takes 31.
+/// Returns [`cross`] of sides that [are short](are_short). These sides take 15 bits, so twice the area takes 31 bits.
 #[inline]
 fn short_cross([a, b]: [i32; 2], [c, d]: [i32; 2]) -> i64 {
     i64::from(a * d - c * b)
@@ -259,7 +259,7 @@ pub(crate) const fn scaled_cross(a: [i32; 3], b: [i32; 3]) -> [i32; 3] {
     ]
 }
 
-/// Whether all components have 15 bits and a sign: then their products have 30.
+/// Whether all components have 15 bits and a sign, so that their products have 30 bits.
 #[inline]
 const fn are_small([a, b, c]: [i32; 3], [d, e, f]: [i32; 3]) -> bool {
     const fn raised(x: i32) -> u32 {

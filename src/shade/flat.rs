@@ -1,4 +1,4 @@
-//! Surfaces with one color for all faces, one for each face, or one for each part of a mesh.
+//! Surfaces with one color for all faces, one color for each face, or one color for each part of a mesh.
 
 use embedded_graphics::pixelcolor::{PixelColor, Rgb888, RgbColor};
 

@@ -67,7 +67,7 @@ sealed!(LinearFog, ExponentialFog);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LinearFog {
-    /// In units of 2⁻¹⁶.
+    /// The second distance, in units of 2⁻¹⁶.
     far: i32,
     range: Ramp,
 }
@@ -77,7 +77,7 @@ pub struct LinearFog {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ExponentialFog {
-    /// In units of 2⁻¹⁶.
+    /// The density in units of 2⁻¹⁶.
     density: i32,
 }
 

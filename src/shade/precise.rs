@@ -130,7 +130,7 @@ impl<C: PixelFormat> Precise<C> {
     #[inline]
     pub(super) fn of_mixture([below, above]: [C; 2], share: i32) -> Self {
         Self::from_levels(zip(below.steps(), above.steps(), |below, above| {
-            // 9 bits times 17 bits.
+            // A difference of 9 bits times a share of 17 bits fits into 32 bits.
             let more = above.wrapping_sub(below).wrapping_mul(share);
             (below << 16).wrapping_add(more)
         }))

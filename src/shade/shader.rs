@@ -187,7 +187,7 @@ pub trait Shader: Copy {
     /// Whether [`shade`](Self::shade) reads [`Fragment::depth`].
     ///
     /// The default, `true`, is always correct. `false` makes a shader faster if no depth buffer needs depth and nothing
-    /// is interpolated: only then is depth not computed, and it reads as 0.
+    /// is interpolated. In this case, depth is not computed, and it reads as 0.
     const READS_DEPTH: bool = true;
 
     /// The values at the three corners of a triangle. For an edge, they are the values at its first end, its second
@@ -204,9 +204,9 @@ pub trait Shader: Copy {
     /// shaders with more than eight [`Varyings`] does not compile.
     ///
     #[cfg_attr(doc, doc = page_picture!("lit", "A coarse ring that looks round, because the light is interpolated"))]
-    /// The light uses the mesh's normals, or each triangle's own normal if the mesh has none. The light's varyings
-    /// follow the surface's own: one brightness for white light, or a number for each channel of the canvas for colored
-    /// light; and one more number for highlights. 65,536 is full brightness.
+    /// The light uses the mesh's normals, or each triangle's own normal if the mesh has none. The light's varyings come
+    /// after the surface's own varyings. White light has one brightness. Colored light has one number for each channel
+    /// of the canvas. Highlights add one more number. 65,536 is full brightness.
     ///
     /// ```
     /// use embedded_graphics::mock_display::MockDisplay;

@@ -143,8 +143,8 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     ///
     /// The table lists the instructions per pixel that the filter takes in addition to the instructions for the nearest
     /// texel, with `opt-level = 3`, for the benchmark's floor with a 64x64 texture in flash. The ranges cover the modes
-    /// `Exact` and `Affine`; in the default mode, Rgb565 takes 48 more on the M4 and 75 more on the M0+. The last
-    /// columns give the bytes of code with `opt-level = "s"`.
+    /// `Exact` and `Affine`; in the default mode, the filter takes 48 instructions for Rgb565 on the M4 and 75 on the
+    /// M0+. The last columns give the bytes of code with `opt-level = "s"`.
     ///
     /// | | Cortex-M4 | Cortex-M0+ | code, M4 | code, M0+ |
     /// |---|---:|---:|---:|---:|

@@ -72,7 +72,7 @@ pub(super) fn index<A: Addressing>(texel: i32, log2: u32) -> i32 {
     }
 }
 
-/// `texels` minus `little`, both with 16 fraction bits. A difference that wraps is wrong only by a whole number of
+/// `texels` minus `little`, both with 16 fraction bits. If the difference wraps, it is wrong only by a whole number of
 /// repeats.
 #[inline]
 pub(super) fn back<A: Addressing>(texels: i32, little: i32) -> i32 {

@@ -240,7 +240,7 @@ mod tests {
                         }
                     }
                     let origin = view.point(at);
-                    // The translation is good to 30 bits of the largest coordinate.
+                    // The translation is accurate to 30 bits of the largest coordinate.
                     let slack = 1.0 + length(e) * 65_536.0 * f64::from(-28).exp2();
                     for v in origin.to_bits() {
                         assert!(f64::from(v).abs() <= slack, "{origin:?}");

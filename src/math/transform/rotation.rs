@@ -212,8 +212,8 @@ mod tests {
                     assert_eq!(quaternion, [0; 4]);
                 }
                 Ok(t) => {
-                    // Rounding the parts to 30 bits moves the quaternion by up to 2^-29 of its length,
-                    // and entries by twice as much. Quotients add 1.3 · 2^-30, the last rounding 2^-30.
+                    // Rounding the parts to 30 bits moves the quaternion by up to 2^-29 of its length, and entries by
+                    // twice as much. Quotients add 1.3 · 2^-30, and the last rounding adds 2^-30.
                     let [linear, moved] = errors(&real(&t), &rotation(quaternion));
                     assert!(linear <= power(-28) + 2.3 * power(-30), "{linear:e}");
                     assert!(moved <= 0.0);

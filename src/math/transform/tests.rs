@@ -1,4 +1,4 @@
-//! Transforms against their formulas in f64.
+//! Transforms, compared with their formulas in f64.
 #![allow(clippy::needless_range_loop)] // formulas with indices
 
 use super::*;
@@ -216,7 +216,7 @@ fn steps_are_good_to_28_bits() {
     cases(256, |random| {
         let step = step(random);
         let [linear, translation] = errors(&real(&step.transform()), &step.real());
-        // Sine and cosine are within 1.6e-9; the axis is within 2^-28 and enters twice.
+        // Sine and cosine have errors of up to 1.6e-9. The axis has an error of up to 2^-28 and is used twice.
         assert!(linear <= 3.0 * power(-28), "{linear:e}");
         assert!(translation <= f64::EPSILON);
         if !matches!(step, Step::About(..)) {
@@ -349,7 +349,7 @@ fn points_are_rounded_once() {
         let translation_exp = random.random_range(-32_i32..=62);
         let point = random.random::<[i32; 3]>();
         let cut = random.random_range(0_u32..32);
-        // Where 64 bits hold all numbers.
+        // With these exponents, all numbers fit into 64 bits.
         let translation_exp = translation_exp.max(linear_exp - 14);
         let t = Transform {
             linear,
@@ -368,8 +368,8 @@ fn points_are_rounded_once() {
             (twice >> (exp - 16)).clamp(i32::MIN.into(), i32::MAX.into()) as i32
         });
         assert_eq!(t.point(point).to_bits(), exact);
-        // Block floats drop up to two bits of the products' 63, and the same of the translation, rounded each; and
-        // round again.
+        // Block floats round products of 63 bits and the translation to up to two bits less, and then round the sum
+        // again.
         let bound = 1 + (4 >> linear_exp.min(3));
         for (far, exact) in t.far_point(point).to_bits().into_iter().zip(exact) {
             assert!(far.abs_diff(exact) <= bound);

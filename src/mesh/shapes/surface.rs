@@ -48,8 +48,8 @@ pub(super) enum Surface {
     Cylinder,
 }
 
-/// A row of vertices around the y axis. Returns its radius in units of 2⁻³⁰, its height in units of 2⁻⁶⁰, and two
-/// components of its normals in units of 2⁻³⁰: away from the axis, and along the axis.
+/// A row of vertices around the y axis. Returns its radius in units of 2⁻³⁰, its height in units of 2⁻⁶⁰, and the two
+/// components of its normals away from the axis and along the axis, in units of 2⁻³⁰.
 const fn ring(shape: Shape, row: u32) -> (i64, i64, i64, i64) {
     match shape.surface {
         Surface::Torus(tube) => {
@@ -194,7 +194,7 @@ const fn cap(writer: &mut MeshWriter<'_>, slices: u32, y: i64) {
 
 /// Maps −1..1 in units of 2⁻³⁰ to 0..1.
 const fn texture(unit: i64) -> TexCoord {
-    // Half of `unit` + 1, rounded from units of 2⁻³⁰ to units of 2⁻²⁰; at most 1.
+    // (`unit` + 1) / 2, rounded from units of 2⁻³⁰ to units of 2⁻²⁰; at most 1.
     TexCoord::from_bits(((unit + ONE + (1 << 10)) >> 11) as i32)
 }
 

@@ -1,4 +1,4 @@
-//! Angles and their sines against f64.
+//! Angles and their sines, compared with f64.
 
 use super::*;
 use std::string::ToString;

@@ -256,7 +256,7 @@ mod tests {
         assert_eq!(diffuse(three.at(&point)), 3 * 8_192 + 49_152);
         assert_eq!(diffuse((&three[1..]).at(&point)), 2 * 8_192 + 32_768);
         assert_eq!(diffuse(none.at(&point)), 0);
-        // Beyond full brightness, the surface has its own color.
+        // If the light is beyond full brightness, the surface has its own color.
         let bright = [sun(fx!(1)); 3];
         let ground = [Vec3::ZERO, Vec3::Z, Vec3::X];
         let mesh = Mesh::new(&ground, &[[0, 1, 2]]).unwrap();

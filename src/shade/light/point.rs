@@ -56,9 +56,9 @@ pub enum Falloff {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PointLight {
     position: Vec3,
-    /// In units of 2⁻¹⁶.
+    /// The brightness in units of 2⁻¹⁶.
     brightness: u32,
-    /// In units of 2⁻¹⁶.
+    /// The range in units of 2⁻¹⁶.
     range: i32,
     /// 2⁶¹ / (`range` · 2^`up`), from 2³⁰ to 2³¹; the divisor has 31 bits.
     inverse: u32,

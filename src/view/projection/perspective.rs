@@ -118,7 +118,7 @@ impl Projection<Perspective> {
 
     /// Returns the vertical field of view, 2·atan((top − bottom) / (2·near)).
     ///
-    /// A window that is not centered counts as a centered one of the same height.
+    /// A window that is not centered counts as a centered window of the same height.
     #[must_use]
     pub fn fov(&self) -> Angle {
         let BlockFloat { value, exp } = self.rows[1].coefficient(1);

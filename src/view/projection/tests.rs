@@ -1,4 +1,4 @@
-//! The coefficients of projections against their formulas in f64, and refused arguments.
+//! The coefficients of projections, compared with their formulas in f64, and refused arguments.
 
 use super::*;
 use crate::Error;
