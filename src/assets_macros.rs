@@ -20,16 +20,16 @@
 /// assert_eq!(ROOF.faces().len(), 4);
 /// ```
 ///
-/// The path is relative to the source file. The program is compiled again when the model's file changes, or a file that
-/// it names. A file that cannot be read stops compilation, with a message that names the file and the line or the byte.
-/// If the macro replaces or leaves out something, such as a normal that is not a number, the compiler prints a warning,
-/// one for each kind. `#[allow(deprecated)]` on the `static` silences these warnings.
+/// The path is relative to the source file. The program is compiled again when the model's file, or a file that it
+/// names, changes. A file that cannot be read stops compilation, with a message that names the file and the line or the
+/// byte. If the macro replaces or leaves out something, such as a normal that is not a number, the compiler prints a
+/// warning, one for each kind. `#[allow(deprecated)]` on the `static` silences these warnings.
 ///
 /// | option | meaning |
 /// |---|---|
 /// | `short` | positions of 16 bits: see [`Mesh::short`](crate::Mesh::short) |
 /// | `quantized_16`, `quantized_8` | positions of 16 bits, with [normals of 8 bits and texture coordinates of 16 or 8](crate::mesh#less-flash) |
-/// | `normals` | normals for corners that have none: the mean of the faces around the point that meet at 60 degrees or less or, in OBJ files, are in the same smoothing group |
+/// | `normals` | normals for corners that have none: the mean of the normals, weighted by area, of the faces around the point that meet the corner's face at 60 degrees or less. If an OBJ file puts the corner's face into a smoothing group, the mean is over the faces of that group; if it switches smoothing off, the normal is the face's own |
 /// | `object = "name"` | only the faces of the object with this name: a glTF mesh, or an OBJ object or group |
 /// | `part = "name"` | only the faces of the material with this name |
 /// | `scale = 0.01` | positions are multiplied by this number |
@@ -39,8 +39,8 @@
 /// Positions that no face uses are left out. Positions are rounded to the nearest [`Scalar`](crate::Scalar), and
 /// texture coordinates to the nearest [`TexCoord`](crate::TexCoord). A mesh has at most 65,536 positions. Polygons,
 /// including concave ones, are cut into triangles; [`Mesh::edges`](crate::Mesh::edges) are the sides of the polygons.
-/// If only some corners have texture coordinates, the others get (0, 0); corners without a normal get the normal of
-/// their triangle.
+/// If only some corners have texture coordinates, all other corners get (0, 0). Corners without a normal get the normal
+/// of their triangle.
 ///
 /// ```compile_fail
 /// use fixel::prelude::*;
@@ -120,8 +120,8 @@ macro_rules! include_outline {
 /// - a [`Texture`](crate::Texture);
 /// - rows of the picture's size, such as `[[Rgb565; 64]; 64]`, which are faster to draw;
 /// - the texels alone, such as `&[Rgb565]`;
-/// - for a picture of at most 256 colors, an [`Indexed`](crate::texture::Indexed) texture whose indices are a
-///   `Texture<u8>` or rows, or the indices alone;
+/// - for a picture of at most 256 colors, an [`Indexed`](crate::texture::Indexed) texture with indices in a
+///   `Texture<u8>` or in rows, or the indices alone;
 /// - with the option `mipmap`, a [`Mipmap`](crate::texture::Mipmap).
 ///
 /// The color may be any color of embedded-graphics, or it may be [`Argb4444`](crate::texture::Argb4444) or

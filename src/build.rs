@@ -1,5 +1,5 @@
-//! The build script: tells `num/wide.rs` which products the target's core has, and functions that are copied for speed
-//! whether the program is optimized for size.
+//! The build script. It tells `num/wide.rs` which products the target's core has. It also tells functions that are
+//! copied for speed whether the program is optimized for size.
 //!
 //! This file is not a module of the library. Stable Rust has no `cfg` that tells Cortex-M23 from Cortex-M33, or
 //! Cortex-M3 from Cortex-M4; only the target's name does.
@@ -9,7 +9,7 @@ use std::env;
 fn main() {
     println!("cargo::rerun-if-changed=src/build.rs");
     println!("cargo::rustc-check-cfg=cfg(narrow_core, dsp_core, for_size)");
-    // The optimizer copies functions that it deems short into all callers, for size, too.
+    // The optimizer copies functions that it considers short into all callers, even if it optimizes for size.
     if env::var("OPT_LEVEL").is_ok_and(|level| level == "s" || level == "z") {
         println!("cargo::rustc-cfg=for_size");
     }

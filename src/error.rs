@@ -35,7 +35,7 @@ pub(crate) const fn check_count(given: usize, max: usize) -> Result<(), Error> {
     }
 }
 
-/// An error unless the number of these parts is in range.
+/// An error unless the number of parts is in range; `of` names the parts.
 pub(crate) const fn check_parts(
     of: &'static str,
     given: u32,
@@ -92,7 +92,7 @@ pub(crate) const fn check_order(of: &'static str, low: Scalar, high: Scalar) -> 
     }
 }
 
-/// An error unless an angle can lie between two faces.
+/// An error if an angle is above 180 degrees, which two faces cannot form.
 pub(crate) const fn check_crease(angle: Angle) -> Result<(), Error> {
     if angle.to_bits() > Angle::HALF.to_bits() {
         return Err(Error::CreaseAngle { angle });
@@ -100,7 +100,7 @@ pub(crate) const fn check_crease(angle: Angle) -> Result<(), Error> {
     Ok(())
 }
 
-/// Declares [`Error`]: its variants, each with its message and what stands for the braces in it.
+/// Declares [`Error`]: each variant, its message, and the values that replace the braces in the message.
 macro_rules! errors {
     ($(#[$about:meta])+ pub enum Error; $(
         $(#[$doc:meta])+
@@ -172,8 +172,8 @@ errors! {
         /// The refused height.
         height: Scalar,
     } = "aspect ratio is {} to {}: both must be above 0", Scalar(width), Scalar(height);
-    /// A range whose upper end is not above its lower end: the depths from the near to the far plane, or the range of a
-    /// window, a fog or a gradient.
+    /// A range with an upper end that is not above its lower end: the depths from the near to the far plane, or the
+    /// range of a window, a fog or a gradient.
     Empty {
         /// What has the range.
         of: &'static str,
@@ -193,7 +193,7 @@ errors! {
         /// Largest number allowed.
         max: Scalar,
     } = "{} is {}: it must lie between {} and {}", Text(of), Scalar(given), Scalar(min), Scalar(max);
-    /// A camera whose eye is at its target.
+    /// A camera with its eye at its target.
     EyeAtTarget {
         /// The position of the eye and of the target.
         eye: Vec3,
@@ -205,13 +205,13 @@ errors! {
         up: Vec3,
     } = "up is ({}, {}, {}), which is zero or parallel to the line of sight: it must not be zero or along that line",
         Scalar(up.x), Scalar(up.y), Scalar(up.z);
-    /// A matrix whose last row is not 0 0 0 1 where an affine transform is needed.
+    /// A matrix with a last row that is not 0 0 0 1, where an affine transform is needed.
     NotAffine {
         /// The refused row.
         last_row: [Scalar; 4],
     } = "last row is ({}, {}, {}, {}): it must be (0, 0, 0, 1) in an affine matrix",
         Scalar(last_row[0]), Scalar(last_row[1]), Scalar(last_row[2]), Scalar(last_row[3]);
-    /// A cone of light whose inner angle is not below its outer angle, or whose outer angle is above 90 degrees.
+    /// A cone of light with an inner angle that is not below its outer angle, or with an outer angle above 90 degrees.
     Cone {
         /// The refused inner angle.
         inner: Angle,
@@ -224,7 +224,7 @@ errors! {
         /// The refused angle.
         angle: Angle,
     } = "crease angle is {} degrees: it must lie between 0 and 180 degrees", Degrees(angle);
-    /// A frame or viewport whose width or height is zero or too large.
+    /// A frame or viewport with a width or a height that is zero or too large.
     Size {
         /// The refused width in pixels.
         width: u32,
@@ -243,7 +243,7 @@ errors! {
         max: u32,
     } = "{} is {}: it must be a power of two, at most {}, such as {}",
         Text(of), Number(given), Number(max), Number(nearest(given, max));
-    /// A mask whose size differs from the size of its texture.
+    /// A mask with another size than its texture.
     MaskSize {
         /// Columns and rows of the refused mask.
         given: [u32; 2],
@@ -278,7 +278,7 @@ errors! {
         height: u32,
     } = "band has {} rows from row {}: it must have at least one and lie within the {} rows of the frame",
         Number(rows), Number(first), Number(height);
-    /// A canvas whose frame differs in size from the frame that a list was prepared for.
+    /// A canvas with a frame of another size than the frame for which a list was prepared.
     Frame {
         /// Number of columns of the canvas's frame.
         width: u32,
@@ -299,7 +299,7 @@ errors! {
         /// Number of elements; the index must be less than this number.
         len: usize,
     } = "index {} in element {} is out of range: it must be below {}", Number(index), Number(at), Number(len);
-    /// Two meshes whose faces must be the same but differ.
+    /// Two meshes with different faces, where both must have the same faces.
     FacesDiffer {
         /// The first face that differs.
         at: usize,

@@ -216,7 +216,7 @@
 //! any storage. One of four kernels (straight, pieces, Newton, divide) runs between `Blit::draw` and its pixels. The
 //! [mode] chooses the kernel for each span.
 //!
-//! Each folder depends only on those before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`,
+//! Each folder depends only on the folders before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`,
 //! `canvas`, `raster`, `span`, `pipeline`.
 #![no_std]
 #![forbid(unsafe_code)]

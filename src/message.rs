@@ -7,7 +7,7 @@ use crate::{Angle, Error};
 /// Longest message, in bytes; the rest is cut off.
 const ROOM: usize = 512;
 
-/// What a pair of braces in a template stands for.
+/// A value that takes the place of a pair of braces in a template.
 #[derive(Clone, Copy)]
 pub(crate) enum Piece<'a> {
     Text(&'a str),
@@ -18,7 +18,7 @@ pub(crate) enum Piece<'a> {
 }
 use Piece::{Degrees, Number, Scalar, Text, Thousandths};
 
-/// A template whose braces are filled in.
+/// A template with values in place of its braces.
 pub(crate) struct Message {
     bytes: [u8; ROOM],
     len: usize,
@@ -72,7 +72,8 @@ impl Message {
             Number(number) => self.decimal(number, 1),
             Thousandths(number) => self.decimal(number, 1000),
             Scalar(value) => {
-                // With five decimals at the latest, the nearest scalar is the value itself.
+                // Writes the fewest decimals with which the nearest `Scalar` is the value itself; five are always
+                // enough.
                 let (bits, mut unit) = (value.to_bits() as i64, 1);
                 while rounded(rounded(bits * unit, 1 << 16) << 16, unit) != bits {
                     unit *= 10;
@@ -83,7 +84,7 @@ impl Message {
         }
     }
 
-    /// Writes `parts` / `unit`, where `unit` is a power of ten, without zeros at the end.
+    /// Writes `parts` / `unit` without zeros at the end; `unit` is a power of ten.
     const fn decimal(&mut self, parts: i64, unit: i64) {
         if parts < 0 {
             self.byte(b'-');
@@ -118,11 +119,11 @@ pub(crate) const fn stop(template: &str, pieces: &[Piece<'_>]) -> ! {
     panic!("{}", Message::new(template, pieces).text())
 }
 
-/// Unwraps a value made at compile time, which is called `name`, or from the file of this name.
+/// Unwraps a value made at compile time. `name` is the name of the value or of its file.
 ///
 /// # Panics
 ///
-/// If `result` is an error. The message is the error's own after the name.
+/// If `result` is an error. The message is the name, followed by the error's message.
 pub const fn checked<T: Copy>(result: Result<T, Error>, name: &str) -> T {
     match result {
         Ok(value) => value,
@@ -130,7 +131,7 @@ pub const fn checked<T: Copy>(result: Result<T, Error>, name: &str) -> T {
     }
 }
 
-/// Stops compilation when a file's picture has more colors than a texture's type has room for.
+/// Stops compilation if a file's picture has more colors than fit into a texture's type.
 ///
 /// # Panics
 ///
@@ -142,7 +143,7 @@ pub(crate) const fn too_many_colors(name: &str, given: usize, max: usize) -> ! {
     )
 }
 
-/// Stops compilation when the size of a file's picture differs from the size in the type.
+/// Stops compilation if the size of a file's picture differs from the size in the type.
 pub(crate) const fn wrong_size(name: &str, given: [u32; 2], in_type: [usize; 2]) -> ! {
     let [width, height] = [Number(given[0] as i64), Number(given[1] as i64)];
     let [type_width, type_height] = [Number(in_type[0] as i64), Number(in_type[1] as i64)];

@@ -1,9 +1,9 @@
 //! Traits that other crates can use but not implement.
 
-/// The supertrait of such traits; public in name only.
+/// The supertrait of these traits. It is public, but in a private module, so other crates cannot name it.
 pub trait Sealed {}
 
-/// Lets the traits of this crate be implemented for types.
+/// Implements [`Sealed`] for types, so that they can implement the sealed traits of this crate.
 macro_rules! sealed {
     ($($Type:ty),+) => {
         $(impl $crate::sealed::Sealed for $Type {})+

@@ -32,7 +32,7 @@ impl Direction {
         }
     }
 
-    /// [`of`](Self::of), where a direction is needed.
+    /// Like [`of`](Self::of), but the zero vector is an error.
     pub(crate) const fn checked(vector: Vec3) -> Result<Self, Error> {
         match Self::of(vector) {
             Self::NONE => Err(Error::ZeroDirection),
@@ -69,7 +69,7 @@ impl Direction {
         measure([sum(a, x), sum(b, y), sum(c, z)]).map_or(0, |halfway| halfway.along(&self.0))
     }
 
-    /// A unit vector in units of 2⁻³⁰.
+    /// Makes a direction from a unit vector in units of 2⁻³⁰.
     #[inline]
     pub(crate) const fn from_bits(bits: [i32; 3]) -> Self {
         Self(bits)
@@ -86,7 +86,7 @@ impl Direction {
 /// positive factor. With it, normals stay at right angles to a surface that is stretched or mirrored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct NormalMatrix(
-    /// Rows, below 2^30.
+    /// Rows; entries are below 2^30 in magnitude.
     pub(crate) [[i32; 3]; 3],
 );
 

@@ -1,4 +1,4 @@
-//! The operators and conversions of vectors: component by component, as those of numbers.
+//! The operators and conversions of vectors: component by component, like the operators of numbers.
 
 use core::fmt;
 use core::iter::Sum;
@@ -12,7 +12,7 @@ use crate::{Error, Scalar, TexCoord};
 /// `from + (to − from) · t`, rounded to nearest (half up) once; saturates.
 fn interpolate(from: i32, to: i32, t: Scalar) -> i32 {
     let [from, to] = [from, to].map(i64::from);
-    // At most (2^32 − 1) · 2^31, which fits; a sum that saturates is far beyond 32 bits.
+    // The product is at most (2^32 − 1) · 2^31, which fits. A sum that saturates is far beyond 32 bits.
     let sum = ((to - from) * i64::from(t.to_bits())).saturating_add(from << 16);
     block::fixed(sum, 16, 0)
 }

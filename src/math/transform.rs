@@ -33,18 +33,18 @@ mod tests;
 pub struct Transform {
     /// Mantissas by rows, below 2^30 in magnitude.
     pub(crate) linear: [[i32; 3]; 3],
-    /// Values are mantissas · 2^-exp; see [`block`] for its range.
+    /// The exponent of the matrix: entries are mantissas · 2^-exp. [`block`] gives the range of exponents.
     pub(crate) linear_exp: i32,
     /// Mantissas, below 2^30 in magnitude.
     pub(crate) translation: [i32; 3],
-    /// Same meaning as `linear_exp`.
+    /// The exponent of the translation, with the same meaning as `linear_exp`.
     pub(crate) translation_exp: i32,
-    /// Whether the determinant is negative. Kept, because computing it from the matrix is slow.
+    /// Whether the determinant is negative. This is stored, because computing it from the matrix is slow.
     pub(crate) is_mirror: bool,
 }
 
 fn transpose([x, y, z]: [[i32; 3]; 3]) -> [[i32; 3]; 3] {
-    // Constant indices: in a build for size, a loop over them would keep its bounds checks.
+    // The indices are constants, because in a build for size, a loop would keep its bounds checks.
     [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]]
 }
 
@@ -53,13 +53,14 @@ fn transpose([x, y, z]: [[i32; 3]; 3]) -> [[i32; 3]; 3] {
 pub(crate) struct AffineRow {
     pub(crate) row: [i32; 3],
     pub(crate) exp: i32,
-    /// The factors of the offset, which keeps all bits of their product.
+    /// The offset is the product of these two factors. So it keeps all bits of the product.
     pub(crate) offset: [i32; 2],
     pub(crate) offset_exp: i32,
 }
 
 impl AffineRow {
-    /// Writes the coefficients of the row that applies `other` first, and returns its offset. Nothing is rounded.
+    /// Computes the row that applies `other` first and then this row: writes its coefficients to `linear`, and returns
+    /// its offset. Nothing is rounded.
     #[inline]
     pub(crate) fn after(&self, other: &Transform, linear: &mut [BlockFloat]) -> BlockFloat {
         let [x, y, z] = &other.linear;
@@ -132,8 +133,8 @@ impl Transform {
         t
     }
 
-    /// Scales all axes by one factor about the origin. The factor keeps 30 significant bits. If it is ±16,384 or more,
-    /// it is rounded to nearest.
+    /// Scales all axes by one factor about the origin. The factor keeps 30 significant bits. A factor of ±16,384 or
+    /// more is rounded to nearest.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -161,12 +162,13 @@ impl Transform {
     #[must_use]
     pub fn point(&self, point: Vec3) -> Vec3 {
         let exp = self.linear_exp;
-        // From the units of the translation to those of the matrix's products with a point.
+        // The left shift from the units of the translation to the units of a product of the matrix and a point.
         let up = 16 + exp - self.translation_exp;
         if !(1..=40).contains(&exp) || up > 30 {
             return self.far_point(point);
         }
-        // Bits that are shifted out belong to less than a unit of the products, so they cannot change a rounded sum.
+        // Bits that are shifted out are worth less than a unit of the products. The sum is rounded down at the end, so
+        // they cannot change the result.
         let (down, factor) = (-up.clamp(-31, 0), 1 << up.clamp(0, 30));
         let (rows, [x, y, z]) = (&self.linear, self.translation);
         let point = point.to_bits();
@@ -179,7 +181,7 @@ impl Transform {
         Vec3::from_bits([number(i, x), number(j, y), number(k, z)])
     }
 
-    /// The same for numbers that 64 bits do not hold; rounded to 61 bits first.
+    /// Like [`point`](Self::point), for numbers that do not fit into 64 bits; they are rounded to 61 bits first.
     #[cold]
     #[inline(never)]
     fn far_point(&self, point: Vec3) -> Vec3 {
@@ -229,7 +231,7 @@ impl Transform {
     /// orthogonal and of length one.
     ///
     /// The z axis keeps its direction, and the y axis stays in the plane of y and z. A mirror stays a mirror. A matrix
-    /// whose rows are zero or parallel is returned unchanged.
+    /// with rows that are zero or parallel is returned unchanged.
     ///
     /// Use it on rotations and translations that are multiplied frame by frame.
     #[must_use]
@@ -252,8 +254,8 @@ impl Transform {
         }
     }
 
-    /// Returns the matrix that transforms the normals of surfaces whose points [`point`](Self::point) transforms, up to
-    /// a positive factor.
+    /// Returns the matrix that transforms a surface's normals where [`point`](Self::point) transforms the surface's
+    /// points. The matrix may be multiplied by a positive factor.
     ///
     /// It is the inverse transpose: the cofactors, with the sign of the determinant.
     #[must_use]

@@ -155,7 +155,7 @@ impl Vec3 {
         exact_length(self.way_to(other)).at(16)
     }
 
-    /// Returns the difference from here to another point: 33 bits.
+    /// Returns the vector from this point to another point; components have 33 bits.
     #[inline]
     pub(crate) const fn way_to(self, to: Self) -> [i64; 3] {
         let ([a, b, c], [x, y, z]) = (self.to_wide_bits(), to.to_wide_bits());
@@ -231,7 +231,7 @@ mod tests {
             let b = [(); 3].map(|()| number(random));
             let (u, v) = (Vec3::from_bits(a), Vec3::from_bits(b));
             let [x, y] = [a, b].map(|v| v.map(i128::from));
-            // Rounded half up and saturated, in 128 bits.
+            // Computed in 128 bits: rounded to nearest (half up), and saturated.
             let fixed = |p: i128| {
                 i32::try_from((p + (1 << 15)) >> 16).unwrap_or(if p < 0 {
                     i32::MIN

@@ -1,4 +1,4 @@
-//! Attributes of a mesh: what its corners have besides positions, as it is or in 8 or 16 bits.
+//! Attributes of a mesh: texture coordinates, normals and colors, in full precision or in 8 or 16 bits.
 
 use core::hash::{Hash, Hasher};
 use core::ops::Range;
@@ -10,7 +10,7 @@ use super::{Index, Indices, Mesh};
 use crate::error::{check_length, ok};
 use crate::{Error, Vec2, Vec3};
 
-/// The values of one attribute. Without `faces` of its own, it is indexed like the positions.
+/// The values of one attribute. Without `faces` of its own, an attribute is indexed like the positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Attribute<'a, T: Copy> {
     pub(super) values: Values<'a, T>,
@@ -20,18 +20,18 @@ pub(super) struct Attribute<'a, T: Copy> {
 impl<'a, T: Copy> Attribute<'a, T> {
     pub(super) const NONE: Self = Self::of_lists((&[], &[]));
 
-    /// The attribute of lists that are known to fit the mesh. Without `faces`, values belong to the positions.
+    /// The attribute of lists that are known to fit the mesh. Without `faces`, there is one value per position.
     pub(super) const fn of_lists((values, faces): (&'a [T], &'a [[Index; 3]])) -> Self {
         Self::of((Values::Full(values), faces))
     }
 
-    /// The same for values that may have fewer bits.
+    /// Like [`of_lists`](Self::of_lists), for values that may have fewer bits.
     pub(super) const fn of((values, faces): (Values<'a, T>, &'a [[Index; 3]])) -> Self {
         let faces = if faces.is_empty() { None } else { Some(faces) };
         Self { values, faces }
     }
 
-    /// The attribute of a range of the faces, which must not reach beyond their end.
+    /// The attribute for a range of the faces; the range must not reach beyond the last face.
     pub(super) fn part(&self, range: &Range<usize>) -> Self {
         Self {
             values: self.values,
@@ -55,7 +55,7 @@ impl<'a, T: Copy> Attribute<'a, T> {
         self.values.get(self.index(indices, corner)?)
     }
 
-    /// The same for an attribute that always has full precision, which takes less code.
+    /// Like [`at`](Self::at), for an attribute that always has full precision. This takes less code.
     #[inline]
     pub(super) fn full_at(&self, indices: Indices, corner: usize) -> Option<T> {
         match self.values {
@@ -133,7 +133,8 @@ impl<'a> Mesh<'a> {
         Self { colors, ..self }
     }
 
-    /// The mesh with attributes in fewer bits. The lists are known to fit it; those of faces may be empty.
+    /// The mesh with normals and texture coordinates in fewer bits. The lists are known to fit the mesh. Lists of faces
+    /// may be empty.
     #[doc(hidden)]
     #[must_use]
     pub const fn quantized(
@@ -188,7 +189,7 @@ impl<'a> Mesh<'a> {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Values<'a, T> {
     Full(&'a [T]),
-    /// By reference, so that a mesh does not take more memory than with two slices.
+    /// A reference, so that this variant does not make every mesh larger.
     Small(&'a Small<'a, T>),
 }
 
@@ -197,7 +198,7 @@ pub(super) enum Values<'a, T> {
 pub struct Small<'a, T> {
     stored: Stored<'a>,
     len: usize,
-    /// A pointer, so that only programs which have such values contain the code that unpacks them.
+    /// A function pointer, so that only programs with values in fewer bits contain the code that unpacks them.
     unpack: fn(&Stored<'_>, usize) -> Option<T>,
 }
 
@@ -209,7 +210,7 @@ enum Stored<'a> {
 }
 
 impl<'a, T: Copy> Values<'a, T> {
-    /// An empty list of small values is an empty list.
+    /// A list of small values; an empty list becomes an empty list in full precision.
     pub(super) const fn small(values: &'a Small<'a, T>) -> Self {
         match values.len {
             0 => Self::Full(&[]),
@@ -241,7 +242,7 @@ impl<'a, T: Copy> Values<'a, T> {
 impl<T: Copy + Eq> Eq for Values<'_, T> {}
 
 impl<T: Copy + PartialEq> PartialEq for Values<'_, T> {
-    /// Whether both are the same values in the same order.
+    /// Whether both lists contain the same values in the same order.
     fn eq(&self, other: &Self) -> bool {
         self.iter().eq(other.iter())
     }
@@ -305,7 +306,8 @@ impl<'a> Small<'a, Vec2> {
     }
 }
 
-/// Equal steps from the least texture coordinate to the greatest: `origin` + n · `step`, in units of 2⁻²⁰.
+/// A grid of texture coordinates in equal steps, from the least coordinate to the greatest, along u and along v. Point
+/// n is at `origin` + n · `step`, in units of 2⁻²⁰.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct UvGrid {
@@ -314,7 +316,7 @@ pub struct UvGrid {
 }
 
 impl UvGrid {
-    /// The grid around these texture coordinates, with `most` steps.
+    /// The grid from the least to the greatest of these texture coordinates, with `most` steps along u and along v.
     #[must_use]
     pub const fn around(uvs: &[Vec2], most: u16) -> Self {
         let (mut origin, mut step) = ([0; 2], [0; 2]);
@@ -352,7 +354,8 @@ impl UvGrid {
         steps
     }
 
-    /// A point of the grid. (The last one may lie beyond the greatest coordinate by less than a unit a step.)
+    /// A point of the grid. (A step is rounded up by less than a unit of 2⁻²⁰. So the last point may lie beyond the
+    /// greatest coordinate, by less than one unit for each step.)
     fn uv(&self, [u, v]: [u16; 2]) -> Vec2 {
         let bits = |axis: usize, steps: u16| {
             let beyond = u64::from(steps) * u64::from(self.step[axis]);
@@ -363,12 +366,13 @@ impl UvGrid {
     }
 }
 
-/// The largest component of a stored normal.
+/// The magnitude of the largest component of a stored normal.
 const LONGEST: i64 = 127;
-/// The shift that makes a stored normal about as long as one in the bits of a `Vec3`.
+/// The left shift from a stored component to the bits of a `Scalar`: 127 becomes 65,024, which is about 1.
 const UP: u32 = 9;
 
-/// A normal with 8 bits a component: the largest becomes 127, others are rounded to nearest, halves up.
+/// A normal with 8 bits per component: the largest component becomes 127 or −127, and the others are rounded to
+/// nearest, halves up.
 #[must_use]
 pub const fn short_normal(normal: Vec3) -> [i8; 3] {
     let bits = normal.to_bits();

@@ -31,7 +31,7 @@ impl Bounds {
         Self { least: a, most: a }.with(b)
     }
 
-    /// The smallest box around this one and a point.
+    /// The smallest box around this box and a point.
     #[must_use]
     pub const fn with(self, point: Vec3) -> Self {
         let ([mut least, mut most], point) =

@@ -35,7 +35,7 @@ pub struct Counts {
 
 /// Memory for a shape that is built at run time: one slice per list, each at least as long as [`Counts`] says.
 ///
-/// Attributes and edges are left out if their slice is empty.
+/// If the slice for edges, texture coordinates or normals is empty, the mesh has none of them.
 ///
 /// ```
 /// use fixel::mesh::{Buffers, Shape};
@@ -73,7 +73,7 @@ impl<'a> Buffers<'a> {
         }
     }
 
-    /// `counts` without the lists whose slices are empty; an error if another slice is too short.
+    /// `counts`, with 0 for each optional list that has an empty slice; an error if any other slice is too short.
     pub(super) const fn wanted(&self, counts: Counts) -> Result<Counts, Error> {
         ok!(check_count(counts.positions, self.positions.len()));
         ok!(check_count(counts.faces, self.faces.len()));
@@ -85,7 +85,7 @@ impl<'a> Buffers<'a> {
         })
     }
 
-    /// The mesh of the first elements of each list, as many as `counts` says.
+    /// The mesh of the first elements of each slice; `counts` says how many.
     pub(super) const fn mesh(self, counts: Counts) -> Result<Mesh<'a>, Error> {
         ok!(check_count(counts.positions, Mesh::MAX_POSITIONS));
         Ok(Mesh::of_lists(
@@ -101,7 +101,8 @@ impl<'a> Buffers<'a> {
     }
 }
 
-/// How much of a list is written if there is this much room: all, or nothing if there is none.
+/// The number of elements to write to an optional list: `needed`, or 0 if the caller gives no room. An error if there
+/// is less room than needed.
 const fn optional(needed: usize, room: usize) -> Result<usize, Error> {
     if room == 0 {
         return Ok(0);
@@ -110,7 +111,7 @@ const fn optional(needed: usize, room: usize) -> Result<usize, Error> {
     Ok(needed)
 }
 
-/// The first `count` elements of a list, or all if it is shorter.
+/// The first `count` elements of a list, or all elements if the list is shorter.
 const fn first<T>(list: &[T], count: usize) -> &[T] {
     match list.split_at_checked(count) {
         Some((first, _)) => first,
@@ -118,7 +119,7 @@ const fn first<T>(list: &[T], count: usize) -> &[T] {
     }
 }
 
-/// The first `needed` elements of a list, or an error if it is shorter.
+/// The first `needed` elements of a list, or an error if the list is shorter.
 pub(super) const fn room<T>(list: &mut [T], needed: usize) -> Result<&mut [T], Error> {
     ok!(check_count(needed, list.len()));
     Ok(list.split_at_mut(needed).0)

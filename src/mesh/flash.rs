@@ -39,7 +39,7 @@ impl<const N: usize> Room<N> {
     }
 }
 
-/// The first elements of a list, as many as the result's length says.
+/// The first `N` elements of a list.
 ///
 /// # Panics
 ///
@@ -52,7 +52,7 @@ pub const fn first<T: Copy, const N: usize>(list: &[T]) -> [T; N] {
     }
 }
 
-/// The first positions with 16-bit components, and their number of fraction bits.
+/// The first `N` positions with 16-bit components, and their number of fraction bits.
 ///
 /// # Panics
 ///
@@ -66,7 +66,7 @@ pub const fn shortened<const N: usize>(positions: &[Vec3]) -> ([[i16; 3]; N], u3
     }
 }
 
-/// The first normals with 8-bit components.
+/// The first `N` normals with 8-bit components.
 ///
 /// # Panics
 ///
@@ -82,7 +82,7 @@ pub const fn normals_of_8<const N: usize>(normals: &[Vec3]) -> [[i8; 3]; N] {
     short
 }
 
-/// The first texture coordinates in steps of 16 bits, and their grid.
+/// The first `N` texture coordinates as 16-bit steps of a grid, and the grid.
 #[must_use]
 pub const fn quantized_16<const N: usize>(uvs: &[Vec2]) -> ([[u16; 2]; N], UvGrid) {
     let uvs: [Vec2; N] = first(uvs);
@@ -96,7 +96,7 @@ pub const fn quantized_16<const N: usize>(uvs: &[Vec2]) -> ([[u16; 2]; N], UvGri
     (steps, grid)
 }
 
-/// The first texture coordinates in steps of 8 bits, and their grid.
+/// The first `N` texture coordinates as 8-bit steps of a grid, and the grid.
 #[must_use]
 pub const fn quantized_8<const N: usize>(uvs: &[Vec2]) -> ([[u8; 2]; N], UvGrid) {
     let uvs: [Vec2; N] = first(uvs);
@@ -112,8 +112,8 @@ pub const fn quantized_8<const N: usize>(uvs: &[Vec2]) -> ([[u8; 2]; N], UvGrid)
 }
 
 /// Makes lists from the little-endian bytes of their elements. The macros that read files write lists as bytes, because
-/// the compiler reads bytes several times as fast as numbers. Patterns and operators, because in the compiler, an index
-/// takes as long as several of them, and a call as long as ten.
+/// the compiler reads bytes several times as fast as numbers. The functions use patterns and operators: in the
+/// compiler, an index takes as long as several operators, and a call takes as long as ten.
 ///
 /// # Panics
 ///
@@ -164,8 +164,9 @@ lists! {
     colors: [Rgb888] = Rgb888::new(0, 0, 0), [r g b] => Rgb888::new(r, g, b);
 }
 
-/// A mesh of the first elements in `$room`, as many as `$counts` says, in statics of exactly those lengths. With
-/// `short`, positions have 16 bits a component; with `quantized_16` or `quantized_8`, attributes have fewer bits, too.
+/// A mesh of the first elements of each list in `$room`; `$counts` says how many. Its lists are statics of exactly
+/// these lengths. With `short`, positions have 16 bits per component; with `quantized_16` or `quantized_8`, attributes
+/// have fewer bits, too.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __mesh {

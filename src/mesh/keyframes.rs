@@ -1,4 +1,4 @@
-//! Meshes between two meshes.
+//! Poses of a mesh, and the meshes between two poses.
 
 use super::attribute::Attribute;
 use super::attribute::Values;
@@ -46,9 +46,9 @@ use crate::{Error, Scalar, Vec3, message};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Keyframes<'a> {
     first: Mesh<'a>,
-    /// Of the second mesh.
+    /// The positions of the second mesh.
     positions: Positions<'a>,
-    /// Of the second mesh; empty if one of the two has none.
+    /// The normals of the second mesh; empty if either mesh has no normals.
     normals: Values<'a, Vec3>,
 }
 
@@ -74,7 +74,7 @@ const fn normal_faces<'a>(mesh: &Mesh<'a>) -> &'a [[Index; 3]] {
     }
 }
 
-/// [`Vec3::lerp`], which is shorter between its ends, where nothing saturates.
+/// [`Vec3::lerp`], with a shorter path for `t` from 0 to 1, where nothing saturates.
 #[inline]
 fn between(from: Vec3, to: Vec3, t: Scalar) -> Vec3 {
     let rest = (1 << 16) - i64::from(t.to_bits());
@@ -82,7 +82,7 @@ fn between(from: Vec3, to: Vec3, t: Scalar) -> Vec3 {
         return from.lerp(to, t);
     };
     let ([x, y, z], [u, v, w]) = (from.to_bits(), to.to_bits());
-    // Two shares of 32 bits, which add up to 2^16.
+    // The two weights add up to 2^16, so the result lies between `a` and `b` and fits into 32 bits.
     let mix = |a: i32, b: i32| ((product(a, rest) + product(b, t_bits) + (1 << 15)) >> 16) as i32;
     Vec3::from_bits([mix(x, u), mix(y, v), mix(z, w)])
 }
@@ -145,7 +145,7 @@ impl<'a> Keyframes<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if the chain is empty; otherwise as for [`blend`](Self::blend).
+    /// [`Error::Length`] if the chain is empty; otherwise the errors of [`blend`](Self::blend).
     pub fn blend_chain<'m>(
         chain: &[Self],
         time: Scalar,

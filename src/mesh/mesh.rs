@@ -40,7 +40,7 @@ pub type Index = u16;
 pub struct Mesh<'a> {
     pub(super) positions: Positions<'a>,
     pub(super) faces: &'a [[Index; 3]],
-    /// The index of the first face in the mesh of which this one is a part.
+    /// If this mesh is a part of a mesh: the index of its first face in the whole mesh. Otherwise 0.
     pub(super) first_face: usize,
     pub(super) edges: &'a [[Index; 2]],
     pub(super) uvs: Attribute<'a, Vec2>,
@@ -54,7 +54,7 @@ pub(super) const fn check<const K: usize>(
     len: usize,
     exception: Option<Index>,
 ) -> Result<(), Error> {
-    // A pattern: in the compiler, a call of `len` takes as long as several comparisons.
+    // A pattern, because in the compiler, a call of `len` takes as long as several comparisons.
     let mut rest = lists;
     while let [list, others @ ..] = rest {
         let mut corner = 0;
@@ -109,8 +109,8 @@ impl<'a> Mesh<'a> {
     ///
     /// Rounding to these units moves a position by up to half a unit along each axis. On the screen, this moves the
     /// position by up to √3/2 · (1 + s) units times focal length / w, where s is the slope x/w or y/w at which the
-    /// position is seen. For a sphere that fills 320x240, with 14 fraction bits, this is 0.008 pixels. Transforming
-    /// such a position takes 7 instructions more than transforming a 32-bit position on Cortex-M4, and about 10 more on
+    /// position is seen. For a sphere that fills 320x240, with 14 fraction bits, this is 0.008 pixels. To transform a
+    /// 16-bit position takes 7 instructions more than to transform a 32-bit position on Cortex-M4, and about 10 more on
     /// Cortex-M0+.
     ///
     /// [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) produce such meshes with the argument
@@ -153,8 +153,8 @@ impl<'a> Mesh<'a> {
         ))
     }
 
-    /// A mesh of lists that are known to fit each other: checking them again would take the compiler most of its time.
-    /// An attribute without faces belongs to the positions.
+    /// A mesh of lists that are known to fit each other. To check them again would take most of the compiler's time. An
+    /// attribute without faces has one value per position.
     #[doc(hidden)]
     #[must_use]
     pub const fn of_lists(
@@ -249,7 +249,7 @@ impl<'a> Mesh<'a> {
         self.edges
     }
 
-    /// The position at `index`; the origin for an index that no checked list holds.
+    /// The position at `index`; the origin for an index out of range, which no checked list holds.
     #[inline]
     pub(crate) fn position(&self, index: Index) -> Vec3 {
         self.positions.at(index)

@@ -1,4 +1,4 @@
-//! Normals for meshes that have none, such as those made at run time.
+//! Computed normals, for meshes that have none, such as meshes made at run time.
 
 use super::buffers::room;
 use super::{Index, Mesh};
@@ -15,7 +15,8 @@ const FRACTION: u32 = 22;
 fn measured(corners: [Vec3; 3]) -> Option<(Direction, [i32; 3])> {
     let [a, b, c] = corners;
     let sides = [a.way_to(b), b.way_to(c), c.way_to(a)];
-    // Sides take 33 bits. With 31 bits and a sign, a difference of two products fits into 64.
+    // Components of sides have up to 32 bits and a sign. They are cut to 31 bits and a sign, so that a difference of
+    // two products fits into 64 bits.
     let size = sides
         .as_flattened()
         .iter()
@@ -31,11 +32,12 @@ fn measured(corners: [Vec3; 3]) -> Option<(Direction, [i32; 3])> {
     ))
 }
 
-/// The angle between −`a` and `b`, both of length one in units of 2⁻³⁰, with a relative error below 2⁻¹³.
+/// The angle between −`a` and `b`, both of length one in units of 2⁻³⁰. The error is below 2⁻¹³ of the angle plus 2⁻²²
+/// radians.
 ///
-/// A chord s of the unit circle belongs to an angle of 2 asin(s/2). Up to 90 degrees, that is s · P(s²/4) with a
-/// polynomial P; above, the chord to the opposite point is used. P is asin(√q)/√q, interpolated at the Chebyshev nodes
-/// of 0..1/2 within 2⁻¹⁶.
+/// A chord of length s on the unit circle spans an angle of 2 asin(s/2). Up to 90 degrees, this angle is computed as s
+/// · P(s²/4), with a polynomial P. Above 90 degrees, the chord to the opposite point gives the rest of the half turn.
+/// P(q) approximates asin(√q)/√q: it is interpolated at the Chebyshev nodes of 0..1/2, with an error of at most 2⁻¹⁶.
 fn angle(a: [i32; 3], b: [i32; 3]) -> i32 {
     const P: [u32; 5] = [65_536, 10_893, 5_365, 640, 6_202];
     /// π.
@@ -45,7 +47,7 @@ fn angle(a: [i32; 3], b: [i32; 3]) -> i32 {
         .dot(Direction::from_bits(b.to_bits()))
         .to_bits()
         <= 0;
-    // Of two such chords, the shorter one is at most √2.
+    // The shorter of the chords to a point and to the opposite point is at most √2.
     let chord = a
         .distance(if is_acute { -b } else { b })
         .to_bits()
@@ -53,7 +55,7 @@ fn angle(a: [i32; 3], b: [i32; 3]) -> i32 {
     let short = (chord >> 15).min(46_341);
     let q = (short * short) >> 16;
     let [p0, p1, p2, p3, p4] = P;
-    // Horner's rule; terms have 16 fraction bits and stay below 2, q below 1/2.
+    // Horner's rule. Terms have 16 fraction bits and stay below 2; q is at most 1/2.
     let times_q = |term: u32| (q * term) >> 16;
     let p = p0 + times_q(p1 + times_q(p2 + times_q(p3 + times_q(p4))));
     let angle = ((u64::from(chord) * u64::from(p)) >> (46 - FRACTION)) as i32;
@@ -75,8 +77,9 @@ impl<'a> Mesh<'a> {
     /// A normal is the mean of the normals of the triangles around its position. Each triangle is weighted by its angle
     /// at the position, so the normal does not depend on how polygons were cut into triangles. It has length one. Its
     /// direction is accurate to 2⁻¹² radians, if the triangles do not face away from one another and their angles at
-    /// the position are at least 0.1 degrees. Angles are multiples of 2⁻²² radians. A position that has no triangles,
-    /// or only triangles with sharper angles, gets the zero vector.
+    /// the position are at least 0.1 degrees. Angles are rounded down to multiples of 2⁻²² radians, so a triangle whose
+    /// angle at the position is below about 2⁻²² radians does not count. If no triangle counts, or if the weighted
+    /// normals add up to zero, the position gets the zero vector.
     ///
     /// The time grows in proportion to the number of triangles, so a mesh that moves can get new normals in each frame.
     ///
@@ -154,7 +157,8 @@ impl<'a> Mesh<'a> {
         faces: &'a mut [[Index; 3]],
     ) -> Result<Self, Error> {
         check_crease(crease)?;
-        // Four units for each of the two normals, so that triangles of one plane are always within the crease.
+        // The cosine is lowered by four units for the error of each of the two normals, so that triangles in one plane
+        // are always within the crease.
         let least = crease.cos().to_bits().saturating_sub(8);
         let faces = room(faces, self.faces().len())?;
         let mut count = 0;
@@ -182,8 +186,8 @@ impl<'a> Mesh<'a> {
         self.with_normals(normals.get(..count).unwrap_or_default(), Some(faces))
     }
 
-    /// The mean normal at a position, over triangles with normals near `own`: the cosine of the angle to it is at least
-    /// `least`, in units of 2⁻³⁰.
+    /// The mean normal at a position, over the triangles with normals near `own`: the cosine of the angle between such
+    /// a normal and `own` is at least `least`, in units of 2⁻³⁰.
     fn normal_around(&self, position: Index, own: Direction, least: i32) -> Vec3 {
         let mut sum = Vec3::ZERO;
         for face in self.faces() {
@@ -241,14 +245,14 @@ mod tests {
         [1, 7, 5],
     ];
 
-    /// However its sides are cut into triangles.
+    /// This holds however the sides of the box are cut into triangles.
     #[test]
     fn smooth_normals_of_a_box_point_to_its_corners() {
         let mut normals = [Vec3::ZERO; 9];
         let mesh = Mesh::new(&CORNERS, &SIDES).unwrap();
         mesh.with_smooth_normals(&mut normals).unwrap();
         for (normal, corner) in normals.iter().zip(CORNERS) {
-            // Weights are within 2⁻¹³, and cancel for the most part.
+            // The errors of the weights are below 2⁻¹³, and cancel for the most part.
             assert!(normal.distance(corner.normalized().unwrap()).to_bits() <= 8);
         }
         assert_eq!(normals[8], Vec3::ZERO);
@@ -266,7 +270,7 @@ mod tests {
         }
     }
 
-    /// Not at 1e-7 radians, where the angle is zero.
+    /// An angle of 1e-7 radians counts as zero, so there is no normal.
     #[test]
     fn normals_at_sharp_corners_are_accurate() {
         let positions = |(y, z): (i32, i32)| {
@@ -301,7 +305,7 @@ mod tests {
         assert_eq!(normals[0], Vec3::ZERO);
     }
 
-    /// 270 degrees would count as 90.
+    /// Without the check, 270 degrees would count as 90 degrees, because the cosines are equal.
     #[test]
     fn creases_above_180_degrees_are_refused() {
         let mesh = Mesh::new(&CORNERS, &SIDES).unwrap();

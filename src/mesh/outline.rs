@@ -69,7 +69,7 @@ impl<'a> Outline<'a> {
         Ok(Self::of(edges, creases))
     }
 
-    /// An outline of edges that are known to be right.
+    /// An outline of edges that are known to be correct and are not checked.
     #[doc(hidden)]
     #[must_use]
     pub const fn of(edges: &'a [[Index; 4]], creases: usize) -> Self {
@@ -124,10 +124,11 @@ impl<'a> Outline<'a> {
     }
 }
 
-/// Marks a side that has found its partner. A mesh has fewer than 2^32 − 1 sides, so no side has this index.
+/// This number replaces the number of a side whose opposite side has been found. `write` refuses meshes with more than
+/// 2^32 − 1 sides, so no side has this number.
 const USED: u32 = u32::MAX;
 
-/// The side of a face with this number, three for each face: its ends and the third corner.
+/// The two ends of the side with this number, and the third corner of its face. Face i has the sides 3i to 3i + 2.
 const fn side(faces: &[[Index; 3]], number: usize) -> [Index; 3] {
     let [a, b, c] = faces[number / 3];
     match number % 3 {
@@ -146,8 +147,8 @@ const fn are_same(positions: Positions<'_>, a: Index, b: Index) -> bool {
     ax == bx && ay == by && az == bz
 }
 
-/// A hash of a position. It multiplies 32 by 31 bits, which cannot overflow, and keeps the lower 32 bits: in the
-/// compiler, an operator takes a tenth of the time of a call such as `wrapping_mul`.
+/// A hash of a position. A product of 32 and at most 31 bits cannot overflow, and its lower 32 bits are kept. Only
+/// operators are used, because in the compiler, an operator takes a tenth of the time of a call such as `wrapping_mul`.
 #[allow(clippy::cast_sign_loss)]
 const fn hash([x, y, z]: [i32; 3]) -> u32 {
     let x = (x as u32 as u64 * 0x1E37_79B1) as u32;
@@ -172,18 +173,18 @@ const fn direction([a, b, c]: [i32; 3], [x, y, z]: [i32; 3]) -> [i64; 3] {
     }
 }
 
-/// A number that has as many bits as the largest component besides its sign.
+/// A number that has as many bits as the largest component has without its sign.
 const fn magnitude([x, y, z]: [i64; 3]) -> i64 {
     (x ^ x >> 63) | (y ^ y >> 63) | (z ^ z >> 63)
 }
 
-/// The vector, shifted until its largest component takes `wanted` bits besides its sign; a zero vector stays zero.
+/// The vector, shifted until its largest component has `wanted` bits without its sign; a zero vector stays zero.
 const fn scaled(vector: [i64; 3], wanted: u32) -> [i64; 3] {
     let [x, y, z] = vector;
     let bits = 64 - magnitude(vector).leading_zeros();
     if bits > wanted {
         let down = bits - wanted;
-        // Towards zero, so that a vector and its negative remain each other's.
+        // Rounded toward zero, so that opposite vectors remain opposite.
         let one = 1 << down;
         [x / one, y / one, z / one]
     } else {
@@ -192,21 +193,21 @@ const fn scaled(vector: [i64; 3], wanted: u32) -> [i64; 3] {
     }
 }
 
-/// The cross product of vectors of at most 31 bits.
+/// The cross product of two vectors with components of at most 31 bits.
 const fn cross([ax, ay, az]: [i64; 3], [bx, by, bz]: [i64; 3]) -> [i64; 3] {
     [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
 }
 
-/// Whether the faces a b c and b a d meet at an angle above a limit, and above what counts as flat. The limit is given
-/// by its sine and cosine in units of 2^-30.
+/// Whether the faces a b c and b a d meet at an angle above a limit. An angle of at most 2⁻¹⁰ radians counts as flat
+/// and is never above the limit. The limit is given by its sine and cosine in units of 2^-30.
 const fn is_crease([a, b, c, d]: [[i32; 3]; 4], [limit_sine, limit_cosine]: [i128; 2]) -> bool {
-    // The largest component of each takes 20 bits.
+    // The normals of the two faces, each with a largest component of 20 bits.
     let side = direction(a, b);
     let n = scaled(cross(side, direction(a, c)), 20);
     let m = scaled(cross(direction(a, d), side), 20);
     let [x, y, z] = cross(n, m);
     let (x, y, z) = (x as i128, y as i128, z as i128);
-    // The squares of the angle's sine and cosine, both times the same number, below 2^84.
+    // The squares of the angle's sine and cosine, both times the same factor; they are below 2^84.
     let sine = x * x + y * y + z * z;
     let dot = (n[0] * m[0] + n[1] * m[1] + n[2] * m[2]) as i128;
     let cosine = dot * dot;
@@ -214,10 +215,11 @@ const fn is_crease([a, b, c, d]: [[i32; 3]; 4], [limit_sine, limit_cosine]: [i12
         return false;
     }
     if (dot < 0) != (limit_cosine <= 0) {
-        // One angle is above 90 degrees, the other is not.
+        // 90 degrees lie between the angle and the limit, so the sign of the angle's cosine decides.
         return dot < 0;
     }
-    // The tangents, as products below 2^124. Above 90 degrees, the greater angle has the smaller tangent.
+    // Compares the squares of the two tangents, multiplied out to products below 2^124. Above 90 degrees, the greater
+    // angle has the smaller square.
     let this = (sine >> 20) * (limit_cosine * limit_cosine);
     let limit = (cosine >> 20) * (limit_sine * limit_sine);
     if dot < 0 { this < limit } else { this > limit }
@@ -237,18 +239,19 @@ const fn write(
         USED as usize
     };
     ok!(check_count(sides, max));
-    // Each entry is a hash of the side's ends, by which sides of one edge become neighbors, and the side's number.
+    // Each entry is a hash of the side's ends, and the side's number. The sides of one edge have the same hash, so they
+    // become neighbors when the entries are sorted.
     let mut count = 0;
     let mut first = 0;
     while first < sides {
         let [a, b, c] = side(faces, first);
         let (a, b, c) = (positions.bits(a), positions.bits(b), positions.bits(c));
-        // Faces without area count as absent.
+        // Faces without area are left out.
         if !matches!(cross(direction(a, b), direction(a, c)), [0, 0, 0]) {
             let hashes = [hash(a), hash(b), hash(c)];
             let mut corner = 0;
             while corner < 3 {
-                // The same for both sides of an edge.
+                // The sum is the same for both sides of an edge.
                 let hash = (hashes[corner] as u64 + hashes[(corner + 1) % 3] as u64) as u32;
                 let number = first + corner;
                 edges[count] = [
@@ -267,7 +270,7 @@ const fn write(
 
     let (sine, cosine) = crease.sin_cos();
     let limit = [sine.to_bits() as i128, cosine.to_bits() as i128];
-    // An edge is written where its first side stood, or before.
+    // An edge overwrites the entry of its first side or an earlier entry, and these entries are no longer needed.
     let (mut kept, mut creases) = (0, 0);
     let mut at = 0;
     while at < count {
@@ -276,7 +279,7 @@ const fn write(
             let [a, b, c] = side(faces, number_of(entry) as usize);
             let (d, is_crease) = match partner(mesh, [a, b], entry, edges, (at + 1, count)) {
                 None => (a, false),
-                // No angle is above 180 degrees, the usual limit for silhouettes alone.
+                // No angle is above 180 degrees. This limit is usual where only silhouettes are wanted.
                 Some(d) if crease.to_bits() == 1 << 31 => (d, false),
                 Some(d) => {
                     let [from, to] = [positions.bits(a), positions.bits(b)];
@@ -284,7 +287,7 @@ const fn write(
                     (d, is_crease(faces, limit))
                 }
             };
-            // A crease takes the place of the first other edge.
+            // A crease takes the place of the first edge that is not a crease, and that edge moves to the end.
             edges[kept] = edges[creases];
             let place = if is_crease { creases } else { kept };
             edges[place] = [a, b, c, d];
@@ -296,9 +299,10 @@ const fn write(
     Ok([kept, creases])
 }
 
-/// Sorts the first `count` entries by their numbers: a heap sort, which needs no memory and can run in the compiler.
+/// Sorts the first `count` entries by their [`key`]s. A heap sort needs no further memory and can run in the compiler.
 const fn sort(entries: &mut [[Index; 4]], count: usize) {
-    // First, every entry becomes the largest of those below it; then the largest ones go to the end, one by one.
+    // First, the entries become a heap: no entry is less than the entries below it. Then the largest remaining entry
+    // goes to the end, one by one.
     let mut next = count / 2 + count;
     while next > 1 {
         next -= 1;
@@ -335,8 +339,8 @@ const fn number_of([.., high, low]: [Index; 4]) -> u32 {
     (high as u32) << 16 | low as u32
 }
 
-/// Finds the opposite of the side from `a` to `b` among the entries with the same hash, and marks it as used; returns
-/// the third corner of its face.
+/// Finds the opposite side, from `b` to `a`, among the entries with the same hash, and marks it as used. Returns the
+/// third corner of the opposite side's face; `None` if there is no opposite side.
 const fn partner(
     mesh: &Mesh<'_>,
     [a, b]: [Index; 2],
@@ -383,7 +387,7 @@ macro_rules! outline {
     ($mesh:expr, $crease:expr $(,)?) => {{
         const SIDES: usize = 3 * $mesh.faces().len();
         #[allow(long_running_const_eval)]
-        // A reference: each use of a constant by itself would copy it.
+        // A reference, because each use of a constant copies its value.
         const FOUND: &([[$crate::Index; 4]; SIDES], [usize; 2]) = &{
             let mut edges = [[0; 4]; SIDES];
             let outline = $crate::mesh::Outline::build(&$mesh, $crease, &mut edges);

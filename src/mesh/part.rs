@@ -1,4 +1,4 @@
-//! Parts of a mesh: runs of its faces, by themselves or with their materials.
+//! Parts of a mesh: runs of its faces, alone or with their materials.
 
 use core::ops::Range;
 
@@ -43,7 +43,7 @@ pub struct Material<'a> {
 pub enum TextureAlpha {
     /// Nothing: the texture is opaque.
     Ignored,
-    /// Texels with an alpha below this value are holes; the others are opaque. In
+    /// Texels with an alpha below this value are holes; all other texels are opaque. In
     /// [`Argb1555`](crate::texture::Argb1555), texels with an alpha below 128 are holes.
     Cut(u8),
     /// The texels' opacity: see [`Argb4444`](crate::texture::Argb4444).

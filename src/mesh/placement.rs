@@ -1,4 +1,4 @@
-//! What a draw call knows of a mesh besides its data: where it stands, and what a shader missed.
+//! What a draw call knows about a mesh besides its data: its transforms, and the attributes that it lacks.
 
 use core::cell::{Cell, OnceCell};
 use core::ops::AddAssign;
@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use crate::math::{Direction, NormalMatrix, Transform};
 use crate::{Vec2, Vec3};
 
-/// Where a draw call places a model, and which attributes its shader missed.
+/// Where a draw call places a model, and which attributes its shader asked for but the mesh lacks.
 #[derive(Clone, Debug)]
 pub(crate) struct Placement<'a> {
     /// From model to world space.
@@ -18,7 +18,7 @@ pub(crate) struct Placement<'a> {
     /// Computed when a shader asks for the first normal.
     normals: OnceCell<NormalMatrix>,
     pub(crate) missing: Cell<Missing>,
-    /// The address of the list's entry that is drawn; 0 if none is.
+    /// The address of the entry of a draw list that is being drawn; 0 if there is no list.
     pub(crate) entry: Cell<usize>,
 }
 

@@ -10,8 +10,8 @@ use crate::{Error, Vec3};
 /// them.
 ///
 /// The 16-bit positions of [`Mesh::short`](crate::Mesh::short) take half the flash: 6 bytes instead of 12. Each
-/// component is a whole number of units of 2^-`fraction`, which a [`Scalar`](crate::Scalar) holds exactly. Such a
-/// mesh draws the same pixels, bit for bit, as a mesh of those `Scalar`s.
+/// component is a whole number of units of 2^-`fraction`, which a [`Scalar`](crate::Scalar) holds exactly. A mesh of
+/// 16-bit positions draws the same pixels, bit for bit, as a mesh with these `Scalar`s.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -95,7 +95,8 @@ impl<'a> Positions<'a> {
         (0..all.len()).map(move |index| all.get(index).unwrap_or_default())
     }
 
-    /// The position at an index, in its stored format; the origin for an index that no checked list holds.
+    /// The position at an index, in its stored format; the origin for an index out of range, which no checked list
+    /// holds.
     #[inline]
     pub(crate) fn stored(&self, index: Index) -> StoredPosition<'a> {
         let index = usize::from(index);
@@ -110,7 +111,8 @@ impl<'a> Positions<'a> {
         }
     }
 
-    /// The bits of the position at an index that a checked list holds, with few calls: they cost the compiler time.
+    /// The bits of the position at an index in range. The function makes few calls, because calls take much of the
+    /// compiler's time.
     pub(super) const fn bits(&self, index: Index) -> [i32; 3] {
         match self.list {
             List::Long(positions) => positions[index as usize].to_bits(),
@@ -121,7 +123,7 @@ impl<'a> Positions<'a> {
         }
     }
 
-    /// The position at an index; the origin for an index that no checked list holds.
+    /// The position at an index; the origin for an index out of range, which no checked list holds.
     #[inline(never)]
     pub(crate) fn at(&self, index: Index) -> Vec3 {
         Vec3::from_bits(self.stored(index).to_bits())
@@ -131,7 +133,7 @@ impl<'a> Positions<'a> {
 impl Eq for Positions<'_> {}
 
 impl PartialEq for Positions<'_> {
-    /// Whether both are the same points in the same order.
+    /// Whether both lists contain the same points in the same order.
     fn eq(&self, other: &Self) -> bool {
         self.iter().eq(other.iter())
     }
@@ -153,7 +155,7 @@ pub(crate) enum StoredPosition<'a> {
 }
 
 impl StoredPosition<'_> {
-    /// In units of 2^-16.
+    /// The position in units of 2^-16.
     #[inline]
     pub(crate) fn to_bits(self) -> [i32; 3] {
         match self {
@@ -164,8 +166,8 @@ impl StoredPosition<'_> {
     }
 }
 
-/// The most fraction bits, up to 16, with which every component fits into 16 bits; 0, too, if a component does not fit
-/// at all because it is 32767.5 or more.
+/// The most fraction bits, up to 16, with which every component fits into 16 bits. The result is also 0 if a component
+/// is 32767.5 or more and does not fit at all.
 const fn finest(positions: Positions<'_>) -> u32 {
     let mut fraction = FRACTION;
     let mut at = 0;
@@ -182,7 +184,7 @@ const fn finest(positions: Positions<'_>) -> u32 {
 /// A component in units of 2^-`fraction`, rounded to nearest.
 const fn units(bits: i32, fraction: u32) -> i64 {
     let down = FRACTION - fraction;
-    // Twice the units, plus one half unit, halved.
+    // Both terms are doubled, because half a unit may be half a bit.
     (bits as i64 * 2 + (1 << down)) >> (down + 1)
 }
 
@@ -197,7 +199,7 @@ const fn rounded(bits: i32, fraction: u32) -> i16 {
     if units > i16::MAX as i64 {
         i16::MAX
     } else {
-        // Components are at least −32768, so nothing lies below the range.
+        // Components are at least −32768, so no component lies below the range.
         units as i16
     }
 }

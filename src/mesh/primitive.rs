@@ -7,15 +7,16 @@ use crate::math::Direction;
 use crate::num::wide::scaled_cross;
 use crate::{Scalar, Vec2, Vec3};
 
-/// Where a primitive's data are in its mesh.
+/// The indices of a primitive's data in its mesh.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Indices {
     pub(crate) element: Element,
-    /// Its three positions; an edge or a point repeats the last one.
+    /// The indices of its three positions. An edge repeats its second position; a point repeats its position twice.
     pub(crate) corners: [Index; 3],
 }
 
-/// A triangle among the mesh's faces, an edge among its edges or those of an outline, or a point.
+/// The number of a triangle among the mesh's faces, the number of an edge among the mesh's or an outline's edges, or a
+/// point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Element {
     Face(usize),
@@ -42,7 +43,7 @@ impl Indices {
         Self { element, corners }
     }
 
-    /// The number of the triangle among the faces, or of the edge among the edges.
+    /// The number of the triangle among the faces, or of the edge among the edges; 0 for a point.
     #[inline]
     pub(crate) const fn number(&self) -> usize {
         match self.element {
@@ -51,8 +52,8 @@ impl Indices {
         }
     }
 
-    /// The triangle among the faces. An edge or a point has none, so attributes with faces of their own have no value
-    /// for it.
+    /// The number of the triangle among the faces. An edge or a point has no such number, so it has no value in
+    /// attributes with faces of their own.
     #[inline]
     pub(super) const fn face(&self) -> Option<usize> {
         match self.element {
@@ -101,15 +102,18 @@ pub struct Primitive<'a> {
     pub(crate) mesh: &'a Mesh<'a>,
     pub(crate) placement: &'a Placement<'a>,
     pub(crate) indices: Indices,
-    /// Of a triangle, the upper half of twice the area on the screen: negative for corners that run counter-clockwise.
+    /// For a triangle: twice its area on the screen, the upper 32 of 64 bits; negative if the corners run
+    /// counter-clockwise.
     ///
-    /// Of an outline's edge, the greatest change of depth from a pixel to the next on the faces beside it, if depths
-    /// are biased, in the format [`WideFloatDepth`](crate::canvas::WideFloatDepth); of other edges and of points, 0.
+    /// For an outline's edge, if depths are biased: the greatest change of depth from a pixel to the next on the faces
+    /// beside the edge, in the format [`WideFloatDepth`](crate::canvas::WideFloatDepth). For other edges and for
+    /// points: 0.
     pub(crate) area: i32,
 }
 
 impl Primitive<'_> {
-    /// How steep the faces beside an edge are: see `area`.
+    /// The change of depth on the faces beside an outline's edge: see `area`. The result is 0 for a triangle or a
+    /// point.
     #[inline]
     pub(crate) const fn beside(&self) -> u32 {
         match self.indices.element {
@@ -118,8 +122,8 @@ impl Primitive<'_> {
         }
     }
 
-    /// Whether this is a triangle whose front faces the eye, by the same rule as for culling; an edge or a point has no
-    /// front. With this function, a shader can give the two sides of a sheet different colors:
+    /// Whether this is a triangle with its front toward the eye, by the same rule as for culling; an edge or a point
+    /// has no front. With this function, a shader can give the two sides of a sheet different colors:
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;
@@ -151,7 +155,7 @@ impl Primitive<'_> {
     #[must_use]
     #[inline]
     pub const fn is_front(&self) -> bool {
-        // A triangle without area has no pixels.
+        // An area of 0 does not matter, because a triangle without area has no pixels.
         self.indices.face().is_some() && (self.area < 0) != self.placement.view.is_mirror
     }
 
@@ -161,7 +165,7 @@ impl Primitive<'_> {
     #[inline]
     pub const fn face(&self) -> Option<usize> {
         match self.indices.face() {
-            // A face is a place in a list in memory, and so is the sum.
+            // The sum cannot wrap, because it is an index of a list in memory.
             Some(face) => Some(self.mesh.first_face.wrapping_add(face)),
             None => None,
         }
@@ -266,7 +270,8 @@ impl Primitive<'_> {
         let [a, b, c] = self.positions().map(Vec3::to_bits);
         let mean = |a: i32, b: i32, c: i32| {
             let sum = i64::from(a) + i64::from(b) + i64::from(c);
-            // A third of 34 bits. 2^32 / 3 is rounded down, so that the product fits into 64 bits.
+            // A third of a sum of 34 bits. The factor, 2^32 / 3, is rounded down, so that the product fits into 64
+            // bits.
             ((sum * 0x5555_5555 + (1 << 31)) >> 32) as i32
         };
         let middle = [
@@ -388,7 +393,7 @@ mod tests {
     use super::*;
     use crate::Transform;
 
-    /// Also at the ends of the range.
+    /// This holds at the ends of the range, too.
     #[test]
     fn the_middle_is_the_mean_of_the_corners() {
         let (least, most) = (i32::MIN, i32::MAX);

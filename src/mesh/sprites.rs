@@ -44,7 +44,8 @@ use crate::{Error, Scalar, Vec2, Vec3};
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// Sprites are drawn in the order of their positions. Sort [blended](crate::canvas::Blending) ones from back to front:
+/// Sprites are drawn in the order of their positions. Sort [blended](crate::canvas::Blending) sprites from back to
+/// front:
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -64,11 +65,11 @@ use crate::{Error, Scalar, Vec2, Vec3};
 /// (as the light of a lamp does). The single primitive has the same pixels and depths as the two triangles, and its
 /// varyings are as accurate.
 ///
-/// Every shader works with sprites. For a shader, sprites are a mesh in eye space whose normals point toward the
-/// viewer. The two triangles of sprite i have the indices 2i and 2i + 1. The offset of a corner from the sprite's
-/// position is accurate to 2⁻²⁶ of the longest offset. Then corners are rounded to the nearest [`Scalar`]s in eye
-/// space, which moves them by at most 2⁻¹⁶ · focal length / w pixels. A sprite with a corner beyond ±32,768 in eye
-/// space is not drawn.
+/// Every shader works with sprites. For a shader, sprites are a mesh in eye space, with normals that point toward the
+/// viewer. The two triangles of sprite i have the indices 2i and 2i + 1. The offsets of the four corners from the
+/// sprite's position are accurate to 2⁻²⁶ of the longest of these offsets. (With an axis, their error grows as the axis
+/// approaches the line of sight.) Then corners are rounded to the nearest [`Scalar`]s in eye space. This moves them by
+/// at most 2⁻¹⁶ · focal length / w pixels. A sprite with a corner beyond ±32,768 in eye space is not drawn.
 ///
 /// With [`cut_out`](crate::Textured::cut_out), sprites may be drawn in any order, because holes do not change depths.
 ///
@@ -119,7 +120,7 @@ pub struct Sprites<'a> {
     pub(crate) is_in_pixels: bool,
     pub(crate) axis: Option<Vec3>,
     pub(crate) anchor: Vec2,
-    /// One for each position, or empty; the same for colors and frames.
+    /// One for each position, or empty. The same holds for `colors` and `frames`.
     pub(crate) scales: &'a [Scalar],
     pub(crate) colors: &'a [Rgb888],
     pub(crate) frames: &'a [u16],
@@ -361,7 +362,7 @@ impl<'a> Sprites<'a> {
     pub(crate) fn frame(&self, sprite: usize) -> [TexCoord; 4] {
         let [columns, rows] = self.grid.map(u32::from);
         let frame = self.frames.get(sprite).copied().unwrap_or_default();
-        // The constructors permit no 0. With at most 1024 parts, a cell's end is at most 2^30.
+        // The constructors refuse a grid with 0 parts. With at most 1024 parts, `cell` << 20 is at most 2^30.
         let part = |cell: u32, parts: u32| {
             let bits = (cell << 20).checked_div(parts).unwrap_or_default();
             TexCoord::from_bits(bits.cast_signed())
@@ -419,7 +420,7 @@ mod tests {
                 [0., 0.25, 0., 0.5],
                 [0.75, 1., 0., 0.5],
                 [0.5, 0.75, 0.5, 1.],
-                // Eight frames: the eleventh is the third.
+                // There are eight frames, so the eleventh frame is the third.
                 [0.75, 1., 0., 0.5],
             ]
         );

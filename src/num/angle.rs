@@ -101,12 +101,12 @@ impl Angle {
     /// ```
     #[must_use]
     pub const fn from_radians(radians: Scalar) -> Self {
-        // A unit of the scalar is 2^16 / 2π units: a whole part and a fraction in units of 2^-32.
+        // A unit of a `Scalar` is 2^16 / 2π units of an angle: a whole part, and a fraction in units of 2^-32.
         const WHOLE: i64 = 10_430;
         const FRACTION: i64 = 1_625_002_897;
         let bits = radians.to_bits() as i64;
         let units = bits * WHOLE + ((bits * FRACTION + (1 << 31)) >> 32);
-        // Whole turns drop out.
+        // Whole turns are dropped.
         Self(units.cast_unsigned() as u32)
     }
 
@@ -159,7 +159,7 @@ impl Angle {
         }
         let units = value % turn / turn * TURN;
         let half = if units < 0.0 { -HALF } else { HALF };
-        // Whole turns drop out.
+        // Whole turns are dropped.
         Ok(Self(((units + half) as i64).cast_unsigned() as u32))
     }
 
@@ -179,7 +179,7 @@ impl Angle {
 
     /// Returns [`atan2`](Self::atan2) of integers in any common unit.
     pub(crate) fn atan2_bits(y: i64, x: i64) -> Self {
-        // 2^32 / 2π, for a sine in units of 2^-30.
+        // The units of an angle in a radian: 2^32 / 2π. The sine that it multiplies is in units of 2^-30.
         const UNITS: i64 = 683_565_276;
         let Some([x, y, _]) = unit::unit([x, y, 0]) else {
             return Self::ZERO;
@@ -188,8 +188,8 @@ impl Angle {
         let guess = F32Ext::atan2(y as f32, x as f32);
         // The guess is finite. If it were not, the steps below would start from zero.
         let mut angle = Self::try_from_radians(guess).unwrap_or_default();
-        // Each step adds the sine of the remaining angle d, sin d = d − d³/6: an error of 1e-1 becomes
-        // 2e-4, then 1e-12.
+        // Each step adds the sine of the remaining angle d, which is about d − d³/6. So an error of 1e-1 becomes 2e-4,
+        // and then 1e-12.
         for _ in 0..3 {
             let (sin, cos) = angle.sin_cos();
             let rest =
@@ -237,14 +237,14 @@ impl Angle {
         let mut i = SINE.len() - 1;
         let mut sum = SINE[i].0;
         while i > 0 {
-            // Coefficients have 31 bits, and a square at most 30. What is dropped here is less than the half that is
-            // added below.
+            // Coefficients have 31 bits, and a square has at most 30. The bits that are dropped here are worth less
+            // than the half that is added below.
             let more = (product(sum, squared) >> 30) as i32;
             let down = SINE[i].1 - SINE[i - 1].1;
             i -= 1;
             sum = SINE[i].0 + (((more >> (down - 1)) + 1) >> 1);
         }
-        // At a quarter turn the product is 2^60.
+        // The product is greatest at a quarter turn: 2^60.
         product(sum, if signed < 0 { -x } else { x })
     }
 
@@ -286,7 +286,7 @@ impl fmt::Debug for Angle {
 operators! {
     Add add, AddAssign add_assign: |a: Angle, b: Angle| Self(a.0.wrapping_add(b.0));
     Sub sub, SubAssign sub_assign: |a: Angle, b: Angle| Self(a.0.wrapping_sub(b.0));
-    // Whole turns drop out.
+    // Whole turns are dropped.
     Mul mul, MulAssign mul_assign: |a: Angle, b: i32| Self(a.0.wrapping_mul(b.cast_unsigned()));
 }
 

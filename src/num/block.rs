@@ -8,9 +8,9 @@ use crate::num::wide::product;
 
 /// The bits of a mantissa: magnitudes stay below 2^30.
 const BITS: i32 = 30;
-/// The lowest exponent: values up to 2^62; larger ones saturate.
+/// The lowest exponent. It is used for values of up to 2^62; larger values saturate.
 pub(crate) const MIN_EXP: i32 = -32;
-/// The highest exponent: values below 2^-33 have fewer than 30 bits, those below 2^-63 are zero.
+/// The highest exponent. Values below 2^-33 have fewer than 30 bits, and values below 2^-63 are zero.
 pub(crate) const MAX_EXP: i32 = 62;
 
 const LIMIT: i64 = (1 << BITS) - 1;
@@ -31,7 +31,7 @@ pub(crate) const fn shift(value: i64, shift: i32) -> i64 {
             i64::MAX
         }
     } else if shift > -64 {
-        // Half is added after all dropped bits but one are gone, where it cannot overflow.
+        // A half is added when only one bit is left to drop, because then the sum cannot overflow.
         ((value >> (-shift - 1)) + 1) >> 1
     } else {
         0
@@ -65,7 +65,7 @@ impl BlockFloat {
         if self.value == 0 {
             return i32::MAX;
         }
-        // Saturating: the exponent may be any number.
+        // The sum saturates, because the exponent may be any number.
         self.exp
             .saturating_add(leading_zeros(self.value) + bits - 64)
     }
@@ -89,7 +89,7 @@ impl BlockFloat {
         Self::new(-self.value, self.exp)
     }
 
-    /// Multiplies the two mantissas: 60 bits.
+    /// Rounds both numbers to mantissas and multiplies them; the product has 60 bits.
     #[inline(never)]
     pub(crate) fn times(self, other: Self) -> Self {
         let (a, a_exp) = self.rounded();
@@ -97,14 +97,14 @@ impl BlockFloat {
         Self::new(i64::from(a) * i64::from(b), a_exp + b_exp)
     }
 
-    /// Adds, in 61 bits.
+    /// Rounds both numbers to 61 bits and adds them.
     #[inline(never)]
     pub(crate) fn plus(self, other: Self) -> Self {
         let exp = self.finest(61).min(other.finest(61));
         Self::new(self.at(exp) + other.at(exp), exp)
     }
 
-    /// Divides by the magnitude of `divisor`; a zero counts as half of its smallest unit.
+    /// Divides by the magnitude of `divisor`. A divisor of zero counts as half of its unit.
     ///
     /// Both operands are rounded to 31 bits; the relative error is at most 1.3 · 2^-30.
     #[inline(never)]
@@ -113,8 +113,8 @@ impl BlockFloat {
         let (bottom, bottom_exp) = operand(divisor.value);
         let bottom = bottom.saturating_abs().max(1 << 30);
         let r = reciprocal(bottom.cast_unsigned()).cast_signed();
-        // The reciprocal's relative deficit (2^61 − r · bottom) / 2^61, times r, in units of 2^-30. The deficit is at
-        // most `bottom`, so 32 bits hold it.
+        // `lacks` is the reciprocal's relative deficit, (2^61 − r · bottom) / 2^61, times r, in units of 2^-30.
+        // `deficit` is 2^61 − r · bottom; it is at most `bottom`, so 32 bits hold it.
         let deficit = r.wrapping_mul(bottom).wrapping_neg();
         let lacks = (product(deficit, r) >> 31) as i32;
         Self::new(
@@ -135,9 +135,9 @@ fn operand(value: i64) -> (i32, i32) {
 
 /// Rounds numbers to mantissas of one common exponent, and returns the exponent.
 ///
-/// Mantissas are rounded to nearest; those that round up to 2^30 become 2^30 − 1. The largest
-/// mantissa has bit 29 set, unless the exponent is [`MAX_EXP`]: then all are small or zero. At
-/// [`MIN_EXP`], mantissas saturate at ±(2^30 − 1).
+/// Mantissas are rounded to nearest; a mantissa that would round up to 2^30 becomes 2^30 − 1. The largest mantissa has
+/// bit 29 set. Only if the exponent is [`MAX_EXP`], all mantissas may be smaller or zero. At [`MIN_EXP`], mantissas
+/// saturate at ±(2^30 − 1).
 #[inline(never)]
 pub(crate) fn normalize(mantissas: &mut [i32], numbers: &[BlockFloat]) -> i32 {
     let finest = |exp: i32, number: &BlockFloat| exp.min(number.finest(BITS));
@@ -200,7 +200,7 @@ mod tests {
         assert_eq!(normalized([0, 0], 3), ([0, 0], MAX_EXP));
         assert_eq!(normalized([-(1 << 62)], 0), ([-(1 << 30) + 1], MIN_EXP));
         assert_eq!(normalized([i64::MIN, 1], i32::MAX), ([0, 0], MAX_EXP));
-        // Rounding up to 2^30 would take one more bit.
+        // A mantissa of 2^30, which this number rounds up to, would take one more bit.
         assert_eq!(normalized([(1 << 31) - 1], 0), ([(1 << 30) - 1], -1));
     }
 
@@ -216,7 +216,8 @@ mod tests {
             for (&v, &m) in v.iter().zip(&m) {
                 assert!(m.unsigned_abs() < 1 << 30);
                 if e > MIN_EXP {
-                    // Half a unit of the last place, or a whole one where it is clamped; and f64's own rounding.
+                    // Half a unit of the last place, or a whole unit if the mantissa is clamped; and the rounding of
+                    // f64.
                     let error = (real(v, exp) - real(m.into(), e)).abs();
                     let units = if i64::from(m.abs()) == LIMIT {
                         1.0

@@ -4,8 +4,9 @@ use super::{Fraction, Scalar, Subpixel, TexCoord};
 use crate::Error;
 use crate::error::ok;
 
-/// The number below a half, which takes the place of a half where a sum is cut to an integer: the sum of 0.5 − 2^-54
-/// and a half would be rounded to 1. From a half on, both sums are cut to the same integer.
+/// The greatest `f64` below a half. It is added to a float before the float is cut to an integer. A half itself would
+/// be wrong: the sum of 0.5 − 2^-54 and a half would be rounded to 1. For floats of a half or more, both sums are cut
+/// to the same integer.
 pub(super) const HALF: f64 = 0.5 - f64::EPSILON / 4.0;
 
 /// Returns the bits of the nearest number with `fraction` fraction bits, below 31; halves away from zero.
@@ -76,7 +77,7 @@ macro_rules! conversions {
             ///
             /// [`Error::NotRepresentable`] if `value` is out of range.
             fn try_from(value: $Large) -> Result<Self, Error> {
-                // What 64 bits do not hold is refused as their largest number.
+                // A number that does not fit into 64 bits is refused like the largest number of 64 bits.
                 let value = i64::try_from(value).unwrap_or(i64::MAX);
                 whole(value, Self::FRAC_BITS).map(Self::from_bits)
             }

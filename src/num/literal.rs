@@ -1,6 +1,6 @@
 //! Literals, rounded at compile time.
 
-/// Rounds a literal or, after `const`, a constant expression by a function of its type.
+/// Rounds a literal or, after `const`, a constant expression by the function `$nearest` of the type `$Number`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __rounded {
@@ -45,7 +45,8 @@ macro_rules! fx {
     (const $value:expr) => {
         $crate::__rounded!(Scalar::nearest, "", const $value)
     };
-    // An expression first: `literal` alone would take the minus of `-x`, and then stop at x with a message of its own.
+    // This pattern accepts any expression. A pattern for a literal would accept the minus of `-x`, and the compiler
+    // would then stop at `x` with a message of its own.
     ($value:expr) => {
         $crate::__rounded!(Scalar::nearest, "Scalar::try_from(x)?", $value)
     };

@@ -7,7 +7,7 @@ pub(crate) fn log2(number: u64) -> i32 {
     const C: u32 = 22_485;
     let number = number.max(1);
     let zeros = number.leading_zeros();
-    // With m for the fraction, log₂(1 + m) is m + c · m · (1 − m) within 0.0089.
+    // Let m be the fraction. Then log₂(1 + m) is about m + c · m · (1 − m), with an error of at most 0.0089.
     let m = ((number << zeros) >> 47) as u32 & 0xffff;
     let curved = m + ((((m * (0x1_0000 - m)) >> 16) * C) >> 16);
     (63 - zeros.cast_signed()) * 256 + ((curved + 128) >> 8).cast_signed()

@@ -39,7 +39,7 @@ pub(crate) const fn multiply(a: i32, b: i32, fraction: u32) -> i32 {
 /// `a · 2^fraction / b`, rounded to nearest (half away from zero); saturates, and 0/0 is 0.
 #[inline]
 pub(crate) const fn divide(a: i32, b: i32, fraction: u32) -> i32 {
-    // At most 2^31 · 2^30, and half of a divisor.
+    // The sum is at most 2^31 · 2^30 plus half of a divisor, which fits into 64 bits.
     let (top, bottom) = (a.unsigned_abs() as u64, b.unsigned_abs() as u64);
     let quotient = match ((top << fraction) + bottom / 2).checked_div(bottom) {
         Some(quotient) => quotient.cast_signed(),
@@ -225,7 +225,7 @@ number! {
     ///
     /// The range is −2048 to 2048 − 2⁻²⁰, and the resolution is 2⁻²⁰ ≈ 9.5e-7. The rounding moves a texture of 256
     /// texels by at most 1.2e-4 texel; a [`Scalar`] would move it by 2e-3. [`vec2!`](crate::vec2) writes a pair of
-    /// literals. It has the same operators and conversions as [`Scalar`].
+    /// literals. `TexCoord` has the same operators and conversions as [`Scalar`].
     ///
     /// ```
     /// use fixel::{Error, TexCoord, Vec2, vec2};

@@ -33,7 +33,7 @@ const fn by_division(q: u32) -> u32 {
     (((1 << 61) - 1) / (q | TOP) as u64) as u32
 }
 
-/// Rounds q to 16 bits: the relative error is at most 2^-17, for the smallest q.
+/// Rounds q to 16 bits. The relative error is at most 2^-17; it is greatest for the smallest q.
 #[inline]
 const fn coarse(q: u32) -> u32 {
     (q >> 15 & 0xffff | 1 << 15) + (q >> 14 & 1)
@@ -47,7 +47,7 @@ const fn divided_seed(q: u32) -> u32 {
     ((u32::MAX / coarse(q)) << 1) | 1
 }
 
-/// 2^8 / c, rounded to nearest, at the middle of each 32nd of c from 1 to 2.
+/// 2^8 / c, rounded to nearest, for the middle c of each 32nd of the range from 1 to 2.
 const SEEDS: [u8; 32] = {
     let mut seeds = [0; 32];
     let mut i = 0;
@@ -64,10 +64,10 @@ const SEEDS: [u8; 32] = {
 const fn seed(q: u32) -> u32 {
     let coarse = coarse(q);
     let seed = SEEDS[(q >> 25 & 31) as usize] as u32;
-    // The table's relative error is at most 2^-5.8; the step squares it to 2^-11.6, in 16 bits.
+    // The table's relative error is at most 2^-5.8. This step squares the error to 2^-11.6, in 16 bits.
     let lacks = (1 << 23) - (coarse * seed).cast_signed();
     let seed = (seed * ((1 << 23) + lacks).cast_unsigned()) >> 15;
-    // The next step squares it to 2^-23, far below a unit.
+    // This step squares the error to 2^-23, far below a unit.
     let lacks = (1_u32 << 31).wrapping_sub(coarse * seed).cast_signed();
     // Rounded down, so the result stays below 2^18.
     let more = (seed.cast_signed() * (lacks >> 5)) >> 24;
@@ -76,10 +76,9 @@ const fn seed(q: u32) -> u32 {
 
 #[inline]
 const fn by_newton(q: u32, seed: u32) -> u32 {
-    // With q's rounding, the seed's relative error is below 1.25 * 2^-16. A Newton step squares it: the
-    // result is too small by less than 0.8 units, and never too large. seed * q is within 2^33 of
-    // 2^48, so the residual modulo 2^34 determines it.
-    // The halves apart: a shift of both takes an instruction more.
+    // With q's rounding, the seed's relative error is below 1.25 * 2^-16. A Newton step squares it: the result is too
+    // small by less than 0.8 units, and never too large. seed * q is within 2^33 of 2^48, so the residual modulo 2^34
+    // determines it. The halves are shifted separately, because a shift of both takes one more instruction.
     let upper = (unsigned_product(seed, q) >> 32) as u32;
     let residual = !(upper << 30 | seed.wrapping_mul(q) >> 2);
     let seed = (seed << 13).cast_signed();
@@ -95,7 +94,7 @@ const fn by_newton(q: u32, seed: u32) -> u32 {
 #[inline]
 pub(crate) const fn short_reciprocal(d: u32) -> u32 {
     if DIVIDES {
-        // The bound tells the compiler that the divisor is not zero.
+        // The lower bound tells the compiler that the divisor is not zero.
         (1 << 31) / if d < 1 << 14 { 1 << 14 } else { d }
     } else {
         short_by_table(d)
@@ -129,7 +128,7 @@ mod tests {
         }
     }
 
-    /// A debug build checks for overflow, on every target.
+    /// This test runs in a debug build, which checks for overflow.
     #[test]
     fn a_number_out_of_range_does_not_panic() {
         let ends = (0..32).flat_map(|bit| [(1 << bit) - 1, 1 << bit, (1 << bit) + 1]);
@@ -145,7 +144,7 @@ mod tests {
             let exact = (1 << 31) / d;
             assert_eq!([short_by_table(d), short_reciprocal(d)], [exact; 2], "{d}");
         }
-        // Smaller ones are taken for the least, as none may divide by zero.
+        // Smaller numbers count as the smallest allowed number, because no division by zero may occur.
         for d in [0, 1, (1 << 14) - 1] {
             assert_eq!(short_reciprocal(d), 1 << 17, "{d}");
         }

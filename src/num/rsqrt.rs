@@ -19,15 +19,15 @@ const fn seeds() -> [u8; 96] {
 /// Returns the reciprocal square root of t = `value` / 2^32 in units of 2^-30, for a `value` of at least
 /// 2^30.
 ///
-/// The result is from 2^30 to 2^31 and its relative error at most 2^-29. The seed has an error of
-/// 1.2e-2, a Newton step leaves 2.1e-4, a step of the third order 2e-11; rounding adds the rest.
+/// The result is from 2^30 to 2^31, and its relative error is at most 2^-29. The seed has an error of 1.2e-2. A Newton
+/// step reduces the error to 2.1e-4, and a step of the third order reduces it to 2e-11. Rounding adds the rest.
 const fn reciprocal_root(value: u32) -> u32 {
     debug_assert!(value >= 1 << 30);
     // The top seven bits of t are 32 to 127. The comparison below proves it to the compiler.
     let index = (value >> 25).saturating_sub(32) as usize;
     let seed = 256 + if index < 96 { SEEDS[index] as u32 } else { 0 };
-    // y(3 − ty²)/2: the seed has 8 fraction bits, t·y² has 30 (32 + 16 − 18), y has 30. Only by rounding does a Newton
-    // step end above the root, so y is below 2^31: where the root is that great, the step ends 9e-5 below it.
+    // y(3 − ty²)/2: the seed has 8 fraction bits, t·y² has 30 (32 + 16 − 18), y has 30. Except for rounding, a Newton
+    // step ends below the root. So y is below 2^31: where the root is that great, the step ends 9e-5 below the root.
     let ty2 = (unsigned_product(value, seed * seed) >> 18) as u32;
     let y = (unsigned_product(seed, (3 << 30) - ty2) >> 9) as i32;
     // y(1 + h/2 + 3h²/8) with h = 1 − ty² < 2^-11, which is negative only by rounding: y² has 30 fraction bits, t·y²
@@ -45,10 +45,10 @@ const fn reciprocal_root(value: u32) -> u32 {
 }
 
 /// Lines that approximate 1/√t, one for each 256th of t from 1/16 to 1. An entry is the value at the line's start, in
-/// units of 2^-29. Its lower half is also the line's gain for each 2^-23 of t, with a sign. Each line is lowered by
-/// half of the distance between the chord to the next entry and the curve, so that lines lie on both sides of the
-/// curve, and raised by half a unit of 2^-13. Entries below 1/16 and above 3/4 are never read; with them, no index
-/// needs a check.
+/// units of 2^-29. The lower half of the entry is also the slope of the line, a signed number: the change for each
+/// 2^-23 of t. Each line is lowered by half of the distance between the chord to the next entry and the curve, so that
+/// lines lie on both sides of the curve, and raised by half a unit of 2^-13. Entries below 1/16 and above 3/4 are never
+/// read. They are there so that no index needs a check.
 static ROOTS: [u32; 256] = roots();
 
 const fn roots() -> [u32; 256] {
@@ -64,7 +64,7 @@ const fn roots() -> [u32; 256] {
         let above = i64::midpoint(from, to) - root(at + 1);
         let gain = (to - from - (1 << 14)) / (1 << 15);
         let slope = (gain as i16).cast_unsigned();
-        // The upper half rounds to nearest what the slope leaves of the value.
+        // The upper half is the rest of the value without the slope, rounded to nearest.
         let start = from - above / 2 + (1 << 15) - slope as i64;
         let upper = ((start + (1 << 15)) >> 16).cast_unsigned() as u32;
         table[i] = upper << 16 | slope as u32;
@@ -82,7 +82,7 @@ const fn roots() -> [u32; 256] {
 #[inline]
 pub(crate) fn short_root(value: u32) -> i32 {
     let line = ROOTS[(value >> 24) as usize].cast_signed();
-    // 15 bits, without a sign.
+    // The place on the line: 15 bits, without a sign.
     let on = (value >> 9 & 0x7fff).cast_signed();
     line.wrapping_add(i32::from(line as i16) * on)
 }
@@ -116,14 +116,15 @@ impl Measured {
         ((product + (1 << 31)) >> 32) as i32
     }
 
-    /// The component along a direction, which has the length one in units of 2^-30; the result has these units, too.
+    /// The component of the unit vector along a direction of length one. The direction and the result are in units of
+    /// 2^-30.
     pub(crate) fn along(&self, direction: &[i32; 3]) -> i32 {
-        // The mantissas' length is below 2^32, so this is below 2^31, and the result not above 2^30.
+        // The length of the mantissas is below 2^32, so `part` is below 2^31, and the result is at most 2^30.
         let part = dot(direction, &self.mantissas) >> 31;
         2 * self.component(part as i32)
     }
 
-    /// The length · 2^`up`, rounded down, for a vector whose components have at most 31 bits after such a shift.
+    /// The length · 2^`up`, rounded down. The vector's components, shifted left by `up`, must have at most 31 bits.
     pub(crate) const fn length(&self, up: u32) -> u64 {
         // √x = x · 1/√x, in units of 2^-62.
         (self.square as u64 * self.root as u64) >> (self.up.cast_unsigned() + 30 + self.half - up)
@@ -136,7 +137,8 @@ pub(crate) const fn measure([x, y, z]: [i64; 3]) -> Option<Measured> {
     if size == 0 {
         return None;
     }
-    // The upper half, once all bits but the sign are used. (No caller has a component of -2^63.)
+    // The mantissas are the upper halves of the components, after a left shift that leaves one bit for the sign. (No
+    // caller has a component of -2^63.)
     let left = size.leading_zeros().saturating_sub(1);
     let mantissas = [
         (x << left >> 32) as i32,
@@ -144,12 +146,12 @@ pub(crate) const fn measure([x, y, z]: [i64; 3]) -> Option<Measured> {
         (z << left >> 32) as i32,
     ];
     let up = left.cast_signed() - 32;
-    // Each at most 2^62, their sum from 2^60 to 3 · 2^62.
+    // Each square is at most 2^62, and their sum is from 2^60 to 3 · 2^62.
     let [x, y, z] = mantissas;
     let squared = product(x, x).cast_unsigned()
         + product(y, y).cast_unsigned()
         + product(z, z).cast_unsigned();
-    // An even shift, so that the root shifts by whole bits.
+    // The shift is even, so that the root shifts by whole bits.
     let half = (squared < 1 << 62) as u32;
     let square = ((squared << (2 * half)) >> 32) as u32;
     Some(Measured {
@@ -207,7 +209,7 @@ mod tests {
         assert!(worst <= 2.3e-4, "{worst:e}");
     }
 
-    /// Long vectors too, and vectors on an axis, which stay exactly there.
+    /// Tests long vectors, too, and vectors on an axis, which stay exactly on the axis.
     #[test]
     fn units_of_all_sizes_have_28_bits() {
         let mut state = 1_u64;

@@ -1,4 +1,4 @@
-//! The operators of numbers against their rule in 128 bits.
+//! The operators of numbers, compared with their rule in 128 bits.
 
 use super::{Fraction, Scalar, Subpixel, TexCoord};
 use crate::random::{Random, cases, number};
@@ -19,7 +19,8 @@ fn numbers(random: &mut Random) -> i32 {
     }
 }
 
-/// top / bottom, half away from zero; by the sign of the dividend if the divisor is zero.
+/// top / bottom, rounded to nearest, half away from zero; if the divisor is zero, it saturates by the sign of the
+/// dividend.
 fn quotient(top: i128, bottom: i128) -> i32 {
     if bottom == 0 {
         return saturated(top.signum() << 40);
@@ -90,7 +91,7 @@ fn a_fraction_scales() {
     });
 }
 
-/// As the crate `fixed` writes them.
+/// Numbers are written as the crate `fixed` writes them.
 #[test]
 fn numbers_are_written_in_decimals() {
     assert_eq!(

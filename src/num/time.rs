@@ -55,8 +55,8 @@ impl Rate {
 
     /// Returns the angle reached after `ms` milliseconds, starting from 0.
     ///
-    /// The result is exact for any time: whole turns are dropped, then the angle is rounded down once, to a multiple of
-    /// 2⁻³² of a turn.
+    /// The result is exact for any time, except for one rounding: whole turns are dropped, and then the angle is
+    /// rounded down to a multiple of 2⁻³² of a turn.
     #[must_use]
     pub const fn angle_at(self, ms: u64) -> Angle {
         angle(self.phase(ms))
@@ -86,8 +86,8 @@ impl Rate {
 
 /// Divides `high` · 2^32 + `low` by [`TURN`]; returns the quotient and the remainder.
 ///
-/// `high` must be below `TURN`. It divides bit by bit: it runs once per frame, and a 64-bit division routine would cost
-/// more flash than its speed is worth.
+/// `high` must be below `TURN`. The function divides bit by bit, because it runs once per frame, and a 64-bit division
+/// routine would cost more flash than its speed is worth.
 const fn divide(high: u32, low: u32) -> (u32, u32) {
     let (mut quotient, mut rest) = (low, high);
     let mut bit = 0;

@@ -1,39 +1,42 @@
-//! Everything that differs on cores without 64-bit products, a divider or an instruction that counts leading zeros.
+//! Everything that differs on cores that lack 64-bit products, a divider, or an instruction that counts leading zeros.
 //!
 //! No other file asks which core it runs on. Each function here gives the same bits on all of them.
 
 /// Whether the core's products have only 32 bits, as on Armv6-M and the baseline of Armv8-M: Cortex-M0, M0+, M1 and
-/// M23. `src/build.rs` tells from the target's name.
+/// M23. `src/build.rs` derives this from the target's name.
 ///
 /// On these cores the compiler calls a routine that multiplies 64 bits by 64. Four products of 16 bits take half as
 /// long.
 const IS_NARROW: bool = cfg!(narrow_core);
 
-/// Whether the core divides. Armv6-M does not, and Cortex-M23 takes up to 34 cycles, longer than the code without a
-/// division.
+/// Whether the core divides fast. Armv6-M has no division, and Cortex-M23 takes up to 34 cycles, longer than the code
+/// without a division.
 pub(crate) const DIVIDES: bool = !IS_NARROW;
 
-/// Whether the core counts leading zeros: the narrow ones do not, nor does RISC-V without Zbb.
+/// Whether the core has an instruction that counts leading zeros. Narrow cores have none, and RISC-V without Zbb has
+/// none.
 const COUNTS_ZEROS: bool =
     !IS_NARROW && !cfg!(all(target_arch = "riscv32", not(target_feature = "zbb")));
 
-/// Whether the core multiplies and adds to an upper half at once, as Cortex-M4 and M7 do. `src/build.rs` tells from the
-/// target's name.
+/// Whether the core has an instruction that adds a product to a number in the upper half, as Cortex-M4 and M7 have.
+/// `src/build.rs` derives this from the target's name.
 const HAS_DSP: bool = cfg!(dsp_core);
 
-/// Whether the core limits a number to a power of two in one instruction, as Cortex-M3 and above do.
+/// Whether the core has an instruction that limits a number to a power of two, as Cortex-M3 and above have.
 const SATURATES: bool = cfg!(target_arch = "arm") && !IS_NARROW;
 
 /// Whether registers have 64 bits.
 pub(crate) const IS_WIDE: bool = cfg!(target_pointer_width = "64");
 
-/// The numbers that a register holds. Numbers of 32 bits, widened once, need not be widened for each product.
+/// The integer that fills a register. On a 64-bit core, numbers of 32 bits are widened to it once, and not for each
+/// product.
 #[cfg(target_pointer_width = "64")]
 pub(crate) type Word = i64;
 #[cfg(not(target_pointer_width = "64"))]
 pub(crate) type Word = i32;
 
-/// Whether short positions are multiplied before they are shifted: then they are small.
+/// Whether short positions are multiplied before they are shifted. Until then, they are small, and narrow cores
+/// multiply small numbers faster.
 pub(crate) const SHIFTS_LATER: bool = IS_NARROW;
 
 /// Returns the exact product.
@@ -80,7 +83,7 @@ pub(crate) const fn product_to_31_bits(a: i32, b: u32) -> i64 {
     }
 }
 
-/// Whether a number of 16 bits is at least `b`.
+/// Whether `a`, a number of 16 bits, is at least `b`.
 #[inline]
 pub(crate) const fn at_least(a: u32, b: u16) -> bool {
     // A 64-bit core compares 16 bits directly with a number in memory.
@@ -110,7 +113,7 @@ fn saturate_negative(value: i32, bits: u32) -> i32 {
     limited & limited >> bits
 }
 
-/// Marks a branch that is seldom taken: the others then need no jump around it.
+/// Marks a branch that is seldom taken, so that the other branches need no jump around it.
 #[cold]
 #[inline]
 pub(crate) const fn cold() {}
@@ -134,7 +137,8 @@ pub(crate) const fn high(a: Word, b: Word) -> Word {
     }
 }
 
-/// Returns guess · (2 − q · guess / 2^60), one Newton step from a guess of r = 2^60 / q, both from 2^29 to 2^31.
+/// Returns guess · (2 − q · guess / 2^60): one Newton step from a guess toward r = 2^60 / q. Both `q` and `guess` are
+/// from 2^29 to 2^31.
 ///
 /// The guess must be within a quarter of r.
 #[inline]
@@ -160,13 +164,14 @@ const fn short_newton_step(q: i32, guess: i32) -> i32 {
 #[allow(clippy::cast_lossless, clippy::cast_sign_loss)] // `u64::from` is not const
 const fn dsp_newton_step(q: i32, guess: i32) -> i32 {
     let excess = ((product(q, guess) >> 32) as i32) << 4;
-    // Widened without its sign, which is shifted out: a guess widened as in the product would become its common factor.
+    // The guess is widened without its sign, which is shifted out anyway. If it were widened as in the product, the
+    // compiler would make it a common factor.
     let raised = (guess.cast_unsigned() as u64) << 32;
     (raised.wrapping_sub(product(guess, excess).cast_unsigned()) >> 32) as i32
 }
 
 /// Returns [`newton_step`] in fewer instructions, for 64-bit cores. The shift discards less than a unit, so the guess
-/// may be added before it.
+/// may be added before the shift.
 #[inline]
 const fn wide_newton_step(q: i64, guess: i64) -> i64 {
     let twice = (1_i64 << 29).wrapping_sub(q.wrapping_mul(guess) >> 32);
@@ -182,14 +187,14 @@ pub(crate) fn cross([a, b]: [i32; 2], [c, d]: [i32; 2]) -> i64 {
     product(a, d) - product(c, b)
 }
 
-/// Whether sides are shorter than 64 pixels of 256 units, as most are.
+/// Whether sides are shorter than 64 pixels of 256 units, as most sides are.
 #[inline]
 fn are_short([a, b]: [i32; 2], [c, d]: [i32; 2]) -> bool {
     let raised = |side: i32| side.wrapping_add(1 << 14).cast_unsigned();
     raised(a) | raised(b) | raised(c) | raised(d) < 1 << 15
 }
 
-/// Returns [`cross`] of sides that [are short](are_short): they take 15 bits, and twice the area then takes 31.
+/// Returns [`cross`] of sides that [are short](are_short). These sides take 15 bits, so twice the area takes 31 bits.
 #[inline]
 fn short_cross([a, b]: [i32; 2], [c, d]: [i32; 2]) -> i64 {
     i64::from(a * d - c * b)
@@ -208,7 +213,7 @@ pub(crate) fn divide(numerator: i32, divisor: i32) -> (i32, i32) {
     (quotient + below, remainder + (divisor & below))
 }
 
-/// Returns [`divide`] by subtraction if the quotient is small: a division takes as long as twenty of them.
+/// Returns [`divide`] by subtraction if the quotient is small: a division takes as long as twenty subtractions.
 #[inline]
 fn narrow_divide(numerator: i32, divisor: i32) -> (i32, i32) {
     let (mut quotient, mut remainder) = (0, numerator);
@@ -230,14 +235,15 @@ fn narrow_divide(numerator: i32, divisor: i32) -> (i32, i32) {
     (quotient + more, remainder)
 }
 
-/// Returns the cross product, shifted so that its largest component has 31 bits, and rounded down; zero if it is zero.
+/// Returns the cross product, shifted so that its largest component has 31 bits, and rounded down. A cross product of
+/// zero stays zero.
 #[inline]
 pub(crate) const fn scaled_cross(a: [i32; 3], b: [i32; 3]) -> [i32; 3] {
     if IS_NARROW && are_small(a, b) {
         return small_scaled_cross(a, b);
     }
     let ([ax, ay, az], [bx, by, bz]) = (a, b);
-    // Below 2^63, but for components of -2^31.
+    // These differences are below 2^63, except for components of -2^31, where they saturate.
     let [x, y, z] = [
         product(ay, bz).saturating_sub(product(az, by)),
         product(az, bx).saturating_sub(product(ax, bz)),
@@ -253,7 +259,7 @@ pub(crate) const fn scaled_cross(a: [i32; 3], b: [i32; 3]) -> [i32; 3] {
     ]
 }
 
-/// Whether all components have 15 bits and a sign: then their products have 30.
+/// Whether all components have 15 bits and a sign, so that their products have 30 bits.
 #[inline]
 const fn are_small([a, b, c]: [i32; 3], [d, e, f]: [i32; 3]) -> bool {
     const fn raised(x: i32) -> u32 {
@@ -262,7 +268,8 @@ const fn are_small([a, b, c]: [i32; 3], [d, e, f]: [i32; 3]) -> bool {
     raised(a) | raised(b) | raised(c) | raised(d) | raised(e) | raised(f) < 1 << 16
 }
 
-/// Returns [`scaled_cross`] of [small](are_small) vectors by products of 32 bits. The difference of two of them has 31.
+/// Returns [`scaled_cross`] of [small](are_small) vectors by products of 32 bits. The difference of two products has 31
+/// bits.
 #[inline]
 const fn small_scaled_cross([ax, ay, az]: [i32; 3], [bx, by, bz]: [i32; 3]) -> [i32; 3] {
     let [x, y, z] = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];
@@ -344,7 +351,7 @@ pub(crate) type Row = WholeRow;
 #[cfg(narrow_core)]
 pub(crate) type Row = CutRow;
 
-/// A row as it is.
+/// A row of coefficients, without any preparation.
 #[cfg(any(test, not(narrow_core)))]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct WholeRow([i32; 3]);
@@ -377,10 +384,11 @@ impl WholeRow {
     }
 }
 
-/// A row that is also cut: a coefficient is the sum of three parts, in units of 2^20, 2^10 and 1, each at most 2^9.
+/// A row that also stores each coefficient as the sum of three parts, in units of 2^20, 2^10 and 1. A part is at most
+/// 2^9.
 ///
-/// Products with a number of at most 2^20 then take 30 bits, and sums of three of them 31: nine short products in place
-/// of twelve, and no carries between them.
+/// The product of a part and a number of at most 2^20 takes 30 bits, and the sum of three such products takes 31. So a
+/// dot product takes nine short products in place of twelve, without carries between them.
 #[cfg(any(test, narrow_core))]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CutRow {
@@ -421,7 +429,7 @@ impl CutRow {
         let dots = if raised(x) | raised(y) | raised(z) < 2 * SMALL.cast_unsigned() {
             [a, b, c].map(|row| row.small_dot(x, y, z))
         } else {
-            // A copy, so that the other case needs none in memory.
+            // A copy of the position, so that the other case does not need the position in memory.
             let position = [x, y, z];
             [a, b, c].map(|row| narrow_dot(&row.whole, &position))
         };
@@ -437,7 +445,8 @@ impl CutRow {
     }
 }
 
-/// Shifts left by up to 16 bits. By halves where the core has no long shift: the compiler calls a routine there.
+/// Shifts left by up to 16 bits. On a core without long shifts, this function shifts halves, because the compiler would
+/// call a routine.
 #[inline]
 pub(crate) const fn up(value: i64, up: u32) -> i64 {
     if IS_NARROW {
@@ -455,8 +464,8 @@ const fn up_by_halves(value: i64, up: u32) -> i64 {
     ((upper as u64) << 32 | (lower << (up & 31)) as u64).cast_signed()
 }
 
-/// Shifts `q` left until its top bit is set. Lowers an exponent, which stands above `mantissa` bits, by the number of
-/// bits less one.
+/// Shifts `q` left until its top bit is set, and lowers an exponent by the number of shifted bits less one. The
+/// exponent stands above `mantissa` lower bits.
 #[inline]
 pub(crate) fn normalize(q: u32, exponent: u32, mantissa: u32) -> (u32, u32) {
     if !COUNTS_ZEROS {
@@ -487,7 +496,7 @@ fn normalize_by_steps(q: u32, mut exponent: u32, mantissa: u32) -> (u32, u32) {
     (normal, exponent)
 }
 
-// Out of line: a copy would be longer than the call.
+// The next two functions are out of line, because a copy would be longer than the call.
 
 #[inline(never)]
 const fn narrow_product(a: i32, b: i32) -> i64 {
@@ -705,7 +714,8 @@ mod tests {
         });
     }
 
-    /// The residual is rounded by less than 2^-28, times 1 − e ≤ 1.25, and the result by less than a unit, 2^-29 of it.
+    /// The residual is rounded by less than 2^-28, which is multiplied by 1 − e ≤ 1.25. The result is rounded by less
+    /// than a unit, which is at most 2^-29 of the result.
     #[test]
     fn a_newton_step_squares_the_error() {
         cases(256, |random| {

@@ -1,4 +1,4 @@
-//! Adapters: surfaces whose color is changed.
+//! Adapters: shaders that change the color of a surface.
 
 use core::marker::PhantomData;
 
@@ -9,7 +9,7 @@ use super::{
 };
 use crate::mesh::Primitive;
 
-/// A surface whose output an effect changes that has varyings of its own.
+/// A surface and an effect. The effect changes the surface's output and has varyings of its own.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Adapted<S, E> {
@@ -17,13 +17,13 @@ pub struct Adapted<S, E> {
     pub(super) effect: E,
 }
 
-/// What changes the output of type `O` of a surface: a light, a tint, or fog.
+/// An effect that changes the output, of type `O`, of a surface: a light, a tint, or fog.
 #[doc(hidden)]
 pub trait Effect<O: Output>: Copy {
     /// The new output.
     type Color: Output;
 
-    /// What the effect interpolates beside the surface.
+    /// The values that the effect interpolates, in addition to the surface's.
     type Varyings: Varyings;
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3];
@@ -110,7 +110,7 @@ impl<S: Shader<Color: Output<Color: PixelFormat>>, C: PixelFormat> Shader for Co
     }
 }
 
-/// A shader and a function of each pixel that it colors; see [`Shader::map`].
+/// A shader, and a function that is applied to each pixel that the shader colors; see [`Shader::map`].
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Map<S, F> {

@@ -1,4 +1,4 @@
-//! Surfaces of one color: for all faces, for each, or for each part of a mesh.
+//! Surfaces with one color for all faces, one color for each face, or one color for each part of a mesh.
 
 use embedded_graphics::pixelcolor::{PixelColor, Rgb888, RgbColor};
 
@@ -165,7 +165,7 @@ impl<'a> PartColors<'a> {
 
     /// The color of a face.
     fn color(&self, face: usize) -> Rgb888 {
-        // The last part that does not start after the face.
+        // The part before the first part that starts after the face.
         let after = self
             .parts
             .partition_point(|part| part.faces().start <= face);

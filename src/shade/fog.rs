@@ -46,15 +46,15 @@ pub struct Fog<C, D = LinearFog> {
 /// How thick a fog is: `LinearFog` or `ExponentialFog`.
 #[doc(hidden)]
 pub trait Density: Copy + Sealed {
-    /// The number that is interpolated, which is linear in the distance.
+    /// The number that is interpolated. It is linear in the distance.
     #[doc(hidden)]
     fn varying(&self, distance: Scalar) -> i32;
 
-    /// The part of the surface that fog leaves, from 0 to 1 in units of 2^-14.
+    /// The share of the surface that remains visible, from 0 to 1 in units of 2^-14.
     #[doc(hidden)]
     fn left(varying: i32) -> i32;
 
-    /// The same in units of 1/32, rounded to nearest.
+    /// The share of the surface that remains visible, in units of 1/32, rounded to nearest.
     #[doc(hidden)]
     fn left_32(varying: i32) -> u32;
 }
@@ -67,30 +67,30 @@ sealed!(LinearFog, ExponentialFog);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LinearFog {
-    /// In units of 2⁻¹⁶.
+    /// The second distance, in units of 2⁻¹⁶.
     far: i32,
     range: Ramp,
 }
 
-/// The density of exponential fog: what is left of the surface at the distance z is e^(−density · z).
+/// The density of exponential fog: at the distance z, the share e^(−density · z) of the surface remains visible.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ExponentialFog {
-    /// In units of 2⁻¹⁶.
+    /// The density in units of 2⁻¹⁶.
     density: i32,
 }
 
-/// The fraction bits of the varying. Interpolation rounds it by at most 57 units, which is 0.35 %.
+/// The fraction bits of the varying. The error of interpolation is at most 57 units, which is 0.35 %.
 const BITS: u32 = 14;
 
 /// Half of 1/32.
 const HALF: i32 = 1 << (BITS - 6);
 
-/// c of the parabola, 0.1715, with as many bits.
+/// The coefficient c of the parabola in [`ExponentialFog::left`], 0.1715, with [`BITS`] fraction bits.
 const C: u32 = 2810;
 
-/// Error of the remaining share that cannot be seen: 1/256.
+/// The greatest error of the remaining share that cannot be seen: 1/256.
 const UNSEEN: u32 = 1 << (BITS - 8);
 
 /// A number of 64 bits, limited to the range of varyings.
@@ -99,10 +99,10 @@ fn limited(value: i64) -> i32 {
 }
 
 impl Density for LinearFog {
-    /// Returns minus the part that fog leaves, in units of 2^-[`BITS`], plus half of 1/32, so that a pixel rounds to
-    /// 32nds by a shift alone.
+    /// Returns the negative share that remains visible, in units of 2^-[`BITS`], plus half of 1/32. This half lets a
+    /// pixel round the share to 32nds by a shift alone.
     fn varying(&self, distance: Scalar) -> i32 {
-        // Of 33 bits: the range may be longer than the greatest number.
+        // The difference has 33 bits: it may be greater than the greatest `Scalar`.
         let beyond = i64::from(distance.to_bits()) - i64::from(self.far);
         limited(self.range.share(beyond) + i64::from(HALF))
     }
@@ -122,15 +122,16 @@ impl Density for LinearFog {
 
 impl Density for ExponentialFog {
     fn varying(&self, distance: Scalar) -> i32 {
-        // 62 bits, cut to 46, times log₂ e in units of 2^-14.
+        // A product of 62 bits, cut to 46 bits, times log₂ e in units of 2^-14.
         let product = i64::from(distance.to_bits()) * i64::from(self.density);
         limited(((product >> 16) * 23_637) >> (30 - BITS))
     }
 
     #[inline]
     fn left(varying: i32) -> i32 {
-        // 2^-x for x up to 15: in the whole part a shift, and in the fraction f the parabola 1 − (½ + c) f + c f²,
-        // which is exact at both ends. With c = 0.1715 its error is at most 0.0019.
+        // 2^-x for x from 0 to less than 16. The whole part of x is a right shift. For the fraction f of x, 2^-f is
+        // replaced by the parabola 1 − (½ + c) f + c f², which is exact at f = 0 and f = 1. With c = 0.1715, its error
+        // is at most 0.0019.
         let x = varying.clamp(0, (16 << BITS) - 1).cast_unsigned();
         let fraction = x & ((1 << BITS) - 1);
         let slope = (1 << (BITS - 1)) + C - ((C * fraction) >> BITS);
@@ -146,8 +147,8 @@ impl Density for ExponentialFog {
 impl<C: PixelFormat> Fog<C> {
     /// Fog that begins at the distance `near` and hides everything at the distance `far` and beyond.
     ///
-    /// If `far` − `near` is less than a unit, a triangle that reaches beyond `far` by 65,536 times `far` − `near` fades
-    /// at the wrong place.
+    /// If `far` − `near` is less than a unit, a triangle fades at the wrong place if it reaches beyond `far` by 65,536
+    /// times `far` − `near`.
     ///
     /// # Errors
     ///
@@ -209,8 +210,8 @@ impl<O: Output<Color = C>, C: PixelFormat, D: Density> Effect<O> for Fog<C, D> {
     }
 }
 
-/// An output in fog that nobody has computed yet. Where nothing but the canvas follows, a plain color of 15 or 16 bits
-/// is blended in 32 steps by one product for all channels, which takes half of the time.
+/// An output and a fog that are not blended yet. If no other adapter follows, a plain color of 15 or 16 bits is blended
+/// in 32 steps, by one product for all channels. This takes half of the time.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Fogged<O: Output, D> {
@@ -284,12 +285,12 @@ mod tests {
             let one = f64::from(1 << BITS);
             let exact = (-f64::from(x) / one).exp2();
             let left = f64::from(ExponentialFog::left(x)) / one;
-            // Two products and the shift are cut.
+            // Two products and the shift are rounded down.
             assert!((left - exact).abs() <= 0.0019 + 3. / one, "{x}: {left}");
         }
     }
 
-    /// At every distance from before the nearest to beyond the farthest.
+    /// Checks every distance from before the nearest to beyond the farthest distance.
     #[test]
     fn linear_weights_are_rounded_to_nearest() {
         let [near, far] = [fx!(1), fx!(3)];
@@ -298,7 +299,7 @@ mod tests {
             let left = f64::from(far - distance) / 2.;
             let varying = fog.density.varying(distance);
             let parts = f64::from(1 << BITS);
-            // The varying is cut to 2^-BITS.
+            // The varying is rounded down to a multiple of 2^-BITS.
             let found = f64::from(LinearFog::left(varying));
             assert!(
                 (found - left.clamp(0., 1.) * parts).abs() <= 1.,

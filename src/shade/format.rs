@@ -1,4 +1,4 @@
-//! Color formats: a color's channels in steps of its own format, and back by rounding or dithering.
+//! Color formats: conversion of a color to channels in steps of its format, and back by rounding or dithering.
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{
@@ -13,10 +13,10 @@ use crate::texture::Blend;
 /// A color whose channels can be interpolated, lit, tinted, blended, and rounded or dithered.
 ///
 /// This trait is implemented for the colors of embedded-graphics. There are three channels: red, green and blue. A gray
-/// color has three equal channels, of which only the first is used. Gray is the BT.601 luma of the stored values
-/// (without gamma): 0.299 red + 0.587 green + 0.114 blue, with weights rounded to 2⁻¹⁴. A *step* is a unit of a channel
-/// in the color's own format: the red of [`Rgb565`] has 0 to 31 steps. [`Precise`] is a color whose channels have
-/// fraction bits.
+/// color has three equal channels; only the first is used. Gray is the BT.601 luma of the stored values (without
+/// gamma): 0.299 red + 0.587 green + 0.114 blue, with weights rounded to 2⁻¹⁴. A *step* is a unit of a channel in the
+/// color's own format: the red of [`Rgb565`] has 0 to 31 steps. [`Precise`] is a color whose channels have fraction
+/// bits.
 ///
 /// Colors with 5 or more bits per channel are rounded to nearest. [`Gray4`], [`Gray2`] and [`BinaryColor`] (on is
 /// white) are dithered by an 8x8 ordered matrix that is fixed to the frame. The mean of 8x8 pixels that show one level
@@ -49,7 +49,7 @@ pub trait PixelFormat: PixelColor {
     /// The channels in whole steps, 0 to [`MAX_STEPS`](Self::MAX_STEPS).
     fn steps(self) -> [i32; 3];
 
-    /// The color with these channels, in whole steps. Bits above those of the format are dropped.
+    /// The color with these channels, in whole steps. Bits that the format does not have are dropped.
     #[must_use]
     fn from_steps(steps: [u8; 3]) -> Self;
 
@@ -60,12 +60,13 @@ pub trait PixelFormat: PixelColor {
         Precise::of_rgb(color).finish(at)
     }
 
-    /// This color, of which another color covers a share; rounded or dithered. The share is from 0 to 65,536. For
-    /// colors of 15 and 16 bits, it is first rounded to 1/32.
+    /// This color after the color `by` covers a share of it; rounded or dithered. The share is from 0 to 65,536. For
+    /// colors of 15 and 16 bits, the share is first rounded to 1/32.
     #[must_use]
     #[inline]
     fn covered(self, by: Self, share: i32, at: Point) -> Self {
-        // In this order, one color and one share are prepared before a loop.
+        // In this order, the compiler prepares the color `by` and the share before a loop over pixels that have both in
+        // common.
         let left_32 = 32_i32.wrapping_sub(share.wrapping_add(1 << 10) >> 11);
         match by.mix_32(self, left_32.cast_unsigned()) {
             Some(mixed) => mixed,
@@ -73,7 +74,8 @@ pub trait PixelFormat: PixelColor {
         }
     }
 
-    /// This color and `weight`/32 of another one, if the format has a product for all channels at once.
+    /// A mixture of this color and `weight`/32 of another color; `None` if the format cannot multiply all channels at
+    /// once.
     #[doc(hidden)]
     #[must_use]
     #[inline]
@@ -83,13 +85,14 @@ pub trait PixelFormat: PixelColor {
     }
 }
 
-/// Converts three channels. Not `array::map`: optimized for size, that is a loop over memory.
+/// Applies `f` to three channels. This is not `array::map`, because in a build for size, `map` becomes a loop over
+/// memory.
 #[inline]
 pub(super) fn each([r, g, b]: [i32; 3], f: impl Fn(i32) -> i32) -> [i32; 3] {
     [f(r), f(g), f(b)]
 }
 
-/// `f` of each two channels.
+/// Applies `f` to each pair of channels.
 #[inline]
 pub(super) fn zip(
     [r, g, b]: [i32; 3],
@@ -99,7 +102,7 @@ pub(super) fn zip(
     [f(r, x), f(g, y), f(b, z)]
 }
 
-/// Tolerance of a fraction: 1/1024.
+/// The error that interpolation may give a fraction: 1/1024.
 pub(super) const FRACTION: u32 = 1 << 6;
 
 /// c/255 in units of 2⁻¹⁶, with an error of at most half a unit: 0 for 0, 65,536 for 255.
@@ -195,7 +198,8 @@ gray! {
     BinaryColor 1 is_on |steps| Self::from(steps & 1 != 0);
 }
 
-/// The channels of a color that are worth interpolating, because they differ: three, or one for gray.
+/// The channels of a color that are interpolated: three, or one for gray, because the three channels of a gray color
+/// are equal.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, Rgb565};
@@ -210,10 +214,10 @@ pub trait Channels: Varyings + Default + Sealed {
     #[doc(hidden)]
     const IS_GRAY: bool;
 
-    /// Those of three channels that differ.
+    /// The channels to interpolate, from all three channels.
     fn first(channels: [i32; 3]) -> Self;
 
-    /// All three channels; those that are not used are 0.
+    /// All three channels; channels that are not used are 0.
     fn all(self) -> [i32; 3];
 }
 
@@ -261,10 +265,10 @@ static BAYER: [[u8; 8]; 8] = [
     [63, 31, 55, 23, 61, 29, 53, 21],
 ];
 
-/// The number to add to a level, in units of 2⁻¹⁶ step, before it is cut to whole steps: (m + ½)/64 of a step, where
-/// m is the matrix at this pixel. It lies between 512 and 65,024; its mean is half a step.
+/// The number to add to a level before the level is cut to whole steps, in units of 2⁻¹⁶ step. It is (m + ½)/64 of a
+/// step, where m is the matrix's entry for this pixel. It lies between 512 and 65,024; its mean is half a step.
 ///
-/// A whole step keeps its value even with an error of up to 511 units in either direction.
+/// A level of whole steps keeps its value even with an error of up to 511 units in either direction.
 #[inline]
 pub(super) fn threshold(at: Point) -> i32 {
     let (x, y) = (at.x.cast_unsigned() & 7, at.y.cast_unsigned() & 7);
@@ -279,7 +283,7 @@ mod tests {
     const ORIGIN: Point = Point::zero();
 
     fn pixels() -> impl Iterator<Item = Point> {
-        // Away from the origin, because the pattern belongs to the frame.
+        // These pixels are not at the origin, because the pattern is fixed to the frame.
         (0..64).map(|i| Point::new(3 + i % 8, i / 8 - 5))
     }
 

@@ -8,7 +8,7 @@ use crate::error::check_order;
 use crate::mesh::Primitive;
 use crate::{Error, Scalar};
 
-/// The fraction bits of a share of the way from bottom to top.
+/// The fraction bits of a height's share of the way from bottom to top.
 const BITS: u32 = 12;
 
 /// Colors by the height (y) in model space, for a sky or for terrain: one color up to a low height, another color above
@@ -82,7 +82,7 @@ impl<C: PixelFormat> Gradient<C> {
     fn levels(&self, height: Scalar) -> [i32; 3] {
         let above = i64::from(height.to_bits()) - i64::from(self.bottom);
         let share = self.ramp.share(above).clamp(0, 1 << BITS) as i32;
-        // 24 bits, of which 18 are kept, times 13 bits.
+        // A change has 24 bits. Its upper 18 bits are multiplied by a share of 13 bits.
         let part = |change: i32| ((change >> 6) * share) >> (BITS - 6);
         let ([r, g, b], [x, y, z]) = (self.low, self.change);
         [r + part(x), g + part(y), b + part(z)]
@@ -138,7 +138,7 @@ mod tests {
         {
             let (a, b) = (f64::from(a), f64::from(b));
             let exact = a + (b - a) * share;
-            // The share is cut to 12 bits, the change to 18 of 24 bits, and their product.
+            // The share is cut to 12 fraction bits, the change to 18 of its 24 bits, and their product to whole units.
             let allowed = (b - a).abs() / 4096. + 64. + 1.;
             let documented = 65_536. / if most < 64 { 60. } else { 15. };
             assert!(allowed <= documented);

@@ -1,4 +1,4 @@
-//! Arrays of up to eight values whose operations are unrolled by hand.
+//! Arrays of up to eight values, with operations that are unrolled by hand.
 //!
 //! Optimized for size, a loop over `[T; N]` remains a loop over memory. These operations have no loop, so the values
 //! stay in registers at every optimization level.
@@ -8,7 +8,7 @@ use crate::sealed::Sealed;
 /// A number N from 0 to 8, written as the type `[(); N]`; it names an array of N values of any type.
 ///
 /// Unlike array lengths, these numbers can be added on stable Rust. An adapter of a [`Shader`](super::Shader) needs the
-/// sum to append its own varyings to those of the inner shader.
+/// sum to append its own varyings to the inner shader's varyings.
 #[doc(hidden)]
 pub trait Lanes: Copy + Sealed {
     /// The array `[T; N]`.
@@ -81,7 +81,8 @@ macro_rules! lanes {
 
         }
     )+};
-    // A sum of more than eight does not compile where it is a pair of varyings.
+    // Sums end at eight. If a pair of varyings has more than eight numbers, `tolerance` in varyings.rs does not
+    // compile.
     (sum) => {
         type Plus<B: Lanes> = B;
     };

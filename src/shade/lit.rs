@@ -15,7 +15,7 @@ pub type Lit<S, L = Light> = Adapted<S, ByVertex<L>>;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ByVertex<L>(pub(super) L);
 
-/// What a light `L` throws on a surface.
+/// The amount of light that a light `L` throws on a surface.
 type LightOf<L> = Illumination<<L as Lighting>::Diffuse, <L as Lighting>::Specular>;
 
 /// The varyings of a light `L` on a surface of color `C`.

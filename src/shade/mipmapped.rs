@@ -72,16 +72,17 @@ impl<S: Sampler, A, F> Textured<S, A, F> {
     ///
     /// `density` and d are computed once for each triangle, and z comes from [`Fragment::depth`]. The level differs
     /// from the formula by at most 1/8 if the depth is at least 32 and the triangle's sides and d are at least 1/16
-    /// unit. A level below 0 counts as 0. Edges, points and triangles whose texels lie in a line show level 0.
+    /// unit. A level below 0 counts as 0. Edges, points, and triangles with texels in a line show level 0.
     ///
     /// The formula holds for a perspective projection. Under a parallel projection, distant surfaces do not become
     /// smaller. Give the texture the right size instead.
     ///
     /// # Accuracy
     ///
-    /// The table lists the mean difference between a pixel and the mean of the texture over the pixel's area, in steps
-    /// of 255, on the benchmark's floor from 1 to 20 units ahead. The texture has 64x64 texels, in squares of 8, and is
-    /// repeated; the eye moves in eight steps. `cargo test --test accuracy mipmap -- --nocapture` prints these figures.
+    /// The table lists by how much a pixel differs, on average, from the mean of the texture over the pixel's area. The
+    /// unit is a step of a channel that has steps from 0 to 255. The pixels are those of the benchmark's floor from 1
+    /// to 20 units ahead. The texture has 64x64 texels, in squares of 8, and is repeated; the eye moves in eight steps.
+    /// `cargo test --test accuracy mipmap -- --nocapture` prints these figures.
     ///
     /// | | 1 repeat | 8 repeats | 32 repeats |
     /// |---|---:|---:|---:|
@@ -165,15 +166,15 @@ impl<S: Sampler<Color: Texel>, A: Addressing, F: Filter<S::Color>> Shader
 
 /// log₂(density / d), with 8 fraction bits, of a triangle with these corners in eye space and in texels.
 ///
-/// Let n be the cross product of two sides in eye space, and t that of two sides in texels. The density is √(t / |n|).
-/// For a corner a, d is |n · a| / |n|. So the result is log₂(√(t · |n|) / |n · a|).
+/// Let n be the cross product of two sides in eye space, and t the cross product of the same sides in texels. The
+/// density is √(t / |n|). For a corner a, d is |n · a| / |n|. So the result is log₂(√(t · |n|) / |n · a|).
 #[inline(never)]
 fn density([a, b, c]: [[i32; 3]; 3], [d, e, f]: [[i32; 2]; 3]) -> i32 {
     let side = |from: i32, to: i32| i64::from(to) - i64::from(from);
     let (b, b_down) = limited([side(a[0], b[0]), side(a[1], b[1]), side(a[2], b[2])]);
     let (c, c_down) = limited([side(a[0], c[0]), side(a[1], c[1]), side(a[2], c[2])]);
     let cross = |i: usize, j: usize| b[i] * c[j] - b[j] * c[i];
-    // Below 2^61, and then below 2^30.
+    // The cross product is below 2^61; `limited` cuts it to below 2^30.
     let (n, n_down) = limited([cross(1, 2), cross(2, 0), cross(0, 1)]);
     let squared = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
     let along = n[0] * i64::from(a[0]) + n[1] * i64::from(a[1]) + n[2] * i64::from(a[2]);
@@ -189,7 +190,7 @@ fn density([a, b, c]: [[i32; 3]; 3], [d, e, f]: [[i32; 2]; 3]) -> i32 {
     ((log2(texels, e_down + f_down) + length) >> 1) - log2(along, down) + (16 << 8)
 }
 
-/// Numbers of at most 62 bits, cut to 30 bits by a right shift, and the shift.
+/// Cuts numbers of at most 62 bits to 30 bits by one right shift; returns the numbers and the shift.
 #[inline]
 fn limited<const N: usize>(numbers: [i64; N]) -> ([i64; N], u32) {
     let bits = numbers.iter().fold(0, |all, x| all | x.unsigned_abs());
@@ -235,7 +236,7 @@ mod tests {
         for depth in 0..=u16::MAX {
             let exact = 2. * (f64::from(depth) + 0.5).log2();
             let error = f64::from(depth_log2(depth)) / 256. - exact;
-            // Half of 0.086, and a unit each of the cut and of the middle.
+            // Half of 0.086, a unit for the cut, and a unit for the rounding of `MIDDLE`.
             assert!(depth < 16 || error.abs() <= 0.05, "{depth}: {error}");
         }
         assert!(depth_log2(0) <= depth_log2(1));

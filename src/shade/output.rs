@@ -65,7 +65,7 @@ pub trait Output: Copy {
         255
     }
 
-    /// The new color of a pixel, where `below` returns the old one.
+    /// The new color of a pixel; `below` returns the old color.
     #[doc(hidden)]
     #[inline]
     fn onto(self, below: impl FnOnce() -> Self::Color, at: Point) -> Self::Color {
@@ -73,7 +73,8 @@ pub trait Output: Copy {
         self.finish(at)
     }
 
-    /// The new color of a pixel that is covered in a share of at most `share`/65,536.
+    /// The new color of a pixel of the color `below`. The output covers `share`/65,536 of the pixel, or less if it is
+    /// translucent.
     #[doc(hidden)]
     #[inline]
     fn cover(self, below: Self::Color, share: i32, at: Point) -> Self::Color
@@ -83,7 +84,7 @@ pub trait Output: Copy {
         self.map(|color| color).cover(below, share, at)
     }
 
-    /// The color and its share, from 0 to 65,536.
+    /// The color, and the share of the canvas's color that it covers, from 0 to 65,536.
     #[doc(hidden)]
     #[inline]
     fn parts(self) -> (Precise<Self::Color>, i32)
@@ -212,7 +213,7 @@ impl<C> Translucent<C> {
     #[must_use]
     #[inline]
     pub fn faded(self, opacity: u8) -> Self {
-        // p/255, rounded: exact for products of 8 bits.
+        // The product divided by 255, rounded to nearest. This is exact for all products of two 8-bit numbers.
         let product = u32::from(self.opacity) * u32::from(opacity) + 128;
         Self {
             color: self.color,
@@ -220,7 +221,7 @@ impl<C> Translucent<C> {
         }
     }
 
-    /// The share of at most `most`/65,536.
+    /// The opacity times `most`, in units of 1/65,536.
     #[inline]
     fn share(&self, most: i32) -> i32 {
         // 16 bits times 15 bits.

@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use super::format::{each, fractions, luma, threshold, whole, zip};
 use super::{Amount, Channels, Illumination, Lanes, PixelFormat, Tolerance, Varyings};
 
-/// A color of format `C` whose channels keep 16 fraction bits.
+/// A color of format `C`, with channels that keep 16 fraction bits.
 ///
 /// Light, tint, fog and every other adapter return such a color. So the result of a whole stack of adapters is rounded
 /// or dithered once, when the canvas stores it. A *level* is a channel in steps of the format, with 16 fraction bits: a
@@ -30,8 +30,8 @@ use super::{Amount, Channels, Illumination, Lanes, PixelFormat, Tolerance, Varyi
 /// [`Rgb565`]: embedded_graphics::pixelcolor::Rgb565
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Precise<C> {
-    /// The levels, raised by half a step so that cutting rounds: the addition is needed once per vertex where they are
-    /// interpolated, and not at every pixel.
+    /// The levels plus half a step, so that a pixel rounds a level by cutting its fraction. If levels are interpolated,
+    /// half a step is added once per vertex instead of once per pixel.
     raised: [i32; 3],
     format: PhantomData<C>,
 }
@@ -47,15 +47,17 @@ impl<C: PixelFormat> From<C> for Precise<C> {
 }
 
 impl<C: PixelFormat> Precise<C> {
-    /// Bits that a product with a fraction drops from a level first. A dithered format has few steps, and drops no more
-    /// bits than those take: the error of a product is below 1/1000 step. That of other formats is at most 1/250 step.
+    /// The number of low bits that a level loses before it is multiplied by a fraction. A dithered format has few
+    /// steps. Its levels lose only as many bits as a step has, so the error of a product is below 1/1000 step. In other
+    /// formats, the error is at most 1/250 step.
     const DOWN: u32 = if C::IS_DITHERED {
         32 - C::MAX_STEPS[0].leading_zeros()
     } else {
         8
     };
 
-    /// Tolerance of interpolation: 1/8 step, of which rounding hides most, or 1/64 step, which dithering shows.
+    /// The error that interpolation may cause: 1/8 step, because rounding hides most of it, or 1/64 step in a dithered
+    /// format, because dithering shows it.
     const TOLERANCE: u32 = if C::IS_DITHERED { 1 << 10 } else { 1 << 13 };
 
     #[inline]
@@ -93,8 +95,8 @@ impl<C: PixelFormat> Precise<C> {
         }
         let channels = [color.r().into(), color.g().into(), color.b().into()];
         Self::of_raised(zip(channels, C::MAX_STEPS, |channel, most| {
-            // A constant: steps in 1/255 of white, in units of 2^-24, rounded up so that white is exact. Products take
-            // 32 bits with half a step.
+            // A constant: the number of steps in 1/255 of white, in units of 2^-24, rounded up so that white is exact.
+            // A product plus half a step fits into 32 bits.
             let steps = (most.cast_unsigned() << 24) / 255 + 1;
             let level = channel.cast_unsigned().wrapping_mul(steps);
             (level.wrapping_add(HALF.cast_unsigned() << 8) >> 8).cast_signed()
@@ -104,7 +106,8 @@ impl<C: PixelFormat> Precise<C> {
     /// Steps times fractions: exact.
     #[inline]
     pub(super) fn of_products(steps: [i32; 3], fractions: [i32; 3]) -> Self {
-        // Below 2^24. Wrapping, so that numbers from a user's shader cannot panic.
+        // Products are below 2^24 for numbers in range. Other numbers from a user's shader wrap, so that they cannot
+        // cause a panic.
         Self::from_levels(zip(steps, fractions, i32::wrapping_mul))
     }
 
@@ -123,11 +126,11 @@ impl<C: PixelFormat> Precise<C> {
         Self::from_levels(zip(products, C::MAX_STEPS, over))
     }
 
-    /// `below`, covered by `above` in a share from 0 to 65,536: exact.
+    /// The color `below` after the color `above` covers a share of it, from 0 to 65,536; exact.
     #[inline]
     pub(super) fn of_mixture([below, above]: [C; 2], share: i32) -> Self {
         Self::from_levels(zip(below.steps(), above.steps(), |below, above| {
-            // 9 bits times 17 bits.
+            // A difference of 9 bits times a share of 17 bits fits into 32 bits.
             let more = above.wrapping_sub(below).wrapping_mul(share);
             (below << 16).wrapping_add(more)
         }))
@@ -160,16 +163,16 @@ impl<C: PixelFormat> Precise<C> {
     #[inline]
     fn raised_by_threshold(self, at: Point) -> Self {
         let threshold = threshold(at) - HALF;
-        // The least sum of a level in range is positive; the clamp keeps others from wrapping.
+        // The sum is positive for every level in range; the clamp stops lower levels from wrapping.
         Self::of_raised(each(self.raised, |level| {
             level.wrapping_add(threshold).max(0)
         }))
     }
 
-    /// A level, or a difference of two, times a fraction.
+    /// A level, or a difference of two levels, times a fraction.
     #[inline]
     fn part(level: i32, fraction: i32) -> i32 {
-        // 16 bits and a sign times 15 bits, so that cores without a long multiply do not need one.
+        // 16 bits and a sign times 15 bits: the product fits into 32 bits, so that no core needs a 64-bit product.
         (level >> Self::DOWN).wrapping_mul(fraction >> 2) >> (14 - Self::DOWN)
     }
 
@@ -219,8 +222,8 @@ impl<C: PixelFormat> Precise<C> {
     #[must_use]
     #[inline]
     pub fn fractions(self) -> [i32; 3] {
-        // For each level of 8 bits the nearest fraction. A level of at most 24 bits loses 2, so that the product has
-        // 30: at most 2^14 · 2^16.
+        // Each level of an 8-bit format gives the nearest fraction. A level of at most 24 bits loses two bits, so that
+        // `over` returns at most 2^14 · 2^16, which fits.
         zip(self.levels(), C::MAX_STEPS, |level, most| {
             over(level >> 2, most).wrapping_add(1 << 13) >> 14
         })
@@ -242,7 +245,7 @@ impl<C: PixelFormat> Precise<C> {
     }
 }
 
-/// s/m in units of 2^-16, for m = 2ⁿ − 1 and s up to 2^14 m.
+/// `steps` / `most` in units of 2^-16, for a `most` of 2ⁿ − 1 and `steps` up to 2^14 · `most`.
 #[inline]
 const fn over(steps: i32, most: i32) -> i32 {
     // 2^16 = whole · most + rest, and rest/most is about rest/2ⁿ.

@@ -2,20 +2,21 @@
 
 use crate::num::reciprocal;
 
-/// A range of numbers, whose length is prepared for division.
+/// A range of numbers. The reciprocal of its length is stored, so that no later step divides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) struct Ramp {
-    /// The reciprocal of the length, 2³⁰ to 2³¹.
+    /// The reciprocal of the length, scaled to the range from 2³⁰ to 2³¹.
     inverse: u32,
-    /// Right shift of a distance times `inverse` to a share of the length.
+    /// The right shift that turns a distance times `inverse` into a share of the length.
     down: u32,
 }
 
 impl Ramp {
-    /// A range of this length, above 0 and of at most 32 bits, whose shares have `bits` fraction bits.
+    /// A range of this length, which must be above 0 and have at most 32 bits. Shares of the length have `bits`
+    /// fraction bits.
     pub(super) const fn new(length: i64, bits: u32) -> Self {
-        // The length is shifted to 32 bits, and loses the last one.
+        // The length is shifted to 32 bits, and then loses the lowest bit, because the reciprocal takes 31 bits.
         let up = length.leading_zeros() - 32;
         let number = (length.cast_unsigned() << up >> 1) as u32;
         Self {
@@ -24,7 +25,7 @@ impl Ramp {
         }
     }
 
-    /// A distance of 32 bits and a sign as a share of the length.
+    /// Converts a distance, of 32 bits and a sign, to a share of the length.
     pub(super) fn share(self, distance: i64) -> i64 {
         // Below 2^32 · 2^31.
         (distance * i64::from(self.inverse)) >> self.down

@@ -70,9 +70,9 @@ pub struct Fragment {
 /// ```
 ///
 /// A shader that wraps another shader calls the inner `varyings` and `shade`. Its [`Varyings`](Self::Varyings) are the
-/// inner ones, alone or in a pair with its own. Most effects need no type of their own: see [`map`](Self::map).
+/// inner shader's, alone or in a pair with its own. Most effects need no type of their own: see [`map`](Self::map).
 ///
-/// To change the color, such a shader calls [`lit`](Output::lit) or [`map`](Output::map) on the output of the inner
+/// To change the color, the outer shader calls [`lit`](Output::lit) or [`map`](Output::map) on the output of the inner
 /// shader. It returns the result, which is a color in full precision:
 ///
 /// ```
@@ -130,8 +130,8 @@ pub struct Fragment {
 ///
 /// Each stack of shaders is a type of its own. There is no `dyn Shader`, because a call for each pixel would take
 /// longer than most shaders. To keep objects with different shaders in one list, choose the shader once for each draw
-/// call: by an enum, or by a trait of your own whose method draws the object. (For a [`DrawList`](crate::DrawList), see
-/// [`Object`](crate::Object).)
+/// call: by an enum, or by a trait of your own with a method that draws the object. (For a
+/// [`DrawList`](crate::DrawList), see [`Object`](crate::Object).)
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -187,7 +187,7 @@ pub trait Shader: Copy {
     /// Whether [`shade`](Self::shade) reads [`Fragment::depth`].
     ///
     /// The default, `true`, is always correct. `false` makes a shader faster if no depth buffer needs depth and nothing
-    /// is interpolated: only then is depth not computed, and it reads as 0.
+    /// is interpolated. In this case, depth is not computed, and it reads as 0.
     const READS_DEPTH: bool = true;
 
     /// The values at the three corners of a triangle. For an edge, they are the values at its first end, its second
@@ -204,9 +204,9 @@ pub trait Shader: Copy {
     /// shaders with more than eight [`Varyings`] does not compile.
     ///
     #[cfg_attr(doc, doc = page_picture!("lit", "A coarse ring that looks round, because the light is interpolated"))]
-    /// The light uses the mesh's normals, or each triangle's own normal if the mesh has none. The light's varyings
-    /// follow the surface's own: one brightness for white light, or a number for each channel of the canvas for colored
-    /// light; and one more number for highlights. 65,536 is full brightness.
+    /// The light uses the mesh's normals, or each triangle's own normal if the mesh has none. The light's varyings come
+    /// after the surface's own varyings. White light has one brightness. Colored light has one number for each channel
+    /// of the canvas. Highlights add one more number. 65,536 is full brightness.
     ///
     /// ```
     /// use embedded_graphics::mock_display::MockDisplay;
@@ -422,7 +422,7 @@ pub trait Shader: Copy {
     #[cfg_attr(doc, doc = page_picture!("converted", "A ring in four grays, dithered"))]
     /// Colors are rounded, or dithered if `C` is coarse (see [`PixelFormat`]).
     ///
-    /// For example, use this method to draw a texture whose color format differs from the canvas's. Every pixel is
+    /// For example, use this method to draw a texture in another color format than the canvas's. Every pixel is
     /// converted, so a texture stored in the canvas's format is faster.
     ///
     /// ```
@@ -501,6 +501,6 @@ pub trait Shader: Copy {
 )]
 pub trait ShaderFor<C>: Shader<Color: Output<Color = C>> {}
 
-// Without this, the message would only say that the associated types differ.
+// Without this attribute, the compiler's message would say only that the associated types differ.
 #[diagnostic::do_not_recommend]
 impl<C, S: Shader<Color: Output<Color = C>>> ShaderFor<C> for S {}

@@ -1,18 +1,18 @@
-//! Texels as sources.
+//! Texels, and what a shader outputs for them.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, PixelColor};
 
 use super::{Output, PixelFormat, Translucent};
 use crate::texture::{Argb1555, Argb4444, Blend, OrHole};
 
-/// A texel that [`Textured`](crate::Textured) can draw: any color of embedded-graphics, a [`Translucent`] one,
+/// A texel that [`Textured`](crate::Textured) can draw: any color of embedded-graphics, a [`Translucent`] color,
 /// [`Argb4444`] or [`Argb1555`].
 #[doc(hidden)]
 pub trait Texel: Copy {
     /// The output for a pixel that shows this texel.
     type Source: Output;
 
-    /// The texel as the source of a pixel; `None` for a hole.
+    /// The output for a pixel that shows this texel; `None` for a hole.
     fn source(self) -> Option<Self::Source>;
 }
 
@@ -69,7 +69,7 @@ impl<C: Blend> Blend for Translucent<C> {
     #[inline]
     fn blend([[a, b], [c, d]]: [[Self; 2]; 2], [x, y]: [u32; 2]) -> Self {
         let gray = |texel: Self| Gray8::new(texel.opacity);
-        // Weights of 1 to 15 bits, as those of Gray8.
+        // Converts a weight of 1 to 15 bits to the 8 bits of a weight of Gray8.
         let weight = |weight: u32| weight << 8 >> C::WEIGHT_BITS;
         let opacities = [[gray(a), gray(b)], [gray(c), gray(d)]];
         Self {

@@ -136,15 +136,15 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     ///
     /// The filter first makes two blends along rows, each rounded to a whole step, and then one blend between the rows.
     /// A channel's error is at most one step, plus 1/32 (or 1/256) of the difference between the four texels. Between
-    /// black and white, this error is two steps of red and three steps of green in Rgb565, and two steps of 255 in
-    /// Rgb888. At the centers of texels, there is no error.
+    /// black and white, this error is two steps of red and three steps of green in Rgb565, and two steps of every
+    /// channel in Rgb888. At the centers of texels, there is no error.
     ///
     /// # Cost
     ///
-    /// The table lists the instructions per pixel that the filter takes in addition to those for the nearest texel,
-    /// with `opt-level = 3`, for the benchmark's floor with a 64x64 texture in flash. The ranges cover the modes
-    /// `Exact` and `Affine`; in the default mode, Rgb565 takes 48 more on the M4 and 75 more on the M0+. The last
-    /// columns give the bytes of code with `opt-level = "s"`.
+    /// The table lists the instructions per pixel that the filter takes in addition to the instructions for the nearest
+    /// texel, with `opt-level = 3`, for the benchmark's floor with a 64x64 texture in flash. The ranges cover the modes
+    /// `Exact` and `Affine`; in the default mode, the filter takes 48 instructions for Rgb565 on the M4 and 75 on the
+    /// M0+. The last columns give the bytes of code with `opt-level = "s"`.
     ///
     /// | | Cortex-M4 | Cortex-M0+ | code, M4 | code, M0+ |
     /// |---|---:|---:|---:|---:|
@@ -284,7 +284,7 @@ impl<S: Sampler<Color: Texel>, A: Addressing, F: Filter<S::Color>> Shader for Te
     }
 }
 
-/// A texture whose opacities are in another texture, the mask; see [`Textured::masked`].
+/// A texture with opacities that come from another texture, the mask; see [`Textured::masked`].
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Masked<S, M> {

@@ -1,4 +1,5 @@
-//! The values that a shader interpolates. Their types say how exact each must be, and which belong to a whole face.
+//! The values that a shader interpolates. Their types say how exact each value must be, and which values belong to a
+//! whole face.
 
 use super::lanes::{Lanes, MOST};
 
@@ -71,8 +72,9 @@ pub trait Varyings: Copy {
     /// The values that all pixels of a face share.
     type Face: Copy + Default;
 
-    /// Whether there are three numbers, of which the first and the third are [`Raised`](super::raised::Raised) levels
-    /// of at most five bits. Small triangles then carry these two in one number.
+    /// Whether there are three numbers, of which the first and the third are levels of at most five bits, raised by
+    /// half a step (as [`Precise`](super::Precise) stores them). Small triangles then interpolate these two levels in
+    /// one number.
     #[doc(hidden)]
     const PAIRS: bool = false;
 

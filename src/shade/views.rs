@@ -88,8 +88,8 @@ impl<C: PixelFormat> Shader for DepthView<C> {
     #[inline]
     fn shade(&self, at: &Fragment, (): ()) -> Option<Precise<C>> {
         let above = at.depth.saturating_sub(self.far).min(self.range);
-        // Before the last shift at most 2^31; white becomes 65,536 less at most two, because the gain is rounded
-        // down.
+        // Before the last shift, the product is at most 2^31. White becomes 65,536 less at most 2, because the gain is
+        // rounded down.
         let fraction = ((u32::from(above) << self.shift) * self.gain) >> 15;
         let levels = C::MAX_STEPS.map(|white| white * fraction.cast_signed());
         Some(Precise::from_levels(levels))
@@ -139,7 +139,8 @@ impl<C: PixelFormat> Shader for NormalView<C> {
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        // 255 · (n + 1)/2, so 127.5 steps for n = 1.0 = 2^30, rounded; the clamp covers a unit vector's last bits.
+        // 255 · (n + 1)/2, rounded to nearest; n is in units of 2^-30. The clamp is for unit vectors with a component
+        // that is too great in its last bits.
         let channel = |n: i32| {
             let steps = (255 * (i64::from(n) + (1 << 30)) + (1 << 30)) >> 31;
             steps.clamp(0, 255).cast_unsigned() as u8

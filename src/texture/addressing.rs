@@ -50,8 +50,9 @@ impl Addressing for Clamp {
     const CLAMPS: bool = true;
 }
 
-/// The texture coordinate from which a triangle's are counted, in bits: if the texture repeats, the whole repeats that
-/// all three corners have in common. Without them, the least corner lies in the first repeat.
+/// The origin from which a triangle's texture coordinates are counted, in bits. If the texture repeats, the origin is
+/// the start of the repeat that contains the least of the three coordinates. This coordinate then lies in the first
+/// repeat.
 #[inline]
 pub(crate) fn origin<A: Addressing>([a, b, c]: [i32; 3]) -> i32 {
     if A::CLAMPS {
@@ -60,7 +61,8 @@ pub(crate) fn origin<A: Addressing>([a, b, c]: [i32; 3]) -> i32 {
     a.min(b).min(c) >> TexCoord::FRAC_BITS << TexCoord::FRAC_BITS
 }
 
-/// The column or row for a whole number of texels, which may lie beyond the edges. Samplers already wrap.
+/// The column or row of a texel that may lie beyond the edges. A clamped texture limits it to the edges. A repeating
+/// texture needs no change, because samplers already wrap.
 #[inline]
 pub(super) fn index<A: Addressing>(texel: i32, log2: u32) -> i32 {
     if A::CLAMPS {
@@ -70,7 +72,8 @@ pub(super) fn index<A: Addressing>(texel: i32, log2: u32) -> i32 {
     }
 }
 
-/// `texels` minus `little`, both with 16 fraction bits. A wrap changes the position by a whole number of repeats.
+/// `texels` minus `little`, both with 16 fraction bits. If the difference wraps, it is wrong only by a whole number of
+/// repeats.
 #[inline]
 pub(super) fn back<A: Addressing>(texels: i32, little: i32) -> i32 {
     if A::CLAMPS {
@@ -84,7 +87,7 @@ pub(super) fn back<A: Addressing>(texels: i32, little: i32) -> i32 {
 mod tests {
     use super::*;
 
-    /// Textures of few texels round, textures of many texels saturate.
+    /// Textures with few texels round; textures with many texels saturate.
     #[test]
     fn coordinates_round_or_saturate_for_any_size_of_texture() {
         let bits = [[-25, -24, -23], [-8, -7, 7], [8, 23, 24]];
@@ -101,7 +104,7 @@ mod tests {
         assert_eq!(texels([8 << 20, 0, 0], 0, 12), [high, 0, 0]);
         assert_eq!(texels([low, 0, high], high, 15), [low, low, 0]);
         assert_eq!(texels([low, 0, high], low, 15), [0, high, high]);
-        // A triangle with corners as far apart as possible.
+        // The corners of this triangle are as far apart as possible.
         let repeated = |bits, log2| texels(bits, origin::<Repeat>(bits), log2);
         assert_eq!(repeated([low, high, 0], 0), [0, 1 << 28, 1 << 27]);
         assert_eq!(

@@ -108,7 +108,7 @@ impl Argb1555 {
 }
 
 blend! {
-    // Each channel gets four bits above it.
+    // Each channel gets four unused bits above it.
     Argb4444 4: |texel| texel.0.into(), [0x0f0f_0f0f |bits| (bits | bits << 12)],
         |[lanes]| Self((lanes | lanes >> 12) as u16);
 }
@@ -144,7 +144,8 @@ mod tests {
             let texel = Argb4444::from_bits(bits);
             let near = |found: u8, most: f64, digit: u16, white: f64| {
                 let exact = f64::from(digit) / most * white;
-                // 6 bits of 4 have the greatest error: n/5 in place of n/4, cut, so 3/5 for 3.
+                // Six bits made from four have the greatest error: they add n/4, rounded down, in place of n/5. For n =
+                // 3, this is 3/5 too little.
                 let error = (f64::from(found) - exact).abs();
                 assert!(error < 0.601, "{bits:x}: {exact}");
             };

@@ -69,8 +69,8 @@ pub trait Blend: Copy {
     }
 }
 
-/// Whether every lane of `mask` has `bits` unused bits above it: shifted by as many, no lane may reach the lowest bit
-/// of another, and the word may not lose a bit.
+/// Whether every lane of `mask` has `bits` unused bits above it. If the mask is shifted left by up to `bits`, no lane
+/// may reach the lowest bit of another lane, and no lane may leave the word.
 const fn roomy(mask: u32, bits: u32) -> bool {
     let mut room = 0;
     while room < bits && mask.leading_zeros() > room && (mask << (room + 1)) & lowest(mask) == 0 {
@@ -84,15 +84,15 @@ const fn lowest(mask: u32) -> u32 {
     mask & !(mask << 1)
 }
 
-/// Applies `of` to each of four texels. Written out, because optimized for size, a `map` remains a loop.
+/// Applies `of` to each of four texels. Written out, because in a build for size, `map` remains a loop.
 #[inline]
 pub(super) fn each<T, U>([[a, b], [c, d]]: [[T; 2]; 2], of: impl Fn(T) -> U) -> [[U; 2]; 2] {
     [[of(a), of(b)], [of(c), of(d)]]
 }
 
-/// Blends the channels of four texels. A word holds a texel's channels in lanes, which are the runs of ones in
-/// `MASK`. It blends along the upper and the lower row first, and then between them; each result is rounded to
-/// nearest, halves up.
+/// Blends the channels of four texels. A word holds a texel's channels in lanes, which are the runs of ones in `MASK`.
+/// The function blends along the upper row and along the lower row, and then between the two results. Each of these
+/// blends is rounded to nearest, halves up.
 ///
 /// Each of the two roundings has an error of at most half a step, so a channel is within one step of the exact sum
 /// weighted by `x` and `y`.
@@ -105,7 +105,7 @@ pub(super) fn bilinear<const MASK: u32, const BITS: u32>(
     linear::<MASK, BITS>([row(upper), row(lower)], y)
 }
 
-/// The texel whose center is nearest to a point between four.
+/// The texel with the center that is nearest to a point, of the four texels around the point.
 #[inline]
 pub(super) fn nearest<C: Blend>([upper, lower]: [[C; 2]; 2], [x, y]: [u32; 2]) -> C {
     let half = 1 << (C::WEIGHT_BITS - 1);
@@ -113,7 +113,7 @@ pub(super) fn nearest<C: Blend>([upper, lower]: [[C; 2]; 2], [x, y]: [u32; 2]) -
     if x < half { left } else { right }
 }
 
-/// Blends the channels of two colors, in lanes like those of [`bilinear`], rounded to nearest, halves up.
+/// Blends the channels of two colors, in the same lanes as [`bilinear`], rounded to nearest, halves up.
 #[inline]
 pub(super) fn linear<const MASK: u32, const BITS: u32>([a, b]: [u32; 2], weight: u32) -> u32 {
     const { assert!(roomy(MASK, BITS), "lanes overlap when weighted") };
@@ -126,15 +126,15 @@ pub(super) fn linear<const MASK: u32, const BITS: u32>([a, b]: [u32; 2], weight:
     (sum >> BITS) & MASK
 }
 
-/// The mean of the channels of four colors, in lanes like those of [`bilinear`], rounded to nearest, halves up.
+/// The mean of the channels of four colors, in the same lanes as [`bilinear`], rounded to nearest, halves up.
 #[inline]
 pub(super) fn mean<const MASK: u32>([[a, b], [c, d]]: [[u32; 2]; 2]) -> u32 {
     const { assert!(roomy(MASK, 2), "lanes overlap when added") };
     ((a + b + c + d + (lowest(MASK) << 1)) >> 2) & MASK
 }
 
-/// Colors and the bits of their weights: a color's `$raw` bits, from them words of lanes with these masks, and the
-/// color `$of` these words.
+/// Implements [`Blend`] for colors with weights of `$bits` bits. `$raw` returns the bits of a color, `$lanes` spreads
+/// these bits to the lanes of a mask, and `$of` makes a color from the blended words.
 macro_rules! blend {
     ($($Color:ident $bits:literal: |$color:ident| $raw:expr,
         [$($mask:literal |$bit:ident| $lanes:expr),+], |$words:pat_param| $of:expr;)+) => {$(
@@ -172,8 +172,8 @@ macro_rules! blend {
 }
 pub(super) use blend;
 
-/// Colors of 16 bits whose channels fit in one word with five unused bits above each: the middle channel is in the
-/// upper half.
+/// Implements [`Blend`] for colors of 16 bits. Their channels fit into one word with five unused bits above each
+/// channel, if the middle channel is in the upper half.
 macro_rules! one_word {
     ($($Color:ident $mask:literal)+) => {
         blend! {$(
@@ -183,7 +183,8 @@ macro_rules! one_word {
     };
 }
 
-/// Colors with more bits: the outer channels are in one word, 16 bits apart, and the middle channel is in another.
+/// Implements [`Blend`] for colors with more bits. The outer channels are in one word, 16 bits apart, and the middle
+/// channel is in another word.
 macro_rules! two_words {
     ($($Color:ident $bits:literal $outer:literal $middle:literal)+) => {
         blend! {$(
@@ -224,7 +225,7 @@ mod tests {
             (0x1f, 27),
             (0x00ff_00ff, 8),
             (0x003f_003f, 10),
-            // Green in the upper half: blue has 6 bits up to red, red 5 up to green, green 5 up to the end.
+            // Green is in the upper half. Above blue are 6 unused bits, above red 5, and above green 5.
             (0x07e0_f81f, 5),
             (0x03e0_7c1f, 5),
             (0x8000_0000, 0),

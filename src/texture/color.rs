@@ -1,4 +1,4 @@
-//! The colors of pictures as colors of textures, at compile time.
+//! Converts the colors of pictures to the colors of textures, at compile time.
 
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666,

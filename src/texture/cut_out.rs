@@ -1,4 +1,4 @@
-//! Textures some of whose texels are left out.
+//! Textures with holes in place of the texels of one color.
 
 use super::{Blend, Sampler, blend};
 
@@ -35,7 +35,8 @@ impl<S: Sampler<Color = C>, C: Copy + PartialEq> Sampler for CutOut<S, C> {
     }
 }
 
-/// The nearest texel decides whether there is a hole. Where there is none, holes get its color.
+/// The nearest texel decides whether there is a hole. Where there is no hole, the nearest texel's color also replaces
+/// the holes around it.
 impl<C: Blend> Blend for OrHole<C> {
     const WEIGHT_BITS: u32 = C::WEIGHT_BITS;
 

@@ -7,8 +7,8 @@ use crate::sealed::{Sealed, sealed};
 /// The color of a texture between the centers of its texels: [`Nearest`], [`Bilinear`] or [`Trilinear`].
 #[doc(hidden)]
 pub trait Filter<C>: Copy + Sealed {
-    /// The color at a column and a row, which are distances from the first texel's corner, in texels of level 0 with 16
-    /// fraction bits, and at a level with 8 fraction bits.
+    /// The color at a column, a row and a level. Columns and rows are distances from the first texel's corner, in
+    /// texels of level 0 with 16 fraction bits. The level has 8 fraction bits.
     fn color<S: Sampler<Color = C>, A: Addressing>(sampler: &S, at: [i32; 2], level: i32) -> C;
 }
 
@@ -33,7 +33,7 @@ pub struct Bilinear;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Trilinear;
 
-/// A level with 8 fraction bits, not before the first one and not beyond the last one.
+/// Limits a level, with 8 fraction bits, to the range from the first to the last level.
 #[inline]
 fn clamped(level: i32, sampler: &impl Sampler) -> u32 {
     let [width, height] = sampler.size_log2();
@@ -47,7 +47,7 @@ fn nearest(level: i32, sampler: &impl Sampler) -> u32 {
     ((level + 128).max(0).cast_unsigned() >> 8).min(width.min(height))
 }
 
-/// The exponents of the size of a level. Written out, because optimized for size, a `map` remains a loop.
+/// The exponents of the size of a level. Written out, because in a build for size, `map` remains a loop.
 #[inline]
 pub(super) const fn size_at(level: u32, [width, height]: [u32; 2]) -> [u32; 2] {
     [width.wrapping_sub(level), height.wrapping_sub(level)]
@@ -86,7 +86,7 @@ impl<C: Blend> Filter<C> for Trilinear {
     }
 }
 
-/// The four texels around a point in a level, and the weights of the right and of the lower ones.
+/// The four texels around a point in a level, and the weights of the right and of the lower texels.
 #[inline]
 pub(super) fn around<S: Sampler<Color: Blend>, A: Addressing>(
     sampler: &S,
@@ -108,10 +108,11 @@ pub(super) fn around<S: Sampler<Color: Blend>, A: Addressing>(
     ([row(upper), row(lower)], [x, y])
 }
 
-/// The two columns or rows whose centers enclose `at`, and the distance of `at` from the first center.
+/// The two columns or rows with `at` between their centers, and the distance of `at` from the first center.
 #[inline]
 fn between<A: Addressing>(at: i32, log2: u32, weight_bits: u32) -> ([i32; 2], u32) {
-    // Centers lie at halves. Half a unit of the weight stays, so that the cut below rounds to nearest.
+    // Centers lie at halves, so half a texel is subtracted, less half a unit of the weight. This half unit makes the
+    // cut below round to nearest.
     let at = back::<A>(at, (1 << 15) - (1 << (15 - weight_bits)));
     let first = at >> 16;
     let weight = (at.cast_unsigned() & 0xffff) >> (16 - weight_bits);

@@ -5,23 +5,25 @@ use crate::message;
 
 /// A picture that the macro has read.
 ///
-/// A trait's functions cannot run at compile time, but its constants can depend on types. So the macro declares a
-/// type for the picture, the compiler infers the color's type from the place of the macro, and a constant of the two
-/// holds the converted pixels.
+/// A trait's functions cannot run at compile time, but its constants can depend on types. So the macro declares a type
+/// for the picture, the compiler infers the color's type from the place of the macro, and a constant that depends on
+/// both types holds the converted pixels.
 pub trait File {
     /// The file's name, for errors.
     const PATH: &'static str;
-    /// Columns and rows, which a texture may have.
+    /// Columns and rows. A texture may have this size.
     const SIZE: [u32; 2];
-    /// The colors that occur, at least one. For each, red, green and blue in steps of 5, of 6 and of 8 bits; luma in
-    /// steps of 1, 2, 4 and 8 bits; the bits of `Argb1555` and of `Argb4444`, the high byte first.
+    /// The colors that occur, at least one. The bytes of a color are: red, green and blue with 5 bits each, with 6 bits
+    /// each, and with 8 bits each; luma with 1, 2, 4 and 8 bits; and the bits of `Argb1555` and of `Argb4444`, the high
+    /// byte first.
     const COLORS: &'static [[u8; 17]];
-    /// The pixels, row by row, as indices of colors; of a mipmap, those of all levels. An index has a byte or, if there
-    /// are more than 256 colors, three bytes, the low one first.
+    /// The pixels, row by row, as indices of colors; for a mipmap, the pixels of all levels. An index has one byte or,
+    /// if there are more than 256 colors, three bytes, the low byte first.
     const PIXELS: &'static [u8];
 }
 
-/// A color, and the `N` pixels of picture `F` with `K` colors in it; of `u8`, their indices.
+/// A color to which the `N` pixels of picture `F`, which has `K` colors, can be converted. `u8` is the index of a
+/// pixel's color.
 #[diagnostic::on_unimplemented(
     message = "a picture cannot become a texture of `{Self}`",
     label = "`{Self}` is not a color of embedded-graphics",
@@ -32,7 +34,7 @@ pub trait Convert<F: File, const N: usize, const K: usize>: Copy + 'static {
     const TEXELS: &'static [Self; N];
 }
 
-/// A color, and a table of the colors of picture `F` in it.
+/// A color to which the table of the colors of picture `F` can be converted.
 pub trait Table<F: File, const K: usize>: Copy + 'static {
     /// The colors, at least as many as the picture has.
     const TABLE: &'static [Self; K];
@@ -49,10 +51,10 @@ pub trait FromFile<F: File, const N: usize, const K: usize>: Sized {
     const VALUE: Self;
 }
 
-/// The colors of pixels.
+/// The colors of the pixels, from a table of colors and the pixels' indices.
 pub(super) const fn texels<C: Copy, const N: usize>(table: &[C], pixels: &[u8]) -> [C; N] {
     let (mut texels, mut at) = ([table[0]; N], 0);
-    // No call in the loop, because the compiler refuses two million calls and repetitions.
+    // The loop contains no call, because the compiler refuses to run two million calls and repetitions.
     let (has_bytes, (triples, _)) = (pixels.len() == N, pixels.as_chunks());
     while at < N {
         texels[at] = if has_bytes {
@@ -68,7 +70,7 @@ pub(super) const fn texels<C: Copy, const N: usize>(table: &[C], pixels: &[u8]) 
 
 impl<F: File, const N: usize, const K: usize> Convert<F, N, K> for u8 {
     const TEXELS: &'static [u8; N] = match F::PIXELS.first_chunk() {
-        // One byte for each pixel, which is as many as 256 colors need.
+        // There is one byte for each pixel if there are at most 256 colors.
         Some(indices) if F::PIXELS.len() == N => indices,
         _ => message::too_many_colors(F::PATH, K, 256),
     };

@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::{Gray2, Gray4, Gray8, GrayColor};
 
 use super::Sampler;
 
-/// A texture whose texels are indices into a table of colors: one byte per texel instead of two or three.
+/// A texture with texels that are indices into a table of colors: one byte per texel instead of two or three.
 ///
 /// `indices` is any sampler of bytes: rows, by reference, or a [`Texture<u8>`](super::Texture). For indices of four or
 /// two bits, use [`Raw<Gray4>`](super::Raw) or `Raw<Gray2>`. `colors` has 1 to 256 entries. An index beyond the last

@@ -169,7 +169,7 @@ impl<C: Copy> Sampler for Mipmap<'_, C> {
         let (u, v) = (u.cast_unsigned() as usize, v.cast_unsigned() as usize);
         let [width, height] = size_at(level, self.size_log2());
         let size = 1_usize.wrapping_shl(width.wrapping_add(height));
-        // After the larger levels, which are the higher bits of the number of all texels.
+        // The level begins after all larger levels. In the number of all texels, the larger levels are the higher bits.
         let start = self.texels.len() & !(size | (size - 1));
         let place = v.wrapping_shl(width) | u & (1_usize.wrapping_shl(width) - 1);
         let level = self.texels.get(start..).and_then(|rest| rest.get(..size));

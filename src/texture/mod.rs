@@ -4,13 +4,13 @@
 //! |---|---|---|
 //! | rows, `&[[C; W]; H]` | in the type | a color: the fastest |
 //! | [`Texture`] | known at run time | a color |
-//! | [`Indexed`] | that of its indices | a byte or less, an index into a table of colors |
+//! | [`Indexed`] | the size of its indices | a byte or less, an index into a table of colors |
 //! | [`Raw`] | known at run time | bytes of a file, in either order, or packed grays |
 //! | [`Mipmap`] | known at run time | a color, with reductions of the texture for triangles far away |
 //!
 //! [`include_texture!`](crate::include_texture) turns a picture file into any of them at compile time. The shader
 //! [`Textured`](crate::Textured) draws all of these, and your own [`Sampler`]s. Texels of [`Argb4444`] have an opacity,
-//! and those of [`Argb1555`] may be holes.
+//! and texels of [`Argb1555`] may be holes.
 
 // Files are read at compile time, where `From` is not const; offsets lie within a file.
 #![allow(

@@ -13,9 +13,9 @@ use crate::{Error, message};
 
 /// A texture of raw bytes, usually those of `include_bytes!`, in the format of embedded-graphics' `ImageRaw`.
 ///
-/// The colors are those of embedded-graphics, [`Argb4444`] and [`Argb1555`]. `O` is the order of the bytes of a texel:
-/// `BigEndian`, the default, has the high byte first; `LittleEndian` has the low byte first. Texels smaller than a byte
-/// are packed, with the first texel in the high bits. For example, a mask of
+/// A color may be any color of embedded-graphics, [`Argb4444`] or [`Argb1555`]. `O` is the order of the bytes of a
+/// texel: `BigEndian`, the default, has the high byte first; `LittleEndian` has the low byte first. Texels smaller than
+/// a byte are packed, with the first texel in the high bits. For example, a mask of
 /// [`Gray4`](embedded_graphics::pixelcolor::Gray4) takes half a byte per texel. Rows follow each other without a gap,
 /// the top row first. Width and height are powers of two, at most [`Texture::MAX_SIZE`](crate::Texture::MAX_SIZE), and
 /// a row fills whole bytes.
@@ -46,7 +46,7 @@ pub struct Raw<'a, C, O = BigEndian> {
     format: PhantomData<(C, O)>,
 }
 
-/// A color that raw bytes can be.
+/// A color that can be read from raw bytes.
 pub trait FromRaw: Copy {
     type Raw: RawData;
 
@@ -136,7 +136,7 @@ where
         let mask = |log2| 1_usize.wrapping_shl(log2) - 1;
         let index = (v & mask(height)).wrapping_shl(width) | u & mask(width);
         let texel = RawDataSlice::new(self.bytes).into_iter().nth(index);
-        // The index is in range.
+        // The index is in range, so there is always a texel.
         C::from_raw(texel.unwrap_or_else(|| C::Raw::from_u32(0)))
     }
 }

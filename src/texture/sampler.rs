@@ -54,7 +54,7 @@ use crate::message;
             `&[[Rgb565; 64]; 64]`; for a slice of texels, write `Texture::new(&texels, width, height)?`"
 )]
 pub trait Sampler: Copy {
-    /// A texel: a color, a [`Translucent`](crate::shade::Translucent) one, [`Argb4444`](super::Argb4444) or
+    /// A texel: a color, a [`Translucent`](crate::shade::Translucent) color, [`Argb4444`](super::Argb4444) or
     /// [`Argb1555`](super::Argb1555).
     type Color: Copy;
 
@@ -64,8 +64,8 @@ pub trait Sampler: Copy {
     /// The texel in column `u` and row `v`, both modulo the size; (0, 0) is the top left texel.
     fn texel(&self, u: i32, v: i32) -> Self::Color;
 
-    /// A texel of a mipmap level. The width and height of the level are those of the texture divided by 2^`level`. In
-    /// the last level, the shorter side has one texel.
+    /// A texel of a mipmap level. The width and height of the level are the texture's width and height divided by
+    /// 2^`level`. In the last level, the shorter side has one texel.
     ///
     /// By default, this is the first of the level-0 texels that the texel replaces.
     #[inline]

@@ -1,4 +1,4 @@
-//! Textures whose size is known at run time.
+//! Textures of a size that is known at run time.
 
 use core::hint::select_unpredictable;
 use core::slice;
@@ -44,12 +44,12 @@ use crate::error::{check_length, ok};
 /// <!-- end -->
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Texture<'a, C> {
-    /// As many as the size needs, so at least one.
+    /// As many texels as the size needs, so at least one.
     texels: &'a [C],
-    /// What takes the place of an empty slice, which cannot occur.
+    /// The texel that takes the place of an empty slice; an empty slice cannot occur.
     first: &'a C,
     size_log2: [u8; 2],
-    /// Minus the width: its bits are those that a column lacks.
+    /// Minus the width. The bits that are set are the bits that no column has.
     minus_width: i32,
 }
 
@@ -130,10 +130,11 @@ impl<C: Copy> Sampler for Texture<'_, C> {
     #[inline]
     fn texel(&self, u: i32, v: i32) -> C {
         let (all, one) = (self.texels, slice::from_ref(self.first));
-        // The compiler sees that this has at least one texel. It must not be a branch: optimized for size, the compiler
-        // would leave it in the loop over pixels.
+        // The compiler sees that there is at least one texel. This must not be a branch: in a build for size, the
+        // compiler would leave the branch in the loop over pixels.
         let texels = select_unpredictable(all.is_empty(), one, all);
-        // −1 − (v · width + u modulo width), by the same number twice: −1 − (u modulo width) is !u | −width.
+        // −1 − (v · width + u modulo width). The number −width is used twice, because −1 − (u modulo width) is !u |
+        // −width.
         let complement = v
             .wrapping_mul(self.minus_width)
             .wrapping_add(!u | self.minus_width);
@@ -175,7 +176,7 @@ mod tests {
         assert_eq!(new(1, max, max), Err(Error::Length { given, needed }));
     }
 
-    /// Compares every texel with that of rows, even far beyond the edges.
+    /// Compares every texel with the texel of the rows, even far beyond the edges.
     #[test]
     fn a_texture_repeats_like_its_rows() {
         fn compare<const W: usize, const H: usize>() {

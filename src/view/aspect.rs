@@ -13,7 +13,8 @@ use crate::{Error, Scalar};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Aspect {
-    /// Width and height in units of 2^-16. Not an array: `map` over one would be a loop, which is not folded.
+    /// The width in units of 2^-16. Width and height are not an array, because `map` over an array would be a loop,
+    /// which the compiler does not fold to a constant.
     width: i64,
     height: i64,
 }

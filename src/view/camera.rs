@@ -44,8 +44,9 @@ impl Camera {
     /// below 1.9e-7 radians (0.04 seconds of arc), `up` is always refused; if the angle is above 8e-6 radians, `up` is
     /// never refused.
     pub fn look_at(eye: Vec3, target: Vec3, up: Vec3) -> Result<Self, Error> {
-        /// The largest mantissa of each vector is from 2^29 to 2^30. The product of lengths is at least
-        /// 2^58, and a component of this size at most 2^-19 of it.
+        /// Two vectors count as parallel if every component of their cross product is below this limit. The largest
+        /// mantissa of each vector is from 2^29 to 2^30. So the product of the lengths is at least 2^58, and the limit
+        /// is at most 2^-19 of this product.
         const PARALLEL: i64 = 1 << 39;
         let back = target.way_to(eye);
         let k = unit::unit(back).ok_or(Error::EyeAtTarget { eye })?;
@@ -239,7 +240,7 @@ mod tests {
                         }
                     }
                     let origin = view.point(at);
-                    // The translation is good to 30 bits of the largest coordinate.
+                    // The translation is accurate to 30 bits of the largest coordinate.
                     let slack = 1.0 + length(e) * 65_536.0 * f64::from(-28).exp2();
                     for v in origin.to_bits() {
                         assert!(f64::from(v).abs() <= slack, "{origin:?}");
@@ -254,7 +255,7 @@ mod tests {
         let turn = Transform::rotate_y(Angle::from_degrees(30));
         let camera = Camera::at_pose(Transform::translate(Vec3::from_ints(1, 2, 3)) * turn);
         let ahead = camera.pose().point(-Vec3::Z);
-        // −sin 30° and −cos 30° from the camera, within a unit of a Scalar.
+        // The point is at (−sin 30°, −cos 30°) from the camera, within a unit of a Scalar.
         let expected = [1.0 - 0.5, 2.0, 3.0 - 0.75_f64.sqrt()].map(|v| v * 65_536.0);
         for (found, expected) in ahead.to_bits().into_iter().zip(expected) {
             assert!((f64::from(found) - expected).abs() <= 1.0, "{ahead:?}");

@@ -65,12 +65,12 @@ impl ProjectionKind for Parallel {
 /// A row of a projection matrix: coefficients of eye space's x, y, z and 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Row {
-    /// Mantissas, below 2^30 in magnitude.
+    /// The mantissas of the coefficients, below 2^30 in magnitude.
     pub(crate) m: [i32; 4],
-    /// The first three values are mantissas · 2^-exp.
+    /// The exponent of the first three coefficients, which are mantissas · 2^-exp.
     pub(crate) exp: i32,
-    /// The same for the last one. If a window is far from the line of sight, it is much greater than the others, which
-    /// would lose their bits if they shared its exponent.
+    /// The exponent of the last coefficient. If a window is far from the line of sight, the last coefficient is much
+    /// greater than the other three, which would lose bits if they shared its exponent.
     pub(crate) offset_exp: i32,
 }
 
@@ -105,7 +105,7 @@ impl Row {
 /// [Mathematics](crate::guide::mathematics#a-matrix) derives the matrix from similar triangles.
 ///
 /// Coefficients of any size have 30 significant bits. If a coordinate of the picture depends on x (or y) and on z, the
-/// 30 bits are those of the larger of the two coefficients.
+/// larger of the two coefficients has 30 significant bits, and the smaller one has fewer.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -116,7 +116,7 @@ impl Row {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Projection<K = Perspective> {
-    /// Normalized device coordinates x and y, times w: −z under a perspective, else 1.
+    /// The rows for x and y of normalized device coordinates, times w. In perspective, w is −z; otherwise, w is 1.
     pub(crate) rows: [Row; 2],
     pub(crate) near: Scalar,
     pub(crate) far: Scalar,
@@ -137,7 +137,7 @@ fn scalar(number: BlockFloat) -> Scalar {
 }
 
 impl<K: ProjectionKind> Projection<K> {
-    /// From the factor, the slope along z, and the offset of x and of y.
+    /// Makes a projection from three coefficients for x and three for y: the factor, the slope along z, and the offset.
     fn of_axes(axes: [[BlockFloat; 3]; 2], near: Scalar, far: Scalar) -> Self {
         let [[x, x_slope, x_offset], [y, y_slope, y_offset]] = axes;
         Self {
@@ -165,10 +165,10 @@ impl<K: ProjectionKind> Projection<K> {
 
     /// Returns the window on the near plane.
     ///
-    /// Its edges are accurate to 2⁻²⁹ of the largest of the four, then rounded to the nearest 2⁻¹⁶; they saturate.
-    /// There are two exceptions. In perspective, if the middle of the window is farther from the line of sight than
-    /// `near`, the error is greater in proportion. Under an oblique projection, the error is 1 + ratio times as great,
-    /// and `near` counts as an edge.
+    /// The edges are accurate to 2⁻²⁹ of the largest edge before they are rounded to the nearest 2⁻¹⁶; they saturate.
+    /// There are two exceptions. In perspective and under an oblique projection, `near` counts as an edge, too. The
+    /// bound is multiplied by 1 + |ratio| under an oblique projection; in perspective, if the middle of the window is
+    /// farther from the line of sight than `near`, the bound is multiplied by that distance divided by `near`.
     #[must_use]
     pub fn window(&self) -> Window {
         Window {
@@ -179,8 +179,8 @@ impl<K: ProjectionKind> Projection<K> {
         }
     }
 
-    /// The direction in eye space from the scene toward a viewer infinitely far away, times at most 2^14; `None` in a
-    /// perspective projection.
+    /// The direction in eye space from the scene toward a viewer infinitely far away, scaled so that z is 1; `None` in
+    /// a perspective projection.
     pub(crate) fn line_of_sight(&self) -> Option<Vec3> {
         if K::PERSPECTIVE {
             return None;
@@ -189,7 +189,7 @@ impl<K: ProjectionKind> Projection<K> {
         Some(Vec3::new(x, y, Scalar::ONE))
     }
 
-    /// The width and height in eye space of a pixel: in perspective, at a distance of 1.
+    /// The width and height of a pixel in eye space; in perspective, these are the sizes at a distance of 1.
     pub(crate) fn pixel(&self, viewport: &Viewport) -> [BlockFloat; 2] {
         let [width, height] = [viewport.width, viewport.height];
         [(0, width), (1, height)].map(|(axis, size): (usize, u32)| {
@@ -211,8 +211,8 @@ impl<K: ProjectionKind> Projection<K> {
         [[x, y, ahead], direction]
     }
 
-    /// The x or y that the line of sight of a parallel projection gains along −z: on it, x and y of clip space do not
-    /// change.
+    /// The change of x or y in eye space along a line of sight of a parallel projection, for each unit along −z. On
+    /// such a line, x and y of clip space do not change.
     fn shear(&self, axis: usize) -> BlockFloat {
         let row = &self.rows[axis];
         row.coefficient(2).over(row.coefficient(axis))
@@ -227,7 +227,8 @@ impl<K: ProjectionKind> Projection<K> {
         }
     }
 
-    /// Returns the x or y at which a·x + c·z + d = `to` on the near plane, where z = −n.
+    /// Returns the x or y at which a·x + c·z + d = `to` on the near plane, where z = −`near`; a, c and d are the
+    /// coefficients of the row.
     fn on_near_plane(&self, axis: usize, to: BlockFloat) -> BlockFloat {
         let row = &self.rows[axis];
         let moved = row
@@ -235,14 +236,14 @@ impl<K: ProjectionKind> Projection<K> {
             .times(number(self.near))
             .plus(row.coefficient(3).negated());
         let sum = to.plus(moved);
-        // The exponent of a zero is too large to be divided.
+        // A sum of zero has an exponent that is too large for `over`.
         if sum.value == 0 {
             return BlockFloat::ZERO;
         }
         sum.over(row.coefficient(axis))
     }
 
-    /// Returns the x or y of an edge of the window, where `to` is ±w.
+    /// Returns the x or y of an edge of the window, where normalized device coordinates are −1 or 1, the `sign`.
     fn edge(&self, axis: usize, sign: i64) -> Scalar {
         let w = self.nearest_w();
         scalar(self.on_near_plane(axis, BlockFloat::new(sign * w.value, w.exp)))

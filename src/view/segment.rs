@@ -66,7 +66,7 @@ impl Segment {
     /// Returns the distance at a fraction q of the picture: 1/w = 1/w₀ + q·(1/w₁ − 1/w₀).
     ///
     /// `None` if the distance is out of range, or if the line of sight does not meet the segment's line ahead of the
-    /// eye. The latter happens only for fractions below 0 or above 1.
+    /// eye. The second case happens only for fractions below 0 or above 1.
     #[must_use]
     pub fn distance(self, on_screen: Fraction) -> Option<Scalar> {
         let (a, b) = self.weights(on_screen);
@@ -130,9 +130,10 @@ pub fn speed(near: Scalar, point: Vec3, velocity: Vec3, t: Scalar) -> Option<[Sc
         return None;
     }
     let part = |p: Scalar, v: Scalar| {
-        // The quotient of units of 2^-48 and 2^-64 lacks 32 bits to units of 2^-16.
+        // `top` is in units of 2^-48, and z² in units of 2^-64. A left shift by 32 bits makes the quotient a number of
+        // units of 2^-16.
         let top = -bits(near) * (bits(v) * bits(point.z) - bits(p) * bits(velocity.z));
-        // Its magnitude is at most 2^94.
+        // The magnitude of `top` is at most 2^94.
         divide(top << 32, z * z).map(Scalar::from_bits)
     };
     Some([part(point.x, velocity.x)?, part(point.y, velocity.y)?])

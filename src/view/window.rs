@@ -7,8 +7,7 @@ use crate::Scalar;
 /// Under a perspective the rectangle lies on the near plane; under a parallel projection it is the cross section of the
 /// box. `x` increases to the right, and `y` increases upward.
 ///
-/// The window itself may hold any numbers. A projection refuses it unless `left` < `right` and
-/// `bottom` < `top`.
+/// The window itself may hold any numbers. A projection refuses a window unless `left` < `right` and `bottom` < `top`.
 ///
 /// ```
 /// use fixel::prelude::*;

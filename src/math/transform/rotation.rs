@@ -9,7 +9,7 @@ use crate::{Angle, Error, Scalar, Vec3};
 const ONE: i32 = 1 << 29;
 
 impl Transform {
-    /// Makes a rotation from rows in units of 2^-29, whose largest entry is about one.
+    /// Makes a rotation from rows in units of 2^-29. The largest entry must be about one.
     const fn from_rotation_rows(linear: [[i32; 3]; 3]) -> Self {
         Self {
             linear,
@@ -60,7 +60,7 @@ impl Transform {
         let u = u.map(i64::from);
         let (sin, cos) = angle.sin_cos();
         let (s, c) = (i64::from(sin.to_bits()), i64::from(cos.to_bits()));
-        // Up to 2 and 1 in units of 2^-30: products stay below 2^62.
+        // The factors are up to 2 and up to 1, in units of 2^-30, so products stay below 2^62.
         let entry = |i: usize, j: usize, sine: i64| {
             let projection = (u[i] * u[j] + (1 << 29)) >> 30;
             ((1 << 30) - c) * projection + if i == j { c << 30 } else { s * sine }
@@ -212,8 +212,8 @@ mod tests {
                     assert_eq!(quaternion, [0; 4]);
                 }
                 Ok(t) => {
-                    // Rounding the parts to 30 bits moves the quaternion by up to 2^-29 of its length,
-                    // and entries by twice as much. Quotients add 1.3 · 2^-30, the last rounding 2^-30.
+                    // Rounding the parts to 30 bits moves the quaternion by up to 2^-29 of its length, and entries by
+                    // twice as much. Quotients add 1.3 · 2^-30, and the last rounding adds 2^-30.
                     let [linear, moved] = errors(&real(&t), &rotation(quaternion));
                     assert!(linear <= power(-28) + 2.3 * power(-30), "{linear:e}");
                     assert!(moved <= 0.0);
@@ -232,8 +232,8 @@ mod tests {
                 &multiply(&about(1, angles[0]), &about(0, angles[1])),
                 &about(2, angles[2]),
             );
-            // Three factors of entries within 2.6e-9, whose rows and columns sum to at most √3
-            // twice; two products rounded to 2^-30.
+            // The entries of the three factors have errors of up to 2.6e-9, and their rows and columns sum to at most
+            // √3 twice. Two products are rounded to 2^-30.
             let [linear, _] = errors(&real(&t), &expected);
             assert!(linear <= 9.0 * 2.6e-9 + 2.0 * power(-30), "{linear:e}");
         });

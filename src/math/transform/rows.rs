@@ -8,8 +8,8 @@ use crate::{Error, Matrix4, Scalar, Vec3};
 
 /// Whether a matrix of mantissas has a negative determinant.
 fn is_mirror(&[x, y, z]: &[[i32; 3]; 3]) -> bool {
-    // The determinant, in two parts: each is the sum of three products of 30 by 31 bits. Exact, because the sign of a
-    // small one counts as well.
+    // The exact determinant, in two parts: each part is the sum of three products of 30 by 31 bits. It must be exact,
+    // because the sign of a small determinant counts as well.
     let (mut high, mut low) = (0, 0);
     for (&x, cofactor) in x.iter().zip(cross(y, z)) {
         high += product(x, (cofactor >> 31) as i32);

@@ -1,4 +1,4 @@
-//! Transforms against their formulas in f64.
+//! Transforms, compared with their formulas in f64.
 #![allow(clippy::needless_range_loop)] // formulas with indices
 
 use super::*;
@@ -116,12 +116,12 @@ fn step(random: &mut Random) -> Step {
         1 => Step::Y(random.random()),
         2 => Step::Z(random.random()),
         3 => Step::About(random.random(), random.random()),
-        // Within ±100.
+        // Offsets within ±100.
         _ => Step::Move([(); 3].map(|()| random.random_range(-6_553_600..6_553_600))),
     }
 }
 
-/// Any transform whose fields are in range.
+/// A random transform with all fields in range.
 fn transform(random: &mut Random) -> Transform {
     let [linear_exp, exp] = [(); 2].map(|()| random.random_range(block::MIN_EXP..=block::MAX_EXP));
     // Nine entries, then the translation.
@@ -177,7 +177,7 @@ fn normals_follow_mirrors_and_uneven_scales() {
     }
 }
 
-/// Only rotations drift: a translation, large or small, stays where it is to the last bit.
+/// Only rotations drift. A translation, large or small, keeps every bit.
 #[test]
 fn renormalizing_keeps_the_translation() {
     let turn = Transform::rotate(Vec3::from_ints(1, 2, 3), Angle::from_degrees(40)).unwrap();
@@ -216,11 +216,11 @@ fn steps_are_good_to_28_bits() {
     cases(256, |random| {
         let step = step(random);
         let [linear, translation] = errors(&real(&step.transform()), &step.real());
-        // Sine and cosine are within 1.6e-9; the axis is within 2^-28 and enters twice.
+        // Sine and cosine have errors of up to 1.6e-9. The axis has an error of up to 2^-28 and is used twice.
         assert!(linear <= 3.0 * power(-28), "{linear:e}");
         assert!(translation <= f64::EPSILON);
         if !matches!(step, Step::About(..)) {
-            // Rounded to half of 2^-29: an entry of one takes the 30th bit.
+            // Rounding adds half of 2^-29, because an entry of one takes the 30th bit.
             assert!(linear <= 1.6e-9 + power(-30), "{linear:e}");
         }
     });
@@ -349,7 +349,7 @@ fn points_are_rounded_once() {
         let translation_exp = random.random_range(-32_i32..=62);
         let point = random.random::<[i32; 3]>();
         let cut = random.random_range(0_u32..32);
-        // Where 64 bits hold all numbers.
+        // With these exponents, all numbers fit into 64 bits.
         let translation_exp = translation_exp.max(linear_exp - 14);
         let t = Transform {
             linear,
@@ -368,8 +368,8 @@ fn points_are_rounded_once() {
             (twice >> (exp - 16)).clamp(i32::MIN.into(), i32::MAX.into()) as i32
         });
         assert_eq!(t.point(point).to_bits(), exact);
-        // Block floats drop up to two bits of the products' 63, and the same of the translation, rounded each; and
-        // round again.
+        // Block floats round products of 63 bits and the translation to up to two bits less, and then round the sum
+        // again.
         let bound = 1 + (4 >> linear_exp.min(3));
         for (far, exact) in t.far_point(point).to_bits().into_iter().zip(exact) {
             assert!(far.abs_diff(exact) <= bound);
@@ -387,7 +387,7 @@ fn scales_and_offsets_below_16384_are_exact() {
         let scaled = Transform::scale(value).point(Vec3::from_ints(1, 0, -1));
         assert_eq!(scaled.to_bits(), [bits, 0, -bits]);
     }
-    // Beyond, to a multiple of two.
+    // A larger number is rounded to a multiple of two.
     let value = Scalar::from_bits(1 << 30 | 1);
     let moved = Transform::translate(Vec3::new(value, Scalar::ZERO, Scalar::ZERO));
     let scaled = Transform::scale(value).point(Vec3::X);

@@ -83,7 +83,7 @@ impl Shape {
         Self::of(Surface::Sphere, [slices, stacks], &checks)
     }
 
-    /// A torus around the y axis: a tube of radius `tube` whose center line is a circle of radius 1.
+    /// A torus around the y axis: a tube of radius `tube` around a circle of radius 1.
     ///
     /// It has `slices` sides around the axis and `sides` around the tube. The texture wraps once around the axis and
     /// once around the tube, with its seam on the inside.
@@ -148,7 +148,7 @@ impl Shape {
         Ok(shape)
     }
 
-    /// How many elements the mesh has: the room that [`build`](Self::build) needs.
+    /// The number of elements of the mesh, for which [`build`](Self::build) needs room.
     #[must_use]
     pub const fn counts(self) -> Counts {
         // The factors are below 2^15, so products fit into 32 bits.
@@ -226,7 +226,7 @@ macro_rules! shape {
         );
         const COUNTS: $crate::mesh::Counts = SHAPE.counts();
         #[allow(long_running_const_eval)]
-        // A reference: each use of a constant by itself would copy it.
+        // A reference, because each use of a constant copies its value.
         const ROOM: &$crate::mesh::flash::Room<{ COUNTS.positions + COUNTS.faces + COUNTS.edges }> = &{
             let mut room = $crate::mesh::flash::Room::EMPTY;
             let _ = $crate::Mesh::checked(SHAPE.build(room.buffers()));

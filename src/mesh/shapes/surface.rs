@@ -7,11 +7,11 @@ use crate::{Angle, Scalar, TexCoord, Vec3};
 const ZERO: TexCoord = TexCoord::ZERO;
 const UNIT: TexCoord = TexCoord::ONE;
 
-/// `part` / `parts` of a turn, or of half a turn if `half`. A whole turn becomes 0, so that a seam closes to the last
-/// bit.
+/// The angle `part` / `parts` of a turn, or of half a turn if `half` is true. A whole turn becomes 0, so that positions
+/// on both sides of a seam are equal, bit for bit.
 const fn angle(part: u32, parts: u32, half: bool) -> Angle {
     let bits = ((part as u64) << (32 - half as u32)) / parts as u64;
-    // Whole turns overflow and drop out.
+    // The cast drops a whole turn.
     Angle::from_bits(bits as u32)
 }
 
@@ -22,7 +22,7 @@ const fn sin_cos(angle: Angle) -> (i64, i64) {
 
 /// `part` / `parts` with `fraction` fraction bits, rounded to nearest.
 const fn nearest(part: u32, parts: u32, fraction: u32) -> i32 {
-    // At most 1.
+    // `part` is at most `parts`, so the result is at most 1 and fits.
     (((part as u64) << (fraction + 1)) / parts as u64).div_ceil(2) as i32
 }
 
@@ -36,10 +36,10 @@ const fn across(part: u32, parts: u32) -> Scalar {
     Scalar::from_bits(2 * nearest(part, parts, Scalar::FRAC_BITS) - Scalar::ONE.to_bits())
 }
 
-/// The surface that the grid of a shape is bent to.
+/// The surface to which the grid of a shape is bent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Surface {
-    /// Not a grid: six sides between this corner and the opposite one.
+    /// Not a grid: six sides between this corner and the opposite corner.
     Cuboid(Vec3),
     Sphere,
     /// A tube of this radius.
@@ -48,8 +48,8 @@ pub(super) enum Surface {
     Cylinder,
 }
 
-/// A row of vertices around the y axis: the radius, in units of 2⁻³⁰; the height, in units of 2⁻⁶⁰; and the parts of
-/// the normals that point away from the axis and along it, in units of 2⁻³⁰.
+/// A row of vertices around the y axis. Returns its radius in units of 2⁻³⁰, its height in units of 2⁻⁶⁰, and the two
+/// components of its normals away from the axis and along the axis, in units of 2⁻³⁰.
 const fn ring(shape: Shape, row: u32) -> (i64, i64, i64, i64) {
     match shape.surface {
         Surface::Torus(tube) => {
@@ -75,8 +75,8 @@ pub(super) const fn write(writer: &mut MeshWriter<'_>, shape: Shape) {
         return;
     }
     let Shape { columns, rows, .. } = shape;
-    // Until the last row is written, its positions hold what depends on the column alone: sine, cosine and u. To
-    // compute them for every vertex would take half of the time.
+    // Sine, cosine and u depend on the column alone. To compute them for every vertex would take half of the time, so
+    // they are computed once. Until the last row is written, its positions store them.
     let last = rows * (columns + 1);
     let mut column = 0;
     while column <= columns {
@@ -95,7 +95,7 @@ pub(super) const fn write(writer: &mut MeshWriter<'_>, shape: Shape) {
         let mut column = 0;
         while column <= columns {
             let [sin, cos, u] = writer.kept(last + column);
-            // At a pole, u lies halfway between the two other corners of the triangle.
+            // At a pole, u is halfway between the u of the triangle's two other corners.
             let u = if is_pole && column < columns {
                 ratio(2 * column + 1, 2 * columns)
             } else {
@@ -129,10 +129,10 @@ const fn write_grid(writer: &mut MeshWriter<'_>, shape: Shape) {
         columns,
         rows,
     } = shape;
-    // The first and the last row of vertices are one point each.
+    // In a sphere, all vertices of the first row are at one point, and so are all vertices of the last row.
     let poles = matches!(surface, Surface::Sphere);
-    // The rows of vertices that edges join, from the first to before the second; then the number of columns that
-    // edges join.
+    // Edges run along the rows of vertices from `along[0]` to before `along[1]`, and down the first `across` columns of
+    // vertices.
     let along = match surface {
         Surface::Sphere => [1, rows],
         Surface::Torus(_) => [0, rows],
@@ -153,7 +153,7 @@ const fn write_grid(writer: &mut MeshWriter<'_>, shape: Shape) {
                 writer.edge([a, c]);
             }
             if inside && row < rows {
-                // Each vertex of a pole's row lies between two vertices of the next row.
+                // At a pole, a quad is a single triangle. Its corner at the pole lies between its two other corners.
                 if poles && row + 1 == rows {
                     writer.triangle([a, c, b]);
                 } else {
@@ -178,7 +178,7 @@ const fn cap(writer: &mut MeshWriter<'_>, slices: u32, y: i64) {
     let mut slice = 0;
     while slice < slices {
         let (sin, cos) = sin_cos(angle(slice, slices, false));
-        // A disc of the texture; v grows toward +z on the upper cap and toward −z on the lower.
+        // The cap shows a disc of the texture. v grows toward +z on the upper cap, and toward −z on the lower cap.
         let down = if y > 0 { cos } else { -cos };
         let position = [ONE * sin, ONE * y, ONE * cos];
         writer.vertex(position, normal, [texture(sin), texture(down)]);
@@ -194,13 +194,14 @@ const fn cap(writer: &mut MeshWriter<'_>, slices: u32, y: i64) {
 
 /// Maps −1..1 in units of 2⁻³⁰ to 0..1.
 const fn texture(unit: i64) -> TexCoord {
-    // Halved, and rounded from 2⁻³⁰ to 2⁻²⁰; at most 1.
+    // (`unit` + 1) / 2, rounded from units of 2⁻³⁰ to units of 2⁻²⁰; at most 1.
     TexCoord::from_bits(((unit + ONE + (1 << 10)) >> 11) as i32)
 }
 
 const fn cuboid(writer: &mut MeshWriter<'_>, corner: Vec3) {
-    /// For each side, as seen from outside: the directions of its normal, its right and its down. A direction is an
-    /// axis, and whether it points along the axis or against it.
+    /// For each side, as seen from outside: the direction of its normal, the direction to the right, and the direction
+    /// down. A direction is the number of an axis, and `true` if it points along the axis or `false` if it points
+    /// against the axis.
     const SIDES: [[(usize, bool); 3]; 6] = [
         [(2, true), (0, true), (1, false)],
         [(0, true), (2, false), (1, false)],
@@ -236,7 +237,7 @@ const fn cuboid(writer: &mut MeshWriter<'_>, corner: Vec3) {
         let (b, c, d) = (a + 1, a + 2, a + 3);
         writer.triangle([a, c, d]);
         writer.triangle([a, d, b]);
-        // Each of the four upright sides writes one upright edge; top and bottom write the rest.
+        // Each of the four upright sides writes one upright edge; the top and the bottom write four edges each.
         writer.edge([a, c]);
         if out.0 == 1 {
             writer.edge([b, d]);

@@ -4,7 +4,7 @@ use crate::error::ok;
 use crate::mesh::{Buffers, Counts, Index};
 use crate::{Error, TexCoord, Vec2, Vec3};
 
-/// One, in the bits of a `Unit`.
+/// One, in the bits of a `Fraction`.
 pub(super) const ONE: i64 = 1 << 30;
 
 /// Writes a mesh into buffers and knows where the next elements go.
@@ -17,10 +17,10 @@ pub(super) struct MeshWriter<'a> {
     edges: usize,
 }
 
-/// The nearest vector of `Scalar`s to components in units of 2⁻⁶⁰.
+/// The vector of `Scalar`s nearest to a vector with components in units of 2⁻⁶⁰.
 const fn rounded([x, y, z]: [i64; 3]) -> Vec3 {
     const HALF: i64 = 1 << 43;
-    // Magnitudes are at most 2.
+    // Magnitudes are at most 2, so the casts lose nothing.
     Vec3::from_bits([
         ((x + HALF) >> 44) as i32,
         ((y + HALF) >> 44) as i32,
@@ -40,7 +40,7 @@ impl<'a> MeshWriter<'a> {
         })
     }
 
-    /// Keeps numbers in place of a position that is written later.
+    /// Stores numbers in the place of a position that is written later.
     pub(super) const fn keep(&mut self, at: u32, numbers: [i32; 3]) {
         self.buffers.positions[at as usize] = Vec3::from_bits(numbers);
     }
@@ -49,7 +49,7 @@ impl<'a> MeshWriter<'a> {
         self.buffers.positions[at as usize].to_bits()
     }
 
-    /// Writes a vertex whose position and normal are in units of 2⁻⁶⁰.
+    /// Writes a vertex from a position and a normal in units of 2⁻⁶⁰.
     pub(super) const fn vertex(&mut self, position: [i64; 3], normal: [i64; 3], uv: [TexCoord; 2]) {
         self.place(rounded(position), rounded(normal), uv);
     }
@@ -67,7 +67,7 @@ impl<'a> MeshWriter<'a> {
     }
 
     pub(super) const fn triangle(&mut self, [a, b, c]: [u32; 3]) {
-        // `Shape` limits the number of positions, so each index fits; so do those of an edge.
+        // `Shape` limits the number of positions, so each index of a triangle or of an edge fits into 16 bits.
         self.buffers.faces[self.faces] = [a as Index, b as Index, c as Index];
         self.faces += 1;
     }

@@ -1,4 +1,4 @@
-//! Angles and their sines against f64.
+//! Angles and their sines, compared with f64.
 
 use super::*;
 use std::string::ToString;
@@ -114,7 +114,7 @@ fn large_floats_in_radians_are_accurate_to_a_unit() {
         ] {
             let found = Angle::try_from_radians(float).unwrap().to_bits();
             let error = found.wrapping_sub(exact).cast_signed();
-            // The exact angle is cut, which is worth another unit.
+            // The exact angle is rounded down, which adds an error of one unit.
             assert!(error.abs() <= 2, "{float}: {error}");
         }
     }
@@ -163,7 +163,7 @@ fn arc_tangent_inverts() {
     assert_eq!(Angle::atan2_bits(i64::MAX, 0), Angle::QUARTER);
 }
 
-/// Projection constructors need more digits than `micromath` has: hence our own sine.
+/// The crate has its own sine because constructors of projections need more digits than `micromath` computes.
 #[test]
 fn micromath_is_only_a_guess() {
     let x = 1.0_f32;
@@ -182,7 +182,7 @@ fn assignments_are_the_operators() {
     assert_eq!(difference.to_bits(), (3 << 30) - 3);
 }
 
-/// Against f64, of points of all magnitudes. Of four million 2.377e-9 was the most.
+/// Compares the angle of points of all magnitudes with f64. The largest error of four million points was 2.377e-9.
 #[test]
 fn arc_tangent_is_within_2_4e_minus_9() {
     let mut worst = 0_f64;

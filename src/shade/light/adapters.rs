@@ -1,4 +1,4 @@
-//! Lights that are changed: in a color, with highlights, or on both sides of a sheet.
+//! Adapters of lights: a color, highlights, and light on both sides of a sheet.
 
 use super::{Amount, Illumination, Lamp, Lighting, SurfacePoint, Viewer};
 use crate::math::Direction;
@@ -45,7 +45,7 @@ pub struct Shiny<L> {
     pub(super) lamp: L,
     pub(super) viewer: Viewer,
     pub(super) exponent: u8,
-    /// In units of 2⁻¹⁶.
+    /// The brightness of the highlight, in units of 2⁻¹⁶.
     pub(super) strength: i32,
 }
 
@@ -77,8 +77,9 @@ impl<L: Lamp> Lighting for Shiny<L> {
     }
 }
 
-/// A number from 0 to 1, in units of 2⁻³⁰, to a power. Each of up to 15 products is rounded by at most 2⁻³¹, and later
-/// ones multiply that error by at most the exponent; in all, the error is less than 2⁻¹⁹.
+/// Raises a number from 0 to 1, in units of 2⁻³⁰, to a power. This takes up to 15 products. Each product is rounded by
+/// at most 2⁻³¹, and later products multiply this error by at most the exponent. So the error of the result is less
+/// than 2⁻¹⁹.
 fn power(base: i32, exponent: u8) -> i32 {
     let times = |a: i32, b: i32| ((i64::from(a) * i64::from(b) + (1 << 29)) >> 30) as i32;
     let (mut result, mut square, mut rest) = (1 << 30, base.min(1 << 30), exponent);
@@ -123,7 +124,7 @@ mod tests {
     use crate::math::Direction;
     use crate::{Vec3, fx};
 
-    /// A lamp of a program, as bright as numbers are.
+    /// A user's lamp, with the greatest brightness that an `i32` holds.
     #[derive(Clone, Copy)]
     struct Brightest;
 

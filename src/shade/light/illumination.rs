@@ -52,7 +52,7 @@ impl<D: Amount, S: Amount> Illumination<D, S> {
         }
     }
 
-    /// The same for lights of one type.
+    /// Like [`plus`](Self::plus), for lights of one type.
     #[inline]
     pub(super) fn join(self, other: Self) -> Self {
         Self {
@@ -67,7 +67,7 @@ impl<D: Amount, S: Amount> Illumination<D, S> {
         (self.diffuse.pack::<C>(), self.specular.pack::<C>())
     }
 
-    /// The light of varyings that [`pack`](Self::pack) made.
+    /// The light, from varyings that [`pack`](Self::pack) made.
     #[inline]
     pub(in crate::shade) fn unpack<C: PixelFormat>((diffuse, specular): Packed<D, S, C>) -> Self {
         Self {
@@ -77,7 +77,8 @@ impl<D: Amount, S: Amount> Illumination<D, S> {
     }
 }
 
-/// The numbers that say how a surface is lit: one brightness, or one for each channel; and one more for highlights.
+/// The varyings of a light: one brightness for all channels, or one for each channel; and one more number for
+/// highlights.
 pub(in crate::shade) type Packed<D, S, C> =
     (<D as Amount>::Channels<C>, <S as Amount>::Channels<C>);
 
@@ -97,10 +98,10 @@ fn limited(light: i32) -> i32 {
 /// White light takes one varying; colored light takes one for each channel of the canvas.
 #[doc(hidden)]
 pub trait Amount: Copy + Default + Sealed {
-    /// This light and another one together.
+    /// The type of the sum of this light and another light.
     type Or<E: Amount>: Amount;
 
-    /// This light and a white one together.
+    /// The type of the sum of this light and a white light.
     type OrWhite: Amount;
 
     /// The varyings on a canvas of color `C`.

@@ -81,7 +81,7 @@ pub trait Lamp: Lighting {
     }
 }
 
-/// How a lamp that shines from a point lights a matte surface.
+/// Implements [`Lighting`] for lamps that shine from a point: the light on a matte surface.
 macro_rules! lighting {
     ($($Lamp:ident)+) => {$(
         impl Lighting for $Lamp {

@@ -31,7 +31,7 @@ use crate::{Error, Scalar, Vec3};
 /// Full brightness.
 pub(super) const FULL: i32 = 1 << 16;
 
-/// A brightness in units of 2⁻¹⁶, if it lies between 0 and 1.
+/// Converts a brightness to units of 2⁻¹⁶; an error unless the brightness lies between 0 and 1.
 const fn brightness(value: Scalar) -> Result<i32, Error> {
     ok!(check_range(
         "brightness",
@@ -66,7 +66,7 @@ pub struct SurfacePoint {
 }
 
 impl SurfacePoint {
-    /// The point as light `L` reads it: without a position if the light is the same everywhere.
+    /// The point as light `L` reads it. If `L` does not read the position, the position is not computed.
     #[inline]
     pub(super) fn new<L: Lighting>(
         normal: Direction,
@@ -89,8 +89,8 @@ impl SurfacePoint {
 /// or a tuple of up to four.
 ///
 #[cfg_attr(doc, doc = page_picture!("colored", "A ball between a red and a blue lamp"))]
-/// [`Shader::lit`](crate::Shader::lit) and [`Shader::lit_faces`](crate::Shader::lit_faces) put a surface under such a
-/// light. You can write a light of your own in ten lines:
+/// [`Shader::lit`](crate::Shader::lit) and [`Shader::lit_faces`](crate::Shader::lit_faces) put a surface under a light.
+/// You can write a light of your own in ten lines:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -208,7 +208,7 @@ mod tests {
     use crate::{Angle, Mesh, fx, vec3};
     use embedded_graphics::pixelcolor::Gray8;
 
-    /// As bright as x of the position, in units of 2⁻¹⁶.
+    /// A light with the brightness x of the position, in units of 2⁻¹⁶.
     #[derive(Clone, Copy)]
     struct BrightAsX;
 
@@ -256,7 +256,7 @@ mod tests {
         assert_eq!(diffuse(three.at(&point)), 3 * 8_192 + 49_152);
         assert_eq!(diffuse((&three[1..]).at(&point)), 2 * 8_192 + 32_768);
         assert_eq!(diffuse(none.at(&point)), 0);
-        // Beyond full brightness, the surface has its own color.
+        // If the light is beyond full brightness, the surface has its own color.
         let bright = [sun(fx!(1)); 3];
         let ground = [Vec3::ZERO, Vec3::Z, Vec3::X];
         let mesh = Mesh::new(&ground, &[[0, 1, 2]]).unwrap();
@@ -265,7 +265,7 @@ mod tests {
         assert_eq!(light.0.0, [FULL]);
     }
 
-    /// A way of one unit, or none, is the shortest for the longest ranges.
+    /// At a distance of one or two units, a lamp with the longest range still has its full brightness.
     #[test]
     fn a_lamp_with_a_long_range_lights_what_is_close() {
         for range in [fx!(1), fx!(16_383), fx!(16_384), Scalar::MAX] {

@@ -56,14 +56,14 @@ pub enum Falloff {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PointLight {
     position: Vec3,
-    /// In units of 2⁻¹⁶.
+    /// The brightness in units of 2⁻¹⁶.
     brightness: u32,
-    /// In units of 2⁻¹⁶.
+    /// The range in units of 2⁻¹⁶.
     range: i32,
     /// 2⁶¹ / (`range` · 2^`up`), from 2³⁰ to 2³¹; the divisor has 31 bits.
     inverse: u32,
-    /// 2⁷⁴ / (`range` · 2^`up`)², from 2¹² to 2¹⁴, raised by 2⁻¹⁴ of itself: it multiplies a number of 13 bits or more
-    /// that is rounded down.
+    /// 2⁷⁴ / (`range` · 2^`up`)², from 2¹² to 2¹⁴. It is raised by 2⁻¹⁴ of itself, because it multiplies a number of 13
+    /// bits or more that is rounded down.
     inverse_square: u16,
     /// The negative brightness in units of 2⁻¹⁵.
     short_brightness: i16,
@@ -84,7 +84,7 @@ impl PointLight {
         let bits = range.to_bits().cast_unsigned();
         let up = bits.leading_zeros() - 1;
         let inverse = reciprocal(bits << up);
-        // In units of 2^-32 of those of `inverse_square` times 2^16.
+        // 2^90 / (`range` · 2^`up`)², which is `inverse_square` times 2^16.
         let square = (inverse as u64 * inverse as u64) >> 32;
         Ok(Self {
             position,
@@ -104,8 +104,8 @@ impl PointLight {
         Self { falloff, ..self }
     }
 
-    /// The light at a distance that is `part` of the range, where `square` is the square of `part`; all in units of
-    /// 2⁻¹⁶.
+    /// The light at a distance of `part` times the range; `square` is the square of `part`. All three numbers are in
+    /// units of 2⁻¹⁶.
     #[inline]
     fn light(&self, square: u32, part: impl FnOnce() -> u32) -> u32 {
         let Some(rest) = FULL.checked_sub(square) else {
@@ -121,8 +121,8 @@ impl PointLight {
     }
 }
 
-/// The most of 1 − d²/r² that is left, in units of 2⁻¹⁶, if a component of the distance saturates: it then counts as at
-/// least 1 − 2⁻¹⁵ of the longest range.
+/// The greatest value of 1 − d²/r², in units of 2⁻¹⁶, if a component of the distance saturates. A saturated component
+/// counts as at least 1 − 2⁻¹⁵ of the longest range.
 const SATURATED: i32 = 4;
 
 /// Full brightness, in units of 2⁻¹⁶.
@@ -139,7 +139,7 @@ impl Lamp for PointLight {
         let Some(of) = measure(way) else {
             return (Direction::NONE, 0);
         };
-        // The distance takes less than √3 · 2^31, the reciprocal at most 2^31.
+        // The distance is below √3 · 2^31, and the reciprocal is at most 2^31.
         let part = (of.length(self.up.into()) * u64::from(self.inverse)) >> 45;
         let square = (part * part) >> 16;
         (
@@ -148,42 +148,43 @@ impl Lamp for PointLight {
         )
     }
 
-    /// In products that take an instruction on Cortex-M4; tests/accuracy/lights.rs derives the error.
+    /// Uses only products that take one instruction on Cortex-M4; tests/accuracy/lights.rs derives the error.
     fn diffuse(&self, point: &SurfacePoint) -> i32 {
-        // No range reaches where a difference saturates: see `SATURATED`.
+        // A difference may saturate, but no range reaches so far: see `SATURATED`.
         let [x, y, z] = (point.position - self.position).to_bits();
-        // A bit is set below the sign where it differs from its upper neighbor.
+        // A bit of the result is set where a bit and its lower neighbor differ. So the leading zeros of the result are
+        // the bits that only repeat the sign.
         let edges = |way: i32| way ^ way << 1;
         let up = (edges(x) | edges(y) | edges(z)).leading_zeros() & 31;
-        // By how many bits the distance is shorter than the range.
+        // The number of bits by which the distance is shorter than the range.
         let shorter = up.cast_signed() - i32::from(self.up);
         if shorter < 0 {
             return 0;
         }
-        // 15 bits and a sign; the greatest component has 14 bits or more unless there is no way at all.
+        // 15 bits and a sign. The greatest component is at least 2^14, unless the distance is 0.
         let mantissa = |way: i32| way << up >> 16;
         let (x, y, z) = (mantissa(x), mantissa(y), mantissa(z));
         let [i, j, k] = point.normal.to_bits();
         let facing = (i >> 16) * x + (j >> 16) * y + (k >> 16) * z;
-        // From 2^28 to 3 · 2^30.
+        // The sum of the squares is from 2^28 to 3 · 2^30.
         let squared = |x: i32| (x * x).cast_unsigned();
         let square = squared(x) + squared(y) + squared(z);
         let root = short_root(square);
-        // The upper half of the root is 2^29 / √square, so the cosine is in units of 2^-27. The way leads away from the
-        // lamp, so the cosine of a lit point is negative.
+        // The upper half of the root is 2^29 / √square, so the cosine is in units of 2^-27. The vector leads away from
+        // the lamp, so the cosine of a lit point is negative.
         let cosine = times_half(facing, root >> 16).min(0);
-        // d²/r² in units of 2^-27; at most twelve times the whole, which is 31 bits.
+        // d²/r² in units of 2^-27, before it is shifted by `shorter`; it is at most 12, which takes 31 bits.
         let share = (square >> 15) * u32::from(self.inverse_square);
         let rest = ((1 << 27) - (share >> shorter >> shorter).cast_signed()).max(0);
         let brightness = i32::from(self.short_brightness);
         let light = if self.falloff == Falloff::Smooth {
-            // In units of 2^-15. The whole wraps to its negative, and its square is right.
+            // In units of 2^-15. As an `i16`, 1 wraps to −1, which has the same square.
             let rest = i32::from((rest >> 12) as i16);
             ((rest * brightness) >> 16) * rest
         } else {
             cold();
             let left = if self.falloff == Falloff::Linear {
-                // 2√square has 17 bits, the reciprocal 15.
+                // `distance` is 2√`square` and has 17 bits; the reciprocal has 15 bits.
                 let distance = ((square >> 14) * (root >> 16).cast_unsigned()) >> 14;
                 let part = (distance * (self.inverse >> 16)) >> 15 >> shorter;
                 (MOST - part.cast_signed()).max(0)
@@ -198,12 +199,12 @@ impl Lamp for PointLight {
     }
 }
 
-/// The whole in units of 2⁻¹⁵, less one.
+/// 1 in units of 2⁻¹⁵, less one unit.
 const MOST: i32 = (1 << 15) - 1;
 
 /// The product of numbers from 0 to 1 in units of 2⁻¹⁶.
 #[inline]
 fn times(a: u32, b: u32) -> u32 {
-    // One of them loses a bit, so that 1 · 1 fits.
+    // One factor loses a bit, so that 1 · 1 fits into 32 bits.
     (a * (b >> 1)) >> 15
 }

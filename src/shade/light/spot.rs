@@ -49,7 +49,7 @@ pub struct SpotLight {
     outer: i32,
     /// The difference of the cosines, in units of 2⁻³⁰: 1 to 2³⁰.
     edge: i32,
-    /// The share of `edge` that an angle is inside, with 16 fraction bits.
+    /// Converts the difference of a cosine and `outer` to a share of `edge`, with 16 fraction bits.
     ramp: Ramp,
 }
 
@@ -59,8 +59,8 @@ impl SpotLight {
     ///
     /// # Errors
     ///
-    /// Those of [`PointLight::new`]; [`Error::ZeroDirection`] if `axis` is zero; [`Error::Cone`] unless
-    /// 0 ≤ inner < outer ≤ 90 degrees.
+    /// The errors of [`PointLight::new`]; [`Error::ZeroDirection`] if `axis` is zero; [`Error::Cone`] unless 0 ≤ inner
+    /// < outer ≤ 90 degrees.
     pub fn new(
         position: Vec3,
         axis: Vec3,

@@ -35,14 +35,14 @@ use crate::{Error, Scalar, Vec3};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Light {
-    /// The vector toward the light, as long as the diffuse brightness, in units of 2⁻³⁰: a matte white surface needs no
-    /// more.
+    /// The unit vector toward the light times the diffuse brightness, in units of 2⁻³⁰. The light on a matte surface
+    /// needs no other vector.
     direction: [i32; 3],
     /// The unit vector toward the light.
     toward: Direction,
     /// The diffuse brightness, in units of 2⁻¹⁶.
     diffuse: i32,
-    /// In units of 2⁻¹⁶.
+    /// The ambient brightness, in units of 2⁻¹⁶.
     ambient: i32,
 }
 
@@ -61,7 +61,7 @@ impl Light {
         let diffuse = ok!(brightness(diffuse));
         let toward = ok!(Direction::checked(direction));
         let [x, y, z] = toward.to_bits();
-        // No longer than the unit vector.
+        // The vector becomes no longer than the unit vector, because `diffuse` is at most 1.
         let direction = [
             ((x as i64 * diffuse as i64) >> 16) as i32,
             ((y as i64 * diffuse as i64) >> 16) as i32,
@@ -81,8 +81,8 @@ impl Light {
     #[must_use]
     pub fn brightness(&self, normal: Direction) -> i32 {
         let normal = normal.to_bits();
-        // Both vectors are in Q30 and at most of length 1, so the product is within 2^60; shifted by 44 to Q16, at
-        // most 65,537.
+        // Both vectors are in units of 2^-30 and have a length of about 1 or less, so the product is about 2^60 or
+        // less. The shift by 44 converts it to units of 2^-16: at most 65,537.
         let facing = ((dot(&normal, &self.direction) + (1 << 43)) >> 44) as i32;
         (self.ambient + facing.max(0)).min(FULL)
     }
@@ -164,11 +164,11 @@ mod tests {
         // The plane x + y = 0 stretched fourfold along x becomes x + 4y = 0.
         let wide = scale([1 << 29, 1 << 27, 1 << 27]);
         close(on(wide, vec3!(1, 1, 0)), 4.0 / 17_f64.sqrt());
-        // Mirrored: a surface that looked up looks down.
+        // In a mirrored model, a surface that faced up faces down.
         let mirrored = scale([1 << 29, -(1 << 29), 1 << 29]);
         close(on(mirrored, vec3!(0, -1, 0)), 1.0);
         close(on(mirrored, vec3!(0, 1, 0)), 0.0);
-        // Flattened to nothing: still no panic.
+        // A model that is flattened to a point causes no panic.
         close(on(scale([0; 3]), Vec3::Y), 0.0);
         assert_eq!(on(scale([1, 0, 1]), Vec3::Y), 65536);
     }

@@ -47,8 +47,8 @@ impl Viewer {
         Ok(Self(Position::Toward(ok!(Direction::checked(direction)))))
     }
 
-    /// The viewer of a picture whose camera is a rigid transform. A [`Camera`](crate::Camera) is rigid unless you make
-    /// it from a transform that is not rigid.
+    /// The viewer of a picture. The camera must be a rigid transform. A [`Camera`](crate::Camera) is rigid, except if
+    /// you make it from a transform that is not rigid.
     #[must_use]
     pub fn of(picture: &impl AsMvp) -> Self {
         let from_eye = picture.camera_of().inverse_rigid();
@@ -76,7 +76,7 @@ impl Viewer {
         match self.0 {
             Position::Toward(direction) => face.dot(direction).to_bits() < 0,
             Position::At(eye) => {
-                // Without two bits, 31 remain.
+                // The 33 bits of a component lose their lowest two.
                 let [x, y, z] = position.way_to(eye);
                 dot(
                     &face.to_bits(),

@@ -16,7 +16,7 @@ fn check_planes(near: Scalar, far: Scalar) -> Result<(), Error> {
 
 impl Projection<Perspective> {
     fn from_scales(x: BlockFloat, y: BlockFloat, near: Scalar, far: Scalar) -> Self {
-        // Written out: `Row::new` would take a perspective program 100 bytes more.
+        // Written out, because `Row::new` would make a program with a perspective projection 100 bytes larger.
         let row = |m, exp| Row {
             m,
             exp,
@@ -61,7 +61,7 @@ impl Projection<Perspective> {
         Ok(Self::from_scales(x, y, near, far))
     }
 
-    /// Makes a symmetric perspective from its focal length in pixels: an object whose width equals its distance is
+    /// Makes a symmetric perspective from its focal length in pixels: an object with a width equal to its distance is
     /// `pixels` wide in a picture of `size` pixels.
     ///
     /// # Errors
@@ -118,7 +118,7 @@ impl Projection<Perspective> {
 
     /// Returns the vertical field of view, 2·atan((top − bottom) / (2·near)).
     ///
-    /// A window that is not centered counts as a centered one of the same height.
+    /// A window that is not centered counts as a centered window of the same height.
     #[must_use]
     pub fn fov(&self) -> Angle {
         let BlockFloat { value, exp } = self.rows[1].coefficient(1);

@@ -1,4 +1,4 @@
-//! The coefficients of projections against their formulas in f64, and refused arguments.
+//! The coefficients of projections, compared with their formulas in f64, and refused arguments.
 
 use super::*;
 use crate::Error;
@@ -143,7 +143,7 @@ fn oblique_has_28_bits() {
         let (sin, cos) = (f64::from(angle.to_bits()) / f64::from(32).exp2() * TAU).sin_cos();
         let (x, y) = (2.0 / (rf - lf), 2.0 / (tf - bf));
         let (cx, cy) = (-x * k * cos, -y * k * sin);
-        // A sine is within 1.6e-9, not within 28 bits of itself; ratio and distance scale it.
+        // The error of a sine is up to 1.6e-9, not 2^-28 of the sine; ratio and distance multiply this error.
         let slack = |scale: f64, middle: f64| {
             f64::from(-28).exp2() * (scale + middle.abs() + scale * k.abs() * (1.0 + pf.abs()))
         };
@@ -213,7 +213,7 @@ fn no_accessor_panics() {
     });
 }
 
-/// However far from the line of sight it is, in proportion to its size.
+/// This holds however far the window is from the line of sight, compared with its size.
 #[test]
 fn a_window_keeps_its_place() {
     let check = |window: Window, found: Window, near: f64, ratio: f64| {
@@ -328,7 +328,7 @@ fn invalid_arguments_are_refused() {
         height: low,
     };
     assert_eq!(Projection::perspective(fov, -low, low, high), Err(mirrored));
-    // The refused ratio keeps its fraction, and a size saturates.
+    // The error contains the refused ratio with its fraction; a size saturates.
     let mirrored = Error::Aspect {
         width: one(-0.25),
         height: one(1.0),
