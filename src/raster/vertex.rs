@@ -3,9 +3,10 @@
 use crate::mesh::Index;
 use crate::num::wide::dot;
 
-/// Lower clamp of 1/w: a span's rounding (at most 40 units) stays below 1/32 of it, for which the weighing leaves room.
+/// Lower clamp of 1/w. The rounding in a span (at most 40 units) stays below 1/32 of this clamp, and the weighing of
+/// attributes leaves room for 1/32.
 ///
-/// It changes only corners that are more than half a million times as far away as the nearest one.
+/// The clamp changes only corners that are more than half a million times as far away as the nearest corner.
 pub(crate) const LEAST_WEIGHT: u32 = 1 << 11;
 
 /// Upper clamp of 1/w: rounding may add 40 units, and the sum stays below 2^31.
@@ -58,8 +59,8 @@ impl ScreenVertex {
     }
 }
 
-/// A point of a triangle: the barycentric weights of the second and the third corner, in units of 2⁻³⁰. The first
-/// corner has the rest of 1.
+/// A point of a triangle: the barycentric weights of the second and the third corner, in units of 2⁻³⁰. The weight of
+/// the first corner is the rest of 1.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Barycentric(pub(crate) [i32; 2]);
 

@@ -118,7 +118,7 @@ mod tests {
             for change in [0, 1, 63, -1, -64, 1_000_003, -(1 << 28), i32::MAX, i32::MIN] {
                 let exact = f64::from(change) / f64::from(n);
                 let lacks = exact - f64::from(divided(change, n));
-                // An entry of the table is too small by up to one unit, 2^-30, so a quotient of 31 bits lacks up to two
+                // An entry of the table is too small by up to one unit, 2^-30, so a change of 31 bits lacks up to two
                 // units more.
                 assert!((-2.0..3.).contains(&lacks), "{change} / {n}: {lacks}");
             }

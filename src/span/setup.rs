@@ -241,7 +241,7 @@ impl Setup {
         } else {
             (q, 1)
         };
-        // With `is_paired`, [`Plan::Small`] is only for attributes that are paired.
+        // With `is_paired`, `Plan::Small` is only for attributes that are paired.
         let mut is_small = self.q.is_small && !self.is_paired;
         for attribute in &mut *attributes {
             let mut values = attribute.at(patch);
