@@ -37,7 +37,7 @@ pub struct DrawOptions<M = Newton, Z = TestAndWrite, B = Replace> {
     pub blending: B,
 }
 
-/// Any [`DrawOptions`], for what depends neither on mode nor on depth test and blending.
+/// [`DrawOptions`] with any mode, depth test and blending.
 #[doc(hidden)]
 pub trait Options: Copy + Sealed {
     /// The part of a frame of this size that is drawn to, the faces that are culled, and whether depths are biased.
