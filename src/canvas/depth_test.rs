@@ -130,7 +130,8 @@ pub struct Biased<Z = super::TestAndWrite> {
     pub steps: i32,
     /// The factor by which the depth difference between neighboring pixels is multiplied.
     pub slope: Scalar,
-    /// Half the change of the current primitive's 1/w.
+    /// What the slope adds to half of 1/w in the current primitive: half of `slope` times the greatest change of 1/w
+    /// per pixel.
     added: i32,
     /// The left shift of the current span's 1/w.
     up: u32,
@@ -189,7 +190,8 @@ impl<Z: DepthTest> DepthTest for Biased<Z> {
     #[inline]
     fn triangle(&mut self, steepness: u32) {
         self.test.triangle(steepness);
-        // 32 bits by 32 bits fit; the sum with 1/w saturates anyway.
+        // The product of 32 bits and 32 bits fits in 64 bits. The clamp changes nothing, because the sum with 1/w
+        // saturates anyway.
         let added = (i64::from(self.slope.to_bits()) * i64::from(steepness)) >> 17;
         self.added = added.clamp(i32::MIN.into(), i32::MAX.into()) as i32;
     }
@@ -201,8 +203,8 @@ impl<Z: DepthTest> DepthTest for Biased<Z> {
 
     #[inline]
     fn biased<D: DepthBuffer>(&self, q: u32, down: u32) -> u32 {
-        // Shifted back, which loses no bit, and halved: the sum could need more bits than a span has. A line may become
-        // nearer than the primitive's nearest corner, so it gets more than the 31 bits of 1/w.
+        // `q` is shifted back, which loses no bit, and halved, because the sum may need more than the 31 bits of 1/w: a
+        // line may become nearer than the primitive's nearest corner.
         let up = self.up.wrapping_add(1);
         let (q, down) = (q >> (up & 31), down.wrapping_sub(up));
         let sum = q.cast_signed().saturating_add(self.added);
