@@ -11,8 +11,8 @@ use crate::shade::{Output, PixelFormat, Precise, fraction};
 ///
 #[cfg_attr(doc, doc = page_picture!("blending", "A pane over stripes: Replace, Opacity, Add and Multiply"))]
 /// [`DrawOptions::with_blending`](crate::DrawOptions::with_blending) chooses the blending. Draw opaque surfaces first,
-/// then blended ones, from back to front. Draw the blended ones with [`TestOnly`](super::TestOnly), so that they hide
-/// nothing that is drawn later.
+/// then blended surfaces, from back to front. Draw the blended surfaces with [`TestOnly`](super::TestOnly), so that
+/// they hide nothing that is drawn later.
 ///
 /// Each channel is blended as it is stored, without gamma. The result is rounded to nearest, or dithered if the color
 /// is coarse (see [`PixelFormat`]).

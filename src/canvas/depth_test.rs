@@ -33,7 +33,7 @@ pub trait DepthTest: Copy + Sealed {
         let _ = steepness;
     }
 
-    /// The same test for a span whose interpolants are shifted left by `up`.
+    /// The same test for a span with interpolants that are shifted left by `up`.
     #[doc(hidden)]
     #[inline]
     #[must_use]
@@ -74,8 +74,8 @@ depth_tests! {
         /// assert_eq!(DrawOptions::new(), DrawOptions::new().with_depth(TestAndWrite));
         /// ```
         TestAndWrite true true;
-        /// Draws a pixel if it is at least as near as the stored depth, and keeps the stored depth: for glass and
-        /// other surfaces that must not hide later ones.
+        /// Draws a pixel if it is at least as near as the stored depth, and keeps the stored depth: for glass and other
+        /// surfaces that must not hide later surfaces.
         ///
         /// ```
         /// use fixel::{prelude::*, canvas::TestOnly};
@@ -143,10 +143,10 @@ impl<Z> Biased<Z> {
     /// greater one counts. Positive values move a surface nearer. Depths saturate at both ends.
     ///
     /// For an edge of an [outline](crate::Mesh::outline), `slope` multiplies the greatest of several differences: the
-    /// one along the line, and the one on each of the edge's two faces that is not culled. A face may be so narrow on
-    /// the screen that a pixel is many times as wide as the face. Therefore, the difference on a face is limited to the
-    /// depth difference between the nearest and the farthest corner of the face. If the edge is not a crease, the limit
-    /// is twice as large, because the next face also recedes.
+    /// difference along the line, and the difference on each of the edge's two faces that is not culled. A face may be
+    /// so narrow on the screen that a pixel is many times as wide as the face. Therefore, the difference on a face is
+    /// limited to the depth difference between the nearest and the farthest corner of the face. If the edge is not a
+    /// crease, the limit is twice as large, because the next face also recedes.
     #[must_use]
     pub const fn new(test: Z, steps: i32, slope: Scalar) -> Self {
         Self {

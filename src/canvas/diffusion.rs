@@ -186,7 +186,7 @@ mod tests {
         }
     }
 
-    /// Also with a number of grays that does not divide 255.
+    /// The test includes numbers of grays that do not divide 255.
     #[test]
     fn each_pixel_gets_the_nearest_gray() {
         check::<1>();

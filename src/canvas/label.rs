@@ -15,8 +15,8 @@ use super::depth::DepthBuffer;
 use super::storage::Storage;
 use crate::num::wide::at_least;
 
-/// A canvas as an embedded-graphics [`DrawTarget`] whose origin is a point of the scene, and whose pixels are hidden by
-/// nearer surfaces; [`Canvas::label`] makes it.
+/// A canvas as an embedded-graphics [`DrawTarget`] with its origin at a point of the scene. Nearer surfaces hide its
+/// pixels. [`Canvas::label`] makes it.
 #[doc(hidden)]
 #[derive(Debug)]
 pub struct Label<'c, T> {

@@ -149,14 +149,14 @@ bytes! {
     LittleEndian to_le_bytes from rev;
 }
 
-/// The number whose most significant byte comes first.
+/// The number with these bytes, the most significant byte first.
 #[inline]
 fn number<'b>(bytes: impl Iterator<Item = &'b u8>) -> u32 {
     bytes.fold(0, |all, &byte| all << 8 | u32::from(byte))
 }
 
-/// A pixel of a canvas whose color is `C` and whose storage is `O`. The compiler infers both from the pixel where it
-/// can. Public in name only.
+/// A pixel of a canvas of color `C` and storage `O`. The compiler infers both from the pixel where it can. Public in
+/// name only.
 ///
 /// ```compile_fail,E0277
 /// use fixel::prelude::*;
@@ -204,7 +204,7 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer> Memory<'a, C, O, D> {
         self.cells_from(first, columns)
     }
 
-    /// Where a row begins.
+    /// The index of a row's first pixel in memory.
     #[inline]
     pub(crate) fn begin(&self, row: u32) -> u32 {
         row.wrapping_sub(self.first_row).wrapping_mul(self.width)

@@ -121,7 +121,7 @@ impl VertexCache {
                 return None;
             }
         }
-        // Destructured by hand, as in `ScreenVertex::screens`.
+        // Destructured by hand, because a `map` over references compiles to arrays and loops.
         let (entries, slots) = (&self.entries, self.slots);
         let entry = |index| &entries[slots.of(index)];
         Some([entry(a), entry(b), entry(c)])

@@ -183,8 +183,8 @@ where
         let call = Call::new(to, of.mesh, mvp);
         let shift = call.projector.depth_shift();
         style.paint::<V::Kind>(paint, shift, |line, blitter| {
-            // Not through a `DrawLine`: a program that draws only hairlines is smaller if it calls the rasterizer
-            // directly.
+            // Called directly, not through a `DrawLine`, because this makes a program smaller that draws only
+            // hairlines.
             if of.outline.is_none() && style.is_hairline() {
                 draw(&call, of, (raster::line, 0), blitter)
             } else {

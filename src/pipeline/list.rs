@@ -253,8 +253,8 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// which needs no further memory, and at most 2 n log₂ n comparisons for n visible triangles.
     ///
     /// The table compares the list with a depth buffer of 320x240, which takes 150 KiB. Figures are means of eight
-    /// poses, printed by `kernels painter`; the instructions are those of x86-64, counted by
-    /// `valgrind --tool=callgrind --toggle-collect='*only_drawing*'`:
+    /// poses, printed by `kernels painter`; the instructions are instructions of x86-64, counted by `valgrind
+    /// --tool=callgrind --toggle-collect='*only_drawing*'`:
     ///
     /// <!-- figures: painter -->
     /// | scene | wrong pixels | list | millions of instructions with depth | sorted |
@@ -271,7 +271,8 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     ///
     /// No order is right for triangles that cross each other, or that cover each other in a circle. A large triangle
     /// may cover a small one in front of it if the small one's farthest corner is farther away. So draw a floor or a
-    /// sky in a separate call before the other objects, or make its triangles as small as those of the objects on it.
+    /// sky in a separate call before the other objects, or make its triangles as small as the triangles of the objects
+    /// on it.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
@@ -404,7 +405,7 @@ pub struct Filling<'l> {
     scissor: Scissor,
     /// How many triangles or edges the things before the present thing have.
     element: u32,
-    /// How many elements and vertices are visible so far.
+    /// How many elements and vertices the list needs so far.
     needed: [usize; 2],
     /// The rows of the present thing.
     rows: [i16; 2],
@@ -626,7 +627,7 @@ impl<const SMOOTH: bool> Listed for Edges<'_, SMOOTH> {
         });
     }
 
-    /// Positions lie within the guard band, whose center is at most 6144 rows from the frame's top.
+    /// Positions lie within the guard band, and its center is at most 6144 rows from the frame's top.
     #[inline]
     fn rows(least: i32, most: i32) -> [i16; 2] {
         [(least >> 8) as i16, ((most >> 8) + 1) as i16]

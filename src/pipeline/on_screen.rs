@@ -37,7 +37,7 @@ pub struct ScreenPoint {
 }
 
 impl ScreenPoint {
-    /// The same place, in front of everything: nothing hides a [label](Canvas::label) there.
+    /// The same position, in front of everything: nothing hides a [label](Canvas::label) there.
     #[must_use]
     pub const fn on_top(self) -> Self {
         Self {

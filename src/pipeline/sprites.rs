@@ -39,7 +39,8 @@ impl<C> Thing<C> for &Sprites<'_> {
 /// How many sprites are drawn as one mesh. Their corners take half of the vertex cache.
 const BATCH: usize = 8;
 
-/// The two triangles of each quad, whose corners are at the bottom left and right, and the top left and right.
+/// The two triangles of each quad. The corners of a quad are in this order: bottom left, bottom right, top left, top
+/// right.
 static FACES: [[Index; 3]; 2 * BATCH] = faces();
 
 const fn faces() -> [[Index; 3]; 2 * BATCH] {

@@ -42,7 +42,8 @@ pub(crate) struct Projector<'m, K> {
     positions: Positions<'m>,
     rows: [wide::Row; 3],
     offsets: [i64; 3],
-    /// Fraction bits of each clip coordinate. In perspective, all three are the same, because x and y are divided by w.
+    /// Fraction bits of each clip coordinate. In perspective, the three numbers are equal, because x and y are divided
+    /// by w.
     fractions: [u8; 3],
     /// The least t that is inside, negated, and the greatest t that is inside.
     ends: [i64; 2],
@@ -78,7 +79,7 @@ const MOST_EXP: i32 = 40;
 fn finest_row(line: &AffineRow, view: &Transform, row: &mut [i32; 3], offset: &mut i64) -> u8 {
     let mut linear = [BlockFloat::ZERO; 3];
     let moved = line.after(view, &mut linear);
-    // The limits are those of perspective: see `Projector::new`.
+    // The limits are the same as in perspective: see `Projector::new`.
     let of_offset = moved.finest(60).saturating_sub(16);
     let exp = linear
         .iter()
@@ -266,7 +267,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     #[inline]
     fn outcode(&self, position: &ClipPosition) -> u8 {
         let &[t, x, y] = position;
-        // All are below 2^62.
+        // t, x and y are below 2^62.
         let [nearest, farthest] = self.ends;
         // The upper halves decide, unless the position is next to a side plane.
         let size = |x: i64| upper(x) ^ (upper(x) >> 31);

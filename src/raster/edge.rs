@@ -11,7 +11,7 @@ use crate::num::wide::{DIVIDES, divide};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     column: i32,
-    /// From -`height` to -1, so that its sign tells when a column is complete.
+    /// From -`height` to -1. When a step makes it 0 or more, the edge has reached the next column.
     part: i32,
     /// The rational number grows by `step` + `rest` / `height` for each row.
     step: i32,
@@ -109,7 +109,8 @@ pub(super) struct ShortEdge {
 /// Limit for the sides of a short edge, in units of 1/256 pixel.
 const SHORT: i32 = 128 << 8;
 
-/// How far a short edge starts below its crossing, in units of 2^-32 pixel: half of the room that it has.
+/// How far a short edge starts below its crossing, in units of 2^-32 pixel: half of the greatest distance that is
+/// allowed.
 ///
 /// Let dx and dy be the sides of the edge. A crossing is a multiple of 1 / (256 · dy) pixel, which is more than 2^9
 /// units. So a short edge must be less than 2^9 units below the crossing, and at least one unit below it: then a center

@@ -57,8 +57,8 @@ use crate::{Error, Scalar};
 /// The ends of a line are exact to 1/256 pixel. Let d be the distance from the pixel's center to the nearest point of
 /// the line. Then the share is (width + 1)/2 − d, limited to 0 and 1. So the width is measured at right angles to the
 /// line, ends are round, and a line is equally strong in every direction. A share has an error of at most 1.3/256.
-/// Blending rounds as for [`Opacity`](crate::canvas::Opacity), and dithers coarse colors. On 1-bit panels, hairlines
-/// look better.
+/// Blending rounds like [`Opacity`](crate::canvas::Opacity), and dithers coarse colors. On 1-bit panels, hairlines look
+/// better.
 ///
 /// Depth and attributes vary along the longer axis, as on a hairline; beyond an end, they have the values of the end.
 /// So a pixel has the depth of a place up to √2 · (width + 1)/2 pixels away. If a mesh hides the lines on it, draw the

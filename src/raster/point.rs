@@ -11,7 +11,7 @@ pub(crate) fn point(
     barycentric: Option<&[Barycentric; 3]>,
 ) {
     let scissor = raster.scissor;
-    // Without `map`, which stays a loop in a build for size.
+    // Written without `map`, because `map` stays a loop in a build for size.
     let [x, y] = at.screen;
     let [x, y] = [x >> 8, y >> 8];
     if scissor.columns.contains(&x) && scissor.rows.contains(&y) {

@@ -28,7 +28,7 @@ const fn same_winding(whole: i64, area: i64) -> bool {
     (whole > 0) == (area > 0)
 }
 
-// Destructured by hand, as in `ScreenVertex::screens`.
+// Destructured by hand, because a `map` over references compiles to arrays and loops (see `ScreenVertex::screens`).
 
 fn vertices([a, b, c]: [&ClippedVertex; 3]) -> [&ScreenVertex; 3] {
     [&a.vertex, &b.vertex, &c.vertex]

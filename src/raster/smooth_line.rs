@@ -31,7 +31,7 @@ use crate::num::wide::product;
 /// more. Rounding the share to 256ths adds 2⁻⁹. In all, the error is at most 1.3/256.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Coverage {
-    /// From a to b, of length one, in units of 2⁻²⁵.
+    /// The vector of length one from a toward b, in units of 2⁻²⁵.
     direction: [i32; 2],
     /// The distance from the line at the center of pixel (0, 0), in units of 2⁻²⁵ pixel, modulo 128 pixels. A pixel
     /// that is drawn is at most 36 pixels away.
@@ -84,7 +84,7 @@ impl Coverage {
         let distance = if beyond == 0 {
             across
         } else {
-            // Both are below 2^16, and below 33 · 2^10.
+            // `across` and `beyond` are below 33 · 2^10, and so below 2^16.
             (across * across + beyond * beyond).isqrt()
         };
         let coverage = self.reach.saturating_sub(distance).min(1 << 10);
@@ -159,7 +159,7 @@ struct Strip {
 }
 
 impl Strip {
-    /// The strip of a line whose first end is not below the second.
+    /// The strip of a line. Its first end must not be below its second end.
     fn new([[ax, ay], [bx, by]]: [[i32; 2]; 2], half: i32) -> Self {
         let reach = half + 128;
         let pixels = |least: i32, most: i32| (least - reach) >> 8..((most + reach) >> 8) + 1;

@@ -21,7 +21,7 @@ pub(crate) struct ScreenVertex {
     pub(crate) q: u32,
     /// 1/w is `q` · 2^`exponent` times a constant of the draw call; 0 under a parallel projection.
     pub(crate) exponent: u8,
-    /// One bit for each plane outside of which the vertex lies. The other fields are valid only if it is 0.
+    /// One bit for each plane outside of which the vertex lies. The other fields are valid only if the outcode is 0.
     pub(crate) outcode: u8,
     /// Index of the mesh's position; 0 for a vertex that clipping created.
     pub(crate) index: Index,

@@ -100,7 +100,7 @@ where
         }
     }
 
-    /// Draws rows of a small triangle whose attributes are linear.
+    /// Draws rows of a small triangle with linear attributes.
     #[inline(always)]
     fn small_rows(&mut self, first: i32, rows: &[Columns]) {
         let mut rest = (self, first, rows.iter());

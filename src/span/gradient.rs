@@ -145,7 +145,7 @@ const SMALL: i32 = 43 << 8;
 const MOST_UP: u32 = 7;
 
 impl Basis {
-    /// A triangle whose planes are all wide.
+    /// Starts a triangle with wide planes only.
     #[inline]
     pub(crate) fn without_weights(patch: &Patch<'_>) -> Self {
         let [[x, y], ..] = ScreenVertex::screens(patch.vertices);
@@ -373,8 +373,8 @@ const fn moved([step, row]: [i32; 2], [x, y]: [i32; 2]) -> i32 {
     if DIVIDES {
         return ((product(step, x) + product(row, y) + 128) >> 8) as i32;
     }
-    // Without a product of 64 bits: the lower 8 bits of the steps and the other bits are multiplied apart. x and y take
-    // 21 bits, so the sum of their products with 8 bits takes 30 bits.
+    // This path avoids products of 64 bits: it multiplies the lower 8 bits of the steps and the upper bits separately.
+    // x and y take 21 bits, so the sum of their products with 8 bits takes 30 bits.
     let fine = (step & 0xff) * x + (row & 0xff) * y;
     let coarse = (step >> 8)
         .wrapping_mul(x)
@@ -480,7 +480,8 @@ mod tests {
         [(); 3].map(|()| base + random.random_range(0..=range))
     }
 
-    /// A wide plane's reciprocal has an error of 2^-30, which is two units of a range below 2^31; rounding adds ½.
+    /// A wide plane's reciprocal has an error of 2^-30, which is at most two units of a range below 2^31. Rounding adds
+    /// ½ unit.
     #[test]
     fn small_planes_are_within_33_coarse_ones_within_67_and_wide_ones_within_two_units() {
         cases(4000, |random| {

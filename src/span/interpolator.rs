@@ -19,8 +19,8 @@ use crate::view::ProjectionKind;
 const MOST_TOLERANCE: u32 = (1 << 29) - 1;
 const _: () = assert!(4 * MOST_TOLERANCE <= i32::MAX.cast_unsigned());
 
-/// The data that the spans of a primitive share. They depend neither on the shader nor on the canvas, so one copy of
-/// this code serves all shaders with the same number of interpolated numbers.
+/// The data that the spans of a primitive share. Shader and canvas play no part here, so one copy of this code serves
+/// all shaders with the same number of interpolated numbers.
 pub(super) struct Interpolator<L: Lanes, K, M> {
     mode: M,
     pub(super) planes: Planes<L>,
@@ -39,7 +39,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
         Plan::Straight
     };
 
-    /// Whether all planes are wide.
+    /// Whether the mode uses wide planes only.
     const IS_WIDE: bool = matches!(M::BEST, Plan::Divide);
 
     /// Whether a mode takes the same path for all attributes, linear or not.

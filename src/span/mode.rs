@@ -51,9 +51,9 @@ impl<M: Policy> Mode for M {}
 /// Plans that compute a reciprocal from earlier reciprocals require δ ≤ 2^-6.
 const STEEPEST: u32 = 6;
 
-/// A corner whose q is below this is more than 8 to 16 times as far away as the nearest corner, whose q is from 2^30 to
-/// 2^31. Interpolants are rounded to half a unit at the nearest corner's scale, and a span's steps add up to 32 units.
-/// In all, an attribute has an error of up to 56½ units. A coordinate of up to 256 texels has a
+/// A corner whose q is below this is more than 8 to 16 times as far away as the nearest corner, which has a q from 2^30
+/// to 2^31. Interpolants are rounded to half a unit at the nearest corner's scale, and a span's steps add up to 32
+/// units. In all, an attribute has an error of up to 56½ units. A coordinate of up to 256 texels has a
 /// [`Scale`](super::scale::Scale) of 26 bits, so a unit at the nearest corner is at most 2^-4 of 2^-16 texel. A unit
 /// grows with the distance: at 16 times the distance, the error is at most 56½ · 2^-16 texel. (0.001 texel is 65½ ·
 /// 2^-16 texel.)
@@ -281,7 +281,7 @@ impl Policy for Newton {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Fast {
-    /// In units of 2^-16.
+    /// The tolerance in units of 2^-16.
     tolerance: u32,
 }
 

@@ -1,4 +1,4 @@
-//! Straight pieces between pixels whose attributes are correct in perspective.
+//! Straight pieces. At their ends, attributes are correct in perspective.
 
 use super::pixels::{CellsOf, Count, Numbers, Pixels, Scales, Span, Target, rolled};
 use super::shading::Shading;

@@ -99,7 +99,7 @@ pub(super) type ColorOf<'c, T> =
 /// A pixel in memory: its color, and its depth if there is a depth buffer.
 pub(super) type CellOf<'c, T> = (ColorOf<'c, T>, Option<&'c mut u16>);
 
-/// Tests and shades the pixels of a span, one after the other.
+/// Tests and shades the pixels of a span, one by one.
 pub(super) struct Pixels<S: Shading, T> {
     pub(super) shading: S,
     pub(super) face: FaceOf<S>,

@@ -25,7 +25,7 @@ impl Scale {
     /// The greatest magnitude that fits [`AFFINE`](Self::AFFINE), or a little less.
     pub(crate) const MOST_AFFINE: i32 = (1 << (Self::AFFINE.bits - 1)) / 17 * 16;
 
-    /// The scale, of at least `least_bits`, for an attribute whose greatest magnitude is `most`.
+    /// The scale, of at least `least_bits`, for an attribute with the greatest magnitude `most`.
     #[inline]
     fn of(most: u32, least_bits: u32) -> Self {
         let bits = 33 - (most + (most >> 4)).leading_zeros();

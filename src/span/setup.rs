@@ -90,7 +90,7 @@ const fn straight(is_small: bool) -> Plan {
     }
 }
 
-/// By hand, because `map` returns a copy of the array.
+/// Written without `map`, because `map` returns a copy of the array.
 const fn signed([a, b, c]: [u32; 3]) -> [i32; 3] {
     [a.cast_signed(), b.cast_signed(), c.cast_signed()]
 }
@@ -125,7 +125,8 @@ pub(crate) struct Planes<L: Lanes> {
 /// The values that all attributes of a primitive share, and the interpolant of 1/w (or depth).
 #[derive(Debug)]
 pub(crate) struct Setup {
-    /// Whether attributes are interpolated directly, as fractions in units of 2⁻³⁰, and not over w.
+    /// Whether attributes are interpolated directly, as fractions in units of 2⁻³⁰; otherwise, attributes over w are
+    /// interpolated.
     pub(super) is_linear: bool,
     /// Whether there are three attributes, and the first and the third are [paired](unpaired) in triangles that are not
     /// large.
@@ -311,7 +312,7 @@ mod tests {
     use crate::raster::area;
     use crate::raster::picture::vertex;
 
-    /// The number of bits of an attribute's scale in a triangle whose corners have these 1/w.
+    /// The number of bits of an attribute's scale in a triangle with corners of these 1/w.
     fn bits(q: [u32; 3]) -> u32 {
         let screens = [[0, 0], [9000, 500], [300, 9900]];
         let [mut a, mut b, mut c] = screens.map(vertex);

@@ -49,7 +49,7 @@ fn corners(corners: Corners, vertices: &[ScreenVertex]) -> impl Iterator<Item = 
     let (whole, clipped) = match corners {
         Corners::Whole(numbers) => (numbers, 0..0),
         Corners::Edge { ends: [a, b], .. } => ([a, b, 0], 0..0),
-        // Each vertex is followed by its barycentric weights.
+        // The barycentric weights of a vertex follow the vertex.
         Corners::Clipped { first, count, .. } => ([0; 3], first..first.saturating_add(2 * count)),
     };
     let numbers = whole.into_iter().chain(clipped.step_by(2));

@@ -333,7 +333,7 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
 }
 
 impl<'a, T, G, M: Copy, Z: Copy, B: Copy, K> Prepared<'a, T, G, DrawOptions<M, Z, B>, K> {
-    /// The same triangles or edges, with another way to blend their colors with those on the canvas. Use it for a
+    /// The same triangles or edges, with another way to blend their colors with the colors on the canvas. Use it for a
     /// sorted scene in which some objects are translucent.
     ///
     /// ```

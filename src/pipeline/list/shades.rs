@@ -165,7 +165,7 @@ impl<'a, S: Shader> Shades<'a, S> {
     }
 }
 
-/// A shader whose values are stored.
+/// A shader with stored values.
 #[doc(hidden)]
 #[derive(Clone, Copy)]
 pub struct Shaded<'a, S: Shader> {
