@@ -220,8 +220,8 @@ mod tests {
     /// The largest shift of the tests: past the range of the wide format.
     const MOST_DOWN: u32 = 63;
 
-    /// Checks every code at its lower end and just below it, at every shift. So codes rise with 1/w, and a value of
-    /// 1/w has one code however its triangle is scaled.
+    /// Checks every code at its lower end and just below it, at every shift. So codes rise with 1/w, and a value of 1/w
+    /// has the same code in triangles of any scale.
     fn codes_rise<F: DepthBuffer, const EXPONENT: u32>() {
         let mantissa = 16 - EXPONENT;
         for code in 0..=0xffff_u32 {

@@ -121,7 +121,7 @@ impl<C> Cell<C, Words> for u8 {}
 impl<C> Cell<C, Words> for u16 {}
 impl<C> Cell<C, Words> for u32 {}
 
-/// Stores raw bytes in an order, and reads them from the most significant one.
+/// Stores raw bytes in an order, and reads them, the most significant byte first.
 macro_rules! bytes {
     ($($Order:ident $store:ident $(from $end:ident)?;)+) => {$(
         impl<C, const N: usize> Storage<C> for $Order

@@ -395,7 +395,7 @@ struct Listing {
     depth_shift: DepthShift,
 }
 
-/// A list that is being filled. Once it is full, it only counts.
+/// A list that is being filled. Once the list is full, a `Filling` only counts what the list would need.
 pub struct Filling<'l> {
     entries: &'l mut VecView<Entry>,
     vertices: &'l mut VecView<ScreenVertex>,
@@ -407,7 +407,7 @@ pub struct Filling<'l> {
     element: u32,
     /// How many elements and vertices the list needs so far.
     needed: [usize; 2],
-    /// The rows of the present thing.
+    /// The rows in which the present thing may have pixels.
     rows: [i16; 2],
     /// Recently added positions of the present thing, each with its vertex's number in the list, counted from 1; 0
     /// means none.

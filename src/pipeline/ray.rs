@@ -167,7 +167,8 @@ impl Axis {
     }
 }
 
-/// A position relative to a ray's origin, along its main axis and the two aside, in units of 2^-16: 33 bits.
+/// A position relative to a ray's origin, along the ray's longest axis and the other two axes, in units of 2^-16: 33
+/// bits.
 type Seen = [i64; 3];
 
 impl RayView {

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! Vertices are projected once and kept for neighboring triangles ([`vertex`](super::vertex), [`VertexCache`]).
-//! Triangles are culled and clipped ([`assemble`]). The rest becomes spans of pixels ([`raster`]), which become
-//! colors ([`Blitter`]).
+//! Triangles are culled and clipped ([`assemble`]). The remaining triangles become spans of pixels ([`raster`]), and
+//! the spans become colors ([`Blitter`]).
 
 use super::Drawn;
 use super::assemble::{self, Assembly};

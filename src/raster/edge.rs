@@ -63,7 +63,7 @@ impl Edge {
         if skipped > 0 {
             edge.skip(skipped);
         }
-        // So far, `part` is from 0 to `height` − 1; the field is less by `height`. The edge starts one row back,
+        // So far, `part` is from 0 to `height` − 1. The field must be less by `height`. The edge starts one row back,
         // because `next` moves on before it returns a column.
         edge.column -= step;
         edge.part -= rest + height;

@@ -12,7 +12,7 @@ use crate::mesh::{Indices, Primitive};
 /// stack.
 const ROWS: i32 = 64;
 
-/// A triangle, edge or point of a mesh, the pixels that it may have, and what draws them.
+/// A triangle, edge or point of a mesh, the pixels that may be drawn, and the blitter that draws them.
 pub(crate) struct Rasterizer<'r> {
     blitter: &'r mut dyn Blitter,
     primitive: Primitive<'r>,

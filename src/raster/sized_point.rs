@@ -1,4 +1,4 @@
-//! Points of a size.
+//! Points with a size: squares and discs.
 
 use super::scissor::meet;
 use super::{Rasterizer, ScreenVertex, point};

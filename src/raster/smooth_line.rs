@@ -147,8 +147,8 @@ pub(crate) fn smooth_line(
     }
 }
 
-/// The pixels that a line may cover: a strip around it, as long as its bounding box. The strip may be a little too
-/// wide, because the shading leaves out pixels that are not covered.
+/// The pixels that a line may cover: a strip around the line, as long as the line's bounding box. The strip may be a
+/// little too wide, because the shading leaves out pixels that are not covered.
 struct Strip {
     bounds: Scissor,
     /// Where the line crosses the centers of row 0 (`middle`), how far the crossing moves from row to row (`slope`),

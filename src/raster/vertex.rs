@@ -19,7 +19,7 @@ pub(crate) struct ScreenVertex {
     pub(crate) screen: [i32; 2],
     /// The interpolant of depth, 31 bits: 1/w with its top bit set or, under a parallel projection, the depth itself.
     pub(crate) q: u32,
-    /// 1/w is `q` · 2^`exponent` times a constant of the draw call; 0 under a parallel projection.
+    /// 1/w is `q` · 2^`exponent` times a constant of the draw call. Under a parallel projection, the exponent is 0.
     pub(crate) exponent: u8,
     /// One bit for each plane outside of which the vertex lies. The other fields are valid only if the outcode is 0.
     pub(crate) outcode: u8,
@@ -68,12 +68,12 @@ impl Barycentric {
     /// The corners themselves.
     pub(crate) const CORNERS: [Self; 3] = [Self([0, 0]), Self([1 << 30, 0]), Self([0, 1 << 30])];
 
-    /// The value, at this point, of a varying that has these values at the corners. It is rounded to the nearest
-    /// unit, apart from the rounding of the weights.
+    /// The value, at this point, of a varying that has these values at the corners. The result is rounded to the
+    /// nearest unit. The weights are rounded, too.
     #[inline(never)]
     pub(crate) fn mix(self, values: &[i32; 3]) -> i32 {
         let [b, c] = self.0;
-        // The weights add up to 2^30, and the last two to at most 2^30 and a few units.
+        // The weights add up to 2^30, and b and c add up to at most 2^30 plus a few units.
         let mixed = (dot(values, &[(1 << 30) - b - c, b, c]) + (1 << 29)) >> 30;
         mixed.clamp(i32::MIN.into(), i32::MAX.into()) as i32
     }

@@ -173,8 +173,8 @@ impl Basis {
             return basis;
         }
         // Here, twice the area is below 2^27. Let r be 2^62 / (area · 2^zeros), and s = side · 2^(zeros + 8 - up). Then
-        // s · r / 2^30 is side · 2^(40 - up) / area, the change of a weight per pixel in units of 2^(up - 32). By the
-        // choice of `up`, s has 30 bits, and the result has 31.
+        // s · r / 2^30 is side · 2^(40 - up) / area, the change of a weight per pixel in units of 2^(up - 32). `up` is
+        // chosen so that s has 30 bits. The result has 31 bits.
         let area = patch.area as i32;
         let zeros = area.unsigned_abs().leading_zeros();
         let most = wide.max(high).cast_unsigned();

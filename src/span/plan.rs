@@ -6,9 +6,10 @@
 //!
 //! For a triangle, in this order:
 //!
-//! 1. Under a parallel projection and in mode [`Affine`](super::Affine), nothing is divided: its spans are straight.
-//! 2. If its attributes are affine within the mode's tolerance ([`Policy::affine_within`]), they are straight, too. The
-//!    inequality stands at `Attribute::affine_range` in setup.rs.
+//! 1. Under a parallel projection and in mode [`Affine`](super::Affine), nothing is divided: the triangle's spans are
+//!    straight.
+//! 2. If its attributes are affine within the mode's tolerance ([`Policy::affine_within`]), its spans are straight,
+//!    too. The inequality stands at `Attribute::affine_range` in setup.rs.
 //! 3. The mode chooses ([`Policy::of_triangle`]), and may choose again for each span ([`Policy::of_span`]).
 
 use super::pixels::Span;
