@@ -9,7 +9,7 @@
 //! 1. Under a parallel projection and in mode [`Affine`](super::Affine), nothing is divided: the triangle's spans are
 //!    straight.
 //! 2. If its attributes are affine within the mode's tolerance ([`Policy::affine_within`]), its spans are straight,
-//!    too. The inequality stands at `Attribute::affine_range` in setup.rs.
+//!    too. The inequality stands at `Attribute::is_affine` in setup.rs.
 //! 3. The mode chooses ([`Policy::of_triangle`]), and may choose again for each span ([`Policy::of_span`]).
 
 use super::pixels::Span;
