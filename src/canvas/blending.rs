@@ -1,4 +1,4 @@
-//! How a draw call's colors are blended with those on the canvas.
+//! How a draw call's colors are blended with the colors on the canvas.
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
@@ -11,8 +11,8 @@ use crate::shade::{Output, PixelFormat, Precise, fraction};
 ///
 #[cfg_attr(doc, doc = page_picture!("blending", "A pane over stripes: Replace, Opacity, Add and Multiply"))]
 /// [`DrawOptions::with_blending`](crate::DrawOptions::with_blending) chooses the blending. Draw opaque surfaces first,
-/// then blended ones, from back to front. Draw the blended ones with [`TestOnly`](super::TestOnly), so that they hide
-/// nothing that is drawn later.
+/// then blended surfaces, from back to front. Draw the blended surfaces with [`TestOnly`](super::TestOnly), so that
+/// they hide nothing that is drawn later.
 ///
 /// Each channel is blended as it is stored, without gamma. The result is rounded to nearest, or dithered if the color
 /// is coarse (see [`PixelFormat`]).
@@ -27,11 +27,11 @@ use crate::shade::{Output, PixelFormat, Precise, fraction};
 /// ghostly(fixel::canvas::Add);
 /// ```
 pub trait Blending<C>: Copy + Sealed {
-    /// Whether [`blend`](Self::blend) reads what is below.
+    /// Whether [`blend`](Self::blend) reads the color below.
     #[doc(hidden)]
     const READS: bool = true;
 
-    /// The new color at a pixel of the frame, where `below` returns the old one; it is called only if the old color
+    /// The new color at a pixel of the frame. `below` returns the old color, and is called only if the old color
     /// matters.
     #[doc(hidden)]
     fn blend<O: Output<Color = C>>(self, output: O, below: impl FnOnce() -> C, at: Point) -> C;
@@ -39,7 +39,7 @@ pub trait Blending<C>: Copy + Sealed {
 
 sealed!(Replace, Opacity, Add, Multiply);
 
-/// A [`Blending`]: the color replaces the one on the canvas. The default.
+/// A [`Blending`]: the new color replaces the color on the canvas. The default.
 ///
 /// ```
 /// use fixel::{prelude::*, canvas::Replace};
@@ -53,7 +53,7 @@ pub struct Replace;
 /// Use it for glass, water and ghosts.
 ///
 /// For colors of 15 and 16 bits, the share has 32 steps. The error is at most 1.1 steps in a channel of 5 bits, 1.7
-/// steps in one of 6 bits, and 1 step in the channels of other colors. 0 keeps the color on the canvas, and 255
+/// steps in a channel of 6 bits, and 1 step in the channels of other colors. 0 keeps the color on the canvas, and 255
 /// replaces it.
 ///
 /// ```
@@ -73,8 +73,8 @@ pub struct Replace;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Opacity(pub u8);
 
-/// A [`Blending`]: the color is added to the one on the canvas, channel by channel, and the sum is limited to white.
-/// Use it for fire, sparks and beams of light. The sum is exact.
+/// A [`Blending`]: the new color is added to the color on the canvas, channel by channel, and the sum is limited to
+/// white. Use it for fire, sparks and beams of light. The sum is exact.
 ///
 /// To fade such a surface with distance, put it in black fog.
 ///
@@ -95,7 +95,7 @@ pub struct Opacity(pub u8);
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Add;
 
-/// A [`Blending`]: the color on the canvas is multiplied by the new one, channel by channel, where white is 1. Use it
+/// A [`Blending`]: the color on the canvas is multiplied by the new color, channel by channel, where white is 1. Use it
 /// for shadows and stained glass. The product is rounded to nearest, or dithered.
 ///
 /// To fade such a surface with distance, put it in white fog.
@@ -133,8 +133,8 @@ impl<C: PixelFormat> Blending<C> for Opacity {
     }
 }
 
-/// A function of the color below and an output, in the share of the output. `plain` is the same function of colors that
-/// have no fraction bits.
+/// Changes the color below by the function `precise` of the color below and the output's color, in proportion to the
+/// output's share. `plain` is the same function for colors that have no fraction bits.
 #[inline]
 fn changed<C: PixelFormat, O: Output<Color = C>>(
     output: O,

@@ -114,7 +114,7 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     {
         check_size(width, height)?;
         check_length(pixels.len(), (width * height) as usize)?;
-        // Not a band of all rows: the compiler knows the first and the last row of a frame of known size.
+        // Not built by `band`, because here the compiler knows the first and the last row of a frame of known size.
         Ok(Self {
             cells: pixels,
             depths: &mut [],

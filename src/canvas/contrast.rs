@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use super::canvas::Canvas;
 use super::storage::Storage;
 
-/// A change of grays that makes one gray black and a lighter one white, and spreads the grays between them evenly.
+/// A change of grays that makes one gray black and a lighter gray white, and spreads the grays between them evenly.
 ///
 /// Displays with few grays need it. Without it, a scene that has only dark grays becomes noise in black and white. The
 /// default changes nothing.
@@ -35,15 +35,15 @@ impl Default for Contrast {
 }
 
 impl Contrast {
-    /// Makes `black` and all darker grays black, and `white` and all lighter ones white. If `white` is not lighter than
-    /// `black`, all grays up to `black` are black and all others white.
+    /// Makes `black` and all darker grays black, and `white` and all lighter grays white. If `white` is not lighter
+    /// than `black`, all grays up to `black` are black and all others white.
     #[must_use]
     pub const fn new(black: u8, white: u8) -> Self {
         Self { black, white }
     }
 
-    /// The contrast of the rows in memory: the darkest gray becomes black and the lightest one white. At each end,
-    /// `ignored`/256 of the pixels do not count, so that a single highlight does not set the contrast.
+    /// The contrast of the rows in memory: the darkest gray becomes black, and the lightest gray becomes white. At each
+    /// end, `ignored`/256 of the pixels do not count, so that a single highlight does not set the contrast.
     ///
     /// All bands of a frame need the same contrast, for example the contrast of the previous frame. The function uses 1
     /// KiB of stack.
@@ -78,7 +78,7 @@ impl Contrast {
     #[inline]
     pub fn stretch(self, gray: Gray8) -> Gray8 {
         let above = u32::from(gray.luma().saturating_sub(self.black));
-        // It is 0 only if all grays above are white.
+        // The range is 0 only if all grays above `black` become white.
         let range = u32::from(self.white.saturating_sub(self.black));
         let stretched = (above * 255 + range / 2).checked_div(range);
         let white = if above > 0 { 255 } else { 0 };
@@ -86,7 +86,7 @@ impl Contrast {
     }
 }
 
-/// The first entry with which the sum of the counts exceeds `most`.
+/// The index of the first entry at which the sum of the counts exceeds `most`.
 fn end<'c>(counts: impl Iterator<Item = &'c u32>, most: u32) -> u8 {
     let mut sum = 0;
     let reached = |&count: &u32| {

@@ -49,13 +49,13 @@ pub trait DepthBuffer: Sealed {
     #[doc(hidden)]
     const IS_KEPT: bool = true;
 
-    /// Encodes the depth `q` · 2^-`down` in 16 bits, rounded down; a nearer depth is a greater code.
+    /// Encodes the depth `q` · 2^-`down` in 16 bits, rounded down. A nearer depth has a greater code.
     ///
-    /// The near plane has a depth of 2^16, infinity 0. `q` has 31 bits; `down` is at least 15.
+    /// The near plane has a depth of 2^16, and infinity has a depth of 0. `q` has 31 bits; `down` is at least 15.
     #[doc(hidden)]
     fn encode(q: u32, down: u32) -> u32;
 
-    /// The stored depths of pixels; an endless row of `None` if none are kept.
+    /// The stored depths of pixels; an endless row of `None` if no depths are kept.
     #[doc(hidden)]
     #[inline]
     fn each(depths: &mut [u16]) -> impl Iterator<Item = Option<&mut u16>> {
@@ -171,7 +171,7 @@ impl DepthBuffer for FloatDepth {
 impl WideFloatDepth {
     /// The number q for which q · 2^-`down` is the depth of a code, at most 2^31 - 1.
     pub(crate) fn decode(code: u32, down: u32) -> u32 {
-        // As for `float`: the depth is (2^11 + m) · 2^(e - 11), where e is the exponent's code less 16.
+        // As for `float`: the depth is (2^11 + m) · 2^(e - 11), where e is the exponent's code minus 16.
         let (exponent, mantissa) = (code >> 11, code & 0x7ff | 1 << 11);
         let up = (exponent + down).cast_signed() - 27;
         if up > 19 {
@@ -191,10 +191,10 @@ impl DepthBuffer for WideFloatDepth {
     }
 }
 
-// With 16 bits for 32 octaves, a logarithm would be the finest: log2(1 + m) ≈ m + 0.344 m (1 − m) has steps of 0.036
-// % instead of 0.049 %. But it was measured at 23 more instructions per textured fragment than `LinearDepth` on
-// Cortex-M4, where a float takes 7 more, and at 24 instead of 13 on Cortex-M0+. Surfaces that are 1 % apart do not need
-// it.
+// With 16 bits for 32 octaves, a logarithm would be the finest: log2(1 + m) ≈ m + 0.344 m (1 − m) has steps of 0.036 %
+// instead of 0.049 %. But per textured fragment, a logarithm takes 23 instructions more than `LinearDepth` on
+// Cortex-M4, where a float takes 7 more. On Cortex-M0+, a logarithm takes 24 more, and a float 13 more. Surfaces that
+// are 1 % apart do not need a logarithm.
 /// Encodes a depth as a float with `EXPONENT` bits of exponent and 16 − `EXPONENT` bits of mantissa.
 ///
 /// Let the depth be 2^e · 1.m. The greatest exponent code stands for e = 15, because the near plane is 2^16 and
@@ -202,9 +202,9 @@ impl DepthBuffer for WideFloatDepth {
 #[inline]
 fn float<const EXPONENT: u32>(q: u32, down: u32) -> u32 {
     let mantissa = 16 - EXPONENT;
-    // Let zeros be the leading zeros of q. Shifted left by them, q is the mantissa in 32 bits, and
-    // e = 31 − zeros − down. So the exponent's code is e − (16 − 2^EXPONENT) = 15 + 2^EXPONENT − zeros − down. The
-    // mantissa keeps its top bit, which adds one to this code, and `normalize` adds another, so the bias is 2 less.
+    // Let zeros be the leading zeros of q. Shifted left by them, q is the mantissa in 32 bits, and e = 31 − zeros −
+    // down. So the exponent's code is e − (16 − 2^EXPONENT) = 15 + 2^EXPONENT − zeros − down. The mantissa keeps its
+    // top bit, which adds one to this code, and `normalize` adds another one, so the bias is 2 less.
     let bias = 13 + (1 << EXPONENT);
     let exponent = u32::wrapping_sub(bias, down) << mantissa;
     let (normal, exponent) = normalize(q, exponent, mantissa);
@@ -220,8 +220,8 @@ mod tests {
     /// The largest shift of the tests: past the range of the wide format.
     const MOST_DOWN: u32 = 63;
 
-    /// Checks every code at its lower end and just below it, at every shift. So codes rise with 1/w, and a value of
-    /// 1/w has one code however its triangle is scaled.
+    /// Checks every code at its lower end and just below it, at every shift. So codes rise with 1/w, and a value of 1/w
+    /// has the same code in triangles of any scale.
     fn codes_rise<F: DepthBuffer, const EXPONENT: u32>() {
         let mantissa = 16 - EXPONENT;
         for code in 0..=0xffff_u32 {
@@ -256,7 +256,7 @@ mod tests {
         codes_rise::<WideFloatDepth, 5>();
     }
 
-    /// A decoded depth is the least of its code, and those that are greater than any number of 31 bits saturate.
+    /// A decoded depth is the least depth of its code. Depths that are greater than any number of 31 bits saturate.
     #[test]
     fn decoding_is_the_inverse_of_encoding() {
         for code in (1 << 11)..=0xffff {

@@ -33,7 +33,7 @@ pub trait DepthTest: Copy + Sealed {
         let _ = steepness;
     }
 
-    /// The same test for a span whose interpolants are shifted left by `up`.
+    /// The same test for a span with interpolants that are shifted left by `up`.
     #[doc(hidden)]
     #[inline]
     #[must_use]
@@ -74,8 +74,8 @@ depth_tests! {
         /// assert_eq!(DrawOptions::new(), DrawOptions::new().with_depth(TestAndWrite));
         /// ```
         TestAndWrite true true;
-        /// Draws a pixel if it is at least as near as the stored depth, and keeps the stored depth: for glass and
-        /// other surfaces that must not hide later ones.
+        /// Draws a pixel if it is at least as near as the stored depth, and keeps the stored depth: for glass and other
+        /// surfaces that must not hide later surfaces.
         ///
         /// ```
         /// use fixel::{prelude::*, canvas::TestOnly};
@@ -130,7 +130,8 @@ pub struct Biased<Z = super::TestAndWrite> {
     pub steps: i32,
     /// The factor by which the depth difference between neighboring pixels is multiplied.
     pub slope: Scalar,
-    /// Half the change of the current primitive's 1/w.
+    /// What the slope adds to half of 1/w in the current primitive: half of `slope` times the greatest change of 1/w
+    /// per pixel.
     added: i32,
     /// The left shift of the current span's 1/w.
     up: u32,
@@ -142,10 +143,10 @@ impl<Z> Biased<Z> {
     /// greater one counts. Positive values move a surface nearer. Depths saturate at both ends.
     ///
     /// For an edge of an [outline](crate::Mesh::outline), `slope` multiplies the greatest of several differences: the
-    /// one along the line, and the one on each of the edge's two faces that is not culled. A face may be so narrow on
-    /// the screen that a pixel is many times as wide as the face. Therefore, the difference on a face is limited to the
-    /// depth difference between the nearest and the farthest corner of the face. If the edge is not a crease, the limit
-    /// is twice as large, because the next face also recedes.
+    /// difference along the line, and the difference on each of the edge's two faces that is not culled. A face may be
+    /// so narrow on the screen that a pixel is many times as wide as the face. Therefore, the difference on a face is
+    /// limited to the depth difference between the nearest and the farthest corner of the face. If the edge is not a
+    /// crease, the limit is twice as large, because the next face also recedes.
     #[must_use]
     pub const fn new(test: Z, steps: i32, slope: Scalar) -> Self {
         Self {
@@ -189,7 +190,8 @@ impl<Z: DepthTest> DepthTest for Biased<Z> {
     #[inline]
     fn triangle(&mut self, steepness: u32) {
         self.test.triangle(steepness);
-        // 32 bits by 32 bits fit; the sum with 1/w saturates anyway.
+        // The product of 32 bits and 32 bits fits in 64 bits. The clamp changes nothing, because the sum with 1/w
+        // saturates anyway.
         let added = (i64::from(self.slope.to_bits()) * i64::from(steepness)) >> 17;
         self.added = added.clamp(i32::MIN.into(), i32::MAX.into()) as i32;
     }
@@ -201,8 +203,8 @@ impl<Z: DepthTest> DepthTest for Biased<Z> {
 
     #[inline]
     fn biased<D: DepthBuffer>(&self, q: u32, down: u32) -> u32 {
-        // Shifted back, which loses no bit, and halved: the sum could need more bits than a span has. A line may become
-        // nearer than the primitive's nearest corner, so it gets more than the 31 bits of 1/w.
+        // `q` is shifted back, which loses no bit, and halved, because the sum may need more than the 31 bits of 1/w: a
+        // line may become nearer than the primitive's nearest corner.
         let up = self.up.wrapping_add(1);
         let (q, down) = (q >> (up & 31), down.wrapping_sub(up));
         let sum = q.cast_signed().saturating_add(self.added);

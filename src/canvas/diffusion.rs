@@ -11,16 +11,17 @@ use crate::shade::PixelFormat;
 
 /// Memory for an error diffusion (Floyd and Steinberg, 1976), for [`Canvas::show_diffused`].
 ///
-/// It carries errors from row to row, and from band to band. Make a new one for each frame, and show the frame's bands
-/// with it from top to bottom.
+/// It carries errors from row to row, and from band to band. Make a new `ErrorDiffusion` for each frame, and show the
+/// frame's bands with it from top to bottom.
 #[derive(Debug)]
 pub struct ErrorDiffusion<'e> {
-    /// From `column` on, for this row; up to `column` − 2, for the next row. In 16ths of a step of [`Gray8`].
+    /// The errors of the columns, in 16ths of a step of [`Gray8`]. From `column` on, they are for this row; up to
+    /// `column` − 2, they are for the next row.
     errors: &'e mut [i16],
     column: usize,
     /// The error that this column receives.
     right: i32,
-    /// The errors that the next row has received so far: in the previous column, and in this one.
+    /// The errors that the next row has received so far: in the previous column, and in this column.
     below: i32,
     below_right: i32,
 }
@@ -90,7 +91,7 @@ impl<'e> ErrorDiffusion<'e> {
         /// White, in 16ths of a step of [`Gray8`].
         const WHITE: i32 = 255 * 16;
         let [most, ..] = C::MAX_STEPS;
-        // A color of a program may have only black, which is no step.
+        // A program's own color type may have no color but black: then it has no steps.
         let half = (WHITE / 2).checked_div(most).unwrap_or(WHITE / 2);
         let at = self.column;
         let is_last = at >= last;
@@ -104,8 +105,8 @@ impl<'e> ErrorDiffusion<'e> {
         let shown = (steps * WHITE + most / 2)
             .checked_div(most)
             .unwrap_or_default();
-        // What neither black nor white can take up is dropped: it would pile up at the right border, which gets more
-        // than it passes on, and smear into darker rows.
+        // The part of the error that neither black nor white can take up is dropped. It would pile up at the right
+        // border, which receives more than it passes on, and would smear into darker rows.
         let error = (wanted - shown).max(-half).min(half);
 
         let (right, left, below) = ((error * 7) >> 4, (error * 3) >> 4, (error * 5) >> 4);
@@ -127,8 +128,9 @@ impl<'e> ErrorDiffusion<'e> {
         C::from_steps([steps.cast_unsigned() as u8; 3])
     }
 
-    /// Stores the error of a column of the next row. It is at most half a step, 2,040, which a single column reaches,
-    /// because it keeps all of its error. With more columns, it is at most 14/16 of that, and 3 for rounding.
+    /// Stores the error of a column of the next row. The error is at most half a step, 2,040. Only a frame of a single
+    /// column reaches this bound, because the column keeps all of its error. With more columns, the error is at most
+    /// 14/16 of the bound, plus 3 for rounding.
     fn keep(&mut self, column: usize, error: i32) {
         if let Some(kept) = self.errors.get_mut(column) {
             *kept = error as i16;
@@ -141,7 +143,7 @@ mod tests {
     use super::*;
     use embedded_graphics::pixelcolor::PixelColor;
 
-    /// A gray of a program: one of `MOST` + 1.
+    /// A program's own gray, with `MOST` + 1 values.
     #[derive(Clone, Copy, Debug, PartialEq)]
     struct Gray<const MOST: i32>(i32);
 
@@ -184,7 +186,7 @@ mod tests {
         }
     }
 
-    /// Also with a number of grays that does not divide 255.
+    /// The test includes numbers of grays that do not divide 255.
     #[test]
     fn each_pixel_gets_the_nearest_gray() {
         check::<1>();

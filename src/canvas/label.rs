@@ -1,4 +1,4 @@
-//! The canvas as an embedded-graphics target: text and shapes over the picture, or at a place and a depth of it.
+//! The canvas as an embedded-graphics target: text and shapes over the picture, or at a point of the scene.
 
 use core::convert::Infallible;
 use core::iter;
@@ -15,8 +15,8 @@ use super::depth::DepthBuffer;
 use super::storage::Storage;
 use crate::num::wide::at_least;
 
-/// A canvas as an embedded-graphics [`DrawTarget`] whose origin is a point of the scene, and whose pixels are hidden by
-/// nearer surfaces; [`Canvas::label`] makes it.
+/// A canvas as an embedded-graphics [`DrawTarget`] with its origin at a point of the scene. Nearer surfaces hide its
+/// pixels. [`Canvas::label`] makes it.
 #[doc(hidden)]
 #[derive(Debug)]
 pub struct Label<'c, T> {
@@ -36,26 +36,27 @@ impl<'c, T> Label<'c, T> {
 }
 
 impl<C, O: Storage<C>, D: DepthBuffer> Label<'_, Canvas<'_, C, O, D>> {
-    /// Draws the pixels of `columns` of a row of the frame that are not hidden.
+    /// Draws the pixels of a row of the frame that are in `columns` and not hidden.
     fn draw_row(&mut self, row: u32, columns: &Range<u32>, colors: impl Iterator<Item = C>) {
         let Some(mut cells) = self.canvas.memory().cells(row, columns.clone()) else {
             return;
         };
-        // The colors come second, so that `zip` does not consume one more than there are cells.
+        // The colors come second, so that `zip` does not consume one color more than there are cells.
         for ((cell, depth), color) in cells.first(usize::MAX).zip(colors) {
             let is_seen = |stored: &mut u16| at_least(self.depth.into(), *stored);
-            // Nothing is nearer than the greatest depth, so the stored one is not read.
+            // Nothing is nearer than the greatest depth, so the stored depth is not read.
             if self.depth == u16::MAX || depth.is_none_or(is_seen) {
                 *cell = O::store(color);
             }
         }
     }
 
-    /// The columns and rows of a rectangle, in the frame, that are in memory, and the rectangle's corner in the frame;
-    /// `None` if they are none.
+    /// The part of a rectangle that is in memory, as columns and rows of the frame, and the rectangle's corner in the
+    /// frame; `None` if no part is in memory.
     ///
     /// [`Rectangle::intersection`] adds a size to a corner in `i32`, which overflows for large areas. In 32 bits, the
-    /// corner's place in the frame would saturate, and the rectangle would reach as far beyond its other side.
+    /// corner's place in the frame would saturate, too, and the rectangle's other side would move by as much. So this
+    /// function computes in 64 bits.
     fn inside(&self, area: &Rectangle) -> Option<(Range<u32>, Range<u32>, [i64; 2])> {
         let (Point { x, y }, Point { x: u, y: v }) = (area.top_left, self.origin);
         let corner @ [x, y] =
@@ -73,7 +74,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Label<'_, Canv
     fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
         let area = self.canvas.bounding_box();
         for Pixel(Point { x, y }, color) in pixels {
-            // Saturated, a point stays outside of all frames.
+            // A saturated point stays outside of all frames.
             let [x, y] = [
                 x.saturating_add(self.origin.x),
                 y.saturating_add(self.origin.y),
@@ -95,8 +96,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Label<'_, Canv
             return Ok(());
         };
         let mut colors = colors.into_iter();
-        // The colors of pixels outside are consumed and dropped: first those of the rows above, then, row by row, those
-        // on the left and on the right.
+        // The colors of pixels outside are consumed and dropped: first the colors of the rows above, then, row by row,
+        // the colors on the left and on the right.
         let outside = |start: u32, of: i64| (i64::from(start) - of).cast_unsigned() as usize;
         let (width, left) = (area.size.width as usize, outside(columns.start, x));
         let right = width - left - columns.len();
@@ -202,7 +203,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Canvas<'_, C, 
     }
 }
 
-/// The part of `bounds` within `length` from `start`; `None` if it is empty. `bounds` ends at 2048 or before.
+/// The part of `bounds` from `start` to `start` + `length`; `None` if this part is empty. `bounds` ends at 2048 or
+/// before.
 fn overlap(start: i64, length: u32, bounds: Range<u32>) -> Option<Range<u32>> {
     let end = start + i64::from(length);
     let inside = |at: i64| {

@@ -4,7 +4,7 @@
 //! A [`Canvas`] has three type parameters: its color, how the color is stored, and its depth buffer. The compiler
 //! infers these types from the memory that the canvas is given. The program must name the color and the storage only
 //! for a canvas of words or bytes. Each draw call chooses how it uses the depth buffer, and how its colors are blended
-//! with those on the canvas.
+//! with the colors on the canvas.
 //!
 //! | choice | types |
 //! |---|---|

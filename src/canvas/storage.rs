@@ -121,7 +121,7 @@ impl<C> Cell<C, Words> for u8 {}
 impl<C> Cell<C, Words> for u16 {}
 impl<C> Cell<C, Words> for u32 {}
 
-/// Stores raw bytes in an order, and reads them from the most significant one.
+/// Stores raw bytes in an order, and reads them, the most significant byte first.
 macro_rules! bytes {
     ($($Order:ident $store:ident $(from $end:ident)?;)+) => {$(
         impl<C, const N: usize> Storage<C> for $Order
@@ -149,14 +149,14 @@ bytes! {
     LittleEndian to_le_bytes from rev;
 }
 
-/// The number whose most significant byte comes first.
+/// The number with these bytes, the most significant byte first.
 #[inline]
 fn number<'b>(bytes: impl Iterator<Item = &'b u8>) -> u32 {
     bytes.fold(0, |all, &byte| all << 8 | u32::from(byte))
 }
 
-/// A pixel of a canvas whose color is `C` and whose storage is `O`. The compiler infers these from the pixel where it
-/// can. Public in name only.
+/// A pixel of a canvas of color `C` and storage `O`. The compiler infers both from the pixel where it can. Public in
+/// name only.
 ///
 /// ```compile_fail,E0277
 /// use fixel::prelude::*;
@@ -175,7 +175,7 @@ pub trait Cell<C, O> {}
 
 impl<C: PixelColor> Cell<C, Native> for C {}
 
-/// The colors and depths of a canvas. Once it is in registers, rows are found without reading the canvas.
+/// The colors and depths of a canvas. Once a `Memory` is in registers, rows are found without reading the canvas.
 pub(crate) struct Memory<'a, C, O: Storage<C>, D> {
     pub(super) colors: &'a mut [O::Cell],
     /// Empty if there is no depth buffer.
@@ -195,16 +195,16 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer> Memory<'a, C, O, D> {
         }
     }
 
-    /// The pixels of `columns` of `row` with their depths. Both must lie within the canvas's area, as the rasterizer's
-    /// do. Returns `None` if the memory is too short for these pixels, or if `columns` ends before it starts. It does
-    /// not panic.
+    /// The pixels of `columns` of `row` with their depths. Both must lie within the canvas's area; the rasterizer's
+    /// rows and columns do. Returns `None` if the memory is too short for these pixels, or if `columns` ends before it
+    /// starts. Never panics.
     #[inline]
     pub(crate) fn cells(self, row: u32, columns: Range<u32>) -> Option<Cells<'a, C, O, D>> {
         let first = self.begin(row);
         self.cells_from(first, columns)
     }
 
-    /// Where a row begins.
+    /// The index of a row's first pixel in memory.
     #[inline]
     pub(crate) fn begin(&self, row: u32) -> u32 {
         row.wrapping_sub(self.first_row).wrapping_mul(self.width)
@@ -213,8 +213,8 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer> Memory<'a, C, O, D> {
     /// The [`cells`](Self::cells) of a row that begins at `first`.
     #[inline]
     pub(crate) fn cells_from(self, first: u32, columns: Range<u32>) -> Option<Cells<'a, C, O, D>> {
-        // It wraps: a triangle's row that is left of the frame ends before it starts, possibly below 0. The result is
-        // then a range outside of any memory.
+        // The sums wrap, because a triangle's row that is left of the frame ends before it starts, possibly below 0.
+        // The range is then outside of any memory.
         let (start, end) = (
             first.wrapping_add(columns.start),
             first.wrapping_add(columns.end),
@@ -245,10 +245,11 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer> Cells<'a, C, O, D> {
         self.colors.len()
     }
 
-    /// Splits off the colors of the first `N` pixels, whose depths are not used; `None` if fewer are left.
+    /// Splits off the colors of the first `N` pixels; `None` if fewer are left. The depths of these pixels are not
+    /// split off, because they are not used.
     #[inline]
     pub(crate) fn colors<const N: usize>(&mut self) -> Option<&'a mut [O::Cell; N]> {
-        // Before they are taken.
+        // Checked before any color is taken.
         if self.colors.len() < N {
             return None;
         }

@@ -1,5 +1,5 @@
-//! Primitive assembly: from a mesh's indices to triangles and lines on the screen, which are whole, clipped or
-//! rejected.
+//! Primitive assembly: from a mesh's indices to triangles and lines on the screen. They are passed on whole, clipped,
+//! or rejected.
 
 use super::cache::VertexCache;
 use super::call::Call;
@@ -50,8 +50,8 @@ pub(super) fn triangle<K: ProjectionKind>(
     }
 }
 
-/// Assembles one edge of the mesh: `each` receives its indices, the two ends of the part that is inside all planes, and
-/// whether it was clipped, and how steep the faces beside it are.
+/// Assembles one edge of the mesh. `each` receives the edge's indices, the two ends of the part that is inside all
+/// planes, whether the edge was clipped, and how steep the faces beside it are.
 #[inline(always)]
 #[allow(clippy::inline_always)] // a call takes 30 to 40 instructions, and the compiler's choice depends on the build's path
 pub(super) fn edge<K: ProjectionKind>(
@@ -83,8 +83,8 @@ pub(super) fn edge<K: ProjectionKind>(
     each(indices, ends, any != 0, beside);
 }
 
-/// Twice the area of the part of a triangle that is inside all planes; 0 if there is none. [`triangle`] culls by its
-/// sign.
+/// Twice the area of the part of a triangle that is inside all planes; 0 if no part is inside. Drawn triangles are
+/// culled by the sign of the same area.
 #[inline(never)]
 pub(super) fn area<K: ProjectionKind>(
     call: &Call<'_, K>,
@@ -110,8 +110,9 @@ pub(super) fn area<K: ProjectionKind>(
 }
 
 /// How steep a triangle beside an edge is: the greatest change of depth from a pixel to the next, across or down, in
-/// the format [`WideFloatDepth`]; 0 if it is outside. It is at most the triangle's range of depths, or twice that if
-/// the edge is no crease: on a round body, the pixels of a silhouette may lie over the next triangle.
+/// the format [`WideFloatDepth`]; 0 if the triangle is outside the view. The change is limited to the triangle's range
+/// of depths. If the edge is no crease, the limit is twice this range, because on a round body the pixels of a
+/// silhouette may lie over the next triangle.
 #[inline(never)]
 pub(super) fn steepness<K: ProjectionKind>(
     call: &Call<'_, K>,
@@ -141,19 +142,20 @@ pub(super) fn steepness<K: ProjectionKind>(
     let [from, to_b, to_c] = ScreenVertex::screens(corners);
     let side = |to: [i32; 2]| [to[0] - from[0], to[1] - from[1]];
     let ([bx, by], [cx, cy]) = (side(to_b), side(to_c));
-    // The change per 1/256 pixel, times the area. Interpolants differ by 31 bits, sides have 20, so it has 52.
+    // The change per 1/256 pixel, times the area. The differences of interpolants have 31 bits and the sides have 20
+    // bits, so the change times the area has 52 bits.
     let across = product(b, cy) - product(c, by);
     let down = product(c, bx) - product(b, cx);
     let gain = across.unsigned_abs().max(down.unsigned_abs());
     // Let the gain be g · 2^(32 - z), and the area a · 2^(32 - y), where g and a have 32 bits with the top bit set.
-    // Then the change per pixel, 256 · gain / area, is (g · (2^62 / a) / 2^32) · 2^(y - z - 22). If the gain or the
-    // area is 0, g is, too, or the result does not matter: a triangle without area has no pixels.
+    // Then the change per pixel, 256 · gain / area, is (g · (2^62 / a) / 2^32) · 2^(y - z - 22). If the gain is 0, g is
+    // 0, too. If the area is 0, the result does not matter, because a triangle without area has no pixels.
     let [z, y] = [gain, area.unsigned_abs()].map(u64::leading_zeros);
     let [g, a] =
         [gain << (z & 63), area.unsigned_abs() << (y & 63)].map(|number| (number >> 32) as u32);
     let change = (unsigned_product(g, reciprocal(a >> 1)) >> 32) as u32;
     let shift = call.projector.depth_shift().of(exponent);
-    // A shift of 15 or less makes a change greater than any depth.
+    // A change that is shifted by 15 bits or less is greater than any depth.
     let steepness = WideFloatDepth::encode(change, (shift + 22 + z).saturating_sub(y).max(15));
     let most = WideFloatDepth::encode(range, shift - u32::from(!is_crease));
     steepness.min(most) as u16

@@ -5,7 +5,7 @@ use crate::mesh::Index;
 use crate::raster::ScreenVertex;
 use crate::view::ProjectionKind;
 
-/// Recently projected vertices, because neighboring triangles share them. They take 1 KiB of stack.
+/// Recently projected vertices, kept because neighboring triangles share vertices. The cache takes 1 KiB of stack.
 ///
 /// A vertex of a grid is projected once if the rows have up to 60 vertices. In longer rows, it is overwritten before
 /// the next row needs it, and is projected twice.
@@ -14,7 +14,7 @@ pub(super) struct VertexCache {
     slots: Slots,
 }
 
-/// A power of two.
+/// The number of slots, a power of two.
 pub(super) const SIZE: usize = 64;
 
 /// Which of [`SIZE`] slots a vertex has.
@@ -25,14 +25,15 @@ pub(super) struct Slots {
 }
 
 impl Slots {
-    /// The slots of a mesh's vertices. Vertices whose indices are 64 apart share one; but if these are neighbors,
-    /// because rows are 63 to 65 vertices apart, or 127 to 129 and so on, they would take it from each other, and be
-    /// projected up to ten times. Then, slots are 75/64 apart. A face in the middle tells how far apart the rows are.
+    /// The slots of a mesh's vertices. Vertices with indices 64 apart share a slot. In a grid with rows of 63 to 65
+    /// vertices (or 127 to 129, and so on), these vertices are neighbors: they would push each other out of the slot,
+    /// and be projected up to ten times. In such a grid, the slots of consecutive indices are 75/64 apart. A face in
+    /// the middle of the mesh tells how long the rows are.
     #[inline]
     pub(super) fn new(faces: &[[Index; 3]]) -> Self {
         let [a, b, c] = faces.get(faces.len() / 2).copied().unwrap_or_default();
-        // Of three corners, two are neighbors in a row, and the other is in the next row. At two before the other
-        // corner, this is 0; at two after it, 4.
+        // Of three corners, two are neighbors in a row, and the third is in the next row. If `apart` is 0 to 4, the
+        // indices of a and b differ by −2 to 2. Then a and b are in one row, and c is in the next row.
         let mut apart = a.wrapping_sub(b).wrapping_add(2);
         if apart < 5 {
             apart = b.wrapping_sub(c).wrapping_add(2);
@@ -45,10 +46,10 @@ impl Slots {
         Self { step }
     }
 
-    /// The slot of an index. Index 0 has slot 0, alone of the first 54.
+    /// The slot of an index. Of the first 54 indices, only index 0 has slot 0.
     #[inline]
     pub(super) fn of(self, index: Index) -> usize {
-        // The remainder is below `SIZE`, so that there is no bounds check.
+        // The remainder is below `SIZE`, so the compiler adds no bounds check.
         ((u32::from(index) * self.step) >> 10) as usize % SIZE
     }
 }
@@ -56,17 +57,18 @@ impl Slots {
 impl VertexCache {
     #[inline]
     pub(super) const fn new(slots: Slots) -> Self {
-        // All bits 0 but one, which is set in place: any other array is built twice, and copied, on the stack.
+        // All bits are 0 except one, which is set in place. Any other array would be built twice on the stack, and
+        // copied.
         let mut cache = Self {
             entries: [ScreenVertex::UNSET; SIZE],
             slots,
         };
-        // Index 1 never maps to slot 0, so it marks slot 0 as empty; index 0 marks the others.
+        // Index 1 never maps to slot 0, so index 1 marks slot 0 as empty. Index 0 marks the other slots as empty.
         cache.entries[0].index = 1;
         cache
     }
 
-    /// Forgets all vertices, if their indices are below `count` and are their slots.
+    /// Forgets all vertices. Their indices must be below `count`, and each index must be the number of its own slot.
     #[inline]
     pub(super) fn forget(&mut self, count: usize) {
         for entry in self.entries.iter_mut().take(count) {
@@ -89,7 +91,7 @@ impl VertexCache {
         entry
     }
 
-    /// Projects a vertex, unless it is in its slot already; whether it was not.
+    /// Projects a vertex if it is not in its slot. Returns whether it was projected.
     #[inline]
     fn refresh<K: ProjectionKind>(&mut self, projector: &Projector<'_, K>, index: Index) -> bool {
         let entry = &mut self.entries[self.slots.of(index)];
@@ -108,7 +110,7 @@ impl VertexCache {
         projector: &Projector<'_, K>,
         [a, b, c]: [Index; 3],
     ) -> Option<[&ScreenVertex; 3]> {
-        // Only a vertex that is projected now can take the slot of another.
+        // Only a vertex that is projected now can take the slot of another vertex.
         self.refresh(projector, a);
         if self.refresh(projector, b) && self.slots.of(b) == self.slots.of(a) {
             return None;
@@ -119,13 +121,13 @@ impl VertexCache {
                 return None;
             }
         }
-        // Destructured by hand, as in `ScreenVertex::screens`.
+        // Destructured by hand, because a `map` over references compiles to arrays and loops.
         let (entries, slots) = (&self.entries, self.slots);
         let entry = |index| &entries[slots.of(index)];
         Some([entry(a), entry(b), entry(c)])
     }
 
-    /// The corners of any triangle.
+    /// Copies of a triangle's corners, even of corners that share a slot.
     #[cold]
     #[inline(never)]
     pub(super) fn copies<K: ProjectionKind>(
@@ -143,8 +145,8 @@ mod tests {
 
     use super::*;
 
-    /// The triangles of a grid of about 1000 quads with rows of this many vertices. Bit by bit, `order` says how the
-    /// quads are cut and in which order their triangles and corners come.
+    /// The triangles of a grid of about 1000 quads with rows of `length` vertices. The bits of `order` say how the
+    /// quads are cut, and in which order their triangles and corners come.
     fn grid(length: Index, order: u32) -> Vec<[Index; 3]> {
         let mut faces = Vec::new();
         for row in 0..=1000 / (length - 1) {
@@ -192,7 +194,7 @@ mod tests {
                 let faces = grid(length, order);
                 let [projected, shared] = costs(&faces);
                 let most = usize::from(faces.iter().flatten().copied().max().unwrap()) + 1;
-                // Where slots begin again, a twentieth more.
+                // A twentieth more is allowed, because of the places where slots begin again.
                 let times = if length <= 60 { 1 } else { 2 };
                 let case = std::format!("rows of {length}, order {order}");
                 assert!(
@@ -204,7 +206,7 @@ mod tests {
         }
     }
 
-    /// Index 1 marks slot 0 as empty, and index 0 marks the others.
+    /// Index 1 marks slot 0 as empty, and index 0 marks the other slots.
     #[test]
     fn index_0_alone_of_the_first_has_slot_0() {
         for length in [9, 64] {

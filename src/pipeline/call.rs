@@ -22,13 +22,13 @@ pub struct Screen {
 }
 
 impl Screen {
-    /// The pixels of some rows.
+    /// The pixels that a draw call may write in some rows.
     #[inline]
     pub(super) fn scissor(&self, rows: &Range<u32>) -> Scissor {
         Scissor::new(&self.viewport, self.frame.width, rows)
     }
 
-    /// An error unless a canvas belongs to a frame of this size.
+    /// Returns an error if `given`, the frame size of a canvas, is not the size of this frame.
     pub(super) fn check(&self, given: Size) -> Result<(), Error> {
         let needed = self.frame;
         if given == needed {

@@ -24,9 +24,9 @@ struct ClipVertex {
 
 type Polygon = Vec<ClipVertex, MOST_CORNERS>;
 
-/// Clips a line between two positions, or a triangle of three, to the inside of `planes`. This mask has a bit for each
-/// plane outside of which any corner lies. Adds the corners of the result to `clipped`: none if nothing is inside. (An
-/// out-parameter saves a copy of 220 bytes, and the routine that copies.)
+/// Clips a line between two positions, or a triangle of three positions, to the inside of the planes in `outcode`. This
+/// mask has a bit for each plane outside of which a corner lies. Adds the corners of the result to `clipped`: no corner
+/// if nothing is inside. (An out-parameter saves a copy of 220 bytes, and the routine that copies.)
 ///
 /// An edge is cut only by planes outside of which one of its own ends lies, in the order of the planes, and from its
 /// inside end. So two triangles that share an edge get the same new corners.
@@ -76,7 +76,7 @@ fn clip_to_plane<K: ProjectionKind>(
 ) {
     let is_outside = |corner: &ClipVertex| projector.is_outside(&corner.position, plane);
     // A polygon's last corner is joined to its first. Two corners are a line, or the rest of a polygon without area:
-    // neither needs it.
+    // neither needs this edge.
     let mut from = polygon.last().filter(|_| polygon.len() > 2);
     let mut was_out = from.is_some_and(is_outside);
     for to in polygon {
@@ -117,7 +117,7 @@ fn cut<K: ProjectionKind>(
     let distance = |end: &ClipVertex| projector.distance(&end.position, plane);
     let fraction = fraction(distance(corner), distance(outside));
     for (at, to) in corner.position.iter_mut().zip(&outside.position) {
-        // Both are below 2^62.
+        // Both coordinates are below 2^62.
         let difference = to.wrapping_sub(*at);
         // The product of 64 bits and the fraction, from the halves of `difference`: below 2^63, because the fraction
         // is below 2^31.
@@ -133,10 +133,11 @@ fn cut<K: ProjectionKind>(
     }
 }
 
-/// The fraction of the way from an end inside a plane to one outside, by their distances, in units of 2^-31.
+/// Where a plane cuts an edge: a fraction of the way from the inner end to the outer end, in units of 2^-31. `inner`
+/// and `outer` are the distances of the ends from the plane.
 #[inline(never)]
 fn fraction(inner: i64, outer: i64) -> i32 {
-    // A distance of a few units outside a side plane counts as inside.
+    // The inner end may lie a few units outside a side plane.
     let (inner, outer) = (inner.max(0) >> 1, outer.abs() >> 1);
     let fraction = BlockFloat::new(inner, 0).over(BlockFloat::new(inner + outer, 0));
     fraction.at(31).min((1 << 31) - 1) as i32
@@ -151,7 +152,7 @@ mod tests {
     use crate::view::{Parallel, Projection, Viewport, Window};
     use crate::{Mesh, Scalar, fx};
 
-    /// A triangle of pixels and depths, clipped. Seen are depths from -1 to 1.
+    /// Clips a triangle with corners in pixels and depths. Depths from -1 to 1 are inside.
     fn clip_triangle(corners: [[Scalar; 3]; 3]) -> ClippedPolygon {
         let positions = corners.map(|[x, y, z]| Vec3::new(x, -y, z));
         let mesh = Mesh::new(&positions, &[]).unwrap();
@@ -180,7 +181,7 @@ mod tests {
         clipped
     }
 
-    /// Depth rises by a quarter for each column, so that the near and the far plane cut columns 2 to 9 out.
+    /// Depth rises by a quarter for each column, so columns 2 to 9 are between the near and the far plane.
     #[test]
     fn three_to_five_corners_between_near_and_far() {
         let cases = [
@@ -242,10 +243,10 @@ mod tests {
         }
     }
 
-    /// Each corner is beyond one side of the guard band, or one of them beyond two.
+    /// Each corner is beyond one side of the guard band, or a corner is beyond two sides.
     #[test]
     fn six_and_seven_corners_at_the_guard_band() {
-        // Twice the areas, in pixels, are those of exact clipping.
+        // `exact` is twice the area after exact clipping, in pixels.
         for (corners, count, exact) in [
             ([[-3000, 0], [1000, -3000], [1000, 3000]], 6, 20_206_500.67),
             ([[-3000, 500], [3000, -500], [0, 3000]], 6, 14_338_557.49),
@@ -274,14 +275,14 @@ mod tests {
                 .sum();
             #[allow(clippy::cast_precision_loss)] // of 42 bits
             let found = sum as f64 / 65_536.;
-            // Half of a 256th of a pixel along an outline of up to 16,000 pixels.
+            // The tolerance is twice an area: half of 1/256 pixel along an outline of up to 16,000 pixels.
             assert!((found - exact).abs() < 64., "{found} is not {exact}");
         }
     }
 
     #[test]
     fn triangles_outside_the_view_volume_are_clipped_away() {
-        // In front of the near plane; and beyond one side or another, but nowhere inside.
+        // One triangle is in front of the near plane. The other is beyond one side or another at each point.
         let near = [[1, 1, 2], [5, 1, 3], [1, 5, 2]];
         let corner = [[-2100, 2000, 0], [-2100, 4000, 0], [-1000, 3100, 0]];
         for corners in [near, corner] {

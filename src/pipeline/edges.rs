@@ -1,4 +1,4 @@
-//! Edges: all of a mesh, or those of its outline.
+//! Edges: all edges of a mesh, or the edges of its outline.
 
 use super::Drawn;
 use super::assemble;
@@ -20,11 +20,11 @@ pub struct Edges<'m, const SMOOTH: bool = false> {
     pub(super) style: LineStyle<SMOOTH>,
 }
 
-/// Edges to choose from: those of a mesh, or of its outline.
+/// Edges to choose from: the edges of a mesh, or of its outline.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EdgesOf<'m> {
     pub(super) mesh: &'m Mesh<'m>,
-    /// All edges of the mesh if it is `None`.
+    /// `None` means all edges of the mesh.
     outline: Option<&'m Outline<'m>>,
 }
 
@@ -51,8 +51,8 @@ impl Mesh<'_> {
         Edges { of, style }
     }
 
-    /// The edges of an [`Outline`] of this mesh, to be drawn or listed like [`edges`](Self::edges): those creases and
-    /// silhouettes that have at least one face that is not culled.
+    /// The edges of an [`Outline`] of this mesh, to be drawn or listed like [`edges`](Self::edges): the creases and
+    /// silhouettes with at least one face that is not culled.
     ///
     /// The same rule as for drawn triangles decides whether a face is front or back, so the outline of a closed mesh
     /// has no gaps.
@@ -183,8 +183,8 @@ where
         let call = Call::new(to, of.mesh, mvp);
         let shift = call.projector.depth_shift();
         style.paint::<V::Kind>(paint, shift, |line, blitter| {
-            // Not through a `DrawLine`: a program that draws only hairlines is smaller if it calls the rasterizer
-            // directly.
+            // Called directly, not through a `DrawLine`, because this makes a program smaller that draws only
+            // hairlines.
             if of.outline.is_none() && style.is_hairline() {
                 draw(&call, of, (raster::line, 0), blitter)
             } else {
@@ -194,7 +194,7 @@ where
     }
 }
 
-/// Draws the edges that are chosen, each by `line`, which reaches this many rows beyond its ends.
+/// Draws the chosen edges, each by `line`. A line reaches up to `reach` rows beyond the rows of its ends.
 #[inline(never)]
 fn draw<K: ProjectionKind>(
     call: &Call<'_, K>,
@@ -205,7 +205,7 @@ fn draw<K: ProjectionKind>(
     let mut draw = Draw::new(blitter, &call.shared, edges.count());
     edges.assemble(call, |indices, ends, is_clipped, beside| {
         let [a, b] = ends;
-        // Most edges miss a band: no shader is asked for them.
+        // Most edges miss a band. For these edges, no shader is called.
         if draw.meets([a.vertex.screen[1], b.vertex.screen[1]], reach) {
             draw.line((indices, beside), is_clipped, |raster| line(raster, ends));
         }
@@ -222,7 +222,7 @@ impl EdgesOf<'_> {
         }
     }
 
-    /// The edge at this place among those to choose from.
+    /// The edge with this index among the edges to choose from.
     #[inline]
     pub(super) fn at(self, edge: usize) -> Option<Indices> {
         let [a, b] = match self.outline {
@@ -235,9 +235,9 @@ impl EdgesOf<'_> {
         Some(Indices::of_edge(edge, [a, b]))
     }
 
-    /// Assembles the edges that are chosen: all of a mesh; of an outline, the creases, silhouettes and borders of which
-    /// at least one face is not culled. `each` receives the two ends of an edge's part that is inside all planes,
-    /// whether it was clipped, and how steep the faces beside it are.
+    /// Assembles the chosen edges: all edges of a mesh, or the creases, silhouettes and borders of an outline with at
+    /// least one face that is not culled. `each` receives the indices of an edge, the two ends of the part that is
+    /// inside all planes, whether the edge was clipped, and how steep the faces beside it are.
     #[inline]
     pub(super) fn assemble<K: ProjectionKind>(
         self,
@@ -266,7 +266,7 @@ impl EdgesOf<'_> {
     }
 }
 
-/// How steep the faces beside an edge of an outline are; `None` if it is not drawn, because of how they are turned.
+/// How steep the faces beside an edge of an outline are; `None` if the faces are turned so that the edge is not drawn.
 #[inline]
 fn drawn_beside<K: ProjectionKind>(
     call: &Call<'_, K>,

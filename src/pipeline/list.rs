@@ -143,10 +143,10 @@ pub struct DrawList<const ELEMENTS: usize, const VERTICES: usize> {
 /// A visible triangle or edge.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Entry {
-    /// Its index among the triangles or edges of all objects, one after the other.
+    /// The element's index, counted through the triangles or edges of all objects.
     element: u32,
-    /// The rows in which it may have pixels, which may be above or below the frame: the first, and the one after the
-    /// last. They take 14 bits and a sign. (While the list is sorted, the nearness is here.)
+    /// The rows in which the element may have pixels: the first row, and the row after the last. They may be above or
+    /// below the frame, and take 14 bits and a sign. (While the list is sorted, the nearness is stored here.)
     rows: [i16; 2],
     corners: Corners,
 }
@@ -159,8 +159,9 @@ enum Corners {
     /// An edge that is inside all planes: its vertices, and how steep the faces beside it are, as in
     /// [`Primitive::area`](crate::mesh::Primitive).
     Edge { ends: [u16; 2], beside: u16 },
-    /// A clipped triangle or edge: `count` corners from `first` on, each a vertex, and its barycentric weights in the
-    /// place of the next vertex's `screen`. Of an edge, also how steep the faces beside it are.
+    /// A clipped triangle or edge: `count` corners, starting with vertex `first`. Each corner takes two vertices; the
+    /// second vertex holds the corner's barycentric weights in its `screen`. For an edge, `beside` is how steep the
+    /// faces beside it are.
     Clipped { first: u16, count: u16, beside: u16 },
 }
 
@@ -252,8 +253,8 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// which needs no further memory, and at most 2 n log₂ n comparisons for n visible triangles.
     ///
     /// The table compares the list with a depth buffer of 320x240, which takes 150 KiB. Figures are means of eight
-    /// poses, printed by `kernels painter`; the instructions are those of x86-64, counted by
-    /// `valgrind --tool=callgrind --toggle-collect='*only_drawing*'`:
+    /// poses, printed by `kernels painter`; the instructions are instructions of x86-64, counted by `valgrind
+    /// --tool=callgrind --toggle-collect='*only_drawing*'`:
     ///
     /// <!-- figures: painter -->
     /// | scene | wrong pixels | list | millions of instructions with depth | sorted |
@@ -270,7 +271,8 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     ///
     /// No order is right for triangles that cross each other, or that cover each other in a circle. A large triangle
     /// may cover a small one in front of it if the small one's farthest corner is farther away. So draw a floor or a
-    /// sky in a separate call before the other objects, or make its triangles as small as those of the objects on it.
+    /// sky in a separate call before the other objects, or make its triangles as small as the triangles of the objects
+    /// on it.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
@@ -331,7 +333,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
         self.fill((*options, frame.into()), thing, view, painter::sort)
     }
 
-    /// Fills the list, and brings it into order.
+    /// Fills the list, and sorts it by `sort`.
     #[inline]
     #[allow(clippy::type_complexity)] // as above
     fn fill<'a, S: Scene<'a>, O: Options, V: AsMvp>(
@@ -380,32 +382,32 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     }
 }
 
-/// No rows, to which others are added.
+/// An empty range of rows, which grows as elements are added.
 const NO_ROWS: [i16; 2] = [i16::MAX, i16::MIN];
 
-/// What a list notes of each thing in it.
+/// The data that a list keeps about each thing in it.
 #[derive(Clone, Copy, Debug)]
 struct Listing {
-    /// How many triangles or edges the things before it have.
+    /// How many triangles or edges the things before this thing have.
     first: u32,
-    /// The rows in which any of its elements may have pixels: the first, and the one after the last.
+    /// The rows in which any of its elements may have pixels: the first row, and the row after the last.
     rows: [i16; 2],
     depth_shift: DepthShift,
 }
 
-/// A list that is being filled. Once it is full, it only counts.
+/// A list that is being filled. Once the list is full, a `Filling` only counts what the list would need.
 pub struct Filling<'l> {
     entries: &'l mut VecView<Entry>,
     vertices: &'l mut VecView<ScreenVertex>,
     screen: &'l Screen,
-    /// Of the present thing, by the winding on the screen.
+    /// Which faces of the present thing are culled, by their winding on the screen.
     cull: Cull,
     scissor: Scissor,
-    /// How many triangles or edges the objects before the present one have.
+    /// How many triangles or edges the things before the present thing have.
     element: u32,
-    /// How many elements and vertices are visible so far.
+    /// How many elements and vertices the list needs so far.
     needed: [usize; 2],
-    /// The rows of the present thing.
+    /// The rows in which the present thing may have pixels.
     rows: [i16; 2],
     /// Recently added positions of the present thing, each with its vertex's number in the list, counted from 1; 0
     /// means none.
@@ -453,7 +455,7 @@ impl Filling<'_> {
         self.needed[1] as u16
     }
 
-    /// The number of a vertex; it is added unless it was added recently.
+    /// The number of a vertex. Adds the vertex, unless it was added recently.
     fn number(&mut self, vertex: &ScreenVertex) -> u16 {
         let slot = self.numbered.of(vertex.index);
         let (index, number) = self.numbers[slot];
@@ -476,7 +478,7 @@ impl Filling<'_> {
                 ..ScreenVertex::UNSET
             });
         }
-        // At most nine.
+        // There are at most nine corners.
         let count = corners.len() as u16;
         Corners::Clipped {
             first,
@@ -516,10 +518,10 @@ pub trait Listed: Copy + Sealed {
     /// How its lines are drawn.
     type Style;
 
-    /// What its elements are called.
+    /// The name of its elements, for error messages.
     const ELEMENTS: &'static str;
 
-    /// By how many rows its elements may reach beyond those of the list.
+    /// The most rows that an element may reach beyond the rows in its entry.
     const REACH: i32;
 
     fn style(&self) -> Self::Style;
@@ -529,13 +531,14 @@ pub trait Listed: Copy + Sealed {
     /// The number of its elements.
     fn count(&self) -> usize;
 
-    /// Where the data of an element are.
+    /// The indices of an element's data in the mesh.
     fn indices(&self, element: usize) -> Option<Indices>;
 
     /// Adds the visible elements to a list.
     fn fill<K: ProjectionKind>(&self, call: &Call<'_, K>, filling: &mut Filling<'_>);
 
-    /// The rows that an element has between its highest and its lowest corner, in units of 1/256 row.
+    /// The rows of an element with its highest corner at `least` and its lowest corner at `most`, in units of 1/256
+    /// row.
     fn rows(least: i32, most: i32) -> [i16; 2];
 
     /// Draws elements of a list.
@@ -624,7 +627,7 @@ impl<const SMOOTH: bool> Listed for Edges<'_, SMOOTH> {
         });
     }
 
-    /// Positions lie within the guard band, whose center is at most 6144 rows from the frame's top.
+    /// Positions lie within the guard band, and its center is at most 6144 rows from the frame's top.
     #[inline]
     fn rows(least: i32, most: i32) -> [i16; 2] {
         [(least >> 8) as i16, ((most >> 8) + 1) as i16]

@@ -1,8 +1,8 @@
 //! The draw call: a mesh through its stages onto a canvas.
 //!
-//! [`run`] has the stages in order. This file has the canvas's methods that start them. Two files have its
-//! methods that draw nothing: [`on_screen`] tells where a point or a mesh is on the screen, [`ray`] what is seen at a
-//! pixel.
+//! [`run`] has the stages in order. This file has the canvas's methods that start the stages. Two files have methods of
+//! the canvas that draw nothing: [`on_screen`] tells where a point or a mesh is on the screen, and [`ray`] tells what
+//! is seen at a pixel.
 
 mod assemble;
 mod cache;

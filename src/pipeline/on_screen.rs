@@ -37,7 +37,7 @@ pub struct ScreenPoint {
 }
 
 impl ScreenPoint {
-    /// The same place, in front of everything: nothing hides a [label](Canvas::label) there.
+    /// The same position, in front of everything: nothing hides a [label](Canvas::label) there.
     #[must_use]
     pub const fn on_top(self) -> Self {
         Self {
@@ -221,7 +221,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         let view = mvp.model_view_of();
         let (a, b) = (view.point(bounds.least), view.point(bounds.most));
         let diagonal = a.wide_distance(b);
-        // Twice the distance of the middle.
+        // Twice the distance of the box's center.
         let ahead = -(i64::from(a.z.to_bits()) + i64::from(b.z.to_bits()));
         if V::Kind::PERSPECTIVE && ahead <= diagonal {
             return u32::MAX;
@@ -234,7 +234,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
             width
         };
         let size = BlockFloat::new(diagonal, 16).over(pixel);
-        // Rounded to 2^-8, then down.
+        // Rounded to the nearest 2^-8, then down to a whole number.
         u32::try_from(size.at(8) >> 8).unwrap_or(u32::MAX)
     }
 }

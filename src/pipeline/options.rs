@@ -9,8 +9,8 @@ use crate::sealed::Sealed;
 use crate::span::{Fast, Mode, Newton};
 use crate::view::Viewport;
 
-/// The options of a draw call: which faces are culled, which part of the frame is drawn to, the interpolation mode,
-/// the depth test, and how colors are blended with those on the canvas.
+/// The options of a draw call: which faces are culled, which part of the frame is drawn to, the interpolation mode, the
+/// depth test, and how colors are blended with the colors on the canvas.
 ///
 #[cfg_attr(doc, doc = page_picture!("options", "A ring by the default options; with front faces culled; as lines; as points"))]
 /// By default, a draw call culls back faces, draws to the whole frame in mode [`Newton`], tests and stores depths, and
@@ -33,11 +33,11 @@ pub struct DrawOptions<M = Newton, Z = TestAndWrite, B = Replace> {
     pub mode: M,
     /// How depths are tested and stored.
     pub depth: Z,
-    /// How colors are blended with those on the canvas.
+    /// How colors are blended with the colors on the canvas.
     pub blending: B,
 }
 
-/// Any [`DrawOptions`], for what depends neither on mode nor on depth test and blending.
+/// [`DrawOptions`] with any mode, depth test and blending.
 #[doc(hidden)]
 pub trait Options: Copy + Sealed {
     /// The part of a frame of this size that is drawn to, the faces that are culled, and whether depths are biased.
@@ -120,13 +120,13 @@ impl<M: Copy, Z: Copy, B: Copy> DrawOptions<M, Z, B> {
         self.with(self.mode, depth, self.blending)
     }
 
-    /// Sets how colors are blended with those on the canvas.
+    /// Sets how colors are blended with the colors on the canvas.
     #[must_use]
     pub const fn with_blending<A: Copy>(self, blending: A) -> DrawOptions<M, Z, A> {
         self.with(self.mode, self.depth, blending)
     }
 
-    /// The same options with these three, which may have other types.
+    /// The same options with another mode, depth test and blending, which may have other types.
     const fn with<N, Y, A>(self, mode: N, depth: Y, blending: A) -> DrawOptions<N, Y, A> {
         DrawOptions {
             cull: self.cull,

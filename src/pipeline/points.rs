@@ -73,7 +73,7 @@ impl<C> Thing<C> for Points<'_> {
 
 /// Half the size of points, in units of 1/256 pixel.
 enum HalfSize {
-    /// All have the same.
+    /// All points have this half size.
     Equal(i64),
     /// Half the size is mantissa · 2^-exponent / distance, with the distance in units of the near plane's distance.
     OverDistance(i32, i32),
@@ -142,8 +142,8 @@ fn sized_points<K: ProjectionKind>(
     })
 }
 
-/// Draws all positions of a mesh that are inside all planes, each by `point`, with half of its size in units of 1/256
-/// pixel.
+/// Draws all positions of a mesh that are inside all planes, each by `point`, which receives half the point's size in
+/// units of 1/256 pixel.
 #[inline]
 fn each_point<K: ProjectionKind>(
     call: &Call<'_, K>,

@@ -33,8 +33,8 @@ pub struct Ray {
     pub origin: Vec3,
     /// The direction of the ray.
     pub direction: Direction,
-    /// Which faces the ray passes through: none, those that it meets from behind, or those that it meets from the
-    /// front, where their corners run counter-clockwise.
+    /// Which faces the ray passes through: no faces, faces that it meets from behind, or faces that it meets from the
+    /// front. Seen from the front, a face's corners run counter-clockwise.
     pub cull: Cull,
 }
 
@@ -91,7 +91,7 @@ impl Ray {
     ///
     /// The test whether the ray meets a face is exact, and a ray through an edge between two faces meets one of them.
     /// Faces whose distances differ by less than 2⁻²⁹ of their extent count as equally far away; the last of them is
-    /// returned, because it is the one drawn over the others.
+    /// returned, because it is drawn over the others.
     #[must_use]
     pub fn hit(&self, mesh: &Mesh<'_>) -> Option<Hit> {
         let view = RayView::new(self);
@@ -109,7 +109,8 @@ impl Ray {
                 b * i64::from(of_b),
                 c * i64::from(of_c),
             ];
-            // The shares of three numbers of 33 bits: no more than the greatest.
+            // The sum is a weighted mean of three numbers of 33 bits, so it is no greater than the greatest of these
+            // numbers.
             let ahead = (a + b + c) * view.forward;
             if ahead >= 0 && nearest.is_none_or(|(least, ..)| ahead <= least) {
                 nearest = Some((ahead, face, barycentric));
@@ -138,10 +139,11 @@ impl Ray {
 struct RayView {
     /// The longest axis.
     main: Axis,
-    /// Of the longest axis, and of the two aside, so that the three are right-handed.
+    /// The components of the ray's origin: first along the longest axis, then along the other two, in an order that
+    /// makes the three axes right-handed. The direction's components have the same order.
     origin: [i32; 3],
     direction: [i32; 3],
-    /// The sign of the main component.
+    /// The sign of the direction's component along the longest axis.
     forward: i64,
 }
 
@@ -154,7 +156,7 @@ enum Axis {
 }
 
 impl Axis {
-    /// Three components in another order: this axis's first.
+    /// Three components in another order: first the component along this axis.
     #[inline]
     const fn first(self, [x, y, z]: [i32; 3]) -> [i32; 3] {
         match self {
@@ -165,7 +167,8 @@ impl Axis {
     }
 }
 
-/// A position relative to a ray's origin, along its main axis and the two aside, in units of 2^-16: 33 bits.
+/// A position relative to a ray's origin, along the ray's longest axis and the other two axes, in units of 2^-16: 33
+/// bits.
 type Seen = [i64; 3];
 
 impl RayView {
@@ -196,13 +199,13 @@ impl RayView {
         [from(x, from_x), from(y, from_y), from(z, from_z)]
     }
 
-    /// The barycentric coordinates, in units of 2^-30, of the point where the ray's line meets a triangle; `None` if it
-    /// does not, or if the triangle is culled.
+    /// The barycentric coordinates, in units of 2^-30, of the point where the ray's line meets a triangle; `None` if
+    /// the line misses the triangle, or if the triangle is culled.
     #[inline]
     fn meet(&self, [a, b, c]: &[Seen; 3], cull: Cull) -> Option<[i32; 3]> {
         let [along, one, other] = self.direction.map(i64::from);
-        // The sheared coordinates, times the ray's main component: each is a component of the cross product of a vector
-        // of at most √2 · 2^32 and one of 2^30, so below 2^63.
+        // The sheared coordinates, times the ray's main component. Each product is a component of the cross product of
+        // a vector of a length of at most √2 · 2^32 and a vector of length 2^30, so it is below 2^63.
         let is_beside = |[a, b, c]: [i64; 3]| a.min(b).min(c) > 0 || a.max(b).max(c) < 0;
         let first = |at: &Seen| at[1] * along - at[0] * one;
         let firsts = [first(a), first(b), first(c)];
@@ -218,7 +221,8 @@ impl RayView {
         // Twice the areas of the triangles that two corners make with the ray: exact, 127 bits.
         let areas = [xb * yc - yb * xc, xc * ya - yc * xa, xa * yb - ya * xb];
         let is_met = areas.iter().all(|&v| v >= 0) || areas.iter().all(|&v| v <= 0);
-        // Each is at most 2^126 in magnitude, and so is their sum, which is twice the area of the triangle.
+        // Each area is at most 2^126 in magnitude, and so is the sum of the areas, which is twice the area of the
+        // triangle.
         let [_, second, third] = areas.map(i128::unsigned_abs);
         let sum: i128 = areas.iter().sum();
         // Counter-clockwise is the front if the main axis points toward the viewer.
@@ -227,7 +231,7 @@ impl RayView {
             return None;
         }
         let sum = sum.unsigned_abs();
-        // 32 bits of the sum, so that a share of it, times 2^30, has 62.
+        // 32 bits of the sum, so that a share of the sum, times 2^30, has 62 bits.
         let down = (128 - sum.leading_zeros()).saturating_sub(32);
         let sum = (sum >> down) as u64;
         let share = |area: u128| {
@@ -248,8 +252,8 @@ impl RayView {
     }
 }
 
-/// A point and a direction of eye space in model space, from where `view` transforms them. The point is rounded to
-/// nearest. `None` if the transform's matrix has no inverse, or if the point is out of range.
+/// Transforms a point and a direction from eye space back to model space; `view` transforms from model to eye space.
+/// The point is rounded to nearest. `None` if the transform's matrix has no inverse, or if the point is out of range.
 fn in_model(
     view: &Transform,
     point: [BlockFloat; 3],
@@ -257,7 +261,7 @@ fn in_model(
 ) -> Option<(Vec3, [i32; 3])> {
     let [x, ..] = view.linear;
     let NormalMatrix([first, second, third]) = view.normal_matrix();
-    // Positive, because the columns have the sign of the determinant.
+    // Not negative, because the normal matrix is multiplied by the sign of the determinant.
     let determinant = dot(&x, &first);
     if determinant <= 0 {
         return None;

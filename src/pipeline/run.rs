@@ -5,8 +5,8 @@
 //! ```
 //!
 //! Vertices are projected once and kept for neighboring triangles ([`vertex`](super::vertex), [`VertexCache`]).
-//! Triangles are culled and clipped ([`assemble`]). The rest becomes spans of pixels ([`raster`]), which become
-//! colors ([`Blitter`]).
+//! Triangles are culled and clipped ([`assemble`]). The remaining triangles become spans of pixels ([`raster`]), and
+//! the spans become colors ([`Blitter`]).
 
 use super::Drawn;
 use super::assemble::{self, Assembly};
@@ -19,13 +19,13 @@ use crate::view::ProjectionKind;
 /// Runs all triangles of a mesh through the vertex and assembly stages; `to` draws them or keeps them in a list.
 #[inline]
 pub(super) fn triangles<K: ProjectionKind>(call: &Call<'_, K>, to: &mut impl Assembly) {
-    // Before the faces are found: this takes fewer registers on Cortex-M0+.
+    // The cache is made before the faces are found, because this takes fewer registers on Cortex-M0+.
     let mut vertices = VertexCache::new(call.slots);
     triangles_from(call, (0, call.shared.mesh.faces()), &mut vertices, to);
 }
 
-/// Runs triangles, the first of which has the index `first`, with the caller's cache. (A function of its own, because
-/// otherwise each triangle takes a call in programs that also draw quads.)
+/// Runs triangles through the stages, with the caller's cache. `first` is the index of the first triangle. (This is a
+/// function of its own, because otherwise each triangle takes a call in programs that also draw quads.)
 #[inline]
 fn triangles_from<K: ProjectionKind>(
     call: &Call<'_, K>,
@@ -49,9 +49,9 @@ pub(super) fn draw<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blit
 /// Whether one plane goes through the varyings of both triangles of a rectangle.
 pub(super) type IsPlane<'p> = &'p dyn Fn([&Primitive<'_>; 2]) -> bool;
 
-/// Draws quads: the triangles of a mesh in pairs, the first of which has the index `first`. The cache must hold no
+/// Draws quads: the triangles of a mesh in pairs. `first` is the index of the first triangle. The cache must hold no
 /// vertices of other meshes. If quads are upright rectangles on the screen, each at one depth, `is_plane` tells which
-/// of them to draw as one primitive.
+/// quads to draw as one primitive.
 #[inline(never)]
 pub(super) fn quads<K: ProjectionKind>(
     call: &Call<'_, K>,
@@ -89,7 +89,7 @@ fn rectangle<K: ProjectionKind>(
     let [mut from, mut to] = [ScreenVertex::UNSET; 2];
     call.projector.project(a, None, &mut from);
     call.projector.project(d, None, &mut to);
-    // The other two corners have the coordinates of these.
+    // The other two corners have the same coordinates as these two.
     if from.outcode | to.outcode != 0 {
         return from.outcode & to.outcode != 0;
     }
@@ -153,15 +153,15 @@ impl<'d> Draw<'d> {
         }
     }
 
-    /// Whether a line or point may have pixels: between two positions, in units of 1/256 row, and up to `reach` rows
-    /// beyond them.
+    /// Whether a line or point may have pixels in the scissor. It lies between the positions a and b, in units of 1/256
+    /// row, and reaches up to `reach` rows beyond them.
     #[inline]
     pub(super) fn meets(&self, [a, b]: [i32; 2], reach: i32) -> bool {
         let rows = &self.shared.scissor.rows;
         (a.min(b) >> 8) - reach < rows.end && (a.max(b) >> 8) + reach >= rows.start
     }
 
-    /// Draws an edge or a point by `line`; the faces beside an outline's edge are this steep.
+    /// Draws an edge or a point by `line`. `beside` is how steep the faces beside an outline's edge are.
     #[inline]
     pub(super) fn line(
         &mut self,
@@ -178,7 +178,7 @@ impl<'d> Draw<'d> {
 impl Assembly for Draw<'_> {
     #[cfg_attr(not(for_size), inline(never))] // so that the loop over faces, half of them rejected, has its registers
     fn whole(&mut self, indices: Indices, corners: [&ScreenVertex; 3], area: i64) {
-        // By reference: moved, it would be copied.
+        // Borrowed, because a move would copy the triangle.
         if let Some(triangle) = &Triangle::new(corners, None, area, &self.shared.scissor) {
             self.raster.of(indices, area).triangle(triangle, None);
             self.drawn += 1;

@@ -1,5 +1,5 @@
-//! Sprites: quads in eye space, which are drawn as a mesh of eight at a time. Those that face the camera are rectangles
-//! on the screen, each drawn as one primitive where its varyings allow it.
+//! Sprites: quads in eye space. They are drawn as meshes of eight quads each. Sprites that face the camera are
+//! rectangles on the screen; a rectangle is drawn as one primitive if its varyings allow it.
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
@@ -39,7 +39,8 @@ impl<C> Thing<C> for &Sprites<'_> {
 /// How many sprites are drawn as one mesh. Their corners take half of the vertex cache.
 const BATCH: usize = 8;
 
-/// The two triangles of each quad, whose corners are at the bottom left and right, and the top left and right.
+/// The two triangles of each quad. The corners of a quad are in this order: bottom left, bottom right, top left, top
+/// right.
 static FACES: [[Index; 3]; 2 * BATCH] = faces();
 
 const fn faces() -> [[Index; 3]; 2 * BATCH] {
@@ -125,14 +126,14 @@ impl Shape {
     }
 }
 
-/// Whether a vector is inside the range; saturated numbers are at its ends.
+/// Whether a vector is inside the range of positions. Saturated numbers are at the ends of the range.
 fn is_inside(vector: Vec3) -> bool {
     let [x, y, z] = vector.to_bits();
     let is_inside = |v: i32| i32::MIN < v && v < i32::MAX;
     is_inside(x) && is_inside(y) && is_inside(z)
 }
 
-/// The texture coordinates of a quad's corners, from those at its left, right, top and bottom.
+/// The texture coordinates of a quad's corners, from the coordinates at its left, right, top and bottom side.
 fn uvs_of([left, right, top, bottom]: [TexCoord; 4]) -> [Vec2; 4] {
     [[left, bottom], [right, bottom], [left, top], [right, top]].map(|[u, v]| Vec2::new(u, v))
 }
@@ -177,8 +178,8 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
     #[inline(never)]
     fn draw(&self, scissor: &Scissor, is_plane: IsPlane<'_>, blitter: &mut dyn Blitter) -> Drawn {
         let sprites = self.sprites;
-        // The corners of a sprite that faces the camera share one z, so its screen x depends only on its x, and its
-        // y on y.
+        // The corners of a sprite that faces the camera share one z, so the screen x of a corner depends only on its x,
+        // and the screen y only on its y.
         let is_plane = Some(is_plane).filter(|_| sprites.axis.is_none());
         let mut drawn = Drawn::default();
         let mut corners = [[Vec3::ZERO; 4]; BATCH];
@@ -186,7 +187,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
         let mut uvs = [uvs_of(sprites.frame(0)); BATCH];
         let mut colors = [[Rgb888::WHITE; 4]; BATCH];
         let mut vertices = VertexCache::new(Slots::new(&[]));
-        // The corners of the last scale, because many sprites have the same.
+        // The corners of the last scale, because many sprites have the same scale.
         let mut last = (BlockFloat::ZERO, [Vec3::ZERO; 4], true);
         for (batch, positions) in sprites.positions.chunks(BATCH).enumerate() {
             let first = batch * BATCH;
@@ -233,7 +234,8 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
         drawn
     }
 
-    /// The corners of a sprite in eye space; all the same, so that it has no pixels, if one of them is out of range.
+    /// The corners of a sprite in eye space. If a corner is out of range, all corners are the same, so that the sprite
+    /// has no pixels.
     fn corners(&self, sprite: usize, position: Vec3, last: &mut LastScale) -> [Vec3; 4] {
         let position = self.view.point(position);
         let scale = self.sprites.scales.get(sprite).unwrap_or(&Scalar::ONE);

@@ -25,20 +25,20 @@ use crate::view::{AsMvp, ProjectionKind};
             `style.between(from, to)`, `mesh.points(style)` or `&sprites`"
 )]
 pub trait Thing<C>: Sealed {
-    /// Draws it to some rows of a frame.
+    /// Draws the thing to some rows of a frame.
     fn draw<V: AsMvp>(self, to: To<'_>, mvp: &V, paint: impl Paint<C>) -> Drawn;
 }
 
-/// The pixels' end of a draw call: a canvas, options and a shader.
+/// The last part of a draw call, where pixels get their colors: a canvas, options and a shader.
 pub(super) trait Paint<C> {
     type Shader: ShaderFor<C>;
     type Blending: Blending<C>;
     type Test: DepthTest;
 
-    /// Colors the pixels, unless lines are smooth.
+    /// The shading of all pixels except the pixels of smooth lines.
     fn shading(&self) -> (Self::Shader, Self::Blending, Self::Test);
 
-    /// Runs the stages before the pixels, which are colored by `shading`.
+    /// Runs the stages before the pixels. `shading` colors the pixels.
     fn run<K: ProjectionKind>(
         &mut self,
         shift: DepthShift,
@@ -103,7 +103,7 @@ pub(super) type DrawLine<'l> = &'l dyn Fn(&mut Rasterizer<'_>, [&ClippedVertex; 
     note = "anti-aliased lines need a color that implements `PixelFormat`"
 )]
 pub trait Pen<C>: Copy {
-    /// Runs the stages before the pixels, which draw each line as they are told.
+    /// Runs the stages before the pixels, and tells them how to draw a line.
     fn paint<K: ProjectionKind>(
         self,
         paint: impl Paint<C>,

@@ -14,11 +14,11 @@ use crate::view::{Projection, ProjectionKind, Row, Viewport};
 /// Half the width and height of the guard band, in pixels. The guard band is the area around the viewport's center in
 /// which screen coordinates are exact, and to which triangles are clipped.
 const GUARD: i32 = 2048;
-/// The guard band's half width is 2 to this power units of 1/256 pixel: 19.
+/// An exponent, 19: the guard band's half width is 2^19 units of 1/256 pixel.
 const GUARD_BITS: u32 = GUARD.trailing_zeros() + 8;
 
-/// A position in clip space: t, which is w in perspective and depth under a parallel projection; x to the right and y
-/// down, in units of the guard band. Each is an integer, and has the fraction bits of its row.
+/// A position in clip space: t, then x to the right and y down, in units of the guard band. t is w in perspective, and
+/// depth under a parallel projection. Each coordinate is an integer with the fraction bits of its row.
 pub(crate) type ClipPosition = [i64; 3];
 
 /// Which coordinate of a [`ClipPosition`] a plane bounds.
@@ -26,8 +26,8 @@ const fn axis(plane: u32) -> usize {
     (plane >> 1) as usize
 }
 
-/// How many units a clip coordinate may lie beyond a side plane and still count as inside: rounding may move a point by
-/// up to this much if it was cut from an edge with both ends inside.
+/// How many units a clip coordinate may lie beyond a side plane and still count as inside. Rounding may move a point
+/// this far if the point was cut from an edge with both ends inside.
 const SIDE_TOLERANCE: i64 = 8;
 
 /// The upper half of 64 bits.
@@ -42,9 +42,10 @@ pub(crate) struct Projector<'m, K> {
     positions: Positions<'m>,
     rows: [wide::Row; 3],
     offsets: [i64; 3],
-    /// Fraction bits of each clip coordinate; the same in perspective, where x and y are divided by w.
+    /// Fraction bits of each clip coordinate. In perspective, the three numbers are equal, because x and y are divided
+    /// by w.
     fractions: [u8; 3],
-    /// The least t that is inside, negated, and the greatest.
+    /// The least t that is inside, negated, and the greatest t that is inside.
     ends: [i64; 2],
     /// The viewport's center, in units of 1/256 pixel.
     center: [i32; 2],
@@ -72,18 +73,19 @@ fn scaled(row: &Row, unit: &BlockFloat, size: i32) -> AffineRow {
 /// The greatest number of fraction bits of a coefficient.
 const MOST_EXP: i32 = 40;
 
-/// Writes a row of clip space, after `view`, with as many fraction bits as fit. Returns those of the clip coordinate.
+/// Writes the row of clip space `line`, after `view`, with as many fraction bits as fit. Returns the number of fraction
+/// bits of the clip coordinate.
 #[inline(never)]
 fn finest_row(line: &AffineRow, view: &Transform, row: &mut [i32; 3], offset: &mut i64) -> u8 {
     let mut linear = [BlockFloat::ZERO; 3];
     let moved = line.after(view, &mut linear);
-    // The limits are those of perspective: see `Projector::new`.
+    // The limits are the same as in perspective: see `Projector::new`.
     let of_offset = moved.finest(60).saturating_sub(16);
     let exp = linear
         .iter()
         .fold(of_offset, |exp, m| exp.min(m.finest(29)));
     let exp = exp.clamp(0, MOST_EXP);
-    // If the exponent was clamped to 0, they saturate.
+    // If the exponent was clamped to 0, coefficients and offset saturate.
     for (m, number) in row.iter_mut().zip(&linear) {
         *m = number.at(exp).clamp(-(1 << 29), 1 << 29) as i32;
     }
@@ -115,8 +117,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             (depth, one)
         } else {
             // t = (far − distance) / (far − near), slightly below 1 at the near plane. Both terms have the same factor,
-            // so that the far plane keeps its bits however close together the planes are. The factor is even, because
-            // coefficients have 29 bits: if the view does not turn, nothing more is rounded.
+            // so that the far plane keeps its bits, even if the planes are very close together. The factor is even,
+            // because coefficients have 29 bits: if the view does not turn, nothing more is rounded.
             let length = i64::from(far) - i64::from(near);
             let part = BlockFloat::new((1 << 16) - 1, 0).over(BlockFloat::new(length, 0));
             let (m, exp) = part.rounded();
@@ -155,7 +157,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             offsets = clip.translation.map(|m| block::shift(m.into(), up));
             fractions = [fraction.cast_unsigned() as u8; 3];
         } else {
-            // Each row has its own, because a box may be millions of times as wide as it is deep or high.
+            // Each row has its own exponent, because a box may be millions of times as wide as it is deep or high.
             let to = rows.iter_mut().zip(&mut offsets).zip(&mut fractions);
             for (line, ((row, offset), fraction)) in lines.iter().zip(to) {
                 *fraction = finest_row(line, view, row, offset);
@@ -163,8 +165,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         }
         // At the near plane, t is 1 + 2^-16, or 1 − 2^-16 under a parallel projection: see above. The plane is nearer
         // by 2^-27 of its distance or, under a parallel projection, by 2^-19 of the distance between the planes,
-        // because rounding must not move what lies exactly in it to its outside. (Terms of t have an error of 2^-29 of
-        // the greatest, which may be a few hundred under a parallel projection.)
+        // because rounding must not move a point that lies exactly in the plane to the outside. (Terms of t have an
+        // error of 2^-29 of the greatest term. Under a parallel projection, this term may be a few hundred.)
         let fraction = i32::from(fractions[0]);
         let ends = if K::PERSPECTIVE {
             let least = (1 << 27) + (1 << 11) - 1;
@@ -193,7 +195,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         Projector { positions, ..*self }
     }
 
-    /// The clip position of a position of model space; of the origin for an index that no checked list holds.
+    /// The clip position of a position of model space. For an index that no checked list contains, it is the clip
+    /// position of the origin.
     #[inline]
     pub(super) fn clip_position(&self, index: Index) -> ClipPosition {
         let stored = self.positions.stored(index);
@@ -221,9 +224,9 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         }
     }
 
-    /// The bound of a coordinate at a plane: from below at an even one, where it is negated, from above at an odd one.
-    /// Planes 0 and 1 are near and far, or far and near, and bound t; 2 and 3 are left and right and bound x; 4 and 5
-    /// are top and bottom and bound y.
+    /// The bound of a coordinate at a plane. An even plane bounds the coordinate from below, and the bound is negated.
+    /// An odd plane bounds the coordinate from above. Planes 0 and 1 bound t (near and far, or far and near), planes 2
+    /// and 3 bound x (left and right), and planes 4 and 5 bound y (top and bottom).
     #[inline]
     fn bound(&self, t: i64, plane: u32) -> i64 {
         let end = self.ends.get(plane as usize).copied();
@@ -264,7 +267,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     #[inline]
     fn outcode(&self, position: &ClipPosition) -> u8 {
         let &[t, x, y] = position;
-        // All are below 2^62.
+        // t, x and y are below 2^62.
         let [nearest, farthest] = self.ends;
         // The upper halves decide, unless the position is next to a side plane.
         let size = |x: i64| upper(x) ^ (upper(x) >> 31);
@@ -285,7 +288,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     /// The [`outcode`](Self::outcode), computed plane by plane.
     ///
     /// Out of line, because it is long and few vertices of visible triangles need it. The position is passed by value,
-    /// so that others stay in registers.
+    /// so that the caller's position stays in registers.
     #[inline(never)]
     fn each_outcode(&self, position: ClipPosition) -> u8 {
         (0..6).fold(0, |outcode, plane| {
@@ -293,8 +296,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         })
     }
 
-    /// Projects the position at `index` to the screen; instead of it `inside`, if there is one: a position of clip
-    /// space that is inside all planes, such as a corner of a clipped polygon.
+    /// Projects a position to the screen: `inside` if it is given, otherwise the position at `index`. `inside` is a
+    /// position of clip space that is inside all planes, such as a corner of a clipped polygon.
     ///
     /// Out of line, with an out-parameter: callers stay short, and the vertex is not copied.
     #[inline(never)]
@@ -304,7 +307,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         inside: Option<&ClipPosition>,
         to: &mut ScreenVertex,
     ) {
-        // By value: a position that is sometimes behind a reference is always kept in memory.
+        // Copied, because the compiler keeps a position in memory if it is sometimes behind a reference.
         let position = if let Some(position) = inside {
             *position
         } else {
@@ -347,8 +350,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
                 (up + coarse) as u8,
             )
         } else {
-            // Inside all planes, a coordinate is at most 1, but for rounding, so that 61 fraction bits fit. There are
-            // at most 56.
+            // Inside all planes, a coordinate is at most 1, apart from rounding, so 61 fraction bits fit. A coordinate
+            // has at most 56 fraction bits.
             let ([t, x, y], [of_t, of_x, of_y]) = (position, self.fractions);
             let raised = |x: i64, of_x| x << (61_u8.wrapping_sub(of_x) & 63);
             let on_screen = |x, of_x| {
@@ -378,13 +381,14 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     pub(super) fn misses(&self, bounds: &Bounds, scissor: &Scissor) -> bool {
         let (least, most) = (bounds.least.to_bits(), bounds.most.to_bits());
         // A plane's coefficients are rounded down twice, by up to half a unit each time, and multiplied by a corner.
-        // Its offset is rounded by one before it is multiplied by at most 2^19, and both are halved.
+        // The plane's offset is rounded by up to one unit before it is multiplied by at most 2^19. Coefficients and
+        // offset are halved.
         let mut error: i64 = 1 << 19;
         for (least, most) in least.iter().zip(&most) {
             error += i64::from(least.unsigned_abs().max(most.unsigned_abs()));
         }
-        // Whether even the corner that lies farthest in the direction of a plane's inside is outside it. Coefficients
-        // take 30 bits, so that the sum takes 63.
+        // Whether even the corner that lies farthest toward the inside of a plane is outside the plane. Coefficients
+        // take 30 bits, so the sum takes 63 bits.
         let is_outside = |plane: [i32; 3], offset: i64| {
             let mut farthest = (offset >> 1) + error;
             for (c, (&least, &most)) in plane.iter().zip(least.iter().zip(&most)) {
@@ -407,7 +411,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         ];
         sides.into_iter().any(|(row, offsets, center, pixels)| {
             let [offset, w_offset] = offsets;
-            // The ends are at most half a viewport and 33 pixels from its center, in units of 2^-19 of the guard band.
+            // The ends of the scissor are at most half a viewport plus 33 pixels from the viewport's center. `end` is
+            // in units of 2^-19 of the guard band.
             [(pixels.start - 1, 1), (pixels.end + 1, -1)]
                 .into_iter()
                 .any(|(end, sign)| {
@@ -426,7 +431,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     #[inline]
     pub(crate) fn depth_shift(&self) -> DepthShift {
         DepthShift(if K::PERSPECTIVE {
-            // 1/t = q · 2^(exponent + fraction − 94), and the depth is 2^16 times that.
+            // 1/t = q · 2^(exponent + fraction − 94), and the depth is 2^16 / t.
             78 - i32::from(self.fractions[0])
         } else {
             // All exponents are 0.
@@ -489,7 +494,7 @@ mod tests {
     }
 
     /// Positions in the near plane are visible and have the greatest depth, or one step less, however their coordinates
-    /// are split between mesh and transform. Those in front of it are not visible.
+    /// are split between mesh and transform. Positions in front of the near plane are not visible.
     #[test]
     fn what_lies_in_the_near_plane_is_visible() {
         fn check<K: ProjectionKind>(projection: &Projection<K>, [x, y, split]: [Scalar; 3]) {
@@ -520,7 +525,7 @@ mod tests {
             let mut coordinate = || Scalar::from_bits(random.random_range(-64 << 16..64 << 16));
             let place = [coordinate(), coordinate(), coordinate()];
             let (angle, window) = (Angle::from_degrees(60), Window::centered(fx!(12), fx!(9)));
-            // Its plane has 27 bits, so the coordinates are no greater than the distance.
+            // The near plane is exact to 2^-27 of its distance, so coordinates are no greater than this distance.
             let [x, y, split] = place.map(|at| at / 64);
             check(
                 &Projection::perspective(angle, (4, 3), near, far).unwrap(),

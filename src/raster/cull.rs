@@ -51,7 +51,7 @@ impl Cull {
         }
     }
 
-    /// The sides that are not drawn, by the winding on the screen, which a mirror turns around.
+    /// The sides that are not drawn, by their winding on the screen. A mirror turns the winding around.
     #[inline]
     pub(crate) const fn mirrored(self, is_mirror: bool) -> Self {
         match self {

@@ -11,12 +11,12 @@ use crate::num::wide::{DIVIDES, divide};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     column: i32,
-    /// From -`height` to -1, so that its sign tells when a column is complete.
+    /// From -`height` to -1. When a step makes it 0 or more, the edge has reached the next column.
     part: i32,
-    /// The number grows by `step` + `rest` / `height` for each row.
+    /// The rational number grows by `step` + `rest` / `height` for each row.
     step: i32,
     rest: i32,
-    /// In units of 1/256 pixel. `rest` is less than that, and not below 0.
+    /// The edge's height, in units of 1/256 pixel. `rest` is from 0 to `height` − 1.
     height: i32,
 }
 
@@ -37,12 +37,13 @@ impl Edge {
     pub(super) fn new([x, y]: [i32; 2], to: [i32; 2], row: i32) -> Self {
         let height = (to[1] - y).max(1);
         let (step, rest) = divide(to[0] - x, height);
-        // The edge crosses the first center, `down` < 256 units below its upper end, at x + step · down +
-        // rest · down / height. The first column is that plus half a pixel less the least fraction, rounded down.
+        // The edge crosses the first row's centers, `down` < 256 units below the upper end, at x + step · down + rest ·
+        // down / height. The first column is this crossing plus half a pixel minus the least fraction, rounded down.
         let first = first_center(y);
         let down = (first << 8) + 128 - y;
         let x = x + 128 + step * down;
-        // In units of 1 / (256 · height) pixel; the last 8 bits never change. It is from -1 to below 2 · height.
+        // The sum is in units of 1 / (256 · height) pixel. Its last 8 bits never change from row to row, so they are
+        // cut. `part` is then from -1 to below 2 · height.
         let part = ((x & 255) * height + rest * down - 1) >> 8;
         let mut edge = Self {
             column: x >> 8,
@@ -62,13 +63,14 @@ impl Edge {
         if skipped > 0 {
             edge.skip(skipped);
         }
-        // So far, `part` was counted from 0. One row back, because `next` goes to a row before it returns its column.
+        // So far, `part` is from 0 to `height` − 1. The field must be less by `height`. The edge starts one row back,
+        // because `next` moves on before it returns a column.
         edge.column -= step;
         edge.part -= rest + height;
         edge
     }
 
-    /// Skips rows above the scissor, such as those of earlier bands: at most 4095, each with a rest below 2^20.
+    /// Skips rows above the scissor, such as the rows of earlier bands: at most 4095 rows, each with a rest below 2^20.
     #[inline]
     fn skip(&mut self, rows: i32) {
         let height = NonZeroU32::new(self.height.cast_unsigned()).unwrap_or(NonZeroU32::MIN);
@@ -78,13 +80,14 @@ impl Edge {
         self.part = (moved % height).cast_signed();
     }
 
-    /// The first column whose center is on the edge or to the right of it, in the next row: at first in `row`.
+    /// Moves to the next row, at first to the row given to `new`, and returns the first column whose center is on the
+    /// edge or to the right of it.
     #[inline]
     pub(super) fn next(&mut self) -> i32 {
         self.column += self.step;
         self.part += self.rest;
         if self.part >= 0 {
-            // Keeps the compiler from computing both cases, for which a small core lacks registers.
+            // Keeps the compiler from computing both cases, because a small core has too few registers for both.
             black_box(());
             self.part -= self.height;
             self.column += 1;
@@ -93,11 +96,11 @@ impl Edge {
     }
 }
 
-/// An [`Edge`] of less than 128 columns and rows in fixed point, for cores that divide: it takes 6 instructions a row
-/// in place of 10.
+/// An [`Edge`] of less than 128 columns and rows, in fixed point, for cores that divide. A row takes 6 instructions in
+/// place of 10.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ShortEdge {
-    /// The crossing plus half a pixel and less [`BELOW`], in units of 2^-32 pixel: the upper half is the first column
+    /// The crossing plus half a pixel minus [`BELOW`], in units of 2^-32 pixel. The upper half is the first column
     /// whose center is on the crossing or to the right of it.
     x: i64,
     step: i64,
@@ -106,12 +109,13 @@ pub(super) struct ShortEdge {
 /// Limit for the sides of a short edge, in units of 1/256 pixel.
 const SHORT: i32 = 128 << 8;
 
-/// Half of what a short edge may be below its crossing.
+/// How far a short edge starts below its crossing, in units of 2^-32 pixel: half of the greatest distance that is
+/// allowed.
 ///
-/// Let dx and dy be its sides. A crossing is a multiple of 1 / (256 · dy) pixel, which is more than 2^9 units of
-/// 2^-32 pixel. So it may be less than 2^9 units below the crossing, and, for a center on it, must be below by at
-/// least a unit. The step has an error of less than a unit, and the crossing one of less than a unit for each row
-/// and one more: at most 129 units.
+/// Let dx and dy be the sides of the edge. A crossing is a multiple of 1 / (256 · dy) pixel, which is more than 2^9
+/// units. So a short edge must be less than 2^9 units below the crossing, and at least one unit below it: then a center
+/// on the crossing counts. Rounding moves the edge by at most 129 units: by less than a unit for each row, because the
+/// step is rounded, and by one unit more.
 const BELOW: u32 = 1 << 8;
 
 /// A number of 64 bits from its halves.
@@ -127,7 +131,8 @@ impl ShortEdge {
         DIVIDES && width | height < SHORT
     }
 
-    /// The edge from `from` down to `to`, at `row`, whose center it crosses; `None` if it is level.
+    /// The edge from `from` down to `to`, at `row`. The edge must cross the center of `row`. `None` if the edge is
+    /// level.
     #[inline]
     pub(super) fn new([x, y]: [i32; 2], to: [i32; 2], row: i32) -> Option<Self> {
         let (dx, dy) = (to[0] - x, to[1] - y);
@@ -139,7 +144,7 @@ impl ShortEdge {
         let upper = size / dy;
         let lower = ((size - upper * dy) << 16) / dy;
         let step = join(upper >> 16, upper << 16).wrapping_add(lower.into());
-        // 2^8 · (x · 2^24 + 2^31 - BELOW), and then down to the center of the row.
+        // 2^8 · (x · 2^24 + 2^31 - BELOW), and then the way down to the center of the row.
         let down = ((row << 8) + 128 - y).cast_unsigned();
         let start = join(x + 127, -(BELOW << 8).cast_signed());
         let x = start.wrapping_add(step.wrapping_mul(down.into())) >> 8;
@@ -179,7 +184,8 @@ mod tests {
         -(128 * height - crossing).div_euclid(256 * height)
     }
 
-    /// Compares all rows of a short edge with the rational crossing, from its first row on and from any other.
+    /// Compares all rows of a short edge with the rational crossing, for edges that start at the first row or at any
+    /// other row.
     fn check_short(from: [i32; 2], to: [i32; 2]) {
         let rows = first_center(from[1])..first_center(to[1]);
         if rows.is_empty() {
@@ -203,7 +209,7 @@ mod tests {
             let size = random.random_range(0_u32..15);
             let [x, y] = from;
             check_short(from, [x + dx, y + dy]);
-            // Many small ones, and crossings at centers or near them.
+            // Many small edges, and edges with crossings at centers or near them.
             let (dx, dy) = (dx >> size, i32::max(dy >> size, 1));
             check_short(from, [x + dx, y + dy]);
             let from = from.map(|at| at & !255 | 128);

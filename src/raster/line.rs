@@ -33,8 +33,9 @@ pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
         return;
     };
 
-    // An edge runs along its second coordinate, which is the longer axis here. It knows the next center, not the pixel
-    // that contains it, so it is mirrored: the floor of a number is the negative of its negative's ceiling.
+    // An `Edge` steps along its second coordinate, which is the longer axis here. It returns the first center at or
+    // after the line, a ceiling. A hairline needs the pixel that contains the line, a floor. So the edge is mirrored:
+    // ⌊x⌋ = −⌈−x⌉.
     let mut edge = Edge::new([128 - minor, start], [128 - minor_end, end], steps.start);
     // Consecutive pixels of one row are drawn as one span, which starts at `first`.
     let mut first = steps.start;
@@ -55,8 +56,9 @@ pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
     }
 }
 
-/// Draws the pixel that contains an end of a line, if the line does not pass its center. Otherwise, where lines meet at
-/// a corner, none of them might draw it. A blended line leaves such pixels out, so that a polyline blends none twice.
+/// Draws the pixel that contains an end of a line, if the line does not pass the pixel's center. Without this pixel,
+/// lines that meet at a corner might leave a gap. A blended line leaves this pixel out, so that a polyline blends no
+/// pixel twice.
 #[inline(never)]
 fn draw_end(raster: &mut Rasterizer<'_>, end: &ClippedVertex, steep: bool, is_last: bool) {
     if (along(end, steep) & 255 <= 128) == is_last {
@@ -71,7 +73,7 @@ fn along(end: &ClippedVertex, steep: bool) -> i32 {
     if steep { y } else { x }
 }
 
-/// Whether a line's longer axis is the vertical one.
+/// Whether a line's longer axis is vertical.
 #[inline]
 fn is_steep([from, to]: [&ClippedVertex; 2]) -> bool {
     let ([x0, y0], [x1, y1]) = (from.vertex.screen, to.vertex.screen);
@@ -82,12 +84,12 @@ fn is_steep([from, to]: [&ClippedVertex; 2]) -> bool {
 pub(super) struct Course<'r> {
     pub(super) laid: &'r mut dyn Rows,
     pub(super) steep: bool,
-    /// The ends: the coordinate along the longer axis, and the one across.
+    /// The ends: the coordinate along the longer axis, then the coordinate across it.
     pub(super) start: [i32; 2],
     pub(super) end: [i32; 2],
     /// The pixels along the longer axis whose centers the line passes, within the scissor.
     pub(super) steps: Range<i32>,
-    /// The scissor across.
+    /// The pixels across the longer axis that are in the scissor.
     pub(super) across: Range<i32>,
 }
 
@@ -167,7 +169,8 @@ mod tests {
     /// A line in each octant, from either end.
     #[test]
     fn a_line_in_each_octant() {
-        // From the center of pixel (6, 6): right, down, left and up, and a third of that aside to both sides.
+        // Around the center of pixel (6, 6): two lines each to the right, down, to the left and up. They turn aside by
+        // a third of their length, one to either side.
         let ends = [
             [[34, 26], [46, 30]],
             [[30, 34], [34, 46]],
@@ -205,7 +208,8 @@ mod tests {
         turned.assert(&expected);
     }
 
-    /// The end of a line is the start of the next: it is blended once, on a pixel's center or beside it.
+    /// Each line starts where the line before ends. The pixel there is blended once, whether the end is on the pixel's
+    /// center or beside it.
     #[test]
     fn lines_end_to_end_blend_no_pixel_twice() {
         let mut picture = Picture::new(12, 4);

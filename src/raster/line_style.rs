@@ -57,14 +57,14 @@ use crate::{Error, Scalar};
 /// The ends of a line are exact to 1/256 pixel. Let d be the distance from the pixel's center to the nearest point of
 /// the line. Then the share is (width + 1)/2 − d, limited to 0 and 1. So the width is measured at right angles to the
 /// line, ends are round, and a line is equally strong in every direction. A share has an error of at most 1.3/256.
-/// Blending rounds as for [`Opacity`](crate::canvas::Opacity), and dithers coarse colors. On 1-bit panels, hairlines
-/// look better.
+/// Blending rounds like [`Opacity`](crate::canvas::Opacity), and dithers coarse colors. On 1-bit panels, hairlines look
+/// better.
 ///
-/// Depth and attributes vary along the longer axis, as on a hairline; beyond an end, they are those of the end. So a
-/// pixel has the depth of a place up to √2 · (width + 1)/2 pixels away. If a mesh hides the lines on it, draw the mesh
-/// [`Biased`](crate::canvas::Biased) by this number of pixels, as in the example below. Or draw the outline of the mesh
-/// nearer by the same number of pixels. Draw smooth lines last, with [`TestOnly`](crate::canvas::TestOnly). Anything
-/// that is drawn later, behind a pixel that a line covers only in part, would not show through.
+/// Depth and attributes vary along the longer axis, as on a hairline; beyond an end, they have the values of the end.
+/// So a pixel has the depth of a place up to √2 · (width + 1)/2 pixels away. If a mesh hides the lines on it, draw the
+/// mesh [`Biased`](crate::canvas::Biased) by this number of pixels, as in the example below. Or draw the outline of the
+/// mesh nearer by the same number of pixels. Draw smooth lines last, with [`TestOnly`](crate::canvas::TestOnly).
+/// Anything that is drawn later, behind a pixel that a line covers only in part, would not show through.
 ///
 /// The blending of the options is applied first; then the share blends the result with the canvas.
 ///
@@ -154,13 +154,13 @@ impl<const SMOOTH: bool> LineStyle<SMOOTH> {
         !SMOOTH && self.half == LineStyle::HAIRLINE.half
     }
 
-    /// By how many rows a line may reach beyond those of its ends: 0 to 32.
+    /// How many rows a line may reach beyond the rows of its ends: 0 to 32.
     #[inline]
     pub(crate) const fn reach(self) -> i32 {
         if self.is_hairline() {
             return 0;
         }
-        // The center of a pixel that it covers is less than half the width and half a pixel away.
+        // The center of a covered pixel is less than half the width plus half a pixel away from the line.
         (self.half + 255) >> 8
     }
 }

@@ -37,7 +37,7 @@ pub(crate) use vertex::{
 };
 pub(crate) use wide_line::wide_line;
 
-/// Three vertices on the screen; each interpolant is the plane through its values at them.
+/// Three vertices on the screen. Each interpolant is the plane through its values at these vertices.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Patch<'a> {
     pub(crate) vertices: [&'a ScreenVertex; 3],
@@ -59,32 +59,33 @@ impl Patch<'_> {
     };
 }
 
-/// The columns of a row that are drawn: the first, and the one after the last. They lie within ±2^15.
+/// The columns of a row that are drawn: the first column, and the column after the last. They lie within ±2^15.
 pub(crate) type Columns = [i16; 2];
 
 /// A shader, a mode and a canvas.
 ///
-/// Everything before it, from the mesh's indices to rows of pixels, calls it through a `dyn`. This keeps a single
-/// copy of that code in a program, however many shaders and canvases there are. A call costs a few instructions.
+/// The stages before a blitter, from the mesh's indices to rows of pixels, call it through a `dyn`. So a program has a
+/// single copy of these stages, however many shaders and canvases there are. A call costs a few instructions.
 pub(crate) trait Blitter {
-    /// Whether the pixels of a primitive differ in anything but their position. If not, a patch has no meaning.
+    /// Whether the pixels of a primitive differ in more than their position. If not, [`lay`](Self::lay) ignores its
+    /// patch.
     fn varies(&self) -> bool;
 
-    /// Whether colors are mixed with those below, so that it matters how often a pixel is drawn.
+    /// Whether colors are mixed with the colors below. Then it matters how often a pixel is drawn.
     fn blends(&self) -> bool;
 
-    /// Lays the interpolants of a triangle, edge or point over a patch, which is the whole or a part of it.
+    /// Lays the interpolants of a triangle, edge or point over a patch: the whole primitive or a part of it.
     fn lay(&mut self, primitive: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows;
 }
 
 /// A [`Blitter`] that draws a patch.
 pub(crate) trait Rows {
-    /// Draws these columns of consecutive rows, which lie within the canvas; some may be empty.
+    /// Draws these columns of consecutive rows. All columns lie within the canvas; a row may be empty.
     fn draw(&mut self, first: i32, columns: &[Columns]);
 }
 
 impl dyn Rows + '_ {
-    /// Draws some columns of one row, which lie within the canvas.
+    /// Draws some columns of one row. They lie within the canvas.
     fn span(&mut self, row: i32, columns: &Range<i32>) {
         self.draw(row, &[[columns.start as i16, columns.end as i16]]);
     }

@@ -107,7 +107,7 @@ pub(crate) const fn vertex(screen: [i32; 2]) -> ScreenVertex {
     }
 }
 
-/// The same as a corner that clipping made.
+/// The same vertex, in the form of a corner that clipping made.
 pub(crate) const fn clipped(screen: [i32; 2]) -> ClippedVertex {
     ClippedVertex {
         vertex: vertex(screen),

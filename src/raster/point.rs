@@ -2,7 +2,8 @@
 
 use super::{Barycentric, Patch, Rasterizer, Rows, ScreenVertex};
 
-/// Draws the pixel that contains a point, which has these places in the mesh's triangle.
+/// Draws the pixel that contains a point. `barycentric` is the point's place in the mesh's triangle, once for each
+/// vertex of the patch.
 #[inline]
 pub(crate) fn point(
     raster: &mut Rasterizer<'_>,
@@ -10,7 +11,7 @@ pub(crate) fn point(
     barycentric: Option<&[Barycentric; 3]>,
 ) {
     let scissor = raster.scissor;
-    // Without `map`, which stays a loop in a build for size.
+    // Written without `map`, because `map` stays a loop in a build for size.
     let [x, y] = at.screen;
     let [x, y] = [x >> 8, y >> 8];
     if scissor.columns.contains(&x) && scissor.rows.contains(&y) {
@@ -18,7 +19,7 @@ pub(crate) fn point(
     }
 }
 
-/// Lays the interpolants over a point in a pixel: they have the point's values everywhere.
+/// Lays the interpolants over the pixel of a point. They have the point's values everywhere.
 #[inline(always)]
 #[allow(clippy::inline_always)] // optimized for size, a call would take 19 instructions more
 pub(super) fn lay<'r>(
@@ -30,7 +31,7 @@ pub(super) fn lay<'r>(
     if !raster.varies {
         return raster.lay(&Patch::EVEN);
     }
-    // All three values are the point's, so any triangle that begins in its pixel will do.
+    // All three vertices have the point's values, so any triangle that begins in the point's pixel will do.
     let [left, top] = [x << 8, y << 8];
     let [a, b, c] = [[left, top], [left + 256, top], [left, top + 1]]
         .map(|screen| ScreenVertex { screen, ..*at });
@@ -60,10 +61,10 @@ mod tests {
     #[test]
     fn a_border_belongs_to_the_pixel_on_its_right_and_below() {
         let whole = Picture::new(5, 3).scissor();
-        // Of pixel (1, 1) the first corner and the last place, and beside it a border of two pixels.
+        // Two points at the first and the last place in pixel (1, 1), and a point on the border between two pixels.
         let picture = drawn(&[[256, 256], [511, 511], [768, 511]], &whole);
         picture.assert(&[".....", ".!.#.", "....."]);
-        // Its values are those of the pixel that the span begins in.
+        // The last patch begins at the pixel where the last span begins.
         assert_eq!(picture.screen, [[768, 256], [1024, 256], [768, 257]]);
         assert_eq!(picture.spans[2], (1, 3..4));
     }

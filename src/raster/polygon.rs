@@ -8,18 +8,18 @@ use super::{ClippedVertex, Columns, Cull, Rasterizer, Rows, Scissor, ScreenVerte
 /// The fan of triangles that a clipped triangle is drawn as; all share the first corner of its outline. For example,
 /// the corners 0 to 4 make the triangles 0 1 2, 0 2 3 and 0 3 4.
 ///
-/// The outline is convex except for the rounding of its corners. Where rounding dents it or makes it cross itself,
-/// some triangles of the fan turn over and overlap others: the fan is folded. A pixel belongs to the outline if, of the
-/// triangles that cover it, more have the winding of the whole than the opposite one. The first triangle with the
-/// winding of the whole draws it.
+/// The outline is convex except for the rounding of its corners. Where rounding dents it or makes it cross itself, some
+/// triangles of the fan turn over and overlap others: the fan is folded. A pixel belongs to the outline if more of the
+/// triangles that cover it have the winding of the whole than have the opposite winding. The first triangle with the
+/// winding of the whole draws the pixel.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Polygon<'a> {
     outline: &'a [ClippedVertex],
     /// Twice the area of the outline, positive if it runs clockwise on the screen.
     pub(crate) area: i64,
-    /// Whether a triangle of the fan has turned over, even one outside the scissor. In a folded fan, every pixel is a
-    /// span of its own. A band that ignored triangles outside of it would draw longer spans, whose values may differ
-    /// from the frame's by a unit.
+    /// Whether a triangle of the fan has turned over, even a triangle outside the scissor. In a folded fan, every pixel
+    /// is a span of its own. A band that ignored the triangles outside the band would draw longer spans. Their values
+    /// might differ from the frame's values by a unit.
     is_folded: bool,
 }
 
@@ -28,7 +28,7 @@ const fn same_winding(whole: i64, area: i64) -> bool {
     (whole > 0) == (area > 0)
 }
 
-// Destructured by hand, as in `ScreenVertex::screens`.
+// Destructured by hand, because a `map` over references compiles to arrays and loops (see `ScreenVertex::screens`).
 
 fn vertices([a, b, c]: [&ClippedVertex; 3]) -> [&ScreenVertex; 3] {
     [&a.vertex, &b.vertex, &c.vertex]
@@ -57,19 +57,21 @@ impl<'a> Polygon<'a> {
         Some(fan)
     }
 
-    /// Twice the area of an outline, positive if it runs clockwise on the screen: the area by which it is culled.
+    /// Twice the area of an outline, positive if it runs clockwise on the screen. This area decides whether the outline
+    /// is culled.
     pub(crate) fn area(outline: &'a [ClippedVertex]) -> i64 {
         Self::new(outline, Cull::Nothing).map_or(0, |fan| fan.area)
     }
 
-    /// The triangle of an outline's fan that has the greatest area, and its doubled area; `None` if there is none.
+    /// The triangle of an outline's fan that has the greatest area, and twice this area; `None` if the outline has no
+    /// area.
     pub(crate) fn widest(outline: &'a [ClippedVertex]) -> Option<([&'a ScreenVertex; 3], i64)> {
         let fan = Self::new(outline, Cull::Nothing)?;
         let widest = fan.triangles().max_by_key(|(_, area)| area.abs())?;
         Some((vertices(widest.0), widest.1))
     }
 
-    /// The triangles of the fan, and their doubled areas.
+    /// The triangles of the fan, each with twice its area.
     #[inline]
     fn triangles(&self) -> impl Iterator<Item = ([&'a ClippedVertex; 3], i64)> + use<'a> {
         let (first, rest) = match self.outline {
@@ -85,13 +87,13 @@ impl<'a> Polygon<'a> {
         })
     }
 
-    /// Whether a triangle of this area may have pixels, unlike one that has turned over.
+    /// Whether a triangle with this area may have pixels. A triangle that has turned over has none.
     #[inline]
     const fn has(&self, area: i64) -> bool {
         area != 0 && same_winding(self.area, area)
     }
 
-    /// The rows in which it may have pixels; `None` if it has none in the scissor.
+    /// The rows in which the fan may have pixels; `None` if it has no pixel in the scissor.
     pub(crate) fn rows(&self, scissor: &Scissor) -> Option<Range<i32>> {
         let mut all: Option<Range<i32>> = None;
         for (corners, area) in self.triangles() {
@@ -107,7 +109,7 @@ impl<'a> Polygon<'a> {
         all
     }
 
-    /// Draws the part in the scissor; returns whether there is any.
+    /// Draws the part of the fan in the scissor; returns false if there can be no pixel.
     pub(crate) fn draw(&self, raster: &mut Rasterizer<'_>) -> bool {
         let mut is_drawn = false;
         for (at, (corners, area)) in self.triangles().enumerate() {
@@ -135,7 +137,7 @@ pub(crate) struct Part<'a> {
 }
 
 impl Part<'_> {
-    /// Draws those pixels of some rows that this triangle has to draw.
+    /// Draws the pixels of some rows that this triangle has to draw.
     #[cold]
     #[inline(never)]
     pub(super) fn rows(&self, laid: &mut dyn Rows, first: i32, rows: &[Columns]) {
@@ -185,7 +187,7 @@ mod tests {
         picture
     }
 
-    /// Corners that clipping may leave, of an octagon of which one edge after the other is cut away.
+    /// Outlines that clipping may leave: the first three to seven corners of an octagon.
     #[test]
     fn outlines_of_three_to_seven_corners_have_each_pixel_once() {
         let corners = [

@@ -1,4 +1,4 @@
-//! Where the rasterizer draws to.
+//! The rasterizer: it finds the pixels of a triangle, row by row, and passes them on to a [`Blitter`].
 
 use core::hint::black_box;
 use core::ops::Range;
@@ -8,17 +8,18 @@ use super::polygon::Part;
 use super::{Blitter, Columns, Patch, Rows, Scissor, ScreenVertex, Triangle};
 use crate::mesh::{Indices, Primitive};
 
-/// The most rows that [`Rows`] receive at once: all rows of a small triangle. They take 256 bytes of stack.
+/// The most rows that [`Rows`] receive at once. This is enough for all rows of a small triangle, and takes 256 bytes of
+/// stack.
 const ROWS: i32 = 64;
 
-/// A triangle, edge or point of a mesh, the pixels that it may have, and what draws them.
+/// A triangle, edge or point of a mesh, the pixels that may be drawn, and the blitter that draws them.
 pub(crate) struct Rasterizer<'r> {
     blitter: &'r mut dyn Blitter,
     primitive: Primitive<'r>,
     pub(super) scissor: &'r Scissor,
-    /// Whether patches matter.
+    /// The answer of [`Blitter::varies`].
     pub(super) varies: bool,
-    /// Whether the colors below are read.
+    /// The answer of [`Blitter::blends`].
     pub(super) blends: bool,
     /// Memory for the rows of a triangle.
     block: [Columns; ROWS as usize],
@@ -41,7 +42,7 @@ impl<'r> Rasterizer<'r> {
         }
     }
 
-    /// The rasterizer of another triangle, edge or point of the mesh, with twice its area on the screen.
+    /// Moves on to another triangle, edge or point of the mesh. `area` is twice its area on the screen.
     #[inline]
     pub(crate) fn of(&mut self, indices: Indices, area: i64) -> &mut Self {
         self.primitive.indices = indices;
@@ -56,13 +57,13 @@ impl<'r> Rasterizer<'r> {
 
     /// Fills a triangle inside the scissor; with `part`, only the pixels that it selects.
     ///
-    /// A center on a left or top edge belongs to the triangle, one on a right or bottom edge does not.
+    /// A center on a left or top edge belongs to the triangle. A center on a right or bottom edge does not.
     #[cfg_attr(for_size, inline(never))]
     pub(crate) fn triangle(&mut self, triangle: &Triangle<'_>, part: Option<&Part<'_>>) {
         let block = &mut self.block;
         let Range { start, end } = triangle.rows;
         let (mut first, mut rows) = (start, scan_convert(block, start, triangle));
-        // For the many slivers that pass between all centers, nothing is laid.
+        // Many slivers pass between all centers. For these triangles, nothing is laid.
         while !rows.iter().copied().any(has_pixels) {
             first += ROWS;
             if first >= end {
@@ -84,11 +85,12 @@ impl<'r> Rasterizer<'r> {
         }
     }
 
-    /// Draws, within the scissor, the upright rectangle of which a triangle is a half. Interpolants are laid over the
-    /// whole rectangle, so at the fourth corner none may be beyond its values at the other three.
+    /// Draws an upright rectangle inside the scissor. The triangle `half` is one half of the rectangle, but its
+    /// interpolants are laid over the whole rectangle. So no interpolant may have a value at the fourth corner beyond
+    /// its values at the other three.
     ///
-    /// It has the pixels of both halves. The errors of planes, which are derived from the width and the height of a
-    /// triangle, are the same.
+    /// The rectangle has the pixels of both halves. The errors of planes are the same, because they are derived from
+    /// the width and the height of a triangle.
     #[inline(never)]
     pub(crate) fn rectangle(&mut self, half: &Triangle<'_>) {
         let laid = self.blitter.lay(&self.primitive, &half.patch);
@@ -110,12 +112,12 @@ impl<'r> Rasterizer<'r> {
     }
 }
 
-/// Finds the columns of a block of rows whose centers lie between the edges of a triangle, in the scissor.
+/// Finds, for each row of a block, the columns in the scissor whose centers lie between the edges of a triangle.
 ///
 /// ```text
 ///      a ●
-///       ╱ ╲         From the highest corner, a, down to the lowest one, c: the edge from a to c bounds
-///      ╱   ● b      rows on one side, those from a to b and from b to c on the other.
+///       ╱ ╲         a is the highest corner, c the lowest. The edge from a to c bounds rows on one
+///      ╱   ● b      side. The edges from a to b and from b to c bound rows on the other side.
 ///     ╱ ╱
 ///  c ●
 /// ```
@@ -134,7 +136,8 @@ pub(super) fn scan_convert<'b, 't>(
     let rows_to = |row: i32| (row - first).max(0).cast_unsigned() as usize;
     let count = rows_to(triangle.rows.end).min(block.len());
     let rows = block.get_mut(..count).unwrap_or_default();
-    // If abc runs clockwise, the edge from a to c is on the left: side 0. An exchange of two corners turns that around.
+    // If abc runs clockwise, the edge from a to c is on the left: side 0. An exchange of two corners turns the winding
+    // around.
     let mut sign = (area >> 32) as i32;
     let mut sort = |a: &'t ScreenVertex, b: &'t ScreenVertex| {
         if a.screen[1] <= b.screen[1] {
@@ -163,7 +166,7 @@ pub(super) fn scan_convert<'b, 't>(
     rows
 }
 
-/// Sets the columns on one side of rows to those of an edge from a corner down to another; the first row is `row`.
+/// Sets one side of the rows to the columns of an edge from a corner down to another corner. The first row is `row`.
 #[cfg_attr(for_size, inline(never))]
 fn edge(rows: &mut [Columns], side: usize, ends: [&ScreenVertex; 2], row: i32, is_short: bool) {
     if !is_short {
@@ -198,7 +201,7 @@ fn has_pixels([start, end]: Columns) -> bool {
     start < end
 }
 
-/// Limits rows to the scissor. Apart, because most triangles are inside it.
+/// Limits rows to the scissor. Out of line, because most triangles are inside the scissor.
 #[cold]
 #[inline(never)]
 fn cut(rows: &mut [Columns], scissor: &Range<i32>) {

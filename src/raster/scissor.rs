@@ -22,7 +22,7 @@ impl Scissor {
         }
     }
 
-    /// Whether it has no pixel.
+    /// Whether the scissor has no pixel.
     pub(crate) fn is_empty(&self) -> bool {
         self.columns.is_empty() || self.rows.is_empty()
     }

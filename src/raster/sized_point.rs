@@ -1,4 +1,4 @@
-//! Points of a size.
+//! Points with a size: squares and discs.
 
 use super::scissor::meet;
 use super::{Rasterizer, ScreenVertex, point};
@@ -110,7 +110,8 @@ impl PointStyle {
     }
 }
 
-/// The sizes that are drawn, halved, in units of 1/256 pixel. The square of the largest fits into 31 bits.
+/// Half the least and half the greatest size that is drawn, in units of 1/256 pixel. The square of the greatest number
+/// fits into 31 bits.
 const HALF: [i64; 2] = [128, 255 * 128];
 
 /// The first pixel whose center is beyond a coordinate in units of 1/256 pixel.
@@ -134,7 +135,7 @@ pub(crate) fn sized_point(
 ) {
     let scissor = raster.scissor;
     let [x, y] = at.screen;
-    // A disc has its upper border, a square does not.
+    // A disc includes its upper border, a square does not.
     let top = y - half - i32::from(is_round);
     let rows = meet(&(beyond(top)..beyond(y + half)), &scissor.rows);
     if rows.is_empty() {

@@ -21,25 +21,26 @@ use crate::num::wide::product;
 ///        ╭──────────────────╮ ½
 ///      ╭─┼──────────────────┼─╮ half
 ///      │ a ─ ─ ─ ─ ─ ─ ─ ─ b  │      `across` is the distance from the line through both ends,
-///      ╰─┼──────────────────┼─╯      `along` is that from a, along it.
+///      ╰─┼──────────────────┼─╯      `along` is the distance from a, along this line.
 ///        ╰──────────────────╯
 /// ```
 ///
 /// `direction` has an error of at most 1.3 · 2⁻²⁶, which moves a line by less than 2⁻¹² pixel at a distance of 4096
-/// pixels in each direction. Across and along are cut to 2⁻¹⁰ pixel, and so is the root of their squares; together this
-/// makes (1 + √2) · 2⁻¹⁰. Along has 2⁻¹¹ more near the ends. Rounding the share to 256ths adds 2⁻⁹. In all, the error
-/// is at most 1.3/256.
+/// pixels in each direction. `across`, `along` and the distance, which is the root of the sum of their squares, are
+/// each cut to 2⁻¹⁰ pixel: together, this is an error of (1 + √2) · 2⁻¹⁰. Near the ends, `along` has an error of 2⁻¹¹
+/// more. Rounding the share to 256ths adds 2⁻⁹. In all, the error is at most 1.3/256.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Coverage {
-    /// From a to b, of length one, in units of 2⁻²⁵.
+    /// The vector of length one from a toward b, in units of 2⁻²⁵.
     direction: [i32; 2],
-    /// Across, at the center of pixel (0, 0): in units of 2⁻²⁵ pixel, modulo 128 pixels. A pixel that is drawn is at
-    /// most 36 away.
+    /// The distance from the line at the center of pixel (0, 0), in units of 2⁻²⁵ pixel, modulo 128 pixels. A pixel
+    /// that is drawn is at most 36 pixels away.
     across: i32,
-    /// Along, at the center of pixel (0, 0), and at b, in units of 2⁻¹⁷ pixel. The screen's 4096 pixels take 30 bits.
+    /// The distance from a along the line: `along` at the center of pixel (0, 0), `end` at b, in units of 2⁻¹⁷ pixel.
+    /// The screen's 4096 pixels take 30 bits.
     along: i32,
     end: i32,
-    /// Half the width and half a pixel, in units of 2⁻¹⁰ pixel.
+    /// Half the width plus half a pixel, in units of 2⁻¹⁰ pixel.
     reach: u32,
 }
 
@@ -71,7 +72,7 @@ impl Coverage {
         let across = self.across.wrapping_add(dot(-uy, ux));
         let along = self.along.wrapping_add(dot(ux >> 8, uy >> 8));
         let across = across.unsigned_abs() >> 15;
-        // Beyond one end or the other.
+        // How far the pixel lies beyond one end or the other; 0 between the ends.
         let beyond = along
             .wrapping_neg()
             .max(along.wrapping_sub(self.end))
@@ -83,7 +84,7 @@ impl Coverage {
         let distance = if beyond == 0 {
             across
         } else {
-            // Both are below 2^16, and below 33 · 2^10.
+            // `across` and `beyond` are below 33 · 2^10, and so below 2^16.
             (across * across + beyond * beyond).isqrt()
         };
         let coverage = self.reach.saturating_sub(distance).min(1 << 10);
@@ -91,15 +92,15 @@ impl Coverage {
     }
 }
 
-/// Draws an anti-aliased line: all pixels that it may cover, once each. The blitter's shading finds in `coverage` how
-/// much of each is covered.
+/// Draws an anti-aliased line: all pixels that it may cover, once each. The blitter's shading reads from `coverage` how
+/// much of each pixel is covered.
 pub(crate) fn smooth_line(
     raster: &mut Rasterizer<'_>,
     [mut a, mut b]: [&ClippedVertex; 2],
     half: i32,
     coverage: &Cell<Coverage>,
 ) {
-    // From above to below, so that the direction of the line has no influence.
+    // The ends are sorted from top to bottom, so that the direction of the line has no influence.
     let ([ax, ay], [bx, by]) = (a.vertex.screen, b.vertex.screen);
     if (ay, ax) > (by, bx) {
         (a, b) = (b, a);
@@ -112,7 +113,7 @@ pub(crate) fn smooth_line(
         rows: meet(&strip.bounds.rows, &raster.scissor.rows),
     };
 
-    // Beyond the ends of the longer axis, values are those of the ends.
+    // Beyond an end, along the longer axis, values are the values at the end.
     let is_steep = ax.abs_diff(bx) < ay.abs_diff(by);
     let major = |end: &ClippedVertex| {
         let [x, y] = end.vertex.screen;
@@ -146,19 +147,19 @@ pub(crate) fn smooth_line(
     }
 }
 
-/// The pixels that a line may cover: a strip around it, as long as its bounding box. It may be a little wider than the
-/// line, because the shading leaves out pixels that are not covered.
+/// The pixels that a line may cover: a strip around the line, as long as the line's bounding box. The strip may be a
+/// little too wide, because the shading leaves out pixels that are not covered.
 struct Strip {
     bounds: Scissor,
-    /// Where the line crosses the centers of row 0, how far that moves from row to row, and the columns to both sides
-    /// of it that it may cover, in units of 2⁻¹⁶ pixel.
+    /// Where the line crosses the centers of row 0 (`middle`), how far the crossing moves from row to row (`slope`),
+    /// and how far the strip reaches to either side of the crossing (`extent`), in units of 2⁻¹⁶ pixel.
     middle: i64,
     slope: i64,
     extent: i64,
 }
 
 impl Strip {
-    /// The strip of a line whose first end is not below the second.
+    /// The strip of a line. Its first end must not be below its second end.
     fn new([[ax, ay], [bx, by]]: [[i32; 2]; 2], half: i32) -> Self {
         let reach = half + 128;
         let pixels = |least: i32, most: i32| (least - reach) >> 8..((most + reach) >> 8) + 1;
@@ -172,9 +173,9 @@ impl Strip {
             (0, 1 << 40)
         } else {
             let slope = length(bx - ax).over(length(by - ay)).at(16);
-            // √(1 + s²) is at most 1 + (√2 - 1) s for s up to 1, and √2 - 1 is below 27/64; the same with 1 and s
-            // exchanged. The slope, up to 2^20, has an error of 1.3 · 2^-30 of it within 66 rows, or one of 2^-17
-            // within 4096: a quarter of a pixel is more than both.
+            // √(1 + s²) is at most 1 + (√2 - 1) s for s up to 1, and √2 - 1 is below 27/64; the same holds with 1 and s
+            // exchanged. The slope is up to 2^20. It has a relative error of 1.3 · 2^-30 within 66 rows, or an error of
+            // 2^-17 within 4096 rows. A quarter of a pixel is more than both of these errors.
             let (one, size) = (1 << 16, slope.abs());
             let across = size.max(one) + ((size.min(one) * 27) >> 6);
             (slope, ((i64::from(reach) * across) >> 8) + (1 << 14))
@@ -192,7 +193,7 @@ impl Strip {
         let [first, end] = [part.columns.start, part.columns.end].map(i64::from);
         let mut middle = self.middle + self.slope * i64::from(part.rows.start);
         for row in part.rows.clone() {
-            // Columns whose centers lie between both sides.
+            // Columns whose centers lie between both sides of the strip.
             let column = |at: i64| ((at + (1 << 15)) >> 16).clamp(first, end) as i32;
             let columns = column(middle - self.extent)..column(middle + self.extent);
             if !columns.is_empty() {
@@ -209,8 +210,8 @@ mod tests {
     use super::*;
     use crate::{LineStyle, Scalar, fx};
 
-    /// The share that each pixel is covered by a line between two places in quarters of a pixel: in sixteenths as a
-    /// hexadecimal digit, where f is all of it; a dot for a pixel that is not drawn.
+    /// The share of each pixel that a line covers, in sixteenths, as a hexadecimal digit; f also means a whole pixel. A
+    /// dot is a pixel without a share. The line's ends are in quarters of a pixel.
     fn shares(width: Scalar, ends: [[i32; 2]; 2]) -> std::vec::Vec<std::string::String> {
         let coverage = Cell::default();
         let mut picture = Picture::new(12, 7);
@@ -262,7 +263,7 @@ mod tests {
             "............",
         ];
         assert_eq!(wide, expected);
-        // Along pixel centers it is sharp, and without length it is a point.
+        // A line along pixel centers is sharp, and a line without length is a point.
         let level = shares(fx!(1), [[6, 6], [38, 6]]);
         assert_eq!(level[1], ".fffffffff..");
         assert_eq!([&level[0], &level[2]], ["............"; 2]);

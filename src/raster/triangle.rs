@@ -14,7 +14,7 @@ pub(crate) struct Triangle<'a> {
     pub(super) patch: Patch<'a>,
     /// The rows of the scissor in which it may have pixels.
     pub(crate) rows: Range<i32>,
-    /// The scissor, if some of its columns may be outside.
+    /// The scissor, if some columns of the triangle may be outside.
     pub(super) cut: Option<&'a Scissor>,
 }
 
@@ -40,8 +40,8 @@ pub(super) fn covers(corners: [&ScreenVertex; 3], area: i64, [x, row]: [i32; 2])
 }
 
 impl<'a> Triangle<'a> {
-    /// A triangle of a mesh or, with places, of a clipped polygon; `None` if the smallest upright rectangle around it
-    /// contains no pixel center of the scissor.
+    /// A triangle of a mesh or, with `barycentric`, of a clipped polygon; `None` if the smallest upright rectangle
+    /// around it contains no pixel center of the scissor.
     #[cfg_attr(for_size, inline(never))]
     pub(crate) fn new(
         vertices: [&'a ScreenVertex; 3],
@@ -51,7 +51,7 @@ impl<'a> Triangle<'a> {
     ) -> Option<Self> {
         let [[ax, ay], [bx, by], [cx, cy]] = ScreenVertex::screens(vertices);
         let (top, bottom) = (ay.min(by).min(cy), ay.max(by).max(cy));
-        // Rows first: most triangles that miss a band have none in it.
+        // Rows first, because most triangles that miss a band have no row in it.
         let rows = meet(&(first_center(top)..first_center(bottom)), &scissor.rows);
         if rows.is_empty() {
             return None;
@@ -80,7 +80,7 @@ mod tests {
     use super::super::picture::{Picture, vertex};
     use super::*;
 
-    /// Draws a triangle with its corners in quarters of a pixel; whether it is thought to have a pixel.
+    /// Draws a triangle with its corners in quarters of a pixel; returns false if its bounds show that it has no pixel.
     fn draw(picture: &mut Picture, scissor: &Scissor, corners: [[i32; 2]; 3]) -> bool {
         let vertices = corners.map(|corner| vertex(corner.map(|at| at * 64)));
         let area = area(&vertices.map(|vertex| vertex.screen));
@@ -101,7 +101,8 @@ mod tests {
         picture
     }
 
-    /// The corners are centers of pixels: left and top edges have theirs, right and bottom ones have not.
+    /// The corners are centers of pixels. Centers on left and top edges belong to a triangle, centers on right and
+    /// bottom edges do not.
     #[test]
     fn centers_on_edges_belong_to_the_left_and_the_top() {
         let [left, right, top, bottom] = [6, 22, 6, 18];
@@ -142,13 +143,13 @@ mod tests {
         assert!(!draw(&mut picture, &scissor, [[3, 1], [4, 15], [5, 8]]));
         // Within a pixel, beside its center.
         assert!(!draw(&mut picture, &scissor, [[7, 7], [7, 8], [8, 7]]));
-        // Along a diagonal of centers: bounds do not tell.
+        // Along a diagonal of centers, where the bounds do not show that there is no pixel.
         assert!(draw(&mut picture, &scissor, [[0, 1], [14, 15], [13, 15]]));
         picture.assert(&["....", "....", "....", "...."]);
         assert!(picture.spans.is_empty());
     }
 
-    /// Its pixels in a part of the picture are those that it has in the whole.
+    /// In a part of the picture, a triangle has the same pixels as in the whole picture.
     #[test]
     fn a_scissor_and_bands_cut_a_triangle() {
         let corners = [[1, 0], [39, 13], [9, 31]];
@@ -172,7 +173,7 @@ mod tests {
             draw(&mut bands, &Scissor { columns, rows }, corners);
         }
         assert_eq!(bands.text(), whole.text());
-        // Interpolants are counted from the same pixel.
+        // Spans begin at the same pixels, so interpolants have the same values.
         assert_eq!(bands.spans, whole.spans);
 
         let mut inner = Picture::new(10, 8);
@@ -191,7 +192,7 @@ mod tests {
             "..........",
             "..........",
         ]);
-        // Beside it there is nothing to set up.
+        // A triangle beside the scissor needs no set-up.
         let scissor = Scissor {
             columns: 0..10,
             rows: 8..9,
@@ -199,7 +200,7 @@ mod tests {
         assert!(!draw(&mut inner, &scissor, corners));
     }
 
-    /// More rows than the rasterizer remembers: in one go and row by row.
+    /// A triangle with more rows than the rasterizer's block, drawn at once and row by row.
     #[test]
     fn a_tall_triangle_has_the_rows_of_its_bands() {
         let corners = [[7, -20], [43, 301], [-9, 777]];

@@ -3,9 +3,10 @@
 use crate::mesh::Index;
 use crate::num::wide::dot;
 
-/// Lower clamp of 1/w: a span's rounding (at most 40 units) stays below 1/32 of it, for which the weighing leaves room.
+/// Lower clamp of 1/w. The rounding in a span (at most 40 units) stays below 1/32 of this clamp, and the weighing of
+/// attributes leaves room for 1/32.
 ///
-/// It changes only corners that are more than half a million times as far away as the nearest one.
+/// The clamp changes only corners that are more than half a million times as far away as the nearest corner.
 pub(crate) const LEAST_WEIGHT: u32 = 1 << 11;
 
 /// Upper clamp of 1/w: rounding may add 40 units, and the sum stays below 2^31.
@@ -18,9 +19,9 @@ pub(crate) struct ScreenVertex {
     pub(crate) screen: [i32; 2],
     /// The interpolant of depth, 31 bits: 1/w with its top bit set or, under a parallel projection, the depth itself.
     pub(crate) q: u32,
-    /// 1/w is `q` · 2^`exponent` times a constant of the draw call; 0 under a parallel projection.
+    /// 1/w is `q` · 2^`exponent` times a constant of the draw call. Under a parallel projection, the exponent is 0.
     pub(crate) exponent: u8,
-    /// One bit for each plane outside of which the vertex lies. The other fields are valid only if it is 0.
+    /// One bit for each plane outside of which the vertex lies. The other fields are valid only if the outcode is 0.
     pub(crate) outcode: u8,
     /// Index of the mesh's position; 0 for a vertex that clipping created.
     pub(crate) index: Index,
@@ -58,8 +59,8 @@ impl ScreenVertex {
     }
 }
 
-/// A point of a triangle: the barycentric weights of the second and the third corner, in units of 2⁻³⁰. The first
-/// corner has the rest of 1.
+/// A point of a triangle: the barycentric weights of the second and the third corner, in units of 2⁻³⁰. The weight of
+/// the first corner is the rest of 1.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Barycentric(pub(crate) [i32; 2]);
 
@@ -67,12 +68,12 @@ impl Barycentric {
     /// The corners themselves.
     pub(crate) const CORNERS: [Self; 3] = [Self([0, 0]), Self([1 << 30, 0]), Self([0, 1 << 30])];
 
-    /// The value, at this point, of a varying that has these values at the corners. It is rounded to the nearest
-    /// unit, apart from the rounding of the weights.
+    /// The value, at this point, of a varying that has these values at the corners. The result is rounded to the
+    /// nearest unit. The weights are rounded, too.
     #[inline(never)]
     pub(crate) fn mix(self, values: &[i32; 3]) -> i32 {
         let [b, c] = self.0;
-        // The weights add up to 2^30, and the last two to at most 2^30 and a few units.
+        // The weights add up to 2^30, and b and c add up to at most 2^30 plus a few units.
         let mixed = (dot(values, &[(1 << 30) - b - c, b, c]) + (1 << 29)) >> 30;
         mixed.clamp(i32::MIN.into(), i32::MAX.into()) as i32
     }

@@ -1,11 +1,11 @@
-//! Lines of a width.
+//! Wide lines.
 
 use super::edge::Edge;
 use super::line::Course;
 use super::scissor::meet;
 use super::{ClippedVertex, Rasterizer};
 
-/// Draws a line of a width; `half` of it is in units of 1/256 pixel.
+/// Draws a wide line; `half` is half its width, in units of 1/256 pixel.
 pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], half: i32) {
     let Some(Course {
         laid,
@@ -18,8 +18,8 @@ pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], 
     else {
         return;
     };
-    // Two lines beside this one, each as `line` draws it: the pixels of a run begin after those of the one, and end
-    // with those of the other.
+    // Two hairlines beside this line, stepped as in `line`: a run begins after the pixel of the hairline `before`, and
+    // ends with the pixel of the hairline `last`.
     let beside = |by: i32| {
         Edge::new(
             [128 - minor - by, start],
@@ -38,8 +38,8 @@ pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], 
         }
         return;
     }
-    // Equal runs side by side are drawn as a block, which starts at `first`. They are compared before they are cut: a
-    // band must have the spans of the frame, because each span has its own rounding.
+    // Equal runs side by side are drawn as a block, which starts at `first`. Runs are compared before they are cut,
+    // because a band must have the spans of the frame: each span has its own rounding.
     let mut first = steps.start;
     let mut rows = next();
     for column in steps.clone() {

@@ -35,10 +35,10 @@ where
     K: ProjectionKind,
     M: Policy,
 {
-    /// Whether numbers are interpolated.
+    /// Whether the shader interpolates any numbers.
     const INTERPOLATES: bool = Count::<S>::COUNT > 0;
 
-    /// As [`Blitter::varies`].
+    /// The answer of [`Blitter::varies`].
     const VARIES: bool = Self::INTERPOLATES
         || T::Depth::IS_KEPT && (S::Test::TESTS || S::Test::WRITES)
         || S::READS_DEPTH;
@@ -68,7 +68,7 @@ where
         }
     }
 
-    /// The pixels of a row from `column` on; [`Pixels`] starts one pixel before it.
+    /// The pixels of a row, from `column` on. [`Pixels`] starts one pixel before that column.
     #[inline(always)]
     fn pixels(&self, row: i32, column: i32) -> Pixels<S, T> {
         Pixels {
@@ -82,7 +82,7 @@ where
         }
     }
 
-    /// Draws rows of one color.
+    /// Draws rows of pixels that differ only in their position.
     #[inline(always)]
     #[allow(clippy::explicit_counter_loop, clippy::explicit_iter_loop)] // zip and `into_iter` are calls without LTO
     fn solid_rows(&mut self, first: i32, rows: &[Columns]) {
@@ -100,12 +100,13 @@ where
         }
     }
 
-    /// Draws rows of a small triangle whose attributes are linear.
+    /// Draws rows of a small triangle with linear attributes.
     #[inline(always)]
     fn small_rows(&mut self, first: i32, rows: &[Columns]) {
         let mut rest = (self, first, rows.iter());
-        // Kept in memory: a loop over pixels takes all registers of a small core, but between rows, the compiler would
-        // rather keep this in registers. After this line, it must assume that `rolled` changes it.
+        // Keeps `rest` in memory, because a loop over pixels takes all registers of a small core. The compiler would
+        // rather keep `rest` in registers between rows. After this line, the compiler must assume that `rolled` changes
+        // `rest`.
         black_box(&mut rest);
         loop {
             rolled();
@@ -136,7 +137,7 @@ where
                 count: columns.len(),
             };
             match (span.p.as_mut(), span.dp.as_mut()) {
-                // The third attribute is in the first; the compiler drops it.
+                // The first number also holds the third attribute. The compiler drops the third number.
                 ([.., p], [.., dp]) if Self::PAIRS => (*p, *dp) = (0, 0),
                 _ => {}
             }
@@ -166,7 +167,7 @@ where
     #[inline(never)]
     fn any_span(&mut self, row: i32, columns: Range<i32>) {
         let at = [columns.start, row];
-        // By reference: moved, the span would be copied.
+        // Borrowed, because a move would copy the span.
         let count = (columns.end - columns.start).cast_unsigned() as usize;
         let (span, plan) = &self.interpolator.begin(at, count);
         let mut pixels = self.pixels(row, columns.start);
@@ -179,7 +180,8 @@ where
         let Some(cells) = self.canvas.cells(row, columns) else {
             return;
         };
-        // What a mode does not use under a projection is left out: on the right there are constants.
+        // The right half of each pattern is matched with a constant. So the compiler leaves out each kernel that the
+        // mode does not use under this projection.
         match (*plan, Interpolator::<Count<S>, K, M>::BEST) {
             _ if !Self::INTERPOLATES => pixels.straight(span.anew(), cells, Self::restored),
             (Plan::Straight, _) if Interpolator::<Count<S>, K, M>::HAS_STRAIGHT => {
@@ -196,7 +198,7 @@ where
         }
     }
 
-    /// The attributes of interpolants that nothing divides, in a small triangle.
+    /// Turns the interpolants of a small triangle into attributes, without a division.
     #[inline(always)]
     fn restored_small(at: Point, q: u32, p: &Numbers<S>) -> Numbers<S> {
         let mut numbers = *p;
@@ -209,7 +211,7 @@ where
         }
     }
 
-    /// The attributes of interpolants that nothing divides.
+    /// Turns interpolants into attributes, without a division.
     #[inline(always)]
     fn restored(_: Point, _: u32, p: &Numbers<S>) -> Numbers<S> {
         if Self::OVER_W {
@@ -260,7 +262,8 @@ where
     M: Policy,
 {
     fn draw(&mut self, first: i32, rows: &[Columns]) {
-        // Without a negation, the condition is a bare constant, and the branch that is not taken is not even compiled.
+        // The condition is a bare constant, without a negation, so that the branch that is not taken is not even
+        // compiled.
         if Self::VARIES {
             if Self::HAS_SMALL && self.interpolator.plan == Plan::Small {
                 self.small_rows(first, rows);

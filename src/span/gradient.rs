@@ -4,10 +4,12 @@ use crate::num::reciprocal;
 use crate::num::wide::{DIVIDES, product, times_short, unsigned_product};
 use crate::raster::{Patch, ScreenVertex};
 
-/// An interpolant over a triangle: its value at every pixel center, accurate to one unit.
+/// An interpolant over a triangle: its value at every pixel center. The error is at most 33¾ units in a small plane,
+/// 67½ units in a [coarse](Basis::is_coarse) plane, and 2½ units in a wide plane.
 ///
 /// Small triangles have small planes, of 32 bits: a value is `start` plus a number of steps. In large triangles and in
-/// thin slivers, steps would accumulate too much rounding. They have wide planes, with 30 bits more.
+/// thin slivers, steps would add up too much rounding. So large triangles and slivers have wide planes, with 30 bits
+/// more.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Gradient {
     /// Change from one column to the next, rounded to the nearest unit.
@@ -21,9 +23,9 @@ pub(crate) struct Gradient {
 }
 
 /// The value at the center of pixel (0, 0), plus half a unit, and its change per column and per row, in units of 2⁻³⁰.
-/// Because of that half, rounding down gives the nearest unit.
+/// Because of the half unit, rounding down gives the nearest unit.
 ///
-/// All are modulo 2⁶⁴; a value within the triangle takes 62 bits.
+/// All three numbers are modulo 2⁶⁴. A value within the triangle takes 62 bits.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct WidePlane {
     start: i64,
@@ -40,8 +42,8 @@ pub(crate) struct SmallPlane {
 }
 
 impl SmallPlane {
-    /// The sum of this plane and 2^16 times another one. If the value of this plane has 16 bits without a sign, it is
-    /// the lower half of the sum's value, and that of the other is the upper half.
+    /// The sum of this plane and 2^16 times the plane `upper`. If the value of this plane is from 0 to 2^16 − 1, it is
+    /// the lower half of the sum's value, and the value of `upper` is the upper half.
     #[inline]
     pub(super) const fn paired(self, upper: Self) -> Self {
         Self {
@@ -102,15 +104,15 @@ impl Gradient {
 /// Positions are in units of 1/256 pixel.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Basis {
-    /// From corner 0 to the center of pixel (0, 0).
+    /// The vector from corner 0 to the center of pixel (0, 0).
     to_center: [i32; 2],
     /// For a small triangle: the change of the barycentric weights of corners 1 and 2, per column and per row, in units
     /// of 2^(`up` - 32).
     weights: [[i32; 2]; 2],
     up: u32,
-    /// Values whose range is below this make a small plane; 0 if the triangle's shape does not allow any.
+    /// Values with a range below this limit make a small plane; 0 if the triangle's shape allows no small plane.
     limit: u32,
-    /// The same for coarse planes.
+    /// The same limit for coarse planes.
     coarse_limit: u32,
     wide: Wide,
 }
@@ -118,13 +120,14 @@ pub(crate) struct Basis {
 /// The sides and the area of a triangle, for wide planes.
 #[derive(Clone, Copy, Debug)]
 struct Wide {
-    /// From corner 0 to corners 1 and 2. Areas are stored without a sign, so the sides have the area's sign.
+    /// The vectors from corner 0 to corners 1 and 2, times the sign of the area. The area itself is stored without its
+    /// sign.
     sides: [[i32; 2]; 2],
-    /// Twice the area is 2^-`shift` times a number of 32 bits with the top bit set, and `inverse` is 2⁶² / number; 0
-    /// before it is asked for.
+    /// Twice the area is 2^-`shift` times a number of 32 bits with the top bit set, and `inverse` is 2⁶² / number.
+    /// `inverse` is 0 until [`Basis::start_wide`] computes it.
     ///
-    /// The reciprocal ignores the number's last bit. The same relative error scales all interpolants of a triangle
-    /// and cancels in their quotients.
+    /// The reciprocal ignores the number's last bit. This scales all interpolants of a triangle by the same relative
+    /// error, so the error cancels in their quotients.
     shift: i32,
     inverse: i32,
 }
@@ -134,15 +137,15 @@ struct Wide {
 /// A step to the next column or row has an error of at most ¾ unit: ½ from its own rounding, and (|b| + |c|) · 2^-33
 /// from the rounding of the weights, which is at most ¼ because b and c, the shifted differences between corners, are
 /// below 2^30. From the first corner to the center of any pixel there are at most 43 steps. The rounding of `start`
-/// adds ½, and the reciprocal of the area, with an error of 2^-30, less than a unit of a range below 2^30. In all, this
-/// is 33¾ units. A coarse plane has twice the steps, and less than 67½ units.
+/// adds ½ unit. The reciprocal of the area has an error of 2^-30, which adds less than a unit, because ranges are below
+/// 2^30. The sum is 33¾ units. A coarse plane has twice the steps, so its error is less than 67½ units.
 const SMALL: i32 = 43 << 8;
 
 /// The most bits by which the differences between corners are shifted left.
 const MOST_UP: u32 = 7;
 
 impl Basis {
-    /// A triangle whose planes are all wide.
+    /// Starts a triangle with wide planes only.
     #[inline]
     pub(crate) fn without_weights(patch: &Patch<'_>) -> Self {
         let [[x, y], ..] = ScreenVertex::screens(patch.vertices);
@@ -160,7 +163,7 @@ impl Basis {
         }
     }
 
-    /// Starts a triangle, of which some planes may be [coarse](Self::is_coarse).
+    /// Starts a triangle. With `has_coarse`, some of its planes may be [coarse](Self::is_coarse).
     #[inline]
     pub(crate) fn new(patch: &Patch<'_>, has_coarse: bool) -> Self {
         let mut basis = Self::without_weights(patch);
@@ -169,9 +172,9 @@ impl Basis {
         if wide + high > SMALL << u32::from(has_coarse) {
             return basis;
         }
-        // Twice the area is then below 2^27. Let r be 2^62 / (area · 2^zeros), and s = side · 2^(zeros + 8 - up).
-        // Then s · r / 2^30 is side · 2^(40 - up) / area, the change of a weight per pixel in units of 2^(up - 32).
-        // By the choice of `up`, s has 30 bits, and the result has 31.
+        // Here, twice the area is below 2^27. Let r be 2^62 / (area · 2^zeros), and s = side · 2^(zeros + 8 - up). Then
+        // s · r / 2^30 is side · 2^(40 - up) / area, the change of a weight per pixel in units of 2^(up - 32). `up` is
+        // chosen so that s has 30 bits. The result has 31 bits.
         let area = patch.area as i32;
         let zeros = area.unsigned_abs().leading_zeros();
         let most = wide.max(high).cast_unsigned();
@@ -201,14 +204,14 @@ impl Basis {
         range < self.limit
     }
 
-    /// Whether values of this range make a coarse plane: a small one for a triangle of twice the width and height,
-    /// which has twice the error.
+    /// Whether values of this range make a coarse plane: a small plane for a triangle of up to twice the width and
+    /// height. A coarse plane has up to twice the error.
     #[inline]
     pub(crate) const fn is_coarse(&self, range: u32) -> bool {
         range < self.coarse_limit
     }
 
-    /// Prepares for wide planes, unless that is done already.
+    /// Prepares for wide planes. A second call for the same triangle does nothing.
     #[inline(never)]
     pub(crate) fn start_wide(&mut self, patch: &Patch<'_>) {
         if self.wide.inverse != 0 {
@@ -229,7 +232,8 @@ impl Basis {
         };
     }
 
-    /// The change of `values` per column and per row, times twice the area in units of one pixel by 1/256 pixel.
+    /// The change of `values` per column and per row, multiplied by twice the area. The unit of this area is one pixel
+    /// by 1/256 pixel.
     ///
     /// Values lie within ±2³¹ and differ by less than 2³¹.
     #[inline]
@@ -243,8 +247,8 @@ impl Basis {
         ]
     }
 
-    /// A plane through 2^`raised` times the values at the corners, whose range [is small](Self::is_small) or
-    /// [coarse](Self::is_coarse).
+    /// A plane through 2^`raised` times the values at the corners. The range of these products must be
+    /// [small](Self::is_small) or [coarse](Self::is_coarse).
     #[cfg_attr(for_size, inline(never))]
     pub(crate) fn small(&self, [a, b, c]: [i32; 3], raised: u32) -> SmallPlane {
         let up = self.up + raised;
@@ -253,7 +257,7 @@ impl Basis {
             c.wrapping_sub(a) << (up & 31),
         );
         let [[b_step, b_row], [c_step, c_row]] = self.weights;
-        // Factors are below 2^30 and 2^31.
+        // The shifted differences are below 2^30, the weights below 2^31.
         let gain = |weight_b: i32, weight_c: i32| {
             ((product(b, weight_b) + product(c, weight_c) + (1 << 31)) >> 32) as i32
         };
@@ -262,7 +266,7 @@ impl Basis {
         SmallPlane { step, row, start }
     }
 
-    /// Lays a small plane through the values at the corners, if their range allows that, or a wide one.
+    /// Lays a plane through the values at the corners: a small plane if their range allows it, otherwise a wide plane.
     #[inline]
     pub(crate) fn lay(
         &mut self,
@@ -279,16 +283,16 @@ impl Basis {
         }
     }
 
-    /// Computes the gradient of an attribute from its values at the corners of any triangle. Call
-    /// [`start_wide`](Self::start_wide) first.
+    /// Lays a wide plane through the values at the corners of any triangle. Call [`start_wide`](Self::start_wide)
+    /// first.
     #[inline(never)]
     pub(crate) fn lay_wide(&self, values: [i32; 3], gradient: &mut Gradient) {
         let [dx, dy] = self.gains(values);
         let [x, y] = self.to_center;
-        // First to the center of the pixel that contains the corner.
+        // First, the change from the corner to the center of the pixel that contains the corner.
         let [part_x, part_y] = [x, y].map(|way| i64::from(((way + 127) & 255) - 127));
         let moved = self.wide.quotient(dx * part_x + dy * part_y);
-        // Times 256, they take 60 bits.
+        // The gains times 256 take 60 bits.
         let [dx, dy] = [dx, dy].map(|gain| self.wide.quotient(gain << 8));
         let [columns, rows] = [x, y].map(|way| (way + 127) >> 8);
         let rest = times_short(dx, columns).wrapping_add(times_short(dy, rows));
@@ -336,7 +340,8 @@ impl WidePlane {
     /// The value at a pixel plus half a unit, in units of 2^-30.
     #[inline]
     fn fine(&self, x: i32, y: i32) -> i64 {
-        // Columns and rows of a canvas have 11 bits; a product with a number without a sign is shorter.
+        // Columns and rows of a canvas have 11 bits, so the masks change nothing. They tell the compiler that the
+        // numbers have no sign: then it multiplies in fewer instructions.
         let row = self.start.wrapping_add(times_short(self.dy, y & 0x7fff));
         row.wrapping_add(times_short(self.dx, x & 0x7fff))
     }
@@ -347,7 +352,7 @@ impl WidePlane {
         (self.fine(x, y) >> 30) as i32
     }
 
-    /// 2^`up` times the value at a pixel, to the nearest unit.
+    /// 2^`up` times the value at a pixel, rounded to the nearest unit.
     pub(crate) fn precise(&self, [x, y]: [i32; 2], up: u32) -> i32 {
         rounded(self.fine(x, y).wrapping_sub(HALF) << (up & 31))
     }
@@ -362,13 +367,14 @@ const fn rounded(fine: i64) -> i32 {
     (fine.wrapping_add(HALF) >> 30) as i32
 }
 
-/// The change of a value along a way in units of 1/256 pixel, rounded to the nearest unit, modulo 2³².
+/// The change of a value along the vector [x, y], in units of 1/256 pixel; rounded to the nearest unit, modulo 2³².
 #[inline]
 const fn moved([step, row]: [i32; 2], [x, y]: [i32; 2]) -> i32 {
     if DIVIDES {
         return ((product(step, x) + product(row, y) + 128) >> 8) as i32;
     }
-    // Without a product of 64 bits. A way takes 21 bits, so sums of its products with 8 bits take 30.
+    // This path avoids products of 64 bits: it multiplies the lower 8 bits of the steps and the upper bits separately.
+    // x and y take 21 bits, so the sum of their products with 8 bits takes 30 bits.
     let fine = (step & 0xff) * x + (row & 0xff) * y;
     let coarse = (step >> 8)
         .wrapping_mul(x)
@@ -411,7 +417,8 @@ mod tests {
         [*all.iter().min().unwrap(), *all.iter().max().unwrap()]
     }
 
-    /// Lays a plane, which may be coarse, through `values` at places on the screen; `None` if they are in a line.
+    /// Lays a plane through `values` at three places on the screen; with `is_coarse`, the plane may be coarse. `None`
+    /// if the places are in a line.
     fn laid(screen: [[i32; 2]; 3], values: [i32; 3], is_coarse: bool) -> Option<Gradient> {
         let vertices = screen.map(vertex);
         let area = area(&screen);
@@ -466,14 +473,15 @@ mod tests {
         })
     }
 
-    /// Values whose greatest magnitude has up to 30 bits, and whose range may be small.
+    /// Values with a greatest magnitude of up to 30 bits. Their range may be small.
     fn values(random: &mut Random) -> [i32; 3] {
         let [most, range] = [30, 31].map(|bits| 1 << random.random_range(0..bits) >> 1);
         let base = random.random_range(-most..=most);
         [(); 3].map(|()| base + random.random_range(0..=range))
     }
 
-    /// A wide plane's reciprocal has an error of 2^-30, which is two units of a range below 2^31; rounding adds ½.
+    /// A wide plane's reciprocal has an error of 2^-30, which is at most two units of a range below 2^31. Rounding adds
+    /// ½ unit.
     #[test]
     fn small_planes_are_within_33_coarse_ones_within_67_and_wide_ones_within_two_units() {
         cases(4000, |random| {
@@ -525,7 +533,7 @@ mod tests {
         let is_small = |screen, values| laid(screen, values, false).unwrap().is_small;
         let is_coarse = |screen, values| laid(screen, values, true).unwrap().is_small;
         let square = |side: i32| [[0, 0], [side, 0], [0, side]];
-        // Width and height of 43 pixels, and a unit more.
+        // The width plus the height is 43 pixels, then a little more.
         assert!(is_small(square(SMALL / 2), [0, 1 << 29, 0]));
         assert!(!is_small(square(SMALL / 2 + 1), [0, 1 << 29, 0]));
         assert!(is_coarse(square(SMALL), [0, 1 << 29, 0]));

@@ -1,4 +1,4 @@
-//! The planes of a primitive and the plan for it, and where its spans begin.
+//! The planes of a primitive, its plan, and the first values of its spans.
 
 use core::marker::PhantomData;
 
@@ -14,12 +14,13 @@ use crate::raster::{DepthShift, Patch};
 use crate::shade::{Lanes, Tolerance};
 use crate::view::ProjectionKind;
 
-/// Upper clamp of a tolerance: four times this takes 31 bits, and no attribute that is drawn affinely is as great.
+/// Upper clamp of a tolerance: four times this number takes 31 bits, and no attribute that is drawn affinely is as
+/// great as this number.
 const MOST_TOLERANCE: u32 = (1 << 29) - 1;
 const _: () = assert!(4 * MOST_TOLERANCE <= i32::MAX.cast_unsigned());
 
-/// The data that the spans of a primitive share, whatever its shader and canvas: one copy of this code serves all
-/// shaders with the same number of interpolated numbers.
+/// The data that the spans of a primitive share. Shader and canvas play no part here, so one copy of this code serves
+/// all shaders with the same number of interpolated numbers.
 pub(super) struct Interpolator<L: Lanes, K, M> {
     mode: M,
     pub(super) planes: Planes<L>,
@@ -38,7 +39,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
         Plan::Straight
     };
 
-    /// Whether all planes are wide.
+    /// Whether the mode uses wide planes only.
     const IS_WIDE: bool = matches!(M::BEST, Plan::Divide);
 
     /// Whether a mode takes the same path for all attributes, linear or not.
@@ -71,7 +72,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
             mode,
             planes: Planes {
                 setup: Setup::new([!Self::OVER_W, pairs], Self::LEAST_BITS, shift),
-                // Made where they belong: changed in a loop, they would be copied to there.
+                // Built in place: attributes that a loop changes would be copied into `planes` afterwards.
                 attributes: L::map(&lanes, |&lane| Attribute {
                     tolerance: mode.affine_within(tolerance(lane)).min(MOST_TOLERANCE),
                     ..Attribute::UNSET
@@ -82,7 +83,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
         }
     }
 
-    /// Sets the attributes of a primitive: their values at its corners.
+    /// Sets the values of the attributes at a primitive's corners.
     #[inline]
     pub(super) fn start(&mut self, [a, b, c]: [L::Of<i32>; 3]) {
         let corners = L::zip(&L::zip(&a, &b, |a, b| [*a, *b]), &c, |[a, b], c| {
@@ -120,7 +121,8 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
     /// The span that begins at a pixel, and its plan.
     #[inline(never)]
     pub(super) fn begin(&self, [x, y]: [i32; 2], count: usize) -> (Span<L>, Plan) {
-        // A canvas has fewer columns and rows. Masked here, they need no mask in each plane.
+        // A canvas has at most 2048 columns and rows, so the masks change nothing. Here, they save a mask in each
+        // plane.
         let (x, y) = (x & 0x7fff, y & 0x7fff);
         let at = |gradient: &Gradient| {
             if Self::IS_WIDE {
@@ -147,7 +149,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
         (span, plan)
     }
 
-    /// The interpolants of a pixel, without a step: q with 31 bits, and each p.
+    /// The interpolants of a pixel, computed without steps from other pixels: q with 31 bits, and each p.
     pub(super) fn anew(&self, Point { x, y }: Point) -> (u32, L::Of<i32>) {
         let at = [x, y];
         let (q, up) = self.planes.setup.precise_q(at);

@@ -1,14 +1,14 @@
 //! From spans to pixels: interpolation, depth test, shader, blending, store.
 //!
-//! For each triangle and, where a mode decides later, for each span there is a [`plan`]. An [`interpolator`] lays
-//! [planes](setup) and starts spans as the plan says, and [`Blit`] calls its kernel: [`straight`] adds, [`pieces`] adds
-//! and computes a reciprocal at the ends of straight pieces, [`newton`] refines a reciprocal at every pixel, [`divide`]
-//! divides at every pixel.
+//! A [`plan`] says how pixels are computed. Each triangle has a plan; if its mode decides later, each span has one. An
+//! [`interpolator`] lays [planes](setup) over a triangle and starts its spans, and [`Blit`] calls the kernel that the
+//! plan names: [`straight`] adds; [`pieces`] adds, and computes a reciprocal at the ends of straight pieces; [`newton`]
+//! refines a reciprocal at every pixel; [`divide`] divides at every pixel.
 
-// Kernels are inlined: out of line, a kernel keeps its interpolants and steps in memory, which takes 8 instructions per
-// pixel on Cortex-M4 in addition to 18.
+// Kernels are inlined. Out of line, a kernel keeps its interpolants and steps in memory. On Cortex-M4, this takes 8
+// instructions per pixel in addition to 18.
 #![allow(clippy::inline_always)]
-// Kernels take by value what they change or keep in registers.
+// Kernels take arguments by value if they change them or keep them in registers.
 #![allow(clippy::needless_pass_by_value)]
 
 mod blit;

@@ -1,4 +1,4 @@
-//! The modes: which [plan](super::plan) each makes, and the inequalities behind it.
+//! The modes: which [plan](super::plan) each mode chooses, and the inequalities behind the choice.
 
 use super::newton::{FRACTION, tangent};
 use super::pixels::Span;
@@ -48,17 +48,19 @@ pub trait Mode: Policy {}
 #[diagnostic::do_not_recommend]
 impl<M: Policy> Mode for M {}
 
-/// Plans that compute a reciprocal from earlier ones require δ ≤ 2^-6.
+/// Plans that compute a reciprocal from earlier reciprocals require δ ≤ 2^-6.
 const STEEPEST: u32 = 6;
 
-/// A corner whose q is below this is more than 8 to 16 times as far away as the nearest corner, whose q is from 2^30 to
-/// 2^31. Interpolants are rounded to half a unit at the nearest corner's scale, and a span's steps add up to 32 units.
-/// A unit is 2^-6 of 2^-16 texel at the nearest corner, if 256 texels span the triangle, and grows with the distance:
-/// at 16 times the distance, 56½ units of 4¼ · 2^-6 are 60 of 2^-16 texel, and 0.001 texel is 65½.
+/// A corner whose q is below this is more than 8 to 16 times as far away as the nearest corner, which has a q from 2^30
+/// to 2^31. Interpolants are rounded to half a unit at the nearest corner's scale, and a span's steps add up to 32
+/// units. In all, an attribute has an error of up to 56½ units. A coordinate of up to 256 texels has a
+/// [`Scale`](super::scale::Scale) of 26 bits, so a unit at the nearest corner is at most 2^-4 of 2^-16 texel. A unit
+/// grows with the distance: at 16 times the distance, the error is at most 56½ · 2^-16 texel. (0.001 texel is 65½ ·
+/// 2^-16 texel.)
 const DEEP: u32 = 1 << 27;
 
-/// The left shift of a span's interpolants that brings q to 2^29 to 2^31 at all its pixels; `None` if q changes
-/// twofold along the span, or if δ exceeds 2^-6.
+/// The left shift of a span's interpolants that brings q between 2^29 and 2^31 at all pixels of the span; `None` if q
+/// changes twofold along the span, or if δ exceeds 2^-6.
 #[inline(never)]
 fn room(q: u32, step: i32, count: usize) -> Option<u32> {
     let others = (count as u32).cast_signed().wrapping_sub(1);
@@ -104,8 +106,8 @@ impl Policy for Exact {
 /// buffer takes a fifth less code than in mode [`Newton`], and 2 to 2.7 times the instructions. On a core
 /// without 64-bit products, it takes 3 to 5 times the instructions of [`Fast`].
 ///
-/// The error is at most as large as in [`Newton`]. Stored depths may differ by a step from those of the other modes, so
-/// do not use `Compact` and another mode with one depth buffer.
+/// The error is at most as large as in [`Newton`]. Stored depths may differ by a step from the depths of the other
+/// modes, so do not use `Compact` and another mode with one depth buffer.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Compact};
@@ -174,16 +176,15 @@ pub struct Newton;
 /// The error that a texture coordinate may have where no division takes place: 1/4096 texel.
 const TEXEL_TOLERANCE: u32 = 16;
 
-/// Most bits of |q′| in a row along which 1/w hardly changes.
+/// The most bits that |q′| may have in a row along which 1/w hardly changes.
 const LEVEL: u32 = 8;
 
 /// Whether 1/w changes so little along a row that attributes are linear to within 2^-12 texel, which is 2^4 units.
 ///
-/// In the middle of 64 pixels, take the line that touches f. At the ends, 32 pixels away, f deviates from it by
-/// |f′| · δ · 32². As a fraction of 2^28 units, |f| is at most half, so f′ = (p′ − f · q′) / q is at most
-/// (|p′| + |q′|) / q. With δ = |q′| / q and q ≥ 2^29, the deviation is at most
-/// 2^28 · (|p′| + |q′|) · |q′| · 2^10 / 2^58 units. It is below 2^4 units if (|p′| + |q′|) · |q′| is below
-/// 2^(4 + 58 − 28 − 10) = 2^24.
+/// Take the tangent to f in the middle of 64 pixels. At the ends, 32 pixels away, f deviates from the tangent by |f′| ·
+/// δ · 32². As a fraction of 2^28 units, |f| is at most half, so f′ = (p′ − f · q′) / q is at most (|p′| + |q′|) / q.
+/// With δ = |q′| / q and q ≥ 2^29, the deviation is at most 2^28 · (|p′| + |q′|) · |q′| · 2^10 / 2^58 units. It is
+/// below 2^4 units if (|p′| + |q′|) · |q′| is below 2^(4 + 58 − 28 − 10) = 2^24.
 #[inline]
 pub(super) fn is_level<L: Lanes>(span: &Span<L>) -> bool {
     let step = span.dq.unsigned_abs();
@@ -253,9 +254,9 @@ impl Policy for Newton {
 
 /// Perspective-correct at the ends of straight pieces, which are as long as a tolerance allows.
 ///
-/// In a piece of L pixels, let f′ be the change of an attribute per pixel, and δ the relative change of 1/w per
-/// pixel. The straight line has an error of |f′| · δ · L² / 4. Pieces have 64, 32, 16, 8, 4 or 2 pixels: the greatest
-/// length that keeps this error below the tolerance everywhere in the triangle, and δ · L below 1/16.
+/// In a piece of L pixels, let f′ be the change of an attribute per pixel, and δ the relative change of 1/w per pixel.
+/// The straight line has an error of |f′| · δ · L² / 4. Pieces have 64, 32, 16, 8, 4 or 2 pixels: the greatest length
+/// that keeps this error within the tolerance everywhere in the triangle, and δ · L at or below 1/16.
 ///
 /// The reciprocals at the ends have 16 bits, and two Newton steps compute each from the previous one. So a piece needs
 /// no division and no 64-bit product. This makes `Fast` the mode for cores on which these operations are slow, such as
@@ -280,11 +281,11 @@ impl Policy for Newton {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Fast {
-    /// In units of 2^-16.
+    /// The tolerance in units of 2^-16.
     tolerance: u32,
 }
 
-/// Most bits of an attribute in pieces.
+/// The most bits of an attribute's scale in pieces.
 const MOST_BITS: u32 = 28;
 
 impl Fast {
@@ -302,8 +303,8 @@ impl Fast {
         }
     }
 
-    /// Pieces of the most pixels that a tolerance allows, where q is at least `least` and all values will be shifted
-    /// left by `up`; `None` if even two pixels are too many, or if attributes have too many bits.
+    /// The plan for the longest pieces that the tolerance allows; `None` if even two pixels are too many, or if
+    /// attributes have too many bits. `least` is the least q; all values will be shifted left by `up`.
     #[inline]
     fn pieces<L: Lanes>(self, least: u32, planes: &Planes<L>, up: u32) -> Option<Plan> {
         let Planes { setup, attributes } = planes;
@@ -313,8 +314,8 @@ impl Fast {
         let step = setup.q.step.unsigned_abs();
         let mut most = 0;
         L::map(attributes, |p: &Attribute| {
-            // |f′| = |p′ − f · q′| / q, where |f| is at most half as a fraction of 2^bits units: at most gain / q.
-            // `most` is in units of 2^28 / q.
+            // |f′| = |p′ − f · q′| / q. As a fraction of 2^bits units, |f| is at most half, so |f′| is at most `gain` /
+            // q. `most` is the greatest |f′|, in units of 2^28 / q.
             let gain = p.gradient.step.unsigned_abs().saturating_add(step >> 1);
             most = most.max((gain >> (MOST_BITS.wrapping_sub(p.scale.bits()) & 31)) + 1);
         });
@@ -323,15 +324,16 @@ impl Fast {
             .map(Plan::Pieces)
     }
 
-    /// The exponent of the length of pieces.
+    /// The length of pieces as the exponent of a power of two, 1 to 6; `None` if even two pixels are too many.
     #[inline(never)]
     fn length_at(self, least: u32, step: u32, gain: u32) -> Option<u32> {
-        // δ in units of 2^-16, and f′ in units of the attribute, both rounded up; `least` has 30 or 31 bits.
+        // `slope` is δ in units of 2^-16, and `gain` is f′ in units of the attribute; both are rounded up. `least` has
+        // 30 or 31 bits.
         let divisor = (least >> 15).max(1 << 14);
         let slope = u64::from(step.div_ceil(divisor >> 1));
         let gain = u64::from(gain / divisor + 1) << (MOST_BITS - 15);
-        // For L = 64, the error f′ · δ · L² / 4 is 2^(12 − 2 − 16) · `error`, which must be within the tolerance.
-        // Every halving of L allows four times as much. The other condition is δ · L ≤ 1/16.
+        // For L = 64, the error f′ · δ · L² / 4 is 2^(12 − 2 − 16) · `error`, which must be within the tolerance. Each
+        // halving of L allows an `error` four times as large. The other condition is δ · L ≤ 1/16.
         let (error, mut allowed) = (gain * slope, u64::from(self.tolerance) << 6);
         (1..=6).rev().find(|length| {
             let fits = error <= allowed && slope << length <= 1 << 12;
@@ -418,14 +420,15 @@ mod tests {
         let quarter = Fast::within(fx!(0.25));
         // f′ is a texel per pixel and δ is `delta` · 2^-16; f′ · δ · L² / 4 may be at most a quarter of a texel.
         let texel = |delta: u32| quarter.length_at(1 << 30, delta << 14, 1 << 18);
-        // Both are rounded up to a little more than that, so the result is the next power of two below.
+        // δ and f′ are rounded up, so the error is a little greater than it seems, and the length is the next lower
+        // power of two.
         assert_eq!(
             [16, 63, 255, 1023].map(texel),
             [Some(5), Some(4), Some(3), Some(2)]
         );
         // If 1/w does not change, a piece has all 64 pixels.
         assert_eq!(quarter.length_at(1 << 30, 0, 1 << 18), Some(6));
-        // The step of a sliver, however steep, must not wrap to a small one.
+        // The step of a sliver, however steep, must not wrap to a small step.
         assert_eq!(quarter.length_at(1 << 30, 1 << 31, 1 << 18), None);
     }
 }

@@ -25,7 +25,7 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
         let (mut q, mut p) = (wide(&span.q.cast_signed()), Count::<S>::map(&span.p, wide));
         let (dq, dp) = (wide(&dq), Count::<S>::map(&dp, wide));
         let mut r = wide(&first);
-        // r changes by about −dq · r² / 2^60 per pixel; so this is r one pixel before the span.
+        // r changes by about −dq · r² / 2^60 per pixel, so adding dq · r² / 2^60 gives r one pixel before the span.
         let change = high(r, dq);
         let mut guess = r;
         r = r.wrapping_add(high(r, change) << 4);
@@ -46,9 +46,9 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
     }
 }
 
-/// Replaces the interpolants of a span by four times its attributes at the first pixel, and their change per pixel.
-/// They lie on the line that touches the exact attributes in the middle of the span, and rounding adds up to 12½
-/// units of an attribute.
+/// Replaces the interpolants of a span by four times its attributes at the first pixel, and by their change per pixel.
+/// The new values lie on the tangent to the exact attributes in the middle of the span. Rounding adds an error of up to
+/// 12½ units of an attribute.
 #[inline(always)]
 pub(super) fn tangent<L: Lanes>(span: &mut Span<L>) {
     let middle = (span.count as u32 >> 1).cast_signed();
@@ -90,9 +90,9 @@ mod tests {
     use crate::random::cases;
     use rand::Rng;
 
-    /// At its ends, the line deviates by up to 16 units (and 2^-16 of that, because 1/w changes by up to 2^-16 of
-    /// itself from the middle). Rounding adds up to 12½ units; the module `bounds` of the tests derives them. The
-    /// error is greatest where 1/w is near 2^29, as in most cases here.
+    /// At the ends of a span, the tangent deviates by up to 16 units (and by 2^-16 of 16 units more, because 1/w
+    /// changes by up to 2^-16 of itself from the middle). Rounding adds up to 12½ units; the module `bounds` of the
+    /// tests derives this number. The error is greatest where 1/w is near 2^29, as in most cases here.
     #[test]
     fn the_error_of_a_level_row_is_at_most_28_and_a_half_units() {
         cases(256, |random| {

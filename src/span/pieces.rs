@@ -1,4 +1,4 @@
-//! Straight pieces between pixels whose attributes are correct in perspective.
+//! Straight pieces. At their ends, attributes are correct in perspective.
 
 use super::pixels::{CellsOf, Count, Numbers, Pixels, Scales, Span, Target, rolled};
 use super::shading::Shading;
@@ -10,7 +10,7 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
     /// Draws a span in straight pieces of 2^`length` pixels, where `length` is 1 to 6.
     ///
     /// 1/w is from 2^29 to 2^31 at all pixels. The reciprocals at the ends of pieces have 16 bits; two Newton steps
-    /// compute each from the last one.
+    /// compute each reciprocal from the one before.
     #[inline(always)]
     pub(super) fn pieces(
         mut self,
@@ -28,8 +28,8 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
         let mut inverse = short_reciprocal(q >> 15);
         let mut values = attributes::<S>(&p, &scales, inverse);
         loop {
-            // A piece ends where the next one begins, or at the span's last pixel: beyond it, attributes may have any
-            // value.
+            // A piece ends where the next piece begins, or at the span's last pixel, because attributes may have any
+            // value beyond the span.
             let count = 1 << length;
             let is_last = left <= count;
             let pixels_on = if is_last { left.wrapping_sub(1) } else { count };
@@ -81,7 +81,7 @@ fn refined(q: u32, mut inverse: u32) -> u32 {
     inverse
 }
 
-/// 2^30 / n; entry 0 is for a piece of no length.
+/// Entry n is 2^30 / n, rounded down. Entry 0 is for a piece of a single pixel.
 const RECIPROCALS: [i32; 64] = {
     let mut parts = [0; 64];
     let (mut at, mut n) = (1, 1);
@@ -111,14 +111,15 @@ fn attributes<S: Shading>(p: &Numbers<S>, scales: &Scales<S>, inverse: u32) -> N
 mod tests {
     use super::*;
 
-    /// All lengths of a piece, of changes up to the largest.
+    /// All lengths of a piece, and changes up to the largest.
     #[test]
     fn a_divided_change_is_rounded_down() {
         for n in 1..64_u32 {
             for change in [0, 1, 63, -1, -64, 1_000_003, -(1 << 28), i32::MAX, i32::MIN] {
                 let exact = f64::from(change) / f64::from(n);
                 let lacks = exact - f64::from(divided(change, n));
-                // The table's n-th is too small by up to 2^-30, so a change of 31 bits lacks up to two units more.
+                // An entry of the table is too small by up to one unit, 2^-30, so a change of 31 bits lacks up to two
+                // units more.
                 assert!((-2.0..3.).contains(&lacks), "{change} / {n}: {lacks}");
             }
         }
@@ -127,8 +128,8 @@ mod tests {
     /// Every divisor, from guesses with a relative error of up to a sixteenth.
     ///
     /// The first step leaves a relative error of 2^-8, and its products cut off one unit and 2^-18. The second step
-    /// leaves the square of that, 1.02 · 2^-16, and cuts off as much itself. A step never exceeds the exact value, so
-    /// no guess has more than 17 bits.
+    /// leaves the square of this error, 1.02 · 2^-16, and its products cut off as much again. The result of a step
+    /// never exceeds the exact value, so no guess has more than 17 bits.
     #[test]
     fn two_steps_refine_every_reciprocal_to_16_bits() {
         for q in 1_u32 << 14..1 << 16 {

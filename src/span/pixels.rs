@@ -18,7 +18,7 @@ pub(super) type Numbers<S> = <Count<S> as Lanes>::Of<i32>;
 /// The scale of each number that a shader interpolates.
 pub(super) type Scales<S> = <Count<S> as Lanes>::Of<Scale>;
 
-/// The number of a shader's interpolated numbers.
+/// How many numbers a shader interpolates, as a type.
 pub(super) type Count<S> = <<S as Shading>::Varyings as Varyings>::Lanes;
 
 /// The values that all pixels of a primitive share for a shader.
@@ -26,17 +26,16 @@ pub(super) type FaceOf<S> = <<S as Shading>::Varyings as Varyings>::Face;
 
 /// Interpolants at the first pixel of a span, and their change from one pixel to the next.
 ///
-/// `q` is 1/w (or depth under a parallel projection), scaled so that its greatest value in the primitive has bit 30
-/// set. Each `p` is attribute · q · 2^-bits (see [`Scale`]), so that |p| ≤ q/2 apart from
-/// rounding.
+/// `q` is 1/w (or depth under a parallel projection), scaled so that the greatest `q` in the primitive has bit 30 set.
+/// Each `p` is attribute · q · 2^-bits (see [`Scale`]), so that |p| ≤ q/2 apart from rounding.
 #[derive(Clone)]
 pub(crate) struct Span<L: Lanes> {
     pub q: u32,
     pub p: L::Of<i32>,
     pub dq: i32,
     pub dp: L::Of<i32>,
-    /// The right shift that turns `q` into a pixel's 16-bit depth: 15 to 47. From 31 on, the depth is 0 in linear
-    /// steps.
+    /// The right shift that turns `q` into a pixel's 16-bit depth: 15 to 47. A shift of 31 or more makes a linear depth
+    /// 0.
     pub down: u32,
     /// The number of pixels.
     pub count: usize,
@@ -46,17 +45,17 @@ impl<L: Lanes> Span<L> {
     /// A copy of the span, from memory.
     ///
     /// A loop over pixels takes all registers of a small core. Without this copy, the compiler keeps earlier values in
-    /// some of them, and loads steps from the stack at every pixel.
+    /// some of these registers, and loads steps from the stack at every pixel.
     #[inline(always)]
     pub(super) fn anew(&self) -> Self {
         black_box(self).clone()
     }
 }
 
-/// Keeps the compiler from unrolling the loop that calls it; it takes no instruction.
+/// Keeps the compiler from unrolling the loop that calls this function. The call takes no instruction.
 ///
-/// A loop over pixels takes all registers of a small core. Unrolled, it would need more, and loading the steps from
-/// the stack costs more than the branches that unrolling saves.
+/// A loop over pixels takes all registers of a small core. An unrolled loop would need more registers. It would load
+/// the steps from the stack, which costs more than the branches that unrolling saves.
 #[inline]
 pub(super) fn rolled() {
     black_box(());
@@ -70,7 +69,7 @@ pub(crate) trait Target {
 
     fn memory(&mut self) -> Memory<'_, Self::Color, Self::Storage, Self::Depth>;
 
-    /// Some pixels of a row, which lie within the canvas.
+    /// The pixels of a row in `columns`. Row and columns must lie within the canvas.
     #[inline(always)]
     fn cells(&mut self, row: i32, columns: Range<i32>) -> Option<CellsOf<'_, Self>> {
         let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
@@ -100,7 +99,7 @@ pub(super) type ColorOf<'c, T> =
 /// A pixel in memory: its color, and its depth if there is a depth buffer.
 pub(super) type CellOf<'c, T> = (ColorOf<'c, T>, Option<&'c mut u16>);
 
-/// Tests and shades the pixels of a span, one after the other.
+/// Tests and shades the pixels of a span, one by one.
 pub(super) struct Pixels<S: Shading, T> {
     pub(super) shading: S,
     pub(super) face: FaceOf<S>,
@@ -114,7 +113,7 @@ pub(super) struct Pixels<S: Shading, T> {
 }
 
 impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
-    /// Moves to the next pixel, where 1/w is `q`, and returns whether it is visible.
+    /// Moves to the next pixel, where 1/w is `q`, and returns whether this pixel is visible.
     #[inline]
     pub(super) fn visible(&mut self, depth: &Option<&mut u16>, q: u32, down: u32) -> bool {
         self.point.x += 1;

@@ -1,4 +1,4 @@
-//! How the pixels of a triangle or a span are computed, and who chooses.
+//! How the pixels of a triangle or a span are computed, and who decides that.
 //!
 //! Notation, for values along a row of pixels: f is an attribute, q is 1/w, and p is f · q. f′, q′ and p′ are their
 //! changes from one pixel to the next, and δ = |q′| / q. q is scaled so that its greatest value in a triangle has bit
@@ -6,9 +6,10 @@
 //!
 //! For a triangle, in this order:
 //!
-//! 1. Under a parallel projection and in mode [`Affine`](super::Affine), nothing is divided: its spans are straight.
-//! 2. If its attributes are affine within the mode's tolerance ([`Policy::affine_within`]), they are straight, too. The
-//!    inequality stands at `Attribute::affine_range` in setup.rs.
+//! 1. Under a parallel projection and in mode [`Affine`](super::Affine), nothing is divided: the triangle's spans are
+//!    straight.
+//! 2. If its attributes are affine within the mode's tolerance ([`Policy::affine_within`]), its spans are straight,
+//!    too. The inequality stands at `Attribute::is_affine` in setup.rs.
 //! 3. The mode chooses ([`Policy::of_triangle`]), and may choose again for each span ([`Policy::of_span`]).
 
 use super::pixels::Span;
@@ -18,18 +19,18 @@ use crate::shade::{Lanes, Tolerance};
 /// How the pixels of a triangle or a span are computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Plan {
-    /// Rows of a triangle whose planes are small: attributes are linear, and a row is a single span.
+    /// For a triangle with small planes: attributes are linear, and a row is a single span.
     Small,
     /// Attributes are linear along the span. If they would be divided elsewhere in the draw call, they are stored
     /// multiplied by 4.
     Straight,
-    /// The same, but each has its own scale, which each pixel restores.
+    /// Attributes are linear along the span, but each attribute has its own scale, which each pixel undoes.
     Scaled,
-    /// Of a triangle only: each span has its own plan.
+    /// For triangles only: each span of the triangle has its own plan.
     BySpan,
     /// One Newton step per pixel.
     Newton,
-    /// Straight pieces; their length is 2 to this power pixels.
+    /// Straight pieces. A piece has 2^n pixels, where n is this number.
     Pieces(u32),
     /// One division per pixel.
     Divide,
@@ -39,15 +40,16 @@ pub(crate) enum Plan {
 
 /// The decisions of a mode.
 pub(crate) trait Policy: Copy {
-    /// The plan for attributes that are not affine. Where this plan is not possible, the mode divides at each pixel. A
-    /// program contains code for these two cases only.
+    /// The plan for attributes that are not affine. Where this plan is not possible, the mode divides at each pixel.
+    /// For attributes that are not affine, a program contains code for these two cases only.
     ///
     /// With [`Straight`](Plan::Straight), nothing is ever divided. With [`Divide`](Plan::Divide) or
-    /// [`Anew`](Plan::Anew), all attributes are. `Divide` has no other path, and reads the wide planes.
+    /// [`Anew`](Plan::Anew), all attributes are divided. A mode with `Divide` has no other path, and uses wide planes
+    /// only.
     const BEST: Plan;
 
-    /// The greatest error that an attribute may have, in its units, if that saves all divisions; with 0, none are
-    /// saved.
+    /// The greatest error of an attribute, in its units, that the mode accepts to save all divisions of a triangle.
+    /// With 0, no division is saved.
     #[inline]
     fn affine_within(self, _tolerance: Tolerance) -> u32 {
         0
@@ -59,8 +61,8 @@ pub(crate) trait Policy: Copy {
         Self::BEST
     }
 
-    /// The plan for a span of a triangle that has [`BEST`](Self::BEST) or [`BySpan`](Plan::BySpan); it may scale the
-    /// span for that plan.
+    /// The plan for a span, if the plan of its triangle is [`BEST`](Self::BEST) or [`BySpan`](Plan::BySpan). This
+    /// function may scale the span for its plan.
     #[inline(always)]
     fn of_span<L: Lanes>(
         self,

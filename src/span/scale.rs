@@ -2,10 +2,10 @@
 
 use crate::num::wide::product;
 
-/// The power of two 2^bits, 1 to 32 bits, that an attribute is divided by to become a fraction.
+/// A power of two, 2^bits: divided by it, an attribute becomes a fraction. `bits` is 1 to 32.
 ///
-/// |attribute| · 17/16 < 2^(bits − 1), so the fraction attribute · 2^-bits is below 1/2, and stays below it with the
-/// rounding of interpolation added.
+/// |attribute| · 17/16 < 2^(bits − 1), so the fraction attribute · 2^-bits is below 1/2, even after interpolation has
+/// added its rounding errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Scale {
     bits: u32,
@@ -15,16 +15,17 @@ impl Scale {
     /// All bits 0: the scale of an attribute before its first triangle.
     pub(crate) const UNSET: Self = Self { bits: 0 };
 
-    /// The scale of all attributes if a mode that divides draws the triangle affinely.
+    /// The scale of all attributes of a triangle that is drawn affinely in a mode that divides.
     pub(crate) const AFFINE: Self = Self { bits: 28 };
 
-    /// Left shift of such a triangle's attributes, so that interpolation rounds only fractions of them.
+    /// The left shift of the attributes of an affine triangle, so that interpolation rounds only fractions of their
+    /// units.
     pub(crate) const AFFINE_UP: u32 = 30 - Self::AFFINE.bits;
 
-    /// A magnitude that fits this scale: the greatest, or a little less.
+    /// The greatest magnitude that fits [`AFFINE`](Self::AFFINE), or a little less.
     pub(crate) const MOST_AFFINE: i32 = (1 << (Self::AFFINE.bits - 1)) / 17 * 16;
 
-    /// The scale, of at least `least_bits`, for an attribute whose greatest magnitude is `most`.
+    /// The scale, of at least `least_bits`, for an attribute with the greatest magnitude `most`.
     #[inline]
     fn of(most: u32, least_bits: u32) -> Self {
         let bits = 33 - (most + (most >> 4)).leading_zeros();
@@ -40,8 +41,8 @@ impl Scale {
         self.bits
     }
 
-    /// The left shift and the right shift, in this order, that turn an interpolant into one of `bits` bits over a 1/w
-    /// that is shifted left by `up`.
+    /// The left shift and the right shift, in this order, that turn an interpolant of this scale into an interpolant of
+    /// `bits` bits, for a 1/w that is shifted left by `up`.
     #[inline]
     pub(crate) const fn to(self, bits: u32, up: u32) -> (u32, u32) {
         let left = up + self.bits;
@@ -51,7 +52,7 @@ impl Scale {
         )
     }
 
-    /// The attribute of a fraction in units of 2^-30, rounded down.
+    /// Turns a fraction in units of 2^-30 back into the attribute, rounded down.
     ///
     /// Interpolants have 30 bits, so the left shift for an attribute of more bits loses nothing.
     #[inline]
@@ -71,8 +72,8 @@ pub(crate) const WHOLE: u32 = 30;
 /// The weight of an attribute that is not divided by w.
 pub(crate) const ONE: u32 = 1 << 30;
 
-/// Replaces an attribute's values at the corners by attribute · weight · 2^-bits, rounded to nearest, and returns
-/// that scale. Weights are below 2³¹.
+/// Replaces an attribute's values at the corners by attribute · weight · 2^-bits, rounded to nearest, and returns the
+/// scale 2^bits. Weights are below 2³¹.
 #[inline]
 pub(crate) fn weigh(values: &mut [i32; 3], weights: &[u32; 3], least_bits: u32) -> Scale {
     let [a, b, c] = values.map(i32::unsigned_abs);
@@ -94,12 +95,12 @@ pub(crate) fn weigh(values: &mut [i32; 3], weights: &[u32; 3], least_bits: u32) 
     scale
 }
 
-/// Clamps values of 31 bits away from the ends of `i32`, by as much as rounding may add to them where the weight is
-/// least. One step beyond the ends would wrap around.
+/// Clamps values of 31 bits, so that they stay away from the ends of `i32` by as much as rounding may add to them where
+/// the weight is least. One step beyond the ends would wrap around.
 #[cold]
 fn leave_room(values: &mut [i32; 3], weights: &[u32; 3]) {
     let least = weights.iter().copied().fold(1 << 30, u32::min);
-    // The error of an interpolant is below 64 units, and a unit is 2^32 / weight of the value.
+    // The error of an interpolant is below 64 units, and this unit is 2^32 / weight units of the value.
     let room = 1 << 7 << least.leading_zeros().min(20);
     for value in values {
         *value = (*value).clamp(i32::MIN + room, i32::MAX - room);
@@ -110,8 +111,8 @@ fn leave_room(values: &mut [i32; 3], weights: &[u32; 3]) {
 mod tests {
     use super::*;
 
-    /// The error of an interpolant is at most 40 units, the error of a numerator 36½. Together they may bring a
-    /// numerator 56½ units nearer to half of the interpolant, beyond which it wraps.
+    /// The error of an interpolant is at most 40 units, the error of a numerator 36½. Together, these errors may bring
+    /// a numerator 56½ units nearer to half of the interpolant. Beyond this half, a numerator wraps.
     #[test]
     fn numerators_leave_room_for_rounding() {
         for bits in 0..=31 {

@@ -10,11 +10,11 @@ use crate::shade::Lanes;
 /// The most pixels of a span; every span computes its interpolants afresh.
 ///
 /// A step is rounded by up to half a unit of 2⁻³⁰, so a span adds at most 32 units of error. All modes use the same
-/// length, so all but `Compact`, which has other planes, get the same depths.
+/// length, so they get the same depths, except `Compact`, which has other planes.
 pub(super) const SPAN: i32 = 64;
 
-/// The nearest corner's 1/w lies between 2^30 and 2^31. If all corners have more than this 1/w, the
-/// triangle is shallow: 1/w changes less than fourfold. (The value is 2^29 plus the rounding error at a pixel.)
+/// If 1/w is greater than this at all corners, the triangle is shallow: 1/w changes less than fourfold, because the
+/// nearest corner's 1/w lies between 2^30 and 2^31. (The value is 2^29 plus the rounding error at a pixel.)
 pub(super) const SHALLOW: u32 = (1 << 29) + 64;
 
 /// An attribute that is interpolated over a primitive.
@@ -22,7 +22,7 @@ pub(super) const SHALLOW: u32 = (1 << 29) + 64;
 pub(crate) struct Attribute {
     /// Its values at the corners of the mesh's triangle.
     pub(super) corners: [i32; 3],
-    /// The greatest error that it may have if the triangle is drawn affinely.
+    /// The greatest error that the attribute may have if the triangle is drawn affinely.
     pub(super) tolerance: u32,
     /// The attribute over w, or the attribute itself.
     pub(super) gradient: Gradient,
@@ -66,7 +66,8 @@ impl Attribute {
         fits.then(|| (high - low).cast_unsigned())
     }
 
-    /// Whether it may be interpolated without regard to 1/w, whose least value is `least` and whose range is `change`.
+    /// Whether the attribute may be interpolated without regard to 1/w. `least` is the least 1/w, and `change` is the
+    /// range of 1/w.
     ///
     /// Let q be 1/w and f the attribute, both at the corners, and λ the barycentric weights of a pixel, which add up
     /// to 1. The affine value is Σλf, the exact value is Σλqf / Σλq. Their difference is the covariance of q and f,
@@ -89,22 +90,22 @@ const fn straight(is_small: bool) -> Plan {
     }
 }
 
-/// By hand, because `map` returns a copy of the array.
+/// Written without `map`, because `map` returns a copy of the array.
 const fn signed([a, b, c]: [u32; 3]) -> [i32; 3] {
     [a.cast_signed(), b.cast_signed(), c.cast_signed()]
 }
 
-/// Right shift that turns a level, of 5 bits and 16 fraction bits, into the half of a pair.
+/// The right shift that turns a level, of 5 bits and 16 fraction bits, into half of a pair.
 const PAIR_DOWN: u32 = 5;
 
-/// The attributes at a pixel where the first attribute's plane is a pair, and the second one's is
-/// [affine](Scale::AFFINE_UP).
+/// The three attributes at a pixel, from `pair` (the first and the third attribute) and `second` (the second attribute,
+/// [shifted left](Scale::AFFINE_UP)).
 ///
-/// The first is the lower half: the upper bits of its step are where RGB565 has red.
+/// The first attribute is the lower half of the pair: its five bits of whole steps are where RGB565 has red.
 ///
-/// The first and the third are levels raised by half a step, from half a step to 31½. A coarse plane's error of [67½
-/// units](super::gradient) and a unit for the bits that are cut are a thirtieth of a step in units of 2^-11 step. So a
-/// half stays between 0 and 2^16.
+/// The first and the third attribute are levels raised by half a step: from ½ to 31½ steps. The unit of a half is 2^-11
+/// step. A coarse plane has an error of [67½ units](super::gradient), and the bits that are cut add one unit. Together,
+/// this is a thirtieth of a step, so a half stays between 0 and 2^16.
 #[inline]
 pub(super) const fn unpaired(pair: i32, second: i32) -> [i32; 3] {
     let upper = (pair.cast_unsigned() >> 16).cast_signed();
@@ -121,13 +122,14 @@ pub(crate) struct Planes<L: Lanes> {
     pub(super) attributes: L::Of<Attribute>,
 }
 
-/// What all attributes of a primitive share, and the interpolant of 1/w (or depth).
+/// The values that all attributes of a primitive share, and the interpolant of 1/w (or depth).
 #[derive(Debug)]
 pub(crate) struct Setup {
-    /// Whether attributes are interpolated directly, as fractions in units of 2⁻³⁰, and not over w.
+    /// Whether attributes are interpolated directly, as fractions in units of 2⁻³⁰; otherwise, attributes over w are
+    /// interpolated.
     pub(super) is_linear: bool,
-    /// Whether there are three attributes, of which triangles that are not large have the first and the third
-    /// [paired](unpaired).
+    /// Whether there are three attributes, and the first and the third are [paired](unpaired) in triangles that are not
+    /// large.
     pub(super) is_paired: bool,
     /// The least number of bits of a [`Scale`] in triangles where 1/w changes less than fourfold. With b bits, an
     /// interpolant's unit is 2^(b − 30) units of the attribute. More bits than the attribute has cost accuracy, but
@@ -136,7 +138,7 @@ pub(crate) struct Setup {
     pub(super) shift: DepthShift,
     /// 1/w (or depth).
     pub(super) q: Gradient,
-    /// The least 1/w of a corner; the greatest has bit 30 set.
+    /// The least 1/w of the corners. The greatest 1/w has bit 30 set.
     pub(super) least: u32,
     /// Right shift that turns an interpolant of 1/w into a depth: 15 to 47.
     pub(super) down: u32,
@@ -161,7 +163,7 @@ impl Setup {
         }
     }
 
-    /// Lays all interpolants through the vertices of a patch; returns their plan, which is [`Plan::BySpan`] if they
+    /// Lays all interpolants through the vertices of a patch, and returns their plan: [`Plan::BySpan`] if attributes
     /// must be divided.
     ///
     /// The same code serves any number of attributes: a copy for each number would be most of a small program.
@@ -240,7 +242,7 @@ impl Setup {
         } else {
             (q, 1)
         };
-        // In a small triangle, attributes would be pairs.
+        // With `is_paired`, `Plan::Small` is only for attributes that are paired.
         let mut is_small = self.q.is_small && !self.is_paired;
         for attribute in &mut *attributes {
             let mut values = attribute.at(patch);
@@ -272,8 +274,8 @@ impl Setup {
         }
     }
 
-    /// Lays wide planes through everything, for a mode that uses no others, or for [`precise_q`](Self::precise_q) and
-    /// `WidePlane::precise`.
+    /// Lays wide planes through 1/w and all attributes: for a mode that uses only wide planes, or for
+    /// [`precise_q`](Self::precise_q) and `WidePlane::precise`.
     #[cold]
     #[inline(never)]
     pub(super) fn lay_wide(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
@@ -310,7 +312,7 @@ mod tests {
     use crate::raster::area;
     use crate::raster::picture::vertex;
 
-    /// The number of bits of an attribute's scale in a triangle whose corners have these 1/w.
+    /// The number of bits of an attribute's scale in a triangle with corners of these 1/w.
     fn bits(q: [u32; 3]) -> u32 {
         let screens = [[0, 0], [9000, 500], [300, 9900]];
         let [mut a, mut b, mut c] = screens.map(vertex);
@@ -330,7 +332,8 @@ mod tests {
         attributes[0].scale.bits()
     }
 
-    /// A mode asks for a number of bits, which needs a 1/w that changes less than fourfold. 200 takes 9 bits.
+    /// A scale has the bits that a mode asks for if 1/w changes less than fourfold. Otherwise, it has the 9 bits that
+    /// the value 200 takes.
     #[test]
     fn scales_have_the_bits_that_a_mode_asks_for() {
         assert_eq!(bits([1 << 30, 1 << 30, SHALLOW + 1]), 28);

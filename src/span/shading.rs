@@ -13,12 +13,12 @@ pub(crate) trait Shading: Copy {
     /// The color of the canvas.
     type Color;
 
-    /// As for [`Shader`].
+    /// See [`Shader::Varyings`].
     type Varyings: Varyings;
 
     type Test: DepthTest;
 
-    /// As for [`Shader`].
+    /// See [`Shader::READS_DEPTH`].
     const READS_DEPTH: bool;
 
     /// Whether [`color`](Self::color) reads the color below.
@@ -26,11 +26,10 @@ pub(crate) trait Shading: Copy {
 
     fn test(&self) -> Self::Test;
 
-    /// As for [`Shader`].
+    /// See [`Shader::varyings`].
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3];
 
-    /// A pixel's new color, where `below` is the color on the canvas; `None` leaves its color and its depth as they
-    /// are.
+    /// A pixel's new color, where `below` is the color on the canvas; `None` keeps the pixel's color and depth.
     fn color(
         &self,
         at: &Fragment,
@@ -70,8 +69,8 @@ impl<S: Shader, B: Blending<ColorOf<S>>, Z: DepthTest> Shading for (S, B, Z) {
     }
 }
 
-/// Whether all varyings of a rectangle are on planes: `halves` are its triangles abc and cbd. No varying has a value at
-/// d that is beyond those at a, b and c.
+/// Whether each varying of a rectangle lies on one plane; `halves` are the triangles abc and cbd. If so, no varying has
+/// a value at d beyond its values at a, b and c.
 #[inline]
 pub(crate) fn is_plane<P: Shading>(shading: &P, halves: [&Primitive<'_>; 2]) -> bool {
     // Values of a face cannot be compared, but most shaders have none.
@@ -90,13 +89,13 @@ pub(crate) fn is_plane<P: Shading>(shading: &P, halves: [&Primitive<'_>; 2]) -> 
     })
 }
 
-/// A shader and a blending, applied to each pixel in proportion to the share of it that the current line covers.
+/// A shader and a blending, applied to each pixel in proportion to the share of the pixel that the current line covers.
 #[derive(Clone, Copy)]
 pub(crate) struct Smooth<'l, S, B, Z> {
     pub(crate) shader: S,
     pub(crate) blending: B,
     pub(crate) test: Z,
-    /// The rasterizer sets it for each line.
+    /// The rasterizer sets the coverage for each line.
     pub(crate) coverage: &'l Cell<Coverage>,
 }
 

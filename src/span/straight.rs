@@ -40,11 +40,11 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
         });
     }
 
-    /// Draws a span whose pixels differ in nothing but their position, so that depths are neither tested nor stored.
+    /// Draws a span of pixels that differ only in their position. Depths are neither tested nor stored.
     #[inline]
     pub(super) fn solid(&mut self, mut cells: CellsOf<'_, T>, numbers: Numbers<S>) {
-        // By hand, because the compiler unrolls no loop when it optimizes for size. What blends takes too many
-        // registers for that.
+        // Unrolled by hand, because the compiler unrolls no loop when it optimizes for size. Blending takes too many
+        // registers for an unrolled loop.
         while !S::READS_COLOR && cells.len() >= 8 {
             rolled();
             self.four(&mut cells, numbers);
@@ -59,8 +59,8 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
         }
     }
 
-    /// Draws the first four pixels of a span, unless it has fewer.
-    #[inline(always)] // otherwise, what the pixels share is computed at each
+    /// Draws the first four pixels of a span, if it has four.
+    #[inline(always)] // otherwise, each pixel computes the values that all four share
     fn four(&mut self, cells: &mut CellsOf<'_, T>, numbers: Numbers<S>) {
         if let Some([a, b, c, d]) = cells.colors() {
             self.one(a, numbers);

@@ -1,4 +1,4 @@
-//! Each kernel's spans against exact quotients, and which of two pixels shows.
+//! Compares each kernel's spans with exact quotients, and tests which of two pixels shows.
 
 use core::marker::PhantomData;
 use std::cell::RefCell;
@@ -14,7 +14,7 @@ use crate::canvas::{Canvas, LinearDepth, Native, NoTest, Replace, TestAndWrite};
 use crate::mesh::Primitive;
 use crate::shade::{Flat, Fragment, Shader};
 
-/// Writes down the column and the number of each pixel.
+/// A shader that records the column and the number of each pixel.
 #[derive(Clone, Copy)]
 struct Note<'a>(&'a RefCell<Vec<(i32, i32)>>);
 
@@ -39,7 +39,7 @@ type Row<'a> = CellsOf<'a, Screen<'a>>;
 /// The first column of spans.
 const FIRST: u32 = 3;
 
-/// The numbers of a span of `count` pixels, which alone are drawn.
+/// The numbers that the shader receives in a span of `count` pixels. Checks that no other pixel is drawn.
 fn numbers(
     count: u32,
     draw: impl FnOnce(Row<'_>, Pixels<(Note<'_>, Replace, NoTest), Screen<'_>>),
@@ -65,9 +65,10 @@ fn numbers(
     numbers
 }
 
-/// Spans of every length whose 1/w and attribute over w rise, fall or stay, and the change of 1/w a pixel.
+/// Spans of every length, with the relative change of 1/w per pixel. Along a span, 1/w and the attribute over w rise,
+/// fall or stay.
 fn spans() -> impl Iterator<Item = (u32, Span<[(); 1]>, f64)> {
-    // Of 1/w from 2^29 to 2^31, and at most half of that.
+    // 1/w, from 2^29 to 2^31, and the attribute over w, at most half of 1/w.
     let starts = [(1 << 30, 1 << 28), ((1 << 31) - (1 << 27), -(1 << 28))];
     let steps = [0, 1, -250, 40_000, -(1 << 20), 1 << 20];
     let gains = [0, 7, -100_000, 1 << 21];
@@ -104,7 +105,7 @@ fn exact(span: &Span<[(); 1]>) -> impl Fn(u32) -> f64 + use<> {
     }
 }
 
-/// Checks that each pixel's value differs from the exact one by an amount within a range.
+/// Checks that the exact value minus the value found is in `range` at each pixel.
 fn lacks(
     found: &[i32],
     exact: impl Fn(u32) -> f64,
@@ -141,7 +142,7 @@ fn solid_spans_have_one_number() {
     }
 }
 
-/// Rounded down, but for the reciprocal's last bits: 2^-30 of an attribute below 2^27.
+/// Attributes are rounded down. The reciprocal's last bits add an error of 2^-30 of an attribute below 2^27.
 #[test]
 fn divided_spans_are_exact_quotients() {
     for (count, span, _) in spans() {
@@ -153,7 +154,7 @@ fn divided_spans_are_exact_quotients() {
     }
 }
 
-/// The same for interpolants that are computed anew for each pixel, whatever the span's are.
+/// The same error for interpolants that are computed anew for each pixel. The span's own interpolants are not used.
 #[test]
 fn spans_divided_anew_are_exact_quotients() {
     for (count, span, _) in spans() {
@@ -187,7 +188,8 @@ fn newton_spans_are_quotients_to_a_few_units() {
     }
 }
 
-/// A line of L pixels has an error of |f′| δ L² / 4, and its ends one of 2^-13 of the greatest possible attribute.
+/// A line of L pixels has an error of |f′| δ L² / 4, and its ends have an error of 2^-13 of the greatest possible
+/// attribute.
 #[test]
 fn pieces_are_quotients_to_their_tolerance() {
     for length in 1..=6 {
@@ -241,10 +243,10 @@ fn the_later_of_two_pixels_at_one_depth_shows() {
     };
     let depth = 1 << 30;
     draw(b'a', 0..6, depth);
-    // At the same depth, and nearer by less than one step, which is stored as the same depth.
+    // b is at the same depth as a. c is nearer by less than one step, so it is stored with the same depth.
     draw(b'b', 1..3, depth);
     draw(b'c', 2..4, depth + (1 << 15) - 1);
-    // A step behind, and a step before.
+    // d is stored a step behind, e a step nearer.
     draw(b'd', 4..8, depth - 1);
     draw(b'e', 5..6, depth + (1 << 15));
     let text: String = colors

@@ -4,11 +4,12 @@ use super::prepared::Objects;
 use super::{Corners, Entry, Listed};
 use crate::raster::{DepthShift, ScreenVertex};
 
-/// Sorts triangles or edges back to front: by their farthest corners and, where these are equally far, by their
-/// numbers.
+/// Sorts triangles or edges back to front: by their farthest corners and, if these are equally far away, by their
+/// indices.
 ///
-/// The farthest corner needs no division, and it keeps a floor behind what stands on it. (The middle of the corners is
-/// right in slightly more pixels where triangles are alike, and wrong in more where one is much larger than another.)
+/// The farthest corner is found without a division, and it keeps a floor behind the things that stand on it. (The
+/// middle of the corners is right in slightly more pixels if triangles are alike. If one triangle is much larger than
+/// another, the middle is wrong in more pixels.)
 #[inline(never)]
 pub(super) fn sort<G: Listed, T>(
     entries: &mut [Entry],
@@ -20,7 +21,7 @@ pub(super) fn sort<G: Listed, T>(
             let corners = corners(entry.corners, vertices);
             let farthest = corners.map(|corner| nearness(corner, listing.depth_shift));
             let nearness = farthest.min().unwrap_or_default();
-            // In place of the rows, so that an entry needs no more memory; they are found again afterwards.
+            // The nearness replaces the rows, so that an entry needs no more memory. The rows are found again below.
             entry.rows = [(nearness >> 16) as i16, nearness as i16];
         }
     }
@@ -35,8 +36,8 @@ pub(super) fn sort<G: Listed, T>(
     }
 }
 
-/// Greater is nearer: 1/w or, under a parallel projection, the depth, each with 26 bits and an exponent. It is
-/// comparable between objects.
+/// How near a corner is; greater is nearer. It is 1/w or, under a parallel projection, the depth, with 26 bits and an
+/// exponent. Corners of different objects can be compared.
 fn nearness(corner: &ScreenVertex, shift: DepthShift) -> u32 {
     // A depth is q shifted right by 15 to 47. In perspective, all q have the same top bit, so that the shift decides
     // first; under a parallel projection, all shifts are equal.
@@ -48,7 +49,7 @@ fn corners(corners: Corners, vertices: &[ScreenVertex]) -> impl Iterator<Item = 
     let (whole, clipped) = match corners {
         Corners::Whole(numbers) => (numbers, 0..0),
         Corners::Edge { ends: [a, b], .. } => ([a, b, 0], 0..0),
-        // Each vertex is followed by its barycentric weights.
+        // The barycentric weights of a vertex follow the vertex.
         Corners::Clipped { first, count, .. } => ([0; 3], first..first.saturating_add(2 * count)),
     };
     let numbers = whole.into_iter().chain(clipped.step_by(2));
@@ -56,7 +57,7 @@ fn corners(corners: Corners, vertices: &[ScreenVertex]) -> impl Iterator<Item = 
 }
 
 impl Entry {
-    /// Its rank in the order: the [`nearness`] of its farthest corner, then its number.
+    /// Its rank in the order: the [`nearness`] of its farthest corner, then its index.
     fn rank(&self) -> u64 {
         let [high, low] = self.rows.map(|bits| u64::from(bits.cast_unsigned()));
         high << 48 | low << 32 | u64::from(self.element)
@@ -69,7 +70,7 @@ fn heap_sort(entries: &mut [Entry]) {
         sift_down(entries, root);
     }
     let mut heap = entries;
-    // The heap's greatest entry is its first; it goes to the end, and the heap shrinks.
+    // The heap's first entry is the greatest. It goes to the end, and the heap shrinks.
     while let [first, .., last] = heap {
         core::mem::swap(first, last);
         let Some((_, rest)) = heap.split_last_mut() else {

@@ -30,8 +30,8 @@ use crate::{Error, Transform};
 
 /// An object of a scene: a mesh or edges, its model transform, and its material.
 ///
-/// The material is any value that says how to draw the object: a shader, or a value of your own by which you choose
-/// one.
+/// The material is any value that says how to draw the object: a shader, or a value by which your program chooses a
+/// shader.
 ///
 /// [`DrawList::prepare`](crate::DrawList::prepare) prepares a slice of objects, and records in it which triangles or
 /// edges belong to which object. So the triangles and the edges of one frame need two separate slices.
@@ -137,14 +137,14 @@ pub enum Objects<'a, G, T> {
     One(Placed<G>, T),
     Many {
         objects: &'a [Object<T, G>],
-        /// The factor of the objects' transforms.
+        /// The transform that is applied after each object's own transform.
         world: Transform,
         camera: Transform,
     },
 }
 
 impl<G, T> Objects<'_, G, T> {
-    /// What the list notes of the thing that has an element.
+    /// The data that the list keeps about the thing to which an element belongs.
     pub(super) fn listing(&self, element: u32) -> Option<&Listing> {
         match self {
             Self::One(placed, _) => Some(&placed.listing),
@@ -153,9 +153,9 @@ impl<G, T> Objects<'_, G, T> {
     }
 }
 
-/// The number of the object that has an element.
+/// The index of the object to which an element belongs.
 fn object_of<T, G>(objects: &[Object<T, G>], element: u32) -> usize {
-    // The last one that does not begin after the element: objects before it may be empty.
+    // It is the last object that does not begin after the element, because objects before it may be empty.
     let after = objects.partition_point(|object| object.listing.first <= element);
     after.wrapping_sub(1)
 }
@@ -217,7 +217,7 @@ pub struct Prepared<'a, T = (), G = &'a Mesh<'a>, O = DrawOptions, K = Perspecti
     pub(super) objects: Objects<'a, G, T>,
     pub(super) entries: &'a [Entry],
     pub(super) vertices: &'a [ScreenVertex],
-    /// The frame that they were prepared for.
+    /// The frame that the list was prepared for.
     pub(super) screen: Screen,
     /// The options with which the list is drawn.
     pub options: O,
@@ -287,7 +287,8 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
         }))
     }
 
-    /// Consecutive elements of one thing, of which the first may have pixels in some rows.
+    /// Runs of consecutive elements of one thing. The first element of a run may have pixels in `rows`. A thing that
+    /// was prepared alone is a single run.
     #[inline]
     pub(super) fn runs<'s>(
         &'s self,
@@ -332,7 +333,7 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
 }
 
 impl<'a, T, G, M: Copy, Z: Copy, B: Copy, K> Prepared<'a, T, G, DrawOptions<M, Z, B>, K> {
-    /// The same triangles or edges, with another way to blend their colors with those on the canvas. Use it for a
+    /// The same triangles or edges, with another way to blend their colors with the colors on the canvas. Use it for a
     /// sorted scene in which some objects are translucent.
     ///
     /// ```
@@ -368,8 +369,8 @@ impl<'a, T, G, M: Copy, Z: Copy, B: Copy, K> Prepared<'a, T, G, DrawOptions<M, Z
 
 impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Draws the triangles or edges that were [prepared](crate::DrawList::prepare) for this frame and meet this
-    /// canvas's rows. The pixels are those of [`draw_with`](Self::draw_with), but nothing is transformed again. If
-    /// several objects were prepared, all are drawn with this shader; to draw each object with its own shader, see
+    /// canvas's rows. The pixels are the same as with [`draw_with`](Self::draw_with), but nothing is transformed again.
+    /// If several objects were prepared, all are drawn with this shader; to draw each object with its own shader, see
     /// [`Prepared::parts`].
     ///
     /// # Errors
@@ -413,7 +414,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 }
 
-/// Whether an element of these rows, which reaches this far beyond them, may have pixels in others.
+/// Whether an element may have pixels in `rows`, if it reaches up to `reach` rows beyond its own rows, `start` to
+/// `end`.
 #[inline]
 fn meets([start, end]: [i16; 2], reach: i32, rows: &Range<i32>) -> bool {
     i32::from(start) - reach < rows.end && rows.start < i32::from(end) + reach
@@ -429,7 +431,7 @@ pub struct Run<'r> {
 }
 
 impl<'r> Run<'r> {
-    /// The elements within `reach` of the rows: for each, its index in the thing, and its corners.
+    /// The elements within `reach` rows of the rows to draw: for each element, its index in the thing, and its corners.
     #[inline]
     fn elements(&self, reach: i32) -> impl Iterator<Item = (usize, Corners)> + use<'r> {
         let (shared, first) = (self.shared, self.first);
@@ -468,7 +470,7 @@ impl<'r> Run<'r> {
         draw.drawn()
     }
 
-    /// Draws edges, each by `line`, which reaches this far beyond the rows of their ends.
+    /// Draws edges, each by `line`. A line reaches up to `reach` rows beyond the rows of its ends.
     #[inline(never)]
     pub(super) fn draw_edges(
         &self,
@@ -495,8 +497,8 @@ impl<'r> Run<'r> {
         draw.drawn()
     }
 
-    /// Twice the area of a triangle on the screen, or a number of its sign where culling has left only one; 0 for an
-    /// edge.
+    /// Twice the area of a triangle on the screen; 0 for an edge. If culling has left only areas of one sign, the
+    /// result is 1 or -1, with this sign.
     pub(super) fn area(&self, corners: Corners) -> i64 {
         match (self.shared.cull, corners) {
             (_, Corners::Edge { .. }) => 0,
@@ -547,7 +549,7 @@ impl<'r> Run<'r> {
         let mut polygon = ClippedPolygon::new();
         for pair in corners.unwrap_or_default().chunks_exact(2) {
             if let &[vertex, ScreenVertex { screen, .. }] = pair {
-                // At most as many as were clipped.
+                // There is room, because clipping made no more corners than fit.
                 let _ = polygon.push(ClippedVertex {
                     vertex,
                     barycentric: Barycentric(screen),

@@ -134,7 +134,8 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     }
 }
 
-/// The place in a list of the entry at an address; beyond its end for other addresses.
+/// The index in a list of the entry at the address `entry`. `first` is the address of the list's first entry. For an
+/// address outside the list, the result is beyond the list's end.
 #[inline]
 fn index(entry: usize, first: usize) -> usize {
     entry.wrapping_sub(first) / size_of::<Entry>()
@@ -144,8 +145,8 @@ fn index(entry: usize, first: usize) -> usize {
 /// [`ShadeList`]; see there for an example.
 #[derive(Clone, Copy)]
 pub struct Shades<'a, S: Shader> {
-    /// The address of the list's first entry. The list cannot change while these values exist, so an address says which
-    /// entry it is, and whether it is one of this list.
+    /// The address of the list's first entry. The list cannot change while these values exist, so the address of an
+    /// entry tells its index, and whether it belongs to this list.
     first: usize,
     values: &'a [Values<S>],
     /// The attributes that the shaders asked for and the meshes lack.
@@ -164,7 +165,7 @@ impl<'a, S: Shader> Shades<'a, S> {
     }
 }
 
-/// A shader whose values are stored.
+/// A shader with stored values.
 #[doc(hidden)]
 #[derive(Clone, Copy)]
 pub struct Shaded<'a, S: Shader> {
