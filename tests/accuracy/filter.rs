@@ -293,8 +293,9 @@ fn a_magnified_texture_is_smooth() {
                 );
             }
         }
-        // The difference between neighboring pixels is a fraction of that between neighboring texels, plus the errors
-        // of both pixels: of each position, 0.001 and half a 256th along each axis; and of each color, one step.
+        // The difference between neighboring pixels is a fraction of the difference between neighboring texels, plus
+        // the errors of both pixels. A position has an error of 0.001 and half a 256th along each axis. A color has an
+        // error of one step.
         let most = steepest(&nearest);
         let allowed = most * (scale + 4. * (0.001 + 1. / 512.)) + 2.;
         assert!(steepest(&smooth) <= allowed, "{texels:?}");

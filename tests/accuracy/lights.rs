@@ -21,20 +21,19 @@ const HALF_STEP: f64 = UNIT / 510.;
 
 /// The error of a lamp's light, in units of 2^-16.
 ///
-/// The vector to the lamp and the normal are truncated to mantissas of 14 bits or more: that turns each by up to
-/// √3 · 2^-14, which is 1.06e-4. The reciprocal root adds 2.3e-4, so the cosine has an error of 4.4e-4.
+/// The vector to the lamp and the normal are truncated to mantissas of 14 bits or more. This turns each of them by up
+/// to √3 · 2^-14, which is 1.06e-4. The reciprocal root adds 2.3e-4, so the cosine has an error of 4.4e-4.
 ///
-/// A smooth falloff uses s, the square of distance over range. The truncated vector contributes an error of 2.1e-4 to
-/// it, and the 13 bits of the square and of the reciprocal contribute 1.85e-4. The formula (1 - s)² turns these 4e-4
-/// into at most half. Two factors of 15 bits add 6.1e-5, and their product with the brightness, which keeps 14 bits,
-/// adds 6.1e-5.
+/// A smooth falloff uses s, the square of distance over range. The truncated vector adds an error of 2.1e-4 to s, and
+/// the 13 bits of the square and of the reciprocal add 1.85e-4. The formula (1 - s)² turns these 4e-4 into at most
+/// half. Two factors of 15 bits add 6.1e-5. Their product with the brightness keeps 14 bits, and adds 6.1e-5.
 ///
-/// A linear falloff uses the length of the truncated vector, which has an error of 1.06e-4. Its square loses 6.1e-5,
-/// the range's reciprocal 6.1e-5, and two products and the whole 9.1e-5. The error of the root counts once, because it
-/// changes the cosine and the light in opposite directions.
+/// A linear falloff uses the length of the truncated vector, which has an error of 1.06e-4. The square of the length
+/// loses 6.1e-5, the reciprocal of the range 6.1e-5, and two products and the result 9.1e-5. The error of the root
+/// counts once, because it changes the cosine and the light in opposite directions.
 ///
-/// The light keeps 13 bits, which adds 1.22e-4; the brightness adds 1.5e-5 and the result 1.5e-5. The total is 9.2e-4
-/// for a smooth falloff and 9.2e-4 for a linear one: 60 units.
+/// The light keeps 13 bits, which adds 1.22e-4. The brightness adds 1.5e-5, and the result 1.5e-5. The total is 9.2e-4
+/// for a smooth falloff and 9.2e-4 for a linear falloff: 60 units.
 const LAMP_ERROR: f64 = 60.;
 
 /// The largest distance between the end of a lamp's light and its range, as a fraction of the range: half the error of

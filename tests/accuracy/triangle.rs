@@ -28,7 +28,7 @@ pub struct Triangle<K, const N: usize> {
 pub struct Model<const N: usize> {
     pub pixel: [i32; 2],
     pub w: f64,
-    /// The greatest w in the pixel's row.
+    /// The greatest w in the row of the pixel.
     pub farthest: f64,
     pub values: [f64; N],
     pub depth: f64,
