@@ -166,7 +166,7 @@ pub fn draw(which: u8, lights: Lights, color: Rgb888, between: [u16; 2], then: i
         spot,
         exponent,
     } = lights;
-    // The shaders need distances. Any numbers will do, so these are made from the depths.
+    // The shaders need distances. Any distances will do, so they are made from the depths.
     let [least, most] = between.map(|depth| Scalar::from_bits(i32::from(depth) << 4));
     let (near, beyond) = (least.min(most), least.max(most) + Scalar::DELTA);
     let linear = Fog::linear(Rgb565::from(color), near, beyond).unwrap();
