@@ -66,7 +66,7 @@ fn shape(random: &mut Random) -> [[f64; 2]; 3] {
 /// The change of 1/w per pixel to the right and down, relative to the smallest 1/w in the picture.
 fn slope(random: &mut Random) -> [f64; 2] {
     if random.random_ratio(1, 4) {
-        // A slope like that of a floor: 1/w is constant or nearly constant along a row.
+        // As on a floor, 1/w is constant or nearly constant along a row.
         let across = if random.random() {
             0.
         } else {

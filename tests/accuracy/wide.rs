@@ -87,7 +87,7 @@ fn check_values(smooth: &[Seen<1>], [a, b]: [Point; 2], plain: &[Seen<1>]) {
     }
 }
 
-/// Half of a line's width, in units of 1/256 pixel. It is often that of a plain line, or a few pixels.
+/// Half of a line's width, in units of 1/256 pixel. The line is often a plain line, or a few pixels wide.
 fn half(random: &mut Random) -> i32 {
     match random.random_range(0..3) {
         0 => random.random_range(128..=8192),

@@ -55,7 +55,7 @@ impl Shader for Bits {
     }
 }
 
-/// A shader whose color is the triangle's index in the mesh.
+/// A shader that shows the index of a triangle in the mesh as a color.
 #[derive(Clone, Copy)]
 struct Index;
 

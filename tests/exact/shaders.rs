@@ -74,7 +74,8 @@ impl<S: Shader> Shader for Same<S> {
 
 /// A wrapper that adds its own varyings to those of the inner shader.
 ///
-/// Its own varyings have a tolerance. Without one, triangles whose depth hardly changes would have to be drawn exactly.
+/// Its own varyings have a tolerance. Without a tolerance, triangles with almost no change in depth would be drawn
+/// exactly.
 #[derive(Clone, Copy)]
 struct WithFace<S>(S);
 

@@ -11,7 +11,7 @@
 //! | `projection` | projections of the crate, and the same of the model |
 //! | `steps` | products of transforms of the crate, and the same of the model |
 //! | `draw` | a scene in every mode, and with one of the crate's shaders |
-//! | `shaders` | a shader whose color depends on every bit |
+//! | `shaders` | a shader with colors that depend on every bit |
 //! | `shades` | the crate's shaders |
 //! | `call` | a draw call in bands, prepared, as bytes and twice |
 //! | `knowledge` | the f64 model's triangles, and bounds on the crate's deviation from them |

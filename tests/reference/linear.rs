@@ -72,7 +72,7 @@ pub fn apply_point(m: &Matrix, p: Vec3) -> Vec4 {
     apply(m, [p[0], p[1], p[2], 1.])
 }
 
-/// M · (p, 1) for an affine `m`, whose last row is (0, 0, 0, 1).
+/// M · (p, 1) for an affine `m`. The last row of `m` is (0, 0, 0, 1).
 pub fn point(m: &Matrix, p: Vec3) -> Vec3 {
     let [x, y, z, _] = apply_point(m, p);
     [x, y, z]

@@ -12,7 +12,7 @@ pub trait Files {
     /// The file cannot be read.
     fn read(&self, path: &Path) -> io::Result<Vec<u8>>;
 
-    /// Whether there is such a file.
+    /// Whether the file exists.
     fn has(&self, path: &Path) -> bool;
 
     /// Called now and then with the number of a model's bytes that have been read, and the number of all its bytes.

@@ -13,7 +13,7 @@ impl Lists {
     /// `fixel::mesh::Outline::build` finds, in the order of the faces.
     ///
     /// An edge a, b, c, d runs from a to b; its faces are a b c and b a d. A border has one face, and its d equals a.
-    /// Edges whose faces meet at more than `crease` degrees are creases.
+    /// An edge is a crease if its faces meet at more than `crease` degrees.
     #[must_use]
     pub fn outline(&self, crease: f64) -> (Vec<[u16; 4]>, usize) {
         let at = |index: u16| self.positions[usize::from(index)];

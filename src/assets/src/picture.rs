@@ -204,7 +204,7 @@ fn colored(width: usize, height: usize, pixels: Vec<[u8; 4]>) -> Result<Picture,
     })
 }
 
-/// A picture whose pixels are indices of a table.
+/// A picture with pixels that are indices of a table.
 fn indexed(
     width: usize,
     height: usize,

@@ -62,7 +62,7 @@ pub fn is_binary_stl(bytes: &[u8]) -> bool {
     count.is_some_and(|&count| u64::from(u32::from_le_bytes(count)) * 50 + 84 == bytes.len() as u64)
 }
 
-/// The row of the format whose signature the file begins with; OBJ has none.
+/// The row of the format with the signature at the start of the file. OBJ has no signature.
 fn marked(bytes: &[u8]) -> Option<&'static Row> {
     let start = String::from_utf8_lossy(&bytes[..bytes.len().min(1024)]);
     let text = start.trim_start_matches('\u{feff}').trim_start();
@@ -81,7 +81,7 @@ fn marked(bytes: &[u8]) -> Option<&'static Row> {
 ///
 /// # Errors
 ///
-/// The file is empty or UTF-16 text, or its format cannot be read or is not the one that its extension names.
+/// The file is empty or UTF-16 text, its format cannot be read, or the contents contradict the extension.
 pub fn format(path: &Path, bytes: &[u8]) -> Result<Format, String> {
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
         return Err("its text is UTF-16: save it as UTF-8".into());

@@ -1,4 +1,4 @@
-//! Corrects normals of models whose triangles have the wrong winding.
+//! Corrects normals of models with wrong winding of their triangles.
 
 use std::collections::HashMap;
 

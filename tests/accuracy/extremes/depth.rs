@@ -26,7 +26,7 @@ const RATIOS: [(&str, f64, f64); 6] = [
     ("10⁵", 0.25, 25_000.),
     ("10⁶", 0.031_25, 31_250.),
 ];
-/// The distance of the farther surface, divided by that of the nearer one.
+/// The distance of the farther surface, divided by the distance of the nearer surface.
 const APART: f64 = 1.01;
 
 fn view(near: f64, far: f64) -> TriangleView {

@@ -105,7 +105,7 @@ fn given_snapped_corners_are_used_unchanged() {
     let pieces = culled(snapped, Cull::Back);
     let picture = render(&pieces, &view.projection, view.viewport, (8, 8), 0.);
     assert_eq!(picture.counts().iter().sum::<u32>(), 16);
-    // The value is the one that pixel (2, 2) had before the move.
+    // Pixel (2, 2) had this value before the move.
     close(
         picture.nearest([3, 2]).unwrap().value.attributes,
         [-0.1875, 0.1875],

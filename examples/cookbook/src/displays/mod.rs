@@ -274,7 +274,7 @@ pub fn run_ili9341() -> Result<Ran, Error> {
     let wires = Wires::default();
     let interface = SPIInterface::new(wires.clone(), wires.clone());
     ili9341::run(interface, Unconnected, NoDelay)?;
-    // Most modules with this controller have a glass with blue first, and the driver assumes such a glass.
+    // Most modules with this controller have a glass with blue first, and the driver assumes this.
     Ok(Ran::new(
         mipi::Panel::new(240, 320).with_blue_first(),
         &wires,
