@@ -1,7 +1,7 @@
-//! The scene of the program `oled`: a cube inside two rings, each turning at its own rate, and a caption with the
-//! frame number, for a panel of 128x64 pixels in 16 grays.
+//! The scene of the program `oled`: a cube inside two rings, and a caption with the frame number. Each part turns at
+//! its own rate. The panel has 128x64 pixels in 16 grays.
 //!
-//! `no_std`: the board draws it in bands, the host as a whole frame.
+//! `no_std`: the board draws the scene in bands, the host as a whole frame.
 
 use core::fmt::Write;
 
@@ -15,15 +15,15 @@ use fixel::canvas::{DepthBuffer, Storage};
 use fixel::prelude::*;
 use fixel::shade::Light;
 
-/// Width of the panel in pixels.
+/// The width of the panel in pixels.
 pub const WIDTH: u32 = 128;
-/// Height of the panel in pixels.
+/// The height of the panel in pixels.
 pub const HEIGHT: u32 = 64;
 
 /// Milliseconds from one frame to the next. The picture depends only on the frame number, so it is the same on every
 /// computer, however fast it is drawn.
 pub const FRAME_MS: u32 = 30;
-/// Number of frames: one turn of the outer ring, and on to a pose that shows all three parts.
+/// The number of frames: one turn of the outer ring, and then on to a pose that shows all three parts.
 pub const FRAMES: u32 = 211;
 /// Turns per minute of the outer ring. The inner ring turns twice as fast, the cube three times as fast.
 const RPM: i32 = 10;
@@ -47,7 +47,7 @@ impl Lists {
         }
     }
 
-    /// Transforms the parts of a frame, once for all of its bands.
+    /// Transforms the parts of a frame once for all bands of the frame.
     ///
     /// # Errors
     ///
@@ -65,7 +65,8 @@ impl Lists {
 
         let now_ms = u64::from(frame) * u64::from(FRAME_MS);
         let turned = |rpm: i32| Rate::rpm(rpm).angle_at(now_ms);
-        // A ring's axis is y. The outer ring is turned upright; the inner one is at right angles to it.
+        // The axis of a ring is y. The outer ring is turned upright; the inner ring is at right angles to the outer
+        // one.
         let upright = Transform::rotate_x(Angle::from_degrees(90));
         let outer = Transform::rotate_y(turned(RPM)) * upright;
         let inner =
@@ -103,7 +104,7 @@ pub struct Gyroscope<'l> {
 }
 
 impl Gyroscope<'_> {
-    /// Draws the part of the frame that the canvas holds: the model in the right half of the frame, the caption in
+    /// Draws the part of the frame that the canvas holds. The model is in the right half of the frame, the caption in
     /// the left half.
     pub fn draw<O, D>(&self, canvas: &mut Canvas<'_, Gray4, O, D>) -> Result<(), Error>
     where
@@ -124,7 +125,7 @@ where
     O: Storage<Gray4>,
     D: DepthBuffer,
 {
-    // Room for any number: at most ten digits.
+    // A number has at most ten digits.
     let mut number = heapless::String::<16>::new();
     let _ = write!(number, "frame {frame}");
     let mut rate = heapless::String::<16>::new();

@@ -1,6 +1,6 @@
-//! The project's own scene: a lighthouse on its island in the sea, and a line of text.
+//! The project's own scene: a lighthouse on an island in the sea, and a line of text.
 //!
-//! `no_std`, and small enough for a microcontroller's flash: 1,176 triangles, 40 KiB of textures.
+//! `no_std`, and small enough for the flash of a microcontroller: 1,176 triangles, 40 KiB of textures.
 
 use core::convert::Infallible;
 
@@ -18,12 +18,12 @@ use fixel::shade::{Flat, Light, PixelFormat, Texels, Textured, Within};
 use fixel::view::{Aspect, Perspective, ProjectionKind};
 use fixel::{Drawn, Vec2};
 
-/// The island with the lighthouse; texture coordinates fit [`SKIN`].
+/// The island with the lighthouse. Its texture is [`SKIN`].
 pub static ISLAND: Mesh = include_mesh!("../assets/lighthouse.obj");
 /// The texture of the island.
 pub static SKIN: [[Rgb565; 128]; 128] = rows(include_bytes!("../assets/lighthouse.rgb565"));
 
-/// Rows of colors, from bytes of which the high one comes first.
+/// Rows of colors from bytes. The high byte of a color comes first.
 const fn rows<const W: usize, const H: usize>(bytes: &[u8]) -> [[Rgb565; W]; H] {
     let mut rows = [[Rgb565::BLACK; W]; H];
     let (texels, _) = bytes.as_chunks();
@@ -40,14 +40,14 @@ const fn rows<const W: usize, const H: usize>(bytes: &[u8]) -> [[Rgb565; W]; H] 
     rows
 }
 
-/// The sea: a level disc around the island, 112 units wide each way.
+/// The sea: a level disc around the island, 112 units from its center to its edge.
 pub static SEA: Mesh = {
     match Mesh::new(&SEA_CORNERS.0, &SEA_FACES) {
         Ok(mesh) => Mesh::checked(mesh.with_uvs(&SEA_CORNERS.1, None)),
         error => Mesh::checked(error),
     }
 };
-/// Corners of the disc; the last is its center.
+/// The number of corners of the disc. The center follows them in the list.
 const SEA_SIDES: usize = 32;
 static SEA_CORNERS: ([Vec3; SEA_SIDES + 1], [Vec2; SEA_SIDES + 1]) = {
     let mut positions = [Vec3::ZERO; SEA_SIDES + 1];
@@ -57,11 +57,11 @@ static SEA_CORNERS: ([Vec3; SEA_SIDES + 1], [Vec2; SEA_SIDES + 1]) = {
         #[allow(clippy::cast_possible_truncation)] // 32 corners
         let angle = Angle::from_bits((at << (32 - SEA_SIDES.ilog2())) as u32);
         let (sin, cos) = angle.sin_cos();
-        // From 2^-30 to 2^-16: 112 units, and one repeat of the texture for every four. Each triangle then has fewer
-        // than the 1,900 texels up to which the faster modes keep their accuracy.
+        // From 2^-30 to 2^-16, times the radius of 112 units. The texture repeats every four units. Each triangle then
+        // has fewer than 1,900 texels, and up to this number the faster modes keep their accuracy.
         let (x, z) = ((sin.to_bits() >> 14) * 112, (cos.to_bits() >> 14) * 112);
         positions[at] = Vec3::from_bits([x, 0, z]);
-        // A quarter of it, from 2^-16 to 2^-20.
+        // A quarter of the position, converted from 2^-16 to 2^-20.
         uvs[at] = Vec2::from_bits([x * 4, z * 4]);
         at += 1;
     }
@@ -90,9 +90,9 @@ pub fn projection(size: impl Into<Aspect>) -> Result<Projection<Perspective>, Er
     Projection::perspective(Angle::from_degrees(40), size, fx!(1), fx!(140))
 }
 
-/// The camera's place.
+/// The place of the camera.
 pub const EYE: Vec3 = vec3!(3.4, 3.1, 8.4);
-/// What it looks at.
+/// The point that the camera looks at.
 pub const TARGET: Vec3 = vec3!(0.45, 1.62, 0);
 
 /// A camera in front of the island, a little above it.
@@ -104,7 +104,7 @@ pub fn camera() -> Result<Camera, Error> {
     Camera::look_at(EYE, TARGET, Vec3::Y)
 }
 
-/// Toward the afternoon sun, on the right.
+/// The direction toward the afternoon sun, on the right.
 pub const SUN: Vec3 = vec3!(5, 5, 4);
 
 /// The light of the afternoon sun.
@@ -116,7 +116,7 @@ pub fn sun() -> Result<Light, Error> {
     Light::new(SUN, fx!(0.4), fx!(0.6))
 }
 
-/// Fills the canvas with a sky: blue above, pale toward the horizon; black if there are only black and white.
+/// Fills the canvas with a sky, blue above and pale toward the horizon. A canvas in black and white becomes black.
 pub fn sky<C, O, D>(canvas: &mut Canvas<'_, C, O, D>)
 where
     C: PixelFormat,
@@ -141,7 +141,7 @@ where
     let Ok(()) = canvas.fill_contiguous(&area, colors);
 }
 
-/// The color of the sky in row `y` of a picture, from 0 at the top to its `height`, at least 1.
+/// The color of the sky in row `y` of a picture with `height` rows, at least 1. Row 0 is at the top.
 #[inline]
 pub fn sky_color(y: u32, height: u32) -> Rgb888 {
     // Products are at most 4096 · 256.
@@ -168,7 +168,7 @@ pub fn skin<C: PixelFormat>() -> Result<impl ShaderFor<C, Varyings = LitTexels>,
     Ok(Textured::new(&SKIN).lit(sun()?).converted())
 }
 
-/// Draws sea and island; `mvp` transforms them to the picture.
+/// Draws the sea and the island. `mvp` transforms them to the picture.
 ///
 /// # Errors
 ///
@@ -193,15 +193,16 @@ where
     Ok([sea, island])
 }
 
-/// Whether the format has only black and white. A dithered sky and sea would then be noise around the island.
+/// Whether the format has only black and white. In black and white, a dithered sky and sea would be noise around the
+/// island.
 pub const fn is_mono<C: PixelFormat>() -> bool {
     C::MAX_STEPS[0] == 1
 }
 
-/// The outline against sky and sea; no edge is a crease.
+/// The outline of the island against sky and sea. No edge is a crease.
 pub static SILHOUETTES: Outline = include_outline!("../assets/lighthouse.obj", crease = 180);
 
-/// The shader of the sea by night: black water with crests of waves.
+/// The shader of the sea at night: black water with crests of waves.
 pub fn crests<C: PixelFormat>() -> impl ShaderFor<C, Varyings = Texels> {
     const CREST: u8 = 40;
     let gray = |luma| C::from_rgb(Gray8::new(luma).into(), Point::zero());
@@ -209,7 +210,7 @@ pub fn crests<C: PixelFormat>() -> impl ShaderFor<C, Varyings = Texels> {
     Textured::new(&WAVES).map(move |_, color| Some(if color.g() > CREST { white } else { black }))
 }
 
-/// The shader of the island by night, with more contrast.
+/// The shader of the island at night, with more contrast.
 ///
 /// # Errors
 ///
@@ -225,7 +226,7 @@ pub fn stretched<C: PixelFormat>() -> Result<impl ShaderFor<C, Varyings = LitTex
         .converted())
 }
 
-/// The same by night, with white silhouettes.
+/// Draws the sea and the island at night, with white silhouettes.
 fn draw_mono<C, I, K, O, D>(
     canvas: &mut Canvas<'_, C, O, D>,
     options: &DrawOptions<I>,
@@ -247,8 +248,8 @@ where
     Ok([sea, island])
 }
 
-/// Writes the name of the project into the lower left corner; on a black background if the format has only black and
-/// white.
+/// Writes the name of the project into the lower left corner. If the format has only black and white, the background of
+/// the text is black.
 pub fn caption<C, O, D>(canvas: &mut Canvas<'_, C, O, D>)
 where
     C: PixelFormat,
@@ -259,7 +260,7 @@ where
     caption_on(canvas, size, is_mono::<C>());
 }
 
-/// The same in a picture of this size, on black or on the picture.
+/// Writes the name of the project into a picture of this size, on a black background or directly on the picture.
 pub fn caption_on<T>(target: &mut T, Size { width, height }: Size, on_black: bool)
 where
     T: DrawTarget<Color: PixelFormat, Error = Infallible>,

@@ -1,11 +1,11 @@
 //! Scenes and tools that examples and tests share.
 
-// Not every example uses all of them.
+// Not every example uses all modules.
 #![allow(dead_code)]
 
 pub mod gyroscope;
 pub mod lighthouse;
 pub mod scenes;
-/// Only used on a microcontroller without an operating system.
+/// Only microcontrollers without an operating system use this module.
 #[cfg(target_os = "none")]
 pub mod stack;

@@ -1,8 +1,8 @@
-//! The four measured scenes, the same in every measurement of this crate and of other libraries.
+//! The four measured scenes. They are the same in every measurement of this crate and of other libraries.
 //!
-//! 320x240 pixels, focal length 200 pixels, near 0.25, far 100. Each scene has a mesh, an mvp for each of its poses
-//! `k` = 0..8, and a function that draws it. Only this function is measured; clearing is not. `no_std`, so that a
-//! microcontroller draws the same.
+//! 320x240 pixels, focal length 200 pixels, near 0.25, far 100. Each scene has a mesh, an mvp for each of its poses `k`
+//! = 0..8, and a function that draws it. Only this function is measured, without clearing. `no_std`, so that a
+//! microcontroller can draw the same scenes.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, WebColors};
 use fixel::canvas::{DepthBuffer, Storage};
@@ -12,14 +12,14 @@ use fixel::shade::{FaceColors, Gouraud, Textured};
 use fixel::view::Perspective;
 use fixel::{Drawn, Vec2};
 
-/// Width of the picture in pixels.
+/// The width of the picture in pixels.
 pub const WIDTH: u32 = 320;
-/// Height of the picture in pixels.
+/// The height of the picture in pixels.
 pub const HEIGHT: u32 = 240;
-/// Number of poses.
+/// The number of poses.
 pub const POSES: i32 = 8;
 
-/// 64x64 texels, squares of 8 in two colors.
+/// 64x64 texels: squares of 8x8 texels in two colors.
 pub static CHECKER: [[Rgb565; 64]; 64] = {
     let mut texels = [[Rgb565::CSS_IVORY; 64]; 64];
     let mut at = 0;
@@ -60,7 +60,7 @@ static VERTEX_COLORS: [Rgb888; 33 * 33] = {
     let mut colors = [Rgb888::new(0, 0, 0); 33 * 33];
     let mut at = 0;
     while at < colors.len() {
-        // The normal of a unit sphere is the position.
+        // The normal of a unit sphere equals the position.
         let [r, g, b] = lit(place(at));
         colors[at] = Rgb888::new(r, g, b);
         at += 1;
@@ -68,7 +68,7 @@ static VERTEX_COLORS: [Rgb888; 33 * 33] = {
     colors
 };
 
-/// One color per triangle of the sphere.
+/// A color for each triangle of the sphere.
 pub static FACE_COLORS: [Rgb565; 1984] = {
     let mut colors = [Rgb565::new(0, 0, 0); 1984];
     let mut at = 0;
@@ -94,12 +94,12 @@ const fn place(at: usize) -> [i32; 3] {
     }
 }
 
-/// Red, green and blue of a surface with a normal in units of 2⁻¹⁶, under light from (2, 3, 6)/7.
+/// The color of a surface under light from (2, 3, 6)/7. The normal is in units of 2⁻¹⁶.
 #[must_use]
 pub const fn lit([x, y, z]: [i32; 3]) -> [u8; 3] {
     let facing = (2 * x + 3 * y + 6 * z) / 7;
     let light = if facing > 0 { facing } else { 0 };
-    // An ambient light of a quarter.
+    // The ambient light is a quarter.
     let light = (1 << 14) + light / 4 * 3;
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most the factor
     [
@@ -118,21 +118,21 @@ fn projection() -> Result<Projection<Perspective>, Error> {
     Projection::from_focal_length(fx!(200), (WIDTH, HEIGHT), fx!(0.25), fx!(100))
 }
 
-/// RX(`x`) · RY(`y`).
+/// The rotation about x after the rotation about y: RX(`x`) · RY(`y`).
 fn turned([x, y]: [Angle; 2]) -> Transform {
     Transform::rotate_x(x) * Transform::rotate_y(y)
 }
 
-/// The floor's pitch downwards, applied after the move by [`FLOOR_AT`]: atan 0.2.
+/// The angle by which the camera looks down on the floor: atan 0.2. It is applied after the move by [`FLOOR_AT`].
 pub const FLOOR_PITCH: Angle = Angle::from_bits(134_932_750);
 /// The floor's place, below the eye.
 pub const FLOOR_AT: Vec3 = vec3!(0, -1, 0);
-/// The cube's place; it is [turned](cube_turn) first.
+/// The place of the cube. The cube is [turned](cube_turn) before it is moved there.
 pub const CUBE_AT: Vec3 = vec3!(0, 0, -3.133_832_458);
-/// The spheres' place; they are [turned](sphere_turn) first.
+/// The place of the spheres. They are [turned](sphere_turn) before they are moved there.
 pub const SPHERE_AT: Vec3 = vec3!(0, 0, -2.256_239_223_7);
 
-/// The cube's turn in pose `k`: about y, then about x.
+/// The angles of the cube about x and y in pose `k`. It turns about y first.
 pub fn cube_turn(k: i32) -> [Angle; 2] {
     [
         Angle::from_radians(fx!(0.3)) + Angle::from_turns(fx!(0.0625)) * k,
@@ -140,7 +140,7 @@ pub fn cube_turn(k: i32) -> [Angle; 2] {
     ]
 }
 
-/// The spheres' turn in pose `k`: about y, then about x.
+/// The angles of the spheres about x and y in pose `k`. They turn about y first.
 pub fn sphere_turn(k: i32) -> [Angle; 2] {
     [
         Angle::from_radians(fx!(0.35)) + Angle::from_radians(fx!(0.3)) * k,
@@ -148,7 +148,7 @@ pub fn sphere_turn(k: i32) -> [Angle; 2] {
     ]
 }
 
-/// The floor's mvp, the same in all poses: the eye is one unit above the floor and looks down.
+/// The floor's mvp. It is the same in all poses: the eye is one unit above the floor and looks down.
 ///
 /// # Errors
 ///
@@ -217,7 +217,7 @@ pub fn sphere<I: Mode, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas.draw_with(options, &SPHERE, mvp, &shaded())
 }
 
-/// Draws the sphere with one color per triangle; meant for a canvas without depth.
+/// Draws the sphere with one color per triangle, for a canvas without a depth buffer.
 pub fn sphere_flat<I: Mode, O: Storage<Rgb565>, D: DepthBuffer>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
     options: &DrawOptions<I>,

@@ -1,13 +1,13 @@
-//! Measures how deep the stack of a piece of work is, on a microcontroller.
+//! Measures how much stack a function uses on a microcontroller.
 //!
-//! `deepest` fills the free stack with a pattern, does the work, and searches for the deepest word that changed. The
-//! stack of an interrupt during the work counts too. A word that happens to be overwritten with the pattern, or that
-//! was reserved and never written, does not count.
+//! `deepest` fills the free stack with a pattern, calls the function, and searches for the deepest word that has
+//! changed. Interrupts during the call use the same stack, and count, too. A word does not count if it was reserved but
+//! never written, or was overwritten with the pattern by chance.
 
 use core::hint::black_box;
 use core::ptr;
 
-/// End of the free stack. Only the statics are below it, as there is no heap.
+/// The end of the free stack. Only statics are below it, because there is no heap.
 #[cfg(target_arch = "arm")]
 use cortex_m_rt::heap_start as stack_end;
 #[cfg(target_arch = "riscv32")]
@@ -15,17 +15,17 @@ use riscv_rt::heap_start as stack_end;
 
 /// A pattern that no program writes by chance.
 const PAINT: u32 = 0xa51c_e5ab;
-/// Bytes below this function's own local that are left alone: the rest of its frame, and the frames of functions that
-/// it calls, where they are not inlined. Shallower work cannot be measured.
+/// The number of bytes below this function's own local that are not filled. They hold the rest of its frame, and the
+/// frames of functions that it calls if these are not inlined. Less stack than this cannot be measured.
 const MARGIN: usize = 256;
-/// Most bytes that are filled; deeper work is reported as this deep.
+/// The largest number of bytes that are filled. If a function uses more, this number is reported.
 const MOST: usize = 64 << 10;
-/// Bytes of a word of the pattern.
+/// The number of bytes in a word of the pattern.
 const WORD: usize = size_of::<u32>();
 
-/// Does `work`; returns its result and the bytes of stack below the caller that it reached.
+/// Calls `work`. Returns its result, and the number of bytes of stack below the caller that it used.
 ///
-/// The result is at least 256, and too large by the rest of this function's own frame: a few words.
+/// The number is at least 256. It is too large by the rest of this function's own frame, a few words.
 #[inline(never)]
 pub fn deepest<T>(work: impl FnOnce() -> T) -> (T, usize) {
     let local = 0_u32;
@@ -44,7 +44,7 @@ pub fn deepest<T>(work: impl FnOnce() -> T) -> (T, usize) {
     (result, top - (end + painted.count() * WORD))
 }
 
-/// Has a stack frame of its own, below the one from which depth is counted.
+/// Calls `work` with its own stack frame, below the frame from which depth is counted.
 #[inline(never)]
 fn apart<T>(work: impl FnOnce() -> T) -> T {
     work()
@@ -54,8 +54,8 @@ fn apart<T>(work: impl FnOnce() -> T) -> T {
 #[inline]
 fn paint(address: usize) {
     #[allow(unsafe_code)]
-    // SAFETY: the address is a multiple of four, in RAM that only the stack uses, and below every live frame: the
-    // frame of an interrupt is gone when this code continues.
+    // SAFETY: the address is a multiple of four, in RAM that only the stack uses, and below every live frame. The frame
+    // of an interrupt is gone when this code continues.
     unsafe {
         ptr::with_exposed_provenance_mut::<u32>(address).write_volatile(PAINT);
     }
@@ -65,7 +65,7 @@ fn paint(address: usize) {
 #[inline]
 fn is_painted(address: usize) -> bool {
     #[allow(unsafe_code)]
-    // SAFETY: as for `paint`, which has written a valid `u32` there.
+    // SAFETY: the same holds as for `paint`, which has written a valid `u32` to this address.
     unsafe {
         ptr::with_exposed_provenance::<u32>(address).read_volatile() == PAINT
     }

@@ -1,7 +1,7 @@
-//! Build script of programs for emulated boards: links them with the runtime crate's script and memory.x.
+//! The build script of programs for emulated boards. It links them with the runtime crate's script and memory.x.
 //!
-//! It is not in .cargo/config.toml because the settings there also hold for the project in boards/, whose chips have
-//! memories and scripts of their own.
+//! The linker's arguments are not in .cargo/config.toml, because the settings there also hold for the project in
+//! boards/. Its chips have their own memories and scripts.
 
 use std::env::var;
 

@@ -1,5 +1,5 @@
-//! Drawing in bands with a shader that records its input, and positions to draw at: for the tests of lines and of sized
-//! points.
+//! Helpers for the tests of lines and of sized points: drawing in bands with a shader that records its input, and
+//! random positions.
 
 use crate::common::random::{Random, within};
 use crate::common::recorder::{Probe, Recorder, Seen, record};
@@ -9,7 +9,7 @@ use fixel::Drawn;
 use fixel::prelude::*;
 use rand::Rng;
 
-/// How many inputs a test checks.
+/// The number of random inputs that a test checks.
 pub const CASES: u64 = 400;
 
 /// A position in 24.8.
@@ -56,7 +56,7 @@ pub fn counts(seen: &[Seen<1>]) -> Vec<u32> {
     counts
 }
 
-/// How often the model draws each pixel.
+/// How often each pixel is drawn by the model, given whether the model has a pixel.
 pub fn modeled(has: &dyn Fn([i32; 2]) -> bool) -> Vec<u32> {
     let pixels = Bounds::new(SIZE.0, SIZE.1).pixels();
     pixels.map(|pixel| u32::from(has(pixel))).collect()

@@ -18,13 +18,13 @@ use crate::common::random::cases;
 use crate::reference::blending::{add, multiply, over};
 
 static SQUARE: Mesh = shape!(plane(1, 1));
-/// The side of the dither matrix, which coarse colors use.
+/// The side of the dither matrix, in pixels. Coarse colors are dithered.
 const SIZE: u32 = 8;
 
-/// A color as a list of channels: the value of each, and its value in white.
+/// A color as a list of channels: each channel's value, and its value in white.
 type Channels = Vec<[f64; 2]>;
 
-/// A color type whose channels are known.
+/// A color type with channels that the test can read.
 trait Parts: PixelFormat + Debug + From<Self::Raw> {
     /// Whether the color is dithered.
     const IS_COARSE: bool = false;
@@ -61,7 +61,7 @@ impl Parts for BinaryColor {
     }
 }
 
-/// A surface of a single color, or of a single color and opacity.
+/// A shader with the same color everywhere, or the same color and opacity.
 #[derive(Clone, Copy)]
 struct Even<S>(S);
 
@@ -86,7 +86,7 @@ fn from_above() -> Mvp<Parallel> {
     projection.unwrap() * Camera::top(Vec3::ZERO, fx!(1))
 }
 
-/// Fills the frame with a color, draws over all of it, and returns the pixels. Draws in four bands.
+/// Fills the frame with a color, calls `draw` to draw over all of it in four bands, and returns the pixels.
 fn pixels<C, O>(below: C, draw: &dyn Fn(&mut Canvas<'_, C, O>)) -> Vec<Channels>
 where
     C: Parts,
@@ -110,15 +110,15 @@ struct Blended {
     below: Channels,
     /// Whether the colors are dithered.
     is_coarse: bool,
-    /// An opacity in 255ths becomes a weight with an error of at most this.
+    /// The largest error of the weight that an opacity in 255ths becomes.
     weight: f64,
     opacity: Vec<Channels>,
     alpha: Vec<Channels>,
     sum: Vec<Channels>,
     product: Vec<Channels>,
-    /// With opacity 0.
+    /// Blended with opacity 0.
     none: Vec<Channels>,
-    /// With opacity 255.
+    /// Blended with opacity 255.
     all: Vec<Channels>,
 }
 
@@ -126,7 +126,7 @@ impl Blended {
     /// Blends on a canvas with storage `O`.
     fn new<C: Parts, O: Storage<C>>(above: C, below: C, opacity: u8) -> Self {
         let mvp = from_above();
-        // A pixel is blended alike in all modes; this one takes the compiler the least time.
+        // All modes blend pixels in the same way. `Compact` takes the compiler the least time.
         let options = DrawOptions::new().with_mode(Compact);
         let with_opacity = |opacity| {
             let options = options.with_blending(Opacity(opacity));
@@ -143,7 +143,7 @@ impl Blended {
             above: above.parts(),
             below: below.parts(),
             is_coarse: C::IS_COARSE,
-            // Half of 2^-16; colors of 15 and 16 bits keep only 32nds.
+            // The error is half of 2^-16. Colors of 15 and 16 bits keep only 32nds of the weight.
             weight: 0.5 / 65_536. + if is_short { 1. / 64. } else { 0. },
             opacity: with_opacity(opacity),
             alpha: pixels::<C, O>(below, &|band| {
@@ -161,8 +161,8 @@ impl Blended {
         }
     }
 
-    /// Compares pixels with a formula of two channels from 0 to 1. `error` gives the allowed error in steps, for two
-    /// channels that differ by a number of steps.
+    /// Compares pixels with a formula of two channels from 0 to 1. `error` maps the difference of the two channels to
+    /// the allowed error, both in steps.
     fn compare(
         &self,
         what: &str,
@@ -177,7 +177,8 @@ impl Blended {
             let values: Vec<f64> = found.iter().map(|parts| parts[part][0]).collect();
             let context = || format!("{what} of {above:?} and {below:?}: {exact}, not {values:?}");
             if self.is_coarse {
-                // Dithering gives the whole steps around the exact level. Its 64 thresholds are 1/64 apart, from 1/128.
+                // Dithering gives the two whole steps around the exact level. Its 64 thresholds begin at 1/128 and are
+                // 1/64 apart.
                 let mean = values.iter().sum::<f64>() / values.len() as f64;
                 assert!((mean - exact).abs() <= error + 1. / 128., "{}", context());
                 assert!(
@@ -209,7 +210,7 @@ impl Blended {
         });
         assert_eq!(self.alpha, self.opacity);
         self.compare("sum", &self.sum, &add, &|_| 0.);
-        // Sums of whole steps are whole steps, so dithering changes nothing.
+        // Sums of whole steps are whole steps, so dithering does not change them.
         assert!(self.sum.iter().all(|color| *color == self.sum[0]));
         self.compare("product", &self.product, &multiply, &|_| 16. / 65_536.);
         // Opacities 0 and 255 are exact.
@@ -218,7 +219,7 @@ impl Blended {
     }
 }
 
-/// The color of these bits.
+/// Converts bits to a color.
 fn color<C: Parts>(bits: u32) -> C {
     C::Raw::from_u32(bits).into()
 }

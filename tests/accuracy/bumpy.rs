@@ -4,7 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use crate::reference::scenes::Shape;
 
-/// 5,984 triangles: 68 columns, 45 rows, texture coordinates from 0 to 1 around it and from top to bottom.
+/// 5,984 triangles in 68 columns and 45 rows. Texture coordinates run from 0 to 1 around the surface, and from its top
+/// to its bottom.
 pub fn bumpy() -> Shape {
     const COLUMNS: usize = 68;
     const ROWS: usize = 45;
@@ -24,7 +25,7 @@ pub fn bumpy() -> Shape {
     for row in 0..ROWS {
         for column in 0..COLUMNS {
             let quad = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[r, c]| [row + r, column + c]);
-            // At a pole, one side of the quad is a point, so one triangle has no area.
+            // At a pole, one side of the quad is a point, so one of the quad's triangles has no area and is left out.
             let triangles = [(row + 1 < ROWS, [0, 1, 2]), (row > 0, [0, 2, 3])];
             for (_, corners) in triangles.into_iter().filter(|(there, _)| *there) {
                 let corners = corners.map(|i| quad[i]);

@@ -1,4 +1,4 @@
-//! Values over triangles that the view volume or the guard band clips.
+//! Interpolated values of triangles that the view volume or the guard band clips.
 
 use std::array::from_fn;
 
@@ -19,8 +19,8 @@ use crate::reference::view::{View, Viewport};
 
 const SIZE: (u32, u32) = (160, 96);
 
-/// A little more than the bound of a corner's error: rounding moves the corner by up to 1/512 pixel along each axis,
-/// and the error of the position before is far smaller.
+/// A little more than the bound of a corner's error. Rounding moves the corner by up to 1/512 pixel along each axis.
+/// The error before rounding is far smaller.
 const SNAP: f64 = 1. / 256.;
 
 /// A position around the eye.
@@ -34,8 +34,8 @@ fn nearest<'a>(pieces: &'a [Piece<2>], pixel: [i32; 2]) -> Option<(f64, &'a Piec
     pieces.iter().map(gap).min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-/// Checks that each center is drawn once if it is farther inside than corners may move, and not drawn if it is farther
-/// outside.
+/// Checks each pixel center. It must be drawn once if it is farther inside than a corner can move, and never if it is
+/// farther outside than a corner can move.
 fn check_coverage(pieces: &[Piece<2>], seen: &[Seen<2>]) {
     let mut drawn = vec![0; SIZE.0 as usize * SIZE.1 as usize];
     for seen in seen {
@@ -46,7 +46,7 @@ fn check_coverage(pieces: &[Piece<2>], seen: &[Seen<2>]) {
         for x in 0..160 {
             let count = drawn[usize::try_from(y * 160 + x).unwrap()];
             let gap = nearest(pieces, [x, y]).map_or(f64::MAX, |(gap, _)| gap);
-            // Twice the distance of the points `around`, which leaves room for the rounding of distances.
+            // Twice the distance of the points `around` leaves room for the rounding of distances.
             if gap > 2. * SNAP {
                 assert_eq!(count, 0, "at {:?}", [x, y]);
                 continue;
@@ -100,7 +100,7 @@ fn values_of_clipped_triangles_are_the_models() {
 
         check_coverage(&pieces, &seen);
 
-        // The corners that clipping makes may be as near as the near plane, or as far as the far one.
+        // Clipping can make corners as near as the near plane, or as far as the far plane.
         let w = pieces.iter().flat_map(|piece| piece.w);
         let ends = [w.clone().fold(50., f64::min), w.fold(0.25, f64::max)];
         let mut farthest = [0_f64; SIZE.1 as usize];

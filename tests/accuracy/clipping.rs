@@ -1,11 +1,11 @@
-//! Clipping: drawn pixels lie inside the view volume, are drawn once, and agree with the f64 model.
+//! Clipping: pixels are drawn only inside the view volume, are drawn once, and agree with the f64 model.
 //!
-//! Tolerances: rounding moves a corner by at most 1/512 pixel along each axis, so an edge moves by at most
-//! √2/512 = 0.0028 pixel. Clip space adds less than 0.001 pixel for scenes of some hundred units (coefficients
-//! of 30 bits: 2⁻²⁹ · 256 units / 0.25 of the near plane · 100 pixels from the center = 5e-5). So pixels whose centers
-//! are nearer than [`EDGE`] = 1/256 pixel to an edge may be drawn or not. The crate's near and far planes equal the
-//! projection's to 28 bits. The model draws with planes moved inwards and outwards by the fraction [`PLANES`], and
-//! decides only where both results agree.
+//! Tolerances: rounding moves a corner by at most 1/512 pixel along each axis, so an edge moves by at most √2/512 =
+//! 0.0028 pixel. Clip space adds less than 0.001 pixel in scenes of some hundred units (coefficients of 30 bits: 2⁻²⁹ ·
+//! 256 units / 0.25 of the near plane · 100 pixels from the center = 5e-5). So a pixel may be drawn or not if its
+//! center is nearer than [`EDGE`] = 1/256 pixel to an edge. The crate's near and far planes equal the projection's
+//! planes to 28 bits. The model draws with planes moved inwards by the fraction [`PLANES`], and with planes moved
+//! outwards by it. A test decides only where both results agree.
 
 use std::array::from_fn;
 use std::collections::HashMap;
@@ -29,8 +29,8 @@ const FAR: f64 = 24.;
 const FOCAL: u16 = 30;
 /// In pixels.
 const EDGE: f64 = 1. / 256.;
-/// In pixels: √2/512 and the error of clip space. Where two sides of a triangle are this near to a center, rounding
-/// may swap them.
+/// In pixels: √2/512 and the error of clip space. Where two sides of a triangle are this near to a center, rounding can
+/// swap the sides.
 const FOLD: f64 = 0.0029;
 /// 2⁻²⁴.
 const PLANES: f64 = 1. / 16_777_216.;
@@ -40,7 +40,7 @@ fn projection() -> Projection<fixel::view::Perspective> {
         .unwrap()
 }
 
-/// The model's view, with near and far planes moved outwards by a fraction of their distance.
+/// The model's view. Its near and far planes are moved outwards by a fraction of their distance.
 fn model_view(outwards: f64) -> view::View {
     let (near, far) = (NEAR * (1. - outwards), FAR * (1. + outwards));
     view::View {
@@ -55,7 +55,7 @@ fn floats(positions: &[Vec3]) -> Vec<[f64; 3]> {
     positions.iter().map(|p| p.to_bits().map(float)).collect()
 }
 
-/// The model's triangles, with planes moved a little inwards and a little outwards.
+/// The model's silhouettes: with planes moved a little inwards, and with planes moved a little outwards.
 struct Model {
     inner: Silhouette,
     outer: Silhouette,
@@ -104,7 +104,7 @@ impl Model {
         }
     }
 
-    /// Whether a pixel is covered; `None` where rounding may decide.
+    /// Whether a pixel is covered; `None` where the crate's rounding decides.
     fn covers(&self, pixel: [i32; 2]) -> Option<bool> {
         if self.inner.classify(center(pixel), EDGE) == Position::Inside {
             Some(true)
@@ -115,14 +115,14 @@ impl Model {
         }
     }
 
-    /// Whether two sides pass so near to a pixel's center that rounding of their ends may swap them. A triangle that
-    /// thin may turn over, and then it overlaps its neighbors.
+    /// Whether two sides pass so near to a pixel's center that rounding of their ends can swap them. A triangle this
+    /// thin can turn over, and then it overlaps its neighbors.
     fn may_fold(&self, pixel: [i32; 2]) -> bool {
         let near = |[a, b]: &[[f64; 2]; 2]| to_segment(*a, *b, center(pixel)) < FOLD;
         self.sides.iter().filter(|side| near(side)).count() > 1
     }
 
-    /// Checks counts of drawn pixels against the model. No pixel may be drawn twice, unless a triangle may fold there.
+    /// Compares the counts of drawn pixels with the model. A pixel may be drawn twice only where a triangle can fold.
     fn check(&self, counts: &[u32]) {
         for (&count, pixel) in counts.iter().zip(Bounds::new(SIZE.0, SIZE.1).pixels()) {
             let expected = self.covers(pixel);
@@ -152,8 +152,8 @@ fn count(
 /// In units of 2⁻¹⁶.
 const UNIT: i32 = 1 << 16;
 
-/// A position anywhere around the eye: maybe close to the near plane, at the far plane, behind the eye, or far to the
-/// side.
+/// A position anywhere around the eye. It can be close to the near plane, at the far plane, behind the eye, or far to
+/// the side.
 fn around(random: &mut Random) -> Vec3 {
     let [x, y] = from_fn(|_| {
         let reach = match random.random_range(0..7) {
@@ -173,8 +173,8 @@ fn around(random: &mut Random) -> Vec3 {
     Vec3::from_bits([x, y, z])
 }
 
-/// A function of the position on the screen that gives 1/w on a triangle's plane, and its gradient. With the plane
-/// N·P = D and the ray (dx, dy, −1) through a pixel, 1/w = N·ray / D.
+/// Returns a function of the position on the screen. The function gives 1/w on the triangle's plane, and the gradient
+/// of 1/w. On the plane N·P = D, the ray (dx, dy, −1) through a pixel has 1/w = N·ray / D.
 fn inverse_w(corners: [Vec3; 3]) -> impl Fn([f64; 2]) -> (f64, f64) {
     let p = floats(&corners);
     let n = linear::cross(linear::subtract(p[1], p[0]), linear::subtract(p[2], p[0]));
@@ -191,8 +191,8 @@ fn inverse_w(corners: [Vec3; 3]) -> impl Fn([f64; 2]) -> (f64, f64) {
     }
 }
 
-/// A triangle anywhere around the eye is drawn exactly where the model covers it, between the near and far planes,
-/// and each pixel has the distance of the triangle's plane.
+/// A triangle anywhere around the eye is drawn exactly where the model covers it between the near and far planes. Each
+/// pixel has the distance of the triangle's plane.
 #[test]
 fn triangles_around_the_eye_are_the_models() {
     cases(512, |random| {
@@ -208,7 +208,7 @@ fn triangles_around_the_eye_are_the_models() {
         let mut pixels = vec![Gray8::new(0); counts.len()];
         let mesh = Mesh::new(&corners, &[[0, 1, 2]]).unwrap();
         let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
-        // The interpolated distance.
+        // The probe interpolates the distance.
         let probe = Probe {
             values: &|corner| [corner.distance().to_bits()],
             color: None::<Gray8>,
@@ -225,16 +225,17 @@ fn triangles_around_the_eye_are_the_models() {
         } in record.seen
         {
             let w = f64::from(distance) / 65536.;
-            // The corners' distances are below 64, 2^22 units, so the interpolant is distance · q · 2^-24, and q is at
-            // least 2^30 · near/w. bounds.rs derives that the errors of both count as 56½ units of the interpolant at
-            // most. In this small picture they stay within 51.
+            // The corners' distances are below 64 (2^22 units), so the interpolant is distance · q · 2^-24, and q is at
+            // least 2^30 · near/w. As bounds.rs derives, the errors of distance and q count as at most 56½ units of the
+            // interpolant. In this small picture, they stay within 51 units.
             let q = f64::from(1 << 30) * NEAR / FAR;
             let format = (f64::from(1 << 24) * 51. / q + 4.) / 65536.;
             assert!(
                 (NEAR - format..=FAR + format).contains(&w),
                 "{pixel:?}: {w}"
             );
-            // Corners moved by less than EDGE, so the plane has the value within that distance of the pixel's center.
+            // Corners have moved by less than EDGE, so the plane has the value somewhere within EDGE of the pixel's
+            // center.
             let (exact, gradient) = plane(center(pixel));
             let room = gradient * EDGE + 1e-6;
             let nearest = 1. / (exact + room);
@@ -249,7 +250,7 @@ fn triangles_around_the_eye_are_the_models() {
                     "{pixel:?}: {w} is farther than {farthest}"
                 );
             }
-            // Depth is rounded down, and the error of 1/w, up to 40 units, is 40 · 2^-15 of a step.
+            // Depth is rounded down. The error of 1/w, up to 40 units, is 40 · 2^-15 of a step.
             let step = 65535. * NEAR;
             let (least, most) = (step * (exact - room) - 1.01, step * (exact + room) + 0.01);
             assert!(
@@ -260,10 +261,10 @@ fn triangles_around_the_eye_are_the_models() {
     });
 }
 
-/// A plane near the eye, as a map from the mesh's positions to space.
+/// A plane near the eye, as a map from positions of the mesh to space.
 #[derive(Clone, Copy, Debug)]
 struct Ground {
-    /// The mesh's origin.
+    /// The place of the mesh's origin.
     origin: [i32; 3],
     /// The changes of position per unit of the mesh's x and y.
     steps: [[i32; 3]; 2],
@@ -276,13 +277,13 @@ impl Ground {
     }
 }
 
-/// A floor, a ceiling, a wall or tilted ground, which reaches from behind the eye to beyond the far plane.
+/// A floor, a ceiling, a wall or tilted ground. It reaches from behind the eye to beyond the far plane.
 fn ground(random: &mut Random) -> Ground {
     let side = if random.random() { 1 } else { -1 };
     let height = side * random.random_range(UNIT / 8..2 * UNIT);
     let [across, along] = from_fn(|_| random.random_range(-6..=6));
     let wall = random.random();
-    // v runs ahead. The tilt is small, so that the horizon is visible.
+    // v points ahead. The tilt is small, so that the horizon is visible.
     let (x, y) = ([32, across, 0], [0, along, -32]);
     let turn = |[a, b, c]: [i32; 3]| if wall { [b, a, c] } else { [a, b, c] };
     Ground {
@@ -291,7 +292,7 @@ fn ground(random: &mut Random) -> Ground {
     }
 }
 
-/// Ground that continues below the eye and behind it, in triangles of every shape.
+/// The ground continues below the eye and behind it. Its triangles have all shapes.
 #[test]
 fn meshes_through_the_near_plane_are_the_models() {
     cases(128, |random| {
@@ -321,16 +322,16 @@ fn meshes_through_the_near_plane_are_the_models() {
     });
 }
 
-/// Each triangle is thin, and both the near and the far plane clip it. Four of its corners are new and rounded. Its
-/// outline is a few subpixels wide at the far end, so rounding may make it cross itself there. Then the triangles of
-/// its fan overlap, but each pixel is still drawn once.
+/// The near and far planes both clip each of these thin triangles, so four of its corners are new and rounded. Its
+/// outline is only a few subpixels wide at the far end, so rounding can make the outline cross itself there. Then the
+/// triangles of the outline's fan overlap, but no pixel may be drawn twice.
 #[test]
 fn thin_clipped_triangles_draw_each_pixel_once() {
-    // Every rounding affects which triangles fold over a pixel's center. Few do, so the test draws many.
+    // Rounding decides which triangles fold over a pixel's center. Few triangles do, so the test draws many.
     let mut drawn = 0;
     for height in (10_000..60_000).step_by(100) {
         let place = |[u, v]: Point| Vec3::from_bits([32 * u, height + u + 5 * v, -32 * v]);
-        // The third corner is 96 to 24 mesh units away from the line between the others.
+        // The third corner is 96 to 24 mesh units away from the line between the first two.
         for across in [96, 72, 48, 24] {
             let corners = [
                 [40_000, -20_000],
@@ -352,9 +353,9 @@ fn thin_clipped_triangles_draw_each_pixel_once() {
     assert!(drawn > 800, "{drawn} pixels");
 }
 
-/// Positions inside the view volume, and three positions beyond each plane: near (some behind the eye), far, left,
-/// right, bottom, top. The sides are the guard band's, ±2048 pixels: at a distance of 4 and with a focal length of 30
-/// pixels, they are 273 units from the axis.
+/// Positions inside the view volume, and three positions beyond each of its planes: near (some behind the eye), far,
+/// left, right, bottom, top. The sides are those of the guard band, ±2048 pixels. At a distance of 4 and with a focal
+/// length of 30 pixels, they are 273 units from the axis.
 const INSIDE: [[f64; 3]; 3] = [[-1., -1., -4.], [1.5, -0.5, -5.], [0., 1., -3.]];
 const BEYOND: [[[f64; 3]; 3]; 6] = [
     [[-0.5, 0.25, -0.125], [0.5, 0.5, 2.], [1., -1., 0.]],
@@ -387,7 +388,7 @@ fn each_plane_clips_one_two_and_three_corners() {
     }
 }
 
-/// Without clipping, the division by a negative w would show a mirror image of an object behind the eye.
+/// Without clipping, an object behind the eye would appear as a mirror image, because w is negative.
 #[test]
 fn nothing_behind_the_eye_is_drawn() {
     let mirrored = INSIDE.map(|[x, y, z]| [-x, -y, -z]);
@@ -408,8 +409,9 @@ fn nothing_behind_the_eye_is_drawn() {
     }
 }
 
-/// Ground below the eye, from far behind it to the far plane, covers only pixels below the horizon. It ends at the far
-/// plane, 24 units away, which is 30/24 = 1¼ rows below the middle. So centers from 17.5 down show ground.
+/// Ground below the eye reaches from far behind it to the far plane. It covers only pixels below the horizon, down from
+/// its end at the far plane. The far plane is 24 units away, so the ground ends 30/24 = 1¼ rows below the middle, and
+/// centers from 17.5 down show ground.
 #[test]
 fn ground_fills_the_picture_up_to_the_far_plane() {
     let ground = [
@@ -426,7 +428,7 @@ fn ground_fills_the_picture_up_to_the_far_plane() {
     }
 }
 
-/// A viewport of the largest size ends where the guard band does. There too, no pixel is lost or drawn twice.
+/// The largest viewport ends where the guard band ends. No pixel may be lost or drawn twice there either.
 #[test]
 fn a_viewport_as_wide_as_the_guard_band_is_filled_once() {
     let size = (2048, 24);

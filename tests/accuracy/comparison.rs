@@ -1,4 +1,4 @@
-//! A scene drawn by the crate and by the model, and all differences between the two.
+//! A scene drawn by the crate and by the model, and all differences between the two pictures.
 
 use std::collections::HashMap;
 
@@ -17,13 +17,13 @@ use crate::reference::silhouette::{self, Silhouette};
 use crate::reference::view::View;
 use crate::spread::Spread;
 
-/// Texels along a texture.
+/// The side of the texture, in texels.
 const TEXELS: f64 = 256.;
-/// Fraction bits of the interpolated u and v: 4 more than a vertex has.
+/// Fraction bits of the interpolated u and v: 4 more than in a vertex.
 const UV_BITS: i32 = 24;
 /// The largest rounding error of a vertex's u or v, in texels.
 pub const ROUNDING: f64 = TEXELS / (2 << TexCoord::FRAC_BITS) as f64;
-/// A little more than the bound of a vertex's error: rounding moves it by up to 1/512 pixel along each axis.
+/// A little more than the bound of a vertex's error: rounding moves the vertex by up to 1/512 pixel along each axis.
 const SNAP: f64 = 1. / 256.;
 
 /// A shape in the crate's numbers, with its transforms to the picture for the crate and for the model.
@@ -35,7 +35,7 @@ pub struct Scene {
     /// The texture coordinates before rounding.
     unrounded: Vec<[[f64; 2]; 3]>,
     mvp: Mvp<Perspective>,
-    /// The same shape for the model.
+    /// The shape in the model's numbers.
     shape: Shape,
     view: View,
 }
@@ -47,15 +47,15 @@ pub struct Comparison {
     pub pixels: Vec<Seen<3>>,
     /// Errors of u and v, in texels.
     pub snapped: Spread,
-    /// Errors of u and v, in texels, relative to texture coordinates that were not rounded to the crate's format.
+    /// Errors of u and v, in texels, compared with texture coordinates that were not rounded to the crate's format.
     pub unrounded: Spread,
-    /// Errors of u and v, in texels, given the model's own vertices.
+    /// Errors of u and v, in texels, if the model uses its own vertices.
     pub unsnapped: Spread,
     /// The part of `unsnapped` that exceeds 1/256 pixel times the gradient of the texels.
     pub excess: Spread,
     /// Errors of the distance, in units of 2⁻¹⁶.
     pub distance: Spread,
-    /// Errors of u, v and distance, relative to the bounds of the formats.
+    /// Errors of u, v and distance, divided by the bounds of the formats.
     pub allowed: Spread,
     /// How far the exact depth lies outside the stored step, in steps.
     pub depth: Spread,
@@ -67,25 +67,25 @@ pub struct Comparison {
 /// The differences in coverage, which are the same in all modes.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Coverage {
-    /// Number of pairs of triangle and pixel that only the crate or only the model draws.
+    /// The number of pairs of triangle and pixel that only the crate draws or only the model draws.
     pub not_alike: usize,
-    /// Numbers of centers more than 1/256 pixel inside the silhouette whose pixel was drawn never, once, and more
-    /// often.
+    /// Of the pixels with centers more than 1/256 pixel inside the silhouette: how many were drawn never, once, and
+    /// more often.
     pub inside: [usize; 3],
-    /// Number of centers more than 1/256 pixel outside the silhouette whose pixel was drawn.
+    /// Of the pixels with centers more than 1/256 pixel outside the silhouette: how many were drawn.
     pub outside: usize,
 }
 
-/// The model's values at the drawn pixels, in order: the same for all modes.
+/// The model's values at the drawn pixels, in drawing order. They are the same for all modes.
 struct Model {
     drawn: Vec<(usize, [i32; 2])>,
-    /// Given the crate's snapped vertices.
+    /// Values with the crate's snapped vertices.
     snapped: Vec<Value<2>>,
-    /// The same, with texture coordinates that were not rounded to the crate's format.
+    /// Values with the crate's snapped vertices, and texture coordinates that were not rounded to the crate's format.
     unrounded: Vec<Value<2>>,
-    /// Given the model's own vertices.
+    /// Values with the model's own vertices.
     unsnapped: Vec<Value<2>>,
-    /// The farthest pixel of each face on each row.
+    /// The distance of the farthest pixel of each face in each row.
     farthest: HashMap<(usize, i32), f64>,
     coverage: Coverage,
     /// The faces with the crate's snapped vertices.
@@ -93,7 +93,7 @@ struct Model {
 }
 
 impl Scene {
-    /// Makes a scene of a shape after some moves, with every number rounded to the crate's nearest number.
+    /// Makes a scene of a shape after some moves. Every number is rounded to the nearest number of the crate's format.
     pub fn new(shape: &Shape, moves: &[Move]) -> Self {
         let positions: Vec<Vec3> = shape.positions.iter().map(|&p| rounded(p)).collect();
         let uvs: Vec<Vec2> = shape
@@ -147,7 +147,8 @@ impl Scene {
         }
     }
 
-    /// Draws and compares in some modes. Every vertex must lie between the near and far planes and in the guard band.
+    /// Draws the scene in several modes, and compares. Every vertex must lie between the near and far planes and in the
+    /// guard band.
     pub fn compare(&self, modes: &[Mode]) -> Vec<(Mode, Comparison)> {
         let mut model = None;
         modes
@@ -181,7 +182,7 @@ impl Scene {
             .collect()
     }
 
-    /// The model of drawn pixels, which every mode must draw alike.
+    /// The model's values at the drawn pixels. Every mode must draw the same pixels.
     fn model(&self, pixels: &[Seen<3>], places: &[Option<[i32; 2]>]) -> Model {
         let Self { shape, view, .. } = self;
         let unsnapped = pieces(&shape.mesh(), view);
@@ -222,7 +223,7 @@ fn drawn(pixels: &[Seen<3>]) -> Vec<(usize, [i32; 2])> {
     pixels.iter().map(|seen| (seen.face, seen.pixel)).collect()
 }
 
-/// The model's values of a drawn triangle at the drawn pixel.
+/// The model's values at a drawn pixel of a triangle.
 fn at(pieces: &[Piece<2>], seen: &Seen<3>) -> Value<2> {
     let piece = &pieces[seen.face];
     assert_eq!(piece.face, seen.face, "the face is clipped");
@@ -242,8 +243,8 @@ impl Comparison {
                 };
                 let [u, v] =
                     [0, 1].map(|k| bound(piece.attributes.map(|corner| corner[k]), TEXELS / unit));
-                // A vertex's distance is rounded by half a unit, after products of 30-bit mantissas and numbers below
-                // 64.
+                // The distance of a vertex is the result of products of 30-bit mantissas and numbers below 64, and is
+                // rounded by half a unit.
                 [u, v, bound(piece.w, 65536.).plus(0.51)]
             })
             .collect();
@@ -303,7 +304,7 @@ impl Comparison {
         }
     }
 
-    /// Prints the figures.
+    /// Prints the errors.
     pub fn print(&self, name: &str) {
         println!("{name}: {} pixels", self.pixels.len());
         println!(
@@ -390,7 +391,7 @@ fn coverage(
     found
 }
 
-/// The number of entries of the sorted `a` that are not in the sorted `b`; repeated entries count.
+/// The number of entries of the sorted `a` that are not in the sorted `b`. Repeated entries count separately.
 fn difference<T: Ord>(a: &[T], b: &[T]) -> usize {
     let mut b = b.iter().peekable();
     a.iter()

@@ -1,8 +1,8 @@
 //! The pixels that a triangle covers, compared with the exact half-space model, for every kind of mesh.
 //!
-//! The crate walks edges with remainders; the model tests every pixel center against three exact half-spaces. Given
-//! the same snapped corners, the two must agree in every pixel. So the tests here have no tolerance, except those of
-//! clipped triangles, which get new corners.
+//! The crate walks along edges with remainders. The model tests every pixel center against three exact half-spaces.
+//! With the same snapped corners, both must draw the same pixels. The tests here therefore have no tolerance, except
+//! the tests of clipped triangles, which get new corners.
 
 use std::array::from_fn;
 use std::ops::Range;
@@ -18,7 +18,7 @@ use fixel::view::ProjectionKind;
 use rand::Rng;
 use rand::seq::IndexedRandom;
 
-/// Draws a mesh through the pixel projection, after checking the position of each vertex.
+/// Draws a mesh through the pixel projection. Checks the position of each vertex first.
 fn draw(mesh: &Flat, size: (u32, u32), options: &DrawOptions) -> Vec<u32> {
     let projection = pixel_projection(size);
     let mut counter = Counter::new(size);
@@ -32,8 +32,8 @@ fn draw(mesh: &Flat, size: (u32, u32), options: &DrawOptions) -> Vec<u32> {
     counter.take()
 }
 
-/// Positions of vertices: on pixel corners, on sixteenths, on any of 256 subpixels, or mostly on centers, where the
-/// top-left rule decides.
+/// Positions of vertices: on pixel corners, on sixteenths, on any of 256 subpixels, or mostly on pixel centers, where
+/// the top-left rule decides.
 fn places(random: &mut Random, range: Range<i32>) -> Vec<Point> {
     let grains = [(256, 0), (16, 0), (1, 0), (256, 128), (128, 0)];
     let &(step, offset) = grains.choose(random).unwrap();
@@ -86,7 +86,7 @@ fn slivers_cover_what_the_model_covers() {
     });
 }
 
-/// Corners lie anywhere in the guard band of ±2048 pixels; edges are up to 4095 pixels wide and high.
+/// Corners lie anywhere in the guard band of ±2048 pixels. Edges are up to 4095 pixels wide and high.
 #[test]
 fn huge_triangles_cover_what_the_model_covers() {
     cases(256, |random| {
@@ -101,7 +101,7 @@ fn huge_triangles_cover_what_the_model_covers() {
     });
 }
 
-/// A triangulated rectangle covers each pixel of the rectangle once: from the front, from behind, and with
+/// The triangles of a divided rectangle cover each of its pixels once: seen from the front, seen from behind, and with
 /// triangles that face both ways.
 #[test]
 fn triangulations_cover_each_pixel_once() {
@@ -162,7 +162,7 @@ fn grids_cover_each_pixel_once() {
         let columns = random.random_range(1..=20);
         let rows = random.random_range(1..=16);
         let cells = [columns, rows].map(i32::from);
-        // A multiple of the number of cells, so that a cell is a whole number of pixels wide and high.
+        // A multiple of the number of cells, so that the width and the height of a cell are whole numbers of pixels.
         let area = [32 / cells[0] * cells[0], 24 / cells[1] * cells[1]];
         let moves = places(random, 0..32);
         let mesh = grid(columns, rows, area, &moves, random.random());
@@ -178,7 +178,7 @@ fn grids_cover_each_pixel_once() {
     });
 }
 
-/// Every triangle with its corners on half-pixels of a small picture, moved by some subpixels.
+/// Draws every triangle with corners on half-pixels of a small picture; the corners are moved by some subpixels.
 #[test]
 fn all_small_triangles_cover_what_the_model_covers() {
     const SIDE: i32 = 7;
@@ -193,7 +193,7 @@ fn all_small_triangles_cover_what_the_model_covers() {
     }
 }
 
-/// Every triangle with its corners within two subpixels of a pixel's center or corner.
+/// Draws every triangle with corners within two subpixels of a pixel's center or corner.
 #[test]
 fn all_tiny_triangles_cover_what_the_model_covers() {
     const SIDE: i32 = 5;
@@ -241,7 +241,7 @@ fn every_triangle<K: ProjectionKind>(counter: &mut Counter, projection: &Mvp<K>,
 /// In units of 2⁻¹⁶.
 const METER: i32 = 1 << 16;
 
-/// Positions in space, seen in perspective. Wherever the crate snaps them to, it covers the pixels that the model does.
+/// Positions in space are seen in perspective. Wherever the crate snaps them, it covers the same pixels as the model.
 #[test]
 fn triangles_in_perspective_cover_what_the_model_covers() {
     cases(128, |random| {
@@ -268,7 +268,7 @@ fn triangles_in_perspective_cover_what_the_model_covers() {
             places.push(counter.snapped(&mvp, position));
         }
         let place = |index: u16| places[usize::from(index)];
-        // Other tests check clipped triangles, which get new corners.
+        // Triangles that are clipped get new corners, and are checked in other tests.
         let whole: Vec<[u16; 3]> = faces
             .into_iter()
             .filter(|face| face.iter().all(|&index| place(index).is_some()))
@@ -298,10 +298,10 @@ fn triangles_in_perspective_cover_what_the_model_covers() {
     });
 }
 
-/// Beyond the guard band triangles are clipped and get new corners, which rounding moves by up to 1/512 pixel along
-/// each axis. A point of an edge moves by at most √2/512 = 0.0028 pixel. With the rounding of clip space (a
-/// fraction of 2⁻³¹ of an edge of at most 65,536 pixels: 3e-5 pixel), it moves by less than 1/256 pixel. So pixels
-/// may differ from the exact model only within that distance of an edge.
+/// Beyond the guard band, triangles are clipped and get new corners. Rounding moves these by up to 1/512 pixel along
+/// each axis. A point of an edge moves by at most √2/512 = 0.0028 pixel. With the rounding of clip space (a fraction of
+/// 2⁻³¹ of an edge of at most 65,536 pixels: 3e-5 pixel), it moves by less than 1/256 pixel. So pixels can differ from
+/// the exact model only within that distance of an edge.
 #[test]
 fn triangles_beyond_the_guard_band_cover_what_the_model_covers() {
     cases(192, |random| {
@@ -337,7 +337,7 @@ fn triangles_beyond_the_guard_band_cover_what_the_model_covers() {
     });
 }
 
-/// A mesh that reaches far beyond the guard band on all sides still covers each pixel of the picture once.
+/// A mesh that reaches far beyond the guard band on all sides covers each pixel of the picture once.
 #[test]
 fn clipped_triangulations_cover_each_pixel_once() {
     cases(192, |random| {

@@ -1,4 +1,4 @@
-//! Error diffusion in bands, compared with the diffusion of whole frames in f64.
+//! Error diffusion in bands, compared with error diffusion of whole frames in f64.
 
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor};
 use fixel::canvas::{Contrast, ErrorDiffusion};
@@ -9,7 +9,7 @@ use rand::Rng;
 use crate::common::random::{Random, cases};
 use crate::reference::diffusion::steps;
 
-/// Grays of a frame: noise, a slope, or plain black and white areas, which errors cannot cross.
+/// Grays of a frame: noise, a slope, or plain black and white areas. Errors cannot cross black and white areas.
 fn frame(random: &mut Random, width: usize, height: usize) -> Vec<Vec<u8>> {
     let kind = random.random_range(0..3);
     let [across, down] = [random.random_range(0..20), random.random_range(0..20)];
@@ -24,7 +24,7 @@ fn frame(random: &mut Random, width: usize, height: usize) -> Vec<Vec<u8>> {
 }
 
 /// Shows a frame in bands of random heights, and compares every pixel with the model. All numbers of the model are
-/// multiples of 1/16 that f64 represents exactly, so the two are equal. Returns the number of pixels.
+/// multiples of 1/16, so f64 represents them exactly, and the results must be equal. Returns the number of pixels.
 fn compare<C>(random: &mut Random, most: i32, step: impl Fn(C) -> i32) -> usize
 where
     C: PixelFormat<Channels = [i32; 1]> + PixelColor + Default,

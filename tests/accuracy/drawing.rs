@@ -9,7 +9,7 @@ use crate::mode::Mode;
 pub use crate::recorder::Seen;
 use crate::recorder::{Coordinates, Few, Probe, record};
 
-/// A point on the screen: its position in 1/256 pixel, and its depth as a depth buffer would store it.
+/// A point on the screen: its position in units of 1/256 pixel, and its depth as a depth buffer stores it.
 #[derive(Clone, Copy, Debug)]
 pub struct Spot {
     pub x: i32,
@@ -17,13 +17,13 @@ pub struct Spot {
     pub depth: u16,
 }
 
-/// The values that a test wants interpolated.
+/// The values that a test interpolates.
 type Values<'a, const N: usize> = &'a dyn Fn(&Corner<'_>) -> [i32; N];
 
 /// A mesh, its transforms and its options: everything that a drawing needs.
 pub struct Drawing<'a, K> {
     pub size: (u32, u32),
-    /// All options but the mode.
+    /// All options except the mode.
     pub options: DrawOptions,
     pub mode: Mode,
     pub mesh: Mesh<'a>,
@@ -31,7 +31,7 @@ pub struct Drawing<'a, K> {
 }
 
 impl<K: ProjectionKind> Drawing<'_, K> {
-    /// Every pixel of every triangle, including hidden ones, in drawing order.
+    /// Every pixel of every triangle, in drawing order, including hidden pixels.
     pub fn all<const N: usize>(&self, values: Values<'_, N>) -> Vec<Seen<N>>
     where
         [(); N]: Few<N>,
@@ -39,7 +39,7 @@ impl<K: ProjectionKind> Drawing<'_, K> {
         self.record(values, false)
     }
 
-    /// Every pixel that passes the depth test, in drawing order; the last one at each position is visible.
+    /// Every pixel that passes the depth test, in drawing order. The last pixel at each position is visible.
     pub fn shown<const N: usize>(&self, values: Values<'_, N>) -> Vec<Seen<N>>
     where
         [(); N]: Few<N>,
@@ -47,8 +47,8 @@ impl<K: ProjectionKind> Drawing<'_, K> {
         self.record(values, true)
     }
 
-    /// The visible face at each pixel, row by row. All modes but `Compact` show the same ones, so this draws in the
-    /// default mode.
+    /// The visible face at each pixel, row by row. Draws in the default mode, because all modes except `Compact` show
+    /// the same faces.
     pub fn faces(&self) -> Vec<Option<usize>> {
         let (mut pixels, mut depth) = self.blank();
         let mut canvas = self.canvas(&mut pixels).with_depth(&mut depth).unwrap();
@@ -79,7 +79,7 @@ impl<K: ProjectionKind> Drawing<'_, K> {
         record.seen
     }
 
-    /// Black pixels, and depths of nothing.
+    /// A canvas's memory before drawing: black pixels, and depths of 0.
     fn blank(&self) -> (Vec<Gray8>, Vec<u16>) {
         let (width, height) = self.size;
         let count = width as usize * height as usize;
@@ -104,7 +104,7 @@ impl<K: ProjectionKind> Drawing<'_, K> {
         let (mut pixels, mut depth) = self.blank();
         let canvas = self.canvas(&mut pixels);
         let mut canvas = canvas.with_depth_format::<F>(&mut depth).unwrap();
-        // A shader with varyings, so that each mode interpolates.
+        // The shader has varyings, so that each mode interpolates.
         let probe = Probe {
             values: &|_| [0],
             color: Some(Gray8::new(255)),
@@ -113,7 +113,7 @@ impl<K: ProjectionKind> Drawing<'_, K> {
         depth
     }
 
-    /// The crate's positions of points, in 1/256 pixel; `None` for points that it would clip.
+    /// The positions that the crate computes for points, in 1/256 pixel; `None` for points that it clips.
     pub fn snapped(&self, points: &[Vec3]) -> Vec<Option<[i32; 2]>> {
         let spots = self.spots(points).into_iter();
         spots
@@ -121,7 +121,7 @@ impl<K: ProjectionKind> Drawing<'_, K> {
             .collect()
     }
 
-    /// The crate's positions and depths of points; `None` for points that it would clip.
+    /// The positions and depths that the crate computes for points; `None` for points that it clips.
     pub fn spots(&self, points: &[Vec3]) -> Vec<Option<Spot>> {
         let (mut pixels, _) = self.blank();
         let canvas = self.canvas(&mut pixels);

@@ -57,10 +57,10 @@ parts! {
 
 /// The bound that the documentation promises for a channel, in steps.
 ///
-/// The position is rounded to the nearest of `UNITS` units between two centers, so its error is at most half a unit
-/// along each axis, and it stays between the same centers. There, along either axis, the color changes per texel by at
-/// most the difference of the texels around: both axes together add this difference / `UNITS`. Rounding the two rows
-/// adds at most half a step, which their mean keeps; rounding the mean adds another half.
+/// The position is rounded to the nearest of `UNITS` units between two centers. So its error is at most half a unit
+/// along each axis, and it stays between the same centers. Between them, the color changes along either axis by at most
+/// the difference of the surrounding texels, per texel. Both axes together add this difference / `UNITS`. Rounding the
+/// two rows adds at most half a step, and their mean keeps this error. Rounding the mean adds another half.
 fn allowed<C: Parts>(model: &Blended) -> f64 {
     1. + (model.most - model.least) / C::UNITS
 }
@@ -85,7 +85,7 @@ fn channels<C: Parts>(texels: &[C], width: usize) -> Channels {
 /// The interpolated numbers of a shader.
 type Numbers<F> = <<<F as Shader>::Varyings as Varyings>::Lanes as Lanes>::Of<i32>;
 
-/// The color that a shader returns for given interpolated numbers.
+/// The color that a shader returns for these interpolated numbers.
 fn shade<F: Shader>(shader: &F, numbers: Numbers<F>) -> ColorOf<F> {
     let sample = Fragment {
         point: Point::zero(),
@@ -96,7 +96,7 @@ fn shade<F: Shader>(shader: &F, numbers: Numbers<F>) -> ColorOf<F> {
     output.finish(sample.point)
 }
 
-/// Compares both addressing modes of a texture with the model, at some positions.
+/// Compares both addressing modes of a texture with the model at some positions.
 fn compare<C: Parts, const W: usize, const H: usize>(texels: &[[C; W]; H], places: &[[i32; 2]]) {
     let skin = Textured::new(texels).bilinear();
     let channels = channels(texels.as_flattened(), W);
@@ -128,7 +128,7 @@ fn compare_at(
     }
 }
 
-/// The raw value of a texel: any color, or the darkest, or the brightest.
+/// The raw value of a texel: a random color, the darkest color, or the brightest color.
 fn raw(random: &mut Random) -> u32 {
     match random.random_range(0..3) {
         0 => random.random(),
@@ -145,7 +145,7 @@ fn texels<C: Parts, const W: usize, const H: usize>(random: &mut Random) -> [[C;
     texels
 }
 
-/// A position: within the texture or near its edges, anywhere, or at the very end of the format.
+/// A random position: within the texture or near its edges, anywhere, or at the very end of the format.
 fn place(random: &mut Random) -> [i32; 2] {
     let ends = i32::MAX - 100_000;
     from_fn(|_| match random.random_range(0..8) {
@@ -160,7 +160,7 @@ fn places(random: &mut Random) -> [[i32; 2]; 32] {
     from_fn(|_| place(random))
 }
 
-/// Checks a large texture, a narrow one, a pair, and a single texel, which is its own neighbor.
+/// Checks a large texture, a narrow texture, a texture of two texels, and a single texel, which is its own neighbor.
 fn compare_any<C: Parts>(random: &mut Random) {
     let places = places(random);
     compare(&texels::<C, 16, 8>(random), &places);
@@ -169,7 +169,7 @@ fn compare_any<C: Parts>(random: &mut Random) {
     compare(&texels::<C, 1, 1>(random), &places);
 }
 
-/// A test for each color.
+/// Defines a test for each color.
 macro_rules! against_the_model {
     ($($name:ident $color:ident)+) => {$(
         #[test]
@@ -213,7 +213,7 @@ fn centers_are_the_texels() {
     });
 }
 
-/// Every storage of texels gives the same color, and so do light and vertex colors that leave it unchanged.
+/// A color is the same from every storage of texels, and under light or vertex colors that leave it unchanged.
 #[test]
 fn indexed_lit_and_tinted_textures_are_filtered_alike() {
     cases(256, |random| {
@@ -244,7 +244,7 @@ fn indexed_lit_and_tinted_textures_are_filtered_alike() {
     });
 }
 
-/// Pixels along the picture of the following tests, and texels along its texture.
+/// The side of the picture in the following tests, in pixels, and the side of its texture, in texels.
 const SIDE: u32 = RATIO * 4;
 const TEXELS: usize = 4;
 /// Pixels per texel.
@@ -261,7 +261,7 @@ fn picture<F: ShaderFor<Rgb888>>(shader: &F) -> Vec<[f64; 3]> {
     pixels.into_iter().map(Parts::parts).collect()
 }
 
-/// The largest difference between neighboring pixels of a row or a column.
+/// The largest difference between two neighboring pixels of a row or a column.
 fn steepest(picture: &[[f64; 3]]) -> f64 {
     let differ =
         |a: &[f64; 3], b: &[f64; 3]| (0..3).map(|k| (a[k] - b[k]).abs()).fold(0., f64::max);
@@ -293,8 +293,9 @@ fn a_magnified_texture_is_smooth() {
                 );
             }
         }
-        // The difference between neighboring pixels is a fraction of that between neighboring texels, plus the errors
-        // of both pixels: of each position, 0.001 and half a 256th along each axis; and of each color, one step.
+        // The difference between neighboring pixels is a fraction of the difference between neighboring texels, plus
+        // the errors of both pixels. A position has an error of 0.001 and half a 256th along each axis. A color has an
+        // error of one step.
         let most = steepest(&nearest);
         let allowed = most * (scale + 4. * (0.001 + 1. / 512.)) + 2.;
         assert!(steepest(&smooth) <= allowed, "{texels:?}");
@@ -309,6 +310,7 @@ fn the_nearest_texel_is_not_smooth() {
         from_fn(|v| from_fn(|u| if (u + v) % 2 == 0 { black } else { white }));
     let skin = Textured::new(&texels).clamped();
     assert!(steepest(&picture(&skin)) >= 255.);
-    // 255/16 per pixel. Positions are whole 256ths of a texel, so each of the two pixels has an error below a step.
+    // The color changes by 255/16 per pixel. Positions are whole 256ths of a texel, so each pixel has an error of less
+    // than a step.
     assert!(steepest(&picture(&skin.bilinear())) <= 17.);
 }

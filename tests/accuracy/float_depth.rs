@@ -1,4 +1,4 @@
-//! Depth in each format, for increasing ratios of the far and the near plane.
+//! Depth in each format, for increasing ratios of the far plane's distance to the near plane's.
 
 use std::array::from_fn;
 
@@ -16,7 +16,7 @@ use crate::moves::{number, rounded};
 use crate::triangle::Triangle;
 
 const SIZE: (u32, u32) = (64, 48);
-/// Length in pixels of a unit at distance 1.
+/// The length in pixels of one unit at distance 1.
 const FOCAL: f64 = 40.;
 
 /// A point of eye space at a position on the picture and a distance.
@@ -31,7 +31,7 @@ fn projection(near: f64, far: f64) -> Projection<Perspective> {
     Projection::from_focal_length(focal, SIZE, near, far).unwrap()
 }
 
-/// A rectangle larger than the picture, with these distances at its left and right side.
+/// A rectangle larger than the picture, with these distances at its left and right sides.
 fn wall([left, right]: [f64; 2]) -> [Vec3; 4] {
     let [wide, high] = [f64::from(SIZE.0), f64::from(SIZE.1)];
     [
@@ -42,7 +42,7 @@ fn wall([left, right]: [f64; 2]) -> [Vec3; 4] {
     ]
 }
 
-/// Draws a wall, and then one that is farther by the fraction `gap`; returns the number of pixels that show the
+/// Draws a wall, and then a wall that is farther away by the fraction `gap`. Returns the number of pixels that show the
 /// farther wall.
 fn wrong<D: DepthBuffer>(
     mode: Mode,
@@ -55,7 +55,7 @@ fn wrong<D: DepthBuffer>(
     for (gray, scale) in [(1, 1.), (2, 1. + gap)] {
         let positions = wall(distances.map(|w| w * scale));
         let mesh = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 3]]).unwrap();
-        // A shader with varyings, so that each mode interpolates.
+        // The shader has varyings, so that each mode interpolates.
         let shade = Probe {
             values: &|_| [0],
             color: Some(Gray8::new(gray)),
@@ -73,12 +73,12 @@ fn wrong<D: DepthBuffer>(
     canvas.pixels().filter(wrong).count()
 }
 
-/// Distances from `first` on, each `factor` times as large as the one before.
+/// Distances that begin with `first`. Each is `factor` times as large as the one before it.
 fn series(first: f64, factor: f64) -> impl Iterator<Item = f64> {
     std::iter::successors(Some(first), move |w| Some(w * factor)).take_while(|&w| w < 32_768.)
 }
 
-/// Draws two walls in a mode and format; returns the number of pixels that show the farther wall.
+/// Draws two walls in a mode and a depth format. Returns the number of pixels that show the farther wall.
 fn wrong_in<F: DepthBuffer>(
     mode: Mode,
     projection: Projection<Perspective>,
@@ -92,16 +92,16 @@ fn wrong_in<F: DepthBuffer>(
     wrong(mode, canvas, projection, distances, gap)
 }
 
-/// Whether a format with steps of `step` of the distance is certain to tell two walls apart.
+/// Whether a format is certain to tell two walls apart. Its steps are the fraction `step` of the distance.
 fn is_certain(step: f64, near_end: f64, slant: f64, gap: f64) -> bool {
     // A vertex has an error of 2^-17 in space, and of 1/512 pixel on the screen, where w changes by up to a sixteenth
-    // per pixel. So twice 2^-17 / near_end and twice 1/8192 must stay well below the gap less a step.
+    // per pixel. So twice 2^-17 / near_end and twice 1/8192 must stay well below the gap minus a step.
     gap - step - 2. / 8192. * (slant - 1.) / 3. > 3e-5 / near_end
 }
 
-/// Walls are a hundredth and a thousandth apart, face the eye or slant, and stand at all distances up to the far plane.
-/// With floating-point depth each wall hides the one behind it, as far as the format reaches; with linear depth, as
-/// long as its steps are finer than the gap.
+/// Walls are a hundredth or a thousandth apart, face the eye or slant, and stand at all distances up to the far plane.
+/// With floating-point depth, each wall hides the wall behind it, as far as the format reaches. With linear depth, it
+/// does so as long as a step is finer than the gap.
 #[test]
 fn surfaces_behind_stay_hidden() {
     for (near, ratio) in [
@@ -116,14 +116,14 @@ fn surfaces_behind_stay_hidden() {
         for gap in [0.01, 0.001] {
             let (mut walls, mut linear_fails, mut float_fails) = (0, 0, 0);
             for slant in [1., 4.] {
-                // All distances, and those where a power of two lies between the two walls, so that their 1/w have
+                // All distances, and distances with a power of two between the two walls, so that the walls' 1/w have
                 // different exponents.
                 let near_ends = series(1.02 * near, 1.37).chain(series(1.99 * near, 2.));
-                // The farther wall must lie in front of the far plane, where all linear depths are 0.
+                // The farther wall must lie in front of the far plane, because all linear depths are 0 there.
                 let is_before = |w: &f64| w * slant * (1. + gap) < 0.99 * near * ratio;
                 for near_end in near_ends.filter(is_before) {
                     let distances = [near_end, near_end * slant];
-                    // From one step before the end of its range on, the format stores depths as 0.
+                    // In the last step of its range, the format stores depths as 0.
                     let float_reaches = distances[1] * (1. + gap) < 65_500. * near;
                     let mut fails = false;
                     for mode in Mode::PERSPECTIVE {
@@ -155,7 +155,8 @@ fn surfaces_behind_stay_hidden() {
             println!(
                 "far/near {ratio}, gap {gap}: {walls} walls, linear wrong at {linear_fails}, float at {float_fails}"
             );
-            // Relative to a wall's distance, a step of linear depth is 1/65535 of the ratio of wall and near plane.
+            // Relative to the wall's distance, a step of linear depth is 1/65535 of the wall's distance / the near
+            // plane's distance.
             let is_too_much = ratio > 2. * 65535. * gap;
             assert!(
                 linear_fails > 0 || !is_too_much,
@@ -166,7 +167,7 @@ fn surfaces_behind_stay_hidden() {
     }
 }
 
-/// The code of a depth before it is rounded down, for a format with this many bits of exponent.
+/// The code of a depth before it is rounded down, in a format with `exponent_bits` bits of exponent.
 fn code(depth: f64, exponent_bits: i32) -> f64 {
     let steps = 2_f64.powi(16 - exponent_bits);
     let exponent = depth.log2().floor();
@@ -174,10 +175,10 @@ fn code(depth: f64, exponent_bits: i32) -> f64 {
     steps * (exponent - 17. + 2_f64.powi(exponent_bits) + depth / exponent.exp2())
 }
 
-/// The near plane of these triangles.
+/// The distance of the near plane of these triangles.
 const NEAR: f64 = 1. / 64.;
 
-/// A triangle in any part of the range up to `farthest`, in which the ratio of distances is at most 4,096.
+/// A triangle in any part of the range up to `farthest`. The ratio of its distances is at most 4,096.
 fn triangle(random: &mut Random, farthest: f64) -> Triangle<Perspective, 0> {
     let nearest = random.random_range(0.0..(farthest / 2000. * 32_768.).log2());
     let octaves = random.random_range(0.0..12_f64);
@@ -197,7 +198,7 @@ fn triangle(random: &mut Random, farthest: f64) -> Triangle<Perspective, 0> {
     }
 }
 
-/// Draws triangles in every mode. Each depth must be the model's depth, rounded down to a step, within the error of
+/// Draws triangles in every mode. Each depth must be the model's depth, rounded down to a step, up to the error of
 /// interpolation.
 fn depths_are_the_models<F: DepthBuffer>(exponent_bits: i32, farthest: f64) {
     let (mut pixels, mut most) = (0, 0_f64);
@@ -213,8 +214,8 @@ fn depths_are_the_models<F: DepthBuffer>(exponent_bits: i32, farthest: f64) {
             for at in &model {
                 let [x, y] = at.pixel.map(|at| usize::try_from(at).unwrap());
                 let stored = f64::from(depths[y * SIZE.0 as usize + x]);
-                // 1/w has an error relative to the nearest corner's, and a code with 16 - e bits of mantissa stands
-                // for a relative step between 2^-(17 - e) and 2^-(16 - e).
+                // 1/w has an error relative to the nearest corner's 1/w. With e bits of exponent, a code has 16 - e
+                // bits of mantissa, and its step is between 2^-(17 - e) and 2^-(16 - e) of the depth.
                 let error =
                     2_f64.powi(17 - exponent_bits) * bounds::inverse_w(triangle.w) * at.w / nearest;
                 let wanted = code(at.depth, exponent_bits);
@@ -226,7 +227,7 @@ fn depths_are_the_models<F: DepthBuffer>(exponent_bits: i32, farthest: f64) {
                 );
                 pixels += 1;
                 let beyond = (stored - wanted.max(0.)).max(wanted - stored - 1.);
-                // The documentation gives figures for triangles within this range.
+                // The documentation states figures for triangles within this range.
                 if at.w <= 3000. * nearest {
                     most = most.max(beyond);
                 }
@@ -244,7 +245,7 @@ fn float_depths_are_the_models() {
     depths_are_the_models::<FloatDepth>(4, 2000.);
 }
 
-/// Distances are up to two million times the near plane's.
+/// Distances are up to two million times the near plane's distance.
 #[test]
 fn wide_float_depths_are_the_models() {
     depths_are_the_models::<WideFloatDepth>(5, 31_000.);

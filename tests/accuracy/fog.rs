@@ -9,7 +9,7 @@ use crate::common::random::{cases, within};
 use crate::reference::fog::{exponential, linear};
 
 const SIZE: u32 = 48;
-/// Length in pixels of a unit at distance 1.
+/// The length in pixels of one unit at distance 1.
 const FOCAL: f64 = 24.;
 
 /// A plane through (0, 0, −distance) that leans to the right and upward: 1/z is linear on the screen.
@@ -20,7 +20,7 @@ struct Plane {
 }
 
 impl Plane {
-    /// The distance at a position on the screen in pixels; infinite beyond the horizon.
+    /// The distance at a position on the screen, in pixels; infinite beyond the horizon.
     fn at(&self, x: f64, y: f64) -> f64 {
         let half = f64::from(SIZE) / 2.;
         let [u, v] = [(x - half) / FOCAL, (half - y) / FOCAL];
@@ -32,7 +32,7 @@ impl Plane {
         }
     }
 
-    /// Three corners of a triangle in the plane that contains the picture.
+    /// The corners of a triangle in the plane. The triangle contains the picture.
     fn corners(&self) -> Option<[Vec3; 3]> {
         let corner = |u: f64, v: f64| {
             let share = 1. + self.lean[0] * u + self.lean[1] * v;
@@ -43,7 +43,7 @@ impl Plane {
     }
 }
 
-/// Draws the plane in black with white fog; returns the brightness of each pixel, from 0 to 1.
+/// Draws the plane in black with white fog. Returns the brightness of each pixel, from 0 to 1.
 fn white<C: Blend + PixelColor + 'static>(
     shader: impl ShaderFor<C>,
     corners: &[Vec3; 3],
@@ -64,10 +64,10 @@ fn white<C: Blend + PixelColor + 'static>(
     pixels.into_iter().map(luma).collect()
 }
 
-/// Checks the fog of each pixel. `left` gives the part of the surface that shows at a distance, and the rounding of
-/// corners to 1/256 pixel permits a range of distances. The blended color may have an error of half a step of the
-/// weight; half a step of the color; 1/256, the tolerance of interpolation; 58 units of 2^-14 by rounding (57 at a
-/// pixel in `Newton`, and one at a corner); and `more`.
+/// Checks the fog of each pixel. `left` returns the part of the surface that shows at a distance. Because corners are
+/// rounded to 1/256 pixel, a range of distances is allowed. The blended color can have an error of half a step of the
+/// weight, plus half a step of the color, plus 1/256 (the tolerance of interpolation), plus 58 units of 2^-14 by
+/// rounding (57 at a pixel in `Newton`, and one at a corner), plus `more`.
 fn check(
     plane: &Plane,
     shown: &[f64],
@@ -128,8 +128,8 @@ fn fog_is_correct_in_perspective_at_every_pixel() {
         );
         check(&plane, &shown, 63., 32., 0., left);
 
-        // The parabola is off by at most 0.0019, and its products by 3 units of 2^-14. The density has steps of 2^-16,
-        // and the logarithm's factor is off by 3e-5.
+        // The parabola has an error of at most 0.0019, and its products of 3 units of 2^-14. The density has steps of
+        // 2^-16, and the logarithm's factor has an error of 3e-5.
         let density = Scalar::try_from(density / distance).unwrap();
         let fog = Fog::exponential(Gray8::WHITE, density).unwrap();
         let shown = white(

@@ -1,4 +1,4 @@
-//! Which boxes are in view: every box with a pixel must be, and no box that the model sees well outside may be.
+//! Which boxes are in view: all boxes with a pixel, and no box that the model sees well outside the view.
 
 use std::array::from_fn;
 
@@ -15,13 +15,14 @@ use crate::reference::projection::{self, Projection as ModelProjection};
 use crate::reference::view::{View, Viewport as ModelViewport};
 
 const SIZE: (u32, u32) = (64, 48);
-/// A box this many pixels outside the view must count as out of view: one is for the pixel around the view, the rest
-/// for rounding. Four moves have a relative error of 2.7e-8 (`relative`), times at most 120 from the eye and 2,048
-/// pixels, half the guard band. Coefficients of at most 3 are rounded to 27 bits, times at most 24 for the three
-/// coordinates of a corner. Together that is below 0.01 pixel at a distance of 1, so that a distance below 1 counts as
-/// 1. In parallel, a unit is at most 512 pixels wide, and 120 units have an error of 0.0017 pixel.
+/// A box that is this many pixels outside the view must count as out of view. One pixel is for the pixel around the
+/// view, the rest is for rounding. Four moves have a relative error of 2.7e-8 (`relative`), times at most 120 from the
+/// eye, times 2,048 pixels, which is half of the guard band. Coefficients of at most 3 are rounded to 27 bits, and
+/// multiplied by at most 24 for the three coordinates of a corner. Together, this is below 0.01 pixel at a distance of
+/// 1, so a distance below 1 counts as 1. In a parallel view, a unit is at most 512 pixels wide, and 120 units have an
+/// error of 0.0017 pixel.
 const PIXELS: f64 = 1.01;
-/// A box this far beyond the near or the far plane must count as out of view, as a fraction of the plane's distance.
+/// A box must count as out of view if it is beyond the near or the far plane by this fraction of the plane's distance.
 const PART: f64 = 0.0001;
 
 fn corners(bounds: &Bounds) -> [Vec3; 8] {
@@ -32,7 +33,7 @@ fn corners(bounds: &Bounds) -> [Vec3; 8] {
     })
 }
 
-/// The faces of a box, and lines between its corners.
+/// The faces of a box. Its edges are lines between its corners.
 const FACES: [[u16; 3]; 12] = [
     [0, 1, 3],
     [0, 3, 2],
@@ -49,7 +50,7 @@ const FACES: [[u16; 3]; 12] = [
 ];
 const EDGES: [[u16; 2]; 5] = [[0, 7], [1, 6], [2, 5], [3, 4], [0, 1]];
 
-/// Whether a box has any pixel in some rows, drawn as triangles, as edges and as points.
+/// Whether a box has any pixel in some rows. The box is drawn as triangles, as edges and as points.
 fn has_pixels<K: ProjectionKind>(bounds: &Bounds, mvp: &Mvp<K>, [start, end]: [u32; 2]) -> bool {
     let positions = corners(bounds);
     let mesh = Mesh::new(&positions, &FACES)
@@ -66,14 +67,14 @@ fn has_pixels<K: ProjectionKind>(bounds: &Bounds, mvp: &Mvp<K>, [start, end]: [u
     pixels.iter().any(|&pixel| pixel != Gray8::new(0))
 }
 
-/// Whether all corners lie well outside one plane of the model's view.
+/// Whether all corners are well outside the same plane of the model's view.
 fn is_out(bounds: &Bounds, view: &View, [start, end]: [u32; 2]) -> bool {
     let clips = corners(bounds).map(|corner| view.on_screen(view.clip(exact(corner))));
     let model = &view.projection;
     let half = [f64::from(SIZE.0) / 2., f64::from(SIZE.1) / 2.];
     let (rows, all) = ([f64::from(start), f64::from(end)], f64::from(SIZE.0));
     let slack = |w: f64| PIXELS * w.abs().max(1.);
-    // x · half is w times the distance in pixels from the middle, rightwards; −y · half, downwards.
+    // x · half is w times the distance from the middle to the right, in pixels; −y · half is w times the distance down.
     let planes: [&dyn Fn(&crate::reference::view::Projected) -> bool; 6] = [
         &|p| p.clip[0] * half[0] < -half[0] * p.w - slack(p.w),
         &|p| p.clip[0] * half[0] > (all - half[0]) * p.w + slack(p.w),
@@ -85,7 +86,7 @@ fn is_out(bounds: &Bounds, view: &View, [start, end]: [u32; 2]) -> bool {
     planes.iter().any(|plane| clips.iter().all(plane))
 }
 
-/// The size of a box on the screen: the crate's, the model's, and the largest difference by rounding.
+/// The size of a box on the screen: the crate's size, the model's size, and the largest difference by rounding.
 fn sizes<K: ProjectionKind>(
     (projection, model): (Projection<K>, ModelProjection),
     moves: &[Move],
@@ -107,7 +108,7 @@ fn sizes<K: ProjectionKind>(
     let ahead = -(a[2] + b[2]) / 2.;
     let per_unit = model.matrix[0][0] * f64::from(SIZE.0) / 2.;
     let (size, noise) = if K::PERSPECTIVE {
-        // Where the box begins to reach the eye, rounding decides.
+        // Where the eye is almost on the sphere around the box, rounding decides.
         if (ahead - diagonal / 2.).abs() < 8. * 2_f64.powi(-16) {
             return (0, 0., 0.);
         }
@@ -121,7 +122,8 @@ fn sizes<K: ProjectionKind>(
     } else {
         (diagonal * per_unit, per_unit)
     };
-    // Corners have an error of half a unit and 2^-27 of 2^6 along each axis, and so has the distance; plus 2^-8 pixel.
+    // Along each axis, corners have an error of half a unit plus 2^-27 of 2^6, and so has the distance. 2^-8 pixel is
+    // added.
     (found, size, noise * 4. * 2_f64.powi(-16) + 2_f64.powi(-8))
 }
 
@@ -133,7 +135,7 @@ fn is_size((found, size, noise): (u32, f64, f64)) -> bool {
     f64::from(found) <= size + noise && f64::from(found) + 1. >= size - noise
 }
 
-/// Compares a box's presence in some rows, and its size, with the model's.
+/// Compares whether a box is in some rows, and its size, with the model.
 fn check<K: ProjectionKind>(
     (projection, model): (Projection<K>, ModelProjection),
     moves: &[Move],
@@ -213,7 +215,7 @@ fn boxes_in_perspective_are_in_view_as_in_the_model() {
 fn boxes_in_parallel_are_in_view_as_in_the_model() {
     cases(2000, |random| {
         let (moves, bounds, rows) = (moves(random), bounds(random), rows(random));
-        // Widths, heights and depths of very different sizes: rows of clip space have exponents of their own.
+        // Widths, heights and depths have very different sizes, because each row of clip space has its own exponent.
         let [width, height, length] =
             within(random, [-3.0..6_f64, -3.0..6., -8.0..8.]).map(|size| number(size.exp2()));
         let window = Window::centered(width, height);
@@ -226,7 +228,7 @@ fn boxes_in_parallel_are_in_view_as_in_the_model() {
     });
 }
 
-/// The diagonal of a box may be longer than a `Scalar`.
+/// The diagonal of a box can be longer than the largest `Scalar`.
 #[test]
 fn the_largest_boxes_have_their_sizes() {
     let mut pixels = [Gray8::new(0); 64];
@@ -241,12 +243,12 @@ fn the_largest_boxes_have_their_sizes() {
     let size = canvas.size_on_screen(&options, &bounds, &flat);
     assert_eq!(size, (diagonal * 8. / 500.) as u32);
 
-    // Half of the diagonal reaches to 8,000 before the eye.
+    // Half of the diagonal ends 8,000 before the eye.
     let lens = Projection::perspective(deg!(90), (1, 1), fx!(1), fx!(32767)).unwrap();
     let size = canvas.size_on_screen(&options, &bounds, &lens);
     assert_eq!(size, (diagonal * 4. / 29_500.) as u32);
 
-    // Pixels a quarter as high as wide: the width counts.
+    // Pixels are a quarter as high as wide, so the width counts.
     let tall = options.with_viewport(Viewport::new(0, 0, 8, 32).unwrap());
     assert_eq!(canvas.size_on_screen(&tall, &bounds, &lens), size);
 }

@@ -1,4 +1,4 @@
-//! Lights, compared with the formulas in f64.
+//! Lights compared with the formulas in f64.
 
 use std::array;
 
@@ -21,24 +21,23 @@ const HALF_STEP: f64 = UNIT / 510.;
 
 /// The error of a lamp's light, in units of 2^-16.
 ///
-/// The vector to the lamp and the normal are truncated to mantissas of 14 bits or more: that turns each by up to
-/// √3 · 2^-14, which is 1.06e-4. The reciprocal root adds 2.3e-4, so the cosine has an error of 4.4e-4.
+/// The vector to the lamp and the normal are truncated to mantissas of 14 bits or more. This turns each of them by up
+/// to √3 · 2^-14, which is 1.06e-4. The reciprocal root adds 2.3e-4, so the cosine has an error of 4.4e-4.
 ///
-/// A smooth falloff uses s, the square of distance over range. The truncated vector contributes an error of 2.1e-4 to
-/// it, and the 13 bits of the square and of the reciprocal contribute 1.85e-4. The formula (1 - s)² turns these 4e-4
-/// into at most half. Two factors of 15 bits add 6.1e-5, and their product with the brightness, which keeps 14 bits,
-/// adds 6.1e-5.
+/// A smooth falloff uses s, the square of distance over range. The truncated vector adds an error of 2.1e-4 to s, and
+/// the 13 bits of the square and of the reciprocal add 1.85e-4. The formula (1 - s)² turns these 4e-4 into at most
+/// half. Two factors of 15 bits add 6.1e-5. Their product with the brightness keeps 14 bits, and adds 6.1e-5.
 ///
-/// A linear falloff uses the length of the truncated vector, which has an error of 1.06e-4. Its square loses 6.1e-5,
-/// the range's reciprocal 6.1e-5, and two products and the whole 9.1e-5. The error of the root counts once, because it
-/// changes the cosine and the light in opposite directions.
+/// A linear falloff uses the length of the truncated vector, which has an error of 1.06e-4. The square of the length
+/// loses 6.1e-5, the reciprocal of the range 6.1e-5, and two products and the result 9.1e-5. The error of the root
+/// counts once, because it changes the cosine and the light in opposite directions.
 ///
-/// The light keeps 13 bits, which adds 1.22e-4; the brightness adds 1.5e-5 and the result 1.5e-5. The total is 9.2e-4
-/// for a smooth falloff and 9.2e-4 for a linear one: 60 units.
+/// The light keeps 13 bits, which adds 1.22e-4. The brightness adds 1.5e-5, and the result 1.5e-5. The total is 9.2e-4
+/// for a smooth falloff and 9.2e-4 for a linear falloff: 60 units.
 const LAMP_ERROR: f64 = 60.;
 
-/// How far from its range a lamp's light may end, as a fraction of the range: half the error of the square, which is
-/// 4e-4, and half of the four units that a lamp leaves out.
+/// The largest distance between the end of a lamp's light and its range, as a fraction of the range: half the error of
+/// the square, which is 4e-4, and half of the four units of light that a lamp leaves out.
 const RANGE_ERROR: f64 = 1. / 4000.;
 
 fn f64s(v: Vec3) -> [f64; 3] {
@@ -55,7 +54,7 @@ fn scalar(random: &mut Random, low: f64, high: f64) -> Scalar {
     Scalar::try_from(random.random_range(low..=high)).unwrap()
 }
 
-/// A point of a surface in both number formats.
+/// A point of a surface in the number formats of the crate and of the model.
 fn surface(normal: Vec3, position: Vec3) -> Option<(SurfacePoint, Point)> {
     let normal = Direction::of(normal);
     let exact = normal.components().map(f64::from);
@@ -71,7 +70,7 @@ fn surface(normal: Vec3, position: Vec3) -> Option<(SurfacePoint, Point)> {
     (normal != Direction::NONE).then_some((found, point))
 }
 
-/// A falloff of the crate, and the model's.
+/// A random falloff, for the crate and for the model.
 fn falloff(random: &mut Random) -> (Falloff, light::Falloff) {
     match random.random_range(0..3) {
         0 => (Falloff::Smooth, light::Falloff::Smooth),
@@ -86,7 +85,7 @@ fn diffuse(light: &impl Lighting, point: &SurfacePoint) -> f64 {
     f64::from(diffuse[0])
 }
 
-/// Compares the diffuse brightness of a surface with the model's.
+/// Compares the diffuse brightness of a surface with the model's brightness.
 #[track_caller]
 fn compare_diffuse(
     light: &impl Lighting,
@@ -101,10 +100,10 @@ fn compare_diffuse(
     );
 }
 
-/// How many inputs a test checks.
+/// The number of random inputs that a test checks.
 const CASES: u64 = 4000;
 
-/// Within [`LAMP_ERROR`], up to the range and beyond it.
+/// The light is within [`LAMP_ERROR`] of the model's light, up to the range and beyond it.
 #[test]
 fn lamps_follow_lambert_and_their_falloff() {
     cases(CASES, |random| {
@@ -131,7 +130,7 @@ fn lamps_follow_lambert_and_their_falloff() {
                 falloff: model,
                 cone: None,
             };
-            // The light ends at its range, and a constant one ends abruptly.
+            // The light ends at its range. A constant light ends abruptly.
             let part = length(subtract(f64s(position + way), exact.at)) / f64::from(range);
             if (part - 1.).abs() <= RANGE_ERROR {
                 continue;
@@ -142,7 +141,7 @@ fn lamps_follow_lambert_and_their_falloff() {
     });
 }
 
-/// At all distances, many of them beyond the format's range, in all directions and along an axis.
+/// The surfaces are at all distances, many of them beyond the format's range, in all directions and along an axis.
 #[test]
 fn lamps_light_nothing_beyond_the_longest_range() {
     cases(CASES, |random| {
@@ -185,8 +184,8 @@ fn lamps_light_nothing_beyond_the_longest_range() {
     });
 }
 
-/// The cosine has an error of 8 units of 2^-30. The width of the cone's edge divides it, and the smooth step
-/// multiplies it by up to 1.5. Three more products are truncated.
+/// The cosine has an error of 8 units of 2^-30. This is divided by the width of the cone's edge, and multiplied by up
+/// to 1.5 in the smooth step. Three more products are truncated.
 #[test]
 fn spots_end_softly() {
     cases(CASES, |random| {
@@ -232,8 +231,8 @@ fn spots_end_softly() {
     });
 }
 
-/// The halfway vector has an error of 2^-27 over the length of the sum, and the exponent multiplies it. The power
-/// adds 2^-19, and three products are truncated.
+/// The error of the halfway vector is 2^-27 divided by the length of the sum, and is multiplied by the exponent. The
+/// power adds 2^-19, and three products are truncated.
 #[test]
 fn highlights_follow_blinn_and_phong() {
     cases(CASES, |random| {
@@ -260,7 +259,7 @@ fn highlights_follow_blinn_and_phong() {
                 normalized(subtract(f64s(eye), exact.at)),
             );
             let sum = length(array::from_fn(|i| light[i] + viewer[i]));
-            // At the terminator, highlights end abruptly.
+            // Highlights end abruptly at the terminator.
             if dot(light, exact.normal).abs() <= 1e-5 || sum <= 1e-3 {
                 continue;
             }
@@ -278,7 +277,7 @@ fn highlights_follow_blinn_and_phong() {
     });
 }
 
-/// Under a parallel projection, every surface is seen from the same direction, wherever it is.
+/// In a parallel projection, every surface is seen from the same direction, wherever the surface is.
 #[test]
 fn parallel_views_light_the_side_that_is_seen() {
     let mut backs = 0;
@@ -296,7 +295,7 @@ fn parallel_views_light_the_side_that_is_seen() {
                 continue;
             };
             let seen = dot(exact.normal, normalized(subtract(f64s(eye), f64s(target))));
-            // The direction of view has an error of a few units of 2^-30.
+            // The direction of the view has an error of a few units of 2^-30.
             if toward == Vec3::ZERO || seen.abs() <= 1e-6 {
                 continue;
             }
@@ -317,7 +316,7 @@ fn parallel_views_light_the_side_that_is_seen() {
     assert!(backs > 1500, "{backs}");
 }
 
-/// Through the whole pipeline, at vertices and at faces: lights stay in world space while model and camera turn.
+/// The whole pipeline is tested, at vertices and at faces. Lights stay in world space while model and camera turn.
 #[test]
 fn corners_and_faces_are_lit_in_world_space() {
     cases(CASES, |random| {
@@ -347,7 +346,7 @@ fn corners_and_faces_are_lit_in_world_space() {
             let face = linear::cross(subtract(world[1], world[0]), subtract(world[2], world[0]));
             let normal = normalized(face);
             let middle: [f64; 3] = array::from_fn(|i| world.iter().map(|p| p[i]).sum::<f64>() / 3.);
-            // Near the lamp, directions are inexact, because positions have steps of 2^-16.
+            // Directions are inexact near the lamp, because positions have steps of 2^-16.
             let nearest = world
                 .iter()
                 .chain([&middle])
@@ -417,7 +416,7 @@ fn corners_and_faces_are_lit_in_world_space() {
                 let found = [color.r(), color.g(), color.b()];
                 for (found, expected) in found.into_iter().zip(expected(middle)) {
                     let error = f64::from(found) - expected * 255.;
-                    // Half a step from the brightness, and half a step from rounding the color.
+                    // The brightness has an error of half a step, and rounding the color adds half a step.
                     assert!(error.abs() <= 1., "{found} is not {}", expected * 255.);
                 }
             }
@@ -426,7 +425,7 @@ fn corners_and_faces_are_lit_in_world_space() {
     });
 }
 
-/// If a closed model is drawn two-sided, its outside is lit as if it were drawn one-sided.
+/// The outside of a closed model is lit in the same way if it is drawn two-sided as if it is drawn one-sided.
 #[test]
 fn a_closed_model_is_lit_alike_with_one_side_and_with_two() {
     static BALL: Mesh = shape!(sphere(24, 16));

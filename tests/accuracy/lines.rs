@@ -1,4 +1,5 @@
-//! Lines and points: their pixels, from exact integers; depth and attributes along a line, from the f64 model.
+//! Lines and points. Their pixels are compared with exact integers, the depths and attributes of lines with the f64
+//! model.
 
 use crate::bands::{Point, point};
 use crate::common::random::{Random, cases, list, within};
@@ -15,13 +16,14 @@ use fixel::prelude::*;
 use fixel::view::{Perspective, ProjectionKind};
 use rand::Rng;
 
-/// Wider than two spans of 64 pixels; values are computed anew at the start of each span.
+/// The width is more than two spans of 64 pixels, because values are recomputed at the start of each span.
 const SIZE: (u32, u32) = (150, 28);
 
-/// Whether a pixel belongs to the line between two snapped ends. In each column (or row, if the line is steeper than
-/// 45°) whose center the line crosses, the pixel with the crossing does. A center exactly at the end with the lesser
-/// coordinate counts; one at the other end does not. The pixels that contain the ends belong to it, too, unless the
-/// line crosses another pixel of their column (or row), or `blends`. Computed in exact integers for each pixel.
+/// Whether a pixel belongs to the line between two snapped ends. The line has a pixel in each column (or row, if the
+/// line is steeper than 45°) with a center that the line crosses: the pixel that contains the crossing. A center
+/// exactly at the end with the smaller coordinate counts; a center exactly at the other end does not. The pixels that
+/// contain the ends belong to the line, too, except if the line crosses another pixel of their column (or row), or if
+/// `blends`. Computed in exact integers for each pixel.
 pub fn on_line([a, b]: [Point; 2], blends: bool, pixel: [i32; 2]) -> bool {
     let [dx, dy] = [0, 1].map(|i| i64::from(b[i]) - i64::from(a[i]));
     let major = usize::from(dy.abs() > dx.abs());
@@ -30,17 +32,18 @@ pub fn on_line([a, b]: [Point; 2], blends: bool, pixel: [i32; 2]) -> bool {
     let center = pixel[major] * 256 + 128;
     if center < a[major] || center >= b[major] {
         let is_in = |end: Point| end.map(|at| at.div_euclid(256)) == pixel;
-        // Beyond the lesser end, only its own pixel can be before the first center; beyond the greater, after the last.
+        // Before the smaller end, only the end's own pixel can come before the first center; beyond the greater end,
+        // after the last.
         return !blends && (center < a[major] && is_in(a) || center >= b[major] && is_in(b));
     }
-    // The crossing: a + (center - a) · slope, a rational number, rounded down.
+    // The crossing is a + (center - a) · slope, a rational number, rounded down.
     let length = i64::from(b[major] - a[major]);
     let rise = i64::from(b[minor] - a[minor]);
     let over = i64::from(a[minor]) * length + i64::from(center - a[major]) * rise;
     over.div_euclid(length * 256) == i64::from(pixel[minor])
 }
 
-/// How often mesh edges, drawn as lines through the pixel projection, draw each pixel.
+/// How often each pixel is drawn if mesh edges are drawn as lines through the pixel projection.
 fn drawn(points: &[Point], edges: &[[u16; 2]], blends: bool) -> Vec<u32> {
     let projection = pixel_projection(SIZE);
     let mut counter = Counter::new(SIZE);
@@ -72,7 +75,7 @@ fn modeled(points: &[Point], edges: &[[u16; 2]], blends: bool) -> Vec<u32> {
         .collect()
 }
 
-/// A line draws exactly the model's pixels, once each, and the same pixels in the other direction.
+/// A line draws exactly the model's pixels, once each. In the other direction, it draws the same pixels.
 #[test]
 fn lines_are_the_models() {
     cases(512, |random| {
@@ -89,12 +92,12 @@ fn lines_are_the_models() {
     });
 }
 
-/// Lines joined end to end, all within 45° of the same axis direction, blend no pixel twice and leave no gap: one
-/// pixel for each center from the first end to the last.
+/// The lines are joined end to end, all within 45° of the same direction along an axis. They blend no pixel twice and
+/// leave no gap: there is one pixel for each center from the first end to the last.
 #[test]
 fn polylines_blend_no_pixel_twice() {
     cases(512, |random| {
-        // All points are in the guard band: 500,000 plus 11 steps of 899 is less than 2048 pixels.
+        // All points are in the guard band, because 500,000 plus 11 steps of 899 is less than 2048 pixels.
         let (mut last, steep, back) = (point(random, SIZE), random.random(), random.random());
         let mut points = vec![last];
         for _ in 0..random.random_range(1..12) {
@@ -115,7 +118,7 @@ fn polylines_blend_no_pixel_twice() {
             .collect();
         let counts = drawn(&points, &edges, true);
         assert!(counts.iter().all(|&count| count <= 1), "{points:?}");
-        // No pixel is missing: together, the lines have the model's pixels of all edges.
+        // No pixel is missing: the lines together have the model's pixels of all edges.
         assert_eq!(
             picture(&counts, SIZE.0),
             picture(&modeled(&points, &edges, true), SIZE.0),
@@ -124,7 +127,7 @@ fn polylines_blend_no_pixel_twice() {
     });
 }
 
-/// A rectangle's sides have the pixels of all four corners, wherever the corners lie in them.
+/// The sides of a rectangle have the pixels of all four corners, wherever the corners lie in these pixels.
 #[test]
 fn rectangles_have_their_corners() {
     cases(256, |random| {
@@ -156,7 +159,7 @@ fn points_are_the_pixels_they_lie_in() {
             &Mesh::new(&positions, &[]).unwrap(),
             &projection,
         );
-        // A point may reach a row if the row or one beside it contains the point.
+        // A point can reach a row if the row or a neighboring row contains the point.
         let rows = -1..=i32::try_from(SIZE.1).unwrap();
         let meeting = points
             .iter()
@@ -222,7 +225,7 @@ fn projection() -> Projection<Perspective> {
 /// In units of 2⁻¹⁶.
 const UNIT: i32 = 1 << 16;
 
-/// Positions around the eye: in front of it, behind it, beyond the far plane.
+/// A position around the eye: in front of it, behind it, or beyond the far plane.
 fn around(random: &mut Random) -> Vec3 {
     let z = if random.random_ratio(4, 6) {
         -40 * UNIT..10 * UNIT
@@ -233,7 +236,7 @@ fn around(random: &mut Random) -> Vec3 {
     Vec3::from_bits(within(random, ranges))
 }
 
-/// Any two ends, or two that make a line of more than 64 pixels in one row: y is below 1/32, so at a distance above 3
+/// Random ends. Sometimes they make a line of more than 64 pixels in one row: y is below 1/32, so at a distance above 3
 /// the line is less than half a pixel from the middle.
 fn ends(random: &mut Random) -> [Vec3; 2] {
     if random.random_ratio(3, 4) {
@@ -245,7 +248,7 @@ fn ends(random: &mut Random) -> [Vec3; 2] {
     }
 }
 
-/// The model's line; `None` if nothing of it is in view.
+/// The model's line; `None` if no part of it is in view.
 fn line_of(ends: [Vec3; 2]) -> Option<Line<1>> {
     let view = view::View {
         eye: IDENTITY,
@@ -264,8 +267,8 @@ fn line_of(ends: [Vec3; 2]) -> Option<Line<1>> {
     )
 }
 
-/// In perspective, clipped or not: every pixel is on the model's line and has the model's depth and attribute there,
-/// and no pixel is missing.
+/// Lines in perspective, clipped or not: every pixel is on the model's line and has the model's depth and attribute
+/// there. No pixel is missing.
 #[test]
 fn lines_in_perspective_are_the_models() {
     cases(1024, |random| {
@@ -273,10 +276,10 @@ fn lines_in_perspective_are_the_models() {
             let ends = ends(random);
             let mvp = projection().into();
             let (pixels, depths) = recorded(&mvp, ends, [0, 1]);
-            // Drawn from its other end, the line is the same. The attribute of a clipped end is a blend of both ends'
-            // attributes, which differ by less than 2^21 units, with a weight in units of 2^-30. From either side it is
-            // rounded to the nearest unit, so the results may differ by one unit, and a pixel's, rounded down, by one
-            // more.
+            // A line drawn from its other end has the same pixels. The attribute of a clipped end is a blend of both
+            // ends' attributes. These differ by less than 2^21 units, and the weight is in units of 2^-30. The blend is
+            // rounded to the nearest unit from either side, so the two results can differ by one unit. The attribute of
+            // a pixel is rounded down, so it can differ by one more unit.
             let (others, other_depths) = recorded(&mvp, ends, [1, 0]);
             let places = |pixels: &[Drawn]| {
                 pixels
@@ -304,7 +307,7 @@ fn lines_in_perspective_are_the_models() {
                 break;
             };
             let extent = [0, 1].map(|i| (line.screen[1][i] - line.screen[0][i]).abs());
-            // Skip lines that rounding may make steep or flat, and lines of hardly any length.
+            // Skip lines that rounding can make steep or flat, and lines with almost no length.
             if (extent[0] - extent[1]).abs() > 0.02 && extent[0].max(extent[1]) > 0.05 {
                 check_line(&line, extent, &pixels);
                 break;
@@ -313,14 +316,14 @@ fn lines_in_perspective_are_the_models() {
     });
 }
 
-/// Compares the pixels of a line with the model's line, whose extent along each axis is given.
+/// Compares the pixels of a line with the model's line. `extent` is the model line's extent along each axis.
 ///
-/// The ends are rounded to 1/256 pixel, which moves the line by less than 1/256 pixel, along and across. So where the
-/// line crosses a center within that distance of a pixel's edge, it may draw the next pixel. Its values are the model's
-/// at a point within that distance.
+/// The ends are rounded to 1/256 pixel, which moves the line by less than 1/256 pixel, along and across. If the line
+/// crosses a center within that distance of a pixel's edge, it can therefore draw the next pixel. The pixel's values
+/// are the model's values at a point within that distance.
 fn check_line(line: &Line<1>, extent: [f64; 2], pixels: &[Drawn]) {
     const ROUNDING: f64 = 1. / 256.;
-    // Beyond the guard band, clipping makes new ends. Their error does not depend on the line's length in pixels.
+    // Beyond the guard band, clipping makes new ends. Their error does not depend on the length of the line in pixels.
     let major = usize::from(extent[1] > extent[0]);
     let minor = 1 - major;
     let length = extent[major];
@@ -331,8 +334,8 @@ fn check_line(line: &Line<1>, extent: [f64; 2], pixels: &[Drawn]) {
         let pixel = [f64::from(x), f64::from(y)];
         let q = line.fraction_at(major, pixel[major] + 0.5);
         let value = line.at(q.clamp(0., 1.));
-        // A pixel has its center between the line's ends, or contains one of them. Only rounding puts one beyond the
-        // line's end or beside the line. Across, an error along the line counts too, times the slope.
+        // The center of a pixel is between the line's ends, or the pixel contains an end. Only by rounding can a pixel
+        // be beyond the line's end or beside the line. Across, an error along the line counts, too, times the slope.
         let contains =
             |end: f64| (pixel[major] - ROUNDING..=pixel[major] + 1. + ROUNDING).contains(&end);
         assert!(
@@ -349,7 +352,7 @@ fn check_line(line: &Line<1>, extent: [f64; 2], pixels: &[Drawn]) {
             [x, y]
         );
 
-        // 1/w is linear: `room` is its error at a position with an error of ROUNDING.
+        // 1/w is linear. `room` is its error at a position with an error of ROUNDING.
         let inverse = 1. / value.w;
         let room = (1. / line.w[0] - 1. / line.w[1]).abs() / length * ROUNDING * 1.01 + 1e-6;
         let (least, most) = (
@@ -362,10 +365,10 @@ fn check_line(line: &Line<1>, extent: [f64; 2], pixels: &[Drawn]) {
             [x, y]
         );
 
-        // Attribute/w is linear too, and the error of the quotient is the sum of both errors. Attributes are below
-        // 2^20 units and scaled by 2^-21, and q is at least 2^30 · near/far. bounds.rs derives that the errors of
-        // the numerator and of q count as 56½ units of the numerator at most. In this small picture they stay
-        // within 51. Clipping adds two units, and rounding two.
+        // Attribute/w is linear, too, and the error of the quotient is the sum of both errors. Attributes are below
+        // 2^20 units and scaled by 2^-21, and q is at least 2^30 · near/far. As bounds.rs derives, the errors of the
+        // numerator and of q count as at most 56½ units of the numerator. In this small picture, they stay within 51
+        // units. Clipping adds two units, and rounding two.
         let over_w = |i: usize| line.attributes[i][0] / line.w[i];
         let room_over = (over_w(0) - over_w(1)).abs() / length * ROUNDING * 1.01;
         let format = (f64::from(1 << 21) * 51. / (f64::from(1 << 30) * NEAR / FAR) + 4.) / 65536.;
@@ -379,7 +382,7 @@ fn check_line(line: &Line<1>, extent: [f64; 2], pixels: &[Drawn]) {
         );
     }
 
-    // Where the line crosses a center inside the picture, it draws a pixel.
+    // The line draws a pixel wherever it crosses a center inside the picture.
     let (count, others) = if major == 0 {
         (SIZE.0, SIZE.1)
     } else {

@@ -1,8 +1,8 @@
-//! All tests that need the f64 model: pixels, values, depths and positions, compared with it.
+//! All tests that need the f64 model. They compare the crate's pixels, values, depths and positions with the model's.
 //!
-//! `cargo test --test accuracy -- --nocapture` prints the figures.
+//! `cargo test --test accuracy -- --nocapture` prints the measured errors.
 
-// f64 holds every integer used here, and no pixel lies left of or above the picture.
+// f64 holds every integer used here exactly, and no pixel lies left of or above the picture.
 #![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]
 
 #[path = "../common/mod.rs"]

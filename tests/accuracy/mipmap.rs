@@ -1,4 +1,4 @@
-//! Mipmaps: their levels, the level that a pixel shows, and how much a floor differs from one sampled by area.
+//! Mipmaps: their levels, the level that a pixel shows, and how much a floor differs from a floor sampled by area.
 
 use std::array;
 use std::fmt::Debug;
@@ -22,7 +22,7 @@ const FOCAL: f64 = 200.;
 /// The two colors of the measured scenes.
 const COLORS: [Rgb888; 2] = [Rgb888::CSS_IVORY, Rgb888::CSS_STEEL_BLUE];
 
-/// The index of the color at a texel of a texture of squares of 8x8 texels.
+/// The index of a texel's color, in a texture of squares of 8x8 texels.
 fn checker(u: i64, v: i64) -> usize {
     usize::from(((u >> 3) + (v >> 3)) & 1 == 1)
 }
@@ -31,7 +31,7 @@ fn projection() -> Projection<Perspective> {
     Projection::from_focal_length(fx!(200), (WIDTH, HEIGHT), fx!(0.25), fx!(100)).unwrap()
 }
 
-/// How far the eye is moved from its position in the measured floor, in pose `k`: to the right and ahead.
+/// How far the eye is moved in pose `k` from its place above the measured floor: to the right, and ahead.
 fn moved(k: i16) -> [f64; 2] {
     [f64::from(k) / 32., f64::from(k) / 16.]
 }
@@ -48,15 +48,15 @@ fn picture(shader: &impl ShaderFor<Rgb888>, floor: &Mesh<'_>, k: i16) -> Vec<Rgb
     pixels
 }
 
-/// The point of the floor that pose `k` shows at a position on the screen, from 0 to 1 across and along; `None` beside
-/// the floor.
+/// The point of the floor that pose `k` shows at a position on the screen. The point's coordinates are from 0 to 1
+/// across and along the floor. `None` beside the floor.
 fn floor(k: i16) -> impl Fn([f64; 2]) -> Option<[f64; 2]> {
     let [right, ahead] = moved(k);
-    // The eye looks down.
+    // The camera looks down a little.
     let (sine, cosine) = 0.2_f64.atan().sin_cos();
     move |[x, y]| {
         let (x, y) = ((x - 160.) / FOCAL, (120. - y) / FOCAL);
-        // The ray (x, y, -1), turned.
+        // The ray (x, y, -1), turned by the camera.
         let (up, forth) = (y * cosine - sine, y * sine + cosine);
         let (x, z) = (x / -up + right, forth / -up + ahead);
         let inside = up < 0. && (-10. ..10.).contains(&x) && (1. ..20.).contains(&z);
@@ -64,12 +64,12 @@ fn floor(k: i16) -> impl Fn([f64; 2]) -> Option<[f64; 2]> {
     }
 }
 
-/// The mean colors of the floor's pixels in pose `k`, row by row, if the texture repeats this often along an axis.
+/// The mean colors of the floor's pixels in pose `k`, row by row. The texture repeats `repeats` times along each axis.
 fn means(k: i16, repeats: f64) -> Vec<Option<[f64; 3]>> {
     let floor = floor(k);
     let colors = COLORS.map(parts);
     let texels = |[u, v]: [f64; 2]| [u * 64. * repeats, v * 64. * repeats];
-    // Which of the colors; coordinates are not negative, so that they are rounded down.
+    // The index of the color at a point. Coordinates are not negative, so the conversion rounds down.
     let index = |at: [f64; 2]| {
         let [u, v] = texels(at);
         checker(u as i64, v as i64)
@@ -89,7 +89,7 @@ fn means(k: i16, repeats: f64) -> Vec<Option<[f64; 3]>> {
         let (&[Some(a), Some(b)], &[Some(c), Some(d)]) = (above, below) else {
             return None;
         };
-        // Perspective keeps quadrilaterals convex: if a pixel's corners lie in one square, all of it does.
+        // Perspective keeps quadrilaterals convex: if a pixel's corners are in one square, the whole pixel is.
         if [b, c, d].map(square) == [square(a); 3] {
             return Some(colors[index(a)]);
         }
@@ -106,8 +106,8 @@ fn parts(color: Rgb888) -> [f64; 3] {
     [color.r(), color.g(), color.b()].map(f64::from)
 }
 
-/// The mean difference from a floor whose pixels are means over their areas, over all channels of all of the floor's
-/// pixels, in steps of 255.
+/// The mean difference between a drawn floor and a floor with pixels that are means over their areas. The mean is over
+/// all channels of all of the floor's pixels, in steps of 255.
 fn difference(
     shader: &impl ShaderFor<Rgb888>,
     floor: &Mesh<'_>,
@@ -126,7 +126,7 @@ fn difference(
     sum / count
 }
 
-/// Prints the table in the documentation of `Textured::mipmapped`.
+/// Prints the table that the documentation of `Textured::mipmapped` shows.
 #[test]
 fn levels_bring_a_far_floor_closer_to_its_means() {
     let mut texels = vec![Rgb888::BLACK; Mipmap::<Rgb888>::len(64, 64)];
@@ -159,7 +159,7 @@ fn levels_bring_a_far_floor_closer_to_its_means() {
             difference(&levels.trilinear(), &floor, &exact),
         ];
         println!("{repeats} repeats: {found:.2?}");
-        // The more texels a far pixel shows, the more the levels help.
+        // Levels help the more, the more texels a far pixel covers.
         let [nearest, bilinear, level, smooth, blended] = found;
         let helps = [1., 0.8, 0.6][match repeats {
             1 => 0,
@@ -182,7 +182,7 @@ where
     let mut texels: Vec<C> = (0..Mipmap::<C>::len(width as usize, height as usize))
         .map(|_| C::Raw::from_u32(random.random()).into())
         .collect();
-    // The earlier contents of the memory behind level 0 do not matter.
+    // What the memory behind level 0 contained before does not matter.
     let (w, h) = (width as usize, height as usize);
     let first = texels[..w * h].to_vec();
     let mipmap = Mipmap::build(&mut texels, width, height).unwrap();
@@ -226,7 +226,7 @@ fn a_level_is_the_mean_of_the_level_before() {
     });
 }
 
-/// Each level is a gray proportional to its number, so a trilinear filter shows the level.
+/// Each level has a gray proportional to its number, so the gray of a trilinear filter shows the level.
 #[test]
 fn the_level_of_a_pixel_follows_the_formula() {
     const SIZE: u32 = 48;
@@ -234,7 +234,7 @@ fn the_level_of_a_pixel_follows_the_formula() {
     cases(256, |random| {
         let distance = random.random_range(0.5..60.);
         let lean: [f64; 2] = array::from_fn(|_| random.random_range(-0.95..0.95));
-        // 1/z is linear on the screen, whose middle is at `distance`.
+        // 1/z is linear on the screen. In the middle of the screen, z is `distance`.
         let share = |u: f64, v: f64| 1. + lean[0] * u + lean[1] * v;
         let corners = [[-1.2, -1.2], [3.2, -1.2], [-1.2, 3.2]].map(|[u, v]| {
             let z = distance / share(u, v);
@@ -301,8 +301,8 @@ fn the_level_of_a_pixel_follows_the_formula() {
             }
             let exact = level(corners, texels, 24., z).clamp(0., 6.);
             let shown = f64::from(blended.luma()) / STEPS;
-            // The promise; the snapped corners, twice 0.0005 / 0.1 / ln 2; half a step and a truncated weight, 2^-8;
-            // and the texels, 2^-8.
+            // The allowed error consists of the promised 1/8; the snapped corners, twice 0.0005 / 0.1 / ln 2; half a
+            // step and a truncated weight, 2^-8; and the texels, 2^-8.
             let allowed = 1. / 8. + 0.015 + 0.5 / STEPS + 1. / 256. + 1. / 256.;
             assert!(
                 (shown - exact).abs() <= allowed,

@@ -1,4 +1,4 @@
-//! The interpolation modes as values, to iterate over.
+//! The interpolation modes as values of one type, so that tests can iterate over them.
 
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::canvas::DepthBuffer;
@@ -18,7 +18,7 @@ pub enum Mode {
 }
 
 impl Mode {
-    /// `Fast::NARROW`, which promises 1/16 texel: its tolerance of 1/32, and 1/32 more, as any `Fast` does.
+    /// `Fast::NARROW`, which promises 1/16 texel: its tolerance of 1/32, plus the 1/32 that every `Fast` adds.
     pub const NARROW: Self = Self::Fast(fx!(0.03125));
 
     /// The modes that interpolate with perspective correction.
@@ -33,7 +33,7 @@ impl Mode {
         Self::Fast(fx!(4)),
     ];
 
-    /// The modes that differ under a parallel projection; each of the others equals one of them.
+    /// The modes that differ from each other under a parallel projection. Each other mode equals one of these.
     pub const PARALLEL: [Self; 5] = [
         Self::Exact,
         Self::Compact,
@@ -50,7 +50,7 @@ impl Mode {
         }
     }
 
-    /// The promised bound in texels, for a texture of 256 texels in a picture of 320x240, given the snapped vertices.
+    /// The promised bound in texels, with the snapped vertices, for a texture of 256 texels in a picture of 320x240.
     pub fn promised(self) -> f64 {
         match self {
             Self::Exact | Self::Compact | Self::Newton => 0.001,
@@ -67,7 +67,7 @@ impl Mode {
         }
     }
 
-    /// Draws in this mode and ignores the mode of the options.
+    /// Draws in this mode; the mode of `options` is ignored.
     pub fn draw<K: ProjectionKind, F: ShaderFor<Gray8>, D: DepthBuffer>(
         self,
         canvas: &mut Canvas<'_, Gray8, Native, D>,

@@ -1,4 +1,4 @@
-//! Transforms made twice from the same numbers: by the crate, and as an f64 matrix.
+//! Transforms that are made twice from the same numbers: by the crate, and as f64 matrices.
 
 use std::f64::consts::TAU;
 
@@ -47,7 +47,7 @@ pub fn exact(point: Vec3) -> [f64; 3] {
     [point.x, point.y, point.z].map(f64::from)
 }
 
-/// An angle in radians, exact to the last bit of an f64.
+/// An angle in radians, with an error of only f64's last bit.
 pub fn radians(angle: Angle) -> f64 {
     f64::from(angle.to_bits()) / 2_f64.powi(32) * TAU
 }
@@ -74,7 +74,7 @@ impl Move {
     }
 }
 
-/// The product of moves, by the crate and in f64. The last move acts first.
+/// The product of moves, computed by the crate and in f64. The last move acts first.
 pub fn product(moves: &[Move]) -> (Transform, Matrix) {
     moves.iter().fold(
         (Transform::IDENTITY, IDENTITY),
@@ -87,7 +87,7 @@ pub fn product(moves: &[Move]) -> (Transform, Matrix) {
     )
 }
 
-/// The largest distance from the origin that a point may reach as the moves act on it: errors are relative to it.
+/// The largest distance from the origin that a point reaches while the moves act on it. Errors are relative to it.
 pub fn size(moves: &[Move], p: Vec3) -> f64 {
     let length = |v: Vec3| linear::length(exact(v));
     let largest = |v: Vec3| {
@@ -102,9 +102,9 @@ pub fn size(moves: &[Move], p: Vec3) -> f64 {
     })
 }
 
-/// The bound of the error of clip coordinates, relative to [`size`] and the largest coefficient. Each move contributes
-/// 2⁻³⁰ three times: for its mantissas, for a sine, and for the product's mantissas. So do the projection, its product,
-/// its scale, and the common exponent, which counts twice, because it costs one bit. The sum of a point's three
+/// The bound of the error of clip coordinates, relative to [`size`] and the largest coefficient. Each move adds 2⁻³⁰
+/// three times: for its mantissas, for a sine, and for the mantissas of the product. The projection, its product, and
+/// its scale add 2⁻³⁰ each. The common exponent adds it twice, because it costs one bit. The sum of a point's three
 /// coordinates is at most √3 times its length.
 pub fn relative(moves: &[Move]) -> f64 {
     2_f64.powi(-30) * 3_f64.sqrt() * (3 * moves.len() + 5) as f64

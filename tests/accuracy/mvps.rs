@@ -1,5 +1,5 @@
-//! Products of transforms and projections in perspective, compared with f64: the position of a point, and its depth.
-//! (For parallel projections, see [`parallel`](crate::extremes).)
+//! Products of transforms and perspective projections, compared with f64: the position of a point, and its depth. (For
+//! parallel projections, see [`parallel`](crate::extremes).)
 
 use std::array;
 use std::ops::Range;
@@ -20,7 +20,7 @@ const SIZE: (u32, u32) = (320, 240);
 /// Half of the guard band's width, in pixels.
 const GUARD: f64 = 2048.;
 
-/// How many inputs a test checks.
+/// The number of random inputs that a test checks.
 const CASES: u64 = 3000;
 
 fn position(random: &mut Random, range: f64) -> Vec3 {
@@ -41,7 +41,7 @@ fn step(random: &mut Random) -> Move {
     }
 }
 
-/// Moves that put the surroundings of the origin at some distance in front of the eye.
+/// Moves that place the surroundings of the origin at some distance in front of the eye.
 fn mvp(random: &mut Random) -> Vec<Move> {
     let mut moves = list(random, 0..4, step);
     let distance = random.random_range(0.0..60.);
@@ -49,7 +49,7 @@ fn mvp(random: &mut Random) -> Vec<Move> {
     moves
 }
 
-/// One projection, made by the crate and by the model.
+/// The same projection, made by the crate and by the model.
 fn perspective(fov: Angle, near: f64, far: f64) -> (Projection<Perspective>, ModelProjection) {
     let [near, far] = [near, far].map(number);
     (
@@ -58,7 +58,7 @@ fn perspective(fov: Angle, near: f64, far: f64) -> (Projection<Perspective>, Mod
     )
 }
 
-/// Compares the position of a point with the model's.
+/// Compares the position of a point with the model's position.
 fn compare(
     (projection, model): (Projection<Perspective>, ModelProjection),
     moves: &[Move],
@@ -82,7 +82,7 @@ fn compare(
     );
 }
 
-/// Compares the positions and depths of points with the model's, given its projection and its transform to eye space.
+/// Compares the positions and depths of points with the model, given its projection and its transform to eye space.
 fn compare_spots(
     points: &[Vec3],
     spots: &[Option<Spot>],
@@ -103,7 +103,8 @@ fn compare_spots(
     let middle = view.viewport.screen([0.; 2]);
     for (&p, &spot) in points.iter().zip(spots) {
         let wanted = view.project(exact(p));
-        // The largest coefficient of the rows for x and y, in pixels, and for depth, which has the guard band's scale.
+        // The largest coefficient of the rows for x and y, in pixels, and of the row for depth, which has the guard
+        // band's scale.
         let pixels = |axis: usize, size: u32| {
             let row = model.matrix[axis].into_iter();
             f64::from(size) / 2. * row.fold(0., |most: f64, m| most.max(m.abs()))
@@ -112,13 +113,13 @@ fn compare_spots(
             .max(pixels(1, viewport.size().height))
             .max(GUARD);
         let size = size(moves, p);
-        // Away from the middle, an error of w causes an error of x and y.
+        // Away from the middle, an error of w also changes x and y.
         let off = [0, 1].map(|axis: usize| (wanted.screen[axis] - middle[axis]).abs());
         let aside = 1. + off[0].max(off[1]) / GUARD;
         let error = relative(moves) * size * scale / wanted.w * aside;
         let depth = model.depth(wanted.distance);
-        // Besides the error of t = w / near · (1 + 2^-16): the errors of its reciprocal, of the near plane's
-        // reciprocal, and of the scale 65536, 2^-30 each.
+        // To the error of t = w / near · (1 + 2^-16), add 2^-30 each for its reciprocal, for the near plane's
+        // reciprocal, and for the scale 65536.
         let depth_error = relative(moves) * size * scale / GUARD * depth / wanted.distance
             + 65536. * 2_f64.powi(-28);
         let margin = error + 2. * SIDE;
@@ -159,8 +160,8 @@ fn compare_spots(
     }
 }
 
-/// A point this close to a plane, relative to the size, may be clipped or not: the crate's near plane is farther away
-/// by 2⁻¹⁶ of its distance.
+/// A point can be clipped or not if it is this close to a plane, relative to the size. The crate's near plane is
+/// farther away by 2⁻¹⁶ of its distance.
 const SIDE: f64 = 1. / 16384.;
 
 fn viewport(random: &mut Random) -> Viewport {
@@ -173,7 +174,7 @@ fn points(random: &mut Random) -> Vec<Vec3> {
     list(random, 1..20, |random| position(random, 6.))
 }
 
-/// A window whose left and lower sides are in the first range, and whose sizes are in the second.
+/// A window with left and lower sides in the range `corner`, and a width and a height in the range `size`.
 fn window(random: &mut Random, corner: Range<f64>, size: Range<f64>) -> Window {
     let [left, bottom] = [(); 2].map(|()| random.random_range(corner.clone()));
     let [width, height] = [(); 2].map(|()| random.random_range(size.clone()));
@@ -192,7 +193,7 @@ fn transformed_points_are_the_models() {
         let (moves, p) = (list(random, 0..6, step), position(random, 100.));
         let (transform, matrix) = product(&moves);
         let (got, wanted) = (exact(transform.point(p)), point(&matrix, exact(p)));
-        // Besides the mantissas, rounding the result adds half a unit.
+        // Rounding the result adds half a unit to the errors of the mantissas.
         let error = 2_f64.powi(-17) + relative(&moves) * size(&moves, p);
         for axis in 0..3 {
             let by = (got[axis] - wanted[axis]).abs();
@@ -247,7 +248,8 @@ fn depth_falls_with_distance() {
             .zip(drawing.spots(&points))
             .filter_map(|(&p, spot)| Some((transform.point(p).z.to_bits(), spot?.depth)))
             .collect();
-        // Points are sorted from far to near, as z rises. If they are less than one unit apart, either order is right.
+        // Points are sorted from far to near, because z rises. If two points are less than one unit apart, either order
+        // is right.
         depths.sort_unstable();
         for pair in depths.windows(2) {
             let [(far, far_depth), (near, near_depth)] = pair else {

@@ -1,4 +1,4 @@
-//! Normals computed at run time, compared with the model.
+//! Normals that the crate computes at run time, compared with the model.
 
 use std::array;
 
@@ -13,19 +13,19 @@ use crate::reference::normals::{angle, around, of_triangle};
 const WEIGHT: f64 = 1. / 8192.;
 /// The error of rounding a unit vector to units of 2⁻¹⁶: half a unit along each axis.
 const ROUNDING: f64 = 0.87 / 65_536.;
-/// The error of a sum, which has 22 fraction bits: each of up to 64 triangles loses up to half a unit along each axis.
+/// The error of a sum with 22 fraction bits. Each of up to 64 triangles loses up to half a unit along each axis.
 const SUM: f64 = 64. * 0.87 / 4_194_304.;
 
 fn real(v: Vec3) -> [f64; 3] {
     v.to_bits().map(|x| f64::from(x) / 65_536.)
 }
 
-/// The angle between a normal and the model's sum of weighted normals, as a fraction of the allowed error.
+/// The angle between a normal and the model's sum of weighted normals, divided by the allowed error.
 fn error(normal: Vec3, (sum, weights): ([f64; 3], f64)) -> f64 {
     let length = sum.iter().map(|x| x * x).sum::<f64>().sqrt();
     let allowed = (weights * WEIGHT + SUM) / length + ROUNDING;
     let off = angle(real(normal), sum);
-    // If the errors can turn the sum anywhere, any direction is right.
+    // If the errors can turn the sum in any direction, any normal is right.
     if allowed > 0.5 { 0. } else { off / allowed }
 }
 
@@ -55,7 +55,7 @@ fn smooth_normals_of_a_bumpy_surface_are_the_models() {
     assert!(mesh.has_normals());
     let (points, corners) = model(&positions, &faces);
     let mut worst = 0_f64;
-    // Only every third position, because the model searches all triangles for each normal.
+    // The model searches all triangles for each normal, so the test checks only every third position.
     for at in (0..positions.len()).step_by(3) {
         let expected = around(at, &points, &corners, &|_| true);
         if expected.1 > 0. {
@@ -66,7 +66,7 @@ fn smooth_normals_of_a_bumpy_surface_are_the_models() {
     assert!(worst <= 1.);
 }
 
-/// Positions of a grid with hills, of any size, with some triangles without area.
+/// Positions of a grid with hills, in a random size. Some triangles have no area.
 fn hills(random: &mut Random) -> [Vec3; 25] {
     let size: u32 = random.random_range(1..31);
     let cell = 1_i64 << size.saturating_sub(2);
@@ -111,8 +111,8 @@ fn normals_of_hills_of_every_size_are_the_models() {
             let own = of_triangle(face.map(|i| points[i]));
             for (&at, index) in face.iter().zip(indices) {
                 let near = |normal| angle(own, normal) - limit;
-                // A cosine has an error of up to 2⁻²⁷, so an angle near 0° or 180° has an error of up to the root of
-                // that.
+                // A cosine has an error of up to 2⁻²⁷. Near 0° or 180°, an angle therefore has an error of up to the
+                // root of 2⁻²⁷.
                 let around = |slack: f64| around(at, &points, &corners, &|n| near(n) <= slack);
                 let expected = around(2e-4);
                 if own[0].is_nan() {

@@ -1,4 +1,4 @@
-//! Outlines: the creases and the drawn edges are the model's, and lines leave no gap around a mesh.
+//! Outlines: the crate finds and draws the same creases and edges as the model, and lines leave no gap around a mesh.
 
 use std::array;
 use std::collections::HashMap;
@@ -39,19 +39,19 @@ fn triangles(mesh: &Mesh) -> Vec<[Vector; 3]> {
     mesh.faces().iter().map(|face| face.map(place)).collect()
 }
 
-/// A key for an edge that does not depend on its direction.
+/// A key of an edge, the same for both directions of the edge.
 fn key(ends: [Vector; 2]) -> [[u64; 3]; 2] {
     let mut ends = ends.map(|end| end.map(|x| (x + 0.).to_bits()));
     ends.sort_unstable();
     ends
 }
 
-/// Room for every side of every triangle of a mesh.
+/// Memory for every side of every triangle of a mesh.
 fn room(mesh: &Mesh) -> Vec<[u16; 4]> {
     vec![[0; 4]; 3 * mesh.faces().len()]
 }
 
-/// Compares the edges of an outline, their creases and their faces with the model's.
+/// Compares an outline's edges, its creases and its faces with the model.
 fn check_edges(mesh: &Mesh, degrees: f64) {
     let mut room = room(mesh);
     let limit = Angle::try_from_degrees(degrees).unwrap();
@@ -139,7 +139,7 @@ fn an_outline_of_wrong_numbers_is_refused() {
     assert!(Outline::new(&BOX, &[[0, 1, 2, 23]], 2).is_err());
 }
 
-/// Positions anywhere in the format, and faces between any of them, many of them repeated or without area.
+/// Positions anywhere in the format, and faces between any of them. Many faces are repeated or have no area.
 fn soup(random: &mut Random) -> ([Vec3; 6], Vec<[u16; 3]>) {
     let far = [i32::MIN, i32::MIN + 1, -1, 0, 1, i32::MAX - 1, i32::MAX];
     let mut number = || match random.random_range(0..3) {
@@ -154,7 +154,7 @@ fn soup(random: &mut Random) -> ([Vec3; 6], Vec<[u16; 3]>) {
     (positions, faces)
 }
 
-/// For any mesh, nothing panics, and the sides of the outline's faces are sides of the mesh.
+/// No mesh causes a panic, and the sides of an outline's faces are sides of the mesh.
 #[test]
 fn any_mesh_has_an_outline() {
     cases(512, |random| {
@@ -180,13 +180,13 @@ fn any_mesh_has_an_outline() {
     });
 }
 
-/// A line as wide as a pixel's diagonal, or wider, has a pixel.
+/// A line of this width always has a pixel, because it is wider than the diagonal of a pixel.
 const WIDE: LineStyle = match LineStyle::wide(fx!(2)) {
     Ok(style) => style,
     Err(_) => LineStyle::HAIRLINE,
 };
 
-/// The ends of the edges that an outline draws pixels of.
+/// The ends of those edges of an outline that have pixels.
 fn drawn<K: ProjectionKind>(
     options: &DrawOptions,
     mesh: &Mesh,
@@ -213,7 +213,7 @@ fn drawn<K: ProjectionKind>(
         .collect()
 }
 
-/// The side that a face shows, from its plane; `None` if rounding may turn it over or hide it.
+/// The side that a face shows, computed from its plane; `None` if rounding can turn the face over or hide it.
 fn side(triangle: [Vector; 3], view: &view::View) -> Option<i32> {
     let corners = triangle.map(|place| ClipVertex {
         position: view.clip(place),
@@ -241,14 +241,14 @@ fn side(triangle: [Vector; 3], view: &view::View) -> Option<i32> {
         .iter()
         .flat_map(|corner| place(corner).map(f64::abs))
         .fold(64., f64::max);
-    // Each corner moves by up to 1/256 pixel along each axis, and there are at most nine corners.
+    // Each corner moves by up to 1/256 pixel along each axis, and a clipped face has at most nine corners.
     if area.abs() < 9. * 2. * size / 256. {
         return None;
     }
     Some(if area > 0. { -1 } else { 1 })
 }
 
-/// Turns at random, and moves to a distance in front of the eye.
+/// A random turn, and a move to this distance in front of the eye.
 fn pose(random: &mut Random, distance: f64) -> Transform {
     let [x, y, z] = random.random::<[u32; 3]>().map(Angle::from_bits);
     Transform::translate(Vec3::new(
@@ -268,9 +268,9 @@ fn projection(far: Scalar) -> Projection<Perspective> {
     Projection::from_focal_length(fx!(60), SIZE, fx!(0.5), far).unwrap()
 }
 
-/// The drawn edges are the model's, also where the near or the far plane clips a face. If all corners of both faces
-/// are within the guard band, the model decides from the snapped corners, which is exact. Otherwise it decides from
-/// the faces' planes, unless rounding may turn a face over.
+/// The same edges are drawn as in the model, even where the near or the far plane clips a face. If all corners of both
+/// faces are within the guard band, the model decides from the snapped corners, which is exact. Otherwise, it decides
+/// from the planes of the faces; edges are skipped if rounding can turn a face over.
 #[test]
 fn drawn_edges_are_the_models() {
     cases(300, |random| {
@@ -329,7 +329,7 @@ fn drawn_edges_are_the_models() {
                 continue;
             };
             let expected = is_drawn([left, right], i < outline.creases(), culled);
-            // An edge may be without pixels, whatever its faces show, unless two pixels of it are in the view.
+            // Whatever its faces show, an edge can have no pixels if fewer than two of its pixels are in view.
             let mut on_screen = |index: u16| counter.snapped(&mvp, place(index));
             let is_inside = on_screen(a).zip(on_screen(b)).is_some_and(|(a, b)| {
                 let inside =
@@ -355,7 +355,7 @@ fn drawn_edges_are_the_models() {
     });
 }
 
-/// Around a closed mesh, every pixel of its border is on a line of the outline or beside one.
+/// Every pixel on the border of a closed mesh belongs to a line of the outline, or is beside a pixel of one.
 #[test]
 fn outlines_have_no_gaps() {
     cases(300, |random| {

@@ -1,4 +1,4 @@
-//! Painter's order, compared with distances in f64.
+//! The painter's order compared with distances in f64.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use fixel::prelude::*;
@@ -13,11 +13,11 @@ const SIZE: (u32, u32) = (40, 30);
 const NEAR: f64 = 1.;
 const FAR: f64 = 64.;
 
-/// The triangles with pixels that a function draws, in drawing order.
+/// The triangles that a function draws, in drawing order. Triangles without pixels are not included.
 fn drawn(draw: impl FnOnce(&Recorder<'_, Flat<Gray8>, 0>)) -> Vec<usize> {
     let record = record(Flat::new(Gray8::BLACK), draw);
     let mut faces: Vec<usize> = record.corners.iter().map(|(face, _)| *face).collect();
-    // A shader is asked once for each part of a clipped triangle.
+    // A shader is asked once for each part of a clipped triangle, so a face can occur several times in a row.
     faces.dedup();
     faces
 }
@@ -30,7 +30,7 @@ struct Scene {
 }
 
 impl Scene {
-    /// The corners in units of this size.
+    /// The positions of the corners, divided by `unit`.
     fn positions(&self, unit: f64) -> Vec<Vec3> {
         let mut positions = Vec::new();
         for corner in &self.corners {
@@ -62,7 +62,7 @@ impl Scene {
         order
     }
 
-    /// The drawing order of the triangles if they belong to three objects: every third one to the same object.
+    /// The drawing order if the triangles belong to three objects. Every third triangle belongs to the same object.
     fn order_of_objects<K: ProjectionKind>(&self, projection: &Projection<K>) -> Vec<usize> {
         // The objects have different units, so they are transformed in different formats.
         let units = [1., 4., 1. / 16.];
@@ -107,8 +107,8 @@ impl Scene {
         distances.into_iter().fold(0., f64::max).min(FAR)
     }
 
-    /// Checks that no triangle is drawn before one that is farther by more than `tolerance`, and that triangles at
-    /// equal distances keep the order of the mesh.
+    /// Checks that no triangle is drawn before a triangle that is farther away by more than `tolerance`. Triangles at
+    /// equal distances must keep the order of the mesh.
     fn check(&self, order: &[usize], objects: usize, tolerance: &dyn Fn(f64) -> f64) {
         for pair in order.windows(2) {
             let [first, second] = [self.farthest(pair[0]), self.farthest(pair[1])];
@@ -127,8 +127,8 @@ impl Scene {
     }
 }
 
-/// Triangles of which many distances are equal, or differ by as little as the order resolves. The near or the far plane
-/// clips some of them.
+/// Triangles with distances that are often equal, or differ by as little as the order can resolve. The near or the far
+/// plane clips some triangles.
 fn scene(random: &mut Random) -> Scene {
     let corners = list(random, 3..30, |random| {
         let [x, y, z, step] = [-160..160, -160..160, 0..120, 0..4]
@@ -147,7 +147,7 @@ fn farther_triangles_come_first_in_perspective() {
     cases(256, |random| {
         let scene = scene(random);
         let projection = Projection::perspective(deg!(60), SIZE, fx!(1), fx!(64)).unwrap();
-        // 1/w is truncated to 26 bits, the first of them set. The rounding of the reciprocal and of the projection's
+        // 1/w is truncated to 26 bits, and the first of them is set. Rounding the reciprocal and the projection's
         // coefficients at most doubles this error.
         let tolerance = |w| w * 2_f64.powi(-24);
         scene.check(&scene.order(&projection), 1, &tolerance);
@@ -161,14 +161,14 @@ fn farther_triangles_come_first_in_parallel() {
         let scene = scene(random);
         let window = Window::centered(fx!(12), fx!(9));
         let projection = Projection::orthographic(window, fx!(1), fx!(64)).unwrap();
-        // Steps are 2^-26 of the distance between the planes. The rounding of coefficients adds less than another step.
+        // A step is 2^-26 of the distance between the planes. The rounding of coefficients adds less than another step.
         let step = (FAR - NEAR) * 2_f64.powi(-25);
         scene.check(&scene.order(&projection), 1, &|_| step);
         scene.check(&scene.order_of_objects(&projection), 3, &|_| step);
     });
 }
 
-/// Many triangles at one distance keep the order of the mesh, and those behind come before them.
+/// Triangles at the same distance keep the order of the mesh. Triangles behind them are drawn first.
 #[test]
 fn triangles_at_equal_distances_keep_their_order() {
     let corner = |x: f64, z: f64| [[x, 0., z], [x + 1., 0., z], [x, 1., z]];

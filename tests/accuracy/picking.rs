@@ -1,5 +1,5 @@
-//! Picking, compared with pictures: the face that a ray meets is the face that is drawn, unless in the f64 model the
-//! pixel's center is too close to an edge or two faces are equally deep there.
+//! Picking compared with pictures. The face that a ray meets is the face that is drawn, except if the f64 model finds
+//! that the pixel's center is too close to an edge, or that two faces are equally deep there.
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::Gray8;
@@ -20,10 +20,10 @@ use crate::reference::view::{Projected, View, Viewport as ModelViewport};
 
 const SIZE: (u32, u32) = (40, 30);
 const LEFT: i32 = -7;
-/// Rounding moves vertices by up to 1/512 pixel along both axes, and so moves an edge by up to 0.0028 pixels.
+/// Rounding moves a vertex by up to 1/512 pixel along both axes, so it moves an edge by up to 0.0028 pixels.
 const EDGE: f64 = 0.005;
 
-/// The least and the greatest depth of a face within [`EDGE`] of a position on the screen, in 1/65536.
+/// The smallest and the largest depth of a face within [`EDGE`] of a position on the screen, in units of 1/65536.
 fn depths(model: &ModelProjection, corners: &[Projected; 3], at: [f64; 2]) -> [f64; 2] {
     let screen = corners.map(|corner| corner.screen);
     let around = [-EDGE, EDGE];
@@ -46,7 +46,7 @@ fn depths(model: &ModelProjection, corners: &[Projected; 3], at: [f64; 2]) -> [f
     })
 }
 
-/// Checks that the parts of a hit agree with each other and with the corners of its face.
+/// Checks that the numbers of a hit agree with each other and with the corners of its face.
 fn check_numbers(hit: &Hit, ray: Ray, corners: [Vec3; 3]) {
     let sum: i32 = hit.barycentric.iter().map(|part| part.to_bits()).sum();
     assert_eq!(sum, 1 << 30, "{hit:?}");
@@ -99,7 +99,7 @@ fn check<K: ProjectionKind>(
             height: SIZE.1,
         },
     };
-    // The largest size of a unit of the model on the screen, at a distance of 1.
+    // The largest size on the screen of a unit of the model, at a distance of 1.
     let scale = moves.iter().fold(1., |scale: f64, step| match step {
         Move::Scale(by) => scale * exact(*by).map(f64::abs).into_iter().fold(0., f64::max),
         _ => scale,
@@ -108,7 +108,7 @@ fn check<K: ProjectionKind>(
     let unit = 2_f64.powi(-16) * scale * focal;
     let corners =
         |face: usize| faces[face].map(|at| view.project(exact(positions[usize::from(at)])));
-    // The model here does not clip, so skip scenes with clipped triangles.
+    // This model does not clip, so skip scenes with clipped triangles.
     let whole = |face: usize| {
         corners(face)
             .iter()
@@ -144,7 +144,7 @@ fn check<K: ProjectionKind>(
                     return false;
                 };
                 let [a, b] = [a, b].map(|face| depths(&model, &corners(face), center));
-                // A step of the depth buffer, and a tenth of a step for the errors of both depths.
+                // The margin is a step of the depth buffer, plus a tenth of a step for the errors of both depths.
                 a[0] - 1.1 < b[1] && b[0] - 1.1 < a[1]
             };
             assert!(
@@ -152,7 +152,7 @@ fn check<K: ProjectionKind>(
                 "{picked:?} was picked and {drawn:?} drawn at {x}, {y}"
             );
 
-            // The hit's point appears at the pixel, and its barycentric coordinates give the point.
+            // The hit's point appears at the pixel, and its barycentric coordinates give the same point.
             let Some(hit) = hit else { continue };
             let place = view.project(exact(hit.point));
             let nearest = if K::PERSPECTIVE { place.w } else { 1. };

@@ -1,4 +1,4 @@
-//! The promises of the modes for textured triangles: for any that 320x240 pixels may show, and for the hardest ones.
+//! The promises of the modes for textured triangles: random triangles of a picture of 320x240, and the hardest ones.
 
 use std::array;
 
@@ -18,7 +18,7 @@ const REPEAT: f64 = 16_777_216.;
 /// Units of a texture coordinate per texel.
 const TEXEL: f64 = 65536.;
 
-/// A triangle: its corners in pixels; 1/w, and u and v in repeats, at the corners.
+/// A triangle: its corners in pixels, and 1/w, u and v at each corner. u and v are in repeats.
 #[derive(Clone, Copy, Debug)]
 struct Case {
     screen: [[f64; 2]; 3],
@@ -31,7 +31,7 @@ fn about(random: &mut Random) -> [f64; 2] {
     within(random, [-40.0..360., -40.0..280.])
 }
 
-/// Triangles in and around the picture: of any shape, thin, small, of few rows, or with a row of any length.
+/// A triangle in or around the picture: of any shape, thin, small, of few rows, or with a row of any length.
 fn shape(random: &mut Random) -> [[f64; 2]; 3] {
     match random.random_range(0..13) {
         0 => [about(random), about(random), about(random)],
@@ -63,10 +63,10 @@ fn shape(random: &mut Random) -> [[f64; 2]; 3] {
     }
 }
 
-/// The change of 1/w per pixel to the right and downwards, relative to the least 1/w in the picture.
+/// The change of 1/w per pixel to the right and down, relative to the smallest 1/w in the picture.
 fn slope(random: &mut Random) -> [f64; 2] {
     if random.random_ratio(1, 4) {
-        // A floor, on which 1/w is constant or nearly constant along a row.
+        // As on a floor, 1/w is constant or nearly constant along a row.
         let across = if random.random() {
             0.
         } else {
@@ -76,7 +76,7 @@ fn slope(random: &mut Random) -> [f64; 2] {
     }
     let steep = match random.random_range(0..5) {
         0..=1 => random.random_range(-14.0..-4_f64).exp2(),
-        // Slopes around the limit beyond which a reciprocal is not computed from earlier ones.
+        // Slopes near the limit. Beyond it, a reciprocal is not computed from earlier reciprocals.
         2..=3 => random.random_range(0.97..1.01) / 64.,
         _ => random.random_range(-5.0..2_f64).exp2(),
     };
@@ -84,7 +84,7 @@ fn slope(random: &mut Random) -> [f64; 2] {
     [across, steep * random.random_range(-1.0..1.)]
 }
 
-/// Triangles with 1/w on a slope across the picture, or with any values of 1/w up to a ratio of 1000.
+/// A triangle with 1/w on a slope across the picture, or with any values of 1/w up to a ratio of 1000.
 fn case(random: &mut Random) -> Case {
     let screen = shape(random);
     let inverse_w = if random.random() {
@@ -103,7 +103,7 @@ fn case(random: &mut Random) -> Case {
         corners.map(|()| match kind {
             0..=2 => random.random_range(0.0..1.),
             3 => random.random_range(0.0..4.),
-            // Both attributes have 28 bits.
+            // With this many repeats, both attributes have 28 bits.
             4..=5 => random.random_range(4.0..7.),
             _ => f64::from(random.random_range(0..2)),
         })
@@ -142,36 +142,37 @@ impl Case {
     }
 }
 
-/// A mode's worst errors, relative to the bound of the formats, and in texels beyond its tolerance; the latter where
-/// the mode makes a promise, with the number of values there.
+/// A mode's largest errors: relative to the bound of the formats, and in texels beyond the mode's tolerance. The error
+/// in texels, and the number of values, are only from pixels for which the mode makes a promise.
 #[derive(Clone, Copy, Debug, Default)]
 struct Worst {
     allowed: f64,
     texels: f64,
     pixels: usize,
-    /// How many of these values are over 16 times as far as the nearest corner.
+    /// The number of these values that are more than 16 times as far away as the nearest corner.
     deep: usize,
-    /// The worst error relative to what the page of limits states for any depth ratio, with the number of values that
-    /// have no promise.
+    /// The largest error relative to the statement of the page of limits for any depth ratio, and the number of values
+    /// for which there is no promise.
     stated: f64,
     unpromised: usize,
 }
 
-/// Whether a mode's promise holds, which depends on a product: repeats of the texture times the w of the pixel,
-/// relative to the nearest corner's w.
+/// Whether a mode's promise holds. This depends on a product: the repeats of the texture, times the pixel's w relative
+/// to the nearest corner's w.
 ///
-/// An interpolant's unit is at most 4¼ · 2⁻³⁰ · w of a repeat, for each repeat. For a product of 1 that is 2⁻⁶ · 4¼
-/// units of 2⁻¹⁶ texel, and 56½ of them are 3¾ units. Up to a product of 16, the error of `Exact` is at most 61½ + 1
-/// units; 0.001 texel is 65½. `Newton` adds the larger of 28½ units, where a row is straight, and 8 for each repeat; it
-/// also adds 16, or 21.2 for one repeat without a far corner. So the derivation proves the promise up to a product of 4
-/// for one repeat, and of 5 for two. A larger error needs roundings that all have the same sign, in a row as level as
-/// possible: up to 16, this test shows that the promise is kept. `Fast` may use 1/32 texel besides its tolerance. Its
-/// 16-bit reciprocals take up to 0.0297 of that for one repeat (see `bounds::fast`), and proportionally more for more
-/// repeats: its promise is for one repeat, at the span's farthest pixel.
+/// For each repeat, an interpolant's unit is at most 4¼ · 2⁻³⁰ · w of a repeat. For a product of 1, this is 2⁻⁶ · 4¼
+/// units of 2⁻¹⁶ texel, and 56½ times that are 3¾ units. Up to a product of 16, the error of `Exact` is at most 61½ + 1
+/// units; 0.001 texel is 65½. `Newton` adds 28½ units, where a row is straight, or 8 units for each repeat, whichever
+/// is larger; it also adds 16, or 21.2 for one repeat without a far corner. So the derivation proves the promise up to
+/// a product of 4 for one repeat, and of 5 for two. A larger error needs roundings that all have the same sign, in a
+/// row that is as level as possible: up to a product of 16, this test shows that the promise is kept. `Fast` can use
+/// 1/32 texel besides its tolerance. For one repeat, its 16-bit reciprocals use up to 0.0297 of this (see
+/// `bounds::fast`); for more repeats, proportionally more. So its promise is for one repeat, at the span's farthest
+/// pixel.
 ///
-/// In a triangle so deep that `Exact` computes interpolants anew at each pixel, a numerator is rounded by half of its
-/// unit. For a product of 1 that is 1/32 unit of 2⁻¹⁶ texel, and the truncation of a corner's 1/w moves a value by 1/64
-/// unit. At 1,000 both are 47 units, and with the quotient 48½.
+/// In a very deep triangle, `Exact` recomputes the interpolants at each pixel. A numerator is then rounded by half of
+/// its unit. For a product of 1, this is 1/32 unit of 2⁻¹⁶ texel, and the truncation of a corner's 1/w moves a value by
+/// 1/64 unit. For a product of 1,000, both together are 47 units, and 48½ with the quotient.
 fn is_promised(mode: Mode, is_precise: bool, repeats: f64, far: f64) -> bool {
     match mode {
         Mode::Exact if is_precise => repeats * far <= 1000.,
@@ -180,13 +181,14 @@ fn is_promised(mode: Mode, is_precise: bool, repeats: f64, far: f64) -> bool {
     }
 }
 
-/// What the page of limits states for any depth ratio up to 2¹⁹, in texels, for this many repeats of the texture: an
-/// error in proportion to the ratio, besides what the mode promises at a ratio of 1.
+/// The bound in texels that the page of limits states for any depth ratio up to 2¹⁹ and for `repeats` repeats: the
+/// bound that the mode promises at a ratio of 1, plus an error in proportion to the ratio.
 ///
 /// The unit of an interpolant is at most 4¼ · 2⁻³⁰ · w of a repeat, which is 1.02 · 10⁻⁶ texel · w. Stepped
-/// interpolants have 56½ of these: 5.8 · 10⁻⁵, and at 2¹⁹ a fiftieth more, because 1/w itself is up to 40 units of
-/// 2,048 too small. Those that `Exact` computes anew have 0.51 of them; a corner's 1/w adds a unit of 1/w, 2.4 · 10⁻⁷,
-/// for each repeat between the corners, of which there are two where corners have opposite signs: 10⁻⁶ in all.
+/// interpolants have an error of 56½ units: 5.8 · 10⁻⁵. At 2¹⁹, it is a fiftieth more, because 1/w itself is too small
+/// by up to 40 units of 2,048. Interpolants that `Exact` recomputes have an error of 0.51 units. A corner's 1/w adds a
+/// unit of 1/w, 2.4 · 10⁻⁷, for each repeat between the corners. There are two if corners have opposite signs. The sum
+/// is 10⁻⁶.
 fn stated(mode: Mode, is_precise: bool, repeats: f64, far: f64) -> f64 {
     let (base, slope) = match mode {
         Mode::Exact if is_precise => (0.001, 1e-6),
@@ -200,10 +202,10 @@ fn stated(mode: Mode, is_precise: bool, repeats: f64, far: f64) -> f64 {
 struct Attribute {
     /// The bound in each mode.
     bounds: [Bound; MODES],
-    /// The least and the greatest value at a corner.
+    /// The smallest and the largest value at a corner.
     least: f64,
     most: f64,
-    /// Repeats of the texture up to the corner that is farthest from 0; at least 1.
+    /// The number of repeats of the texture between 0 and the corner farthest from 0; at least 1.
     repeats: f64,
     newton_from_exact: Option<f64>,
 }
@@ -225,8 +227,8 @@ impl Attribute {
 }
 
 impl Case {
-    /// Draws the triangle in every mode, and checks each pixel against the bound of the formats and, where there is
-    /// one, against the promise.
+    /// Draws the triangle in every mode. Checks each pixel against the bound of the formats and against the promise, if
+    /// the mode makes one.
     fn check(&self, worst: &mut [Worst; MODES]) {
         let Some(triangle) = self.triangle() else {
             return;
@@ -273,8 +275,8 @@ impl Case {
                         );
                         worst.stated = worst.stated.max(error / TEXEL / stated);
                     }
-                    // Values must stay between those of the corners, because a color beyond white would wrap to black.
-                    // The tolerance does not count here: straight pieces end within the triangle.
+                    // Values must stay between the values of the corners, because a color beyond white would wrap to
+                    // black. The tolerance does not count here, because straight pieces end within the triangle.
                     let beyond = allowed - tolerance * TEXEL;
                     assert!(
                         value >= attribute.least - beyond && value <= attribute.most + beyond,
@@ -327,18 +329,18 @@ fn textured_triangles_keep_the_promises() {
     cases(1200, |random| case(random).check(&mut worst));
     print("random triangles", &worst);
     for worst in worst {
-        // The promises cover nearly all values.
+        // The promises apply to nearly all values.
         assert!(worst.pixels > 200_000, "{}", worst.pixels);
     }
 }
 
-/// Triangles with a corner 16 to 1,000 times as far as another, which `Exact` draws within 0.001 texel throughout, or
-/// up to 490,000 times as far.
+/// Triangles with a corner 16 to 1,000 times as far away as another corner, where `Exact` promises 0.001 texel at every
+/// pixel, and triangles with a corner up to 490,000 times as far away.
 #[test]
 fn deep_triangles_keep_the_promises() {
     let mut worst = [Worst::default(); MODES];
     cases(400, |random| {
-        // The nearest corner is far outside the picture, so that there are many far pixels, or in it.
+        // The nearest corner is far outside the picture, so that many pixels are far away, or it is in the picture.
         let (nearest, most): (_, f64) = if random.random() {
             let beyond = within(random, [-1500.0..1800., -1500.0..1700.]);
             (beyond, random.random_range(4.01..9.96))
@@ -355,14 +357,14 @@ fn deep_triangles_keep_the_promises() {
     });
     print("deep triangles", &worst);
     let [exact, _, newton, ..] = worst;
-    // With ten other seeds, both were 1.95 to 2.49 million.
+    // With ten other seeds, both numbers were 1.95 to 2.49 million.
     for judged in [exact.deep, newton.unpromised] {
         assert!(judged > 1_500_000, "{judged}");
     }
 }
 
-/// The hardest deep triangles that a search found, by changing the worst of many random ones again and again: their
-/// errors are three fifths of what the pages of limits and modes state.
+/// The hardest deep triangles that a search found. The search changed the worst of many random triangles again and
+/// again. The errors are three fifths of the bounds that the pages of limits and modes state.
 #[test]
 fn errors_of_deep_triangles_come_close_to_the_bound() {
     let newton = Case {
@@ -412,8 +414,8 @@ fn errors_of_deep_triangles_come_close_to_the_bound() {
     }
 }
 
-/// A row of each possible length, on slopes of either sign, up to one too steep to compute a reciprocal from the
-/// previous ones.
+/// A row of each possible length, on slopes of either sign. The steepest slope is too steep to compute a reciprocal
+/// from earlier reciprocals.
 #[test]
 fn spans_of_every_length_keep_the_promises() {
     let mut worst = [Worst::default(); MODES];
@@ -431,7 +433,7 @@ fn spans_of_every_length_keep_the_promises() {
         ] {
             for [left, right] in [[0., 2. * long], [2. * long, 0.]] {
                 let screen = [[0., 7.], [2. * long, 7.], [0.5 * long, 8.]];
-                // At the left and right end of the base, and between them.
+                // The corners are at the left end of the base, at its right end, and between them.
                 let at = |along: f64| 1. + slope * (left + (right - left) * along / (2. * long));
                 let q = [at(0.), at(2. * long), at(0.5 * long)];
                 let most = q.into_iter().fold(0., f64::max);
@@ -445,18 +447,18 @@ fn spans_of_every_length_keep_the_promises() {
         }
     }
     print("spans of every length", &worst);
-    // The inputs are always the same: 1,560,572 values. (The others are too far for a promise.)
+    // The inputs are always the same: there are 1,560,572 values. (Other values are too far away for a promise.)
     for worst in worst {
         assert!(worst.pixels > 1_500_000, "{}", worst.pixels);
     }
 }
 
-/// Rows along an edge on which 1/w changes by less than rounding may add, where the format leaves no room: at the
-/// nearest corner with all 31 bits set, or at the farthest corner with a quarter of that 1/w.
+/// Rows along an edge on which 1/w changes by less than rounding can add. The format leaves no room there: the nearest
+/// corner has all 31 bits set, or the farthest corner has a quarter of this 1/w.
 #[test]
 fn rows_at_the_ends_of_the_format_keep_the_promises() {
-    // 1/w of a corner has all bits set if w / near, in units that put the near plane at 65,535/65,536, is a power of
-    // two.
+    // All bits of a corner's 1/w are set if w / near is a power of two, in units that put the near plane at
+    // 65,535/65,536.
     const NEAREST: f64 = 4096. * 65535. / 65536.;
     let unit = 1. / 65536.;
     let mut worst = [Worst::default(); MODES];
@@ -481,7 +483,7 @@ fn rows_at_the_ends_of_the_format_keep_the_promises() {
         }
     }
     print("ends of the format", &worst);
-    // The inputs are always the same: 1,769,728 values.
+    // The inputs are always the same: there are 1,769,728 values.
     for worst in worst {
         assert!(worst.pixels > 1_700_000, "{}", worst.pixels);
     }

@@ -1,4 +1,4 @@
-//! Whole pictures: the measured scenes, and a bumpy surface.
+//! Whole pictures: the measured scenes and a bumpy surface.
 
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_8};
 
@@ -9,7 +9,7 @@ use crate::mode::Mode;
 use crate::moves::{to, x, y};
 use crate::reference::scenes::{POSES, cube, floor, sphere};
 
-/// Checks a scene's picture in every mode against the bounds of the formats and the mode's promise.
+/// Checks a scene's picture in every mode against the bounds of the formats and the promise of the mode.
 fn check(name: &str, scene: &Scene, is_convex: bool) {
     for (mode, picture) in scene.compare(&Mode::PERSPECTIVE) {
         check_mode(&format!("{name}, {mode:?}"), mode, &picture);
@@ -22,7 +22,7 @@ fn check(name: &str, scene: &Scene, is_convex: bool) {
     }
 }
 
-/// Checks a picture against the bounds of the formats and its mode's promise.
+/// Checks a picture against the bounds of the formats and the promise of its mode.
 fn check_mode(name: &str, mode: Mode, picture: &Comparison) {
     picture.print(name);
     assert!(picture.allowed.max() <= 1., "{name}: attributes");
@@ -31,8 +31,8 @@ fn check_mode(name: &str, mode: Mode, picture: &Comparison) {
         picture.snapped.max() <= promised,
         "{name}: texels, given snapped vertices"
     );
-    // Compared with unrounded u and v, the coordinates at the corners, and so those between them, have the error of
-    // rounding besides the promised one.
+    // Unrounded u and v differ at the corners by the rounding error. This error is added everywhere between the
+    // corners.
     assert!(
         picture.unrounded.max() <= promised + ROUNDING,
         "{name}: texels, given snapped vertices and unrounded u and v"
@@ -47,7 +47,7 @@ fn check_mode(name: &str, mode: Mode, picture: &Comparison) {
         "{name}: texels, given unsnapped vertices"
     );
     assert!(picture.depth.max() <= bounds::DEPTH, "depth");
-    // Two depths in the same step, each with its own error.
+    // Two depths can be in the same step, and each has its own error.
     assert!(
         picture.order.max() <= 1. + 2. * bounds::DEPTH,
         "depth order"

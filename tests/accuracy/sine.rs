@@ -1,5 +1,5 @@
-//! The effect of a sine's error in pixels: a model tumbles by the crate's polynomial, and by micromath's
-//! approximation of the sine.
+//! The effect of a sine's error, in pixels. A model tumbles by the crate's polynomial, and by micromath's approximation
+//! of the sine.
 
 use std::collections::HashMap;
 
@@ -14,24 +14,25 @@ use crate::reference::linear::{self, Matrix};
 use crate::reference::scenes::{SIZE, Shape, cube, sphere, view};
 use crate::spread::Spread;
 
-/// Angles in a turn. Their number is not a multiple of four, so that each quadrant has other angles.
+/// The number of angles in a turn. It is not a multiple of four, so that each quadrant has other angles.
 const ANGLES: u32 = 719;
 /// The focal length of the measured scenes, in pixels.
 const FOCAL: f64 = 200.;
-/// Texels along a texture.
+/// The side of a texture, in texels.
 const TEXELS: f64 = 64.;
 
-/// Sine and cosine by micromath. The trait is named in the call, because `x.sin()` would call std's.
+/// Sine and cosine by micromath. The calls name the trait, because `x.sin()` would call std's function.
 fn approximate(angle: f64) -> [f64; 2] {
     let x = angle as f32;
     [F32Ext::sin(x), F32Ext::cos(x)].map(f64::from)
 }
 
-/// Rotations about the axes of a model's turn, in the order of the product.
+/// The rotations of a model's turn, in the order of their product.
 const AXES: [fn(Angle) -> Transform; 2] = [Transform::rotate_x, Transform::rotate_y];
 
-/// A turn about an axis by a sine and a cosine, whose point need not lie on the unit circle: a rotation by the point's
-/// direction, and a scale of the two other axes by its length. The angle is exact to 2⁻³³ of a turn, the scale to 2⁻¹⁷.
+/// A turn about an axis by a sine and a cosine that can be off the unit circle. It is the product of a rotation by the
+/// direction of the point (cosine, sine) and a scale of the two other axes by the point's length. The angle is exact to
+/// 2⁻³³ of a turn, the scale to 2⁻¹⁷.
 fn turn(axis: usize, [sin, cos]: [f64; 2]) -> Transform {
     let scale = Scalar::try_from(sin.hypot(cos)).unwrap();
     let angle = Angle::try_from_radians(sin.atan2(cos)).unwrap();
@@ -42,23 +43,23 @@ fn turn(axis: usize, [sin, cos]: [f64; 2]) -> Transform {
     AXES[axis](angle) * Transform::scale_axes(scales)
 }
 
-/// The angles about x and y in a step: two turns about one axis for five about the other.
+/// The angles about x and y in a step. The model makes two turns about x while it makes five about y.
 fn angles(step: u32) -> [Angle; 2] {
     let turn = ((u64::from(step) << 32) / u64::from(ANGLES)) as u32;
     [2, 5].map(|turns| Angle::from_bits(turn.wrapping_mul(turns)))
 }
 
-/// Both turns by the crate's sine.
+/// Both turns, by the crate's sine.
 fn polynomial([x, y]: [Angle; 2]) -> Transform {
     AXES[0](x) * AXES[1](y)
 }
 
-/// Both turns by micromath's sine.
+/// Both turns, by micromath's sine.
 fn approximation([x, y]: [Angle; 2]) -> Transform {
     turn(0, approximate(radians(x))) * turn(1, approximate(radians(y)))
 }
 
-/// A model with all of its transforms to the picture except its turn.
+/// A model with all of its transforms except its turn.
 struct Model {
     positions: Vec<Vec3>,
     faces: Vec<[u16; 3]>,
@@ -116,11 +117,11 @@ impl Model {
     }
 }
 
-/// Over all steps, the distances of vertices on the screen from their positions in f64, in pixels.
+/// The distances of vertices on the screen from their positions in f64, in pixels, over all steps.
 struct Displaced {
     polynomial: Spread,
     approximation: Spread,
-    /// The distances by micromath's sine, relative to the bound from the errors of sine and cosine.
+    /// The distances with micromath's sine, divided by the bound from the errors of its sine and cosine.
     explained: Spread,
 }
 
@@ -151,14 +152,14 @@ fn displaced(model: &Model) -> Displaced {
             let [exactly, nearly] = [0, 1].map(|which: usize| away(places[which][i]));
             all.polynomial.add(exactly, i);
             all.approximation.add(nearly, i);
-            // At a distance ρ from an axis, a point moves by ρ times the errors of sine and cosine together: first in
+            // A point at a distance ρ from an axis moves by ρ times the errors of sine and cosine together: first in
             // the turn about y, then in the turn about x. The first turn increases ρ by at most its own error.
             let [x, y, z] = linear::point(&view.eye, position);
             let after = [y, z - model.place[2]];
             let moved = position[0].hypot(position[2]) * errors[1] * (1. + errors[0])
                 + after[0].hypot(after[1]) * errors[0];
-            // On the screen s = f p/w. So ds = f/w (dp − p/w dw), which is at most f d/w √(1 + |p/w|²) if a point moves
-            // by d. Because w itself has an error of up to d, 1/(w − d) replaces 1/w. Rounding moves s by up to 1/512
+            // On the screen, s = f p/w. So ds = f/w (dp − p/w dw). If a point moves by d, this is at most f d/w √(1 +
+            // |p/w|²). w itself has an error of up to d, so 1/(w − d) replaces 1/w. Rounding moves s by up to 1/512
             // pixel along each axis.
             let slope = (1. + (x * x + y * y) / (z * z)).sqrt();
             let allowed = FOCAL * moved / (-z - moved) * slope + 2_f64.sqrt() / 512. + 1e-4;
@@ -168,8 +169,8 @@ fn displaced(model: &Model) -> Displaced {
     all
 }
 
-/// Prints the errors of a turning model's vertices, and the part of its pixels that differs, and compares both with
-/// the known errors of the two sines.
+/// Prints the errors of a turning model's vertices, and the fraction of its pixels that differ. Compares both with the
+/// known errors of the two sines.
 fn check(name: &str, model: &Model) {
     let all = displaced(model);
     let pictures = (0..ANGLES).step_by(45).map(|step| {
@@ -188,12 +189,12 @@ fn check(name: &str, model: &Model) {
     println!("{}", all.approximation.line("vertices, micromath", "px"));
     println!("  pixels of another texel, micromath: {:.1} %", part * 100.);
 
-    // Rounding to 1/256 pixel along each axis; the sine's error of 2e-9 adds only 2e-6 pixel.
+    // Positions are rounded to 1/256 pixel along each axis. The sine's error of 2e-9 adds only 2e-6 pixel.
     assert!(all.polynomial.max() <= 2_f64.sqrt() / 512. + 1e-4);
     assert!(all.explained.max() <= 1.);
-    // An error of 1.1e-3 in sine or cosine, at a radius of at least 1, a focal length of 200 and a distance of at
-    // most 1.5, is 0.15 pixel; both turns together exceed twice that. If the test used std's sine by mistake, this
-    // would be the polynomial's 0.003.
+    // An error of 1.1e-3 in sine or cosine, at a radius of at least 1, a focal length of 200 and a distance of at most
+    // 1.5, is 0.15 pixel. Both turns together exceed twice this error. If the test used std's sine by mistake, the
+    // result would be 0.003, like that of the polynomial.
     assert!((0.15..=0.40).contains(&all.approximation.max()));
     assert!(part > 0.01);
 }

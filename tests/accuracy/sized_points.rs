@@ -1,4 +1,4 @@
-//! Sized points: their pixels, from exact integers; sizes in world space, from f64.
+//! Sized points. Their pixels are compared with exact integers, and sizes in world space with f64.
 
 use crate::bands::{CASES, Frame, SIZE, XRecorder, counts, drawn, modeled, point};
 use crate::common::random::{cases, within};
@@ -9,9 +9,9 @@ use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
 use rand::Rng;
 
-/// A square covers the centers from half its size left of and above the point to half its size right of and below
-/// it. Centers exactly on the right and lower sides count; those on the left and upper sides do not. A disc covers
-/// the centers within half its size, and the pixel that contains the point.
+/// A square reaches half its size from the point in each direction. It covers the centers in it and on its right and
+/// lower sides, but not on its left and upper sides. A disc covers the centers within half its size, and the pixel that
+/// contains the point.
 #[test]
 fn points_are_the_models() {
     cases(CASES, |random| {
@@ -75,8 +75,8 @@ fn points_are_the_models() {
     });
 }
 
-/// Points with a size in world space: half of it is size · focal length / distance / 2 pixels, or, under a parallel
-/// projection, size · height of the frame / height of the window / 2.
+/// Points with a size in world space. Half of it is size · focal length / distance / 2 pixels or, under a parallel
+/// projection, size · height of the frame / height of the window / 2 pixels.
 #[test]
 fn attenuated_points_are_the_models() {
     cases(CASES, |random| {
@@ -93,7 +93,7 @@ fn attenuated_points_are_the_models() {
             }
             .unwrap()
             .attenuated();
-            // A scale of the model moves the point, and does not change its size.
+            // A scale of the model moves the point, but does not change its size.
             let model = Transform::scale(scale);
             let world = model.point(positions[0]);
             let distance = -f64::from(world.z.to_bits()) / 65536.;
@@ -125,8 +125,8 @@ fn attenuated_points_are_the_models() {
                     continue;
                 };
                 let half = half.clamp(0.5, 127.5);
-                // Half a size is rounded to the nearest 1/256. The crate divides by t, which exceeds w / near by 2^-16
-                // of it.
+                // Half of the size is rounded to the nearest 1/256. The crate divides by t, which is larger than w /
+                // near by the fraction 2^-16.
                 let room = 0.5 / 256. + half * 2e-5 + 1e-9;
                 let counts = counts(seen);
                 for (pixel, &count) in Bounds::new(SIZE.0, SIZE.1).pixels().zip(&counts) {

@@ -1,4 +1,5 @@
-//! A sky, compared with rays in f64: its directions do not depend on the eye's place, and its colors follow the height.
+//! A sky compared with rays in f64. Its directions do not depend on the eye's place, and its colors depend on the
+//! height.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888};
 use fixel::canvas::NoTest;
@@ -12,11 +13,11 @@ use crate::reference::linear::{self, cross, normalized, subtract};
 use crate::reference::ray::hit;
 
 const SIZE: u32 = 24;
-/// Length in pixels of a unit at distance 1.
+/// The length in pixels of one unit at distance 1.
 const FOCAL: f64 = 20.;
 static DOME: Mesh = shape!(sphere(12, 8));
 
-/// An eye anywhere, and a target that is not above or below it.
+/// A random eye, and a target that is not straight above or below it.
 fn look(random: &mut Random) -> Option<(Vec3, Vec3)> {
     let size = f64::from(random.random_range(0..14_i32)).exp2();
     let eye = within(random, [-1.0..1.0, -1.0..1.0, -1.0..1.0]).map(|at| at * size);
@@ -34,16 +35,16 @@ fn triangles() -> Vec<[linear::Vec3; 3]> {
     DOME.faces().iter().map(corners).collect()
 }
 
-/// The gray of a height, from 0 to 255.
+/// The gray at a height, from 0 to 255.
 fn gray(height: f64, [bottom, top]: [f64; 2], [low, high]: [u8; 2]) -> f64 {
     let share = ((height - bottom) / (top - bottom)).clamp(0., 1.);
     f64::from(low) + (f64::from(high) - f64::from(low)) * share
 }
 
-/// A gray may be off by half a step by rounding, by 1/15 at the corners (the promise of [`Gradient`]), and by an
-/// eighth by interpolation (the promise of the modes). Corners on the screen are rounded to 1/256 pixel, which may
-/// move a pixel of the dome by 1/512 pixel and, because triangles are tilted, its values a little more: a hundredth of
-/// a pixel is allowed for, in each direction. The camera's rotation has 30 bits, which add nothing.
+/// A gray can have an error of half a step by rounding, of 1/15 at the corners (the promise of [`Gradient`]), and of
+/// 1/8 by interpolation (the promise of the modes). Corners on the screen are rounded to 1/256 pixel. This moves a
+/// pixel of the dome by up to 1/512 pixel, and its values a little more, because triangles are tilted. The test allows
+/// a hundredth of a pixel in each direction. The camera's rotation has 30 bits, and adds no error.
 #[test]
 fn a_sky_shows_the_height_of_each_direction() {
     const TOLERANCE: f64 = 0.5 + 1. / 15. + 1. / 8.;
@@ -85,7 +86,7 @@ fn a_sky_shows_the_height_of_each_direction() {
             let found = triangles
                 .iter()
                 .find_map(|&corners| Some((corners, hit(direction, corners)?)));
-            // A ray along an edge may miss both triangles by rounding.
+            // By rounding, a ray along an edge can miss both triangles.
             let (corners, parts) = found?;
             let shares = corners.into_iter().zip(parts);
             Some(

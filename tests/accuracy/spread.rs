@@ -1,6 +1,6 @@
 //! Statistics of many errors: the largest, the mean, and the 99.9th percentile.
 
-/// Errors, each with the position at which it was found.
+/// A set of errors, each with the position at which it was found.
 #[derive(Clone, Debug, Default)]
 pub struct Spread(Vec<(f64, usize)>);
 

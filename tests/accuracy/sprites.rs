@@ -42,7 +42,7 @@ fn anywhere(random: &mut Random, range: f64) -> [f64; 3] {
     within(random, [-range..range, -range..range, -range..range])
 }
 
-/// A camera, which is a rigid transform, and the transform of a model.
+/// The moves of a camera, which is a rigid transform, and of a model.
 fn places(random: &mut Random) -> [Vec<Move>; 2] {
     let [x, y, z] = random.random::<[u32; 3]>().map(Angle::from_bits);
     let factors = within(random, [0.2..3., 0.2..3., -3.0..-0.2]);
@@ -63,9 +63,9 @@ fn places(random: &mut Random) -> [Vec<Move>; 2] {
 
 /// The bound of the error of a corner in eye space, along each axis.
 fn allowed(all: &[Move], eye: &Matrix, kind: Kind, sprite: &Sprite, ahead: f64) -> f64 {
-    // A corner has twice half a unit and the transform's error. Sides have 30 bits; if they are given in pixels, their
-    // lengths have the relative error of the distance. A side along an axis has the error of the axis's direction,
-    // which grows as the axis approaches the line of sight.
+    // A corner has an error of twice half a unit, and the error of the transform. Sides have 30 bits; if they are given
+    // in pixels, their lengths have the relative error of the distance. A side along an axis has the error of the
+    // axis's direction. This error grows as the axis approaches the line of sight.
     let unit = 2_f64.powi(-16);
     let moved = relative(all) * size(all, rounded(sprite.position));
     let largest = sprite.size.map(f64::abs).into_iter().fold(0., f64::max) * 2.;
@@ -91,10 +91,10 @@ fn is_perspective(projection: &ModelProjection) -> bool {
     projection.kind == projection::Kind::Perspective
 }
 
-/// Whether a sprite with these corners is well inside the picture and certainly has a pixel.
+/// Whether a sprite with these corners is well inside the picture, and is certain to have a pixel.
 fn is_shown(projection: &ModelProjection, corners: &[[f64; 3]; 4]) -> bool {
-    // A circle whose radius is above √½ pixel contains a pixel's center. So a triangle with such a circle inside it,
-    // well within the picture, has a pixel.
+    // A circle with a radius of more than √½ pixel contains the center of a pixel. So a triangle well inside the
+    // picture has a pixel if it contains this circle.
     let w = |corner: &[f64; 3]| {
         if is_perspective(projection) {
             -corner[2]
@@ -136,10 +136,10 @@ fn check<K: ProjectionKind>(
     });
 }
 
-/// Draws sprites with a shader that notes their corners.
+/// Draws sprites with a shader that records their corners.
 type Draw<'a> = &'a dyn Fn(&mut Canvas<'_, Gray8>, &Sprites<'_>, &Probe<'_, [i32; 1]>);
 
-/// Compares the corners that a function draws with the model's.
+/// Compares the corners that a function draws with the model's corners.
 fn compare(
     projection: ModelProjection,
     [camera, model]: &[Vec<Move>; 2],
@@ -171,7 +171,7 @@ fn compare(
         sprites = turning;
     }
 
-    // In the model, a length in pixels is a length in eye space at the sprite's distance.
+    // In the model, a length in pixels becomes a length in eye space at the sprite's distance.
     let ahead = if is_perspective(&projection) {
         -point(&eye, exact(position))[2]
     } else {
@@ -216,7 +216,7 @@ fn compare(
     }
     let (back, unit) = (inverse(&view_matrix).unwrap(), 2_f64.powi(-16));
     for (i, (at, world)) in seen.into_inner().into_iter().enumerate() {
-        // The corners of both triangles, of which perhaps only one has pixels.
+        // These are the corners of both triangles. Possibly, only one triangle has pixels.
         let corner = |i: usize| [0, 1, 2, 2, 1, 3].map(|i: usize| expected[i])[i % 6];
         let off = |corner: [f64; 3], at: Vec3| {
             let at = exact(at);
@@ -234,7 +234,7 @@ fn compare(
             off(best, at) <= allowed,
             "{at:?} is not {best:?}, within {allowed}"
         );
-        // The camera's turn adds up the errors along three axes, and rounding adds half a unit.
+        // The turn of the camera adds up the errors along three axes, and rounding adds half a unit.
         let there = point(&back, best);
         let allowed = 3_f64.sqrt() * allowed
             + unit

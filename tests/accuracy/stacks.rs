@@ -1,8 +1,9 @@
-//! Stacks of adapters: whatever their order and number, a color is rounded or dithered once, where it is stored.
+//! Stacks of adapters. Whatever their order and number are, a color is rounded or dithered only once, when it is
+//! stored.
 //!
 //! Every stack of two and of three adapters over every kind of surface is compared with the product in f64. Surface,
-//! light, tint, fog and opacity are the same at all pixels, so the mean of 8x8 pixels, the side of the dither matrix,
-//! stands for the color.
+//! light, tint, fog and opacity are the same at all pixels. So the mean of 8x8 pixels, the size of the dither matrix,
+//! is the color.
 
 use std::cell::Cell;
 
@@ -24,14 +25,14 @@ use crate::reference::fog::linear;
 const SIDE: u32 = 8;
 static SQUARE: Mesh = shape!(plane(1, 1));
 
-/// The square is this far away, in fog from 1 to 9.
+/// The distance of the square. The fog reaches from 1 to 9.
 const DISTANCE: f64 = 6.;
 
-/// The values of a scene, which are the same at all pixels.
+/// The values of a scene. They are the same at all pixels.
 #[derive(Clone, Copy, Debug)]
 struct Scene {
     surface: Rgb888,
-    /// The color at all corners of [`SQUARE`], by which tints multiply and which [`Gouraud`] shows.
+    /// The color at all corners of [`SQUARE`]. Tints multiply by this color, and [`Gouraud`] shows it.
     tint: Rgb888,
     ground: Rgb888,
     /// Brightness in 65,536ths.
@@ -55,7 +56,7 @@ impl Scene {
         }
     }
 
-    /// A color of the canvas between black and white, unless it has only these.
+    /// The ground in the canvas's format: a color between black and white, if the format has one.
     fn ground<C: Channels>(&self) -> C {
         C::from_rgb(self.ground, Point::default())
     }
@@ -73,7 +74,7 @@ impl Scene {
 trait Channels: PixelFormat + Default {
     fn channels(self) -> [f64; 3];
 
-    /// What the format shows of a color of 24 bits, in full precision.
+    /// The channels, in full precision, that the format shows of a color of 24 bits.
     fn exact(color: Rgb888) -> [f64; 3];
 }
 
@@ -125,8 +126,8 @@ fn each(a: [f64; 3], b: [f64; 3], f: impl Fn(f64, f64) -> f64) -> [f64; 3] {
     [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2])]
 }
 
-/// A stack whose type is forgotten: all corners of [`SQUARE`] have the same varyings, which it has kept. So a test of
-/// three adapters is compiled for each adapter, and not for each stack.
+/// A stack with its type erased. It has kept the varyings, because these are equal at all corners of [`SQUARE`]. So
+/// tests of three adapters are compiled once for each adapter, and not for each stack.
 #[derive(Clone, Copy)]
 struct Erased<'a, C>(&'a dyn Fn(&Fragment) -> Precise<C>);
 
@@ -161,7 +162,7 @@ impl Shader for Hook<'_> {
     }
 }
 
-/// Half of a color, as a program's own adapter would do it.
+/// An adapter that halves a color, as a program could define it.
 #[derive(Clone, Copy)]
 struct Half<S>(S);
 
@@ -184,7 +185,7 @@ fn from_above() -> Mvp<Parallel> {
     projection.unwrap() * Camera::top(Vec3::ZERO, fx!(6))
 }
 
-/// One channel of the model: what a stack should show, from 0 to 1.
+/// The channels that a stack should show, from 0 to 1.
 type Exact = [f64; 3];
 
 /// The tests of one triangle in one format.
@@ -194,7 +195,7 @@ struct Tests<'a> {
 }
 
 impl Tests<'_> {
-    /// Compares a stack with the model, alone and covering the ground; then adds each adapter in turn.
+    /// Compares a stack with the model, alone and over the ground. Then does the same with each adapter added in turn.
     fn stack<C: Channels>(
         &self,
         name: &str,
@@ -278,8 +279,8 @@ impl Tests<'_> {
         let steps = C::MAX_STEPS.map(f64::from);
         for ((sum, expected), steps) in sum.into_iter().zip(expected).zip(steps) {
             let error = (sum / f64::from(SIDE * SIDE) - expected) * steps;
-            // A dithered mean is within 1/128 step of the level, which leaves as much for the level. Other formats are
-            // rounded to nearest; each of up to four products drops less than 1/250 step, and the 2^-16ths of a color
+            // A dithered mean is within 1/128 step of the level, and the level may have the same error. Other formats
+            // are rounded to nearest. Each of up to four products drops less than 1/250 step. The 2^-16ths of a color
             // of 24 bits and the weights of a luma (2^-15 each) are less than 0.012 of 255 steps.
             let tolerance = if C::IS_DITHERED {
                 1. / 64.
@@ -297,7 +298,7 @@ impl Tests<'_> {
     }
 }
 
-/// All stacks of up to three adapters over a surface of the canvas's own color, one of 24 bits, and vertex colors.
+/// All stacks of up to three adapters over a surface in the canvas's format, a surface of 24 bits, and vertex colors.
 fn all<C: Channels>(scene: Scene) {
     let colors = [scene.tint; 4];
     let mesh = SQUARE.with_colors(&colors, None).unwrap();

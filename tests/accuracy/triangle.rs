@@ -1,4 +1,4 @@
-//! One triangle drawn by the crate and by the model.
+//! A triangle drawn by the crate and by the model.
 
 use fixel::canvas::DepthBuffer;
 use fixel::prelude::*;
@@ -10,7 +10,7 @@ use crate::recorder::Few;
 use crate::reference::attributes::{interpolate, weights_snapped};
 use crate::reference::coverage::{Snapped, covered};
 
-/// A triangle, with all inputs of the model.
+/// A triangle and all inputs of the model.
 #[derive(Clone, Copy)]
 pub struct Triangle<K, const N: usize> {
     pub size: (u32, u32),
@@ -18,9 +18,9 @@ pub struct Triangle<K, const N: usize> {
     pub positions: [Vec3; 3],
     /// Each attribute at the three corners.
     pub values: [[i32; 3]; N],
-    /// The w by which attributes are divided, at the corners.
+    /// At each corner, the w by which attributes are divided.
     pub w: [f64; 3],
-    /// The depths at the corners by the projection's formula; depth is linear on the screen.
+    /// The depths at the corners, by the formula of the projection. Depth is linear on the screen.
     pub depth: [f64; 3],
 }
 
@@ -28,7 +28,7 @@ pub struct Triangle<K, const N: usize> {
 pub struct Model<const N: usize> {
     pub pixel: [i32; 2],
     pub w: f64,
-    /// The greatest w in the pixel's row.
+    /// The greatest w in the row of the pixel.
     pub farthest: f64,
     pub values: [f64; N],
     pub depth: f64,
@@ -45,7 +45,7 @@ impl<K: ProjectionKind, const N: usize> Triangle<K, N> {
         }
     }
 
-    /// The corners' positions in 24.8; `None` if the triangle is clipped or two corners coincide.
+    /// The positions of the corners in 24.8; `None` if the triangle is clipped or two corners coincide.
     pub fn screen(&self) -> Option<Snapped> {
         match self.drawing(Mode::Exact).snapped(&self.positions)[..] {
             [Some(a), Some(b), Some(c)] if a != b && b != c && c != a => Some([a, b, c]),
@@ -80,12 +80,12 @@ impl<K: ProjectionKind, const N: usize> Triangle<K, N> {
         pixels
     }
 
-    /// The triangle's depths in a buffer of this format, row by row.
+    /// The triangle's depths in a buffer of format `F`, row by row.
     pub fn depths<F: DepthBuffer>(&self, mode: Mode) -> Vec<u16> {
         self.drawing(mode).depths::<F>()
     }
 
-    /// The crate's pixels in a mode, row by row.
+    /// The pixels that the crate draws in a mode, row by row.
     pub fn draw(&self, mode: Mode) -> Vec<Seen<N>>
     where
         [(); N]: Few<N>,

@@ -1,4 +1,4 @@
-//! Values over random triangles: interpolation alone, given the snapped corners.
+//! Interpolated values of random triangles. Both sides use the same snapped corners, so only interpolation is tested.
 
 use std::array::{self, from_fn};
 
@@ -17,12 +17,12 @@ use crate::mode::Mode;
 use crate::reference::coverage::Snapped;
 use crate::triangle::Triangle;
 
-/// Wider than two spans.
+/// The width is more than two spans.
 const SIZE: (u32, u32) = (160, 48);
 const FOCAL: i16 = 200;
-/// Distances from 2^-13 to 2^11.
+/// The near plane's distance. Distances are from 2^-13 to 2^11.
 const NEAR: Scalar = fx!(0.000_061_035_156_25);
-/// Values at a corner.
+/// The number of values at a corner.
 const VALUES: usize = 3;
 
 /// A triangle on the screen, in pixels.
@@ -33,7 +33,7 @@ fn about(random: &mut Random) -> [f64; 2] {
     within(random, [-40.0..200., -20.0..68.])
 }
 
-/// Triangles with corners in and around the picture, far outside it, all within a pixel or two, or nearly in a line.
+/// A triangle with corners in and around the picture, far outside it, all within a pixel or two, or nearly on a line.
 fn shape(random: &mut Random) -> Shape {
     match random.random_range(0..4) {
         0 => [about(random), about(random), about(random)],
@@ -50,7 +50,7 @@ fn shape(random: &mut Random) -> Shape {
     }
 }
 
-/// Three distances: equal, nearly equal, as in a picture, or as different as possible.
+/// Three random distances: equal, nearly equal, as in a picture, or as different as possible.
 fn distances(random: &mut Random) -> [f64; 3] {
     let (base, spread) = match random.random_range(0..5) {
         0 => (-4.0..10., 0.),
@@ -63,8 +63,8 @@ fn distances(random: &mut Random) -> [f64; 3] {
     [(); 3].map(|()| (base + spread * random.random::<f64>()).exp2())
 }
 
-/// A value at three corners: like a color, like a texture coordinate, any value, the ends of the format, or just
-/// below powers of two, where scaling leaves the least room.
+/// A value at three corners: like a color, like a texture coordinate, any value, the ends of the format, or just below
+/// powers of two, where scaling leaves the least room.
 fn corners(random: &mut Random) -> [i32; 3] {
     match random.random_range(0..6) {
         0 => [(); 3].map(|()| random.random_range(0..256)),
@@ -79,7 +79,7 @@ fn corners(random: &mut Random) -> [i32; 3] {
     }
 }
 
-/// Attributes that are independent, or all of similar size, as u and v are.
+/// Attributes that are independent, or that all have similar size, like u and v.
 fn values(random: &mut Random) -> [[i32; 3]; VALUES] {
     if random.random() {
         return [corners(random), corners(random), corners(random)];
@@ -88,8 +88,9 @@ fn values(random: &mut Random) -> [[i32; 3]; VALUES] {
     [[(); 3]; VALUES].map(|corners| corners.map(|()| random.random_range(-end..end)))
 }
 
-/// Draws a triangle in some modes, and compares every pixel with the model. `bound` returns the bound of the error of a
-/// value, given the value at the corners; `depth_error` is the bound of a depth's error, before it is rounded down.
+/// Draws a triangle in some modes, and compares every pixel with the model. `bound` returns the bound of a value's
+/// error, given the value at the corners. `depth_error` is the bound of a depth's error, before the depth is rounded
+/// down.
 fn compare<K: ProjectionKind>(
     triangle: &Triangle<K, VALUES>,
     screen: Snapped,
@@ -103,7 +104,7 @@ fn compare<K: ProjectionKind>(
     let exact = depths(&triangle.draw(Mode::Exact));
     for &mode in modes {
         let seen = triangle.draw(mode);
-        // Except in `Compact`, depths must not depend on the mode, so that meshes in different modes meet where they
+        // Depths must not depend on the mode, except in `Compact`, so that meshes in different modes meet where they
         // should.
         assert!(
             mode == Mode::Compact || depths(&seen) == exact,
@@ -179,7 +180,7 @@ fn values_in_perspective_are_within_the_bounds() {
                 w,
                 depth,
             };
-            // Rounding may have moved a corner out of the guard band or onto another corner.
+            // Rounding can move a corner out of the guard band or onto another corner.
             let Some(screen) = triangle.screen() else {
                 continue;
             };
@@ -190,7 +191,7 @@ fn values_in_perspective_are_within_the_bounds() {
                 bounds::depth(w),
                 |mode, corners| Bound::perspective(mode, corners, w),
             );
-            // Under any projection, a value that is not divided by w is linear on the screen.
+            // A value that is not divided by w is linear on the screen, under any projection.
             let triangle = Triangle {
                 w: [1.; 3],
                 ..triangle
@@ -209,7 +210,7 @@ fn values_in_perspective_are_within_the_bounds() {
 
 #[test]
 fn values_in_parallel_are_within_the_bounds() {
-    // What the page of modes states.
+    // These are the bounds that the page of modes states.
     let stated = |mode, most| Bound::parallel(mode, [0, most, 0]).at(1., 1.);
     assert!(stated(Mode::Exact, 256 << 16) <= 3.3);
     assert!(stated(Mode::Affine, 1 << 28) <= 36.5);
@@ -256,7 +257,8 @@ fn values_in_parallel_are_within_the_bounds() {
     });
 }
 
-/// An attribute that is drawn affinely has an error of up to 37 units, and more if it needs more than 30 bits.
+/// An attribute that is drawn affinely has an error of up to 37 units. The error is larger if the attribute needs more
+/// than 30 bits.
 #[test]
 fn large_affine_attributes_are_less_exact() {
     let size = (320, 240);

@@ -1,4 +1,4 @@
-//! Wide lines: their pixels, from exact integers; the shares of anti-aliased lines, from f64.
+//! Wide lines. Their pixels are compared with exact integers, and the shares of anti-aliased lines with f64.
 
 use crate::bands::{CASES, Point, SIZE, counts, drawn, modeled, point};
 use crate::common::random::{Random, cases, within};
@@ -17,7 +17,7 @@ use fixel::prelude::*;
 use fixel::view::{AsMvp, Perspective};
 use rand::Rng;
 
-/// The pixels of edges, in bands of `rows` rows.
+/// The pixels of edges drawn in bands of `rows` rows.
 fn edges<B: Blending<Gray8>>(
     rows: u32,
     options: &DrawOptions<Newton, TestAndWrite, B>,
@@ -34,9 +34,10 @@ fn line<'a>(ends: &'a [Vec3; 2], edge: &'a [[u16; 2]; 1]) -> Mesh<'a> {
     Mesh::new(ends, &[]).unwrap().with_edges(edge).unwrap()
 }
 
-/// Whether a pixel belongs to the wide line between two snapped ends; `half` of the width is in units of 1/256 pixel.
-/// Along the longer axis, its center must lie between the ends, the lesser end included. Across, it must lie at most
-/// `half` from the line, and less than that above the line or left of it. Computed in exact integers.
+/// Whether a pixel belongs to the wide line between two snapped ends. `half` of the width is in units of 1/256 pixel.
+/// Along the longer axis, the pixel's center must lie between the ends; the smaller end counts, the greater end does
+/// not. Across, the center must lie at most `half` from the line, and less than `half` if it is above the line or left
+/// of it. Computed in exact integers.
 ///
 /// A line of width 1 is a hairline.
 fn on_line([a, b]: [Point; 2], half: i64, pixel: [i32; 2]) -> bool {
@@ -53,7 +54,7 @@ fn on_line([a, b]: [Point; 2], half: i64, pixel: [i32; 2]) -> bool {
         return false;
     }
     let length = end - start;
-    // The distance across, times the length.
+    // The distance of the center across, times the length.
     let distance = (across - from) * length - (along - start) * (to - from);
     -half * length < distance && distance <= half * length
 }
@@ -64,12 +65,12 @@ fn ahead(random: &mut Random) -> Vec3 {
     Vec3::from_bits(within(random, ranges))
 }
 
-/// Compares the depths and values of a smooth line with those of a plain line, which has one pixel in each step along
-/// the longer axis.
+/// Compares the depths and values of a smooth line with those of a plain line. The plain line has one pixel in each
+/// step along the longer axis.
 ///
-/// The two lines have different spans, and so different rounding. For each line it is at most
-/// 2^21 · 34 · 1.5 / (2^30 / 128) + 4 units, or 16.7, as in `lines_in_perspective_are_the_models`, where ends may be
-/// farther apart. The rounding of a depth is less than one step.
+/// The two lines have different spans, so they have different rounding errors. For each line, the error is at most 2^21
+/// · 34 · 1.5 / (2^30 / 128) + 4 units, or 16.7. The derivation is as in `lines_in_perspective_are_the_models`, where
+/// ends can be farther apart. The rounding error of a depth is less than one step.
 fn check_values(smooth: &[Seen<1>], [a, b]: [Point; 2], plain: &[Seen<1>]) {
     const UNITS: u32 = 33;
     let major = usize::from(a[0].abs_diff(b[0]) < a[1].abs_diff(b[1]));
@@ -86,7 +87,7 @@ fn check_values(smooth: &[Seen<1>], [a, b]: [Point; 2], plain: &[Seen<1>]) {
     }
 }
 
-/// Half of a line's width, in units of 1/256 pixel: often that of a plain line, often a few pixels.
+/// Half of a line's width, in units of 1/256 pixel. The line is often a plain line, or a few pixels wide.
 fn half(random: &mut Random) -> i32 {
     match random.random_range(0..3) {
         0 => random.random_range(128..=8192),
@@ -95,7 +96,7 @@ fn half(random: &mut Random) -> i32 {
     }
 }
 
-/// The width of a line, twice this many units of 1/256 pixel.
+/// A style with twice this half of a width, in units of 1/256 pixel.
 fn width(half: i32) -> LineStyle {
     LineStyle::wide(Scalar::from_bits(half << 9)).unwrap()
 }
@@ -104,8 +105,8 @@ fn perspective() -> Projection<Perspective> {
     Projection::from_focal_length(fx!(40), SIZE, fx!(0.25), fx!(32)).unwrap()
 }
 
-/// A wide line draws exactly the model's pixels, once each, from either end, in bands and in a frame. Each pixel
-/// has the values of the thin line beside it. Width 1 is the thin line.
+/// A wide line draws exactly the model's pixels, once each, from either end, in bands and in a frame. Each pixel has
+/// the values of the thin line beside it. A line of width 1 is the thin line.
 #[test]
 fn wide_lines_are_the_models() {
     cases(CASES, |random| {
@@ -151,12 +152,12 @@ fn wide_lines_are_the_models() {
     });
 }
 
-/// An anti-aliased line, white on black, is the model's: every pixel's share has an error of at most 1.3/256, so
-/// its level has one of at most 1.3 and half a step. The line is the same from either end and in bands. On Rgb565,
-/// shares are rounded to 32nds: a further error of 1/64, of 31 or 63 steps.
+/// An anti-aliased line, white on black, is the model's line. Every pixel's share has an error of at most 1.3/256, so
+/// its level has an error of at most 1.3 steps plus half a step. The line is the same from either end and in bands. On
+/// Rgb565, shares are rounded to 32nds, which adds an error of 1/64 of 31 or 63 steps.
 ///
-/// Each pixel with a share above 0 is drawn once. A pixel beside a plain line has the values of the plain line's
-/// pixel there, and a pixel beyond the ends has the values of the end.
+/// Each pixel with a share above 0 is drawn once. A pixel beside a plain line has the values of the plain line's pixel
+/// there. A pixel beyond the ends has the values of the end.
 #[test]
 fn smooth_lines_are_the_models() {
     cases(CASES, |random| {
@@ -250,7 +251,7 @@ fn smooth_lines_are_the_models() {
     });
 }
 
-/// In perspective, wide and smooth lines drawn in bands have the same bits as in a frame.
+/// In perspective, wide and smooth lines have the same bits in bands as in a frame.
 #[test]
 fn bands_of_lines_in_perspective_equal_the_frame() {
     cases(CASES, |random| {
@@ -271,7 +272,7 @@ fn bands_of_lines_in_perspective_equal_the_frame() {
     });
 }
 
-/// In perspective too, pixels beside a plain line have its depths and values.
+/// In perspective, too, pixels beside a plain line have the depths and values of the plain line.
 #[test]
 fn smooth_lines_have_the_values_of_plain_ones() {
     cases(CASES, |random| {
@@ -290,7 +291,7 @@ fn smooth_lines_have_the_values_of_plain_ones() {
             };
             Some([end(0)?, end(1)?])
         };
-        // Skip lines with clipped ends, because only the crate knows where these are on the screen.
+        // Skip lines with clipped ends, because only the crate knows where the new ends are on the screen.
         let Some(ends) = canvas_ends(&mvp) else {
             return;
         };
@@ -300,7 +301,7 @@ fn smooth_lines_have_the_values_of_plain_ones() {
             ends,
             &thin,
         );
-        // Blending does not change depths and values.
+        // Blending changes neither depths nor values.
         let glass = plain.with_blending(Opacity(random.random()));
         check_values(
             &edges(SIZE.1, &glass, mesh.edges(smooth), &mvp),
@@ -316,7 +317,8 @@ fn smooth_lines_have_the_values_of_plain_ones() {
     });
 }
 
-/// An outline of width 1 is the thin outline; a smooth one covers its pixels, and a wide one has more pixels.
+/// An outline of width 1 is the thin outline. A smooth outline covers the same pixels, and a wide outline has more
+/// pixels.
 #[test]
 fn wide_outlines_widen_the_thin_outline() {
     static CAN: Mesh = shape!(cylinder(16));
@@ -334,7 +336,7 @@ fn wide_outlines_widen_the_thin_outline() {
         })
     };
     assert_eq!(wide(fx!(1)), thin);
-    // The center of each pixel of a plain line is within half a pixel of the line, so a smooth line draws it too.
+    // The center of each pixel of a plain line is within half a pixel of the line, so a smooth line draws it, too.
     let smooth = LineStyle::HAIRLINE.smooth();
     let smooth = drawn(SIZE.1, &|frame, recorder| {
         frame.draw(CAN.outline(&RIMS, smooth), &mvp, recorder)
@@ -354,7 +356,7 @@ fn wide_outlines_widen_the_thin_outline() {
     );
 }
 
-/// A smooth line mixes the background with the result of its blending, by the share of each pixel.
+/// A smooth line mixes the background with the blended color by the share of each pixel.
 #[test]
 fn blended_lines_are_the_models() {
     let ends = [[1500, 1200], [9000, 4700]];
@@ -376,7 +378,7 @@ fn blended_lines_are_the_models() {
     for (pixel, color) in Bounds::new(SIZE.0, SIZE.1).pixels().zip(&colors) {
         let share = share(screen, 2.5, center(pixel));
         let exact = over(over(240., 60., 100. / 255.), 60., share);
-        // The errors of the opacity, 1/512, and of the share, 1.3/256, times 180 steps; and two roundings.
+        // The opacity has an error of 1/512, and the share of 1.3/256, both times 180 steps. There are two roundings.
         let room = 180. * (1. / 512. + 1.3 / 256.) + 1.;
         assert!(
             (f64::from(color.luma()) - exact).abs() <= room,
@@ -387,13 +389,13 @@ fn blended_lines_are_the_models() {
     assert!(partly > 30);
 }
 
-/// A line that lies beside the canvas may have pixels in it, and its mesh is in view then.
+/// A line beside the canvas can have pixels in the canvas. If it has, its mesh must be in view.
 #[test]
 fn lines_that_reach_into_a_band_are_in_view() {
     let (mut has_pixels, mut beside) = (0, 0);
     cases(CASES, |random| {
         let [a, b] = [0, 1].map(|_| within(random, [-12_000..35_000, -12_000..22_000]));
-        // A line beside the picture or in it, of up to ten pixels.
+        // A line of up to ten pixels, beside the picture or in it.
         let ends = [a, [a[0] + b[0] / 20, a[1] + b[1] / 20]].map(at_subpixel);
         let first = random.random_range(0..30);
         let line = line(&ends, &[[0, 1]]);
@@ -410,7 +412,7 @@ fn lines_that_reach_into_a_band_are_in_view() {
         let is_drawn = band.pixels().any(|pixel| pixel != Gray8::BLACK);
         let bounds = line.bounds();
         if is_drawn {
-            // A unit is a pixel, and a smooth line reaches half a pixel farther than half its width.
+            // A unit is a pixel. A smooth line reaches half a pixel farther than half its width.
             let reach = (width.width() + fx!(1)) / 2;
             let reach = Vec3::new(reach, reach, fx!(0));
             let (least, most) = (bounds.least - reach, bounds.most + reach);

@@ -1,4 +1,4 @@
-//! Meshes in screen coordinates that cover an area without gaps or overlaps, for any vertices.
+//! Meshes in screen coordinates that cover an area without gaps or overlaps, wherever their vertices are.
 
 /// A corner of a triangle or a vertex of a mesh, in 24.8 fixed point.
 pub type Point = [i32; 2];
@@ -17,7 +17,7 @@ impl Flat {
         self.faces.iter().map(|face| face.map(corner)).collect()
     }
 
-    /// Shuffles the triangles and the order of their corners; with `turn`, reverses the winding of some.
+    /// Shuffles the triangles and the order of their corners. With `turn`, also reverses the winding of some triangles.
     pub fn shuffled(mut self, mut seed: u64, turn: bool) -> Self {
         let mut below = |n: usize| {
             // The linear congruential generator of Knuth's MMIX.
@@ -39,10 +39,10 @@ impl Flat {
     }
 }
 
-/// A triangulation of a rectangle with `points` among its vertices. It accepts any number of points anywhere: each one
-/// splits the triangles that contain it.
+/// A triangulation of a rectangle with `points` among its vertices. Any number of points is accepted, at any positions:
+/// each point splits the triangles that contain it.
 ///
-/// The computation is exact, so triangles may be as thin as possible. All of them face the viewer.
+/// The computation is exact, so triangles can be as thin as the format allows. All triangles face the viewer.
 pub fn triangulation(corners: [Point; 4], points: &[Point]) -> Flat {
     let mut mesh = Flat {
         points: corners.to_vec(),
@@ -76,14 +76,14 @@ pub fn triangulation(corners: [Point; 4], points: &[Point]) -> Flat {
     mesh
 }
 
-/// A fan around `center`: the other points follow in the order of their angles around it.
+/// A fan around `center`. The points of the rim are sorted by their angles around it.
 pub fn fan(center: Point, mut rim: Vec<Point>) -> Flat {
     let angle = |p: &Point| {
         let [x, y] = [0, 1].map(|i| f64::from(p[i] - center[i]));
         (-y).atan2(x)
     };
     rim.retain(|&p| p != center);
-    // Keep one point per direction, because otherwise two triangles would overlap.
+    // Keep only one point per direction, because two points would make overlapping triangles.
     rim.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
     rim.dedup_by(|a, b| angle(a).total_cmp(&angle(b)).is_eq());
     let count = u16::try_from(rim.len()).unwrap();
@@ -123,7 +123,7 @@ pub fn grid(columns: u16, rows: u16, area: [i32; 2], moves: &[Point], strip: boo
         for i in 0..columns {
             let at = j * (columns + 1) + i;
             let below = at + columns + 1;
-            // In a strip all diagonals have the same direction; in a grid the directions alternate.
+            // In a strip, all diagonals have the same direction; in a grid, the directions alternate.
             if strip || (i + j) % 2 == 0 {
                 faces.extend([[at, below, at + 1], [at + 1, below, below + 1]]);
             } else {
@@ -134,7 +134,7 @@ pub fn grid(columns: u16, rows: u16, area: [i32; 2], moves: &[Point], strip: boo
     Flat { points, faces }
 }
 
-/// (b − a) × (p − a), exact: positive for corners that run clockwise on a screen with y down.
+/// (b − a) × (p − a), exact. Positive for corners that run clockwise on a screen with y down.
 fn turn([a, b, p]: [Point; 3]) -> i128 {
     let side = |to: Point| [0, 1].map(|i| i128::from(to[i]) - i128::from(a[i]));
     let ([bx, by], [px, py]) = (side(b), side(p));

@@ -1,4 +1,4 @@
-//! Helpers that the raster tests share: a shader that counts pixels, and a projection whose model unit is a pixel.
+//! Helpers that the raster tests share: a shader that counts pixels, and a projection with units of one pixel.
 
 // Each test binary includes this module and uses only a part of it.
 #![allow(dead_code)]
@@ -15,7 +15,7 @@ use fixel::{Drawn, mode};
 
 use recorder::{Recorder, record};
 
-/// Counts how often each pixel of a frame is drawn without a depth buffer.
+/// Counts how often each pixel of a frame is drawn. The frame has no depth buffer.
 pub struct Counter {
     pixels: Vec<Gray8>,
     counts: Vec<u32>,
@@ -23,7 +23,7 @@ pub struct Counter {
     pub size: (u32, u32),
 }
 
-/// A shader that records the pixels for which it is asked for a color.
+/// A shader that records each pixel for which the canvas asks for a color.
 type Count<'a> = Recorder<'a, Flat<Gray8>, 0>;
 
 impl Counter {
@@ -92,12 +92,12 @@ impl Counter {
         Some([at.x.to_bits(), at.y.to_bits()])
     }
 
-    /// How often each pixel was drawn since the last call, in row order.
+    /// How often each pixel was drawn since the last call, row by row.
     pub fn take(&mut self) -> Vec<u32> {
         self.counts.iter_mut().map(std::mem::take).collect()
     }
 
-    /// The counts as text, one line per row, with `.` for 0.
+    /// The counts as text, one line per row, with `.` for 0 and `+` for more than nine.
     pub fn picture(&mut self) -> Vec<String> {
         let counts = self.take();
         counts
@@ -115,12 +115,12 @@ pub fn character(count: u32) -> char {
     }
 }
 
-/// A projection that maps a unit of model space to a pixel. x points right from the left edge, and y points *up* from
-/// the top edge, so the y of a visible point is negative. z lies between -1 and 1.
+/// A projection that maps a unit of model space to a pixel. x is the distance from the left edge. y is the distance
+/// *up* from the top edge, so the y of a visible point is negative. z lies between -1 and 1.
 ///
-/// Pixel coordinates are exact to the last of their eight fraction bits. The projection maps x to (2/width)·x − 1 with
-/// a factor rounded to 30 bits, and the viewport maps the result back to pixels. The error is less than 2⁻²⁹ · 4096
-/// pixels, which is far less than half of 1/256.
+/// Pixel coordinates are exact to the last of their eight fraction bits. The projection maps x to (2/width)·x − 1, with
+/// a factor rounded to 30 bits. The viewport maps the result back to pixels. The error is less than 2⁻²⁹ · 4096 pixels,
+/// which is far less than half of 1/256.
 pub fn pixel_projection((width, height): (u32, u32)) -> Mvp<Parallel> {
     let [width, height] = [width, height].map(|x| Scalar::try_from(x).unwrap());
     let projection = Projection::orthographic(
@@ -136,10 +136,10 @@ pub fn pixel_projection((width, height): (u32, u32)) -> Mvp<Parallel> {
     projection.unwrap().into()
 }
 
-/// The position that [`pixel_projection`] maps to this point of the picture, given in 24.8 fixed point.
+/// The position that [`pixel_projection`] maps to a point of the picture, given in 24.8 fixed point.
 pub fn at_subpixel([x, y]: [i32; 2]) -> Vec3 {
     Vec3::from_bits([x << 8, -y << 8, 0])
 }
 
-/// Draw options that draw both sides.
+/// Options that draw front and back faces.
 pub const BOTH_SIDES: DrawOptions = DrawOptions::new().with_cull(Cull::Nothing);

@@ -1,5 +1,5 @@
-//! Random inputs: a test runs for many of them, the same ones each time. If one fails, a small one that fails is
-//! sought.
+//! Random inputs. A test runs with many inputs, the same in each run. If an input fails, a small input that also fails
+//! is searched for.
 
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
@@ -10,14 +10,14 @@ use rand::distr::uniform::SampleUniform;
 use rand::rngs::SmallRng;
 use rand::{Rng, RngCore, SeedableRng};
 
-/// The length that a [`list`] may have, in parts of its range.
+/// The largest share of its range that the length of a [`list`] can have, in 32nds.
 const WHOLE: usize = 32;
 
-/// The generator of the inputs.
+/// The generator of a test's inputs.
 #[derive(Clone)]
 pub struct Random {
     generator: SmallRng,
-    /// How long lists may be, from 1 to [`WHOLE`].
+    /// The share that lists can have of the range of their lengths, from 1 to [`WHOLE`].
     length: usize,
     has_made_lists: bool,
 }
@@ -38,15 +38,15 @@ impl RngCore for Random {
 
 /// Runs a test for `count` generators.
 ///
-/// If it panics, it runs again with shorter and then longer lists, until it panics again: the first failing input that
-/// is found in this way has few triangles. The last message names its seed and the length of its lists. The
-/// environment variables `FIXEL_SEED` and `FIXEL_LENGTH` repeat it at once: they are the first generator's seed (0
-/// without it, and another one gives other inputs) and the length of all lists, from 1 to 32.
+/// If the test panics, it runs again, first with short lists and then with longer ones, until it panics again. So the
+/// input that is reported has few triangles. The last message names its seed and the length of its lists. To run it
+/// again directly, set the environment variables `FIXEL_SEED` (the seed of the first generator, by default 0) and
+/// `FIXEL_LENGTH` (the length of all lists, from 1 to 32). Another seed gives other inputs.
 pub fn cases(count: u64, mut test: impl FnMut(&mut Random)) {
     run(count, &mut test);
 }
 
-/// Not generic, so that it is compiled once.
+/// This function is not generic, so that it is compiled only once.
 fn run(count: u64, test: &mut dyn FnMut(&mut Random)) {
     let variable = |name, without| {
         env::var(name).map_or(without, |text| text.parse().expect("a whole number"))
@@ -83,12 +83,12 @@ fn run(count: u64, test: &mut dyn FnMut(&mut Random)) {
     }
 }
 
-/// A number of any size: each count of bits has the same chance.
+/// A number of any size. Each number of bits has the same probability.
 pub fn number(random: &mut Random) -> i32 {
     random.random::<i32>() >> random.random_range(0..32)
 }
 
-/// A number in each of these ranges.
+/// A random number in each of these ranges.
 pub fn within<T: SampleUniform + PartialOrd, const N: usize>(
     random: &mut Random,
     ranges: [Range<T>; N],
@@ -96,7 +96,7 @@ pub fn within<T: SampleUniform + PartialOrd, const N: usize>(
     ranges.map(|range| random.random_range(range))
 }
 
-/// A list of random items, whose length is in a range.
+/// A list of random items. Its length is in the range `length`.
 pub fn list<T>(
     random: &mut Random,
     length: Range<usize>,

@@ -1,6 +1,6 @@
 //! A shader that records its input, for tests that check more than colors.
 
-// Each test binary uses only a part of it.
+// Each test binary uses only a part of this module.
 #![allow(dead_code)]
 
 use std::cell::RefCell;
@@ -18,7 +18,7 @@ pub struct Seen<const N: usize, C = Gray8> {
     pub face: usize,
     /// The first `N` interpolated numbers; 0 if the shader has fewer.
     pub values: [i32; N],
-    /// As the canvas stores it.
+    /// The color as the canvas stores it; `None` for a discarded pixel.
     pub color: Option<C>,
 }
 
@@ -31,14 +31,14 @@ pub struct Record<const N: usize, C = Gray8> {
     pub corners: Vec<(usize, [[i32; N]; 3])>,
 }
 
-/// A shader that records the input of another one, and draws its output.
+/// A shader that records the input of another shader, and draws the other shader's output.
 #[derive(Clone, Copy)]
 pub struct Recorder<'a, S: Shader, const N: usize> {
     shader: S,
     record: &'a RefCell<Record<N, ColorOf<S>>>,
 }
 
-/// Records the input of a draw call's shader.
+/// Records the input of the shader in a draw call.
 pub fn record<S: Shader, const N: usize>(
     shader: S,
     draw: impl FnOnce(&Recorder<'_, S, N>),
@@ -86,7 +86,7 @@ impl<S: Shader, const N: usize> Shader for Recorder<'_, S, N> {
     }
 }
 
-/// A shader that interpolates any values, and draws every pixel in the same color or none.
+/// A shader that interpolates any values. It draws every pixel in the same color, or discards every pixel.
 #[derive(Clone, Copy)]
 pub struct Probe<'a, V, C = Gray8> {
     pub values: &'a dyn Fn(&Corner<'_>) -> V,
@@ -106,12 +106,12 @@ impl<V: Varyings, C: PixelColor> Shader for Probe<'_, V, C> {
     }
 }
 
-/// Marks `[(); N]` for every N that can be interpolated.
+/// A trait of `[(); N]` for every N that can be interpolated.
 pub trait Few<const N: usize>: Lanes<Of<i32> = [i32; N]> {}
 
 impl<const N: usize, L: Lanes<Of<i32> = [i32; N]>> Few<N> for L {}
 
-/// Numbers that are all as exact as texture coordinates.
+/// Numbers that are interpolated as exactly as texture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coordinates<const N: usize>(pub [i32; N]);
 

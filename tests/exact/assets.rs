@@ -1,4 +1,4 @@
-//! Files in flash: the macros give what a person would write by hand.
+//! Models and pictures in flash: the macros give the same values as lists written by hand.
 
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 use embedded_graphics::pixelcolor::{
@@ -28,7 +28,7 @@ fn a_part_has_only_its_own_values() {
     assert!(!ROOF.edge_indices().is_empty());
 }
 
-/// A turn around x by a quarter: what pointed along z points along y.
+/// Reading with z up turns the model by a quarter around x: the file's z becomes y.
 #[test]
 fn z_may_point_up() {
     static HOUSE: Mesh = include_mesh!("../models/house.obj");
@@ -123,7 +123,7 @@ fn a_picture_becomes_any_texture() {
     }
 }
 
-/// The macro finds outlines in f64, `Outline::build` in integers.
+/// The macro finds outlines in f64, `Outline::build` in integers. Both must find the same edges.
 #[test]
 fn outlines_are_those_that_are_built() {
     static HOUSE: Mesh = include_mesh!("../models/house.obj");
@@ -160,7 +160,7 @@ fn outlines_are_those_that_are_built() {
             let (creases, others) = outline.edges().split_at(outline.creases());
             [creases, others].map(|edges| {
                 let position = |at: Index| mesh.positions().get(usize::from(at)).unwrap();
-                // Either side of an edge may be its first, and its ends may have several indices.
+                // Either face of an edge can come first, and the same end can have several indices.
                 let mut edges: Vec<_> = edges
                     .iter()
                     .map(|edge| edge.map(position))
@@ -190,7 +190,7 @@ fn a_mipmap_has_the_means_of_the_picture() {
     static PLANKS: Texture<Rgb888> = include_texture!("../../examples/assets/planks.tga");
     static LEVELS: Mipmap<Rgb888> = include_texture!("../../examples/assets/planks.tga", mipmap);
     assert_eq!(LEVELS.texels()[..1024], *PLANKS.texels());
-    // The last texel is the mean of all, to the nearest 255th.
+    // The last texel is the mean of all texels, rounded to the nearest 255th.
     let sum = PLANKS
         .texels()
         .iter()
@@ -214,11 +214,11 @@ fn an_object_and_its_normals() {
     assert!(
         BASKET.positions().iter().all(|p| p.y < fx!(0)) && !BASKET.has_uvs() && BALLOON.has_uvs()
     );
-    // The house has none of its own; the balloon has.
+    // The house has no normals of its own; the balloon has.
     assert!(HOUSE.has_normals() && !BARE.has_normals() && BALLOON.has_normals());
 }
 
-/// Raw bytes are read as the texels that the macro makes.
+/// A texture of raw bytes has the same texels as a texture that the macro makes.
 #[test]
 fn raw_bytes_are_those_of_the_texels() {
     macro_rules! check {

@@ -1,5 +1,5 @@
-//! Bands put together equal the frame, bit for bit, in every mode. With a depth buffer, the order of the triangles does
-//! not matter.
+//! Bands put together equal the frame, bit for bit, in every mode. With a depth buffer, the picture does not depend on
+//! the order of the triangles.
 
 use std::any::type_name;
 
@@ -50,12 +50,12 @@ impl Shader for Bits {
             },
         );
         let [red, green, blue, holes] = mix.to_be_bytes();
-        // Some pixels are discarded: they must keep their depth, too.
+        // Some pixels are discarded. The depth buffer must not change there.
         (holes > 5).then_some(Rgb888::new(red, green, blue))
     }
 }
 
-/// A shader whose color is the triangle's index in the mesh.
+/// A shader that shows the index of a triangle in the mesh as a color.
 #[derive(Clone, Copy)]
 struct Index;
 
@@ -110,14 +110,14 @@ impl Scene {
 /// A band of a frame.
 type Band<'b> = Canvas<'b, Rgb888, fixel::canvas::Native, fixel::canvas::LinearDepth>;
 
-/// Draws a frame in bands of this many rows; the last band has the remaining rows.
+/// Draws a frame in bands of `rows` rows; the last band has the remaining rows.
 ///
-/// Not generic, so that it is compiled once.
+/// This function is not generic, so that it is compiled only once.
 fn bands(rows: u32, draw: &mut dyn FnMut(&mut Band<'_>)) -> (Vec<Rgb888>, Vec<u16>) {
     let (mut colors, mut depths) = (vec![], vec![]);
     for first in (0..HEIGHT).step_by(rows as usize) {
         let pixels = (WIDTH * rows.min(HEIGHT - first)) as usize;
-        // The memory is not cleared: its earlier contents must not show.
+        // The memory begins with arbitrary contents, which must not show.
         let (mut color, mut depth) = (vec![Rgb888::new(9, 9, 9); pixels], vec![7; pixels]);
         let band = Canvas::band(&mut color, WIDTH, HEIGHT, first).unwrap();
         draw(&mut band.with_depth(&mut depth).unwrap());
@@ -132,7 +132,7 @@ impl Scene {
     fn check<K: ProjectionKind>(&self, mvp: &Mvp<K>) {
         self.check_mode(Exact, mvp);
         self.check_mode(Newton, mvp);
-        // These modes draw whole spans at once, a few pixels at once, and single pixels.
+        // These tolerances make the mode draw whole spans at once, a few pixels at once, and single pixels.
         self.check_mode(Fast::within(fx!(4)), mvp);
         self.check_mode(Fast::within(fx!(0.0625)), mvp);
         self.check_mode(Fast::within(fx!(0)), mvp);
@@ -154,7 +154,7 @@ impl Scene {
         self.check_prepared(mode, mvp);
     }
 
-    /// Checks that prepared triangles are drawn and counted like others.
+    /// Checks that prepared triangles are drawn and counted like triangles of a direct draw call.
     fn check_prepared<I: Mode, K: ProjectionKind>(&self, mode: I, mvp: &Mvp<K>) {
         let name = type_name::<I>();
         let mesh = self.mesh();
@@ -227,8 +227,8 @@ fn bands_equal_the_frame_in_parallel() {
     });
 }
 
-/// A window of the frame is a canvas of its size, whose viewport is the frame's, moved. It covers the frame's pixels.
-/// (Interpolated values may differ by the mode's error, because spans begin at the window's edge.)
+/// A canvas of a window's size, with the frame's viewport moved by the window's place, covers the pixels of the frame.
+/// (Interpolated values can differ by the mode's error, because spans begin at the window's edge.)
 #[test]
 fn windows_cover_the_pixels_of_the_frame() {
     let draw = |scene: &Scene, mvp: &Mvp, [x, y, width, height]: [u32; 4]| {
@@ -264,7 +264,7 @@ fn windows_cover_the_pixels_of_the_frame() {
     });
 }
 
-/// The same with floating-point depths, for direct draw calls and for prepared triangles.
+/// Bands equal the frame with floating-point depths, too, in direct draw calls and with prepared triangles.
 #[test]
 fn bands_equal_the_frame_in_floating_depth() {
     cases(256, |random| {
@@ -306,8 +306,8 @@ fn bands_equal_the_frame_in_floating_depth() {
     });
 }
 
-/// Draws each triangle separately to find its depths. In every order of drawing, the nearest triangle must show at
-/// each pixel; of triangles at equal depths, the last one drawn must show.
+/// The test draws each triangle separately to find its depths. In every order of drawing, the nearest triangle must
+/// show at each pixel. Of triangles at equal depths, the last one drawn must show.
 #[test]
 fn the_nearest_triangle_shows_in_any_order() {
     cases(256, |random| {

@@ -1,4 +1,4 @@
-//! A picture's colors in each format are those nearest to it.
+//! The colors of a picture in each format are the nearest colors of that format.
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{
@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::{
 use fixel::prelude::*;
 use fixel::texture::{Argb1555, Argb4444};
 
-/// A color of the picture: every value of each channel, with different values of the other channels.
+/// A color of the picture. Each channel takes all of its values, each with different values of the other channels.
 fn sample(at: usize) -> [u8; 4] {
     let c = (at / 4) as u8;
     let d = c.wrapping_mul(37) ^ 0x5a;
@@ -20,7 +20,7 @@ fn sample(at: usize) -> [u8; 4] {
     }
 }
 
-/// The picture's colors, and what they are in a format.
+/// The picture's colors, each with the color that the macro converted it to.
 macro_rules! converted {
     ($Color:ident) => {{
         static TEXELS: &[$Color] = include_texture!("../../src/texture/samples/colors.png");
@@ -63,7 +63,7 @@ fn gray_is_the_nearest_step_of_luma() {
 
 #[test]
 fn opacity_is_rounded_like_channels() {
-    // To the nearest step: halves do not occur.
+    // Rounds to the nearest step. Halves do not occur.
     let steps = |byte: u8, most: u16| (u16::from(byte) * most * 2 + 255) / 510;
     for ([r, g, b, a], color) in converted!(Argb4444) {
         let bits = [a, r, g, b].map(|byte| steps(byte, 15));

@@ -1,5 +1,4 @@
-//! Tests that need no reference model: two results must be equal to the last bit, or the test states the expected
-//! value.
+//! Tests that need no reference model: two results must be equal bit for bit, or the test states the expected value.
 
 #[path = "../common/mod.rs"]
 mod common;

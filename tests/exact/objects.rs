@@ -1,4 +1,4 @@
-//! Prepared lists of several objects.
+//! Prepared lists with several objects.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use fixel::canvas::Opacity;
@@ -17,7 +17,7 @@ static OUTLINE: Outline = outline!(BALL, deg!(30));
 static RING: Mesh = shape!(torus(fx!(0.3), 16, 8));
 static EMPTY: Mesh = Mesh::checked(Mesh::new(&[], &[]));
 
-/// A ball within a ring, a ball across the near plane and the frame's left edge, and one behind the eye.
+/// A ball within a ring, a ball across the near plane and the frame's left edge, and an object behind the eye.
 fn objects() -> [Object<Flat<Gray8>>; 5] {
     let flat = |gray| Flat::new(Gray8::new(gray));
     let tilted = Transform::translate(vec3!(0.5, 0, 0)) * Transform::rotate_x(deg!(70));
@@ -64,7 +64,7 @@ fn drawn() -> Vec<Gray8> {
     color
 }
 
-/// The frame drawn in bands of `rows` rows, and the number of parts.
+/// The frame, drawn in bands of `rows` rows, and the number of parts of all bands.
 fn in_bands(scene: &Prepared<'_, Flat<Gray8>>, rows: u32, has_depth: bool) -> (Vec<Gray8>, usize) {
     let (mut frame, mut parts) = (Vec::new(), 0);
     for first in (0..HEIGHT).step_by(rows as usize) {
@@ -100,8 +100,8 @@ fn a_list_of_objects_draws_the_same_as_each_alone() {
     }
     assert_eq!(in_bands(&scene, HEIGHT, true).1, 3);
 
-    // With depth, the picture is the same in any order. Here the same holds without depth, because no triangles cross
-    // and none is much larger than the others.
+    // With a depth buffer, the picture is the same in any order. Here it is the same without depths, too, because no
+    // triangles cross and no triangle is much larger than the others.
     let scene = list
         .prepare_back_to_front(&options, SIZE, &mut objects, &view)
         .unwrap();
@@ -176,7 +176,7 @@ fn one_meshs_list_refuses_a_canvas_of_another_frame() {
     let mut band = Canvas::band(&mut color[..WIDTH as usize], WIDTH, HEIGHT, 7).unwrap();
     assert!(band.draw_prepared(&ball, &white).is_ok());
     assert!(band.draw_prepared(&edges, &white).is_ok());
-    // A wider frame, and one with one row less.
+    // A wider frame, and a frame with one row less, are refused.
     for (width_of_frame, height) in [(WIDTH * 2, HEIGHT / 2), (WIDTH, HEIGHT - 1)] {
         color.fill(Gray8::BLACK);
         let pixels = &mut color[..(width_of_frame * height) as usize];
@@ -262,7 +262,7 @@ fn a_scene_of_edges_draws_outlines_or_all_edges() {
     ));
 }
 
-/// Wide and clipped lines that extend above and below the frame: bands of prepared edges equal the frame drawn
+/// Wide lines and clipped lines reach above and below the frame. Bands of prepared edges must equal the frame drawn
 /// directly.
 #[test]
 fn prepared_edges_in_bands_equal_the_frame() {
@@ -300,7 +300,7 @@ fn prepared_edges_in_bands_equal_the_frame() {
             let wide = lines.prepare(&options, SIZE, wide, &near).unwrap();
             let (prepared, _) = picture(rows, &|band| band.draw_prepared(&wide, &white).unwrap());
             assert!(prepared == direct);
-            // With blending, too.
+            // Blended edges must be equal, too.
             let glass = options.with_blending(Opacity(99));
             let (direct, _) = picture(HEIGHT, &|canvas| {
                 canvas.draw_with(&glass, smooth, &near, &white)
@@ -335,8 +335,8 @@ fn prepared_edges_in_bands_equal_the_frame() {
     );
 }
 
-/// Lines at every third of a row, from above the frame to below it, in bands of two rows: in each, those are counted
-/// that pass its rows or, if they are wide, come within the reach of these.
+/// There is a line at every third of a row, from above the frame to below it. In each band of two rows, a thin line
+/// counts if it passes a row of the band. A wide line counts if it passes at most two rows above or below the band.
 #[test]
 fn prepared_edges_count_in_the_bands_that_they_reach() {
     let (size, rows) = ((6, 6), 2_u32);
@@ -365,7 +365,7 @@ fn prepared_edges_count_in_the_bands_that_they_reach() {
     let mut color = [Gray8::new(0); 12];
     for first in (0..size.1).step_by(rows as usize) {
         let mut band = Canvas::band(&mut color, size.0, size.1, first).unwrap();
-        // A run of 3 pixels reaches at most two rows beyond the one that the line passes.
+        // A line 3 pixels wide covers at most two rows beyond the row that its middle passes.
         for (reach, drawn) in [
             (0, band.draw_prepared(&listed, &pen).unwrap()),
             (2, band.draw_prepared(&wide, &pen).unwrap()),
@@ -376,7 +376,7 @@ fn prepared_edges_count_in_the_bands_that_they_reach() {
             assert_eq!(drawn.drawn as usize, reached.count(), "{first} {reach}");
         }
     }
-    // In a viewport that begins with row 4, none of the rows above it.
+    // In a viewport that begins at row 4, lines above row 4 do not count.
     let lower = DrawOptions::new().with_viewport(Viewport::new(0, 4, 6, 6).unwrap());
     let listed = list.prepare(&lower, size, thin, &mvp).unwrap();
     let counts = [2, 4].map(|first| {

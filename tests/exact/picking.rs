@@ -1,4 +1,4 @@
-//! Rays that meet faces at edges, vertices, either side, and the ends of the formats; and labels.
+//! Rays that meet edges, vertices, either side of a face, and the ends of the number formats; and labels.
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Dimensions, Point, Size};
@@ -16,7 +16,7 @@ use crate::common::random::{cases, list};
 static FLOOR: Mesh = shape!(plane(8, 8));
 static BALL: Mesh = shape!(sphere(16, 12));
 
-/// Rays through vertices and edges, which all have exact coordinates: no ray passes between two faces.
+/// Vertices and edges have exact coordinates, so no ray passes between two faces.
 #[test]
 fn rays_through_vertices_and_edges_meet_a_face() {
     for direction in [vec3!(0, -1, 0), vec3!(0, -4, 1), vec3!(1, -2, 1)] {
@@ -51,7 +51,7 @@ fn culling_decides_which_sides_a_ray_meets() {
         assert_eq!(Ray { cull, ..away }.hit(&FLOOR), None);
     }
     assert_eq!(Ray::new(Vec3::X, Vec3::ZERO), Err(Error::ZeroDirection));
-    // Of several faces in one place, a ray meets the last, because that one is drawn over the others.
+    // Of several faces in one place, a ray meets the last one, because the last one is drawn over the others.
     let positions = [vec3!(0, 0, 0), vec3!(1, 0, 0), vec3!(0, 1, 0)];
     let twice = Mesh::new(&positions, &[[0, 1, 2], [2, 0, 1]]).unwrap();
     let ray = Ray::new(vec3!(0.25, 0.25, 1), vec3!(0, 0, -1)).unwrap();
@@ -129,7 +129,7 @@ fn no_ray_and_no_mesh_panics() {
     });
 }
 
-/// A frame of 12x6 pixels whose right half is nearer than its left half.
+/// A frame of 12x6 pixels. The right half is nearer than the left half.
 fn labeled(
     draw: impl FnOnce(&mut Canvas<'_, Rgb565, fixel::canvas::Native, fixel::canvas::LinearDepth>),
 ) -> (MockDisplay<Rgb565>, Vec<u16>) {
@@ -147,7 +147,7 @@ fn labeled(
     (display, depths)
 }
 
-/// As on a map that is moved by its window, whose place is far greater than its size.
+/// For example, a map is moved by moving its window. The place of the window is then far greater than its size.
 #[test]
 fn a_window_far_from_the_origin_shows_what_lies_in_it() {
     let mut pixels = vec![Rgb565::BLACK; 320 * 240];
@@ -177,7 +177,7 @@ fn a_window_far_from_the_origin_shows_what_lies_in_it() {
 
 #[test]
 fn the_distance_of_a_hit_is_rounded_to_nearest() {
-    // Not at a half: a direction is rounded, too.
+    // Heights that would make the distance a half are left out, because the direction is rounded, too.
     for height in (65_536..65_546).filter(|height| height % 4 != 2) {
         let corners = [[-9, 9], [9, 9], [0, -9]].map(|[x, z]| {
             let [x, z] = [x, z].map(|v| v << 16);
@@ -208,7 +208,7 @@ fn a_labels_point_gives_its_place_and_depth() {
             .into_styled(style)
             .draw(&mut label)
             .unwrap();
-        // A label at the stored depth is drawn, as triangles are.
+        // A label at exactly the stored depth is drawn, because triangles are drawn there, too.
         let mut label = canvas.label(at(8, 4, 200));
         label
             .fill_contiguous(
@@ -269,7 +269,7 @@ fn labels_accept_any_place_and_any_area() {
     }
 }
 
-/// Colors of columns from `i32::MIN` on, of which any number is skipped at once: red left of the origin, then blue.
+/// The colors of columns from `i32::MIN` on: red left of the origin, then blue. Skips any number of columns at once.
 struct FromLeast(i64);
 
 impl Iterator for FromLeast {
@@ -290,13 +290,13 @@ impl Iterator for FromLeast {
     }
 }
 
-/// The far side of a rectangle stays where it is if the near one lies below the range of `i32` in the frame.
+/// The right and bottom sides of a rectangle stay in place even if its left and top sides lie below the range of `i32`.
 #[test]
 fn a_labels_rectangle_may_begin_below_the_range() {
     for origin in [-5, 0, 3] {
         let (display, _) = labeled(|canvas| {
             let mut label = canvas.label(at(origin, origin, 150));
-            // In the frame, it ends after column and row 2 + `origin`.
+            // In the frame, the rectangle ends after column and row 2 + `origin`.
             let area = Rectangle::new(
                 Point::new(i32::MIN, i32::MIN),
                 Size::new((1 << 31) + 3, (1 << 31) + 3),

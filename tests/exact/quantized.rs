@@ -1,4 +1,4 @@
-//! A quantized mesh is drawn like a full-precision mesh with the same values.
+//! A quantized mesh is drawn like a mesh with the same values in full precision.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::mesh::flash::{Small, UvGrid};
@@ -26,7 +26,7 @@ fn model(random: &mut Random) -> Model {
     });
     let position = |()| Vec3::from_bits([(); 3].map(|()| random.random_range(-0x2_0000..0x2_0000)));
     let positions = [(); 6].map(position);
-    // The first two values are the lowest and the highest of the grid.
+    // The first two values are the lowest and the highest of the grid, so that the grid covers its whole range.
     let mut uvs: [[u8; 2]; 6] = random.random();
     [uvs[0], uvs[1]] = [[0; 2], [255; 2]];
     Model {

@@ -1,4 +1,4 @@
-//! Raster cases as pictures, which show how often each pixel is drawn (`.`: never).
+//! Raster cases as pictures. Each digit is the number of times that the pixel is drawn (`.`: never).
 //!
 //! Corners are given in pixels and fractions of a pixel. The center of a pixel is at one half.
 
@@ -56,8 +56,8 @@ fn assert_counts(counter: &mut Counter, expected: &str) {
     assert_eq!(picture, expected, "\ndrawn:\n{}\n", picture.join("\n"));
 }
 
-/// Corners on pixel centers: the top edge and the left edge own theirs; the long edge from the top right to the bottom
-/// left does not.
+/// The corners are on pixel centers. The top edge and the left edge own their centers. The long edge from the top right
+/// to the bottom left does not own its centers.
 #[test]
 fn corners_on_centers() {
     assert_picture(
@@ -74,7 +74,8 @@ fn corners_on_centers() {
     );
 }
 
-/// The other half of that square: the long edge is its left edge. The bottom edge and the right edge own no centers.
+/// The other half of the square in `corners_on_centers`. The long edge is its left edge, so it owns its centers. The
+/// bottom edge and the right edge do not.
 #[test]
 fn the_long_edge_belongs_to_the_lower_half() {
     assert_picture(
@@ -91,7 +92,7 @@ fn the_long_edge_belongs_to_the_lower_half() {
     );
 }
 
-/// Both triangles together fill the square without its right and bottom edges, and draw no pixel twice.
+/// Both triangles together fill the square except for its right and bottom edges, and draw no pixel twice.
 #[test]
 fn two_halves_make_a_square() {
     assert_picture(
@@ -230,8 +231,8 @@ fn triangles_smaller_than_a_pixel() {
             [5.25, 3.5],
             [5.5, 3.5],
             [5.5, 3.25],
-            // One sliver passes many pixel centers and contains none. The other has three centers along an edge, and
-            // does not own the first and the last of these.
+            // The first sliver passes many pixel centers and contains none. The other sliver has three centers on an
+            // edge, and does not own the first and the last of them.
             [0., 4.515_625],
             [7.75, 4.75],
             [7.75, 4.515_625],
@@ -271,7 +272,7 @@ fn no_area_no_pixel() {
     );
 }
 
-/// By default, back faces are culled; each cull mode draws its own faces.
+/// By default, back faces are culled. Each cull mode draws the faces that it should.
 #[test]
 fn each_cull_mode_draws_its_faces() {
     let front = [[0., 0.], [0., 4.], [4., 0.]];
@@ -333,7 +334,7 @@ fn triangles_that_slant_out_of_the_frame() {
         ";
     assert_picture(&corners, &BOTH_SIDES, expected);
 
-    // Rows of one color take another path.
+    // Rows of one color are drawn by another function.
     let positions = positions(&corners);
     let mesh = Mesh::new(&positions, &[[0, 1, 2], [3, 4, 5]]).unwrap();
     let mut pixels = [Rgb565::BLACK; (SIZE.0 * SIZE.1) as usize];
@@ -369,7 +370,7 @@ fn a_viewport_clips() {
             ........
         ",
     );
-    // Partly outside the frame.
+    // This viewport lies partly outside the frame.
     assert_mesh(
         &mesh,
         &projection,
@@ -383,7 +384,7 @@ fn a_viewport_clips() {
             11......
         ",
     );
-    // Outside completely.
+    // These viewports lie completely outside the frame.
     assert_mesh(&mesh, &projection, &within(8, 0, 4, 4), EMPTY);
     assert_mesh(&mesh, &projection, &within(-4, -4, 4, 4), EMPTY);
 }
@@ -409,8 +410,8 @@ fn a_viewport_scales() {
     );
 }
 
-/// A line has a pixel per column, or per row if it is steeper than 45°, from end to end. Blended, it lacks a last one
-/// whose center it does not pass.
+/// A line has one pixel per column, or per row if it is steeper than 45°, from end to end. A blended line lacks its
+/// last pixel if the line does not pass the center of this pixel.
 #[test]
 fn lines_have_the_pixels_of_their_ends() {
     let positions = positions(&[
@@ -454,7 +455,7 @@ fn lines_have_the_pixels_of_their_ends() {
     );
 }
 
-/// The vertex cache has 64 slots. Indices 0, 64 and 128 share one, and must not return each other's vertices.
+/// The vertex cache has 64 slots. Indices 0, 64 and 128 share a slot, and each must get its own vertex.
 #[test]
 fn corners_that_share_a_slot_of_the_vertex_cache() {
     let corners = [vec3!(-1, -1, -2), vec3!(1, -1, -3), vec3!(0, 1, -4)];
@@ -475,17 +476,17 @@ fn corners_that_share_a_slot_of_the_vertex_cache() {
     assert!(draw(&corners, [0, 1, 2]) == draw(&positions, [0, 64, 128]));
 }
 
-/// What counts as drawn is the smallest rectangle around a triangle, even if the triangle itself has no pixel.
+/// A triangle counts as drawn if its bounding rectangle contains a pixel center, even if the triangle contains none.
 #[test]
 fn triangles_count_if_their_rectangles_have_a_center() {
     let mut counter = Counter::new(SIZE);
     for (points, count) in [
-        // Around the picture's upper left corner.
+        // The rectangle contains the picture's upper left corner.
         ([[-9., 5.], [5., -9.], [-9., -9.]], 1),
-        // Between centers, and up to one.
+        // The rectangle lies between centers, or reaches one.
         ([[1., 1.], [1.5, 1.], [1., 1.5]], 0),
         ([[1., 1.], [1.6, 1.], [1., 1.6]], 1),
-        // Beside the picture.
+        // The rectangle lies beside the picture.
         ([[-3., 5.], [-1., 5.], [-3., 1.]], 0),
     ] {
         let positions = positions(&points.map(|at| at.map(|at: f64| (at * 256.).round() / 256.)));

@@ -35,7 +35,7 @@ fn projection() -> Projection<Perspective> {
     Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(20)).unwrap()
 }
 
-/// Places the mesh in front of the eye, turned, where the near plane clips a part of it.
+/// Places the mesh in front of the eye, and turns it. The near plane clips a part of the mesh.
 fn pose() -> Transform {
     let turn =
         Transform::rotate_x(Angle::from_degrees(25)) * Transform::rotate_y(Angle::from_degrees(50));
@@ -55,7 +55,7 @@ fn picture(draw: &dyn Fn(&mut Screen<'_>)) -> (Vec<Rgb565>, Vec<u16>) {
     (colors, depths)
 }
 
-/// A wrapper as a program might write it: it passes on the varyings and two methods.
+/// A wrapper like one in a program: it passes on the varyings and two methods.
 #[derive(Clone, Copy)]
 struct Same<S>(S);
 
@@ -74,7 +74,8 @@ impl<S: Shader> Shader for Same<S> {
 
 /// A wrapper that adds its own varyings to those of the inner shader.
 ///
-/// Its own varyings have a tolerance. Without one, triangles whose depth hardly changes would have to be drawn exactly.
+/// Its own varyings have a tolerance. Without a tolerance, triangles with almost no change in depth would be drawn
+/// exactly.
 #[derive(Clone, Copy)]
 struct WithFace<S>(S);
 
@@ -94,7 +95,7 @@ impl<S: Shader> Shader for WithFace<S> {
         at: &Fragment,
         (face, (inside, Within(own))): Self::Varyings,
     ) -> Option<S::Color> {
-        // A value that is equal at all corners may still have a rounding error.
+        // A value that is equal at all corners can still have a rounding error.
         assert!(face.0 < 12 && own[0].abs_diff(7) <= 60 && own[1].abs_diff(-7) <= 60);
         self.0.shade(at, inside)
     }
@@ -167,7 +168,7 @@ struct Model<'m, S> {
     shader: S,
 }
 
-/// The operations of a model, with any shader, so that one list can hold models with different shaders.
+/// What can be done with a model, whatever its shader is. One list can therefore hold models with different shaders.
 trait Draw {
     fn draw(&self, canvas: &mut Screen<'_>, view: &Projection<Perspective>);
 }
@@ -254,7 +255,7 @@ fn a_shader_may_compute_fog_from_depth() {
     );
 }
 
-/// Vertex light times vertex colors, compared with a computation in f64.
+/// Vertex light times vertex colors equals a computation in f64, within 0.6 of a step.
 #[test]
 fn vertex_colors_are_lit_as_in_f64() {
     // A floor that rises to the right, in eye space.
@@ -301,10 +302,10 @@ fn vertex_colors_are_lit_as_in_f64() {
             (f64::from(HEIGHT) / 2. - y) / 40.,
             -1.,
         ];
-        // The volumes of the ray with each two corners are the barycentric weights in space.
+        // The volume that the ray and two corners span is the barycentric weight, in space, of the third corner.
         let volumes = [cross(b, c), cross(c, a), cross(a, b)].map(|side| dot(ray, side));
         let weights = volumes.map(|volume| volume / volumes.iter().sum::<f64>());
-        // Skip pixels at the outline: rounding decides whether they are drawn.
+        // Skip pixels near the outline, because rounding decides whether they are drawn.
         if weights.iter().any(|weight| *weight < 0.005) {
             continue;
         }
@@ -312,8 +313,8 @@ fn vertex_colors_are_lit_as_in_f64() {
         let light = dot(weights, lights);
         for (k, found) in [color.r(), color.g(), color.b()].into_iter().enumerate() {
             let expected = light * dot(weights, colors.map(|color| f64::from(color[k])));
-            // Half a step for rounding the color. Corners are rounded to 1/256 pixel, which changes a color by less
-            // than 0.1 steps.
+            // Rounding the color causes an error of up to half a step. Rounding corners to 1/256 pixel adds less than
+            // 0.1 steps.
             let error = (f64::from(found) - expected).abs();
             assert!(error <= 0.6, "{found} at {x}, {y} is not {expected}");
         }
@@ -323,7 +324,7 @@ fn vertex_colors_are_lit_as_in_f64() {
 
 /// A small triangle with a color at each corner, in a mode.
 fn small_triangle(places: [[f64; 3]; 3], colors: &[Rgb888; 3], mode: impl Mode) -> Vec<Rgb565> {
-    // At a distance of 32, a unit is a pixel.
+    // At a distance of 32, one unit is one pixel.
     let projection = Projection::from_focal_length(fx!(32), (64, 48), fx!(1), fx!(100)).unwrap();
     let positions = places.map(|[x, y, near]| {
         let at = |v: f64| Scalar::try_from(v * (32. - near) / 32.).unwrap();
@@ -343,15 +344,16 @@ fn small_triangle(places: [[f64; 3]; 3], colors: &[Rgb888; 3], mode: impl Mode) 
     pixels
 }
 
-/// Small triangles carry red and blue in one number. If an error carried one of them out of its half, black would
-/// become full blue. Only a value near the middle between two steps may be rounded differently.
+/// Small triangles keep red and blue in one number. If an error carried from one channel into the other, black would
+/// become full blue. Only a value near the middle between two steps may be rounded to the other step.
 #[test]
 fn colors_of_small_triangles_are_within_a_step_of_the_exact_ones() {
     cases(2000, |random| {
         let x = random.random_range(10.0..44.0);
         let y = random.random_range(10.0..28.0);
         let thin = f64::from(1 << random.random_range(0..6));
-        // If the corners are at pixel centers, edges run through centers, too. There a channel takes its lowest value.
+        // If the corners are at pixel centers, edges pass through centers, too. There, a channel takes its lowest
+        // value.
         let is_centered = random.random();
         let snap = |v: f64| if is_centered { v.floor() + 0.5 } else { v };
         let places = [(); 3].map(|()| {

@@ -1,4 +1,4 @@
-//! What a shader computes once for all bands draws the pixels that it draws if it is asked in each band.
+//! Values that a shader computes once for all bands give the same pixels as values that it computes again in each band.
 
 use std::cell::Cell;
 
@@ -20,7 +20,7 @@ fn view() -> Mvp {
     projection * Camera::look_at(vec3!(0, 1, 3), Vec3::ZERO, Vec3::Y).unwrap()
 }
 
-/// A place at which the near plane cuts a ball, and one at which nothing does.
+/// The near plane cuts a ball at the first place, and does not cut a ball at the second place.
 fn places() -> [Transform; 2] {
     [vec3!(-0.8, 0.3, 1.5), vec3!(0.8, 0, -1)].map(Transform::translate)
 }
@@ -29,7 +29,7 @@ fn sun() -> Light {
     Light::new(vec3!(1, 2, 1), fx!(0.2), fx!(0.8)).unwrap()
 }
 
-/// The frame in bands of six rows, and whether texture coordinates were missing.
+/// The frame, drawn in bands of six rows, and whether texture coordinates were missing.
 fn frame(mut draw: impl FnMut(&mut Canvas<'_, Gray8>) -> Drawn) -> (Vec<Gray8>, bool) {
     let (mut all, mut drawn) = (Vec::new(), Drawn::default());
     for first in (0..HEIGHT).step_by(6) {
@@ -40,7 +40,8 @@ fn frame(mut draw: impl FnMut(&mut Canvas<'_, Gray8>) -> Drawn) -> (Vec<Gray8>, 
     (all, drawn.missing.uvs)
 }
 
-/// A surface that counts how often it is asked, with values at the corners and of the whole face.
+/// A shader that counts how often it is asked for varyings. It has values at the corners, and a value of the whole
+/// face.
 #[derive(Clone, Copy)]
 struct Counting<'c>(&'c Cell<u32>);
 
@@ -109,7 +110,7 @@ fn a_shader_is_asked_once_for_each_visible_triangle() {
     frame(|band| band.draw_prepared(&ball, &shader).unwrap());
     assert!(asked.get() > visible * 2);
 
-    // Whatever else is drawn with stored values, the shader is asked.
+    // If something else is drawn with the stored values, the shader is asked again.
     let before = asked.get();
     let (found, _) = frame(|band| band.draw(&BALL, &mvp, &shades.of(&shader)));
     assert!(found == expected && asked.get() > before);
@@ -128,7 +129,7 @@ fn a_shader_is_asked_once_for_each_visible_triangle() {
     assert_eq!(error.to_string(), message);
 }
 
-/// Each object has a material of its own, and in a sorted list they alternate.
+/// Each object has its own material, and objects with different materials alternate in the sorted list.
 #[test]
 fn the_objects_of_a_scene_are_shaded_by_their_materials() {
     let lit = |gray| Flat::new(Gray8::new(gray)).lit(sun());

@@ -1,4 +1,4 @@
-//! Positions of 16 bits are drawn like the same values in 32 bits, and are rounded no more than necessary.
+//! Positions of 16 bits are drawn like the same values in 32 bits. Shortening rounds positions no more than necessary.
 
 use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
 
@@ -14,7 +14,7 @@ use crate::examples::scenes::SPHERE;
 const SIZE: (u32, u32) = (64, 48);
 const PIXELS: usize = 64 * 48;
 
-/// Numbers of 16 bits; the smallest, the largest and zero are frequent.
+/// A random number of 16 bits; the smallest number, the largest one, and zero are frequent.
 fn component(random: &mut Random) -> i16 {
     match random.random_range(0..4) {
         0 => i16::MIN,
@@ -49,7 +49,7 @@ fn model(random: &mut Random) -> Model {
 
 type Board<'a> = Canvas<'a, Rgb565, Native, LinearDepth>;
 
-/// Draws a mesh in every way; returns the pictures and counts.
+/// Draws a mesh in every way. Returns the pictures and the counts.
 fn drawn<K: ProjectionKind, I: Mode>(
     mesh: &Mesh,
     mvp: &Mvp<K>,
@@ -149,15 +149,15 @@ fn shortened_positions_are_the_nearest() {
             let is_near = (short * unit - long).abs() <= off;
             assert!(is_near, "{long} as {short} of {unit}");
         }
-        // Another fraction bit would not fit: the largest number is at least half of the largest that fits, minus its
-        // rounding.
+        // One more fraction bit would not fit: the largest component is at least half of the largest number that fits,
+        // minus its rounding error.
         let is_full = fraction == 16 || most * 4 / unit >= (1 << 16) - 2;
         assert!(is_full, "{most} in units of {unit}");
     });
 }
 
-/// Rounding moves a point by up to half a unit along each axis, √3/2 units in all. Its image moves by up to that
-/// distance times focal length / w, and by as much again for each unit of its slope x / w or y / w.
+/// Rounding moves a point by up to half a unit along each axis, so by up to √3/2 units. Its image moves by up to that
+/// distance times focal length / w, and by as much again for each unit of the point's slope x / w or y / w.
 #[test]
 fn rounding_moves_a_sphere_by_less_than_a_hundredth_of_a_pixel() {
     let (short, fraction) = SPHERE.shortened::<{ 33 * 33 }>().unwrap();

@@ -1,5 +1,5 @@
-//! Sprites equal the triangles of a mesh in eye space: the same pixels, depths and colors, and texture coordinates
-//! within the error that the modes promise. Bands equal the frame, bit for bit.
+//! Sprites have the same pixels, depths and colors as the triangles of a mesh in eye space, and the same texture
+//! coordinates within the error that the modes promise. Bands equal the frame, bit for bit.
 
 use std::cell::{Cell, RefCell};
 
@@ -16,8 +16,8 @@ const HEIGHT: u32 = 60;
 
 static SKIN: [[Rgb565; 2]; 2] = [[Rgb565::WHITE, Rgb565::BLUE], [Rgb565::GREEN, Rgb565::RED]];
 
-/// More sprites than the crate draws at a time, near and far. Some lie partly behind the near plane or outside the
-/// picture.
+/// There are more sprites than the crate draws at a time, near and far. Some lie partly behind the near plane or
+/// outside the picture.
 fn positions() -> Vec<Vec3> {
     (0..29)
         .map(|i: i16| Vec3::from_ints(i * 7 % 11 - 5, i * 5 % 7 - 3, -(i * 3 % 13)))
@@ -48,7 +48,7 @@ fn corners<K: ProjectionKind>(
     sprites: &Sprites<'_>,
     mvp: &Mvp<K>,
 ) -> Vec<Vec3> {
-    // Corners that the shader does not see stay zero. They belong to triangles without pixels, which `check` leaves
+    // Corners that the shader does not see stay zero. They belong to triangles without pixels, and `check` leaves these
     // out.
     let found = RefCell::new(vec![Vec3::ZERO; 4 * sprites.positions().len()]);
     let probe = Probe::<_, Rgb565> {
@@ -69,9 +69,9 @@ fn corners<K: ProjectionKind>(
     found.into_inner()
 }
 
-/// A shader that keeps the texture coordinates of all pixels, in units of 2^-16 texel of 1024, and counts how often it
-/// is asked for varyings. (The shared recorder would give the two triangles of a sprite different varyings: their
-/// indices. So none would be drawn as a rectangle.)
+/// A shader that records the texture coordinates of all pixels, in units of 2^-16 texel of 1024, and counts how often
+/// it is asked for varyings. (The shared recorder is no use here: it gives the two triangles of a sprite different
+/// varyings, their indices, so no sprite would be drawn as a rectangle.)
 #[derive(Clone, Copy)]
 struct TexelRecorder<'a> {
     found: &'a RefCell<Vec<(Point, [i32; 2])>>,
@@ -94,7 +94,7 @@ impl Shader for TexelRecorder<'_> {
     }
 }
 
-/// A shader whose colors at the four corners lie in no common plane.
+/// A shader with colors at the four corners that lie in no common plane.
 #[derive(Clone, Copy)]
 struct Bent;
 
@@ -128,7 +128,7 @@ fn coordinates(
     (found, asked.get())
 }
 
-/// Draws sprites without an axis (`faces_camera`) or with one.
+/// Draws sprites, and compares them with a mesh. Sprites without an axis have `faces_camera`.
 fn check<K: ProjectionKind>(
     options: &DrawOptions,
     (sprites, faces_camera): (Sprites<'_>, bool),
@@ -192,8 +192,9 @@ fn check<K: ProjectionKind>(
         &FaceColors::new(&colors),
     );
 
-    // Each of the two texture coordinates may have an error of up to 57 units. The tolerance of the mode adds nothing:
-    // a sprite that faces the camera has one depth, and other sprites are drawn as the mesh's triangles.
+    // Each of the two texture coordinates can have an error of up to 57 units. The tolerance of the mode adds nothing,
+    // because a sprite that faces the camera has only one depth, and other sprites are drawn as triangles, like the
+    // mesh.
     let (found, asked) = coordinates(&|canvas, shader| {
         canvas.draw_with(options, &sprites, &mvp, &shader);
     });
@@ -209,8 +210,8 @@ fn check<K: ProjectionKind>(
         }
     }
     if faces_camera {
-        // A sprite asks twice to compare its halves, then once to draw the rectangle. Two triangles ask once each, but
-        // for the few that have no pixel.
+        // A sprite asks for varyings twice to compare its halves, and a third time to draw the rectangle. Two triangles
+        // ask once each, except for the few triangles that have no pixel.
         assert_eq!(drawn.clipped, 0);
         let halves = asked / 3 * 2;
         assert_eq!(asked % 3, 0);
@@ -235,7 +236,7 @@ fn same_as_mesh<K: ProjectionKind>(
     let expected = picture(HEIGHT, &|canvas| {
         let drawn = canvas.draw_with(both, mesh, projection, shader);
         assert!(drawn.drawn > 20, "{drawn:?}");
-        // The mesh lacks the few triangles that have no pixel: no shader sees them.
+        // The mesh lacks the few triangles that have no pixel, because no shader sees these.
         let Drawn {
             submitted, missing, ..
         } = total.get();
@@ -296,7 +297,7 @@ fn sprites_are_meshes_in_eye_space() {
     }
 }
 
-/// Positions and sizes at the ends of the format: a sprite that is out of range must not appear in another place.
+/// Positions and sizes are at the ends of the format. A sprite that is out of range must not appear in another place.
 #[test]
 fn sprites_out_of_range_have_no_pixels() {
     let ends = [Scalar::MIN, -Scalar::DELTA, Scalar::ZERO, Scalar::MAX];
@@ -327,7 +328,8 @@ fn sprites_out_of_range_have_no_pixels() {
             }
         }
     }
-    // The transform takes this position beyond the format. If it saturated, the sprite would appear at 45 degrees.
+    // The transform moves this position out of the format. If the result saturated, the sprite would appear at 45
+    // degrees.
     let positions = [vec3!(20000, 20000, -20000)];
     let sprites = Sprites::new(&positions, (fx!(9000), fx!(9000))).unwrap();
     let mvp = Projection::perspective(deg!(120), (1, 1), fx!(1), Scalar::MAX).unwrap()
@@ -338,7 +340,8 @@ fn sprites_out_of_range_have_no_pixels() {
     assert!(drawn.0.iter().all(|&color| color == Rgb565::new(1, 2, 3)));
 }
 
-/// The sides of sprites that take most of the format have errors of more than a unit, but of less than 2^-26.
+/// Corners of sprites that take most of the format have errors of more than one unit, but of less than one unit plus
+/// 2^-26 of the coordinate.
 #[test]
 fn corners_of_the_largest_sprites_are_accurate_to_26_bits() {
     let at = Vec3::from_bits([0, 0, -114_830_873]);
@@ -351,7 +354,7 @@ fn corners_of_the_largest_sprites_are_accurate_to_26_bits() {
             .and_then(|sprites| sprites.with_scales(&scales))
             .unwrap();
         let corners = corners(&DrawOptions::new(), &sprites, &lens);
-        // A pixel takes a 64th of the distance.
+        // A pixel has the size of 1/64 of the distance.
         let parts = [size, scales[0], at.z].map(f64::from);
         let half = parts.iter().product::<f64>() / 64. / 2. * 65_536.;
         let error = (f64::from(corners[0].x.to_bits()) - half).abs();

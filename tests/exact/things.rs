@@ -1,5 +1,5 @@
-//! What users expect of any thing that is drawn: mirrors show outsides, what lies in the near plane is visible, and
-//! shaders learn which face or edge they color.
+//! Properties that users expect of everything that is drawn: mirrors show outsides, a face in the near plane is
+//! visible, and shaders learn which face or edge they color.
 
 use std::cell::RefCell;
 
@@ -12,7 +12,7 @@ use fixel::{Object, ShadeList};
 const SIZE: (u32, u32) = (64, 48);
 const PIXELS: usize = (SIZE.0 * SIZE.1) as usize;
 
-/// A wedge without symmetry, whose sides have different colors.
+/// A wedge without symmetry. Its sides have different colors.
 static WEDGE: Mesh = Mesh::checked(Mesh::new(
     &[
         vec3!(-1, -1, 1),
@@ -41,14 +41,14 @@ fn picture(draw: impl FnOnce(&mut Canvas<'_, Gray8>)) -> Vec<Gray8> {
     color
 }
 
-/// A frame, left and right exchanged.
+/// A frame with left and right exchanged.
 fn mirrored(mut frame: Vec<Gray8>) -> Vec<Gray8> {
     let rows = frame.chunks_mut(SIZE.0 as usize);
     rows.for_each(<[Gray8]>::reverse);
     frame
 }
 
-/// How many pixels two frames have in common, of those that the first one draws.
+/// Of the pixels that the first frame draws: how many the second frame draws in the same color, and how many there are.
 fn common([a, b]: [&[Gray8]; 2]) -> [usize; 2] {
     let drawn = a.iter().zip(b).filter(|(a, _)| **a != Gray8::BLACK);
     let (all, same): (Vec<_>, Vec<_>) = (
@@ -58,8 +58,8 @@ fn common([a, b]: [&[Gray8]; 2]) -> [usize; 2] {
     [same.len(), all.len()]
 }
 
-/// Everything drawn through a mirror is the mirror image of what is drawn without, except for pixels whose centers lie
-/// on an edge.
+/// A scene drawn through a mirror is the mirror image of the scene drawn without it, except for pixels with centers on
+/// an edge.
 #[test]
 fn a_mirror_shows_the_mirror_image() {
     let pose = Transform::translate(vec3!(0.7, 0.2, -6)) * Transform::rotate_y(deg!(35));
@@ -106,7 +106,7 @@ fn a_mirror_shows_the_mirror_image() {
                 );
             }
 
-            // A ray meets what is drawn.
+            // A ray meets the face that is drawn at its pixel.
             let shown = faces(&mirror);
             let canvas_pixels = &mut vec![Gray8::BLACK; PIXELS];
             let canvas = Canvas::new(canvas_pixels, SIZE.0, SIZE.1).unwrap();
@@ -124,7 +124,7 @@ fn a_mirror_shows_the_mirror_image() {
     }
 }
 
-/// Two mirrors make no mirror, and a model without volume shows what it showed.
+/// Two mirrors together do not mirror. A model without volume looks the same through a mirror.
 #[test]
 fn only_an_odd_number_of_mirrors_turns_culling_around() {
     let pose = Transform::translate(vec3!(0, 0, -6));
@@ -143,7 +143,7 @@ fn only_an_odd_number_of_mirrors_turns_culling_around() {
     for (factors, turned) in [
         (vec3!(1, 1, 1), vec3!(-1, -1, 1)),
         (vec3!(-1, 1, 1), vec3!(-1, -1, -1)),
-        // As flat and as thin as the format allows.
+        // The scale makes the model as flat and as thin as the format allows.
         (
             Vec3::new(fx!(1), fx!(1), tiny),
             Vec3::new(fx!(-1), fx!(-1), tiny),
@@ -155,7 +155,7 @@ fn only_an_odd_number_of_mirrors_turns_culling_around() {
             assert!(back > 0, "{factors}");
         }
     }
-    // A thin needle: the side toward the viewer is the outside, also through a mirror.
+    // The model is a thin needle. The side toward the viewer is its outside, through a mirror, too.
     let needle = shape_of_needle();
     for sign in [1, -1] {
         let factors = Vec3::new(Scalar::try_from(100 * sign).unwrap(), tiny * 16, tiny * 16);
@@ -181,12 +181,12 @@ fn only_an_odd_number_of_mirrors_turns_culling_around() {
     }
 }
 
-/// A triangle that faces the viewer and, scaled to a needle, still has the height of a pixel.
+/// A triangle that faces the viewer. Scaled to a needle, it is still as high as a pixel.
 fn shape_of_needle() -> [Vec3; 3] {
     [vec3!(-0.5, -900, 0), vec3!(0.5, -900, 0), vec3!(0, 900, 0)]
 }
 
-/// The front face of a box whose distance is exactly the near plane's.
+/// The front face of a box is exactly at the distance of the near plane.
 #[test]
 fn a_face_in_the_near_plane_is_drawn() {
     static BOX: Mesh = shape!(cuboid(vec3!(2, 1.5, 0.7)));
@@ -220,7 +220,7 @@ fn a_face_in_the_near_plane_is_drawn() {
     }
 }
 
-/// Notes which faces and edges it is asked for.
+/// Records the faces and edges for which varyings are asked.
 #[derive(Clone, Copy)]
 struct Asked<'a>(&'a RefCell<Vec<[Option<usize>; 2]>>);
 
@@ -240,7 +240,8 @@ impl Shader for Asked<'_> {
     }
 }
 
-/// Faces of a part have the indices of the whole mesh, edges those of their list, points none: directly and listed.
+/// A face of a part has its index in the whole mesh, an edge has its index in its list, and a point has no index. This
+/// is the same in direct draw calls and in prepared lists.
 #[test]
 fn shaders_learn_which_face_or_edge_they_color() {
     let edges = [[0, 1], [1, 2], [2, 3]];
@@ -256,7 +257,7 @@ fn shaders_learn_which_face_or_edge_they_color() {
         let seen = RefCell::new(Vec::new());
         picture(|canvas| draw(canvas, &Asked(&seen)));
         let mut seen = seen.into_inner();
-        // A line asks again for the pixel of each end.
+        // A line asks again for the pixel at each of its ends.
         seen.dedup();
         seen
     };
@@ -276,7 +277,7 @@ fn shaders_learn_which_face_or_edge_they_color() {
         canvas.draw_prepared(&listed, shader).unwrap();
         let listed = list.prepare(&both, SIZE, outline, &mvp).unwrap();
         canvas.draw_prepared(&listed, shader).unwrap();
-        // All objects of a scene with one shader.
+        // All objects of a scene are drawn with one shader.
         let mut objects = [Object::new(lines, Transform::IDENTITY, ()); 2];
         let scene = list.prepare(&both, SIZE, &mut objects, &mvp).unwrap();
         assert_eq!(canvas.draw_prepared(&scene, shader).unwrap().submitted, 6);
@@ -290,7 +291,7 @@ fn shaders_learn_which_face_or_edge_they_color() {
     assert_eq!(rest, numbers(&[0, 1, 2, 0, 1, 2]));
 }
 
-/// The front by the rule of culling, as a shader sees it; what shows its back is left out.
+/// Shows only faces that are fronts by the rule of culling, as a shader learns it.
 #[derive(Clone, Copy)]
 struct Fronts;
 

@@ -54,14 +54,14 @@ const _: () = {
     both::<Error>();
 };
 
-/// Draws rows of the frame, starting at the given row, as many as the pixels hold. One type for all closures, so that
-/// threads are compiled once.
+/// Draws as many rows of the frame as the pixels hold, from the given row on. All closures have this one type, so that
+/// the code of the threads is compiled once.
 type DrawRows<'d> = dyn Fn(&mut [[u8; 2]], &mut [u16], u32) + Sync + 'd;
 
 /// A band's first row, and its pixels.
 type Band<'a> = (u32, &'a mut [[u8; 2]]);
 
-/// Draws bands one after the other with one depth buffer for all of them, as a core would do.
+/// Draws bands one after the other with a single depth buffer, as a core does.
 fn work(draw: &DrawRows<'_>, rows: u32, bands: Vec<Band<'_>>) {
     let mut depth = vec![7; (WIDTH * rows) as usize];
     for (first, pixels) in bands {
@@ -70,7 +70,7 @@ fn work(draw: &DrawRows<'_>, rows: u32, bands: Vec<Band<'_>>) {
     }
 }
 
-/// Draws the bands of a frame on two threads that start together. Each thread takes every other band, or half of the
+/// Draws the bands of a frame on two threads that start together. Each thread draws every other band, or half of the
 /// frame.
 fn check(draw: &DrawRows<'_>) {
     let mut frame = vec![[0; 2]; (WIDTH * HEIGHT) as usize];
@@ -89,7 +89,7 @@ fn check(draw: &DrawRows<'_>) {
             ("halves", &|band| band < count / 2),
         ];
         for (name, is_first) in splits {
-            // The pixels begin with a pattern that no drawing leaves, so that undrawn pixels are found.
+            // No drawing leaves this pattern in the pixels, so pixels that were not drawn are found.
             let mut pixels = vec![[0xa5, 0x5a]; frame.len()];
             let bands = (0..).zip(pixels.chunks_mut((WIDTH * rows) as usize));
             let (first, second): (Vec<_>, Vec<_>) = bands.partition(|(band, _)| is_first(*band));
@@ -158,7 +158,7 @@ fn flat_without_depth() {
     });
 }
 
-/// Lines and points take another path than triangles: they are not drawn row by row.
+/// Lines and points are drawn by other functions than triangles, not row by row.
 #[test]
 fn lines_and_points_without_depth() {
     let mvp = scenes::sphere_mvp(0).unwrap();

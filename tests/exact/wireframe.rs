@@ -18,9 +18,9 @@ static BOX: Mesh = shape!(cuboid(vec3!(1, 0.7, 0.4)));
 static BALL: Mesh = shape!(sphere(9, 6));
 static CAN: Mesh = shape!(cylinder(7));
 
-/// The edges of a convex mesh that have a face visible from the eye.
+/// The edges of a convex mesh with a face that is visible from the eye.
 ///
-/// A face seen nearly edge-on does not count: because corners are rounded, it may or may not be visible.
+/// A face seen nearly edge-on does not count, because the rounding of its corners decides whether it is visible.
 fn visible_edges(
     mesh: &Mesh,
     from_eye: impl Fn([f64; 3]) -> [f64; 3],
@@ -50,7 +50,7 @@ fn visible_edges(
     mesh.edge_indices().iter().copied().filter(beside).collect()
 }
 
-/// Draws the shaded mesh, then its edges over it.
+/// Draws the shaded mesh, and then its edges over it.
 fn over<K: ProjectionKind>(mesh: &Mesh, mvp: &Mvp<K>, test: impl DepthTest) -> Vec<Gray8> {
     let (mut colors, mut depths) = (vec![Gray8::BLACK; PIXELS], vec![0; PIXELS]);
     let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
@@ -65,8 +65,8 @@ fn over<K: ProjectionKind>(mesh: &Mesh, mvp: &Mvp<K>, test: impl DepthTest) -> V
     colors
 }
 
-/// Draws only the edges, without depth. Blended, they lack the pixels of ends whose centers they do not pass: there, a
-/// face narrower than a pixel may be before the end.
+/// Draws only the edges, without depth. They are blended, so they lack end pixels if they do not pass their centers: a
+/// face narrower than a pixel can hide an end there.
 fn alone<K: ProjectionKind>(mesh: &Mesh, edges: &[[u16; 2]], mvp: &Mvp<K>) -> Vec<Gray8> {
     let mesh = mesh.with_edges(edges).unwrap();
     let mut colors = vec![Gray8::BLACK; PIXELS];
@@ -88,7 +88,7 @@ fn picture(pixels: &[Gray8]) -> String {
     rows.map(row).collect()
 }
 
-/// The number of pixels that the visible edges should have, and how many of them are not drawn.
+/// The number of pixels that the visible edges should have, and the number of those that are not drawn.
 fn missing(drawn: &[Gray8], expected: &[Gray8]) -> [usize; 2] {
     let edge = expected.iter().filter(|&&color| color == EDGE).count();
     let missing = |&(a, b): &(&Gray8, &Gray8)| *b == EDGE && *a != EDGE;
@@ -108,7 +108,7 @@ fn check<K: ProjectionKind>(mesh: &Mesh, edges: &[[u16; 2]], mvp: &Mvp<K>) {
     );
 }
 
-/// Rotates the mesh, and places it at this distance.
+/// Rotates the mesh, and moves it to this distance.
 fn pose([x, y, z]: [u32; 3], distance: Scalar) -> Transform {
     Transform::translate(Vec3::new(fx!(0), fx!(0), -distance))
         * Transform::rotate_x(Angle::from_bits(x))
@@ -134,8 +134,8 @@ fn edges_over_the_mesh_have_no_gaps() {
     });
 }
 
-/// The outlines of round meshes over the meshes themselves, in many poses: the number of pixels, and how many of them
-/// the mesh hides if depths are moved by `face` for the faces and by `line` for the lines.
+/// Draws the outlines of round meshes over the meshes, in many poses. `face` moves the depths of the faces, and `line`
+/// those of the lines. Returns the number of pixels of the outlines, and how many of these pixels the mesh hides.
 fn hidden_outlines(face: impl DepthTest, line: impl DepthTest) -> [usize; 2] {
     static ROUND_BALL: Mesh = shape!(sphere(24, 16));
     static ROUND_CAN: Mesh = shape!(cylinder(24));
@@ -176,22 +176,23 @@ fn hidden_outlines(face: impl DepthTest, line: impl DepthTest) -> [usize; 2] {
 fn silhouettes_of_round_meshes_have_hardly_any_gaps() {
     let [outlines, gaps] = hidden_outlines(TestAndWrite, Biased::in_front(TestAndWrite));
     assert!(gaps * 150 <= outlines, "{gaps} of {outlines}");
-    // For contrast: lines that know nothing of their faces, and faces that know nothing of their lines.
+    // For contrast: lines without regard to their faces, and faces without regard to their lines.
     let [outlines, gaps] = hidden_outlines(TestAndWrite, TestAndWrite);
     assert!(gaps * 3 > outlines, "{gaps} of {outlines}");
     let [outlines, gaps] = hidden_outlines(Biased::behind(TestAndWrite), TestAndWrite);
     assert!(gaps * 50 > outlines, "{gaps} of {outlines}");
 }
 
-/// The border of a sheet that leans back in all directions, from a corner in the middle of the picture, and may go on
-/// beyond it. Its lines move nearer by what the depth of the sheet changes per pixel: whole, in bands and from a list.
+/// A sheet leans back in all directions from a corner in the middle of the picture, and can reach beyond the picture.
+/// The lines of its border move nearer by the change of the sheet's depth per pixel. They move equally in a whole
+/// frame, in bands and from a list.
 #[test]
 fn outlines_move_as_the_faces_beside_them_are_steep() {
     static SHEET: Mesh = shape!(plane(1, 1));
     static BORDER: Outline = outline!(SHEET, deg!(30));
     const SLOPE: f64 = 3.0;
     cases(300, |random| {
-        // Depth is linear in a parallel view: 65,536 steps over the whole of it.
+        // Depth is linear in a parallel view: there are 65,536 steps from the near plane to the far plane.
         let size = random.random_range(3.0..20.0_f64);
         let window = Window::centered(
             Scalar::try_from(4.0 * f64::from(SIZE.0) / f64::from(SIZE.1)).unwrap(),
@@ -232,8 +233,8 @@ fn outlines_move_as_the_faces_beside_them_are_steep() {
             assert!(moved == draw(Biased::new(WriteOnly, 0, slope), band, is_listed));
         }
         // The sheet's sides point along (1, 0, 0) and (0, 0, 1), and its normal along (0, 1, 0), leaned and turned. On
-        // it, depth changes per unit across and down by the ratios of the normal's components; along a side, by what it
-        // changes for a unit of the longer axis.
+        // the sheet, the change of depth per unit across and down is given by the ratios of the normal's components.
+        // Along a side, it is the change per unit of the longer axis.
         let [lean, turn] = [lean, turn].map(|degrees| f64::from(degrees).to_radians());
         let turned = |[x, y, z]: [f64; 3]| {
             let (y, z) = (
@@ -255,8 +256,8 @@ fn outlines_move_as_the_faces_beside_them_are_steep() {
         });
         let pixel = 4.0 / f64::from(SIZE.1);
         let expected = sides.map(|steepness| SLOPE * steepness * pixel / depth * 65_536.0);
-        // Corners are rounded to half of 1/256 pixel at both ends of a sheet's shorter side, which is that many pixels
-        // long; the format has 11 bits after the first; codes are cut twice.
+        // Both ends of the sheet's shorter side, `side` pixels long, are rounded by up to half of 1/256 pixel. The
+        // format has 11 bits after the first one. Two codes are cut.
         let side = (2.0 * size).min(2.0) * lean.sin().min(lean.cos()) / pixel;
         let tolerance = expected[0].max(expected[1]) * (4.0 / 256.0 / side + 2.0 / 2048.0) + 2.0;
         let pixels = plain.iter().zip(&moved).filter(|(plain, _)| **plain > 0);
@@ -276,7 +277,7 @@ fn outlines_move_as_the_faces_beside_them_are_steep() {
     });
 }
 
-/// For contrast: without a depth bias, the mesh hides some pixels of its edges.
+/// For contrast: without a depth bias, the mesh hides some pixels of its own edges.
 #[test]
 fn edges_over_a_mesh_without_bias_have_gaps() {
     let pose = pose([200_000_000, 500_000_000, 0], fx!(2.5));
@@ -287,7 +288,7 @@ fn edges_over_a_mesh_without_bias_have_gaps() {
     assert!(edge > 150 && gaps > 10, "{gaps} of {edge}");
     let drawn = over(&BOX, &mvp, Biased::behind(TestAndWrite));
     assert_eq!(missing(&drawn, &expected), [edge, 0]);
-    // The edges behind stay hidden, except where they touch those in front.
+    // Edges on the back stay hidden, except where they touch edges on the front.
     let hidden = alone(&BOX, BOX.edge_indices(), &mvp);
     assert!(missing(&drawn, &hidden)[1] > 30);
 }

@@ -1,4 +1,4 @@
-//! One draw call in all ways that must give the same picture: with and without depth, twice, in bands, as bytes, and
+//! Draws a scene in all ways that must give the same picture: with and without depth, twice, in bands, as bytes, and
 //! prepared.
 
 use embedded_graphics::draw_target::DrawTarget;
@@ -22,7 +22,7 @@ use super::scene::{Attribute, Scene, What};
 use super::shaders::Bits;
 use crate::recorder::{Record, Seen, record};
 
-/// A scene whose parts the crate accepted.
+/// A scene with numbers that the crate has accepted.
 #[derive(Clone, Copy, Debug)]
 pub struct Call<'a, K> {
     pub scene: &'a Scene,
@@ -31,7 +31,7 @@ pub struct Call<'a, K> {
     pub window: Viewport,
 }
 
-/// A picture and its depths.
+/// A picture with its depths.
 #[derive(Clone, PartialEq)]
 pub struct Picture {
     colors: Vec<Rgb565>,
@@ -41,7 +41,7 @@ pub struct Picture {
 /// The color of every pixel before drawing.
 const BACKGROUND: Rgb565 = Rgb565::new(1, 2, 3);
 
-/// A list with room for two copies of all pieces into which clipping cuts the few triangles.
+/// A list with room for two copies of all pieces that clipping makes of the few triangles.
 type List = DrawList<32, 400>;
 
 impl<K: ProjectionKind> Call<'_, K> {
@@ -92,7 +92,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         drawn
     }
 
-    /// Picks at some pixels, and draws labels at the picked points and at some positions.
+    /// Picks at some pixels, and draws labels at the points that were hit and at some positions.
     pub fn check_picking(&self, options: &DrawOptions) {
         let (width, height) = self.scene.size;
         let mut picture = self.blank();
@@ -122,7 +122,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         );
     }
 
-    /// Checks that one call, a call for each part, and bands give the parts the same colors.
+    /// Checks that a single call, a call for each part, and bands draw the parts in the same colors.
     pub fn check_parts(&self, options: &DrawOptions) {
         let faces = self.mesh.faces().len();
         let mut ends = [0, 0, faces];
@@ -154,7 +154,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         assert!(self.in_bands(one_by_one) == whole, "bands of parts differ");
     }
 
-    /// Checks that a quantized mesh of the scene's attributes looks the same in frames, in bands, and prepared.
+    /// Checks that a quantized mesh with the scene's attributes looks the same in a frame, in bands, and prepared.
     pub fn check_quantized(&self, options: &DrawOptions) {
         if self.mesh.faces().is_empty() {
             return;
@@ -182,7 +182,8 @@ impl<K: ProjectionKind> Call<'_, K> {
         call.check_frames(options, &Bits::<3>.lit(sun));
     }
 
-    /// Checks that a mesh reported as out of view has no pixels, and that normals can be computed for any mesh.
+    /// Checks that a mesh that is reported as out of view has no pixels, and that normals can be computed for every
+    /// mesh.
     pub fn check_mesh(&self, options: &DrawOptions) {
         let mut picture = self.blank();
         self.on_frame(&mut picture, &mut |canvas| {
@@ -208,7 +209,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         }
     }
 
-    /// Lines 1 to 63 pixels wide.
+    /// A line style 1 to 63 pixels wide.
     fn line(&self) -> LineStyle {
         let width = match i32::from(self.scene.style >> 1) {
             width if width % 4 > 0 => (width / 2).max(1),
@@ -217,7 +218,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         LineStyle::wide(Scalar::try_from(width).unwrap()).unwrap()
     }
 
-    /// Squares or discs of any size.
+    /// A style of squares or discs of any size.
     fn point_style(&self) -> PointStyle {
         let style = u32::from(self.scene.style);
         let size = Scalar::from_bits(1 << (style % 31));
@@ -232,7 +233,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         }
     }
 
-    /// Records every pixel for which the shader is asked without a depth buffer.
+    /// Records every pixel for which the shader is asked if there is no depth buffer.
     pub fn record<I, F, const N: usize>(
         &self,
         options: &DrawOptions<I>,
@@ -249,7 +250,7 @@ impl<K: ProjectionKind> Call<'_, K> {
             self.draw(&mut canvas, options, recorder);
         });
 
-        // At each position, the last color must show. Positions without a color must be unchanged.
+        // The last color at each position must show. Positions without a color must be unchanged.
         let mut expected = vec![BACKGROUND; colors.len()];
         for seen in &record.seen {
             if let Some(color) = seen.color {
@@ -260,7 +261,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         record
     }
 
-    /// The index of a pixel in memory. Panics if the pixel lies outside canvas or viewport.
+    /// The index of a pixel in memory. Panics if the pixel lies outside the canvas or the viewport.
     fn index(&self, [x, y]: [i32; 2]) -> usize {
         let (width, height) = self.scene.size;
         let window = &self.window;
@@ -276,7 +277,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         y as usize * width as usize + x as usize
     }
 
-    /// The canvas before anything is drawn.
+    /// The canvas and its depths before anything is drawn.
     fn blank(&self) -> Picture {
         let (width, height) = self.scene.size;
         let [top, bottom] = self.scene.depths;
@@ -291,7 +292,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         }
     }
 
-    /// Checks all ways, and returns the recorded pixels.
+    /// Draws in all ways, compares the pictures, and returns the recorded pixels.
     pub fn check<I, F, const N: usize>(
         &self,
         options: &DrawOptions<I>,
@@ -308,7 +309,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         record
     }
 
-    /// Checks that a frame, bands and prepared triangles show the same, and returns the frame.
+    /// Checks that a frame, bands and prepared triangles show the same picture. Returns the frame.
     pub fn check_frames<I, F>(&self, options: &DrawOptions<I>, shader: &F) -> Picture
     where
         I: Mode,
@@ -317,7 +318,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         let mut frame = self.blank();
         let draw = &mut |canvas: &mut Frame<'_>| self.draw(canvas, options, shader);
         let drawn = self.on_frame(&mut frame, draw);
-        // Drawing again over the same picture changes nothing: of equal depths, the later one shows.
+        // Drawing again over the same picture changes nothing, because triangles at equal depths cover earlier ones.
         let mut again = frame.clone();
         assert_eq!(self.on_frame(&mut again, draw), drawn);
         assert!(again == frame, "drawn again, the picture differs");
@@ -330,7 +331,8 @@ impl<K: ProjectionKind> Call<'_, K> {
         frame
     }
 
-    /// Draws with a depth buffer. Of the pixels `seen` without one, exactly those that are not hidden must be drawn.
+    /// Draws with a depth buffer. Of the pixels that were `seen` without a depth buffer, exactly those that are not
+    /// hidden must be drawn.
     fn depth_test<I, F, const N: usize>(
         &self,
         options: &DrawOptions<I>,
@@ -394,7 +396,8 @@ impl<K: ProjectionKind> Call<'_, K> {
         let bands = self.in_bands(&mut |band| band.draw_prepared(&prepared, shader).unwrap());
         assert!(bands == *expected, "bands of prepared triangles differ");
 
-        // In another order, other triangles may show. But the same triangles are drawn, and bands equal the frame.
+        // In another order, other triangles can show. But the number of triangles is the same, and bands equal the
+        // frame.
         let sorted = list
             .prepare_back_to_front(options, self.scene.size, self.mesh, &self.mvp)
             .unwrap();
@@ -406,8 +409,8 @@ impl<K: ProjectionKind> Call<'_, K> {
         let bands = self.in_bands(&mut |band| band.draw_prepared(&sorted, shader).unwrap());
         assert!(bands == frame, "bands of sorted triangles differ");
 
-        // As two objects of a scene. Their material is not the shader, because scenes would be compiled for each
-        // shader.
+        // Draw the mesh as two objects of a scene. Their material is not the shader, because then scenes would be
+        // compiled for each shader.
         let mut objects = [Object::new(self.mesh, Transform::IDENTITY, ()); 2];
         let scene = list
             .prepare_back_to_front(options, self.scene.size, &mut objects, &self.mvp)
@@ -424,7 +427,8 @@ impl<K: ProjectionKind> Call<'_, K> {
         assert!(self.in_bands(draw) == frame, "bands of a scene differ");
     }
 
-    /// Draws prepared edges, in a frame and in bands, and compares smooth prepared edges with direct ones.
+    /// Draws prepared edges in a frame and in bands. Compares smooth prepared edges with smooth edges that are drawn
+    /// directly.
     fn check_prepared_edges<I, F>(&self, options: &DrawOptions<I>, shader: &F, expected: &Picture)
     where
         I: Mode,
@@ -460,7 +464,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         let bands = self.in_bands(&mut |band| band.draw_prepared(&edges, shader).unwrap());
         assert!(bands == direct, "bands of prepared smooth edges differ");
 
-        // As two objects of a scene.
+        // Draw the edges as two objects of a scene.
         let mut objects = [Object::new(lines, Transform::IDENTITY, ()); 2];
         let scene = list.prepare(options, size, &mut objects, &self.mvp);
         let scene = scene.unwrap();
@@ -479,7 +483,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         );
     }
 
-    /// The mesh's outline for half of the styles, otherwise `None`.
+    /// The mesh's outline; `None` for half of the styles.
     fn outline<'r>(&self, room: &'r mut [[u16; 4]]) -> Option<Outline<'r>> {
         let crease = Angle::from_bits(u32::from(self.scene.style) << 23);
         let has_outline = self.scene.style & 1 != 0;
@@ -493,7 +497,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         draw(&mut canvas.with_depth(&mut picture.depths).unwrap())
     }
 
-    /// Checks that a canvas of bytes shows the same, in either order and without depths.
+    /// Checks that a canvas of bytes, in either order and without depths, shows the same picture.
     pub fn check_bytes<I, F>(&self, options: &DrawOptions<I>, shader: &F)
     where
         I: Mode,
@@ -518,15 +522,15 @@ impl<K: ProjectionKind> Call<'_, K> {
         assert!(canvas.pixels().eq(colors.iter().copied()));
     }
 
-    /// Checks that grays are diffused alike in a frame and in bands, and that palette indices are drawn where colors
-    /// are.
+    /// Checks that diffusion gives the same grays in a frame and in bands, and that palette indices are drawn at the
+    /// same pixels as colors.
     pub fn check_panels(&self, options: &DrawOptions) {
         let (width, height) = self.scene.size;
         let gray = Flat::new(Gray8::new(0)).map(|at, _| {
             let [x, y] = [at.point.x, at.point.y].map(i32::cast_unsigned);
             Some(Gray8::new(((37 * x) ^ (11 * y)) as u8))
         });
-        // Returns the panel's pixels after bands of this many rows, and the contrast.
+        // Returns the pixels of a panel that was drawn in bands of `rows` rows, with this contrast.
         let panel = |rows: u32, contrast: Option<Contrast>| {
             let mut shown = vec![BinaryColor::Off; self.scene.pixels()];
             let mut panel = Canvas::new(&mut shown, width, height).unwrap();
@@ -557,7 +561,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         assert!(indexed.eq(colors.iter().map(|color| *color == Rgb565::WHITE)));
     }
 
-    /// Checks that colors are blended alike in frames and bands.
+    /// Checks that blending gives the same colors in frames and in bands.
     pub fn check_blended<I, F>(&self, options: &DrawOptions<I>, shader: &F)
     where
         I: Mode,
@@ -582,7 +586,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         B: Blending<Rgb565>,
         F: ShaderFor<Rgb565>,
     {
-        // Triangles suffice: edges and points reach the pixels by the same path.
+        // Triangles are enough, because edges and points reach the pixels by the same code.
         let mut frame = self.blank();
         self.on_frame(&mut frame, &mut |canvas| {
             canvas.draw_with(options, self.mesh, &self.mvp, shader)
@@ -604,7 +608,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     fn in_bands(&self, draw: &mut Draw<'_>) -> Picture {
         let mut picture = self.blank();
         let (width, height) = self.scene.size;
-        // More than a dozen bands would take long and find little.
+        // More than twelve bands would take long and find little.
         let least = height.div_ceil(12);
         let mut heights = self.scene.bands.iter().cycle();
         let (mut colors, mut depths) = (&mut picture.colors[..], &mut picture.depths[..]);
@@ -625,6 +629,6 @@ impl<K: ProjectionKind> Call<'_, K> {
 
 type Frame<'f> = Canvas<'f, Rgb565, Native, LinearDepth>;
 
-/// Draws into a frame or a band. The type is not generic: there are hundreds of such closures, and the tests would take
-/// minutes to compile.
+/// Draws into a frame or a band. All closures have this one type. There are hundreds of them, so generic functions
+/// would take minutes to compile.
 type Draw<'d> = dyn FnMut(&mut Frame<'_>) -> Drawn + 'd;

@@ -1,4 +1,4 @@
-//! Checks a scene in every mode, or with one of the crate's shaders.
+//! Checks a scene in every mode, or with one of the crate's shaders in the default mode.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
@@ -14,7 +14,8 @@ use super::shades::{self, Draw, Shade, Shine};
 use crate::mode::Mode;
 use crate::recorder::{Few, Record};
 
-/// Draws the scene that these bytes encode if the constructors accept its numbers, and checks all invariants.
+/// Draws the scene that these bytes encode, if the constructors accept its numbers. Checks all invariants of the
+/// pictures.
 ///
 /// # Panics
 ///
@@ -85,12 +86,13 @@ struct DefaultMode<'a, 'c, K> {
 
 impl<K: ProjectionKind> Draw for DefaultMode<'_, '_, K> {
     fn draw<F: ShaderFor<Rgb565>>(self, shader: &F) {
-        // The checks with `Bits` cover what holds for the pixels of every shader.
+        // `Bits` checks the invariants of the pixels, which are the same for all shaders. Here only frames are
+        // compared.
         self.call.check_frames(&self.options, shader);
     }
 }
 
-/// Checks every mode, and that all modes except `Compact` draw the same pixels at the same depths.
+/// Checks every mode. All modes except `Compact` must draw the same pixels at the same depths.
 fn check_modes<K: ProjectionKind, const N: usize>(call: &Call<'_, K>, options: DrawOptions)
 where
     [(); N]: Few<N>,
@@ -122,12 +124,13 @@ where
     let fast = call.check(&options.with_mode(Fast::within(tolerance)), shader);
     check(Mode::Fast(tolerance.max(fx!(0))), fast);
     check(Mode::Affine, call.check(&options.with_mode(Affine), shader));
-    // Depths of `Compact` may differ by a step from those of the others. If they do, it may also draw other pixels.
+    // Depths of `Compact` can differ by a step from the depths of other modes. Then `Compact` can also draw other
+    // pixels.
     let compact: Record<N, Rgb565> = call.check(&options.with_mode(Compact), shader);
     if let Some(truth) = &truth {
         truth.check(Mode::Compact, &compact);
     }
-    // Storage and blending of colors do not depend on the mode, so one mode suffices for them.
+    // The storage and the blending of colors do not depend on the mode, so they are checked in one mode only.
     call.check_bytes(&options, shader);
     call.check_blended(&options, shader);
 }

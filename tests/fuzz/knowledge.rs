@@ -1,4 +1,4 @@
-//! The f64 model's triangles, and bounds on the crate's deviation from them.
+//! The f64 model's triangles, and bounds of the crate's deviation from them.
 
 use fixel::prelude::*;
 
@@ -7,17 +7,18 @@ use crate::reference::clip::Plane;
 use crate::reference::projection::{Kind, Projection as ModelProjection};
 use crate::reference::view::{Projected, View, Viewport as ModelViewport};
 
-/// Half the guard band's width in pixels.
+/// Half of the guard band's width, in pixels.
 const GUARD: f64 = 2048.;
 
-/// The corners of a triangle, and the bounds on the crate's errors. The bounds are those of tests/accuracy/mvps.rs.
+/// The corners of a triangle, and the bounds of the crate's errors, which tests/accuracy/mvps.rs derives.
 pub struct Knowledge {
     pub view: View,
     pub at: [Projected; 3],
-    /// The largest coefficient of x and y, in pixels, and of depth, which has the guard band's scale. (Clip coordinates
-    /// share an exponent.)
+    /// The largest coefficient of x and y, in pixels, and of depth, which has the guard band's scale. (All clip
+    /// coordinates have the same exponent.)
     scale: f64,
-    /// The bound on the error of each corner's clip coordinates, in units of a distance times the scale.
+    /// For each corner, the bound of the error of its clip coordinates, divided by the scale. It has the unit of a
+    /// distance.
     errors: [f64; 3],
 }
 
@@ -70,12 +71,12 @@ impl Knowledge {
         self.view.projection.kind == Kind::Parallel
     }
 
-    /// The bound on the error of a corner's distance, or of its depth relative to the depth range.
+    /// The bound of the error of a corner's distance, or of its depth relative to the depth range.
     pub fn of_depth(&self, corner: usize) -> f64 {
         self.errors[corner] * self.scale / GUARD
     }
 
-    /// The bound on the error of a clipped outline in pixels, before rounding, anywhere in the guard band. Away from
+    /// The bound of the error of a clipped outline anywhere in the guard band, in pixels, before rounding. Away from
     /// the middle, an error of w causes an error of x.
     pub fn of_place(&self) -> f64 {
         let most = self.errors.into_iter().fold(0., f64::max);
@@ -87,10 +88,11 @@ impl Knowledge {
         2. * most * self.scale / nearest
     }
 
-    /// The clipping planes that keep distances from `near` times the near plane's to `far` times the far plane's.
+    /// The clipping planes that keep distances from `near` times the near plane's distance to `far` times the far
+    /// plane's distance.
     ///
-    /// z = a·w − b, where a = (f + n)/(f − n) and b = 2fn/(f − n), is above −k·w beyond the distance n′ if k = b/n′ −
-    /// a.
+    /// z = a·w − b, where a = (f + n)/(f − n) and b = 2fn/(f − n). So z is above −k·w beyond the distance n′ if k =
+    /// b/n′ − a.
     pub fn planes(&self, near: f64, far: f64) -> [Plane; 2] {
         let ModelProjection {
             near: n, far: f, ..

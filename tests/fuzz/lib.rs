@@ -1,8 +1,8 @@
-//! The checks of draw calls made from arbitrary bytes. Each makes an input from bytes, passes it to the crate, and
+//! Checks of draw calls made from arbitrary bytes. A check makes an input from the bytes, passes it to the crate, and
 //! checks the invariants of the result.
 //!
-//! The target for libFuzzer, `target.rs`, calls [`draw::check`] with arbitrary bytes; `replay.rs` calls it with the
-//! inputs that were kept. A check that fails panics.
+//! libFuzzer's target, `target.rs`, calls [`draw::check`] with arbitrary bytes. `replay.rs` calls it with the inputs
+//! that were kept. A check that fails panics.
 //!
 //! | file | contents |
 //! |---|---|
@@ -11,7 +11,7 @@
 //! | `projection` | projections of the crate, and the same of the model |
 //! | `steps` | products of transforms of the crate, and the same of the model |
 //! | `draw` | a scene in every mode, and with one of the crate's shaders |
-//! | `shaders` | a shader whose color depends on every bit |
+//! | `shaders` | a shader with colors that depend on every bit |
 //! | `shades` | the crate's shaders |
 //! | `call` | a draw call in bands, prepared, as bytes and twice |
 //! | `knowledge` | the f64 model's triangles, and bounds on the crate's deviation from them |
@@ -20,7 +20,7 @@
 // f64 holds every integer used here, and no pixel lies left of or above the picture.
 #![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]
 
-// The accuracy tests use more of these items.
+// The accuracy tests use more items of the following modules.
 #[path = "../accuracy/bounds.rs"]
 #[allow(dead_code)]
 mod bounds;

@@ -1,7 +1,7 @@
 //! Compares the pixels of triangles with the f64 model.
 //!
-//! If all corners of a triangle are visible, the corners that the crate reports determine exactly which pixels it
-//! covers, whatever the scene's numbers are. Values at these pixels are compared if the model knows the
+//! If all corners of a triangle are visible, the corners that the crate reports determine exactly which pixels the
+//! triangle covers, whatever the scene's numbers are. Values at these pixels are compared if the model knows the
 //! model-view-projection.
 
 use embedded_graphics::pixelcolor::Rgb565;
@@ -18,22 +18,22 @@ use crate::reference::coverage::{Bounds, Snapped, area2, center, covered_in, cov
 use crate::reference::distance::to_triangle;
 use crate::reference::raster::{Mesh, Piece, pieces_clipped};
 
-/// The largest ratio of distances within a triangle for which the modes promise their errors.
+/// The largest ratio of distances within a triangle for which the modes promise a largest error.
 const MOST_RATIO: f64 = 128.;
 /// The largest relative error of a distance for which values are compared. With this error, a corner is still within a
-/// thousandth of a pixel of the model's.
+/// thousandth of a pixel of the model's corner.
 const MOST_ERROR: f64 = 1. / 65536.;
 /// The largest error of a depth for which depths are compared.
 const MOST_DEPTH_ERROR: f64 = 4.;
-/// The relative error of a depth: the reciprocals of the distance and of the near plane, and the scale of 65536,
-/// contribute 2⁻³⁰ each.
+/// The error of a depth, relative to the depth: 2⁻³⁰ each for the reciprocals of the distance and of the near plane,
+/// and for the scale of 65536.
 const DEPTH_SCALE: f64 = 65536. / (1 << 28) as f64;
 
-/// The known triangles of a scene.
+/// The triangles of a scene, as far as the model knows them.
 pub struct Truth {
-    /// For each triangle of the mesh: its values, if all its corners are visible.
+    /// For each triangle of the mesh: its values if all its corners are visible.
     whole: Vec<Option<Whole>>,
-    /// For each other triangle: its visible part, if the model knows enough about it.
+    /// For each other triangle: its visible part if the model knows enough about it.
     clipped: Vec<Option<Clipped>>,
     window: Bounds,
     cull: Cull,
@@ -51,9 +51,9 @@ struct Ahead {
     parallel: bool,
     w: [f64; 3],
     depth: [f64; 3],
-    /// The bound on the relative error of w.
+    /// The bound of the relative error of w.
     w_error: f64,
-    /// The bound on a depth's error, before it is rounded down.
+    /// The bound of a depth's error, before the depth is rounded down.
     depth_error: f64,
 }
 
@@ -108,9 +108,9 @@ impl Truth {
         }
     }
 
-    /// Compares the pixels recorded in a mode.
+    /// Compares the pixels that were recorded in a mode with the model.
     pub fn check<const N: usize>(&self, mode: Mode, record: &Record<N, Rgb565>) {
-        // The pixels of a face follow one another.
+        // The pixels of a face directly follow each other.
         let mut faces = record.seen.chunk_by(|a, b| a.face == b.face).peekable();
         for (face, whole) in self.whole.iter().enumerate() {
             let seen = faces
@@ -194,9 +194,9 @@ impl Ahead {
         }
     }
 
-    /// How much a value may change if each w has an error.
+    /// The largest change of a value if each w has an error.
     ///
-    /// If each w has a relative error of ε, the relative change of the barycentric weights is 2ε/(1 − ε), and the value
+    /// If each w has a relative error of ε, the barycentric weights change by at most 2ε/(1 − ε). The value then
     /// changes by at most this fraction of its range over the corners.
     fn moved(&self, corners: [i32; 3]) -> f64 {
         let [a, b, c] = corners;
@@ -217,7 +217,7 @@ impl Ahead {
 }
 
 impl Knowledge {
-    /// The distances of the corners; `None` if their errors or their ratio are too large.
+    /// The distances of the corners; `None` if their errors or the ratio between them are too large.
     fn ahead(&self) -> Option<Ahead> {
         let most = |of: &dyn Fn(usize) -> f64| of(0).max(of(1)).max(of(2));
         let w = self.at.map(|at| at.w);
@@ -240,22 +240,22 @@ impl Knowledge {
     }
 }
 
-/// The visible part of a triangle that is clipped.
+/// The visible part of a clipped triangle.
 struct Clipped {
-    /// The part whose pixels must be drawn, except those next to its outline.
+    /// The part with pixels that must be drawn, except next to its outline.
     inner: Vec<Piece<0>>,
-    /// The part whose pixels may be drawn.
+    /// The part with pixels that may be drawn.
     outer: Vec<Piece<0>>,
-    /// The bound on the outline's error, in pixels.
+    /// The bound of the outline's error, in pixels.
     margin: f64,
 }
 
-/// A little more than the bound on a corner's error, which is 1/512 pixel along each axis because of rounding.
+/// A little more than the bound of a corner's error: rounding moves the corner by up to 1/512 pixel along each axis.
 const SNAP: f64 = 1. / 256.;
-/// The largest error from other causes for which a triangle is compared.
+/// A triangle is not compared if other errors are larger than this.
 const MOST_MOVED: f64 = 1. / 64.;
-/// A pixel this close to the near or the far plane, as a ratio of distances, may or may not be drawn: the crate's
-/// planes deviate by 2⁻¹⁶ plus rounding.
+/// A pixel may be drawn or not if the ratio of its distance to that of the near or the far plane is within this factor.
+/// The crate's planes deviate by 2⁻¹⁶ plus rounding.
 const CLOSE: f64 = 1.01;
 
 impl Clipped {
@@ -279,7 +279,7 @@ impl Clipped {
         })
     }
 
-    /// Checks the pixels of a triangle, in row order.
+    /// Checks the pixels of a triangle. The pixels are in row order.
     fn check(&self, mode: Mode, window: Bounds, drawn: &[[i32; 2]]) {
         let diagonal = 2_f64.sqrt() * self.margin;
         let around = [

@@ -1,4 +1,4 @@
-//! Projections made from arbitrary numbers, by the crate and by the model.
+//! Projections made from arbitrary numbers, both by the crate and by the model.
 
 use arbitrary::{Result, Unstructured};
 use fixel::prelude::*;
@@ -26,7 +26,7 @@ pub enum Projected {
     Parallel(Projection<Parallel>),
 }
 
-/// Left, right, bottom, top, near and far: arbitrary, or those of a view around the origin.
+/// Left, right, bottom, top, near and far: arbitrary numbers, or the numbers of a view around the origin.
 fn six(u: &mut Unstructured<'_>) -> Result<[Scalar; 6]> {
     if u.ratio(1, 2)? {
         let [l, r, b, t] = u
@@ -58,7 +58,7 @@ fn planes(u: &mut Unstructured<'_>) -> Result<[Scalar; 2]> {
     Ok([a.min(b), a.max(b)])
 }
 
-/// A field of view, which is rarely very wide or very narrow.
+/// A field of view. It is rarely very wide or very narrow.
 fn field_of_view(u: &mut Unstructured<'_>) -> Result<Angle> {
     if u.ratio(1, 8)? {
         angle(u)
@@ -74,7 +74,7 @@ impl ProjectionArguments {
             1 => Self::Orthographic(six(u)?),
             2 => Self::Oblique(angle(u)?, scalar(u)?, six(u)?),
             3 => Self::Focal(size(u)?, planes(u)?),
-            // A focal length about as long as the width of a small canvas.
+            // The focal length is about as long as the width of a small canvas.
             4 => Self::Focal(Scalar::from(u.int_in_range(1..=200_u8)?), planes(u)?),
             5 => Self::Perspective(field_of_view(u)?, Some(scalar(u)?), planes(u)?),
             _ => Self::Perspective(field_of_view(u)?, None, planes(u)?),
@@ -125,8 +125,8 @@ impl ProjectionArguments {
             }
             Self::Oblique(angle, ratio, edges) => {
                 let [l, r, b, t, n, f] = exact(edges);
-                // The crate's oblique projection keeps points of the near plane in place; the model's keeps points of
-                // the plane through the eye in place.
+                // The crate's oblique projection keeps points of the near plane in place. The model's oblique
+                // projection keeps points of the plane through the eye in place.
                 let (angle, ratio) = (radians(angle), f64::from(ratio));
                 let (x, y) = (n * ratio * angle.cos(), n * ratio * angle.sin());
                 projection::oblique(angle, ratio, (l + x, r + x, b + y, t + y), n, f)

@@ -1,4 +1,4 @@
-//! A draw call made from bytes.
+//! A draw call that is made from bytes.
 
 use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::Rgb888;
@@ -13,7 +13,7 @@ use super::steps::{Eye, Steps};
 /// The largest number of positions, and of triangles, in a mesh.
 const MOST: usize = 10;
 
-/// The values of an attribute, with or without faces of their own.
+/// The values of an attribute, with or without its own faces.
 #[derive(Clone, Debug)]
 pub struct Attribute<T> {
     pub values: Vec<T>,
@@ -51,7 +51,7 @@ fn indices<const K: usize>(u: &mut Unstructured<'_>, count: usize) -> Result<[u1
     Ok(indices.map(|index| u16::from(index) % u16::try_from(count.max(1)).unwrap()))
 }
 
-/// An attribute's indices at a triangle's corners; some corners have no value.
+/// Indices of an attribute at a triangle's corners. Sometimes, a corner has no value.
 fn corners(u: &mut Unstructured<'_>, count: usize) -> Result<[u16; 3]> {
     Ok(if u.ratio(1, 8)? {
         let [a, b, _] = indices(u, count)?;
@@ -70,16 +70,17 @@ pub enum What {
     Sprites(Billboard),
 }
 
-/// The properties of sprites besides positions. The scene's colors and texture coordinates have no effect on sprites.
+/// The properties of sprites, except their positions. The scene's colors and texture coordinates have no effect on
+/// sprites.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Billboard {
     size: (Scalar, Scalar),
     in_pixels: bool,
     axis: Option<Vec3>,
     anchor: Vec2,
-    /// The scale of the first sprite; the others have multiples.
+    /// The scale of the first sprite. The scales of the others are multiples.
     scale: Option<Scalar>,
-    /// The frame of the first sprite; the others have multiples.
+    /// The frame of the first sprite. The frames of the others are multiples.
     frame: Option<u16>,
     grid: (u16, u16),
 }
@@ -140,7 +141,7 @@ pub struct Changes {
     normals: Option<Crease>,
 }
 
-/// A second keyframe, and the position between the two keyframes.
+/// A second keyframe, and a position between the first and the second.
 #[derive(Clone, Debug)]
 struct Keyframe {
     positions: Vec<Vec3>,
@@ -180,7 +181,7 @@ impl Changes {
             normals: option(u, |u| {
                 Ok(match option(u, angle)? {
                     None => Crease::None,
-                    // At most half a turn.
+                    // Use an angle of at most half a turn.
                     Some(angle) if angle.to_bits() > 1 << 31 => Crease::Above(-angle),
                     Some(angle) => Crease::Above(angle),
                 })
@@ -192,7 +193,7 @@ impl Changes {
 /// Memory for the blended mesh, and for the mesh with computed normals.
 pub type Rooms = [Room; 2];
 
-/// Room for the lists of any scene's mesh.
+/// Memory for the lists of any scene's mesh.
 #[derive(Debug)]
 pub struct Room {
     positions: [Vec3; MOST],
@@ -224,15 +225,15 @@ pub struct Scene {
     pub size: (u32, u32),
     pub viewport: Option<[i32; 4]>,
     pub cull: Cull,
-    /// The bands' heights in rows; the list repeats.
+    /// The heights of the bands in rows. The list repeats.
     pub bands: Vec<u8>,
     pub what: What,
     pub shade: Shade,
-    /// Tolerance of mode `Fast`, in texels.
+    /// The tolerance of mode `Fast`, in texels.
     pub tolerance: Scalar,
-    /// The initial contents of the depth buffer, in its first and in its second half.
+    /// The initial contents of the depth buffer: one value in its first half, the other in its second half.
     pub depths: [u16; 2],
-    /// How edges and points are drawn; 0 draws single pixels.
+    /// How edges and points are drawn. If 0, they are drawn as single pixels.
     pub style: u8,
     pub changes: Changes,
 }
@@ -241,7 +242,7 @@ impl Scene {
     /// The scene that these bytes encode.
     pub fn of(bytes: &[u8]) -> Result<Self> {
         let u = &mut Unstructured::new(bytes);
-        // The parts that affect a picture most come first.
+        // The parts with the most effect on the picture come first.
         let what = *u.choose(&[
             What::Triangles,
             What::Triangles,
@@ -283,11 +284,11 @@ impl Scene {
             bands: u.arbitrary::<[u8; 3]>()?.to_vec(),
             tolerance: match u.int_in_range(0..=5)? {
                 0 => Scalar::from_bits(bits(u)?),
-                // 1/8 to 2 texels.
+                // The tolerance is 1/8 to 2 texels.
                 power => Scalar::from_bits(1 << (12 + power)),
             },
             depths: u.arbitrary()?,
-            // New fields come last, so that older inputs keep their meaning: missing bytes are 0.
+            // New fields come last, and missing bytes are 0, so that older inputs keep their meaning.
             style: u.arbitrary()?,
             changes: Changes::NONE,
             positions,
@@ -297,7 +298,7 @@ impl Scene {
             size,
             projection,
         };
-        // Sprites come last for the same reason.
+        // Sprites come last, too, so that older inputs keep their meaning.
         if let Some(sprites) = option(u, Billboard::arbitrary)? {
             scene.what = What::Sprites(sprites);
         }
@@ -311,7 +312,7 @@ impl Scene {
         self.changed(self.first()?, rooms)
     }
 
-    /// The mesh before it changes.
+    /// The mesh before it is changed.
     fn first(&self) -> Result<Mesh<'_>, Error> {
         let mut mesh = Mesh::new(&self.positions, &self.faces)?.with_edges(&self.edges)?;
         if let Some(uvs) = &self.uvs {
@@ -351,7 +352,7 @@ impl Scene {
         }
     }
 
-    /// The draw options in the default mode, if the viewport is possible.
+    /// The draw options in the default mode, if the crate accepts the viewport.
     pub fn options(&self) -> Result<DrawOptions, Error> {
         let options = DrawOptions::new().with_cull(self.cull);
         Ok(match self.viewport {
@@ -360,7 +361,7 @@ impl Scene {
         })
     }
 
-    /// The viewport; the whole canvas if none is given.
+    /// The viewport: the whole canvas if the scene has none.
     pub fn window(&self) -> Result<Viewport, Error> {
         match self.viewport {
             None => Viewport::new(0, 0, self.size.0, self.size.1),

@@ -1,13 +1,14 @@
-//! A shader whose color depends on every bit of its input.
+//! A shader with colors that depend on every bit of its input.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::prelude::*;
 
 use crate::recorder::{Coordinates, Few};
 
-/// A shader whose color depends on every bit of up to three values. It discards some pixels.
+/// A shader with colors that depend on every bit of up to three values. The shader discards some pixels.
 ///
-/// The first two values are texture coordinates over their whole range. The third jumps between the ends of its format.
+/// The first two values are texture coordinates in their whole range. The third value jumps between the ends of its
+/// format.
 #[derive(Clone, Copy, Debug)]
 pub struct Bits<const N: usize>;
 

@@ -9,7 +9,7 @@ use fixel::texture::{Argb1555, Argb4444, Indexed, Mipmap, Nearest, Repeat};
 
 use super::numbers::{option, scalar, vector};
 
-/// A shader of the crate, or the one whose color depends on every bit.
+/// One of the crate's shaders, or the shader with colors that depend on every bit.
 #[derive(Clone, Debug)]
 pub enum Shade {
     /// `shaders::Bits` with this number of values.
@@ -103,12 +103,12 @@ impl Shine {
     }
 }
 
-/// Work to be done with any shader.
+/// A function of a shader of any type.
 pub trait Draw {
     fn draw<F: ShaderFor<Rgb565>>(self, shader: &F);
 }
 
-/// Texels that all differ from their neighbors.
+/// Texels that differ from all of their neighbors.
 const fn texels<const W: usize, const H: usize>() -> [[Rgb565; W]; H] {
     let mut texels = [[Rgb565::new(0, 0, 0); W]; H];
     let mut row = 0;
@@ -166,7 +166,7 @@ pub fn draw(which: u8, lights: Lights, color: Rgb888, between: [u16; 2], then: i
         spot,
         exponent,
     } = lights;
-    // The shaders need distances. Any numbers will do, so these are made from the depths.
+    // The shaders need distances. Any distances will do, so they are made from the depths.
     let [least, most] = between.map(|depth| Scalar::from_bits(i32::from(depth) << 4));
     let (near, beyond) = (least.min(most), least.max(most) + Scalar::DELTA);
     let linear = Fog::linear(Rgb565::from(color), near, beyond).unwrap();
@@ -176,7 +176,7 @@ pub fn draw(which: u8, lights: Lights, color: Rgb888, between: [u16; 2], then: i
     let glossy = spot.shiny(viewer, exponent, fx!(1)).unwrap();
     let shiny = |lamp: Light| lamp.shiny(viewer, exponent, fx!(0.5)).unwrap();
     let faces = [Rgb565::new(31, 0, 0), color.into(), Rgb565::new(0, 0, 31)];
-    // Parts may be in any order, and a range may be reversed.
+    // The parts can be in any order, and a range can be reversed.
     let part = |depth: u16| {
         Part::new(
             (depth & 15).into()..(depth >> 4 & 15).into(),
@@ -229,7 +229,7 @@ pub fn draw(which: u8, lights: Lights, color: Rgb888, between: [u16; 2], then: i
     }
 }
 
-/// All mipmap levels of a texture with these texels.
+/// The texels of all levels of a mipmap.
 const fn all_levels<const LENGTH: usize>() -> [Rgb565; LENGTH] {
     let texels: [[Rgb565; LENGTH]; 1] = texels();
     texels[0]
@@ -237,7 +237,7 @@ const fn all_levels<const LENGTH: usize>() -> [Rgb565; LENGTH] {
 
 static LEVELS: [Rgb565; Mipmap::<Rgb565>::len(32, 8)] = all_levels();
 
-/// A surface with mipmaps, made for a projection that may differ from the draw call's.
+/// A surface with mipmaps, made for a projection that can differ from the draw call's projection.
 fn levels(
     near: Scalar,
     far: Scalar,
@@ -251,22 +251,22 @@ fn levels(
         .unwrap()
 }
 
-/// Colors by height, between two heights.
+/// A gradient of colors between two heights.
 fn heights(low: Scalar, high: Scalar, color: Rgb888) -> Gradient<Rgb565> {
     Gradient::new((low, color), (high, Rgb888::new(9, 200, 50))).unwrap()
 }
 
-/// A color times its opacity.
+/// A color that depends on the opacity. Transparent pixels are discarded.
 fn thinned(_: &Fragment, Translucent { color, opacity }: Translucent<Rgb565>) -> Option<Rgb565> {
     (opacity > 0).then(|| Rgb565::new(color.r() & opacity, color.g(), opacity >> 3))
 }
 
-/// A shader whose colors are converted to the canvas's color type.
+/// Converts the colors of a shader to the canvas's color type.
 fn wide(shader: impl ShaderFor<Rgb888>) -> impl ShaderFor<Rgb565> {
     shader.map(|at, color| Some(Rgb565::from(color.finish(at.point))))
 }
 
-/// The same for a shader with few grays.
+/// Converts the few grays of a shader to colors of 24 bits.
 fn wide_gray<C: PixelFormat>(shader: impl ShaderFor<C>) -> impl ShaderFor<Rgb888> {
     shader.converted()
 }

@@ -1,4 +1,4 @@
-//! Products of transforms, by the crate and by the model.
+//! Products of transforms, made both by the crate and by the model.
 
 use arbitrary::{Result, Unstructured};
 use fixel::prelude::*;
@@ -9,7 +9,7 @@ use crate::moves::Move;
 /// A factor in a product of transforms.
 #[derive(Clone, Copy, Debug)]
 pub enum Step {
-    /// A transform that is applied after the previous ones.
+    /// A transform, multiplied from the right: it acts on points before the previous steps do.
     Move(Move),
     Uniform(Scalar),
     Rotate(Vec3, Angle),
@@ -58,7 +58,7 @@ impl Steps {
         few(u, count, Step::arbitrary).map(Self)
     }
 
-    /// Whether an odd number of axes is mirrored.
+    /// Whether the product mirrors: an odd number of factors is negative.
     pub fn mirrors(&self) -> bool {
         let negative = |factor: Scalar| factor < fx!(0);
         self.0.iter().fold(false, |mirrors, step| match step {
@@ -106,7 +106,7 @@ impl Eye {
             2 => Self::LookAt([vector(u)?, vector(u)?, vector(u)?]),
             3 => Self::Trimetric(vector(u)?, scalar(u)?, [angle(u)?, angle(u)?]),
             4 => Self::AtOrigin,
-            // Up to 16 units back, so that the surroundings of the origin are in view.
+            // The camera is up to 16 units back, so that the surroundings of the origin are in view.
             _ => {
                 let distance = i32::from(u.arbitrary::<u8>()?) << 12;
                 let back = Vec3::from_bits([0, 0, -distance]);
@@ -115,7 +115,7 @@ impl Eye {
         })
     }
 
-    /// Whether the view mirrors an odd number of axes.
+    /// Whether the camera mirrors the view.
     pub fn mirrors(&self) -> bool {
         match self {
             Self::View(steps) | Self::Placed(steps) => steps.mirrors(),

@@ -1,8 +1,7 @@
-//! Perspective-correct values at a point of a triangle, and their change from pixel to pixel.
+//! Perspective-correct values at a point of a triangle, and their changes from pixel to pixel.
 //!
-//! 1/w and attribute/w are linear on the screen. Let λᵢ be the weights of the corners, which are linear in x and y,
-//! N = Σ λᵢ aᵢ/wᵢ and D = Σ λᵢ/wᵢ. Then the attribute is a = N/D, and by the quotient rule
-//! ∂a/∂x = (∂N/∂x − a ∂D/∂x)/D.
+//! 1/w and attribute/w are linear on the screen. Let λᵢ be the weights of the corners, which are linear in x and y.
+//! With N = Σ λᵢ aᵢ/wᵢ and D = Σ λᵢ/wᵢ, the attribute is a = N/D. By the quotient rule, ∂a/∂x = (∂N/∂x − a ∂D/∂x)/D.
 
 use super::coverage::{Corners, Snapped, area2, area2_f64, center, center_snapped, edge};
 use super::view::unsnap;
@@ -10,17 +9,17 @@ use super::view::unsnap;
 /// Barycentric weights of a triangle's corners at a point; their sum is 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Barycentric {
-    /// The weights. A corner's weight is negative if its opposite edge lies between it and the point.
+    /// The weights. A corner's weight is negative if the opposite edge lies between the corner and the point.
     pub value: [f64; 3],
-    /// Change per pixel to the right.
+    /// The change of the weights per pixel to the right.
     pub dx: [f64; 3],
-    /// Change per pixel downwards.
+    /// The change of the weights per pixel down.
     pub dy: [f64; 3],
 }
 
 impl Barycentric {
-    /// The weights from twice the areas of the triangles that a point forms with the edges opposite each corner, and
-    /// from twice the whole area.
+    /// The weights, from twice the area of the whole triangle and twice the areas of three triangles. Each of these
+    /// connects the point with the edge opposite a corner.
     fn new(&[a, b, c]: &Corners, opposite: [f64; 3], area: f64) -> Self {
         let over_area = |[a, b, c]: [f64; 3]| [a / area, b / area, c / area];
         Self {
@@ -46,15 +45,15 @@ pub fn weights(t: &Corners, p: [f64; 2]) -> Option<Barycentric> {
     ))
 }
 
-/// Barycentric weights at a pixel's center for snapped corners (24.8). Each is the quotient of two exact integers,
-/// rounded three times: both conversions to f64 and the division.
+/// Barycentric weights at the center of a pixel, for snapped corners (24.8). Each weight is the quotient of two exact
+/// integers. It is rounded three times: in both conversions to f64, and in the division.
 pub fn weights_snapped(t: Snapped, pixel: [i32; 2]) -> Option<Barycentric> {
     let area = area2(t);
     if area == 0 {
         return None;
     }
     let (p, [a, b, c]) = (center_snapped(pixel), t);
-    // Powers of two, so these are exact.
+    // The divisor is a power of two, so the quotient is exact.
     let in_pixels = |units: i128| units as f64 / 65536.;
     let with = |from, to| in_pixels(edge(from, to, p));
     let corners = [unsnap(a), unsnap(b), unsnap(c)];
@@ -67,20 +66,20 @@ pub fn weights_snapped(t: Snapped, pixel: [i32; 2]) -> Option<Barycentric> {
 pub struct Value<const N: usize> {
     /// Homogeneous w.
     pub w: f64,
-    /// ∂(1/w) per pixel to the right and downwards.
+    /// ∂(1/w) per pixel to the right and down.
     pub inverse_w_gradient: [f64; 2],
     /// The attributes.
     pub attributes: [f64; N],
-    /// Their change per pixel to the right, at this point.
+    /// The change of the attributes per pixel to the right, at this point.
     pub dx: [f64; N],
-    /// Their change per pixel downwards, at this point.
+    /// The change of the attributes per pixel down, at this point.
     pub dy: [f64; N],
 }
 
-/// The perspective-correct value for given weights, from `w` and `attributes` at the corners.
+/// The perspective-correct value for these weights, from `w` and `attributes` at the corners.
 ///
-/// If all w are equal, this is linear interpolation. Outside the triangle 1/w may fall to 0; from there on the value
-/// has no meaning.
+/// If all w are equal, this is linear interpolation. Outside the triangle, 1/w can fall to 0; beyond, the value has no
+/// meaning.
 pub fn interpolate<const N: usize>(
     weights: &Barycentric,
     w: [f64; 3],
@@ -111,7 +110,7 @@ pub fn interpolate<const N: usize>(
     }
 }
 
-/// The value at a pixel's center for snapped corners (24.8); `None` for a triangle without area.
+/// The value at the center of a pixel, for snapped corners (24.8); `None` for a triangle without area.
 pub fn at_pixel_snapped<const N: usize>(
     t: Snapped,
     w: [f64; 3],
@@ -121,7 +120,7 @@ pub fn at_pixel_snapped<const N: usize>(
     weights_snapped(t, pixel).map(|weights| interpolate(&weights, w, attributes))
 }
 
-/// The value at a pixel's center for corners in pixels; `None` for a triangle without area.
+/// The value at the center of a pixel, for corners in pixels; `None` for a triangle without area.
 pub fn at_pixel<const N: usize>(
     t: &Corners,
     w: [f64; 3],

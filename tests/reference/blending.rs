@@ -1,6 +1,6 @@
 //! Blending formulas in f64, for channels from 0 (black) to 1.
 
-/// Opacity: a color that covers another by a share from 0 to 1.
+/// Opacity: a color covers another color by a share from 0 to 1.
 pub fn over(above: f64, below: f64, share: f64) -> f64 {
     share * above + (1. - share) * below
 }

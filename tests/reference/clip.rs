@@ -30,7 +30,7 @@ pub struct ClipVertex<const N: usize> {
     pub position: Vec4,
     /// Attributes, which are linear in space.
     pub attributes: [f64; N],
-    /// The mesh position's index; `None` for a vertex that clipping made.
+    /// The index of the mesh's position; `None` for a vertex that clipping made.
     pub source: Option<usize>,
 }
 
@@ -40,7 +40,7 @@ pub fn side(plane: &Plane, position: &Vec4) -> f64 {
 }
 
 /// The point where an edge meets a plane. It is always computed from the inside end to the outside end, so that two
-/// polygons that share the edge get the same bits.
+/// polygons with the same edge get the same bits.
 fn cut<const N: usize>(
     inside: &ClipVertex<N>,
     outside: &ClipVertex<N>,
@@ -59,7 +59,7 @@ fn cut<const N: usize>(
     }
 }
 
-/// The part of a convex polygon inside all `planes`, of the same winding; empty if there is none.
+/// The part of a convex polygon inside all `planes`, with the same winding; empty if no part is inside.
 pub fn polygon<const N: usize>(vertices: &[ClipVertex<N>], planes: &[Plane]) -> Vec<ClipVertex<N>> {
     let mut inside = vertices.to_vec();
     for plane in planes {
@@ -81,7 +81,7 @@ pub fn polygon<const N: usize>(vertices: &[ClipVertex<N>], planes: &[Plane]) -> 
     inside
 }
 
-/// The part of a segment inside all `planes`; `None` if there is none.
+/// The part of a segment inside all `planes`; `None` if no part is inside.
 pub fn segment<const N: usize>(
     ends: [ClipVertex<N>; 2],
     planes: &[Plane],
@@ -101,7 +101,7 @@ pub fn segment<const N: usize>(
     Some([start, end])
 }
 
-/// A convex polygon as triangles that all start at its first vertex, of the same winding.
+/// A convex polygon as triangles that all start at its first vertex, with the same winding.
 pub fn fan<const N: usize>(polygon: &[ClipVertex<N>]) -> Vec<[ClipVertex<N>; 3]> {
     (1..polygon.len().max(2) - 1)
         .map(|i| [polygon[0], polygon[i], polygon[i + 1]])

@@ -1,4 +1,4 @@
-//! The pixel centers that a triangle covers, from half-spaces and the top-left rule.
+//! The pixel centers that a triangle covers, found with half-spaces and the top-left rule.
 //!
 //! A center is covered if it is inside all three edges. A center exactly on an edge is covered if the edge is a top
 //! edge (horizontal, with the triangle below it) or a left edge (with the triangle to its right). Every center is
@@ -44,7 +44,7 @@ impl Bounds {
         }
     }
 
-    /// The part of these bounds that contains every center within `margin` pixels of the corners' bounding box.
+    /// The part of these bounds with every center that is within `margin` pixels of the corners' bounding box.
     pub fn around(self, corners: &Corners, margin: f64) -> Self {
         let range = |axis: usize| {
             let low = corners.iter().map(|c| c[axis]).fold(f64::MAX, f64::min);
@@ -79,15 +79,15 @@ pub fn center([x, y]: [i32; 2]) -> [f64; 2] {
     [f64::from(x) + 0.5, f64::from(y) + 0.5]
 }
 
-/// (b − a) × (p − a), exact for any input: twice the area of the triangle a, b, p in 1/256² pixel²,
-/// positive if it runs clockwise on the screen (y down).
+/// (b − a) × (p − a), exact for any input. This is twice the area of the triangle a, b, p in 1/256² pixel², positive if
+/// the triangle runs clockwise on the screen (y down).
 pub fn edge(a: [i32; 2], b: [i32; 2], p: [i64; 2]) -> i128 {
     let from_a = |to: i64, axis: usize| i128::from(to) - i128::from(a[axis]);
     from_a(b[0].into(), 0) * from_a(p[1], 1) - from_a(b[1].into(), 1) * from_a(p[0], 0)
 }
 
-/// Twice the signed area in 1/256² pixel²: positive for corners that run clockwise on the screen
-/// (y down), so negative for a front face, whose corners run counter-clockwise.
+/// Twice the signed area in 1/256² pixel². It is positive for corners that run clockwise on the screen (y down), so it
+/// is negative for a front face, because its corners run counter-clockwise.
 pub fn area2(t: Snapped) -> i128 {
     edge(t[0], t[1], t[2].map(i64::from))
 }
@@ -98,13 +98,13 @@ pub fn area2_f64(t: &Corners) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// Whether an edge owns the centers on it, in a triangle that runs clockwise on the screen: a top
-/// edge runs right, a left edge runs up.
+/// Whether an edge owns the centers on it, in a triangle that runs clockwise on the screen. A top edge runs to the
+/// right, and a left edge runs up.
 fn is_top_left<T: PartialOrd>(a: &[T; 2], b: &[T; 2]) -> bool {
     b[1] < a[1] || (b[1] == a[1] && b[0] > a[0])
 }
 
-/// The edges of a triangle of either winding, in clockwise order on the screen; `None` without area.
+/// The edges of a triangle of either winding, in clockwise order on the screen; `None` for a triangle without area.
 fn edges(t: Snapped) -> Option<[[[i32; 2]; 2]; 3]> {
     let [a, b, c] = t;
     match area2(t) {
@@ -123,15 +123,15 @@ fn is_inside(edges: &[[[i32; 2]; 2]; 3], pixel: [i32; 2]) -> bool {
     })
 }
 
-/// Whether a triangle of either winding covers the center of `pixel`; one without area covers none.
+/// Whether a triangle of either winding covers the center of `pixel`. A triangle without area covers no center.
 pub fn covers(t: Snapped, pixel: [i32; 2]) -> bool {
     edges(t).is_some_and(|edges| is_inside(&edges, pixel))
 }
 
 /// Whether a triangle of either winding, with corners that were not snapped, covers a point.
 ///
-/// The ends of an edge are sorted first, so it has the same value in both triangles that share it:
-/// even in rounded arithmetic, they leave no gap and do not overlap.
+/// The ends of an edge are sorted first, so the edge has the same value in both of its triangles. Therefore the
+/// triangles leave no gap and do not overlap, even in rounded arithmetic.
 pub fn covers_f64(t: &Corners, p: [f64; 2]) -> bool {
     let [a, b, c] = *t;
     let [a, b, c] = match area2_f64(t) {
@@ -162,8 +162,8 @@ pub fn covered(t: Snapped, width: u32, height: u32) -> impl Iterator<Item = [i32
     covered_in(t, Bounds::new(width, height))
 }
 
-/// How many of the triangles cover each pixel, in row order. If adjoining triangles tile an area without overlap, the
-/// count is 1 everywhere inside it.
+/// How many of the triangles cover each pixel, in row order. If triangles tile an area without overlap, the count is 1
+/// everywhere inside the area.
 pub fn counts(triangles: &[Snapped], width: u32, height: u32) -> Vec<u32> {
     let mut counts = vec![0; width as usize * height as usize];
     for &triangle in triangles {

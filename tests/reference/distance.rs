@@ -2,7 +2,7 @@
 
 use super::coverage::{Corners, area2_f64};
 
-/// The fraction along a segment, 0 to 1, of its point closest to `p`; 0 for a segment without length.
+/// The fraction along a segment, from 0 to 1, at which the segment is closest to `p`; 0 for a segment without length.
 pub fn closest(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
     let along = [b[0] - a[0], b[1] - a[1]];
     let square = along[0] * along[0] + along[1] * along[1];
@@ -13,7 +13,7 @@ pub fn closest(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
     t.clamp(0., 1.)
 }
 
-/// The distance to a segment.
+/// The distance from `p` to a segment.
 pub fn to_segment(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
     let t = closest(a, b, p);
     let at = |i: usize| a[i] + t * (b[i] - a[i]) - p[i];
@@ -21,7 +21,7 @@ pub fn to_segment(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
     (x * x + y * y).sqrt()
 }
 
-/// The distance to a triangle of either winding; 0 inside it.
+/// The distance from `p` to a triangle of either winding; 0 inside the triangle.
 pub fn to_triangle(t: &Corners, p: [f64; 2]) -> f64 {
     let [a, b, c] = *t;
     let sign = area2_f64(t).signum();

@@ -1,4 +1,4 @@
-//! Fog: the part of a surface's color, 0 to 1, that shows through at a distance.
+//! Fog: the part of a surface's color, from 0 to 1, that shows through fog at a distance.
 
 /// Fog that begins at the distance `near` and hides everything from `far` on.
 pub fn linear(distance: f64, near: f64, far: f64) -> f64 {

@@ -9,7 +9,7 @@ pub struct Point {
     pub normal: Vec3,
 }
 
-/// How light falls off with `part`, the distance relative to the range.
+/// How light decreases with `part`, the distance divided by the range.
 #[derive(Clone, Copy, Debug)]
 pub enum Falloff {
     Smooth,
@@ -74,13 +74,13 @@ impl Source {
         }
     }
 
-    /// Diffuse brightness by Lambert's law.
+    /// The diffuse brightness by Lambert's law.
     pub fn diffuse(&self, point: Point) -> f64 {
         let (toward, strength) = self.ray(point.at);
         strength * dot(point.normal, toward).max(0.)
     }
 
-    /// Specular brightness by Blinn and Phong, for a unit vector toward the viewer.
+    /// The specular brightness by Blinn and Phong, for a unit vector toward the viewer.
     pub fn specular(&self, point: Point, viewer: Vec3, exponent: i32) -> f64 {
         let (toward, strength) = self.ray(point.at);
         if dot(point.normal, toward) <= 0. {

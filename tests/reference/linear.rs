@@ -6,7 +6,7 @@ pub type Vec3 = [f64; 3];
 /// A homogeneous point.
 pub type Vec4 = [f64; 4];
 
-/// Four rows; a column vector stands on the right: `M · v`.
+/// Four rows. A column vector stands on the right: `M · v`.
 pub type Matrix = [[f64; 4]; 4];
 
 /// The identity matrix.
@@ -47,14 +47,14 @@ pub fn normalized(v: Vec3) -> Vec3 {
     [v[0] / length, v[1] / length, v[2] / length]
 }
 
-/// a · b: applies first `b`, then `a`.
+/// The product a · b, which applies `b` first, then `a`.
 pub fn multiply(a: &Matrix, b: &Matrix) -> Matrix {
     std::array::from_fn(|row| {
         std::array::from_fn(|column| (0..4).map(|k| a[row][k] * b[k][column]).sum())
     })
 }
 
-/// The product of matrices in the order written: the last one acts first. `IDENTITY` for an empty list.
+/// The product of matrices in the order written: the last one acts first. The product of no matrices is `IDENTITY`.
 pub fn product(matrices: &[Matrix]) -> Matrix {
     matrices
         .iter()
@@ -72,20 +72,20 @@ pub fn apply_point(m: &Matrix, p: Vec3) -> Vec4 {
     apply(m, [p[0], p[1], p[2], 1.])
 }
 
-/// M · (p, 1) for an affine `m`, whose last row is (0, 0, 0, 1).
+/// M · (p, 1) for an affine `m`. The last row of `m` is (0, 0, 0, 1).
 pub fn point(m: &Matrix, p: Vec3) -> Vec3 {
     let [x, y, z, _] = apply_point(m, p);
     [x, y, z]
 }
 
-/// M · (v, 0) for an affine `m`: its translation does not apply.
+/// M · (v, 0) for an affine `m`. The translation has no effect.
 pub fn direction(m: &Matrix, v: Vec3) -> Vec3 {
     let [x, y, z, _] = apply(m, [v[0], v[1], v[2], 0.]);
     [x, y, z]
 }
 
-/// A surface normal transformed by the inverse transpose of the linear part of `m`, to unit length;
-/// `None` if `m` has no inverse.
+/// A surface normal, transformed by the inverse transpose of the linear part of `m`, with length 1; `None` if `m` has
+/// no inverse.
 pub fn normal(m: &Matrix, n: Vec3) -> Option<Vec3> {
     let inverse = inverse(m)?;
     Some(normalized(std::array::from_fn(|i| {
@@ -144,7 +144,7 @@ pub fn rotate_z(angle: f64) -> Matrix {
     ]
 }
 
-/// Rotates about any axis, counter-clockwise seen from the axis' tip (Rodrigues' formula).
+/// Rotates about any axis, counter-clockwise as seen from the tip of the axis (Rodrigues' formula).
 pub fn rotate(axis: Vec3, angle: f64) -> Matrix {
     let k = normalized(axis);
     let (s, c) = angle.sin_cos();
@@ -160,7 +160,7 @@ pub fn rotate(axis: Vec3, angle: f64) -> Matrix {
     m
 }
 
-/// World space to eye space, with the axes k = (eye − target)/‖·‖, i = up × k/‖·‖, j = k × i.
+/// The matrix from world space to eye space, with the axes k = (eye − target)/‖·‖, i = up × k/‖·‖, j = k × i.
 ///
 /// `None` if eye and target coincide or `up` is parallel to the line of sight, to within 1e-12.
 pub fn look_at(eye: Vec3, target: Vec3, up: Vec3) -> Option<Matrix> {

@@ -1,4 +1,4 @@
-//! Values along a projected segment, whose 1/z is linear on the screen.
+//! Values along a projected segment. 1/z is linear along it on the screen.
 
 use super::clip::{ALL_PLANES, ClipVertex, Plane, segment};
 use super::distance::{closest, to_segment};
@@ -92,21 +92,21 @@ impl<const N: usize> Line<N> {
         }
     }
 
-    /// The fraction at which the infinite line reaches this x (axis 0) or y (axis 1) in pixels, for lines drawn by
-    /// column or by row. Infinite or NaN if the line is parallel to the other axis.
+    /// The fraction at which the infinite line reaches this x (axis 0) or y (axis 1) in pixels. Lines are drawn column
+    /// by column or row by row with it. Infinite or NaN if the line is parallel to the other axis.
     pub fn fraction_at(&self, axis: usize, at: f64) -> f64 {
         let [start, end] = self.screen.map(|point| point[axis]);
         (at - start) / (end - start)
     }
 
-    /// The fraction on the screen, 0 to 1, of the line's point closest to a point in pixels.
+    /// The fraction along the line on the screen, from 0 to 1, at which the line is closest to a point in pixels.
     pub fn closest(&self, p: [f64; 2]) -> f64 {
         closest(self.screen[0], self.screen[1], p)
     }
 }
 
-/// The share of a pixel with this center that an anti-aliased line of this width covers: the part of the pixel's width
-/// within half the line's width of the segment, as if the line's border were parallel to a side of the pixel.
+/// The share of a pixel that an anti-aliased line covers: the part of the pixel's width that is within half of the
+/// line's width of the segment, as if the line's border were parallel to a side of the pixel.
 pub fn share(ends: [[f64; 2]; 2], width: f64, center: [f64; 2]) -> f64 {
     let [a, b] = ends;
     (width / 2. + 0.5 - to_segment(a, b, center)).clamp(0., 1.)

@@ -2,7 +2,8 @@
 
 use super::linear::{Vec3, cross, dot, length, subtract};
 
-/// One channel of a level, halved in both directions: means of four texels, rounded to nearest, halves up.
+/// One channel of a level, halved in both directions. A texel is the mean of four texels, rounded to nearest, halves
+/// up.
 pub fn reduced(rows: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let mean = |pair: &[Vec<f64>], at: usize| {
         let sum: f64 = pair.iter().map(|row| row[at] + row[at + 1]).sum();
@@ -17,11 +18,11 @@ pub fn reduced(rows: &[Vec<f64>]) -> Vec<Vec<f64>> {
     rows.chunks(2).map(row).collect()
 }
 
-/// The level at which a texel is as long as a pixel, along the direction of the strongest foreshortening.
+/// The level at which a texel is as long as a pixel, in the direction of the strongest foreshortening.
 ///
-/// `corners` are in eye space, `texels` are their texture coordinates in texels, `focal` is in pixels, and `z` is the
-/// distance at the pixel. At the distance z, a pixel covers z/focal across. On a plane at the distance d from the eye,
-/// this is stretched by z/d along the line of sight (exact in the middle of the picture).
+/// `corners` are in eye space. `texels` are their texture coordinates in texels. `focal` is in pixels. `z` is the
+/// distance at the pixel. At the distance z, a pixel covers a width of z/focal. On a plane at the distance d from the
+/// eye, this is stretched by z/d along the line of sight (exactly so in the middle of the picture).
 pub fn level(corners: [Vec3; 3], texels: [[f64; 2]; 3], focal: f64, z: f64) -> f64 {
     let [a, b, c] = corners;
     let normal = cross(subtract(b, a), subtract(c, a));

@@ -1,7 +1,7 @@
-//! The whole rendering pipeline in f64, written from the mathematics and sharing no code with the crate.
+//! The whole rendering pipeline in f64, written from the mathematics. It shares no code with the crate.
 //!
-//! The tests compare the integer pipeline with it. So each part takes the plainest textbook form rather than a fast
-//! one, and parts with an exact answer (coverage of snapped vertices) are computed in exact integers.
+//! The tests compare the integer pipeline with this one. Each part therefore has its plainest textbook form, not a fast
+//! form. Parts with an exact answer (the coverage of snapped vertices) are computed in exact integers.
 //!
 //! Conventions: column vectors; matrices as rows; right-handed axes; the eye at the origin, looking down −z, y up;
 //! angles in radians; screen coordinates in pixels, y down, with the center of pixel (0, 0) at (½, ½); snapped
@@ -32,7 +32,7 @@
 //! | `texture` | a texture's color between its texels |
 //! | `tests` | the model, compared with numbers worked out by hand |
 
-// Each binary that includes the model uses only a part of it.
+// Each binary that includes the model uses only parts of it.
 #![allow(dead_code)]
 // Formulas keep their textbook names, and f64 represents every integer used here exactly.
 #![allow(clippy::many_single_char_names, clippy::similar_names)]
@@ -60,7 +60,7 @@ pub mod scenes;
 pub mod silhouette;
 pub mod sprites;
 pub mod texture;
-// In tests/accuracy only: the other programs that include the model are no tests.
+// The tests of the model are part of tests/accuracy only. Other programs that include the model are not tests.
 #[cfg(test)]
 mod tests;
 pub mod view;

@@ -1,4 +1,4 @@
-//! Smooth normals: at each position, the mean of its triangles' normals, weighted by their angles there.
+//! Smooth normals: at each position, the mean of the normals of its triangles, weighted by the triangles' angles there.
 
 use super::linear::{Vec3, cross, dot, length, normalized, subtract};
 
@@ -12,7 +12,7 @@ pub fn of_triangle([a, b, c]: [Vec3; 3]) -> Vec3 {
     normalized(cross(subtract(b, a), subtract(c, a)))
 }
 
-/// The sum of the weighted normals around a position, and of their weights, over the triangles with accepted normals.
+/// The sum of the weighted normals around a position, and the sum of their weights. Only accepted normals count.
 pub fn around(
     position: usize,
     positions: &[Vec3],

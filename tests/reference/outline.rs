@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::linear::{Vec3, cross, dot, length, subtract};
 
-/// An edge between two positions, with the faces on its left and right.
+/// An edge between two positions, with the faces on both sides.
 #[derive(Clone, Debug)]
 pub struct Edge {
     /// The positions of the ends.
@@ -25,7 +25,7 @@ pub fn angle(a: Vec3, b: Vec3) -> f64 {
     length(cross(a, b)).atan2(dot(a, b))
 }
 
-/// The edges of triangles with area; two faces share an edge if they run along it in opposite directions.
+/// The edges of triangles with area. Two faces share an edge if they run along it in opposite directions.
 pub fn edges(triangles: &[[Vec3; 3]]) -> Vec<Edge> {
     let bits = |place: Vec3| place.map(|x| (x + 0.).to_bits());
     let mut open: HashMap<_, Vec<usize>> = HashMap::new();
@@ -55,8 +55,8 @@ pub fn edges(triangles: &[[Vec3; 3]]) -> Vec<Edge> {
     edges
 }
 
-/// Whether an edge of an outline is drawn. `sides` are the sides that its two faces turn to the eye: 1 for the front,
-/// −1 for the back, 0 for neither or for no face. Faces that show a side in `culled` are not drawn.
+/// Whether an edge of an outline is drawn. `sides` are the sides that its two faces show to the eye: 1 for the front,
+/// −1 for the back, 0 for an edge-on face or no face. Faces that show a side in `culled` are not drawn.
 pub fn is_drawn(sides: [i32; 2], is_crease: bool, culled: &[i32]) -> bool {
     let visible = sides
         .iter()

@@ -1,29 +1,29 @@
-//! Projections from eye space to clip space, and the depth of a distance.
+//! Projections from eye space to clip space, and the depth at a distance.
 
 use super::linear::{IDENTITY, Matrix, Vec3, Vec4, multiply};
 
 /// The stored depth at the near plane.
 pub const DEPTH_MAX: f64 = 65535.;
 
-/// The kind of projection, which determines how depth falls with distance.
+/// The kind of a projection. It determines how depth decreases with distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Rays meet in the eye; homogeneous w is the distance ahead.
+    /// Rays meet in the eye. Homogeneous w is the distance ahead.
     Perspective,
-    /// Rays are parallel; homogeneous w is 1.
+    /// Rays are parallel. Homogeneous w is 1.
     Parallel,
 }
 
 /// A projection with its near and far planes.
 ///
-/// Clip space is OpenGL's: −w ≤ x, y, z ≤ w, the near plane at z = −w.
+/// Clip space is OpenGL's: −w ≤ x, y, z ≤ w, and the near plane is at z = −w.
 #[derive(Clone, Copy, Debug)]
 pub struct Projection {
-    /// Eye space to clip space.
+    /// The matrix from eye space to clip space.
     pub matrix: Matrix,
-    /// Distance of the near plane.
+    /// The distance of the near plane.
     pub near: f64,
-    /// Distance of the far plane.
+    /// The distance of the far plane.
     pub far: f64,
     /// Perspective or parallel.
     pub kind: Kind,
@@ -42,8 +42,8 @@ impl Projection {
         }
     }
 
-    /// Depth at the distance d ahead, before it is rounded down to a u16. It falls from 65535 at the near
-    /// plane: 65535·n/d for perspective, 65535·(f − d)/(f − n) for parallel rays.
+    /// The depth at the distance d ahead, before it is rounded down to a u16. It decreases from 65535 at the near
+    /// plane: 65535·n/d in perspective, 65535·(f − d)/(f − n) for parallel rays.
     pub fn depth(&self, distance: f64) -> f64 {
         match self.kind {
             Kind::Perspective => DEPTH_MAX * self.near / distance,
@@ -51,7 +51,7 @@ impl Projection {
         }
     }
 
-    /// The distance at which a surface has this depth: the inverse of [`depth`](Self::depth).
+    /// The distance at which a surface has this depth. This is the inverse of [`depth`](Self::depth).
     pub fn distance_at_depth(&self, depth: f64) -> f64 {
         match self.kind {
             Kind::Perspective => DEPTH_MAX * self.near / depth,
@@ -75,15 +75,15 @@ pub fn frustum(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Projection {
     }
 }
 
-/// Left, right, bottom and top of the window on the near plane for a vertical field of view in
-/// radians and width/height.
+/// Left, right, bottom and top of the window on the near plane, for a vertical field of view in radians and the aspect
+/// ratio width/height.
 pub fn window(fov: f64, aspect: f64, near: f64) -> [f64; 4] {
     let top = near * (fov / 2.).tan();
     let right = top * aspect;
     [-right, right, -top, top]
 }
 
-/// Symmetric perspective; `fov` is the vertical field of view in radians, `aspect` width/height.
+/// Symmetric perspective. `fov` is the vertical field of view in radians, `aspect` is width/height.
 pub fn perspective(fov: f64, aspect: f64, near: f64, far: f64) -> Projection {
     let [l, r, b, t] = window(fov, aspect, near);
     frustum(l, r, b, t, near, far)
@@ -114,8 +114,8 @@ pub fn orthographic(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Projectio
 
 /// Oblique parallel rays: an orthographic view after a shear that leaves the plane z = 0 in place.
 ///
-/// A point at distance d moves by d·ratio toward `angle` (radians, from +x toward +y, so that edges recede to the
-/// upper right for 0 < angle < π/2); its distance does not change.
+/// A point at distance d moves by d·ratio in the direction of `angle`, and keeps its distance. The angle is in radians,
+/// from +x toward +y, so edges recede to the upper right for 0 < angle < π/2.
 pub fn oblique(
     angle: f64,
     ratio: f64,
@@ -133,18 +133,18 @@ pub fn oblique(
     }
 }
 
-/// [`oblique`] that shows receding edges at their full length.
+/// An [`oblique`] projection that shows receding edges at their full length.
 pub fn cavalier(angle: f64, window: (f64, f64, f64, f64), near: f64, far: f64) -> Projection {
     oblique(angle, 1., window, near, far)
 }
 
-/// [`oblique`] that shows receding edges at half their length.
+/// An [`oblique`] projection that shows receding edges at half of their length.
 pub fn cabinet(angle: f64, window: (f64, f64, f64, f64), near: f64, far: f64) -> Projection {
     oblique(angle, 0.5, window, near, far)
 }
 
-/// The perspective transform alone: maps x and y to (n·x, n·y)/−z, and −z to (n + f) − nf/−z; z is
-/// negative ahead of the eye. An orthographic projection after it makes a [`frustum`].
+/// The perspective transform alone. It maps x and y to (n·x, n·y)/−z, and −z to (n + f) − nf/−z; z is negative ahead of
+/// the eye. Followed by an orthographic projection, it is a [`frustum`].
 pub fn perspective_transform(n: f64, f: f64) -> Matrix {
     [
         [n, 0., 0., 0.],
@@ -159,7 +159,8 @@ pub fn project_on_plane(p: Vec3, n: f64) -> Option<[f64; 2]> {
     (p[2] != 0.).then(|| [-n * p[0] / p[2], -n * p[1] / p[2]])
 }
 
-/// The point on the plane at distance n where lines of a direction meet; `None` for lines parallel to the plane.
+/// The point on the plane at distance n where all lines with a direction meet; `None` if they are parallel to the
+/// plane.
 pub fn vanishing_point(direction: Vec3, n: f64) -> Option<[f64; 2]> {
     project_on_plane(direction, n)
 }

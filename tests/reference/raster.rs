@@ -1,8 +1,8 @@
 //! A mesh drawn as a picture: every surface at every pixel, with its values.
 //!
-//! There are separate steps, so that a test may inspect or modify the pieces in between: [`pieces`] projects and clips,
-//! [`culled`] culls, and [`render`] evaluates each piece at each pixel. To judge a rasterizer apart from its rounding
-//! of vertices, give the pieces the rasterizer's own snapped corners: [`Piece::snap`].
+//! Drawing has separate steps, so that a test can inspect or modify the pieces in between: [`pieces`] projects and
+//! clips, [`culled`] culls, and [`render`] evaluates each piece at each pixel. To judge a rasterizer without its
+//! rounding of vertices, give the pieces the rasterizer's own snapped corners: [`Piece::snap`].
 
 use super::attributes::{Value, at_pixel, at_pixel_snapped};
 use super::clip::{ClipVertex, DEPTH_PLANES, Plane, fan, polygon};
@@ -15,11 +15,11 @@ use super::view::{View, Viewport, unsnap};
 /// The faces that are culled. Front faces run counter-clockwise on the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cull {
-    /// None.
+    /// No faces.
     Nothing,
-    /// Faces that run clockwise.
+    /// Faces with clockwise corners.
     Back,
-    /// Faces that run counter-clockwise.
+    /// Faces with counter-clockwise corners.
     Front,
 }
 
@@ -67,12 +67,12 @@ pub struct Piece<const N: usize> {
 }
 
 impl<const N: usize> Piece<N> {
-    /// The piece with corners snapped by `snap`, in 24.8; w, distance and attributes stay the same.
+    /// The piece with its corners snapped by `snap`, in 24.8. w, distance and attributes stay the same.
     pub fn snap(self, snap: impl Fn(Option<usize>, Vec4) -> [i32; 2]) -> Self {
         self.snapped_to(std::array::from_fn(|i| snap(self.sources[i], self.clip[i])))
     }
 
-    /// The piece with these corners, in 24.8; w, distance and attributes stay the same.
+    /// The piece with these corners, in 24.8. w, distance and attributes stay the same.
     pub fn snapped_to(self, corners: Snapped) -> Self {
         Self {
             screen: corners.map(unsnap),
@@ -81,7 +81,8 @@ impl<const N: usize> Piece<N> {
         }
     }
 
-    /// Whether the corners run clockwise on the screen, as those of a back face do; `None` without area.
+    /// Whether the corners run clockwise on the screen, like the corners of a back face; `None` for a piece without
+    /// area.
     pub fn clockwise(&self) -> Option<bool> {
         match self.snapped {
             Some(corners) => match area2(corners) {
@@ -95,7 +96,7 @@ impl<const N: usize> Piece<N> {
         }
     }
 
-    /// The values at a pixel's center, inside the piece or not; `None` without area.
+    /// The values at the center of a pixel, which can be outside the piece; `None` for a piece without area.
     pub fn at(&self, pixel: [i32; 2]) -> Option<Value<N>> {
         match self.snapped {
             Some(corners) => at_pixel_snapped(corners, self.w, &self.attributes, pixel),
@@ -103,7 +104,8 @@ impl<const N: usize> Piece<N> {
         }
     }
 
-    /// The distance ahead of the eye at a pixel's center, inside the piece or not; `None` without area.
+    /// The distance ahead of the eye at the center of a pixel, which can be outside the piece; `None` for a piece
+    /// without area.
     pub fn distance_at(&self, pixel: [i32; 2]) -> Option<f64> {
         let distance = self.distance.map(|d| [d]);
         let value = match self.snapped {
@@ -113,7 +115,7 @@ impl<const N: usize> Piece<N> {
         value.map(|value| value.attributes[0])
     }
 
-    /// Whether the piece covers a pixel's center, by the top-left rule.
+    /// Whether the piece covers the center of a pixel, by the top-left rule.
     pub fn covers(&self, pixel: [i32; 2]) -> bool {
         match self.snapped {
             Some(corners) => covers(corners, pixel),
@@ -122,7 +124,7 @@ impl<const N: usize> Piece<N> {
     }
 }
 
-/// The mesh's triangles on the screen, clipped to the near and far planes and not yet culled. [`render`] leaves out
+/// The mesh's triangles on the screen, clipped to the near and far planes, but not yet culled. [`render`] leaves out
 /// pixels beyond the sides of the view.
 pub fn pieces<const N: usize>(mesh: &Mesh<'_, N>, view: &View) -> Vec<Piece<N>> {
     pieces_clipped(mesh, view, &DEPTH_PLANES)
@@ -159,7 +161,7 @@ pub fn pieces_clipped<const N: usize>(
     pieces
 }
 
-/// The pieces that a culling mode keeps; every mode drops pieces without area.
+/// The pieces that a culling mode keeps. Every mode drops pieces without area.
 pub fn culled<const N: usize>(mut pieces: Vec<Piece<N>>, cull: Cull) -> Vec<Piece<N>> {
     pieces.retain(|piece| piece.clockwise().is_some_and(|side| cull.keeps(side)));
     pieces
@@ -172,13 +174,13 @@ pub struct Hit<const N: usize> {
     pub face: usize,
     /// The piece's index in the list that was rendered.
     pub piece: usize,
-    /// The distance of the pixel's center from the piece, in pixels; 0 if the piece covers it.
+    /// The distance of the pixel's center from the piece, in pixels. 0 if the piece covers the center.
     pub gap: f64,
     /// Distance ahead of the eye.
     pub distance: f64,
-    /// Depth before rounding down: 65535 at the near plane.
+    /// The depth before it is rounded down. 65535 at the near plane.
     pub depth: f64,
-    /// Homogeneous w, attributes and their change per pixel.
+    /// Homogeneous w, and the attributes with their changes per pixel.
     pub value: Value<N>,
 }
 
@@ -189,11 +191,11 @@ pub struct Picture<const N: usize> {
     hits: Vec<Vec<Hit<N>>>,
 }
 
-/// Evaluates pieces at the pixels of a width x height canvas that are inside the viewport.
+/// Evaluates pieces at those pixels of a canvas of width x height that are inside the viewport.
 ///
-/// A `margin` of 0 finds the pieces that cover a pixel's center. A larger one, in pixels, also finds the pieces within
-/// that distance of the center, and extends their planes to it: if vertices are rounded by up to `margin`, such a
-/// neighbor may cover the center instead.
+/// A `margin` of 0 finds the pieces that cover a pixel's center. A larger `margin`, in pixels, also finds the pieces
+/// within that distance of the center, and extends their planes to the center: if vertices are rounded by up to
+/// `margin`, a piece near the center can cover it instead.
 pub fn render<const N: usize>(
     pieces: &[Piece<N>],
     projection: &Projection,
@@ -213,7 +215,7 @@ pub fn render<const N: usize>(
             let gap = if piece.covers(pixel) {
                 0.
             } else if margin > 0. {
-                // A center on an edge that the neighbor owns has the distance 0, but is not covered.
+                // If the neighbor owns the edge, a center on the edge has the distance 0, but is not covered.
                 to_triangle(&piece.screen, center(pixel)).max(f64::MIN_POSITIVE)
             } else {
                 continue;
@@ -224,7 +226,7 @@ pub fn render<const N: usize>(
             let (Some(value), Some(distance)) = (piece.at(pixel), piece.distance_at(pixel)) else {
                 continue;
             };
-            // The extended plane ends at its horizon.
+            // The extended plane ends at the horizon.
             if !(value.w > 0. && value.w.is_finite()) {
                 continue;
             }
@@ -241,8 +243,8 @@ pub fn render<const N: usize>(
     Picture { width, hits }
 }
 
-/// Draws the unsnapped picture of a mesh in one call: projects, clips to near and far, culls and renders. The canvas
-/// ends at the viewport's right and lower side.
+/// Draws the unsnapped picture of a mesh in one call: projects, clips to the near and far planes, culls and renders.
+/// The canvas ends at the right and lower sides of the viewport.
 pub fn draw<const N: usize>(
     mesh: &Mesh<'_, N>,
     view: &View,
@@ -265,7 +267,7 @@ pub fn draw<const N: usize>(
 }
 
 impl<const N: usize> Picture<N> {
-    /// Every surface at a pixel, in the order drawn.
+    /// Every surface at a pixel, in drawing order.
     ///
     /// # Panics
     ///
@@ -275,17 +277,18 @@ impl<const N: usize> Picture<N> {
         &self.hits[y as usize * self.width as usize + x as usize]
     }
 
-    /// The visible surface: the nearest one that covers the pixel; among equally near ones, the last drawn.
+    /// The visible surface: the nearest one that covers the pixel. Of equally near surfaces, it is the last one drawn.
     pub fn nearest(&self, pixel: [i32; 2]) -> Option<&Hit<N>> {
         let covering = self.at(pixel).iter().filter(|hit| hit.gap == 0.);
         covering.max_by(|a, b| a.depth.total_cmp(&b.depth))
     }
 
-    /// Every surface that a depth buffer with a step of `step` may show: those, including neighbors within the margin,
-    /// that are at most `step` behind the nearest covering one. If no surface covers the pixel, all of them.
+    /// Every surface that a depth buffer with a step of `step` can show: surfaces, including neighbors within the
+    /// margin, that are at most `step` behind the nearest covering surface. If no surface covers the pixel, all
+    /// surfaces.
     ///
-    /// Where a surface ends within the margin (see `Silhouette::contour_within`), the one behind it may show as well:
-    /// use all of [`at`](Self::at) there.
+    /// Where a surface ends within the margin (see `Silhouette::contour_within`), the surface behind it can show, too.
+    /// Use all surfaces of [`at`](Self::at) there.
     pub fn candidates(&self, pixel: [i32; 2], step: f64) -> impl Iterator<Item = &Hit<N>> {
         let least = self
             .nearest(pixel)

@@ -1,6 +1,6 @@
 //! The measured scenes: 320x240 pixels, focal length 200, near 0.25, far 100.
 //!
-//! Attributes are u and v; v runs down, as in stored textures.
+//! The attributes are u and v. v points down, as in stored textures.
 
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_8, PI, TAU};
 
@@ -11,7 +11,7 @@ use super::view::{View, Viewport};
 
 /// Columns and rows of the picture.
 pub const SIZE: (u32, u32) = (320, 240);
-/// Number of poses of the cube and of the sphere.
+/// The number of poses of the cube and of the sphere.
 pub const POSES: u32 = 8;
 
 /// A mesh that owns its lists, with texture coordinates.
@@ -35,7 +35,7 @@ impl Shape {
         }
     }
 
-    /// Adds a quad as two triangles: its corners 0 1 2, and 0 2 3.
+    /// Adds a quad as two triangles, with the corners 0 1 2 and 0 2 3.
     fn quad(&mut self, corners: [Vec3; 4], uvs: [[f64; 2]; 4]) {
         let first = self.positions.len();
         self.positions.extend(corners);
@@ -46,7 +46,7 @@ impl Shape {
     }
 }
 
-/// The view of a scene, for a transform of model space to eye space.
+/// The view of a scene, for a transform from model space to eye space.
 pub fn view(eye: Matrix) -> View {
     View {
         eye,
@@ -76,7 +76,8 @@ pub fn cube(pose: u32) -> (Shape, View) {
     let mut shape = Shape::default();
     for axis in 0..3 {
         for sign in [-1., 1.] {
-            // u runs along the next axis, mirrored on faces of negative sign; v runs along the one after.
+            // u points along the next axis, and is mirrored on faces of negative sign. v points along the axis after
+            // that.
             let corner = |u: f64, v: f64| {
                 let mut p = [0.; 3];
                 p[axis] = sign;
@@ -104,8 +105,8 @@ pub fn cube(pose: u32) -> (Shape, View) {
     (shape, view(eye))
 }
 
-/// The sphere and its view in pose 0 to 7: 33 rows of 33 vertices each, from the pole at +y down. The
-/// last column coincides with the first.
+/// The sphere and its view in pose 0 to 7. It has 33 rows of 33 vertices each, from the pole at +y down. The last
+/// column coincides with the first.
 pub fn sphere(pose: u32) -> (Shape, View) {
     const PARTS: usize = 32;
     let mut shape = Shape::default();
@@ -120,7 +121,7 @@ pub fn sphere(pose: u32) -> (Shape, View) {
     for row in 0..PARTS {
         for column in 0..PARTS {
             let quad = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[r, c]| [row + r, column + c]);
-            // At a pole, one side of the quad is a point, so one triangle has no area.
+            // At a pole, one side of the quad is a point, so one of the quad's triangles has no area and is left out.
             let triangles = [(row + 1 < PARTS, [0, 1, 2]), (row > 0, [0, 2, 3])];
             for (_, corners) in triangles.into_iter().filter(|(there, _)| *there) {
                 let corners = corners.map(|i| quad[i]);

@@ -1,38 +1,38 @@
-//! Whether a point of the screen is inside, outside or near the outline of a union of triangles.
+//! Finds whether a point of the screen is inside, outside or near the outline of a union of triangles.
 //!
-//! The union's outline is exact, up to f64 rounding. It consists of parts of the *contour* edges. With each triangle
-//! on the left of its own edges, a contour edge is one whose opposite edge (same two ends, other direction) belongs
-//! to no triangle. Every other edge has triangles on both sides, so it does not bound the union. For the front faces
-//! of a closed mesh, contour edges lie between a front and a back face, or on the near plane. A contour edge bounds
-//! the union only where no other triangle lies across it, and only that part counts. (The front of the mesh may hide
-//! the edge, or the back of a fold may lie under it.)
+//! The union's outline is exact, up to the rounding of f64. It consists of parts of the *contour* edges. With each
+//! triangle on the left of its own edges, an edge is a contour edge if its opposite edge (same two ends, other
+//! direction) belongs to no triangle. Every other edge has triangles on both sides, so it does not bound the union. For
+//! the front faces of a closed mesh, contour edges lie between a front face and a back face, or on the near plane. A
+//! contour edge bounds the union only where no other triangle lies across it, and only that part counts. (The front of
+//! the mesh can hide the edge, or the back of a fold can lie under it.)
 //!
-//! Edges are compared by the bits of their ends, so the vertices that two triangles share must have the same bits.
-//! An inner edge without an exact opposite, such as at a T-junction, costs time but does not change the result.
+//! Edges are compared by the bits of their ends, so vertices that two triangles share must have the same bits. An inner
+//! edge without an exact opposite edge, for example at a T-junction, takes time but does not change the result.
 
 use std::collections::HashSet;
 
 use super::coverage::{Corners, area2_f64};
 use super::distance::{to_segment, to_triangle};
 
-/// The largest supported distance, in pixels: a tile lists the triangles within this distance of it.
+/// The largest supported distance, in pixels. A tile lists the triangles within this distance of the tile.
 pub const REACH: f64 = 1.;
 
-/// Pixels along a tile's side.
+/// The side of a tile, in pixels.
 const TILE: usize = 8;
-/// The distance across an edge, in pixels, at which to look for another triangle. It is also the largest distance
-/// by which rounding may put a point inside the union outside every triangle: far above the rounding of f64 at
+/// The distance across an edge, in pixels, at which another triangle is looked for. It is also the largest distance by
+/// which rounding can move a point of the union out of every triangle. It is far above the rounding of f64 at
 /// coordinates of thousands (1e-12), and far below any visible distance.
 const ACROSS: f64 = 1e-9;
-/// If a gap between the triangles across an edge is shorter than this, in pixels, it comes from rounding.
+/// A gap between the triangles across an edge comes from rounding if it is shorter than this, in pixels.
 const HOLE: f64 = 1e-7;
 
 /// The position of a point relative to the union.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Position {
-    /// Inside, with the outline farther away than the given distance.
+    /// Inside the union, and farther from the outline than the given distance.
     Inside,
-    /// Outside, with the outline farther away than the given distance.
+    /// Outside the union, and farther from the outline than the given distance.
     Outside,
     /// Within the given distance of the outline.
     Near,
@@ -42,7 +42,7 @@ pub enum Position {
 #[derive(Clone, Debug)]
 pub struct Silhouette {
     triangles: Vec<Corners>,
-    /// Contour edges; the triangle lies on the side where `area2_f64(a, b, p)` is positive.
+    /// Contour edges. The triangle of an edge lies on the side where `area2_f64(a, b, p)` is positive.
     contour: Vec<[[f64; 2]; 2]>,
     tiles: Vec<Tile>,
     columns: usize,
@@ -56,8 +56,8 @@ struct Tile {
 }
 
 impl Silhouette {
-    /// The union of triangles of either winding, corners in pixels, over width x height pixels.
-    /// Triangles without area add nothing.
+    /// The union of triangles of either winding in a picture of width x height. Corners are in pixels. Triangles
+    /// without area add nothing.
     pub fn new(triangles: &[Corners], width: u32, height: u32) -> Self {
         let triangles: Vec<Corners> = triangles
             .iter()
@@ -102,7 +102,7 @@ impl Silhouette {
         }
     }
 
-    /// Classifies a point of the picture: it is near the outline within `d` pixels of it.
+    /// Classifies a point of the picture. The point is near the outline if the outline is within `d` pixels.
     ///
     /// # Panics
     ///
@@ -127,9 +127,9 @@ impl Silhouette {
         }
     }
 
-    /// Whether a contour edge passes within `d` pixels, part of the outline or not.
+    /// Whether a contour edge passes within `d` pixels, even if it is not part of the outline.
     ///
-    /// A surface ends at such an edge, and rounding of its vertices may show the surface behind it.
+    /// A surface ends at a contour edge, so the rounding of its vertices can show the surface behind it.
     ///
     /// # Panics
     ///
@@ -165,7 +165,7 @@ impl Silhouette {
         let along = [b[0] - a[0], b[1] - a[1]];
         let length = along[0].hypot(along[1]);
         let unit = along.map(|x| x / length);
-        // The edge's part within d, as lengths along the edge.
+        // The part of the edge within `d` of `p`, as two lengths along the edge.
         let to = [p[0] - a[0], p[1] - a[1]];
         let foot = to[0] * unit[0] + to[1] * unit[1];
         let aside = to[0] * unit[1] - to[1] * unit[0];
@@ -190,7 +190,7 @@ impl Silhouette {
     }
 }
 
-/// The part of a line inside a triangle of positive area, as lengths along the line between `start` and `end`.
+/// The part of a line inside a triangle of positive area, between the lengths `start` and `end` along the line.
 fn inside(
     [a, b, c]: &Corners,
     origin: [f64; 2],
@@ -201,10 +201,10 @@ fn inside(
     for (from, to) in [(a, b), (b, c), (c, a)] {
         let side = [to[0] - from[0], to[1] - from[1]];
         let length = side[0].hypot(side[1]);
-        // At the length t along the line, the distance inside this side is height + t · slope.
+        // At the length t along the line, the point is inside this side by the distance height + t · slope.
         let height = (side[0] * (origin[1] - from[1]) - side[1] * (origin[0] - from[0])) / length;
         let slope = (side[0] * unit[1] - side[1] * unit[0]) / length;
-        // Parallel to within rounding: the whole line is on one side.
+        // The line is parallel to the side, up to rounding, so the whole line is on one of its sides.
         if slope.abs() < 1e-14 {
             if height < 0. {
                 return None;
@@ -218,7 +218,7 @@ fn inside(
     (start < end).then_some((start, end))
 }
 
-/// The tiles with pixels that may be within [`REACH`] of the bounding box of `points`.
+/// The tiles with pixels that can be within [`REACH`] of the bounding box of `points`.
 fn tiles_around(points: &[[f64; 2]], columns: usize, rows: usize) -> Vec<usize> {
     let range = |axis: usize, count: usize| {
         let low = points.iter().map(|p| p[axis]).fold(f64::MAX, f64::min) - REACH;

@@ -8,14 +8,14 @@ pub struct Sprite {
     pub position: Vec3,
     /// Width and height in eye space.
     pub size: [f64; 2],
-    /// Where the sprite has its position: as fractions of the width from the left and of the height from the top.
+    /// The place of the position in the sprite: as fractions of the width from the left and of the height from the top.
     pub anchor: [f64; 2],
     /// The direction of the vertical sides in model space; `None` if they are vertical in the picture.
     pub axis: Option<Vec3>,
 }
 
 impl Sprite {
-    /// The unit vectors along the horizontal and vertical sides in eye space.
+    /// The unit vectors along the horizontal and the vertical sides, in eye space.
     pub fn sides(&self, eye: &Matrix) -> [Vec3; 2] {
         match self.axis {
             None => [[1., 0., 0.], [0., 1., 0.]],

@@ -1,20 +1,20 @@
 //! The color of a texture at a point, interpolated between the texels around it.
 //!
-//! Texel (i, j) has its center at (i + ½, j + ½) texels. Between centers the color is linear in u for a given v, and
-//! in v for a given u: f(u, v) = Σ tᵢⱼ · max(0, 1 − |u − i − ½|) · max(0, 1 − |v − j − ½|). The sum runs over all
-//! texels of the endless plane into which the wrap mode extends the texture.
+//! Texel (i, j) has its center at (i + ½, j + ½) texels. Between centers, the color is linear in u for a fixed v, and
+//! linear in v for a fixed u: f(u, v) = Σ tᵢⱼ · max(0, 1 − |u − i − ½|) · max(0, 1 − |v − j − ½|). The wrap mode
+//! extends the texture to an endless plane, and the sum runs over all texels of this plane.
 
 /// The addressing beyond a texture's edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wrap {
     /// The texture repeats.
     Repeat,
-    /// The nearest texel at the edge continues.
+    /// The nearest texel at the edge is repeated.
     Clamp,
 }
 
 impl Wrap {
-    /// The column or row of the texture, out of `size`, that the plane shows at column or row `at`.
+    /// The column or row of the texture, from 0 to `size` − 1, that the plane shows at column or row `at`.
     pub fn index(self, at: i64, size: usize) -> usize {
         let size = size as i64;
         let inside = match self {
@@ -30,13 +30,13 @@ impl Wrap {
 pub struct Blended {
     /// The value.
     pub value: f64,
-    /// The least of the texels around the point, including those with a weight of 0.
+    /// The smallest of the texels around the point, including texels with a weight of 0.
     pub least: f64,
-    /// The greatest of these texels.
+    /// The largest of these texels.
     pub most: f64,
 }
 
-/// One channel of a texture at a point in texels. The texture is given as rows, from top to bottom.
+/// One channel of a texture at a point, which is in texels. The rows of the texture run from top to bottom.
 pub fn bilinear(rows: &[Vec<f64>], wrap: Wrap, [u, v]: [f64; 2]) -> Blended {
     let mut blended = Blended {
         value: 0.,

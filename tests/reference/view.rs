@@ -1,9 +1,9 @@
-//! The transform of a position in space to one on the screen.
+//! The transform of a position in space to a position on the screen.
 
 use super::linear::{Matrix, Vec3, Vec4, apply, apply_point, multiply};
 use super::projection::Projection;
 
-/// The part of the canvas that the picture fills, in whole pixels; y down.
+/// The part of the canvas that the picture fills, in whole pixels, with y down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Viewport {
     /// Column of the left edge.
@@ -17,7 +17,7 @@ pub struct Viewport {
 }
 
 impl Viewport {
-    /// A viewport with its corner at the canvas' origin.
+    /// A viewport with its upper left corner at the canvas's origin.
     pub fn new(width: u32, height: u32) -> Self {
         Self {
             x: 0,
@@ -27,7 +27,7 @@ impl Viewport {
         }
     }
 
-    /// Normalized device coordinates, −1 to 1, to pixels: x from the left, y from the top.
+    /// Converts normalized device coordinates, from −1 to 1, to pixels: x from the left, y from the top.
     pub fn screen(&self, ndc: [f64; 2]) -> [f64; 2] {
         [
             f64::from(self.x) + (0.5 + ndc[0] / 2.) * f64::from(self.width),
@@ -41,32 +41,32 @@ impl Viewport {
 pub struct Projected {
     /// Position in clip space.
     pub clip: Vec4,
-    /// Position in pixels, y down; meaningless where w ≤ 0.
+    /// The position in pixels, with y down. It has no meaning if w ≤ 0.
     pub screen: [f64; 2],
-    /// Homogeneous w: the distance under perspective, 1 for parallel rays.
+    /// Homogeneous w: the distance in perspective, 1 for parallel rays.
     pub w: f64,
-    /// Distance ahead of the eye.
+    /// The distance ahead of the eye.
     pub distance: f64,
 }
 
 /// All transforms between a mesh and the screen.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
-    /// Model space to eye space: camera · model.
+    /// The transform from model space to eye space: camera · model.
     pub eye: Matrix,
-    /// Eye space to clip space.
+    /// The transform from eye space to clip space.
     pub projection: Projection,
-    /// Clip space to the screen.
+    /// The transform from clip space to the screen.
     pub viewport: Viewport,
 }
 
 impl View {
-    /// Model space to clip space.
+    /// The matrix from model space to clip space.
     pub fn matrix(&self) -> Matrix {
         multiply(&self.projection.matrix, &self.eye)
     }
 
-    /// A position of the mesh in clip space, transformed by way of eye space.
+    /// A position of the mesh in clip space. It is transformed to eye space first.
     pub fn clip(&self, position: Vec3) -> Vec4 {
         apply(&self.projection.matrix, apply_point(&self.eye, position))
     }
@@ -88,7 +88,7 @@ impl View {
     }
 }
 
-/// Rounds pixels to the nearest 1/256 pixel, ties toward +∞; saturates.
+/// Rounds pixels to the nearest 1/256 pixel, halves toward +∞. Saturates.
 pub fn snap(screen: [f64; 2]) -> [i32; 2] {
     screen.map(|x| (x * 256. + 0.5).floor() as i32)
 }

@@ -1,9 +1,10 @@
-//! The things that stand on the map besides blocks: roofs, windows and lamps.
+//! Things that stand on the map, except blocks: roofs, windows and lamps.
 
 use fixel::Index;
 use fixel::prelude::*;
 
-/// The west, north, east and south edge of a roof, its eaves' height and its rise, in sixteenths of a unit.
+/// For each roof, in sixteenths of a unit: its west, north, east and south edges, the height of its eaves, and its
+/// rise.
 static EAVES: [[i16; 6]; 5] = [
     [108, 28, 212, 84, 55, 26],
     [13, 29, 51, 67, 72, 40],
@@ -12,7 +13,7 @@ static EAVES: [[i16; 6]; 5] = [
     [285, 253, 323, 291, 72, 40],
 ];
 
-/// Hipped roofs with a ridge from west to east; on a square, they are pyramids.
+/// Hipped roofs with a ridge from west to east. A roof on a square is a pyramid.
 pub static ROOFS: Mesh = {
     static CORNERS: ([[i16; 3]; 70], [Vec2; 70], [[Index; 3]; 30]) = {
         let mut positions = [[0; 3]; 70];
@@ -30,7 +31,7 @@ pub static ROOFS: Mesh = {
                 [east, y, north],
                 [west, y, north],
             ];
-            // Each slope has corners of its own: left and right below, right and left above.
+            // Each slope has its own corners: left and right below, right and left above.
             let slopes = [
                 [corners[0], corners[1], right, left],
                 [corners[2], corners[3], left, right],
@@ -66,7 +67,7 @@ pub static ROOFS: Mesh = {
     Mesh::checked(Mesh::checked(Mesh::short(&CORNERS.0, 4, &CORNERS.2)).with_uvs(&CORNERS.1, None))
 };
 
-/// A window's middle and sill, in sixteenths of a unit; whether it looks to the north; half its width, and its height.
+/// A window: the middle of its sill in sixteenths of a unit, whether it faces north, and half its width and its height.
 type Window = ([i16; 3], bool, [i16; 2]);
 
 const GLAZED: [Window; 13] = [
@@ -87,7 +88,7 @@ const GLAZED: [Window; 13] = [
 
 const PANES: usize = GLAZED.len();
 
-/// The corners of rectangles that reach beyond the windows by `more`, and are `before` their walls by that much.
+/// The corners of rectangles that reach beyond the windows by `more`, and are in front of the walls by `before`.
 const fn around(more: i16, before: i16) -> [[i16; 3]; 4 * PANES] {
     let mut positions = [[0; 3]; 4 * PANES];
     let mut at = 0;
@@ -142,13 +143,13 @@ const fn panes(positions: &'static [[i16; 3]; 4 * PANES]) -> Mesh<'static> {
     Mesh::checked(mesh.with_uvs(&PANE_UVS, None))
 }
 
-/// Windows, a little before their walls.
+/// Windows, a little in front of their walls.
 pub static WINDOWS: Mesh = {
     static POSITIONS: [[i16; 3]; 4 * PANES] = around(0, 1);
     panes(&POSITIONS)
 };
 
-/// The light around windows, a little before them.
+/// The light around windows, a little in front of the windows.
 pub static HALOS: Mesh = {
     static POSITIONS: [[i16; 3]; 4 * PANES] = around(9, 2);
     panes(&POSITIONS)

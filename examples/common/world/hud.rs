@@ -1,4 +1,4 @@
-//! The heads-up display: a compass, a map, two gauges. It is drawn by embedded-graphics.
+//! The heads-up display: a compass, a map and two gauges. embedded-graphics draws them.
 
 use embedded_graphics::Drawable;
 use embedded_graphics::draw_target::DrawTarget;
@@ -14,12 +14,12 @@ use super::map::{MAP, SIDE};
 const INK: Rgb565 = Rgb565::new(30, 54, 22);
 const SHADE: Rgb565 = Rgb565::new(3, 5, 6);
 
-/// Panels of fewer rows have neither compass nor names.
+/// Panels with fewer rows have no compass and no names.
 pub const LOW: u32 = 96;
 
 /// The state of the viewer that the display shows.
 pub struct Status {
-    /// The place on the map.
+    /// The viewer's place on the map.
     pub place: Vec3,
     /// The direction of view, clockwise from north.
     pub heading: Angle,
@@ -28,9 +28,9 @@ pub struct Status {
 }
 
 impl Status {
-    /// Draws everything for which there is room: a low panel has no compass.
+    /// Draws everything for which there is room. A low panel has no compass.
     ///
-    /// `size` is the size of the frame, which a band cannot tell: its bounding box is the band.
+    /// `size` is the size of the frame. A band cannot tell it, because its bounding box contains only the band.
     pub fn draw<T: DrawTarget<Color = Rgb565>>(
         &self,
         target: &mut T,
@@ -43,7 +43,7 @@ impl Status {
         self.map(target, size)
     }
 
-    /// A strip that turns with the viewer: half a turn wide.
+    /// A strip, half a turn wide, that turns with the viewer.
     fn compass<T: DrawTarget<Color = Rgb565>>(
         &self,
         target: &mut T,
@@ -60,7 +60,7 @@ impl Status {
             .baseline(Baseline::Top)
             .build();
         for step in 0..16_u32 {
-            // From −½ to ½ turn, in units of 2^-32.
+            // The angle from −½ to ½ turn, in units of 2^-32.
             let from_here = (Angle::from_bits(step << 28) - self.heading)
                 .to_bits()
                 .cast_signed();
@@ -90,7 +90,7 @@ impl Status {
         target: &mut T,
         size: Size,
     ) -> Result<(), T::Error> {
-        /// A heart and a drop, of eight pixels in a row.
+        /// A heart and a drop. Each row has eight pixels.
         const ICONS: [[u8; 7]; 2] = [
             [
                 0b0110_1100,

@@ -1,8 +1,9 @@
-//! The map, and the meshes that the compiler makes of it.
+//! The map, and the meshes that the compiler makes from it.
 //!
-//! The world is 20 units wide and long. x is to the right of the map (east), z down (south), and y is height. Each
-//! character is a cell of one unit. A cell that is higher than its neighbors gets sides, and a cell that can be seen
-//! from above gets a top. Faces are sorted by blocks of 5x5 cells, so that a block out of view costs only one test.
+//! The world is 20 units wide and long. On the map, x points to the right (east) and z points down (south); y is
+//! height. Each character is a cell of one unit. A cell that is higher than its neighbors gets sides, and a cell that
+//! is visible from above gets a top. Faces are sorted by blocks of 5x5 cells, so that a block out of view costs only
+//! one test.
 
 use core::ops::Range;
 
@@ -10,12 +11,12 @@ use fixel::Index;
 use fixel::mesh::Bounds;
 use fixel::prelude::*;
 
-/// Cells along a side of the map.
+/// The number of cells along a side of the map.
 pub const SIDE: usize = 20;
 
-/// `#` and `M`: wall and its battlements, `%`: tower, `H`: house, `G`: gate post, `h`: hedge, `.`: grass, `,`: gravel,
-/// `o`: paving, `~`: water. On grass, there are `L`: lamps, `C`: cypresses, `T`: trees, `b`: bushes. Outside of the
-/// wall, there are `c`: cypresses, `t`: trees.
+/// `#`: wall, `M`: battlements of the wall, `%`: tower, `H`: house, `G`: gate post, `h`: hedge, `.`: grass, `,`:
+/// gravel, `o`: paving, `~`: water. On grass: `L`: lamp, `C`: cypress, `T`: tree, `b`: bush. Outside of the wall: `c`:
+/// cypress, `t`: tree.
 pub static MAP: [&[u8; SIDE]; SIDE] = [
     b"  t   c t    t  c   ",
     b" t  c      c    t t ",
@@ -39,7 +40,7 @@ pub static MAP: [&[u8; SIDE]; SIDE] = [
     b"  c   t t,, t   t c ",
 ];
 
-/// What covers a surface.
+/// The material of a surface.
 #[derive(Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Material {
@@ -58,10 +59,10 @@ struct Cell {
     side: Material,
 }
 
-/// The water's surface, in sixteenths of a unit.
+/// The height of the water's surface, in sixteenths of a unit.
 pub const WATER: i16 = -3;
 
-/// Whether a surface is there and has this material.
+/// Whether there is a surface, and it has this material.
 const fn is(surface: Option<Material>, material: Material) -> bool {
     match surface {
         Some(surface) => surface as u8 == material as u8,
@@ -69,12 +70,12 @@ const fn is(surface: Option<Material>, material: Material) -> bool {
     }
 }
 
-/// The height outside of the wall, where nothing is visible.
+/// The height of cells outside of the wall. Nothing is visible there.
 const OUTSIDE: i16 = i16::MAX;
 
 const fn cell(x: usize, z: usize) -> Cell {
     use Material::{Grass, Gravel, Hedge, Paving, Plaster, Stone};
-    // Beyond the map there is nothing to look down to.
+    // Cells beyond the map count as outside of the wall, so no sides face them.
     let kind = if x < SIDE && z < SIDE {
         MAP[z][x]
     } else {
@@ -96,12 +97,12 @@ const fn cell(x: usize, z: usize) -> Cell {
     Cell { height, top, side }
 }
 
-/// Blocks along a side of the map.
+/// The number of blocks along a side of the map.
 const BLOCKS: usize = 4;
-/// Cells along a side of a block.
+/// The number of cells along a side of a block.
 const BLOCK: usize = SIDE / BLOCKS;
 
-/// The boxes around the blocks, roofs and trees apart.
+/// The boxes around the blocks, without roofs and trees.
 pub static BOUNDS: [Bounds; BLOCKS * BLOCKS] = {
     let mut bounds = [Bounds::new(Vec3::ZERO, Vec3::ZERO); BLOCKS * BLOCKS];
     let mut at = 0;
@@ -120,7 +121,7 @@ pub static BOUNDS: [Bounds; BLOCKS * BLOCKS] = {
 /// All faces of a material.
 pub struct Layer {
     mesh: Mesh<'static>,
-    /// Where the faces of each block begin, and the end of the last.
+    /// The first face of each block, and the end of the last block.
     starts: [usize; BLOCKS * BLOCKS + 1],
 }
 
@@ -132,21 +133,22 @@ impl Layer {
     }
 }
 
-/// Room for any layer, while the compiler makes it.
+/// Memory for any layer, while the compiler makes it.
 struct Draft {
     positions: [[i16; 3]; 1600],
-    /// In sixteenths of a unit of the world, of which a texture covers two.
+    /// In sixteenths of a unit of the world. A texture covers two units.
     uvs: [[i16; 2]; 1600],
     faces: [[Index; 3]; 1600],
     starts: [usize; BLOCKS * BLOCKS + 1],
     vertices: usize,
     triangles: usize,
-    /// The first vertex of the block: those of other blocks are not shared.
+    /// The first vertex of the current block. Vertices of other blocks are not shared.
     first: usize,
 }
 
 impl Draft {
-    /// The index of a vertex, which is added unless the block has it. Positions are in sixteenths of a unit.
+    /// The index of a vertex. If the block does not have the vertex yet, it is added. Positions are in sixteenths of a
+    /// unit.
     const fn vertex(&mut self, [x, y, z]: [i16; 3], [u, v]: [i16; 2]) -> Index {
         let mut at = self.first;
         while at < self.vertices {
@@ -162,7 +164,7 @@ impl Draft {
         at as Index
     }
 
-    /// A rectangle, counter-clockwise from its bottom left.
+    /// Adds a rectangle. Its corners run counter-clockwise from the bottom left.
     const fn quad(&mut self, corners: [[i16; 3]; 4], uvs: [[i16; 2]; 4]) {
         let a = self.vertex(corners[0], uvs[0]);
         let b = self.vertex(corners[1], uvs[1]);
@@ -173,7 +175,7 @@ impl Draft {
         self.triangles += 2;
     }
 
-    /// The faces of a material.
+    /// Collects the faces of a material.
     const fn new(material: Material) -> Self {
         let mut draft = Self {
             positions: [[0; 3]; 1600],
@@ -212,8 +214,9 @@ impl Draft {
         if !is(Some(side), material) || height == OUTSIDE {
             return;
         }
-        // The neighbors, and the lower corners of the sides toward them, from left to right as seen from there.
-        // The left and upper edges of the map have no neighbors: an index wraps to one that `cell` does not know.
+        // The neighbors, and the lower corners of the sides toward them, from left to right as seen from the neighbor.
+        // Cells at the left and upper edges of the map have no neighbors there: the index wraps to an index outside of
+        // the map.
         let sides = [
             (cell(column, row.wrapping_sub(1)), [right, z], [x, z]),
             (cell(column, row + 1), [x, front], [right, front]),
@@ -223,14 +226,14 @@ impl Draft {
         let mut at = 0;
         while at < 4 {
             let (Cell { height: mut y, .. }, [a, b], [c, d]) = sides[at];
-            // To the north and the east, coordinates fall from left to right.
+            // To the north and the east, coordinates decrease from left to right.
             let (from, to) = match at {
                 0 => (-a, -c),
                 1 => (a, c),
                 2 => (-b, -d),
                 _ => (b, d),
             };
-            // Light is computed at the vertices: no side is higher than a unit.
+            // Light is computed at the vertices, so no side is higher than a unit.
             while y < height {
                 let floor = (y.div_euclid(16) + 1) * 16;
                 let upper = if floor < height { floor } else { height };
@@ -258,7 +261,7 @@ macro_rules! first {
     }};
 }
 
-/// A layer in flash, with no more room than it needs.
+/// A layer in flash that takes only the memory that it needs.
 macro_rules! layer {
     ($material:ident) => {{
         #[allow(long_running_const_eval)]
@@ -291,7 +294,7 @@ pub static STONE: Layer = layer!(Stone);
 pub static PLASTER: Layer = layer!(Plaster);
 pub static HEDGE: Layer = layer!(Hedge);
 
-/// How many cells are of one of two kinds.
+/// The number of cells of two kinds.
 const fn count(kinds: [u8; 2]) -> usize {
     let (mut count, mut at) = (0, 0);
     while at < SIDE * SIDE {
@@ -302,7 +305,7 @@ const fn count(kinds: [u8; 2]) -> usize {
     count
 }
 
-/// Points at a height above the cells of two kinds, near their middles.
+/// Points at a height `y` near the middles of all cells of two kinds.
 const fn points<const N: usize>(kinds: [u8; 2], y: Scalar, jitter: i32) -> [Vec3; N] {
     let mut points = [Vec3::ZERO; N];
     let (mut found, mut at) = (0, 0);

@@ -1,8 +1,8 @@
 //! A little world: a walled garden at dusk, seen by someone who walks around its pond.
 //!
-//! It needs only this crate and embedded-graphics, no memory besides the canvas, and no file: the compiler builds the
-//! meshes from a map made of letters, and paints the textures. A picture depends on one angle; a whole turn is one walk
-//! around the pond. For a frame, or for each band of it, a program calls
+//! The world needs only this crate and embedded-graphics, no memory besides the canvas, and no file: the compiler
+//! builds the meshes from a map made of letters, and paints the textures. A picture depends on an angle only; a whole
+//! turn is one walk around the pond. For each frame, or for each band of it, a program calls
 //!
 //! ```ignore
 //! world::draw(&mut canvas, Newton, Rate::rpm(8).angle_at(now_ms))?;
@@ -71,7 +71,7 @@ pub static LOOK: [Vec3; STOPS] = [
     vec3!(9, 1.1, 16),
 ];
 
-/// A point of a smooth closed curve through points (Catmull-Rom). A whole turn runs around it once.
+/// A point of a smooth closed curve through points (Catmull-Rom). A whole turn goes around the curve once.
 fn along(points: &[Vec3; STOPS], turn: Angle) -> Vec3 {
     let place = u64::from(turn.to_bits()) * STOPS as u64;
     let (first, t) = (
@@ -86,24 +86,24 @@ fn along(points: &[Vec3; STOPS], turn: Angle) -> Vec3 {
     b + ((cubic * t + square) * t + c - a) * t / fx!(2)
 }
 
-/// Height of the water.
+/// The height of the water.
 const WATER: Scalar = Scalar::from_bits((map::WATER as i32) << 12);
 static POND: Bounds = Bounds::new(vec3!(8, -0.2, 8), vec3!(12, -0.1, 12));
 
-/// Light of the lamps: those of the map, and one above the door.
+/// The light of the lamps on the map, and of one above the door.
 const LAMPLIGHT: Rgb888 = Rgb888::new(255, 172, 82);
 const LAMPS: usize = map::LAMPS.len() + 1;
 const DOOR: Vec3 = vec3!(10, 1.7, 5.8);
 /// The range of the lamps.
 const REACH: Scalar = fx!(6.5);
 
-/// Where the viewer is at a moment of the walk, and the point that they look at.
+/// The viewer's place at a moment of the walk, and the point that the viewer looks at.
 #[must_use]
 pub fn viewer(turn: Angle) -> (Vec3, Vec3) {
     (along(&WALK, turn), along(&LOOK, turn))
 }
 
-/// Draws the world in a mode, at a moment of the walk; a whole turn is one walk around the pond.
+/// Draws the world in a mode at a moment of the walk. A whole turn is one walk around the pond.
 ///
 /// # Errors
 ///
@@ -137,7 +137,7 @@ where
     let above = World::upright()?;
     scene.draw(canvas, &above)?;
     if canvas.is_in_view(&scene.options, &POND, &scene.view) {
-        // The ground hides what the water shows, except in the pond.
+        // The ground hides the mirror image everywhere except in the pond.
         let below = World::mirrored()?;
         scene.draw(canvas, &below)?;
         scene.glows(canvas, &below)?;
@@ -163,7 +163,7 @@ where
 struct World {
     model: Transform,
     dusk: Colored<Light>,
-    /// Lamps with their places on the map.
+    /// The lamps with their places on the map.
     lamps: [(Vec3, Colored<PointLight>); LAMPS],
     layers: &'static [(&'static map::Layer, &'static textures::Tile)],
 }
@@ -181,7 +181,7 @@ impl World {
         Self::new(Transform::IDENTITY, &LAYERS)
     }
 
-    /// Upside down below the water's surface, lights included, and without the ground.
+    /// The mirror image: upside down below the water's surface, with its lights, and without the ground.
     fn mirrored() -> Result<Self, Error> {
         static LAYERS: [(&map::Layer, &textures::Tile); 2] = [
             (&map::STONE, &textures::STONE),
@@ -196,7 +196,7 @@ impl World {
         model: Transform,
         layers: &'static [(&'static map::Layer, &'static textures::Tile)],
     ) -> Result<Self, Error> {
-        // The evening sky, from the west.
+        // The light of the evening sky comes from the west.
         let from = model.direction(vec3!(-3, 2.5, 1));
         let dusk = Light::new(from, fx!(0.38), fx!(0.38))?.colored(Rgb888::new(150, 140, 215));
         let door = PointLight::new(model.point(DOOR), fx!(0.9), fx!(5))?.colored(LAMPLIGHT);
@@ -215,7 +215,7 @@ impl World {
         })
     }
 
-    /// Moves the lamps that reach a box to the front, and returns their number.
+    /// Moves the lamps with light that reaches a box to the front, and returns the number of these lamps.
     fn lamps_near(&self, bounds: &Bounds, near: &mut [Colored<PointLight>; LAMPS]) -> usize {
         let reached = self.lamps.iter().filter(|(place, _)| {
             let nearest = place.max(bounds.least).min(bounds.most);
@@ -228,7 +228,7 @@ impl World {
     }
 }
 
-/// How a frame is seen.
+/// The view of a frame.
 struct Scene<M> {
     projection: Projection,
     size: (u32, u32),
@@ -239,7 +239,7 @@ struct Scene<M> {
 }
 
 impl<M: Mode> Scene<M> {
-    /// Draws everything that is solid.
+    /// Draws all solid surfaces.
     fn draw<O, D>(&self, canvas: &mut Canvas<'_, Rgb565, O, D>, world: &World) -> Result<(), Error>
     where
         O: Storage<Rgb565>,
@@ -324,7 +324,7 @@ impl<M: Mode> Scene<M> {
         )
     }
 
-    /// Plants of one kind, which turn about their stems to face the viewer.
+    /// Draws plants of one kind. They turn about their stems to face the viewer.
     fn plants<O, D, const W: usize, const H: usize>(
         &self,
         canvas: &mut Canvas<'_, Rgb565, O, D>,
@@ -348,7 +348,7 @@ impl<M: Mode> Scene<M> {
         Ok(())
     }
 
-    /// The water's surface, through which the mirror image is visible.
+    /// Draws the water's surface. The mirror image is visible through it.
     fn water<O, D>(&self, canvas: &mut Canvas<'_, Rgb565, O, D>) -> Result<(), Error>
     where
         O: Storage<Rgb565>,
@@ -361,7 +361,7 @@ impl<M: Mode> Scene<M> {
             [most.x, least.z],
             [least.x, least.z],
         ];
-        // The waves drift by two repeats of the texture in a whole turn.
+        // The waves move by two repeats of the texture in a whole turn.
         let drift = TexCoord::from_bits((self.turn.to_bits() >> 11).cast_signed());
         let positions = corners.map(|[x, z]| Vec3::new(x, WATER, z));
         let uvs = corners
@@ -374,7 +374,7 @@ impl<M: Mode> Scene<M> {
         Ok(())
     }
 
-    /// Light in the air around lamps, and on the water.
+    /// Draws the light in the air around lamps, and on the water.
     fn glows<O, D>(&self, canvas: &mut Canvas<'_, Rgb565, O, D>, world: &World) -> Result<(), Error>
     where
         O: Storage<Rgb565>,
@@ -391,7 +391,7 @@ impl<M: Mode> Scene<M> {
         let glow = glow.in_fog(Fog::linear(Rgb565::BLACK, fx!(3), fx!(36))?);
         let mvp = self.view * world.model;
         canvas.draw_with(&shine, &buildings::HALOS, &mvp, &glow);
-        // They flicker, each at its own time.
+        // The lamps flicker, each at its own time.
         let scales: [Scalar; map::LAMPS.len()] = core::array::from_fn(|lamp| {
             let wave = (self.turn * (31 + 2 * lamp as i32)).sin();
             fx!(1) + fx!(0.05) * wave

@@ -16,7 +16,7 @@ const BALL: Mesh = shape!(sphere(16, 20))
     .without_normals();
 const CORNERS: usize = 17 * 21;
 
-/// Dark blue above, purple haze to the east and the afterglow of the sun to the west. The part below the horizon shows
+/// Dark blue above, purple haze in the east, and the afterglow of the sun in the west. The part below the horizon shows
 /// in the water.
 static DOME: Mesh = {
     static COLORS: [Rgb888; CORNERS] = {
@@ -25,10 +25,10 @@ static DOME: Mesh = {
         while at < CORNERS {
             if let Some(point) = BALL.positions().get(at) {
                 let [x, y, _] = point.to_bits();
-                // 0 to 256, from east to west and from the horizon up.
+                // From 0 to 256: `west` from east to west, and `low` from the zenith down to the horizon.
                 let west = (0x1_0000 - x) >> 9;
                 let low = 256 - (y.unsigned_abs() >> 8) as i32;
-                // (low/256)² and its square: the glow is lower than the haze.
+                // `haze` is (low/256)², and the glow decreases with its square, so the glow is lower than the haze.
                 let haze = (low * low) >> 8;
                 let glow = (((haze * haze) >> 8) * ((west * west) >> 8)) >> 8;
                 colors[at] = Rgb888::new(
@@ -46,12 +46,12 @@ static DOME: Mesh = {
 
 const COUNT: usize = 160;
 
-/// Directions of stars, and how bright they are.
+/// The directions and the brightness of stars.
 static STARS: ([Vec3; COUNT], [Rgb888; COUNT]) = {
     let mut stars = ([Vec3::ZERO; COUNT], [HAZE; COUNT]);
     let mut at = 0;
     while at < COUNT {
-        // Multiples of irrational numbers, modulo 1, spread them evenly.
+        // Multiples of irrational numbers, modulo 1, spread the stars evenly.
         let turn = Angle::from_bits((at as u32).wrapping_mul(2_654_435_769));
         let (sin, cos) = turn.sin_cos();
         let height = 9_000 + (at * 49_471 % 0x1_0000) as i32;
@@ -63,11 +63,11 @@ static STARS: ([Vec3; COUNT], [Rgb888; COUNT]) = {
     stars
 };
 
-/// Where the moon is.
+/// The direction of the moon.
 const MOON_AT: Vec3 = vec3!(9.5, 10.2, -26);
 
-/// Draws the sky behind everything, so it neither tests nor stores depth. The view is that of a
-/// [camera in its middle](Camera::sky).
+/// Draws the sky behind everything, so it neither tests nor stores depths. The view is the view of a [camera in the
+/// middle of the sky](Camera::sky).
 pub fn draw<O, D, M>(
     canvas: &mut Canvas<'_, Rgb565, O, D>,
     options: &DrawOptions<M>,

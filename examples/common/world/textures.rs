@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::{Gray8, Rgb565};
 use fixel::texture::{Argb1555, Mipmap};
 
-/// A number from 0 to 255 that is the same for the same arguments, and looks random.
+/// A number from 0 to 255 that looks random, but is always the same for the same arguments.
 const fn hash(x: u32, y: u32, seed: u32) -> u32 {
     let mut h =
         x.wrapping_mul(0x9e37_79b1) ^ y.wrapping_mul(0x85eb_ca77) ^ seed.wrapping_mul(0xc2b2_ae3d);
@@ -12,7 +12,7 @@ const fn hash(x: u32, y: u32, seed: u32) -> u32 {
     (h ^ h >> 15) & 255
 }
 
-/// Smooth noise from 0 to 255, in cells of 2^`log2` texels; it repeats after 2^`period` texels.
+/// Smooth noise from 0 to 255, in cells of 2^`log2` texels. The noise repeats after 2^`period` texels.
 const fn noise(x: u32, y: u32, log2: u32, period: u32, seed: u32) -> u32 {
     let (cell, mask) = (1 << log2, (1 << (period - log2)) - 1);
     let (column, row) = (x >> log2, y >> log2);
@@ -24,7 +24,7 @@ const fn noise(x: u32, y: u32, log2: u32, period: u32, seed: u32) -> u32 {
     (upper * (cell - below) + lower * below) >> (2 * log2)
 }
 
-/// A color times a brightness, at most white; 256 is full brightness.
+/// A color times a brightness, at most white. A brightness of 256 leaves the color unchanged.
 const fn shaded([r, g, b]: [u32; 3], light: u32) -> [u8; 3] {
     let (r, g, b) = (r * light / 256, g * light / 256, b * light / 256);
     [
@@ -38,7 +38,7 @@ pub type Tile = Mipmap<'static, Rgb565>;
 
 const LENGTH: usize = Mipmap::<Rgb565>::len(64, 64);
 
-/// A texture of 64x64 texels with all its levels, from a function of column and row in the names given.
+/// A texture of 64x64 texels with all its levels, from an expression of the named column and row.
 macro_rules! mipmap {
     (|$x:ident, $y:ident| $color:expr) => {{
         #[allow(long_running_const_eval)]
@@ -60,7 +60,7 @@ macro_rules! mipmap {
     }};
 }
 
-/// Fills the levels from level 0: each texel is the mean of four of the level before.
+/// Fills all levels after level 0. Each texel is the mean of four texels of the level before.
 const fn with_levels(mut texels: [[u8; 3]; LENGTH]) -> [Rgb565; LENGTH] {
     let (mut from, mut to, mut side) = (0, 64 * 64, 64);
     while to < LENGTH {
@@ -78,7 +78,7 @@ const fn with_levels(mut texels: [[u8; 3]; LENGTH]) -> [Rgb565; LENGTH] {
             (from, to) = (from + 2, to + 1);
         }
         from += side;
-        // The level before ends where this one began.
+        // All texels of the level before have been used, so the next level begins.
         if from + side * side / 4 == to {
             side /= 2;
         }
@@ -94,7 +94,7 @@ const fn with_levels(mut texels: [[u8; 3]; LENGTH]) -> [Rgb565; LENGTH] {
 }
 
 pub static GRASS: Tile = mipmap!(|x, y| {
-    // Blades are higher than wide.
+    // Blades are higher than they are wide.
     let blade = hash(x, y / 3 + hash(x, 0, 9) % 5, 1) / 2 + hash(x, y, 2) / 4;
     let patch = noise(x, y, 4, 6, 3);
     shaded([78 + patch / 8, 118, 62], 100 + blade + patch / 4)
@@ -128,7 +128,7 @@ pub static PAVING: Tile = mipmap!(|x, y| {
     )
 });
 
-/// Courses of blocks, every other one shifted by half a block, with light upper edges and dark joints.
+/// Rows of blocks with light upper edges and dark joints. Every other row is shifted by half a block.
 pub static STONE: Tile = mipmap!(|x, y| {
     let (row, shift) = (y / 12, y / 12 % 2 * 8 + y / 24 * 5);
     let (along, down) = ((x + shift) % 16, y % 12);
@@ -181,7 +181,7 @@ pub static SLATE: Tile = mipmap!(|x, y| {
     shaded([150, 128, 138], light)
 });
 
-/// A leaded window with a round arch, lit from within.
+/// A leaded window with a round arch. Light comes from inside.
 pub static WINDOW: [[Argb1555; 16]; 32] = {
     let mut texels = [[Argb1555::HOLE; 16]; 32];
     let mut at = 0_u32;
@@ -204,7 +204,7 @@ pub static WINDOW: [[Argb1555; 16]; 32] = {
     texels
 };
 
-/// A plant: the number of texels across, and a function of column and row that is its brightness, 0 for a hole.
+/// A plant, from its width in texels and an expression of column and row: the brightness of a texel, or 0 for a hole.
 macro_rules! plant {
     ($width:literal x $height:literal, $leaf:expr, |$x:ident, $y:ident| $light:expr) => {{
         #[allow(long_running_const_eval)]
@@ -229,7 +229,7 @@ macro_rules! plant {
 /// A spindle of dense needles.
 pub static CYPRESS: [[Argb1555; 32]; 128] = plant!(32 x 128, [70, 112, 72], |x, y| {
     let aside = (2 * x).abs_diff(31);
-    // Wide in the lower third, and pointed.
+    // The tree is wide in its lower third, and pointed at the top.
     let wide = if y < 90 { y * 28 / 90 } else { 28 - (y - 90) / 6 };
     let ragged = hash(x / 2, y / 4, 20) / 40 + hash(x, y, 21) / 90;
     if y > 122 && aside < 4 {

@@ -1,4 +1,4 @@
-//! An animation as a WebP file: all colors of the pictures, with losses that nobody sees.
+//! Saves an animation as a WebP file. It keeps all colors of the pictures; its losses are invisible.
 
 use std::error::Error;
 use std::fs;
@@ -9,12 +9,12 @@ use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use webp::{AnimEncoder, AnimFrame, WebPConfig};
 
-/// Pictures a second.
+/// The number of pictures per second.
 const RATE: u32 = 15;
-/// Of 100. With 75, the animation of the garden has 0.8 MB; without losses, it would have 3.8 MB.
+/// The quality, at most 100. At 75, the animation of the garden has 0.8 MB; without losses, it would have 3.8 MB.
 const QUALITY: f32 = 75.;
 
-/// Writes pictures of one size to a file; after the last one, the first one follows.
+/// Writes pictures of equal size to a file. After the last picture, the first one follows.
 pub fn save(path: &Path, pictures: &[SimulatorDisplay<Rgb565>]) -> Result<(), Box<dyn Error>> {
     let size = pictures.first().map(OriginDimensions::size);
     let size = size.ok_or("an animation needs a frame")?;

@@ -1,4 +1,4 @@
-//! Small pictures for the pages of types: each shows one thing that its page describes.
+//! Small pictures for the pages of types. Each picture shows one thing that its page describes.
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
@@ -16,14 +16,14 @@ use fixel::texture::Mipmap;
 use super::scenes::{Draw, Frame};
 
 /// The scenes of the benchmarks.
-#[allow(dead_code)] // what programs that measure them need
+#[allow(dead_code)] // programs that measure the scenes need the rest
 #[path = "../../common/scenes.rs"]
 mod benchmarks;
 
 /// The size of these pictures.
 pub const SIZE: Size = Size::new(240, 160);
 
-/// The pictures by the name of the type or the module.
+/// The pictures, by the name of the type or module.
 pub const PAGES: &[(&str, Draw)] = &[
     ("first", first),
     ("flat", flat),
@@ -62,14 +62,14 @@ static COARSE_RING: Mesh = shape!(torus(fx!(0.45), 16, 8));
 static BALL: Mesh = shape!(sphere(32, 24));
 static COARSE_BALL: Mesh = shape!(sphere(10, 6));
 static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
-// Light is computed at corners: a cone's edge is as sharp as the squares are small.
+// Light is computed at corners, so the edge of a cone of light is sharp only if the squares are small.
 static FLOOR: Mesh = shape!(plane(80, 80));
 static SHEET: Mesh = shape!(plane(1, 1));
 
 const SLATE: Rgb565 = Rgb565::new(5, 12, 8);
 const ORANGE: Rgb888 = Rgb888::new(255, 150, 50);
 
-/// 8x8 checkers, four texels wide.
+/// A texture of 8x8 squares. Each square is four texels wide.
 static CHECKERS: [[Rgb565; 32]; 32] = {
     let mut texels = [[Rgb565::new(30, 58, 26); 32]; 32];
     let mut at = 0;
@@ -84,7 +84,7 @@ static CHECKERS: [[Rgb565; 32]; 32] = {
 
 type Drawn = Result<(), Error>;
 
-/// A view of what lies within two units of the origin.
+/// A view of everything within two units of the origin.
 fn view(canvas: &Frame<'_>) -> Result<Mvp, Error> {
     let projection = Projection::perspective(deg!(43), canvas.frame_size(), fx!(0.1), fx!(100))?;
     let camera = Camera::look_at(vec3!(0, 2, 3.2), Vec3::ZERO, Vec3::Y)?;
@@ -111,7 +111,7 @@ fn ball<S: ShaderFor<Rgb565>>(canvas: &mut Frame<'_>, mesh: &Mesh, shader: &S) -
     Ok(())
 }
 
-/// A cube on its edge.
+/// A cube that stands on an edge.
 fn cube<S: ShaderFor<Rgb565>>(canvas: &mut Frame<'_>, mesh: &Mesh, shader: &S) -> Drawn {
     canvas.clear(SLATE);
     let mvp = view(canvas)? * Transform::rotate_y(deg!(35)) * Transform::scale(fx!(0.78));
@@ -166,7 +166,7 @@ fn part_colors(canvas: &mut Frame<'_>) -> Drawn {
     ring(canvas, &RING, &PartColors::rgb(&parts).lit(sun()?))
 }
 
-/// Colors by the direction from the middle of a mesh.
+/// Colors by the direction from the middle of the mesh.
 fn rainbow(mesh: &Mesh) -> Vec<Rgb888> {
     let channel = |v: Scalar| 128 + (v * 100).floor().clamp(-100, 100);
     mesh.positions()
@@ -209,7 +209,7 @@ fn mipmapped(canvas: &mut Frame<'_>) -> Drawn {
     let camera = Camera::look_at(vec3!(0, 1.4, 0), vec3!(0, 0.2, -4), Vec3::Y)?;
     canvas.clear(SLATE);
     let left = projection * camera * Transform::translate(vec3!(-40, 0, 0));
-    // Joints of one texel.
+    // The joints are one texel wide.
     let mut texels = [Rgb565::new(30, 54, 24); Mipmap::<Rgb565>::len(16, 16)];
     for (at, texel) in texels.iter_mut().enumerate() {
         if at / 16 % 4 == 0 || at % 4 == 0 {
@@ -278,7 +278,7 @@ fn map(canvas: &mut Frame<'_>) -> Drawn {
     ring(canvas, &RING, &steps)
 }
 
-/// A surface as a canvas of color `C` shows it.
+/// A surface with the colors that a canvas of color `C` would show.
 fn shown_in<C>(surface: impl ShaderFor<Rgb888>) -> impl ShaderFor<Rgb565>
 where
     C: PixelFormat + Into<Rgb888>,
@@ -293,7 +293,7 @@ fn converted(canvas: &mut Frame<'_>) -> Drawn {
     ring(canvas, &RING, &shown_in::<Gray2>(surface))
 }
 
-/// A textured ring with numbers of 32 bits, and one with numbers of 8 bits, which takes a third of the flash.
+/// A textured ring with numbers of 32 bits, and a ring with numbers of 8 bits, which takes a third of the flash.
 fn quantized(canvas: &mut Frame<'_>) -> Drawn {
     static SMALL: Mesh = shape!(torus(fx!(0.45), 32, 16), quantized_8);
     canvas.clear(SLATE);
@@ -366,7 +366,7 @@ fn colored(canvas: &mut Frame<'_>) -> Drawn {
     under(canvas, [red, blue])
 }
 
-/// The same sheet twice, seen from below: without the adapter, and with it.
+/// The same sheet twice, seen from below: without the adapter and with it.
 fn two_sided(canvas: &mut Frame<'_>) -> Drawn {
     let view = view(canvas)?;
     let lamp = Light::new(vec3!(0, 1, 4), fx!(0.1), fx!(0.9))?;
@@ -390,7 +390,7 @@ fn two_sided(canvas: &mut Frame<'_>) -> Drawn {
     Ok(())
 }
 
-/// Four viewports: the default, front faces culled, lines, points.
+/// Four viewports: default options, front faces culled, lines, and points.
 fn options(canvas: &mut Frame<'_>) -> Drawn {
     let view = view(canvas)?;
     let ring = view * Transform::rotate_z(deg!(25));
@@ -549,7 +549,7 @@ fn shaders(canvas: &mut Frame<'_>) -> Drawn {
 /// The scenes that are measured: floor, cube, sphere, sphere with flat triangles.
 fn measured(canvas: &mut Frame<'_>) -> Drawn {
     canvas.clear(SLATE);
-    // As wide in proportion as the frame of 320x240 for which the scenes are made.
+    // The viewport has the proportions of 320x240, because the scenes are made for a frame of this size.
     let (width, height) = (106, SIZE.height / 2);
     let part = |column: i32, row: i32| -> Result<DrawOptions, Error> {
         let corner = (7 + 120 * column, row * height.cast_signed());
@@ -562,7 +562,7 @@ fn measured(canvas: &mut Frame<'_>) -> Drawn {
     Ok(())
 }
 
-/// The scene of the guide for firmware: a ring with a caption.
+/// The scene in the guide for firmware: a ring with a caption.
 fn firmware(canvas: &mut Frame<'_>) -> Drawn {
     static RING: Mesh = shape!(torus(fx!(0.4), 24, 12));
     let projection = Projection::perspective(deg!(50), canvas.frame_size(), fx!(0.5), fx!(20))?;

@@ -11,10 +11,10 @@ pub use garden::{LOOK, WALK, viewer};
 
 use super::scenes::Frame;
 
-/// Frames of the walk, once around.
+/// The number of frames of the walk around the pond.
 pub const FRAMES: u32 = 96;
 
-/// The moment of a frame.
+/// The moment of the walk that a frame shows.
 #[must_use]
 pub fn turn_of(frame: u32) -> Angle {
     Angle::from_bits(u32::MAX / FRAMES * frame)
@@ -29,7 +29,7 @@ pub fn walk(canvas: &mut Frame<'_>, turn: Angle) -> Result<(), Error> {
     garden::draw(canvas, Newton, turn)
 }
 
-/// Draws the moment that the documentation shows, which the firmware draws, too.
+/// Draws the moment that the documentation shows. The firmware draws the same moment.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! The pictures of the documentation must be those that the scenes draw.
+//! The pictures of the documentation must equal the pictures that the scenes draw.
 
 use std::fs;
 use std::path::Path;
@@ -28,7 +28,7 @@ fn pictures_of_pages_are_those_of_the_documentation() {
         let found = picture(draw, PAGE_SIZE).unwrap();
         let shown = SimulatorDisplay::load_png(page(name)).unwrap();
         assert!(found.diff(&shown).is_none(), "{name} has changed");
-        // Each page of the documentation is loaded with its picture.
+        // A page of the documentation loads its picture, so pictures must be small.
         let bytes = fs::metadata(page(name)).unwrap().len();
         assert!(bytes <= 10_240, "{name} has {bytes} bytes");
     }
@@ -51,7 +51,7 @@ fn scenes_are_short() {
     }
 }
 
-/// Bands show the same reflection, blended lights and labels as the frame.
+/// Reflections, blended lights and labels are the same in bands as in the frame.
 #[test]
 fn bands_equal_frames() {
     const WIDTH: u32 = SIZE.width;
@@ -73,7 +73,7 @@ fn bands_equal_frames() {
     }
 }
 
-/// The viewer meets every stop from both sides, the first one from the end of the walk: there is no jump.
+/// The walk passes each stop without a jump. The end of the walk meets its start at the first stop.
 #[test]
 fn the_walk_is_closed() {
     for (stop, stops) in (0..).zip(WALK.into_iter().zip(LOOK)) {
@@ -81,7 +81,7 @@ fn the_walk_is_closed() {
         assert_eq!(viewer(turn), stops);
         let ((eye, target), (eye_before, target_before)) =
             (viewer(turn), viewer(turn - Angle::from_bits(1 << 9)));
-        // A step of 2^-20 of the way between two stops, which are less than 8 units apart; and rounding.
+        // A step is 2^-20 of the way between two stops. These are less than 8 units apart. Rounding adds to the step.
         assert!(
             eye_before.distance(eye) < fx!(0.001),
             "{stop}: {eye_before}"

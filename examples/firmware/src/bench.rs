@@ -1,4 +1,4 @@
-//! Draws a scene in a layout and measures it.
+//! Draws a scene in a layout, and measures it.
 
 use crc32fast::Hasher;
 use fixel::canvas::DepthBuffer;
@@ -23,9 +23,9 @@ static DEPTHS: ConstStaticCell<[u16; PIXELS]> = ConstStaticCell::new([0; PIXELS]
 pub enum Layout {
     /// One frame.
     Frame,
-    /// Bands drawn one after the other into the same memory; each band transforms all of the models.
+    /// Bands that are drawn one after the other into the same memory. Each band transforms all models.
     Bands,
-    /// Bands of triangles that were transformed once for all bands.
+    /// Bands of triangles that are transformed once for all bands.
     Prepared,
 }
 
@@ -40,7 +40,7 @@ impl Layout {
         }
     }
 
-    /// Rows in memory at a time. A band takes 10 KiB of color and 10 KiB of depth.
+    /// The number of rows that are in memory at a time. A band takes 10 KiB of color and 10 KiB of depth.
     fn rows(self) -> u32 {
         match self {
             Self::Frame => HEIGHT,
@@ -49,22 +49,22 @@ impl Layout {
     }
 }
 
-/// The measured figures of a picture.
+/// What is measured about a picture.
 #[derive(Default)]
 pub struct Figures {
-    /// Pixels that the models cover.
+    /// The number of pixels that the models cover.
     pub pixels: usize,
-    /// Triangles drawn; a triangle counts once for each band it is in.
+    /// The number of triangles drawn. A triangle counts once in each of its bands.
     pub triangles: u32,
-    /// Ticks of the clock during the draw calls, without anything else.
+    /// The ticks of the clock during the draw calls only.
     pub ticks: u64,
-    /// The largest stack depth of the draw calls, in bytes.
+    /// The largest number of bytes of stack that a draw call uses.
     pub stack: usize,
-    /// CRC-32 of the pixels, row by row, the more significant byte first.
+    /// The CRC-32 of the pixels, row by row. The more significant byte comes first.
     pub crc: u32,
 }
 
-/// The memory to draw into, and the clock.
+/// The memory in which scenes are drawn, and the clock.
 pub struct Bench {
     clock: Clock,
     colors: &'static mut [[u8; 2]; PIXELS],
@@ -73,7 +73,7 @@ pub struct Bench {
 }
 
 impl Bench {
-    /// Takes the memory; can be called once.
+    /// Takes the memory. Can be called only once.
     pub fn new(clock: Clock) -> Self {
         Self {
             clock,
@@ -83,7 +83,7 @@ impl Bench {
         }
     }
 
-    /// Draws a scene.
+    /// Draws a scene, and measures it.
     pub fn measure<I: Mode>(
         &mut self,
         scene: Scene,
@@ -122,18 +122,18 @@ impl Bench {
                 draw(scene, &models, &mut canvas, clock, &mut figures)?;
                 crc.update(canvas.as_bytes());
             } else {
-                // Draw once more, unmeasured, to count the covered pixels by their depths.
+                // Draw once more, without measuring, to count the covered pixels by their depths.
                 scene.background(&mut canvas);
                 models.draw(&mut canvas)?;
             }
-            // Covered pixels are nearer than the far plane, so their depth is above 0.
+            // Covered pixels are nearer than the far plane, so their depths are above 0.
             figures.pixels += depths.iter().filter(|&&depth| depth > 0).count();
         }
         figures.crc = crc.finalize();
         Ok(figures)
     }
 
-    /// The checksum of a scene with a depth buffer, drawn in a given way.
+    /// The checksum of a scene that is drawn with a depth buffer in the given way.
     pub fn checksum(&mut self, way: Way) -> Result<u32, Error> {
         let Way { scene, rows, .. } = way;
         let (options, mvp) = (DrawOptions::new(), scene.mvp()?);
@@ -167,14 +167,14 @@ impl Bench {
 }
 
 impl Figures {
-    /// Adds the figures of one draw call.
+    /// Adds the ticks and the stack of one draw call.
     fn add(&mut self, ticks: u64, stack: usize) {
         self.ticks += ticks;
         self.stack = self.stack.max(stack);
     }
 }
 
-/// The models of a band: as meshes, or prepared.
+/// The models of a band, as meshes or prepared.
 enum Models<'a, I> {
     Meshes(Scene, &'a DrawOptions<I>, &'a Mvp<Perspective>),
     Prepared(PreparedScene<'a, I>),
@@ -189,7 +189,7 @@ impl<I: Mode> Models<'_, I> {
     }
 }
 
-/// Draws a scene into a band, and adds the figures of its draw calls.
+/// Draws a scene into a band, and adds the ticks and the stack of its draw calls.
 fn draw<I: Mode, D: DepthBuffer>(
     scene: Scene,
     models: &Models<'_, I>,

@@ -1,15 +1,15 @@
-//! The measured scenes on a microcontroller: the same pixels as on the host, in whole frames and in bands.
+//! The measured scenes on a microcontroller. They have the same pixels as on the host, in whole frames and in bands.
 //!
-//! `cargo run --profile speed -p firmware --target thumbv7em-none-eabi` runs it under QEMU. This needs QEMU with its
-//! Arm and RISC-V boards, and `ld.lld`. Other targets: thumbv6m-none-eabi, thumbv7m-none-eabi, thumbv8m.base-none-eabi,
-//! thumbv8m.main-none-eabi, riscv32imc-unknown-none-elf.
+//! `cargo run --profile speed -p firmware --target thumbv7em-none-eabi` runs the program under QEMU. This needs QEMU
+//! with its Arm and RISC-V boards, and `ld.lld`. Other targets are thumbv6m-none-eabi, thumbv7m-none-eabi,
+//! thumbv8m.base-none-eabi, thumbv8m.main-none-eabi and riscv32imc-unknown-none-elf.
 //!
-//! The program first prints the number of instructions in a tick. For each mode, scene and layout it then prints the
-//! pixels that the models cover, the ticks of the draw calls, and a checksum of the picture. `simulator --mode MODE
-//! --scene NAME --crc` prints the host's checksum. Mode fast has a tolerance of a quarter of a texel.
+//! The program first prints the number of instructions in a tick. For each mode, scene and layout, it then prints the
+//! number of pixels that the models cover, the ticks of the draw calls, and a checksum of the picture. `simulator
+//! --mode MODE --scene NAME --crc` prints the host's checksum. Mode fast has a tolerance of a quarter of a texel.
 //!
-//! For some of the scenes it then prints checksums of pictures that must be the same (`same`): in bands of any height,
-//! drawn twice with or without clearing, and with the triangles in reverse order.
+//! For some of the scenes, the program then prints checksums of pictures that must be the same (`same`): in bands of
+//! any height, drawn twice with or without clearing, and with the triangles in reverse order.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -60,7 +60,7 @@ mod firmware {
         Ok(())
     }
 
-    /// Measures everything in one mode.
+    /// Measures all scenes and layouts in one mode.
     fn run_mode<I: Mode>(bench: &mut Bench, mode_name: &str, mode: I) -> Result<(), Error> {
         let options = DrawOptions::new().with_mode(mode);
         for scene in Scene::ALL {

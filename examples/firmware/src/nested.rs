@@ -1,22 +1,22 @@
-//! The measured cube with a smaller one inside it, its triangles in two orders.
+//! The measured cube with a smaller cube inside it. The triangles come in two orders.
 //!
-//! Only the depth test hides the inner cube, whatever the order: back faces are culled, and front faces that share a
-//! pixel are far enough apart that their stored depths differ.
+//! Whatever the order is, only the depth test hides the inner cube: back faces are culled, and front faces that share a
+//! pixel are so far apart that their stored depths differ.
 
 use fixel::mesh::{Buffers, Counts, Shape};
 use fixel::prelude::*;
 
-/// The outer cube, then the inner one.
+/// The triangles of the outer cube, then those of the inner cube.
 pub static INWARDS: Mesh = mesh(Mesh::new(&CUBES.positions, &CUBES.faces));
-/// The same in reverse order, with 16-bit positions. Their values are the same, but a Cortex-M0+ transforms them in
-/// another way.
+/// The same triangles in reverse order, with 16-bit positions. The positions have the same values, but a Cortex-M0+
+/// transforms them with other code.
 pub static OUTWARDS: Mesh = mesh(Mesh::short(&SHORT.0, SHORT.1, &REVERSED));
 
 const SHAPES: [Result<Shape, Error>; 2] = [
     Shape::cuboid(vec3!(1, 1, 1)),
     Shape::cuboid(vec3!(0.5, 0.5, 0.5)),
 ];
-/// Counts of one cube.
+/// The counts of one cube.
 const COUNTS: Counts = match SHAPES[0] {
     Ok(cube) => cube.counts(),
     Err(_) => panic!("no cube"),
@@ -39,7 +39,7 @@ static CUBES: Cubes = {
     let (outer_faces, inner_faces) = cubes.faces.split_at_mut(COUNTS.faces);
     build(SHAPES[0], outer_positions, outer_uvs, outer_faces);
     build(SHAPES[1], inner_positions, inner_uvs, inner_faces);
-    // The inner cube's vertices follow the outer one's.
+    // The vertices of the inner cube follow those of the outer cube.
     let mut at = 0;
     while at < COUNTS.faces {
         let [a, b, c] = inner_faces[at];

@@ -1,8 +1,8 @@
-//! The cookbook's scenes on a microcontroller: the same pixels as on the host.
+//! The cookbook's scenes on a microcontroller. They have the same pixels as on the host.
 //!
 //! `cargo run --profile speed -p firmware --bin recipes --target thumbv7em-none-eabi` prints a checksum of each
-//! picture, in 96x72, and the instructions that it took; `cargo run -p cookbook -- --crc --size 96x72` prints the
-//! host's checksums. Four scenes are missing: three use the standard library, and one draws with floats.
+//! picture, in 96x72, and the number of instructions. `cargo run -p cookbook -- --crc --size 96x72` prints the host's
+//! checksums. Four scenes are missing: three use the standard library, and one draws with floats.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -40,7 +40,7 @@ mod firmware {
         ConstStaticCell::new([Rgb565::BLACK; PIXELS]);
     static DEPTHS: ConstStaticCell<[u16; PIXELS]> = ConstStaticCell::new([0; PIXELS]);
 
-    /// The little world, at the moment that the cookbook shows.
+    /// The little world at the moment that the cookbook shows.
     fn draw_world(canvas: &mut Frame<'_>) -> Result<(), Error> {
         world::draw(canvas, Newton, Angle::from_bits(u32::MAX / 64 * 13))
     }

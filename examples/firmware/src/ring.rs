@@ -1,7 +1,7 @@
-//! The ring of the guide for firmware, in its frame of 240x240 pixels. Measures the cost of a frame in bands of each
-//! height, prepared or not, with three shaders: the mean of eight poses, without anything but the draw calls.
+//! The ring of the guide for firmware, in its frame of 240x240 pixels. Measures a frame in bands of each height,
+//! prepared or not, with three shaders. The cost is the mean of eight poses, and includes only the draw calls.
 //!
-//! `cargo run --profile speed -p firmware --bin ring --target thumbv6m-none-eabi` runs it under QEMU.
+//! `cargo run --profile speed -p firmware --bin ring --target thumbv6m-none-eabi` runs the program under QEMU.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -36,7 +36,7 @@ mod firmware {
     static LIST: ConstStaticCell<List> = ConstStaticCell::new(List::new());
     static RING: Mesh = shape!(torus(fx!(0.4), 24, 12));
 
-    /// A list of the length that the guide gives.
+    /// A list with the length that the guide states.
     type List = DrawList<300, 300>;
 
     struct Bench {
@@ -48,7 +48,7 @@ mod firmware {
     }
 
     impl Bench {
-        /// Prints a line for each kind of bands.
+        /// Prints a line for each kind of band.
         fn measure<M: Mode, S: ShaderFor<Rgb565>>(
             &mut self,
             name: &str,
@@ -70,7 +70,7 @@ mod firmware {
             Ok(())
         }
 
-        /// The ticks of all poses.
+        /// The ticks of all poses together.
         fn frames<M: Mode, S: ShaderFor<Rgb565>>(
             &mut self,
             options: &DrawOptions<M>,

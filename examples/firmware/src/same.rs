@@ -1,34 +1,34 @@
-//! Ways to draw that must all give the same picture.
+//! Ways to draw a scene that must all give the same picture.
 
 use core::fmt;
 
 use super::common::scenes::HEIGHT;
 use super::scene::Scene;
 
-/// How a scene is drawn, in the default mode.
+/// A way to draw a scene in the default mode.
 #[derive(Clone, Copy)]
 pub struct Way {
     pub scene: Scene,
-    /// Rows of a band; the last band may have fewer.
+    /// The number of rows of a band. The last band can have fewer.
     pub rows: u32,
     pub repeat: Repeat,
     /// Whether the triangles are transformed once for all bands.
     pub is_prepared: bool,
 }
 
-/// How often each band is drawn.
+/// The number of times that each band is drawn.
 #[derive(Clone, Copy)]
 pub enum Repeat {
     Once,
-    /// Twice, cleared in between.
+    /// Twice. The band is cleared in between.
     Again,
-    /// Twice, the second time over the first. Of triangles at equal depths, the last one shows. It is the same both
-    /// times.
+    /// Twice, the second time over the first. Of triangles at equal depths, the last one shows, and this is the same
+    /// triangle both times.
     Over,
 }
 
 impl Way {
-    /// All ways. The lighthouse's triangles are not drawn in another order: where the sea meets the island, a few
+    /// All ways. The lighthouse is not drawn with its triangles in another order: where the sea meets the island, a few
     /// pixels have equal depths, and the last triangle shows.
     pub fn all() -> impl Iterator<Item = Self> {
         let whole = (HEIGHT, Repeat::Once);

@@ -1,5 +1,5 @@
-//! The scenes: the four measured ones and the project's own, each in its first pose, and the cube with another one
-//! inside.
+//! The scenes: the four measured scenes and the project's own scene, each in its first pose, and the cube with another
+//! cube inside.
 
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -13,7 +13,7 @@ use super::common::lighthouse;
 use super::common::scenes::{self, HEIGHT, WIDTH};
 use super::nested::{INWARDS, OUTWARDS};
 
-/// A canvas whose bytes are in the order that displays expect.
+/// A canvas with bytes in the order that displays expect.
 pub type Target<'a, D> = Canvas<'a, Rgb565, BigEndian, D>;
 
 #[derive(Clone, Copy)]
@@ -23,10 +23,10 @@ pub enum Scene {
     Sphere,
     SphereFlat,
     Lighthouse,
-    /// The cube with another one inside, which the depth test hides, so the picture equals the cube's. The outer cube
-    /// is drawn first.
+    /// The cube with another cube inside. The outer cube is drawn first, and the depth test hides the inner cube, so
+    /// the picture equals the cube's picture.
     Inwards,
-    /// The same triangles in reverse order, with short positions.
+    /// The same triangles in reverse order, with 16-bit positions.
     Outwards,
 }
 
@@ -40,7 +40,7 @@ impl Scene {
         Self::Lighthouse,
     ];
 
-    /// The scene's name in the simulator, which does not name its default scene.
+    /// The name of the scene in the simulator. The simulator has no name for its default scene.
     pub fn name(self) -> &'static str {
         match self {
             Self::Floor => "floor",
@@ -77,7 +77,7 @@ impl Scene {
         }
     }
 
-    /// Draws the models; only this is measured. Returns the number of triangles drawn.
+    /// Draws the models. Only this function is measured. Returns the number of triangles drawn.
     pub fn draw<I: Mode, D: DepthBuffer>(
         self,
         canvas: &mut Target<'_, D>,
@@ -159,7 +159,7 @@ impl Lists {
     }
 }
 
-/// A scene's models, prepared for every band.
+/// The models of a scene, prepared for every band.
 pub struct PreparedScene<'l, I> {
     scene: Scene,
     model: Prepared<'l, (), &'l Mesh<'l>, DrawOptions<I>>,
@@ -167,7 +167,7 @@ pub struct PreparedScene<'l, I> {
 }
 
 impl<I: Mode> PreparedScene<'_, I> {
-    /// Draws the rows of this canvas; returns the number of triangles drawn.
+    /// Draws the rows of this canvas. Returns the number of triangles drawn.
     pub fn draw<D: DepthBuffer>(&self, canvas: &mut Target<'_, D>) -> Result<u32, Error> {
         let Self { scene, model, sea } = self;
         let behind = match sea {

@@ -5,8 +5,8 @@ use fixel_assets::{Format, Model, Triangle};
 
 use crate::args::Args;
 
-/// Returns a hint if the model seems to lie on its side: it has a flat base where another axis than the default one has
-/// its low end, but none where it should.
+/// Returns a hint if the model seems to lie on its side: it has a flat base at the low end of another axis than the
+/// chosen one, but none at the low end of the chosen axis.
 pub fn lying(args: &Args, model: &Model) -> Option<String> {
     let format = args.model.as_deref().and_then(Format::of);
     // In glTF files, y always points up.
@@ -26,7 +26,7 @@ pub fn lying(args: &Args, model: &Model) -> Option<String> {
         }
     }
     let size = sub(high, low);
-    // The shares of the lower and the upper side of the box around the model that its faces cover.
+    // The fractions of the lower and the upper side of the model's bounding box that faces cover.
     let covered = |axis: usize| {
         let mut areas = [0.0; 2];
         for [a, b, c] in model.triangles.iter().map(corners) {
@@ -34,7 +34,7 @@ pub fn lying(args: &Args, model: &Model) -> Option<String> {
             if normal[axis].abs() < 0.97 * length(normal) {
                 continue;
             }
-            // A base points outward.
+            // The normal of a base points out of the box.
             for (area, (end, sign)) in areas.iter_mut().zip([(low, -1.0), (high, 1.0)]) {
                 let is_at_end = (a[axis] - end[axis]).abs() <= size[axis] * 0.03;
                 if is_at_end && normal[axis] * sign > 0.0 {

@@ -25,24 +25,23 @@ Distances are in the model's own units, which may be of any size: the program sc
 draws in fixed point. At the end, it prints the camera as options, for you to copy and change. A program for a
 microcontroller takes the model from the same file with the macro `fixel::include_mesh!`.";
 
-/// Draws a 3D model with integers only, as a microcontroller would, and saves the picture.
-/// Without a model it draws the project's own scene. Without camera options, the model fills the picture.
+/// Draws a 3D model with integers only, as a microcontroller would, and saves the picture. Without a model, it draws
+/// the project's own scene. Without camera options, the model fills the picture.
 #[allow(clippy::struct_excessive_bools)] // flags
 #[derive(Clone, Debug, Parser)]
 #[command(name = "simulator", version, after_help = EXAMPLES, max_term_width = 100)]
 pub struct Args {
     /// Model to draw: Wavefront OBJ with its MTL materials, STL, PLY or glTF (.glb or .gltf).
     ///
-    /// A material has one color or one texture, and vertices may have colors. The program computes normals and texture
-    /// coordinates if they are missing. In STL files,
-    /// z points up, in all others y; --up changes this.
+    /// A material has one color or one texture, and vertices can have colors. The program computes normals and texture
+    /// coordinates if they are missing. In STL files, z points up; in all others, y does. --up changes this.
     #[arg(value_name = "MODEL")]
     pub model: Option<PathBuf>,
 
     /// Texture for the model: PNG, JPEG, BMP, TGA, GIF or WebP.
     ///
-    /// It replaces the model's materials. Its sides are resampled to powers of two, at most 1024. [default: the model's
-    /// materials, or a checker]
+    /// The texture replaces the model's materials. Its sides are resampled to powers of two, at most 1024. [default:
+    /// the model's materials, or a checker]
     #[arg(long, value_name = "FILE", help_heading = "Scene")]
     pub texture: Option<PathBuf>,
 
@@ -58,7 +57,7 @@ pub struct Args {
     #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true, help_heading = "Camera")]
     pub look_at: Option<[f64; 3]>,
 
-    /// Direction that points up in the picture, or the name of an axis: z for a model whose z axis points up. The
+    /// Direction that points up in the picture, or the name of an axis, for example z for a model with z up. The
     /// default view and the turntable follow it. [default: y, or z for STL]
     #[arg(long, value_name = "X,Y,Z", value_parser = axis, allow_hyphen_values = true, help_heading = "Camera")]
     pub up: Option<[f64; 3]>,
@@ -68,11 +67,11 @@ pub struct Args {
     #[arg(long, value_name = "DEG", value_parser = field_of_view, allow_hyphen_values = true, help_heading = "Camera")]
     pub fov: Option<f64>,
 
-    /// Distance of the near plane, above 0: nothing nearer is drawn. [default: just in front of the model]
+    /// Distance of the near plane, above 0. Nothing nearer is drawn. [default: just in front of the model]
     #[arg(long, value_name = "N", value_parser = number, allow_hyphen_values = true, help_heading = "Camera")]
     pub near: Option<f64>,
 
-    /// Distance of the far plane, beyond the near plane: nothing farther is drawn. [default: just behind the model]
+    /// Distance of the far plane, beyond the near plane. Nothing farther is drawn. [default: just behind the model]
     #[arg(long, value_name = "F", value_parser = number, allow_hyphen_values = true, help_heading = "Camera")]
     pub far: Option<f64>,
 
@@ -102,8 +101,8 @@ pub struct Args {
     #[arg(long, value_enum, default_value = "linear", help_heading = "Look")]
     pub depth: DepthBuffer,
 
-    /// Hide the backs of faces, as programs for microcontrollers do by default. Without this option, only faces that
-    /// the file calls one-sided hide them.
+    /// Hide the backs of faces, as programs for microcontrollers do by default. Without this option, backs are hidden
+    /// only if the file calls the material one-sided.
     #[arg(long, help_heading = "Look")]
     pub cull: bool,
 
@@ -115,7 +114,7 @@ pub struct Args {
     #[arg(long, value_name = "RRGGBB", value_parser = color, help_heading = "Look")]
     pub background: Option<Rgb888>,
 
-    /// Direction to a light, and its color unless it is white. Repeat the option for several lights. [default: a white
+    /// Direction to a light, and its color unless it is white. Repeat the option for more lights. [default: a white
     /// light from over the viewer's left shoulder]
     #[arg(long, value_name = "X,Y,Z[,RRGGBB]", value_parser = lamp, allow_hyphen_values = true, help_heading = "Look")]
     pub light: Vec<Lamp>,
@@ -142,7 +141,7 @@ pub struct Args {
     #[arg(long, value_name = "ROWS", value_parser = clap::value_parser!(u32).range(1..), help_heading = "Picture")]
     pub bands: Option<u32>,
 
-    /// Number of frames of 40 ms, in which the model turns once. Several frames are saved as .gif or .apng.
+    /// Number of frames of 40 ms in which the model turns once. Several frames are saved as .gif or .apng.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000),
         default_value = "1", help_heading = "Animation")]
     pub frames: u32,
@@ -163,13 +162,13 @@ pub struct Args {
     #[arg(long, help_heading = "Output")]
     pub crc: bool,
 
-    /// Print nothing but errors and what --crc asks for.
+    /// Print only errors and the result of --crc.
     #[arg(long, short, help_heading = "Output")]
     pub quiet: bool,
 
     /// Show the picture in a window; needs SDL2 and a build with --features sdl.
     ///
-    /// Drag or press the arrow keys to turn the model; turn the wheel or press + and - to zoom. Space returns to the
+    /// Drag or press the arrow keys to turn the model. Turn the wheel or press + and - to zoom. Space returns to the
     /// first view, and Escape closes the window.
     #[arg(long, help_heading = "Output")]
     pub window: bool,
@@ -203,11 +202,11 @@ pub enum Kind {
 pub enum Shade {
     /// The model's textures and colors, without light; a checker if it has none
     Texture,
-    /// Its colors, or clay, without textures: lit at the vertices and interpolated between them
+    /// The model's colors, or clay, without textures: lit at the vertices and interpolated between them
     Gouraud,
-    /// The same with one brightness for each triangle
+    /// Like gouraud, with one brightness for each triangle
     Flat,
-    /// Its textures and colors, lit
+    /// The model's textures and colors, lit
     Lit,
     /// Edges only; outlines and creases where edges would fill the picture
     Wire,
@@ -261,7 +260,7 @@ pub enum Color {
     Mono,
 }
 
-/// The options that need no model. The project's own scene and the measured ones define everything else themselves.
+/// The options that work without a model. The project's own scene and the measured scenes define everything else.
 const WITHOUT_MODEL: &[&str] = &[
     "model", "scene", "mode", "depth", "color", "size", "bands", "frames", "out", "dump", "crc",
     "quiet", "window",
@@ -299,7 +298,8 @@ fn number(text: &str) -> Result<f64, String> {
 
 fn field_of_view(text: &str) -> Result<f64, String> {
     let degrees = number(text)?;
-    // The library would accept 400 degrees as 40, because an angle is a fraction of a turn. So it is checked here.
+    // An angle is a fraction of a turn, so the library would accept 400 degrees as 40. Therefore the angle is checked
+    // here.
     if degrees > 0.0 && degrees < 180.0 {
         Ok(degrees)
     } else {
@@ -351,7 +351,7 @@ fn color(text: &str) -> Result<Rgb888, String> {
     }
 }
 
-/// Parses `N` numbers separated by commas, and a color if one more word follows.
+/// Parses `N` numbers separated by commas. If one more word follows, it is parsed as a color.
 fn numbers<const N: usize>(
     text: &str,
     such_as: &str,

@@ -9,7 +9,7 @@ use super::Result;
 use crate::draw::add;
 use crate::scene::{Band, Done};
 
-/// Draws a frame in bands of `rows` rows; returns the pixels of all bands.
+/// Draws a frame in bands of `rows` rows. Returns the pixels of all bands.
 ///
 /// # Errors
 ///
@@ -34,7 +34,7 @@ pub fn bands<C: PixelColor + Default>(
             first_row,
         })?;
         sum = (add(sum.0, drawn), sum.1 + time);
-        // Rows of the frame.
+        // The number of rows in this band.
         first_row += (len / width) as u32;
     }
     Ok((pixels, sum))

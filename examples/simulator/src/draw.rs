@@ -1,4 +1,4 @@
-//! Draws a scene's pieces, in any mode and projection.
+//! Draws the pieces of a scene, in any mode and projection.
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
@@ -25,32 +25,32 @@ use crate::part::Piece;
 /// The simulator's canvas.
 pub type Board<'a, C, D> = Canvas<'a, C, Native, D>;
 
-/// Which lines are drawn.
+/// The lines that are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lines {
     None,
     Edges,
-    /// Creases and silhouettes, without those that faces hide.
+    /// Creases and silhouettes, except those that faces hide.
     Outline,
 }
 
-/// How a picture is drawn: everything that it needs besides the model.
+/// The style of a picture: everything that it needs besides the model.
 pub struct Style<'a> {
     /// A shader for each piece of the model.
     surfaces: Vec<Surface<'a>>,
     /// Whether faces are drawn.
     has_faces: bool,
-    /// Which pieces are translucent.
+    /// For each piece, whether it is translucent.
     is_blended: Vec<bool>,
     lines: Lines,
     /// The color of lines.
     line: Rgb888,
-    /// How far faces lie behind the lines on them.
+    /// How far the depths of faces are moved behind the lines on them.
     bias: Biased,
     backdrop: Backdrop,
-    /// The color of the canvas at a pixel.
+    /// Converts a color to the color that the canvas shows at a pixel.
     color: fn(Rgb888, Point) -> Rgb888,
-    /// Whether the project's name is written into the picture, and if so, whether it is on black.
+    /// Whether the caption has a black background; `None` if the picture has no caption.
     caption: Option<bool>,
 }
 
@@ -81,7 +81,7 @@ impl<'a> Style<'a> {
         };
         let is_lit = !matches!(look.shade, Some(Shade::Depth | Shade::Normal)) && !look.has_fog();
         let lines = match lines {
-            // In black and white, silhouettes set a model off from its background.
+            // In black and white, silhouettes separate a model from the background.
             Lines::None if is_mono && is_lit => Lines::Outline,
             lines => lines,
         };
@@ -89,7 +89,7 @@ impl<'a> Style<'a> {
             Lines::Edges => Biased::behind(TestAndWrite),
             Lines::Outline | Lines::None => Biased::new(TestAndWrite, 0, fx!(0)),
         };
-        // Lines are black on a surface. Those around it differ from the background.
+        // Lines on a surface are black. Lines around a surface contrast with the background.
         let is_around = is_mono || look.shade == Some(Shade::Wire);
         let line = if is_around && lines_are_white(look.backdrop) {
             Rgb888::WHITE
@@ -126,7 +126,7 @@ impl<'a> Style<'a> {
         let Ok(()) = canvas.fill_contiguous(&area, colors);
     }
 
-    /// Converts blended colors to the canvas's color, and writes the caption, if there is one.
+    /// Converts blended colors to the canvas's color type. Writes the caption, if the picture has one.
     pub fn finish<D: DepthBuffer>(&self, canvas: &mut Board<'_, Rgb888, D>) {
         if self.is_blended.contains(&true) {
             let area = area(canvas);
@@ -142,7 +142,7 @@ impl<'a> Style<'a> {
     }
 }
 
-/// The pixels of a canvas, which may be a band of the frame.
+/// The area of a canvas, which can be a band of the frame.
 fn area<D: DepthBuffer>(canvas: &Board<'_, Rgb888, D>) -> Rectangle {
     let rows = canvas.rows().clone();
     let corner = Point::new(0, rows.start.cast_signed());
@@ -152,7 +152,7 @@ fn area<D: DepthBuffer>(canvas: &Board<'_, Rgb888, D>) -> Rectangle {
     )
 }
 
-/// Whether lines must be white to be seen on a backdrop.
+/// Whether lines must be white to be visible on a backdrop.
 fn lines_are_white(backdrop: Backdrop) -> bool {
     match backdrop {
         Backdrop::Color(color) => Gray8::from_rgb(color, Point::zero()).luma() < 128,
@@ -170,7 +170,7 @@ pub fn is_blended(piece: &Piece<'_>, shade: Option<Shade>) -> bool {
     }
 }
 
-/// The way from a model to the picture, in either projection.
+/// The transform from a model to the picture, for either projection.
 #[derive(Clone, Copy, Debug)]
 pub enum AnyMvp {
     Perspective(Mvp<Perspective>),
@@ -187,20 +187,20 @@ impl AnyMvp {
     }
 }
 
-/// Pieces of a model, their pose and view.
+/// The pieces of a model, with their pose and view.
 #[derive(Clone, Copy)]
 pub struct Posed<'a> {
     pub pieces: &'a [Piece<'a>],
     pub mvp: AnyMvp,
     pub mode: Mode,
-    /// Which faces are culled, whatever their materials say.
+    /// The faces that are culled. If present, it overrides the materials.
     pub cull: Option<Cull>,
 }
 
 /// The options of the simulator's draw calls.
 type Options<Z = Biased, B = Replace> = DrawOptions<Newton, Z, B>;
 
-/// Draws in perspective in one of the modes, or in parallel projection.
+/// Draws in the mode of `$posed` if the projection is perspective, otherwise in the default mode.
 macro_rules! projected {
     ($posed:expr, $options:expr, |$with:ident, $mvp:ident| $draw:expr) => {
         match &$posed.mvp {
@@ -297,7 +297,7 @@ impl Posed<'_> {
         self.pieces.iter().map(draw).fold(Drawn::default(), add)
     }
 
-    /// Draws the surfaces and lines of `style`; counts surfaces, or lines if there are no others.
+    /// Draws the surfaces and lines of `style`. Counts surfaces or, if there are none, lines.
     ///
     /// # Errors
     ///
@@ -326,7 +326,7 @@ impl Posed<'_> {
             };
             sum = add(sum, drawn);
         }
-        // From back to front: the pieces, and in each the faces.
+        // Sort from back to front: first the pieces, then the faces of each piece.
         let mut sorted = Vec::new();
         for (piece, surface, part) in blended {
             if let Surface::Many(shader) = surface {
@@ -358,13 +358,13 @@ impl Posed<'_> {
         })
     }
 
-    /// Returns the order of a piece's faces from back to front, and how far back their middle is.
+    /// Returns the order of a piece's faces from back to front, and how far back the middle of the faces is.
     fn order(&self, piece: &Piece<'_>) -> (f64, Vec<usize>) {
         let to_eye = match &self.mvp {
             AnyMvp::Perspective(mvp) => mvp.model_view(),
             AnyMvp::Parallel(mvp) => mvp.model_view(),
         };
-        // z points to the eye.
+        // z points toward the eye.
         let z: Vec<f64> = (piece.mesh.positions().iter())
             .map(|p| f64::from(to_eye.point(p).to_bits()[2]))
             .collect();

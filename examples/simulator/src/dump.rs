@@ -1,4 +1,4 @@
-//! Writes the interpolated values of each pixel as numbers.
+//! Writes the interpolated values of each pixel as a table.
 
 use std::io::Write;
 
@@ -9,15 +9,15 @@ use fixel::{Fragment, Primitive, Shader, TexCoord};
 use super::Result;
 use crate::args::Mode;
 
-/// A "color" that holds the interpolated values of a pixel, so that the depth test selects the visible ones.
+/// A "color" that holds the interpolated values of a pixel, so that the depth test keeps the visible values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Record {
     covered: bool,
     uv: [i32; 2],
-    /// Fraction bits of `uv`.
+    /// The number of fraction bits of `uv`.
     uv_bits: i32,
     distance: i32,
-    /// Fraction bits of `distance`, in the model's own units.
+    /// The number of fraction bits of `distance`, in the model's own units.
     distance_bits: i32,
     depth: u16,
 }
@@ -28,12 +28,13 @@ impl Record {
         self.covered
     }
 
-    /// The distance to the eye's plane, in the model's own units.
+    /// The distance from the eye along the direction of view, in the model's own units.
     pub fn distance(&self) -> f64 {
         f64::from(self.distance) * f64::from(-self.distance_bits).exp2()
     }
 
-    /// Whether this pixel shows a surface and `other` shows none, or one that is farther by more than rounding.
+    /// Whether this pixel shows a surface that `other` does not show: `other` shows none, or one that is farther away
+    /// by more than the rounding error.
     pub fn hides(&self, other: &Self) -> bool {
         let further = other.distance.saturating_sub(self.distance);
         self.covered && !(other.covered && further <= other.distance.abs() >> 10)
@@ -44,7 +45,7 @@ impl PixelColor for Record {
     type Raw = ();
 }
 
-/// A shader that records the interpolated values, with as many fraction bits as the size of the texture coordinates
+/// A shader that records the interpolated values. It uses as many fraction bits as the size of the texture coordinates
 /// allows.
 #[derive(Clone, Copy, Debug)]
 pub struct Recorder {
@@ -54,12 +55,12 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// Makes a shader for texture coordinates of magnitude up to `largest`. Distances are drawn at 2^`exponent` times
+    /// Makes a shader for texture coordinates from −`largest` to `largest`. Distances are drawn at 2^`exponent` times
     /// their own size.
     ///
-    /// Texture coordinates have 24 fraction bits, or fewer if they are large. Mode fast draws numbers of more than 28
-    /// bits in another way, which textures rarely need. So in this mode every recorded number has at most 28 bits.
-    /// Distances lose 11 bits, which is less than the mode's error of 2^-13.
+    /// Texture coordinates have 24 fraction bits, or fewer if they are large. Mode fast interpolates numbers of more
+    /// than 28 bits by another method, which textures rarely need. In this mode, every recorded number therefore has at
+    /// most 28 bits. Distances lose 11 bits, which is less than the mode's error of 2^-13.
     pub fn new(largest: f64, exponent: i32, mode: Mode) -> Self {
         let is_fast = mode == Mode::Fast;
         let whole = (largest + 1.0).log2().ceil();
@@ -74,8 +75,8 @@ impl Recorder {
         }
     }
 
-    /// Returns the size of one texture repeat, as recorded, in the units of a mode's tolerance. (When a texture is
-    /// drawn, a unit is a texel.)
+    /// Returns the size of one texture repeat, as it is recorded, in the units of a mode's tolerance. (When a texture
+    /// is drawn, this unit is a texel.)
     pub fn repeat(&self) -> f64 {
         f64::from(self.uv_bits - 16).exp2()
     }
@@ -84,7 +85,7 @@ impl Recorder {
 impl Shader for Recorder {
     type Color = Record;
 
-    // All values have the tolerance of a texture coordinate.
+    // All values get the tolerance of a texture coordinate.
     type Varyings = (Texels, Texels);
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [(Texels, Texels); 3] {
@@ -112,7 +113,7 @@ impl Shader for Recorder {
     }
 }
 
-/// Writes a header, and a row for each covered pixel, in row order.
+/// Writes a header, and a row for each covered pixel. Pixels are in row order.
 ///
 /// # Errors
 ///
@@ -129,7 +130,7 @@ pub fn write(records: &[Record], width: usize, out: &mut impl Write) -> Result<(
     Ok(())
 }
 
-/// Returns `bits` · 2^-`fraction` in decimal, with every digit.
+/// Returns `bits` · 2^-`fraction` as a decimal number with all of its digits.
 fn decimal(bits: i32, fraction: i32) -> String {
     // The conversion is exact, because a double holds 53 bits. A number with n fraction bits has n decimals.
     let value = f64::from(bits) * f64::from(-fraction).exp2();

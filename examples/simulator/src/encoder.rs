@@ -11,9 +11,9 @@ use png::{BitDepth, ColorType};
 use super::Result;
 use crate::output::{self, Output};
 
-/// Time between frames of an animation, in milliseconds.
+/// The time between frames of an animation, in milliseconds.
 pub const FRAME_MS: u64 = 40;
-/// Written into every picture, so that a picture with a default name never replaces one of the user's files.
+/// A mark in every picture that this program writes. A picture with a default name replaces only a file with this mark.
 const MARK: &str = "fixel simulator";
 
 /// The format of a picture file.
@@ -26,12 +26,12 @@ pub enum Format {
 }
 
 impl Format {
-    /// Returns the format that the ending of `path` names. A stream has no ending, so it receives a PNG, or a GIF for
-    /// several frames.
+    /// Returns the format that the extension of `path` names. Standard output has no extension, so it gets a PNG, or a
+    /// GIF if there are several frames.
     ///
     /// # Errors
     ///
-    /// The ending names no known format, or one that cannot hold several frames.
+    /// The extension names no known format, or a format that cannot hold several frames.
     pub fn of(path: &Path, frames: u32) -> Result<Self> {
         let several = frames > 1;
         let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
@@ -53,8 +53,8 @@ impl Format {
     }
 }
 
-/// Chooses a name for a picture in the working directory: `stem`, or `stem`-picture if that file exists and this
-/// program did not write it, or now reads it.
+/// Chooses a name for a picture in the working directory: `stem`, or `stem`-picture if `stem` is an input, or a file
+/// that this program did not write.
 ///
 /// # Errors
 ///
@@ -78,7 +78,7 @@ pub fn free_name(stem: &Path, extension: &str, inputs: &[PathBuf]) -> Result<Pat
     .into())
 }
 
-/// Whether this program wrote a file.
+/// Whether this program wrote the file.
 fn is_own(path: &Path) -> bool {
     let mut start = Vec::new();
     let is_read = path.is_file()
@@ -89,14 +89,14 @@ fn is_own(path: &Path) -> bool {
             .any(|bytes| bytes == MARK.as_bytes())
 }
 
-/// Writes the frames of a picture or an animation that plays forever.
+/// Writes the frames of a picture, or of an animation that repeats forever.
 pub enum Encoder<'a> {
     Png(png::Writer<&'a mut Output>),
     Gif(Box<gif::Encoder<&'a mut Output>>, (u16, u16)),
 }
 
 impl<'a> Encoder<'a> {
-    /// Writes the header for this many frames.
+    /// Writes the header for this number of frames.
     ///
     /// # Errors
     ///
@@ -110,7 +110,7 @@ impl<'a> Encoder<'a> {
         if format == Format::Gif {
             let size = (u16::try_from(width)?, u16::try_from(height)?);
             let mut gif = gif::Encoder::new(output, size.0, size.1, &[])?;
-            // A comment, which viewers do not show.
+            // The mark is a comment, which viewers do not show.
             gif.write_raw_extension(AnyExtension(0xfe), &[MARK.as_bytes()])?;
             gif.set_repeat(Repeat::Infinite)?;
             return Ok(Self::Gif(Box::new(gif), size));

@@ -11,17 +11,17 @@ use crate::args::{Args, Shade};
 use crate::scene::{Moment, Motion, Scene};
 use crate::view::direction;
 
-/// Default ambient light, which reaches every face.
+/// The default ambient light. It reaches every face.
 const AMBIENT: f64 = 0.3;
 
-/// The default background, and the one behind dark models.
+/// The default background, and the background behind dark models.
 pub const DARK: Rgb888 = Rgb888::new(34, 40, 52);
 pub const BRIGHT: Rgb888 = Rgb888::new(206, 212, 222);
 
 /// A light that the user chose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lamp {
-    /// Points to the light.
+    /// The direction to the light.
     pub direction: [f64; 3],
     pub color: Rgb888,
 }
@@ -44,8 +44,8 @@ pub enum Backdrop {
 }
 
 impl Backdrop {
-    /// Returns the backdrop for a canvas of color `C`: the background that the user chose, or else one that suits the
-    /// shading and the color.
+    /// Returns the backdrop for a canvas of color `C`: the background that the user chose, or otherwise a background
+    /// that suits the shading and the color.
     pub fn of<C: PixelFormat>(args: &Args, scene: &Scene<'_>) -> Self {
         let Some(shade) = scene.shade else {
             // In black and white, a dithered sky would hide the scene.
@@ -58,7 +58,7 @@ impl Backdrop {
         Self::Color(match (args.background, shade) {
             (Some(color), _) => color,
             (None, Shade::Wire | Shade::Depth) => Rgb888::BLACK,
-            // In the dithered formats, the background would show a pattern.
+            // In dithered formats, another background would show a pattern.
             _ if C::MAX_STEPS[0] < 31 => Rgb888::BLACK,
             _ => DARK,
         })
@@ -67,9 +67,9 @@ impl Backdrop {
 
 /// Everything about a picture's colors except the surface itself.
 pub struct Look {
-    /// `None` for the measured scenes and the project's own one.
+    /// `None` for the measured scenes and for the project's own scene.
     pub shade: Option<Shade>,
-    /// The background of the picture. Its color is not yet in the canvas's format, and differs from all shades.
+    /// The background of the picture, before it is converted to the canvas's format. It differs from all shades.
     pub backdrop: Backdrop,
     /// How grays are spread from black to white.
     pub contrast: Option<Contrast>,
@@ -79,7 +79,7 @@ pub struct Look {
 }
 
 impl Look {
-    /// Makes the look of `args` for a `scene`. `scale` is the length of one of the model's units as it is drawn.
+    /// Makes the look of `args` for a `scene`. `scale` is the length at which one of the model's units is drawn.
     ///
     /// # Errors
     ///
@@ -97,7 +97,7 @@ impl Look {
         };
         let ambient = Scalar::try_from(args.ambient.unwrap_or(AMBIENT))?;
         let diffuse = Scalar::try_from(1.0 - AMBIENT)?;
-        // The first lamp carries the ambient light.
+        // Only the first light has the ambient light.
         let mut shares = [ambient].into_iter();
         let mut light = |toward, color: Rgb888| -> Result<Colored<Light>> {
             let light = Light::new(toward, shares.next().unwrap_or(fx!(0)), diffuse)?;

@@ -1,6 +1,6 @@
-//! Draws models on a computer as a microcontroller would: into a framebuffer, with integers only.
+//! Draws models on a computer as a microcontroller would: into a framebuffer, and with integers only.
 //!
-//! `cargo run --release -p simulator -- --help` lists its options. A run goes through the modules in this order:
+//! `cargo run --release -p simulator -- --help` lists the options. A run goes through the modules in this order:
 //!
 //! 1. Read the command line: [`args`]. [`idle`] notes options without effect.
 //! 2. Read files: `fixel_assets` reads a model of any size in f64, and [`skin`] reads textures.
@@ -53,7 +53,7 @@ use clap::FromArgMatches;
 
 use args::Args;
 
-/// An error, in words for the user.
+/// An error message for the user.
 type Result<T, E = Box<dyn Error>> = std::result::Result<T, E>;
 
 fn main() -> ExitCode {

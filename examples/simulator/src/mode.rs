@@ -1,5 +1,5 @@
-//! Modes and depth formats chosen at run time. In the library they are types, so that firmware links only those it
-//! uses.
+//! Modes and depth formats, chosen at run time. In the library they are types, so that firmware links only the ones
+//! that it uses.
 
 use fixel::Scalar;
 use fixel::mode::{Affine, Exact, Fast, Newton};
@@ -7,7 +7,7 @@ use fixel::mode::{Affine, Exact, Fast, Newton};
 use super::Result;
 use crate::args;
 
-/// Tolerance of mode fast, in texels.
+/// The tolerance of mode fast, in texels.
 const TOLERANCE: f64 = 0.25;
 
 /// An interpolation mode.
@@ -20,12 +20,12 @@ pub enum Mode {
 }
 
 impl Mode {
-    /// Returns the chosen mode. A texel of the tolerance has this many units.
+    /// Returns the chosen mode. `texel` is the number of units of the tolerance in a texel.
     pub fn new(mode: args::Mode, texel: f64) -> Result<Self> {
         Ok(match mode {
             args::Mode::Exact => Self::Exact(Exact),
             args::Mode::Newton => Self::Newton(Newton),
-            // A tolerance that exceeds the format is larger than any texture.
+            // A tolerance beyond the format is larger than any texture.
             args::Mode::Fast => Self::Fast(Fast::within(Scalar::try_from(
                 (TOLERANCE * texel).min(32_767.0),
             )?)),
@@ -34,7 +34,7 @@ impl Mode {
     }
 }
 
-/// Runs `$draw` with options in that mode.
+/// Runs `$draw` with options in this mode.
 macro_rules! in_mode {
     ($mode:expr, $options:expr, |$in_mode:ident| $draw:expr) => {
         match $mode {

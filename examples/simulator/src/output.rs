@@ -1,4 +1,4 @@
-//! Writes outputs: to a file, which is either complete or does not exist, to standard output, or to a device or pipe.
+//! Writes outputs to a file (which is complete or does not exist), to standard output, or to a device or pipe.
 
 use std::error::Error;
 use std::fs::{self, File, OpenOptions, Permissions};
@@ -24,7 +24,7 @@ fn partial_files() -> std::sync::MutexGuard<'static, Vec<PathBuf>> {
 /// The system does not let the program handle signals.
 pub fn remove_on_interrupt() -> Result<()> {
     ctrlc::set_handler(|| {
-        // The lock is kept until the program ends, so that no file is begun after this.
+        // The lock is kept until the program ends, so that no other file is begun.
         for path in partial_files().iter() {
             let _ = fs::remove_file(path);
         }
@@ -35,11 +35,11 @@ pub fn remove_on_interrupt() -> Result<()> {
 
 /// Whether `path` stands for standard output.
 pub fn is_stdout(path: &Path) -> bool {
-    // Opening it again would overwrite the file that the shell opened, from its start.
+    // Opening this path again would overwrite the file that the shell opened, from its start.
     ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].contains(&&*path.to_string_lossy())
 }
 
-/// Whether `path` is written directly, without an unfinished file: standard output, a device or a pipe.
+/// Whether `path` is written directly, without an unfinished file. This is so for standard output, devices and pipes.
 pub fn is_stream(path: &Path) -> bool {
     // A file that a shell opened, such as /dev/fd/3, must not be replaced.
     let is_special = ["/dev/fd", "/dev/stderr", "/proc"]
@@ -50,11 +50,11 @@ pub fn is_stream(path: &Path) -> bool {
         || fs::metadata(path).is_ok_and(|is| !is.is_file() && !is.is_dir())
 }
 
-/// Refuses an output that is one of the `inputs`, under any name.
+/// Refuses an output that is one of the `inputs`, even under another name.
 ///
 /// # Errors
 ///
-/// The message names both.
+/// The message names the output and the input.
 pub fn refuse_inputs(output: &Path, inputs: &[PathBuf]) -> Result<()> {
     for input in inputs {
         if !is_stdout(output) && same_file::is_same_file(output, input).unwrap_or(false) {
@@ -69,7 +69,7 @@ pub fn refuse_inputs(output: &Path, inputs: &[PathBuf]) -> Result<()> {
     Ok(())
 }
 
-/// Whether two outputs are the same file, which may not exist yet.
+/// Whether two outputs are the same file. The file may not exist yet.
 pub fn are_same(a: &Path, b: &Path) -> bool {
     if is_stdout(a) || is_stdout(b) {
         return is_stdout(a) && is_stdout(b);
@@ -88,12 +88,12 @@ pub fn are_same(a: &Path, b: &Path) -> bool {
     a.file_name() == b.file_name() && folder(a).is_some() && folder(a) == folder(b)
 }
 
-/// An output. [`finish`](Self::finish) gives a file its name; without `finish` it is removed.
+/// An output. [`finish`](Self::finish) gives the file its name. Without a call to `finish`, the file is removed.
 #[derive(Debug)]
 pub struct Output {
     name: String,
-    /// The file, and the unfinished file that is renamed to it, so that nobody ever sees an unfinished one; `None` for
-    /// a stream.
+    /// The file, and the unfinished file, which is renamed when it is complete. So nobody ever sees an unfinished file.
+    /// `None` for a stream.
     file: Option<(PathBuf, PathBuf)>,
     /// The permissions of the file that is replaced.
     permissions: Option<Permissions>,
@@ -134,7 +134,7 @@ impl Output {
                 writer: Some(writer),
             });
         }
-        // A link stays a link: the program writes its target.
+        // A link stays a link: its target is written.
         let path = match fs::symlink_metadata(path) {
             Ok(link) if link.is_symlink() => target(path).map_err(failed)?,
             _ => path.to_path_buf(),
@@ -161,7 +161,7 @@ impl Output {
         })
     }
 
-    /// Returns a function that names this output in an error.
+    /// Returns a function that adds the name of this output to an error.
     pub fn failed(&self) -> impl Fn(Box<dyn Error>) -> Box<dyn Error> + use<> {
         let name = self.name.clone();
         move |error| format!("cannot write {name}: {error}").into()
@@ -189,14 +189,14 @@ impl Output {
     }
 }
 
-/// A name for an unfinished file, short enough for any file system.
+/// Makes a name for an unfinished file. The name is short enough for any file system.
 fn partial_name() -> String {
     static COUNT: AtomicU32 = AtomicU32::new(0);
     let count = COUNT.fetch_add(1, Ordering::Relaxed);
     format!(".fixel-{}-{count}.partial", process::id())
 }
 
-/// The file to which a link points; it need not exist.
+/// The file to which a link points. The file may not exist.
 fn target(link: &Path) -> io::Result<PathBuf> {
     match fs::canonicalize(link) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
@@ -230,7 +230,7 @@ impl Drop for Output {
         self.writer = None;
         if let Some((_, partial)) = &self.file {
             let mut files = partial_files();
-            // After `finish`, a file that was renamed is gone.
+            // After `finish`, the unfinished file has been renamed, so this removes nothing.
             let _ = fs::remove_file(partial);
             files.retain(|path| path != partial);
         }

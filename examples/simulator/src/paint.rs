@@ -1,4 +1,4 @@
-//! The shader of each piece, in any look and any color format.
+//! Makes the shader of each piece, in any look and any color format.
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888, RgbColor};
@@ -20,7 +20,7 @@ use crate::args::{Filter, SceneName, Shade};
 use crate::part::{Finish, Piece};
 use crate::view::View;
 
-/// A color that textures are stored in.
+/// A color type for stored textures.
 pub trait Stored:
     PixelFormat<Channels: Varyings<Face: FaceValues> + FaceValues> + Blend + Into<Rgb888> + 'static
 {
@@ -30,12 +30,12 @@ impl Stored for Rgb565 {}
 impl Stored for Rgb888 {}
 impl Stored for Gray8 {}
 
-/// A canvas's color, and the texture's color for it.
+/// The color type of a canvas, and the color type of textures for it.
 pub trait Shown:
     PixelFormat<Channels: Varyings<Face: FaceValues> + FaceValues> + Into<Rgb888> + Default + 'static
 {
-    /// The color that a texture is stored in. For dithered formats it is a finer color, because the picture must be
-    /// dithered, not the texture.
+    /// The color type in which a texture is stored. For dithered formats, it is a finer type, because the picture must
+    /// be dithered, not the texture.
     type Texel: Stored;
 }
 
@@ -60,7 +60,7 @@ pub type Skin<'a, T> = Texture<'a, Translucent<T>>;
 
 type Sampled<'a, C, A, F> = Converted<Textured<Skin<'a, <C as Shown>::Texel>, A, F>, C>;
 
-/// A surface without light: one color, or a texture in one of four ways.
+/// A surface without light: one color, or a texture that is drawn in one of four ways.
 #[derive(Clone, Copy)]
 enum Base<'a, C: Shown> {
     Plain(Converted<Flat<Rgb888>, C>),
@@ -91,7 +91,7 @@ impl<'a, C: Shown> Base<'a, C> {
     }
 }
 
-/// Calls a method of the shader in a base; the first case is the one of a single color.
+/// Calls a method of the shader in a base. The first case is a single color.
 macro_rules! sampled {
     ($base:expr, |$flat:ident| $plain:expr, |$skin:ident| $call:expr) => {
         match $base {
@@ -121,11 +121,11 @@ impl<C: Shown> Shader for Base<'_, C> {
     }
 }
 
-/// A surface times the colors of the vertices times the light.
+/// A surface times the colors of the vertices, times the light.
 ///
 /// The library's `surface.tinted().lit(light)` interpolates both colors, which takes six numbers. This shader
-/// multiplies them at each corner, and interpolates the three products. This leaves room for a texture and fog among
-/// the eight numbers that are allowed.
+/// multiplies the two colors at each corner, and interpolates only the product, which takes three. So a texture and fog
+/// fit into the eight numbers that are allowed.
 #[derive(Clone, Copy)]
 struct TintedLit<S, L> {
     surface: S,
@@ -175,12 +175,12 @@ where
     }
 }
 
-/// The color of a canvas of color `C` that is nearest to `color` at a pixel.
+/// The color nearest to `color` that a canvas of color `C` can show at a pixel.
 pub fn on_canvas<C: Shown>(color: Rgb888, at: Point) -> Rgb888 {
     C::from_rgb(color, at).into()
 }
 
-/// The shader of a piece that needs more than a color and light.
+/// The shader of a piece that needs more than colors and light.
 fn rich<'a, C: Shown>(
     look: &'a Look,
     filter: Filter,
@@ -192,7 +192,7 @@ fn rich<'a, C: Shown>(
     let base = Base::<C>::new(texture, &finish, filter, has_colors);
     let (light, contrast) = (look.light(), look.contrast);
     let glow = Precise::of_rgb(finish.glow);
-    // Where a texture is reduced or smooth, the border of a hole lies at half of its alpha.
+    // If a texture is reduced or smooth, the border of a hole is where alpha is one half.
     let least = if matches!(finish.alpha, Alpha::Cut(_)) {
         128
     } else {
@@ -211,7 +211,7 @@ fn rich<'a, C: Shown>(
         (source.opacity >= least).then_some(Translucent { color, opacity })
     };
     let fog = look.fog::<C>()?;
-    /// Wraps a shader with what comes after the light.
+    /// Wraps a shader with everything that follows the light.
     macro_rules! surface {
         ($shader:expr) => {
             match fog {
@@ -233,7 +233,7 @@ fn rich<'a, C: Shown>(
     }
 }
 
-/// The shader of a piece that has only colors and light. Each color is dithered once, from the exact color.
+/// The shader of a piece that has only colors and light. Each color is dithered only once, from its exact value.
 fn bare<'a, C: Shown>(look: &'a Look, piece: &Piece<'_>) -> Result<Surface<'a>> {
     let light = look.light();
     if piece.mesh.has_colors() {
@@ -282,7 +282,7 @@ pub fn surface<'a, C: Shown>(
     let texture = texture.filter(|_| is_textured);
     match look.shade {
         Some(Shade::Normal) => interpolated(NormalView::<C>::new()),
-        // What an outline hides has the color of the background.
+        // The faces have the color of the background, and hide the lines behind them.
         Some(Shade::Wire) => {
             let Backdrop::Color(color) = look.backdrop else {
                 return Err("a wire has a background of one color".into());
@@ -307,7 +307,7 @@ pub fn surface<'a, C: Shown>(
     }
 }
 
-/// The shaders of the project's own scene in a color type: the sea's and the island's.
+/// The shaders of the project's own scene in a color type: of the sea and of the island.
 ///
 /// # Errors
 ///
@@ -326,7 +326,7 @@ pub fn own<C: Shown>() -> Result<Vec<Surface<'static>>> {
     })
 }
 
-/// The shader of a measured scene in color `C`. The measurements may use another color.
+/// The shader of a measured scene in color `C`. The measurements can use another color type.
 ///
 /// # Errors
 ///

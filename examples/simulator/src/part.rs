@@ -1,4 +1,4 @@
-//! Rounds a model to the library's formats, and splits it into meshes of one material and at most 65,535 points each.
+//! Rounds a model to the library's formats, and splits it into meshes with one material and at most 65,535 points each.
 
 use std::collections::HashMap;
 use std::hash::Hash;
@@ -12,23 +12,23 @@ use fixel_assets::{Alpha, Model, Triangle};
 use super::Result;
 use super::skin::times;
 
-/// The largest number of values: indices have 16 bits, and the last one stands for no value.
+/// The largest number of values. Indices have 16 bits, and the last index stands for no value.
 const MOST: usize = 65_535;
 
-/// Cosine of 40 degrees: where faces meet at a larger angle, an outline has a line.
+/// The cosine of 40 degrees. If two faces meet at a larger angle, an outline has a line between them.
 const CREASE: f64 = 0.766;
 
-/// The color of surfaces that have none of their own.
+/// The color of surfaces without a color.
 pub const CLAY: Rgb888 = Rgb888::new(236, 214, 190);
 
 /// How the faces of a material are drawn.
 #[derive(Clone, Copy, Debug)]
 pub struct Finish {
-    /// Index of its texture.
+    /// The index of the texture.
     pub texture: Option<usize>,
-    /// The color, if there is no texture and the vertices have no colors.
+    /// The color that is used if there is no texture and the vertices have no colors.
     pub color: Rgb888,
-    /// The light that is added.
+    /// The light that is added to the color.
     pub glow: Rgb888,
     pub opacity: u8,
     /// What the texture's alpha means.
@@ -52,7 +52,7 @@ impl Finish {
         }
     }
 
-    /// A texture; where textures are not drawn, clay.
+    /// A texture. Where textures are not drawn, the surface is clay.
     pub const fn textured(texture: usize) -> Self {
         Self {
             texture: Some(texture),
@@ -66,14 +66,14 @@ impl Finish {
 pub struct Piece<'a> {
     pub mesh: Mesh<'a>,
     pub finish: Finish,
-    /// Its creases and silhouettes.
+    /// The creases and silhouettes of the mesh.
     pub outline: Option<Outline<'a>>,
-    /// Its lists, unless the mesh is compiled in.
+    /// The lists of the mesh; `None` if the mesh is compiled in.
     pub part: Option<&'a Part>,
 }
 
 impl<'a> Piece<'a> {
-    /// A mesh that is compiled in, whose backs are culled.
+    /// A mesh that is compiled in. Its back faces are culled.
     pub const fn compiled(mesh: Mesh<'a>, outline: Option<Outline<'a>>) -> Self {
         Self {
             mesh,
@@ -87,10 +87,10 @@ impl<'a> Piece<'a> {
     }
 }
 
-/// The lists that one [`Mesh`] borrows, and the material of its faces.
+/// The lists that a [`Mesh`] borrows, and the material of its faces.
 #[derive(Clone, Debug, Default)]
 pub struct Part {
-    /// Index of the model's material.
+    /// The index of the material in the model.
     pub material: Option<u32>,
     pub positions: Vec<Vec3>,
     uvs: Vec<Vec2>,
@@ -107,7 +107,7 @@ pub struct Part {
 }
 
 impl Part {
-    /// Returns the mesh over this part's lists.
+    /// Returns the mesh that borrows this part's lists.
     ///
     /// # Errors
     ///
@@ -140,7 +140,7 @@ impl Part {
         })
     }
 
-    /// Returns a copy with the faces in another order.
+    /// Returns a copy with its faces in another order.
     pub fn in_order(&self, order: &[usize]) -> Self {
         let sorted = |faces: &[[u16; 3]]| {
             let faces = order.iter().filter_map(|&at| faces.get(at));
@@ -156,7 +156,7 @@ impl Part {
     }
 }
 
-/// The index of each value in the list to which it has been added.
+/// For each value, its index in the list to which it was added.
 struct Places<K>(HashMap<K, u16>);
 
 impl<K: Eq + Hash> Places<K> {
@@ -219,7 +219,7 @@ impl<'a> Filling<'a> {
         self.positions.add(&mut self.part.positions, index, value)
     }
 
-    /// Adds a triangle. If it is colored, corners without a color are white.
+    /// Adds a triangle. With `is_colored`, corners without a color become white.
     fn triangle(&mut self, triangle: &Triangle, is_colored: bool) -> Result<()> {
         let model = self.model;
         let material = triangle.material.map(|at| &model.materials[at as usize]);
@@ -231,7 +231,7 @@ impl<'a> Filling<'a> {
                 uv_face[at] = self.uvs.add(&mut self.part.uvs, uv, value)?;
             }
             if let Some(normal) = corner.normal {
-                // At unit length, the normal is not too small for the format. A zero normal stays zero.
+                // A normal of unit length is not too small for the format. A zero normal stays zero.
                 let value = || {
                     Ok(Vec3::try_from(
                         unit(model.normals[normal as usize]).unwrap_or_default(),
@@ -260,7 +260,7 @@ impl<'a> Filling<'a> {
     }
 }
 
-/// What belongs to an outline.
+/// The edges that belong to an outline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outlined {
     Nothing,
@@ -275,11 +275,12 @@ fn kind(triangle: &Triangle) -> (Option<u32>, bool) {
     (triangle.material, is_colored)
 }
 
-/// Cuts `model` into parts that a mesh can hold: faces of one material each, then edges and outlines, if wanted.
+/// Cuts `model` into parts that a mesh can hold: first faces, with one material per part, then edges and outlines if
+/// wanted.
 ///
 /// # Errors
 ///
-/// The format cannot hold one of the numbers.
+/// One of the numbers does not fit the format.
 pub fn split(model: &Model, outlined: Outlined) -> Result<Vec<Part>> {
     let mut parts = Vec::new();
     let mut order: Vec<&Triangle> = model.triangles.iter().collect();
@@ -296,7 +297,7 @@ pub fn split(model: &Model, outlined: Outlined) -> Result<Vec<Part>> {
         }
         parts.push(filling.part);
     }
-    // Edges are split separately, because an edge may join points in different parts.
+    // Edges are split separately, because an edge can join points of different parts.
     let mut filling = Filling::new(model, None);
     for &[from, to] in &model.edges {
         if !filling.has_room() {
@@ -326,8 +327,9 @@ pub fn split(model: &Model, outlined: Outlined) -> Result<Vec<Part>> {
     Ok(parts)
 }
 
-/// Returns the edges that may be part of an outline, creases first, as [`Outline::new`] takes them; and which are
-/// creases. Edges are the same if their ends have the same positions, even under different indices.
+/// Returns the edges that can be part of an outline, in the form that [`Outline::new`] takes, and whether each of them
+/// is a crease. Creases come first. Edges are the same if their ends have the same positions, even with different
+/// indices.
 fn outline(model: &Model) -> Vec<(bool, [u32; 4])> {
     let mut first: HashMap<[u64; 3], u32> = HashMap::new();
     let mut place = |index: u32| {
@@ -354,7 +356,7 @@ fn outline(model: &Model) -> Vec<(bool, [u32; 4])> {
         open.into_iter()
             .map(|([a, b], (c, _))| (false, [a, b, c, a])),
     );
-    // Creases come first, and a hash map has no order of its own.
+    // Creases come first. The rest is sorted, because a hash map has no fixed order.
     edges.sort_unstable_by_key(|&(is_crease, corners)| (!is_crease, corners));
     edges
 }

@@ -9,25 +9,25 @@ use fixel_assets::{Disk, Files};
 
 use crate::args::Args;
 
-/// The least time between two changes of the line.
+/// The shortest time between two changes of the line.
 const PAUSE: Duration = Duration::from_millis(100);
 
-/// From this many triangles on, a line says which step is being done.
+/// The number of triangles from which a line shows the current step.
 const MANY: usize = 100_000;
-/// Files of this many bytes show how much has been read.
+/// The number of bytes from which a line shows how much of a file has been read.
 const BIG: usize = 16 << 20;
 
-/// A line such as "reading: 30 of 120 MB", which is erased at the end.
+/// A line such as "reading: 30 of 120 MB". It is erased at the end of the task.
 pub struct Progress {
     task: &'static str,
-    /// Whether the line is wanted.
+    /// Whether the line is shown.
     is_long: bool,
     next: Cell<Instant>,
     is_shown: Cell<bool>,
 }
 
 impl Progress {
-    /// Begins a task; it is shown only if it `is_long` and standard error is a terminal.
+    /// Begins a task. The line is shown only if the task `is_long` and standard error is a terminal.
     pub fn new(args: &Args, task: &'static str, is_long: bool) -> Self {
         Self {
             task,
@@ -37,7 +37,7 @@ impl Progress {
         }
     }
 
-    /// Says how much is done.
+    /// Shows how much is done.
     pub fn set(&self, done: usize, total: usize, unit: &str) {
         if self.is_long && Instant::now() >= self.next.get() {
             self.next.set(Instant::now() + PAUSE);
@@ -51,7 +51,7 @@ impl Progress {
     }
 }
 
-/// Shows a step of work on a model of this many triangles until the result is dropped.
+/// Shows a step of work on a model with this many triangles, until the result is dropped.
 pub fn step(args: &Args, triangles: usize, task: &'static str) -> Progress {
     let line = Progress::new(args, task, triangles >= MANY);
     if line.is_long {
@@ -62,7 +62,7 @@ pub fn step(args: &Args, triangles: usize, task: &'static str) -> Progress {
 
 fn write(line: &str) {
     let mut terminal = io::stderr();
-    // An error does not matter: nobody needs the line.
+    // An error does not matter, because nobody needs the line.
     let _ = terminal
         .write_all(line.as_bytes())
         .and_then(|()| terminal.flush());
@@ -77,7 +77,7 @@ impl Drop for Progress {
     }
 }
 
-/// The files of the disk, with a line of progress while a big model is read.
+/// The files of the disk. A line shows the progress while a big model is read.
 pub struct Reading(pub Progress);
 
 impl Files for Reading {

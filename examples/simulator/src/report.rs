@@ -7,11 +7,11 @@ use super::Result;
 use crate::args::Args;
 use crate::output;
 
-/// Prints a line, unless the user wants none: see [`answer`].
+/// Prints a line as [`answer`] does, except if the user wants no lines.
 ///
 /// # Errors
 ///
-/// The line cannot be written: nobody reads it, or the disk is full.
+/// The line cannot be written because nobody reads it, or because the disk is full.
 pub fn say(args: &Args, line: impl Display) -> Result<()> {
     if args.quiet {
         return Ok(());
@@ -19,11 +19,12 @@ pub fn say(args: &Args, line: impl Display) -> Result<()> {
     answer(args, line)
 }
 
-/// Prints a line that the user asked for to standard output, or to standard error if a file goes to standard output.
+/// Prints a line that the user asked for. The line goes to standard output, or to standard error if standard output
+/// gets a file.
 ///
 /// # Errors
 ///
-/// The line cannot be written: nobody reads it, or the disk is full.
+/// The line cannot be written because nobody reads it, or because the disk is full.
 pub fn answer(args: &Args, line: impl Display) -> Result<()> {
     let is_taken = [&args.out, &args.dump]
         .into_iter()

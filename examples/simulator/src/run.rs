@@ -23,11 +23,11 @@ use crate::skin::{Skin, Texels};
 use crate::subject::Subject;
 use crate::targets::{self, Targets};
 
-/// Runs the program with `args`, of which the user has given those in `matches`.
+/// Runs the program with `args`. `matches` says which of them the user gave.
 ///
 /// # Errors
 ///
-/// Any problem with the arguments or a file, in words.
+/// Any problem with the arguments or with a file. The message is for the user.
 pub fn run(args: &Args, matches: &ArgMatches) -> Result<()> {
     targets::check_size(args)?;
     let Some(path) = &args.model else {
@@ -71,10 +71,10 @@ pub fn run(args: &Args, matches: &ArgMatches) -> Result<()> {
     report::say(args, format_args!("camera {}", subject.framing.options()))
 }
 
-/// The background of a picture of which only the model's colors are counted.
+/// The background of a small picture in which only the model's colors are counted.
 const HOLE: Rgb888 = Rgb888::MAGENTA;
 
-/// Draws and writes the picture in the color of `args`.
+/// Draws the picture in the color of `args`, and writes it.
 fn picture(
     args: &Args,
     scene: &Scene<'_>,
@@ -127,7 +127,8 @@ fn picture_in<C: Shown>(
     targets.fill(size, scene, &style)
 }
 
-/// Stretches the grays of `colors` from black to white, but for two hundredths at each end; returns how.
+/// Stretches the grays of `colors` from black to white, and returns the contrast. The darkest and the brightest
+/// fiftieth are ignored.
 fn stretched(colors: &mut [Rgb888]) -> Option<Contrast> {
     let gray = |&color: &Rgb888| Gray8::from_rgb(color, Point::zero());
     let mut lumas: Vec<u8> = colors.iter().map(|color| gray(color).luma()).collect();
@@ -144,7 +145,7 @@ fn stretched(colors: &mut [Rgb888]) -> Option<Contrast> {
     Some(contrast)
 }
 
-/// Returns the given backdrop, or another one if the model has mostly its color.
+/// Returns the given backdrop, or another backdrop if most of the model has a similar color.
 fn apart<C: PixelFormat>(backdrop: Backdrop, colors: &[Rgb888]) -> Backdrop {
     let hidden = |backdrop: &Backdrop| {
         let Backdrop::Color(behind) = *backdrop else {

@@ -1,4 +1,4 @@
-//! The scene and its motion, drawn band by band.
+//! The scene and its motion. It is drawn band by band.
 
 use std::time::{Duration, Instant};
 
@@ -16,7 +16,7 @@ use crate::args::{Args, DepthBuffer, SceneName, Shade};
 use crate::dump::{Record, Recorder};
 use crate::part::Piece;
 
-/// A moment of an animation, and how the user turned the model in a window.
+/// A moment of an animation, and how the user has turned the model in a window.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Moment {
     pub frame: u32,
@@ -32,7 +32,7 @@ impl Moment {
     }
 }
 
-/// A band of a frame, to be drawn.
+/// A band of a frame that is to be drawn.
 #[derive(Debug)]
 pub struct Band<'a, C> {
     pub pixels: &'a mut [C],
@@ -42,7 +42,7 @@ pub struct Band<'a, C> {
     pub first_row: u32,
 }
 
-/// The result of drawing a band, and the time of the draw calls.
+/// The result of drawing a band, and the time that the draw calls took.
 pub type Done = (Drawn, Duration);
 
 impl<'a, C: PixelColor> Band<'a, C> {
@@ -53,11 +53,11 @@ impl<'a, C: PixelColor> Band<'a, C> {
     }
 }
 
-/// Where a scene is seen from in each frame.
+/// From where a scene is seen in each frame.
 #[derive(Clone, Copy, Debug)]
 pub enum Motion {
     Measured(SceneName),
-    /// The model turns once about an axis through the origin, where `units` put its middle.
+    /// The model turns once about an axis through the origin. `units` moves the middle of the model to the origin.
     Turning {
         view: View,
         /// The direction that is up, of any length.
@@ -82,7 +82,7 @@ impl Motion {
                 #[allow(clippy::cast_possible_truncation)] // whole turns drop out
                 let angle = Angle::from_bits(part as u32);
                 let pose = if axis[0] == 0.0 && axis[2] == 0.0 && axis[1] > 0.0 {
-                    // Equal to the board's pose, bit for bit.
+                    // This pose equals the board's pose, bit for bit.
                     Transform::rotate_y(angle)
                 } else {
                     Transform::rotate(direction(axis)?, angle)?
@@ -93,15 +93,15 @@ impl Motion {
     }
 }
 
-/// A model, the project's own scene, or a measured one.
+/// A model, the project's own scene, or a measured scene.
 pub struct Scene<'a> {
     pub pieces: Vec<Piece<'a>>,
     pub motion: Motion,
     pub mode: Mode,
     pub depth: DepthBuffer,
-    /// `None` for the measured scenes and the project's own one.
+    /// `None` for the measured scenes and for the project's own scene.
     pub shade: Option<Shade>,
-    /// Whether it is the project's own scene, with sea and sky.
+    /// Whether this is the project's own scene, with its sea and sky.
     pub is_own: bool,
     /// The mode in which the recorder draws.
     pub recorded: Mode,
@@ -113,7 +113,7 @@ impl Scene<'static> {
     ///
     /// # Errors
     ///
-    /// None: its numbers are constant.
+    /// None: the scene's numbers are constant.
     pub fn own(args: &Args) -> Result<Self> {
         let view = View {
             projection: AnyProjection::Perspective(lighthouse::projection(args.size)?),
@@ -147,7 +147,7 @@ impl Scene<'static> {
     ///
     /// # Errors
     ///
-    /// None: its numbers are constant.
+    /// None: the scene's numbers are constant.
     pub fn measured(args: &Args, name: SceneName) -> Result<Self> {
         let mesh = match name {
             SceneName::Floor => scenes::FLOOR,
@@ -201,7 +201,7 @@ impl Scene<'_> {
         })
     }
 
-    /// Records a band of a frame: faces, or edges.
+    /// Records a band of a frame: its faces or its edges.
     pub fn record(
         &self,
         band: Band<'_, Record>,

@@ -1,4 +1,4 @@
-//! Looks at a scene before its picture is drawn: whether something will be visible in it, and how much of it.
+//! Looks at a scene before its picture is drawn, to find whether something will be visible, and how much.
 
 use embedded_graphics::pixelcolor::Rgb888;
 use fixel::Cull;
@@ -10,10 +10,10 @@ use crate::draw::{Lines, Style};
 use crate::dump::Record;
 use crate::scene::{Band, Moment, Scene};
 
-/// Largest side of the small pictures that are only counted.
+/// The largest side of the small pictures, in which pixels are only counted.
 const SMALL: u32 = 256;
-/// Checks that something is visible, and adds hints for the user to `notes`. Chooses the lines to be drawn. If
-/// materials hide everything, both sides are drawn.
+/// Checks that something is visible. Adds hints for the user to `notes`, and chooses the lines to be drawn. If
+/// one-sided materials hide everything, both sides will be drawn.
 ///
 /// # Errors
 ///
@@ -109,7 +109,7 @@ pub fn check(scene: &mut Scene<'_>, args: &Args, notes: &mut Vec<String>) -> Res
     Ok(lines)
 }
 
-/// Returns the colors of the model in the first frame, drawn small.
+/// Returns the colors of the model in the first frame. The frame is drawn small.
 ///
 /// # Errors
 ///
@@ -127,14 +127,14 @@ pub fn colors(scene: &Scene<'_>, size: (u32, u32), style: &Style<'_>) -> Result<
     Ok(covered.map(|(color, _)| color).collect())
 }
 
-/// Returns the size of a picture of the same shape, with sides of at most [`SMALL`].
+/// Returns the size of a picture with the same shape and sides of at most [`SMALL`].
 fn small((width, height): (u32, u32)) -> (u32, u32) {
     let largest = width.max(height).max(SMALL);
     let side = |side: u32| (side * SMALL / largest).max(1);
     (side(width), side(height))
 }
 
-/// Records a whole frame, of faces or of edges.
+/// Records the faces or the edges of a whole frame.
 fn look(
     scene: &Scene<'_>,
     size: (u32, u32),

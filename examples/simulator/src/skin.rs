@@ -1,4 +1,4 @@
-//! Textures whose size is known only at run time.
+//! Textures with a size that is known only at run time.
 
 use std::fs;
 use std::path::Path;
@@ -11,19 +11,19 @@ use fixel_assets::{Alpha, Image, Picture};
 
 use super::Result;
 
-/// Exponent of the largest side, in texels.
+/// The base-2 logarithm of the largest side, in texels.
 const MOST_LOG2: u32 = 10;
 
 /// A picture with sides that are powers of two.
 #[derive(Debug)]
 pub struct Skin {
     picture: Picture,
-    /// The larger side of the given picture, in texels.
+    /// The larger side of the original picture, in texels.
     pub side: u32,
 }
 
 impl Skin {
-    /// Reads the picture at `path`, which is drawn opaque.
+    /// Reads the picture at `path`. It is drawn opaque.
     ///
     /// # Errors
     ///
@@ -32,8 +32,8 @@ impl Skin {
         Self::of_image(&Image::File(path.into()), [255; 3], Alpha::Ignored)
     }
 
-    /// Reads a picture of a model, with its texels multiplied by a material's color. It is resampled to the nearest
-    /// powers of two, up to 1024.
+    /// Reads a picture of a model, and multiplies its texels by a material's color. The sides are resampled to the
+    /// nearest powers of two, up to 1024.
     ///
     /// # Errors
     ///
@@ -105,7 +105,7 @@ impl Skin {
     }
 }
 
-/// Gives invisible texels the mean color of their visible neighbors, with which a bilinear filter blends them.
+/// Gives invisible texels the mean color of their visible neighbors, because a bilinear filter blends them with these.
 fn spread(picture: &mut Picture) {
     let (width, height) = (picture.width as usize, picture.height as usize);
     let old = picture.pixels.clone();
@@ -125,13 +125,13 @@ fn spread(picture: &mut Picture) {
             }
         }
         for (to, sum) in pixel.iter_mut().zip(sum) {
-            // A mean of bytes.
+            // The mean of bytes fits a byte.
             *to = (sum / count.max(1)) as u8;
         }
     }
 }
 
-/// The product of two colors, as fractions.
+/// The product of two colors. Channels are fractions from 0 to 1.
 pub fn times(a: [u8; 3], b: [u8; 3]) -> [u8; 3] {
     [0, 1, 2].map(|at| {
         let product = u16::from(a[at]) * u16::from(b[at]);
@@ -141,7 +141,7 @@ pub fn times(a: [u8; 3], b: [u8; 3]) -> [u8; 3] {
     })
 }
 
-/// Returns the power of two that is nearest by ratio, at most 1024.
+/// Returns the power of two, at most 1024, that is nearest to `side` by ratio.
 fn nearest(side: u32) -> u32 {
     let exponent = f64::from(side).log2().round();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a side's logarithm

@@ -23,14 +23,14 @@ use crate::units::Units;
 use crate::view::View;
 use crate::window::MOST_ZOOM;
 
-/// A model, with everything that belongs to it.
+/// A model with everything that belongs to it.
 pub struct Subject {
     parts: Vec<Part>,
     pub framing: Framing,
     pub units: Units,
-    /// How the model's materials are drawn; the last entry is for faces without one.
+    /// The finish of each material. The last finish is for faces without a material.
     finishes: Vec<Finish>,
-    /// The textures that the finishes name.
+    /// The textures that the finishes use.
     pub skins: Vec<Skin>,
     largest_uv: f64,
     shade: Shade,
@@ -39,11 +39,11 @@ pub struct Subject {
 }
 
 impl Subject {
-    /// Reads the model at `path` and other files that `args` name, and chooses the camera.
+    /// Reads the model at `path` and the other files that `args` name. Chooses the camera.
     ///
     /// # Errors
     ///
-    /// A file cannot be read, or the camera that `args` ask for shows nothing.
+    /// A file cannot be read, or the camera of `args` shows nothing.
     pub fn load(args: &Args, path: &Path) -> Result<Self> {
         let skin = args.texture.as_deref().map(Skin::read).transpose()?;
         let reading = Reading(Progress::new(args, "reading", true));
@@ -115,7 +115,7 @@ impl Subject {
             pieces.push(part.piece(*finish.unwrap_or(&Finish::textured(0)))?);
         }
         let view = View::new(args, &self.framing, &self.units)?;
-        // A repeat counts as equally many texels along u and v, as if the texture were square.
+        // A repeat counts as the same number of texels along u and v, as if the texture were square.
         let recorder = Recorder::new(self.largest_uv, self.units.exponent, args.mode);
         let side = self.skins.iter().map(|skin| skin.side).max().unwrap_or(1);
         Ok(Scene {
@@ -149,7 +149,7 @@ fn used(model: &Model) -> Vec<Point> {
     used.map(|(point, _)| *point).collect()
 }
 
-/// Frames `points` or, if they turn, the space through which they turn, around the axis through `about`.
+/// Chooses the camera for `points` or, if they turn around the axis through `about`, for the space in which they turn.
 fn frame(args: &Args, points: &[Point], solid: &Solid, about: Point) -> Result<Framing> {
     match unit(args.up()) {
         Some(up) if args.frames > 1 => {
@@ -159,9 +159,10 @@ fn frame(args: &Args, points: &[Point], solid: &Solid, about: Point) -> Result<F
     }
 }
 
-/// Returns the finish of each material, then the finish of faces without one; and the textures that they need.
+/// Returns the finish of each material, followed by the finish of faces without a material, and the textures of the
+/// finishes.
 ///
-/// `skin` replaces all textures and colors. A texture that cannot be read is noted.
+/// `skin` replaces all textures and colors. If a texture cannot be read, this is noted.
 fn finishes(args: &Args, model: &mut Model, skin: Option<Skin>) -> (Vec<Finish>, Vec<Skin>) {
     let cull = |two_sided: bool| {
         if args.cull || !two_sided {

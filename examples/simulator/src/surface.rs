@@ -1,8 +1,9 @@
-//! Shaders behind one interface, chosen at run time.
+//! Gives all shaders one interface, so that they can be chosen at run time.
 //!
-//! Firmware names its shader, and the compiler makes a rasterizer for it. The simulator has a hundred shaders, each for
-//! several depth formats and modes, and a rasterizer for each would take minutes to compile. Here, shaders with
-//! different varyings share a rasterizer that interpolates enough numbers for all of them. A number that a shader does
+//! Firmware names its shader, and the compiler makes a rasterizer for this shader. The simulator has a hundred shaders,
+//! each for several depth formats and modes. A rasterizer for each would take minutes to compile. Here, shaders with
+//! different varyings share a rasterizer, which interpolates enough numbers for all of them. A number that a shader
+//! does not use is 0 everywhere, so it changes no pixel.
 //! not use is 0 everywhere, so it changes no pixel.
 
 use embedded_graphics::pixelcolor::raw::RawU16;
@@ -13,12 +14,12 @@ use fixel::shade::{
 };
 use fixel::{Fragment, Primitive, Shader, ShaderFor};
 
-/// The values of a face, as numbers: at most a light's three channels.
+/// The values of a face as numbers. A light has the most: three channels.
 type Face = [i32; 3];
 
-/// Values that a face's pixels share, as numbers.
+/// Values that are the same at all pixels of a face, as numbers.
 pub trait FaceValues: Copy {
-    /// How many numbers they are.
+    /// The number of these numbers.
     const COUNT: usize;
 
     fn put(self, numbers: &mut [i32]);
@@ -54,7 +55,7 @@ impl FaceValues for Rgb565 {
     }
 
     fn take(numbers: &[i32]) -> Self {
-        // The number was made from a color's 16 bits.
+        // The number was made from the 16 bits of a color.
         RawU16::from_u32(numbers[0].cast_unsigned()).into()
     }
 }
@@ -74,9 +75,9 @@ impl<A: FaceValues, B: FaceValues> FaceValues for (A, B) {
     }
 }
 
-/// A texture coordinate, four channels of light, tint and fog.
+/// A texture coordinate, and four numbers for light, tint and fog.
 pub type Many = ((Texels, Within<64, [i32; 4]>), PerFace<Face>);
-/// Three channels of a color that is computed at the corners, or a gray to be dithered, light and fog.
+/// Three channels of a color that is computed at the corners, or a gray to be dithered, with light and fog.
 pub type Channels = (
     (
         (Within<8192, [i32; 3]>, Within<1024, [i32; 1]>),
@@ -84,18 +85,17 @@ pub type Channels = (
     ),
     PerFace<Face>,
 );
-/// Three channels of the vertices' colors, which small triangles carry in two numbers.
+/// Three channels of the vertices' colors. Small triangles store them in two numbers.
 pub type Pairs = <Gouraud<Rgb565> as Shader>::Varyings;
 
-/// A shader with the layout that it needs. Each of its colors is converted to the corresponding color of a computer's
-/// screen.
+/// A shader with the layout that it needs. Its colors are converted to colors of 24 bits.
 pub enum Surface<'a> {
     Many(Any<'a, Many>),
     Channels(Any<'a, Channels>),
     Pairs(Any<'a, Pairs>),
 }
 
-/// A shader whose varyings are placed among those of `V`.
+/// A shader with its varyings at some places among those of `V`.
 trait Shade<V: Varyings> {
     fn varyings(&self, primitive: &Primitive<'_>) -> [V; 3];
     fn shade(&self, at: &Fragment, varyings: V) -> Option<Translucent<Rgb888>>;
@@ -104,19 +104,19 @@ trait Shade<V: Varyings> {
 struct Placed<S, C> {
     shader: S,
     screen: Screen<C>,
-    /// For each number of the shader, its place among the numbers of the layout.
+    /// For each number of the shader, its place in the layout.
     places: [usize; 8],
 }
 
-/// Converts a color to the one that a computer's screen shows.
+/// Converts a color to a color of 24 bits.
 pub type Screen<C> = fn(C) -> Rgb888;
 
-/// How exact each number must be.
+/// The tolerance of each number.
 fn tolerances<V: Varyings>() -> Vec<Tolerance> {
     (0..V::Lanes::COUNT).map(V::tolerance).collect()
 }
 
-/// Gives each wanted number its own place with the same tolerance; `None` if there are too few places.
+/// Gives each wanted number its own place with the same tolerance. `None` if there are too few places.
 fn places(wanted: &[Tolerance], offered: &[Tolerance]) -> Option<[usize; 8]> {
     let mut places = [0; 8];
     let mut free: Vec<usize> = (0..offered.len()).collect();
@@ -163,7 +163,7 @@ where
     }
 }
 
-/// A shader of any kind, behind a pointer.
+/// A shader of any kind, in a box.
 pub struct Any<'a, V>(Box<dyn Shade<V> + 'a>);
 
 impl<V: Varyings> Shader for &Any<'_, V> {
@@ -179,7 +179,7 @@ impl<V: Varyings> Shader for &Any<'_, V> {
     }
 }
 
-/// The same shader with its opacities.
+/// A shader that returns colors with opacities.
 pub struct Glass<'s, 'a, V>(pub &'s Any<'a, V>);
 
 impl<V> Clone for Glass<'_, '_, V> {
@@ -204,11 +204,11 @@ impl<V: Varyings> Shader for Glass<'_, '_, V> {
 }
 
 impl<'a> Surface<'a> {
-    /// Wraps a shader, whose varyings have a place in a layout, such as [`Surface::Many`].
+    /// Wraps a shader. Its varyings must have places in the layout, for example in [`Surface::Many`].
     ///
     /// # Errors
     ///
-    /// They have no place, which is a mistake in this program.
+    /// A varying has no place. This is a mistake in this program.
     pub fn new<C, V, S>(
         layout: fn(Any<'a, V>) -> Self,
         shader: S,

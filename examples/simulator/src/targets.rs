@@ -30,12 +30,12 @@ pub struct Targets<'a> {
 }
 
 impl<'a> Targets<'a> {
-    /// Opens all output files before anything is drawn, so that a file that cannot be written wastes no time. None of
-    /// them may be among the `inputs`.
+    /// Opens all output files before anything is drawn, so that no time is wasted on a file that cannot be written. No
+    /// output may be one of the `inputs`.
     ///
     /// # Errors
     ///
-    /// A file cannot be written, or the options do not fit together.
+    /// A file cannot be written, or the options contradict each other.
     pub fn open(args: &'a Args, inputs: &[PathBuf]) -> Result<Self> {
         let several = args.frames > 1;
         let path = match (&args.out, args.window) {
@@ -77,7 +77,7 @@ impl<'a> Targets<'a> {
         Ok(targets)
     }
 
-    /// Draws all frames, writes the files and prints a report.
+    /// Draws all frames, writes the files, and prints a report.
     pub fn fill(mut self, size: (u32, u32), scene: &Scene<'_>, style: &Style<'_>) -> Result<()> {
         let edges = scene.shade == Some(Shade::Wire);
         let record = |band: Band<'_, Record>, moment| scene.record(band, moment, edges, None);
@@ -85,7 +85,7 @@ impl<'a> Targets<'a> {
         let rows = args.bands.unwrap_or(u32::MAX);
         let mut total = Total::default();
         let mut colors = Vec::new();
-        // Draws a frame; returns the pixels, and the time of the draw calls.
+        // Draws a frame. Returns the pixels, and the time that the draw calls took.
         let draw = |moment| -> Result<(Vec<Rgb888>, Duration)> {
             let (pixels, (_, time)) = bands(size, rows, |band| scene.draw(band, moment, style))?;
             Ok((pixels, time))
@@ -101,7 +101,7 @@ impl<'a> Targets<'a> {
             for frame in 0..args.frames {
                 let moment = Moment::of(frame);
                 let (pixels, first) = draw(moment)?;
-                // A single frame is drawn a few more times to measure the time, because caches were cold.
+                // A single frame is drawn a few more times to measure the time, because the caches were cold at first.
                 let (mut least, mut spent) = (first, first);
                 while args.frames == 1 && spent < 10 * first && spent < REPEATED {
                     let (_, time) = draw(moment)?;
@@ -109,7 +109,7 @@ impl<'a> Targets<'a> {
                     spent += time.max(Duration::from_micros(1));
                 }
                 total.time += least;
-                // Bands would count triangles several times.
+                // In bands, triangles would be counted several times.
                 let (records, (counts, _)) = bands(size, u32::MAX, |band| record(band, moment))?;
                 total.pixels += records.iter().filter(|at| at.is_covered()).count();
                 total.counts = add(total.counts, counts);
@@ -189,7 +189,7 @@ impl<'a> Targets<'a> {
     }
 }
 
-/// How long a frame is drawn again.
+/// The time for which a frame is drawn again.
 const REPEATED: Duration = Duration::from_millis(300);
 
 /// The sums over all frames.
@@ -204,7 +204,7 @@ struct Total {
 ///
 /// # Errors
 ///
-/// The message says which sizes are possible.
+/// The message states the possible sizes.
 pub fn check_size(args: &Args) -> Result<()> {
     const MOST: u32 = 2048;
     let (width, height) = args.size;

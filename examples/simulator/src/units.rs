@@ -1,18 +1,19 @@
-//! The units that the library draws in: the model's units, moved and scaled to fit the number format.
+//! The units in which the library draws: the model's units, moved and scaled to fit the number format.
 
 use super::Result;
 use crate::args::Args;
 use crate::framing::{Framing, Point, Solid, about};
 
-/// Largest magnitude of a coordinate: half of the format's range, so that positions relative to the eye also fit.
+/// The largest absolute value of a coordinate: half of the format's range, so that positions relative to the eye fit,
+/// too.
 pub const MOST: f64 = 16_000.0;
-/// Largest distance from the middle of the model, relative to the model's own size. Beyond it the model would have
-/// fewer than 2^14 steps.
+/// The largest distance from the middle of the model, relative to the model's own size. If a distance is larger, fewer
+/// than 2^14 steps are left for the model.
 const FARTHEST: f64 = 65_536.0;
-/// Smallest distance of the near plane: 16 steps.
+/// The smallest distance of the near plane: 16 steps.
 const NEAREST: f64 = 16.0 / 65_536.0;
 
-/// A map from the model's units to those that are drawn: (p − origin) · 2^exponent, in f64.
+/// A map from the model's units to the units that are drawn: (p − origin) · 2^exponent, in f64.
 #[derive(Clone, Copy, Debug)]
 pub struct Units {
     origin: Point,
@@ -25,8 +26,8 @@ impl Units {
     ///
     /// # Errors
     ///
-    /// A distance is so much larger than the model that few steps would be left for the model, or the near plane is so
-    /// near that no step is left for it. The message names the option.
+    /// A distance is so much larger than the model that few steps are left for the model, or the near plane is so near
+    /// that no step is left for its distance. The message names the option.
     pub fn new(args: &Args, framing: &Framing, solid: &Solid) -> Result<Self> {
         let limit = solid.radius * FARTHEST;
         let reach = framing.reach(args, solid, limit)?;
@@ -63,17 +64,17 @@ impl Units {
         Ok(())
     }
 
-    /// Returns the length of one of the model's units.
+    /// Returns the length at which one of the model's units is drawn.
     pub fn scale(&self) -> f64 {
         f64::from(self.exponent).exp2()
     }
 
-    /// Returns a length in the units that are drawn.
+    /// Converts a length to the units that are drawn.
     pub fn length(&self, length: f64) -> f64 {
         length * self.scale()
     }
 
-    /// Returns a position in the units that are drawn.
+    /// Converts a position to the units that are drawn.
     pub fn point(&self, point: Point) -> Point {
         [0, 1, 2].map(|i| self.length(point[i] - self.origin[i]))
     }

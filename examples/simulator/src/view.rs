@@ -16,27 +16,27 @@ pub enum AnyProjection {
     Parallel(Projection<Parallel>),
 }
 
-/// Everything that is the same for each frame.
+/// Everything about a view that is the same for all frames.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
     pub projection: AnyProjection,
     pub camera: Camera,
-    /// Toward the light, over the viewer's left shoulder.
+    /// The direction to the light, over the viewer's left shoulder.
     pub sun: Vec3,
-    /// Upwards, of any length.
+    /// The direction that is up, of any length.
     pub up: Vec3,
-    /// Depths, in linear steps, of the nearest and the farthest point of the model.
+    /// The depths of the nearest and the farthest point of the model, in linear steps.
     pub depths: [u16; 2],
 }
 
-/// A direction, scaled up to use all bits of the format: its length does not matter.
+/// A direction, scaled up so that it uses all bits of the format. Its length does not matter.
 ///
 /// # Errors
 ///
 /// A coordinate is not a number.
 pub fn direction([x, y, z]: [f64; 3]) -> Result<Vec3> {
     let size = x.abs().max(y.abs()).max(z.abs());
-    // A power of two, so that scaling does not round.
+    // The factor is a power of two, so that scaling does not round.
     let scale = if size > 0.0 && size.is_finite() {
         2_f64.powf(13.0 - size.log2().floor())
     } else {
@@ -46,14 +46,14 @@ pub fn direction([x, y, z]: [f64; 3]) -> Result<Vec3> {
 }
 
 impl View {
-    /// Makes the view of `framing`, drawn in `units`.
+    /// Makes the view of `framing`, in the units that are drawn.
     ///
     /// # Errors
     ///
     /// The library refuses the camera, the projection or the light.
     pub fn new(args: &Args, framing: &Framing, units: &Units) -> Result<Self> {
         let eye = units.point(framing.eye);
-        // The target is as far away as possible, because only its direction counts.
+        // Only the target's direction counts, so the target is as far away as possible.
         let ahead = [0, 1, 2].map(|i| eye[i] - framing.axes[2][i] * units::MOST);
         let camera = Camera::look_at(
             Vec3::try_from(eye)?,
@@ -90,7 +90,7 @@ impl View {
         })
     }
 
-    /// The way from the model in this pose to the picture.
+    /// The transform from the model in this pose to the picture.
     pub fn mvp(&self, pose: Transform) -> AnyMvp {
         match self.projection {
             AnyProjection::Perspective(projection) => {

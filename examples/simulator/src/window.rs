@@ -1,21 +1,21 @@
-//! The window, if the build supports one. SDL2 is a system library, which neither building nor testing should need. So
-//! it is behind the feature `sdl`, which is used only here.
+//! The window, if the build supports windows. SDL2 is a system library, and neither building nor testing should need
+//! it. Therefore it is behind the feature `sdl`, which only this file uses.
 
 use fixel::prelude::*;
 
 use super::view::View;
 
-/// How the user turned the model.
+/// How the user has turned the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Orbit {
     /// The angle about the direction that is up.
     yaw: Angle,
-    /// The angle about the direction that is right in the picture.
+    /// The angle about the direction that points right in the picture.
     pitch: Angle,
     zoom: Scalar,
 }
 
-/// The largest factor by which a model can be enlarged.
+/// The largest factor by which the user can enlarge a model.
 pub const MOST_ZOOM: i32 = 4;
 
 impl Default for Orbit {
@@ -29,13 +29,13 @@ impl Default for Orbit {
 }
 
 impl Orbit {
-    /// Returns `pose` as the user turned it about the origin, where the middle of the model is drawn.
+    /// Returns `pose` with the user's turn about the origin, where the middle of the model is drawn.
     pub fn turned(&self, pose: Transform, view: &View) -> Transform {
         if *self == Self::default() {
             return pose;
         }
         let right = view.camera.pose().direction(Vec3::X);
-        // Neither axis is zero, because no camera can be made from a zero axis.
+        // The axes are not zero, because no camera can be made with a zero axis.
         let turn = |axis, angle| Transform::rotate(axis, angle).unwrap_or(Transform::IDENTITY);
         Transform::scale(self.zoom) * turn(right, self.pitch) * turn(view.up, self.yaw) * pose
     }
@@ -54,15 +54,15 @@ mod sdl {
 
     use super::{MOST_ZOOM, Orbit};
 
-    /// Turn of a key, in degrees.
+    /// The angle by which a key turns the model, in degrees.
     const STEP: i32 = 5;
 
-    /// Opens a window of a picture's size, enlarged if the picture is small.
+    /// A window with the size of a picture, enlarged if the picture is small.
     pub struct Screen {
         window: Window,
         display: SimulatorDisplay<Rgb888>,
         orbit: Orbit,
-        /// The mouse's last position while its button is down.
+        /// The last position of the mouse while its button is down.
         dragged: Option<Point>,
     }
 
@@ -78,7 +78,7 @@ mod sdl {
             }
         }
 
-        /// Shows the picture; returns how the user turned the model, or `None` if the window was closed.
+        /// Shows the picture. Returns how the user has turned the model, or `None` if the user closed the window.
         pub fn show(&mut self, colors: &[Rgb888]) -> Option<Orbit> {
             let area = self.display.bounding_box();
             let Ok(()) = self.display.fill_contiguous(&area, colors.iter().copied());
@@ -134,7 +134,7 @@ mod sdl {
             let width = self.display.size().width.cast_signed();
             let moved = point - before;
             let angle = |pixels: i32| {
-                // Dragging across the whole picture is half a turn; whole turns drop out.
+                // Dragging across the whole picture turns by half a turn. Whole turns have no effect.
                 let bits = (i64::from(pixels) << 31) / i64::from(width);
                 Angle::from_bits((bits as i32).cast_unsigned())
             };
@@ -142,7 +142,8 @@ mod sdl {
             self.orbit.pitch += angle(moved.y);
         }
 
-        /// Brings the model closer or moves it away, by an eighth; the zoom stays between a quarter and [`MOST_ZOOM`].
+        /// Enlarges the model by an eighth, or reduces it by the same factor. The zoom stays between 1/4 and
+        /// [`MOST_ZOOM`].
         fn zoom(&mut self, closer: bool) {
             let zoom = self.orbit.zoom;
             let zoom = if closer {

@@ -53,7 +53,7 @@ pub struct Args {
     pub out: PathBuf,
 }
 
-/// A file for a target.
+/// A file with the name of its target.
 #[derive(Clone, Debug)]
 pub struct Named {
     pub target: String,
@@ -76,7 +76,7 @@ fn named(text: &str) -> Result<Named, String> {
     } else {
         let file = Path::new(text);
         let name = file.file_name().unwrap_or_default().to_string_lossy();
-        // Not the file stem: thumbv8m.main is a target.
+        // The name is not the file stem, because thumbv8m.main is a target.
         let endings = [".txt", ".log", ".csv"].into_iter();
         let target = endings.fold(name.as_ref(), |name, end| {
             name.strip_suffix(end).unwrap_or(name)

@@ -9,17 +9,17 @@ use super::reference::projection::focal;
 use super::reference::view::{View, Viewport};
 use super::surface::Surface;
 
-/// A case: drawings that are measured together.
+/// A case: a set of drawings that are measured together.
 pub struct Case {
     pub name: &'static str,
-    /// Width and height of the frame.
+    /// The width and height of the frame.
     pub size: (u32, u32),
     pub surface: Surface,
-    /// Texels along the side of the texture that errors refer to, as a power of two.
+    /// The base-2 logarithm of the side, in texels, of the texture that errors refer to.
     pub texels_log2: u32,
-    /// Whether any attribute is interpolated besides depth.
+    /// Whether an attribute is interpolated, besides depth.
     pub interpolates: bool,
-    /// The drawings, each of which has a frame of its own.
+    /// The drawings. Each has its own frame.
     pub shots: Vec<Shot>,
 }
 
@@ -27,7 +27,7 @@ pub struct Case {
 pub struct Shot {
     body: Body,
     pub mvp: Mvp<Perspective>,
-    /// The same scene for the model.
+    /// The model's view of the same scene.
     pub view: View,
 }
 
@@ -37,7 +37,7 @@ enum Body {
 }
 
 impl Shot {
-    /// A mesh and its transform to eye space, in the crate's numbers and in the model's.
+    /// Makes a drawing of a mesh and its transform to eye space, in the numbers of the crate and of the model.
     pub fn of_mesh(
         mesh: &'static Mesh<'static>,
         mvp: Mvp<Perspective>,
@@ -51,7 +51,7 @@ impl Shot {
         }
     }
 
-    /// Triangles that are already in eye space, with the projection that shows them.
+    /// Makes a drawing of triangles that are already in eye space, with the projection that shows them.
     pub fn of_triangles(triangles: Triangles, projection: FocalProjection) -> Result<Self> {
         Ok(Self {
             body: Body::Made(triangles),
@@ -112,7 +112,7 @@ impl FocalProjection {
     }
 }
 
-/// A corner as it must appear: its position on the screen in pixels, its distance, u and v.
+/// A corner as it must appear: its position on the screen in pixels, its distance, and its u and v.
 #[derive(Clone, Copy, Debug)]
 pub struct Corner {
     pub at: [f64; 2],
@@ -129,7 +129,7 @@ pub struct Triangles {
 }
 
 impl Triangles {
-    /// Adds a convex polygon, as a fan.
+    /// Adds a convex polygon as a fan of triangles.
     pub fn add(&mut self, projection: FocalProjection, corners: &[Corner]) -> Result<()> {
         let first = u16::try_from(self.positions.len())?;
         for corner in corners {

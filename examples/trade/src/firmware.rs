@@ -1,4 +1,4 @@
-//! Figures from elsewhere: instructions that the program `firmware` printed, and code sizes from another tool.
+//! Figures of other programs: instructions that the program `firmware` printed, and code sizes from another tool.
 
 use std::collections::HashMap;
 use std::fs;
@@ -6,19 +6,19 @@ use std::fs;
 use super::Result;
 use super::args::Named;
 
-/// The cost of a scene on a target, in a mode.
+/// The cost of a scene on a target in a mode.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cost {
     pub scene: String,
     pub mode: String,
     pub pixels: u64,
     pub instructions: u64,
-    /// CRC-32 of the picture, if it was printed.
+    /// The CRC-32 of the picture, if the program printed it.
     pub crc: Option<u32>,
 }
 
-/// Reads the firmware's output: `tick=N instructions`, and for each scene `scene=… mode=… layout=frame pixels=…
-/// ticks=… crc=…`. Ignores other lines and layouts.
+/// Reads the output of `firmware`: `tick=N instructions`, and for each scene `scene=… mode=… layout=frame pixels=…
+/// ticks=… crc=…`. Other lines and layouts are ignored.
 pub fn costs(named: &Named) -> Result<Vec<Cost>> {
     let text = read(named)?;
     let costs = parse(&text).map_err(|problem| format!("{}: {problem}", named.file.display()))?;

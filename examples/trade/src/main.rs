@@ -1,8 +1,8 @@
 //! Speed against accuracy: measures every interpolation mode.
 //!
-//! `cargo run --release -p trade` draws the four measured scenes and sets of random and adversarial planes in every
-//! mode. It compares each pixel with a model in f64 that receives the same snapped vertices, and measures the time of
-//! the draw calls. It writes to target/trade/:
+//! `cargo run --release -p trade` draws the four measured scenes, and sets of random and adversarial planes, in every
+//! mode. It compares each pixel with a model in f64 that gets the same snapped vertices, and measures the time of the
+//! draw calls. It writes to target/trade/:
 //! | file | what |
 //! |---|---|
 //! | trade.csv, trade.md | a row for each scene, mode and target: cost, texel error, PSNR, code |
@@ -17,17 +17,18 @@
 //! cargo run --release -p trade -- --firmware target/thumbv7em --sizes thumbv7em=target/sizes
 //! ```
 //!
-//! Code is the size of the smallest firmware that draws textured triangles with a depth buffer in the mode, minus the
-//! size of one that draws nothing, at opt-level "s". Instructions are counted at opt-level 3.
+//! The size of the code is that of the smallest firmware that draws textured triangles with a depth buffer in the mode,
+//! minus the size of a firmware that draws nothing, at opt-level "s". Instructions are counted at opt-level 3.
 //!
-//! With `--summary`, it measures nothing, and draws the figures that the project keeps as one picture, for README.
+//! With `--summary`, the program measures nothing. It draws the figures that the project keeps as one picture, for
+//! README.
 //!
-//! A texel error is the larger of the errors of column and row on a texture of 256x256, whatever shader the scene has.
-//! PSNR compares the RGB565 picture with the model's over the pixels that the scene covers. The background would only
-//! raise it.
+//! A texel error is the larger of the errors of column and row, on a texture of 256x256, whatever the scene's shader
+//! is. PSNR compares the RGB565 picture with the model's picture at the pixels that the scene covers. The background
+//! would only raise the PSNR.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg(not(target_os = "none"))]
-// f64 holds every integer used here, and no pixel lies left of or above the picture.
+// f64 holds every integer used here exactly, and no pixel lies left of or above the picture.
 #![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]
 
 mod args;
@@ -60,7 +61,7 @@ use clap::Parser;
 
 use args::Args;
 
-/// An error, in words for the user.
+/// An error message for the user.
 type Result<T, E = Box<dyn Error>> = std::result::Result<T, E>;
 
 fn main() -> ExitCode {

@@ -1,4 +1,4 @@
-//! Measures a case in a mode: its error in texels and as a picture.
+//! Measures the errors of a case in a mode: in texels, and as a picture.
 
 use std::cell::RefCell;
 
@@ -17,21 +17,21 @@ use super::surface::{Job, Target};
 use super::time::Times;
 use super::truth::{Expected, Truth, order};
 
-/// The measured figures of a case in a mode.
+/// What is measured about a case in a mode.
 #[derive(Clone, Debug)]
 pub struct Figures {
     pub mode: &'static str,
-    /// Pixels drawn, in all drawings.
+    /// The number of pixels drawn, in all drawings.
     pub pixels: usize,
-    /// Number of drawings.
+    /// The number of drawings.
     pub frames: usize,
-    /// Texel errors, or `None` if no attribute is interpolated.
+    /// The texel errors; `None` if no attribute is interpolated.
     pub error: Option<Spread>,
-    /// PSNR of the covered pixels in dB; infinite if all of them are equal.
+    /// The PSNR of the covered pixels in dB. It is infinite if all of them are equal.
     pub psnr: f64,
     /// The time of each drawing.
     pub times: Times,
-    /// CRC-32 of the first picture's pixels, row by row, the more significant byte first.
+    /// The CRC-32 of the first picture's pixels, row by row. The more significant byte comes first.
     pub crc: u32,
 }
 
@@ -58,7 +58,7 @@ impl<'a> Subject<'a> {
         self.case.shots.iter().zip(&self.truths)
     }
 
-    /// Measures everything about the case in a mode, except its time.
+    /// Measures everything about the case in a mode, except the time.
     pub fn measure<I: Mode>(&self, name: &'static str, mode: I) -> Result<Figures> {
         let options = DrawOptions::new().with_mode(mode);
         let error = if self.case.interpolates {
@@ -84,7 +84,7 @@ impl<'a> Subject<'a> {
         Ok(figures)
     }
 
-    /// The texel errors of every pixel of every triangle.
+    /// The texel errors at every pixel of every triangle.
     fn errors<I: Mode>(&self, options: &DrawOptions<I>) -> Result<Spread> {
         let Case {
             name,
@@ -122,7 +122,7 @@ impl<'a> Subject<'a> {
     }
 }
 
-/// Draws a subject in a mode, to compare its pictures.
+/// A subject that is drawn in a mode, to compare its pictures.
 struct Drawing<'a, I> {
     subject: &'a Subject<'a>,
     options: &'a DrawOptions<I>,
@@ -162,7 +162,7 @@ struct SquareError {
 }
 
 impl SquareError {
-    /// Adds the pixels that should be drawn, with each channel relative to its range.
+    /// Adds the pixels that should be drawn. The difference of a channel is relative to the channel's range.
     fn add(&mut self, drawn: impl Iterator<Item = Rgb565>, wanted: &[Option<Rgb565>]) {
         let channels = |color: Rgb565| {
             [(color.r(), 31.), (color.g(), 63.), (color.b(), 31.)]
@@ -182,7 +182,7 @@ impl SquareError {
     }
 }
 
-/// A checksum, computed as the firmware does.
+/// A checksum that is computed as in the firmware.
 fn crc(pixels: impl Iterator<Item = Rgb565>) -> u32 {
     let mut crc = Hasher::new();
     for pixel in pixels {

@@ -13,7 +13,7 @@ use super::scenes::{
 };
 use super::surface::Surface;
 
-/// The scenes' projection.
+/// The projection of the scenes.
 const PROJECTION: FocalProjection = FocalProjection {
     focal: 200.,
     size: (WIDTH, HEIGHT),
@@ -21,7 +21,7 @@ const PROJECTION: FocalProjection = FocalProjection {
     far: 100.,
 };
 
-/// The scenes, each with the name that the program `firmware` prints.
+/// The scenes. Each has the name that the program `firmware` prints.
 pub fn cases() -> Result<Vec<Case>> {
     let floor = Shot::of_mesh(
         &scenes::FLOOR,
@@ -47,7 +47,7 @@ pub fn cases() -> Result<Vec<Case>> {
     ])
 }
 
-/// All poses of a mesh that is first rotated, then moved.
+/// All poses of a mesh that is rotated first, and then moved.
 fn poses(
     mesh: &'static Mesh<'static>,
     mvp: impl Fn(i32) -> Result<Mvp<Perspective>, Error>,
@@ -63,7 +63,7 @@ fn poses(
         .collect()
 }
 
-/// Returns the angle in radians, rounded to f64.
+/// Converts an angle to radians, rounded to f64.
 fn radians(angle: Angle) -> f64 {
     f64::from(angle.to_bits()) / 2_f64.powi(32) * TAU
 }

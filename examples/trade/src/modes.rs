@@ -1,22 +1,22 @@
-//! The modes that are compared. To measure another one, add a line.
+//! The modes that are compared. To measure another mode, add a line.
 
 use fixel::fx;
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 
 use super::Result;
 
-/// Work to be done in each mode.
+/// Code that runs in each mode.
 pub trait Visitor {
-    /// Does the work in one mode.
+    /// Runs in one mode.
     fn visit<I: Mode>(&mut self, name: &'static str, mode: I) -> Result<()>;
 }
 
 macro_rules! modes {
     ($($name:literal => $mode:expr,)*) => {
-        /// The names of the modes, in tables, in plots, and in the output of the program `firmware`.
+        /// The names of the modes in tables, in plots, and in the output of the program `firmware`.
         pub const NAMES: &[&str] = &[$($name),*];
 
-        /// Visits each mode.
+        /// Calls the visitor with each mode.
         pub fn each(visitor: &mut impl Visitor) -> Result<()> {
             $(visitor.visit($name, $mode)?;)*
             Ok(())

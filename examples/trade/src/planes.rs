@@ -1,4 +1,4 @@
-//! Random and adversarial planes: sets of textured triangles, each difficult for a mode in a different way.
+//! Random and adversarial planes. Each set of textured triangles is difficult for a mode in a different way.
 //!
 //! | set | triangles |
 //! |---|---|
@@ -7,8 +7,8 @@
 //! | planes-slivers | a fraction of a pixel to a pixel and a half wide, up to 320 long, distances up to 1 : 8 |
 //! | planes-deep | distances 1 : 10 to 1 : 1000 |
 //!
-//! A generator with a fixed seed makes them, so every run has the same triangles. A run with fewer triangles takes the
-//! first of these.
+//! A generator with a fixed seed makes the triangles, so every run has the same ones. A run with fewer triangles uses
+//! the first of them.
 
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -25,10 +25,10 @@ const PROJECTION: FocalProjection = FocalProjection {
     far: 8000.,
 };
 
-/// A function that makes a plane of a set.
+/// A function that makes a triangle of a set.
 type Plane = fn(&mut Dice) -> [Corner; 3];
 
-/// The sets, with this many triangles each.
+/// The sets, with `count` triangles each.
 pub fn cases(count: u32) -> Result<Vec<Case>> {
     let sets: [(&str, Plane); 4] = [
         ("planes-tilted", tilted),
@@ -65,7 +65,7 @@ impl Dice {
         self.0.random_range(low..high)
     }
 
-    /// Returns a number whose logarithm has a uniform distribution.
+    /// Returns a number between two numbers. Its logarithm has a uniform distribution.
     fn scale(&mut self, low: f64, high: f64) -> f64 {
         self.between(low.ln(), high.ln()).exp()
     }
@@ -85,14 +85,14 @@ impl Dice {
         }
     }
 
-    /// Corners with a random texture mapping, turned to face the eye.
+    /// Returns corners with a random texture mapping, in an order that makes the triangle face the eye.
     fn corners(&mut self, at: [[f64; 2]; 3], w: [f64; 3]) -> [Corner; 3] {
         let [a, b, c] = [0, 1, 2].map(|i: usize| Corner {
             at: at[i],
             w: w[i],
             uv: [self.between(0., 1.), self.between(0., 1.)],
         });
-        // A front face is counter-clockwise as seen, so its area is negative with y down.
+        // The corners of a front face are counter-clockwise on the screen, so its area is negative with y down.
         if area2_f64(&at) < 0. {
             [a, b, c]
         } else {
@@ -105,13 +105,13 @@ fn tilted(dice: &mut Dice) -> [Corner; 3] {
     let (tilt_sin, tilt_cos) = 60_f64.to_radians().sin_cos();
     loop {
         let (sin, cos) = dice.between(0., std::f64::consts::TAU).sin_cos();
-        // From the left edge of the picture to the right one.
+        // The triangle reaches from the left edge of the picture to the right edge.
         let mut at = dice.places();
         (at[0][0], at[1][0]) = (0., 320.);
         if area2_f64(&at).abs() < 320. * 240. / 4. {
             continue;
         }
-        // The ray through (x, y, −1) meets the plane at 1/w = (cos tilt − sin tilt · (x, y) · way) / distance.
+        // The ray through (x, y, −1) meets the plane where 1/w = (cos tilt − sin tilt · (x, y) · way) / distance.
         let q = at.map(|at| {
             let [x, y, _] = PROJECTION.point(at, 1.);
             tilt_cos - tilt_sin * (cos * x + sin * y)
@@ -120,7 +120,7 @@ fn tilted(dice: &mut Dice) -> [Corner; 3] {
             q.into_iter().fold(0., f64::max),
             q.into_iter().fold(f64::MAX, f64::min),
         );
-        // Stay clear of the horizon.
+        // Keep away from the horizon.
         if far > near / 100. {
             let distance = dice.scale(0.5, 4.);
             return dice.corners(at, q.map(|q| distance * near / q));
@@ -130,7 +130,7 @@ fn tilted(dice: &mut Dice) -> [Corner; 3] {
 
 fn grazing(dice: &mut Dice) -> [Corner; 3] {
     let at = dice.places();
-    // The increase of 1/w per pixel, away from the far corner, where 1/w is 1.
+    // The increase of 1/w per pixel, starting at the far corner, where 1/w is 1.
     let slope = [dice.between(0., 1. / 32.), dice.between(0., 1. / 128.)];
     let far = [0, 1].map(|axis: usize| {
         let ends = at.map(|at| at[axis]).into_iter();

@@ -11,16 +11,15 @@ use fixel::shade::{PerFace, Texels};
 pub struct Seen {
     pub face: usize,
     pub pixel: [i32; 2],
-    /// Column and row of the texture, in units of 2⁻¹⁶ texel.
+    /// The column and row of the texture, in units of 2⁻¹⁶ texel.
     pub texel: [i32; 2],
 }
 
-/// Records the texel under every pixel of every triangle; it has the varyings of a texture.
+/// A shader that records the texel at every pixel of every triangle. It has the varyings of a texture.
 #[derive(Clone, Copy)]
 pub struct Recorder<'a> {
     pub seen: &'a RefCell<Vec<Seen>>,
-    /// Base-2 logarithm of the number of texels along the side of the texture: 4 or more, so that no bit of u and v is
-    /// lost.
+    /// The base-2 logarithm of the texture's side in texels. At 4 or more, no bit of u and v is lost.
     pub texels_log2: u32,
 }
 
@@ -50,15 +49,15 @@ impl Shader for Recorder<'_> {
     }
 }
 
-/// A triangle's corners, as the crate receives them.
+/// The corners of a triangle, as the crate receives them.
 #[derive(Clone, Copy, Debug)]
 pub struct Recorded {
     pub face: usize,
-    /// u and v, and red, green and blue from 0 to 255.
+    /// For each corner: u and v, and red, green and blue from 0 to 255.
     pub corners: [[f64; 5]; 3],
 }
 
-/// Records the corners of the triangles that are drawn.
+/// A shader that records the corners of the triangles that are drawn.
 #[derive(Clone, Copy)]
 pub struct Survey<'a>(pub &'a RefCell<Vec<Recorded>>);
 

@@ -1,4 +1,4 @@
-//! The whole run: measures, writes and plots.
+//! The whole run: measures the cases, writes the results and plots them.
 
 use std::collections::HashMap;
 use std::fs;
@@ -18,10 +18,10 @@ use super::sweep::{self, Point, Sweep};
 use super::table::{self, HOST, Row};
 use super::{measured, planes};
 
-/// Rounds over which the repetitions are spread.
+/// The number of rounds in which the repetitions are made.
 const ROUNDS: u32 = 3;
 
-/// The figures of other targets, in the order given.
+/// The figures of another target.
 struct Elsewhere {
     target: String,
     costs: Vec<firmware::Cost>,
@@ -34,7 +34,7 @@ pub fn run(args: &Args) -> Result<()> {
     if let Some(path) = &args.summary {
         return plot::save_png(path, &plot::Summary::read()?);
     }
-    // Read the files first, so that a mistake in them wastes no measurement.
+    // Read the files before anything is measured, so that a mistake in a file wastes no time.
     let elsewhere = read(args)?;
     fs::create_dir_all(&args.out)?;
     let mut cases = measured::cases()?;
@@ -54,7 +54,7 @@ pub fn run(args: &Args) -> Result<()> {
             add_rows(&mut rows, case.name, figures, &elsewhere)?;
         }
     }
-    // Rows are grouped by target, with the host first.
+    // Rows are grouped by target. The host comes first.
     let rank = |row: &Row| {
         elsewhere
             .iter()
@@ -96,7 +96,7 @@ pub fn run(args: &Args) -> Result<()> {
     Ok(())
 }
 
-/// The files that the command line names.
+/// Reads the files that the command line names.
 fn read(args: &Args) -> Result<Vec<Elsewhere>> {
     let mut all: Vec<Elsewhere> = Vec::new();
     let mut of = |target: &str| -> usize {
@@ -134,10 +134,10 @@ fn read(args: &Args) -> Result<Vec<Elsewhere>> {
     Ok(all)
 }
 
-/// Measures cases in every mode; returns, for each case, the figures of each mode.
+/// Measures cases in every mode. Returns the figures of each mode for each case.
 ///
-/// It compares pictures first and then measures time, in rounds over all cases and modes. So a temporary load on the
-/// computer slows down only a few repetitions of each, which the median ignores.
+/// The function first compares pictures. Then it measures time, in rounds over all cases and modes. So a temporary load
+/// on the computer slows down only a few repetitions of each case, and the median ignores these.
 fn measure(cases: &[&Case], args: &Args) -> Result<Vec<Vec<Figures>>> {
     let rounds = args.repeats().min(ROUNDS);
     let steps = cases.len() as u64 * u64::from(1 + rounds);
@@ -171,7 +171,7 @@ fn measure(cases: &[&Case], args: &Args) -> Result<Vec<Vec<Figures>>> {
     Ok(all)
 }
 
-/// Compares a case with the model.
+/// Code that compares a case with the model.
 struct Looking<'a> {
     subject: Subject<'a>,
     figures: Vec<Figures>,
@@ -184,7 +184,7 @@ impl Visitor for Looking<'_> {
     }
 }
 
-/// Measures the time of a case, for its figures in each mode in turn.
+/// Code that measures the time of a case in each mode in turn, and adds it to the mode's figures.
 struct Timing<'a> {
     case: &'a Case,
     repeats: u32,
@@ -200,7 +200,7 @@ impl Visitor for Timing<'_> {
     }
 }
 
-/// Returns a row for the host, and one for each other target that has drawn the same picture.
+/// Adds a row for the host, and a row for each other target that has drawn the same picture.
 fn add_rows(
     rows: &mut Vec<Row>,
     scene: &'static str,
@@ -225,7 +225,7 @@ fn add_rows(
         code,
     } in elsewhere
     {
-        // Take the last one: a repeated measurement follows the earlier ones.
+        // Take the last cost, because a repeated measurement comes after earlier ones.
         let mut costs = costs.iter().rev();
         let Some(cost) = costs.find(|cost| cost.scene == scene && cost.mode == mode) else {
             continue;

@@ -15,7 +15,7 @@ impl Spread {
     ///
     /// # Errors
     ///
-    /// There are none, or one is not a number.
+    /// There are no errors, or an error is not a number.
     pub fn of(mut errors: Vec<f64>) -> Result<Self> {
         if errors.is_empty() || errors.iter().any(|error| error.is_nan()) {
             return Err("no pixel to measure".into());
@@ -29,7 +29,7 @@ impl Spread {
     }
 }
 
-/// Returns the median, the lower of two middle values; 0 for no values.
+/// Returns the median. Of two middle values, it is the lower one. It is 0 if there are no values.
 pub fn median(mut values: Vec<f64>) -> f64 {
     if values.is_empty() {
         return 0.;

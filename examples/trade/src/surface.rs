@@ -11,17 +11,17 @@ use super::texture::checkered;
 /// The shader of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Surface {
-    /// The measured scenes' checkered texture, with a depth buffer.
+    /// The checkered texture of the measured scenes, with a depth buffer.
     Checkered,
-    /// Corner colors, with a depth buffer.
+    /// Colors at the corners, with a depth buffer.
     Shaded,
-    /// A color per triangle, without a depth buffer.
+    /// A color for each triangle, without a depth buffer.
     Faceted,
     /// A checkered texture with this many texels along a side, without a depth buffer.
     Texture(Side),
 }
 
-/// Texels along the side of a texture.
+/// The side of a texture, in texels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     T16,
@@ -46,9 +46,9 @@ impl Side {
 /// The canvas of the cases.
 pub type Target<'a, D> = Canvas<'a, Rgb565, Native, D>;
 
-/// Work to be done with a canvas and a shader.
+/// Code that needs a canvas and a shader.
 pub trait Job {
-    /// Does the work.
+    /// Runs with the canvas and the shader.
     fn run<D: DepthBuffer, F: ShaderFor<Rgb565>>(
         self,
         canvas: &mut Target<'_, D>,
@@ -57,7 +57,7 @@ pub trait Job {
 }
 
 impl Surface {
-    /// Does a job with a canvas of this size and with this shader.
+    /// Runs a job with a canvas of this size and with this shader.
     pub fn give(self, (width, height): (u32, u32), job: impl Job) -> Result<()> {
         let mut colors = vec![Rgb565::default(); width as usize * height as usize];
         let mut depths = vec![0; colors.len()];
@@ -73,14 +73,14 @@ impl Surface {
         }
     }
 
-    /// Whether the case can be drawn again over itself. With a depth buffer the second drawing would be hidden.
+    /// Whether the case can be drawn again over itself. With a depth buffer, the second drawing would be hidden.
     pub fn may_repeat(self) -> bool {
         matches!(self, Self::Faceted | Self::Texture(_))
     }
 
-    /// Returns the model's color for u, v, red, green and blue (from 0 to 255) on a face.
+    /// Returns the model's color on a face for u and v, and for red, green and blue from 0 to 255.
     pub fn model(self, face: usize, [u, v, r, g, b]: [f64; 5]) -> Rgb565 {
-        // All textures have eight by eight squares, whose edges coincide with edges of texels.
+        // All textures have eight by eight squares. The edges of the squares are edges of texels, too.
         let odd = |at: f64| (at * 8.).floor().rem_euclid(2.) > 0.5;
         match self {
             Self::Shaded => {

@@ -1,7 +1,7 @@
-//! Sweeps, each of which varies one property of a wall.
+//! Sweeps. Each sweep varies one property of a wall.
 //!
-//! The wall fills the frame, which has 320x240 pixels unless the sweep varies the resolution, and shows a texture once.
-//! One corner is the nearest, and the opposite one is the farthest.
+//! The wall fills the frame and shows a texture once. The frame has 320x240 pixels, except if the sweep varies the
+//! resolution. One corner of the wall is the nearest, and the opposite corner is the farthest.
 
 use std::path::Path;
 
@@ -12,17 +12,17 @@ use super::spread::Spread;
 use super::surface::{Side, Surface};
 use super::table::number;
 
-/// A property to sweep.
+/// A sweep of a property.
 pub struct Sweep {
-    /// Name in files and in the CSV.
+    /// The name in files and in the CSV.
     pub name: &'static str,
-    /// Title of the plot.
+    /// The title of the plot.
     pub title: &'static str,
-    /// Name of the plot's horizontal axis.
+    /// The name of the plot's horizontal axis.
     pub axis: &'static str,
     /// Whether the labels of the axis are the numbers of the steps.
     pub stepped: bool,
-    /// The cases, each with its position on that axis.
+    /// The cases, each with its position on the horizontal axis.
     pub cases: Vec<(f64, Case)>,
 }
 
@@ -32,11 +32,11 @@ impl Sweep {
     }
 }
 
-/// A step of a sweep, in a mode.
+/// The result of a step of a sweep in a mode.
 #[derive(Clone, Debug)]
 pub struct Point {
     pub sweep: &'static str,
-    /// Position on the sweep's axis.
+    /// The position on the sweep's axis.
     pub at: f64,
     pub mode: &'static str,
     pub ns_per_pixel: f64,
@@ -88,12 +88,12 @@ pub fn write_csv(path: &Path, points: &[Point]) -> Result<()> {
     Ok(out.flush()?)
 }
 
-/// Ratio of a wall's farthest to its nearest distance, unless the sweep varies it.
+/// The ratio of a wall's farthest distance to its nearest distance, except if the sweep varies the ratio.
 const RATIO: f64 = 8.;
-/// The size of the frame, unless the sweep varies it.
+/// The size of the frame, except if the sweep varies the size.
 const SIZE: (u32, u32) = (320, 240);
 
-/// All sweeps, with fewer steps if `quick`.
+/// All sweeps. With `quick`, they have fewer steps.
 pub fn sweeps(quick: bool) -> Result<Vec<Sweep>> {
     let pick = |all: &[f64]| -> Vec<f64> {
         let step = if quick { 3 } else { 1 };
@@ -173,8 +173,8 @@ fn case(size: (u32, u32), side: Side, texels_log2: u32, wall: Triangles) -> Resu
     })
 }
 
-/// A wall over the frame. It is nearest at the top left, and `ratio` times as far at the bottom right. Three quarters
-/// of the change of 1/w are along a row.
+/// A wall that fills the frame. It is nearest at the top left, and `ratio` times as far away at the bottom right. Three
+/// quarters of the change of 1/w are along a row.
 fn wall(size: (u32, u32), ratio: f64) -> Result<Triangles> {
     let [width, height] = [size.0, size.1].map(f64::from);
     let corner = |u: f64, v: f64| Corner {
@@ -193,8 +193,8 @@ fn wall(size: (u32, u32), ratio: f64) -> Result<Triangles> {
     Ok(wall)
 }
 
-/// Strips from top to bottom, each this many pixels wide. A strip is twice as far at its right as at its left, and
-/// shows the whole texture.
+/// Strips from the top to the bottom, each `width` pixels wide. A strip is twice as far away at its right side as at
+/// its left side, and shows the whole texture.
 fn strips_of(width: f64) -> Result<Triangles> {
     let [right, bottom] = [SIZE.0, SIZE.1].map(f64::from);
     let mut strips = Triangles::default();

@@ -1,4 +1,4 @@
-//! The results as rows: CSV for programs, Markdown for people.
+//! The results as rows: as CSV for programs, and as Markdown for people.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::path::Path;
 use super::Result;
 use super::spread::Spread;
 
-/// The name, as a target, of the computer that this program runs on.
+/// The name of the computer on which this program runs, as a target.
 pub const HOST: &str = "host";
 
 /// A scene in a mode on a target.
@@ -15,12 +15,12 @@ pub struct Row {
     pub scene: &'static str,
     pub mode: &'static str,
     pub target: String,
-    /// Cost of one frame, in nanoseconds on the host and in instructions elsewhere.
+    /// The cost of a frame: in nanoseconds on the host, in instructions on other targets.
     pub per_frame: f64,
     pub per_pixel: f64,
     pub error: Option<Spread>,
     pub psnr: f64,
-    /// Bytes of code, optimized for size.
+    /// The number of bytes of code that is optimized for size.
     pub code: Option<u64>,
 }
 
@@ -30,12 +30,12 @@ impl Row {
     }
 }
 
-/// Returns the unit of cost on a target.
+/// Returns the unit of the cost on a target.
 pub fn unit(target: &str) -> &'static str {
     if target == HOST { "ns" } else { "instructions" }
 }
 
-/// Writes every row, with a column for each figure; missing figures are empty.
+/// Writes all rows, with a column for each figure. Missing figures are empty.
 pub fn write_csv(path: &Path, rows: &[Row]) -> Result<()> {
     let mut out = csv::Writer::from_path(path)?;
     out.write_record([
@@ -81,7 +81,7 @@ pub fn number(value: f64) -> String {
     format!("{value:.*}", digits.clamp(0, 12) as usize)
 }
 
-/// A row for each scene and mode, and a column of cost for each target.
+/// A table with a row for each scene and mode, and a column with the cost on each target.
 pub fn markdown(rows: &[Row]) -> String {
     let mut targets: Vec<&str> = rows.iter().map(|row| row.target.as_str()).collect();
     let mut seen = std::collections::HashSet::new();

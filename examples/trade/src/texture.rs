@@ -1,12 +1,12 @@
-//! Textures of several sizes, checkered in eight by eight squares, whose texels are read at run time.
+//! Textures of several sizes with eight by eight squares. Their texels are read at run time.
 
 use embedded_graphics::pixelcolor::{Rgb565, WebColors};
 use fixel::prelude::*;
 
-/// The squares of a texture, row by row.
+/// The texels of a texture, row by row.
 pub type Rows<const SIDE: usize> = [[Rgb565; SIDE]; SIDE];
 
-/// Makes a texture and gives it to `draw`.
+/// Makes a texture, and calls `draw` with it.
 pub fn checkered<const SIDE: usize, T>(draw: impl FnOnce(Textured<&Rows<SIDE>>) -> T) -> T {
     let square = SIDE / 8;
     let rows: Vec<[Rgb565; SIDE]> = (0..SIDE)

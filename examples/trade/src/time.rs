@@ -1,4 +1,4 @@
-//! Measures the time of draw calls: the median of repetitions.
+//! Measures the time of draw calls as the median of repetitions.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -13,23 +13,23 @@ use super::case::Case;
 use super::spread::median;
 use super::surface::{Job, Target};
 
-/// The number of drawings before the first that counts. They warm caches and branch predictors, as earlier frames
-/// would.
+/// The number of drawings before the first one that counts. They warm up caches and branch predictors, like the earlier
+/// frames of a program.
 const WARM: u32 = 4;
-/// The shortest time to measure: a thousand times the clock's resolution. Faster drawings are repeated.
+/// The shortest time to measure, a thousand times the resolution of the clock. Faster drawings are repeated.
 const LEAST: Duration = Duration::from_micros(50);
 
-/// Nanoseconds of each drawing of a case, in each repetition.
+/// The nanoseconds of each repetition, for each drawing of a case.
 #[derive(Clone, Debug, Default)]
 pub struct Times(Vec<Vec<f64>>);
 
 impl Times {
-    /// Returns the nanoseconds of all drawings: the sum of their medians.
+    /// Returns the nanoseconds of all drawings together: the sum of their medians.
     pub fn ns(&self) -> f64 {
         self.0.iter().map(|samples| median(samples.clone())).sum()
     }
 
-    /// Draws a case this many times more.
+    /// Draws a case `repeats` more times.
     pub fn add<I: Mode>(&mut self, case: &Case, mode: I, repeats: u32) -> Result<()> {
         self.0.resize(case.shots.len(), Vec::new());
         let timing = Timing {
@@ -57,8 +57,8 @@ impl<I: Mode> Job for Timing<'_, I> {
     ) -> Result<()> {
         for (shot, samples) in self.case.shots.iter().zip(&mut self.times.0) {
             let mesh = shot.mesh()?;
-            // Repeat the drawing until it takes long enough. With a depth buffer draw once, because a second drawing
-            // would be hidden.
+            // Repeat the drawing until it takes long enough. With a depth buffer, draw only once, because a second
+            // drawing would be hidden.
             let mut times = 1_u32;
             for repeat in 0..WARM + self.repeats {
                 canvas.clear(Rgb565::BLACK);

@@ -1,4 +1,4 @@
-//! The exact pixels: the model in f64, given the crate's snapped vertices.
+//! The exact pixels: the model in f64, with the crate's snapped vertices.
 
 use std::cell::RefCell;
 
@@ -15,13 +15,13 @@ use super::reference::raster::{self, Piece, pieces};
 
 /// The exact result of a drawing.
 pub struct Truth {
-    /// Every pixel of every triangle that is drawn, by face, row and column.
+    /// Every pixel of every triangle that is drawn, sorted by face, row and column.
     pub pixels: Vec<Expected>,
     /// The picture: the color of each covered pixel.
     pub picture: Vec<Option<Rgb565>>,
 }
 
-/// The exact values of a triangle's pixel.
+/// The exact values at a pixel of a triangle.
 #[derive(Clone, Copy, Debug)]
 pub struct Expected {
     pub face: usize,
@@ -35,7 +35,7 @@ impl Truth {
     ///
     /// # Errors
     ///
-    /// The crate refuses the mesh, or clips it. (Then it would draw other vertices than those given.)
+    /// The crate refuses the mesh or clips it. (If it clips the mesh, it draws other vertices than the given ones.)
     pub fn of(case: &Case, shot: &Shot) -> Result<Self> {
         let (width, height) = case.size;
         let mut truth = Self {
@@ -75,13 +75,13 @@ pub fn order(face: usize, [x, y]: [i32; 2]) -> (usize, i32, i32) {
     (face, y, x)
 }
 
-/// Returns the triangles that the crate draws, with their snapped corners and their index in the mesh.
+/// Returns the triangles that the crate draws, with their snapped corners, and their indices in the mesh.
 fn snapped(case: &Case, shot: &Shot) -> Result<(Vec<Piece<5>>, Vec<usize>)> {
     let mesh = shot.mesh()?;
     let (width, height) = case.size;
     let mut colors = vec![Rgb565::default(); width as usize * height as usize];
     let mut canvas = Canvas::new(&mut colors, width, height)?;
-    // The mode does not matter: only the corners are used.
+    // The mode does not matter, because only the corners are used.
     let options = DrawOptions::new().with_mode(Exact);
     let recorded = RefCell::new(Vec::new());
     canvas.draw_with(&options, &mesh, &shot.mvp, &Survey(&recorded));

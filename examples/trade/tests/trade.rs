@@ -1,4 +1,4 @@
-//! Runs the measurement of modes as a user would, with few planes, and checks its output.
+//! Runs the measurement of modes as a user does, with few planes, and checks its output.
 #![cfg(not(target_os = "none"))]
 
 use std::collections::HashMap;
@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// Few planes, each measured once.
+/// Options for few planes, each of which is measured once.
 const LITTLE: &str = "--quick --planes 3 --repeats 1";
 const SCENES: [&str; 8] = [
     "floor",
@@ -19,7 +19,7 @@ const SCENES: [&str; 8] = [
     "planes-deep",
 ];
 
-/// A row's values by the names of their columns.
+/// The values of a row, by the names of their columns.
 type Row = HashMap<String, String>;
 
 /// Makes an empty directory for a test.
@@ -40,7 +40,7 @@ fn run(directory: &Path, arguments: &str) -> Output {
         .unwrap()
 }
 
-/// Runs the program, which must succeed, and returns the folder of its output, target/trade in the directory.
+/// Runs the program, which must succeed. Returns the folder of its output, target/trade in the directory.
 fn good(directory: &Path, arguments: &str) -> PathBuf {
     let output = run(directory, arguments);
     let errors = String::from_utf8_lossy(&output.stderr);
@@ -59,7 +59,7 @@ fn refused(directory: &Path, arguments: &str, says: &str) {
     );
 }
 
-/// Returns the rows of a CSV with these columns.
+/// Returns the rows of a CSV. The CSV must have these columns.
 fn rows(file: &Path, columns: &str) -> Vec<Row> {
     let mut reader = csv::Reader::from_path(file).unwrap();
     let header: Vec<&str> = columns.split(' ').collect();
@@ -85,7 +85,7 @@ fn number(row: &Row, column: &str) -> f64 {
     value
 }
 
-/// Checks that both forms of a plot exist and contain each mode's color.
+/// Checks that a plot exists as PNG and as SVG, and that both contain the colors of the most and the least exact mode.
 fn assert_plot(out: &Path, stem: &str) {
     let svg = fs::read_to_string(out.join(format!("{stem}.svg"))).unwrap();
     let picture = image::open(out.join(format!("{stem}.png")))
@@ -102,10 +102,10 @@ fn assert_plot(out: &Path, stem: &str) {
     }
 }
 
-/// Returns the bound of a mode's texel error.
+/// Returns the bound of the texel error in a scene.
 fn promised(scene: &str) -> f64 {
     if scene == "planes-deep" {
-        // At 1 : 1000 the farthest 1/w has 2^30 / 1000 units, with an error of up to 56.5 (tests/accuracy/bounds.rs).
+        // At 1 : 1000, the farthest 1/w has 2^30 / 1000 units, with an error of up to 56.5 (tests/accuracy/bounds.rs).
         // Attributes of corners are below 2^24 and shifted by 26 bits, in units of 2^-16 texel.
         56.5 * 1000. / 2_f64.powi(30) * 2_f64.powi(26 - 16)
     } else {
@@ -133,7 +133,7 @@ fn scenes_are_measured_in_every_mode() {
         let psnr = number(row, "psnr_db");
         let errors = ["max", "p99", "mean"].map(|part| format!("texel_error_{part}"));
         if scene == "sphere-flat" {
-            // No attribute is interpolated, so the picture equals the model's.
+            // No attribute is interpolated, so the picture equals the model's picture.
             assert!(psnr.is_infinite() && errors.iter().all(|column| row[column].is_empty()));
             continue;
         }

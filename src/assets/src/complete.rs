@@ -12,7 +12,7 @@ const CREASE: f64 = 0.5;
 /// direction are first merged.
 const FEW: usize = 64;
 
-/// The direction of a normal in steps of 1/8, the same for normals within about 7 degrees.
+/// The direction of a normal in steps of 1/8. Normals within about 7 degrees have the same direction.
 fn direction(normal: Vector) -> [i8; 3] {
     let length = length(normal);
     normal.map(|x| {
@@ -24,8 +24,8 @@ fn direction(normal: Vector) -> [i8; 3] {
 
 /// Returns, for each of the faces around a point, the sum of the normals of all faces within [`CREASE`].
 ///
-/// All pairs of faces are compared. If there are many faces, those of similar direction count as one. Because there are
-/// at most a few hundred directions, the time is linear.
+/// All pairs of faces are compared. If there are more than [`FEW`] faces, faces of similar direction first become one
+/// group. There are at most a few hundred directions, so the time is linear in the number of faces.
 fn smooth(faces: &[Vector]) -> Vec<Vector> {
     let mut groups: Vec<Vector> = Vec::new();
     let mut places: HashMap<[i8; 3], usize> = HashMap::new();
@@ -78,8 +78,9 @@ impl Model {
         cross(sub(b, a), sub(c, a))
     }
 
-    /// Computes normals for the corners that have none: the mean of the faces around the point, weighted by area.
-    /// Of faces without smoothing group, only those within 60 degrees count, so that the edges of a box stay sharp.
+    /// Computes normals for the corners that have none: the mean of the normals of the faces around the point, weighted
+    /// by area. For a face without a smoothing group, only faces within 60 degrees of it count, so that the edges of a
+    /// box stay sharp.
     pub fn make_normals(&mut self) {
         let lacks = |corner: &Corner| corner.normal.is_none();
         if !self
@@ -101,7 +102,8 @@ impl Model {
                     .or_insert(new)
             })
             .collect();
-        // The corners at each position, numbered as three times the triangle plus the corner.
+        // The corners at each position. The number of a corner is three times its triangle's index, plus its place
+        // there.
         let mut around: Vec<Vec<usize>> = vec![Vec::new(); places.len()];
         for (at, triangle) in self.triangles.iter().enumerate() {
             for (which, corner) in triangle.corners.iter().enumerate() {
@@ -149,10 +151,10 @@ impl Model {
         }
     }
 
-    /// Computes texture coordinates for the triangles that have none. Each triangle takes the coordinates of its
-    /// projection to a side of the box around the model, the side that it faces most.
+    /// Computes texture coordinates for the triangles that have none. Each triangle is projected to the side of the
+    /// model's bounding box that it faces most.
     fn make_uvs(&mut self) {
-        // Positions that no face uses do not count: they may be far away, or no numbers.
+        // Positions that no face uses do not count: they can be far away, or not numbers.
         let corners = self.triangles.iter().flat_map(|triangle| triangle.corners);
         let (mut lows, mut highs) = ([f64::MAX; 3], [f64::MIN; 3]);
         for position in corners.map(|corner| self.positions[corner.position as usize]) {

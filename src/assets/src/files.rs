@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// The files that the importer may read: those of the disk, or any others.
+/// The files that the importer may read: files of the disk, or files from any other source.
 pub trait Files {
     /// The contents of a file.
     ///
@@ -12,10 +12,10 @@ pub trait Files {
     /// The file cannot be read.
     fn read(&self, path: &Path) -> io::Result<Vec<u8>>;
 
-    /// Whether there is such a file.
+    /// Whether the file exists.
     fn has(&self, path: &Path) -> bool;
 
-    /// Called now and then, with the number of a model's bytes that have been read, and of all its bytes.
+    /// Called now and then with the number of a model's bytes that have been read, and the number of all its bytes.
     fn progress(&self, _done: usize, _all: usize) {}
 }
 
@@ -54,7 +54,7 @@ impl Folder<'_> {
         self.path.join(name.rsplit('/').next().unwrap_or(&name))
     }
 
-    /// Tells how many bytes have been read. It may be called for each `element`, because most calls do nothing.
+    /// Reports how many bytes have been read. Can be called for each `element`, because most calls do nothing.
     pub fn progress(&self, element: usize, bytes: usize) {
         if element.trailing_zeros() >= 14 {
             self.files.progress(bytes, self.all);

@@ -13,7 +13,7 @@ use crate::files::Folder;
 use crate::mtl::byte;
 use crate::{Alpha, Corner, Image, Material, Model, Smoothing, next};
 
-/// Extensions without which the geometry cannot be read, and what they do.
+/// Extensions that compress the geometry, and the names of their methods. Files that need them cannot be read.
 const COMPRESSED: [(&str, &str); 3] = [
     ("KHR_draco_mesh_compression", "Draco"),
     ("EXT_meshopt_compression", "meshopt"),
@@ -31,8 +31,8 @@ const READ: [&str; 7] = [
     "KHR_xmp_json_ld",
 ];
 
-/// The most values without bytes of their own, and the most vertices of nodes that share meshes: a short file must not
-/// be able to claim all memory.
+/// The largest number of values that a file may leave out (they are 0), and of vertices of nodes that share meshes.
+/// Without this limit, a short file could claim all memory.
 const MOST: usize = 1 << 22;
 
 /// Reads a glTF file: the triangles of its default scene, or of its first one.
@@ -78,7 +78,7 @@ pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
     Ok(reader.model)
 }
 
-/// The JSON text of a file and, of a binary one, the buffer in it.
+/// The JSON text of a file and, if the file is binary, the buffer in it.
 fn parts(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
     let word = |at: usize| Some(u32::from_le_bytes(*bytes.get(at..)?.first_chunk()?) as usize);
     if !bytes.starts_with(b"glTF") {
@@ -108,12 +108,12 @@ fn parts(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
     Ok((json.ok_or("it has no JSON text")?, binary))
 }
 
-/// The elements of a list; none if there is no list.
+/// The elements of a list; no elements if there is no list.
 fn list<'v>(object: &'v Value, name: &str) -> &'v [Value] {
     object[name].as_array().map_or(&[], Vec::as_slice)
 }
 
-/// The texts of a list.
+/// The strings of a list.
 fn names(list: &Value) -> impl Iterator<Item = &str> {
     list.as_array()
         .into_iter()
@@ -132,7 +132,7 @@ fn whole(value: &Value) -> Option<usize> {
     float
 }
 
-/// The numbers of a list; `None` if there are not `N`.
+/// The numbers of a list; `None` if the list does not have `N` numbers.
 fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
     let numbers: Vec<f64> = value.as_array()?.iter().filter_map(Value::as_f64).collect();
     numbers.try_into().ok()
@@ -153,7 +153,7 @@ fn decoded(uri: &str) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-/// The bytes of a URI that is data itself; `None` if it names a file.
+/// The bytes of a `data:` URI; `None` if the URI names a file.
 fn data(uri: &str) -> Option<Result<Vec<u8>, String>> {
     let data = uri.strip_prefix("data:")?;
     Some(match data.split_once(',') {
@@ -184,7 +184,7 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// An element of one of the file's lists.
+    /// An element of the file's list `of`.
     fn item(&self, of: &str, at: usize) -> Result<&'a Value, String> {
         let items = list(self.root, of);
         items.get(at).ok_or_else(|| {
@@ -291,7 +291,8 @@ impl<'a> Reader<'a> {
             alpha: match mode {
                 "MASK" => {
                     let cutoff = material["alphaCutoff"].as_f64().unwrap_or(0.5);
-                    // Of the texture's alpha times the factor's.
+                    // The cutoff applies to the product of the texture's alpha and the factor's alpha. Dividing by the
+                    // factor makes it apply to the texture's alpha.
                     Alpha::Cut(if alpha > 0.0 {
                         byte(cutoff / alpha)
                     } else {
@@ -311,7 +312,7 @@ impl<'a> Reader<'a> {
         new
     }
 
-    /// Fills in the image of a material, and how it is repeated.
+    /// Sets the image of a material, and whether the texture is clamped.
     fn texture(&mut self, at: usize, material: &mut Material) -> Result<(), String> {
         let texture = self.item("textures", at)?;
         let webp = whole(&texture["extensions"]["EXT_texture_webp"]["source"]);
@@ -330,7 +331,8 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// Adds the meshes of the default scene, of the first one or, if there is none, all meshes.
+    /// Adds the meshes of the default scene. Without a default scene, the first scene is drawn; without scenes, all
+    /// meshes.
     fn scene(&mut self) {
         let scenes = list(self.root, "scenes");
         let scene = whole(&self.root["scene"])
@@ -374,7 +376,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Adds a mesh of a node. `places` has the matrices of all nodes, which skins need.
+    /// Adds a mesh of a node. `places` has the matrices of all nodes, because skins need them.
     fn mesh(&mut self, at: usize, node: &Value, places: &[Option<Matrix>], matrix: Matrix) {
         let mut add = || {
             let mesh = self.item("meshes", at)?;
@@ -484,7 +486,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// Adds the vertices of a primitive: morphed by `weights`, and moved by the matrix of its node or by its joints.
+    /// Adds the vertices of a primitive. `weights` morphs them, and the matrix of the node, or the joints, move them.
     fn vertices(
         &mut self,
         primitive: &Value,
@@ -595,7 +597,7 @@ struct Vertices {
 }
 
 impl Vertices {
-    /// The corner at a vertex. One that does not exist has no position in the model either.
+    /// The corner at a vertex. If the vertex does not exist, the corner has no position in the model either.
     fn corner(&self, index: f64) -> Corner {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         // a whole number of 32 bits

@@ -1,8 +1,8 @@
 //! Reads models and pictures in any common format, for the crate `fixel`.
 //!
 //! [`read`] reads OBJ with its MTL materials, STL, PLY, and glTF, text or binary; [`Picture::decode`] reads PNG, JPEG,
-//! BMP, TGA, GIF and WebP. Both accept files that are not quite right, and say in [`Model::notes`] what they replaced
-//! or left out. The crate runs on the host: `fixel`'s macros put what it reads into flash.
+//! BMP, TGA, GIF and WebP. Both accept files with small mistakes. [`Model::notes`] and the messages of errors say what
+//! was replaced or left out. The crate runs on the host: `fixel`'s macros put what it reads into flash.
 //!
 //! ```
 //! use std::io;
@@ -10,7 +10,7 @@
 //!
 //! use fixel_assets::{Files, Options};
 //!
-//! /// A file in memory. `Disk` are those of the disk.
+//! /// A file in memory. `Disk` reads the files of the disk.
 //! struct Memory(&'static str);
 //!
 //! impl Files for Memory {
@@ -62,7 +62,7 @@ pub use picture::Picture;
 use polygon::Ears;
 pub use sniff::Format;
 
-/// A model as read, in f64, before any rounding.
+/// A model as the file describes it, in f64, before any rounding.
 #[derive(Debug, Default)]
 pub struct Model {
     /// Positions of all vertices, in the file's units and axes.
@@ -102,19 +102,19 @@ pub struct Triangle {
     pub material: Option<u32>,
     /// Index of its object.
     pub object: Option<u32>,
-    /// How its edges are shaded where it has no normals.
+    /// Which edges are shaded smoothly where the file has no normals.
     pub smoothing: Smoothing,
 }
 
 /// Which faces around a point are shaded as one surface, where the file has no normals.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Smoothing {
-    /// Those that meet at 60 degrees or less.
+    /// Faces that meet at 60 degrees or less.
     #[default]
     Angle,
-    /// None: each face is flat.
+    /// No faces: each face is flat.
     Flat,
-    /// Those of the same group.
+    /// Faces of the same group.
     Group(u32),
 }
 
@@ -135,8 +135,8 @@ pub struct Corner {
 ///
 /// # Errors
 ///
-/// The file cannot be read, is not a model, ends too early, or has nothing to draw. The message is one line, which
-/// names the file, the line or the byte, the value and what was expected.
+/// The file cannot be read, is not a model, ends too early, or has nothing to draw. The message is one line. It names
+/// the file, the line or the byte, the value, and what was expected.
 pub fn read(path: &Path, files: &dyn Files) -> Result<Model, String> {
     let name = path.display();
     let bytes = files
@@ -177,7 +177,7 @@ fn next<T>(list: &[T]) -> Result<u32, String> {
         .map_err(|_| "it has more than 4,294,967,295 elements of a kind".into())
 }
 
-/// The index of a value in a list. It is added, unless `places` has its key.
+/// The index of a value in a list. If `places` lacks the key, the value is added to the list.
 fn merge<K: Eq + Hash, T>(
     list: &mut Vec<T>,
     places: &mut HashMap<K, u32>,
@@ -193,7 +193,7 @@ fn merge<K: Eq + Hash, T>(
 }
 
 impl Model {
-    /// The polygons that follow belong to the object of this name.
+    /// Makes the next polygons belong to the object of this name.
     fn begin_object(&mut self, name: &str) {
         let found = self.objects.iter().position(|object| object == name);
         if found.is_none() {

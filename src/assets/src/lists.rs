@@ -11,7 +11,7 @@ const TEX_COORD: u32 = 20;
 /// The most positions that indices of 16 bits can count.
 const MOST: usize = 1 << 16;
 
-/// The index of a corner that lacks an attribute.
+/// The index that stands for a missing attribute of a corner.
 const NO_VALUE: u16 = u16::MAX;
 
 /// How a model becomes the lists of a mesh.
@@ -64,7 +64,7 @@ pub struct Lists {
 /// A run of faces with one material.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Run {
-    /// The first face, and the one after the last.
+    /// The first face, and the face after the last one.
     pub faces: [usize; 2],
     /// Index of the material; `None` for faces without one.
     pub material: Option<u32>,
@@ -78,7 +78,7 @@ fn fixed(x: f64, fraction: u32) -> Option<i32> {
     (f64::from(bits).total_cmp(&(units + 0.0)).is_eq()).then_some(bits)
 }
 
-/// The faces of an attribute as indices of its values; no faces if the positions' indices serve as well.
+/// The faces of an attribute, as indices of its values. Empty if the attribute can use the indices of the positions.
 fn own_faces(
     triangles: &[&Triangle],
     (positions, values): (usize, usize),
@@ -95,14 +95,14 @@ fn own_faces(
     if is_own { faces.collect() } else { Vec::new() }
 }
 
-/// An index that [`Model::lists`] has checked.
+/// Converts an index that [`Model::lists`] has checked.
 #[allow(clippy::cast_possible_truncation)]
 const fn narrow(index: u32) -> u16 {
     index as u16
 }
 
-/// Keeps the values of a list that corners or `others` name, in their order, and renumbers the corners. Returns them,
-/// and the new place of each old one.
+/// Keeps only the values that corners or `others` use, in their order, and renumbers the corners. Returns the kept
+/// values, and the new index of each old value.
 fn compact<T: Clone>(
     values: &[T],
     triangles: &mut [Triangle],
@@ -151,7 +151,7 @@ fn find<'a>(
 }
 
 impl Model {
-    /// The model with only the faces that the options name, and only the values that these use.
+    /// The model with only the faces that the options name, and only the values that these faces use.
     fn selected(&self, options: &Options) -> Result<Self, String> {
         let materials = self.materials.iter().map(|material| material.name.as_str());
         let material = find(options.part.as_deref(), "material", materials)?;
@@ -169,7 +169,7 @@ impl Model {
                     .into(),
             );
         }
-        // Lines that belong to no face are part of the whole mesh only.
+        // Lines that belong to no face are kept only with the whole mesh.
         let lines = if triangles.len() == self.triangles.len() {
             &self.edges[..]
         } else {
@@ -202,8 +202,8 @@ impl Model {
     ///
     /// # Errors
     ///
-    /// There are more than 65,536 values of a kind, or a position leaves the range from −32,768 to 32,768; or no face
-    /// is what the options name.
+    /// There are more than 65,536 values of a kind, a position leaves the range from −32,768 to 32,768, or the options
+    /// select no face.
     pub fn lists(&self, options: &Options) -> Result<Lists, String> {
         let model = self.selected(options)?;
         let kinds = [
@@ -238,7 +238,7 @@ impl Model {
             .map(position)
             .collect::<Result<_, _>>()?;
         let uv = |&[u, v]: &[f64; 2]| {
-            // OBJ's v points up: rounding it there keeps the halves of the file's number.
+            // OBJ's v points up. Rounding v before it is turned around rounds halves as in the file.
             let up = fixed(1.0 - v, TEX_COORD).map(|v| (1 << TEX_COORD) - v);
             [fixed(u, TEX_COORD).unwrap_or(0), up.unwrap_or(0)]
         };
@@ -287,9 +287,9 @@ impl Model {
         Ok(lists)
     }
 
-    /// A sentence about positions that become the same when they are multiplied by `scale` and rounded, with a scale
-    /// that keeps them apart; `None` if hardly any do. Positions within 1/65,536 of the model's size count as one, and
-    /// a hundredth of the others may merge.
+    /// A sentence about positions that become equal when they are multiplied by `scale` and rounded. The sentence names
+    /// a scale that keeps them apart, if the mesh's format permits that scale. `None` if at most a hundredth of the
+    /// positions become equal. Positions within 1/65,536 of the model's size count as one position.
     #[must_use]
     pub fn merging(&self, scale: f64) -> Option<String> {
         let corners = self.triangles.iter().flat_map(|triangle| triangle.corners);

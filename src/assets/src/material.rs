@@ -1,4 +1,4 @@
-//! Materials, and the images that they name.
+//! Materials, and the pictures that they name.
 
 use std::collections::HashMap;
 use std::path::PathBuf;
@@ -46,7 +46,7 @@ pub enum Alpha {
 }
 
 impl Material {
-    /// A white material, seen from both sides, whose texture would be opaque.
+    /// A white, two-sided material. If a texture is added, it is opaque.
     #[must_use]
     pub const fn new(name: String) -> Self {
         Self {
@@ -68,12 +68,12 @@ impl Material {
 pub enum Image {
     /// Its path.
     File(PathBuf),
-    /// Its name, and the file.
+    /// Its name, and the contents of its file.
     Bytes(String, Vec<u8>),
 }
 
 impl Image {
-    /// The file that contains the picture, unless the model's own file does.
+    /// The file that contains the picture; `None` if the model's own file contains it.
     #[must_use]
     pub fn file(&self) -> Option<PathBuf> {
         match self {
@@ -84,8 +84,8 @@ impl Image {
 }
 
 impl Model {
-    /// Transforms the texture coordinates of the faces of some materials. `transforms` has the material's index, and
-    /// the transform in the model's coordinates, whose v points down.
+    /// Transforms the texture coordinates of the faces of some materials. `transforms` maps a material's index to a
+    /// transform in the model's coordinates, where v points down.
     pub(crate) fn transform_uvs(
         &mut self,
         transforms: &HashMap<u32, Affine>,

@@ -8,10 +8,10 @@ use super::material::Affine;
 use super::text::{first_word, number, numbers, quote, statements};
 use super::{Alpha, Image, Material, Model, Notes, merge, next};
 
-/// What no note names, because most files have it: ambient light, highlights and refraction.
+/// Words that get no note, because most files have them: ambient light, highlights and refraction.
 const UNUSED: &str = " Ka Ks Ni Ns Tf Tr illum sharpness map_Ka map_aat";
 
-/// What a file says about its materials, besides the model's list of them.
+/// The state of a reader of MTL text, besides the model's list of materials.
 #[derive(Default)]
 pub struct Materials {
     places: HashMap<String, u32>,
@@ -22,7 +22,7 @@ pub struct Materials {
 }
 
 impl Materials {
-    /// The index of a material. If none has this name yet, it is added, white.
+    /// The index of the material of this name. If there is none yet, a white one is added.
     pub fn named(&mut self, model: &mut Model, name: &[u8]) -> Result<u32, String> {
         let name = String::from_utf8_lossy(name).into_owned();
         let material = Material::new(name.clone());
@@ -75,7 +75,7 @@ impl Materials {
                 notes.add(format!("{} of a material cannot be read", quote(keyword)));
             }
         }
-        // Only a texture's own alpha is used.
+        // Only an alpha channel of the texture itself is used, not one in a separate file.
         for (place, file) in masks {
             let texture = model.materials[place as usize].texture;
             if texture.map(|at| &model.images[at as usize]) != Some(&Image::File(file)) {
@@ -108,11 +108,11 @@ pub fn byte(component: f64) -> u8 {
     byte
 }
 
-/// A scale and an offset of texture coordinates.
+/// A scale and an offset of texture coordinates, in this order.
 type Changes = [[f64; 2]; 2];
 
-/// Reads a texture: options, each with any number of values, and then the file's name, which may contain blanks.
-/// Returns the file, what the options change, and whether the texture does not repeat.
+/// Reads a texture: options with any number of values each, and then the name of the file, which can contain blanks.
+/// Returns the path of the file, the scale and offset, and whether the texture is clamped along both axes.
 fn map(value: &[u8], notes: &mut Notes, folder: Folder<'_>) -> Option<(PathBuf, Changes, bool)> {
     let (mut rest, mut changes, mut clamp) = (value, [[1.0; 2], [0.0; 2]], false);
     let (mut option, mut count) = (b"".as_slice(), 0);

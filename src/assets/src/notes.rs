@@ -1,7 +1,6 @@
 //! What a reader replaced or left out.
 
-/// The largest number of messages, and of names, that are kept. A file may cause any number of them. A file may have
-/// any number of them.
+/// The largest number of messages, and of names, that are kept. A file can cause any number of both.
 const MOST: usize = 32;
 
 /// Sentences for the user about what was replaced or left out, one for each kind.
@@ -28,7 +27,7 @@ impl Notes {
         }
     }
 
-    /// Names something in the file that is not drawn. All such names share one sentence.
+    /// Adds the name of something in the file that is not drawn. All these names share one sentence.
     pub fn left_out(&mut self, feature: impl Into<String>) {
         let feature = feature.into();
         if self.left_out.len() < MOST && !self.left_out.contains(&feature) {
@@ -54,7 +53,7 @@ impl Notes {
             .chain((!self.left_out.is_empty()).then_some(left_out))
     }
 
-    /// Whether there are none.
+    /// Whether nothing was replaced or left out.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.sentences.is_empty() && self.left_out.is_empty()

@@ -24,7 +24,7 @@ pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
 /// The largest number of corners of a face. A face with more is a mistake that would fill the memory.
 const MOST_CORNERS: usize = 1_000_000;
 
-/// A polygon, and what was valid when it was read.
+/// A polygon, with the material, the smoothing and the object that applied to it.
 struct Polygon {
     corners: Vec<Corner>,
     material: Option<u32>,
@@ -37,7 +37,7 @@ struct Reader {
     model: Model,
     materials: Materials,
     libraries: HashSet<Vec<u8>>,
-    /// For each position up to the last with a color.
+    /// A color for each position, up to the last position that has a color.
     colors: Vec<[f64; 3]>,
     polygons: Vec<Polygon>,
     material: Option<u32>,
@@ -55,7 +55,8 @@ impl Reader {
                     let line = quote(statement);
                     return Err(format!("{line} is not a position: it needs 3 numbers"));
                 };
-                // Three more numbers are a color; one more number is a weight. Infinite is white in every range.
+                // Three more numbers are a color; one more number is a weight. Infinity stands for white in every range
+                // of colors.
                 if let (Some(r), Some(g), Some(b)) = (r, g, b) {
                     self.colors
                         .resize(model.positions.len(), [f64::INFINITY; 3]);
@@ -63,7 +64,7 @@ impl Reader {
                 }
                 model.positions.push([x, y, z]);
             }
-            // What cannot be read is kept as NaN, because faces count it.
+            // A value that cannot be read is kept as NaN, because faces count it.
             b"vt" => {
                 let [u, v, ..] = numbers(value, &mut model.notes);
                 // In OBJ files, v points up. Here it points down, as an image's rows do.
@@ -117,7 +118,7 @@ impl Reader {
         Ok(())
     }
 
-    /// Reads the materials that `mtllib` names: a file, or several. A missing file is only noted.
+    /// Reads the materials that `mtllib` names: one file or several files. A missing file only causes a note.
     fn library(&mut self, names: &str, folder: Folder<'_>) -> Result<(), String> {
         let parts = names.split_whitespace().map(|name| folder.beside(name));
         let mut files: Vec<_> = parts.collect();
@@ -143,13 +144,13 @@ impl Reader {
             (self.colors).resize(model.positions.len(), [f64::INFINITY; 3]);
         }
         let mut all = self.colors.iter().flatten();
-        // Some programs write 1.0001 for 1.
+        // A value slightly above 1 does not make the colors bytes: some programs write 1.0001 for 1.
         let is_byte = all.any(|x| (1.5..f64::INFINITY).contains(x));
         let scale = if is_byte { 255.0 } else { 1.0 };
         let bytes = |color: [f64; 3]| color.map(|x| mtl::byte(x / scale));
         model.colors = self.colors.into_iter().map(bytes).collect();
 
-        // Repairs make these lists longer.
+        // Repairs add to these lists, so the lengths before the repairs decide which indices are missing.
         let (uvs, normals) = (next(&model.uvs)?, next(&model.normals)?);
         let known = |at: u32, count: u32| if at < count { at } else { u32::MAX };
         for mut polygon in self.polygons {
@@ -172,8 +173,8 @@ impl Reader {
     }
 }
 
-/// A corner: indices of its position, texture coordinate and normal. What cannot be read is missing: it has the largest
-/// index.
+/// A corner: indices of its position, texture coordinate and normal. An index that cannot be read becomes the largest
+/// `u32`, which counts as missing.
 fn corner(model: &Model, word: &[u8]) -> Corner {
     let mut corner = Corner::default();
     for (at, part) in word.split(|&byte| byte == b'/').enumerate() {
@@ -185,12 +186,13 @@ fn corner(model: &Model, word: &[u8]) -> Corner {
             _ => corner.position = u32::MAX,
         }
     }
-    // Colors, if any, are those of the positions.
+    // If the file has colors, they have the indices of the positions.
     corner.color = Some(corner.position);
     corner
 }
 
-/// An index from 0. In the file, indices count from 1, or backwards from the last of the `len` elements so far.
+/// Converts an index into one that counts from 0. In the file, indices count from 1, or backwards from the last of the
+/// `len` elements so far.
 fn index(part: &[u8], len: usize) -> u32 {
     let (index, len) = (parse(part).unwrap_or(0), len.cast_signed() as i64);
     let from_0 = index + if index < 0 { len } else { -1 };

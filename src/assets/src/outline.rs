@@ -1,23 +1,23 @@
-//! The outline of a mesh: its edges with their two faces.
+//! Finds the outline of a mesh: its edges with their two faces.
 
 use std::collections::{HashMap, VecDeque};
 
 use crate::Lists;
 use crate::vector::{cross, dot, length};
 
-/// Faces within this angle, in radians, of one plane are flat: their edge is no crease.
+/// An edge is no crease if its faces meet at an angle of at most this many radians.
 const FLAT: f64 = 1.0 / 1024.0;
 
 impl Lists {
-    /// The edges of an outline, and how many of them are creases; these come first. The edges are those that
+    /// The edges of an outline, and the number of creases, which come first. The edges are those that
     /// `fixel::mesh::Outline::build` finds, in the order of the faces.
     ///
     /// An edge a, b, c, d runs from a to b; its faces are a b c and b a d. A border has one face, and its d equals a.
-    /// Edges whose faces meet at more than `crease` degrees are creases.
+    /// An edge is a crease if its faces meet at more than `crease` degrees.
     #[must_use]
     pub fn outline(&self, crease: f64) -> (Vec<[u16; 4]>, usize) {
         let at = |index: u16| self.positions[usize::from(index)];
-        // Exact, because a component has 33 bits and a product 67.
+        // The products are exact: a component has 33 bits, and a product 67.
         let direction = |a: u16, b: u16| {
             let (a, b) = (at(a), at(b));
             [0, 1, 2].map(|i| i128::from(b[i]) - i128::from(a[i]))
@@ -29,7 +29,7 @@ impl Lists {
                 [py * qz - pz * qy, pz * qx - px * qz, px * qy - py * qx].map(|x| x as f64);
             normal
         };
-        // Faces without area count as absent.
+        // Faces without area do not count.
         let has_area = |&&face: &&[u16; 3]| length(normal(face)) > 0.0;
         let sides = self
             .faces
@@ -37,7 +37,7 @@ impl Lists {
             .filter(has_area)
             .flat_map(|&[a, b, c]| [[a, b, c], [b, c, a], [c, a, b]]);
         let mut edges: Vec<[u16; 4]> = Vec::new();
-        // Edges that still lack a face, by the positions of their ends.
+        // The edges that still lack a face, found by the positions of their ends.
         let mut open: HashMap<[[i32; 3]; 2], VecDeque<usize>> = HashMap::new();
         for [a, b, c] in sides {
             if let Some(edge) = open.get_mut(&[at(b), at(a)]).and_then(VecDeque::pop_front) {

@@ -41,11 +41,11 @@ pub struct Table {
 }
 
 impl Picture {
-    /// Reads a picture in the format that its bytes show, whatever its name.
+    /// Reads a picture. The bytes decide which format it has, not its name.
     ///
     /// # Errors
     ///
-    /// Its format is unknown, or it is damaged or too large.
+    /// The format is unknown, or the picture is damaged or too large.
     pub fn decode(bytes: &[u8]) -> Result<Self, String> {
         let picture = if bytes.starts_with(b"\x89PNG") {
             png(bytes)
@@ -75,8 +75,8 @@ impl Picture {
         self.pixels.iter().any(|pixel| pixel[3] < 255)
     }
 
-    /// Returns the pixels as indices, and their colors, if there are at most 256: the file's table if it has one, and
-    /// otherwise the colors in the order in which they first occur.
+    /// Returns the pixels as indices, and the colors; `None` if there are more than 256 colors. If the file has a
+    /// table, the colors are the table. Otherwise they are in the order in which they first occur.
     #[must_use]
     pub fn palette(&self) -> Option<(Vec<u8>, Vec<[u8; 4]>)> {
         if let Some(Table { indices, colors }) = &self.table {
@@ -98,8 +98,9 @@ impl Picture {
         Some((indices?, colors))
     }
 
-    /// Returns the picture in another size. Where it shrinks, each color is the mean of the area that it covers; where
-    /// it grows, colors are interpolated. Both are weighted by alpha: invisible colors have no weight.
+    /// Returns the picture in another size. Where the picture shrinks, each color is the mean of the area that it
+    /// covers. Where the picture grows, colors are interpolated. In both cases, colors are weighted by alpha: invisible
+    /// colors have no weight.
     #[must_use]
     pub fn resampled(&self, width: u32, height: u32) -> Self {
         let (columns, rows) = (weights(self.width, width), weights(self.height, height));
@@ -123,7 +124,7 @@ impl Picture {
         for row in &rows {
             for x in 0..columns.len() {
                 let [r, g, b, alpha] = mean(row, &|y: usize| wide[y * columns.len() + x]);
-                // The weights' rounding errors must not move the mean of opaque colors.
+                // The sum of the weights has a rounding error, which must not change the mean of opaque colors.
                 let weight = match alpha {
                     254.99.. => 1.0,
                     0.5.. => alpha / 255.0,
@@ -144,8 +145,9 @@ impl Picture {
     }
 }
 
-/// Returns, for each of `to` pixels in a row, which of the `from` pixels contribute to it, and their weights: where a
-/// picture shrinks, the parts of them that it covers; where it grows, those of the two nearest.
+/// Returns, for each of the `to` new pixels in a row, the `from` old pixels that contribute to it, and their weights.
+/// Where a picture shrinks, these are the pixels that the new pixel covers at least in part. Where a picture grows,
+/// they are the nearest two.
 #[allow(clippy::cast_precision_loss, clippy::cast_sign_loss)] // below 2^24, and clamped to 0
 fn weights(from: u32, to: u32) -> Vec<Vec<(usize, f32)>> {
     let ratio = from as f32 / to as f32;
@@ -165,7 +167,7 @@ fn weights(from: u32, to: u32) -> Vec<Vec<(usize, f32)>> {
     (0..to).map(one).collect()
 }
 
-/// Refuses pictures without pixels, and with too many.
+/// Refuses pictures without pixels, and pictures with more than [`MOST`].
 fn check(width: u64, height: u64) -> Result<(), String> {
     match width * height {
         1..=MOST => Ok(()),
@@ -175,7 +177,7 @@ fn check(width: u64, height: u64) -> Result<(), String> {
     }
 }
 
-/// A picture of samples of this many channels: gray, gray and alpha, RGB or RGBA.
+/// A picture from samples of 1 to 4 channels: gray, gray and alpha, RGB or RGBA.
 fn picture(
     width: usize,
     height: usize,
@@ -202,7 +204,7 @@ fn colored(width: usize, height: usize, pixels: Vec<[u8; 4]>) -> Result<Picture,
     })
 }
 
-/// A picture whose pixels are indices of a table.
+/// A picture with pixels that are indices of a table.
 fn indexed(
     width: usize,
     height: usize,
@@ -220,13 +222,13 @@ fn indexed(
     Ok(picture)
 }
 
-/// The indices of the pixels of a row. An index has 1, 2, 4 or 8 bits; the first one is in the highest bits of a byte.
+/// The indices of the pixels of a row. An index has 1, 2, 4 or 8 bits, the first one in the highest bits of a byte.
 fn unpacked(row: &[u8], bits: usize, width: usize) -> impl Iterator<Item = u8> {
     let mask = u8::MAX >> (8 - bits);
     (0..width).map(move |x| row[x * bits / 8] >> (8 - bits - x * bits % 8) & mask)
 }
 
-/// The color of a pixel whose channels are the bits that masks select: red, green, blue and alpha. Without a mask,
+/// The color of a pixel, from the bits that the masks of red, green, blue and alpha select. If the mask of alpha is 0,
 /// alpha is 255.
 fn masked(raw: &[u8], masks: [u32; 4]) -> [u8; 4] {
     let bits = raw
@@ -267,7 +269,7 @@ fn turned<T>(mut list: Vec<T>, width: usize, vertically: bool, horizontally: boo
     list
 }
 
-/// An error of a reader as text.
+/// The message of a reader's error.
 fn text(error: impl std::fmt::Display) -> String {
     error.to_string()
 }
@@ -314,7 +316,7 @@ fn png(bytes: &[u8]) -> Result<Picture, String> {
 }
 
 fn jpeg(bytes: &[u8]) -> Result<Picture, String> {
-    // The reader would fill the missing part with gray.
+    // The decoder would fill the missing part with gray.
     if !bytes.windows(2).any(|marker| marker == [0xff, 0xd9]) {
         return Err("it ends before its end marker".into());
     }
@@ -355,7 +357,7 @@ fn gif(bytes: &[u8]) -> Result<Picture, String> {
     if (left, top, across, down) == (0, 0, width, height) {
         return Ok(frame);
     }
-    // The first frame covers a part of the picture; the rest is transparent.
+    // The first frame can cover only a part of the picture. The rest stays transparent.
     let mut pixels = vec![[0; 4]; width * height];
     let rows = pixels.chunks_exact_mut(width).skip(top);
     for (to, from) in rows.zip(frame.pixels.chunks_exact(across.max(1))) {

@@ -20,7 +20,7 @@ pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
     let mut faces = Faces::default();
     for element in &elements {
         if let Err(problem) = file.element(element, &mut model, &mut faces, folder) {
-            // What was read before is drawn.
+            // The faces before the problem are drawn.
             if faces.ends.is_empty() {
                 return Err(problem);
             }
@@ -43,7 +43,7 @@ pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
             return Err("it is a cloud of points: only faces are drawn, and it has none".into());
         }
     }
-    // A file may have its faces before its vertices, so they become polygons only now.
+    // A file can have its faces before its vertices, so the faces become polygons only after all elements are read.
     let material = (!model.materials.is_empty()).then_some(0);
     let [uv, normal, color] = faces.attributes;
     let mut corners = Vec::new();
@@ -99,7 +99,7 @@ impl Kind {
         })
     }
 
-    /// A component of a color, of which a fraction is at most 1, and an integer at most the largest of its type.
+    /// Converts a component of a color to a byte. A fraction is at most 1, an integer at most the largest of its type.
     fn color(self, value: f64) -> u8 {
         let bits = i32::try_from(8 * self.size - usize::from(self.signed)).unwrap_or(8);
         byte(if self.float {
@@ -112,7 +112,7 @@ impl Kind {
 
 struct Property {
     name: String,
-    /// Of the length of a list.
+    /// The type of a list's length; `None` if the property is no list.
     count: Option<Kind>,
     kind: Kind,
 }
@@ -123,21 +123,21 @@ struct Element {
     properties: Vec<Property>,
 }
 
-/// The faces that have been read, until all vertices are.
+/// The faces that have been read. They are kept until all vertices are read.
 #[derive(Default)]
 struct Faces {
     corners: Vec<Corner>,
-    /// Where the corners of each end, and its color.
+    /// For each face, the end of its corners in `corners`.
     ends: Vec<usize>,
     colors: Vec<Option<u32>>,
-    /// The places of the faces' colors.
+    /// Indices of the faces' colors in the model's list.
     places: HashMap<[u8; 3], u32>,
-    /// Where the texture coordinates, normals and colors of the vertices begin.
+    /// The indices of the first vertex's texture coordinate, normal and color in the model's lists.
     attributes: [Option<u32>; 3],
 }
 
 impl Faces {
-    /// Adds a face, which may have texture coordinates and a color of its own.
+    /// Adds a face, with texture coordinates and a color of its own if it has them.
     fn face(
         &mut self,
         model: &mut Model,
@@ -165,7 +165,7 @@ impl Faces {
     }
 }
 
-/// A corner at a vertex; an index that is not one names a vertex that does not exist.
+/// A corner at a vertex. An index that is not a whole number becomes the index of a vertex that does not exist.
 fn corner(index: f64) -> Corner {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // checked
     let position = if index.fract() == 0.0 && (0.0..4e9).contains(&index) {
@@ -285,7 +285,7 @@ impl<'a> File<'a> {
         }
     }
 
-    /// The next number, in text after its words.
+    /// Reads the next number. In a text file, the number is the next of `words`.
     fn number(
         &mut self,
         kind: Kind,
@@ -312,7 +312,7 @@ impl<'a> File<'a> {
         let bits = u64::from_le_bytes(low_first);
         let unused = 64 - 8 * kind.size;
         #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss)]
-        // 32 bits, unless it is a double
+        // Values have 32 bits, except doubles.
         Ok(match kind {
             Kind {
                 float: true,

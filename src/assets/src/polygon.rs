@@ -1,4 +1,4 @@
-//! Adds polygons to a model: replaces what cannot be used, and cuts them into triangles.
+//! Adds polygons to a model: replaces values that cannot be used, and cuts the polygons into triangles.
 
 use std::fmt;
 
@@ -7,16 +7,16 @@ use earcut::{Earcut, deviation};
 use crate::vector::{Vector, sub, unit};
 use crate::{Corner, Model, Smoothing, Triangle, next};
 
-/// The largest coordinate that is used: its square can be computed in f64, and every scale brings it into range.
+/// The largest coordinate that is used. Its square fits f64, and every scale brings it into range.
 const MOST: f64 = 1e30;
 
-/// Texture coordinates beyond are brought near 0 by whole repeats. The mesh's format ends at 2048.
+/// Texture coordinates beyond this limit are moved near 0 by whole repeats, because the mesh's format ends at 2048.
 const FAR: f64 = 1024.0;
 
 impl Model {
-    /// Adds a polygon as triangles, and its outline. What cannot be used is replaced or left out, and noted: a polygon
-    /// of less than 3 corners, or with a position that is missing or is no number; a texture coordinate likewise, and
-    /// one far from 0; a normal without direction.
+    /// Adds a polygon as triangles, and its outline. A polygon with fewer than 3 corners, or with a position that is
+    /// missing or not a number, is left out. Texture coordinates far from 0 are moved near 0; if one is missing or not
+    /// a number, the polygon's are left out. A normal without direction is replaced. Each repair is noted.
     ///
     /// # Errors
     ///
@@ -73,7 +73,7 @@ impl Model {
         Some(position.iter().all(|x| x.abs() <= MOST))
     }
 
-    /// A texture needs coordinates at all corners, and near 0.
+    /// Moves texture coordinates near 0. If some corner has none, or one that is no number, all are removed.
     pub(crate) fn fix_uvs(&mut self, corners: &mut [Corner]) -> Result<(), String> {
         if corners.iter().all(|corner| corner.uv.is_none()) {
             return Ok(());
@@ -109,7 +109,7 @@ impl Model {
         Ok(())
     }
 
-    /// Replaces normals without direction by the polygon's.
+    /// Replaces normals without direction by the normal of the polygon.
     fn fix_normals(&mut self, corners: &mut [Corner]) -> Result<(), String> {
         let mut own = None;
         for at in 0..corners.len() {
@@ -138,7 +138,8 @@ impl Model {
     }
 }
 
-/// Newell's normal of a polygon, relative to the first corner, so that a polygon far from the origin loses no digits.
+/// Newell's normal of a polygon. Positions are taken relative to the first corner, so that a polygon far from the
+/// origin loses no digits.
 fn newell(positions: &[Vector], corners: &[Corner]) -> Vector {
     let origin = positions[corners[0].position as usize];
     let relative = |corner: &Corner| sub(positions[corner.position as usize], origin);
@@ -172,9 +173,9 @@ impl fmt::Debug for Ears {
 }
 
 impl Ears {
-    /// Returns the triangles of a polygon, as indices of its `corners`. They form the fan around its first corner or,
-    /// if the fan leaves a concave polygon, lie within the polygon, as in `include_mesh!`. Outlines that cross
-    /// themselves keep the fan.
+    /// Returns the triangles of a polygon, as indices of its `corners`. The triangles form the fan around the first
+    /// corner. If the fan leaves a concave polygon, the triangles lie within the polygon instead, as in
+    /// `include_mesh!`. Outlines that cross themselves keep the fan.
     pub fn triangles(&mut self, positions: &[[f64; 3]], corners: &[Corner]) -> &[[usize; 3]] {
         self.triangles.clear();
         self.triangles
@@ -185,8 +186,8 @@ impl Ears {
         &self.triangles
     }
 
-    /// Projects the corners along the axis nearest to the polygon's normal, so that the polygon is counter-clockwise;
-    /// `false` for a polygon without area.
+    /// Projects the corners along the axis nearest to the polygon's normal. The projected polygon is counter-clockwise.
+    /// Returns `false` for a polygon without area.
     fn project(&mut self, positions: &[[f64; 3]], corners: &[Corner]) -> bool {
         let origin = positions[corners[0].position as usize];
         let normal = newell(positions, corners);
@@ -212,15 +213,15 @@ impl Ears {
         (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
     }
 
-    /// Whether all triangles of the fan turn in the same direction as the polygon. Then their areas add up to the
-    /// polygon's, so no two of them overlap.
+    /// Whether all triangles of the fan turn in the same direction as the polygon. If they do, their areas add up to
+    /// the polygon's area, so no two of them overlap.
     fn fan_is_right(&self) -> bool {
         self.triangles
             .iter()
             .all(|&triangle| self.area(triangle) >= 0.0)
     }
 
-    /// Replaces the fan by triangles within the polygon, if they cover it.
+    /// Replaces the fan by triangles within the polygon, if these cover the polygon.
     fn cut(&mut self) {
         let earcut = self.earcut.get_or_insert_with(Earcut::new);
         earcut.earcut(self.points.iter().copied(), &[], &mut self.indices);

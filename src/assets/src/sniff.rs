@@ -15,8 +15,8 @@ pub enum Format {
     Gltf,
 }
 
-/// A format, or `None` if fixel cannot read it; its name with an article; its file name extensions; and the text with
-/// which its files begin, if that identifies them.
+/// The format, or `None` if fixel cannot read it; the format's name with an article; its file name extensions; and the
+/// text at the start of its files, or "" if no text identifies them.
 type Row = (Option<Format>, &'static str, &'static str, &'static str);
 
 const FORMATS: [Row; 17] = [
@@ -41,7 +41,7 @@ const FORMATS: [Row; 17] = [
 
 const CAN_BE_READ: &str = "OBJ, STL, PLY, glTF and GLB can be read";
 
-/// The row of the ending of `path`.
+/// The row of `path`'s extension.
 fn named(path: &Path) -> Option<&'static Row> {
     let ending = path.extension()?.to_ascii_lowercase();
     let has = |row: &&Row| row.2.split(' ').any(|other| ending == other);
@@ -49,7 +49,7 @@ fn named(path: &Path) -> Option<&'static Row> {
 }
 
 impl Format {
-    /// The format that the ending of `path` names.
+    /// The format that the extension of `path` names.
     #[must_use]
     pub fn of(path: &Path) -> Option<Self> {
         named(path)?.0
@@ -62,7 +62,7 @@ pub fn is_binary_stl(bytes: &[u8]) -> bool {
     count.is_some_and(|&count| u64::from(u32::from_le_bytes(count)) * 50 + 84 == bytes.len() as u64)
 }
 
-/// The row of the format whose signature the file begins with; OBJ has none.
+/// The row of the format with the signature at the start of the file. OBJ has no signature.
 fn marked(bytes: &[u8]) -> Option<&'static Row> {
     let start = String::from_utf8_lossy(&bytes[..bytes.len().min(1024)]);
     let text = start.trim_start_matches('\u{feff}').trim_start();
@@ -81,7 +81,7 @@ fn marked(bytes: &[u8]) -> Option<&'static Row> {
 ///
 /// # Errors
 ///
-/// The file is empty, is not in the format that its ending names, is in one that cannot be read, or is UTF-16 text.
+/// The file is empty or UTF-16 text, its format cannot be read, or the contents contradict the extension.
 pub fn format(path: &Path, bytes: &[u8]) -> Result<Format, String> {
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
         return Err("its text is UTF-16: save it as UTF-8".into());

@@ -7,7 +7,7 @@ use super::sniff::is_binary_stl;
 use super::text::{first_word, line_end, number};
 use super::{Corner, Model, Smoothing, merge};
 
-/// Reads an STL file. Its normals are ignored, because they only repeat those of the triangles, or are zero.
+/// Reads an STL file. The file's normals are ignored: they are zero, or repeat what the corners say.
 pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
     let mut reader = Reader::default();
     // The header of a binary file may also begin with "solid".
@@ -39,7 +39,7 @@ impl Reader {
             let read = text.len() - rest.len();
             rest = after;
             let is = |keyword: &str| word.eq_ignore_ascii_case(keyword.as_bytes());
-            // A solid's name may have any words.
+            // The name of a solid can consist of any words.
             is_name = is("solid") || is("endsolid") || (is_name && !is("facet"));
             if missing > 0 {
                 numbers.push(number(word).map_err(|problem| {
@@ -69,14 +69,14 @@ impl Reader {
         let promised = u32::from_le_bytes([a, b, c, d]) as usize;
         let (triangles, left) = rest.as_chunks::<50>();
         let has = triangles.len();
-        // Programs that do not know the number beforehand write 0. Any bytes may follow the triangles.
+        // Programs that do not know the number of triangles beforehand write 0. Any bytes can follow the triangles.
         let is_right = promised > 0 && !left.is_empty();
         let count = if is_right { has.min(promised) } else { has };
         if promised != count {
             let note = format!("its header promises {promised} triangles: {count} are read");
             self.model.notes.add(note);
         }
-        // A program writes the color of the whole object to the header.
+        // Some programs write the color of the whole object to the header.
         let mark = header.windows(6).position(|at| at == b"COLOR=");
         let object = mark.and_then(|at| header.get(at + 6..)?.first_chunk::<3>());
         let is_marked = |triangle: &[u8; 50]| triangle[49] & 0x80 > 0;
@@ -100,7 +100,7 @@ impl Reader {
         Ok(())
     }
 
-    /// Adds a triangle by the coordinates of its corners.
+    /// Adds a triangle, given by the coordinates of its corners.
     fn facet(&mut self, numbers: &[f64], color: Option<u32>) -> Result<(), String> {
         let mut corners = Vec::new();
         for position in numbers.as_chunks::<3>().0 {

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use super::Notes;
 
-/// A text of at most so many characters.
+/// The first `most` characters of a text.
 fn cut(text: &str, most: usize) -> String {
     let end = text.char_indices().nth(most);
     end.map_or_else(|| text.into(), |(end, _)| format!("{}…", &text[..end]))
@@ -17,13 +17,13 @@ pub fn quote(word: &[u8]) -> String {
     format!("'{}'", cut(&word, 40).escape_debug())
 }
 
-/// A message in one line of printable characters, cut after a few hundred of them.
+/// A message as one line of printable characters, cut after 300 characters.
 pub fn one_line(message: &str) -> String {
     let words: Vec<&str> = message.split_whitespace().collect();
     cut(&words.join(" ").replace(char::is_control, ""), 300)
 }
 
-/// The last byte of the line ends of a text: a carriage return if most lines end with it alone, else a line feed.
+/// The character that ends the lines of a text: a carriage return if most lines end with it alone, else a line feed.
 pub fn line_end(text: &[u8]) -> u8 {
     let count = |end| text.split(|&byte| byte == end).count();
     b"\n\r"[usize::from(count(b'\r') > 2 * count(b'\n'))]
@@ -32,8 +32,8 @@ pub fn line_end(text: &[u8]) -> u8 {
 /// A line with its number.
 type Line<'a> = (usize, Cow<'a, [u8]>);
 
-/// The lines of OBJ and MTL text, without comments and empty ones. A line that ends with a backslash is joined with the
-/// next one. `progress` is told the number of each line, and of the bytes so far.
+/// The lines of OBJ and MTL text, without comments and empty lines. A line that ends with a backslash is joined with
+/// the next line. `progress` gets the number of each line, and the number of bytes so far.
 pub fn statements(text: &[u8], progress: impl Fn(usize, usize)) -> impl Iterator<Item = Line<'_>> {
     let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
     let (end, mut read) = (line_end(text), 0);
@@ -78,7 +78,8 @@ pub fn parse<T: FromStr>(word: &[u8]) -> Option<T> {
     std::str::from_utf8(word).ok()?.parse().ok()
 }
 
-/// A number. A decimal comma is read as a point, and what C programs write for a value that is no number as NaN.
+/// Reads a number. A decimal comma counts as a point. What C programs write for a value that is not a number becomes
+/// NaN.
 pub fn number(word: &[u8]) -> Result<f64, String> {
     let text = || String::from_utf8_lossy(word).replacen(',', ".", 1);
     let is_nan = || text().contains(".#") || text().contains("nan(");

@@ -1,4 +1,4 @@
-//! Vectors in f64, for the set-up before anything is drawn.
+//! Vectors in f64, for computations before anything is drawn.
 
 /// A position or a direction.
 pub type Vector = [f64; 3];
@@ -43,13 +43,13 @@ pub fn length(a: Vector) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// The largest magnitude of a coordinate.
+/// The largest absolute value of a coordinate.
 #[must_use]
 pub fn largest(a: Vector) -> f64 {
     a.iter().fold(0.0, |most, x| x.abs().max(most))
 }
 
-/// The direction of `a` at length one; `None` if it has none.
+/// The vector of length 1 in the direction of `a`; `None` if `a` has no direction.
 #[must_use]
 pub fn unit(a: Vector) -> Option<Vector> {
     let size = largest(a);

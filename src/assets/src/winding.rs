@@ -1,4 +1,4 @@
-//! Corrects normals of models whose triangles have the wrong winding.
+//! Corrects normals of models with wrong winding of their triangles.
 
 use std::collections::HashMap;
 
@@ -6,10 +6,10 @@ use crate::vector::{cross, dot, sub};
 use crate::{Corner, Model};
 
 impl Model {
-    /// Reverses the normals of each triangle whose three normals point to its back. On its front side, the corners run
-    /// counter-clockwise.
+    /// Reverses the normals of each triangle with three normals that point to its back. Seen from a triangle's front,
+    /// its corners run counter-clockwise.
     ///
-    /// Two-sided light finds a face's front from its corners, and would light such a triangle from the wrong side.
+    /// Two-sided light finds a face's front from its corners, so it would light this triangle from the wrong side.
     pub fn turn_normals(&mut self) {
         let Self {
             positions,

@@ -10,7 +10,7 @@ use common::{mutated, notes, read};
 use fixel_assets::{Alpha, Image, Model};
 use serde_json::{Value, json};
 
-/// A document, and the bytes of its buffer.
+/// A glTF document, and the bytes of its buffer.
 struct Document {
     root: Value,
     bytes: Vec<u8>,
@@ -44,7 +44,7 @@ impl Document {
         &mut self.root["meshes"][0]["primitives"][0]
     }
 
-    /// Adds values; returns their accessor.
+    /// Adds values to the buffer. Returns the index of their accessor.
     fn accessor(&mut self, kind: &str, component: u32, count: usize, bytes: &[u8]) -> usize {
         self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
         let view = json!({"buffer": 0, "byteOffset": self.bytes.len(), "byteLength": bytes.len()});
@@ -132,7 +132,7 @@ fn triangles(model: &Model) -> Vec<[[f64; 3]; 3]> {
         .collect()
 }
 
-/// The texture coordinates of the first triangle, rounded likewise.
+/// The texture coordinates of the first triangle, rounded to thousandths.
 fn uvs(model: &Model) -> [[f64; 2]; 3] {
     let corners = model.triangles[0].corners;
     corners.map(|corner| {
@@ -179,7 +179,7 @@ fn nodes_are_moved_mirrored_and_drawn_once() {
     nodes[0]["rotation"] = json!([0, 0, half, half]); // a quarter turn about z
     nodes[0]["scale"] = json!([-2, 1, 1]);
     let model = document.read();
-    // (x, y) → (−2x, y) → (−y, −2x); a mirror image keeps its front.
+    // (x, y) → (−2x, y) → (−y, −2x). The transform mirrors the square, and its front must stay the front.
     assert_eq!(
         triangles(&model)[0],
         [[0.0, 0.0, 5.0], [-1.0, -2.0, 5.0], [0.0, -2.0, 5.0]]
@@ -191,7 +191,7 @@ fn nodes_are_moved_mirrored_and_drawn_once() {
             "a node that does not exist is left out"
         ]
     );
-    // A cycle ends, and a file without a scene is a library of meshes.
+    // A cycle of nodes ends. A file without a scene is a library of meshes.
     document.root["nodes"][0]["children"] = json!([1]);
     assert_eq!(document.read().triangles.len(), 2);
     document.root["scenes"] = json!([]);
@@ -208,7 +208,7 @@ fn normals_turn_with_their_node() {
     document.primitive()["attributes"]["NORMAL"] = json!(normals);
     document.root["nodes"][0]["matrix"] = json!([-3, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
     let normal = document.read().normals[0];
-    // A normal's x is divided by −3 where a position's is multiplied.
+    // The transform multiplies the x of a position by −3, so it divides the x of a normal by −3.
     let ratio = normal[0] / normal[2];
     assert!(
         (ratio + 0.2 / 0.8).abs() < 1e-6 && normal[2] > 0.0,
@@ -286,7 +286,7 @@ fn sparse_values() {
     });
     document.root["accessors"][0]["sparse"] = sparse;
     assert_eq!(document.read().positions[2], [5.0, 6.0, 7.0]);
-    // Without bytes of their own, the other values are 0.
+    // An accessor without bytes has the value 0 except where sparse values replace it.
     document.root["accessors"][0]
         .as_object_mut()
         .unwrap()
@@ -320,12 +320,12 @@ fn materials() {
     let oak = &model.materials[0];
     assert_eq!(model.images, [Image::File("wood chip.png".into())]);
     assert_eq!((oak.name.as_str(), oak.texture), ("oak", Some(0)));
-    // Half the light is the sRGB byte 188, a quarter 137.
+    // Half of the light is 188 as an sRGB byte, a quarter is 137.
     assert_eq!(
         (oak.color, oak.tint, oak.emission),
         ([255, 188, 0], [255, 188, 0], [255, 0, 137])
     );
-    // 0.4 of an alpha that is multiplied by 0.8.
+    // The cutoff is 0.4, and the texture's alpha is multiplied by 0.8.
     assert_eq!((oak.alpha, oak.opacity), (Alpha::Cut(128), 1.0));
     assert_eq!((oak.clamp, oak.two_sided), ([true, false], false));
     assert_eq!(
@@ -420,11 +420,11 @@ fn shapes_are_morphed_and_bent() {
     document.primitive()["targets"] = json!([{"POSITION": up}]);
     document.root["meshes"][0]["weights"] = json!([0.5]);
     assert_eq!(document.read().positions[0], [0.0, 0.0, 2.0]);
-    // A node's weights go before its mesh's.
+    // The weights of a node take precedence over those of its mesh.
     document.root["nodes"][0]["weights"] = json!([0.25]);
     assert_eq!(document.read().positions[0], [0.0, 0.0, 1.0]);
 
-    // The left side follows a joint at x = 10, the right side is the mean of it and one at rest.
+    // The left side follows a joint at x = 10. The right side is the mean of this joint and a joint at rest.
     let mut document = Document::square();
     let joints = document.accessor(
         "VEC4",
@@ -558,7 +558,7 @@ fn mutations_neither_panic_nor_hang() {
     }
 }
 
-/// Thousands of nodes that share a mesh of thousands of vertices.
+/// The file has thousands of nodes that share a mesh of thousands of vertices.
 #[test]
 fn a_short_file_does_not_fill_the_memory() {
     let mut document = Document::square();

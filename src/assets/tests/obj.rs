@@ -1,4 +1,4 @@
-//! OBJ and MTL files as people have them are read, and notes say what was replaced or left out.
+//! OBJ and MTL files as real programs write them are read, and notes say what was replaced or left out.
 
 #![allow(clippy::float_cmp)] // Numbers are exact.
 
@@ -30,7 +30,7 @@ fn noted(text: &str, says: &str) -> Model {
     model
 }
 
-/// Reads a square with a material, and returns the model.
+/// Reads a square with a material.
 #[track_caller]
 fn with_mtl(mtl: &str) -> Model {
     let uvs = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
@@ -38,7 +38,7 @@ fn with_mtl(mtl: &str) -> Model {
     read(&[("a.obj", text.as_str()), ("a.mtl", mtl)]).expect(mtl)
 }
 
-/// The first material, of a file without notes.
+/// The material of MTL text that causes no notes.
 #[track_caller]
 fn material(mtl: &str) -> Material {
     let model = with_mtl(mtl);
@@ -46,7 +46,7 @@ fn material(mtl: &str) -> Material {
     model.materials[0].clone()
 }
 
-/// The single note about a material, which must still be there.
+/// The note that MTL text causes. The square must still be drawn, and there must be no other note.
 #[track_caller]
 fn note(mtl: &str) -> String {
     let model = with_mtl(mtl);
@@ -67,7 +67,7 @@ fn uvs(model: &Model) -> [[f64; 2]; 4] {
 
 #[test]
 fn every_line_end_and_a_byte_order_mark_are_read() {
-    // A lone line end of another system does not matter.
+    // A single line end of another system does not matter.
     for end in ["\n", "\r\n", "\r"] {
         let text =
             format!("\u{feff}# made by hand\n{SQUARE}\nf 1 2 3 4\n").replace('\n', end) + "\n# \r";
@@ -116,7 +116,7 @@ fn decimal_commas_are_points() {
 
 #[test]
 fn what_is_no_number_is_left_out() {
-    // Of a vertex that no face uses.
+    // A vertex that no face uses causes no note.
     clean(&format!("{SQUARE}v nan inf -1.#IND\nf 1 2 3 4\n"));
     let text = format!("{SQUARE}v nan 0 0\nf 1 2 3 4\nf 1 2 5\n");
     let model = noted(&text, "a face is left out: a coordinate");
@@ -145,7 +145,7 @@ fn missing_indices_are_replaced_or_left_out() {
     for index in ["0", "2", "-2", "x", "1.5", "99999999999999999999"] {
         let text = format!("{SQUARE}{lists}f 1//{index} 2//{index} 3//{index}\nf 1//1 3//1 4//2\n");
         let model = obj(&text).unwrap();
-        // Neither does 2 name what replaces the first ones.
+        // Index 2 is missing, too, although the repairs of the first corners add normals to the list.
         let note = &notes(&model)[0];
         assert!(
             note.contains("a normal is replaced") && note.contains("(4 times)"),
@@ -190,11 +190,11 @@ fn missing_indices_are_replaced_or_left_out() {
             "fewer than 3 corners",
         );
     }
-    // Elements may follow the faces that name them.
+    // Vertices can follow the faces that name them.
     assert_eq!(clean(&format!("f 1 2 3 4\n{SQUARE}")).triangles.len(), 2);
 }
 
-/// A line that cannot be read has an index: the following ones keep theirs.
+/// Lines that cannot be read are counted, so the lines after them keep their indices.
 #[test]
 fn what_cannot_be_read_is_counted() {
     let text = format!("{SQUARE}vt\nvt 0.5 0\nvn up\nvn 0 0 4\nf 1/2/2 2/2/2 3/2/2\n");
@@ -224,7 +224,7 @@ fn colors_are_fractions_or_bytes() {
         let colors: Vec<_> = corners
             .map(|corner| model.colors[corner.color.unwrap() as usize])
             .collect();
-        // The fourth vertex.
+        // The fourth vertex has no color, and becomes white.
         assert_eq!(colors[5], [255; 3]);
         [colors[0], colors[1], colors[2]]
     };
@@ -272,7 +272,7 @@ fn what_is_not_drawn_is_named_once() {
         format!("{SQUARE}g a\no b\nf 1 2 3\nvp 1 2\np 1\np 2\ncurv 0 1 1 2\nlod 1\nfoo\nfoo\n");
     let model = noted(&text, "not drawn: 'vp', 'p', 'curv', 'lod', 'foo'");
     assert_eq!(model.triangles.len(), 1);
-    // A file of garbage makes no list without end.
+    // A file of garbage does not cause a note without end.
     let words: Vec<String> = (0..100_000).map(|at| format!("w{at} x\n")).collect();
     let words = words.concat();
     let model = noted(&format!("{SQUARE}f 1 2 3\n{words}"), "'w0', 'w1', ");
@@ -295,7 +295,7 @@ fn what_is_no_model_is_refused() {
         problem.contains("line 5: a face has more than 1000000 corners"),
         "{problem}"
     );
-    // A byte of 0 alone does not matter.
+    // A zero byte in a comment does not matter.
     clean(&format!("{SQUARE}f 1 2 3\n# \0\n"));
 }
 
@@ -341,7 +341,7 @@ fn libraries_may_be_several_or_missing() {
         "mtllib a.mtl b.mtl\n",
         "mtllib b.mtl\nmtllib a.mtl\nmtllib b.mtl\n",
     ] {
-        // They may also follow the faces.
+        // The lines of `mtllib` can also follow the faces.
         for text in [
             format!("{lines}{SQUARE}{faces}"),
             format!("{SQUARE}{faces}{lines}"),
@@ -511,7 +511,7 @@ fn texture_coordinates_are_scaled_and_moved() {
     let moved = |options: &str| uvs(&with_mtl(&format!("newmtl a\nmap_Kd {options} a.png\n")));
     assert_eq!(moved(""), square);
     assert_eq!(moved("-s 1 1 1"), square);
-    // In the file, v points up: its 0 stays at the bottom.
+    // In the file, v points up. The point with the file's v = 0 stays where it is.
     assert_eq!(
         moved("-s 2 3 1"),
         [[0.0, 1.0], [2.0, 1.0], [2.0, -2.0], [0.0, -2.0]]
@@ -524,7 +524,7 @@ fn texture_coordinates_are_scaled_and_moved() {
         moved("-s 2 -o 1 0"),
         square.map(|[u, v]| [2.0 * u + 1.0, v])
     );
-    // Faces of other materials share the coordinates, and keep theirs.
+    // Faces of other materials use the same coordinates, and are not transformed.
     let text = format!(
         "mtllib a.mtl\n{SQUARE}vt 1 0\nusemtl a\nf 1/1 2/1 3/1\nusemtl b\nf 1/1 3/1 4/1\nf 1 2 4\n"
     );
@@ -540,7 +540,7 @@ fn texture_coordinates_are_scaled_and_moved() {
         [Some([2.0, 1.0]), Some([1.0, 1.0]), None]
     );
     assert_eq!(model.uvs.len(), 2);
-    // What is far from 0 after the change is brought near it.
+    // Coordinates that are far from 0 after the transform are moved near 0.
     let far = with_mtl("newmtl a\nmap_Kd -o 5000 0 a.png\n");
     assert_eq!(uvs(&far), square);
     assert!(notes(&far)[0].contains("beyond 1024"));

@@ -1,5 +1,5 @@
-//! Pictures in all formats, made here byte by byte or by the crate `image`, have the right pixels and tables; damaged
-//! ones are refused.
+//! Pictures in all formats have the right pixels and tables; damaged pictures are refused. The tests make them byte by
+//! byte, or with the encoders of other crates.
 
 use std::fmt::Write;
 use std::io::Cursor;
@@ -40,7 +40,7 @@ fn colored(colors: &[Color]) -> Vec<Color> {
     INDICES.iter().map(|&at| colors[usize::from(at)]).collect()
 }
 
-/// Packs values of a row into bytes, the first in the highest bits.
+/// Packs the values of a row into bytes. The first value is in the highest bits.
 fn packed(row: &[u8], bits: usize) -> Vec<u8> {
     let mut bytes = vec![0; (row.len() * bits).div_ceil(8)];
     for (at, value) in row.iter().enumerate() {
@@ -49,7 +49,7 @@ fn packed(row: &[u8], bits: usize) -> Vec<u8> {
     bytes
 }
 
-/// What a BMP consists of; the default has a header of 40 bytes and no compression.
+/// The parts of a BMP. The default has a header of 40 bytes and no compression.
 #[derive(Default)]
 struct Bmp {
     header: u32,
@@ -260,7 +260,7 @@ fn bmp_with_run_lengths() {
         data: data.to_vec(),
         ..Bmp::default()
     };
-    // The rows from the bottom: runs; pixels one by one, padded; a jump over two pixels.
+    // The rows from the bottom: runs; single pixels with padding; a jump over two pixels.
     let eight = [
         3, 1, 1, 2, 1, 3, 0, 0, 0, 5, 3, 3, 1, 0, 2, 99, 0, 0, 1, 1, 0, 2, 2, 0, 2, 3, 0, 1,
     ];
@@ -273,7 +273,7 @@ fn bmp_with_run_lengths() {
     let wanted: Vec<Color> = wanted.iter().map(|&at| COLORS[usize::from(at)]).collect();
     assert_pixels(&bmp(8, 1, &eight).file(), &wanted, "8 bits");
     assert_pixels(&bmp(4, 2, &four).file(), &wanted, "4 bits");
-    // The end mark is missing, or a run goes on behind its row.
+    // The end mark is missing, or a run continues after the end of its row.
     assert_pixels(
         &bmp(8, 1, &[5, 1, 0, 0, 5, 1, 0, 0, 5, 1]).file(),
         &[COLORS[1]; 15],
@@ -335,7 +335,8 @@ fn bmp_refusals_name_the_cause() {
     assert_eq!(change(file.len() - 24, 9), "a color index leaves its table");
 }
 
-/// A TGA: the kind, the table's first index and raw colors, bits of these and of pixels, flags, and raw pixels.
+/// A TGA: its kind, the first index and the raw colors of its table, bits per color and per pixel, flags, and raw
+/// pixels.
 fn tga(
     kind: u8,
     table: (u16, &[Vec<u8>]),
@@ -373,7 +374,7 @@ fn tga(
     bytes
 }
 
-/// The pixels in the order of a file that begins in another corner.
+/// The pixels in the order of a file that begins in another corner, as `flags` say.
 fn from_corner<T: Clone>(pixels: &[T], flags: u8) -> Vec<T> {
     let at = |x: usize, y: usize| {
         let x = if flags & 0x10 == 0 { x } else { WIDTH - 1 - x };
@@ -502,7 +503,7 @@ fn a_channel_of_alpha_that_is_0_everywhere_is_not_used() {
     assert_pixels(&file, &[[3, 2, 1, 255]; 15], "TGA");
 }
 
-/// A PNG, with the palette and the alphas that it may have.
+/// A PNG, with a palette and alphas if `table` has them.
 fn png(
     color: png::ColorType,
     depth: png::BitDepth,
@@ -614,7 +615,7 @@ fn png_of_all_kinds_and_depths() {
             &format!("{kind:?}, 16 bits"),
         );
     }
-    // A color that is transparent: red, in 16 bits.
+    // One color is marked as transparent: red, in 16 bits.
     let wide: Vec<u8> = colored(&COLORS)
         .iter()
         .flat_map(|c| [c[0], c[0], c[1], c[1], c[2], c[2]])
@@ -629,8 +630,8 @@ fn png_of_all_kinds_and_depths() {
     assert_pixels(&file, &colored(&wanted), "a transparent color of 16 bits");
 }
 
-/// A JPEG of 8x8 pixels of one color, given by its components: baseline or progressive, and with Adobe's marker for
-/// CMYK. All its Huffman codes of DC have 4 bits; the only code of AC has 1.
+/// A JPEG of 8x8 pixels of one color, given by its components: baseline or progressive, with Adobe's marker if it is
+/// CMYK. All Huffman codes of DC have 4 bits; the only code of AC has 1 bit.
 fn jpeg(components: &[u8], is_progressive: bool) -> Vec<u8> {
     let count = u8::try_from(components.len()).unwrap();
     let segment = |marker: u8, data: &[u8]| {
@@ -727,7 +728,7 @@ fn jpeg_in_gray_color_and_cmyk() {
     }
 }
 
-/// A GIF of 5x3 pixels whose first frame has this place and size, and this transparent index.
+/// A GIF of 5x3 pixels. Its first frame has this place, size and transparent index.
 fn gif(place: [u16; 2], size: [u16; 2], transparent: Option<u8>) -> Vec<u8> {
     let mut bytes = Vec::new();
     let colors: Vec<u8> = COLORS
@@ -790,8 +791,8 @@ fn riff(chunks: &[(&[u8; 4], Vec<u8>)]) -> Vec<u8> {
     bytes
 }
 
-/// A WebP of 8x8 gray pixels with loss, and with the given alpha. A decoder of VP8 reads bytes of 0 as the answer no to
-/// every question: there are no coefficients, and all pixels have the value that is predicted without any.
+/// A lossy WebP of 8x8 gray pixels, with this alpha. A VP8 decoder reads bytes of 0 as the answer "no" to every
+/// question: there are no coefficients, and all pixels have the value that is predicted without them.
 fn lossy(alpha: Option<u8>) -> Vec<u8> {
     let first_part: u32 = 64;
     let tag = ((first_part << 5) | 1 << 4).to_le_bytes();
@@ -834,7 +835,7 @@ fn webp_with_and_without_loss_and_alpha_and_animated() {
     for colors in [&COLORS, &clear] {
         let file = lossless(&colored(colors));
         assert_pixels(&file, &colored(colors), "lossless");
-        // A frame of an animation contains the same chunk.
+        // A frame of an animation contains the same chunk as a picture that is not animated.
         let chunk = |pixels: &[Color]| lossless(pixels)[12..].to_vec();
         let frame = |pixels: &[Color]| {
             [
@@ -927,7 +928,7 @@ fn a_palette_has_at_most_256_colors() {
     assert_eq!(indices, (0..=255).collect::<Vec<u8>>());
     assert_eq!(colors, of(256).pixels);
     assert_eq!(of(257).palette(), None);
-    // A table that no longer fits the pixels is not used.
+    // If the pixels no longer agree with the table, the table is not used.
     let mut picture = decode(&gif([0, 0], [5, 3], None));
     picture.pixels.fill([1, 2, 3, 4]);
     assert_eq!(picture.palette(), Some((vec![0; 15], vec![[1, 2, 3, 4]])));

@@ -1,4 +1,4 @@
-//! PLY files as people have them are read, and notes say what was replaced or left out.
+//! PLY files as real programs write them are read, and notes say what was replaced or left out.
 
 #![allow(clippy::float_cmp)] // values that the files say exactly
 
@@ -11,7 +11,7 @@ const VERTICES: &str = "property float x\nproperty float y\nproperty float z\n";
 const FACES: &str = "property list uchar int vertex_indices\n";
 const SQUARE: &str = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
-/// A square's text, with more properties and values.
+/// The text of a file: a square, more properties of vertices and faces, and all values.
 fn text(vertex: &str, vertices: &str, face: &str, faces: &str) -> String {
     let counts = [vertices.lines().count(), faces.lines().count()];
     format!(
@@ -101,7 +101,7 @@ fn attributes_of_vertices() {
     assert_eq!(model.colors[corner.color.unwrap() as usize], [0, 0, 255]);
     // v points up in the file.
     assert_eq!(model.uvs[corner.uv.unwrap() as usize], [1.0, 0.25]);
-    // Colors may be fractions and have other names.
+    // Colors can be fractions, and can have other names.
     let vertex =
         "property float diffuse_red\nproperty float diffuse_green\nproperty float diffuse_blue\n";
     let model = ply(text(
@@ -185,7 +185,7 @@ fn what_cannot_be_used_is_noted() {
             "a face is left out: it names a vertex that does not exist (2 times)",
         ]
     );
-    // The faces before the end are drawn.
+    // The file ends too early: the faces before the end are drawn.
     let short = text("", SQUARE, "", "3 0 1 2\n3 0 2 3\n").replace("face 2", "face 5");
     let model = ply(short);
     assert_eq!(model.triangles.len(), 2);
@@ -239,7 +239,7 @@ fn refusals_say_what_the_file_is() {
     }
 }
 
-/// A list that claims more elements than the file has bytes must not fill the memory.
+/// For example, a list that claims more elements than the file has bytes must not fill the memory.
 #[test]
 fn mutations_neither_panic_nor_hang() {
     let head = text("", SQUARE, "", "").replace("ascii", "binary_little_endian");

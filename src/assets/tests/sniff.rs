@@ -84,7 +84,7 @@ fn contents_count_more_than_names() {
     for name in ["a.stl", "a.STL", "a", "a.fbx"] {
         assert_eq!(read(&[(name, STL)]).unwrap().triangles.len(), 1, "{name}");
     }
-    // Of a file without known name or contents, OBJ is assumed.
+    // If neither the name nor the contents of a file show a format, OBJ is assumed.
     assert_eq!(
         read(&[("a.txt", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3")])
             .unwrap()

@@ -1,4 +1,4 @@
-//! STL files as people have them are read, and notes say what was replaced or left out.
+//! STL files as real programs write them are read, and notes say what was replaced or left out.
 
 mod common;
 
@@ -28,7 +28,7 @@ fn text() -> String {
     format!("solid a part\n{facets}endsolid a part\n")
 }
 
-/// A binary file that promises `count` triangles; each has two bytes of attributes.
+/// A binary file with four triangles. Its header promises `count`, and each triangle has two bytes of attributes.
 fn binary(header: &[u8], count: u32, attributes: [u16; 4]) -> Vec<u8> {
     let mut bytes = header.to_vec();
     bytes.resize(80, 0);
@@ -124,7 +124,7 @@ fn mistakes_in_text_are_named() {
         let problem = problem(&text);
         assert!(problem.contains(says), "{problem}");
     }
-    // A file that ends too early has the triangles before.
+    // From a file that ends too early, the triangles before its end are read.
     let end = text.rfind("vertex").unwrap();
     let facet = text.rfind("facet normal").unwrap();
     let first = facet + text[facet..].find("vertex").unwrap();
@@ -159,7 +159,7 @@ fn binary_is_read_whatever_it_promises() {
         assert_eq!(model.triangles.len(), count);
         assert!(notes(&model)[0].contains(&format!("promises 4 triangles: {count} are read")));
     }
-    // More bytes than triangles.
+    // More bytes follow the triangles.
     says(&[&binary(b"", 0, [0; 4])[..], b"the end"].concat());
     assert!(whole([&bytes[..], b"the end"].concat()).is_empty());
     let model = stl([&bytes[..], &[1; 70]].concat());
@@ -193,7 +193,7 @@ fn attributes_are_colors() {
         };
         ([0, 1, 2, 3].map(color), model.colors.len())
     };
-    // Without the highest bit, they mean nothing.
+    // Attributes without the highest bit are not colors.
     assert_eq!(colors(b"", [1, 2, 0x7fff, 0]), ([None; 4], 0));
     let found = colors(b"", [0x801f, 0x83e0, 0xfc00, 0x1f]);
     let [blue, green, red, white] = [[0, 0, 255], [0, 255, 0], [255, 0, 0], [255; 3]];

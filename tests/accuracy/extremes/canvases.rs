@@ -1,7 +1,7 @@
 //! Canvases from one pixel to the largest, and viewports in and around them.
 //!
-//! Bounds as for [`planes`](super::planes): they depend neither on the size of the canvas nor on the position of the
-//! viewport.
+//! The bounds are the same as in [`planes`](super::planes): they depend neither on the size of the canvas nor on the
+//! position of the viewport.
 
 use fixel::prelude::*;
 
@@ -9,7 +9,7 @@ use super::scene::{Random, TriangleView, worst};
 use super::table::{Cases, picture};
 use super::verdict::Verdict;
 
-/// Triangles all over a viewport and beyond it.
+/// Draws triangles all over a viewport and beyond it.
 fn on(size: (u32, u32), viewport: Option<Viewport>, count: usize) -> Verdict {
     let (width, height) = viewport.map_or(size, |viewport| {
         (viewport.size().width, viewport.size().height)
@@ -17,7 +17,7 @@ fn on(size: (u32, u32), viewport: Option<Viewport>, count: usize) -> Verdict {
     let view = TriangleView {
         size,
         viewport,
-        // A focal length equal to the smaller side, except on the smallest canvases.
+        // The focal length is the smaller side, except on the smallest canvases.
         focal: f64::from(width.min(height).max(8)),
         ..TriangleView::ROOM
     };
@@ -33,7 +33,7 @@ fn on(size: (u32, u32), viewport: Option<Viewport>, count: usize) -> Verdict {
     }))
 }
 
-/// Viewports of 64x48 around a canvas of 40x30: partly on it, or wholly outside it.
+/// Viewports of 64x48 around a canvas of 40x30, partly on the canvas or wholly outside it.
 fn beside() -> Verdict {
     let places = [
         (-20, -10),
@@ -54,7 +54,7 @@ fn beside() -> Verdict {
     }))
 }
 
-/// The largest viewport, at several offsets from a small canvas.
+/// The largest viewport, at several places around a small canvas.
 fn largest_viewport() -> Verdict {
     let places = [(0, 0), (-4056, -4066), (-2048, -2048), (-4095, -1000)];
     worst(places.map(|(x, y)| on((40, 30), Some(Viewport::new(x, y, 4096, 4096).unwrap()), 60)))
@@ -74,7 +74,7 @@ pub static CASES: Cases = Cases::new(|| {
     ]
 });
 
-/// Triangles of a few pixels in the corners of the largest canvas, and one triangle that covers all of it.
+/// Triangles of a few pixels in the corners of the largest canvas, and a thin triangle along its diagonal.
 fn corners_of_the_largest() -> Verdict {
     let view = TriangleView {
         size: (2048, 2048),

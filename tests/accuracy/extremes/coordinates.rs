@@ -1,15 +1,15 @@
 //! Coordinates and offsets up to the ends of the format, and triangles far larger than the screen.
 //!
-//! Bounds as for [`planes`](super::planes). Clip space keeps 30 bits of the largest term of a sum. So if coordinates
-//! and offsets add up to S, rounding moves a point at distance w by up to S/w · 2⁻¹⁶ · 0.15 pixels (`Scene::moved`),
-//! and its texels in proportion.
+//! The bounds are the same as in [`planes`](super::planes). Clip space keeps 30 bits of the largest term of a sum. If
+//! coordinates and offsets add up to S, rounding therefore moves a point at distance w by up to S/w · 2⁻¹⁶ · 0.15
+//! pixels (`Scene::moved`), and moves its texels in proportion.
 
 use super::scene::{Corners, Random, TriangleView, worst};
 use super::table::{Cases, picture};
 use super::verdict::Verdict;
 use crate::moves::{to, y};
 
-/// Triangles as wide as the picture and smaller ones, at distances around four.
+/// Triangles as wide as the picture, and smaller triangles, at distances around four.
 fn triangles(view: &TriangleView, count: usize) -> Vec<Corners> {
     let mut random = Random(2);
     let corner = |random: &mut Random| {
@@ -52,7 +52,7 @@ fn turned(at: f64) -> Verdict {
     worst(triangles.map(|corners| view.judge(corners.map(model))))
 }
 
-/// Distant triangles under a focal length of 2000 pixels.
+/// Distant triangles, seen with a focal length of 2000 pixels.
 fn far_away(w: f64) -> Verdict {
     let view = TriangleView {
         focal: 2000.,
@@ -69,7 +69,7 @@ fn far_away(w: f64) -> Verdict {
     }))
 }
 
-/// Triangles through the middle of the picture whose sides are `times` as long as the picture is wide.
+/// Triangles through the middle of the picture. Their sides are about `times` as long as the picture is wide.
 fn large(times: f64) -> Verdict {
     let view = TriangleView::ROOM;
     let mut random = Random(4);
@@ -81,7 +81,7 @@ fn large(times: f64) -> Verdict {
             view.at([reach * cos, reach * sin], random.between(0.5, 0.6))
         };
         let mut corners = [0., 1., 2.].map(|third| corner(third, &mut random));
-        // Either a side runs through the middle, or the middle is well inside.
+        // In one half of the triangles, a side passes near the middle; in the other half, the middle is well inside.
         if random.next() < 0.5 {
             let [a, b, _] = corners;
             corners[2] = [0, 1, 2].map(|i: usize| -(a[i] + b[i]) / 2. * 0.9);

@@ -1,8 +1,8 @@
-//! Depth ranges: far/near from 10 to 10⁶, and two surfaces 1 % apart.
+//! Ranges of depth: far/near from 10 to 10⁶, and two surfaces 1 % apart.
 //!
-//! At a distance of w, a step of the depth buffer is w²/(65,535 · near). So 1 % of w is at least one step up to 655
-//! times the near plane's distance, for any far plane. Up to there the nearer of two surfaces shows. Beyond it, the
-//! visible one is behind the nearest by less than a step and the errors of two depths (`bounds::DEPTH`).
+//! At a distance of w, a step of the depth buffer is w²/(65,535 · near). Up to 655 times the near plane's distance, 1 %
+//! of w is therefore at least one step, for any far plane, and the nearer of two surfaces shows. Farther away, the
+//! visible surface is behind the nearest one by less than a step plus the errors of two depths (`bounds::DEPTH`).
 
 use fixel::prelude::*;
 use fixel::view::Perspective;
@@ -26,7 +26,7 @@ const RATIOS: [(&str, f64, f64); 6] = [
     ("10⁵", 0.25, 25_000.),
     ("10⁶", 0.031_25, 31_250.),
 ];
-/// The distance of the farther surface, relative to the nearer one.
+/// The distance of the farther surface, divided by the distance of the nearer surface.
 const APART: f64 = 1.01;
 
 fn view(near: f64, far: f64) -> TriangleView {
@@ -46,7 +46,7 @@ fn reaching(view: &TriangleView) -> Verdict {
             let w = view.near * (1e-3 + part * end).exp();
             view.at([random.between(-60., 60.), random.between(-50., 50.)], w)
         };
-        // The second corner is anywhere, or in the far plane.
+        // The second corner is anywhere between the planes, or in the far plane.
         let parts = [0., (random.next() * 2.).min(1.), 1.];
         view.judge(parts.map(|part| corner(part, &mut random)))
     }))
@@ -60,8 +60,8 @@ fn inverse_w(corners: [Vec3; 3], view: &TriangleView, [x, y]: [i32; 2]) -> f64 {
     dot(normal, [at(x, view.size.0), -at(y, view.size.1), -1.]) / dot(normal, a)
 }
 
-/// Draws two surfaces around a distance in either order. Returns how many steps the visible one is behind the nearest,
-/// and whether the farther one shows anywhere.
+/// Draws two surfaces at about the distance `w`, in either order. Returns by how many steps the visible surface is
+/// behind the nearest one, and whether the farther surface shows anywhere.
 fn behind(view: &TriangleView, w: f64) -> (Worst, bool) {
     let mut all = Worst::default();
     let mut hidden = false;
@@ -89,7 +89,7 @@ fn behind(view: &TriangleView, w: f64) -> (Worst, bool) {
                     continue;
                 };
                 let depths = surfaces.map(|s| 65535. * view.near * inverse_w(s, view, pixel));
-                // Compare only where the nearer surface certainly covers the pixel: inside it, not at its edge.
+                // Compare only well inside the nearer surface, where it certainly covers the pixel.
                 let error = (depths[0].max(depths[1]) - depths[surface]).max(0.);
                 if surface == 1 && is_inside(pixel, corners, view) {
                     hidden = true;
@@ -118,7 +118,8 @@ fn is_inside([x, y]: [i32; 2], corners: [[f64; 2]; 3], view: &TriangleView) -> b
     })
 }
 
-/// How many steps the visible surface is at most behind the nearest one, from the near plane to the far plane.
+/// The largest number of steps by which the visible surface is behind the nearest one, at distances from the near plane
+/// to the far plane.
 fn order(view: &TriangleView) -> Worst {
     let mut worst = Worst::default();
     let mut w = view.near * 1.5;

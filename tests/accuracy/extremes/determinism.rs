@@ -1,5 +1,5 @@
-//! The same picture results from every way to draw it: again, in bands, with its triangles in another order, with
-//! either kind of depth, and with positions of 16 or of 32 bits.
+//! Every way to draw a picture gives the same result: again, in bands, with triangles in another order, with either
+//! format of depths, and with positions of 16 or 32 bits.
 //!
 //! The programs in `examples/firmware` do the same on every target, and `.ci/run` compares them with the host.
 
@@ -59,14 +59,15 @@ impl Model {
     }
 }
 
-/// The format of a mesh's positions.
+/// The number format of a mesh's positions.
 #[derive(Clone, Copy, Debug)]
 enum Numbers {
     Short,
     Long,
 }
 
-/// Two rings, in front of and behind a ball, over a floor that reaches behind the eye. No two surfaces coincide.
+/// Two rings, one in front of a ball and one behind it, over a floor that reaches behind the eye. No two surfaces
+/// coincide.
 fn models() -> [Model; 4] {
     let at = |x: Scalar, y: Scalar, z: Scalar| Transform::translate(Vec3::new(x, y, z));
     let tilt = |degrees: i32| Transform::rotate_x(Angle::from_degrees(degrees));
@@ -96,7 +97,7 @@ struct Sums {
     depths: u32,
 }
 
-/// Draws a frame in bands of this many rows and returns its checksums.
+/// Draws a frame in bands of `rows` rows, and returns its checksums.
 fn sums<F: DepthBuffer>(
     rows: u32,
     draw: &dyn Fn(&mut Target<'_, F>, &Projection<Perspective>),
@@ -106,7 +107,7 @@ fn sums<F: DepthBuffer>(
     let mut depths = crc32fast::Hasher::new();
     for first in (0..SIZE.1).step_by(rows as usize) {
         let pixels = (SIZE.0 * rows.min(SIZE.1 - first)) as usize;
-        // The earlier contents must not show.
+        // The earlier contents of the memory must not show.
         let (mut color, mut depth) = (vec![[9; 2]; pixels], vec![7; pixels]);
         let band = Canvas::band(&mut color, SIZE.0, SIZE.1, first).unwrap();
         let mut band = band.with_depth_format::<F>(&mut depth).unwrap();
@@ -134,7 +135,8 @@ fn frame<F: DepthBuffer>(mode: impl Mode, rows: u32, numbers: Numbers) -> Sums {
     })
 }
 
-/// Draws twice, in bands of several heights, with positions of either kind; all checksums must agree. Returns them.
+/// Draws a whole frame, and bands of several heights, with positions of 16 and 32 bits. All checksums must be equal.
+/// Returns them.
 fn bands<F: DepthBuffer>(mode: impl Mode) -> Sums {
     let whole = frame::<F>(mode, SIZE.1, Numbers::Long);
     for rows in [1, 7, 16, 240] {
@@ -150,7 +152,8 @@ fn bands<F: DepthBuffer>(mode: impl Mode) -> Sums {
 fn bands_equal_the_frame() {
     fn with_either_depth(mode: impl Mode) {
         let [linear, floating] = [bands::<LinearDepth>(mode), bands::<FloatDepth>(mode)];
-        // The depths have other values, but no two surfaces are so close to each other that the colors differ.
+        // The depth formats store different numbers. But no two surfaces are so close to each other that the colors
+        // differ.
         assert_eq!(linear.colors, floating.colors);
         assert_ne!(linear.depths, floating.depths);
     }
@@ -161,15 +164,16 @@ fn bands_equal_the_frame() {
     with_either_depth(Compact);
 }
 
-/// A shuffled order, the same every time.
+/// Shuffles a list, in the same way every time.
 fn shuffled<T>(list: &mut [T], random: &mut Random) {
     for i in (1..list.len()).rev() {
         list.swap(i, random.below(i + 1));
     }
 }
 
-/// Draws the models in another order, and the triangles of each in another order: depth alone decides which ones show.
-/// Of two triangles at the same position and depth, the last one would show, but there are no such triangles here.
+/// Draws the models in another order, and each model's triangles in another order. Only depth decides which triangles
+/// show. Of two triangles at the same position and depth, the last one would show, but there are no such triangles
+/// here.
 fn orders<F: DepthBuffer>() -> Sums {
     let draw = |rows: u32, parts: &[(Vec<[u16; 3]>, Model)]| {
         sums::<F>(rows, &|band, projection| {

@@ -1,11 +1,11 @@
-//! A mesh drawn by the crate and by the model, and the differences between the two.
+//! A mesh drawn by the crate and by the model, and the differences between the two pictures.
 //!
 //! There are two ways to judge a value. If nothing is clipped, the model interpolates between the crate's own snapped
-//! corners. If a triangle is clipped, it has new corners, which the crate does not report. Then the value must be one
-//! that the model has within [`Scene::snap`] and [`Scene::moved`] of the pixel's center. The reason: interpolants are
-//! linear on the screen. If each corner moves by at most d, the linear function through the moved corners has at any
-//! point a value that the original function has within d. A quotient of two linear functions is monotonic along any
-//! line, so over a square around the center its extremes are at the square's corners.
+//! corners. If a triangle is clipped, it has new corners, and the crate does not report them. Then the model must have
+//! the value within [`Scene::snap`] plus [`Scene::moved`] of the pixel's center. The reason: interpolants are linear on
+//! the screen. If each corner moves by at most d, the linear function through the moved corners has, at any point, a
+//! value that the original function has within d of the point. A quotient of two linear functions is monotonic along
+//! any line, so its extremes over a square around the center are at the corners of the square.
 
 use std::collections::HashMap;
 
@@ -29,16 +29,16 @@ use crate::reference::view;
 const TEXEL: f64 = 65536.;
 /// Half of the guard band's width, in pixels.
 const GUARD: f64 = 2048.;
-/// Half a subpixel: the most that snapping moves a corner along each axis.
+/// Half a subpixel: the largest distance that snapping moves a corner along each axis.
 const SNAP: f64 = 1. / 512.;
 
 /// The bound of the error of clip space, relative to the largest coefficient, for each unit of a coordinate. Rounding
-/// the mantissas of the model's matrix, of the projection's and of their product adds half a unit of 2⁻²⁹ each;
-/// dropping their last bit adds half a unit of 2⁻²⁸.
+/// adds half a unit of 2⁻²⁹ each for the mantissas of the model's matrix, of the projection's matrix and of their
+/// product. Dropping the last bit of the mantissas adds half a unit of 2⁻²⁸.
 const CLIP: f64 = 5. / (1 << 30) as f64;
 
 impl Scene {
-    /// Draws in each of the measured modes, and judges every pixel.
+    /// Draws in each of the measured modes, and judges every pixel of each picture.
     pub fn judge(&self) -> Verdict {
         let mesh = Mesh::new(&self.positions, &self.faces).unwrap();
         let mut drawing = Drawing {
@@ -100,7 +100,7 @@ impl Scene {
         verdict
     }
 
-    /// The part of each face inside the view volume and the guard band.
+    /// The parts of each face inside the view volume and the guard band.
     pub fn pieces(&self) -> Vec<Piece<2>> {
         let positions: Vec<_> = self.positions.iter().map(|&p| exact(p)).collect();
         let faces: Vec<_> = self
@@ -127,8 +127,8 @@ impl Scene {
         pieces_clipped(&mesh, &self.view, &[&[NEAR, FAR], &sides[..]].concat())
     }
 
-    /// How far rounding in clip space may move a point of a clipped triangle at the distance `w`, in pixels: the error
-    /// relative to w, times half of the guard band's width.
+    /// The largest distance in pixels that rounding in clip space moves a point of a clipped triangle at the distance
+    /// `w`: the error relative to w, times half of the guard band's width.
     fn moved(&self, w: f64) -> f64 {
         GUARD * self.off(w)
     }
@@ -138,15 +138,15 @@ impl Scene {
         CLIP * self.sums.iter().copied().fold(0., f64::max) / w
     }
 
-    /// The largest such bound at a corner, for triangles that are not clipped.
+    /// The largest bound of the error of clip space at a corner, for triangles that are not clipped.
     fn off_at_corners(&self) -> f64 {
         let parts = self.positions.iter().zip(&self.sums);
         let parts = parts.map(|(&p, sum)| sum / self.view.project(exact(p)).w);
         CLIP * parts.fold(0., f64::max)
     }
 
-    /// How far snapping may move a corner along an axis: half a subpixel, or a whole one at the right and lower sides
-    /// of the guard band, where the position is rounded down to the last subpixel.
+    /// The largest distance that snapping moves a corner along an axis: half a subpixel. At the right and lower sides
+    /// of the guard band, it is a whole subpixel, because the position is rounded down to the last subpixel.
     fn snap(&self, piece: &Piece<2>) -> f64 {
         if piece.screen.into_iter().any(|corner| self.is_last(corner)) {
             2. * SNAP
@@ -169,7 +169,7 @@ impl Scene {
         last(x, left, width) || last(y, top, height)
     }
 
-    /// The distance of corners from their exact positions, along each axis.
+    /// Measures the distance of corners from their exact positions, along each axis.
     fn corners(&self, places: &[Option<[i32; 2]>], worst: &mut Worst) {
         for ((&position, sum), place) in self.positions.iter().zip(&self.sums).zip(places) {
             let wanted = self.view.project(exact(position));
@@ -187,7 +187,7 @@ impl Scene {
         }
     }
 
-    /// Given the snapped corners, coverage must equal the model's.
+    /// With the same snapped corners, the crate must cover the same pixels as the model.
     fn exact_coverage(&self, seen: &[Seen<2>], pieces: &[Piece<2>]) {
         let mut drawn: Vec<_> = seen.iter().map(|seen| (seen.face, seen.pixel)).collect();
         drawn.sort_unstable();
@@ -214,8 +214,8 @@ impl Scene {
         })
     }
 
-    /// Checks that a pixel is drawn once if its center is farther inside a face than the corners may move, and not
-    /// drawn if its center is farther outside.
+    /// Checks that a pixel is drawn once if its center is farther inside a face than the corners can move, and is not
+    /// drawn if its center is farther outside than that.
     fn coverage(&self, seen: &[Seen<2>], pieces: &[Piece<2>], worst: &mut Worst) {
         let mut drawn: HashMap<(usize, [i32; 2]), usize> = HashMap::new();
         for seen in seen {
@@ -254,13 +254,13 @@ impl Scene {
         }
     }
 
-    /// How far an edge may move at right angles to its direction.
+    /// The largest distance that an edge moves at right angles to its direction.
     fn edge_reach(&self, piece: &Piece<2>) -> f64 {
         let nearest = piece.w.into_iter().fold(f64::MAX, f64::min);
         (self.snap(piece) + self.moved(nearest)) * 2_f64.sqrt()
     }
 
-    /// The model's values around a pixel; `None` if some of them lie beyond the horizon.
+    /// The model's values around a pixel; `None` if a part of the surroundings lies beyond the horizon.
     fn about(&self, piece: &Piece<2>, pixel: [i32; 2]) -> Option<About> {
         if piece.snapped.is_some() {
             let value = piece.at(pixel)?;
@@ -285,7 +285,7 @@ impl Scene {
         Some(about)
     }
 
-    /// The model's values around each drawn pixel, with the part of the face that they belong to.
+    /// The model's values around each drawn pixel, and the part of the face to which they belong.
     fn models<'a>(
         &self,
         seen: &[Seen<2>],
@@ -319,7 +319,7 @@ impl Scene {
         models
     }
 
-    /// The least and the greatest w of each face's pieces.
+    /// The smallest and the largest w of each face's pieces.
     fn ends(&self, pieces: &[Piece<2>]) -> Vec<[f64; 2]> {
         let mut ends = vec![[f64::MAX, 0.]; self.faces.len()];
         for piece in pieces {
@@ -330,7 +330,7 @@ impl Scene {
         ends
     }
 
-    /// Each of both texture coordinates at the corners of a face.
+    /// The u and the v of a face's corners.
     fn corner_texels(&self, face: usize) -> [[i32; 3]; 2] {
         let corners = self.faces[face].map(usize::from);
         [0, 1].map(|k| corners.map(|corner| self.texels[corner][k]))
@@ -383,11 +383,11 @@ impl Scene {
 /// The model's values around a pixel.
 struct About {
     w: f64,
-    /// The greatest w of the face's pixels in the pixel's row.
+    /// The greatest w of the face's pixels in the same row.
     farthest: f64,
     /// The bound of the relative error of w.
     off: f64,
-    /// The least and the greatest value of each attribute within reach.
+    /// The smallest and the largest value of each attribute around the pixel.
     values: [[f64; 2]; 2],
     inverse_w: [f64; 2],
 }

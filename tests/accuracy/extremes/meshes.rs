@@ -1,6 +1,6 @@
 //! Meshes with the largest number of vertices.
 //!
-//! Bounds as for [`planes`](super::planes).
+//! The bounds are the same as in [`planes`](super::planes).
 
 use fixel::prelude::*;
 
@@ -10,11 +10,12 @@ use super::verdict::{Verdict, Worst};
 use crate::common::{BOTH_SIDES, Counter};
 use crate::moves::{exact, rounded};
 
-/// Columns and rows of vertices: one vertex less than the largest number, or just that number.
+/// Columns and rows of vertices. The first grid has one vertex less than the largest number, the second has that
+/// number.
 const GRIDS: [(u16, u16); 2] = [(255, 257), (256, 256)];
 
-/// A wavy rug, slightly tilted in front of the eye, that reaches beyond all edges of the picture: its vertices, and the
-/// two triangles of each cell.
+/// A wavy rug, slightly tilted, in front of the eye. It reaches beyond all edges of the picture. Returns its vertices,
+/// and the two triangles of each cell.
 fn rug(columns: u16, rows: u16) -> (Vec<Vec3>, Vec<[u16; 3]>) {
     let mut random = Random(11);
     let view = TriangleView::ROOM;
@@ -23,7 +24,7 @@ fn rug(columns: u16, rows: u16) -> (Vec<Vec3>, Vec<[u16; 3]>) {
         for column in 0..columns {
             let part = |at: u16, count: u16| f64::from(at) / f64::from(count - 1) * 2. - 1.;
             let (x, y) = (part(column, columns), part(row, rows));
-            // Move each vertex by up to a quarter of a cell, which is 0.4 pixels wide.
+            // Move each vertex by up to a quarter of a cell. A cell is 0.4 pixels wide.
             let mut aside = || random.between(-0.1, 0.1);
             let at = [52. * x + aside(), 40. * y + aside()];
             let w = 4. + x + 0.1 * (9. * x + 5. * y).sin();
@@ -86,7 +87,7 @@ fn the_largest_meshes_cover_each_pixel_once() {
     assert_eq!(CASES.len(), 2);
 }
 
-/// The last vertices are drawn like the first ones, while all others are unused.
+/// All vertices except the last ones are unused. The last ones must be drawn like the first ones.
 #[test]
 fn the_largest_indices_are_drawn_like_the_smallest() {
     let mut positions = vec![Vec3::ZERO; Mesh::MAX_POSITIONS];

@@ -1,7 +1,7 @@
-//! The extremes of every number format: pictures there, and their errors, measured with the f64 model.
+//! The extremes of every number format: pictures with extreme numbers, and their errors, measured with the f64 model.
 //!
-//! Inputs are numbers of the crate's formats, so that only the crate's own error counts. Each file derives the bounds
-//! of its cases. The measured errors go into a table: see [`table`].
+//! Inputs are numbers of the crate's formats, so that the measured error is only the crate's own. Each file derives the
+//! bounds of its cases. The measured errors go into a table: see [`table`].
 
 mod canvases;
 mod coordinates;

@@ -1,7 +1,7 @@
 //! Triangles that all six planes clip: outlines of nine corners.
 //!
-//! A plane through the view volume meets its six sides in a hexagon, and a triangle in that plane may cut off three of
-//! the hexagon's corners. Bounds as for [`planes`](super::planes).
+//! A plane through the view volume meets its six sides in a hexagon. A triangle in that plane can cut off three corners
+//! of the hexagon. The bounds are the same as in [`planes`](super::planes).
 
 use std::f64::consts::TAU;
 
@@ -11,8 +11,8 @@ use super::scene::{Corners, ONCE, Random, TriangleView};
 use super::table::{Cases, picture};
 use super::verdict::Verdict;
 
-/// At a focal length of 2000 pixels, the guard band of ±2048 pixels reaches about as far to each side as it is distant.
-/// The near and far planes are at 1 and 2.
+/// At a focal length of 2000 pixels, the guard band of ±2048 pixels reaches to each side about as far as its distance
+/// from the eye. The near and far planes are at 1 and 2.
 fn view(viewport: Viewport) -> TriangleView {
     TriangleView {
         size: (64, 64),
@@ -35,7 +35,7 @@ fn triangle(random: &mut Random) -> Corners {
     })
 }
 
-/// Draws ten such triangles, with each of their nine corners in turn on the canvas.
+/// Draws ten of these triangles. Each of their nine corners in turn is on the canvas.
 fn nine_corners() -> Verdict {
     let mut random = Random(14);
     let mut verdict = Verdict::default();
@@ -50,7 +50,7 @@ fn nine_corners() -> Verdict {
         }
         found += 1;
         for [x, y] in pieces.iter().flat_map(|piece| piece.screen) {
-            // The viewport puts the corner in the middle of the canvas.
+            // The viewport moves the corner to the middle of the canvas.
             let [x, y] = [x, y].map(|at| 32 - at as i32);
             let viewport = Viewport::new(x, y, 4096, 4096).unwrap();
             verdict.merge(view(viewport).scene(corners, ONCE).judge());

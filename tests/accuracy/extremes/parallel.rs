@@ -1,8 +1,8 @@
 //! Positions and depths of points under parallel projections, compared with f64: for all windows and planes that the
-//! constructors accept, from a unit of 2⁻¹⁶ to 65,536 wide, and for those with the most different scales.
+//! constructors accept, from 2⁻¹⁶ to 65,536 wide, and for the windows and planes with the most different scales.
 //!
-//! Each row of clip space has 29-bit coefficients and an exponent of its own. So the error of x, of y and of the depth
-//! depends on the scale of that row alone. [`View::error`] and [`View::depth_error`] derive the bounds.
+//! Each row of clip space has 29-bit coefficients and its own exponent. The errors of x, of y and of the depth
+//! therefore depend only on the scale of their own row. [`View::error`] and [`View::depth_error`] derive the bounds.
 
 use std::array;
 
@@ -22,18 +22,18 @@ use crate::reference::view::{View as ModelView, Viewport as ModelViewport};
 
 /// Half of the guard band's width, in pixels.
 const GUARD: f64 = 2048.;
-/// The least relative change of a mantissa, which has 30 bits.
+/// The smallest relative change of a mantissa, which has 30 bits.
 const UNIT: f64 = 1. / 1_073_741_824.;
-/// The most that a coordinate may be.
+/// The largest coordinate.
 const MOST: f64 = 32_767.999;
 
-/// A parallel view, made by the crate and by the model.
+/// A parallel view, both the crate's and the model's.
 struct View {
     projection: Projection<Parallel>,
     model: ModelProjection,
     window: Window,
-    /// The distance of the plane that an oblique projection leaves in place, and how far points behind it move, in x
-    /// and y, by their distance from it.
+    /// The distance of the plane that an oblique projection leaves in place, the ratio of the projection, and how far
+    /// points behind the plane move in x and y, divided by their distance from the plane.
     plane: f64,
     ratio: f64,
     shear: [f64; 2],
@@ -41,8 +41,8 @@ struct View {
     viewport: Viewport,
 }
 
-/// The errors of a point's x and y in pixels, besides rounding to 1/256 pixel, and of its depth in steps, besides
-/// rounding down; each with its bound. `None` if the point is clipped.
+/// The errors of a point's x and y in pixels, without rounding to 1/256 pixel, and of its depth in steps, without
+/// rounding down. Each error has its bound. `None` if the point is clipped.
 type Errors = Option<[Worst; 3]>;
 
 impl View {
@@ -92,7 +92,7 @@ impl View {
         window: Window,
         (angle, ratio, plane): (f64, f64, f64),
     ) -> Self {
-        // The model's oblique projection leaves the plane through the eye in place.
+        // The model's oblique projection leaves the plane through the eye in place, so the window moves instead.
         let shear = [ratio * angle.cos(), ratio * angle.sin()];
         let [x, y] = shear.map(|shear| plane * shear);
         Self {
@@ -117,8 +117,8 @@ impl View {
         (low.into(), high.into(), pixels.into())
     }
 
-    /// The point of eye space that is seen at normalized device coordinates, at a part of the way from the near to the
-    /// far plane.
+    /// The point of eye space at normalized device coordinates, at the fraction `way` of the distance from the near
+    /// plane to the far plane.
     fn eye(&self, at: [f64; 2], way: f64) -> [f64; 3] {
         let distance = self.model.near + way * (self.model.far - self.model.near);
         let [x, y] = [0, 1].map(|i: usize| {
@@ -130,7 +130,8 @@ impl View {
         [x, y, -distance]
     }
 
-    /// The sum of the lengths that coefficients of a row are multiplied by. Without moves, some of these are exactly 0.
+    /// The sum of the lengths by which a row's coefficients are multiplied. Without moves, coefficients that are
+    /// exactly 0 do not count.
     fn lengths(&self, axis: usize, p: Vec3) -> f64 {
         if !self.moves.is_empty() {
             return 3_f64.sqrt() * size(&self.moves, p);
@@ -139,20 +140,21 @@ impl View {
         row.map(|(m, x)| if m == 0. { 0. } else { x.abs() }).sum()
     }
 
-    /// The bound of the error of x or y in pixels, besides rounding to 1/256 pixel.
+    /// The bound of the error of x or y in pixels, without rounding to 1/256 pixel.
     ///
-    /// Errors are relative to M, the bound of the row's coefficients in pixels, times S, the sum of all lengths that
-    /// add up to the coordinate: the point's, as the transforms move it, the window's distance from the line of sight,
-    /// and the distance of an oblique projection's plane. In units of 2⁻³⁰:
-    /// - A coefficient is a quotient (1.3), rounded to a mantissa (1); that of z is also a product of a sine (4.1).
-    /// - The offset is a quotient and a product of such a coefficient and a distance (8.4), and a mantissa (1).
-    /// - The viewport's scale rounds coefficients (1), and so does the product with the view, to 29 bits (2). If an
-    ///   offset is so large that coefficients keep fewer bits, they are rounded by 2⁻⁴⁴ of it, and multiplied by up to
-    ///   3 · 2¹⁵: 6 of the offset.
+    /// Errors are relative to M · S. M is the bound of the row's coefficients, in pixels. S is the sum of all lengths
+    /// that add up to the coordinate: the point's coordinates, as the transforms move them; the window's distance from
+    /// the line of sight; and the distance of an oblique projection's plane. In units of 2⁻³⁰:
+    /// - A coefficient is a quotient (1.3), rounded to a mantissa (1). The coefficient of z is also a product with a
+    ///   sine (4.1).
+    /// - The offset is a quotient and a product of a coefficient and a distance (8.4), rounded to a mantissa (1).
+    /// - The viewport's scale rounds coefficients (1). The product with the view rounds them to 29 bits (2). If an
+    ///   offset is so large that coefficients keep fewer bits, they are rounded by 2⁻⁴⁴ of the offset, and multiplied
+    ///   by up to 3 · 2¹⁵: 6 of the offset.
     /// - Each move has its own errors (3): see [`relative`](crate::moves::relative).
     ///
-    /// So an offset has at most 15.4, and what is multiplied by a coefficient 9.4 and 6: 16 bounds both. A coefficient
-    /// has at most 40 fraction bits, in units of the guard band: half of the last one is 2⁻³⁰ pixel.
+    /// So an offset has at most 15.4. A product with a coefficient has 9.4 and 6. 16 bounds both. A coefficient has at
+    /// most 40 fraction bits, in units of the guard band: half of the last bit is 2⁻³⁰ pixel.
     fn error(&self, axis: usize, p: Vec3) -> f64 {
         let (low, high, pixels) = self.axis(axis);
         let most = pixels / (high - low) * self.ratio.max(1.);
@@ -163,9 +165,9 @@ impl View {
 
     /// The bound of the error of a depth in steps, before it is rounded down.
     ///
-    /// As in [`error`](Self::error): both terms of (far − distance) / (far − near) have the same factor, so that its
-    /// error counts only once, relative to the sum (4.3). The product with the view is rounded (2); if an offset is
-    /// large, coefficients are rounded (6).
+    /// The derivation is as in [`error`](Self::error). Both terms of (far − distance) / (far − near) have the same
+    /// factor, so the factor's error counts only once, relative to the sum (4.3). The product with the view is rounded
+    /// (2). If an offset is large, coefficients are rounded (6).
     fn depth_error(&self, p: Vec3) -> f64 {
         let most = 65536. / (self.model.far - self.model.near);
         let lengths = self.lengths(2, p) + self.model.far.abs();
@@ -173,7 +175,7 @@ impl View {
         UNIT * (of_sum + 4.3 * 65536. + 3_f64.sqrt() * length(exact(p)) * 32.)
     }
 
-    /// Compares points with the model's.
+    /// Compares the crate's points with the model's points.
     fn compare(&self, points: &[Vec3]) -> Vec<Errors> {
         let (transform, eye) = product(&self.moves);
         let drawing = Drawing {
@@ -191,8 +193,8 @@ impl View {
             .collect()
     }
 
-    /// What the page of limits promises: the bounds of the errors of x, y and the depth, with up to six moves. (A bound
-    /// is at most √3 · 34 · 2⁻³⁰ of the lengths times the scale; that of a depth, √3 · 26 · 2⁻³⁰.)
+    /// The bounds of the errors of x, y and the depth, with up to six moves, as the page of limits promises them. (A
+    /// bound of x or y is at most √3 · 34 · 2⁻³⁰ of the lengths times the scale; a bound of the depth, √3 · 26 · 2⁻³⁰.)
     fn promised(&self, p: Vec3) -> [f64; 3] {
         let of_point = size(&self.moves, p);
         let [x, y] = [0, 1].map(|axis| {
@@ -226,7 +228,7 @@ impl View {
             promised.all(|(bound, promised)| *bound <= promised),
             "{bounds:?}, {depth_bound} of {p:?}"
         );
-        // How far the point is inside the planes, in units of the bounds.
+        // How far the point is inside the planes, divided by the bounds.
         let beside =
             [0, 1].map(|axis: usize| (GUARD - (wanted[axis] - middle[axis]).abs()) / bounds[axis]);
         let between = [65535. - depth, depth].map(|steps| steps / depth_bound);
@@ -246,7 +248,7 @@ impl View {
             );
             return None;
         };
-        // The near plane is nearer by 2⁻¹⁹, an eighth of a step.
+        // The crate's near plane is nearer by 2⁻¹⁹, which is an eighth of a step.
         assert!(
             depth < 65535.126 + depth_bound
                 && depth > -depth_bound
@@ -269,7 +271,7 @@ impl View {
         Some(errors)
     }
 
-    /// The point of model space nearest to one of eye space; `None` if it is beyond the format.
+    /// The point of model space that is nearest to a point of eye space; `None` if it is beyond the format.
     fn point(&self, eye: [f64; 3]) -> Option<Vec3> {
         let back = self.moves.iter().fold(eye, |at, step| {
             let inverse = match *step {
@@ -285,12 +287,12 @@ impl View {
     }
 }
 
-/// A length of any size, from 2^`least` to 2^`most`.
+/// A random length from 2^`least` to 2^`most`. Its logarithm is evenly distributed.
 fn any_length(random: &mut Random, least: f64, most: f64) -> f64 {
     random.random_range(least..most).exp2()
 }
 
-/// A number of any size, from a unit to the ends of the format, with either sign; or 0.
+/// A random number of either sign, from less than a unit to the ends of the format; or 0.
 fn any_number(random: &mut Random) -> f64 {
     let length = any_length(random, -17., 15.);
     match random.random_range(0..5) {
@@ -300,7 +302,7 @@ fn any_number(random: &mut Random) -> f64 {
     }
 }
 
-/// The ends of an interval of any size, anywhere.
+/// The ends of a random interval of any size, anywhere.
 fn interval(random: &mut Random) -> [Scalar; 2] {
     loop {
         let (middle, half) = (any_number(random), any_length(random, -17., 15.));
@@ -311,7 +313,7 @@ fn interval(random: &mut Random) -> [Scalar; 2] {
     }
 }
 
-/// Any view: any window, planes, angles and viewport, with or without a camera and a model's transform.
+/// A random view: any window, planes, angles and viewport, with or without a camera and a model's transform.
 fn any_view(random: &mut Random) -> View {
     let ([left, right], [bottom, top], planes) =
         (interval(random), interval(random), interval(random));
@@ -362,10 +364,10 @@ fn any_view(random: &mut Random) -> View {
     view
 }
 
-/// Points in a view, and next to it.
+/// Random points in a view, and next to it.
 fn points(random: &mut Random, view: &View, count: usize) -> Vec<Vec3> {
     let mut at = || {
-        // Half of them in the viewport, the others anywhere in the guard band and beyond.
+        // Half of the points are in the viewport. The others are anywhere in the guard band, or beyond it.
         let mut reach = [1.; 2];
         if random.random() {
             reach = [0, 1].map(|axis| 2.1 * GUARD / view.axis(axis).2);
@@ -376,7 +378,8 @@ fn points(random: &mut Random, view: &View, count: usize) -> Vec<Vec3> {
     (0..count).filter_map(|_| at()).collect()
 }
 
-/// A bound of a hundredth of a pixel or of a step: only errors below such a bound are a test of the formats.
+/// A hundredth of a pixel or of a step. Errors are judged only if their bound is at most this, because a larger bound
+/// would not test the formats.
 const FINE: f64 = 0.01;
 
 #[test]
@@ -397,7 +400,8 @@ fn points_in_any_parallel_view_are_the_models() {
         }
     });
     println!("{judged:?} with a bound of up to {FINE}: {used:.3?} of the bounds, at most {all:?}");
-    // With ten other seeds, 81,400 to 83,400 positions along each axis and 52,700 to 53,700 depths had such a bound.
+    // With ten other seeds, 81,400 to 83,400 positions along each axis and 52,700 to 53,700 depths had bounds this
+    // small.
     let least = [75_000, 75_000, 49_000];
     assert!(
         judged
@@ -408,7 +412,7 @@ fn points_in_any_parallel_view_are_the_models() {
     );
 }
 
-/// Views whose rows have the most different scales: half of the window's width and height, and the planes.
+/// The views with the most different scales of rows: half of the window's width and height, and the planes.
 const VIEWS: [(&str, [f64; 2], [f64; 2]); 6] = [
     ("±48, far − near 0.001", [48., 36.], [10., 10.001]),
     ("±1000, far − near 0.01", [1000., 750.], [0., 0.01]),
@@ -422,7 +426,7 @@ const VIEWS: [(&str, [f64; 2], [f64; 2]); 6] = [
     ),
 ];
 
-/// The worst errors of points all over such a view: of positions, and of depths.
+/// The largest errors of positions and of depths, for points all over one of these views.
 fn worst_of([width, height]: [f64; 2], [near, far]: [f64; 2]) -> [Worst; 2] {
     let window = Window::centered(number(2. * width), number(2. * height));
     let view = View::orthographic(window, number(near), number(far));
@@ -440,8 +444,8 @@ fn worst_of([width, height]: [f64; 2], [near, far]: [f64; 2]) -> [Worst; 2] {
         depth.merge(of_depth);
         judged += 1;
     }
-    // Points between the planes are rounded to multiples of 2⁻¹⁶: with planes as close as that, half of them lie in the
-    // near plane, and the others in the far plane. All are visible.
+    // Points between the planes are rounded to multiples of 2⁻¹⁶. If the planes are only 2⁻¹⁶ apart, half of the points
+    // lie in the near plane, and the others in the far plane. All are visible.
     assert!(judged > 19_000, "{judged}");
     [position, depth]
 }

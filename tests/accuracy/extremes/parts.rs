@@ -4,7 +4,7 @@ use crate::reference::coverage::area2_f64;
 use crate::reference::distance::{to_segment, to_triangle};
 use crate::reference::raster::Piece;
 
-/// The part of a face nearest to a point, and its distance from it.
+/// The part of a face that is nearest to a point, and its distance from the point.
 pub fn nearest<'a>(
     pieces: impl Iterator<Item = &'a Piece<2>>,
     p: [f64; 2],
@@ -13,9 +13,9 @@ pub fn nearest<'a>(
     gaps.min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// The distance of a point from a triangle, which may be as thin as a line.
+/// The distance of a point from a triangle. The triangle can be as thin as a line.
 pub fn gap(piece: &Piece<2>, p: [f64; 2]) -> f64 {
-    // So thin that f64 cannot tell inside from outside: at a length of one pixel, the width is below 10⁻⁶.
+    // Below this area, f64 cannot tell inside from outside. A triangle one pixel long is then narrower than 10⁻⁶.
     if area2_f64(&piece.screen).abs() < 1e-6 {
         let [a, b, c] = piece.screen;
         let sides = [(a, b), (b, c), (c, a)];

@@ -1,7 +1,7 @@
 //! Triangles around the eye and at the near and far planes.
 //!
-//! Bounds: a corner moves by up to half a subpixel along each axis by rounding, and by the error of clip space
-//! (`Scene::moved`), so an edge moves by up to √2 times the sum. For values and depths see `bounds`.
+//! Bounds: rounding moves a corner by up to half a subpixel along each axis, and the error of clip space moves it
+//! further (`Scene::moved`). An edge moves by up to √2 times the sum. For values and depths, see `bounds`.
 
 use std::f64::consts::TAU;
 
@@ -14,7 +14,7 @@ use crate::drawing::Drawing;
 
 const NEAR: f64 = 0.25;
 
-/// Triangles of many slopes with this many corners behind the near plane.
+/// Triangles of many slopes. `behind` of their corners are behind the near plane.
 fn crossing(behind: usize) -> Verdict {
     worst((0..24).map(|step| {
         let s = f64::from(step);
@@ -33,7 +33,8 @@ fn crossing(behind: usize) -> Verdict {
     }))
 }
 
-/// Triangles in planes through the eye or a little beside it. On the screen each is a line, or covers all of it.
+/// Triangles in planes through the eye, or a little beside it. On the screen, each triangle is a line, or covers
+/// everything.
 fn through_the_eye() -> Verdict {
     let turns = (0..32).map(|step| (f64::from(step) / 32. * TAU).sin_cos());
     worst(turns.flat_map(|(sin, cos)| {
@@ -47,7 +48,7 @@ fn through_the_eye() -> Verdict {
     }))
 }
 
-/// Triangles with corners or sides on the near plane, or wholly in it.
+/// Triangles with corners or sides on the near plane, and a triangle that lies in it.
 fn on_the_plane() -> Verdict {
     worst([
         TriangleView::ROOM.judge([[0., 0.1, -NEAR], [-2., -1., -4.], [2., -1., -5.]]),
@@ -56,7 +57,7 @@ fn on_the_plane() -> Verdict {
     ])
 }
 
-/// A near plane at the least distance, 2⁻¹⁶, and corners 1 to 100 such units away.
+/// The near plane is at the least distance, 2⁻¹⁶, and corners are 1 to 100 times as far away.
 fn just_above_zero() -> Verdict {
     let unit = 1. / 65536.;
     let view = TriangleView {
@@ -77,7 +78,7 @@ fn just_above_zero() -> Verdict {
     }))
 }
 
-/// Floors from below the eye to the horizon: 1/w falls to a small fraction of its nearest value.
+/// Floors from below the eye to the horizon. 1/w falls to a small fraction of its value at the nearest point.
 fn grazing(near: f64, height: f64) -> Verdict {
     let view = TriangleView {
         near,
@@ -141,11 +142,12 @@ fn triangles_behind_the_eye_are_not_drawn() {
     assert_eq!(crossing(3).pixels, 0);
 }
 
-/// Distances from 2⁻¹⁴ to 2¹⁵ in one triangle exceed the range of interpolants, so the far corner is treated as nearer
-/// than it is. Values then belong to other positions in the triangle, but not to positions outside it.
+/// Distances from 2⁻¹⁴ to 2¹⁵ in one triangle exceed the range of interpolants, so the far corner is drawn as if it
+/// were nearer. A pixel then has the value of another position in the triangle, but not of a position outside it.
 ///
-/// Where 1/w is least, it has 2048 units with an error of up to 40, and numerators have an error of 56½ (see
-/// `bounds`). So a value may exceed the corners' range by 56½/2008 of 2^bits, and 2^bits is at most four times the
+/// Where 1/w is least, it has 2048 units with an error of up to 40 units, and numerators have an error of 56½ units
+/// (see `bounds`). So a value can exceed the corners' range by 56½/2008 of 2^bits. And 2^bits is at most four times the
+/// greatest value at a corner.
 /// greatest value at a corner.
 #[test]
 fn values_stay_between_those_of_the_corners() {
@@ -161,7 +163,7 @@ fn values_stay_between_those_of_the_corners() {
             let w = 2_f64.powf(-13.9 + part * spread + random.between(0., 0.7));
             view.at([random.between(-60., 60.), y], w)
         };
-        // The far side of the triangle runs through the centers of a row.
+        // The far side of the triangle passes through the centers of a row.
         let scene = view.scene([corner(-30., 0.), corner(0.5, 1.), corner(0.5, 1.)], ONCE);
         for mode in MODES {
             let drawing = Drawing {

@@ -5,9 +5,9 @@ use fixel::prelude::*;
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
 use crate::reference::coverage::covers;
 
-/// Pixels along a side of the picture, which has as many pixels as a u64 has bits.
+/// The side of the picture, in pixels. The picture has as many pixels as a u64 has bits.
 const SIDE: u32 = 8;
-/// Vertices along a side of the grid.
+/// The side of the grid, in vertices.
 const GRID: usize = 6;
 const PLACES: usize = GRID * GRID;
 
@@ -26,7 +26,7 @@ fn drawn(corners: [Point; 3], counter: &mut Counter) -> u64 {
     mask
 }
 
-/// The pixels that the model covers, from exact half-spaces at every center.
+/// The pixels that the model covers, found with exact half-spaces at every center.
 fn model(corners: [Point; 3]) -> u64 {
     let pixel = |i: u32| [(i % SIDE).cast_signed(), (i / SIDE).cast_signed()];
     (0..SIDE * SIDE)
@@ -38,7 +38,7 @@ fn turn([a, b, c]: [Point; 3]) -> i32 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// All triangles on a grid of vertices, in both windings, starting at each of their corners.
+/// All triangles on a grid of vertices, in both windings.
 struct Grid {
     places: [Point; PLACES],
     /// Pixel masks, indexed by the three corners in any order.
@@ -46,7 +46,8 @@ struct Grid {
 }
 
 impl Grid {
-    /// A grid of vertices that starts at `origin`, with steps of `cell`. `aside` gives each vertex's displacement.
+    /// Makes a grid of vertices that starts at `origin`, with steps of `cell`. `aside` gives each vertex's
+    /// displacement.
     fn new(cell: i32, origin: i32, aside: impl Fn(usize) -> Point) -> Self {
         let place = |i: usize| {
             let at = [i % GRID, i / GRID].map(|at| i32::try_from(at).unwrap() * cell + origin);
@@ -59,7 +60,7 @@ impl Grid {
         for a in 0..PLACES {
             for b in 0..PLACES {
                 for c in 0..PLACES {
-                    // Each triangle in two of its six orders, so that every order occurs.
+                    // Draw each triangle in three of the six orders of its corners. Both windings are among them.
                     if a < b && b < c || c < b && b < a || b < c && c < a {
                         let corners = [a, b, c].map(|i| places[i]);
                         let mask = drawn(corners, &mut counter);
@@ -106,8 +107,8 @@ impl Grid {
         }
     }
 
-    /// If a triangle is split at a point inside it, the three parts cover each of its pixels once; so do the two parts
-    /// if the point is on a side. Returns the number of splits.
+    /// Splits every triangle at every vertex inside it or on a side. The three parts, or the two parts at a side, must
+    /// cover each pixel of the triangle once. Returns the number of splits.
     fn parts_cover_the_whole(&self) -> usize {
         let mut splits = 0;
         for a in 0..PLACES {
@@ -136,13 +137,13 @@ impl Grid {
     }
 }
 
-/// On a grid of 6x6 vertices, which lie on corners of pixels, on their centers, or anywhere: every triangle's pixels
-/// are the model's, two triangles on opposite sides of an edge share no pixel, and the parts of a split triangle cover
-/// the whole.
+/// The vertices of a grid of 6x6 lie on corners of pixels, on their centers, or anywhere. Every triangle covers the
+/// same pixels as in the model. Two triangles on opposite sides of an edge share no pixel. The parts of a split
+/// triangle cover the pixels of the whole triangle.
 #[test]
 fn every_triangle_on_a_grid_covers_what_the_model_covers() {
     let none = |_: usize| [0, 0];
-    // Multiples of the index modulo 2^8, by odd factors, spread vertices all over the pixel.
+    // Multiples of the index by odd factors, modulo 2^8, spread the vertices all over the pixel.
     let anywhere = |i: usize| {
         let i = i32::try_from(i).unwrap();
         [(i * 151 + 37) % 256 - 128, (i * 89 + 201) % 256 - 128]

@@ -1,9 +1,10 @@
-//! Long products of rotations: a million increments, with and without renormalization of the matrix.
+//! Products of a million small rotations, with and without renormalization of the matrix.
 //!
-//! A product rounds each of its entries by half of 2⁻²⁹. An entry of a rotation has this error and the sine's, which is
-//! at most 1.6·10⁻⁹. Rows and columns have three entries. So if all roundings had the same sign, a million
-//! products would change lengths and right angles by 10⁶ · 3 · (2 · 2⁻³⁰ + 1.6·10⁻⁹) = 1 %. Renormalization makes the
-//! rows orthogonal to a unit of 2⁻²⁹ in each entry, or 4·10⁻⁹ in the sums of a row's products, for any earlier error.
+//! A product rounds each of its entries by half of 2⁻²⁹. An entry of a rotation has this error and the error of the
+//! sine, at most 1.6·10⁻⁹. Rows and columns have three entries. If all roundings had the same sign, a million products
+//! would therefore change lengths and right angles by 10⁶ · 3 · (2 · 2⁻³⁰ + 1.6·10⁻⁹) = 1 %. Renormalization makes the
+//! rows orthogonal to a unit of 2⁻²⁹ in each entry, or to 4·10⁻⁹ in the sums of a row's products, whatever the earlier
+//! error was.
 
 use fixel::prelude::*;
 
@@ -15,12 +16,12 @@ use crate::reference::linear::{self, Matrix};
 /// The unit of a matrix's entries and of its axes.
 const ONE: f64 = 1_073_741_824.;
 const STEPS: u32 = 1_000_000;
-/// The most that one product adds to each entry of R·Rᵀ − I: see above.
+/// The largest error that one product adds to each entry of R·Rᵀ − I, as derived above.
 const DRIFT: f64 = 3. * (2. / ONE + 1.6e-9);
 /// The error of an entry after renormalization.
 const RIGID: f64 = 4e-9;
 
-/// The entries of a rotation, read from the images of axes of length 16,384: in units of 2⁻¹⁶ · 2⁻¹⁴.
+/// The entries of a rotation, in units of 2⁻¹⁶ · 2⁻¹⁴, read from the images of axes of length 16,384.
 fn matrix(transform: &Transform) -> [[f64; 3]; 3] {
     let axis = |i: usize| {
         let mut bits = [0; 3];
@@ -34,7 +35,7 @@ fn matrix(transform: &Transform) -> [[f64; 3]; 3] {
     [0, 1, 2].map(|row: usize| [0, 1, 2].map(|column: usize| columns[column][row]))
 }
 
-/// The largest entry of R·Rᵀ − I.
+/// The largest absolute value of an entry of R·Rᵀ − I.
 fn from_rigid(transform: &Transform) -> f64 {
     let rows = matrix(transform);
     let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -47,15 +48,15 @@ fn from_rigid(transform: &Transform) -> f64 {
     worst
 }
 
-/// The largest difference between an entry and the model's entry.
+/// The largest difference between an entry of the crate's matrix and of the model's matrix.
 fn from_model(transform: &Transform, model: &Matrix) -> f64 {
     let rows = matrix(transform);
     let entries = rows.iter().zip(model).flat_map(|(a, b)| a.iter().zip(b));
     entries.fold(0., |worst, (a, b)| worst.max((a - b).abs()))
 }
 
-/// Multiplies a million times by the same three small rotations. Returns the largest errors on the way: the distance
-/// from a rigid matrix, and from the model.
+/// Multiplies by the same three small rotations a million times. Returns the largest errors on the way: the distance
+/// from a rigid matrix, and the distance from the model's matrix.
 fn turned(renormalized_every: Option<u32>) -> [Worst; 2] {
     let angles = [0.001, 0.000_7, 0.002_3].map(|a| Angle::try_from_radians(a).unwrap());
     let step = Transform::rotate_x(angles[0])

@@ -1,4 +1,4 @@
-//! Triangles with their view, for the crate and for the model.
+//! Triangles with their view, in the numbers of the crate and of the model.
 
 use fixel::prelude::*;
 use fixel::view::Perspective;
@@ -12,8 +12,8 @@ use crate::reference::view::{self, View};
 /// A triangle's corners.
 pub type Corners = [[f64; 3]; 3];
 
-/// Texture coordinates that show a texture of 256 texels once: columns and rows at three corners, with 16 fraction
-/// bits.
+/// Texture coordinates that show a texture of 256 texels once: its column and row at each of three corners, with 16
+/// fraction bits.
 pub const ONCE: [[i32; 2]; 3] = [[0, 0], [256 << 16, 0], [0, 256 << 16]];
 
 /// A scene: triangles, their texture coordinates, and their view.
@@ -27,13 +27,13 @@ pub struct Scene {
     pub texels: Vec<[i32; 2]>,
     pub mvp: Mvp<Perspective>,
     pub view: View,
-    /// For each position, the sum of the magnitudes of all terms of its coordinates in eye space, including all
+    /// For each position, the sum of the absolute values of all terms of its coordinates in eye space, including all
     /// offsets.
     pub sums: Vec<f64>,
 }
 
-/// A view of triangles: a projection, the moves before it, and a viewport. The crate's formats must represent all of
-/// its numbers exactly.
+/// A view of triangles: a projection, the moves before it, and a viewport. All its numbers must be exact in the crate's
+/// formats.
 #[derive(Clone, Debug)]
 pub struct TriangleView {
     pub size: (u32, u32),
@@ -57,7 +57,7 @@ impl TriangleView {
         viewport: None,
     };
 
-    /// A triangle whose corners are rounded to the nearest representable positions.
+    /// A triangle with corners rounded to the crate's nearest positions.
     pub fn scene(&self, corners: Corners, texels: [[i32; 2]; 3]) -> Scene {
         let positions = corners.map(rounded).to_vec();
         let (transform, eye) = product(&self.moves);
@@ -102,8 +102,8 @@ impl TriangleView {
         }
     }
 
-    /// Judges a triangle that shows a texture once, with each corner first in turn, because the fan of a clipped
-    /// triangle starts at its first corner.
+    /// Judges a triangle that shows a texture once. Each corner is first in turn, because the fan of a clipped triangle
+    /// starts at its first corner.
     pub fn judge(&self, [a, b, c]: Corners) -> Verdict {
         let mut verdict = Verdict::default();
         for corners in [[a, b, c], [b, c, a], [c, a, b]] {
@@ -112,7 +112,8 @@ impl TriangleView {
         verdict
     }
 
-    /// The position at the distance `w` that appears at a point of the screen, in pixels from the middle, y up.
+    /// The position at the distance `w` that appears at a point of the screen. The point is in pixels from the middle,
+    /// with y up.
     pub fn at(&self, [x, y]: [f64; 2], w: f64) -> [f64; 3] {
         [x * w / self.focal, y * w / self.focal, -w]
     }
@@ -125,7 +126,7 @@ impl Scene {
     }
 }
 
-/// The worst of many verdicts.
+/// Merges many verdicts into the worst.
 pub fn worst(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
     let mut all = Verdict::default();
     for verdict in verdicts {
@@ -134,7 +135,7 @@ pub fn worst(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
     all
 }
 
-/// Pseudo-random numbers from 0 to 1, the same in every run: the upper bits of Knuth's MMIX generator.
+/// Pseudo-random numbers from 0 to 1, the same in every run. They are the upper bits of Knuth's MMIX generator.
 pub struct Random(pub u64);
 
 impl Random {

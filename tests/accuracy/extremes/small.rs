@@ -1,7 +1,7 @@
-//! Triangles with no area, or hardly any.
+//! Triangles with little area, or none.
 //!
-//! Corners are snapped to 1/256 pixel. Given the snapped corners, coverage is exact, and values are within the bounds
-//! of the formats, however thin the triangle is.
+//! Corners are snapped to 1/256 pixel. With the snapped corners, coverage is exact and values are within the bounds of
+//! the formats, however thin the triangle is.
 
 use std::f64::consts::TAU;
 
@@ -12,7 +12,7 @@ use super::table::{Cases, picture};
 use super::verdict::Verdict;
 use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
 
-/// Triangles at every slope, 5 to 100 pixels long and this wide at their middle.
+/// Triangles at every slope, 5 to 100 pixels long and `width` pixels wide at their middle.
 fn slivers(width: f64) -> Verdict {
     let view = TriangleView::ROOM;
     let mut random = Random(6);
@@ -70,7 +70,7 @@ fn errors_of_thin_triangles_are_within_their_bounds() {
 
 const SIZE: (u32, u32) = (24, 24);
 
-/// The number of pixels that triangles cover, and the number of triangles reported as drawn; corners are in 24.8.
+/// The number of pixels that triangles cover, and the number of triangles reported as drawn. Corners are in 24.8.
 fn drawn(triangles: &[[[i32; 2]; 3]]) -> (usize, u32) {
     let positions: Vec<Vec3> = triangles
         .iter()
@@ -92,14 +92,15 @@ fn drawn(triangles: &[[[i32; 2]; 3]]) -> (usize, u32) {
     (pixels, drawn.drawn)
 }
 
-/// Three corners in a line, at every slope between positions a quarter of a pixel apart.
+/// Three corners lie on a line, at every slope between positions a quarter of a pixel apart.
 #[test]
 fn corners_in_a_line_draw_nothing() {
     let mut triangles = Vec::new();
     for dx in -24..=24 {
         for dy in -24..=24 {
             for (first, second) in [(1, 3), (-2, 1), (0, 2), (3, 3)] {
-                // On centers, where the top-left rule decides, and beside them.
+                // The first origin is on a pixel center, where the top-left rule decides. The second is beside the
+                // center.
                 for origin in [[3200, 2944], [3000, 3001]] {
                     let at =
                         |times: i32| [origin[0] + 32 * dx * times, origin[1] + 32 * dy * times];
@@ -113,7 +114,7 @@ fn corners_in_a_line_draw_nothing() {
     }
 }
 
-/// Two or three corners have the same position, as one vertex or as several.
+/// Two or three corners have the same position: as the same vertex, or as different vertices.
 #[test]
 fn corners_in_one_place_draw_nothing() {
     let places = [[128, 128], [1000, 2000], [3333, 17]];
@@ -134,7 +135,7 @@ fn corners_in_one_place_draw_nothing() {
     );
 }
 
-/// In a mesh with the largest number of vertices, all have the same position.
+/// All vertices of the largest mesh have the same position.
 #[test]
 fn the_largest_mesh_in_one_place_draws_only_points() {
     for place in [
@@ -155,12 +156,12 @@ fn the_largest_mesh_in_one_place_draws_only_points() {
         let mut counter = Counter::new(SIZE);
         assert_eq!(counter.draw(&BOTH_SIDES, &mesh, &mvp).drawn, 0);
         counter.draw_edges(&DrawOptions::new(), &mesh, &mvp);
-        // A line without length is a point.
+        // A line without length is drawn as a point.
         let seen: u32 = if place == vec3!(0, 0, -2) { 65_535 } else { 0 };
         assert_eq!(counter.take().iter().copied().max(), Some(seen));
         counter.draw_points(&DrawOptions::new(), &mesh, &mvp);
         let counts = counter.take();
-        // In front of the eye, each of the points is drawn, all in the same pixel.
+        // In front of the eye, every point is drawn, all of them in the same pixel.
         let seen: u32 = if place == vec3!(0, 0, -2) { 65_536 } else { 0 };
         assert_eq!(counts.iter().copied().max(), Some(seen));
         assert_eq!(counts.iter().sum::<u32>(), seen);

@@ -6,7 +6,7 @@ use std::{env, fs};
 
 use super::verdict::{Verdict, Worst};
 
-/// Rows that are measured only once, for their own test and for the table.
+/// Rows of the table. They are measured only once, for their own test and for the table.
 pub type Cases = LazyLock<Vec<Row>>;
 
 /// A row of the table.
@@ -17,13 +17,13 @@ pub struct Row {
 
 /// The measured errors of a row.
 pub enum Cells {
-    /// The differences between a picture and the model's.
+    /// The differences between the crate's picture and the model's picture.
     Picture(Verdict),
     /// Any other error, with its unit.
     Figure(&'static str, Worst),
 }
 
-/// A row for a picture, which must not be empty.
+/// Makes a row for a picture. At least one pixel must be drawn.
 pub fn picture(case: &str, verdict: Verdict) -> Row {
     assert!(verdict.pixels > 0, "{case}: nothing was drawn");
     Row {
@@ -32,7 +32,7 @@ pub fn picture(case: &str, verdict: Verdict) -> Row {
     }
 }
 
-/// A row for another error.
+/// Makes a row for another error.
 pub fn figure(case: &str, unit: &'static str, worst: Worst) -> Row {
     assert!(worst.measured <= worst.bound, "{case}: {worst:?}");
     Row {
@@ -88,9 +88,9 @@ fn markdown(rows: &[&Row]) -> String {
     text
 }
 
-/// Whether the table `found` has the same rows as the table `shown`, and no error exceeds the shown one by more than a
-/// fifth plus 10⁻⁴. The margin is needed because another computer's sines may move a corner by the last bit. A smaller
-/// error may come from another pixel, so its bound may differ.
+/// Whether the table `found` has the same rows as the table `shown`, and no error exceeds the shown error by more than
+/// a fifth plus 10⁻⁴. The margin is needed because another computer's sines can change the last bit of a corner. A
+/// smaller error can come from another pixel, so its bound can differ.
 fn is_no_worse(found: &str, shown: &str) -> bool {
     let found: Vec<&str> = found.split_whitespace().collect();
     let shown: Vec<&str> = shown.split_whitespace().collect();

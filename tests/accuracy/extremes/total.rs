@@ -1,5 +1,5 @@
-//! Drawing is total: no bits of vertices, matrices, texture coordinates or varyings cause a panic (test builds check
-//! for overflow), and bands still equal the frame.
+//! Drawing never fails: whatever the bits of vertices, matrices, texture coordinates and varyings are, nothing panics
+//! (test builds check for overflow), and bands equal the frame.
 
 use std::ops::Range;
 
@@ -16,7 +16,7 @@ use rand::seq::IndexedRandom;
 use crate::common::random::{Random, cases};
 use crate::mode::Mode;
 
-/// Any bits, with a preference for the ends of the format, the middle, and every magnitude between them.
+/// Random bits. The ends of the format, its middle, and all magnitudes between them are frequent.
 fn bits(random: &mut Random) -> i32 {
     if random.random() {
         let special = [i32::MAX, i32::MIN, 0, 1 << 16, -(1 << 16)];
@@ -54,7 +54,7 @@ fn transform(random: &mut Random) -> Transform {
 #[derive(Clone, Debug)]
 struct Scene {
     positions: [Vec3; CORNERS],
-    /// If present, positions of 16 bits and the number of their fraction bits, which replace the other positions.
+    /// Positions of 16 bits and the number of their fraction bits. If present, they replace the other positions.
     short: Option<([[i16; 3]; CORNERS], u32)>,
     uvs: [Vec2; CORNERS],
     faces: [[u16; 3]; 4],
@@ -70,7 +70,7 @@ struct Scene {
     camera: Transform,
 }
 
-/// The format of depths.
+/// A format of depths.
 #[derive(Clone, Copy, Debug)]
 enum Format {
     Linear,
@@ -90,7 +90,7 @@ enum What {
 
 const CORNERS: usize = 6;
 
-/// Any mode, with any tolerance.
+/// A random mode with a random tolerance.
 fn any_mode(random: &mut Random) -> Mode {
     if random.random() {
         Mode::Fast(scalar(random))
@@ -183,7 +183,7 @@ impl Varyings for Rough {
     }
 }
 
-/// A shader with varyings of any magnitude, one of which jumps between the ends of its format.
+/// A shader with varyings of any magnitude. One varying jumps between the ends of its format.
 #[derive(Clone, Copy)]
 struct Raw;
 
@@ -222,8 +222,8 @@ impl Scene {
             .unwrap();
         let options = &self.options;
         let drawn = match (self.what, self.mode) {
-            // Modes differ in how they interpolate numbers. Those of `Raw` are arbitrary, so it is enough to draw other
-            // numbers in one mode, which saves the compiler seconds.
+            // Modes differ in how they interpolate numbers, and the numbers of `Raw` are arbitrary. So it is enough to
+            // draw other numbers in one mode, which saves the compiler seconds.
             (What::Normals, _) => canvas.draw_with(options, mesh, mvp, &NormalView::new()),
             (What::Lit, _) => {
                 let light = Light::new(vec3!(1, 2, 3), fx!(0.5), fx!(0.5)).unwrap();
@@ -307,10 +307,10 @@ impl Scene {
     }
 }
 
-/// How many inputs a test checks.
+/// The number of random inputs that a test checks.
 const CASES: u64 = 6000;
 
-/// A window with any sides.
+/// A window with random sides.
 fn window(random: &mut Random) -> Window {
     let [a, b, c, d] = [(); 4].map(|()| scalar(random));
     Window {

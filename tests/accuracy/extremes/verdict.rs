@@ -1,4 +1,4 @@
-//! The worst of many errors.
+//! The largest of many errors.
 
 use crate::mode::Mode;
 use fixel::fx;
@@ -30,7 +30,7 @@ impl Worst {
         }
     }
 
-    /// The larger error of two.
+    /// Keeps the larger of two errors.
     pub fn merge(&mut self, other: Self) {
         if other.measured > self.measured || self.bound == 0. {
             *self = other;
@@ -38,22 +38,22 @@ impl Worst {
     }
 }
 
-/// The largest differences between a mesh's picture and the model's.
+/// The largest differences between the crate's picture of a mesh and the model's picture.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Verdict {
     /// In pixels: the distance of a corner from its exact position. In clipped meshes: how far inside a face the center
-    /// of an omitted pixel is, or how far outside it the center of a drawn pixel is.
+    /// of an omitted pixel is, or how far outside a face the center of a drawn pixel is.
     pub coverage: Worst,
-    /// In texels of a texture of 256, in each of [`MODES`].
+    /// In texels of a texture of 256 texels, in each of [`MODES`].
     pub texels: [Worst; 3],
-    /// In steps of the depth buffer, beyond the stored step.
+    /// In steps of the depth buffer: how far the exact depth is beyond the stored step.
     pub depth: Worst,
-    /// Pixels drawn.
+    /// The number of pixels drawn.
     pub pixels: usize,
 }
 
 impl Verdict {
-    /// The worst of both.
+    /// Keeps the worse of both verdicts.
     pub fn merge(&mut self, other: Self) {
         self.coverage.merge(other.coverage);
         for (worst, other) in self.texels.iter_mut().zip(other.texels) {

@@ -1,4 +1,4 @@
-//! Cameras, and the model-view-projection.
+//! Cameras, and products of projection, view and model.
 
 use std::array::from_fn;
 
@@ -12,7 +12,7 @@ use crate::reference::linear::{cross, dot, normalized, subtract};
 
 use super::helpers::{STEP, all_close, close, float, vec};
 
-/// For each axis, the length on the screen of an edge of length one along it, in an orthographic view.
+/// For each axis, the length on the screen of an edge of length one along the axis, in an orthographic view.
 fn foreshortening(camera: &Camera) -> [f64; 3] {
     [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| {
         let [x, y, _] = exact(camera.view().direction(axis));
@@ -24,7 +24,7 @@ fn foreshortening(camera: &Camera) -> [f64; 3] {
 fn axonometric_views_foreshorten_the_axes() {
     let (target, distance) = (vec3!(1, 2, 3), fx!(10));
     let alike = (2.0_f64 / 3.0).sqrt();
-    // Two coordinates are rounded by half a step each.
+    // Each of the two coordinates is rounded by half a step.
     all_close(
         foreshortening(&Camera::isometric(target, distance)),
         [alike; 3],
@@ -43,10 +43,10 @@ fn axonometric_views_foreshorten_the_axes() {
         Camera::side(target, distance),
         Camera::top(target, distance),
     ] {
-        // The target is in the middle, at the given distance.
+        // The target is in the middle, at the camera's distance.
         assert_eq!(camera.view().point(target), vec3!(0, 0, -10));
     }
-    // For each view, the axes that run right and up in the picture.
+    // Each view, with the axes that point right and up in the picture.
     for (camera, right, up) in [
         (Camera::front(target, distance), Vec3::X, Vec3::Y),
         (Camera::side(target, distance), -Vec3::Z, Vec3::Y),
@@ -69,7 +69,7 @@ fn look_at_follows_its_formula() {
             let [eye, target, up] = from_fn(|_| point(random));
             let k = normalized(subtract(exact(eye), exact(target)));
             let side = cross(exact(up), k);
-            // If up is nearly parallel to the line of sight, its rounding counts too much.
+            // If up is nearly parallel to the line of sight, its rounding error counts too much.
             if dot(side, side) > 1e-4 * dot(exact(up), exact(up)) {
                 break (eye, target, up, k, side);
             }
@@ -79,14 +79,14 @@ fn look_at_follows_its_formula() {
         let i = normalized(side);
         let j = cross(k, i);
         let offset = subtract(exact(p), exact(eye));
-        // Axes have an error of up to 2^-28/0.01, over a distance of at most 174; the result is rounded once.
+        // Axes have an error of up to 2^-28/0.01, over a distance of at most 174. The result is rounded once.
         let expected = [i, j, k].map(|axis| dot(axis, offset));
         all_close(
             exact(camera.view().point(p)),
             expected,
             0.51 * STEP + 174.0 * 100.0 * 4e-9,
         );
-        // The eye is at the origin of eye space, and the target is ahead on the axis.
+        // The eye is at the origin of eye space, and the target is on the axis ahead.
         all_close(exact(camera.view().point(eye)), [0.0; 3], STEP);
         let distance = dot(subtract(exact(eye), exact(target)), k);
         all_close(
@@ -108,7 +108,7 @@ fn the_inverse_undoes_a_rigid_transform() {
             let identity = both.to_matrix();
             for (i, row) in identity.rows().iter().enumerate() {
                 for (j, &entry) in row.iter().enumerate() {
-                    // Numbers up to 100 with 30 bits have units below 2^-22.
+                    // Numbers up to 100 with 30 bits have units of less than 2^-22.
                     close(float(entry), f64::from(u8::from(i == j)), STEP);
                 }
             }
@@ -134,8 +134,7 @@ fn a_camera_of_composed_moves_equals_look_at() {
             exact(reverse.point(p)),
             STEP,
         );
-        // The same pose by look-at. The target is 100 ahead, and rounded by up to half a step along
-        // each axis.
+        // Look-at gives the same pose. The target is 100 ahead, and rounded by up to half a step along each axis.
         let camera = Camera::look_at(eye, pose.point(vec3!(0, 0, -100)), Vec3::Y).unwrap();
         let slack = STEP + 174.0 * (STEP / 100.0) * 2.0 / 80_f64.to_radians().cos();
         all_close(
@@ -180,8 +179,9 @@ fn the_mvp_applies_from_right_to_left() {
         Transform::rotate_z(Angle::from_degrees(90)),
         Transform::translate(vec3!(2, 0, 0)),
     );
-    // The model point (1, 0, 0) is turned to (0, 1, 0) and moved to (2, 1, 0). It is at (2, 1, −5) in eye space, and at
-    // (2/5 / (4/3), 1/5) = (0.3, 0.2) in the picture, whose middle is (112, 76) and whose halves are 80 by 60 pixels.
+    // The model's point (1, 0, 0) is turned to (0, 1, 0) and moved to (2, 1, 0). In eye space, it is at (2, 1, −5). In
+    // the picture, it is at (2/5 / (4/3), 1/5) = (0.3, 0.2). The middle of the picture is (112, 76), and its halves are
+    // 80 by 60 pixels.
     let mvp = projection * camera * (shift * turn);
     all_close(
         place(&mvp, Vec3::X),
@@ -190,7 +190,7 @@ fn the_mvp_applies_from_right_to_left() {
     );
     let apart = projection * camera * shift * turn;
     all_close(place(&apart, Vec3::X), place(&mvp, Vec3::X), 0.0);
-    // With swapped factors, it is moved to (3, 0, 0) and turned to (0, 3, 0).
+    // With swapped factors, the point is moved to (3, 0, 0) and turned to (0, 3, 0).
     let swapped = projection * camera * (turn * shift);
     all_close(place(&swapped, Vec3::X), [112.0, 76.0 - 36.0], 1.0 / 256.0);
 }
@@ -202,7 +202,7 @@ fn a_line_projects_to_a_line() {
         let canvas = canvas(&mut pixels);
         let size = (320, 240);
         let projection = Projection::from_focal_length(fx!(100), size, fx!(0.5), fx!(100)).unwrap();
-        // Multiples of four steps, so that the format represents every quarter of the way exactly.
+        // Coordinates are multiples of four steps, so that the format represents every quarter of the way exactly.
         let mut multiple = |range| {
             let v: f64 = random.random_range(range);
             (v * 16_384.0).round() / 16_384.0
@@ -216,7 +216,7 @@ fn a_line_projects_to_a_line() {
             let mvp = projection * Transform::IDENTITY;
             let place = canvas.project(&DrawOptions::new(), &mvp, Vec3::try_from(point).unwrap());
             let place = place.expect("the point is ahead");
-            // Rounded by half a subpixel.
+            // The position is rounded by half a subpixel.
             let expected = [MIDDLE[0] + x, MIDDLE[1] - y];
             all_close(
                 [f64::from(place.x), f64::from(place.y)],
@@ -237,7 +237,8 @@ fn lines_across_the_view_keep_their_slope() {
         let point = |t: f64| vec(p[0] + t * v[0], p[1] + t * v[1], p[2]);
         let at = |t| projection.image(point(t)).unwrap().map(float);
         let (a, b) = (at(0.0), at(4.0));
-        // Over a distance of at least 4·0.5/9, both ends are rounded by half a step in space and again on the screen.
+        // The distance is at least 4·0.5/9. Both of its ends are rounded by half a step in space, and again on the
+        // screen.
         let run = 4.0 * v[0] / -p[2];
         let slack = 4.0 * STEP * (1.0 + 4.0) / run;
         close((b[1] - a[1]) / (b[0] - a[0]), v[1] / v[0], slack);

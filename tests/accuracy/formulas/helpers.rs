@@ -1,10 +1,10 @@
-//! Helpers of the formulas' tests: conversions between the crate's formats and f64, and the steps of the formats.
+//! Helpers for the tests of formulas: conversions between the crate's formats and f64, and the steps of the formats.
 
 use fixel::{Fraction, Matrix4, Scalar, Vec3};
 
-/// A step of the coordinates' format. A value rounded once has an error of up to half a step.
+/// The step of coordinates. A value that is rounded once has an error of up to half a step.
 pub const STEP: f64 = 1.0 / 65_536.0;
-/// A step of sines, cosines and fractions.
+/// The step of sines, cosines and fractions.
 pub const UNIT_STEP: f64 = 1.0 / 1_073_741_824.0;
 
 pub fn unit(value: f64) -> Fraction {

@@ -1,8 +1,8 @@
-//! Checks of the crate by textbook formulas of projection, cameras, interpolation and time.
+//! The crate compared with textbook formulas of projection, cameras, interpolation and time.
 //!
-//! Expected numbers were worked out by hand, or are computed here in f64 from the formula itself; each test is named
-//! after its formula. Axes are right-handed; the camera is at the origin and looks down −z, y up; n and f are
-//! distances.
+//! Expected numbers were worked out by hand, or are computed here in f64 with the formula itself. Each test is named
+//! after its formula. Axes are right-handed: the camera is at the origin and looks along −z, with y up. n and f are the
+//! distances of the near and far planes.
 
 mod camera;
 mod helpers;

@@ -34,12 +34,12 @@ static EDGES: [[u16; 2]; 12] = [
     [3, 7],
 ];
 
-/// A projection with the practice cube's window, ±1 at a distance of 2.
+/// A projection with the window of the practice cube: ±1 at a distance of 2.
 fn projection() -> Projection<Perspective> {
     Projection::frustum(Window::centered(fx!(2), fx!(2)), fx!(2), fx!(10)).unwrap()
 }
 
-/// A wireframe of the ±1 cube, `#` on `.`.
+/// A wireframe of the cube from −1 to 1, as `#` on `.`.
 fn picture(model: Transform) -> Vec<String> {
     let mesh = Mesh::new(&CUBE, &[])
         .and_then(|mesh| mesh.with_edges(&EDGES))
@@ -59,7 +59,7 @@ fn picture(model: Transform) -> Vec<String> {
         .collect()
 }
 
-/// The position of a model's point in the picture, projected in f64 from its position in eye space.
+/// The position of a model's point in the picture, projected in f64 from the point's position in eye space.
 fn place(model: Transform, point: Vec3) -> [f64; 2] {
     let [x, y, z] = exact(model.point(point));
     let half = f64::from(SIZE) / 2.0;
@@ -84,7 +84,7 @@ fn check(model: Transform, picture: &[String]) {
         let near = edges
             .iter()
             .any(|&edge| distance(center(x, y), edge) <= 0.51);
-        // Half a pixel across the line's shorter axis, and a subpixel for rounding.
+        // The distance may be half a pixel along the line's shorter axis, and a subpixel for rounding.
         assert!(!on(x, y) || near, "({x}, {y}) is on no edge");
     }
     for [a, b] in edges {
@@ -109,7 +109,7 @@ fn check(model: Transform, picture: &[String]) {
     }
 }
 
-/// How many of the model's axes have a vanishing point.
+/// The number of the model's axes that have a vanishing point.
 fn vanishing_points(model: Transform) -> usize {
     [Vec3::X, Vec3::Y, Vec3::Z]
         .into_iter()

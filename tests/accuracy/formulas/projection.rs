@@ -17,7 +17,7 @@ fn degrees(angle: Angle) -> f64 {
     f64::from(angle.to_bits()) / 4_294_967_296.0 * 360.0
 }
 
-/// A vertical field of view of 60°, an aspect ratio of 3 : 2, and planes at 2 and 10.
+/// A projection with a vertical field of view of 60°, an aspect ratio of 3 : 2, and planes at 2 and 10.
 fn projection() -> Projection<Perspective> {
     Projection::perspective(Angle::from_degrees(60), fx!(1.5), fx!(2), fx!(10)).unwrap()
 }
@@ -50,7 +50,7 @@ fn images_of_a_cubes_corners() {
         for (x, y) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
             let image = projection.image(vec(x, y, z)).unwrap().map(float);
             all_close(image, [x * size, y * size], STEP / 2.0);
-            // The window is ±1, and so are normalized device coordinates.
+            // The window is ±1, like normalized device coordinates.
             let ndc = projection.to_matrix().project(vec(x, y, z)).unwrap();
             all_close([ndc.x, ndc.y].map(float), [x * size, y * size], STEP / 2.0);
         }
@@ -71,7 +71,7 @@ fn perspective_by_field_of_view() {
     // Values of 30 bits are rounded once.
     let expected = [top, top * 1.5, -top, -top * 1.5];
     all_close(edges, expected, 0.51 * STEP);
-    // The values that tables print, with four decimals.
+    // Tables print these values with four decimals.
     all_close(edges, [1.1547, 1.7321, -1.1547, -1.7321], 0.5e-4);
     assert_eq!((projection.near(), projection.far()), (fx!(2), fx!(10)));
 }
@@ -80,7 +80,7 @@ fn perspective_by_field_of_view() {
 fn a_frustum_gives_back_its_field_of_view_and_edges() {
     let seven = projection();
     let eight = Projection::frustum(seven.window(), seven.near(), seven.far()).unwrap();
-    // Edges are rounded by half a step, relative to 1.15.
+    // Edges of about 1.15 are rounded by half a step.
     let relative = STEP / 2.0 / 1.15;
     close(
         float(eight.aspect()),
@@ -137,23 +137,23 @@ fn a_frustums_matrix_is_a_product() {
         };
         let projection = Projection::frustum(window, near, far).unwrap();
         let expected = frustum(edges);
-        // Numbers up to 64 with 28 bits are rounded once.
+        // Entries are numbers up to 64 with 28 bits, and are rounded once.
         same_matrix(&projection.to_matrix(), expected, 0.52 * STEP);
 
-        // z = −n → −1 and z = −f → +1. Two entries are rounded by half a step, one of them is
-        // multiplied by z, and the sum is divided by w = −z.
+        // z = −n becomes −1, and z = −f becomes +1. Two entries are rounded by half a step. One of them is multiplied
+        // by z, and the sum is divided by w = −z.
         let depth = |z: f64| float(projection.to_matrix().project(vec(0.0, 0.0, z)).unwrap().z);
         let [.., n, f] = edges;
         close(depth(-n), -1.0, STEP * (2.0 / n + 1.0));
         close(depth(-f), 1.0, STEP * (2.0 / f + 1.0));
 
-        // The box over the window on the near plane, with z from −n to −f, is scaled and then moved to ±1.
+        // The box behind the window, with z from −n to −f, is scaled and then moved to ±1.
         let [l, r, b, t, n, f] = edges;
         let perspective = Matrix4::perspective_transform(near, far);
         let scale = Matrix4::scale(vec(2.0 / (r - l), 2.0 / (t - b), -2.0 / (f - n)));
         let middle = vec(-(r + l) / (r - l), -(t + b) / (t - b), -(f + n) / (f - n));
         let middle = Matrix4::translate(middle);
-        // Factors are rounded by half a step, and multiplied by up to n·f < 217.
+        // Factors are rounded by half a step, and multiplied by up to n·f, which is below 217.
         let slack = 0.51 * STEP * (2.0 + (n + f).max(n * f));
         same_matrix(&(middle * scale * perspective), expected, slack);
     });
@@ -199,17 +199,17 @@ fn orthographic_projections_map_a_box_to_the_cube() {
         let ndc = projection.to_matrix().project(vec(x, y, z)).unwrap();
         assert_eq!(ndc, vec(nx, ny, nz));
     }
-    // Parallel lines stay parallel: a direction has the same image from every point.
+    // Parallel lines stay parallel: the image of a direction is the same from every point.
     let at = |x, y, z| projection.to_matrix().project(vec(x, y, z)).unwrap();
     let first = at(1.0, 0.5, -7.0) - at(0.0, 0.25, -3.0);
     let second = at(-1.0, 0.0, -9.0) - at(-2.0, -0.25, -5.0);
     assert_eq!(first, second);
 }
 
-/// The length and the direction, in degrees, of the image of an edge of length one along the line of sight.
+/// The length of the image of an edge of length one along the line of sight, and its direction in degrees.
 fn receding(projection: &Projection<Parallel>) -> (f64, f64) {
     let at = |z| projection.to_matrix().project(vec(0.25, 0.25, z)).unwrap();
-    // The window is ±1, and so are normalized device coordinates.
+    // The window is ±1, like normalized device coordinates.
     let [x, y] = [at(-3.0) - at(-2.0)].map(|d| [float(d.x), float(d.y)])[0];
     (x.hypot(y), y.atan2(x).to_degrees())
 }
@@ -224,7 +224,8 @@ fn oblique_projections_show_receding_edges_at_their_length_and_angle() {
         let any = Projection::oblique(turn, fx!(0.75), near, window, near, far).unwrap();
         for (projection, length) in [(cavalier, 1.0), (cabinet, 0.5), (any, 0.75)] {
             let (found, direction) = receding(&projection);
-            // The matrix's entries are rounded by half a step, times z = 3 and 2; the images are rounded too.
+            // Entries of the matrix are rounded by half a step, and multiplied by z = 3 and 2. The images are rounded,
+            // too.
             let slack = STEP * 3.5;
             close(found, length, slack);
             let off = (direction - f64::from(angle)).rem_euclid(360.0);
@@ -267,13 +268,13 @@ fn lines_approach_their_vanishing_points() {
             .vanishing_point(vec(v[0], v[1], -1.0))
             .unwrap()
             .map(float);
-        // Go from (p, −1) along v, until p is only 1/20000 of the distance.
+        // Go from (p, −1) along v until p is only 1/20000 of the distance.
         let t = 20_000.0;
         let far = projection
             .image(vec(p[0] + t * v[0], p[1] + t * v[1], -1.0 - t))
             .unwrap()
             .map(float);
-        // The distance n·(|p| + |v|)/t, two roundings, and the rounding of v times n.
+        // The distance is n·(|p| + |v|)/t, plus two roundings, plus the rounding of v times n.
         all_close(far, end, 2.0 * 11.0 / t + 3.0 * STEP);
     });
 }

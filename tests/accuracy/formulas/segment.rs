@@ -15,7 +15,7 @@ fn segment(z0: f64, z1: f64) -> Segment {
 
 #[test]
 fn depth_halfway_along_a_projected_segment() {
-    // q = 1/2 is exact, and 1.6 is rounded by half a step.
+    // q = 1/2 is exact. 1.6 is rounded by half a step.
     let z = segment(1.0, 4.0).distance(unit(0.5)).unwrap();
     close(float(z), 1.6, STEP / 2.0);
 }
@@ -26,7 +26,7 @@ fn a_fraction_on_screen_converts_to_space_and_back() {
     let t = segment.in_space(unit(0.5)).unwrap();
     close(f64::from(t), 0.2, UNIT_STEP / 2.0);
     let q = segment.on_screen(t).unwrap();
-    // Half a step of t, times dq/dt = z0·z1/(z0 + t(z1 − z0))² = 4/1.6², and half a step of q.
+    // The error is half a step of t, times dq/dt = z0·z1/(z0 + t(z1 − z0))² = 4/1.6², plus half a step of q.
     close(f64::from(q), 0.5, UNIT_STEP * (0.5 + 0.5 * 4.0 / 2.56));
 }
 
@@ -40,7 +40,7 @@ fn depth_and_fraction_of_any_segment() {
         let [z0, z1] = z.map(|z| float(number(z)));
         let q = f64::from(unit(q));
         let depth = 1.0 / (1.0 / z0 + q * (1.0 / z1 - 1.0 / z0));
-        // Rounded once; f64 itself has a relative error of only 1e-13.
+        // The result is rounded once. f64 itself has a relative error of only 1e-13.
         close(float(s.distance(unit(q)).unwrap()), depth, 0.501 * STEP);
         let t = q * z0 / (z1 - q * (z1 - z0));
         close(
@@ -68,10 +68,10 @@ fn both_forms_of_interpolation_give_the_same_point() {
         let f = unit(random.random_range(0.0..1.0));
         // R = lerp(a/w0, b/w1, f) / lerp(1/w0, 1/w1, f).
         let homogeneous = segment.attribute(a, b, f).unwrap();
-        // g = f / lerp(w1/w0, 1, f), then linear interpolation in space.
+        // g = f / lerp(w1/w0, 1, f). The value is then interpolated linearly in space.
         let g = f64::from(segment.in_space(f).unwrap());
         let in_space = float(a) + g * (float(b) - float(a));
-        // The point is rounded once; g is rounded once, and multiplied by at most 200.
+        // The result is rounded once. g is rounded once, and multiplied by at most 200.
         close(
             float(homogeneous),
             in_space,
@@ -92,7 +92,7 @@ fn check_speed(n: f64, p: [f64; 3], v: [f64; 3], t: f64) {
     let [p, v] = [p, v].map(|x| exact(rounded(x)));
     for i in 0..2 {
         let expected = -n * (v[i] * p[2] - p[i] * v[2]) / (p[2] + v[2] * t).powi(2);
-        // Rounded once.
+        // The result is rounded once.
         close(float(found[i]), expected, 0.501 * STEP);
     }
 }
@@ -108,7 +108,7 @@ fn speed_along_a_line_follows_its_formula() {
     });
 }
 
-/// The formula's products have up to 94 bits.
+/// The products in the formula have up to 94 bits.
 #[test]
 fn speed_at_the_ends_of_the_format() {
     cases(256, |random| {
@@ -129,12 +129,12 @@ fn equal_steps_in_depth_shrink_on_screen() {
     let speed =
         |t: f64| float(speed(fx!(1), vec3!(0, -1, -1), vec3!(0, 0, -1), number(t)).unwrap()[1]);
     let mut last = f64::INFINITY;
-    // The loop ends where the change between steps, 2/t³, is twice the rounding of three points.
+    // The loop ends when the change between steps, 2/t³, is twice the rounding error of three points.
     for t in 0..25 {
         let t = f64::from(t);
         let step = at(t + 1.0) - at(t);
         assert!(step < last && step > 0.0, "step {step} after {last} at {t}");
-        // The step lies between the speeds at its ends. All four numbers are rounded by half a unit.
+        // The step lies between the speeds at its ends. All four numbers are rounded by half a step.
         assert!(step <= speed(t) + 2.0 * STEP && step >= speed(t + 1.0) - 2.0 * STEP);
         last = step;
     }

@@ -1,4 +1,4 @@
-//! Attributes over a drawn triangle.
+//! Attributes of a drawn triangle.
 
 use std::array::from_fn;
 
@@ -20,12 +20,12 @@ fn area(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
 #[test]
 fn attributes_over_z_are_linear_on_screen() {
     cases(256, |random| {
-        // Pixels from the middle, and distances in sixteenths. The coordinates, products with 1/64, are exact in space
-        // and on the screen, so that rounding moves no vertex.
+        // Corners are whole pixels from the middle, and distances are sixteenths. The coordinates, products with 1/64,
+        // are exact in space and on the screen, so that rounding moves no vertex.
         let screen: [[i32; 2]; 3] = from_fn(|_| from_fn(|_| random.random_range(-32..32)));
         let z: [i32; 3] = from_fn(|_| random.random_range(16..256));
         let values: [i32; 3] = from_fn(|_| random.random_range(-1_000_000..1_000_000));
-        // x = sx·z/64 and y = −sy·z/64, in units of 2^-16: z is in units of 2^-4, and 2^(16 − 4 − 6) is 64.
+        // x = sx·z/64 and y = −sy·z/64, in units of 2^-16. z is in units of 2^-4, and 2^(16 − 4 − 6) is 64.
         let positions: [Vec3; 3] = from_fn(|i| {
             Vec3::from_bits([
                 screen[i][0] * z[i] * 64,
@@ -67,7 +67,7 @@ fn attributes_over_z_are_linear_on_screen() {
                     .sum::<f64>()
             };
             let expected = sum(|value, z| value / z) / sum(|_, z| 1.0 / z);
-            // Values are rounded down. A million takes 20 bits, and the reciprocal has 30.
+            // Values are rounded down. A million has 20 bits, and the reciprocal has 30.
             let error = (f64::from(found) + 0.5 - expected).abs();
             assert!(error <= 1.0, "{found} is not {expected}");
         }

@@ -1,4 +1,4 @@
-//! The depth buffer of a canvas: what clears it, what leaves it unchanged, and the resolution of its formats.
+//! The depth buffer of a canvas: which calls clear it or leave it unchanged, and the resolution of its formats.
 
 use embedded_graphics::Drawable;
 use embedded_graphics::draw_target::DrawTarget;
@@ -58,7 +58,7 @@ fn text_covers_the_picture_and_keeps_depths() {
     assert_eq!(drawn, covered);
 }
 
-/// Points above, below and beside a band have no depth, and no point of a canvas without a depth buffer has one.
+/// There is no depth above, below or beside a band, nor on a canvas without a depth buffer.
 #[test]
 fn a_pixels_depth_is_read_in_the_frames_coordinates() {
     let mut pixels = [Gray8::BLACK; 12];
@@ -79,7 +79,7 @@ fn a_pixels_depth_is_read_in_the_frames_coordinates() {
     }
 }
 
-/// The depth at a pixel is that of the point that was drawn there, in each format.
+/// Draws a triangle in a depth format. The depth at a pixel must be the depth of the triangle's point there.
 fn drawn_depth<F: DepthBuffer>() {
     let projection = Projection::perspective(deg!(90), (1, 1), fx!(0.5), fx!(100)).unwrap();
     let (mut pixels, mut depths) = ([Gray8::BLACK; 64], [0; 64]);
@@ -166,9 +166,9 @@ fn clear_works_without_a_depth_buffer() {
     assert_eq!(pixels, [Gray8::BLACK; 4]);
 }
 
-/// Draws three plates (`#`), at 4, 3,200 and 522,240 times the distance of the near plane, and after each one a
-/// larger plate (`.`) that is a hundredth farther. Distance 2^14 lies between the last two, so their 1/w have
-/// different exponents.
+/// Draws three plates (`#`), at 4, 3,200 and 522,240 times the distance of the near plane. After each plate, draws a
+/// larger plate (`.`) that is a hundredth farther away. Distance 2^14 lies between the last two plates, so their 1/w
+/// have different exponents.
 fn plates<F: DepthBuffer>() -> MockDisplay<BinaryColor> {
     const SIZE: (u32, u32) = (26, 6);
     const FOCAL: f64 = 16.;
@@ -204,7 +204,7 @@ fn plates<F: DepthBuffer>() -> MockDisplay<BinaryColor> {
     display
 }
 
-/// If the format stores equal depths for both plates, the farther one shows, because it is drawn last.
+/// If the format stores equal depths for both plates, the farther plate shows, because it is drawn last.
 #[test]
 fn the_resolution_of_each_depth_format() {
     plates::<LinearDepth>().assert_pattern(&[

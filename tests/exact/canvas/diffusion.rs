@@ -9,8 +9,8 @@ use rand::{Rng, SeedableRng};
 
 use crate::common::random::cases;
 
-/// Diffusion keeps the sum of all grays: `errors` holds the part that is not shown. The grays are so far from black and
-/// white that no error moves them past either.
+/// Diffusion keeps the sum of all grays; `errors` holds the part that is not shown. The grays stay so far from black
+/// and white that no error moves a gray past either of them.
 #[test]
 fn diffusion_loses_no_brightness() {
     let mut random = SmallRng::seed_from_u64(1);
@@ -47,9 +47,9 @@ fn diffusion_loses_no_brightness() {
 /// Every window is as bright as the original, except for the errors that cross its borders.
 ///
 /// An error is at most half a step, 127.5. Each pixel of the first and last rows passes 9/16 of its error across the
-/// upper or lower border. Each pixel of the first and last columns passes 7/16 + 1/16 across one side and 3/16 across
-/// the other. Half an error crosses the corners. Rounding shares to 16ths loses at most one gray per three pixels of a
-/// border.
+/// upper or lower border. Each pixel of the first and last columns passes 7/16 + 1/16 of its error across one side, and
+/// 3/16 across the other. Half an error crosses the corners. Rounding shares to 16ths loses at most one gray per three
+/// pixels of a border.
 #[test]
 fn diffusion_keeps_the_brightness_of_every_window() {
     const SIZE: (u32, u32) = (160, 120);
@@ -67,7 +67,7 @@ fn diffusion_keeps_the_brightness_of_every_window() {
     let mut widest: f64 = 0.;
     cases(500, |random| {
         let [width, height] = [random.random_range(1..100_u32), random.random_range(1..100)];
-        // The window must stay away from the sides of the frame, which have a rule of their own.
+        // The window does not touch the sides of the frame, where diffusion has a rule of its own.
         let left = random.random_range(1..SIZE.0 - width);
         let top = random.random_range(0..=SIZE.1 - height);
         let mut excess = 0.;
@@ -89,8 +89,8 @@ fn diffusion_keeps_the_brightness_of_every_window() {
     assert!(widest > 1., "{widest}");
 }
 
-/// White beside gray: errors that white pixels cannot absorb must not accumulate at the border, where they would whiten
-/// the darker rows below.
+/// White pixels cannot absorb errors from gray pixels beside them. These errors must not accumulate at the border
+/// between white and gray, because they would whiten the darker rows below.
 #[test]
 fn diffusion_does_not_whiten_darker_rows_below() {
     const WIDTH: u32 = 240;
@@ -105,7 +105,7 @@ fn diffusion_does_not_whiten_darker_rows_below() {
     let mut errors = [0; WIDTH as usize];
     let mut diffusion = ErrorDiffusion::new(&mut errors);
     let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);
-    // A share of half a step may make one pixel white.
+    // Half a step of error can make one pixel white.
     let stray = shown[(WIDTH * 280) as usize..].chunks(WIDTH as usize);
     let stray = stray.map(|row| row[200..].iter().filter(|color| color.is_on()).count());
     assert!(stray.sum::<usize>() <= 1);

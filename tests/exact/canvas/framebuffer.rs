@@ -1,4 +1,4 @@
-//! As an embedded-graphics target, the canvas shows the same as embedded-graphics' own framebuffer.
+//! The canvas, as a target of embedded-graphics, shows the same picture as embedded-graphics' own framebuffer.
 
 use std::cell::Cell;
 use std::convert::Infallible;
@@ -32,8 +32,8 @@ type Theirs<O> = Framebuffer<
     { buffer_size::<Rgb565>(WIDTH as usize, HEIGHT as usize) },
 >;
 
-/// Any picture has the bytes, in both orders, and the colors of embedded-graphics' framebuffer. Bands put together
-/// equal the frame.
+/// The canvas has the bytes, in both orders, and the colors of embedded-graphics' framebuffer, whatever is drawn. Bands
+/// put together equal the frame.
 #[test]
 fn a_canvas_is_a_framebuffer() {
     let mut in_bands = 0;
@@ -98,7 +98,7 @@ fn a_canvas_is_a_framebuffer() {
     assert!(in_bands > 1000);
 }
 
-/// A target of any type.
+/// A drawing that can be drawn on targets of all types.
 trait Draw {
     fn draw(&mut self, random: &mut Random, crops: bool);
 }
@@ -109,7 +109,7 @@ impl<T: DrawTarget<Color = Rgb565, Error = Infallible>> Draw for T {
     }
 }
 
-/// A thing that counts how often it is drawn.
+/// Counts how often its drawable is drawn.
 struct Counted<'t, T>(T, &'t Cell<u32>);
 
 impl<T: Dimensions> Dimensions for Counted<'_, T> {
@@ -128,7 +128,8 @@ impl<T: Drawable> Drawable for Counted<'_, T> {
     }
 }
 
-/// Draws a thing over a band. Returns whether the band shows some of it, and checks that it was drawn only then.
+/// Draws a drawable over a band. Returns whether the band shows a part of it. Checks that it was drawn only in this
+/// case.
 fn is_overlaid(
     band: &mut Canvas<'_, Rgb565>,
     thing: impl Drawable<Color = Rgb565> + Dimensions,
@@ -140,7 +141,7 @@ fn is_overlaid(
     is_seen
 }
 
-/// Text and shapes look the same in bands and in the frame, and are drawn only in the bands that show some of them.
+/// Text and shapes look the same in bands and in the frame. They are drawn only in bands that show a part of them.
 #[test]
 fn overlays_are_drawn_in_the_bands_that_show_them() {
     let (mut drawn, mut skipped) = (0, 0);
@@ -188,7 +189,8 @@ fn fill_contiguous_stops_when_the_area_is_full() {
     assert!(taken <= 27);
 }
 
-/// The color of the n-th pixel of an area. The iterator skips any number of pixels in one step.
+/// An iterator over the colors of an area; the color depends on the pixel's number. It skips any number of pixels at
+/// once.
 struct Colors(u64);
 
 fn color(number: u64) -> Gray8 {
@@ -223,7 +225,7 @@ fn points_at_the_ends_of_i32_are_ignored() {
     assert_eq!(pixels.map(|pixel| pixel.luma()), [27, 28, 35, 36]);
 }
 
-/// Areas that begin, end or reach beyond the range of `i32` are filled like any other, in a debug build too.
+/// Areas that begin or end beyond the range of `i32` are filled like all other areas, in a debug build, too.
 #[test]
 fn areas_beyond_the_range_of_i32_are_filled() {
     const WIDTH: u32 = 3;
@@ -257,7 +259,7 @@ fn areas_beyond_the_range_of_i32_are_filled() {
         u32::MAX - 1,
         u32::MAX,
     ];
-    // The index of a pixel along one side of the area, if the area contains the pixel.
+    // The pixel's place along one side of the area, or `None` if the area does not contain the pixel.
     let along = |at: u32, start: i32, length: u32| {
         let number = i64::from(at) - i64::from(start);
         (0..i64::from(length))

@@ -94,7 +94,7 @@ fn a_display_error_is_passed_on() {
     assert_eq!(canvas.show(&mut display), Err(BusError(42)));
 }
 
-/// Bytes in bus order, for each number of bytes per pixel.
+/// The bytes are in bus order, for colors of each number of bytes.
 #[test]
 fn bytes_are_in_bus_order() {
     let mut pixels = [[0; 2]; 2];
@@ -142,7 +142,7 @@ fn any_of<C, O: Storage<C>>(cells: &mut [O::Cell]) -> Canvas<'_, C, O> {
     Canvas::new(cells, 1, 1).unwrap()
 }
 
-/// The color and the storage of a canvas.
+/// The types of a canvas's colors and of its storage.
 fn types<C: 'static, O: Storage<C> + 'static, D>(_: &Canvas<'_, C, O, D>) -> [TypeId; 2] {
     [TypeId::of::<C>(), TypeId::of::<O>()]
 }
@@ -152,7 +152,8 @@ fn any<C, O: Storage<C>>(cells: &mut [O::Cell]) -> Canvas<'_, C, O> {
     Canvas::new(cells, 2, 2).unwrap()
 }
 
-/// Colors tell all types of a canvas, arrays of bytes the size of its colors.
+/// An array of colors determines all types of a canvas. An array of bytes determines only the number of bytes per
+/// pixel.
 #[test]
 fn constructors_infer_types_from_memory() {
     let native = [TypeId::of::<Gray8>(), TypeId::of::<Native>()];
@@ -191,7 +192,7 @@ fn length(error: Option<Error>) -> (usize, usize) {
     }
 }
 
-/// From an error: the band's first row and number of rows, and the frame's number of rows.
+/// The numbers in an error about rows: the band's first row, its number of rows, and the frame's number of rows.
 fn rows(error: Option<Error>) -> (u32, u32, u32) {
     match error {
         Some(Error::Rows {

@@ -1,4 +1,4 @@
-//! Several pixels in a byte: what leaves the canvas for displays that want them packed.
+//! Several pixels in a byte: how a canvas packs its pixels for displays that need packed pixels.
 
 use std::convert::Infallible;
 
@@ -15,7 +15,7 @@ use rand::Rng;
 use super::pictures::{self, HEIGHT, WIDTH};
 use crate::common::random::cases;
 
-/// A target that reduces each color to its lowest bits.
+/// A target that keeps only the lowest bits of each color.
 struct Coarse<T>(T);
 
 impl<T: Dimensions> Dimensions for Coarse<&mut T> {
@@ -61,8 +61,8 @@ where
     }
 }
 
-/// Draws pictures on a canvas, shows it on embedded-graphics' framebuffer, and compares the bytes with those of a
-/// framebuffer that the picture was drawn on: whole, and in bands that are shown on a framebuffer of their size.
+/// Draws the same pictures on a canvas and on embedded-graphics' packed framebuffer. Shows the canvas on a second
+/// framebuffer, whole and in bands, and compares the bytes of both framebuffers.
 macro_rules! shows_as_a_framebuffer {
     ($color:ty, $raw:ty) => {{
         const ROWS: usize = 5;
@@ -108,7 +108,7 @@ fn a_canvas_is_packed_by_a_framebuffer() {
     shows_as_a_framebuffer!(Gray4, RawU4);
 }
 
-/// In a page, bit n of a byte is row n; rows that the canvas lacks are 0.
+/// In a page, bit n of a byte is row n. Rows below the canvas are 0.
 #[test]
 fn pages_are_the_pixels_one_below_the_other() {
     cases(2000, |random| {

@@ -23,7 +23,7 @@ use crate::common::random::{Random, list};
 pub const WIDTH: u32 = 41;
 pub const HEIGHT: u32 = 31;
 
-/// A target behind one type, so that shapes are compiled only once for all targets and adapters.
+/// A target as a trait object, so that shapes are compiled once and not for every target and adapter.
 trait Sink {
     fn area(&self) -> Rectangle;
     fn pixels(&mut self, pixels: &mut dyn Iterator<Item = Pixel<Rgb565>>);
@@ -93,10 +93,10 @@ impl DrawTarget for Target<'_> {
     }
 }
 
-/// Draws the picture that `random` describes. It is the same on every target of the same size.
+/// Draws the picture that `random` describes. The picture is the same on every target of the same size.
 ///
-/// Without `crops` it is also the same in a band. `cropped` measures coordinates from the corner of the visible part of
-/// its area, so a crop of a band differs from a band of the crop.
+/// Without `crops`, the picture is also the same in a band. `cropped` measures coordinates from the corner of the
+/// visible part of its area, so a crop of a band differs from a band of the crop.
 pub fn draw(
     target: &mut impl DrawTarget<Color = Rgb565, Error = Infallible>,
     random: &mut Random,
@@ -169,7 +169,7 @@ fn element(target: &mut Target<'_>, random: &mut Random) {
             Pixel(far_point(random), color(random))
         })),
         15 => {
-            // The iterator yields as many colors as the area has pixels, or a few fewer or more.
+            // The iterator yields about as many colors as the area has pixels: up to four fewer or more.
             let count = (size.width * size.height + random.random_range(0..9)).saturating_sub(4);
             let first = random.random::<u16>();
             let colors =
@@ -238,8 +238,8 @@ fn point(random: &mut Random) -> Point {
     Point::new(random.random_range(-25..65), random.random_range(-20..50))
 }
 
-/// A point inside, near or far from the frame, but not so far that embedded-graphics' adapters overflow when they add
-/// offsets.
+/// A point inside the frame, near it, or far from it. Far points stay so near that the offsets of embedded-graphics'
+/// adapters cause no overflow.
 fn far_point(random: &mut Random) -> Point {
     if random.random_bool(0.9) {
         return point(random);

@@ -1,7 +1,7 @@
 //! Checksums of the pictures of the measured scenes and of the project's own scene.
 //!
-//! A checksum may change, but only on purpose: look at the picture (`simulator --scene NAME --out NAME.png`), explain
-//! the change in the commit, and put the new checksum here. Firmware draws the same pictures (`.ci/run`).
+//! A checksum may change only on purpose: look at the picture (`simulator --scene NAME --out NAME.png`), explain the
+//! change in the commit, and replace the checksum here. Firmware draws the same pictures (`.ci/run`).
 
 mod words;
 
@@ -13,7 +13,7 @@ use fixel::prelude::*;
 use crate::examples::lighthouse;
 use crate::examples::scenes::{self, HEIGHT, WIDTH};
 
-/// The mode that defines the result of the others.
+/// `Exact` defines the result of the other modes.
 const PASS: DrawOptions<Exact> = DrawOptions::new().with_mode(Exact);
 
 type Target<'a> = Canvas<'a, Rgb565, BigEndian, LinearDepth>;
@@ -111,7 +111,7 @@ fn checksum_of_the_lighthouse() {
     assert_eq!(crc, 0x3861_112a);
 }
 
-/// Checksums of the scenes in a mode: the floor, and one pose of the cube and of the sphere.
+/// The checksums of three pictures in a mode: the floor, and one pose each of the cube and of the sphere.
 fn scenes_in<I: Mode>(mode: I) -> [u32; 3] {
     let options = DrawOptions::new().with_mode(mode);
     let (floor, _) = picture(&|canvas| {
@@ -130,10 +130,10 @@ fn scenes_in<I: Mode>(mode: I) -> [u32; 3] {
 fn checksums_in_every_mode() {
     let exact = [0xcea2_0ac4, 0x9303_8f3d, 0xf88b_8fe9];
     assert_eq!(scenes_in(Exact), exact);
-    // `Compact` may round values differently, but no texel here changes.
+    // `Compact` can round values differently, but this changes no texel of these scenes.
     assert_eq!(scenes_in(Compact), exact);
-    // `Newton` does not divide, and carries red and blue in one number. So some of the sphere's colors have an error of
-    // a fourteenth of a step.
+    // `Newton` does not divide, and keeps red and blue in one number. Therefore some of the sphere's colors have an
+    // error of a fourteenth of a step.
     assert_eq!(scenes_in(Newton), [0xcea2_0ac4, 0x9303_8f3d, 0x1014_91dc]);
     assert_eq!(
         scenes_in(Fast::within(fx!(0.25))),

@@ -1,6 +1,6 @@
-//! A picture for each word of the crate: each kind of thing, surface, light, adapter, view and canvas.
+//! A picture for each feature of the crate: each kind of thing, surface, light, adapter, view and canvas.
 //!
-//! Colors have 24 bits where they can, so that a change of a rounding constant shows.
+//! Colors have 24 bits where possible, so that a changed rounding constant changes the picture.
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::raw::ToBytes;
@@ -59,7 +59,7 @@ fn with<S: ShaderFor<Rgb888>>(canvas: &mut Picture<'_>, mesh: &Mesh, shader: &S)
     Ok(())
 }
 
-/// Draws sheets so close to each other that the format of depths decides where each is in front.
+/// Draws two sheets so close to each other that the depth format decides where each sheet is in front.
 fn in_format<D: DepthBuffer>(canvas: &mut Picture<'_>) -> Drawn {
     let (mut pixels, mut depths) = (vec![Rgb888::BLACK; PIXELS], vec![0; PIXELS]);
     let format = Canvas::new(&mut pixels, WIDTH, HEIGHT)?.with_depth_format::<D>(&mut depths);
@@ -78,7 +78,7 @@ fn colored(mesh: &Mesh<'static>) -> Vec<Rgb888> {
         .collect()
 }
 
-/// Draws in another color format, which is converted back to show it.
+/// Draws in a coarser color format, and converts the picture back to show it.
 fn coarse<C>(
     canvas: &mut Picture<'_>,
     draw: impl Fn(&mut Canvas<'_, C, Native, LinearDepth>) -> Drawn,
@@ -93,7 +93,7 @@ where
     Ok(())
 }
 
-/// A word, the checksum of its picture, and what draws it.
+/// The name of a feature, the checksum of its picture, and the function that draws the picture.
 type Word = (&'static str, u32, fn(&mut Picture<'_>) -> Drawn);
 
 const WORDS: &[Word] = &[

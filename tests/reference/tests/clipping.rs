@@ -13,7 +13,7 @@ fn vertex<const N: usize>(position: [f64; 4], attributes: [f64; N]) -> ClipVerte
 
 #[test]
 fn a_corner_behind_the_near_plane_becomes_two() {
-    // Two corners are 1 inside the near plane and one is 1 outside, so the new corners are halfway.
+    // Two corners are inside the near plane by 1, and one is outside by 1, so the new corners are halfway.
     let inside = polygon(
         &[
             vertex([0., 0., 0., 1.], [0.]),
@@ -48,7 +48,7 @@ fn polygons_inside_stay_and_polygons_outside_vanish() {
 
 #[test]
 fn a_large_triangle_is_clipped_to_the_view() {
-    // The visible part of the plane z = 0 is the square.
+    // The visible part of the plane z = 0 is a square.
     let big = [[-9., -9., 0., 1.], [9., -9., 0., 1.], [0., 9., 0., 1.]];
     let inside = polygon(&big.map(|p| vertex(p, [p[0], p[1]])), &ALL_PLANES);
     assert_eq!(inside.len(), 4);

@@ -1,4 +1,4 @@
-//! The top-left rule, in pictures and by its properties.
+//! The top-left rule, shown in pictures and checked by its properties.
 
 use super::*;
 use coverage::*;
@@ -10,7 +10,7 @@ fn pixels(t: [[i32; 2]; 3]) -> Snapped {
 
 #[test]
 fn a_triangle_does_not_own_centers_on_its_right_edge() {
-    // Centers on the edge x + y = 4 belong to the neighbor, because it is neither a top nor a left edge.
+    // Centers on the edge x + y = 4 belong to the neighbor, because the edge is neither a top edge nor a left edge.
     let t = pixels([[0, 0], [4, 0], [0, 4]]);
     let expected = ["111.", "11..", "1...", "...."];
     assert_eq!(picture(&counts(&[t], 4, 4), 4), expected);
@@ -47,14 +47,14 @@ fn the_widest_coordinates_are_exact() {
     let all = [i32::MIN, i32::MAX];
     let t = [[all[0], all[0]], [all[1], all[0]], [all[0], all[1]]];
     assert_eq!(area2(t), ((1_i128 << 32) - 1).pow(2));
-    // The slope crosses x + y = −1/256 pixel.
+    // The slope is at x + y = −1/256 pixel.
     assert_eq!(covered(t, 3, 3).count(), 0);
     assert!(covers(t, [-1, -1]) && !covers(t, [-1, 0]));
 }
 
 #[test]
 fn a_fan_covers_each_pixel_once() {
-    // A square split at any point: every pixel of the square is covered once, and none outside.
+    // A square is split at any point. Every pixel of the square is covered once, and no pixel outside is covered.
     let mut random = Random(2);
     for _ in 0..200 {
         let corners = [[0, 0], [9, 0], [9, 9], [0, 9]].map(|c| c.map(|x| x * 256 + 128));
@@ -71,7 +71,7 @@ fn a_fan_covers_each_pixel_once() {
 fn floats_agree_with_integers() {
     let mut random = Random(3);
     for round in 0..2000 {
-        // Include vertices at pixel centers, where the top-left rule decides.
+        // Some vertices are at pixel centers, where the top-left rule decides.
         let step = [1, 16, 128][round % 3];
         let t = [(); 3].map(|()| [(); 2].map(|()| random.range(-40, 200) * step));
         let corners = t.map(view::unsnap);

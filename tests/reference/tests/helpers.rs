@@ -1,8 +1,9 @@
-//! Helpers of the model's tests: shapes and comparisons.
+//! Helpers for the model's tests: shapes and comparisons.
 
 use super::*;
 
-/// f64 has a relative error of 2⁻⁵² ≈ 2e-16; a few hundred operations on values up to a thousand stay well below this.
+/// f64 has a relative error of 2⁻⁵² ≈ 2e-16. The error of some hundred operations on values up to a thousand is far
+/// smaller than this.
 pub const EPSILON: f64 = 1e-9;
 
 #[track_caller]
@@ -81,7 +82,7 @@ impl Torus {
         }
     }
 
-    /// A tilted view, in which the far side is partly behind the near side.
+    /// A tilted view. The far side of the torus is partly behind its near side.
     pub fn view(size: (u32, u32)) -> view::View {
         view::View {
             eye: linear::multiply(&linear::translate([0., 0., -4.]), &linear::rotate_x(0.3)),

@@ -24,10 +24,10 @@ fn half_way_between_depths_1_and_4() {
     let w = weights(&T, [2., 0.]).unwrap();
     let value = interpolate(&w, [1., 4., 9.], &[[0.], [1.], [7.]]);
     close([value.w, value.attributes[0]], [1.6, 0.2]);
-    // On this edge 1/w = 1 − 3x/16 and a/w = x/16, so a = x/(16 − 3x) and ∂a/∂x = 16/(16 − 3x)² = 0.16.
+    // On this edge, 1/w = 1 − 3x/16 and a/w = x/16, so a = x/(16 − 3x) and ∂a/∂x = 16/(16 − 3x)² = 0.16.
     close(value.dx, [0.16]);
     close([value.inverse_w_gradient[0]], [-3. / 16.]);
-    // Along y, 1/w changes by (1/9 − 1)/4 = −2/9 and a/w by 7/36, so ∂a/∂y = (7/36 + 0.2·2/9)·1.6.
+    // Along y, 1/w changes by (1/9 − 1)/4 = −2/9, and a/w by 7/36, so ∂a/∂y = (7/36 + 0.2·2/9)·1.6.
     close(value.dy, [(7. / 36. + 0.2 * 2. / 9.) * 1.6]);
 }
 

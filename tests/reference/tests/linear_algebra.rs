@@ -22,7 +22,7 @@ fn rotations_about_any_axis_agree_with_those_about_x_y_and_z() {
     ] {
         close_matrix(&rotate(axis, 0.7), &matrix);
     }
-    // A third of a turn about the diagonal takes the x axis to y, and y to z.
+    // A third of a turn about the diagonal turns the x axis to y, and y to z.
     let third = rotate([1., 1., 1.], TAU / 3.);
     close(point(&third, [1., 2., 3.]), [3., 1., 2.]);
 }
@@ -64,7 +64,7 @@ fn look_at_faces_the_target() {
     let m = look_at(eye, target, up).unwrap();
     close(point(&m, eye), [0.; 3]);
     close(point(&m, target), [0., 0., -length(subtract(eye, target))]);
-    // Up need not be orthogonal to the line of sight. In the picture it points straight upwards.
+    // Up need not be at right angles to the line of sight. In the picture, it points straight up.
     let up = direction(&m, up);
     assert!(up[0].abs() < EPSILON && up[1] > 0.);
     assert_eq!(look_at(eye, eye, [0., 1., 0.]), None);
@@ -79,7 +79,7 @@ fn the_inverse_undoes_a_matrix() {
         scale([2., 0.5, -3.]),
     ]);
     close_matrix(&multiply(&m, &inverse(&m).unwrap()), &IDENTITY);
-    // A projective matrix, with a zero on the diagonal that needs pivoting.
+    // A projective matrix with a zero on its diagonal, which needs pivoting.
     let m = projection::frustum(-1., 2., -1., 1., 1., 5.).matrix;
     close_matrix(&multiply(&inverse(&m).unwrap(), &m), &IDENTITY);
     assert_eq!(inverse(&scale([1., 0., 1.])), None);

@@ -1,9 +1,9 @@
-//! The measured scenes: the number of faces kept and of pixels covered.
+//! The measured scenes: the number of faces that are kept, and the number of pixels that are covered.
 
 use super::*;
 use raster::*;
 
-/// The number of faces kept and of pixels covered.
+/// The number of faces that are kept, and the number of pixels that are covered.
 fn count((shape, view): (scenes::Shape, view::View), cull: Cull) -> (usize, usize) {
     let (pieces, picture) = draw(&shape.mesh(), &view, cull, 0.);
     let counts = picture.counts();

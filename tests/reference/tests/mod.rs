@@ -1,4 +1,4 @@
-//! The f64 model, compared with numbers worked out by hand, so that it can be trusted to judge the crate.
+//! The f64 model compared with numbers worked out by hand, so that the model can be trusted to judge the crate.
 
 // As in the model: formulas keep textbook names, and f64 represents every integer used here exactly.
 #![allow(clippy::many_single_char_names, clippy::cast_precision_loss)]

@@ -1,4 +1,4 @@
-//! Positions relative to the outline of a union.
+//! Positions relative to the outline of a union of triangles.
 
 use super::*;
 use silhouette::{Position::*, Silhouette};
@@ -17,7 +17,7 @@ fn positions_around_a_square_are_classified() {
         ([2.2, 7.], 0.25, Near),
         ([1.8, 7.], 0.25, Near),
         ([1.7, 7.], 0.25, Outside),
-        // The corner is 0.2·√2 = 0.283 away.
+        // The distance to the corner is 0.2·√2 = 0.283.
         ([1.8, 1.8], 0.28, Outside),
         ([1.8, 1.8], 0.29, Near),
     ] {
@@ -31,7 +31,8 @@ fn positions_around_a_square_are_classified() {
 fn an_edge_in_front_of_another_surface_is_not_part_of_the_outline() {
     let two = [rectangle(2., 2., 8., 8.), rectangle(5., 4., 14., 6.)].concat();
     let two = Silhouette::new(&two, 16, 16);
-    // The right one's left edge lies inside the left one; the left one's right edge, only partly inside the right one.
+    // The left edge of the right rectangle lies inside the left rectangle. The right edge of the left rectangle lies
+    // only partly inside the right one.
     assert_eq!(two.classify([5., 5.], 0.5), Inside);
     assert_eq!(two.classify([8., 5.], 0.5), Inside);
     assert_eq!(two.classify([7.9, 4.3], 0.25), Inside);
@@ -41,7 +42,7 @@ fn an_edge_in_front_of_another_surface_is_not_part_of_the_outline() {
 
 #[test]
 fn surfaces_that_touch_are_one() {
-    // A T-junction: one long edge touches two short ones.
+    // A T-junction: a long edge touches two short edges.
     let touching = [
         rectangle(2., 2., 8., 12.),
         rectangle(8., 2., 14., 7.3),
@@ -50,7 +51,7 @@ fn surfaces_that_touch_are_one() {
     let touching = Silhouette::new(&touching.concat(), 16, 16);
     assert_eq!(touching.classify([8., 7.3], 0.5), Inside);
     assert_eq!(touching.classify([8.1, 5.], 0.5), Inside);
-    // A second copy of a square does not cover the outline of the first.
+    // A second copy of a square does not cover the outline of the first copy.
     let twice = [rectangle(2., 2., 8., 8.); 2].concat();
     let twice = Silhouette::new(&twice, 16, 16);
     assert_eq!(twice.classify([2.1, 5.], 0.25), Near);
@@ -58,7 +59,7 @@ fn surfaces_that_touch_are_one() {
 
 #[test]
 fn positions_around_a_torus_agree_with_sampling() {
-    // Of the points of a small disc around each center, all, none or some are in the union.
+    // All, no or some points of a small disc around each center are in the union.
     let torus = Torus::new(40, 20);
     let d = 0.4;
     let pieces = raster::culled(
@@ -90,7 +91,7 @@ fn positions_around_a_torus_agree_with_sampling() {
         match place {
             Inside => assert_eq!(counts, [64; 4], "{p:?}"),
             Outside => assert_eq!(counts, [0; 4], "{p:?}"),
-            // Samples may miss triangles that barely enter the disc.
+            // The samples can miss triangles that barely reach into the disc.
             Near => {
                 let all = counts == [64; 4] || counts == [0; 4];
                 let sure = outline.classify(p, d * 0.9) == Near;
@@ -98,7 +99,7 @@ fn positions_around_a_torus_agree_with_sampling() {
             }
         }
     }
-    // Each case occurred, including surfaces that end in front of others.
+    // Each case has occurred, including surfaces that end in front of others.
     assert!(
         found.iter().all(|&n| n > 50) && hidden > 10,
         "{found:?} {hidden}"

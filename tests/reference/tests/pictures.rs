@@ -3,7 +3,7 @@
 use super::*;
 use raster::*;
 
-/// A view of 8x8 pixels with a focal length of 8: at distance 1, a unit is 8 pixels.
+/// A view of 8x8 pixels with a focal length of 8: at distance 1, one unit is 8 pixels.
 fn view() -> view::View {
     view::View {
         eye: linear::IDENTITY,
@@ -12,7 +12,7 @@ fn view() -> view::View {
     }
 }
 
-/// A square from (left, bottom) to (right, top) that faces the eye at a distance; its attributes are x and y.
+/// A square from `low` to `high` that faces the eye at this distance. Its attributes are x and y.
 fn square(low: [f64; 2], high: [f64; 2], distance: f64) -> ([[f64; 3]; 4], [[[f64; 2]; 3]; 2]) {
     let [a, b, c, d] = [low, [high[0], low[1]], high, [low[0], high[1]]];
     (
@@ -25,8 +25,8 @@ const FACES: [[usize; 3]; 4] = [[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]];
 
 #[test]
 fn the_nearer_surface_shows() {
-    // The square from −0.25 to 0.25 at distance 1 covers pixels 2..6. The one from −1 to 0 at distance 2 covers pixels
-    // 0..4 of the lower rows.
+    // The square from −0.25 to 0.25 at distance 1 covers pixels 2..6. The square from −1 to 0 at distance 2 covers
+    // pixels 0..4 of the lower rows.
     let (near, near_uv) = square([-0.25; 2], [0.25; 2], 1.);
     let (far, far_uv) = square([-1.; 2], [0.; 2], 2.);
     let mesh = Mesh {
@@ -72,12 +72,12 @@ fn a_margin_finds_neighbors() {
         attributes: &attributes,
     };
     let (_, picture) = draw(&mesh, &view(), Cull::Back, 0.6);
-    // The pixel's center is half a pixel outside, and the surface is extended in its plane.
+    // The pixel's center is half a pixel outside the surface. The surface is extended in its plane.
     let hit = picture.candidates([1, 3], 0.).next().unwrap();
     close([hit.gap], [0.5]);
     close(hit.value.attributes, [-0.3125, 0.0625]);
     assert_eq!(picture.nearest([1, 3]), None);
-    // A center on the diagonal is owned by one triangle, and the other is a neighbor at distance 0.
+    // One triangle owns a center on the diagonal. The other triangle is a neighbor at distance 0.
     let on = picture.at([3, 4]);
     assert_eq!(on.iter().filter(|hit| hit.gap == 0.).count(), 1);
     assert_eq!(on.len(), 2);
@@ -94,7 +94,7 @@ fn given_snapped_corners_are_used_unchanged() {
     let view = view();
     let snapped = pieces(&mesh, &view)
         .into_iter()
-        // Move each corner, found by its index, one pixel to the right of its own position.
+        // Move each corner one pixel to the right of its own position, which is found by its index.
         .map(|piece| {
             piece.snap(|source, _| {
                 let [x, y] = view::snap(view.project(positions[source.unwrap()]).screen);
@@ -105,7 +105,7 @@ fn given_snapped_corners_are_used_unchanged() {
     let pieces = culled(snapped, Cull::Back);
     let picture = render(&pieces, &view.projection, view.viewport, (8, 8), 0.);
     assert_eq!(picture.counts().iter().sum::<u32>(), 16);
-    // The value is the one that pixel (2, 2) had before.
+    // Pixel (2, 2) had this value before the move.
     close(
         picture.nearest([3, 2]).unwrap().value.attributes,
         [-0.1875, 0.1875],
@@ -114,7 +114,8 @@ fn given_snapped_corners_are_used_unchanged() {
 
 #[test]
 fn a_floor_is_clipped_to_the_near_plane() {
-    // The floor y = −1 reaches from behind the eye to z = −4; u = −z. At y on the screen, its distance is 8/(y − 4).
+    // The floor y = −1 reaches from behind the eye to z = −4, and u = −z. At y on the screen, its distance is 8/(y −
+    // 4).
     let positions = [
         [-9., -1., 4.],
         [9., -1., 4.],
@@ -178,7 +179,7 @@ fn parallel_rays_have_linear_depth() {
 
 #[test]
 fn a_torus_has_no_seams() {
-    // 6,000 triangles, in a picture of the measured scenes' size.
+    // The torus has 6,000 triangles, and the picture has the size of the measured scenes.
     let torus = Torus::new(60, 50);
     let size = (320, 240);
     let view = Torus::view(size);
@@ -194,7 +195,7 @@ fn a_torus_has_no_seams() {
     }
     let counts = picture.counts();
     assert!(counts.contains(&2));
-    // Each hit lies where the ray through the pixel's center meets the plane of its face.
+    // Each hit is at the point where the ray through the pixel's center meets the plane of the face.
     for [x, y] in Bounds::new(size.0, size.1).pixels() {
         for hit in picture.at([x, y]) {
             let [right, down] = center([x, y]).map(|at| hit.distance * at / 240.);
@@ -222,7 +223,7 @@ fn a_torus_has_no_seams() {
             }
         }
     }
-    // After snapping, front faces overlap or leave gaps only within the distance that contours move.
+    // After snapping, front faces overlap or leave gaps only within the distance by which contours move.
     let snapped = pieces
         .into_iter()
         .map(|piece| piece.snap(|_, clip| view::snap(view.on_screen(clip).screen)))

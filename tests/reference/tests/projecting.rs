@@ -1,4 +1,4 @@
-//! Projections, compared with their formulas.
+//! Projections compared with their formulas.
 
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_6, PI};
 
@@ -34,7 +34,8 @@ fn a_frustum_may_be_off_center() {
 
 #[test]
 fn a_frustum_is_a_product() {
-    // First the perspective transform, then an orthographic projection, which is a translation and then a scale.
+    // The perspective transform comes first, then an orthographic projection, which is a translation followed by a
+    // scale.
     let (l, r, b, t, n, f) = (-1., 3., -2., 1., 1.5, 4.);
     let straight = orthographic(l, r, b, t, n, f).matrix;
     close_matrix(
@@ -69,7 +70,7 @@ fn images_of_a_cubes_corners() {
 fn vanishing_points_and_speed() {
     close(vanishing_point([1., 2., -4.], 2.).unwrap(), [0.5, 1.]);
     assert_eq!(vanishing_point([1., 2., 0.], 2.), None);
-    // With P = (1, 0, −2), v = (0, 0, −1) and n = 1, x' is 1/(2 + t), so ∂x'/∂t at t = 2 is −1/16.
+    // With P = (1, 0, −2), v = (0, 0, −1) and n = 1, x' is 1/(2 + t), so at t = 2, ∂x'/∂t is −1/16.
     close([speed([1., 0., -2.], [0., 0., -1.], 2., 1.)], [-1. / 16.]);
 }
 
@@ -78,7 +79,8 @@ fn orthographic_takes_the_box_to_the_cube() {
     let projection = orthographic(-1., 3., -2., 1., 1., 4.);
     close(ndc(&projection, [-1., -2., -1.]), [-1., -1., -1.]);
     close(ndc(&projection, [3., 1., -4.]), [1., 1., 1.]);
-    // The isometric view: 45° about y, then down by atan(1/√2). Each axis appears with a length of √(2/3).
+    // The isometric view turns by 45° about y, then down by atan(1/√2). Each axis has a length of √(2/3) in the
+    // picture.
     let turn = linear::multiply(
         &linear::rotate_x((0.5_f64).sqrt().atan()),
         &linear::rotate_y(-FRAC_PI_4),

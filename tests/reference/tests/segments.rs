@@ -20,8 +20,8 @@ fn depths_fractions_and_values() {
 
 #[test]
 fn a_line_from_behind_the_eye() {
-    // From (−1, 0), two behind the eye, to (1, 0), eight ahead. The near plane is at 2, so the line is clipped 0.4 of
-    // the way, at x = −0.2.
+    // The segment runs from (−1, 0), two behind the eye, to (1, 0), eight ahead. The near plane is at 2, so the segment
+    // is clipped at 0.4 of its length, at x = −0.2.
     let view = view::View {
         eye: linear::IDENTITY,
         projection: projection::frustum(-2., 2., -2., 2., 2., 10.),
@@ -37,7 +37,7 @@ fn a_line_from_behind_the_eye() {
     close(line.attributes.concat(), [4., 10.]);
     // x' = 50 + 50x/w: 45 and 56.25.
     close(line.screen.concat(), [45., 50., 56.25, 50.]);
-    // Halfway on the screen 1/w = (1/2 + 1/8)/2, so w = 3.2, a = 5.2, and x = 0.04.
+    // Halfway on the screen, 1/w = (1/2 + 1/8)/2, so w = 3.2, a = 5.2, and x = 0.04.
     let half = line.at(0.5);
     close([half.w, half.distance, half.attributes[0]], [3.2, 3.2, 5.2]);
     close(half.screen, [50. + 50. * 0.04 / 3.2, 50.]);

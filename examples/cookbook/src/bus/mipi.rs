@@ -1,4 +1,4 @@
-//! Panels with the command set of MIPI DCS: ST7789, ILI9341, GC9A01, ILI9488.
+//! A model of panels with the command set of MIPI DCS: ST7789, ILI9341, GC9A01, ILI9488.
 
 use embedded_graphics::pixelcolor::raw::RawU16;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb666, Rgb888};
@@ -9,30 +9,30 @@ pub struct Command {
     pub code: u8,
     /// Its data.
     pub data: Vec<u8>,
-    /// When the first byte of data began, in times of a byte.
+    /// When the first byte of data began. A unit is the time that the bus takes for a byte.
     pub start: u64,
 }
 
 /// The contents of a controller's registers and memory.
 #[allow(clippy::struct_excessive_bools)] // one for each bit of the registers
 pub struct Panel {
-    /// Width and height of the memory while columns and rows are not exchanged.
+    /// The width and height of the memory if columns and rows are not exchanged.
     size: (u16, u16),
     is_awake: bool,
     is_on: bool,
     bits_per_pixel: u8,
     is_exchanged: bool,
-    /// The glass has blue where the controller has red: the program must exchange them.
+    /// The glass has blue where the controller has red, so the program must exchange them.
     is_blue_first: bool,
-    /// The window's first and last column, both inclusive.
+    /// The first and last columns of the window. Both are part of it.
     columns: (u16, u16),
     rows: (u16, u16),
-    /// Each pixel as it was sent, `None` until then.
+    /// Each pixel as it was sent; `None` before it is sent.
     memory: Vec<Option<u32>>,
 }
 
 impl Panel {
-    /// Returns a panel that sleeps, with a memory of this size.
+    /// Returns a sleeping panel with a memory of this size.
     pub fn new(width: u16, height: u16) -> Self {
         Self {
             size: (width, height),
@@ -47,7 +47,7 @@ impl Panel {
         }
     }
 
-    /// The same panel with a glass that has blue where the controller has red.
+    /// Returns the same panel, with a glass that has blue where the controller has red.
     #[must_use]
     pub fn with_blue_first(self) -> Self {
         Self {
@@ -56,7 +56,7 @@ impl Panel {
         }
     }
 
-    /// Executes commands; panics at a command that the data sheets do not allow here.
+    /// Executes commands. Panics at a command that the data sheets do not allow in the panel's state.
     pub fn read(&mut self, commands: &[Command]) {
         for Command { code, data, .. } in commands {
             match (code, data.as_slice()) {
@@ -67,8 +67,8 @@ impl Panel {
                 // NORON, INVOFF, INVON, TEOFF, TEON and the manufacturers' registers (voltages, timing, gamma) change
                 // only the display, not the memory.
                 (0x13 | 0x20 | 0x21 | 0x34, []) | (0x35, [_]) | (0x60.., _) => {}
-                // MADCTL: bit 5 exchanges rows and columns, and bits 7 and 6 mirror them, so that the host counts from
-                // the upper left corner of the rotated panel. Bit 3 exchanges red and blue.
+                // MADCTL: bit 5 exchanges rows and columns. Bits 7 and 6 mirror them, so that the host counts from the
+                // upper left corner of the rotated panel. Bit 3 exchanges red and blue.
                 (0x36, &[mode]) => {
                     let is_blue_first = mode & 0b1000 != 0;
                     assert_eq!(
@@ -93,7 +93,7 @@ impl Panel {
         }
     }
 
-    /// Columns and rows as the host counts them.
+    /// The numbers of columns and rows, as the host counts them.
     fn size(&self) -> (u16, u16) {
         let (width, height) = self.size;
         if self.is_exchanged {
@@ -103,9 +103,10 @@ impl Panel {
         }
     }
 
-    /// RAMWR: the pointer starts at the window's upper left corner and moves right. At the end of a row it goes to the
-    /// start of the next one, and at the end of the window back to the window's start. 16 bits of color are two bytes,
-    /// red in the upper five bits of the first; 18 bits are three, each in its upper six bits.
+    /// RAMWR: the pointer starts at the upper left corner of the window and moves right. After the last pixel of a row,
+    /// it goes to the next row, and after the last row to the start of the window. A pixel of 16 bits has two bytes,
+    /// with red in the upper five bits of the first byte. A pixel of 18 bits has three bytes, and uses the upper six
+    /// bits of each byte.
     fn write(&mut self, data: &[u8]) {
         let bytes = match self.bits_per_pixel {
             16 => 2,
@@ -135,7 +136,7 @@ impl Panel {
         }
     }
 
-    /// Returns the raw bits of the pixels, row by row from the upper left corner; `None` for one that was never
+    /// Returns the raw bits of the pixels, row by row from the upper left corner; `None` for a pixel that was never
     /// written. Panics if the panel is dark.
     pub fn pixels(&self) -> &[Option<u32>] {
         assert!(self.is_awake && self.is_on, "the panel is dark");
@@ -143,7 +144,7 @@ impl Panel {
     }
 
     /// Returns the raw bits of the `width` x `height` pixels at the upper left corner. Panics if the panel is dark, if
-    /// one of these pixels was never written, or if a pixel outside them was.
+    /// one of these pixels was never written, or if another pixel was written.
     pub fn picture(&self, (width, height): (u32, u32)) -> Vec<u32> {
         let columns = u32::from(self.size().0);
         let mut picture = vec![];
@@ -156,7 +157,7 @@ impl Panel {
         picture
     }
 
-    /// Returns the color of a pixel's raw bits.
+    /// Returns the color that the raw bits of a pixel mean.
     pub fn color(&self, raw: u32) -> Rgb888 {
         if self.bits_per_pixel == 16 {
             return Rgb565::from(RawU16::new(raw as u16)).into();
@@ -166,7 +167,7 @@ impl Panel {
     }
 }
 
-/// The first and the last column or row, each in two bytes, the more significant one first.
+/// The first and the last column or row. Each has two bytes, the more significant byte first.
 fn window(data: &[u8], size: u16) -> (u16, u16) {
     let &[a, b, c, d] = data else {
         panic!("a window takes four bytes, not {data:02x?}");

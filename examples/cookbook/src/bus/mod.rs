@@ -1,9 +1,9 @@
-//! Wires that record what a driver sends, and models of the panels at their other end.
+//! Wires that record what a driver sends, and models of the panels at the other end of the wires.
 //!
-//! A driver of another project gets [`Wires`] in place of a bus and pins. A model then reads the record, as the data
+//! A driver of another project gets [`Wires`] in place of a bus and pins. A model then reads the record as the data
 //! sheet of its controller says, and shows what the panel would show. No model uses code of a driver or of fixel.
 
-// A model panics at what its panel would not understand.
+// A model panics if it gets something that its panel would not understand.
 #![allow(clippy::missing_panics_doc, clippy::must_use_candidate)]
 
 pub mod mipi;
@@ -22,7 +22,7 @@ use embedded_hal::spi::{self, Operation, SpiDevice};
 
 use mipi::Command;
 
-/// A bus that writes only, and its D/C line. Clones are ends of the same wires.
+/// A bus that can only write, with its D/C line. Clones are other ends of the same wires.
 #[derive(Clone, Default)]
 pub struct Wires(Rc<RefCell<Record>>);
 
@@ -33,17 +33,17 @@ struct Record {
     runs: Vec<Run>,
 }
 
-/// Bytes that follow each other while D/C stays as it is.
+/// Bytes that follow each other without a change of D/C.
 pub struct Run {
     /// D/C was high: data, not commands.
     pub is_data: bool,
     /// The bytes in the order in which they were sent.
     pub bytes: Vec<u8>,
-    /// When the first of them began, in the times that the bus takes for a byte.
+    /// When the first byte began. A unit is the time that the bus takes for a byte.
     pub start: u64,
 }
 
-/// Returns the commands that the bytes on the wires are.
+/// Returns the bytes on the wires as commands.
 pub fn commands(runs: Vec<Run>) -> Vec<Command> {
     let mut commands: Vec<Command> = vec![];
     for Run {
@@ -80,7 +80,7 @@ impl Wires {
         self.0.borrow().now
     }
 
-    /// Lets time pass in which nothing is sent.
+    /// Lets the time for a number of bytes pass. Nothing is sent in this time.
     pub fn wait(&self, bytes: u64) {
         self.0.borrow_mut().now += bytes;
     }
@@ -120,7 +120,7 @@ impl embedded_hal_async::spi::SpiDevice for Wires {
         &mut self,
         operations: &mut [Operation<'_, u8>],
     ) -> Result<(), Infallible> {
-        // The bus is busy until the program has done something else, as with DMA.
+        // The bus is busy until the program has done something else, as if a DMA channel were sending.
         embassy_futures::yield_now().await;
         SpiDevice::transaction(self, operations)
     }
@@ -143,7 +143,7 @@ impl OutputPin for Wires {
     }
 }
 
-/// A pin that leads nowhere, such as the reset of a panel that is always ready. It reads as low.
+/// A pin that is not connected, for example to the reset of a panel that is always ready. It reads as low.
 pub struct Unconnected;
 
 impl digital::ErrorType for Unconnected {

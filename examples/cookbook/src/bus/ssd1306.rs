@@ -1,4 +1,4 @@
-//! A panel of 128x64 pixels in black and white with an SSD1306.
+//! A model of a panel of 128x64 pixels in black and white with an SSD1306.
 
 use std::ops::RangeInclusive;
 
@@ -9,11 +9,11 @@ pub struct Panel {
     is_on: bool,
     columns: RangeInclusive<u8>,
     pages: RangeInclusive<u8>,
-    /// Where the next byte goes.
+    /// The place of the next byte.
     column: u8,
     page: u8,
     is_horizontal: bool,
-    /// 8 rows of a column in a byte, the topmost in the least significant bit; `None` until it is written.
+    /// A byte has 8 rows of a column, with the topmost row in the least significant bit; `None` before it is written.
     memory: [[Option<u8>; 128]; 8],
 }
 
@@ -32,7 +32,7 @@ impl Default for Panel {
 }
 
 impl Panel {
-    /// Executes commands and stores data; panics at what the data sheet does not allow here.
+    /// Executes commands and stores data. Panics at bytes that the data sheet does not allow in the panel's state.
     pub fn read(&mut self, runs: &[Run]) {
         for Run { is_data, bytes, .. } in runs {
             if *is_data {
@@ -45,7 +45,7 @@ impl Panel {
         }
     }
 
-    /// Arguments follow a command with D/C low, too.
+    /// Executes commands. Their arguments follow with D/C low, too.
     fn execute(&mut self, mut bytes: &[u8]) {
         while let [command, rest @ ..] = bytes {
             bytes = match (command, rest) {
@@ -69,8 +69,8 @@ impl Panel {
                     self.is_on = false;
                     rest
                 }
-                // Contrast, charge pump, clock, lines, pins and voltages have an argument; scroll, start line,
-                // directions and inversion have none. None of them changes the memory.
+                // Contrast, charge pump, clock, lines, pins and voltages have an argument. Scroll, start line,
+                // directions and inversion have none. None of these commands changes the memory.
                 (0x81 | 0x8d | 0xa8 | 0xd3 | 0xd5 | 0xd9 | 0xda | 0xdb, [_, rest @ ..])
                 | (0x2e | 0x40..=0x7f | 0xa0 | 0xa1 | 0xa4 | 0xa6 | 0xc0 | 0xc8, rest) => rest,
                 (command, rest) => panic!("command {command:#04x} with {rest:02x?}"),
@@ -78,7 +78,8 @@ impl Panel {
         }
     }
 
-    /// In horizontal mode, columns are counted first, then pages; at the end of the window, its start follows.
+    /// In horizontal mode, the next byte goes to the next column, then to the next page, and after the window to its
+    /// start.
     fn write(&mut self, byte: u8) {
         assert!(self.is_horizontal, "the other modes are not modeled");
         self.memory[usize::from(self.page)][usize::from(self.column)] = Some(byte);

@@ -1,30 +1,30 @@
-//! A panel of electronic paper, 122x250 pixels in black and white, with an SSD1680 or SSD1675.
+//! A model of electronic paper with an SSD1680 or SSD1675: 122x250 pixels in black and white.
 
 use super::mipi::Command;
 
-/// Bytes of a row of memory: 122 pixels, and 6 that are not on the glass.
+/// The number of bytes in a row of memory. A row has 122 pixels, and 6 that are not on the glass.
 const STRIDE: usize = 16;
 const ROWS: usize = 250;
 
-/// A memory of the controller: 8 pixels side by side in a byte, the leftmost in the most significant bit.
+/// A memory of the controller. A byte has 8 pixels side by side, with the leftmost in the most significant bit.
 type Memory = [[u8; STRIDE]; ROWS];
 
-/// The contents of the controller's registers and memories, and what the paper shows.
+/// The contents of the controller's registers and memories, and the picture on the paper.
 pub struct Panel {
-    /// The picture to show, and the one that a quick refresh takes to be shown already.
+    /// The picture to show, and the picture that a quick refresh assumes to be on the paper.
     new: Memory,
     old: Memory,
-    /// The first and the last column of bytes, and row.
+    /// The first and the last column of bytes, and the first and the last row.
     columns: (usize, usize),
     rows: (usize, usize),
     at: (usize, usize),
-    /// What the next activation does.
+    /// The steps of the next activation.
     update: u8,
-    /// The waveform's table drives all pixels, not those alone that differ.
+    /// Whether the waveforms drive all pixels, or only pixels that differ.
     is_full: bool,
-    /// What the paper shows, white (1) before the first refresh.
+    /// The picture on the paper: white (1) before the first refresh.
     pub paper: Memory,
-    /// For each refresh so far: whether it was a full one, and the number of pixels whose color it changed.
+    /// For each refresh so far: whether it was a full refresh, and the number of pixels that changed their color.
     pub refreshes: Vec<(bool, u32)>,
 }
 
@@ -45,7 +45,7 @@ impl Default for Panel {
 }
 
 impl Panel {
-    /// Executes commands; panics at a command that the data sheet does not allow here.
+    /// Executes commands. Panics at a command that the data sheet does not allow in the panel's state.
     pub fn read(&mut self, commands: &[Command]) {
         for Command { code, data, .. } in commands {
             match (code, data.as_slice()) {
@@ -63,19 +63,20 @@ impl Panel {
                 (0x26, data) => {
                     self.at = write(&mut self.old, self.at, [self.columns, self.rows], data);
                 }
-                // The waveforms: in a full refresh, pixels that stay black or white (the first and the fourth group of
-                // seven bytes) are driven, too.
+                // The table of waveforms. In a full refresh, pixels that stay black or white (the first and the fourth
+                // group of seven bytes) are driven, too.
                 (0x32, table) => self.is_full = table[0] != 0,
                 (0x22, &[update]) => self.update = update,
                 (0x20, []) if self.update & 0b100 != 0 => self.refresh(),
-                // An activation that starts or stops the voltages only; SWRESET; voltages, borders and timing.
+                // An activation that only starts or stops the voltages; SWRESET; voltages, borders and timing.
                 (0x20 | 0x12, []) | (0x01 | 0x03 | 0x04 | 0x0f | 0x2c | 0x3a | 0x3b | 0x3c, _) => {}
                 (code, data) => panic!("command {code:#04x} with {data:02x?}"),
             }
         }
     }
 
-    /// A full refresh shows the new picture. A quick one drives the pixels alone that differ in the two memories.
+    /// A full refresh shows the new picture. A quick refresh drives only the pixels that differ between the two
+    /// memories.
     fn refresh(&mut self) {
         let mut changed = 0;
         for row in 0..ROWS {
@@ -92,7 +93,7 @@ impl Panel {
     }
 }
 
-/// Writes bytes from a place on, row by row within a window, and returns the place of the next one.
+/// Writes bytes from a place on, row by row within a window. Returns the place of the next byte.
 fn write(
     memory: &mut Memory,
     (mut column, mut row): (usize, usize),

@@ -1,4 +1,4 @@
-//! When a panel reads its memory, and what it shows while the memory is written.
+//! Models when a panel reads its memory, and what it shows if the memory is written in this time.
 
 use std::convert::Infallible;
 
@@ -7,18 +7,18 @@ use embedded_hal::digital::{ErrorType, InputPin};
 use super::Wires;
 use super::mipi::Command;
 
-/// A panel's output for the tearing effect: high while the panel reads no row from its memory.
+/// A panel's TE output (tearing effect). The output is high while the panel reads no row of its memory.
 ///
-/// The panel reads its rows in turn, [`Scan::LINES`] lines in [`Scan::PERIOD`] times of a byte: 60 times a second on a
-/// bus of 62.5 MHz. The first [`Scan::BLANK`] lines are the pause, as ST7789 does it after a reset.
+/// The panel reads its rows one after the other: [`Scan::LINES`] lines in [`Scan::PERIOD`] times of a byte, which is 60
+/// times a second on a bus of 62.5 MHz. In the first [`Scan::BLANK`] lines, it pauses, like an ST7789 after a reset.
 pub struct Scan(pub Wires);
 
 impl Scan {
-    /// The time of a scan.
+    /// The time of a scan, in times of a byte.
     pub const PERIOD: u64 = 62_500_000 / 8 / 60;
-    /// Lines of a scan, each as long as the others.
+    /// The number of lines of a scan. All lines take the same time.
     pub const LINES: u64 = 320 + Self::BLANK;
-    /// Lines at its beginning in which no row is read.
+    /// The number of lines at the start of a scan in which the panel reads no row.
     pub const BLANK: u64 = 24;
 
     /// Returns the time at which the panel reads a row of a frame.
@@ -43,7 +43,7 @@ impl InputPin for Scan {
     }
 }
 
-/// A pin that a program reads in place of [`Scan`], and that lets it wait for nothing but the 1.1 ms in which it draws.
+/// A pin that a program reads in place of [`Scan`]. The program then waits only for the 1.1 ms in which it draws.
 pub struct Ignored(pub Wires);
 
 impl ErrorType for Ignored {
@@ -61,8 +61,8 @@ impl InputPin for Ignored {
     }
 }
 
-/// Returns what a panel of `side` x `side` pixels shows in a scan of its memory, while `commands` write whole frames of
-/// 16 bits a pixel: for each pixel, the color that was the last to be written before it was read.
+/// Returns the picture that a panel of `side` x `side` pixels shows in a scan of its memory, while `commands` write
+/// whole frames of 16 bits a pixel. Each pixel has the color that was last written before the pixel was read.
 pub fn scanned(commands: &[Command], scan: u64, side: u32) -> Vec<Option<u16>> {
     let frames = commands.iter().filter(|command| command.code == 0x2c);
     let frames: Vec<_> = frames.collect();

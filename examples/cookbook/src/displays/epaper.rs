@@ -1,4 +1,4 @@
-//! Electronic paper: after one full refresh, which flashes, quick ones drive the pixels alone that changed.
+//! Electronic paper: after a full refresh, which flashes, quick refreshes drive only the pixels that have changed.
 
 use std::fmt::Debug;
 
@@ -17,11 +17,11 @@ const BAND: usize = (WIDTH * ROWS) as usize;
 static TOWER: Mesh = shape!(cylinder(24));
 static SAIL: Mesh = shape!(cuboid(vec3!(1, 0.12, 0.02)));
 
-/// Draws a windmill into the driver's buffer of 4 KB, in bands that take 5 KB with depth.
+/// Draws a windmill into the driver's buffer of 4 KB. Its bands take 5 KB with depths.
 pub fn draw(paper: &mut Display2in13, turn: Angle) -> Result<(), Error> {
     let view = Projection::perspective(deg!(40), (WIDTH, HEIGHT), fx!(0.5), fx!(50))?
         * Camera::look_at(vec3!(1, 1, 7), vec3!(0, 0.5, 0), Vec3::Y)?;
-    // Ordered dithering keeps its pattern where nothing moves. Diffused errors would not.
+    // Ordered dithering keeps its pattern where nothing moves. Error diffusion would not.
     let sun = Light::new(vec3!(-2, 2, 3), fx!(0.2), fx!(0.8))?;
     let white = Flat::rgb(Rgb888::new(255, 255, 255)).lit(sun);
     let (mut pixels, mut depths) = ([BinaryColor::On; BAND], [0; BAND]);
@@ -50,7 +50,7 @@ pub fn run(
     let mut paper = Display2in13::default();
     for &turn in turns {
         draw(&mut paper, turn)?;
-        // The panel keeps the picture, and compares the next one with it.
+        // The panel keeps the picture, and compares the next picture with it.
         let shown = panel.update_and_display_frame(&mut spi, paper.buffer(), &mut delay);
         shown.unwrap(); // this bus returns no errors
         let quick = panel.set_refresh(&mut spi, &mut delay, RefreshLut::Quick);

@@ -13,12 +13,12 @@ use lcd_async::{Builder, interface::SpiInterface, models::ST7789};
 const SIDE: u32 = 240;
 const ROWS: u32 = 24; // of a band
 const BAND: usize = (SIDE * ROWS) as usize;
-/// Pixels of a frame: 112 KiB.
+/// The number of pixels of a frame. A frame takes 112 KiB.
 pub const PIXELS: usize = (SIDE * SIDE) as usize;
 
 static KNOT: Mesh = shape!(torus(fx!(0.3), 32, 16));
 
-/// Draws bands in SRAM, where each pixel's depth is read and written, and copies them: PSRAM is written once, in order.
+/// Draws bands in SRAM, because depths are read and written often. PSRAM gets finished bands, once and in order.
 pub fn draw(frame: &mut [[u8; 2]], turn: Angle) -> Result<(), Error> {
     let view = Projection::perspective(deg!(45), (SIDE, SIDE), fx!(0.5), fx!(50))?
         * Camera::look_at(vec3!(0, 1, 3.6), Vec3::ZERO, Vec3::Y)?;
@@ -48,7 +48,7 @@ pub async fn run<S: SpiDevice<Error: Debug>, P: OutputPin<Error: Debug>>(
     draw(next, turns[0])?;
     for turn in &turns[1..] {
         mem::swap(&mut shown, &mut next);
-        // `join` starts the transfer first; the DMA sends while this core draws.
+        // `join` starts the transfer first: the DMA sends while this core draws.
         let sending = panel.show_raw_data(0, 0, 240, 240, shown.as_flattened());
         let (sent, drawn) = join(sending, async { draw(next, *turn) }).await;
         sent.unwrap();

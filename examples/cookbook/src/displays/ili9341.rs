@@ -1,4 +1,4 @@
-//! A driver that takes words of 16 bits gets the canvas's own memory.
+//! A driver that takes words of 16 bits gets the memory of the canvas.
 
 use display_interface::WriteOnlyDataCommand;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
@@ -15,7 +15,7 @@ const BAND: usize = (WIDTH * ROWS) as usize;
 
 static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 
-/// Draws any rows of the frame.
+/// Draws some rows of the frame.
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Words, LinearDepth>) -> Result<(), Error> {
     let view = Projection::perspective(deg!(30), canvas.frame_size(), fx!(0.5), fx!(50))?
         * Camera::look_at(vec3!(3, 4, 6), vec3!(0, 0.4, 0), Vec3::Y)?;

@@ -17,7 +17,7 @@ const BAND: usize = (WIDTH * ROWS) as usize;
 
 static BALL: Mesh = shape!(sphere(32, 24));
 
-/// Draws any rows of the frame. `Rgb666` would take four bytes a pixel in memory, which a bus cannot send as they are.
+/// Draws some rows of the frame. `Rgb666` would take four bytes a pixel in memory; the bus needs three.
 pub fn draw(canvas: &mut Canvas<'_, Rgb888, BigEndian, LinearDepth>) -> Result<(), Error> {
     let view = Projection::perspective(deg!(38), canvas.frame_size(), fx!(0.5), fx!(50))?
         * Camera::look_at(vec3!(0, 1.5, 5.3), Vec3::ZERO, Vec3::Y)?;

@@ -1,8 +1,8 @@
-//! Programs that drive displays, each with another project's driver, and what their panels show.
+//! Programs that drive displays, each with a driver of another project, and the pictures that their panels show.
 //!
-//! The programs are printed in the library's guide. Here their buses are wires that record, and their panels models.
+//! The library's guide shows the programs. Here, their buses are wires that record, and their panels are models.
 
-// The functions are parts of programs, which the guide explains.
+// The functions are parts of programs. The guide explains them.
 #![allow(missing_docs, clippy::missing_errors_doc, clippy::missing_panics_doc)]
 
 pub mod epaper;
@@ -34,10 +34,10 @@ use crate::bus::mipi::{self, Command};
 use crate::bus::tearing::{Ignored, Scan, scanned};
 use crate::bus::{NoDelay, Unconnected, Wires, commands, ssd1306, ssd1680};
 
-/// A picture of what panels show.
+/// A picture of the panels.
 pub type Picture = SimulatorDisplay<Rgb888>;
 
-/// Runs a program, and makes a picture of its panel.
+/// Runs a program, and returns a picture of its panel.
 pub type Show = fn() -> Result<Picture, Error>;
 
 /// The programs by name.
@@ -52,7 +52,7 @@ pub const DISPLAYS: &[(&str, Show)] = &[
     ("window", window_picture),
 ];
 
-/// A dark surface, on which panels lie side by side.
+/// A dark table with room for panels side by side.
 fn table(panels: u32, size: Size) -> Picture {
     let width = panels * (size.width + GAP) + GAP;
     SimulatorDisplay::with_default_color(
@@ -61,17 +61,17 @@ fn table(panels: u32, size: Size) -> Picture {
     )
 }
 
-/// Around each panel, in pixels.
+/// The distance between panels, in pixels.
 const GAP: u32 = 8;
 
-/// Where a panel's left upper corner is.
+/// The place of a panel's upper left corner.
 fn corner(panel: u32, width: u32) -> Point {
     let [x, y] = [panel * (width + GAP) + GAP, GAP].map(u32::cast_signed);
     Point::new(x, y)
 }
 
-/// Lays a panel on the table: its number from the left, the size of its pixels, and their colors. Pixels without a
-/// color are the table's.
+/// Puts a panel on the table, given its number from the left, the size of its pixels, and their colors. The table shows
+/// where pixels have no color.
 fn lay(
     picture: &mut Picture,
     panel: u32,
@@ -90,10 +90,10 @@ fn lay(
     }
 }
 
-/// A driver whose bus and D/C line are wires.
+/// A driver with wires for its bus and its D/C line.
 pub type Driver<'b, M> = Display<SpiInterface<'b, Wires, Wires>, M, NoResetPin>;
 
-/// A driver of a panel on these wires.
+/// Makes the driver of a panel at the end of these wires.
 pub fn driver<'b, M: Model<ColorFormat = Rgb565>>(
     model: M,
     (width, height): (u16, u16),
@@ -125,7 +125,7 @@ impl Ran {
         pixels.map(|pixel| pixel.map(|raw| self.panel.color(raw)))
     }
 
-    /// Returns the number of bytes of pixels that were sent.
+    /// Returns the number of bytes of pixel data that were sent.
     #[must_use]
     pub fn sent(&self) -> usize {
         let writes = self.commands.iter().filter(|command| command.code == 0x2c);
@@ -147,7 +147,7 @@ fn window_picture() -> Result<Picture, Error> {
         let ran = run_window(&turns[..=panel as usize])?;
         lay(&mut picture, panel, window::FRAME, 1, ran.colors());
     }
-    // What was sent again.
+    // The part that was sent again.
     let mut sent = window::WINDOW;
     sent.top_left += corner(1, window::FRAME.width);
     let line = PrimitiveStyle::with_stroke(Rgb888::YELLOW, 1);
@@ -162,7 +162,7 @@ pub fn run_round() -> Result<Ran, Error> {
     Ok(Ran::new(mipi::Panel::new(240, 240), &wires))
 }
 
-/// Whether a pixel of the round panel is on its glass: its center is in the circle.
+/// Whether a pixel of the round panel is on the glass, that is, whether its center is in the circle.
 #[must_use]
 pub fn is_round(column: u32, row: u32) -> bool {
     let [x, y] = [column, row].map(|at| (2 * at + 1).abs_diff(round::SIDE));
@@ -245,7 +245,7 @@ fn epaper_picture() -> Result<Picture, Error> {
             pixels.clone().map(color).map(Some),
         );
     }
-    // What the quick refresh drove.
+    // The colors show which pixels the quick refresh drove.
     let color = |at| match (is_white(0, at), is_white(1, at)) {
         (true, false) => Rgb888::new(200, 60, 40),
         (false, true) => Rgb888::new(60, 120, 220),
@@ -274,7 +274,7 @@ pub fn run_ili9341() -> Result<Ran, Error> {
     let wires = Wires::default();
     let interface = SPIInterface::new(wires.clone(), wires.clone());
     ili9341::run(interface, Unconnected, NoDelay)?;
-    // Most modules with this controller have a glass with blue first, which the driver takes for granted.
+    // Most modules with this controller have a glass with blue first, and the driver assumes this.
     Ok(Ran::new(
         mipi::Panel::new(240, 320).with_blue_first(),
         &wires,
@@ -310,7 +310,7 @@ fn frames_picture() -> Result<Picture, Error> {
     Ok(picture)
 }
 
-/// Runs [`tearing`] on these wires with this output for the tearing effect.
+/// Runs [`tearing`] on these wires, with this TE output.
 pub fn run_tearing(
     wires: &Wires,
     te: impl InputPin<Error: Debug>,
@@ -327,7 +327,7 @@ fn tearing_picture() -> Result<Picture, Error> {
     let free = run_tearing(&free, Ignored(free.clone()), &ways)?;
     let bound = run_tearing(&bound, Scan(bound.clone()), &ways)?;
     for (place, ran) in [(0, free), (1, bound)] {
-        // What a person sees when the last frame is on its way, or has just arrived.
+        // The picture that a person sees while the last frame is sent, or just after it was sent.
         let mut writes = ran.commands.iter().filter(|command| command.code == 0x2c);
         let scan = writes.next_back().map_or(0, |write| write.start) / Scan::PERIOD + 1;
         let seen = scanned(&ran.commands, scan, tearing::SIDE);

@@ -17,7 +17,7 @@ const PAGE: usize = (WIDTH * ROWS) as usize;
 
 static RING: Mesh = shape!(torus(fx!(0.45), 24, 12));
 
-/// Draws any rows of the frame.
+/// Draws some rows of the frame.
 pub fn draw(canvas: &mut Canvas<'_, BinaryColor, Native, LinearDepth>) -> Result<(), Error> {
     let view = Projection::perspective(deg!(34), canvas.frame_size(), fx!(0.5), fx!(20))?
         * Camera::look_at(vec3!(0, 3, 3.4), Vec3::ZERO, Vec3::Y)?;
@@ -32,7 +32,7 @@ pub fn draw(canvas: &mut Canvas<'_, BinaryColor, Native, LinearDepth>) -> Result
 
 /// `interface` is the bus: `I2CDisplayInterface::new(i2c)` or `SPIInterface::new(spi, dc)`.
 pub fn run<DI: WriteOnlyDataCommand>(interface: DI) -> Result<(), Error> {
-    // Not `into_buffered_graphics_mode`, which has the buffer.
+    // Not `into_buffered_graphics_mode`, because this mode has a buffer of 1 KiB.
     let mut panel = Ssd1306::new(interface, DisplaySize128x64, DisplayRotation::Rotate0);
     panel.init_with_addr_mode(AddrMode::Horizontal).unwrap();
     panel

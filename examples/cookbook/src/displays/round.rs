@@ -1,4 +1,4 @@
-//! A round panel: each band is as wide as the circle is there. Most of the corners is neither drawn nor sent.
+//! A round panel: each band is as wide as the circle is there. Most pixels in the corners are neither drawn nor sent.
 
 use std::fmt::Debug;
 use std::ops::Range;
@@ -12,23 +12,23 @@ use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::Text;
 use fixel::prelude::*;
 
-/// Width and height of the square around the circle.
+/// The side of the square around the circle.
 pub const SIDE: u32 = 240;
 const ROWS: u32 = 16; // of a band
 const BAND: usize = (SIDE * ROWS) as usize;
 
 static GLOBE: Mesh = shape!(sphere(18, 12));
 
-/// Returns the columns that these rows have in the circle, as many to the left of its center as to the right.
+/// Returns the columns of these rows that are in the circle. They are symmetric about its center.
 fn columns(rows: Range<u32>) -> Range<u32> {
     let radius = SIDE / 2;
-    // The nearest row's distance from the center.
+    // The distance of the row nearest to the center.
     let up = (rows.start.max(radius) - radius).max(radius - rows.end.min(radius));
     let half = ((radius * radius - up * up).isqrt() + 1).min(radius);
     radius - half..radius + half
 }
 
-/// Draws a part of the frame, with its left upper corner `at`.
+/// Draws the part of the frame with its upper left corner `at`.
 pub fn draw(part: &mut Canvas<'_, Rgb565, Native, LinearDepth>, at: Point) -> Result<(), Error> {
     let frame = Rectangle::new(-at, Size::new(SIDE, SIDE));
     let options = DrawOptions::new().with_viewport(Viewport::try_from(frame)?);

@@ -1,4 +1,4 @@
-//! Without tearing: a frame is sent when the panel has just begun to read its memory, and stays behind it.
+//! Without tearing: a frame is sent when the panel has just begun to read its memory, and never overtakes the panel.
 
 use std::fmt::Debug;
 
@@ -16,7 +16,7 @@ const PIXELS: usize = (SIDE * SIDE) as usize;
 
 static COLUMN: Mesh = shape!(cylinder(12));
 
-/// Draws a row of columns that the viewer passes.
+/// Draws a row of columns. The viewer moves along the row.
 pub fn draw(frame: &mut Canvas<'_, Rgb565>, passed: Scalar) -> Result<(), Error> {
     let eye = Vec3::new(passed, fx!(0), fx!(5));
     let view = Projection::perspective(deg!(50), (SIDE, SIDE), fx!(0.5), fx!(50))?
@@ -32,7 +32,7 @@ pub fn draw(frame: &mut Canvas<'_, Rgb565>, passed: Scalar) -> Result<(), Error>
     Ok(())
 }
 
-/// Shows frames. `te` is the panel's TE output: high while it reads no row of its memory.
+/// Shows frames. `te` is the panel's TE output, which is high while the panel reads no row of its memory.
 pub fn run<T: InputPin<Error: Debug>>(
     spi: impl SpiDevice<Error: Debug>,
     dc: impl OutputPin<Error: Debug>,
@@ -47,8 +47,8 @@ pub fn run<T: InputPin<Error: Debug>>(
     for &passed in ways {
         let mut frame = Canvas::new(&mut pixels, SIDE, SIDE)?;
         draw(&mut frame, passed)?;
-        // The panel reads its 320 rows in 16 ms, and the bus writes 240 rows in 15: slower. So the panel goes first,
-        // shows the old frame once more, and meets none of the new rows before they are all there.
+        // The panel reads its 320 rows in 16 ms. The bus writes 240 rows in 15 ms, so it takes longer per row. The
+        // panel reads ahead of the bus, and shows the old frame once more. It reads no new row before all are there.
         while te.is_low().unwrap() {}
         while te.is_high().unwrap() {}
         frame.show(&mut panel).unwrap();

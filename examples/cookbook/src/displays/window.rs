@@ -1,4 +1,4 @@
-//! A window of the frame alone: after the first frame, the pixels around what moves are drawn and sent, no others.
+//! Only a window of the frame: after the first frame, only the pixels around the moving part are drawn and sent.
 
 use std::fmt::Debug;
 
@@ -12,7 +12,7 @@ use embedded_graphics::text::Text;
 use fixel::prelude::*;
 
 pub const FRAME: Size = Size::new(240, 240);
-/// What moves stays in this window. A canvas of its size takes 25 KiB with depth, where the frame would take 225.
+/// The moving part stays in this window. A canvas of its size takes 25 KiB with depths; the frame would take 225 KiB.
 pub const WINDOW: Rectangle = Rectangle::new(Point::new(80, 80), Size::new(80, 80));
 
 static RING: Mesh = shape!(torus(fx!(0.4), 24, 12));
@@ -25,7 +25,7 @@ where
 {
     let (mut colors, mut depths) = ([Rgb565::BLACK; 6400], [0; 6400]);
     let mut canvas = Canvas::new(&mut colors, 80, 80)?.with_depth(&mut depths)?;
-    // The whole frame's picture, moved so that this part of it is on the canvas.
+    // The viewport is the whole frame, moved so that this part of the frame is on the canvas.
     let frame = Viewport::try_from(Rectangle::new(-at, FRAME))?;
     let options = DrawOptions::new().with_viewport(frame);
     let view = Projection::perspective(deg!(40), FRAME, fx!(0.5), fx!(50))?
@@ -45,7 +45,7 @@ where
     Ok(())
 }
 
-/// Shows the first turn's frame in nine parts, and then, for each other turn, the window.
+/// Shows the frame of the first turn in nine parts. For each other turn, shows only the window.
 pub fn run<D>(display: &mut D, turns: &[Angle]) -> Result<(), Error>
 where
     D: DrawTarget<Color = Rgb565, Error: Debug>,

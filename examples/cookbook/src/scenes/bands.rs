@@ -4,7 +4,7 @@ use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor, WebColors};
 use fixel::prelude::*;
 
-/// Rows of a band. At 320 columns, it takes 10 KiB; a whole frame takes 300 KiB.
+/// The number of rows of a band. With 320 columns, a band takes 10 KiB; a whole frame takes 300 KiB.
 const ROWS: u32 = 8;
 
 static BALL: Mesh = shape!(sphere(32, 24));
@@ -25,7 +25,7 @@ static STRIPES: [[Rgb565; 8]; 16] = {
     texels
 };
 
-/// The display: here a canvas too, but any `DrawTarget` can be sent to.
+/// Here the display is a canvas, too, but a band can be sent to any `DrawTarget`.
 pub fn draw(display: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let frame = display.frame_size();
     let projection = Projection::perspective(deg!(40), frame, fx!(0.5), fx!(50))?;
@@ -33,7 +33,7 @@ pub fn draw(display: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(),
     let mvp = view * Transform::rotate_z(deg!(-35)) * Transform::rotate_x(deg!(35));
     let sun = Light::new(vec3!(-2, 3, 3), fx!(0.35), fx!(0.65))?;
 
-    // Once a frame: the visible triangles. On a chip, list and memory are statics.
+    // Collect the visible triangles once a frame. On a chip, the list and the memory are statics.
     let mut list = Box::new(DrawList::<900, 900>::new());
     let triangles = list.prepare(&DrawOptions::new(), frame, &BALL, &mvp)?;
     let shader = Textured::new(&STRIPES).lit(sun);
@@ -45,7 +45,7 @@ pub fn draw(display: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(),
         let pixels = (width * ROWS.min(height - first_row)) as usize;
         let band = Canvas::band(&mut colors[..pixels], width, height, first_row)?;
         let mut band = band.with_depth(&mut depths[..pixels])?;
-        // Each band has a background of its own, so that you can see it.
+        // Each band has its own background, so that you can see the bands.
         let light = (first_row * 200 / height) as u8;
         band.clear(Rgb888::new(40 + light, 110 + light / 2, 190).into());
         band.draw_prepared(&triangles, &shader)?;

@@ -1,11 +1,11 @@
-//! A corridor of eight triangles: on the left in mode `Affine`, on the right in the default mode.
+//! A corridor of eight triangles: in mode `Affine` on the left, in the default mode on the right.
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor, raw::RawU16};
 use embedded_graphics::{Drawable, geometry::Point, text::Text};
 use fixel::{mode::Affine, prelude::*};
 
-/// A floor, 2 units wide and 16 long, with two repeats of the texture on each unit.
+/// A floor, 2 units wide and 16 long. The texture repeats twice on each unit.
 static FLOOR: Mesh = {
     #[rustfmt::skip]
     const CORNERS: [Vec3; 4] =
@@ -26,7 +26,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let size = canvas.frame_size();
     let middle = size.width.cast_signed() / 2;
     let aspect = Scalar::try_from(size.width)? / Scalar::try_from(size.height)?;
-    // Two windows that meet at the line of sight, each in a half of the picture.
+    // Each half of the picture has its own window. The windows meet at the line of sight.
     let whole = Window::centered(aspect * fx!(0.38), fx!(0.38));
     let (mut left, mut right) = (whole, whole);
     (left.right, right.left) = (fx!(0), fx!(0));

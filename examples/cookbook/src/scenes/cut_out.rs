@@ -9,7 +9,7 @@ static SQUARE: Mesh = shape!(plane(1, 1));
 static BALL: Mesh = shape!(sphere(24, 16));
 static TRUNK: Mesh = shape!(cylinder(12));
 
-/// A picket with its part of two rails. A texel has a color or is a hole.
+/// A picket with its part of the two rails. A texel has a color or is a hole.
 fn picket(row: usize, column: usize) -> Argb1555 {
     let aside = (2 * column).abs_diff(7); // of the picket's middle
     match row % 14 {
@@ -19,7 +19,7 @@ fn picket(row: usize, column: usize) -> Argb1555 {
     }
 }
 
-/// Leaves in several greens. The rest is magenta, and left out.
+/// Leaves in several greens. All other texels are magenta, and are left out.
 fn leaf(row: usize, column: usize) -> Rgb565 {
     match ((column * 31 + row * 17) ^ (column * row)) % 13 {
         noise @ 0..9 => Rgb565::new(3 + noise as u8 / 2, 24 + 2 * noise as u8, 4),
@@ -35,7 +35,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let grass = Flat::new(Rgb565::new(12, 40, 8));
     canvas.draw(&SQUARE, &at(Vec3::ZERO, vec3!(60, 1, 60)), &grass);
 
-    // Through the holes of the near leaves you see the far ones, from inside.
+    // Through the holes of the near leaves, you see the far leaves from inside.
     let both_sides = DrawOptions::new().with_cull(Cull::Nothing);
     let sun = Light::new(vec3!(-2, 3, 2), fx!(0.35), fx!(0.65))?;
     let bark = Flat::rgb(Rgb888::new(130, 90, 60)).lit(sun);

@@ -1,4 +1,4 @@
-//! Levels of detail: the fewer pixels an apple takes, the fewer triangles it has.
+//! Levels of detail: the fewer pixels an apple covers, the fewer triangles it has.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::canvas::{Biased, Opacity, TestAndWrite};
@@ -30,11 +30,11 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
         for column in -3..=3_i16 {
             let place = Vec3::from_ints(4 * column, 0, -4 * row);
             let mvp = view * Transform::translate(place);
-            // The test is cheaper than a draw call that draws nothing.
+            // This test takes less time than a draw call that draws nothing.
             if !canvas.is_in_view(&options, &BOUNDS, &mvp) {
                 continue;
             }
-            // The diagonal of the box around the apple, in parts of the frame's height.
+            // The diagonal of the box around the apple, in pixels and then in percent of the frame's height.
             let pixels = canvas.size_on_screen(&options, &BOUNDS, &mvp);
             let (mesh, color) = match pixels.saturating_mul(100) / size.height {
                 40.. => (&FINE, Rgb888::new(235, 60, 40)),

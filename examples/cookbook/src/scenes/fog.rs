@@ -13,7 +13,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let view = projection * camera;
     let sun = Light::new(vec3!(2, 3, 1), fx!(0.35), fx!(0.65))?;
 
-    // The fog has the color of the sky, so the horizon disappears.
+    // The fog has the color of the sky, so that the horizon disappears.
     let haze = Rgb565::new(22, 48, 26);
     let fog = Fog::linear(haze, fx!(4), fx!(34))?;
     canvas.clear(haze);
@@ -25,7 +25,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
         for column in -1..=1_i16 {
             let height = fx!(0.6) + Scalar::from((row * 7 + column * 15 + 40) % 5) / 4;
             let place = Vec3::from_ints(5 * column, 0, -4 * row);
-            // The tower stands on the floor: its middle is half of its height up.
+            // The tower stands on the floor, so its middle is half of its height above the floor.
             let tower = Transform::translate(place + Vec3::new(fx!(0), height * 3 / 2, fx!(0)))
                 * Transform::scale_axes(Vec3::new(fx!(1), height, fx!(1)));
             let brick = Flat::rgb(Rgb888::new(190, 110, 80)).lit_faces(sun);

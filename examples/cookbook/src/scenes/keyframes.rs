@@ -1,4 +1,4 @@
-//! A bird in two poses, and a flock of birds between them.
+//! A bird in two poses, and a flock of birds in poses between them.
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -6,7 +6,7 @@ use embedded_graphics::{Drawable, geometry::Point, text::Text};
 use fixel::mesh::Keyframes;
 use fixel::prelude::*;
 
-/// Beak, back, two ends of a tail; and on each side a wing: two roots, two elbows, a tip.
+/// Beak, back, two ends of the tail; and for each wing two roots, two elbows and a tip.
 #[rustfmt::skip]
 const UP: [Vec3; 14] = [
     vec3!(0, 0, -1), vec3!(0, 0.2, 0), vec3!(-0.3, 0.1, 1), vec3!(0.3, 0.1, 1),

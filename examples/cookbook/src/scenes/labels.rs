@@ -33,7 +33,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
         let planet = view * place * Transform::scale(fx!(0.34));
         canvas.draw(&BALL, &planet, &Flat::rgb(color).lit(lights));
     }
-    // Anti-aliased lines must not hide one another where they meet.
+    // Anti-aliased lines do not write depths, because they must not hide one another where they meet.
     let behind = options.with_depth(TestOnly);
     let line = RING.outline(&ORBIT, LineStyle::HAIRLINE.smooth());
     for &(_, distance, ..) in &PLANETS {
@@ -41,7 +41,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
         canvas.draw_with(&behind, line, &orbit, &Flat::new(Rgb565::new(14, 28, 16)));
     }
 
-    // Text keeps its size. Its place and its depth are those of a point of the scene.
+    // The text always has the same size. Its place and its depth are those of a point of the scene.
     let font = [&FONT_4X6, &FONT_6X10][usize::from(frame.height > 100)];
     let offset = frame.height.cast_signed() / 20;
     for &(name, distance, angle, color) in &PLANETS {
@@ -53,7 +53,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     Ok(())
 }
 
-/// A place in an orbit about the origin.
+/// A place on an orbit about the origin.
 fn place(distance: Scalar, angle: Angle) -> Vec3 {
     Transform::rotate_y(angle).point(Vec3::X * distance)
 }

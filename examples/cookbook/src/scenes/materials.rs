@@ -21,7 +21,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let grass = Flat::rgb(Rgb888::new(110, 150, 80)).lit_faces(sun);
     canvas.draw(&MEADOW, &(near * meadow), &grass);
 
-    // Part by part, each with its texture or its color.
+    // Draw each part with its texture or its color.
     for part in PARTS {
         let mesh = CABIN.part(part.faces());
         match part.material.texture {
@@ -33,7 +33,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
         };
     }
 
-    // All parts in one call, in their colors: a cabin that is too far to show its planks.
+    // Draw all parts in one call, in their colors: this cabin is too far away to show its planks.
     let far = near * Transform::translate(vec3!(4, 0, -14));
     canvas.draw(&CABIN, &far, &PartColors::rgb(PARTS).lit_faces(sun));
     Ok(())

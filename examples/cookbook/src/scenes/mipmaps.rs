@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::{Rgb565, WebColors};
 use fixel::prelude::*;
 use fixel::texture::Mipmap;
 
-/// A texel of a texture of 16x16 texels, which shows four tiles with dark joints.
+/// A texel of a texture of 16x16 texels. The texture shows four tiles with dark joints.
 fn tile(row: usize, column: usize) -> Rgb565 {
     match (row % 8, column % 8) {
         (0, _) | (_, 0) => Rgb565::new(7, 8, 8),
@@ -13,7 +13,7 @@ fn tile(row: usize, column: usize) -> Rgb565 {
     }
 }
 
-/// Half of the floor, 60 units wide and 60 long, with a repeat of the texture on each unit.
+/// Half of the floor, 60 units wide and 60 long. The texture repeats on each unit.
 static HALF: Mesh = {
     const CORNERS: [Vec3; 4] = [
         vec3!(0, 0, 0),
@@ -39,7 +39,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     }
     let tiles = Textured::new(Mipmap::build(&mut texels, 16, 16)?);
     canvas.draw(&HALF, &left, &tiles);
-    // The level depends on a pixel's size: on the projection and the frame's size.
+    // The level depends on the size of a pixel, so `mipmapped` needs the projection and the frame's size.
     let mipmapped = tiles.mipmapped(&projection, canvas.frame_size())?;
     canvas.draw(&HALF, &right, &mipmapped.trilinear());
     Ok(())

@@ -1,4 +1,4 @@
-//! Small scenes, one idea each. Each is a function that draws on any canvas of this kind.
+//! Small scenes, one idea each. Each scene is a function that draws on any canvas of type [`Frame`].
 
 #[cfg(not(target_os = "none"))]
 mod bands;

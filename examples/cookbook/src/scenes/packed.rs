@@ -1,4 +1,4 @@
-//! A panel of 128x64 pixels in black and white: full contrast, with errors diffused.
+//! A panel of 128x64 pixels in black and white: full contrast, and error diffusion.
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888};
@@ -9,7 +9,7 @@ use fixel::texture::Raw;
 
 const SIZE: (u32, u32) = (128, 64);
 static ISLAND: Mesh = include_mesh!("../../../assets/lighthouse.obj");
-// No edge is a crease: it has silhouettes only.
+// With a crease of 180 degrees, no edge is a crease, and the outline has only silhouettes.
 static SILHOUETTES: Outline = include_outline!("../../../assets/lighthouse.obj", crease = 180);
 const PIXELS: &[u8] = include_bytes!("../../../assets/lighthouse.rgb565");
 static SKIN: Raw<Rgb565> = Raw::checked(Raw::new(PIXELS, 128, 128));
@@ -24,13 +24,13 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let light = Light::new(vec3!(-1, 1, 1), fx!(1), fx!(0.2))?;
     let skin = Textured::new(SKIN).converted().lit(light);
     gray.draw(&ISLAND, &view, &skin);
-    // Surfaces without light are black, like the sky: lines tell them apart.
+    // Surfaces without light are black, like the sky. The white lines separate them.
     let contrast = Contrast::of(&gray, 4);
     let white = Flat::rgb(Rgb888::new(255, 255, 255));
     let outline = ISLAND.outline(&SILHOUETTES, LineStyle::HAIRLINE);
     gray.draw(outline, &view, &white);
 
-    // The panel is shown in the middle of this picture, each of its pixels as a square.
+    // The middle of this picture shows the panel, with a square for each pixel of the panel.
     canvas.clear(Rgb565::new(3, 6, 4));
     let frame = canvas.frame_size();
     let side = (frame.width / width).min(frame.height / height).max(1);
@@ -38,7 +38,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let mut errors = [0; SIZE.0 as usize];
     let mut diffusion = ErrorDiffusion::new(&mut errors);
     let style = MonoTextStyle::new(&FONT_6X10, BinaryColor::On);
-    // A page of an SSD1306 at a time: 8 rows, packed into a byte for each column.
+    // Draw one page of an SSD1306 at a time: 8 rows, packed into a byte for each column.
     let (mut shown, mut page) = ([BinaryColor::Off; 128 * 8], [0_u8; 128]);
     for (first_row, grays) in (0..).step_by(8).zip(grays.chunks_mut(128 * 8)) {
         let gray = Canvas::band(grays, width, height, first_row)?;

@@ -1,4 +1,4 @@
-//! Rings within rings without a depth buffer: all triangles are sorted back to front.
+//! Rings within rings without a depth buffer: all triangles are sorted from back to front.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::canvas::NoTest;
@@ -17,7 +17,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let sun = Light::new(vec3!(-2, 4, 3), fx!(0.25), fx!(0.75))?;
     let color = |r, g, b| Flat::rgb(Rgb888::new(r, g, b)).lit(sun);
 
-    // Each ring hangs in the one around it. The shader is the object's material.
+    // Each ring hangs in the ring around it. The material of an object is its shader.
     let upright = Transform::rotate_x(deg!(80));
     let outer = Transform::rotate_y(deg!(30)) * upright;
     let middle = outer * Transform::rotate_x(deg!(50)) * Transform::scale(fx!(0.74));
@@ -29,7 +29,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
         Object::new(&RING, outer, color(230, 110, 90)),
     ];
 
-    // Once a frame, for all of its bands. On a microcontroller, the list is a static.
+    // Sort once a frame, for all of its bands. On a microcontroller, the list is a static.
     let mut list = List::new();
     let options = DrawOptions::new().with_depth(NoTest);
     let scene = list.prepare_back_to_front(&options, frame, &mut objects, &view)?;

@@ -13,7 +13,7 @@ static SKIN: Raw<Rgb565> = Raw::checked(Raw::new(PIXELS, 128, 128));
 const GLOW: [u16; 8] = [0x0003, 0x2888, 0x590a, 0x9109, 0xc9c6, 0xeb44, 0xfd45, 0xff71];
 const BAND: u32 = 76 * 64; // pixels of a band: 20 KiB
 
-/// Draws the scene in a panel's colors, and shows it in a column of the picture, with a caption.
+/// Draws the scene in the colors of a panel. Shows it in a column of the picture, with a caption.
 fn show<C: PixelColor + Default>(
     canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>,
     (column, caption): (i32, &str),

@@ -1,4 +1,4 @@
-//! Picking: the face under a touch, and the touched point.
+//! Picking: finds the touched face and the touched point.
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_4X6, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -32,7 +32,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     else {
         return Ok(());
     };
-    // The face is a part of the mesh, and the point is in the ring's own space.
+    // The face is a part of the mesh, and the hit's point is in the ring's own space.
     let face = RING.part(hit.face..hit.face + 1);
     canvas.draw(&face, &mvp, &Flat::new(Rgb565::new(31, 40, 4)));
     let pin = Transform::translate(ring.point(hit.point)) * Transform::scale(fx!(0.03));

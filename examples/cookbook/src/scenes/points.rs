@@ -1,4 +1,4 @@
-//! A planet in a ring of thousands of discs, in front of stars: points of a size.
+//! A planet in a ring of thousands of discs, in front of stars: points with a size.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
@@ -21,13 +21,13 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let mvp = projection * Transform::translate(vec3!(0, 0, -7)) * tilt;
     canvas.clear(Rgb565::new(1, 2, 3));
 
-    // Squares of a size in pixels, however far away.
+    // The stars are squares with a size in pixels. They have this size at any distance.
     let stars: [Vec3; STARS] = core::array::from_fn(|at| {
         let across = |at| (noise(at) - fx!(0.5)) * 40;
         Vec3::new(across(2 * at), across(2 * at + 1), fx!(-30))
     });
     let (some, others) = stars.split_at(STARS / 6);
-    let pixel = Scalar::try_from(size.height)? / 240; // as large on any display
+    let pixel = Scalar::try_from(size.height)? / 240; // the same size on any display
     for (stars, side) in [(some, pixel * 2), (others, pixel)] {
         let (stars, square) = (Mesh::new(stars, &[])?, PointStyle::square(side)?);
         let white = Flat::new(Rgb565::new(24, 50, 27));
@@ -38,7 +38,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let gas = Flat::rgb(Rgb888::new(235, 190, 130)).lit(sun);
     canvas.draw(&PLANET, &mvp, &gas);
 
-    // Discs sized in world units, each in its color. The planet hides those behind it.
+    // The rocks are discs with a size in world units and a color each. The planet hides the discs behind it.
     let mut colors = [Rgb888::BLACK; ROCKS];
     let rocks: [Vec3; ROCKS] = core::array::from_fn(|at| {
         let [turn, out, up] = [0, ROCKS, 2 * ROCKS].map(|from| noise(from + at));

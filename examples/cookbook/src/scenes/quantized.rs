@@ -1,4 +1,4 @@
-//! A ring with numbers of 32 bits, and one in a third of its flash.
+//! A ring with numbers of 32 bits, and a ring that takes a third of its flash.
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -8,7 +8,7 @@ use fixel::prelude::*;
 
 static RING: Mesh = shape!(torus(fx!(0.45), 48, 24));
 static SMALL_RING: Mesh = shape!(torus(fx!(0.45), 48, 24), quantized_8);
-/// Stripes around the tube, and a darker half of each.
+/// Stripes around the tube. One half of each stripe is darker.
 static GLAZE: [[Rgb565; 64]; 64] = {
     let mut texels = [[Rgb565::new(30, 54, 22); 64]; 64];
     let mut at = 0_usize;
@@ -36,7 +36,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let glaze = Textured::new(&GLAZE).bilinear().lit(sun);
     canvas.clear(Rgb565::new(4, 9, 10));
     canvas.draw(&RING, &at(fx!(-1.5)), &glaze);
-    // Attributes are unpacked for each triangle that is drawn.
+    // The attributes of a triangle are unpacked each time it is drawn.
     canvas.draw(&SMALL_RING, &at(fx!(1.5)), &glaze);
 
     let style = MonoTextStyle::new(&FONT_6X10, Rgb565::WHITE);

@@ -25,7 +25,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let projection = Projection::perspective(deg!(60), canvas.frame_size(), fx!(0.5), fx!(200))?;
     let camera = Camera::look_at(vec3!(3, 3, 20), vec3!(0, 6.5, -10), Vec3::Y)?;
 
-    // The camera stays in the sky's center. Nothing is behind it, so depth is not needed.
+    // The camera stays in the center of the sky. Nothing is behind the sky, so depths are not needed.
     let around = projection * camera.sky();
     let behind = DrawOptions::new().with_depth(NoTest).with_cull(Cull::Front);
     let horizon = Rgb888::new(255, 170, 90);

@@ -8,7 +8,7 @@ use fixel::prelude::*;
 static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 static ROCK: Mesh = shape!(sphere(9, 6));
 
-/// Stars and gas in one direction. (Yours may come from files, with `include_texture!`.)
+/// Stars and gas in one direction. (Your textures can come from files, with `include_texture!`.)
 fn space(direction: Vec3) -> Rgb565 {
     let wave = |along: Vec3| fx!(1) * Angle::from_turns(direction.dot(along)).sin();
     let bent = wave(vec3!(0.5, 0.2, 0.6)) / 4 + wave(vec3!(0.3, 1.1, -0.7)) / 8;
@@ -27,7 +27,7 @@ fn space(direction: Vec3) -> Rgb565 {
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let projection = Projection::perspective(deg!(60), canvas.frame_size(), fx!(0.5), fx!(50))?;
     let camera = Camera::look_at(vec3!(2, 1, 6), Vec3::ZERO, Vec3::Y)?;
-    // Mirrored, the cube shows its sides the right way round to a viewer inside.
+    // The cube is mirrored, so that a viewer inside sees its sides the right way round.
     let around = projection * camera.sky() * Transform::scale_axes(vec3!(-10, 10, 10));
     let behind = DrawOptions::new().with_depth(NoTest).with_cull(Cull::Front);
     for side in 0..6 {

@@ -6,7 +6,7 @@ use fixel::prelude::*;
 static FLOOR: Mesh = shape!(plane(1, 1));
 static FIR: [[Rgb565; 32]; 32] = fir();
 
-/// Three tiers of branches with snow on them, and a trunk; the rest is magenta.
+/// Three tiers of snowy branches, and a trunk. All other texels are magenta.
 const fn fir() -> [[Rgb565; 32]; 32] {
     let mut texels = [[Rgb565::MAGENTA; 32]; 32];
     let mut at = 0_usize;
@@ -26,7 +26,7 @@ const fn fir() -> [[Rgb565; 32]; 32] {
     texels
 }
 
-/// Points that fill a box of this size evenly, from the front to the back.
+/// Points that fill a box of this size evenly. They are sorted from front to back.
 fn scattered<const N: usize>(size: Vec3) -> [Vec3; N] {
     core::array::from_fn(|i| {
         // Multiples of irrational numbers, modulo 1.
@@ -44,7 +44,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     canvas.clear(haze);
     let snow = Flat::new(Rgb565::new(29, 60, 31)).in_fog(fog);
     canvas.draw(&FLOOR, &(view * Transform::scale(fx!(60))), &snow);
-    // Sprites that stand on the floor, and sprites that face the viewer.
+    // The firs stand on the floor. The snow faces the viewer.
     let places = scattered::<120>(vec3!(44, 0, 40));
     let firs = Sprites::new(&places, (fx!(2.4), fx!(3.2)))?.with_axis(Vec3::Y)?;
     let firs = firs.with_anchor(vec2!(0.5, 1));

@@ -1,10 +1,10 @@
-//! Hills in fog, drawn in bands: the program computes them, with their normals, and colors them by height.
+//! Hills in fog, drawn in bands. The program computes the hills and their normals, and colors them by height.
 
 use embedded_graphics::{geometry::Size, pixelcolor::Rgb565, pixelcolor::Rgb888};
 use fixel::{Index, prelude::*, shade::Gradient};
 
 static WATER: Mesh = shape!(plane(1, 1));
-/// Squares along a side.
+/// The number of squares along a side.
 const SIDE: usize = 32;
 const CORNERS: usize = (SIDE + 1) * (SIDE + 1);
 
@@ -14,7 +14,7 @@ fn ground_at(x: Scalar, z: Scalar) -> Scalar {
     wave(x / 11 + z / 31, fx!(1.1)) + wave(z / 9 - x / 23, fx!(0.9)) + wave((x + z) / 4, fx!(0.18))
 }
 
-/// Pixels of a band. Their colors and depths take 20 KiB: on a chip, statics.
+/// The number of pixels of a band. Their colors and depths take 20 KiB; on a chip, they are statics.
 const BAND: u32 = 320 * 16;
 
 pub fn draw(display: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
@@ -41,7 +41,7 @@ pub fn draw(display: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(),
     let heights = Gradient::new((fx!(-0.6), grass), (fx!(1.8), snow))?;
     let ground = heights.lit(sun).in_fog(fog).dithered();
     let blue = Flat::rgb(Rgb888::new(50, 90, 140)).in_fog(fog);
-    // Water at one height hides the ground below it.
+    // Level water hides the ground below it.
     let lake = view * Transform::translate(vec3!(0, -0.9, 0)) * Transform::scale(fx!(12));
 
     let (mut colors, mut depths) = ([haze; BAND as usize], [0; BAND as usize]);

@@ -22,7 +22,7 @@ const ORANGE: Ink = [
 ];
 const BLACK: Ink = [Rgb565::BLACK, Rgb565::BLACK, Rgb565::WHITE];
 
-/// The parts of a duck: places, radii along the axes, colors.
+/// The parts of a duck: their places, their radii along the axes, and their colors.
 static DUCK: [(Vec3, Vec3, Ink); 6] = [
     (vec3!(0, 0, 0), vec3!(1.25, 0.8, 0.95), YELLOW),
     (vec3!(-1.1, 0.45, 0), vec3!(0.4, 0.3, 0.3), YELLOW),

@@ -1,4 +1,4 @@
-//! Two cores draw one frame: each draws every other band, without a lock.
+//! Two cores draw a frame together: each core draws every other band, without a lock.
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -10,7 +10,7 @@ const STYLE: MonoTextStyle<Rgb565> = MonoTextStyle::new(&FONT_6X10, Rgb565::new(
 static BALL: Mesh = shape!(sphere(16, 12));
 static ROD: Mesh = shape!(cylinder(8));
 
-/// A double helix. Each core sees only its bands of it.
+/// A double helix. Each core draws it in its own bands.
 fn helix(band: &mut Canvas<'_, Rgb565, Native, LinearDepth>, view: Mvp, sun: Light) {
     let color = |(red, green, blue)| Flat::rgb(Rgb888::new(red, green, blue)).lit(sun);
     let [rose, blue, gray] = [(255, 90, 110), (80, 160, 255), (220, 220, 210)].map(color);
@@ -32,7 +32,7 @@ pub fn draw(display: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(),
     let projection = Projection::perspective(deg!(35), size, fx!(0.5), fx!(50))?;
     let view = projection * Camera::look_at(vec3!(-2, 1.5, 6.5), vec3!(0, 0, 0), Vec3::Y)?;
     let sun = Light::new(vec3!(-2, 2, 3), fx!(0.3), fx!(0.7))?;
-    // Colors for a frame, and depths for a band on each core: 170 KiB.
+    // The colors of a frame, and the depths of a band for each core, take 170 KiB.
     let mut colors = vec![Rgb565::BLACK; (size.width * size.height) as usize];
     let bands = colors.chunks_mut((size.width * ROWS) as usize);
     let (even, odd): (Vec<_>, Vec<_>) = (0..).zip(bands).partition(|(band, _)| band % 2 == 0);
@@ -49,7 +49,7 @@ pub fn draw(display: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(),
         }
         Ok(())
     };
-    // A thread stands in for the second core.
+    // A thread takes the place of the second core.
     std::thread::scope(|cores| {
         let second = cores.spawn(|| core(odd, "core 1", Rgb565::new(11, 12, 9)));
         core(even, "core 0", Rgb565::new(2, 17, 11))?;

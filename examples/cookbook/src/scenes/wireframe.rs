@@ -5,7 +5,7 @@ use fixel::canvas::{Biased, TestOnly};
 use fixel::prelude::*;
 
 static ISLAND: Mesh = include_mesh!("../../../assets/lighthouse.obj");
-// Edges between faces whose normals differ by more than 50 degrees are creases.
+// An edge is a crease if the normals of its faces differ by more than 50 degrees.
 static OUTLINE: Outline = include_outline!("../../../assets/lighthouse.obj", crease = 50);
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
@@ -16,8 +16,8 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let (paper, ink) = (Rgb888::new(244, 238, 222), Rgb888::new(24, 44, 96));
     canvas.clear(paper.into());
 
-    // The faces hide the lines behind them. So as not to be hidden by their own faces, lines
-    // move toward the eye, by as much as those get nearer in half a pixel.
+    // The faces hide the lines behind them. Lines move toward the eye so that their own faces do not hide them: by as
+    // much as these faces get nearer in half a pixel.
     canvas.draw(&ISLAND, &view, &Flat::rgb(paper));
     let lines = ISLAND.outline(&OUTLINE, LineStyle::HAIRLINE.smooth());
     let in_front = DrawOptions::new().with_depth(Biased::new(TestOnly, 2, fx!(0.5)));

@@ -1,5 +1,5 @@
 //! The picture on a real panel. A display driver from another project writes the canvas to recorded wires. A model of
-//! the controller, made from its data sheet, reads the record, and must show the canvas.
+//! the controller, made from its data sheet, reads the record. The model must show the canvas.
 
 mod recipes;
 
@@ -24,14 +24,14 @@ use mipidsi::options::{Orientation, Rotation};
 
 use common::{lighthouse, scenes};
 
-/// A square panel of 240x240 pixels that is not rotated.
+/// A square panel of 240x240 pixels. It is not rotated.
 const SQUARE: (u32, u32) = (240, 240);
 
 fn square<'b>(wires: &Wires, buffer: &'b mut [u8]) -> Driver<'b, ST7789> {
     driver(ST7789, (240, 240), wires, buffer)
 }
 
-/// A panel of 240x320 pixels, rotated by a quarter turn.
+/// A panel of 240x320 pixels. It is rotated by a quarter turn.
 const WIDE: (u32, u32) = (scenes::WIDTH, scenes::HEIGHT);
 
 fn wide<'b>(wires: &Wires, buffer: &'b mut [u8]) -> Driver<'b, ILI9341Rgb565> {
@@ -42,7 +42,7 @@ fn wide<'b>(wires: &Wires, buffer: &'b mut [u8]) -> Driver<'b, ILI9341Rgb565> {
         .unwrap()
 }
 
-/// Draws the lighthouse, which has depth, textures and light, and text over it.
+/// Draws the lighthouse, with depth, textures and light, and text over it.
 fn draw<O: Storage<Rgb565>, D: DepthBuffer>(canvas: &mut Canvas<'_, Rgb565, O, D>) {
     let projection = lighthouse::projection(canvas.frame_size()).unwrap();
     let mvp = projection * lighthouse::camera().unwrap() * Transform::IDENTITY;
@@ -55,7 +55,7 @@ fn raw(color: Rgb565) -> u32 {
     RawU16::from(color).into_inner().into()
 }
 
-/// Draws the whole frame as colors, which the panel must show, and passes it to `show`.
+/// Draws the whole frame, and passes it to `show`. Returns the colors that the panel must show.
 fn frame(
     (width, height): (u32, u32),
     show: impl FnOnce(&Canvas<'_, Rgb565, Native, LinearDepth>),
@@ -76,8 +76,8 @@ fn frame(
     pixels
 }
 
-/// Draws the frame in bands of this many rows, all in the same memory, and passes each band to `show`. The last band
-/// has the remaining rows.
+/// Draws the frame in bands of `rows` rows, all in the same memory. Passes each band to `show`. The last band has the
+/// remaining rows.
 fn in_bands(size: (u32, u32), rows: u32, mut show: impl FnMut(&Bytes<'_>)) {
     let (width, height) = size;
     let mut pixels = vec![[0; 2]; (width * rows) as usize];
@@ -92,7 +92,7 @@ fn in_bands(size: (u32, u32), rows: u32, mut show: impl FnMut(&Bytes<'_>)) {
     }
 }
 
-/// A canvas whose bytes are in the order of the bus.
+/// A canvas with bytes in the order of the bus.
 type Bytes<'a> = Canvas<'a, Rgb565, BigEndian, LinearDepth>;
 
 /// The panel's picture after all commands.
@@ -108,7 +108,7 @@ fn written(commands: Vec<Command>) -> Vec<Vec<u8>> {
     pixels.map(|command| command.data).collect()
 }
 
-/// Compares pictures, and names only the first pixel that differs.
+/// Compares pictures. Names only the first pixel that differs.
 fn assert_same(shown: &[u32], expected: &[u32], width: u32) {
     assert_eq!(shown.len(), expected.len());
     if let Some(at) = (0..shown.len()).find(|&at| shown[at] != expected[at]) {
@@ -130,7 +130,7 @@ fn the_panel_shows_a_frame_of_colors() {
         assert_same(&shown(wires, size), &frame, size.0);
     }
     let wires = Wires::default();
-    // The driver's buffer is shorter than a row, and not a whole number of pixels.
+    // The driver's buffer is shorter than a row, and does not hold a whole number of pixels.
     check(&wires, square(&wires, &mut [0; 101]), SQUARE);
     let wires = Wires::default();
     check(&wires, wide(&wires, &mut [0; 512]), WIDE);
@@ -151,8 +151,8 @@ fn the_panel_shows_bands() {
     }
 }
 
-/// The driver converts colors to bytes. They equal the bytes of a canvas of bytes, so a DMA channel that receives
-/// `as_bytes()` sends what the driver would send.
+/// The driver converts colors to bytes. These bytes equal the bytes of a canvas of bytes, so a DMA channel that gets
+/// `as_bytes()` sends the same bytes as the driver.
 #[test]
 fn bytes_equal_those_that_the_driver_sends() {
     let (wires, mut buffer) = (Wires::default(), [0; 512]);
@@ -164,7 +164,7 @@ fn bytes_equal_those_that_the_driver_sends() {
         let mut bytes = vec![];
         in_bands(SQUARE, rows, |band| {
             bytes.extend_from_slice(band.as_bytes());
-            // Send bands in the same way as frames.
+            // Bands are sent in the same way as frames.
             band.show(&mut display).unwrap();
             assert!(written(commands(wires.take())) == [band.as_bytes()]);
         });
@@ -172,7 +172,7 @@ fn bytes_equal_those_that_the_driver_sends() {
     }
 }
 
-/// As in the guide for firmware, the driver sets the panel up and opens one window of the frame's size. After that,
+/// The driver sets up the panel and opens one window of the frame's size, as in the guide for firmware. After that,
 /// only the bytes of the bands follow, one band after the other.
 #[test]
 fn bands_follow_each_other_through_one_window() {

@@ -1,4 +1,4 @@
-//! The guide's programs that drive displays, each through another project's driver.
+//! The guide's programs that drive displays, each with a driver of another project.
 
 use std::fs;
 use std::path::Path;
@@ -44,7 +44,7 @@ fn raw(colors: impl Iterator<Item = Rgb565>) -> Vec<u32> {
         .collect()
 }
 
-/// After the window was sent, the panel shows what it would show had the whole frame been sent again.
+/// After the window was sent, the panel shows the same picture as if the whole frame had been sent again.
 #[test]
 fn a_window_is_that_part_of_the_frame() {
     let turns = [deg!(10), deg!(70)];
@@ -79,7 +79,7 @@ fn a_round_panel_gets_its_circle() {
         }
     }
     assert_eq!(ran.sent(), 2 * (240 * 240 - missing));
-    // A circle leaves 1 - pi/4 of its square free: 21.5 %. Bands of 16 rows save a part of that.
+    // A circle leaves 1 - pi/4 of its square free: 21.5 %. Bands of 16 rows save only a part of this.
     assert!((8640..12_384).contains(&missing), "{missing} of 57600");
 }
 
@@ -94,8 +94,8 @@ fn an_oled_shows_the_frame() {
     assert!(expected.iter().filter(|lit| **lit).count() > 1000);
 }
 
-/// One full refresh, and then quick ones. Each leaves on the paper what was drawn, though it drives a small part of the
-/// pixels.
+/// After each refresh, a full one and then quick ones, the paper shows what was drawn. Quick refreshes drive only a
+/// small part of the pixels.
 #[test]
 fn paper_is_refreshed_where_it_changes() {
     let turns = [0, 10, 30, 55].map(Angle::from_degrees);
@@ -115,7 +115,7 @@ fn paper_is_refreshed_where_it_changes() {
     let are_full: Vec<_> = panel.refreshes.iter().map(|refresh| refresh.0).collect();
     assert_eq!(are_full, [true, false, false, false]);
     for (_, changed) in &panel.refreshes[1..] {
-        // The two sails: 110x13 pixels each, before and after. The panel has 30,500.
+        // Each of the two sails has 110x13 pixels, before and after the turn. The panel has 30,500 pixels.
         assert!((1000..4 * 110 * 13).contains(changed), "{changed}");
     }
 }
@@ -151,7 +151,7 @@ fn words_are_sent_as_they_are() {
     assert_same(&picture, &expected, ili9341::WIDTH);
 }
 
-/// Every frame arrives as it was drawn, although the next one is drawn while it is sent.
+/// Every frame arrives as it was drawn, although the next frame is drawn while it is sent.
 #[test]
 fn a_frame_is_not_drawn_into_while_it_is_sent() {
     let turns = [10, 40, 80, 130].map(Angle::from_degrees);
@@ -166,8 +166,8 @@ fn a_frame_is_not_drawn_into_while_it_is_sent() {
     }
 }
 
-/// Returns, for each scan that begins after the first frame is there and while others are sent, the frames whose rows
-/// it shows; `None` for a row that is written while it is read.
+/// Returns the frames of the rows that a scan shows, for each scan that begins after the first frame has arrived and
+/// while other frames are sent. `None` stands for a row that is written while it is read.
 fn frames_of_scans(commands: &[Command]) -> Vec<Vec<Option<usize>>> {
     let side = tearing::SIDE as usize;
     let writes = commands.iter().filter(|command| command.code == 0x2c);
@@ -192,7 +192,7 @@ fn frames_of_scans(commands: &[Command]) -> Vec<Vec<Option<usize>>> {
     frames.collect()
 }
 
-/// Whenever the program gets ready, no scan shows rows of two frames. Without the panel's signal, scans do.
+/// No scan shows rows of two frames, whenever the program is ready to draw. Without the panel's signal, some scans do.
 #[test]
 fn no_frame_is_torn() {
     let ways = [0_i16, 1, 2, 3, 4, 5].map(|step| fx!(0.3) * Scalar::from(step));

@@ -1,4 +1,4 @@
-//! A Cortex-M, with SysTick, the timer that every Cortex-M has.
+//! A Cortex-M with SysTick. Every Cortex-M has this timer.
 
 use core::arch::asm;
 use core::sync::atomic::{AtomicU32, Ordering};
@@ -8,13 +8,13 @@ use cortex_m::peripheral::{Peripherals, SCB, SYST, syst::SystClkSource};
 pub use cortex_m_rt::entry;
 use cortex_m_rt::exception;
 
-/// SysTick counts down to zero in 24 bits, and restarts at this value.
+/// SysTick counts down to zero in 24 bits, and then restarts at this value.
 const MOST: u32 = 0x00ff_ffff;
-/// Ticks of one round.
+/// The number of ticks in a round.
 const ROUND: u64 = 1 << 24;
 
-/// Rounds that SysTick has completed since the clock was set to zero. Only the exception handler adds to it, so loads
-/// and stores suffice.
+/// The number of rounds that SysTick has completed since the clock was set to zero. Only the exception handler adds to
+/// it, so loads and stores are enough.
 static ROUNDS: AtomicU32 = AtomicU32::new(0);
 
 #[exception]
@@ -25,11 +25,11 @@ fn SysTick() {
     );
 }
 
-/// SysTick at the core's frequency. Because its rounds are counted, the clock reaches 2^56 ticks.
+/// SysTick at the frequency of the core. Its rounds are counted, so the clock can count 2^56 ticks.
 pub struct Clock(SYST);
 
 impl Clock {
-    /// Takes the clock; can be called once.
+    /// Takes the clock. Can be called only once.
     pub fn take() -> Option<Self> {
         let mut timer = Peripherals::take()?.SYST;
         timer.set_clock_source(SystClkSource::Core);
@@ -40,9 +40,9 @@ impl Clock {
         Some(Self(timer))
     }
 
-    /// Does `work`; returns its result and the ticks that it took.
+    /// Calls `work`. Returns its result and the ticks that it took.
     pub fn time<T>(&mut self, work: impl FnOnce() -> T) -> (T, u64) {
-        // Start from zero: no exception interrupts the first round, so it counts only the work.
+        // Start from zero. No exception interrupts the first round, so this round counts only the work.
         interrupt::free(|_| {
             self.0.clear_current();
             SCB::clear_pendst();
@@ -53,11 +53,11 @@ impl Clock {
         (result, self.ticks() - start)
     }
 
-    /// Ticks since the clock was set to zero.
+    /// The number of ticks since the clock was set to zero.
     fn ticks(&self) -> u64 {
-        // No round is counted during this block. If a round ends, its exception is pending, and a second reading of
-        // the timer belongs to the next round. If none is pending even now, the first reading belongs to the current
-        // round.
+        // No round is counted during this block. If a round ends in it, its exception is pending, and a second reading
+        // of the timer belongs to the next round. If no exception is pending even now, the first reading belongs to the
+        // current round.
         let (rounds, left) = interrupt::free(|_| {
             let (rounds, left) = (ROUNDS.load(Ordering::Relaxed), self.left());
             if SCB::is_pendst_pending() {
@@ -69,8 +69,8 @@ impl Clock {
         u64::from(rounds) * ROUND + (ROUND - u64::from(left))
     }
 
-    /// Ticks left in the round, at least 1. The value 0 lasts for one tick, at the end of a round or when the timer has
-    /// just been set: wait for that tick to pass.
+    /// The number of ticks left in the round, at least 1. The timer is 0 for one tick, at the end of a round or just
+    /// after it was set. Wait until this tick has passed.
     fn left(&self) -> u32 {
         loop {
             let left = self.0.cvr.read();
@@ -81,7 +81,7 @@ impl Clock {
     }
 }
 
-/// Executes `count` instructions; `count` must be even and not 0.
+/// Executes `count` instructions. `count` must be even and not 0.
 pub fn instructions(count: u32) {
     #[allow(unsafe_code)]
     // SAFETY: the code only counts a register down to zero.

@@ -5,7 +5,7 @@ use core::arch::asm;
 use riscv::register::mcycle;
 pub use riscv_rt::entry;
 
-/// The core's cycle counter of 64 bits. Under QEMU with `-icount shift=0` it counts instructions.
+/// The 64-bit cycle counter of the core. Under QEMU with `-icount shift=0`, it counts instructions.
 pub struct Clock(());
 
 impl Clock {
@@ -15,7 +15,7 @@ impl Clock {
         Some(Self(()))
     }
 
-    /// Does `work`; returns its result and the ticks that it took.
+    /// Calls `work`. Returns its result and the ticks that it took.
     #[allow(clippy::unused_self)] // the same signature as on Arm
     pub fn time<T>(&mut self, work: impl FnOnce() -> T) -> (T, u64) {
         let start = mcycle::read64();
@@ -24,7 +24,7 @@ impl Clock {
     }
 }
 
-/// Executes `count` instructions; `count` must be even and not 0.
+/// Executes `count` instructions. `count` must be even and not 0.
 pub fn instructions(count: u32) {
     #[allow(unsafe_code)]
     // SAFETY: the code only counts a register down to zero.

@@ -1,4 +1,4 @@
-//! Measures the test whether a box is in view.
+//! Measures the test of whether a box is in view.
 
 use core::hint::black_box;
 
@@ -11,7 +11,7 @@ use super::ticks::Stopwatch;
 
 const TESTS: u32 = 64;
 
-/// Tests a box against a band of 16 rows below it; returns the number of tests and the ticks.
+/// Tests a box against a band of 16 rows below it. Returns the number of tests and the ticks.
 pub fn measure(watch: &mut Stopwatch) -> Result<(u32, u64), Error> {
     let mut pixels = [Rgb565::BLACK; WIDTH as usize * 16];
     let canvas = Canvas::band(&mut pixels, WIDTH, HEIGHT, HEIGHT - 16)?;

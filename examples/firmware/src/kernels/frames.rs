@@ -1,4 +1,4 @@
-//! Measures whole frames of the measured scenes: the mean of their eight poses.
+//! Measures whole frames: for each of the measured scenes, the mean of its eight poses.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::mode::Mode;
@@ -13,17 +13,17 @@ const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 static COLORS: ConstStaticCell<[Rgb565; PIXELS]> = ConstStaticCell::new([Rgb565::BLACK; PIXELS]);
 static DEPTHS: ConstStaticCell<[u16; PIXELS]> = ConstStaticCell::new([0; PIXELS]);
 
-/// Memory for a frame in the processor's byte order, and for its depths.
+/// Memory for the colors of a frame, in the processor's byte order, and for its depths.
 pub struct Frame {
     colors: &'static mut [Rgb565; PIXELS],
     depths: &'static mut [u16; PIXELS],
 }
 
-/// A scene's model-view-projection in a pose.
+/// A function that returns a scene's model-view-projection in a pose.
 pub type Posed = fn(i32) -> Result<Mvp<Perspective>, Error>;
 
 impl Frame {
-    /// Takes the memory; can be called once.
+    /// Takes the memory. Can be called only once.
     pub fn take() -> Self {
         Self {
             colors: COLORS.take(),
@@ -31,7 +31,7 @@ impl Frame {
         }
     }
 
-    /// A black canvas without depth.
+    /// A black canvas without a depth buffer.
     pub fn canvas(&mut self) -> Result<Canvas<'_, Rgb565>, Error> {
         let mut canvas = Canvas::new(&mut *self.colors, WIDTH, HEIGHT)?;
         canvas.clear(Rgb565::BLACK);
@@ -61,8 +61,7 @@ impl Frame {
         Ok(())
     }
 
-    /// Draws all poses of a mesh, with or without a depth buffer, and prints the ticks of the draw
-    /// calls.
+    /// Draws all poses of a mesh, with or without a depth buffer, and prints the ticks of the draw calls.
     pub fn mesh<M: Mode, S: ShaderFor<Rgb565>>(
         &mut self,
         watch: &mut Stopwatch,
@@ -88,7 +87,7 @@ impl Frame {
         Ok(())
     }
 
-    /// Draws a scene; returns the ticks.
+    /// Draws a scene. Returns the ticks.
     fn pose<M: Mode>(
         &mut self,
         watch: &mut Stopwatch,

@@ -1,4 +1,4 @@
-//! Frames on a desktop computer, whose instructions valgrind counts for `.ci/host`.
+//! Draws frames on a desktop computer. valgrind counts their instructions for `.ci/host`.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::Drawn;
@@ -9,7 +9,7 @@ use super::{memory, painter};
 
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 
-/// Runs a draw call. Callgrind counts the instructions inside functions of this name.
+/// Makes a draw call. Callgrind counts the instructions in functions with this name.
 #[inline(never)]
 fn only_drawing(draw: impl FnOnce() -> Drawn) {
     let _ = draw();

@@ -1,4 +1,4 @@
-//! Measures the light on a vertex.
+//! Measures the light at a vertex.
 
 use core::hint::black_box;
 
@@ -10,8 +10,8 @@ use super::ticks::Stopwatch;
 
 const VERTICES: u32 = 64;
 
-/// Measures and prints the cost of each type of light on a vertex that it reaches, without the vertex's transform to
-/// world space.
+/// Measures each type of light at a vertex that it reaches, and prints the cost. The transform of the vertex to world
+/// space is not included.
 pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     let sun = Light::new(vec3!(1, 2, 3), fx!(0.2), fx!(0.8))?;
     let lamp = PointLight::new(vec3!(1, 2, 3), fx!(0.8), fx!(10))?;
@@ -36,7 +36,7 @@ fn one<L: Lighting>(watch: &mut Stopwatch, name: &str, light: L) -> Result<(), E
         for _ in 0..VERTICES {
             let found = black_box(&light).at(black_box(&point));
             assert!(found.diffuse.rgb()[0] > 0, "the light reaches the vertex");
-            // Without this, the compiler would not compute a highlight.
+            // Without this check, the compiler would not compute a highlight.
             assert!(
                 found.specular.rgb()[0] != i32::MAX,
                 "a highlight is white at most"

@@ -1,26 +1,28 @@
-//! The cost on a microcontroller of the inner loops (a pixel in each mode, and the set-up of a triangle) and of frames
+//! The cost on a microcontroller of the inner loops (a pixel in each mode, and the set-up of a triangle), and of frames
 //! (the mean of the eight poses of each measured scene).
 //!
-//! `cargo run --profile speed -p firmware --bin kernels --target thumbv7em-none-eabi` runs it under QEMU, which counts
-//! instructions; on a chip it counts the core's cycles. The first line says which of the two it counts, and how many a
-//! tick has. Then follows a line for each kernel, with its units (pixels or triangles), the ticks that they took, and
-//! the instructions or cycles of `each`. A line for each scene comes last, with its frames and the instructions or
-//! cycles of `each`. `--profile size` instead of `--profile speed` optimizes for size.
+//! `cargo run --profile speed -p firmware --bin kernels --target thumbv7em-none-eabi` runs the program under QEMU,
+//! which counts instructions. On a chip, the program counts the core's cycles. The first line says whether it counts
+//! instructions or cycles, and how many are in a tick. Then there is a line for each kernel, with its units (pixels or
+//! triangles), the ticks that they took, and the instructions or cycles of `each`. Last, there is a line for each
+//! scene, with its frames and the instructions or cycles of `each`. `--profile size` instead of `--profile speed`
+//! optimizes for size.
 //!
-//! The cost of a pixel is the difference between two drawings of one triangle that covers a frame of 64 rows.
-//! `unit=pixel` compares frames of 16 and 48 columns, which lie within one span, and so measures only the inner loop.
-//! `unit=long-pixel` compares 48 and 240 columns, and so includes a pixel's share, 1/64, of the start of a span. The
-//! cost of a triangle is the difference between two prepared lists, one of which has more of the same triangles. For
-//! `rows-of-64`, it is the cost of a whole sphere whose rows have 64 vertices, divided by the number of its triangles.
+//! The cost of a pixel is the difference between two drawings of a triangle that covers a frame of 64 rows.
+//! `unit=pixel` compares frames of 16 and 48 columns. These lie within one span, so only the inner loop is measured.
+//! `unit=long-pixel` compares 48 and 240 columns, so it includes a pixel's share, 1/64, of the start of a span. The
+//! cost of a triangle is the difference between two prepared lists with different numbers of the same triangle. For
+//! `rows-of-64`, it is the cost of a whole sphere with rows of 64 vertices, divided by the number of its triangles.
 //!
-//! Pixels are RGB565 in the processor's byte order, textures 64x64 with the nearest texel, and only draw calls are
-//! measured. `depth-pass` and `depth-fail` have a depth buffer that lets all pixels pass or none. The other kernels
-//! have no depth buffer. `texture` in a name, also in a scene's, means a texture whose size is known at run time; the
-//! others are rows, whose size is in the type.
+//! Pixels are RGB565 in the processor's byte order. Textures have 64x64 texels and are drawn without a filter. Only
+//! draw calls are measured. `depth-pass` and `depth-fail` have a depth buffer that lets all pixels pass or no pixel.
+//! The other kernels have no depth buffer. `texture` in the name of a kernel or a scene means a texture with a size
+//! that is known at run time. Other textures are rows, with the size in their type.
 //!
-//! On the host, `kernels SCENE` draws a scene's poses, for `.ci/host` to count. `kernels painter` compares painter's
-//! order with a depth buffer; `kernels painter SCENE depth` and `kernels painter SCENE sorted` only draw, with a depth
-//! buffer or in painter's order. `kernels memory` prints the flash of scenes and the RAM of their prepared lists.
+//! On the host, `kernels SCENE` draws the poses of a scene, so that `.ci/host` can count instructions. `kernels
+//! painter` compares the painter's order with a depth buffer. `kernels painter SCENE depth` and `kernels painter SCENE
+//! sorted` only draw, with a depth buffer or in the painter's order. `kernels memory` prints the flash of scenes and
+//! the RAM of their prepared lists.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -90,7 +92,7 @@ mod firmware {
     /// White with half opacity.
     static SMOKE: [[Argb4444; 64]; 64] = [[Argb4444::new(8, 15, 15, 15); 64]; 64];
 
-    /// All levels of a texture of one color.
+    /// All levels of a mipmap of one color.
     static LEVELS: [Rgb565; Mipmap::<Rgb565>::len(64, 64)] =
         [Rgb565::new(11, 18, 26); Mipmap::<Rgb565>::len(64, 64)];
 
@@ -120,7 +122,7 @@ mod firmware {
         frame.measure(&mut watch, "compact", Compact)?;
         skins::frames(&mut frame, &mut watch)?;
 
-        // With a tolerance of half a texel, the pieces of this wall have 16 pixels.
+        // With a tolerance of half a texel, each piece of this wall has 16 pixels.
         let fast = Fast::within(fx!(0.5));
         let mut bench = Bench::new(watch);
         let length = pieces::length(&mut bench, fast)?;
@@ -145,7 +147,8 @@ mod firmware {
         let cut_out = skin.cut_out(Rgb565::MAGENTA);
         bench.kernel("affine-cut-out", Affine, &cut_out, Depths::None)?;
         bench.kernel("newton-cut-out", Newton, &cut_out, Depths::None)?;
-        // Mipmaps as for a frame of a quarter of the size, so that no pixel shows level 0, where there is no blend.
+        // The mipmap is made for a frame of a quarter of the size, so that no pixel shows level 0, which would not be
+        // blended.
         let projection = wall::mvp(240)?.projection();
         let levels = Mipmap::new(&LEVELS, 64, 64)?;
         let levels = Textured::new(levels).mipmapped(&projection, (60, 16))?;

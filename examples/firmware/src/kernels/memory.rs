@@ -1,4 +1,4 @@
-//! Memory of the measured scenes at 320x240: flash for their lists and textures, and RAM for their prepared triangles.
+//! Memory of the measured scenes at 320x240: flash for their lists and textures, RAM for their prepared triangles.
 
 use core::mem::size_of_val;
 
@@ -39,7 +39,7 @@ pub fn print() -> Result<(), Error> {
     Ok(())
 }
 
-/// Bytes of a mesh's lists, without its edges, which nothing draws.
+/// The number of bytes in a mesh's lists. Its edges do not count, because nothing draws them.
 fn flash(mesh: &Mesh) -> usize {
     let counts = mesh.without_edges().counts();
     (counts.positions + counts.normals) * size_of::<Vec3>()
@@ -48,7 +48,7 @@ fn flash(mesh: &Mesh) -> usize {
         + (counts.faces + counts.uv_faces + counts.normal_faces) * size_of::<[Index; 3]>()
 }
 
-/// Bytes of a list with just enough room for the visible part of a mesh.
+/// The number of bytes in a list that has just enough room for the visible part of a mesh.
 fn list(mesh: &Mesh, mvp: &Mvp<Perspective>) -> Result<usize, Error> {
     let options = DrawOptions::<Newton>::new();
     let needed = |error| match error {

@@ -1,4 +1,4 @@
-//! Measures pixels in black and white: drawn, diffused from grays, and packed into pages with 8 rows to a byte.
+//! Measures pixels in black and white: drawn, diffused from grays, and packed into pages with 8 rows in a byte.
 
 use core::hint::black_box;
 
@@ -12,11 +12,11 @@ use super::wall::{self, ROWS, UVS};
 
 static WHITE: [[BinaryColor; 2]; 2] = [[BinaryColor::On; 2]; 2];
 
-/// Widths of the frames that are compared. Both lie within one span.
+/// The widths of the frames that are compared. Both lie within one span.
 const WIDTHS: [u32; 2] = [16, 48];
 const PIXELS: usize = 48 * ROWS as usize;
 
-/// Measures a textured pixel, a diffused one and a packed one, and prints their costs.
+/// Measures a textured pixel, a diffused pixel and a packed pixel, and prints their costs.
 pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     let mut shown = [BinaryColor::Off; PIXELS];
     print(watch, "mono-native", |watch, width| {
@@ -51,7 +51,7 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     })
 }
 
-/// Prints the cost of the pixels that only the wider frame has.
+/// Prints the cost of the pixels by which the wider frame is wider.
 fn print(
     watch: &mut Stopwatch,
     name: &str,
@@ -63,7 +63,7 @@ fn print(
     Ok(())
 }
 
-/// Draws a wall that covers the canvas, and returns its ticks.
+/// Draws a wall that covers the canvas. Returns the ticks.
 fn draw(watch: &mut Stopwatch, canvas: &mut Canvas<'_, BinaryColor>) -> Result<u64, Error> {
     let width = canvas.frame_size().width;
     let (positions, mvp) = (wall::positions(width), wall::mvp(width)?);

@@ -1,4 +1,4 @@
-//! Compares painter's order with a depth buffer: wrong pixels, memory, and frames whose instructions `.ci/host` counts.
+//! Compares the painter's order with a depth buffer: wrong pixels, memory, and instructions, which `.ci/host` counts.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::canvas::DepthBuffer;
@@ -26,11 +26,11 @@ enum Material {
 struct Scene {
     view: Mvp,
     objects: Vec<Object<Material>>,
-    /// How many of the objects are drawn first, unsorted.
+    /// The number of objects that are drawn first, unsorted.
     ground: usize,
 }
 
-/// The scenes' names.
+/// The names of the scenes.
 pub const SCENES: [&str; 5] = ["sphere", "rings", "towers", "island", "lighthouse"];
 
 /// Makes a scene in pose `k`.
@@ -146,7 +146,7 @@ fn draw_each<D: DepthBuffer>(
 /// A list with room for the visible triangles of any scene.
 type List = DrawList<700, 1200>;
 
-/// How many bytes the list of a scene needs: 16 for each visible triangle and for each vertex of these.
+/// The number of bytes that the list of a scene needs: 16 for each visible triangle, and 16 for each of their vertices.
 fn list_bytes(scene: &mut Scene) -> usize {
     let (options, size, others) = (
         DrawOptions::new(),
@@ -190,14 +190,14 @@ fn draw_sorted<D: DepthBuffer>(
     Ok(())
 }
 
-/// Draws in one way. Callgrind counts the instructions inside functions of this name.
+/// Draws. Callgrind counts the instructions in functions with this name.
 #[inline(never)]
 fn only_drawing(draw: impl FnOnce() -> Result<(), Error>) -> Result<(), Error> {
     draw()
 }
 
-/// Draws the poses of a scene with a depth buffer or sorted. Without a `way`, draws both and prints how many pixels
-/// differ.
+/// Draws the poses of a scene. With a `way`, draws them with a depth buffer or sorted. Without a `way`, draws them both
+/// ways and prints how many pixels differ.
 pub fn run(name: &str, way: Option<&str>) -> Result<(), Error> {
     let mut list = Box::new(List::new());
     let (mut wrong, mut most, mut bytes) = (0, 0, 0);

@@ -1,4 +1,4 @@
-//! Measures how long the pieces of mode `Fast` are.
+//! Measures the length of the pieces that mode `Fast` draws.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{RawData, RawU16};
@@ -7,7 +7,7 @@ use fixel::prelude::*;
 
 use super::wall::Bench;
 
-/// A shader whose color is the lower 16 bits of the pixel's column in the texture, in units of 2^-16 texel.
+/// A shader with a color that is the lower 16 bits of the pixel's column in the texture, in units of 2^-16 texel.
 #[derive(Clone, Copy)]
 struct Column;
 
@@ -16,7 +16,7 @@ impl Shader for Column {
     type Varyings = [i32; 1];
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [[i32; 1]; 3] {
-        // A repeat is 2^20 units of u, and 2^22 units here: 2^6 texels of 2^16 units.
+        // A repeat is 2^20 units of u. Here it becomes 2^22 units, which is 2^6 texels of 2^16 units.
         primitive.corners(|corner| [corner.uv().x.to_bits() << 2])
     }
 
@@ -25,15 +25,15 @@ impl Shader for Column {
     }
 }
 
-/// Within a piece, the column grows by the same amount at every pixel. The last pixel also takes the remainder up to
-/// the next piece's start, at most a unit per pixel. From one piece of the wall to the next, the growth changes by more
-/// than that.
+/// Within a piece, the column increases by the same amount at every pixel. At the last pixel, it also increases by the
+/// remainder up to the start of the next piece, which is at most a unit per pixel. From one piece of the wall to the
+/// next, the increase changes by more than this.
 const ROUNDING: u16 = 64;
 
-/// Pixels of a row's first span without the last one, where the last piece ends.
+/// The number of pixels of a row's first span, without its last pixel, where the last piece ends.
 const RUN: usize = 63;
 
-/// The number of pixels from one bend to the next in a row of the wall, if all pieces have the same length.
+/// The number of pixels between two bends in a row of the wall; `None` if it varies, or if there is no bend.
 pub fn length(bench: &mut Bench, mode: Fast) -> Result<Option<usize>, Error> {
     let row = bench.row(mode, &Column)?;
     let columns = row
@@ -44,7 +44,7 @@ pub fn length(bench: &mut Bench, mode: Fast) -> Result<Option<usize>, Error> {
     let gains = gains.map(|(from, to)| to.wrapping_sub(from));
     let changes = gains.clone().zip(gains.skip(1));
     let changes = changes.map(|(before, after)| after.wrapping_sub(before).cast_signed());
-    // The first gain belongs to pixel 1.
+    // The first difference belongs to pixel 1.
     let bends = (1..)
         .zip(changes)
         .filter(|(_, change)| change.unsigned_abs() > ROUNDING);

@@ -1,5 +1,5 @@
-//! Measures spheres: of one size whose rows have different numbers of vertices, of which no number may take much more
-//! than the next, and of different numbers of triangles.
+//! Measures spheres of the same size with different numbers of vertices in their rows, and spheres with different
+//! numbers of triangles. No number of vertices may take much more time than the next number.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::mesh::{Buffers, Shape};
@@ -10,7 +10,7 @@ use super::common::scenes;
 use super::frames::Frame;
 use super::ticks::Stopwatch;
 
-/// How many vertices the rows of a sphere have: numbers around powers of two, and around the number of vertices that a
+/// The numbers of vertices in a row of a sphere: numbers near powers of two, and near the number of vertices that a
 /// draw call keeps.
 const ROWS: [(&str, u32); 17] = [
     ("rows-of-31", 31),
@@ -32,11 +32,11 @@ const ROWS: [(&str, u32); 17] = [
     ("rows-of-300", 300),
 ];
 
-/// Each of these spheres has about this many triangles.
+/// The approximate number of triangles of each of these spheres.
 const TRIANGLES: u32 = 2000;
 
-/// Slices and stacks of spheres, and names that tell their triangles: with interpolated colors, and in one color. The
-/// measured sphere has 32.
+/// The numbers of slices and stacks of spheres, and names with the numbers of triangles, with interpolated colors and
+/// in one color. The measured sphere has 32 slices and stacks.
 const SIZES: [(u32, [&str; 2]); 6] = [
     (16, ["sphere-480", "sphere-flat-480"]),
     (32, ["sphere-1984", "sphere-flat-1984"]),
@@ -46,13 +46,13 @@ const SIZES: [(u32, [&str; 2]); 6] = [
     (64, ["sphere-8064", "sphere-flat-8064"]),
 ];
 
-/// Vertices of the largest sphere.
+/// The number of vertices of the largest sphere.
 const MOST: usize = 65 * 65;
 static POSITIONS: ConstStaticCell<[Vec3; MOST]> = ConstStaticCell::new([Vec3::ZERO; MOST]);
 static COLORS: ConstStaticCell<[Rgb888; MOST]> = ConstStaticCell::new([Rgb888::BLACK; MOST]);
 static FACES: ConstStaticCell<[[u16; 3]; 8064]> = ConstStaticCell::new([[0; 3]; 8064]);
 
-/// Draws the spheres: with interpolated colors and a depth buffer, or in one color without.
+/// Draws the spheres with interpolated colors and a depth buffer, and in one color without a depth buffer.
 pub fn measure(watch: &mut Stopwatch, frame: &mut Frame) -> Result<(), Error> {
     let (positions, faces, colors) = (POSITIONS.take(), FACES.take(), COLORS.take());
     let (red, options) = (Flat::new(Rgb565::RED), DrawOptions::new());
@@ -61,7 +61,7 @@ pub fn measure(watch: &mut Stopwatch, frame: &mut Frame) -> Result<(), Error> {
         let ball = sphere.build(Buffers::new(&mut *positions, &mut *faces))?;
         let places = ball.positions();
         for (color, at) in colors.iter_mut().zip(0..places.len()) {
-            // The normal of a unit sphere is the position.
+            // The normal of a unit sphere equals the position.
             let normal = places.get(at).unwrap_or(Vec3::ZERO).to_bits();
             let [r, g, b] = scenes::lit(normal);
             *color = Rgb888::new(r, g, b);

@@ -1,4 +1,4 @@
-//! Measures the set-up of triangles, with triangles that cover at most one visible pixel.
+//! Measures the set-up of triangles. The triangles cover at most one visible pixel.
 
 use core::hint::black_box;
 
@@ -7,16 +7,16 @@ use fixel::prelude::*;
 
 use super::ticks::Stopwatch;
 
-/// Numbers of triangles in the two lists that are compared.
+/// The numbers of triangles in the two lists that are compared.
 const COUNTS: [usize; 2] = [32, 160];
 const FACES: [[u16; 3]; COUNTS[1]] = [[0, 1, 2]; COUNTS[1]];
 
-/// Pixels from the eye to the screen.
+/// The distance from the eye to the screen, in pixels.
 const FOCAL: i32 = 4;
-/// Corners in sixteenths of a pixel from the top left corner of the window's only pixel, and their distances. The
-/// triangles have about 8x8 pixels, a usual size. The window shows one of these pixels, or none.
+/// Corners and their distances. The corners are in sixteenths of a pixel from the top left corner of the window's only
+/// pixel. The triangles have about 8x8 pixels, a usual size. The window shows one of these pixels or none.
 const COVERING: [([i32; 2], i32); 3] = [([-48, 3], 4), ([16, 128], 5), ([80, 5], 6)];
-/// The same for a triangle whose bounds contain the pixel's center, while the triangle does not.
+/// Corners and distances of a triangle that does not contain the pixel's center, although its bounds do.
 const MISSING: [([i32; 2], i32); 3] = [([-128, 3], 4), ([-128, 128], 5), ([14, 128], 6)];
 const PALETTE: [Rgb888; 3] = [
     Rgb888::new(255, 100, 0),
@@ -27,14 +27,14 @@ const PALETTE: [Rgb888; 3] = [
 /// The part of the triangles that the window shows.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// No pixel, although a pixel's center is inside their bounds.
+    /// No pixel, although the bounds of the triangles contain a pixel's center.
     Missing,
     /// One pixel.
     Covering,
 }
 
-/// Draws triangles with three attributes from a prepared list, in the default mode; returns their number and the
-/// ticks.
+/// Draws triangles with three attributes from a prepared list, in the default mode. Returns the number of triangles and
+/// the ticks.
 pub fn measure(watch: &mut Stopwatch, kind: Kind) -> Result<(u32, u64), Error> {
     let [few, many] = COUNTS;
     let ticks = |watch: &mut Stopwatch, count: usize| draw(watch, kind, &FACES[..count]);
@@ -50,7 +50,7 @@ fn draw(watch: &mut Stopwatch, kind: Kind, faces: &[[u16; 3]]) -> Result<u64, Er
         Kind::Covering => COVERING,
     };
     let positions = corners.map(|([x, y], distance)| {
-        // Coordinates are relative to the pixel's center, which is also the frame's center.
+        // Coordinates are relative to the pixel's center, which is the center of the frame, too.
         let eye = |sixteenths: i32| fx!(1) * (sixteenths * distance) / (16 * FOCAL);
         Vec3::new(eye(x - 8), eye(8 - y), fx!(-1) * distance)
     });

@@ -1,4 +1,5 @@
-//! Measures textures whose size is known at run time, to compare with rows, whose size is in the type.
+//! Measures textures with a size that is known at run time, for comparison with rows, which have the size in their
+//! type.
 
 use core::hint::black_box;
 
@@ -13,16 +14,16 @@ use super::frames::{Frame, Posed};
 use super::ticks::Stopwatch;
 use super::wall::{Bench, Depths};
 
-/// Texels of one byte each: indices, and, in pairs, colors whose low byte comes first.
+/// Bytes of texels: each byte is an index, or each pair of bytes is a color with the low byte first.
 static BYTES: [u8; 2 * 64 * 64] = [0x41; 2 * 64 * 64];
 
 /// Colors for the indices.
 static COLORS: [Rgb565; 256] = [Rgb565::BLUE; 256];
 
-/// Texels without a hole.
+/// Texels without holes.
 static LEAVES: [Argb1555; 64 * 64] = [Argb1555::new(3, 20, 5); 64 * 64];
 
-/// Prints the costs of the floor and the cube, which [`Frame::measure`] draws with rows.
+/// Prints the costs of the floor and of the cube. [`Frame::measure`] draws the same scenes with rows.
 pub fn frames(frame: &mut Frame, watch: &mut Stopwatch) -> Result<(), Error> {
     frames_in(frame, watch, "newton", Newton)?;
     frames_in(frame, watch, "fast", Fast::within(fx!(0.25)))
@@ -34,7 +35,7 @@ fn frames_in<M: Mode>(
     mode_name: &str,
     mode: M,
 ) -> Result<(), Error> {
-    // Hidden from the compiler, which would otherwise know the size.
+    // `black_box` hides the size from the compiler.
     let texture = black_box(Texture::new(CHECKER.as_flattened(), 64, 64)?);
     let options = DrawOptions::new().with_mode(mode);
     let skin = Textured::new(texture);

@@ -1,4 +1,4 @@
-//! Time in ticks of the board's clock.
+//! Measures time in ticks of the board's clock.
 
 use core::fmt;
 
@@ -6,10 +6,10 @@ use semihosting::println;
 
 use super::board::{self, Clock};
 
-/// SysTick counts through 24 bits; no measurement here takes that long.
+/// SysTick counts in 24 bits. No measurement here takes that long.
 const ROUND: u64 = 1 << 24;
 
-/// Measures the time of pieces of work.
+/// Measures how long functions take.
 pub struct Stopwatch {
     clock: Clock,
     tick: Tick,
@@ -18,14 +18,14 @@ pub struct Stopwatch {
 /// The unit of a tick.
 #[derive(Clone, Copy)]
 pub enum Tick {
-    /// This many instructions, under QEMU.
+    /// A number of instructions, under QEMU.
     Instructions(u64),
-    /// A cycle of the core. On every core here, an instruction takes at least one cycle.
+    /// One cycle of the core. On every core here, an instruction takes at least one cycle.
     Cycle,
 }
 
 impl Tick {
-    /// Instructions or cycles in a tick.
+    /// The number of instructions or cycles in a tick.
     fn size(self) -> u64 {
         match self {
             Self::Instructions(count) => count,
@@ -61,10 +61,10 @@ impl Stopwatch {
         self.tick
     }
 
-    /// Does `work`, which may fail; returns the ticks that it took.
+    /// Calls `work`, which can fail. Returns the ticks that it took.
     pub fn time<E>(&mut self, work: impl FnOnce() -> Result<(), E>) -> Result<u64, E> {
         let (result, ticks) = self.clock.time(work);
-        // An emulator may fail to raise the interrupt that counts the timer's rounds, so whole rounds are dropped.
+        // An emulator can fail to raise the interrupt that counts the timer's rounds, so whole rounds are dropped.
         result.map(|()| ticks % ROUND)
     }
 

@@ -1,4 +1,4 @@
-//! A triangle that covers the frame, however wide the frame is.
+//! A triangle that covers the whole frame, whatever the frame's width is.
 
 use core::hint::black_box;
 
@@ -11,28 +11,28 @@ use static_cell::ConstStaticCell;
 
 use super::ticks::Stopwatch;
 
-/// Widths of the frames that are compared: two within one span, and one that is three spans wider.
+/// The widths of the frames that are compared. Two are within one span, and one is three spans wider.
 const WIDTHS: [u32; 3] = [16, 48, 240];
 pub const ROWS: u32 = 64;
-/// How often a frame is drawn, because a tick may last many instructions.
+/// The number of times that a frame is drawn, because a tick can take many instructions.
 const REPEATS: u32 = 4;
-/// Pixels of the widest frame.
+/// The number of pixels of the widest frame.
 const PIXELS: usize = 240 * ROWS as usize;
 
-/// Pixels from the eye to the screen.
+/// The distance from the eye to the screen, in pixels.
 const FOCAL: i32 = 256;
 
-/// Corners, in pixels from the frame's top left, and their distances. 1/w falls to half over 640 columns. Its relative
-/// change per pixel grows from 1/1280 to 1/640. This is too little for any mode to fall back to division, and too much
-/// for any mode to skip the correction of perspective.
+/// Corners in pixels from the frame's top left corner, and their distances. 1/w decreases by half over 640 columns. Its
+/// relative change per pixel increases from 1/1280 to 1/640. For this change, no mode falls back to division, and no
+/// mode skips the correction of perspective.
 const CORNERS: [([i32; 2], i32); 3] = [([-16, -16], 1), ([-16, 144], 1), ([624, -16], 2)];
-/// Between half a texel and two texels per column, of a texture of 64x64.
+/// A texture of 64x64 texels moves by half a texel to two texels per column.
 pub const UVS: [Vec2; 3] = [vec2!(0, 0), vec2!(0, 2), vec2!(10, 1)];
 
 static COLORS: ConstStaticCell<[Rgb565; PIXELS]> = ConstStaticCell::new([Rgb565::BLACK; PIXELS]);
 static DEPTHS: ConstStaticCell<[u16; PIXELS]> = ConstStaticCell::new([0; PIXELS]);
 
-/// A color that no measured draw call produces. It marks undrawn pixels.
+/// A color that no measured draw call produces. It marks pixels that were not drawn.
 const UNDRAWN: Rgb565 = Rgb565::new(20, 40, 20);
 
 /// The depth buffer before the draw call.
@@ -49,7 +49,7 @@ pub enum Depths {
 /// The options of a measured draw call.
 type Options<I, B> = DrawOptions<I, TestAndWrite, B>;
 
-/// The memory to draw into, and the time.
+/// The memory in which frames are drawn, and the stopwatch.
 pub struct Bench {
     watch: Stopwatch,
     colors: &'static mut [Rgb565; PIXELS],
@@ -57,7 +57,7 @@ pub struct Bench {
 }
 
 impl Bench {
-    /// Takes the memory; can be called once.
+    /// Takes the memory. Can be called only once.
     pub fn new(watch: Stopwatch) -> Self {
         Self {
             watch,
@@ -66,7 +66,7 @@ impl Bench {
         }
     }
 
-    /// Prints the cost of opaque pixels.
+    /// Measures opaque pixels, and prints their cost.
     pub fn kernel<I: Mode, F: ShaderFor<Rgb565>>(
         &mut self,
         name: &str,
@@ -77,7 +77,7 @@ impl Bench {
         self.blended(name, DrawOptions::new().with_mode(mode), shader, depths)
     }
 
-    /// Prints the cost of pixels: of 48 columns beyond 16, and of 240 beyond 48.
+    /// Measures pixels, and prints their cost in columns 16 to 48 and in columns 48 to 240.
     pub fn blended<I: Mode, B: Blending<Rgb565>, F: ShaderFor<Rgb565>>(
         &mut self,
         name: &str,
@@ -99,7 +99,7 @@ impl Bench {
         Ok(())
     }
 
-    /// Draws a frame, which the wall covers completely, and returns its ticks.
+    /// Draws a frame that the wall covers completely. Returns the ticks.
     fn frame<I: Mode, B: Blending<Rgb565>, F: ShaderFor<Rgb565>>(
         &mut self,
         width: u32,
@@ -141,7 +141,7 @@ impl Bench {
     }
 }
 
-/// Draws the wall to a canvas of this width.
+/// Draws the wall to a canvas. Returns the ticks.
 fn draw<I: Mode, B: Blending<Rgb565>, F: ShaderFor<Rgb565>, D: DepthBuffer>(
     watch: &mut Stopwatch,
     canvas: &mut Canvas<'_, Rgb565, fixel::canvas::Native, D>,
@@ -151,7 +151,7 @@ fn draw<I: Mode, B: Blending<Rgb565>, F: ShaderFor<Rgb565>, D: DepthBuffer>(
 ) -> Result<u64, Error> {
     let (positions, mvp) = (positions(width), mvp(width)?);
     let wall = Mesh::new(&positions, &[[0, 1, 2]])?.with_uvs(&UVS, None)?;
-    // Hide the values from the compiler, which does not know them in a user's program, either.
+    // Hide the values from the compiler, because it does not know them in a user's program, either.
     let (options, shader) = black_box((options, shader));
     watch.time(|| {
         let drawn = canvas.draw_with(&options, &wall, &mvp, shader);
@@ -164,7 +164,7 @@ fn draw<I: Mode, B: Blending<Rgb565>, F: ShaderFor<Rgb565>, D: DepthBuffer>(
 pub fn positions(width: u32) -> [Vec3; 3] {
     let center = [width, ROWS].map(u32::cast_signed);
     CORNERS.map(|([x, y], distance)| {
-        // Coordinates relative to the frame's center, in half pixels.
+        // Coordinates are relative to the frame's center, in half pixels.
         let (x, y) = (2 * x - center[0], center[1] - 2 * y);
         let eye = |half_pixels: i32| fx!(1) * (half_pixels * distance) / (2 * FOCAL);
         Vec3::new(eye(x), eye(y), fx!(-1) * distance)

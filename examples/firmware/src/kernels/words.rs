@@ -1,4 +1,4 @@
-//! Measures sprites, lines, points, lists and rays, and meshes that change.
+//! Measures sprites, lines, points, lists, rays, and meshes that change.
 
 use core::hint::black_box;
 
@@ -12,7 +12,7 @@ use static_cell::ConstStaticCell;
 use super::ticks::Stopwatch;
 
 const SIZE: u32 = 64;
-/// The number of sprites in a row, and of rows.
+/// The number of sprites in a row, and the number of rows.
 const SIDE: usize = 8;
 const SPRITES: usize = SIDE * SIDE;
 
@@ -23,14 +23,14 @@ static OUTLINE: Outline = outline!(BALL, deg!(30));
 static LIST: ConstStaticCell<DrawList<400, 250>> = ConstStaticCell::new(DrawList::new());
 static EDGES: ConstStaticCell<DrawList<400, 400>> = ConstStaticCell::new(DrawList::new());
 
-/// Measures calls, and prints their cost per sprite, line, point, triangle or vertex.
+/// Measures calls, and prints the cost per sprite, line, point, triangle or vertex.
 pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     let mut canvas = Canvas::new(COLORS.take(), SIZE, SIZE)?;
     let projection = Projection::perspective(deg!(60), (1, 1), fx!(1), fx!(10))?;
     let mvp = projection * Transform::translate(vec3!(0, 0, -3));
     let (options, white) = black_box((DrawOptions::new(), Flat::new(Rgb565::WHITE)));
 
-    // A sprite of 4x4 pixels, and the same two triangles of a mesh.
+    // A sprite of 4x4 pixels, and two triangles of a mesh with the same pixels.
     let (middles, corners, faces) = squares();
     let quads = Mesh::new(&corners, &faces)?;
     let ticks = watch.time(|| drawn(canvas.draw_with(&options, &quads, &mvp, &white).drawn))?;
@@ -108,7 +108,7 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     })?;
     watch.print("creased-normals", "triangle", triangles, ticks);
 
-    // Attributes of 32 and of 8 bits.
+    // The first mesh has attributes of 32 bits, the second of 8 bits.
     let sun = black_box(Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?);
     let clay = Flat::rgb(Rgb888::new(236, 214, 190)).lit(sun);
     for (name, ball) in [("lit", &BALL), ("lit-quantized", &SMALL_BALL)] {
@@ -118,7 +118,7 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     Ok(())
 }
 
-/// A lit ball, prepared for bands of eight rows: lit in each band, and lit once for all.
+/// A lit ball, prepared for bands of eight rows. It is lit in each band, and then only once for all bands.
 fn lit_in_bands(watch: &mut Stopwatch, list: &mut DrawList<400, 250>) -> Result<(), Error> {
     let projection = Projection::perspective(deg!(60), (1, 1), fx!(1), fx!(10))?;
     let mvp = projection * Transform::translate(vec3!(0, 0, -2.2));
@@ -134,7 +134,7 @@ fn lit_in_bands(watch: &mut Stopwatch, list: &mut DrawList<400, 250>) -> Result<
     )
 }
 
-/// Draws a list in bands of eight rows, and again with the shader's values stored.
+/// Draws a list in bands of eight rows, and draws it again with the shader's values stored.
 fn bands<S: ShaderFor<Rgb565>>(
     watch: &mut Stopwatch,
     ball: &Prepared<'_, (), &Mesh<'_>>,
@@ -160,10 +160,10 @@ fn bands<S: ShaderFor<Rgb565>>(
     Ok(())
 }
 
-/// The side of a square that is 4 pixels wide at the distance 3.
+/// The side of a square that is 4 pixels wide at distance 3.
 const SQUARE: Scalar = fx!(0.2165);
 
-/// The centers, corners and faces of a grid of squares, some with gaps between them.
+/// The centers, corners and faces of a grid of squares. There are gaps between some of the squares.
 fn squares() -> (
     [Vec3; SPRITES],
     [Vec3; 4 * SPRITES],

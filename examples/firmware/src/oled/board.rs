@@ -1,7 +1,7 @@
-//! The registers of the LM3S6965 that drive the panel, with the names of its data sheet.
+//! The registers of the LM3S6965 that drive the panel. Their names are those of the data sheet.
 //!
-//! The panel's clock, select and data are pins A2, A3 and A5, which belong to the serial interface SSI0; pin C7 tells
-//! whether a byte is a command. D0 selects the SD card on the same wires.
+//! The clock, select and data lines of the panel are pins A2, A3 and A5, which belong to the serial interface SSI0. Pin
+//! C7 says whether a byte is a command. D0 selects the SD card on the same wires.
 
 use cortex_m::asm;
 
@@ -12,16 +12,16 @@ impl Register {
     #[allow(unsafe_code)]
     fn read(&self) -> u32 {
         let address = self.0 as *const u32;
-        // SAFETY: every address is one of the constants below, which are aligned addresses of the chip's registers.
-        // Reading a register affects only its peripheral.
+        // SAFETY: every address is one of the constants below, and these are aligned addresses of the chip's registers.
+        // Reading a register has an effect only on its peripheral.
         unsafe { address.read_volatile() }
     }
 
     #[allow(unsafe_code)]
     fn write(&self, value: u32) {
         let address = self.0 as *mut u32;
-        // SAFETY: as above. The peripherals that the program writes to cannot access memory: neither DMA nor an
-        // interrupt is enabled.
+        // SAFETY: the address is valid as above. The peripherals to which the program writes cannot access memory,
+        // because neither DMA nor an interrupt is enabled.
         unsafe { address.write_volatile(value) }
     }
 
@@ -34,21 +34,21 @@ impl Register {
 struct Port(usize);
 
 impl Port {
-    /// Makes `pin` an output with this level, which software drives.
+    /// Makes `pin` an output that software drives, with this level.
     fn output(&self, pin: u32, high: bool) {
         Register(self.0 + 0x400).set(1 << pin); // GPIODIR
         Register(self.0 + 0x51c).set(1 << pin); // GPIODEN
         self.write(pin, high);
     }
 
-    /// Connects `pins` to the chip's peripheral for them.
+    /// Connects `pins` to their peripheral.
     fn alternate(&self, pins: u32) {
         Register(self.0 + 0x420).set(pins); // GPIOAFSEL
         Register(self.0 + 0x51c).set(pins); // GPIODEN
     }
 
     fn write(&self, pin: u32, high: bool) {
-        // GPIODATA: bits 9 to 2 of the address are a mask of the pins to write.
+        // GPIODATA: bits 9 to 2 of the address select the pins to write.
         Register(self.0 + (4 << pin)).write(u32::from(high) << pin);
     }
 }
@@ -67,30 +67,30 @@ const SSIDR: Register = Register(0x4000_8008);
 const SSISR: Register = Register(0x4000_800c);
 const SSICPSR: Register = Register(0x4000_8010);
 
-/// Bits of SSISR: there is room to transmit, something was received, the interface is busy.
+/// Bits of SSISR: there is room for a byte to send, a byte was received, the interface is busy.
 const TNF: u32 = 1 << 1;
 const RNE: u32 = 1 << 2;
 const BSY: u32 = 1 << 4;
 
-/// The wires to the panel, of which the board has one set.
+/// The wires to the panel. The board has only one panel.
 pub struct Oled(());
 
 impl Oled {
-    /// Sets up the pins and the interface; call it once.
+    /// Sets up the pins and the interface. Call it only once.
     pub fn new() -> Self {
         RCGC1.set(1 << 4);
         RCGC2.set(1 << 0 | 1 << 2 | 1 << 3);
-        // A peripheral can be accessed from the third cycle of its clock on.
+        // A peripheral can be accessed from the third cycle after its clock has started.
         asm::delay(3);
 
         PORT_D.output(0, true);
         PORT_C.output(7, true);
         PORT_A.alternate(1 << 2 | 1 << 3 | 1 << 5);
 
-        // The chip starts at 12 MHz. Take a quarter of it, because the panel allows 4 MHz.
+        // The chip starts at 12 MHz. Use a quarter of this frequency, because the panel allows 4 MHz.
         SSICR1.write(0);
         SSICPSR.write(4);
-        // Eight bits; the clock is high when idle, and the panel samples at its rising edge.
+        // A byte has eight bits. The clock is high when idle, and the panel samples at its rising edge.
         SSICR0.write(1 << 7 | 1 << 6 | 7);
         SSICR1.write(1 << 1);
         Self(())
@@ -108,15 +108,15 @@ impl Oled {
         self.send(bytes);
     }
 
-    /// Sends bytes, and returns when the last one has been sent, because the panel samples pin C7 with the last bit of
-    /// a byte.
+    /// Sends bytes. Returns when the last byte has been sent, because the panel samples pin C7 with the last bit of a
+    /// byte.
     #[allow(clippy::unused_self)] // `self` owns the interface
     fn send(&mut self, bytes: &[u8]) {
         for &byte in bytes {
             while SSISR.read() & TNF == 0 {}
             SSIDR.write(byte.into());
-            // The interface also receives a byte for each one sent, although the panel sends none. QEMU waits until
-            // they are read.
+            // For each byte sent, the interface also receives a byte, although the panel sends none. QEMU waits until
+            // the received bytes are read.
             while SSISR.read() & RNE != 0 {
                 SSIDR.read();
             }

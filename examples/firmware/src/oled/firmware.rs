@@ -1,4 +1,4 @@
-//! The board's part: draws frame after frame in bands, one frame every 30 ms.
+//! The part of the program that runs on the board. It draws frame after frame in bands, one frame every 30 ms.
 
 use cortex_m::asm;
 use cortex_m::peripheral::{SYST, syst::SystClkSource};
@@ -11,10 +11,10 @@ use super::board::Oled;
 use super::gyroscope::{FRAME_MS, FRAMES, HEIGHT, Lists, WIDTH};
 use super::ssd0323::Ssd0323;
 
-/// Rows of a band.
+/// The number of rows of a band.
 const ROWS: u32 = 16;
 
-/// The chip starts with its internal oscillator of about 12 MHz.
+/// The chip starts with its internal oscillator, which has about 12 MHz.
 const TICKS_PER_MS: u32 = 12_000;
 
 fn spin(panel: &mut Ssd0323, timer: &mut SYST) -> Result<(), Error> {
@@ -29,7 +29,7 @@ fn spin(panel: &mut Ssd0323, timer: &mut SYST) -> Result<(), Error> {
             gyroscope.draw(&mut band)?;
             band.show(panel)?;
         }
-        // If a frame takes longer, the next one follows at once.
+        // If a frame takes longer than this, the next frame follows at once.
         while !timer.has_wrapped() {}
     }
     Ok(())

@@ -1,4 +1,5 @@
-//! The host's part: draws a frame whole, and compares it with the emulator's panel.
+//! The part of the program that runs on the host. It draws a frame as a whole, and compares it with the emulator's
+//! panel.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -11,7 +12,7 @@ use fixel::prelude::*;
 
 use super::gyroscope::{FRAMES, HEIGHT, Lists, WIDTH};
 
-/// QEMU draws each pixel of the panel this many pixels wide and high.
+/// In QEMU's window, a pixel of the panel is this many pixels wide and high.
 const SCALE: u32 = 4;
 
 /// Draws the picture of the board's panel.
@@ -65,7 +66,7 @@ fn draw(frame: u32) -> Result<SimulatorDisplay<Gray4>, fixel::Error> {
 ///
 /// # Errors
 ///
-/// The dump is not a picture of the panel, or a pixel differs. The message names the first such pixel.
+/// The dump is not a picture of the panel, or a pixel differs. The message names the first pixel that differs.
 fn compare(panel: &SimulatorDisplay<Gray4>, dump: &Path) -> Result<(), Box<dyn Error>> {
     let dump = image::open(dump)?.to_rgb8();
     let (width, height) = (WIDTH * SCALE, HEIGHT * SCALE);

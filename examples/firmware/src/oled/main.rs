@@ -1,22 +1,22 @@
-//! A spinning model on a real display controller: the SSD0323 of a Stellaris LM3S6965 evaluation
-//! board, a Cortex-M3 with 64 KiB of RAM, and its OLED of 128x64 pixels in 16 grays.
+//! A spinning model on a real display controller: the SSD0323 of a Stellaris LM3S6965 evaluation board. The board has a
+//! Cortex-M3 with 64 KiB of RAM, and an OLED of 128x64 pixels in 16 grays.
 //!
-//! This command runs it on the board that QEMU emulates:
+//! This command runs the program on the board that QEMU emulates:
 //!
 //! ```sh
 //! cargo run --config .cargo/oled.toml --profile speed -p firmware --bin oled --target thumbv7m-none-eabi
 //! ```
 //!
-//! If QEMU has a desktop to draw on (Debian: qemu-system-gui), it opens a window with the panel, in which a pixel takes
-//! 4x4 pixels. Otherwise it prints an address for a VNC viewer. The model turns for six seconds and then stays in its
-//! last pose, which the terminal reports. Ctrl-C or closing the window ends the program.
+//! If QEMU can open windows (Debian: qemu-system-gui), it shows the panel in a window, with 4x4 pixels for each pixel
+//! of the panel. Otherwise, it prints an address for a VNC viewer. The model turns for six seconds, and then stays in
+//! its last pose, which the terminal reports. Ctrl-C or closing the window ends the program.
 //!
-//! Each frame is drawn in bands of 16 rows, in 2 KiB of grays and 4 KiB of depths. A band is a
-//! [`Canvas`](fixel::Canvas), with text by embedded-graphics over the model; the program copies it to the panel, which
-//! is a `DrawTarget`. `board` has the chip's registers, and `ssd0323` the controller's commands.
+//! Each frame is drawn in bands of 16 rows, with 2 KiB of grays and 4 KiB of depths. A band is a
+//! [`Canvas`](fixel::Canvas), with text by embedded-graphics over the model. The program copies the band to the panel,
+//! which is a `DrawTarget`. `board` has the chip's registers, and `ssd0323` has the controller's commands.
 //!
-//! This command draws the last frame in one piece on your computer, and writes it to oled.png as QEMU's window shows
-//! it:
+//! This command draws the last frame as a whole on your computer, and writes it to oled.png as it looks in QEMU's
+//! window:
 //!
 //! ```sh
 //! cargo run --release -p firmware --bin oled

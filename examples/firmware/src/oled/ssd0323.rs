@@ -1,4 +1,4 @@
-//! The SSD0323, a display controller with 16 grays and two pixels to a byte.
+//! The SSD0323, a display controller with 16 grays and two pixels in a byte.
 
 use core::convert::Infallible;
 
@@ -13,8 +13,8 @@ use super::board::Oled;
 const WIDTH: usize = 128;
 const HEIGHT: usize = 64;
 
-/// Commands that prepare the controller for the board's panel, an OSRAM Pictiva. QEMU's panel ignores most of them,
-/// but a real one needs them.
+/// Commands that prepare the controller for the board's panel, an OSRAM Pictiva. QEMU's panel ignores most of the
+/// commands, but a real panel needs them.
 const READY: [&[u8]; 16] = [
     &[0xae],       // display off
     &[0x81, 50],   // contrast, at most 127
@@ -30,7 +30,7 @@ const READY: [&[u8]; 16] = [
     &[0xbf, 0x0d], // voltage of dark segments
     &[0xbe, 0x02], // voltage of idle rows
     &[0xbc, 0x10], // voltage of pre-charge
-    // Pulse widths of the grays: about equal steps.
+    // Pulse widths of the grays, in about equal steps.
     &[0xb8, 0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x76],
     &[0xad, 0x03], // voltage converter on
 ];
@@ -40,7 +40,8 @@ const ON: u8 = 0xaf;
 
 /// The panel.
 ///
-/// The controller cannot be read, and a byte holds two pixels. So this keeps a copy of the picture, which takes 4 KiB.
+/// A byte has two pixels, and the controller's memory cannot be read. So the driver keeps a copy of the picture, which
+/// takes 4 KiB.
 pub struct Ssd0323 {
     wires: Oled,
     shown: [[u8; WIDTH / 2]; HEIGHT],
@@ -61,7 +62,7 @@ impl Ssd0323 {
         panel
     }
 
-    /// Stores a pixel in the copy, unless it lies outside the panel.
+    /// Stores a pixel in the copy. Pixels outside the panel are ignored.
     fn keep(&mut self, point: Point, color: Gray4) {
         let Ok(x) = usize::try_from(point.x) else {
             return;
@@ -77,13 +78,13 @@ impl Ssd0323 {
         }
     }
 
-    /// Sends an area of the stored picture, enlarged to whole bytes.
+    /// Sends an area of the stored picture. The area is enlarged to whole bytes.
     fn send(&mut self, area: &Rectangle) {
         let area = area.intersection(&self.bounding_box());
         let Some(end) = area.bottom_right() else {
             return;
         };
-        // The area lies on the panel, so both are between 0 and 127.
+        // The area lies on the panel, so all numbers are between 0 and 127.
         let [left, right] = [area.top_left.x, end.x].map(|x| x.cast_unsigned() as u8 / 2);
         let [top, bottom] = [area.top_left.y, end.y].map(|y| y.cast_unsigned() as u8);
         self.wires.command(&[COLUMNS, left, right]);

@@ -1,5 +1,5 @@
-//! Size probe: everything except drawing. The difference in size between another probe and this one is the cost of
-//! drawing.
+//! Size probe: everything except drawing. The cost of drawing is the size of another probe minus the size of this
+//! probe.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod probe;

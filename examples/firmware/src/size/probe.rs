@@ -1,9 +1,9 @@
-//! The parts that all size probes share: a model, memory, time, and a report of the stack depth.
+//! The parts that all size probes share: a model, memory, time, and a report of the depth of the stack.
 //!
-//! Every probe, including the baseline, links the whole model and the texture. So code that a probe has and the
-//! baseline lacks belongs to the library or to the few lines that call it.
+//! Every probe, including the baseline, links the whole model and the texture. So the code that a probe has and the
+//! baseline lacks is code of the library, or the few lines that call the library.
 
-// The baseline does not use the drawing parts.
+// The baseline does not use the parts for drawing.
 #![allow(dead_code)]
 
 use core::hint::black_box;
@@ -11,9 +11,9 @@ use core::hint::black_box;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
 
-/// Width of the picture in pixels.
+/// The width of the picture in pixels.
 pub const WIDTH: u32 = 160;
-/// Height of the picture in pixels.
+/// The height of the picture in pixels.
 pub const HEIGHT: u32 = 120;
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 
@@ -35,8 +35,8 @@ static COLORS: [Rgb888; 17 * 9] = {
 /// A texture.
 pub static SKIN: [[Rgb565; 2]; 2] = [[Rgb565::WHITE, Rgb565::RED], [Rgb565::RED, Rgb565::WHITE]];
 
-/// A position in front of the eye, so close that the near plane of [`projection`](fn@projection) cuts the model and
-/// clipping runs.
+/// A position in front of the eye. It is so close that the near plane of [`projection`](fn@projection) cuts the model,
+/// and clipping runs.
 pub const PLACE: Vec3 = vec3!(0, 0, -1.5);
 
 /// The projection of the probes.
@@ -44,16 +44,16 @@ pub fn projection() -> Result<Projection<fixel::view::Perspective>, Error> {
     Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(100))
 }
 
-/// The angle at a time: about one turn every 5 seconds.
+/// The angle at a time: about one turn in 5 seconds.
 pub fn angle(now_ms: u64) -> Angle {
     Angle::from_bits((now_ms as u32).wrapping_mul(858_993))
 }
 
-/// Draws the frames of one second with the probe's `draw`, which receives pixels, depths and milliseconds.
+/// Draws the frames of one second with the probe's `draw`, which gets pixels, depths and milliseconds.
 fn frames(pixels: &mut [Rgb565], depths: &mut [u16]) {
     const FRAMES: u64 = 4;
     for frame in 0..FRAMES {
-        // Hide run-time values from the compiler, so that it cannot compute with them in advance.
+        // Hide run-time values from the compiler, so that it cannot compute with them at compile time.
         let now_ms = black_box(frame * 250);
         black_box((&MODEL, &SKIN));
         if super::draw(pixels, depths, now_ms).is_err() {
@@ -65,7 +65,7 @@ fn frames(pixels: &mut [Rgb565], depths: &mut [u16]) {
     }
 }
 
-/// The probe on the host: draws the same frames, so that the compiler checks the code.
+/// The probe on the host. It draws the same frames, so that the compiler checks the code.
 #[cfg(not(target_os = "none"))]
 pub fn host() {
     let mut pixels = vec![Rgb565::new(0, 0, 0); PIXELS];

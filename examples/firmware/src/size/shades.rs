@@ -1,6 +1,6 @@
 //! Size probe: triangles with every shader of `fixel::shade`, each in its own draw call.
 //!
-//! No firmware needs all of them on one canvas: the probe shows an upper limit of the cost.
+//! No firmware needs all shaders on one canvas. The probe shows an upper limit of their cost.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod probe;

@@ -1,8 +1,9 @@
-//! Shared by the probes `everything`: every stage of the pipeline once, on one canvas with a depth buffer.
+//! The code that both probes named `everything` share: every stage of the pipeline once, on a canvas with a depth
+//! buffer.
 //!
-//! These are a camera, time and a light; points, lines, and triangles that are flat, Gouraud shaded, textured and lit;
-//! clipping, depth and perspective. There are one canvas and one projection: other combinations of type parameters need
-//! other code, which a program links only if it uses them (`shades` has more).
+//! The stages are a camera, time and a light; points, lines, and triangles that are flat, Gouraud shaded, textured and
+//! lit; clipping, depth and perspective. There is one canvas and one projection. Other combinations of type parameters
+//! need other code, and a program links this code only if it uses them (`shades` uses more).
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::mode::Mode;

@@ -1,4 +1,4 @@
-//! Shared by the probes of the modes: textured triangles with a depth buffer.
+//! The code that the probes of the modes share: textured triangles with a depth buffer.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::mode::Mode;

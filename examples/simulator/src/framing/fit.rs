@@ -1,6 +1,6 @@
-//! The tightest view of a set of points, for given axes.
+//! Finds the tightest view of a set of points, for given axes.
 //!
-//! Every bound on the eye is linear in its position, so each optimum lies where two bounds meet.
+//! Every bound on the eye is linear in the eye's position, so each optimum lies where two bounds meet.
 
 /// Returns the smallest and the largest of `values`.
 pub fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
@@ -9,8 +9,8 @@ pub fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     })
 }
 
-/// Returns the smallest d with |x − c| ≤ `slope` · (d − z) for all points (x, z). This is the distance of the nearest
-/// eye that sees all of them. c is 0 or, if the eye `moves` sideways, the value that makes d smallest.
+/// Returns the smallest d with |x − c| ≤ `slope` · (d − z) for all points (x, z): the distance of the nearest eye that
+/// sees all points. c is 0 or, if the eye `moves` sideways, the value that makes d smallest.
 pub fn distance(points: impl Iterator<Item = [f64; 2]> + Clone, slope: f64, moves: bool) -> f64 {
     // d ≥ (x + slope·z − c) / slope and d ≥ (c − x + slope·z) / slope.
     let [_, high] = range(points.clone().map(|[x, z]| x + slope * z));
@@ -22,11 +22,11 @@ pub fn distance(points: impl Iterator<Item = [f64; 2]> + Clone, slope: f64, move
     }
 }
 
-/// Returns the c for which the largest |x − c| / w of all points (x, w), w > 0, is smallest: seen from there, the
-/// leftmost and the rightmost point are at the same angle.
+/// Returns the c for which the largest |x − c| / w of all points (x, w), w > 0, is smallest. Seen from c, the leftmost
+/// and the rightmost point are at the same angle.
 ///
-/// That largest slope s is the maximum of (xᵢ − xⱼ) / (wᵢ + wⱼ) over all pairs of points. Dinkelbach's method finds it:
-/// each step raises s to the slope of the pair that exceeds it most, until no pair exceeds it. A step is exact for its
+/// The largest slope s is the maximum of (xᵢ − xⱼ) / (wᵢ + wⱼ) over all pairs of points. Dinkelbach's method finds it:
+/// each step raises s to the slope of the pair that exceeds s most, until no pair exceeds s. A step is exact for its
 /// pair, and s never exceeds the optimum, so the method ends after a few steps.
 pub fn center(points: &(impl Iterator<Item = [f64; 2]> + Clone)) -> f64 {
     let mut slope = 0.0;

@@ -1,5 +1,5 @@
-//! Chooses the camera in the model's own units. Options that the user gave are kept; the others get values that show
-//! the whole model.
+//! Chooses the camera in the model's own units. Options that the user gave are kept. The other options get values that
+//! show the whole model.
 //!
 //! This runs on the host, in f64. `units` and `view` pass the result to the library.
 
@@ -14,15 +14,16 @@ use fixel_assets::vector::{along, cross, dot, largest, length, sub, unit};
 
 /// The fraction of the picture's width or height that the model fills.
 const FILL: f64 = 0.94;
-/// Default field of view, in degrees.
+/// The default field of view, in degrees.
 const FIELD_OF_VIEW: f64 = 40.0;
 /// The field of view, in degrees, if parts of the model are behind the eye.
 const WIDE: f64 = 100.0;
-/// Half the height of the picture, relative to the radius of the model, if the model is a line seen end-on.
+/// Half of the picture's height, relative to the radius of the model, if the model is a line that is seen from its end.
 const LEAST: f64 = 1e-3;
-/// Default direction from the model to the eye, if y is up: in front, a little to the right and above.
+/// The default direction from the model to the eye, if y is up: in front, a little to the right and above.
 const FROM: Point = [0.55, 0.6, 1.0];
-/// The same for the oblique projections, which show the top and the side of a model seen from the front.
+/// The default direction for the oblique projections. They show the top and the side of a model that is seen from the
+/// front.
 const FRONT: Point = [0.0, 0.0, 1.0];
 
 pub use fixel_assets::vector::Vector as Point;
@@ -33,20 +34,20 @@ pub struct Framing {
     pub eye: Point,
     /// The point in the middle of the picture.
     pub target: Point,
-    /// The direction that is up, as the user wrote it, of any length.
+    /// The direction that is up, of any length, as the user wrote it.
     pub up: Point,
-    /// Vertical field of view in degrees. A parallel projection shows as much as this angle spans at the target's
-    /// distance.
+    /// The vertical field of view in degrees. The picture of a parallel projection is as high as this angle spans at
+    /// the target's distance.
     pub fov: f64,
     pub near: f64,
     pub far: f64,
-    /// Unit vectors to the right, up, and back from the target to the eye.
+    /// Unit vectors that point right, up, and back from the target to the eye.
     pub axes: [Point; 3],
     kind: Kind,
     aspect: f64,
-    /// Distances of the nearest and the farthest point.
+    /// The distances of the nearest and the farthest point.
     range: [f64; 2],
-    /// Distance of the farthest point in any pose to which the user can turn the model.
+    /// The largest distance of a point in all poses to which the user can turn the model.
     farthest: f64,
 }
 
@@ -55,7 +56,7 @@ pub struct Framing {
 pub struct Solid {
     /// The center of the box around the model.
     pub middle: Point,
-    /// The largest distance of a point from the center along an axis.
+    /// The largest distance from the center, along an axis, of a point.
     pub radius: f64,
 }
 
@@ -78,7 +79,8 @@ impl Solid {
         }
     }
 
-    /// Rounds a chosen coordinate to a hundred-thousandth of the model, so that it can be read and typed.
+    /// Rounds a chosen coordinate to a hundred-thousandth of the model, so that the coordinate is easy to read and
+    /// type.
     fn rounded(&self, value: f64) -> f64 {
         #[allow(clippy::cast_possible_truncation)] // a logarithm
         let decimals = 5 - self.radius.log10().floor() as i32;
@@ -88,13 +90,13 @@ impl Solid {
             let step = 10_f64.powi(-decimals);
             (value / step).round() * step
         };
-        // Turns -0 into 0, so that it is not printed as "-0".
+        // Adding 0 turns -0 into 0, which is not printed as "-0".
         rounded + 0.0
     }
 }
 
-/// Returns axes to the right, up, and along `back`; `None` if `up` is within 1e-5 of the line of `back`, which is
-/// stricter than the library.
+/// Returns axes that point right, up, and along `back`; `None` if `up` is within 1e-5 of the line of `back`. This check
+/// is stricter than the library's.
 pub fn basis(back: Point, up: Point) -> Option<[Point; 3]> {
     let (back, up) = (unit(back)?, unit(up)?);
     let right = cross(up, back);
@@ -105,22 +107,22 @@ pub fn basis(back: Point, up: Point) -> Option<[Point; 3]> {
     Some([right, cross(back, right), back])
 }
 
-/// Turns a direction along the shortest arc that brings +y to `up`, of length one. If z points up, a model's front is
-/// then at −y, where modeling programs expect it.
+/// Turns a direction along the shortest arc from +y to `up`, which has length one. If z points up, a model's front is
+/// then at −y, where modeling programs expect the front.
 fn upright([x, y, z]: Point, up: Point) -> Point {
-    // Half a turn has no unique shortest arc. Turn about z, so that the front stays in front.
+    // There are many shortest arcs for half a turn. A turn about z keeps the front in front.
     if up[1] < -1.0 + 1e-12 {
         return [-x, -y, z];
     }
-    // With u × (0, 1, 0) as axis a, Rodrigues' formula is d + a × d + a × (a × d) / (1 + cosine).
+    // With the axis a = (0, 1, 0) × u, Rodrigues' formula is d + a × d + a × (a × d) / (1 + cosine).
     let axis = cross([0.0, 1.0, 0.0], up);
     let once = cross(axis, [x, y, z]);
     let twice = cross(axis, once);
     [0, 1, 2].map(|i| [x, y, z][i] + once[i] + twice[i] / (1.0 + up[1]))
 }
 
-/// Returns how far the oblique projections move a point right and up in the picture, for each unit that it lies
-/// behind the near plane. Depth recedes at 45 degrees.
+/// Returns how far the oblique projections move a point to the right and up in the picture, per unit of its distance
+/// behind the near plane. Lines along depth appear at 45 degrees.
 fn shear(kind: Kind) -> f64 {
     let ratio = match kind {
         Kind::Perspective | Kind::Orthographic => 0.0,
@@ -136,12 +138,12 @@ fn seen(axes: &[Point; 3], center: Point, points: &[Point]) -> Vec<Point> {
     points.iter().map(from).collect()
 }
 
-/// Returns the tangent of half an angle in degrees.
+/// Returns the tangent of half of an angle, given in degrees.
 fn half_tangent(degrees: f64) -> f64 {
     (degrees.to_radians() / 2.0).tan()
 }
 
-/// Formats a point as it is written in an option.
+/// Formats a point as users write it in an option.
 pub fn written([x, y, z]: Point) -> String {
     format!("{x},{y},{z}")
 }
@@ -156,8 +158,8 @@ fn to_digits(value: f64, digits: usize) -> f64 {
     format!("{value:.decimals$e}").parse().unwrap_or(value)
 }
 
-/// Returns the largest ratio of far to near that the program chooses. Depth in equal steps of 1/distance needs one
-/// below 1000.
+/// Returns the largest ratio of far to near that the program chooses. With equal steps of 1/distance, depth needs a
+/// ratio below 1000.
 fn most_ratio(depth: DepthBuffer) -> f64 {
     match depth {
         DepthBuffer::Linear => 500.0,
@@ -165,7 +167,7 @@ fn most_ratio(depth: DepthBuffer) -> f64 {
     }
 }
 
-/// The conditions for choosing an eye.
+/// What the choice of an eye depends on.
 struct Choice<'a> {
     args: &'a Args,
     points: &'a [Point],
@@ -174,7 +176,7 @@ struct Choice<'a> {
 }
 
 impl Choice<'_> {
-    /// Returns the nearest eye that shows all points, and the point in the middle of its picture.
+    /// Returns the nearest eye that shows all points, and the point in the middle of the eye's picture.
     fn eye(&self, up: Point) -> Option<[Point; 2]> {
         let args = self.args;
         let shear = shear(args.projection);
@@ -188,8 +190,8 @@ impl Choice<'_> {
         let mut middle = [0.0; 2];
         let distance = if args.projection == Kind::Perspective {
             let slope = half_tangent(args.fov.unwrap_or(FIELD_OF_VIEW)) * FILL;
-            // However wide the view, the model stays beyond the near plane: the farthest point is at most 100 times as
-            // far as the nearest one.
+            // The model stays beyond the near plane, however wide the view is: the farthest point is at most 100 times
+            // as far away as the nearest point.
             let closest = front + ((front - back) / 99.0).max(self.solid.radius * 0.01);
             let distance = fit::distance(place(0), slope * self.aspect, moves)
                 .max(fit::distance(place(1), slope, moves))
@@ -219,14 +221,15 @@ impl Choice<'_> {
         Some([along(target, axes[2], distance), target])
     }
 
-    /// Returns half the height of the picture that shows points up to `x` beside and up to `y` above its middle. The
-    /// result is at least `least`, which matters if all points are in the middle.
+    /// Returns half of the height of a picture that shows points up to `x` beside its middle and up to `y` above it.
+    /// The result is at least `least` / [`FILL`], because all points can be in the middle.
     fn half(&self, [x, y]: [f64; 2], least: f64) -> f64 {
         (x / self.aspect).max(y).max(least) / FILL
     }
 
-    /// Returns the point that `eye` must look at to have all points in the middle of its picture: the camera turns to
-    /// the middle of their angles, until nothing moves. If it is among the points, it looks at their middle.
+    /// Returns the point that `eye` must look at to have all points in the middle of its picture. The camera turns to
+    /// the middle of the points' angles until it no longer moves. If the eye is among the points, it looks at the
+    /// middle of the model.
     fn target(&self, eye: Point, up: Point) -> Point {
         let mut target = self.solid.middle;
         if self.args.projection != Kind::Perspective {
@@ -260,13 +263,12 @@ impl Choice<'_> {
 impl Framing {
     /// Chooses the options that `args` leave open so that all `points` are visible and as large as possible.
     ///
-    /// It chooses the value of each option, rounded as it is printed, and derives everything else from these values. So
-    /// the printed options make the same picture.
+    /// The value of each option is rounded as it is printed, and everything else is derived from these values. So the
+    /// printed options make the same picture.
     ///
     /// # Errors
     ///
-    /// The camera makes no sense, or none of the points lies between its near and its far plane. The message names
-    /// the option.
+    /// The camera makes no sense, or no point lies between its near and far planes. The message names the option.
     pub fn new(args: &Args, points: &[Point], solid: &Solid) -> Result<Self> {
         let written_up = args.up();
         let up = unit(written_up)
@@ -332,7 +334,7 @@ impl Framing {
         Ok(framing)
     }
 
-    /// Returns the field of view that shows all points, `seen` from the eye.
+    /// Returns the field of view that shows all points. `seen` are the points, seen from the eye.
     fn fitting(&self, choice: &Choice<'_>, seen: &[Point]) -> f64 {
         let least = choice.solid.radius * LEAST;
         let half = if self.kind == Kind::Perspective {
@@ -349,11 +351,11 @@ impl Framing {
             };
             choice.half([side(0), side(1)], least) / distance
         };
-        // Keeps many digits, because near 180 degrees the picture's size depends on the last ones.
+        // Many digits are kept, because near 180 degrees the size of the picture depends on the last digits.
         to_digits((half.atan() * 2.0).to_degrees().min(179.99), 8)
     }
 
-    /// Sets the near and the far plane: as given, or a little in front of and behind all points.
+    /// Sets the near and far planes: as the user gave them, or a little in front of all points and behind them.
     fn planes(&mut self, args: &Args) -> Result<()> {
         let [low, high] = self.range;
         let is_perspective = self.is_perspective();
@@ -380,7 +382,7 @@ impl Framing {
         let margin = (high - low) * 0.02 + high.abs() * 0.001;
         let behind = about(high + margin);
         self.far = args.far.unwrap_or(behind);
-        // If the eye is inside the model, `ratio` limits the near plane: anything nearer is not drawn.
+        // If the eye is inside the model, `ratio` limits the near plane. Anything nearer is not drawn.
         let ratio = most_ratio(args.depth);
         self.near = args.near.unwrap_or(about(if is_perspective {
             (low - margin).max(self.far.min(behind) / ratio)
@@ -401,12 +403,12 @@ impl Framing {
         Ok(())
     }
 
-    /// Moves the near and the far plane, unless they are given, so that the user may turn the model any way about the
-    /// point `middle`, and enlarge it up to `zoom` times.
+    /// Moves the near and far planes, except if the user gave them, so that the user can turn the model in any way
+    /// about the point `middle`, and enlarge it up to `zoom` times.
     pub fn widen(&mut self, args: &Args, points: &[Point], middle: Point, zoom: f64) {
         let distance = |p: Point| length(sub(p, middle));
         let eye = distance(self.eye);
-        // The last term exceeds the rounding errors.
+        // The last term is larger than the rounding errors.
         let reach = points.iter().map(|&p| distance(p)).fold(0.0, f64::max) * zoom + eye * 0.001;
         self.farthest = self.farthest.max(eye + reach);
         let far = self.far.max(eye + reach);
@@ -427,10 +429,10 @@ impl Framing {
         dot(self.axes[2], sub(self.eye, self.target))
     }
 
-    /// Returns left, right, bottom and top of a parallel projection's picture.
+    /// Returns the left, right, bottom and top edges of a parallel projection's picture.
     pub fn window(&self) -> [f64; 4] {
         let half = half_tangent(self.fov) * self.distance();
-        // The near plane does not move, but the target behind it does.
+        // The shear does not move the near plane, but moves the target, which is behind it.
         let middle = shear(self.kind) * (self.distance() - self.near);
         let side = half * self.aspect;
         [middle - side, middle + side, middle - half, middle + half]
@@ -442,7 +444,7 @@ impl Framing {
         [0, 1, 2].map(|i| back[i] + up[i] * 0.9 - right[i] * 0.6)
     }
 
-    /// Returns the distance of the far plane, or of a nearer one behind the model if that makes the same picture.
+    /// Returns the distance of the far plane, or of a nearer plane behind the model that gives the same picture.
     pub fn useful_far(&self) -> f64 {
         let behind = self.farthest * 2.0;
         if self.is_perspective() && behind > self.near {
@@ -452,11 +454,11 @@ impl Framing {
         }
     }
 
-    /// Returns the largest magnitude of a coordinate or distance, relative to the middle of the model.
+    /// Returns the largest absolute value of all coordinates and distances, relative to the middle of the model.
     ///
     /// # Errors
     ///
-    /// One exceeds `limit`; the message names the option.
+    /// A value exceeds `limit`. The message names the option.
     pub fn reach(&self, args: &Args, solid: &Solid, limit: f64) -> Result<f64> {
         let window = self.window().map(f64::abs);
         let window = if self.is_perspective() {
@@ -464,7 +466,7 @@ impl Framing {
         } else {
             window.into_iter().fold(0.0, f64::max)
         };
-        // Fog is not a position: it may use the whole range of the format, which is twice as large.
+        // Fog is not a position, so it can use the whole range of the format, which is twice as large.
         let fog = args
             .fog
             .map_or(0.0, |fog| fog.near.abs().max(fog.far.abs()));
@@ -492,7 +494,7 @@ impl Framing {
         Ok(reaches.iter().fold(0.0, |most, (_, reach)| reach.max(most)))
     }
 
-    /// Returns the model's nearest and farthest stored depth.
+    /// Returns the stored depths of the model's nearest and farthest points.
     pub fn depths(&self) -> [u16; 2] {
         self.range.map(|distance| {
             let depth = if self.is_perspective() {
@@ -506,7 +508,7 @@ impl Framing {
         })
     }
 
-    /// Returns the options that make the same camera.
+    /// Returns options that make the same camera.
     pub fn options(&self) -> String {
         let projection = if self.is_perspective() {
             String::new()

@@ -1,16 +1,16 @@
-//! The space that a model occupies while it turns.
+//! The space in which a model turns.
 
 use super::{Point, basis};
 use fixel_assets::vector::{along, dot, sub};
 
-/// Sides of the polygon around each circle.
+/// The number of sides of the polygon around each circle.
 const SIDES: u32 = 72;
 
-/// Returns points whose convex hull contains every pose of `points` that turn around the axis through `about` in the
-/// direction `up`, of length one.
+/// Returns points with a convex hull that contains `points` in every pose, while they turn around the axis through
+/// `about` in the direction `up`, which has length one.
 ///
-/// Around the axis, only the radius and height of points matter, and only those on the convex outline of these. Each
-/// becomes a polygon around its circle, which exceeds the circle by a thousandth.
+/// Around the axis, only the radius and the height of points matter, and of these only the convex outline. Each point
+/// of the outline becomes a polygon around its circle. The polygon is larger than the circle by a thousandth.
 pub fn swept(points: &[Point], about: Point, up: Point) -> Vec<Point> {
     let Some([right, back, _]) = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
         .into_iter()
@@ -29,7 +29,7 @@ pub fn swept(points: &[Point], about: Point, up: Point) -> Vec<Point> {
     let mut outline: Vec<[f64; 2]> = Vec::new();
     for p in profile {
         while let [.., a, b] = outline[..] {
-            // Drop b if it lies on or below the line from a to p.
+            // Drop b if it lies on the line from a to p, or below it.
             if (b[1] - a[1]) * (p[0] - a[0]) > (p[1] - a[1]) * (b[0] - a[0]) {
                 break;
             }

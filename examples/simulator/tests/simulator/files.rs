@@ -1,4 +1,4 @@
-//! Output: pictures, animations, help.
+//! Outputs: pictures, animations and help.
 
 use std::fs;
 

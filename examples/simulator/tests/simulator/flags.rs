@@ -1,4 +1,4 @@
-//! Options that have no effect.
+//! Options without effect.
 
 use std::fs;
 
@@ -23,7 +23,7 @@ fn an_option_without_effect_is_named() {
         let said = String::from_utf8(output.stdout).unwrap();
         (printed(&said, "crc").to_string(), errors)
     };
-    // Each option with the rest of its command line: without the option, the run must be the same.
+    // Each option, with the rest of its command line. Without the option, the result must be the same.
     for (option, rest) in [
         ("--mode affine", "t.obj --shade flat"),
         ("--mode affine", "t.obj --shade wire"),

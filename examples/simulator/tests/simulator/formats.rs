@@ -22,7 +22,7 @@ fn crc(directory: &Path, model: &str, look: &str) -> String {
     printed(&said, "crc").into()
 }
 
-/// Writes the house in every format; returns the files' names.
+/// Writes the house in every format. Returns the names of the files.
 fn write_all(directory: &Path) -> Vec<&'static str> {
     let write = |name: &'static str, bytes: &[u8]| fs::write(directory.join(name), bytes).unwrap();
     write("house.obj", make::obj(false).as_bytes());
@@ -85,7 +85,7 @@ fn vertices_have_their_colors() {
             crc(&directory, "house.obj", &format!("--shade {shade}")),
         )
     });
-    // The colors in the picture: the left front corner at the bottom, and the top of the roof.
+    // Check two colors of the picture: at the left front corner at the bottom, and at the top of the roof.
     good(
         &directory,
         &format!("house.obj {VIEW} --shade texture --color rgb888 --out p.png"),
@@ -168,7 +168,7 @@ fn materials_have_colors_and_textures() {
     write_materials(&directory);
     let expected = [[255; 3], [250, 10, 20], [30, 240, 40], [0, 51, 255]];
     assert_eq!(middles(&directory, "--shade texture"), expected);
-    // The light comes from the viewer's side, so colors stay recognizable.
+    // The light comes from the viewer's side, so that colors stay recognizable.
     let lit = middles(&directory, "");
     assert!(
         lit[1][0] > 120 && lit[1][1] < 20 && lit[3][2] > 120 && lit[3][0] == 0,
@@ -178,7 +178,7 @@ fn materials_have_colors_and_textures() {
     save(&directory.join("own.png"), [9, 99, 199]);
     let own = middles(&directory, "--shade texture --texture own.png");
     assert_eq!(own, [[9, 99, 199]; 4]);
-    // A missing file is reported, and the picture is still drawn.
+    // A missing file causes a note, and the picture is drawn.
     fs::remove_file(directory.join("green.png")).unwrap();
     let output = run(&directory, "squares.obj");
     let notes = String::from_utf8(output.stderr).unwrap();
@@ -192,7 +192,7 @@ fn materials_have_colors_and_textures() {
     assert_eq!(middles(&directory, "--shade texture")[2], [255; 3]);
 }
 
-/// The picture's default name is the name of the model's texture.
+/// By default, the picture would have the name of the model's texture.
 #[test]
 fn textures_of_a_model_are_not_overwritten() {
     let directory = directory("own-texture");
@@ -250,7 +250,7 @@ fn nodes_are_moved_and_mirrored() {
 fn concave_polygons_are_filled_within() {
     let directory = directory("concave");
     let points = "v 0 0 0\nv 4 0 0\nv 4 1 0\nv 1 1 0\nv 1 4 0\nv 0 4 0\n";
-    // The fans around the second and the fifth corner leave the L. The last outline crosses itself.
+    // The fans around the second and the fifth corner leave the L. The last polygon crosses itself.
     for (at, polygon) in ["1 2 3 4 5 6", "2 3 4 5 6 1", "5 6 1 2 3 4", "3 4 5 6 1 2"]
         .iter()
         .enumerate()
@@ -278,7 +278,7 @@ fn concave_polygons_are_filled_within() {
     }
 }
 
-/// The model is a cone of many triangles. To compare every pair of them would take minutes.
+/// The model is a cone of many triangles. Comparing every pair of triangles would take minutes.
 #[test]
 fn many_faces_around_a_point_take_linear_time() {
     let directory = directory("cone");
@@ -367,7 +367,7 @@ fn stl_line(fifth: &str) -> Vec<u8> {
     lines.replace('\n', "\r\n").into_bytes()
 }
 
-/// Runs the program with each file, given by name, contents, and a text that the message must contain.
+/// Runs the program with each file. A case has the file's name, its contents, and a text that the message must contain.
 fn refuse_all(directory: &Path, cases: Vec<(&str, Vec<u8>, &str)>) {
     for (name, bytes, says) in cases {
         fs::write(directory.join(name), bytes).unwrap();

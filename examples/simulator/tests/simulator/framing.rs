@@ -1,4 +1,4 @@
-//! The camera that the program chooses and prints: it must show the whole model at any angle, shape, scale and turn.
+//! The camera that the program chooses and prints. It must show the whole model at any angle, shape, scale and turn.
 
 use std::fmt::Write;
 use std::fs;
@@ -21,7 +21,7 @@ const CORNERS: [Point; 8] = [
 ];
 const FACES: &str = "f 5 6 7 8\nf 2 1 4 3\nf 6 2 3 7\nf 1 5 8 4\nf 8 7 3 4\nf 1 2 6 5\n";
 
-/// Writes the box with its corners where `place` puts them.
+/// Writes the box with corners that are moved by `place`.
 fn write_box(file: &Path, place: impl Fn(Point) -> Point) {
     let mut text = String::new();
     for [x, y, z] in CORNERS.map(place) {
@@ -30,7 +30,7 @@ fn write_box(file: &Path, place: impl Fn(Point) -> Point) {
     fs::write(file, text + FACES).unwrap();
 }
 
-/// Returns the options of the camera that the program printed.
+/// Returns the options in the line that the program printed about the camera.
 fn camera(said: &str) -> &str {
     let line = said.lines().find_map(|line| line.strip_prefix("camera "));
     line.unwrap_or_else(|| panic!("no camera in: {said}"))
@@ -46,8 +46,9 @@ fn point(camera: &str, name: &str) -> Point {
     option(camera, name).try_into().unwrap()
 }
 
-/// Projects the box's corners with a printed camera. Returns the left, right, bottom and top of their picture, relative
-/// to its center in units of half the picture, and the distances of the nearest and the farthest corner.
+/// Projects the corners of the box with a printed camera. Returns two ranges of positions in the picture, left and
+/// right, and bottom and top, in units of half of the picture from its center; and the distances of the nearest and the
+/// farthest corner.
 fn outline(camera: &str, size: [u32; 2], place: impl Fn(Point) -> Point) -> [[f64; 2]; 3] {
     let eye = point(camera, "--eye");
     let line = sub(eye, point(camera, "--look-at"));
@@ -56,8 +57,8 @@ fn outline(camera: &str, size: [u32; 2], place: impl Fn(Point) -> Point) -> [[f6
     let up = cross(back, right);
     let half = (option(camera, "--fov")[0].to_radians() / 2.0).tan();
     let aspect = f64::from(size[0]) / f64::from(size[1]);
-    // With parallel lines of sight, a point has the same size at any distance as at the target's. Its distance from
-    // there shifts it.
+    // If lines of sight are parallel, a point has the same size at any distance as at the target's distance. Its
+    // distance from the target only shifts the point.
     let parallel = camera
         .split_once("--projection ")
         .map(|(_, kind)| match kind {
@@ -103,7 +104,7 @@ fn every_angle_and_shape_shows_the_whole_model_as_large_as_possible() {
         let camera = camera(&said);
         let [across, rise, [nearest, farthest]] = outline(camera, size, |p| p);
         let reach = |[low, high]: [f64; 2]| high.max(-low);
-        // The model fills 94 % of the picture. The printed camera is rounded to 1e-5 of the model, which has a larger
+        // The model fills 94 % of the picture. The printed camera is rounded to 1e-5 of the model. This has a larger
         // effect on corners close to the eye.
         assert!(
             reach(across) < 0.945 && reach(rise) < 0.945,
@@ -111,7 +112,8 @@ fn every_angle_and_shape_shows_the_whole_model_as_large_as_possible() {
         );
         assert!(option(camera, "--near")[0] < nearest, "{view}: {said}");
         assert!(option(camera, "--far")[0] > farthest, "{view}: {said}");
-        // The model is in the middle in both directions. It fills the picture in one of them, or is next to the eye.
+        // The model is in the middle in both directions. It fills the picture in one direction, or the eye is next to
+        // it.
         assert!((across[0] + across[1]).abs() < 2e-3, "{view}: {across:?}");
         assert!((rise[0] + rise[1]).abs() < 2e-3, "{view}: {rise:?}");
         let fills = reach(across).max(reach(rise)) > 0.938;
@@ -263,7 +265,7 @@ fn a_model_of_any_size_is_drawn_alike_and_reported_in_its_own_units() {
             assert_eq!(scaled, distances, "2^{exponent} {view}");
         }
     }
-    // The program prints its camera with as many digits as the model needs, also if an option restates a default.
+    // The program prints its camera with as many digits as the model needs, even if an option repeats a default.
     for scale in [1e-6, 3000.0, 1e6] {
         write_box(&directory.join("box.obj"), |p| p.map(|x| x * scale));
         let said = good(&directory, "box.obj --crc");
@@ -275,7 +277,7 @@ fn a_model_of_any_size_is_drawn_alike_and_reported_in_its_own_units() {
         let [across, ..] = outline(camera(&said), [320, 240], |p| p.map(|x| x * scale));
         assert!(across[1] > 0.7 && across[1] < 0.945, "{scale}: {across:?}");
     }
-    // A model so far from the origin that single precision would have steps of 1/128.
+    // The model is so far from the origin that single precision would have steps of 1/128.
     write_box(&directory.join("box.obj"), |p| {
         [p[0] + 1e5, p[1] - 1e5, p[2]]
     });
@@ -313,7 +315,7 @@ fn the_printed_camera_makes_the_same_picture() {
     ];
     for view in views {
         let said = good(&directory, &format!("{view} --crc"));
-        // Options that were given are given again. An option may occur only once.
+        // Repeat the options that were given. An option may occur only once.
         let given: Vec<&str> = view.split_whitespace().collect();
         let camera_options = ["--eye", "--look-at", "--up", "--fov", "--projection"];
         let mut kept = String::new();
@@ -371,14 +373,14 @@ fn the_direction_that_is_up_turns_view_turntable_and_cabinet() {
 fn a_turning_model_stays_in_the_picture() {
     let directory = directory("turning");
     write_box(&directory.join("box.obj"), |p| p);
-    // The last frame of each run.
+    // Compare the last frame of each run.
     let said = good(&directory, "box.obj --frames 12 --size 120x90");
     let options = camera(&said);
     let all = good(
         &directory,
         &format!("box.obj --frames 12 {options} --size 120x90"),
     );
-    // The same camera with a wider picture: if nothing was cut off, no more pixels appear.
+    // The same camera draws a wider picture. If nothing was cut off before, no more pixels appear.
     let half = (option(options, "--fov")[0].to_radians() / 2.0).tan() * 2.0;
     let wider = options.replace(
         &format!("--fov {}", option(options, "--fov")[0]),
@@ -396,7 +398,8 @@ fn a_turning_model_stays_in_the_picture() {
 #[test]
 fn both_sides_are_lit_alike() {
     let directory = directory("both-sides");
-    // Seen from +z with y up, the light is at (-0.6, 0.9, 1): this sheet shows its front and is turned away from it.
+    // Seen from +z with y up, the light is at (-0.6, 0.9, 1). This sheet shows its front to the viewer, and its back to
+    // the light.
     let sheet = "v 0 0 0\nv 1 0 -1.2\nv 0 1 1.8\n";
     fs::write(directory.join("front.obj"), format!("{sheet}f 1 2 3\n")).unwrap();
     fs::write(directory.join("back.obj"), format!("{sheet}f 3 2 1\n")).unwrap();
@@ -414,9 +417,10 @@ fn both_sides_are_lit_alike() {
         let pixels = picture.pixels().filter(|pixel| pixel.0 != background);
         pixels.map(|pixel| pixel.0[0]).max().unwrap()
     };
-    // Only the ambient light reaches it: 0.3 of clay's 236, rounded.
+    // Only the ambient light reaches the sheet: 0.3 of clay's 236, rounded.
     assert_eq!(brightest("back.png"), 71);
-    // A closed model changes only along its outline, where a front and a back that meet there may be equally far.
+    // A closed model changes only along its outline, where a front and a back face meet and can be at the same
+    // distance.
     for look in ["lit", "gouraud", "flat"] {
         for eye in ["3,2,5", "-3,-2,4", "1,-5,-2"] {
             let draw = |option: &str| {
@@ -442,7 +446,7 @@ fn both_sides_are_lit_alike() {
 #[test]
 fn faces_wound_against_their_normals_are_lit_from_where_they_are_seen() {
     let directory = directory("wound");
-    // A tent whose normals point to the viewer, with the right and with the wrong winding.
+    // A tent with normals that point to the viewer, first with the right winding, then with the wrong one.
     let points = "v -1 0 0\nv 0 0 1\nv 0 1 0.5\nv 1 0 0\nvn -0.7 0.2 0.7\nvn 0.7 0.2 0.7\n";
     let (right, wrong) = (
         "f 1//1 2//1 3//1\nf 2//2 4//2 3//2\n",
@@ -459,7 +463,7 @@ fn faces_wound_against_their_normals_are_lit_from_where_they_are_seen() {
     }
 }
 
-/// The notes of a run, which must succeed.
+/// The notes of a run. The run must succeed.
 fn notes(directory: &Path, arguments: &str) -> String {
     let output = run(directory, arguments);
     let said = String::from_utf8(output.stderr).unwrap();
@@ -473,7 +477,7 @@ fn faces_that_point_away_are_drawn_and_counted() {
     write_box(&directory.join("box.obj"), |p| p);
     write_box(&directory.join("inside-out.obj"), |[x, y, z]| [-x, y, z]);
     fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
-    // All of it but pixels at the outline.
+    // All pixels are lost, except some at the outline.
     let lost = notes(&directory, "inside-out.obj");
     let percent = printed(&lost, "a program that culls back faces would lose");
     assert!(percent.parse::<u32>().unwrap() > 95, "{lost}");
@@ -514,7 +518,7 @@ fn positions_that_no_face_uses_do_not_count() {
 #[test]
 fn merging_positions_are_noted_with_a_scale_that_keeps_them() {
     let directory = directory("merging");
-    // A fan of 100 points around a circle.
+    // A fan of 100 points on a circle.
     let fan = |radius: f64| {
         let mut text = String::from("v 0 0 0\n");
         for at in 0..100 {
@@ -530,7 +534,8 @@ fn merging_positions_are_noted_with_a_scale_that_keeps_them() {
     for radius in [1.0, 0.01, 1000.0] {
         assert_eq!(fan(radius), "", "{radius}");
     }
-    // Neighbors are 0.06 radii apart, about a third of a step at the first radius, and a thousandth at the second.
+    // Neighbors are 0.06 radii apart. This is about a third of a step at the first radius, and a thousandth at the
+    // second.
     for (radius, least) in [(8e-5, 3.0), (2.4e-7, 1000.0)] {
         let note = fan(radius);
         assert!(note.contains("positions are the same as others"), "{note}");
@@ -543,7 +548,7 @@ fn merging_positions_are_noted_with_a_scale_that_keeps_them() {
 #[test]
 fn a_model_that_lies_on_its_side_gets_a_hint() {
     let directory = directory("lying");
-    // A pyramid on a square base, which stands on the plane z = 0 or y = 0.
+    // A pyramid on a square base. The base is in the plane z = 0 or y = 0.
     let pyramid = |name: &str, swap: bool| {
         let mut text = String::new();
         for [x, y, z] in [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0], [0, 0, 2]] {
@@ -599,7 +604,7 @@ fn a_camera_that_shows_nothing_is_an_error() {
     ] {
         refused(&directory, arguments, &["nothing is visible", says]);
     }
-    // This sheet shows its back in the first frame and its front in a later one. One such frame suffices.
+    // The sheet shows its back in the first frame, and its front in a later frame. One frame that shows it is enough.
     let sheet = "v -1 0 0\nv 1 0 0\nv 1 1 0\nv -1 1 0\nf 4 3 2 1\n";
     fs::write(directory.join("sheet.obj"), sheet).unwrap();
     let view = "sheet.obj --cull --eye 0,0.5,9 --look-at 0,0.5,0";

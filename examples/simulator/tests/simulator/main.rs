@@ -1,4 +1,4 @@
-//! Runs the simulator as a user would: its output for good input, and its messages for bad input.
+//! Runs the simulator as a user does, and checks its output for good input and its messages for bad input.
 #![cfg(not(target_os = "none"))]
 
 mod dumps;

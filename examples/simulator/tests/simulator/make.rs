@@ -1,11 +1,11 @@
-//! One model in every format that the simulator reads.
+//! Makes the same model in every format that the simulator reads.
 
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-/// A house without a floor: eight wall triangles and four roof triangles, all different, and counter-clockwise from
-/// outside.
+/// A house without a floor. It has eight wall triangles and four roof triangles, all different, and counter-clockwise
+/// seen from outside.
 pub const POSITIONS: [[f32; 3]; 9] = [
     [-1.0, 0.0, 1.5],
     [1.0, 0.0, 1.5],
@@ -119,7 +119,7 @@ pub fn ply_binary() -> Vec<u8> {
     bytes
 }
 
-/// The binary part of a glTF file: positions, colors in linear light, indices.
+/// The binary part of a glTF file: positions, colors in linear light, and indices.
 fn buffer() -> Vec<u8> {
     let mut bytes: Vec<u8> = POSITIONS
         .into_iter()
@@ -141,8 +141,8 @@ fn buffer() -> Vec<u8> {
     bytes
 }
 
-/// A glTF scene of the house. `node` gives properties of its node, such as `"scale": [2, 2, 2]`; `uri` is the property
-/// that names the buffer's file.
+/// A glTF scene with the house. `node` has properties of the node, such as `"scale": [2, 2, 2]`. `uri` is the property
+/// that names the file of the buffer.
 pub fn gltf(colored: bool, node: &str, uri: &str) -> String {
     let color = if colored { r#", "COLOR_0": 1"# } else { "" };
     let len = buffer().len();
@@ -167,7 +167,7 @@ pub fn gltf(colored: bool, node: &str, uri: &str) -> String {
     )
 }
 
-/// Writes glTF text, with its buffer in a file beside it.
+/// Writes a glTF file as text, and its buffer to a file beside it.
 pub fn write_gltf(directory: &Path, name: &str, colored: bool, node: &str) {
     fs::write(directory.join("a house.bin"), buffer()).unwrap();
     let text = gltf(colored, node, r#", "uri": "a%20house.bin""#);

@@ -1,4 +1,4 @@
-//! What materials say beyond colors and textures.
+//! Properties of materials beyond colors and textures.
 
 use std::fs;
 use std::path::Path;
@@ -7,16 +7,16 @@ use image::{Rgb, Rgba, RgbaImage};
 
 use super::program::{directory, good, printed, refused, run};
 
-/// Squares of one unit in the planes z = 0 and z = -1, of the materials `front` and `back`, with a texture that shows
+/// Two squares of one unit, with the material `front` in the plane z = 0 and `back` in z = -1. The texture repeats
 /// twice along each side.
 const SQUARES: &str = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 -1\nv 1 0 -1\nv 1 1 -1\nv 0 1 -1\n\
                        vt 0 0\nvt 2 0\nvt 2 2\nvt 0 2\n\
                        usemtl front\nf 1/1 2/2 3/3 4/4\nusemtl back\nf 5/1 6/2 7/3 8/4\n";
-/// The squares fill the picture.
+/// In this view, the squares fill the picture.
 const VIEW: &str = "--eye 0.5,0.5,2 --look-at 0.5,0.5,0 --fov 28.0725 --near 1 --far 4 --projection orthographic \
                     --size 32x32 --color rgb888 --shade texture --background 0000ff";
 
-/// Draws the squares with the materials of `mtl`; returns the picture.
+/// Draws the squares with the materials of `mtl`. Returns the picture.
 fn draw(directory: &Path, mtl: &str, look: &str) -> image::RgbImage {
     fs::write(directory.join("s.obj"), SQUARES).unwrap();
     fs::write(directory.join("m.mtl"), mtl).unwrap();
@@ -41,7 +41,7 @@ fn opacity_blends_from_back_to_front() {
         [191, 64, 0],
         "one",
     );
-    // The file's order does not matter.
+    // The order of the squares in the file does not matter.
     let two = "newmtl front\nKd 0 1 0\nd 0.5\nnewmtl back\nKd 1 0 0\nd 0.5\n";
     near(middle(two, ""), [64, 128, 64], "two");
     let behind = "--eye 0.5,0.5,-3 --look-at 0.5,0.5,0";
@@ -51,7 +51,7 @@ fn opacity_blends_from_back_to_front() {
     good(&directory, &format!("s.obj {view} --out o.png"));
     let picture = image::open(directory.join("o.png")).unwrap().into_rgb8();
     near(*picture.get_pixel(16, 16), [128, 64, 64], "from behind");
-    // Every color of canvas and every look draws it.
+    // Every color of canvas and every look draws the squares.
     for color in ["rgb565", "gray8", "gray4", "mono"] {
         for shade in ["lit", "gouraud", "flat", "wire", "depth", "normal"] {
             let look = format!("s.obj --size 32x32 --color {color} --shade {shade}");
@@ -73,7 +73,7 @@ fn alpha_of_a_texture_is_a_hole() {
     let leaf = RgbaImage::from_fn(4, 4, texel);
     leaf.save(directory.join("leaf.png")).unwrap();
     let mtl = "newmtl front\nmap_Kd leaf.png\nmap_d leaf.png\nnewmtl back\nKd 1 0 0\n";
-    // A texel is four pixels wide. Also where it is smooth, each pixel is either a hole or opaque.
+    // A texel is four pixels wide. Each pixel is a hole or opaque, even if the texture is smooth.
     for filter in ["nearest", "bilinear"] {
         let picture = draw(&directory, mtl, &format!("--filter {filter}"));
         for x in 0..32 {
@@ -92,7 +92,7 @@ fn emission_is_added_and_textures_clamped() {
         [255, 128, 51],
         "texture",
     );
-    // In the dark, only the emission is seen.
+    // In the dark, only the emission is visible.
     let dark = "--shade lit --ambient 0 --light 0,0,-1 --cull";
     let look = VIEW.replace("--shade texture", dark);
     good(&directory, &format!("s.obj {look} --out o.png"));
@@ -110,7 +110,7 @@ fn emission_is_added_and_textures_clamped() {
     }
 }
 
-/// A square that glTF calls one-sided, seen from in front and from behind.
+/// glTF calls the square one-sided. It is seen from the front and from behind.
 #[test]
 fn one_sided_materials_hide_backs_but_not_the_whole_model() {
     let directory = directory("one-sided");

@@ -33,7 +33,7 @@ fn models_that_cannot_be_read_are_refused() {
 #[test]
 fn a_model_fills_the_picture() {
     let directory = directory("fills");
-    // A plate far from the origin, in a difficult dialect: CRLF, a quad, negative indices, neither vt nor vn.
+    // A plate far from the origin, in a difficult dialect: CRLF, a quad, negative indices, and neither vt nor vn.
     let model = "v 100 -50 7\r\nv 104 -50 7\r\nv 104 -48 7\r\nv 100 -48 7\r\nf -4 -3 -2 -1\r\n";
     fs::write(directory.join("quad.obj"), model).unwrap();
     for projection in ["perspective", "orthographic", "cabinet", "cavalier"] {
@@ -56,7 +56,7 @@ fn a_model_fills_the_picture() {
             let all = || places.iter().map(|place| place[axis]);
             (all().min().unwrap(), all().max().unwrap())
         };
-        // The plate fills 94 % of the width or of the height, and is in the middle.
+        // The plate fills 94 % of the width or of the height, and it is in the middle.
         let ((left, right), (top, bottom)) = (range(0), range(1));
         let fills = right - left > 145 || bottom - top > 71;
         assert!(fills, "{projection}: {left}..{right}, {top}..{bottom}");
@@ -83,7 +83,7 @@ fn the_widest_view_is_drawn() {
 #[test]
 fn a_model_of_many_points_is_drawn_in_parts() {
     let directory = directory("many");
-    // 300 x 300 points, more than 16-bit indices can address.
+    // 300 x 300 points are more than 16-bit indices can address.
     let mut model = String::new();
     for y in 0..300 {
         for x in 0..300 {
@@ -99,7 +99,7 @@ fn a_model_of_many_points_is_drawn_in_parts() {
     fs::write(directory.join("grid.obj"), model).unwrap();
     let view = "--eye 149.5,149.5,400 --look-at 149.5,149.5,0 --size 100x100 --fov 40";
     let said = good(&directory, &format!("grid.obj {view}"));
-    // 2 · 400 · tan 20° = 291.2 of the plate's 299 units are visible, so the plate covers every pixel, and each once.
+    // 2 · 400 · tan 20° = 291.2 of the plate's 299 units are visible, so the plate covers every pixel exactly once.
     assert_eq!(printed(&said, "pixels"), "10000");
     assert_eq!(printed(&said, "triangles"), (299 * 299 * 2).to_string());
 }

@@ -1,4 +1,4 @@
-//! Files with mistakes anywhere: the program must draw them or report an error, but not panic.
+//! Files with mistakes anywhere. The program must draw them or report an error, but must not panic.
 
 use std::fs;
 

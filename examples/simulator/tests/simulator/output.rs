@@ -1,4 +1,4 @@
-//! Where output goes; no file of the user's may be lost.
+//! Where the output goes. No file of the user may be lost.
 
 use std::fs;
 use std::io::Read;
@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 
 use super::program::{TRIANGLE, directory, files, good, refused, run};
 
-/// Writes a model, and a texture of the same name.
+/// Writes a model and a texture with the same name.
 fn cow(test: &str) -> std::path::PathBuf {
     let directory = directory(test);
     fs::write(directory.join("cow.obj"), TRIANGLE).unwrap();
@@ -15,7 +15,7 @@ fn cow(test: &str) -> std::path::PathBuf {
     directory
 }
 
-/// The bytes of a PNG without the simulator's mark.
+/// The bytes of a PNG, without the simulator's mark.
 fn picture(directory: &Path) -> Vec<u8> {
     let bytes = piped(directory, "--size 16x16 --out -");
     let mark = b"fixel simulator";
@@ -84,7 +84,8 @@ fn a_default_name_replaces_only_what_the_program_wrote() {
         assert!(said.contains("wrote cow-picture.png"), "{said}");
         assert_eq!(fs::read(directory.join("cow.png")).unwrap(), texture);
     }
-    // The second run replaced the picture of the first. But the program keeps its own picture while it is an input.
+    // The second run replaced the picture of the first run. But the program keeps its own picture if the picture is an
+    // input.
     let said = good(
         &directory,
         "cow.obj --texture cow-picture.png --out other.png",
@@ -162,7 +163,7 @@ fn an_animated_png_has_all_frames_and_repeats() {
     let controls = of(b"fcTL");
     assert_eq!(controls.len(), 5);
     for control in controls {
-        // A frame lasts 40/1000 of a second.
+        // A frame is shown for 40/1000 of a second.
         assert_eq!(control[20..24], [0, 40, 3, 232]);
     }
     assert_eq!(of(b"IEND").len(), 1);
@@ -212,7 +213,7 @@ fn quiet_prints_only_what_was_asked_for() {
     );
 }
 
-/// Starts the program; returns its exit code, and what it printed to standard error.
+/// Starts the program. Returns its exit code and what it printed to standard error.
 fn started(
     directory: &Path,
     arguments: &str,
@@ -251,7 +252,7 @@ fn a_closed_pipe_is_reported_in_one_line() {
             "{arguments}: {said}"
         );
         assert_eq!(said.lines().count(), 1, "{arguments}: {said}");
-        // A closed standard error does not cause a panic, either.
+        // A closed standard error causes no panic, either.
         let (reader, writer) = std::io::pipe().unwrap();
         drop(reader);
         let refused = format!("{arguments} --fov 40 --eye 1,2,3 --look-at 1,2,3");
@@ -295,7 +296,7 @@ fn a_full_disk_is_reported_in_one_line() {
     assert!(!metadata.is_file());
 }
 
-/// The unfinished file has its own name, which does not get longer with the output's name.
+/// The unfinished file has its own name. This name does not get longer with the name of the output.
 #[test]
 fn a_file_name_may_have_the_maximum_length() {
     let directory = cow("long");
@@ -357,7 +358,7 @@ fn a_pipe_is_written_to() {
         bytes
     });
     good(&directory, "t.obj --size 16x12 --out t.png");
-    // Check this first: if the program replaced the pipe, the reader would wait forever.
+    // Check this first, because the reader would wait forever if the program had replaced the pipe.
     assert!(!fs::metadata(directory.join("t.png")).unwrap().is_file());
     assert!(reader.join().unwrap().starts_with(b"\x89PNG"));
 }

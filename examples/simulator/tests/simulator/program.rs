@@ -1,4 +1,4 @@
-//! Runs the program in a directory of its own.
+//! Runs the program in its own directory.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -20,7 +20,7 @@ pub fn run(directory: &Path, arguments: &str) -> Output {
         .unwrap()
 }
 
-/// Runs the program, which must succeed; returns what it printed.
+/// Runs the program. It must succeed. Returns what it printed.
 pub fn good(directory: &Path, arguments: &str) -> String {
     let output = run(directory, arguments);
     let errors = String::from_utf8_lossy(&output.stderr);
@@ -37,7 +37,7 @@ pub fn files(directory: &Path) -> Vec<String> {
     names
 }
 
-/// Runs the program, which must refuse its arguments with a message that contains all of `says`, and must leave no
+/// Runs the program. It must refuse its arguments with a message that contains all of `says`, and must leave no new
 /// file.
 pub fn refused(directory: &Path, arguments: &str, says: &[&str]) {
     let before = files(directory);
@@ -68,7 +68,7 @@ pub fn printed<'a>(text: &'a str, label: &str) -> &'a str {
     after.split_whitespace().next().unwrap()
 }
 
-/// Returns the width and height from a PNG's header.
+/// Returns the width and height in the header of a PNG.
 pub fn png_size(path: &Path) -> (u32, u32) {
     let bytes = fs::read(path).unwrap();
     assert_eq!(&bytes[..8], b"\x89PNG\r\n\x1a\n");

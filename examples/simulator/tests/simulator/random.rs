@@ -66,7 +66,7 @@ const OPTIONS: &[(&str, &[&str])] = &[
     ("--window", &[]),
 ];
 
-/// Whether a PNG has a single color. A dump may also have the name of a PNG.
+/// Whether a PNG has a single color. A dump can have the name of a PNG, too.
 fn is_blank(path: &Path) -> bool {
     if fs::read(path).unwrap().starts_with(b"x,y,") {
         return false;
@@ -94,7 +94,7 @@ fn no_command_line_panics_or_loses_a_file_or_silently_draws_nothing() {
                 "skin.png",
                 include_bytes!("../../../assets/lighthouse.png").to_vec(),
             ),
-            // A picture of the user's, with the default name of the output.
+            // A picture of the user with the default name of the output.
             ("t.png", b"mine".to_vec()),
         ];
         for (name, bytes) in &inputs {
@@ -111,7 +111,7 @@ fn no_command_line_panics_or_loses_a_file_or_silently_draws_nothing() {
         let mut options = OPTIONS.to_vec();
         for (option, values) in options.partial_shuffle(&mut random, few).0 {
             words.push(option);
-            // The first value is a good one, and is taken half of the time.
+            // The first value is a good value. It is taken half of the time.
             let value = if random.random() {
                 values.first()
             } else {
@@ -129,7 +129,7 @@ fn no_command_line_panics_or_loses_a_file_or_silently_draws_nothing() {
         );
         assert!(!said.contains("panicked"), "{line}: {arguments}: {said}");
         for (name, bytes) in &inputs {
-            // A file that is only an output is replaced, as the user asked.
+            // A file that is only an output is replaced, because the user asked for this.
             let follows = |options: &[&str]| {
                 words
                     .windows(2)
@@ -149,7 +149,7 @@ fn no_command_line_panics_or_loses_a_file_or_silently_draws_nothing() {
         );
         if code == Some(0) {
             succeeded += 1;
-            // The picture may have one color. Then a note says so, unless notes are not wanted.
+            // The picture can have a single color. Then a note says this, except if the user wants no notes.
             let is_hidden = said.contains("same color") || words.contains(&"--quiet");
             let pictures = names.iter().filter(|name| {
                 Path::new(name).extension() == Some("png".as_ref())

@@ -1,4 +1,4 @@
-//! Cameras and pictures that are refused.
+//! Cameras and pictures that the program refuses.
 
 use std::fs;
 
@@ -13,7 +13,7 @@ fn senseless_cameras_are_refused() {
         ("--fov 0", ["field of view is 0 degrees", range]),
         ("--fov 180", ["field of view is 180 degrees", range]),
         ("--fov -60", ["field of view is -60 degrees", range]),
-        // 400 degrees would be the same angle as 40, but nobody means that.
+        // 400 degrees would be the same angle as 40 degrees, but nobody means this.
         ("--fov 400", ["field of view is 400 degrees", range]),
         ("--fov nan", ["--fov", "finite number"]),
         ("--near 0", ["--near 0", "above 0"]),
@@ -65,7 +65,7 @@ fn senseless_cameras_are_refused() {
         ("--look-at 0;0;0", ["0;0;0", "must be a number"]),
     ] {
         refused(&directory, &format!("t.obj {arguments}"), &says);
-        // A parallel projection chooses another eye, and its planes may lie behind the eye.
+        // A parallel projection chooses another eye, and its planes can lie behind the eye.
         if !arguments.contains("--near") && !arguments.starts_with("--far") {
             let parallel = format!("t.obj --projection orthographic {arguments}");
             refused(&directory, &parallel, &says);
@@ -104,7 +104,7 @@ fn impossible_pictures_are_refused() {
     ] {
         refused(&directory, &format!("t.obj {arguments}"), &says);
     }
-    // The eye would be so far away that few steps of the number format would be left for the model.
+    // The eye would be so far away that the number format would leave few steps for the model.
     let far = ["--fov: it reaches", "32768 is the limit"];
     refused(&directory, "t.obj --fov 0.0001", &far);
     refused(&directory, "--scene moon", &["moon", "possible values"]);

@@ -6,16 +6,16 @@ use std::path::Path;
 
 use super::program::{directory, good, refused, run};
 
-/// A square of two units in the plane z = 0 that faces the viewer, and one that lies behind it to the right.
+/// A square of two units in the plane z = 0 that faces the viewer, and a square behind it to the right.
 const SQUARES: &str = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n\
                        v 1 -1 -8\nv 9 -1 -8\nv 9 9 -8\nv 1 9 -8\nf 1 2 3 4\nf 5 6 7 8\n";
-/// Four pixels for each unit, with the front square in the middle.
+/// A view with four pixels per unit. The front square is in the middle.
 const FRONT: &str =
     "--eye 0,0,5 --look-at 0,0,0 --projection orthographic --near 1 --far 20 --size 32x32";
 
 type Rgb = [u8; 3];
 
-/// Draws a picture; returns its pixels, row by row.
+/// Draws a picture. Returns its pixels row by row.
 fn draw(directory: &Path, arguments: &str) -> Vec<Rgb> {
     good(directory, &format!("{arguments} --out t.png"));
     image::open(directory.join("t.png"))
@@ -50,7 +50,7 @@ fn a_background_has_the_color_that_was_asked_for() {
         let says = ["--background", "such as ff8800"];
         refused(&directory, &format!("s.obj --background {wrong}"), &says);
     }
-    // A gray background is dithered like everything else.
+    // A gray background is dithered, too.
     let gray = draw(
         &directory,
         &format!("s.obj {FRONT} --fov 80 --color mono --background 808080"),
@@ -74,7 +74,8 @@ fn lights_add_up_in_their_colors() {
             middle(&format!("--shade {shade} --ambient {ambient} {lights}"))
         };
         let lit = |lights| shine(0, lights);
-        // Clay is (236, 214, 190). A light from straight ahead gives 0.7 of it, and one at 60 degrees half of that.
+        // Clay is (236, 214, 190). A light from straight ahead gives 0.7 of this color, and a light at 60 degrees half
+        // of that.
         let near = |found: Rgb, wanted: [f64; 3]| {
             for (found, wanted) in found.iter().zip(wanted) {
                 assert!(
@@ -120,7 +121,7 @@ fn fog_hides_by_distance() {
     assert_eq!(middle("--fog 6,9,ff0000"), bare);
     assert_eq!(middle("--fog 1,4,ff0000"), [255, 0, 0]);
     assert_eq!(middle("--fog 1,4 --background 00ff00"), [0, 255, 0]);
-    // Half of the color shows, to within a step of the blend, 1/256, and the fog's density error of 1/200.
+    // Half of the color shows, with an error of one step of the blend, 1/256, and of 1/200 by the fog's density.
     let half = middle("--fog 3,7,000000");
     for (half, bare) in half.iter().zip(bare) {
         assert!(
@@ -128,7 +129,7 @@ fn fog_hides_by_distance() {
             "{half} of {bare}"
         );
     }
-    // The fog has the background's color even where textures use another color type: black in both.
+    // The fog has the color of the background even where textures use another color type: both are black.
     let hidden = draw(
         &directory,
         &format!("s.obj {FRONT} --shade texture --color mono --fog 1,4"),
@@ -145,7 +146,7 @@ fn fog_hides_by_distance() {
     }
 }
 
-/// A surface with vertex colors, a texture or both takes every light, with and without fog.
+/// Surfaces with vertex colors, a texture or both are drawn with every light, with fog and without it.
 #[test]
 fn every_surface_takes_every_light_and_fog() {
     let directory = directory("surfaces");
@@ -169,15 +170,15 @@ fn every_surface_takes_every_light_and_fog() {
             ("flat --ambient 0 --light 0,0,1", [0.7; 3]),
             ("flat --ambient 0 --light 0,0,1,00ff00", [0.0, 0.7, 0.0]),
         ] {
-            // Shade flat ignores textures.
+            // The shade `flat` ignores textures.
             if shade.starts_with("flat") && model.contains("--texture") {
                 continue;
             }
             // The square is at a distance of 5.
             for (fog, clear) in [("", 1.0), ("--fog 3,7,000000", 0.5)] {
                 for filter in ["nearest", "bilinear"] {
-                    // The error comes from rounding and the fog's steps. Colors of five bits add half a step when
-                    // stored, and half a step when drawn.
+                    // The error comes from rounding and from the fog's steps. Colors of five bits add half a step when
+                    // they are stored, and half a step when they are drawn.
                     for (color, within) in [("rgb888", 3.0), ("rgb565", 3.0 + 255.0 / 31.0)] {
                         let look = format!(
                             "{model} {FRONT} --shade {shade} {fog} --filter {filter} --color {color}"
@@ -195,7 +196,7 @@ fn every_surface_takes_every_light_and_fog() {
     }
 }
 
-/// Fog is in the model's own units, and may be as far as the format allows.
+/// Fog is in the model's own units, and can reach as far as the format allows.
 #[test]
 fn fog_is_as_large_as_the_model() {
     let directory = directory("fog-units");
@@ -213,7 +214,7 @@ fn fog_is_as_large_as_the_model() {
         let look = format!("s.obj {view} --shade flat --color rgb888 --fog {near},{far},000000");
         draw(&directory, &look)[16 * 32 + 16]
     };
-    // At a distance of 5, half of the color shows at any scale, except for the fog's steps.
+    // At a distance of 5, half of the color shows at any scale, except for the error of the fog's steps.
     for fog in [[3.0, 7.0], [-995.0, 1005.0]] {
         let half = middle(1.0, fog);
         assert!((70..150).contains(&half[0]), "{half:?}");
@@ -241,7 +242,7 @@ fn edges_lie_over_the_surface() {
             let mut black = 0;
             for ((bare, wired), edge) in bare.iter().zip(&wired).zip(&edges) {
                 assert!(wired == bare || *wired == [0; 3]);
-                // The surface hides nothing here, so every edge shows.
+                // The surface hides no edge here, so every edge shows.
                 assert_eq!(*wired == [0; 3], *edge == [255; 3], "{shade} {color}");
                 black += u32::from(*wired == [0; 3]);
             }
@@ -250,7 +251,7 @@ fn edges_lie_over_the_surface() {
     }
 }
 
-/// A plate of this many squares along each side, in the plane z = 0.
+/// A plate in the plane z = 0, with this many squares along each side.
 fn plate(squares: u32) -> String {
     let mut text = String::new();
     let at = |k: u32| f64::from(k) / f64::from(squares);
@@ -279,13 +280,13 @@ fn edges_that_would_fill_the_picture_become_an_outline() {
         );
         let picture = image::open(directory.join("t.png")).unwrap().into_luma8();
         let white = picture.pixels().filter(|pixel| pixel.0[0] > 0).count();
-        // The outline's four sides, of 45 to 60 pixels each; or the edges.
+        // The outline has four sides of 45 to 60 pixels each. Otherwise, all edges are drawn.
         assert_eq!(white < 250, is_dense, "{size}: {white}");
         assert!(white > 100, "{size}: {white}");
     }
 }
 
-/// Two squares in two grays, side by side.
+/// Two squares side by side, in two grays.
 fn grays(left: f64, right: f64) -> String {
     let mut text = String::new();
     for (x, gray) in [(0.0, left), (1.0, right)] {
@@ -314,7 +315,7 @@ fn a_model_differs_from_its_background_and_in_mono_its_parts_differ() {
             );
         }
     }
-    // Without stretching, about half of the pixels of each would be white.
+    // Without stretching, about half of each square's pixels would be white.
     let found = shot(grays(0.48, 0.55), "--color mono");
     let white = |from: usize| {
         let inner = (18..30).flat_map(|y| (from..from + 8).map(move |x| y * 64 + x));

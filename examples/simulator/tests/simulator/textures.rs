@@ -1,4 +1,4 @@
-//! Textures: what the program does with pictures once they are read.
+//! Textures: what the program does with pictures after it has read them.
 
 use std::fs;
 
@@ -15,13 +15,13 @@ fn colors(width: u32, height: u32) -> RgbImage {
 #[test]
 fn a_texture_is_drawn_texel_by_texel_or_resampled() {
     let directory = directory("textures");
-    // A square of one unit, two units from the eye, fills the picture with one texel for each pixel.
+    // A square of one unit, two units from the eye, fills the picture. Each pixel shows one texel.
     let square =
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
     fs::write(directory.join("s.obj"), square).unwrap();
     let view = "--eye 0.5,0.5,2 --look-at 0.5,0.5,0 --fov 28.072486935852957 --near 1 --far 3";
     let look = "--size 64x64 --shade texture --color rgb888 --out o.png";
-    // Other sizes are resampled: a ramp stays a ramp, except at its border, which lacks neighbors.
+    // Other sizes are resampled. A ramp stays a ramp, except at its border, where neighbors are missing.
     for (width, height, within) in [(64, 64, 0), (48, 80, 8), (85, 52, 8)] {
         colors(width, height)
             .save(directory.join("skin.png"))

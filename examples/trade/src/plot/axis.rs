@@ -1,6 +1,6 @@
 //! Logarithmic axes with round numbers.
 
-/// Errors below this value count as zero: half a unit of an interpolated texel is 2⁻¹⁷.
+/// Errors below this value count as zero. For comparison, half a unit of an interpolated texel is 2⁻¹⁷.
 pub const LEAST_ERROR: f64 = 1e-5;
 
 /// A logarithmic axis: its range and its labels.
@@ -12,10 +12,10 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// Makes an axis of whole decades that contain all of the values.
+    /// Makes an axis of whole decades that contains all values.
     pub fn decades(values: impl Iterator<Item = f64>) -> Self {
         let (low, high) = ends(values);
-        // A little more than the greatest value, so that its mark is not cut off.
+        // The axis is a little longer than the largest value, so that the value's mark is not cut off.
         let (low, high) = (
             low.log10().floor() as i32,
             (high * 1.2).log10().ceil() as i32,
@@ -27,7 +27,7 @@ impl Axis {
         }
     }
 
-    /// Makes an axis a little longer than the range of the values, with as many round numbers as fit.
+    /// Makes an axis a little longer than the range of the values. Its labels are as many round numbers as fit.
     pub fn around(values: impl Iterator<Item = f64>) -> Self {
         const DIGITS: [&[f64]; 4] = [
             &[1.],
@@ -51,7 +51,7 @@ impl Axis {
         }
     }
 
-    /// Makes the same axis, with the values themselves as labels.
+    /// Makes an axis like [`around`](Self::around), with the values themselves as labels.
     pub fn at(values: impl Iterator<Item = f64>) -> Self {
         let mut ticks: Vec<f64> = values.collect();
         ticks.sort_by(f64::total_cmp);
@@ -63,7 +63,7 @@ impl Axis {
     }
 }
 
-/// Returns the smallest and the largest value; 1 and 1 if there are none.
+/// Returns the smallest and the largest value, or 1 and 1 if there are no values.
 fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values
         .fold(None, |ends: Option<(f64, f64)>, value| {
@@ -73,7 +73,7 @@ fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
         .unwrap_or((1., 1.))
 }
 
-/// Formats the number of a tick without unnecessary zeros: 0.001, 1.5, 20, 1024.
+/// Formats the number of a tick without unnecessary zeros, for example 0.001, 1.5, 20 or 1024.
 pub fn label(value: f64) -> String {
     let digits = (1. - value.log10().floor()).max(0.) as usize;
     let text = format!("{value:.digits$}");
@@ -84,7 +84,7 @@ pub fn label(value: f64) -> String {
     }
 }
 
-/// Formats the number of a tick on an axis of errors. Smaller errors are drawn at the lowest tick.
+/// Formats the number of a tick on an axis of errors. At the lowest tick, smaller errors are drawn, too.
 pub fn error_label(value: f64) -> String {
     if value < LEAST_ERROR * 1.01 {
         format!("≤ {}", label(value))

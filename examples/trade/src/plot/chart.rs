@@ -1,4 +1,4 @@
-//! Two logarithmic axes with their names, numbers and lines.
+//! Two logarithmic axes with their names, numbers and grid lines.
 
 use plotters::coord::combinators::{LogCoord, WithKeyPoints};
 use plotters::prelude::*;
@@ -7,7 +7,7 @@ use super::axis::Axis;
 use super::{GRID, INK, LABEL, NAME};
 use crate::Result;
 
-/// A chart that is ready for drawing.
+/// A chart in which points can be drawn.
 pub type Chart<'a, DB> = ChartContext<'a, DB, Cartesian2d<Scale, Scale>>;
 type Scale = WithKeyPoints<LogCoord<f64>>;
 
@@ -19,10 +19,10 @@ pub struct Side<'a> {
     pub label_of: fn(f64) -> String,
 }
 
-/// Width of the numbers and the name left of a chart.
+/// The width of the numbers and the name to the left of a chart.
 const LEFT: u32 = 130;
 
-/// Draws the axes of a chart, with margins and with `below` pixels for the labels below it.
+/// Draws the axes of a chart, with margins. There are `below` pixels for the labels below the chart.
 pub fn draw<'a, DB: DrawingBackend>(
     chart: &mut ChartBuilder<'a, '_, DB>,
     below: u32,

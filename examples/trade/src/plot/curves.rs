@@ -1,4 +1,4 @@
-//! The plot of a sweep: error above and cost below, along the same axis.
+//! The plot of a sweep: the error above, and the cost below, along the same axis.
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -14,22 +14,22 @@ use crate::sweep::Point;
 const SIZE: (u32, u32) = (1280, 1230);
 const HEAD: u32 = 70;
 const LEGEND: u32 = 100;
-/// Height of the panel of cost, including the name of the axis.
+/// The height of the panel of costs, including the name of the axis.
 const COST: u32 = 490;
 
 /// The plot of a sweep.
 pub struct Curves<'a> {
     pub title: &'a str,
-    /// Name of the horizontal axis.
+    /// The name of the horizontal axis.
     pub axis: &'a str,
-    /// Whether the axis is labeled with each step's own number.
+    /// Whether the labels of the axis are the numbers of the steps.
     pub stepped: bool,
     pub points: &'a [Point],
 }
 
 /// The content of a panel.
 struct Panel<'a> {
-    /// Name of the horizontal axis; empty in the upper panel, which shares the axis of the lower one.
+    /// The name of the horizontal axis. It is empty in the upper panel, because the lower panel shows the shared axis.
     along: &'a str,
     up: Side<'a>,
     lines: Vec<Line>,
@@ -43,7 +43,7 @@ struct Line {
 }
 
 impl Curves<'_> {
-    /// A line for each mode.
+    /// Makes a line for each mode.
     fn lines(&self, dashed: bool, value: impl Fn(&Point) -> Option<f64>) -> Vec<Line> {
         let line = |&mode: &&'static str| {
             let points = self.points.iter().filter(|point| point.mode == mode);
@@ -58,7 +58,7 @@ impl Curves<'_> {
         modes::NAMES.iter().map(line).collect()
     }
 
-    /// Draws a panel on a part of the paper.
+    /// Draws a panel in a part of the paper.
     fn panel<DB: DrawingBackend>(
         &self,
         paper: &DrawingArea<DB, Shift>,

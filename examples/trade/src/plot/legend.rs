@@ -1,4 +1,4 @@
-//! The legend: rows under a plot that explain its marks and lines.
+//! The legend: rows below a plot that explain its marks and lines.
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -21,7 +21,7 @@ pub enum Mark {
     Line,
     /// A piece of a dashed line.
     Dashes,
-    /// The range of errors below a mark.
+    /// The range of errors, drawn below a mark.
     Reach,
 }
 
@@ -47,7 +47,7 @@ impl Mark {
     where
         DB::ErrorType: 'static,
     {
-        // A white rim separates marks that overlap.
+        // A white rim separates overlapping marks.
         let polygon = |points: &[(i32, i32)]| {
             let mut points: Vec<_> = points.iter().map(|(dx, dy)| (x + dx, y + dy)).collect();
             paper.draw(&Polygon::new(points.clone(), color.filled()))?;
@@ -85,7 +85,7 @@ impl Mark {
     }
 }
 
-/// Writes entries, each a mark with its meaning, in rows of as many as fit.
+/// Writes entries in rows. An entry is a mark with its meaning, and a row has as many entries as fit.
 pub fn draw<DB: DrawingBackend>(
     paper: &DrawingArea<DB, Shift>,
     rows: &[Vec<(Mark, RGBColor, String)>],

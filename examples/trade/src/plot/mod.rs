@@ -1,4 +1,4 @@
-//! Plots, each as PNG and as SVG.
+//! Plots. Each plot is saved as PNG and as SVG.
 
 mod axis;
 mod chart;
@@ -21,9 +21,9 @@ pub use curves::Curves;
 pub use scatter::Scatter;
 pub use summary::Summary;
 
-/// A figure that can be drawn on paper of any kind.
+/// A figure that can be drawn on any kind of paper.
 pub trait Figure {
-    /// Width and height in pixels.
+    /// The width and height in pixels.
     fn size(&self) -> (u32, u32);
 
     fn draw<DB: DrawingBackend>(&self, paper: &DrawingArea<DB, Shift>) -> Result<()>
@@ -31,9 +31,9 @@ pub trait Figure {
         DB::ErrorType: 'static;
 }
 
-/// The font's name.
+/// The name of the font.
 const FONT: &str = "sans-serif";
-/// Font sizes of titles, axis names and numbers, for pictures that are viewed at half their size.
+/// The sizes of titles, names of axes, and numbers. The pictures are viewed at half of their size.
 const TITLE: (&str, i32) = (FONT, 32);
 const NAME: (&str, i32) = (FONT, 27);
 const LABEL: (&str, i32) = (FONT, 24);
@@ -44,7 +44,7 @@ pub fn fonts() -> Result<()> {
         .map_err(|_| "the font cannot be read".into())
 }
 
-/// Saves a figure as PNG and as SVG; `stem` is the path without its ending.
+/// Saves a figure as PNG and as SVG. `stem` is the path without the extension.
 pub fn save(stem: &Path, figure: &impl Figure) -> Result<()> {
     save_png(&stem.with_extension("png"), figure)?;
     draw(
@@ -75,7 +75,7 @@ where
     Ok(paper.present()?)
 }
 
-/// The color of a mode, from Okabe and Ito's palette, which color-blind readers can tell apart.
+/// The color of a mode. Color-blind readers can tell the colors of this palette, by Okabe and Ito, apart.
 fn color(mode: &str) -> RGBColor {
     const COLORS: [RGBColor; 7] = [
         RGBColor(0, 114, 178),
@@ -90,7 +90,7 @@ fn color(mode: &str) -> RGBColor {
     COLORS[place.unwrap_or(0) % COLORS.len()]
 }
 
-/// Color of the grid.
+/// The color of the grid.
 const GRID: RGBColor = RGBColor(225, 225, 225);
-/// Color of axes and letters.
+/// The color of axes and letters.
 const INK: RGBColor = RGBColor(40, 40, 40);

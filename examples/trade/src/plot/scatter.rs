@@ -12,13 +12,13 @@ use crate::modes;
 use crate::spread::Spread;
 use crate::table::{HOST, Row, unit};
 
-/// Width and height of a panel.
+/// The width and height of a panel.
 const PANEL: (u32, u32) = (880, 720);
 const LEGEND: u32 = 136;
-/// The color of the line through the modes of a scene that no other mode beats in both cost and error.
+/// The color of the line through the modes of a scene that no other mode beats both in cost and in error.
 const THREAD: RGBColor = RGBColor(195, 195, 195);
 
-/// The plot: a panel for the measured scenes on each target, and one for the planes on the host.
+/// The plot. There is a panel for the measured scenes on each target, and a panel for the planes on the host.
 pub struct Scatter<'a> {
     panels: Vec<Panel<'a>>,
     scenes: Vec<&'static str>,
@@ -31,7 +31,7 @@ struct Panel<'a> {
 }
 
 impl<'a> Scatter<'a> {
-    /// Keeps the rows that have an error.
+    /// Makes the plot of all rows that have an error.
     pub fn new(rows: &'a [Row]) -> Self {
         let mut panels: Vec<Panel> = Vec::new();
         let mut scenes = Vec::new();
@@ -70,13 +70,13 @@ impl<'a> Scatter<'a> {
         Mark::POINTS[place.unwrap_or(0) % Mark::POINTS.len()]
     }
 
-    /// Returns the columns and rows of panels.
+    /// Returns the number of columns and rows of panels.
     fn grid(&self) -> (u32, u32) {
         let rows = self.panels.len().div_ceil(2).max(1);
         (2, u32::try_from(rows).unwrap_or(1))
     }
 
-    /// Draws a panel on a part of the paper.
+    /// Draws a panel in a part of the paper.
     fn panel<DB: DrawingBackend>(
         &self,
         paper: &DrawingArea<DB, Shift>,
@@ -133,7 +133,7 @@ impl<'a> Scatter<'a> {
                 line([(x - 6, y), (x + 6, y)])?;
             }
         }
-        // Draw the points over all lines.
+        // Draw the points last, over all lines.
         for (row, error) in &panel.points {
             let mark = self.mark(row.scene);
             mark.draw(paper, at(row, error.max), color(row.mode))?;

@@ -1,4 +1,4 @@
-//! One picture of the trade: what each mode costs on a Cortex-M4, how far it is off, and how that looks.
+//! One picture of the trade: the cost of each mode on a Cortex-M4, its error, and what the error looks like.
 
 use std::collections::HashMap;
 use std::fs;
@@ -18,30 +18,30 @@ use crate::Result;
 use crate::modes::{self, Visitor};
 use crate::scenes::{self, HEIGHT, WIDTH};
 
-/// Width of the chart, left of the views.
+/// The width of the chart, to the left of the views.
 const CHART: u32 = 1000;
-/// Each view shows a part of the floor, and each of its pixels as a square of this side.
+/// Each view shows a part of the floor. Each pixel is drawn as a square with this side.
 const ZOOM: u32 = 2;
-/// Left, top, width and height of that part.
+/// The left and top edges, the width and the height of the part of the floor.
 const PART: (u32, u32, u32, u32) = (0, 88, 320, 152);
-/// Height of a view and of the line above it.
+/// The height of a view with the line above it.
 const VIEW: u32 = PART.3 * ZOOM + 64;
 const SCENES: [(&str, &str, Mark); 2] = [
     ("floor", "a floor of 2 triangles", Mark::Circle),
     ("cube", "a cube of 12 triangles", Mark::Square),
 ];
 
-/// A mode's cost and error in a scene.
+/// The cost and the error of a mode in a scene.
 struct Point {
     scene: &'static str,
     mode: &'static str,
-    /// Millions of instructions a frame.
+    /// The cost in millions of instructions per frame.
     cost: f64,
     /// The largest error, in texels.
     error: f64,
 }
 
-/// The floor in one mode.
+/// The floor, drawn in a mode.
 struct View {
     mode: &'static str,
     pixels: Vec<Rgb565>,
@@ -54,7 +54,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Reads the figures that the project keeps, from the folder of its repository.
+    /// Reads the figures that the project keeps. The working directory must be the folder of the repository.
     pub fn read() -> Result<Self> {
         let (costs, errors) = ("tests/instructions.csv", "tests/figures.csv");
         let (costs, errors) = (read(costs, 5)?, read(errors, 2)?);
@@ -93,7 +93,7 @@ impl Summary {
     {
         let errors = self.points.iter().map(|point| point.error);
         let mut costs = Axis::around(self.points.iter().map(|point| point.cost));
-        // For the words beside the outermost points.
+        // Make room for the words beside the outermost points.
         (costs.low, costs.high) = (costs.low * 0.6, costs.high * 1.1);
         let mut chart = chart::draw(
             ChartBuilder::on(part)
@@ -121,7 +121,7 @@ impl Summary {
             for point in points {
                 let (x, y) = chart.backend_coord(&(point.cost, point.error));
                 mark.draw(paper, (x, y), color(point.mode))?;
-                // The cube's points lie left of the floor's.
+                // The cube's points are to the left of the floor's points.
                 let (side, at) = if scene == "cube" && point.mode != "exact" {
                     (HPos::Right, x - 18)
                 } else {
@@ -141,7 +141,7 @@ impl Summary {
             let centered = style.pos(Pos::new(HPos::Left, VPos::Center));
             paper.draw_text(words, &centered, (left + 22, top + 36 * row))?;
         }
-        // An arrow into the corner where both axes are low.
+        // An arrow points into the corner where both axes are low.
         let (x, y) = (172, 650);
         for end in [(x + 60, y - 36), (x + 4, y - 22), (x + 20, y + 2)] {
             paper.draw(&PathElement::new([(x, y), end], INK.stroke_width(3)))?;
@@ -154,7 +154,7 @@ impl Summary {
         Ok(())
     }
 
-    /// Draws a part of the floor, below the name of its mode.
+    /// Draws a part of the floor below the name of its mode.
     fn view<DB: DrawingBackend>(
         &self,
         paper: &DrawingArea<DB, Shift>,
@@ -218,7 +218,7 @@ impl Figure for Summary {
     }
 }
 
-/// A mode's name in the picture.
+/// The name of a mode in the picture.
 fn title(mode: &str) -> &'static str {
     match mode {
         "exact" => "Exact",
@@ -229,7 +229,7 @@ fn title(mode: &str) -> &'static str {
     }
 }
 
-/// A number with one digit that counts, or without a fraction.
+/// A number with one significant digit, or without a fraction if it is at least 1.
 fn digits(value: f64) -> String {
     if value >= 1. {
         format!("{value:.0}")
@@ -239,7 +239,7 @@ fn digits(value: f64) -> String {
     }
 }
 
-/// The last column of a table as numbers, each by the text of the columns before it.
+/// Reads the last column of a table as numbers. The key of each number is the text of the columns before it.
 fn read(file: &str, columns: usize) -> Result<HashMap<String, f64>> {
     let text = fs::read_to_string(file).map_err(|error| format!("{file}: {error}"))?;
     let lines = text.lines().filter_map(|line| line.rsplit_once(','));

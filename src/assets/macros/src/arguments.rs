@@ -1,4 +1,4 @@
-//! What stands in the parentheses of a macro: the path of a file, and options.
+//! Parses a macro's arguments: the path of a file, and options.
 
 use std::path::{Path, PathBuf};
 
@@ -8,7 +8,7 @@ use proc_macro::{Delimiter, Literal, Span, TokenStream, TokenTree};
 pub struct Asset {
     /// The path in the program's text.
     pub value: String,
-    /// The same, found from the source file.
+    /// The path of the same file, resolved from the folder of the source file.
     pub path: PathBuf,
 }
 
@@ -20,7 +20,7 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// Reads the tokens, and sets `span` to that of the path or, if there is a mistake, of the mistake.
+    /// Parses the tokens. Sets `span` to the span of the path or, after an error, to the span of the error.
     pub fn parse(input: TokenStream, span: &mut Span) -> Result<Self, String> {
         let mut parts = split(input).into_iter();
         let first = parts.next().unwrap_or_default();
@@ -50,7 +50,7 @@ impl Arguments {
         Ok(Self { path, options })
     }
 
-    /// Refuses options other than these.
+    /// Refuses options that are not in `known`.
     pub fn check(&self, known: &[&str]) -> Result<(), String> {
         match self
             .options
@@ -65,7 +65,7 @@ impl Arguments {
         }
     }
 
-    /// Whether a word stands there by itself.
+    /// Whether the option `word` is given without a value.
     pub fn has(&self, word: &str) -> bool {
         self.options
             .iter()
@@ -78,7 +78,7 @@ impl Arguments {
         option.and_then(|(_, value)| value.as_deref())
     }
 
-    /// The value of an option that is a text.
+    /// The value of an option, which must be a string.
     pub fn text(&self, word: &str) -> Result<Option<String>, String> {
         let value = self.value(word).map(|value| {
             string(value).ok_or_else(|| format!("{word} must be a text in quotation marks"))
@@ -86,7 +86,7 @@ impl Arguments {
         value.transpose()
     }
 
-    /// The value of an option that is a number.
+    /// The value of an option, which must be a number.
     pub fn number(&self, word: &str) -> Result<Option<f64>, String> {
         let value = self.value(word).map(|value| {
             let number = value.replace('_', "").parse::<f64>().ok();
@@ -98,7 +98,7 @@ impl Arguments {
     }
 }
 
-/// The parts between commas. What another macro has passed on stands in groups without parentheses.
+/// Splits the tokens at commas. Tokens that another macro has passed on come in groups without delimiters.
 fn split(input: TokenStream) -> Vec<Vec<TokenTree>> {
     let mut parts = vec![Vec::new()];
     let mut push = |token: TokenTree| match (&token, parts.last_mut()) {
@@ -126,7 +126,7 @@ fn string(literal: &str) -> Option<String> {
         return Some(raw.strip_prefix('"')?.strip_suffix('"')?.into());
     }
     let inner = text.strip_prefix('"')?.strip_suffix('"')?;
-    // The escapes that a path may need.
+    // These are the escapes that a path can need.
     let mut value = String::new();
     let mut letters = inner.chars();
     while let Some(letter) = letters.next() {
@@ -141,8 +141,8 @@ fn string(literal: &str) -> Option<String> {
     Some(value)
 }
 
-/// A path relative to the source file that a span lies in; relative to the package if there is no such file, as in some
-/// editors.
+/// Resolves a path from the folder of the span's source file. If that file is unknown, as in some editors, the path is
+/// relative to the package.
 fn beside_source(span: Span, path: &str) -> PathBuf {
     let package = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
     let source = span.local_file().or_else(|| {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use fixel_assets::Notes;
 use proc_macro::{Group, Literal, Span, TokenStream, TokenTree};
 
-/// The text of a block of code. Some words in it are placeholders for other tokens.
+/// The source text of a block. Some of its words are placeholders for other tokens.
 #[derive(Default)]
 pub struct Expansion {
     text: String,
@@ -14,13 +14,13 @@ pub struct Expansion {
 }
 
 impl Expansion {
-    /// Adds Rust. The word `fixel` stands for the path of the crate.
+    /// Adds Rust source. The word `fixel` in it is a placeholder for the path of the crate.
     pub fn push(&mut self, text: &str) {
         self.text.push_str(text);
         self.text.push('\n');
     }
 
-    /// A word that stands for a list of bytes.
+    /// Stores a list of bytes. Returns the placeholder for the list.
     pub fn bytes(&mut self, bytes: Vec<u8>) -> String {
         self.lists.push(bytes);
         format!("list_{}", self.lists.len() - 1)
@@ -37,7 +37,7 @@ impl Expansion {
         }
     }
 
-    /// Lets the compiler warn of what was replaced or left out of a file.
+    /// Makes the compiler warn about everything that was replaced or left out when the file was read.
     pub fn note(&mut self, path: &str, notes: &Notes) {
         let notes = notes.iter().map(|note| format!("{path}: {note}"));
         self.notes.extend(notes);
@@ -47,7 +47,7 @@ impl Expansion {
     pub fn tokens(mut self, fixel: &TokenTree, span: Span) -> TokenStream {
         let notes = std::mem::take(&mut self.notes);
         for note in notes {
-            // The only warnings that a macro can make the compiler write by itself.
+            // A procedural macro can cause no warnings except by using a deprecated item.
             self.text.insert_str(
                 0,
                 &format!("const _: () = {{ #[deprecated(note = {note:?})] const ASSET: () = (); ASSET }};\n"),

@@ -35,8 +35,8 @@ pub fn assets(input: TokenStream) -> TokenStream {
     expanded.unwrap_or_else(|problem| error(&problem, span))
 }
 
-/// A picture of `fixel`'s own documentation as a `data:` URI, which is shown wherever the page is: docs.rs serves no
-/// other files. Its input is the parts of a path in the package.
+/// A picture of `fixel`'s own documentation as a `data:` URI. The picture is part of the page because docs.rs serves no
+/// other files. The input is the parts of a path in the package.
 #[doc(hidden)]
 #[proc_macro]
 pub fn picture_uri(input: TokenStream) -> TokenStream {
@@ -53,7 +53,7 @@ pub fn picture_uri(input: TokenStream) -> TokenStream {
     }
 }
 
-/// The compiler's own error with this message.
+/// Expands to a compiler error with this message.
 fn error(problem: &str, span: Span) -> TokenStream {
     let mut message = Literal::string(problem);
     message.set_span(span);

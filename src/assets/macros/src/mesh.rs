@@ -5,13 +5,13 @@ use fixel_assets::{Disk, Image, Lists, Material, Model, Options};
 use crate::arguments::Arguments;
 use crate::expansion::Expansion;
 
-/// How the lists are stored.
+/// The formats in which the lists can be stored, other than the default.
 const FORMATS: [&str; 3] = ["short", "quantized_16", "quantized_8"];
 
-/// The options that say which faces become the mesh, and how it lies in space.
+/// The options that choose the faces of the mesh, and its scale and axes.
 const COMMON: [&str; 4] = ["object", "part", "scale", "up"];
 
-/// Reads the model, and adds what the compiler must know of its files.
+/// Reads the model, and tells the compiler on which files the expansion depends.
 fn read(arguments: &Arguments, expansion: &mut Expansion) -> Result<Model, String> {
     let model = fixel_assets::read(&arguments.path.path, &Disk)?;
     expansion.depend(std::slice::from_ref(&arguments.path.path));
@@ -19,7 +19,7 @@ fn read(arguments: &Arguments, expansion: &mut Expansion) -> Result<Model, Strin
     Ok(model)
 }
 
-/// How the program wants the model.
+/// Converts the macro's options into options of the reader.
 fn options(arguments: &Arguments) -> Result<Options, String> {
     let z_up = match arguments.value("up") {
         None => fixel_assets::Format::of(&arguments.path.path) == Some(fixel_assets::Format::Stl),
@@ -224,7 +224,7 @@ pub fn materials(arguments: &Arguments) -> Result<Expansion, String> {
     Ok(expansion)
 }
 
-/// The name of a picture: its file's, or the one in the model.
+/// The name of a picture: the name of its file, or its name in the model.
 fn image_name(image: &Image) -> Option<String> {
     match image {
         Image::File(path) => Some(path.file_name()?.to_string_lossy().into_owned()),

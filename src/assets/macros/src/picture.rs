@@ -9,10 +9,10 @@ use fixel_assets::{Disk, Format, Image, Picture};
 use crate::arguments::Arguments;
 use crate::expansion::Expansion;
 
-/// The most pixels along a side of a texture.
+/// The largest width or height of a texture, in pixels.
 const MOST: u32 = 1 << 15;
 
-/// Reads the picture of a file, or the one that a model contains.
+/// Reads a picture file, or a picture that a model contains.
 fn read(arguments: &Arguments, out: &mut Expansion) -> Result<Picture, String> {
     let path = &arguments.path.path;
     if Format::of(path).is_none() {
@@ -85,9 +85,10 @@ pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
         out.push(&bytes);
         return Ok(out);
     }
-    // Each color is converted once; the pixels are its indices.
+    // Each color is converted once. The pixels become indices of the colors.
     if arguments.has("mipmap") {
-        // Each level is the mean of the whole picture, so that rounding does not add up.
+        // Each level is computed from the whole picture, not from the level before, so that rounding errors do not add
+        // up.
         let level = |level: u32| picture.resampled(width >> level, height >> level).pixels;
         let smaller: Vec<_> = (1..=width.min(height).ilog2()).flat_map(level).collect();
         picture.pixels.extend(smaller);
@@ -111,7 +112,7 @@ pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
     Ok(out)
 }
 
-/// Formats of raw texels: the lowest bits of red, green and blue, and their numbers of bits.
+/// Formats of raw texels: for red, green and blue, the lowest bit and the number of bits.
 const RAW: [(&str, [[u32; 2]; 3]); 8] = [
     ("rgb555", [[10, 5], [5, 5], [0, 5]]),
     ("bgr555", [[0, 5], [5, 5], [10, 5]]),
@@ -128,7 +129,7 @@ fn fraction(channel: u8) -> u32 {
     u32::from(channel) * 257 + u32::from(channel >> 7)
 }
 
-/// A fraction in steps of so many bits, rounded as `fixel` rounds it.
+/// A fraction as a number of `bits` bits, rounded as `fixel` rounds it.
 fn steps(fraction: u32, bits: u32) -> u32 {
     (fraction * ((1 << bits) - 1) + (1 << 15)) >> 16
 }
@@ -151,7 +152,7 @@ fn formats(pixel: [u8; 4]) -> Vec<u8> {
     [rgb.as_flattened(), &gray, argb.as_flattened()].concat()
 }
 
-/// The bytes of texels in a format, the high byte first or, if it ends in `_le`, the low byte.
+/// The bytes of texels in a format: the high byte first or, if the format's name ends in `_le`, the low byte first.
 fn raw(picture: &Picture, format: &str) -> Option<Vec<u8>> {
     let low_first = format.strip_suffix("_le");
     let (_, channels) = RAW
@@ -177,7 +178,7 @@ fn raw(picture: &Picture, format: &str) -> Option<Vec<u8>> {
     Some(picture.pixels.iter().flat_map(texel).collect())
 }
 
-/// The pixels as indices of three bytes, and the colors that occur.
+/// The pixels as indices of three bytes each, and the list of different colors.
 fn indexed(pixels: &[[u8; 4]]) -> (Vec<u8>, Vec<[u8; 4]>) {
     let (mut places, mut colors) = (HashMap::new(), Vec::new());
     let mut indices = Vec::with_capacity(3 * pixels.len());

@@ -5,7 +5,8 @@ use serde_json::Value;
 use super::{MOST, Reader, whole};
 
 impl Reader<'_> {
-    /// The values of an attribute, as many as there are positions; none if it is missing.
+    /// The values of an attribute. Empty if the attribute is missing, or has another number of values than the
+    /// positions.
     pub(super) fn attribute<const N: usize>(
         &mut self,
         accessor: &Value,
@@ -24,7 +25,7 @@ impl Reader<'_> {
         Ok(values)
     }
 
-    /// The bytes of a buffer view, and the distance of its values if it says one.
+    /// The bytes of a buffer view, and the stride of its values if the view states one.
     pub(super) fn view(&self, at: usize) -> Result<(&[u8], Option<usize>), String> {
         let view = self.item("bufferViews", at)?;
         let number = |name: &str| whole(&view[name]);
@@ -124,8 +125,8 @@ impl Reader<'_> {
     }
 }
 
-/// Splits `bytes` from `offset` on into `count` values of `size` bytes that begin every `stride` bytes; `None` if they
-/// do not fit.
+/// Splits `bytes` after `offset` into `count` values of `size` bytes that begin every `stride` bytes; `None` if there
+/// are too few bytes.
 fn rows(
     bytes: &[u8],
     offset: usize,

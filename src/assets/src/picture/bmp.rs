@@ -2,7 +2,7 @@
 
 use super::{Picture, check, colored, indexed, masked, shown, turned, unpacked};
 
-/// The length of the file header, which comes before the one that gives the size of the picture.
+/// The length of the file header. A second header with the size of the picture follows it.
 const FILE_HEADER: usize = 14;
 
 /// Reads a BMP.
@@ -14,7 +14,7 @@ pub fn read(bytes: &[u8]) -> Result<Picture, String> {
         })
     };
     let (start, header) = (long(10)? as usize, long(14)?);
-    // The first header of OS/2 has 16 bits for each side, and colors of 3 bytes.
+    // The oldest header of OS/2 has 16 bits for each side, and its colors have 3 bytes.
     let is_old = header == 12;
     if !is_old && !(16..=256).contains(&header) {
         return Err(format!(
@@ -74,7 +74,7 @@ pub fn read(bytes: &[u8]) -> Result<Picture, String> {
     let used = if header < 36 { 0 } else { long(46)? as usize };
     let most = 1 << bits;
     let used = if used == 0 || used > most { most } else { used };
-    // A table may be shorter than its header says.
+    // A table can be shorter than its header says.
     let end = start.min(bytes.len()).min(table + used * step);
     let entries = bytes.get(table..end).unwrap_or_default().chunks_exact(step);
     let colors = entries.map(|bgr| [bgr[2], bgr[1], bgr[0], 255]).collect();
@@ -93,7 +93,8 @@ pub fn read(bytes: &[u8]) -> Result<Picture, String> {
     )
 }
 
-/// The rows of a picture without compression, each padded to 4 bytes; the last one may lack that.
+/// The rows of a picture without compression. Each row is padded to 4 bytes, except that the last padding can be
+/// missing.
 fn rows_of(
     data: &[u8],
     bits: usize,
@@ -109,9 +110,9 @@ fn rows_of(
     Ok((0..height).map(move |y| &data[y * stride..][..row]))
 }
 
-/// The indices of pixels that are stored as runs. Pixels that are left out have index 0.
+/// The indices of pixels that are stored as runs. Skipped pixels have index 0.
 fn runs(mut data: &[u8], bits: usize, width: usize, height: usize) -> Result<Vec<u8>, String> {
-    // Runs have at most 255 pixels. Jumps can leave out more, but a short file must not claim much memory.
+    // A run has at most 255 pixels. Jumps can skip more, but a short file must not claim much memory.
     if width * height > 255 * (data.len() + (1 << 16)) {
         let len = data.len();
         return Err(format!(

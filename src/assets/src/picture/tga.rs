@@ -2,8 +2,8 @@
 
 use super::{Picture, check, colored, indexed, masked, shown, turned};
 
-/// Whether a file may be a TGA. Because TGA has no signature at its start, this checks that the fields of its header
-/// make sense.
+/// Whether a file can be a TGA. TGA has no signature at its start, so this checks whether the fields of the header make
+/// sense.
 pub fn is(bytes: &[u8]) -> bool {
     let Some(&[_, has_table, kind, .., bits, flags]) = bytes.first_chunk::<18>() else {
         return false;
@@ -37,7 +37,7 @@ pub fn read(bytes: &[u8]) -> Result<Picture, String> {
     let size = bytes_of(header[7]);
     let entries = rest.split_off(..word(5) * size * usize::from(header[1]));
     let entries = entries.ok_or(SHORT)?.chunks_exact(size.max(1));
-    // The table may begin with a later index than 0.
+    // The index of the first color in the file can be greater than 0.
     let mut colors = vec![[0, 0, 0, 255]; word(3)];
     colors.extend(shown(entries.map(color).collect()));
 

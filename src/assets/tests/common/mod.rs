@@ -1,6 +1,6 @@
-//! What the tests of several formats use.
+//! Helpers for the tests of several formats.
 
-#![allow(dead_code)] // Each of them uses a part.
+#![allow(dead_code)] // Each test binary uses some of them.
 
 use std::collections::HashMap;
 use std::io;
@@ -22,7 +22,7 @@ impl Files for Memory {
     }
 }
 
-/// Reads the first of some files, given by name and contents.
+/// Reads the first of several files, given by name and contents.
 pub fn read<T: AsRef<[u8]>>(files: &[(&str, T)]) -> Result<Model, String> {
     let file = |(name, bytes): &(&str, T)| (name.into(), bytes.as_ref().to_vec());
     let memory = Memory(files.iter().map(file).collect());
@@ -34,7 +34,7 @@ pub fn notes(model: &Model) -> Vec<String> {
     model.notes.iter().collect()
 }
 
-/// The same bytes with some of them replaced, removed or repeated, differently for each `seed`.
+/// The bytes with some of them replaced, removed or repeated, differently for each `seed`.
 pub fn mutated(bytes: &[u8], seed: u64) -> Vec<u8> {
     let mut state = seed;
     let mut random = |most: usize| {
