@@ -4,7 +4,6 @@
 //! each for several depth formats and modes. A rasterizer for each would take minutes to compile. Here, shaders with
 //! different varyings share a rasterizer, which interpolates enough numbers for all of them. A number that a shader
 //! does not use is 0 everywhere, so it changes no pixel.
-//! not use is 0 everywhere, so it changes no pixel.
 
 use embedded_graphics::pixelcolor::raw::RawU16;
 use embedded_graphics::pixelcolor::{PixelColor, Rgb565, Rgb888};
