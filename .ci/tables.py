@@ -46,14 +46,33 @@ def ring_rate(count):
     return f"{whole(125e6 / (2 * count))} to {whole(125e6 / count)}"
 
 
-FIXEL, TGX, SMALL3DLIB = "#d9822b", "#4a90d9", "#8a8f98"
-# Spheres by their triangles: millions of instructions for interpolated colors with depth, and for one color, on
-# Cortex-M4; tgx with an FPU, small3dlib at -O3 without. Measured once, on the scenes and with the poses of `kernels`.
+# Other libraries, measured once: instructions for a frame of the four scenes, the mean of their poses. The guide's page
+# of benchmarks gives their versions and settings. "FPU" and "x86-64" name what is not a Cortex-M4 without an FPU.
 OTHERS = {
-    "tgx": (TGX, [(480, 1.19, 0.53), (1984, 1.93, 1.09), (4512, 3.01, 1.95), (6160, 3.68, 2.49), (7812, 4.34, 3.02),
-                  (8064, 4.43, 3.10)]),
-    "small3dlib": (SMALL3DLIB, [(480, 2.79, 0.70), (1984, 4.02, 1.65), (7812, 7.75, 4.74)]),
+    "small3dlib": [3_291_840, 2_159_175, 4_034_870, 1_657_715],
+    "small3dlib -Os": [4_195_280, 2_707_570, 5_327_790, 1_863_695],
+    "small3dlib x86-64": [3_804_000, 2_498_000, 4_328_000, 1_670_000],
+    "TinyGL": [4_935_720, 3_691_155, 17_967_125, 15_583_475],
+    "TinyGL FPU": [1_063_720, 707_555, 4_309_245, 2_942_740],
+    "rlsw": [36_251_200, 25_799_535, 46_974_395, 16_893_490],
+    "rlsw FPU": [5_622_720, 3_711_055, 4_422_500, 2_610_030],
+    "tgx": [24_119_935, 16_537_855, 13_186_025, 7_301_340],
+    "tgx FPU": [1_596_450, 1_053_180, 1_972_630, 1_089_025],
+    "tgx x86-64": [1_649_000, 1_095_000, 1_908_000, 1_170_000],
+    "retrofire": [63_048_295, 42_140_400, 66_524_280, 58_108_195],
+    "retrofire FPU": [4_592_260, 3_033_730, 7_206_220, 3_757_115],
+    "embedded-3dgfx": [31_489_600, 16_893_150, 32_660_545, 16_428_935],
+    "embedded-3dgfx FPU": [3_655_560, 1_865_610, 7_604_705, 4_895_550],
 }
+# The same for spheres, by their triangles: with interpolated colors and depth, and in one color.
+SPHERES = {
+    "tgx FPU": [(480, 1_247_420, 515_600), (1984, 1_972_620, 1_027_040), (4512, 3_017_025, 1_800_690),
+                (6160, 3_657_970, 2_283_695), (7812, 4_283_715, 2_759_040), (8064, 4_375_190, 2_829_105)],
+    "small3dlib": [(480, 2_813_785, 716_925), (1984, 4_034_870, 1_674_965), (4512, 5_710_115, 3_064_910),
+                   (6160, 6_737_160, 3_928_475), (7812, 7_741_515, 4_779_535), (8064, 7_893_915, 4_909_535)],
+}
+FIXEL = "#d9822b"
+COLORS = {"tgx FPU": "#4a90d9", "small3dlib": "#8a8f98"}
 
 
 def drawing(width, height, label, parts):
@@ -100,6 +119,9 @@ def names(instructions, other):
         key = target, optimization, mode
         return cells(million, [instructions[*key, scene, "mean-of-poses"] for scene in scenes or SCENES])
 
+    def others(who, *scenes):
+        return cells(million, [OTHERS[who][SCENES.index(scene)] for scene in scenes or SCENES])
+
     def means(mode, scene, *targets):
         return cells(million, [instructions[target, "3", mode, scene, "mean-of-poses"] for target in targets])
 
@@ -142,13 +164,14 @@ def names(instructions, other):
         """Instructions for spheres of different numbers of triangles."""
         def ours(name):
             return [(count, instructions[M4, "3", "newton", f"{name}-{count}", "mean-of-poses"] / 1e6)
-                    for count, *_ in OTHERS["tgx"][1]]
+                    for count, *_ in SPHERES["tgx FPU"]]
 
         parts = []
         for way, (title, name) in enumerate([("interpolated colors, with depth", "sphere"), ("one color", "sphere-flat")]):
-            theirs = [(color, [(point[0], point[1 + way]) for point in points]) for color, points in OTHERS.values()]
+            theirs = [(COLORS[who], [(point[0], point[1 + way] / 1e6) for point in points])
+                      for who, points in SPHERES.items()]
             parts += chart(340 * way, title, [(FIXEL, ours(name)), *theirs])
-        colors = {"fixel": FIXEL, "tgx, with an FPU": TGX, "small3dlib": SMALL3DLIB}
+        colors = {"fixel": FIXEL, "tgx, with an FPU": COLORS["tgx FPU"], "small3dlib": COLORS["small3dlib"]}
         for at, (who, color) in enumerate(colors.items()):
             parts.append(f'<path d="M{170 + 130 * at} 258h16" stroke="{color}" stroke-width="3"/>')
             parts.append(text(192 + 130 * at, 262, who, "start"))
@@ -226,6 +249,22 @@ def claims(instructions, other):
     missed = {name for name in goals if code(name) > other[f"{name} goal"]}
     yield benchmarks, "Two goals are missed: those of points and lines and of triangles of one color.", (
         missed == {"lines", "flat"})
+    m4 = {name: [instructions[M4, optimization, "newton", scene, "mean-of-poses"] for scene in SCENES]
+          for name, optimization in [("speed", "3"), ("size", "s")]}
+    spheres = [[(instructions[M4, "3", "newton", f"{name}-{point[0]}", "mean-of-poses"], point[1 + way], point[0])
+                for point in SPHERES["tgx FPU"]] for way, name in enumerate(["sphere", "sphere-flat"])]
+    without_fpu = [costs for who, costs in OTHERS.items() if "FPU" not in who and "x86" not in who]
+    yield (benchmarks, "Without an FPU, fixel's default mode is faster than all other libraries on every scene, even when "
+           "it is optimized for size.",
+           all(ours < theirs for costs in without_fpu for ours, theirs in zip(m4["size"], costs)))
+    faster = {who: [theirs < ours for ours, theirs in zip(m4["speed"], costs)]
+              for who, costs in OTHERS.items() if "FPU" in who}
+    yield (benchmarks, "TinyGL is faster on the floor and the cube, but it bends their textures.",
+           faster.pop("TinyGL FPU") == [True, True, False, False] and not any(map(any, faster.values())))
+    yield (benchmarks, "tgx is faster on spheres of interpolated colors with fewer or more triangles than the sphere in the "
+           "table, and on spheres of one color with more than 7,000 triangles.",
+           all((theirs < ours) == (count != 1984) for ours, theirs, count in spheres[0])
+           and all((theirs < ours) == (count > 7000) for ours, theirs, count in spheres[1]))
     yield (modes, "its error is as large as the error of `Fast` within a quarter",
            texels(other["sphere fast error max"]) == texels(other["sphere affine error max"]))
     yield (modes, "`Newton`; `Affine` takes as long",
