@@ -59,8 +59,8 @@ impl Projection<Parallel> {
         Self::sheared([shear(cos), shear(sin)], plane, window, near, far)
     }
 
-    /// Makes an [oblique](Self::oblique) projection in which depth keeps its full length, and the near plane is
-    /// undistorted.
+    /// Makes an [oblique](Self::oblique) projection in which edges that point straight back keep their full length. The
+    /// near plane is undistorted.
     ///
     /// # Errors
     ///
@@ -74,8 +74,8 @@ impl Projection<Parallel> {
         Self::oblique(angle, Scalar::ONE, near, window, near, far)
     }
 
-    /// Makes an [oblique](Self::oblique) projection in which depth has half its length, and the near plane is
-    /// undistorted.
+    /// Makes an [oblique](Self::oblique) projection in which edges that point straight back have half of their length.
+    /// The near plane is undistorted.
     ///
     /// # Errors
     ///
