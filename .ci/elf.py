@@ -84,7 +84,7 @@ def functions(baseline, probe):
 
 
 def sources(path):
-    """Counts every two bytes of code for the innermost function of this project that they were inlined from."""
+    """Counts every two bytes of code for the innermost function of this project from which they were inlined."""
     ranges = ((at & ~1, size) for at, (size, _) in read(path)[1].items())
     addresses = sorted({at for start, size in ranges for at in range(start, start + size, 2)})
     command = ["llvm-symbolizer", "--obj=" + path, "--inlines", "--demangle"]

@@ -50,7 +50,7 @@ const stacks = pico.cores.map(({ core, number }) => {
     const pc = core.PC, cycles = execute(), sp = core.registers[13];
     if (options.profile && number === 0 && frames.length > FIRST) profile.set(pc, (profile.get(pc) ?? 0) + cycles);
     if (sp > RAM && sp < RAM_END) {
-      // The boot loader's stack is elsewhere.
+      // The boot loader's stack is above this address, and does not count.
       if (sp > stack.top && sp <= 0x20040000) stack.top = sp;
       if (stack.top && sp < stack.lowest) stack.lowest = sp;
     }

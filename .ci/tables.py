@@ -1,4 +1,4 @@
-"""What the expressions in .ci/tables.md mean, and the claims in words that pages make about the same figures."""
+"""Functions for the expressions in .ci/tables.md, and the claims in words that pages make about the same figures."""
 import math
 
 M4, M0, RISCV = "thumbv7em-none-eabi", "thumbv6m-none-eabi", "riscv32imc-unknown-none-elf"

@@ -6,7 +6,7 @@ use core::fmt;
 use crate::message::{Message, Piece};
 use crate::{Angle, Scalar, Vec3};
 
-/// Takes the value of a result, or returns its error: `?` in a const fn.
+/// Takes the value of a result, or returns the error, like `?`, but also in a const fn.
 macro_rules! ok {
     ($result:expr) => {
         match $result {
@@ -175,7 +175,7 @@ errors! {
     /// A range with an upper end that is not above its lower end: the depths from the near to the far plane, or the
     /// range of a window, a fog or a gradient.
     Empty {
-        /// What has the range.
+        /// The name of the quantity that has the range.
         of: &'static str,
         /// The lower end.
         low: Scalar,

@@ -67,7 +67,7 @@
 //! of eye space has *w* = 1. If the last row of the matrix is (0 0 −1 0), the result has *w* = −*z*, the distance
 //! ahead of the eye.
 //!
-//! The picture shows a window on the near plane, from *l* to *r* and from *b* to *t*. In normalized device coordinates
+//! The visible part of the near plane is a window from *l* to *r* and from *b* to *t*. In normalized device coordinates
 //! (ndc), the window reaches from −1 to 1 along both axes. With *nx* = *wx*′, this gives:
 //!
 #![doc = formula!(
@@ -94,8 +94,9 @@
 //!
 //! The depth is −*A* + *B*/*w*. It is called pseudo-depth, because it keeps the order of distances but not their
 //! proportions: with *n* = 2 and *f* = 10, half of its range is used up at a distance of 3⅓. The distance itself is not
-//! suitable, because along a line on the screen, 1/*w* changes evenly, but *w* does not ([below](#a-segment)). A depth
-//! buffer of fixel stores 65535 *n*/*w*, which is also linear in 1/*w*, and needs no far plane.
+//! suitable as a depth, because along a line on the screen, 1/*w* changes evenly, but *w* does not
+//! ([below](#a-segment)). A depth buffer of fixel stores 65535 *n*/*w*, which is also linear in 1/*w*, and needs no far
+//! plane.
 //!
 #![doc = diagram!("pseudo_depth")]
 //!
@@ -227,9 +228,9 @@
 //!
 //! <div class="warning">
 //!
-//! **Whole pixels for corners.** A corner that is rounded to whole pixels moves by up to half a pixel, and its edges
-//! and its texture move with it. A slowly turning model then jitters. Keep a fraction (8 bits in fixel), and test
-//! coverage at the centers of pixels, half a pixel from their edges.
+//! **Whole pixels for corners.** A corner that is rounded to whole pixels moves by up to half a pixel, and the edges
+//! and the texture move with the corner. A slowly turning model then jitters. Keep a fraction (8 bits in fixel), and
+//! test coverage at the centers of pixels, half a pixel from their edges.
 //!
 //! </div>
 //!
@@ -397,8 +398,8 @@
 //! linear across the triangle in space: position, texture coordinates, color, normal, light.
 //!
 //! The triangle lies in a plane *k* · (*x*, *y*, *z*) = *c*. If *c* were 0, the eye would be in the plane, and the
-//! triangle would not be seen. On the near plane, *x* = *x*′*w*/*n*, *y* = *y*′*w*/*n* and *z* = −*w*. Substitute
-//! these, and divide by *c* *w*:
+//! triangle would not be seen. On the near plane, *x* = *x*′*w*/*n*, *y* = *y*′*w*/*n* and *z* = −*w*. Substitute these
+//! values, and divide by *c* *w*:
 //!
 #![doc = formula!({frac(1)(w) = frac(k[x] prime(x) + k[y] prime(y) - n k[z])(c n)})]
 //!

@@ -256,7 +256,7 @@ impl Transform {
         }
     }
 
-    /// Returns the matrix that transforms a surface's normals where [`point`](Self::point) transforms the surface's
+    /// Returns the matrix that transforms the normals of a surface, if [`point`](Self::point) transforms the surface's
     /// points. The matrix may be multiplied by a positive factor.
     ///
     /// Apart from that factor, the matrix is the inverse transpose: the cofactors, with the sign of the determinant.

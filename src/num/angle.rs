@@ -32,7 +32,7 @@ use crate::{Error, Scalar};
 #[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub struct Angle(u32);
 
-/// The units in a turn.
+/// The number of units in a turn.
 const TURN: f64 = 4_294_967_296.0;
 
 /// Coefficients of sin(πx/2) / x in powers of x² over \[−1, 1\], lowest first, with their fraction
@@ -231,7 +231,7 @@ impl Angle {
         let signed = self.0 as i32;
         let mut x = signed.unsigned_abs();
         if x > ONE {
-            // Mirror at a quarter turn.
+            // The sine is symmetric about a quarter turn.
             x = 2 * ONE - x;
         }
         let x = x.cast_signed();

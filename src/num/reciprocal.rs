@@ -47,7 +47,7 @@ const fn divided_seed(q: u32) -> u32 {
     ((u32::MAX / coarse(q)) << 1) | 1
 }
 
-/// 2^8 / c, rounded to nearest, for the middle c of each 32nd of the range from 1 to 2.
+/// 2^8 / c, rounded to nearest, for the middle c of each of the 32 equal intervals from 1 to 2.
 const SEEDS: [u8; 32] = {
     let mut seeds = [0; 32];
     let mut i = 0;

@@ -20,7 +20,8 @@ const fn seeds() -> [u8; 96] {
 /// 2^30.
 ///
 /// The result is from 2^30 to 2^31, and its relative error is at most 2^-29. The seed has an error of 1.2e-2. A Newton
-/// step reduces the error to 2.1e-4, and a step of the third order reduces it to 2e-11. Rounding adds the rest.
+/// step reduces the error to 2.1e-4, and a step of the third order reduces it to 2e-11. Rounding adds the rest of the
+/// error.
 const fn reciprocal_root(value: u32) -> u32 {
     debug_assert!(value >= 1 << 30);
     // The top seven bits of t are 32 to 127. The comparison below proves this to the compiler.

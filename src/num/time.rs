@@ -19,7 +19,7 @@ use crate::Angle;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rate(i64);
 
-/// One turn, in thousandths of a turn per minute times milliseconds.
+/// One turn, in the unit of a rate times a time: a thousandth of a turn per minute times a millisecond.
 const TURN: u32 = 60_000_000;
 
 impl Rate {

@@ -10,9 +10,10 @@ use crate::sealed::Sealed;
 /// left.
 ///
 #[cfg_attr(doc, doc = diagram!("pipeline"))]
-/// Write an `Mvp` as a product, `projection * camera * model`. The viewport transform would come leftmost, but it is not part
-/// of the product: [`DrawOptions::with_viewport`](crate::DrawOptions::with_viewport) sets it. The camera and the model
-/// transform are stored separately, because lights are in world space, between model space and eye space.
+/// Write an `Mvp` as a product, `projection * camera * model`. The viewport transform would come leftmost, but it is
+/// not part of the product: [`DrawOptions::with_viewport`](crate::DrawOptions::with_viewport) sets the viewport. The
+/// camera and the model transform are stored separately, because lights are in world space, between model space and eye
+/// space.
 ///
 /// ```
 /// use fixel::prelude::*;

@@ -164,8 +164,8 @@ fn rotations_are_counter_clockwise() {
 
 #[test]
 fn normals_follow_mirrors_and_uneven_scales() {
-    // The plane x + y = 0 has the normal (1, 1, 0). If the plane is squeezed, it is 2x' + y' = 0. If it is mirrored,
-    // too, it is −2x' + y' = 0.
+    // The plane x + y = 0 has the normal (1, 1, 0). The squeezed plane is 2x' + y' = 0. The squeezed and mirrored plane
+    // is −2x' + y' = 0.
     for x in [0.5, -0.5] {
         let factors = Vec3::new(Scalar::try_from(x).unwrap(), Scalar::ONE, Scalar::ONE);
         let rows = Transform::scale_axes(factors).normal_matrix().0;

@@ -35,7 +35,7 @@ impl Projection<Parallel> {
     ///
     /// # Errors
     ///
-    /// The errors of [`orthographic`](Self::orthographic).
+    /// The same errors as for [`orthographic`](Self::orthographic).
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -64,7 +64,7 @@ impl Projection<Parallel> {
     ///
     /// # Errors
     ///
-    /// The errors of [`orthographic`](Self::orthographic).
+    /// The same errors as for [`orthographic`](Self::orthographic).
     pub fn cavalier(
         angle: Angle,
         window: Window,
@@ -79,7 +79,7 @@ impl Projection<Parallel> {
     ///
     /// # Errors
     ///
-    /// The errors of [`orthographic`](Self::orthographic).
+    /// The same errors as for [`orthographic`](Self::orthographic).
     pub fn cabinet(angle: Angle, window: Window, near: Scalar, far: Scalar) -> Result<Self, Error> {
         Self::oblique(angle, Scalar::ONE / 2, near, window, near, far)
     }
