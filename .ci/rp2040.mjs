@@ -8,8 +8,8 @@
 // Writes what the panel shows after some frames, and prints the time in ms at which the program drew the last of them,
 // the mean of the cycles from one frame to the next, and the bytes of stack that each core used.
 //
-// --bus      gaps: the bus rests for two of its clocks after each word, as the chip's bus does in mode 0; instant: the bus
-//            takes no time, so that only the processors' time remains
+// --bus      gaps: the bus rests for two of its clocks after each word, as the chip's bus does in mode 0;
+//            instant: the bus takes no time, so that only the processors' time remains
 // --fault    makes a mistake that a program could make; the run must then fail, or show another picture (see `faults`)
 // --profile  writes the cycles of core 0 at each address, as JSON
 import { readFileSync, writeFileSync } from 'node:fs';

@@ -67,8 +67,8 @@
 //! of eye space has *w* = 1. If the last row of the matrix is (0 0 −1 0), the result has *w* = −*z*, the distance
 //! ahead of the eye.
 //!
-//! The visible part of the near plane is a window from *l* to *r* and from *b* to *t*. In normalized device coordinates
-//! (ndc), the window reaches from −1 to 1 along both axes. With *nx* = *wx*′, this gives:
+//! The visible part of the near plane is a window, from *l* to *r* in x and from *b* to *t* in y. In normalized device
+//! coordinates (ndc), the window reaches from −1 to 1 along both axes. With *nx* = *wx*′, this gives:
 //!
 #![doc = formula!(
     {x[ndc] = frac(2 prime(x) - (r + l))(r - l)}
