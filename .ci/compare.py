@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Compares the firmware's output on each target with the host's checksums, and prints a table.
 
-Arguments: a folder with the output of each target, in a file of its name, and the file `host` (lines of scene,
-mode and checksum); then the targets. Fails unless every target printed every scene in every mode and layout, all
+Arguments: a folder with the output of each target, in a file with the target's name, and the file `host` (lines of
+scene, mode and checksum); then the targets. Fails unless every target printed every scene in every mode and layout, all
 with the host's checksum and the same number of pixels. Lines that begin with `same` are for pictures drawn in other
 ways: every way must be there, and must also have the host's checksum."""
 import re

@@ -1,14 +1,14 @@
-# Helpers for the other scripts: builds for other targets. They source this file in the project's root. A build uses the
-# target's library if rustup has installed it. Otherwise Debian's compiler builds it, too: core, or what the variable
-# `library` names.
+# Helpers for the other scripts: builds for other targets. The other scripts source this file in the project's root. A
+# build uses the target's library if rustup has installed it. Otherwise Debian's compiler also builds the library:
+# `core`, or the crates that the variable `library` names.
 targets=(thumbv6m-none-eabi thumbv7m-none-eabi thumbv7em-none-eabi thumbv8m.base-none-eabi thumbv8m.main-none-eabi riscv32imc-unknown-none-elf)
 
 has_target() { [ -d "$(rustc --print target-libdir --target "$1")" ]; }
 
 install_tools() { .ci/install emulators "${targets[@]}"; }
 
-# Arguments: the targets in one word, then those of cargo. Several targets build side by side, which keeps both cores
-# busy: most of the time goes to crates that are compiled in one piece.
+# Arguments: the targets in one word, then the arguments of cargo. Several targets build side by side, which keeps both
+# cores busy: most of the time goes to crates that are compiled in one piece.
 cross() {
   local target flags=() found=1
   for target in $1; do

@@ -20,7 +20,7 @@ ROUTINE = re.compile(r"compiler_builtins|^__aeabi_|^__[a-z]+[sdt]i[234]$|^mem(cp
 
 
 def read(path):
-    """Sizes of sections by name; size and name of functions by address; all names of functions."""
+    """Returns sizes of sections by name; sizes and names of functions by address; all names of functions."""
     functions, names = {}, []
     with open(path, "rb") as file:
         program = ELFFile(file)
@@ -52,8 +52,8 @@ def memory(path):
     def total(*names):
         return sum(sections.get(name, 0) for name in names)
 
-    # The startup code copies these from flash to RAM: initialized variables, and an ESP32's code that may not wait for
-    # flash.
+    # The startup code copies these from flash to RAM: initialized variables, and an ESP32's code that must not wait
+    # for flash.
     both = total(".data", ".trap", ".rwtext")
     print(both + total(".vector_table", ".boot2", ".flash.appdesc", ".text", ".rodata"),
           both + total(".bss", ".uninit", ".noinit"))
@@ -84,7 +84,7 @@ def functions(baseline, probe):
 
 
 def sources(path):
-    """Counts every two bytes of code for the innermost function of this project that they were inlined from."""
+    """Counts every two bytes of code for the innermost function of this project from which they were inlined."""
     ranges = ((at & ~1, size) for at, (size, _) in read(path)[1].items())
     addresses = sorted({at for start, size in ranges for at in range(start, start + size, 2)})
     command = ["llvm-symbolizer", "--obj=" + path, "--inlines", "--demangle"]
@@ -94,7 +94,7 @@ def sources(path):
     for block in text.strip().split("\n\n"):
         lines = block.splitlines()
         frames = list(zip(lines[::2], lines[1::2]))
-        # Keep frames of this project: paths of dependencies contain /registry/, those of the compiler /library/.
+        # Keep frames of this project: paths of dependencies contain /registry/, paths of the compiler /library/.
         own = [name for name, at in frames if re.search(r"/(src|examples)/", at)
                and "/registry/" not in at and "/library/" not in at]
         sizes[readable((own or [frames[0][0]])[0])] += 2

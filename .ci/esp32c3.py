@@ -3,9 +3,9 @@
 
 esp32c3.py PROGRAM PICTURE.ppm
 
-Writes what the display shows after some frames, and prints what stm32f4.py prints. Registers have the addresses of
-Espressif's technical reference manual. The core begins where the second bootloader would jump to. It knows only RISC-V's standard
-registers: Espressif's own read as 0, and memory has no protection.
+Writes what the display shows after some frames, and prints the same figures as stm32f4.py. Registers have the
+addresses of Espressif's technical reference manual. The core begins where the second bootloader would jump to. The core
+knows only RISC-V's standard registers: Espressif's own registers read as 0, and memory has no protection.
 """
 import struct
 import sys
@@ -17,7 +17,7 @@ from unicorn.riscv_const import (UC_RISCV_REG_A0, UC_RISCV_REG_A1, UC_RISCV_REG_
 from chip import Chip
 
 ROM = 0x40000000
-# What the program may call of the functions in ROM: these do nothing and return what they were given.
+# Functions in ROM that the program may call. Here they do nothing, and return their first argument.
 ROM_IGNORED = ["rtc_get_reset_reason", "ets_delay_us", "ets_update_cpu_frequency", "rom_i2c_readReg",
                "rom_i2c_writeReg", "esp_rom_regi2c_read", "esp_rom_regi2c_write"]
 GPIO_SET, GPIO_CLEAR = 0x60004008, 0x6000400C
@@ -30,7 +30,7 @@ CALIBRATION, CALIBRATED = 0x6001F068, 0x6001F06C
 
 
 class Esp32c3(Chip):
-    """An ESP32-C3. The program polls, and a transfer ends when it looks."""
+    """An ESP32-C3. The program polls, and a transfer ends when the program looks."""
 
     STACK, PC = UC_RISCV_REG_SP, UC_RISCV_REG_PC
     CLOCK_HZ, BUS_HZ = 160e6, 40e6
@@ -48,7 +48,7 @@ class Esp32c3(Chip):
         for start, code in self.segments:
             for at in range(0, len(code) - 3, 2):
                 instruction = struct.unpack_from("<I", code, at)[0]
-                # Not unknown to the core, but it would obey: writes to the registers of memory protection.
+                # The core would obey writes to the registers of memory protection, so they are replaced.
                 if instruction & 0x7F == 0x73 and instruction >> 12 & 7 and 0x3A0 <= instruction >> 20 < 0x3F0:
                     core.mem_write(start + at, struct.pack("<I", 0x13))  # NOP
         self.cause = self.unknown = None
@@ -100,7 +100,7 @@ class Esp32c3(Chip):
         self.begin(lambda: self.gather(link, count), count)
 
     def gather(self, link, count):
-        """The bytes that a list of descriptors points to."""
+        """Returns the bytes to which a list of descriptors points."""
         data = b""
         while link and len(data) < count:
             flags, source, following = struct.unpack("<III", self.core.mem_read(link, 12))

@@ -2,9 +2,10 @@
 """Compares the instructions of programs on each target with tests/instructions.csv, and prints the changes.
 
 Arguments: `--renew`, to rewrite the targets' part of the file; a folder; the targets. For each target, the folder has
-its output, a file ending in .size with the output of programs optimized for size, if they were run, and one ending in
-.rustc with the compiler's version. Fails if anything takes over 2 % more instructions, or is not in the file. Another
-compiler makes other code: if a target's compiler is not the file's, the target is reported but not compared."""
+a file with its output; a file ending in .size with the output of programs optimized for size, if these were run; and a
+file ending in .rustc with the compiler's version. Fails if a case takes over 2 % more instructions, or is not in
+tests/instructions.csv. Another compiler makes other code: if a target's compiler differs from the compiler in
+tests/instructions.csv, the target is reported but not compared."""
 import csv
 import re
 import sys

@@ -8,8 +8,8 @@
 // Writes what the panel shows after some frames, and prints the time in ms at which the program drew the last of them,
 // the mean of the cycles from one frame to the next, and the bytes of stack that each core used.
 //
-// --bus      gaps: it rests for two of its clocks after each word, as the chip's does in mode 0; instant: it takes no time,
-//            so that what remains is the processors' time
+// --bus      gaps: the bus rests for two of its clocks after each word, as the chip's bus does in mode 0;
+//            instant: the bus takes no time, so that only the processors' time remains
 // --fault    makes a mistake that a program could make; the run must then fail, or show another picture (see `faults`)
 // --profile  writes the cycles of core 0 at each address, as JSON
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -18,7 +18,7 @@ import { parseArgs } from 'node:util';
 import { Pico, rgb } from '../examples/boards/emulator/pico.js';
 
 const RAM = 0x20000000, RAM_END = 0x20042000;
-const FIRST = 2, PERIODS = 8; // from this frame on, so many are measured; the picture is the last of them
+const FIRST = 2, PERIODS = 8; // from frame FIRST on, PERIODS frames are measured; the picture is the last one
 const LAST = FIRST + PERIODS;
 const LIMIT = 2e9; // ns
 
@@ -34,14 +34,14 @@ const pico = new Pico(readFileSync(program));
 const { chip, panel } = pico;
 const { clock, dma, spi: [spi] } = chip;
 pico.clocks = { gaps: bits => bits + 2, instant: () => 0 }[options.bus] ?? pico.clocks;
-// Each frame has a time of its own, so that a few frames show all of an animation.
+// The time advances by 750 ms for each frame, so that a few frames show all of an animation.
 const STEP_MS = 750;
 pico.time = () => STEP_MS * (pico.asked.length + 1) * 1000;
 // The first frame only clears the panel.
 const frames = [];
 panel.onFrame = frame => frames.push(frame);
 
-// What the cores execute, and the stack that they use.
+// Records the instructions that the cores execute, and the stack that they use.
 const profile = new Map();
 const stacks = pico.cores.map(({ core, number }) => {
   const stack = { top: 0, lowest: RAM_END };
@@ -50,7 +50,7 @@ const stacks = pico.cores.map(({ core, number }) => {
     const pc = core.PC, cycles = execute(), sp = core.registers[13];
     if (options.profile && number === 0 && frames.length > FIRST) profile.set(pc, (profile.get(pc) ?? 0) + cycles);
     if (sp > RAM && sp < RAM_END) {
-      // The boot loader's stack is elsewhere.
+      // The boot loader's stack is above this address, and does not count.
       if (sp > stack.top && sp <= 0x20040000) stack.top = sp;
       if (stack.top && sp < stack.lowest) stack.lowest = sp;
     }
@@ -59,7 +59,7 @@ const stacks = pico.cores.map(({ core, number }) => {
   return stack;
 });
 
-// What a program could do wrong, as the chip would see it.
+// Mistakes that a program could make, as the chip would see them.
 const readSpi = spi.readUint32.bind(spi), [channel] = dma.channels;
 const faults = {
   // The bus is not flushed before a pin changes.
@@ -68,7 +68,7 @@ const faults = {
   request: () => { Object.defineProperty(channel, 'treqValue', { get: () => 0x3f, set() {} }); },
   // The bytes of a pixel are exchanged.
   order: () => { channel.transfer16 = channel.transferSwap16; },
-  // Memory is drawn into while it is being sent: each transfer seems to have ended at once.
+  // The program draws into memory that is being sent, because each transfer seems to have ended at once.
   wait: () => {
     const [begin, readChannel] = [channel.start.bind(channel), channel.readUint32.bind(channel)];
     channel.start = () => { begin(); dma.intRaw |= 1; dma.checkInterrupts(); };

@@ -3,8 +3,8 @@
 
 stm32f4.py PROGRAM PICTURE.ppm
 
-Writes what the display shows after some frames. Prints the time in ms at which the last one was drawn; the mean of the
-instructions for a frame; a frame's time in microseconds, at 1.5 cycles for an instruction (a band is drawn while
+Writes what the display shows after some frames. Prints the time in ms at which the last frame was drawn; the mean
+of the instructions for a frame; a frame's time in microseconds, at 1.5 cycles for an instruction (a band is drawn while
 another one is sent, and the longer of the two counts); and the bytes of stack. Registers have the addresses of the
 STM32F405's reference manual, RM0090.
 """
@@ -68,7 +68,7 @@ class Stm32f4(Chip):
         self.core.context_restore(context)
 
     def band(self, source, count, size):
-        """The bytes of a band. SPI sends the more significant byte of a word first."""
+        """Returns the bytes of a band. SPI sends the more significant byte of a word first."""
         words = self.core.mem_read(source, count * size)
         return b"".join(words[at : at + size][::-1] for at in range(0, len(words), size))
 
@@ -83,12 +83,12 @@ class Stm32f4(Chip):
         if address == self.TIMER + 0x24:
             before = self.microseconds
             self.microseconds += 5137
-            if before >> 15 != self.microseconds >> 15:  # interrupts in the middle and at the end of 16 bits
+            if before >> 15 != self.microseconds >> 15:  # the timer interrupts in the middle and at the end of 16 bits
                 self.registers[self.TIMER + 0x10] |= 1 if self.microseconds >> 15 & 1 == 0 else 2
             if self.registers[self.TIMER + 0x10]:
                 self.core.emu_stop()
             return self.microseconds & 0xFFFF
-        if address == 0x40013008:  # SPI: everything was sent; something was received until it is read
+        if address == 0x40013008:  # SPI: sending has ended; a received word is there until it is read
             return 0b10 | self.received
         if address == 0x4001300C:
             self.received = False

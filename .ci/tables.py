@@ -1,4 +1,4 @@
-"""What the expressions in .ci/tables.md mean, and the claims in words that pages make about the same figures."""
+"""Functions for the expressions in .ci/tables.md, and the claims in words that pages make about the same figures."""
 import math
 
 M4, M0, RISCV = "thumbv7em-none-eabi", "thumbv6m-none-eabi", "riscv32imc-unknown-none-elf"
@@ -19,13 +19,13 @@ def tenths(value):
 
 
 def million(value):
-    """Millions, with three digits."""
+    """Millions, with three significant digits."""
     value /= 1e6
     return f"{value:.2f}" if value < 9.995 else f"{value:.1f}"
 
 
 def short_million(value):
-    """Millions, with two digits."""
+    """Millions, with two significant digits."""
     value /= 1e6
     return f"{value:.1f}" if value < 9.95 else f"{value:.0f}"
 
@@ -35,7 +35,7 @@ def kb(value):
 
 
 def texels(value):
-    """Two digits, or five places."""
+    """Texels, with two significant digits, but at most five decimals below 1."""
     if value >= 1:
         return f"{value:.0f}"
     return f"{value:.{min(5, 1 - math.floor(math.log10(value)))}f}"
@@ -115,7 +115,7 @@ def names(instructions, other):
         return cells(show, [other[name] for name in what])
 
     def mean(target, optimization, mode, *scenes):
-        """Of eight poses."""
+        """The mean over a scene's eight poses."""
         key = target, optimization, mode
         return cells(million, [instructions[*key, scene, "mean-of-poses"] for scene in scenes or SCENES])
 
@@ -134,7 +134,7 @@ def names(instructions, other):
         return cells(short_million, [instructions[M0, "3", mode, scene, "frame"] for mode in modes])
 
     def kernel(name, unit=None, less=None, on=BOTH, show=whole):
-        """The cost of a kernel, or its excess over another one."""
+        """The cost of a kernel, or how far it exceeds the cost of the kernel `less`."""
         def cost(name, column, unit=None):
             return instructions[*column, "kernel", name, unit or units[name]] / 1000
 
@@ -247,7 +247,7 @@ def claims(instructions, other):
     compact, compact_m0 = ratios("s", M4, "newton"), ratios("s", M0, "fast")
     cube = [frame(M0, "fast", "cube", layout) for layout in LAYOUTS]
     missed = {name for name in goals if code(name) > other[f"{name} goal"]}
-    yield benchmarks, "Two goals are missed: those of points and lines and of triangles of one color.", (
+    yield benchmarks, "Two goals are missed: the goal for points and lines, and the goal for triangles of one color.", (
         missed == {"lines", "flat"})
     m4 = {name: [instructions[M4, optimization, "newton", scene, "mean-of-poses"] for scene in SCENES]
           for name, optimization in [("speed", "3"), ("size", "s")]}

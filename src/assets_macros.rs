@@ -20,10 +20,10 @@
 /// assert_eq!(ROOF.faces().len(), 4);
 /// ```
 ///
-/// The path is relative to the source file. The program is compiled again when the model's file, or a file that it
-/// names, changes. A file that cannot be read stops compilation, with a message that names the file and the line or the
-/// byte. If the macro replaces or leaves out something, such as a normal that is not a number, the compiler prints a
-/// warning, one for each kind. `#[allow(deprecated)]` on the `static` silences these warnings.
+/// The path is relative to the source file. The program is compiled again when the model's file changes, or a file that
+/// the model names. A file that cannot be read stops compilation, with a message that names the file and the line or
+/// the byte. If the macro replaces or leaves out something, such as a normal that is not a number, the compiler prints
+/// a warning, one for each kind. `#[allow(deprecated)]` on the `static` silences these warnings.
 ///
 /// | option | meaning |
 /// |---|---|
@@ -103,8 +103,8 @@ macro_rules! include_materials {
 /// ```
 ///
 /// The options `object`, `part`, `scale` and `up` are the same as for the mesh. The option `crease` is an angle in
-/// degrees, from 0 to 180, and 30 by default. Edges whose faces meet at more than this angle are creases; 30 to 45
-/// degrees suit most models. [`Outline::build`](crate::mesh::Outline::build) describes which edges are found.
+/// degrees, from 0 to 180, and 30 by default. An edge is a crease if its two faces meet at more than this angle; 30 to
+/// 45 degrees suit most models. [`Outline::build`](crate::mesh::Outline::build) describes which edges are found.
 #[macro_export]
 macro_rules! include_outline {
     ($($input:tt)*) => {
@@ -153,7 +153,7 @@ macro_rules! include_outline {
 ///
 /// The path is relative to the source file. A picture of more than two million pixels needs the attribute
 /// `#![allow(long_running_const_eval)]` at the top of the program. An array must have the size of the picture. The
-/// array in this example has another size, so it does not compile:
+/// array in this example has another size, so the example does not compile:
 ///
 /// ```compile_fail
 /// use embedded_graphics::pixelcolor::Rgb565;

@@ -6,7 +6,7 @@ use core::fmt;
 use crate::message::{Message, Piece};
 use crate::{Angle, Scalar, Vec3};
 
-/// Takes the value of a result, or returns its error: `?` in a const fn.
+/// Takes the value of a result, or returns the error, like `?`, but also in a const fn.
 macro_rules! ok {
     ($result:expr) => {
         match $result {
@@ -17,7 +17,7 @@ macro_rules! ok {
 }
 pub(crate) use ok;
 
-/// An error unless a slice has as many elements as needed.
+/// Returns an error unless a slice has as many elements as needed.
 pub(crate) const fn check_length(given: usize, needed: usize) -> Result<(), Error> {
     if given == needed {
         Ok(())
@@ -26,7 +26,7 @@ pub(crate) const fn check_length(given: usize, needed: usize) -> Result<(), Erro
     }
 }
 
-/// An error if there are more elements than indices can address, or than there is room for.
+/// Returns an error if there are more elements than `max`: than indices can address, or than memory has room for.
 pub(crate) const fn check_count(given: usize, max: usize) -> Result<(), Error> {
     if given <= max {
         Ok(())
@@ -35,7 +35,7 @@ pub(crate) const fn check_count(given: usize, max: usize) -> Result<(), Error> {
     }
 }
 
-/// An error unless the number of parts is in range; `of` names the parts.
+/// Returns an error unless the number of parts is in range; `of` names the parts.
 pub(crate) const fn check_parts(
     of: &'static str,
     given: u32,
@@ -52,7 +52,7 @@ pub(crate) const fn check_parts(
     })
 }
 
-/// An error unless this length is above 0 and at most `max`.
+/// Returns an error unless this length is above 0 and at most `max`.
 pub(crate) const fn check_extent(
     of: &'static str,
     given: Scalar,
@@ -65,7 +65,7 @@ pub(crate) const fn check_extent(
     }
 }
 
-/// An error unless this number lies between two others.
+/// Returns an error unless this number lies between two others.
 pub(crate) const fn check_range(
     of: &'static str,
     given: Scalar,
@@ -82,7 +82,7 @@ pub(crate) const fn check_range(
     })
 }
 
-/// Returns how far `high` is above `low`, in bits.
+/// Returns `high` − `low` in units of 2^-16, or an error unless `high` is above `low`.
 pub(crate) const fn check_order(of: &'static str, low: Scalar, high: Scalar) -> Result<i64, Error> {
     let length = high.to_bits() as i64 - low.to_bits() as i64;
     if length > 0 {
@@ -92,7 +92,7 @@ pub(crate) const fn check_order(of: &'static str, low: Scalar, high: Scalar) -> 
     }
 }
 
-/// An error if an angle is above 180 degrees, which two faces cannot form.
+/// Returns an error if an angle is above 180 degrees, which two faces cannot form.
 pub(crate) const fn check_crease(angle: Angle) -> Result<(), Error> {
     if angle.to_bits() > Angle::HALF.to_bits() {
         return Err(Error::CreaseAngle { angle });
@@ -175,7 +175,7 @@ errors! {
     /// A range with an upper end that is not above its lower end: the depths from the near to the far plane, or the
     /// range of a window, a fog or a gradient.
     Empty {
-        /// What has the range.
+        /// The name of the quantity that has the range.
         of: &'static str,
         /// The lower end.
         low: Scalar,
@@ -352,7 +352,7 @@ errors! {
     ZeroQuaternion = "quaternion is (0, 0, 0, 0): at least one component must not be 0";
 }
 
-/// Returns the least power of two that is not below `given`, or `max`.
+/// Returns the least power of two that is not below `given`, but at most `max`.
 const fn nearest(given: u32, max: u32) -> u32 {
     if given > max {
         max

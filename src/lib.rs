@@ -172,10 +172,10 @@
 //!
 //! # Speed against accuracy
 //!
-//! A [`Mode`](mode::Mode) is a type that decides how attributes are interpolated. Each draw call chooses its mode. The
-//! [guide to modes](guide::modes) says which mode suits which scene and core, and derives the error bounds of the
-//! modes. The [benchmarks](guide::benchmarks) say what drawing costs. The [cookbook](guide::cookbook) contains small
-//! scenes that each show one idea.
+//! A [`Mode`](mode::Mode) is a type that decides how attributes are interpolated. You choose the mode for each draw
+//! call. The [guide to modes](guide::modes) says which mode suits which scene and core, and derives the error bounds of
+//! the modes. The [benchmarks](guide::benchmarks) say what drawing costs. The [cookbook](guide::cookbook) contains
+//! small scenes that each show one idea.
 //!
 //! # Versions
 //!
@@ -228,7 +228,8 @@ extern crate std;
 #[path = "../tests/common/random.rs"]
 mod random;
 
-/// A diagram of the documentation, drawn in the color of the text so that it can be read in every theme.
+/// Includes a diagram of the documentation. The diagram has the color of the text, so that it can be read in every
+/// theme.
 #[cfg(any(doc, doctest))]
 macro_rules! diagram {
     ($name:literal) => {
@@ -245,9 +246,9 @@ macro_rules! diagram {
     };
 }
 
-/// The picture of an item's page, embedded so that it is shown wherever the page is.
-/// `cargo run -p cookbook -- --renew` draws it at the size of a small display, and browsers show each of its pixels as
-/// a square.
+/// Embeds the picture of an item's page, so that the picture is shown wherever the page is.
+/// `cargo run -p cookbook -- --renew` draws the picture at the size of a small display, and browsers show each of its
+/// pixels as a square.
 #[cfg(all(doc, feature = "assets"))]
 macro_rules! page_picture {
     ($name:literal, $shows:literal) => {

@@ -36,7 +36,7 @@ impl Message {
             if template[at] == b'{' {
                 message.piece(pieces[piece]);
                 piece += 1;
-                at += 1; // and the closing one below
+                at += 1; // the closing brace is skipped below
             } else {
                 message.byte(template[at]);
             }
@@ -72,8 +72,7 @@ impl Message {
             Number(number) => self.decimal(number, 1),
             Thousandths(number) => self.decimal(number, 1000),
             Scalar(value) => {
-                // Writes the fewest decimals with which the nearest `Scalar` is the value itself; five are always
-                // enough.
+                // Writes the fewest decimals that still round to this very `Scalar`; five are always enough.
                 let (bits, mut unit) = (value.to_bits() as i64, 1);
                 while rounded(rounded(bits * unit, 1 << 16) << 16, unit) != bits {
                     unit *= 10;

@@ -1,6 +1,6 @@
 //! Traits that other crates can use but not implement.
 
-/// The supertrait of these traits. It is public, but in a private module, so other crates cannot name it.
+/// The supertrait of all sealed traits. It is public, but in a private module, so other crates cannot name it.
 pub trait Sealed {}
 
 /// Implements [`Sealed`] for types, so that they can implement the sealed traits of this crate.

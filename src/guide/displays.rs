@@ -1,4 +1,4 @@
-//! Each program on this page drives a display through a driver of another project. You can copy the program that fits
+//! Each program on this page drives a display through a driver from another project. You can copy the program that fits
 //! your panel, and change its scene. The programs are generic over bus and pins (embedded-hal), so they compile for
 //! your computer and for your chip. The project's tests record the bytes that each program sends, and feed these bytes
 //! to a model of the controller. The model is written from the controller's data sheet, and must show the picture that
@@ -18,8 +18,8 @@
 //! [Firmware](crate::guide::firmware) covers the whole chip: DMA, two cores, and Embassy and RTIC.
 //!
 #![doc = display_picture!("A window of the frame", "window")]
-//! Most of a dashboard does not move. If you know where something moves, draw only a window around it (yellow), and
-//! send only the pixels of this window, here a ninth of the frame.
+//! Most of a dashboard does not move. If you know where an object moves, draw only a window around the object (yellow
+//! in the picture), and send only the pixels of this window, here a ninth of the frame.
 //!
 //! Make a canvas as large as the window. Draw on it with the viewport of the whole frame, moved left and up by the
 //! coordinates of the window's top left corner. The canvas then shows that window. Triangles cover the same pixels as
@@ -27,15 +27,15 @@
 //! error, because a row of pixels begins at the window's edge. The pattern of [ordered
 //! dithering](crate::shade::PixelFormat) begins at the corner of the canvas. For dithered colors, use multiples of 8 as
 //! the coordinates of the window's corner. With `translated`, embedded-graphics draws into the window, and sends the
-//! window to its place. The window must contain both the old and the new position of what moves.
+//! window to its place. The window must contain both the old and the new position of the moving object.
 //! [`Canvas::project`](crate::Canvas::project) gives the positions of points.
 //!
 #![doc = display_program!("window")]
 //!
 #![doc = display_picture!("A round panel", "round")]
 //! A round panel does not show the corners of the frame. A circle leaves a fifth of its square empty. With bands of 16
-//! rows, each as wide as the circle in these rows (right), 15 % of the pixels are neither drawn nor sent. Bands of
-//! fewer rows leave out more pixels, but transform the mesh more often.
+//! rows, each as wide as the circle in these rows (on the right in the picture), 15 % of the pixels are neither drawn
+//! nor sent. Bands of fewer rows leave out more pixels, but transform the mesh more often.
 //!
 #![doc = display_program!("round")]
 //!
@@ -84,8 +84,8 @@
 //!
 #![doc = display_picture!("Two frames", "frames")]
 //! While one buffer is sent, the next frame is drawn into the other buffer. Two frames of 240x240 pixels take 225 KiB.
-//! This is too much for a Pico that must also hold everything else, but it fits into the PSRAM on many boards with an
-//! RP2350. Depth should stay in fast memory, because each pixel reads and writes it several times.
+//! A Pico has too little RAM for two frames and everything else, but two frames fit into the PSRAM on many boards with
+//! an RP2350. Keep the depth buffer in fast memory, because each pixel reads and writes it several times.
 //!
 #![doc = display_program!("frames")]
 //!
@@ -102,5 +102,5 @@
 //! let (first, second) = memory.split_at_mut(PIXELS);
 //! ```
 //!
-// So rows of 100 columns fit the page.
+// The smaller font lets lines of 100 characters fit into the page.
 //! <style>.docblock pre.rust { font-size: 15px }</style>

@@ -1,6 +1,6 @@
 //! Formulas of the guide in MathML, which browsers show without a script.
 
-/// Formulas beside each other, or below each other where the page is narrow, each in braces:
+/// Writes formulas next to each other, or below each other if the page is narrow. Each formula is in braces:
 /// `formula!({x^2 = frac(1)(w[0])} {…})`.
 macro_rules! formula {
     ({ $($first:tt)+ } $({ $($other:tt)+ })*) => {
@@ -13,14 +13,14 @@ macro_rules! formula {
     };
 }
 
-/// In the style of a line of its own: fractions have their full size.
+/// Writes one formula in the style of a separate line, in which fractions have their full size.
 macro_rules! one_formula {
     ($($math:tt)+) => {
         concat!("<math displaystyle=\"true\" style=\"padding: .2em 0\">", math!($($math)+), "</math>")
     };
 }
 
-/// The MathML of a formula. A name of one letter is a variable; a longer one stands upright.
+/// Writes a formula as MathML. A name of one letter is a variable. A longer name is upright.
 macro_rules! math {
     () => {
         ""
@@ -61,7 +61,8 @@ macro_rules! math {
             math!($($rest)*)
         )
     };
-    // A variable whose name Rust warns about: Greek letters look like Latin ones.
+    // A variable with a Greek name. It is a string, because Rust warns about Greek letters that look like Latin
+    // letters.
     (var $letter:literal $($rest:tt)*) => {
         concat!("<mi>", $letter, "</mi>", math!($($rest)*))
     };

@@ -34,11 +34,11 @@
 //! holds for *x*.
 //!
 //! At *z* = 0 the line of sight is parallel to the near plane and never meets it. Behind the eye, *z* is positive and
-//! both signs flip: the image would be upside down, with left and right exchanged. In both cases,
+//! the signs of *x*′ and *y*′ flip: the image would be upside down, with left and right exchanged. In both cases,
 //! [`Projection::image`](crate::Projection::image) returns `None`.
 //!
-//! For practice, let *n* = 2, and take a cube whose corners have *x* = ±1, *y* = ±1, and *z* = −3 (front) or −5
-//! (back). The images of the front corners are at ±2/3, those of the back corners at ±2/5:
+//! For practice, let *n* = 2, and take a cube whose corners have *x* = ±1, *y* = ±1, and *z* = −3 (front) or −5 (back).
+//! The images of the front corners are at ±2/3, and the images of the back corners are at ±2/5:
 //!
 #![doc = diagram!("practice_cube")]
 //!
@@ -67,8 +67,8 @@
 //! of eye space has *w* = 1. If the last row of the matrix is (0 0 −1 0), the result has *w* = −*z*, the distance
 //! ahead of the eye.
 //!
-//! The picture shows a window on the near plane, from *l* to *r* and from *b* to *t*. In normalized device coordinates
-//! (ndc), the window reaches from −1 to 1 along both axes. With *nx* = *wx*′, this gives:
+//! The visible part of the near plane is a window, from *l* to *r* in x and from *b* to *t* in y. In normalized device
+//! coordinates (ndc), the window reaches from −1 to 1 along both axes. With *nx* = *wx*′, this gives:
 //!
 #![doc = formula!(
     {x[ndc] = frac(2 prime(x) - (r + l))(r - l)}
@@ -94,8 +94,9 @@
 //!
 //! The depth is −*A* + *B*/*w*. It is called pseudo-depth, because it keeps the order of distances but not their
 //! proportions: with *n* = 2 and *f* = 10, half of its range is used up at a distance of 3⅓. The distance itself is not
-//! suitable, because along a line on the screen, 1/*w* changes evenly, but *w* does not ([below](#a-segment)). A depth
-//! buffer of fixel stores 65535 *n*/*w*, which is also linear in 1/*w*, and needs no far plane.
+//! suitable as a depth, because along a line on the screen, 1/*w* changes evenly, but *w* does not
+//! ([below](#a-segment)). A depth buffer of fixel stores 65535 *n*/*w*, which is also linear in 1/*w*, and needs no far
+//! plane.
 //!
 #![doc = diagram!("pseudo_depth")]
 //!
@@ -187,9 +188,10 @@
 #![doc = diagram!("field_of_view")]
 //!
 //! In the right triangle between the eye, the middle of the window and its upper edge, the side opposite half the field
-//! of view is *t*, and the adjacent side is *n*. The second line solves the first for the aspect ratio and the angle. A
-//! window need not be centered: [`Projection::frustum`](crate::Projection::frustum) accepts any window, for one half of
-//! a stereo pair or for one of several panels. The matrix of an off-center window also has entries in the third column.
+//! of view is *t*, and the adjacent side is *n*. The second line of formulas solves the first line for the aspect ratio
+//! and the angle. A window need not be centered: [`Projection::frustum`](crate::Projection::frustum) accepts any
+//! window, for one half of a stereo pair or for one of several panels. The matrix of an off-center window also has
+//! entries in the third column.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -226,9 +228,9 @@
 //!
 //! <div class="warning">
 //!
-//! **Whole pixels for corners.** A corner that is rounded to whole pixels moves by up to half a pixel, and its edges
-//! and its texture move with it. A slowly turning model then jitters. Keep a fraction (8 bits in fixel), and test
-//! coverage at the centers of pixels, half a pixel from their edges.
+//! **Whole pixels for corners.** A corner that is rounded to whole pixels moves by up to half a pixel, and the edges
+//! and the texture move with the corner. A slowly turning model then jitters. Keep a fraction (8 bits in fixel), and
+//! test coverage at the centers of pixels, half a pixel from their edges.
 //!
 //! </div>
 //!
@@ -245,7 +247,7 @@
 //! the line. Both coordinates are multiplied by the same number, −*n*/*P<sub>z</sub>*, and the image keeps the slope
 //! *v<sub>y</sub>*/*v<sub>x</sub>*.
 //!
-//! **All other lines of a direction meet in one vanishing point.** As *t* grows, *P* no longer matters:
+//! **All lines of any other direction meet in one vanishing point.** As *t* grows, *P* no longer matters:
 //!
 #![doc = formula!(
     {prime(x) = -n frac(P[x] + t v[x])(P[z] + t v[z]) to -n frac(v[x])(v[z])}
@@ -317,8 +319,8 @@
 //! # A segment
 //!
 //! **Halfway along the picture of a segment is not halfway along the segment.** Let *w*₀ and *w*₁ be the distances of
-//! its ends ahead of the eye. Here *w* is −*z*; books whose *z* axis points ahead write *z* in place of *w*. Let *t* be
-//! the fraction of the way along the segment, and *q* the fraction of the way along its picture.
+//! its ends ahead of the eye. Here *w* is −*z*; books with a *z* axis that points ahead write *z* in place of *w*. Let
+//! *t* be the fraction of the way along the segment, and *q* the fraction of the way along its picture.
 //!
 #![doc = diagram!("foreshortening")]
 //!
@@ -356,8 +358,9 @@
 //!
 #![doc = formula!({a = frac(fun lerp (a[0] / w[0], a[1] / w[1], q))(fun lerp (1 / w[0], 1 / w[1], q))})]
 //!
-//! The derivation uses only that *w* and *wx*′ are linear in space. Therefore it holds for the fourth homogeneous
-//! coordinate after any matrix. Textbooks write *f* for the fraction on the screen and *g* for the fraction in space:
+//! The derivation uses only that *w* and *wx*′ are linear in space. Therefore the result holds for the fourth
+//! homogeneous coordinate after any matrix. Textbooks write *f* for the fraction on the screen and *g* for the fraction
+//! in space:
 //!
 #![doc = formula!({g = frac(f)(fun lerp (w[1] / w[0], 1, f))} {a = fun lerp (a[0], a[1], g)})]
 //!
@@ -395,8 +398,8 @@
 //! linear across the triangle in space: position, texture coordinates, color, normal, light.
 //!
 //! The triangle lies in a plane *k* · (*x*, *y*, *z*) = *c*. If *c* were 0, the eye would be in the plane, and the
-//! triangle would not be seen. On the near plane, *x* = *x*′*w*/*n*, *y* = *y*′*w*/*n* and *z* = −*w*. Substitute
-//! these, and divide by *c* *w*:
+//! triangle would not be seen. On the near plane, *x* = *x*′*w*/*n*, *y* = *y*′*w*/*n* and *z* = −*w*. Substitute these
+//! values, and divide by *c* *w*:
 //!
 #![doc = formula!({frac(1)(w) = frac(k[x] prime(x) + k[y] prime(y) - n k[z])(c n)})]
 //!
@@ -404,8 +407,8 @@
 //! and *y*′ by the same substitution, and *d*/*w* is linear because 1/*w* is.
 //!
 //! The value of a linear function at a point is the mean of its values at the corners, weighted with the point's
-//! barycentric coordinates on the screen. These coordinates are proportional to the areas opposite to the corners, and
-//! *α* + *β* + *γ* = 1. Hence
+//! barycentric coordinates on the screen. These coordinates are proportional to the areas of the triangles opposite the
+//! corners, and *α* + *β* + *γ* = 1. Hence
 //!
 #![doc = formula!({a = frac
     (var "α" a[0] / w[0] + var "β" a[1] / w[1] + var "γ" a[2] / w[2])
@@ -458,8 +461,9 @@
 //! | *P* = *a*/*w* in a triangle | 30 and a sign | a power of two for which \|*P*\| ≤ *Q*/2 |
 //!
 //! **The entries of a matrix share an exponent** (block floating point): they differ in size from scene to scene, but
-//! not much within a scene. A product of two mantissas has 60 bits, and 64 bits hold the sum of three products.
-//! Compare a rotation by a thousandth of a degree with the same rotation in a fixed unit:
+//! not much within a scene. A product of two mantissas has 60 bits, and 64 bits hold the sum of three products. The
+//! example rotates a point by a thousandth of a degree: first by a matrix whose entries share an exponent, then by one
+//! whose entries have the fixed unit 2⁻¹⁶:
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -652,8 +656,8 @@
 //!
 //! In an isometric view, all three axes have the same length, and therefore the same *k*. The three *k* are the
 //! components of the camera's back axis, a unit vector. So each is 1/√3, and each length is √(2/3) = 0.816. The camera
-//! is turned by 45° and raised by the angle whose sine is 1/√3, 35.26°. A dimetric view has two equal lengths, and a
-//! trimetric view has none. A view along an axis shows the front, a side or the top.
+//! is turned by 45° and raised by 35.26°, the angle with the sine 1/√3. In a dimetric view, two of the lengths are
+//! equal. In a trimetric view, all three differ. A view along an axis shows the front, a side or the top.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -690,7 +694,8 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! Tests: axonometric views in `accuracy/formulas/camera.rs`, the others in `accuracy/formulas/projection.rs`.
+//! Tests: axonometric views in `accuracy/formulas/camera.rs`, other parallel views in
+//! `accuracy/formulas/projection.rs`.
 //!
 //! # Time
 //!

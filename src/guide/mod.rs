@@ -5,8 +5,8 @@
 //!
 //! 1. **[Concepts](concepts)**: mesh, projection, camera, shader, options, canvas, depth and band, with diagrams;
 //!    how to write numbers; and what to check when the scene is wrong.
-//! 2. **[Coming from](coming_from)** OpenGL, tgx, embedded-3dgfx or small3dlib: their terms, the terms of fixel, and
-//!    what differs. Skip this page if you know none of these libraries.
+//! 2. **[Coming from](coming_from)** OpenGL, tgx, embedded-3dgfx or small3dlib: for each of their terms, the term in
+//!    fixel; and the differences. Skip this page if you know none of these libraries.
 //! 3. **[Cookbook](cookbook)**: short programs with their pictures. Each program shows one idea.
 //! 4. **[Firmware](firmware)**: from `cargo new` to a panel on SPI, with bands and DMA.
 //! 5. **[Displays](displays)**: windows of a frame, round panels, electronic paper, OLEDs, 18 bits a pixel, tearing,
@@ -18,7 +18,7 @@
 //! 9. **[Benchmarks](benchmarks)**: what drawing costs, compared with other libraries.
 #![cfg_attr(doc, doc = page_picture!("shaders", "Balls in eight shaders"))]
 
-/// A title, and the picture of a scene of the cookbook.
+/// Writes a title, and the picture of a scene of the cookbook.
 #[cfg(feature = "assets")]
 macro_rules! picture {
     ($title:literal, $($name:literal),+) => {
@@ -40,9 +40,9 @@ macro_rules! picture {
     };
 }
 
-/// A scene of the cookbook: its title, its picture and its program, which the tests compile as it stands. A hidden
-/// module holds the program. Without it, the program would begin with `//!`, and rustdoc compiles each such program on
-/// its own.
+/// Writes a scene of the cookbook: its title, its picture and its program. The tests compile the program unchanged,
+/// inside a hidden module. Without the module, the program would begin with `//!`, and rustdoc compiles each program
+/// that begins with `//!` on its own.
 macro_rules! recipe {
     ($title:literal, $name:literal $(, $attribute:literal)?) => {
         concat!(
@@ -56,14 +56,15 @@ macro_rules! recipe {
     };
 }
 
-/// The title and the picture of a program that drives a display.
+/// Writes the title and the picture of a program that drives a display.
 macro_rules! display_picture {
     ($title:literal, $name:literal) => {
         picture!($title, "displays/", $name)
     };
 }
 
-/// A program that drives a display. The tests of the cookbook compile and run it, with the drivers.
+/// Writes a program that drives a display. The cookbook's tests compile this program with the display's driver, and run
+/// it.
 macro_rules! display_program {
     ($name:literal) => {
         concat!(
@@ -84,8 +85,8 @@ mod formula;
 pub mod concepts;
 pub mod mathematics;
 
-/// If you know another 3D library, this page gives the names of its parts in fixel, and the differences that you see in
-/// a picture.
+/// If you know another 3D library, this page gives fixel's names for the parts of that library, and the differences
+/// that you see in a picture.
 ///
 #[cfg_attr(doc, doc = diagram!("axes"))]
 #[doc = include_str!("coming_from.md")]
@@ -126,10 +127,10 @@ pub mod coming_from {}
 /// A walk through a garden at dusk uses most of the techniques on this page. Walls, grass and water have mipmaps. The
 /// trees and the glow around each lamp are sprites. The lamps light the walls near them. The scene also has fog, a sky
 /// with stars and a moon, and a mirror image under translucent water. Labels, a compass, gauges and a map are drawn
-/// over the picture. The command `cargo run -p cookbook world` draws the picture and an animation. The program is in
-/// `examples/common/world`. It draws whole frames or bands, and needs no memory except the canvas.
+/// over the picture. The command `cargo run -p cookbook world` draws the picture and an animation. The program in
+/// `examples/common/world` draws whole frames or bands, and needs no memory except the canvas.
 ///
-// So rows of 100 columns fit the page.
+// The smaller font lets lines of 100 characters fit into the page.
 /// <style>.docblock pre.rust { font-size: 15px }</style>
 pub mod cookbook {}
 
@@ -157,8 +158,8 @@ pub mod displays;
 #[doc = include_str!("modes.md")]
 pub mod modes {}
 
-/// What drawing costs in instructions and bytes, measured in the same way for this crate and for similar libraries;
-/// where the others are ahead; and how to repeat the measurements.
+/// This page gives the cost of drawing in instructions and bytes, measured in the same way for this crate and for
+/// similar libraries. It also says where other libraries are ahead, and how to repeat the measurements.
 ///
 #[cfg_attr(doc, doc = page_picture!("measured", "The measured scenes: floor, cube, smooth sphere, flat sphere"))]
 #[doc = include_str!("benchmarks.md")]

@@ -58,7 +58,7 @@ impl Direction {
     #[must_use]
     #[inline]
     pub fn dot(self, other: Self) -> Fraction {
-        // Vectors of length one: the product is at most 2^60.
+        // Both vectors have a length of at most one, so the dot product is at most 2^60.
         Fraction::from_bits(((dot(&self.0, &other.0) + (1 << 29)) >> 30) as i32)
     }
 
@@ -93,7 +93,7 @@ pub(crate) struct NormalMatrix(
 impl NormalMatrix {
     /// Returns the direction in world space of a model's normal, which may have any length.
     pub(crate) fn direction(&self, normal: Vec3) -> Direction {
-        // Three products of 30 by 31 bits: below 2^63.
+        // The sum of three products of 30 by 31 bits is below 2^63.
         let normal = normal.to_bits();
         let components = unit(self.0.map(|row| dot(&row, &normal)));
         Direction(components.unwrap_or_default())

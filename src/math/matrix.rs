@@ -8,9 +8,9 @@ use crate::num::{block, number::multiply};
 
 /// A 4×4 matrix of [`Scalar`]s by rows, for column vectors.
 ///
-/// Use it to read, compare and exchange matrices. Draw calls take a [`Transform`](crate::Transform) and a
-/// [`Projection`](crate::Projection), which keep more digits. Products accumulate in 64 bits, round once to the nearest
-/// 2⁻¹⁶ (half up) and saturate.
+/// Use this type to read, compare and exchange matrices. Draw calls take a [`Transform`](crate::Transform) and a
+/// [`Projection`](crate::Projection), which keep more digits. Sums of products accumulate in 64 bits, are rounded once
+/// to the nearest 2⁻¹⁶ (half up), and saturate.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -94,8 +94,8 @@ impl Matrix4 {
         *self * [point.x, point.y, point.z, I]
     }
 
-    /// Multiplies the matrix by a point (x, y, z, 1) and divides by the fourth coordinate w; rounded
-    /// to nearest (half away from zero).
+    /// Multiplies the matrix by a point (x, y, z, 1) and divides by the fourth coordinate w. The result is rounded to
+    /// nearest (half away from zero).
     ///
     /// `None` if a coordinate of the result is beyond ±32768, or if w is not above 0: the picture of such a point would
     /// be missing or mirrored.
@@ -114,7 +114,7 @@ impl Matrix4 {
 
 /// Returns the dot product of two rows, rounded once.
 ///
-/// Partial sums saturate at 2^63, sixteen bits above the largest result.
+/// Partial sums saturate at 2^63, which is sixteen bits more than the largest result has.
 fn dot(a: [Scalar; 4], b: [Scalar; 4]) -> Scalar {
     let sum = a.iter().zip(&b).fold(0_i64, |sum, (a, b)| {
         sum.saturating_add(i64::from(a.to_bits()) * i64::from(b.to_bits()))

@@ -12,7 +12,8 @@ use crate::{Error, Scalar, TexCoord};
 /// `from + (to − from) · t`, rounded to nearest (half up) once; saturates.
 fn interpolate(from: i32, to: i32, t: Scalar) -> i32 {
     let [from, to] = [from, to].map(i64::from);
-    // The product is at most (2^32 − 1) · 2^31, which fits. A sum that saturates is far beyond 32 bits.
+    // The product is at most (2^32 − 1) · 2^31, which fits. A sum that saturates is far beyond the 32 bits of the
+    // result.
     let sum = ((to - from) * i64::from(t.to_bits())).saturating_add(from << 16);
     block::fixed(sum, 16, 0)
 }
@@ -76,8 +77,8 @@ macro_rules! vector {
                 Self::new($(self.$part.max(other.$part)),+)
             }
 
-            /// Interpolates linearly: the result is `self` at `t` = 0 and `other` at `t` = 1. Below 0 and above 1, it
-            /// is extrapolated.
+            /// Interpolates linearly: the result is `self` at `t` = 0 and `other` at `t` = 1. If `t` is below 0 or
+            /// above 1, the result is extrapolated.
             ///
             /// Each component is rounded to nearest once, halves up, and saturates.
             #[must_use]
@@ -118,14 +119,14 @@ macro_rules! vector {
         }
 
         impl Sum for $Vector {
-            /// Adds all; each partial sum saturates.
+            /// Adds all vectors; each partial sum saturates.
             fn sum<I: Iterator<Item = Self>>(vectors: I) -> Self {
                 vectors.fold(Self::ZERO, Add::add)
             }
         }
 
         impl<'a> Sum<&'a Self> for $Vector {
-            /// Adds all; each partial sum saturates.
+            /// Adds all vectors; each partial sum saturates.
             fn sum<I: Iterator<Item = &'a Self>>(vectors: I) -> Self {
                 vectors.copied().sum()
             }
@@ -167,7 +168,7 @@ mod tests {
         value.clamp(i32::MIN.into(), i32::MAX.into()) as i32
     }
 
-    /// Numbers of all sizes, and the ends of the format.
+    /// Returns a number of a random size, or 0, ±1 or an end of the format.
     fn numbers(random: &mut Random) -> i32 {
         let ends = [i32::MIN, i32::MAX, 0, 1, -1];
         if random.random() {
@@ -181,7 +182,7 @@ mod tests {
         [(); 3].map(|()| numbers(random))
     }
 
-    /// value · 2^16 / divisor in integers, half away from zero.
+    /// Returns value · 2^16 / divisor, computed in integers and rounded to nearest, half away from zero.
     fn quotient(value: i32, divisor: i32) -> i32 {
         let top = i128::from(value) << 16;
         if divisor == 0 {

@@ -16,8 +16,8 @@ mod tests;
 /// An affine transform of points: a 3×3 matrix and a translation.
 ///
 /// The matrix and the translation are in block floating point: each has 30-bit mantissas and one exponent, so that
-/// entries are accurate to 2⁻³⁰ of the largest one. Products accumulate in 64 bits and round once. Entries range from
-/// 2⁻⁶² to 2⁶²; larger ones saturate.
+/// entries are accurate to 2⁻³⁰ of the largest one. Sums of products accumulate in 64 bits and are rounded once.
+/// Entries range from 2⁻⁶² to 2⁶²; larger entries saturate.
 ///
 /// `a * b` applies `b` first, as matrices do.
 ///
@@ -53,7 +53,8 @@ fn transpose([x, y, z]: [[i32; 3]; 3]) -> [[i32; 3]; 3] {
 pub(crate) struct AffineRow {
     pub(crate) row: [i32; 3],
     pub(crate) exp: i32,
-    /// The offset is the product of these two factors. So it keeps all bits of the product.
+    /// The offset is the product of these two factors, which are stored so that the offset keeps all bits of the
+    /// product.
     pub(crate) offset: [i32; 2],
     pub(crate) offset_exp: i32,
 }
@@ -110,7 +111,7 @@ impl Transform {
     }
 
     /// Makes a transform without translation from rows in units of 2^-`exp`.
-    // Filled in place and out of line, because `map` copies arrays of this size.
+    // The entries are filled in place and out of line, because `map` copies arrays of this size.
     #[inline(never)]
     pub(crate) fn from_linear(rows: &[[i64; 3]; 3], exp: i32) -> Self {
         let mut t = Self::IDENTITY;
@@ -167,12 +168,12 @@ impl Transform {
         if !(1..=40).contains(&exp) || up > 30 {
             return self.far_point(point);
         }
-        // Bits that are shifted out are worth less than a unit of the products. The sum is rounded down at the end, so
-        // they cannot change the result.
+        // Bits that are shifted out are worth less than a unit of the products. They cannot change the result, because
+        // the sum is rounded down at the end.
         let (down, factor) = (-up.clamp(-31, 0), 1 << up.clamp(0, 30));
         let (rows, [x, y, z]) = (&self.linear, self.translation);
         let point = point.to_bits();
-        // Three products below 2^61, one below 2^60, and a half.
+        // The sum has three products below 2^61, one product below 2^60, and a half of the result's unit.
         let number = |row: &[i32; 3], moved: i32| {
             let sum = dot(row, &point) + product(moved >> down, factor) + (1 << (exp - 1));
             block::saturated(sum >> exp)
@@ -181,7 +182,8 @@ impl Transform {
         Vec3::from_bits([number(i, x), number(j, y), number(k, z)])
     }
 
-    /// Like [`point`](Self::point), for numbers that do not fit into 64 bits; they are rounded to 61 bits first.
+    /// Like [`point`](Self::point), for numbers that do not fit into 64 bits. These numbers are rounded to 61 bits
+    /// first.
     #[cold]
     #[inline(never)]
     fn far_point(&self, point: Vec3) -> Vec3 {
@@ -200,7 +202,7 @@ impl Transform {
         Vec3::from_bits(linear.map(|v| block::fixed(v, self.linear_exp + 16, 16)))
     }
 
-    /// Multiplies the matrix by a vector: three products below 2^61 each.
+    /// Multiplies the matrix by a vector. Each result is a sum of three products below 2^61.
     fn times_linear(&self, v: Vec3) -> [i64; 3] {
         let v = v.to_bits();
         self.linear.map(|row| dot(&row, &v))
@@ -233,7 +235,7 @@ impl Transform {
     /// The z axis keeps its direction, and the y axis stays in the plane of y and z. A mirror stays a mirror. A matrix
     /// with rows that are zero or parallel is returned unchanged.
     ///
-    /// Use it on rotations and translations that are multiplied frame by frame.
+    /// Use this method for rotations and translations that are multiplied frame by frame.
     #[must_use]
     pub fn renormalized(&self) -> Self {
         let axes = || {
@@ -254,10 +256,10 @@ impl Transform {
         }
     }
 
-    /// Returns the matrix that transforms a surface's normals where [`point`](Self::point) transforms the surface's
+    /// Returns the matrix that transforms the normals of a surface, if [`point`](Self::point) transforms the surface's
     /// points. The matrix may be multiplied by a positive factor.
     ///
-    /// It is the inverse transpose: the cofactors, with the sign of the determinant.
+    /// Apart from that factor, the matrix is the inverse transpose: the cofactors, with the sign of the determinant.
     #[must_use]
     #[inline(never)]
     pub(crate) fn normal_matrix(&self) -> NormalMatrix {
@@ -291,7 +293,7 @@ impl Mul for Transform {
             offset: [moved, 1],
             offset_exp: self.translation_exp,
         };
-        // Changed in place: a new struct would be a second copy in flash.
+        // The product is changed in place, because a new struct would be a second copy in flash.
         let mut product = compose(&[row(i, x), row(j, y), row(k, z)], &other);
         product.is_mirror = self.is_mirror != other.is_mirror;
         product

@@ -2,7 +2,7 @@
 
 use crate::TexCoord;
 
-/// A texture coordinate: two [`TexCoord`]s, up to 2048 repeats of the texture each way.
+/// A texture coordinate: two [`TexCoord`]s, up to 2048 repeats of the texture in each direction.
 ///
 /// (0, 0) is the top left corner of the texture and (1, 1) the bottom right corner of its first repeat. `y` increases
 /// downward, in the order of the stored rows.
@@ -18,9 +18,9 @@ use crate::TexCoord;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Vec2 {
-    /// To the right.
+    /// Increases to the right.
     pub x: TexCoord,
-    /// Down.
+    /// Increases downward.
     pub y: TexCoord,
 }
 

@@ -26,11 +26,11 @@ use crate::num::rsqrt::{measure, unit};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Vec3 {
-    /// To the right.
+    /// Increases to the right.
     pub x: Scalar,
-    /// Up.
+    /// Increases upward.
     pub y: Scalar,
-    /// Towards the viewer.
+    /// Increases toward the viewer.
     pub z: Scalar,
 }
 
@@ -81,7 +81,7 @@ impl Vec3 {
     #[must_use]
     pub const fn dot(self, other: Self) -> Scalar {
         let ([a, b, c], [x, y, z]) = (self.to_wide_bits(), other.to_wide_bits());
-        // Products reach 2^62; a sum that saturates is beyond the format anyway.
+        // Products reach 2^62; a sum that saturates is beyond the range of the result anyway.
         let sum = (a * x).saturating_add(b * y).saturating_add(c * z);
         Scalar::from_bits(block::fixed(sum, 32, 16))
     }
@@ -128,8 +128,8 @@ impl Vec3 {
         length(self.way_to(other))
     }
 
-    /// Returns the vector of length one in this direction, however short or long this vector is;
-    /// `None` for zero.
+    /// Returns the vector of length one in the direction of this vector, however short or long this vector is; `None`
+    /// for zero.
     ///
     /// Components are rounded to the nearest 2⁻¹⁶, so the length is within 2⁻¹⁶ of one.
     ///
@@ -204,7 +204,7 @@ mod tests {
             let v = [(); 3].map(|()| number(random));
             let length = real_length(v.map(f64::from));
             let found = f64::from(Vec3::from_bits(v).length().to_bits());
-            // 29 bits, then rounded to a unit.
+            // The length has 29 bits before it is rounded to a unit.
             assert!((found - length).abs() <= 0.5 + length * f64::from(-29).exp2());
         });
     }
@@ -253,7 +253,7 @@ mod tests {
 
     #[test]
     fn distances_do_not_saturate_before_the_end() {
-        // The difference, 40,000, is beyond the format, which ends at 32,768; so is the length.
+        // The difference, 40,000, is beyond the format, which ends at 32,768. The length is also beyond the format.
         let (a, b) = (
             Vec3::from_ints(20_000, 0, 0),
             Vec3::from_ints(-20_000, 0, 0),

@@ -32,14 +32,14 @@ use crate::{Error, Scalar};
 #[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub struct Angle(u32);
 
-/// The units in a turn.
+/// The number of units in a turn.
 const TURN: f64 = 4_294_967_296.0;
 
 /// Coefficients of sin(πx/2) / x in powers of x² over \[−1, 1\], lowest first, with their fraction
 /// bits.
 ///
-/// Each has 31 significant bits, so its rounding adds nothing to the error. The polynomial is minimax under the
-/// condition that the coefficients sum to 1 (Remez exchange), with a relative error of 2.4e-11.
+/// Each coefficient has 31 significant bits, so its rounding adds nothing to the error. The polynomial is minimax under
+/// the condition that the coefficients sum to 1 (Remez exchange), with a relative error of 2.4e-11.
 const SINE: [(i32, u32); 6] = [
     (1_686_629_713, 30),
     (-1_387_197_331, 31),
@@ -76,7 +76,7 @@ impl Angle {
     #[must_use]
     pub const fn from_degrees(degrees: i32) -> Self {
         let degrees = degrees.rem_euclid(360) as u64;
-        // Below one turn.
+        // The quotient is below one turn, 2^32.
         Self((((degrees << 32) + 180) / 360) as u32)
     }
 
@@ -101,7 +101,8 @@ impl Angle {
     /// ```
     #[must_use]
     pub const fn from_radians(radians: Scalar) -> Self {
-        // A unit of a `Scalar` is 2^16 / 2π units of an angle: a whole part, and a fraction in units of 2^-32.
+        // A unit of a `Scalar` is 2^16 / 2π units of an angle. These constants are the whole part of this factor, and
+        // its fraction in units of 2^-32.
         const WHOLE: i64 = 10_430;
         const FRACTION: i64 = 1_625_002_897;
         let bits = radians.to_bits() as i64;
@@ -126,7 +127,7 @@ impl Angle {
         Self::nearest_degrees(degrees.into())
     }
 
-    /// The conversion from degrees for constants.
+    /// Does what [`try_from_degrees`](Self::try_from_degrees) does, also in constants.
     #[doc(hidden)]
     pub const fn nearest_degrees(degrees: f64) -> Result<Self, Error> {
         Self::nearest(degrees, 360.0)
@@ -134,8 +135,8 @@ impl Angle {
 
     /// Makes an angle from a float in radians. Whole turns are dropped.
     ///
-    /// The angle is accurate to one unit for up to ten million radians. For larger floats, the `f64` nearest to 2π
-    /// counts as a turn. This adds an error of 4e-17 times the float.
+    /// A turn counts as the `f64` nearest to 2π radians. This adds an error of 4e-17 times the float, so the angle is
+    /// accurate to one unit for up to ten million radians.
     ///
     /// # Errors
     ///
@@ -179,7 +180,7 @@ impl Angle {
 
     /// Returns [`atan2`](Self::atan2) of integers in any common unit.
     pub(crate) fn atan2_bits(y: i64, x: i64) -> Self {
-        // The units of an angle in a radian: 2^32 / 2π. The sine that it multiplies is in units of 2^-30.
+        // The number of units of an angle in a radian, 2^32 / 2π. It multiplies a sine in units of 2^-30.
         const UNITS: i64 = 683_565_276;
         let Some([x, y, _]) = unit::unit([x, y, 0]) else {
             return Self::ZERO;
@@ -203,10 +204,10 @@ impl Angle {
 
     /// Returns the sine.
     ///
-    /// The error is at most 1.6e-9; 0, 1 and −1 are exact at multiples of 90°, and the symmetries hold to the last bit.
-    /// An odd polynomial of degree 11 covers a quarter of a turn. In a picture of 320x240, the error of this polynomial
-    /// is invisible; the error of `micromath`'s sine, 1.1e-3, would move vertices of the measured cube and sphere by up
-    /// to 0.35 and 0.26 pixels.
+    /// The error is at most 1.6e-9; 0, 1 and −1 are exact at multiples of 90°, and the sine's symmetries hold to the
+    /// last bit. An odd polynomial of degree 11 covers a quarter of a turn. In a picture of 320x240, the error of this
+    /// polynomial is invisible; the error of `micromath`'s sine, 1.1e-3, would move vertices of the measured cube and
+    /// sphere by up to 0.35 and 0.26 pixels.
     ///
     /// ```
     /// use fixel::{Angle, Fraction};
@@ -216,12 +217,13 @@ impl Angle {
     #[inline(never)]
     pub const fn sin(self) -> Fraction {
         let wide = self.wide_sine();
-        // The magnitude is rounded, which keeps the symmetry. It is at most 2^30.
+        // The magnitude is rounded, and not the signed number, so the sine stays symmetric. The magnitude is at most
+        // 2^30.
         let sine = ((wide.abs() + (1 << 29)) >> 30) as i32;
         Fraction::from_bits(if wide < 0 { -sine } else { sine })
     }
 
-    /// Returns the sine in units of 2^-60, with a relative error of 2e-9 however small it is.
+    /// Returns the sine in units of 2^-60, with a relative error of 2e-9, however small the sine is.
     const fn wide_sine(self) -> i64 {
         /// 2^30: a quarter of a turn, and also the number one.
         const ONE: u32 = 1 << 30;
@@ -229,7 +231,7 @@ impl Angle {
         let signed = self.0 as i32;
         let mut x = signed.unsigned_abs();
         if x > ONE {
-            // Mirror at a quarter turn.
+            // The sine is symmetric about a quarter turn.
             x = 2 * ONE - x;
         }
         let x = x.cast_signed();

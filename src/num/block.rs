@@ -38,7 +38,7 @@ pub(crate) const fn shift(value: i64, shift: i32) -> i64 {
     }
 }
 
-/// The leading zeros of a magnitude.
+/// Returns the number of leading zeros of the magnitude.
 #[inline(never)]
 const fn leading_zeros(value: i64) -> i32 {
     value.unsigned_abs().leading_zeros().cast_signed()
@@ -124,7 +124,7 @@ impl BlockFloat {
     }
 }
 
-/// Rounds a value to 31 bits and a sign; returns it and its exponent.
+/// Rounds a value to 31 bits and a sign; returns the rounded value and its exponent.
 ///
 /// Bit 30 is set unless the value is zero. Values that round up to 2^31 become 2^31 − 1.
 #[inline(never)]
@@ -136,7 +136,7 @@ fn operand(value: i64) -> (i32, i32) {
 /// Rounds numbers to mantissas of one common exponent, and returns the exponent.
 ///
 /// Mantissas are rounded to nearest; a mantissa that would round up to 2^30 becomes 2^30 − 1. The largest mantissa has
-/// bit 29 set. Only if the exponent is [`MAX_EXP`], all mantissas may be smaller or zero. At [`MIN_EXP`], mantissas
+/// bit 29 set. Only if the exponent is [`MAX_EXP`], all mantissas can be smaller or zero. At [`MIN_EXP`], mantissas
 /// saturate at ±(2^30 − 1).
 #[inline(never)]
 pub(crate) fn normalize(mantissas: &mut [i32], numbers: &[BlockFloat]) -> i32 {
@@ -200,7 +200,7 @@ mod tests {
         assert_eq!(normalized([0, 0], 3), ([0, 0], MAX_EXP));
         assert_eq!(normalized([-(1 << 62)], 0), ([-(1 << 30) + 1], MIN_EXP));
         assert_eq!(normalized([i64::MIN, 1], i32::MAX), ([0, 0], MAX_EXP));
-        // A mantissa of 2^30, which this number rounds up to, would take one more bit.
+        // This number would round up to a mantissa of 2^30, which takes one more bit.
         assert_eq!(normalized([(1 << 31) - 1], 0), ([(1 << 30) - 1], -1));
     }
 
@@ -216,8 +216,8 @@ mod tests {
             for (&v, &m) in v.iter().zip(&m) {
                 assert!(m.unsigned_abs() < 1 << 30);
                 if e > MIN_EXP {
-                    // Half a unit of the last place, or a whole unit if the mantissa is clamped; and the rounding of
-                    // f64.
+                    // The error is at most half a unit of the last place, or a whole unit if the mantissa is clamped,
+                    // plus the rounding of f64.
                     let error = (real(v, exp) - real(m.into(), e)).abs();
                     let units = if i64::from(m.abs()) == LIMIT {
                         1.0
@@ -276,7 +276,7 @@ mod tests {
             let q = BlockFloat::new(a, 0).over(BlockFloat::new(b, 0));
             #[allow(clippy::cast_precision_loss)]
             let expected = a as f64 / b as f64;
-            // Two operands rounded to 31 bits; the rounding of the quotient is far smaller.
+            // Both operands are rounded to 31 bits; the rounding of the quotient is far smaller.
             let error = (real(q.value, q.exp) - expected).abs();
             assert!(error <= 1.3 * f64::from(-30).exp2() * expected.abs());
         });

@@ -9,9 +9,10 @@ use crate::error::ok;
 /// to the same integer.
 pub(super) const HALF: f64 = 0.5 - f64::EPSILON / 4.0;
 
-/// Returns the bits of the nearest number with `fraction` fraction bits, below 31; halves away from zero.
+/// Returns the bits of the nearest number with `fraction` fraction bits; halves are rounded away from zero. `fraction`
+/// must be below 31.
 const fn nearest(value: f64, fraction: u32) -> Result<i32, Error> {
-    // In range, the cast drops the fraction and nothing else.
+    // If the number is in range, the cast drops only the fraction.
     let scaled = value * (1_u32 << fraction) as f64;
     let rounded = if scaled < 0.0 {
         scaled - HALF
@@ -28,7 +29,7 @@ const fn nearest(value: f64, fraction: u32) -> Result<i32, Error> {
     }
 }
 
-/// The error for a number beyond the format with `fraction` fraction bits.
+/// The error for a number beyond the range of the format with `fraction` fraction bits.
 const fn not_representable(thousandths: i64, fraction: u32) -> Error {
     let limit = 1 << (31 - fraction);
     Error::NotRepresentable { thousandths, limit }
@@ -44,7 +45,7 @@ fn whole(value: i64, fraction: u32) -> Result<i32, Error> {
 macro_rules! conversions {
     ($Number:ident: From $($Small:ident)*; TryFrom $($Large:ident)+) => {
         impl $Number {
-            /// The conversion from a float, for constants.
+            /// Converts from a float, also in constants.
             #[doc(hidden)]
             pub const fn nearest(value: f64) -> Result<Self, Error> {
                 Ok(Self::from_bits(ok!(nearest(value, Self::FRAC_BITS))))
@@ -54,14 +55,14 @@ macro_rules! conversions {
         conversions!(@float $Number: f64 f32);
 
         impl From<$Number> for f64 {
-            /// Exact.
+            /// Converts without rounding.
             fn from(number: $Number) -> Self {
                 f64::from(number.to_bits()) / f64::from(1_u32 << $Number::FRAC_BITS)
             }
         }
 
         $(impl From<$Small> for $Number {
-            /// Exact.
+            /// Converts without rounding.
             #[inline]
             fn from(value: $Small) -> Self {
                 Self::from_bits(i32::from(value) << Self::FRAC_BITS)
@@ -71,7 +72,7 @@ macro_rules! conversions {
         $(impl TryFrom<$Large> for $Number {
             type Error = Error;
 
-            /// Exact.
+            /// Converts without rounding.
             ///
             /// # Errors
             ///
@@ -112,7 +113,7 @@ mod tests {
     use crate::random::cases;
     use rand::Rng;
 
-    /// The nearest integer to a number, by its bits.
+    /// The nearest integer to a number; halves are rounded away from zero.
     fn nearest_of(value: f64) -> i64 {
         let whole = value.trunc();
         #[allow(clippy::cast_possible_truncation)]

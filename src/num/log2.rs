@@ -1,6 +1,6 @@
 //! Logarithms to the base 2.
 
-/// log₂ of a number from 1 on, with 8 fraction bits; 0 for 0. Its error is at most 0.011.
+/// Returns log₂ of a number, with 8 fraction bits and an error of at most 0.011; returns 0 for 0.
 #[inline(never)]
 pub(crate) fn log2(number: u64) -> i32 {
     /// c of the parabola below, 0.3431, in units of 2^-16.
@@ -32,7 +32,7 @@ mod tests {
                 most = most.max((f64::from(log2(number)) / 256. - exact).abs());
             }
         }
-        // The parabola, half a unit of the result, and 2^-15 of cuts.
+        // The error comes from the parabola, half a unit of the result, and 2^-15 from bits that are cut off.
         assert!(most <= 0.0089 + 1. / 512. + 0.0001, "{most}");
         assert_eq!(
             [log2(0), log2(1), log2(2), log2(1 << 63)],

@@ -35,8 +35,8 @@
 //! | `a / b`, `a / n` with an `i32` | to nearest, halves away from zero |
 //! | conversion from a float | to nearest, halves away from zero |
 //!
-//! Division by zero saturates by the sign of the dividend; 0/0 is 0. Longer products accumulate in 64 bits and round
-//! once, to nearest; a function that rounds differently says so.
+//! Division by zero saturates by the sign of the dividend; 0/0 is 0. Sums of products accumulate in 64 bits and are
+//! rounded once, to nearest; a function that rounds differently says so.
 //!
 //! ```
 //! use fixel::{Scalar, fx, vec3};

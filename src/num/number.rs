@@ -6,7 +6,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 use super::block;
 
-/// Implements operators and their assignments.
+/// Implements operators such as `+`, and assignments such as `+=`.
 macro_rules! operators {
     ($($(#[$about:meta])* $Trait:ident $method:ident, $Assign:ident $assign:ident:
         |$a:ident: $A:ty, $b:ident: $B:ty| $result:expr;)+) => {$(
@@ -88,7 +88,7 @@ macro_rules! number {
                 self.0
             }
 
-            #[doc = concat!("Returns the magnitude; that of [`MIN`](Self::MIN) is [`MAX`](Self::MAX).")]
+            #[doc = concat!("Returns the magnitude, which is [`MAX`](Self::MAX) for [`MIN`](Self::MIN).")]
             #[must_use]
             #[inline]
             pub const fn abs(self) -> Self {
@@ -102,7 +102,7 @@ macro_rules! number {
                 self.0 >> $fraction
             }
 
-            /// Returns the nearest whole number, halves up.
+            /// Returns the nearest whole number; halves are rounded up.
             #[must_use]
             #[inline]
             pub const fn round(self) -> i32 {
@@ -172,7 +172,7 @@ macro_rules! number {
         }
 
         impl Sum for $Number {
-            /// Adds all; each partial sum saturates.
+            /// Adds all numbers; each partial sum saturates.
             fn sum<I: Iterator<Item = Self>>(numbers: I) -> Self {
                 numbers.fold(Self::ZERO, Add::add)
             }

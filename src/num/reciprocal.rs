@@ -6,7 +6,7 @@ use crate::num::wide::{DIVIDES, IS_WIDE, product, unsigned_product};
 ///
 /// The result is exact in every bit and the same on every target. A core with a 64-bit divider divides. Other cores
 /// take the first 17 bits from a 32-bit divider or, without one, from a table of 32 bytes and two short Newton steps;
-/// one more Newton step doubles these bits, and the remainder corrects the last one. For any other `q` the result has
+/// one more Newton step doubles these bits, and the remainder corrects the last bit. For any other `q` the result has
 /// no meaning, but there is no panic.
 ///
 /// ```
@@ -42,12 +42,12 @@ const fn coarse(q: u32) -> u32 {
 /// Returns 2^48 / q to 17 or 18 bits, by a division.
 #[inline]
 const fn divided_seed(q: u32) -> u32 {
-    // The middle of an interval of 17 bits: the relative error is 2^-18 for the smallest q, 2^-17
-    // for the largest.
+    // The quotient leaves an interval of 17 bits, and the lowest bit takes the middle of this interval. The relative
+    // error is 2^-18 for the smallest q, 2^-17 for the largest.
     ((u32::MAX / coarse(q)) << 1) | 1
 }
 
-/// 2^8 / c, rounded to nearest, for the middle c of each 32nd of the range from 1 to 2.
+/// 2^8 / c, rounded to nearest, for the middle c of each of the 32 equal intervals from 1 to 2.
 const SEEDS: [u8; 32] = {
     let mut seeds = [0; 32];
     let mut i = 0;
@@ -69,23 +69,24 @@ const fn seed(q: u32) -> u32 {
     let seed = (seed * ((1 << 23) + lacks).cast_unsigned()) >> 15;
     // This step squares the error to 2^-23, far below a unit.
     let lacks = (1_u32 << 31).wrapping_sub(coarse * seed).cast_signed();
-    // Rounded down, so the result stays below 2^18.
+    // The correction is rounded down, so the result stays below 2^18.
     let more = (seed.cast_signed() * (lacks >> 5)) >> 24;
     (seed << 2).wrapping_add_signed(more)
 }
 
 #[inline]
 const fn by_newton(q: u32, seed: u32) -> u32 {
-    // With q's rounding, the seed's relative error is below 1.25 * 2^-16. A Newton step squares it: the result is too
-    // small by less than 0.8 units, and never too large. seed * q is within 2^33 of 2^48, so the residual modulo 2^34
-    // determines it. The halves are shifted separately, because a shift of both takes one more instruction.
+    // With q's rounding, the seed's relative error is below 1.25 * 2^-16. A Newton step squares this error: the result
+    // is too small by less than 0.8 units, and never too large. seed * q is within 2^33 of 2^48, so the lowest 34 bits
+    // of the product determine the residual. The product's halves are shifted separately, because a shift of both takes
+    // one more instruction.
     let upper = (unsigned_product(seed, q) >> 32) as u32;
     let residual = !(upper << 30 | seed.wrapping_mul(q) >> 2);
     let seed = (seed << 13).cast_signed();
     // The sum wraps only for a `q` out of range.
     let r = seed.wrapping_add((product(seed, residual.cast_signed()) >> 46) as i32);
     let r = r.cast_unsigned();
-    // Rounded down, r is exact or one too small. The remainder is below 2q < 2^32, so 32 bits hold it.
+    // Because r was rounded down, it is exact or one too small. The remainder is below 2q < 2^32, so 32 bits hold it.
     let remainder = !r.wrapping_mul(q);
     r.wrapping_add((remainder >= q) as u32)
 }
@@ -103,7 +104,7 @@ pub(crate) const fn short_reciprocal(d: u32) -> u32 {
 
 #[inline]
 const fn short_by_table(d: u32) -> u32 {
-    // The seed uses all bits of d: it is exact or one unit too small, and so is r.
+    // The seed uses all bits of d. So the seed is exact or one unit too small, and so is r.
     let up = d >> 15 & 1 ^ 1;
     let r = seed(d << 15 << up) >> (2 - up);
     r + ((1_u32 << 31).wrapping_sub(r.wrapping_mul(d)) >= d) as u32
@@ -115,7 +116,7 @@ mod tests {
 
     #[test]
     fn every_path_meets_the_specification() {
-        // A prime step meets every residue of the seed; both ends are tested value by value.
+        // The step is a prime, so that every residue of the seed occurs. Both ends are tested value by value.
         let all = (1 << 30..1 << 31).step_by(1009);
         for q in all
             .chain(1 << 30..(1 << 30) + 200_000)

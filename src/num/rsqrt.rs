@@ -2,7 +2,7 @@
 
 use crate::num::wide::{dot, product, product_to_31_bits, unsigned_product};
 
-/// Seeds: ⌊256/√t⌋ − 256 at the middle of each 128th of t from 1/4 to 1.
+/// Seeds: ⌊256/√t⌋ − 256, where t is the middle of each interval of length 1/128 from 1/4 to 1.
 static SEEDS: [u8; 96] = seeds();
 
 const fn seeds() -> [u8; 96] {
@@ -20,18 +20,20 @@ const fn seeds() -> [u8; 96] {
 /// 2^30.
 ///
 /// The result is from 2^30 to 2^31, and its relative error is at most 2^-29. The seed has an error of 1.2e-2. A Newton
-/// step reduces the error to 2.1e-4, and a step of the third order reduces it to 2e-11. Rounding adds the rest.
+/// step reduces the error to 2.1e-4, and a step of the third order reduces it to 2e-11. Rounding adds the rest of the
+/// error.
 const fn reciprocal_root(value: u32) -> u32 {
     debug_assert!(value >= 1 << 30);
-    // The top seven bits of t are 32 to 127. The comparison below proves it to the compiler.
+    // The top seven bits of t are 32 to 127. The comparison below proves this to the compiler.
     let index = (value >> 25).saturating_sub(32) as usize;
     let seed = 256 + if index < 96 { SEEDS[index] as u32 } else { 0 };
-    // y(3 − ty²)/2: the seed has 8 fraction bits, t·y² has 30 (32 + 16 − 18), y has 30. Except for rounding, a Newton
-    // step ends below the root. So y is below 2^31: where the root is that great, the step ends 9e-5 below the root.
+    // This step computes y(3 − ty²)/2. The seed has 8 fraction bits, t·y² has 30 (32 + 16 − 18), and the new y has 30.
+    // Except for rounding, a Newton step ends below the root. So y is below 2^31: for roots near 2^31, the step ends
+    // 9e-5 below the root.
     let ty2 = (unsigned_product(value, seed * seed) >> 18) as u32;
     let y = (unsigned_product(seed, (3 << 30) - ty2) >> 9) as i32;
-    // y(1 + h/2 + 3h²/8) with h = 1 − ty² < 2^-11, which is negative only by rounding: y² has 30 fraction bits, t·y²
-    // 62, h 42.
+    // This step computes y(1 + h/2 + 3h²/8) with h = 1 − ty². h is below 2^-11, and is negative only by rounding. y²
+    // has 30 fraction bits, t·y² has 62, and h has 42.
     let square = (product(y, y) >> 30).cast_unsigned() as u32;
     let h = (((1 << 62) - unsigned_product(value, square).cast_signed()) >> 20) as i32;
     // The upper half of h² is below 2^30.
@@ -40,7 +42,7 @@ const fn reciprocal_root(value: u32) -> u32 {
     let y = y
         .cast_unsigned()
         .wrapping_add_signed(((product(y, gain) + (1 << 41)) >> 42) as i32);
-    // Rounding must not exceed the bound that callers rely on.
+    // Callers rely on the bound of 2^31, which rounding could exceed.
     if y > 1 << 31 { 1 << 31 } else { y }
 }
 
@@ -48,11 +50,11 @@ const fn reciprocal_root(value: u32) -> u32 {
 /// units of 2^-29. The lower half of the entry is also the slope of the line, a signed number: the change for each
 /// 2^-23 of t. Each line is lowered by half of the distance between the chord to the next entry and the curve, so that
 /// lines lie on both sides of the curve, and raised by half a unit of 2^-13. Entries below 1/16 and above 3/4 are never
-/// read. They are there so that no index needs a check.
+/// read. These entries exist so that no index needs a check.
 static ROOTS: [u32; 256] = roots();
 
 const fn roots() -> [u32; 256] {
-    // 1/√t of t = `part` / 2^9, in units of 2^-29.
+    // Returns 1/√t, where t is `part` / 2^9, in units of 2^-29.
     const fn root(part: u128) -> i64 {
         ((1_u128 << 67) / part).isqrt().cast_signed() as i64
     }
@@ -64,7 +66,7 @@ const fn roots() -> [u32; 256] {
         let above = i64::midpoint(from, to) - root(at + 1);
         let gain = (to - from - (1 << 14)) / (1 << 15);
         let slope = (gain as i16).cast_unsigned();
-        // The upper half is the rest of the value without the slope, rounded to nearest.
+        // The upper half is the value less the slope, rounded to nearest.
         let start = from - above / 2 + (1 << 15) - slope as i64;
         let upper = ((start + (1 << 15)) >> 16).cast_unsigned() as u32;
         table[i] = upper << 16 | slope as u32;
@@ -73,8 +75,8 @@ const fn roots() -> [u32; 256] {
     table
 }
 
-/// Returns the reciprocal square root of t = `value` / 2^32 in its upper half, in units of 2^-13, for a `value` from
-/// 2^28 to 3 · 2^30.
+/// Returns a number with an upper half that is the reciprocal square root of t = `value` / 2^32, in units of 2^-13.
+/// `value` must be from 2^28 to 3 · 2^30.
 ///
 /// The relative error of the upper half is at most 2.3e-4. The chord contributes 1.9e-4 near t = 1/16, and less
 /// elsewhere. Rounding contributes half a unit in the table, a quarter in the slope and half in the result: at most
@@ -82,12 +84,12 @@ const fn roots() -> [u32; 256] {
 #[inline]
 pub(crate) fn short_root(value: u32) -> i32 {
     let line = ROOTS[(value >> 24) as usize].cast_signed();
-    // The place on the line: 15 bits, without a sign.
+    // The place on the line, in 15 bits without a sign.
     let on = (value >> 9 & 0x7fff).cast_signed();
     line.wrapping_add(i32::from(line as i16) * on)
 }
 
-/// A vector as mantissas of 31 bits, with the sum of their squares and its reciprocal root.
+/// A vector as mantissas of 31 bits, with the sum of the mantissas' squares, and the reciprocal root of this sum.
 pub(crate) struct Measured {
     /// The vector · 2^`up`, rounded down.
     pub(crate) mantissas: [i32; 3],
@@ -119,7 +121,7 @@ impl Measured {
     /// The component of the unit vector along a direction of length one. The direction and the result are in units of
     /// 2^-30.
     pub(crate) fn along(&self, direction: &[i32; 3]) -> i32 {
-        // The length of the mantissas is below 2^32, so `part` is below 2^31, and the result is at most 2^30.
+        // The vector of mantissas is shorter than 2^32, so `part` is below 2^31, and the result is at most 2^30.
         let part = dot(direction, &self.mantissas) >> 31;
         2 * self.component(part as i32)
     }
@@ -151,7 +153,7 @@ pub(crate) const fn measure([x, y, z]: [i64; 3]) -> Option<Measured> {
     let squared = product(x, x).cast_unsigned()
         + product(y, y).cast_unsigned()
         + product(z, z).cast_unsigned();
-    // The shift is even, so that the root shifts by whole bits.
+    // The sum of squares is shifted by an even number of bits, so that its root is shifted by whole bits.
     let half = (squared < 1 << 62) as u32;
     let square = ((squared << (2 * half)) >> 32) as u32;
     Some(Measured {
@@ -251,7 +253,7 @@ mod tests {
                 None => assert_eq!(v, [0; 3]),
                 Some(unit) => {
                     for (u, x) in unit.into_iter().zip(real) {
-                        // Mantissas of 31 bits, a root of 29 bits, and rounding.
+                        // The error comes from mantissas of 31 bits, a root of 29 bits, and rounding.
                         let error = f64::from(u) / 1_073_741_824.0 - x / length;
                         assert!(error.abs() <= f64::from(-28).exp2(), "{error:e}");
                     }

@@ -9,7 +9,7 @@ fn saturated(value: i128) -> i32 {
     value.clamp(i32::MIN.into(), i32::MAX.into()) as i32
 }
 
-/// Numbers of all sizes, and the ends of the format.
+/// Returns a number of a random size, or 0, ±1 or an end of the format.
 fn numbers(random: &mut Random) -> i32 {
     let ends = [i32::MIN, i32::MAX, 0, 1, -1];
     if random.random() {
@@ -19,8 +19,8 @@ fn numbers(random: &mut Random) -> i32 {
     }
 }
 
-/// top / bottom, rounded to nearest, half away from zero; if the divisor is zero, it saturates by the sign of the
-/// dividend.
+/// Returns `top` / `bottom`, rounded to nearest, half away from zero. If `bottom` is zero, the quotient saturates by
+/// the sign of `top`.
 fn quotient(top: i128, bottom: i128) -> i32 {
     if bottom == 0 {
         return saturated(top.signum() << 40);

@@ -19,7 +19,7 @@ use crate::Angle;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rate(i64);
 
-/// One turn, in thousandths of a turn per minute times milliseconds.
+/// One turn, in the unit of a rate times a time: a thousandth of a turn per minute times a millisecond.
 const TURN: u32 = 60_000_000;
 
 impl Rate {
@@ -73,7 +73,7 @@ impl Rate {
 
     /// Returns the fraction of a turn after `ms` milliseconds, in units of 1/[`TURN`]; exact.
     const fn phase(self, ms: u64) -> u32 {
-        // Both factors are reduced by whole turns first: each is then below 2^26.
+        // Whole turns are removed from both factors first: each factor is then below 2^26.
         let speed = rest(self.0.unsigned_abs());
         let phase = rest(speed as u64 * rest(ms) as u64);
         if self.0 < 0 && phase > 0 {
@@ -92,7 +92,7 @@ const fn divide(high: u32, low: u32) -> (u32, u32) {
     let (mut quotient, mut rest) = (low, high);
     let mut bit = 0;
     while bit < u32::BITS {
-        // Below 2^27.
+        // `rest` stays below 2^27.
         rest = rest << 1 | quotient >> 31;
         quotient <<= 1;
         if rest >= TURN {
@@ -117,8 +117,8 @@ const fn angle(phase: u32) -> Angle {
 
 /// An angle that turns at a [`Rate`] and advances by the time between frames.
 ///
-/// The rounding error of a frame carries over to the next. The angle equals [`Rate::angle_at`] to the last bit, no
-/// matter how time is divided into frames.
+/// The rounding error of a frame carries over to the next frame. The angle equals [`Rate::angle_at`] to the last bit,
+/// no matter how time is divided into frames.
 ///
 /// ```
 /// use fixel::Rate;

@@ -1,41 +1,41 @@
 //! Everything that differs on cores that lack 64-bit products, a divider, or an instruction that counts leading zeros.
 //!
-//! No other file asks which core it runs on. Each function here gives the same bits on all of them.
+//! No other file asks which core it runs on. Each function here gives the same bits on all cores.
 
 /// Whether the core's products have only 32 bits, as on Armv6-M and the baseline of Armv8-M: Cortex-M0, M0+, M1 and
 /// M23. `src/build.rs` derives this from the target's name.
 ///
 /// On these cores the compiler calls a routine that multiplies 64 bits by 64. Four products of 16 bits take half as
-/// long.
+/// long as this routine.
 const IS_NARROW: bool = cfg!(narrow_core);
 
 /// Whether the core divides fast. Armv6-M has no division, and Cortex-M23 takes up to 34 cycles, longer than the code
 /// without a division.
 pub(crate) const DIVIDES: bool = !IS_NARROW;
 
-/// Whether the core has an instruction that counts leading zeros. Narrow cores have none, and RISC-V without Zbb has
-/// none.
+/// Whether the core has an instruction that counts leading zeros. Narrow cores and RISC-V without Zbb have no such
+/// instruction.
 const COUNTS_ZEROS: bool =
     !IS_NARROW && !cfg!(all(target_arch = "riscv32", not(target_feature = "zbb")));
 
-/// Whether the core has an instruction that adds a product to a number in the upper half, as Cortex-M4 and M7 have.
-/// `src/build.rs` derives this from the target's name.
+/// Whether the core has an instruction, as Cortex-M4 and M7 have, that adds a product to a number times 2^32, and
+/// returns the upper half of the sum. `src/build.rs` derives this from the target's name.
 const HAS_DSP: bool = cfg!(dsp_core);
 
-/// Whether the core has an instruction that limits a number to a power of two, as Cortex-M3 and above have.
+/// Whether the core has an instruction, as Cortex-M3 and above have, that limits a number to a given number of bits.
 const SATURATES: bool = cfg!(target_arch = "arm") && !IS_NARROW;
 
 /// Whether registers have 64 bits.
 pub(crate) const IS_WIDE: bool = cfg!(target_pointer_width = "64");
 
-/// The integer that fills a register. On a 64-bit core, numbers of 32 bits are widened to it once, and not for each
-/// product.
+/// The integer that fills a register. On a 64-bit core, numbers of 32 bits are widened to this type once, and not for
+/// each product.
 #[cfg(target_pointer_width = "64")]
 pub(crate) type Word = i64;
 #[cfg(not(target_pointer_width = "64"))]
 pub(crate) type Word = i32;
 
-/// Whether short positions are multiplied before they are shifted. Until then, they are small, and narrow cores
+/// Whether short positions are multiplied before they are shifted. Before the shift, they are small, and narrow cores
 /// multiply small numbers faster.
 pub(crate) const SHIFTS_LATER: bool = IS_NARROW;
 
@@ -63,7 +63,7 @@ pub(crate) const fn unsigned_product(a: u32, b: u32) -> u64 {
 #[inline]
 const fn by_signed_product(a: u32, b: u32) -> u64 {
     let product = product(a.cast_signed(), b.cast_signed()).cast_unsigned();
-    // Where a top bit is set, the signed number is 2^32 too small.
+    // If a factor's top bit is set, the signed factor is 2^32 too small.
     let [a_top, b_top] = [
         (a.cast_signed() >> 31).cast_unsigned(),
         (b.cast_signed() >> 31).cast_unsigned(),
@@ -104,9 +104,9 @@ pub(crate) fn clamp_negative(value: i32, bits: u32) -> i32 {
     }
 }
 
-/// Does what [`clamp_negative`] does, in two instructions. The first one saturates to a signed number of `bits` + 1
-/// bits. In such a number, bit `bits` repeats the sign, so a shift by `bits` makes a mask that clears positive numbers.
-/// (The compiler would turn a shift by 31 back into a comparison.)
+/// Does what [`clamp_negative`] does, in two instructions. The first instruction saturates to a signed number with one
+/// bit more than `bits`. In the result, bit `bits` repeats the sign, so a shift by `bits` makes a mask that clears
+/// positive numbers. (The compiler would turn a shift by 31 back into a comparison.)
 #[inline]
 fn saturate_negative(value: i32, bits: u32) -> i32 {
     let limited = value.clamp(-1 << bits, (1 << bits) - 1);
@@ -128,7 +128,7 @@ pub(crate) fn seldom() {
 
 /// Returns the upper half of the product of two numbers of 32 bits, rounded down.
 #[inline]
-#[allow(clippy::unnecessary_cast)] // of a word of 32 bits it is not
+#[allow(clippy::unnecessary_cast)] // necessary if a word has 32 bits
 pub(crate) const fn high(a: Word, b: Word) -> Word {
     if IS_WIDE {
         ((a as i64 * b as i64) >> 32) as Word
@@ -142,7 +142,7 @@ pub(crate) const fn high(a: Word, b: Word) -> Word {
 ///
 /// The guess must be within a quarter of r.
 #[inline]
-#[allow(clippy::unnecessary_cast)] // of a word of 32 bits it is not
+#[allow(clippy::unnecessary_cast)] // necessary if a word has 32 bits
 pub(crate) const fn newton_step(q: Word, guess: Word) -> Word {
     if IS_WIDE {
         wide_newton_step(q as i64, guess as i64) as Word
@@ -159,26 +159,28 @@ const fn short_newton_step(q: i32, guess: i32) -> i32 {
     guess.wrapping_add((product(guess, residual << 4) >> 32) as i32)
 }
 
-/// Returns [`newton_step`] by `smmls`, which subtracts a product from a number in the upper half.
+/// Returns [`newton_step`] by the instruction `smmls`, which subtracts a product from a number times 2^32, and returns
+/// the upper half of the difference.
 #[inline]
 #[allow(clippy::cast_lossless, clippy::cast_sign_loss)] // `u64::from` is not const
 const fn dsp_newton_step(q: i32, guess: i32) -> i32 {
     let excess = ((product(q, guess) >> 32) as i32) << 4;
-    // The guess is widened without its sign, which is shifted out anyway. If it were widened as in the product, the
-    // compiler would make it a common factor.
+    // The guess is widened without its sign, which is shifted out anyway. If the guess were widened as in the product,
+    // the compiler would make the guess a common factor.
     let raised = (guess.cast_unsigned() as u64) << 32;
     (raised.wrapping_sub(product(guess, excess).cast_unsigned()) >> 32) as i32
 }
 
 /// Returns [`newton_step`] in fewer instructions, for 64-bit cores. The shift discards less than a unit, so the guess
-/// may be added before the shift.
+/// can be added before the shift.
 #[inline]
 const fn wide_newton_step(q: i64, guess: i64) -> i64 {
     let twice = (1_i64 << 29).wrapping_sub(q.wrapping_mul(guess) >> 32);
     guess.wrapping_mul(twice) >> 28
 }
 
-/// Returns a · d − c · b, twice the area between the sides (a, b) and (c, d), of 21 bits each.
+/// Returns a · d − c · b, twice the area of the triangle with the sides (a, b) and (c, d). The numbers have 21 bits
+/// each.
 #[inline]
 pub(crate) fn cross([a, b]: [i32; 2], [c, d]: [i32; 2]) -> i64 {
     if IS_NARROW && are_short([a, b], [c, d]) {
@@ -187,7 +189,7 @@ pub(crate) fn cross([a, b]: [i32; 2], [c, d]: [i32; 2]) -> i64 {
     product(a, d) - product(c, b)
 }
 
-/// Whether sides are shorter than 64 pixels of 256 units, as most sides are.
+/// Whether both sides are shorter than 64 pixels, in x and in y, as most sides are. A pixel has 256 units.
 #[inline]
 fn are_short([a, b]: [i32; 2], [c, d]: [i32; 2]) -> bool {
     let raised = |side: i32| side.wrapping_add(1 << 14).cast_unsigned();
@@ -200,7 +202,7 @@ fn short_cross([a, b]: [i32; 2], [c, d]: [i32; 2]) -> i64 {
     i64::from(a * d - c * b)
 }
 
-/// Returns a quotient, rounded down, and its remainder; the divisor must be above 0.
+/// Returns the quotient, rounded down, and the remainder; the divisor must be above 0.
 #[inline]
 pub(crate) fn divide(numerator: i32, divisor: i32) -> (i32, i32) {
     if IS_NARROW {
@@ -208,7 +210,7 @@ pub(crate) fn divide(numerator: i32, divisor: i32) -> (i32, i32) {
     }
     let divisor = divisor.max(1);
     let (quotient, remainder) = (numerator / divisor, numerator % divisor);
-    // Rounded toward zero so far.
+    // So far, the quotient is rounded toward zero.
     let below = remainder >> 31;
     (quotient + below, remainder + (divisor & below))
 }
@@ -387,8 +389,8 @@ impl WholeRow {
 /// A row that also stores each coefficient as the sum of three parts, in units of 2^20, 2^10 and 1. A part is at most
 /// 2^9.
 ///
-/// The product of a part and a number of at most 2^20 takes 30 bits, and the sum of three such products takes 31. So a
-/// dot product takes nine short products in place of twelve, without carries between them.
+/// The product of a part and a number of at most 2^20 takes 30 bits, and the sum of three of these products takes 31.
+/// So a dot product takes nine short products in place of twelve, without carries between them.
 #[cfg(any(test, narrow_core))]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CutRow {
@@ -429,14 +431,14 @@ impl CutRow {
         let dots = if raised(x) | raised(y) | raised(z) < 2 * SMALL.cast_unsigned() {
             [a, b, c].map(|row| row.small_dot(x, y, z))
         } else {
-            // A copy of the position, so that the other case does not need the position in memory.
+            // This case uses a copy, so that the other case does not need the position in memory.
             let position = [x, y, z];
             [a, b, c].map(|row| narrow_dot(&row.whole, &position))
         };
         [sums[0] + dots[0], sums[1] + dots[1], sums[2] + dots[2]]
     }
 
-    /// Out of line, so that its numbers stay in registers.
+    /// This function is out of line, so that its numbers stay in registers.
     #[inline(never)]
     fn small_dot(&self, x: i32, y: i32, z: i32) -> i64 {
         let [upper, middle, lower] = &self.parts;
@@ -445,8 +447,8 @@ impl CutRow {
     }
 }
 
-/// Shifts left by up to 16 bits. On a core without long shifts, this function shifts halves, because the compiler would
-/// call a routine.
+/// Shifts left by up to 16 bits. On a core without long shifts, this function shifts the two halves, because the
+/// compiler would call a routine for a shift of 64 bits.
 #[inline]
 pub(crate) const fn up(value: i64, up: u32) -> i64 {
     if IS_NARROW {
@@ -465,20 +467,20 @@ const fn up_by_halves(value: i64, up: u32) -> i64 {
 }
 
 /// Shifts `q` left until its top bit is set, and lowers an exponent by the number of shifted bits less one. The
-/// exponent stands above `mantissa` lower bits.
+/// exponent is in the bits above the lowest `mantissa` bits.
 #[inline]
 pub(crate) fn normalize(q: u32, exponent: u32, mantissa: u32) -> (u32, u32) {
     if !COUNTS_ZEROS {
         return normalize_by_steps(q, exponent, mantissa);
     }
-    // The lowest bit limits the shift of a zero to 31.
+    // The lowest bit is set, so that a zero is shifted by at most 31.
     let zeros = (q | 1).leading_zeros();
     let exponent = exponent.wrapping_sub(zeros << mantissa);
     (q << zeros, exponent.wrapping_add(1 << mantissa))
 }
 
-/// Returns [`normalize`] on cores that cannot count zeros. Most `q` of a triangle have 30 or 31 bits, because the scale
-/// is the triangle's own, so shifting by single bits is fast.
+/// Returns [`normalize`] on cores that cannot count zeros. Most `q` of a triangle have 30 or 31 bits, because each
+/// triangle has its own scale, so shifting by single bits is fast.
 #[inline]
 fn normalize_by_steps(q: u32, mut exponent: u32, mantissa: u32) -> (u32, u32) {
     let mut normal = q << 1;
@@ -508,7 +510,7 @@ fn narrow_dot(a: &[i32; 3], b: &[i32; 3]) -> i64 {
     a.iter().zip(b).map(|(&a, &b)| of_halves(a, b)).sum()
 }
 
-/// Multiplies two numbers by the products of their halves.
+/// Returns the product of two numbers, computed from the products of their halves.
 #[inline]
 const fn of_halves(a: i32, b: i32) -> i64 {
     let ([a_high, a_low], [b_high, b_low]) = ([a >> 16, a & 0xffff], [b >> 16, b & 0xffff]);
@@ -559,7 +561,8 @@ mod tests {
         }
     }
 
-    /// Coefficients and positions at the ends of what a cut row multiplies by its parts, and beyond.
+    /// Tests coefficients and positions at the ends of the range that a cut row multiplies by its parts, and beyond
+    /// this range.
     #[test]
     fn cut_rows_are_exact_at_the_ends() {
         let parts = [
@@ -627,7 +630,7 @@ mod tests {
         }
     }
 
-    /// Sides at both ends of the short range, and one unit beyond them.
+    /// Tests sides at both ends of the range of short sides, and one unit beyond these ends.
     #[test]
     fn short_sides_have_15_bits() {
         let (least, most) = (-(1 << 14), (1 << 14) - 1);
@@ -654,7 +657,7 @@ mod tests {
         }
     }
 
-    /// Vectors with components at the ends of 15 bits, equal ones and zeros.
+    /// Tests vectors with components at the ends of 15 bits, equal vectors, and zeros.
     #[test]
     fn small_cross_products_are_scaled_alike() {
         let (least, most) = (-(1 << 15), (1 << 15) - 1);
@@ -714,8 +717,8 @@ mod tests {
         });
     }
 
-    /// The residual is rounded by less than 2^-28, which is multiplied by 1 − e ≤ 1.25. The result is rounded by less
-    /// than a unit, which is at most 2^-29 of the result.
+    /// The residual is rounded by less than 2^-28, and this error is multiplied by 1 − e, which is at most 1.25. The
+    /// result is rounded by less than a unit, which is at most 2^-29 of the result.
     #[test]
     fn a_newton_step_squares_the_error() {
         cases(256, |random| {
@@ -737,7 +740,7 @@ mod tests {
             let b = random.random_range(0_u32..=1 << 17);
             let cut = random.random_range(0_u32..17);
             let b = b >> cut;
-            // A product of 45 bits with its sign.
+            // The product has 45 bits, including its sign.
             let a = (i64::from(a) % ((1 << 44) / i64::from(b.max(1)))) as i32;
             let exact = (i64::from(a) * i64::from(b)) >> 14;
             assert_eq!(i64::from(times_17_bits(a, b)), exact);

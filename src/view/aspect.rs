@@ -7,8 +7,8 @@ use crate::{Error, Scalar};
 
 /// The width of a picture relative to its height.
 ///
-/// It converts from a size in pixels, or from the ratio itself. The conversion accepts any number; a projection refuses
-/// a width or a height that is not above 0.
+/// A size in pixels converts to an `Aspect`, and so does the ratio itself. The conversion accepts any number; a
+/// projection refuses a width or a height that is not above 0.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -24,13 +24,13 @@ impl Aspect {
     ///
     /// # Errors
     ///
-    /// [`Error::Aspect`] otherwise.
+    /// [`Error::Aspect`] if the width or the height is not above zero.
     pub(super) fn checked(self) -> Result<(i64, i64), Error> {
         let Self { width, height } = self;
         if width > 0 && height > 0 {
             return Ok((width, height));
         }
-        // A size in pixels may be out of range.
+        // A size in pixels can be beyond the range of a `Scalar`.
         Err(Error::Aspect {
             width: Scalar::from_bits(saturated(width)),
             height: Scalar::from_bits(saturated(height)),

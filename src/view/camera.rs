@@ -94,8 +94,8 @@ impl Camera {
         self.view.inverse_rigid()
     }
 
-    /// The camera for a sky: it looks in the same direction, but from the origin of the world. So a mesh around the
-    /// origin seems infinitely far away, however the camera moves. Draw the mesh first, with
+    /// Returns the camera for a sky, which looks in the same direction, but from the origin of the world. So a mesh
+    /// around the origin seems infinitely far away, however the camera moves. Draw the mesh first, with
     /// [`NoTest`](crate::canvas::NoTest), so that it is behind everything; it must lie between the near and the far
     /// plane.
     ///
@@ -217,7 +217,8 @@ mod tests {
                 Err(Error::EyeAtTarget { .. }) => assert_eq!(eye, target),
                 Err(error) => {
                     assert_eq!(error, Error::UpAlongView { up: above });
-                    // √3 · 2^39 in a product of lengths of at least 2^58, and rounding.
+                    // The cross product is shorter than √3 · 2^39, and the product of the lengths is at least 2^58.
+                    // Rounding adds an error.
                     assert!(up == [0; 3] || sine < 8e-6, "{sine}");
                 }
                 Ok(camera) => {
@@ -229,7 +230,7 @@ mod tests {
                     let view = camera.view();
                     let (unit, scale) = (f64::from(-28).exp2(), f64::from(-view.linear_exp).exp2());
                     for (row, (axis, noise)) in view.linear.iter().zip([
-                        // Operands have 30 bits; a small sine magnifies their error.
+                        // The operands have 30 bits; a small sine magnifies the operands' error.
                         (i, unit / sine),
                         (j, unit / sine),
                         (k, 0.0),
@@ -255,7 +256,7 @@ mod tests {
         let turn = Transform::rotate_y(Angle::from_degrees(30));
         let camera = Camera::at_pose(Transform::translate(Vec3::from_ints(1, 2, 3)) * turn);
         let ahead = camera.pose().point(-Vec3::Z);
-        // The point is at (−sin 30°, −cos 30°) from the camera, within a unit of a Scalar.
+        // In x and z, the point is at (−sin 30°, −cos 30°) from the camera, within a unit of a `Scalar`.
         let expected = [1.0 - 0.5, 2.0, 3.0 - 0.75_f64.sqrt()].map(|v| v * 65_536.0);
         for (found, expected) in ahead.to_bits().into_iter().zip(expected) {
             assert!((f64::from(found) - expected).abs() <= 1.0, "{ahead:?}");
@@ -275,13 +276,13 @@ mod tests {
                 Err(Error::UpAlongView { up })
             );
         }
-        // At an angle of 6e-8 and of 1.5e-5.
+        // The angles between the vectors are 6e-8 and 1.5e-5 radians.
         let ahead = Vec3::from_bits([0, 0, -(1 << 30)]);
         for (aside, is_refused) in [(1 << 6, true), (1 << 14, false)] {
             let up = Vec3::from_bits([aside, 0, -(1 << 30)]);
             assert_eq!(Camera::look_at(Vec3::ZERO, ahead, up).is_err(), is_refused);
         }
-        // At angles of 1.8e-7 and 2.2e-7, where both vectors are √3 times as long as their largest component.
+        // The angles are 1.8e-7 and 2.2e-7 radians. Here, both vectors are √3 times as long as their largest component.
         let most = (1 << 30) - 1000;
         let diagonal = Vec3::from_bits([most; 3]);
         for (aside, is_refused) in [(418, true), (515, false)] {

@@ -10,9 +10,10 @@ use crate::sealed::Sealed;
 /// left.
 ///
 #[cfg_attr(doc, doc = diagram!("pipeline"))]
-/// It is written as a product, `projection * camera * model`. The viewport transform would come leftmost, but it is not
-/// part of the product: [`DrawOptions::with_viewport`](crate::DrawOptions::with_viewport) sets it. The camera and the
-/// model transform are stored separately, because lights are in world space, between model space and eye space.
+/// Write an `Mvp` as a product, `projection * camera * model`. The viewport transform would come leftmost, but it is
+/// not part of the product: [`DrawOptions::with_viewport`](crate::DrawOptions::with_viewport) sets the viewport. The
+/// camera and the model transform are stored separately, because lights are in world space, between model space and eye
+/// space.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -75,7 +76,7 @@ pub struct Mvp<K = Perspective> {
     pub(crate) projection: Projection<K>,
     /// The transform from world to eye space.
     pub(crate) camera: Transform,
-    /// From model to world space.
+    /// The transform from model to world space.
     pub(crate) model: Transform,
 }
 
@@ -109,19 +110,19 @@ pub trait AsMvp: Sealed {
 
     fn projection_of(&self) -> &Projection<Self::Kind>;
 
-    /// From world to eye space.
+    /// Returns the transform from world to eye space.
     #[inline]
     fn camera_of(&self) -> &Transform {
         &Transform::IDENTITY
     }
 
-    /// From model to world space.
+    /// Returns the transform from model to world space.
     #[inline]
     fn model_of(&self) -> &Transform {
         &Transform::IDENTITY
     }
 
-    /// From model to eye space.
+    /// Returns the transform from model to eye space.
     #[inline]
     fn model_view_of(&self) -> Transform {
         Transform::IDENTITY

@@ -28,7 +28,7 @@ pub trait ProjectionKind: Sealed + Copy + core::fmt::Debug {
     const PERSPECTIVE: bool;
 }
 
-/// The kind of projection whose lines of sight meet in the eye: distant objects look smaller.
+/// The kind of projection with lines of sight that meet in the eye: distant objects look smaller.
 ///
 /// ```
 /// use fixel::{Projection, deg, fx, view::Perspective};
@@ -40,7 +40,7 @@ pub trait ProjectionKind: Sealed + Copy + core::fmt::Debug {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Perspective;
 
-/// The kind of projection whose lines of sight are parallel: distant objects keep their size.
+/// The kind of projection with parallel lines of sight: distant objects keep their size.
 ///
 /// ```
 /// use fixel::{Projection, Window, fx, view::Parallel};
@@ -88,7 +88,7 @@ impl Row {
         }
     }
 
-    /// Returns one coefficient.
+    /// Returns the coefficient of x, y, z or 1: `i` is its index, from 0 to 3.
     fn coefficient(&self, i: usize) -> BlockFloat {
         let exp = if i < 3 { self.exp } else { self.offset_exp };
         BlockFloat::new(self.m[i].into(), exp)
@@ -104,8 +104,8 @@ impl Row {
 ///
 /// [Mathematics](crate::guide::mathematics#a-matrix) derives the matrix from similar triangles.
 ///
-/// Coefficients of any size have 30 significant bits. If a coordinate of the picture depends on x (or y) and on z, the
-/// larger of the two coefficients has 30 significant bits, and the smaller one has fewer.
+/// Coefficients of any size have 30 significant bits. Exception: if a coordinate of the picture depends on x (or y) and
+/// on z, only the larger of the two coefficients has 30 significant bits, and the smaller one can have fewer.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -166,9 +166,10 @@ impl<K: ProjectionKind> Projection<K> {
     /// Returns the window on the near plane.
     ///
     /// The edges are accurate to 2⁻²⁹ of the largest edge before they are rounded to the nearest 2⁻¹⁶; they saturate.
-    /// There are two exceptions. In perspective and under an oblique projection, `near` counts as an edge, too. The
-    /// bound is multiplied by 1 + |ratio| under an oblique projection; in perspective, if the middle of the window is
-    /// farther from the line of sight than `near`, the bound is multiplied by that distance divided by `near`.
+    /// In two cases, the bound is larger. Under an oblique projection, `near` counts as an edge, too, and the bound is
+    /// multiplied by 1 + |ratio|. In perspective, `near` also counts as an edge. If, in perspective, the distance from
+    /// the line of sight to the middle of the window exceeds `near`, the bound is multiplied by that distance divided
+    /// by `near`.
     #[must_use]
     pub fn window(&self) -> Window {
         Window {
@@ -218,7 +219,7 @@ impl<K: ProjectionKind> Projection<K> {
         row.coefficient(2).over(row.coefficient(axis))
     }
 
-    /// The homogeneous coordinate on the near plane.
+    /// The homogeneous coordinate w of the points on the near plane.
     fn nearest_w(&self) -> BlockFloat {
         if K::PERSPECTIVE {
             number(self.near)

@@ -10,8 +10,8 @@ use crate::{Scalar, Vec3};
 /// segment, because 1/w and every attribute divided by w are linear on the screen.
 /// [Mathematics](crate::guide::mathematics#a-segment) derives the formulas below.
 ///
-/// Use it for preparation, tests and learning; drawing computes the same numbers in a faster way. Fractions run from 0
-/// at the start to 1 at the end. Results are rounded to nearest, half away from zero.
+/// Use a segment for preparation, tests and learning; drawing computes the same numbers in a faster way. Fractions run
+/// from 0 at the start to 1 at the end. Results are rounded to nearest, half away from zero.
 ///
 /// ```
 /// use fixel::view::Segment;
@@ -124,7 +124,7 @@ impl Segment {
 /// ```
 #[must_use]
 pub fn speed(near: Scalar, point: Vec3, velocity: Vec3, t: Scalar) -> Option<[Scalar; 2]> {
-    // In units of 2^-32, 64 bits.
+    // `z` is in units of 2^-32, and has at most 64 bits.
     let z = (bits(point.z) << 16) + bits(velocity.z) * bits(t);
     if z >= 0 {
         return None;
@@ -171,7 +171,7 @@ mod tests {
         });
     }
 
-    /// The quotient is 1443359354.5 units, less 2^-33.
+    /// The exact quotient is about 2^-33 of a unit below 1443359354.5 units.
     #[test]
     fn speed_is_rounded_once() {
         let point = Vec3::from_bits([-1_733_925_641, 0, -1_742_648_317]);

@@ -9,7 +9,7 @@ use crate::Error;
 
 /// A rectangle of pixels to which normalized device coordinates are mapped.
 ///
-/// It may reach beyond the canvas; pixels outside are not drawn.
+/// The rectangle may reach beyond the canvas; pixels outside the canvas are not drawn.
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, primitives::Rectangle};

@@ -4,8 +4,8 @@ use crate::Scalar;
 
 /// The edges of the rectangle in eye space that fills the picture.
 ///
-/// Under a perspective the rectangle lies on the near plane; under a parallel projection it is the cross section of the
-/// box. `x` increases to the right, and `y` increases upward.
+/// In perspective, the rectangle lies on the near plane. Under a parallel projection, it is the cross section of the
+/// visible box. `x` increases to the right, and `y` increases upward.
 ///
 /// The window itself may hold any numbers. A projection refuses a window unless `left` < `right` and `bottom` < `top`.
 ///
@@ -31,7 +31,7 @@ pub struct Window {
 impl Window {
     /// Makes a window of this width and height, centered on the line of sight.
     ///
-    /// Each edge is half the size away from the center, rounded toward zero to a multiple of 2⁻¹⁶.
+    /// Each edge is half of the width or of the height away from the center, rounded toward zero to a multiple of 2⁻¹⁶.
     ///
     /// ```
     /// use fixel::prelude::*;

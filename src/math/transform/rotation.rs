@@ -43,7 +43,7 @@ impl Transform {
     /// Rotates about an axis through the origin, counter-clockwise as seen from its tip
     /// (Rodrigues' formula).
     ///
-    /// The axis may have any length but zero. Entries are accurate to 3 · 2⁻²⁸.
+    /// The axis may have any length except zero. Entries are accurate to 3 · 2⁻²⁸.
     ///
     /// # Errors
     ///
@@ -60,7 +60,7 @@ impl Transform {
         let u = u.map(i64::from);
         let (sin, cos) = angle.sin_cos();
         let (s, c) = (i64::from(sin.to_bits()), i64::from(cos.to_bits()));
-        // The factors are up to 2 and up to 1, in units of 2^-30, so products stay below 2^62.
+        // One factor is at most 2 and the other is at most 1, in units of 2^-30, so products stay below 2^62.
         let entry = |i: usize, j: usize, sine: i64| {
             let projection = (u[i] * u[j] + (1 << 29)) >> 30;
             ((1 << 30) - c) * projection + if i == j { c << 30 } else { s * sine }
@@ -191,7 +191,7 @@ mod tests {
         rows.map(|row| [row[0] / norm, row[1] / norm, row[2] / norm, 0.0])
     }
 
-    /// The rotation about axis 0, 1 or 2, from the next axis toward the one after.
+    /// The rotation about axis 0, 1 or 2, from the next axis toward the axis after that.
     fn about(axis: usize, angle: u32) -> Real {
         let (sin, cos) = (f64::from(angle) / power(32) * TAU).sin_cos();
         let mut m = [[0.0; 4]; 3];
@@ -232,8 +232,8 @@ mod tests {
                 &multiply(&about(1, angles[0]), &about(0, angles[1])),
                 &about(2, angles[2]),
             );
-            // The entries of the three factors have errors of up to 2.6e-9, and their rows and columns sum to at most
-            // √3 twice. Two products are rounded to 2^-30.
+            // The entries of the three factors have errors of up to 2.6e-9. Each error is multiplied by a row and by a
+            // column of other rotations, with sums of at most √3 each. Two products are rounded to 2^-30.
             let [linear, _] = errors(&real(&t), &expected);
             assert!(linear <= 9.0 * 2.6e-9 + 2.0 * power(-30), "{linear:e}");
         });

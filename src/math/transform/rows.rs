@@ -8,8 +8,8 @@ use crate::{Error, Matrix4, Scalar, Vec3};
 
 /// Whether a matrix of mantissas has a negative determinant.
 fn is_mirror(&[x, y, z]: &[[i32; 3]; 3]) -> bool {
-    // The exact determinant, in two parts: each part is the sum of three products of 30 by 31 bits. It must be exact,
-    // because the sign of a small determinant counts as well.
+    // The exact determinant, in two parts: each part is the sum of three products of 30 by 31 bits. The determinant
+    // must be exact, because the sign of a small determinant counts as well.
     let (mut high, mut low) = (0, 0);
     for (&x, cofactor) in x.iter().zip(cross(y, z)) {
         high += product(x, (cofactor >> 31) as i32);
@@ -106,7 +106,7 @@ mod tests {
             for i in 0..3 {
                 let expected = [rows[i][0], rows[i][1], rows[i][2], moved[i]].map(|v| v >> cut);
                 for (found, expected) in matrix.rows()[i].iter().zip(expected) {
-                    // Mantissas have 30 bits: numbers of 31 or 32 bits lose their last one or two.
+                    // Mantissas have 30 bits: numbers of 31 or 32 bits lose their last one or two bits.
                     let slack = if cut < 2 { 2 } else { 0 };
                     let error = i64::from(found.to_bits()) - i64::from(expected);
                     assert!(error.abs() <= slack, "{error}");

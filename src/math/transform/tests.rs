@@ -164,8 +164,8 @@ fn rotations_are_counter_clockwise() {
 
 #[test]
 fn normals_follow_mirrors_and_uneven_scales() {
-    // The plane x + y = 0 has the normal (1, 1, 0). Squeezed, it is 2x' + y' = 0; mirrored too,
-    // −2x' + y' = 0.
+    // The plane x + y = 0 has the normal (1, 1, 0). The squeezed plane is 2x' + y' = 0. The squeezed and mirrored plane
+    // is −2x' + y' = 0.
     for x in [0.5, -0.5] {
         let factors = Vec3::new(Scalar::try_from(x).unwrap(), Scalar::ONE, Scalar::ONE);
         let rows = Transform::scale_axes(factors).normal_matrix().0;
@@ -240,7 +240,7 @@ fn products_round_once() {
             assert!(linear <= 0.501 * power(-product.linear_exp));
         }
         if product.translation_exp > block::MIN_EXP {
-            // The two summands were rounded to 60 bits before.
+            // The two summands were rounded to 60 bits before the sum.
             let summands = sizes(&expected)[1].max(sizes(&real(&a))[1]);
             let slack = 0.501 * power(-product.translation_exp) + summands * power(-50);
             assert!(translation <= slack);
@@ -280,7 +280,7 @@ fn points_are_rounded_and_saturated() {
         let saturate = |v: f64| (v * 65_536.0).clamp(i32::MIN.into(), i32::MAX.into());
         for i in 0..3 {
             let linear = (0..3).map(|k| m[i][k] * p_real[k]).sum::<f64>();
-            // The f64 sum itself rounds where large terms cancel.
+            // The sum in f64 has a rounding error of its own if large terms cancel.
             let size = (0..3).map(|k| (m[i][k] * p_real[k]).abs()).sum::<f64>() + m[i][3].abs();
             let slack = 0.501 + size * 65_536.0 * power(-50);
             let error = f64::from(direction.to_bits()[i]) - saturate(linear);
@@ -300,7 +300,7 @@ fn rigid_inverses_undo() {
             .fold(Transform::IDENTITY, |t, step| t * step.transform());
         let both = real(&(t.inverse_rigid() * t));
         let [linear, translation] = errors(&both, &real(&Transform::IDENTITY));
-        // Up to six factors, each within 3·2^-28 of a rotation.
+        // The product has up to five factors, each within 3·2^-28 of a rotation.
         assert!(linear <= 20.0 * power(-28), "{linear:e}");
         let slack = 20.0 * power(-28) * (1.0 + sizes(&real(&t))[1]);
         assert!(translation <= slack, "{translation:e}");
@@ -319,7 +319,7 @@ fn normals_stay_at_right_angles() {
             for j in 0..3 {
                 let dot = (0..3).map(|k| n[k][i] * m[k][j]).sum::<f64>();
                 let size = (0..3).map(|k| (n[k][i] * m[k][j]).abs()).sum::<f64>();
-                // Cofactors are rounded to 2^-31 of the largest.
+                // Cofactors are rounded to 2^-31 of the largest cofactor.
                 let slack = power(31) + size * power(-50);
                 if i == j {
                     assert!(dot >= -slack);
@@ -368,7 +368,7 @@ fn points_are_rounded_once() {
             (twice >> (exp - 16)).clamp(i32::MIN.into(), i32::MAX.into()) as i32
         });
         assert_eq!(t.point(point).to_bits(), exact);
-        // Block floats round products of 63 bits and the translation to up to two bits less, and then round the sum
+        // Block floats drop up to two bits of the products of 63 bits and of the translation, and then round the sum
         // again.
         let bound = 1 + (4 >> linear_exp.min(3));
         for (far, exact) in t.far_point(point).to_bits().into_iter().zip(exact) {

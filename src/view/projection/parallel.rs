@@ -35,7 +35,7 @@ impl Projection<Parallel> {
     ///
     /// # Errors
     ///
-    /// The errors of [`orthographic`](Self::orthographic).
+    /// The same errors as for [`orthographic`](Self::orthographic).
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -59,12 +59,12 @@ impl Projection<Parallel> {
         Self::sheared([shear(cos), shear(sin)], plane, window, near, far)
     }
 
-    /// Makes an [oblique](Self::oblique) projection in which depth keeps its full length, and the near plane is
-    /// undistorted.
+    /// Makes an [oblique](Self::oblique) projection in which edges that point straight back keep their full length. The
+    /// near plane is undistorted.
     ///
     /// # Errors
     ///
-    /// The errors of [`orthographic`](Self::orthographic).
+    /// The same errors as for [`orthographic`](Self::orthographic).
     pub fn cavalier(
         angle: Angle,
         window: Window,
@@ -74,12 +74,12 @@ impl Projection<Parallel> {
         Self::oblique(angle, Scalar::ONE, near, window, near, far)
     }
 
-    /// Makes an [oblique](Self::oblique) projection in which depth has half its length, and the near plane is
-    /// undistorted.
+    /// Makes an [oblique](Self::oblique) projection in which edges that point straight back have half of their length.
+    /// The near plane is undistorted.
     ///
     /// # Errors
     ///
-    /// The errors of [`orthographic`](Self::orthographic).
+    /// The same errors as for [`orthographic`](Self::orthographic).
     pub fn cabinet(angle: Angle, window: Window, near: Scalar, far: Scalar) -> Result<Self, Error> {
         Self::oblique(angle, Scalar::ONE / 2, near, window, near, far)
     }

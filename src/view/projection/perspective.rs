@@ -16,7 +16,8 @@ fn check_planes(near: Scalar, far: Scalar) -> Result<(), Error> {
 
 impl Projection<Perspective> {
     fn from_scales(x: BlockFloat, y: BlockFloat, near: Scalar, far: Scalar) -> Self {
-        // Written out, because `Row::new` would make a program with a perspective projection 100 bytes larger.
+        // The rows are written out, because `Row::new` would make a program with a perspective projection 100 bytes
+        // larger.
         let row = |m, exp| Row {
             m,
             exp,
@@ -36,7 +37,7 @@ impl Projection<Perspective> {
     /// The aspect ratio is given as a size in pixels, such as `(320, 240)` or a
     /// [`Size`](embedded_graphics::geometry::Size), or as a number, such as `fx!(1.5)`.
     ///
-    /// Its window has top = near · tan(fov / 2) and right = top · aspect.
+    /// The projection's [`Window`], on the near plane, has top = near · tan(fov / 2) and right = top · aspect.
     ///
     /// # Errors
     ///
@@ -132,8 +133,8 @@ impl Projection<Perspective> {
     /// Returns the point of the near plane in which all lines of a direction vanish:
     /// (−n·x/z, −n·y/z), rounded to nearest (half away from zero).
     ///
-    /// `None` if the direction is parallel to the picture, where its lines stay parallel, or if
-    /// the point is beyond ±32768.
+    /// `None` if the direction is parallel to the picture, because such lines stay parallel in the picture, or if the
+    /// point is beyond ±32768.
     ///
     /// ```
     /// use fixel::prelude::*;

@@ -23,7 +23,8 @@ fn float(value: Scalar) -> f64 {
     f64::from(value.to_bits()) / 65_536.0
 }
 
-/// Whether a row is within 2^-28 of its largest coefficient, and has exact zeros.
+/// Whether each coefficient of a row has an error of at most 2^-28 of the largest coefficient, and is exactly zero
+/// where zero is expected.
 fn close(row: &Row, expected: [f64; 4]) -> bool {
     let size = expected.iter().fold(0.0, |max: f64, v| max.max(v.abs()));
     let mut both = real(row).into_iter().zip(expected);
@@ -72,7 +73,7 @@ fn perspective_has_28_bits() {
             Projection::perspective(fov, (size[0], size[1]), one(0.1), one(100.0)).unwrap();
         let half = f64::from(bits) / f64::from(33).exp2() * TAU;
         let scale = half.cos() / half.sin();
-        // Half a unit of the angle is dropped, which matters at both ends of its range.
+        // Half a unit of the angle is dropped, which matters at both ends of the angle's range.
         let slack = f64::from(-28).exp2() + 8e-10 / (half.sin() * half.cos());
         let [x, y] = projection.rows.map(|row| row.m);
         assert_eq!((&x[1..], [y[0], y[2], y[3]]), (&[0; 3][..], [0; 3]));
@@ -213,7 +214,7 @@ fn no_accessor_panics() {
     });
 }
 
-/// This holds however far the window is from the line of sight, compared with its size.
+/// The window keeps its place, however far it is from the line of sight compared with its size.
 #[test]
 fn a_window_keeps_its_place() {
     let check = |window: Window, found: Window, near: f64, ratio: f64| {
@@ -222,7 +223,7 @@ fn a_window_keeps_its_place() {
             .into_iter()
             .fold(0.0, |max: f64, v| max.max(v.abs()));
         for (found, exact) in edges(found).into_iter().zip(edges(window)) {
-            // A half unit of the result.
+            // 2^-17 is half a unit of the result.
             let most = largest.max(near.abs()) * (1.0 + ratio.abs());
             let allowed = f64::from(-17).exp2() + f64::from(-29).exp2() * most;
             assert!((found - exact).abs() <= allowed, "{window:?} {found}");
@@ -328,7 +329,7 @@ fn invalid_arguments_are_refused() {
         height: low,
     };
     assert_eq!(Projection::perspective(fov, -low, low, high), Err(mirrored));
-    // The error contains the refused ratio with its fraction; a size saturates.
+    // The error contains the refused ratio with its fraction. A size in pixels saturates in the error.
     let mirrored = Error::Aspect {
         width: one(-0.25),
         height: one(1.0),
