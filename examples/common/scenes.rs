@@ -1,8 +1,8 @@
 //! The four measured scenes. They are the same in every measurement of this crate and of other libraries.
 //!
-//! 320x240 pixels, focal length 200 pixels, near 0.25, far 100. Each scene has a mesh, an mvp for each of its poses `k`
-//! = 0..8, and a function that draws it. Only this function is measured, without clearing. `no_std`, so that a
-//! microcontroller can draw the same scenes.
+//! The picture has 320x240 pixels, and the focal length is 200 pixels. The near plane is at 0.25, the far plane at 100.
+//! Each scene has a mesh, an mvp for each of its poses `k` = 0..8, and a function that draws it. Only this function is
+//! measured, without clearing. `no_std`, so that a microcontroller can draw the same scenes.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, WebColors};
 use fixel::canvas::{DepthBuffer, Storage};
@@ -19,7 +19,7 @@ pub const HEIGHT: u32 = 240;
 /// The number of poses.
 pub const POSES: i32 = 8;
 
-/// 64x64 texels: squares of 8x8 texels in two colors.
+/// A texture of 64x64 texels: squares of 8x8 texels in two colors.
 pub static CHECKER: [[Rgb565; 64]; 64] = {
     let mut texels = [[Rgb565::CSS_IVORY; 64]; 64];
     let mut at = 0;
@@ -99,7 +99,7 @@ const fn place(at: usize) -> [i32; 3] {
 pub const fn lit([x, y, z]: [i32; 3]) -> [u8; 3] {
     let facing = (2 * x + 3 * y + 6 * z) / 7;
     let light = if facing > 0 { facing } else { 0 };
-    // The ambient light is a quarter.
+    // A quarter of the light is ambient light.
     let light = (1 << 14) + light / 4 * 3;
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most the factor
     [
@@ -123,7 +123,8 @@ fn turned([x, y]: [Angle; 2]) -> Transform {
     Transform::rotate_x(x) * Transform::rotate_y(y)
 }
 
-/// The angle by which the camera looks down on the floor: atan 0.2. It is applied after the move by [`FLOOR_AT`].
+/// The angle by which the camera looks down on the floor: atan 0.2. The floor is moved by [`FLOOR_AT`] first, and then
+/// rotated by this angle.
 pub const FLOOR_PITCH: Angle = Angle::from_bits(134_932_750);
 /// The floor's place, below the eye.
 pub const FLOOR_AT: Vec3 = vec3!(0, -1, 0);

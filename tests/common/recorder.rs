@@ -106,7 +106,7 @@ impl<V: Varyings, C: PixelColor> Shader for Probe<'_, V, C> {
     }
 }
 
-/// A trait of `[(); N]` for every N that can be interpolated.
+/// `[(); N]` has this trait if N numbers can be interpolated.
 pub trait Few<const N: usize>: Lanes<Of<i32> = [i32; N]> {}
 
 impl<const N: usize, L: Lanes<Of<i32> = [i32; N]>> Few<N> for L {}

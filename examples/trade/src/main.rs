@@ -17,8 +17,8 @@
 //! cargo run --release -p trade -- --firmware target/thumbv7em --sizes thumbv7em=target/sizes
 //! ```
 //!
-//! The size of the code is that of the smallest firmware that draws textured triangles with a depth buffer in the mode,
-//! minus the size of a firmware that draws nothing, at opt-level "s". Instructions are counted at opt-level 3.
+//! The size of the code is the size of the smallest firmware that draws textured triangles with a depth buffer in the
+//! mode, minus the size of a firmware that draws nothing, at opt-level "s". Instructions are counted at opt-level 3.
 //!
 //! With `--summary`, the program measures nothing. It draws the figures that the project keeps as one picture, for
 //! README.

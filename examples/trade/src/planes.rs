@@ -7,8 +7,8 @@
 //! | planes-slivers | a fraction of a pixel to a pixel and a half wide, up to 320 long, distances up to 1 : 8 |
 //! | planes-deep | distances 1 : 10 to 1 : 1000 |
 //!
-//! A generator with a fixed seed makes the triangles, so every run has the same ones. A run with fewer triangles uses
-//! the first of them.
+//! A generator with a fixed seed makes the triangles, so every run has the same triangles. A run with fewer triangles
+//! uses the first triangles of each set.
 
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;

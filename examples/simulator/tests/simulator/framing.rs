@@ -57,8 +57,8 @@ fn outline(camera: &str, size: [u32; 2], place: impl Fn(Point) -> Point) -> [[f6
     let up = cross(back, right);
     let half = (option(camera, "--fov")[0].to_radians() / 2.0).tan();
     let aspect = f64::from(size[0]) / f64::from(size[1]);
-    // If lines of sight are parallel, a point has the same size at any distance as at the target's distance. Its
-    // distance from the target only shifts the point.
+    // If lines of sight are parallel, everything appears as large as at the target's distance. A point's distance from
+    // the target only shifts the point in the picture.
     let parallel = camera
         .split_once("--projection ")
         .map(|(_, kind)| match kind {
@@ -104,8 +104,8 @@ fn every_angle_and_shape_shows_the_whole_model_as_large_as_possible() {
         let camera = camera(&said);
         let [across, rise, [nearest, farthest]] = outline(camera, size, |p| p);
         let reach = |[low, high]: [f64; 2]| high.max(-low);
-        // The model fills 94 % of the picture. The printed camera is rounded to 1e-5 of the model. This has a larger
-        // effect on corners close to the eye.
+        // The model fills 94 % of the picture. The printed camera is rounded to 1e-5 of the model. The rounding has a
+        // larger effect on corners close to the eye.
         assert!(
             reach(across) < 0.945 && reach(rise) < 0.945,
             "{view}: {said}"
@@ -604,7 +604,8 @@ fn a_camera_that_shows_nothing_is_an_error() {
     ] {
         refused(&directory, arguments, &["nothing is visible", says]);
     }
-    // The sheet shows its back in the first frame, and its front in a later frame. One frame that shows it is enough.
+    // The sheet shows its back in the first frame, and its front in a later frame. One frame that shows the front is
+    // enough.
     let sheet = "v -1 0 0\nv 1 0 0\nv 1 1 0\nv -1 1 0\nf 4 3 2 1\n";
     fs::write(directory.join("sheet.obj"), sheet).unwrap();
     let view = "sheet.obj --cull --eye 0,0.5,9 --look-at 0,0.5,0";

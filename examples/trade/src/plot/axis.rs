@@ -84,7 +84,7 @@ pub fn label(value: f64) -> String {
     }
 }
 
-/// Formats the number of a tick on an axis of errors. At the lowest tick, smaller errors are drawn, too.
+/// Formats the number of a tick on an axis of errors. Errors below the lowest tick are drawn at this tick.
 pub fn error_label(value: f64) -> String {
     if value < LEAST_ERROR * 1.01 {
         format!("≤ {}", label(value))
