@@ -1,4 +1,4 @@
-//! The four measured scenes. They are the same in every measurement of this crate and of other libraries.
+//! The four measured scenes. Every measurement of this crate and of other libraries draws these scenes.
 //!
 //! The picture has 320x240 pixels, and the focal length is 200 pixels. The near plane is at 0.25, the far plane at 100.
 //! Each scene has a mesh, an mvp for each of its poses `k` = 0..8, and a function that draws it. Only this function is
@@ -130,10 +130,10 @@ pub const FLOOR_PITCH: Angle = Angle::from_bits(134_932_750);
 pub const FLOOR_AT: Vec3 = vec3!(0, -1, 0);
 /// The place of the cube. The cube is [turned](cube_turn) before it is moved there.
 pub const CUBE_AT: Vec3 = vec3!(0, 0, -3.133_832_458);
-/// The place of the spheres. They are [turned](sphere_turn) before they are moved there.
+/// The place of the spheres. The spheres are [turned](sphere_turn) before they are moved there.
 pub const SPHERE_AT: Vec3 = vec3!(0, 0, -2.256_239_223_7);
 
-/// The angles of the cube about x and y in pose `k`. It turns about y first.
+/// The angles of the cube about x and y in pose `k`. The cube turns about y first.
 pub fn cube_turn(k: i32) -> [Angle; 2] {
     [
         Angle::from_radians(fx!(0.3)) + Angle::from_turns(fx!(0.0625)) * k,
@@ -141,7 +141,7 @@ pub fn cube_turn(k: i32) -> [Angle; 2] {
     ]
 }
 
-/// The angles of the spheres about x and y in pose `k`. They turn about y first.
+/// The angles of the spheres about x and y in pose `k`. The spheres turn about y first.
 pub fn sphere_turn(k: i32) -> [Angle; 2] {
     [
         Angle::from_radians(fx!(0.35)) + Angle::from_radians(fx!(0.3)) * k,
@@ -149,7 +149,7 @@ pub fn sphere_turn(k: i32) -> [Angle; 2] {
     ]
 }
 
-/// The floor's mvp. It is the same in all poses: the eye is one unit above the floor and looks down.
+/// The floor's mvp. The mvp is the same in all poses: the eye is one unit above the floor and looks down.
 ///
 /// # Errors
 ///

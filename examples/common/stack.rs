@@ -26,7 +26,7 @@ const WORD: usize = size_of::<u32>();
 
 /// Calls `work`. Returns its result, and the number of bytes of stack below the caller that it used.
 ///
-/// The number is at least 256. It is too large by the rest of this function's own frame, a few words.
+/// The number is at least 256. The number includes the rest of this function's own frame, a few words.
 #[inline(never)]
 pub fn deepest<T>(work: impl FnOnce() -> T) -> (T, usize) {
     let local = 0_u32;

@@ -97,7 +97,7 @@ pub fn within<T: SampleUniform + PartialOrd, const N: usize>(
     ranges.map(|range| random.random_range(range))
 }
 
-/// A list of random items. Its length is in the range `length`.
+/// A list of random items. The list's length is in the range `length`.
 pub fn list<T>(
     random: &mut Random,
     length: Range<usize>,

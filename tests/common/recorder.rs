@@ -86,7 +86,7 @@ impl<S: Shader, const N: usize> Shader for Recorder<'_, S, N> {
     }
 }
 
-/// A shader that interpolates any values. It draws every pixel in the same color, or discards every pixel.
+/// A shader that interpolates any values. The shader draws every pixel in the same color, or discards every pixel.
 #[derive(Clone, Copy)]
 pub struct Probe<'a, V, C = Gray8> {
     pub values: &'a dyn Fn(&Corner<'_>) -> V,

@@ -20,7 +20,7 @@ const HEIGHT: u32 = 37;
 /// Heights of the bands, in rows.
 const BANDS: [u32; 3] = [1, 7, 16];
 
-/// A shader whose color depends on every bit of the interpolated values, so any difference between two drawings
+/// A shader with a color that depends on every bit of the interpolated values, so any difference between two drawings
 /// shows.
 #[derive(Clone, Copy)]
 struct Bits;

@@ -1,4 +1,4 @@
-//! Depths do not depend on the shader. They do not depend on the mode either, except for `Compact`.
+//! Depths do not depend on the shader. Depths do not depend on the mode either, except in mode `Compact`.
 
 use crate::common::BOTH_SIDES;
 use crate::common::random::cases;

@@ -51,7 +51,7 @@ fn culling_decides_which_sides_a_ray_meets() {
         assert_eq!(Ray { cull, ..away }.hit(&FLOOR), None);
     }
     assert_eq!(Ray::new(Vec3::X, Vec3::ZERO), Err(Error::ZeroDirection));
-    // Of several faces in one place, a ray meets the last one, because the last one is drawn over the others.
+    // Of several faces in one place, a ray meets the last face, because the last face is drawn over the other faces.
     let positions = [vec3!(0, 0, 0), vec3!(1, 0, 0), vec3!(0, 1, 0)];
     let twice = Mesh::new(&positions, &[[0, 1, 2], [2, 0, 1]]).unwrap();
     let ray = Ray::new(vec3!(0.25, 0.25, 1), vec3!(0, 0, -1)).unwrap();

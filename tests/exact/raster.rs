@@ -211,7 +211,7 @@ fn a_hub_on_a_center() {
     );
 }
 
-/// Triangles smaller than a pixel: only those that contain a pixel center draw that pixel.
+/// A triangle smaller than a pixel draws a pixel only if the triangle contains the pixel's center.
 #[test]
 fn triangles_smaller_than_a_pixel() {
     assert_picture(
@@ -232,7 +232,7 @@ fn triangles_smaller_than_a_pixel() {
             [5.5, 3.5],
             [5.5, 3.25],
             // The first sliver passes many pixel centers and contains none. The other sliver has three centers on an
-            // edge, and does not own the first and the last of them.
+            // edge, and owns only the middle one of these three.
             [0., 4.515_625],
             [7.75, 4.75],
             [7.75, 4.515_625],

@@ -129,7 +129,7 @@ fn short_positions_draw_what_long_positions_draw() {
     });
 }
 
-/// Positions are rounded to the nearest 16-bit numbers. The largest of them uses at least 15 bits.
+/// Positions are rounded to the nearest 16-bit numbers. The largest shortened number uses at least 15 bits.
 #[test]
 fn shortened_positions_are_the_nearest() {
     cases(256, |random| {

@@ -48,8 +48,8 @@ fn corners<K: ProjectionKind>(
     sprites: &Sprites<'_>,
     mvp: &Mvp<K>,
 ) -> Vec<Vec3> {
-    // Corners that the shader does not see stay zero. They belong to triangles without pixels, and `check` leaves these
-    // triangles out.
+    // Corners that the shader does not see stay zero. These corners belong to triangles without pixels, and `check`
+    // leaves these triangles out.
     let found = RefCell::new(vec![Vec3::ZERO; 4 * sprites.positions().len()]);
     let probe = Probe::<_, Rgb565> {
         values: &|corner| {
@@ -94,8 +94,8 @@ impl Shader for TexelRecorder<'_> {
     }
 }
 
-/// A shader that is not linear over a sprite: it interpolates numbers, and its four numbers at the corners lie in no
-/// common plane.
+/// A shader that interpolates a number. The numbers at a sprite's four corners lie in no common plane, so the number is
+/// not linear over the sprite.
 #[derive(Clone, Copy)]
 struct Bent;
 

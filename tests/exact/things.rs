@@ -12,7 +12,7 @@ use fixel::{Object, ShadeList};
 const SIZE: (u32, u32) = (64, 48);
 const PIXELS: usize = (SIZE.0 * SIZE.1) as usize;
 
-/// A wedge without symmetry. Its sides have different colors.
+/// A wedge without symmetry, with sides of different colors.
 static WEDGE: Mesh = Mesh::checked(Mesh::new(
     &[
         vec3!(-1, -1, 1),
@@ -181,8 +181,8 @@ fn only_an_odd_number_of_mirrors_turns_culling_around() {
     }
 }
 
-/// A triangle that faces the viewer. It is so tall that its image is still a pixel high after the test has scaled it to
-/// a needle.
+/// A triangle that faces the viewer. The triangle is so tall that its image is still a pixel high after the test has
+/// scaled it to a needle.
 fn shape_of_needle() -> [Vec3; 3] {
     [vec3!(-0.5, -900, 0), vec3!(0.5, -900, 0), vec3!(0, 900, 0)]
 }
@@ -241,8 +241,8 @@ impl Shader for Asked<'_> {
     }
 }
 
-/// A face of a part has its index in the whole mesh, an edge has its index in its list, and a point has no index. This
-/// is the same in direct draw calls and in prepared lists.
+/// A face of a part has its index in the whole mesh, an edge has its index in its list, and a point has no index.
+/// Direct draw calls and prepared lists give the same indices.
 #[test]
 fn shaders_learn_which_face_or_edge_they_color() {
     let edges = [[0, 1], [1, 2], [2, 3]];
@@ -292,7 +292,7 @@ fn shaders_learn_which_face_or_edge_they_color() {
     assert_eq!(rest, numbers(&[0, 1, 2, 0, 1, 2]));
 }
 
-/// Draws only faces with `is_front`. They must be the faces that are left after culling.
+/// Draws only faces with `is_front`. These faces must be the faces that are left after culling.
 #[derive(Clone, Copy)]
 struct Fronts;
 

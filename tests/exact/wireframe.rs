@@ -185,8 +185,8 @@ fn silhouettes_of_round_meshes_have_hardly_any_gaps() {
 }
 
 /// A sheet leans back in all directions from a corner in the middle of the picture, and can reach beyond the picture.
-/// The lines of its border move nearer by a multiple of the change of the sheet's depth per pixel. They move by the
-/// same amount in a whole frame, in bands and from a list.
+/// The lines of its border move nearer by a multiple of the change of the sheet's depth per pixel. The lines move by
+/// the same amount in a whole frame, in bands and from a list.
 #[test]
 fn outlines_move_as_the_faces_beside_them_are_steep() {
     static SHEET: Mesh = shape!(plane(1, 1));
@@ -234,8 +234,9 @@ fn outlines_move_as_the_faces_beside_them_are_steep() {
             assert!(moved == draw(Biased::new(WriteOnly, 0, slope), band, is_listed));
         }
         // The sheet's sides point along (1, 0, 0) and (0, 0, 1), and its normal along (0, 1, 0), leaned and turned. The
-        // ratios of the normal's components give the change of depth on the sheet, per unit across and per unit down.
-        // For a side, the change of depth counts per unit along the longer of the side's two axes.
+        // ratios of the normal's components give the change of depth on the sheet, per unit across and per unit down. A
+        // side is longer along one axis, across or down; along the side, the change of depth is counted per unit of
+        // this axis.
         let [lean, turn] = [lean, turn].map(|degrees| f64::from(degrees).to_radians());
         let turned = |[x, y, z]: [f64; 3]| {
             let (y, z) = (

@@ -331,8 +331,8 @@ impl<K: ProjectionKind> Call<'_, K> {
         frame
     }
 
-    /// Draws with a depth buffer. Of the pixels that were `seen` without a depth buffer, exactly those that are not
-    /// hidden must be drawn.
+    /// Draws with a depth buffer. Of the pixels that were `seen` without a depth buffer, exactly the pixels that are
+    /// not hidden must be drawn.
     fn depth_test<I, F, const N: usize>(
         &self,
         options: &DrawOptions<I>,
@@ -409,8 +409,8 @@ impl<K: ProjectionKind> Call<'_, K> {
         let bands = self.in_bands(&mut |band| band.draw_prepared(&sorted, shader).unwrap());
         assert!(bands == frame, "bands of sorted triangles differ");
 
-        // Draw the mesh as two objects of a scene. The objects' material is not the shader. If it were, scenes would be
-        // compiled for each shader.
+        // Draw the mesh as two objects of a scene. The objects' material is not the shader, because with the shader as
+        // material, scenes would be compiled for each shader.
         let mut objects = [Object::new(self.mesh, Transform::IDENTITY, ()); 2];
         let scene = list
             .prepare_back_to_front(options, self.scene.size, &mut objects, &self.mvp)
@@ -629,6 +629,6 @@ impl<K: ProjectionKind> Call<'_, K> {
 
 type Frame<'f> = Canvas<'f, Rgb565, Native, LinearDepth>;
 
-/// Draws into a frame or a band. All closures have this one type. There are hundreds of them, so generic functions
-/// would take minutes to compile.
+/// Draws into a frame or a band. All closures have this one type. Generic functions would take minutes to compile,
+/// because there are hundreds of closures.
 type Draw<'d> = dyn FnMut(&mut Frame<'_>) -> Drawn + 'd;

@@ -30,7 +30,7 @@ pub fn scalar(u: &mut Unstructured<'_>) -> Result<Scalar> {
     bits(u).map(Scalar::from_bits)
 }
 
-/// The absolute value of a number. It is rarely 0.
+/// The absolute value of a number. The value is rarely 0.
 pub fn size(u: &mut Unstructured<'_>) -> Result<Scalar> {
     Ok(scalar(u)?.abs())
 }

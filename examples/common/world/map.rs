@@ -164,7 +164,7 @@ impl Draft {
         at as Index
     }
 
-    /// Adds a rectangle. Its corners run counter-clockwise from the bottom left.
+    /// Adds a rectangle. The corners run counter-clockwise from the bottom left.
     const fn quad(&mut self, corners: [[i16; 3]; 4], uvs: [[i16; 2]; 4]) {
         let a = self.vertex(corners[0], uvs[0]);
         let b = self.vertex(corners[1], uvs[1]);

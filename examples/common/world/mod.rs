@@ -325,7 +325,7 @@ impl<M: Mode> Scene<M> {
         )
     }
 
-    /// Draws plants of one kind. They turn about their stems to face the viewer.
+    /// Draws plants of one kind. The plants turn about their stems to face the viewer.
     fn plants<O, D, const W: usize, const H: usize>(
         &self,
         canvas: &mut Canvas<'_, Rgb565, O, D>,

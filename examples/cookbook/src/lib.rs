@@ -23,7 +23,7 @@ pub use scenes::{Draw, Frame, SCENES};
 /// The size of the documentation's pictures.
 pub const SIZE: Size = Size::new(320, 240);
 
-/// The scene that is longer than the other scenes. It is animated.
+/// The scene that is longer than the other scenes, and is animated.
 pub const WORLD: &str = "world";
 
 /// All scenes by name.

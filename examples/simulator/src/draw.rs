@@ -30,7 +30,7 @@ pub type Board<'a, C, D> = Canvas<'a, C, Native, D>;
 pub enum Lines {
     None,
     Edges,
-    /// Creases and silhouettes, except those that faces hide.
+    /// Creases and silhouettes, except lines that faces hide.
     Outline,
 }
 

@@ -11,7 +11,7 @@ use crate::args::{Args, Shade};
 use crate::scene::{Moment, Motion, Scene};
 use crate::view::direction;
 
-/// The default ambient light. It reaches every face.
+/// The default ambient light, which reaches every face.
 const AMBIENT: f64 = 0.3;
 
 /// The default background, and then the background behind dark models.
@@ -37,7 +37,7 @@ pub struct Haze {
 /// The background of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Backdrop {
-    /// One color. It is converted to the color type of the canvas.
+    /// One color, which is converted to the color type of the canvas.
     Color(Rgb888),
     /// The sky of the project's own scene.
     Sky,

@@ -30,12 +30,12 @@ impl Stored for Rgb565 {}
 impl Stored for Rgb888 {}
 impl Stored for Gray8 {}
 
-/// The color type of a canvas, and the color type of textures for it.
+/// The color type of a canvas. It determines the color type of textures on this canvas.
 pub trait Shown:
     PixelFormat<Channels: Varyings<Face: FaceValues> + FaceValues> + Into<Rgb888> + Default + 'static
 {
-    /// The color type in which a texture is stored. For dithered formats, it is a finer type, because the picture must
-    /// be dithered, not the texture.
+    /// The color type in which a texture is stored. For dithered formats, the texture has a finer type, because the
+    /// picture must be dithered, not the texture.
     type Texel: Stored;
 }
 

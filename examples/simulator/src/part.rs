@@ -28,7 +28,7 @@ pub struct Finish {
     pub texture: Option<usize>,
     /// The color that is used if there is no texture and the vertices have no colors.
     pub color: Rgb888,
-    /// The light that the surface emits. It is added to the color.
+    /// The light that the surface emits, which is added to the color.
     pub glow: Rgb888,
     pub opacity: u8,
     /// What the texture's alpha means.
@@ -73,7 +73,7 @@ pub struct Piece<'a> {
 }
 
 impl<'a> Piece<'a> {
-    /// A mesh that is compiled in. Its back faces are culled.
+    /// A mesh that is compiled in. Back faces of the mesh are culled.
     pub const fn compiled(mesh: Mesh<'a>, outline: Option<Outline<'a>>) -> Self {
         Self {
             mesh,

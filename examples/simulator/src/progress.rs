@@ -17,7 +17,7 @@ const MANY: usize = 100_000;
 /// A file with at least this number of bytes has a line that shows how much of the file has been read.
 const BIG: usize = 16 << 20;
 
-/// A line such as "reading: 30 of 120 MB". It is erased at the end of the task.
+/// A line such as "reading: 30 of 120 MB". The line is erased at the end of the task.
 pub struct Progress {
     task: &'static str,
     /// Whether the line is shown.

@@ -1,4 +1,4 @@
-//! The scene and its motion. It is drawn band by band.
+//! The scene and its motion. The scene is drawn band by band.
 
 use std::time::{Duration, Instant};
 

@@ -23,7 +23,7 @@ pub struct Skin {
 }
 
 impl Skin {
-    /// Reads the picture at `path`. It is drawn opaque.
+    /// Reads the picture at `path`. The picture is drawn opaque, whatever its alpha is.
     ///
     /// # Errors
     ///

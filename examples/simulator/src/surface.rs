@@ -54,7 +54,7 @@ impl FaceValues for Rgb565 {
     }
 
     fn take(numbers: &[i32]) -> Self {
-        // [`put`](Self::put) made the number from the 16 bits of a color.
+        // `put` made the number from the 16 bits of a color.
         RawU16::from_u32(numbers[0].cast_unsigned()).into()
     }
 }
@@ -209,7 +209,7 @@ impl<'a> Surface<'a> {
     ///
     /// # Errors
     ///
-    /// A varying has no place. This is a mistake in this program.
+    /// A varying has no place, which is a mistake in this program.
     pub fn new<C, V, S>(
         layout: fn(Any<'a, V>) -> Self,
         shader: S,

@@ -1,8 +1,8 @@
 //! Speed against accuracy: measures every interpolation mode.
 //!
 //! `cargo run --release -p trade` draws the four measured scenes, and sets of random and adversarial planes, in every
-//! mode. It compares each pixel with a model in f64 that gets the same snapped vertices, and measures the time of the
-//! draw calls. It writes to target/trade/:
+//! mode. The program compares each pixel with a model in f64 that gets the same snapped vertices, and measures the time
+//! of the draw calls. The program writes to target/trade/:
 //! | file | what |
 //! |---|---|
 //! | trade.csv, trade.md | a row for each scene, mode and target: cost, texel error, PSNR, code |

@@ -65,7 +65,7 @@ impl Dice {
         self.0.random_range(low..high)
     }
 
-    /// Returns a number between two numbers. Its logarithm has a uniform distribution.
+    /// Returns a number between two numbers. The number's logarithm has a uniform distribution.
     fn scale(&mut self, low: f64, high: f64) -> f64 {
         self.between(low.ln(), high.ln()).exp()
     }

@@ -15,7 +15,7 @@ pub struct Seen {
     pub texel: [i32; 2],
 }
 
-/// A shader that records the texel at every pixel of every triangle. It has the varyings of a texture.
+/// A shader that records the texel at every pixel of every triangle. The recorder has the varyings of a texture.
 #[derive(Clone, Copy)]
 pub struct Recorder<'a> {
     pub seen: &'a RefCell<Vec<Seen>>,

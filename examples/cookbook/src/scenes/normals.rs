@@ -6,7 +6,7 @@ use embedded_graphics::text::{Alignment, Text};
 use embedded_graphics::{Drawable, geometry::Point};
 use fixel::prelude::*;
 
-/// The front and the back are concave polygons of 32 corners. They are cut into triangles at compile time.
+/// The front and the back are concave polygons of 32 corners. The macro cuts the polygons into triangles.
 static CLOVER: Mesh = include_mesh!("../../../assets/clover.obj");
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {

@@ -33,7 +33,7 @@ pub const UVS: [Vec2; 3] = [vec2!(0, 0), vec2!(0, 2), vec2!(10, 1)];
 static COLORS: ConstStaticCell<[Rgb565; PIXELS]> = ConstStaticCell::new([Rgb565::BLACK; PIXELS]);
 static DEPTHS: ConstStaticCell<[u16; PIXELS]> = ConstStaticCell::new([0; PIXELS]);
 
-/// A color that no measured draw call produces. It marks pixels that were not drawn.
+/// The color of pixels that were not drawn. No measured draw call produces this color.
 const UNDRAWN: Rgb565 = Rgb565::new(20, 40, 20);
 
 /// The depth buffer before the draw call.

@@ -1,7 +1,7 @@
 //! Chooses the camera in the model's own units. Options that the user gave are kept. The other options get values that
 //! show the whole model.
 //!
-//! This runs on the host, in f64. `units` and `view` pass the result to the library.
+//! The computation uses f64, because it runs only on the host. `units` and `view` pass the result to the library.
 
 mod fit;
 pub mod turntable;
@@ -22,8 +22,8 @@ const WIDE: f64 = 100.0;
 const LEAST: f64 = 1e-3;
 /// The default direction from the model to the eye, if y is up: in front, a little to the right and above.
 const FROM: Point = [0.55, 0.6, 1.0];
-/// The default direction for the oblique projections. They show the top and the side of a model that is seen from the
-/// front.
+/// The default direction for the oblique projections, because these show the top and the side of a model even if it is
+/// seen from the front.
 const FRONT: Point = [0.0, 0.0, 1.0];
 
 pub use fixel_assets::vector::Vector as Point;

@@ -1,4 +1,4 @@
-//! The values in a dump, pixel by pixel. They are the same in bands.
+//! The values in a dump, pixel by pixel. Bands give the same values as a frame.
 
 use std::fs;
 

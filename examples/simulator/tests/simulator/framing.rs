@@ -1,4 +1,5 @@
-//! The camera that the program chooses and prints. It must show the whole model at any angle, shape, scale and turn.
+//! The camera that the program chooses and prints. The camera must show the whole model at any angle, shape, scale and
+//! turn.
 
 use std::fmt::Write;
 use std::fs;
@@ -112,8 +113,8 @@ fn every_angle_and_shape_shows_the_whole_model_as_large_as_possible() {
         );
         assert!(option(camera, "--near")[0] < nearest, "{view}: {said}");
         assert!(option(camera, "--far")[0] > farthest, "{view}: {said}");
-        // The model is in the middle in both directions. It fills the picture in one direction, or the eye is next to
-        // it.
+        // The model is in the middle in both directions. The model fills the picture in one direction, or the eye is
+        // next to the model.
         assert!((across[0] + across[1]).abs() < 2e-3, "{view}: {across:?}");
         assert!((rise[0] + rise[1]).abs() < 2e-3, "{view}: {rise:?}");
         let fills = reach(across).max(reach(rise)) > 0.938;
@@ -534,8 +535,8 @@ fn merging_positions_are_noted_with_a_scale_that_keeps_them() {
     for radius in [1.0, 0.01, 1000.0] {
         assert_eq!(fan(radius), "", "{radius}");
     }
-    // Neighbors are 0.06 radii apart. This is about a third of a step at the first radius, and a thousandth at the
-    // second.
+    // Neighbors are 0.06 radii apart. With the first radius, this distance is about a third of a step, with the second
+    // about a thousandth.
     for (radius, least) in [(8e-5, 3.0), (2.4e-7, 1000.0)] {
         let note = fan(radius);
         assert!(note.contains("positions are the same as others"), "{note}");

@@ -27,7 +27,7 @@ impl Axis {
         }
     }
 
-    /// Makes an axis a little longer than the range of the values. Its labels are as many round numbers as fit.
+    /// Makes an axis a little longer than the range of the values. The labels are as many round numbers as fit.
     pub fn around(values: impl Iterator<Item = f64>) -> Self {
         const DIGITS: [&[f64]; 4] = [
             &[1.],
