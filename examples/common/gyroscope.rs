@@ -65,8 +65,8 @@ impl Lists {
 
         let now_ms = u64::from(frame) * u64::from(FRAME_MS);
         let turned = |rpm: i32| Rate::rpm(rpm).angle_at(now_ms);
-        // The axis of a ring is y. The outer ring is turned upright; the inner ring is at right angles to the outer
-        // one.
+        // The axis of a ring is y. The outer ring is turned upright, and the inner ring is at right angles to the outer
+        // ring.
         let upright = Transform::rotate_x(Angle::from_degrees(90));
         let outer = Transform::rotate_y(turned(RPM)) * upright;
         let inner =

@@ -57,17 +57,18 @@ static SEA_CORNERS: ([Vec3; SEA_SIDES + 1], [Vec2; SEA_SIDES + 1]) = {
         #[allow(clippy::cast_possible_truncation)] // 32 corners
         let angle = Angle::from_bits((at << (32 - SEA_SIDES.ilog2())) as u32);
         let (sin, cos) = angle.sin_cos();
-        // From 2^-30 to 2^-16, times the radius of 112 units. The texture repeats every four units. Each triangle then
-        // has fewer than 1,900 texels, and up to this number the faster modes keep their accuracy.
+        // Converts from units of 2^-30 to units of 2^-16, and multiplies by the radius of 112 units. The texture
+        // repeats every four units. Each triangle then spans fewer than 1,900 texels. Up to this number, the faster
+        // modes keep their accuracy.
         let (x, z) = ((sin.to_bits() >> 14) * 112, (cos.to_bits() >> 14) * 112);
         positions[at] = Vec3::from_bits([x, 0, z]);
-        // A quarter of the position, converted from 2^-16 to 2^-20.
+        // A texture coordinate is a quarter of the position, converted from units of 2^-16 to units of 2^-20.
         uvs[at] = Vec2::from_bits([x * 4, z * 4]);
         at += 1;
     }
     (positions, uvs)
 };
-/// A fan around the center.
+/// The triangles of the disc: a fan around its center.
 static SEA_FACES: [[u16; 3]; SEA_SIDES] = {
     const CENTER: u16 = SEA_SIDES as u16;
     let mut faces = [[0; 3]; SEA_SIDES];
@@ -193,8 +194,8 @@ where
     Ok([sea, island])
 }
 
-/// Whether the format has only black and white. In black and white, a dithered sky and sea would be noise around the
-/// island.
+/// Whether the format has only black and white. In such a format, the scene is drawn at night, because a dithered sky
+/// and sea would be noise around the island.
 pub const fn is_mono<C: PixelFormat>() -> bool {
     C::MAX_STEPS[0] == 1
 }

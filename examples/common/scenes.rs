@@ -1,8 +1,8 @@
-//! The four measured scenes. They are the same in every measurement of this crate and of other libraries.
+//! The four measured scenes. Every measurement of this crate and of other libraries draws these scenes.
 //!
-//! 320x240 pixels, focal length 200 pixels, near 0.25, far 100. Each scene has a mesh, an mvp for each of its poses `k`
-//! = 0..8, and a function that draws it. Only this function is measured, without clearing. `no_std`, so that a
-//! microcontroller can draw the same scenes.
+//! The picture has 320x240 pixels, and the focal length is 200 pixels. The near plane is at 0.25, the far plane at 100.
+//! Each scene has a mesh, an mvp for each of its poses `k` = 0..8, and a function that draws it. Only this function is
+//! measured, without clearing. `no_std`, so that a microcontroller can draw the same scenes.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, WebColors};
 use fixel::canvas::{DepthBuffer, Storage};
@@ -19,7 +19,7 @@ pub const HEIGHT: u32 = 240;
 /// The number of poses.
 pub const POSES: i32 = 8;
 
-/// 64x64 texels: squares of 8x8 texels in two colors.
+/// A texture of 64x64 texels: squares of 8x8 texels in two colors.
 pub static CHECKER: [[Rgb565; 64]; 64] = {
     let mut texels = [[Rgb565::CSS_IVORY; 64]; 64];
     let mut at = 0;
@@ -99,7 +99,7 @@ const fn place(at: usize) -> [i32; 3] {
 pub const fn lit([x, y, z]: [i32; 3]) -> [u8; 3] {
     let facing = (2 * x + 3 * y + 6 * z) / 7;
     let light = if facing > 0 { facing } else { 0 };
-    // The ambient light is a quarter.
+    // A quarter of the light is ambient light.
     let light = (1 << 14) + light / 4 * 3;
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most the factor
     [
@@ -123,16 +123,17 @@ fn turned([x, y]: [Angle; 2]) -> Transform {
     Transform::rotate_x(x) * Transform::rotate_y(y)
 }
 
-/// The angle by which the camera looks down on the floor: atan 0.2. It is applied after the move by [`FLOOR_AT`].
+/// The angle by which the camera looks down on the floor: atan 0.2. The floor is moved by [`FLOOR_AT`] first, and then
+/// rotated by this angle.
 pub const FLOOR_PITCH: Angle = Angle::from_bits(134_932_750);
 /// The floor's place, below the eye.
 pub const FLOOR_AT: Vec3 = vec3!(0, -1, 0);
 /// The place of the cube. The cube is [turned](cube_turn) before it is moved there.
 pub const CUBE_AT: Vec3 = vec3!(0, 0, -3.133_832_458);
-/// The place of the spheres. They are [turned](sphere_turn) before they are moved there.
+/// The place of the spheres. The spheres are [turned](sphere_turn) before they are moved there.
 pub const SPHERE_AT: Vec3 = vec3!(0, 0, -2.256_239_223_7);
 
-/// The angles of the cube about x and y in pose `k`. It turns about y first.
+/// The angles of the cube about x and y in pose `k`. The cube turns about y first.
 pub fn cube_turn(k: i32) -> [Angle; 2] {
     [
         Angle::from_radians(fx!(0.3)) + Angle::from_turns(fx!(0.0625)) * k,
@@ -140,7 +141,7 @@ pub fn cube_turn(k: i32) -> [Angle; 2] {
     ]
 }
 
-/// The angles of the spheres about x and y in pose `k`. They turn about y first.
+/// The angles of the spheres about x and y in pose `k`. The spheres turn about y first.
 pub fn sphere_turn(k: i32) -> [Angle; 2] {
     [
         Angle::from_radians(fx!(0.35)) + Angle::from_radians(fx!(0.3)) * k,
@@ -148,7 +149,7 @@ pub fn sphere_turn(k: i32) -> [Angle; 2] {
     ]
 }
 
-/// The floor's mvp. It is the same in all poses: the eye is one unit above the floor and looks down.
+/// The floor's mvp. The mvp is the same in all poses: the eye is one unit above the floor and looks down.
 ///
 /// # Errors
 ///

@@ -13,10 +13,11 @@ use cortex_m_rt::heap_start as stack_end;
 #[cfg(target_arch = "riscv32")]
 use riscv_rt::heap_start as stack_end;
 
-/// A pattern that no program writes by chance.
+/// A pattern that programs are unlikely to write by chance.
 const PAINT: u32 = 0xa51c_e5ab;
-/// The number of bytes below this function's own local that are not filled. They hold the rest of its frame, and the
-/// frames of functions that it calls if these are not inlined. Less stack than this cannot be measured.
+/// The number of bytes below the local variable of [`deepest`] that are not filled. These bytes hold the rest of its
+/// stack frame, and the frames of functions that it calls, if they are not inlined. Less stack than this cannot be
+/// measured.
 const MARGIN: usize = 256;
 /// The largest number of bytes that are filled. If a function uses more, this number is reported.
 const MOST: usize = 64 << 10;
@@ -25,7 +26,7 @@ const WORD: usize = size_of::<u32>();
 
 /// Calls `work`. Returns its result, and the number of bytes of stack below the caller that it used.
 ///
-/// The number is at least 256. It is too large by the rest of this function's own frame, a few words.
+/// The number is at least 256. The number includes the rest of this function's own frame, a few words.
 #[inline(never)]
 pub fn deepest<T>(work: impl FnOnce() -> T) -> (T, usize) {
     let local = 0_u32;
@@ -44,7 +45,7 @@ pub fn deepest<T>(work: impl FnOnce() -> T) -> (T, usize) {
     (result, top - (end + painted.count() * WORD))
 }
 
-/// Calls `work` with its own stack frame, below the frame from which depth is counted.
+/// Calls `work` in a stack frame of its own, below the frame from which the depth of the stack is counted.
 #[inline(never)]
 fn apart<T>(work: impl FnOnce() -> T) -> T {
     work()

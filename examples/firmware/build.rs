@@ -1,7 +1,8 @@
-//! The build script of programs for emulated boards. It links them with the runtime crate's script and memory.x.
+//! The build script of programs for emulated boards. The script links these programs with the runtime crate's linker
+//! script and memory.x.
 //!
 //! The linker's arguments are not in .cargo/config.toml, because the settings there also hold for the project in
-//! boards/. Its chips have their own memories and scripts.
+//! boards/. The chips of that project have their own memories and linker scripts.
 
 use std::env::var;
 

@@ -76,7 +76,7 @@ pub fn triangulation(corners: [Point; 4], points: &[Point]) -> Flat {
     mesh
 }
 
-/// A fan around `center`. The points of the rim are sorted by their angles around it.
+/// A fan around `center`. The function sorts the points of the rim by their angles around `center`.
 pub fn fan(center: Point, mut rim: Vec<Point>) -> Flat {
     let angle = |p: &Point| {
         let [x, y] = [0, 1].map(|i| f64::from(p[i] - center[i]));

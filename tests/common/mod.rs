@@ -136,7 +136,7 @@ pub fn pixel_projection((width, height): (u32, u32)) -> Mvp<Parallel> {
     projection.unwrap().into()
 }
 
-/// The position that [`pixel_projection`] maps to a point of the picture, given in 24.8 fixed point.
+/// The model position that [`pixel_projection`] maps to this point of the picture. The point is in 24.8 fixed point.
 pub fn at_subpixel([x, y]: [i32; 2]) -> Vec3 {
     Vec3::from_bits([x << 8, -y << 8, 0])
 }

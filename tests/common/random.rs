@@ -1,5 +1,5 @@
-//! Random inputs. A test runs with many inputs, the same in each run. If an input fails, a small input that also fails
-//! is searched for.
+//! Random inputs. A test runs with many inputs, the same in each run. If an input fails, the test searches for a small
+//! input that also fails.
 
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
@@ -10,14 +10,14 @@ use rand::distr::uniform::SampleUniform;
 use rand::rngs::SmallRng;
 use rand::{Rng, RngCore, SeedableRng};
 
-/// The largest share of its range that the length of a [`list`] can have, in 32nds.
+/// The value of `Random::length` with which a [`list`] can have every length in its range.
 const WHOLE: usize = 32;
 
 /// The generator of a test's inputs.
 #[derive(Clone)]
 pub struct Random {
     generator: SmallRng,
-    /// The share that lists can have of the range of their lengths, from 1 to [`WHOLE`].
+    /// The part of its range of lengths that a [`list`] uses, in units of 1/32 and from the lower end: 1 to [`WHOLE`].
     length: usize,
     has_made_lists: bool,
 }
@@ -39,9 +39,10 @@ impl RngCore for Random {
 /// Runs a test for `count` generators.
 ///
 /// If the test panics, it runs again, first with short lists and then with longer ones, until it panics again. So the
-/// input that is reported has few triangles. The last message names its seed and the length of its lists. To run it
-/// again directly, set the environment variables `FIXEL_SEED` (the seed of the first generator, by default 0) and
-/// `FIXEL_LENGTH` (the length of all lists, from 1 to 32). Another seed gives other inputs.
+/// input that is reported has few triangles. The last message names the seed of this input, and the length of its
+/// lists. To run the test with this input again, set the environment variables `FIXEL_SEED` (the seed of the first
+/// generator, by default 0) and `FIXEL_LENGTH` (the length of all lists, from 1 to 32). Another seed gives other
+/// inputs.
 pub fn cases(count: u64, mut test: impl FnMut(&mut Random)) {
     run(count, &mut test);
 }
@@ -88,7 +89,7 @@ pub fn number(random: &mut Random) -> i32 {
     random.random::<i32>() >> random.random_range(0..32)
 }
 
-/// A random number in each of these ranges.
+/// Random numbers, one in each of these ranges.
 pub fn within<T: SampleUniform + PartialOrd, const N: usize>(
     random: &mut Random,
     ranges: [Range<T>; N],
@@ -96,7 +97,7 @@ pub fn within<T: SampleUniform + PartialOrd, const N: usize>(
     ranges.map(|range| random.random_range(range))
 }
 
-/// A list of random items. Its length is in the range `length`.
+/// A list of random items. The list's length is in the range `length`.
 pub fn list<T>(
     random: &mut Random,
     length: Range<usize>,

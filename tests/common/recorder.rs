@@ -86,7 +86,7 @@ impl<S: Shader, const N: usize> Shader for Recorder<'_, S, N> {
     }
 }
 
-/// A shader that interpolates any values. It draws every pixel in the same color, or discards every pixel.
+/// A shader that interpolates any values. The shader draws every pixel in the same color, or discards every pixel.
 #[derive(Clone, Copy)]
 pub struct Probe<'a, V, C = Gray8> {
     pub values: &'a dyn Fn(&Corner<'_>) -> V,
@@ -106,7 +106,7 @@ impl<V: Varyings, C: PixelColor> Shader for Probe<'_, V, C> {
     }
 }
 
-/// A trait of `[(); N]` for every N that can be interpolated.
+/// `[(); N]` has this trait if N numbers can be interpolated.
 pub trait Few<const N: usize>: Lanes<Of<i32> = [i32; N]> {}
 
 impl<const N: usize, L: Lanes<Of<i32> = [i32; N]>> Few<N> for L {}

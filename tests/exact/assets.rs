@@ -1,4 +1,4 @@
-//! Models and pictures in flash: the macros give the same values as lists written by hand.
+//! Macros that put models and pictures into flash give the same values as lists written by hand.
 
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 use embedded_graphics::pixelcolor::{
@@ -28,7 +28,7 @@ fn a_part_has_only_its_own_values() {
     assert!(!ROOF.edge_indices().is_empty());
 }
 
-/// Reading with z up turns the model by a quarter around x: the file's z becomes y.
+/// With `up = z`, the macro turns the model by a quarter turn around x: the file's z becomes y.
 #[test]
 fn z_may_point_up() {
     static HOUSE: Mesh = include_mesh!("../models/house.obj");
@@ -190,7 +190,8 @@ fn a_mipmap_has_the_means_of_the_picture() {
     static PLANKS: Texture<Rgb888> = include_texture!("../../examples/assets/planks.tga");
     static LEVELS: Mipmap<Rgb888> = include_texture!("../../examples/assets/planks.tga", mipmap);
     assert_eq!(LEVELS.texels()[..1024], *PLANKS.texels());
-    // The last texel is the mean of all texels, rounded to the nearest 255th.
+    // The last texel, which is the only texel of the last level, is the mean of all texels, rounded to the nearest
+    // whole number.
     let sum = PLANKS
         .texels()
         .iter()

@@ -20,7 +20,7 @@ const HEIGHT: u32 = 37;
 /// Heights of the bands, in rows.
 const BANDS: [u32; 3] = [1, 7, 16];
 
-/// A shader whose color depends on every bit of the interpolated values, so any difference between two drawings
+/// A shader with a color that depends on every bit of the interpolated values, so any difference between two drawings
 /// shows.
 #[derive(Clone, Copy)]
 struct Bits;
@@ -132,7 +132,8 @@ impl Scene {
     fn check<K: ProjectionKind>(&self, mvp: &Mvp<K>) {
         self.check_mode(Exact, mvp);
         self.check_mode(Newton, mvp);
-        // These tolerances make the mode draw whole spans at once, a few pixels at once, and single pixels.
+        // With the first tolerance, the mode draws whole spans at once, with the second, a few pixels at once, and with
+        // the third, single pixels.
         self.check_mode(Fast::within(fx!(4)), mvp);
         self.check_mode(Fast::within(fx!(0.0625)), mvp);
         self.check_mode(Fast::within(fx!(0)), mvp);
@@ -227,8 +228,9 @@ fn bands_equal_the_frame_in_parallel() {
     });
 }
 
-/// A canvas of a window's size, with the frame's viewport moved by the window's place, covers the pixels of the frame.
-/// (Interpolated values can differ by the mode's error, because spans begin at the window's edge.)
+/// A window shows a part of a frame: the canvas has the window's size, and the frame's viewport is moved by the
+/// window's place. The window has the same covered pixels as this part of the frame. (Interpolated values can differ by
+/// the mode's error, because spans begin at the window's edge.)
 #[test]
 fn windows_cover_the_pixels_of_the_frame() {
     let draw = |scene: &Scene, mvp: &Mvp, [x, y, width, height]: [u32; 4]| {
@@ -345,7 +347,7 @@ fn the_nearest_triangle_shows_in_any_order() {
     });
 }
 
-/// Prepares a ball in front of the eye, in a list with room for `TRIANGLES` and `VERTICES`.
+/// Prepares a ball in front of the eye. The list has room for `TRIANGLES` triangles and `VERTICES` vertices.
 fn prepare<const TRIANGLES: usize, const VERTICES: usize>() -> Result<u32, Error> {
     static BALL: Mesh = shape!(sphere(8, 6));
     let projection =

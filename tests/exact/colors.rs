@@ -8,7 +8,8 @@ use embedded_graphics::pixelcolor::{
 use fixel::prelude::*;
 use fixel::texture::{Argb1555, Argb4444};
 
-/// A color of the picture. Each channel takes all of its values, each with different values of the other channels.
+/// The color of texel `at` in the picture. Over all texels, each channel takes each of its values, together with
+/// different values of the other channels.
 fn sample(at: usize) -> [u8; 4] {
     let c = (at / 4) as u8;
     let d = c.wrapping_mul(37) ^ 0x5a;
@@ -20,7 +21,7 @@ fn sample(at: usize) -> [u8; 4] {
     }
 }
 
-/// The picture's colors, each with the color that the macro converted it to.
+/// Pairs of a color of the picture and the color to which the macro converted it.
 macro_rules! converted {
     ($Color:ident) => {{
         static TEXELS: &[$Color] = include_texture!("../../src/texture/samples/colors.png");

@@ -1,4 +1,4 @@
-//! Depths do not depend on the shader. They do not depend on the mode either, except for `Compact`.
+//! Depths do not depend on the shader. Depths do not depend on the mode either, except in mode `Compact`.
 
 use crate::common::BOTH_SIDES;
 use crate::common::random::cases;
@@ -32,7 +32,7 @@ fn depths<F: DepthBuffer, M: Mode, Z: DepthTest>(
     depth
 }
 
-/// Compares the depths of all modes with those of a plain color.
+/// Checks that all modes draw a shader with depths equal to the depths of a plain color.
 fn check<F: DepthBuffer, Z: DepthTest>(mesh: &Mesh<'_>, test: Z, mvp: &Mvp) {
     let plain = depths::<F, _, _>(mesh, (fixel::mode::Newton, test), mvp, false);
     let all = [
@@ -54,7 +54,7 @@ fn lens() -> Projection {
 
 const UVS: [Vec2; 4] = [vec2!(0, 0), vec2!(1, 0), vec2!(1, 1), vec2!(0, 1)];
 
-/// The mesh is a floor, because the modes scale its far spans before they interpolate.
+/// The mesh is a floor, because the modes scale the far spans of a floor before they interpolate.
 #[test]
 fn a_slope_biases_all_modes_alike() {
     let floor = [
@@ -78,12 +78,12 @@ fn a_slope_biases_all_modes_alike() {
     }
 }
 
-/// Triangles of up to 43 pixels with a nearest corner that has almost twice the least 1/w of its exponent. Although
-/// these triangles are deep, they have small planes.
+/// The width plus the height of these triangles is at most 43 pixels. At the nearest corner, 1/w is almost twice the
+/// least number with the same exponent. Although these triangles are deep, they have small planes.
 #[test]
 fn small_deep_triangles_have_the_same_depths_in_all_modes() {
     cases(1000, |random| {
-        // Up to ten pixels from the middle of the picture. The distance `w` is in units of 1/256.
+        // A corner is up to ten pixels from the middle of the picture. Its distance `w` is in units of 1/256.
         let mut corner = |w: i64| {
             let mut aside = || ((random.random_range(-11_800..11_800) * w) >> 8) as i32;
             Vec3::from_bits([aside(), aside(), -256 * w as i32])

@@ -64,7 +64,7 @@ fn drawn() -> Vec<Gray8> {
     color
 }
 
-/// The frame, drawn in bands of `rows` rows, and the number of parts of all bands.
+/// The frame, drawn in bands of `rows` rows, and the total number of parts in all bands.
 fn in_bands(scene: &Prepared<'_, Flat<Gray8>>, rows: u32, has_depth: bool) -> (Vec<Gray8>, usize) {
     let (mut frame, mut parts) = (Vec::new(), 0);
     for first in (0..HEIGHT).step_by(rows as usize) {
@@ -100,8 +100,8 @@ fn a_list_of_objects_draws_the_same_as_each_alone() {
     }
     assert_eq!(in_bands(&scene, HEIGHT, true).1, 3);
 
-    // With a depth buffer, the picture is the same in any order. Here it is the same without depths, too, because no
-    // triangles cross and no triangle is much larger than the others.
+    // With a depth buffer, the picture is the same in any order of the triangles. Here the picture is the same without
+    // depths, too, because no triangles cross and no triangle is much larger than the other triangles.
     let scene = list
         .prepare_back_to_front(&options, SIZE, &mut objects, &view)
         .unwrap();
@@ -203,7 +203,7 @@ fn outlines_made_at_compile_time_equal_those_made_at_run_time() {
     assert_eq!(Ok(OUTLINE), built);
 }
 
-/// An object with an outline adds its outline to the list; the others add all of their edges.
+/// An object with an outline adds its outline to the list. An object without an outline adds all of its edges.
 #[test]
 fn a_scene_of_edges_draws_outlines_or_all_edges() {
     let (options, wide) = (DrawOptions::new(), LineStyle::wide(fx!(2)).unwrap());
@@ -335,8 +335,8 @@ fn prepared_edges_in_bands_equal_the_frame() {
     );
 }
 
-/// There is a line at every third of a row, from above the frame to below it. In each band of two rows, a thin line
-/// counts if it passes a row of the band. A wide line counts if it passes at most two rows above or below the band.
+/// The lines are a third of a row apart, from above the frame to below it. In each band of two rows, a thin line counts
+/// if it passes a row of the band. A wide line counts if it passes at most two rows above or below the band.
 #[test]
 fn prepared_edges_count_in_the_bands_that_they_reach() {
     let (size, rows) = ((6, 6), 2_u32);

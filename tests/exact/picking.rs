@@ -1,4 +1,4 @@
-//! Rays that meet edges, vertices, either side of a face, and the ends of the number formats; and labels.
+//! Rays that meet edges, vertices and either side of a face; rays with numbers at the ends of the formats; and labels.
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Dimensions, Point, Size};
@@ -16,7 +16,7 @@ use crate::common::random::{cases, list};
 static FLOOR: Mesh = shape!(plane(8, 8));
 static BALL: Mesh = shape!(sphere(16, 12));
 
-/// Vertices and edges have exact coordinates, so no ray passes between two faces.
+/// No ray passes between two faces, because vertices and edges have exact coordinates.
 #[test]
 fn rays_through_vertices_and_edges_meet_a_face() {
     for direction in [vec3!(0, -1, 0), vec3!(0, -4, 1), vec3!(1, -2, 1)] {
@@ -25,7 +25,7 @@ fn rays_through_vertices_and_edges_meet_a_face() {
                 let on_floor = Vec3::new(fx!(0.125) * x, fx!(0), fx!(0.125) * z);
                 let ray = Ray::new(on_floor - direction * fx!(3), direction).unwrap();
                 let hit = ray.hit(&FLOOR).unwrap();
-                // The direction has 30 bits.
+                // The direction is rounded to 30 bits, so the hit is not exact.
                 assert!(hit.point.distance(on_floor) < fx!(0.0001), "{hit:?}");
             }
         }
@@ -51,7 +51,7 @@ fn culling_decides_which_sides_a_ray_meets() {
         assert_eq!(Ray { cull, ..away }.hit(&FLOOR), None);
     }
     assert_eq!(Ray::new(Vec3::X, Vec3::ZERO), Err(Error::ZeroDirection));
-    // Of several faces in one place, a ray meets the last one, because the last one is drawn over the others.
+    // Of several faces in one place, a ray meets the last face, because the last face is drawn over the other faces.
     let positions = [vec3!(0, 0, 0), vec3!(1, 0, 0), vec3!(0, 1, 0)];
     let twice = Mesh::new(&positions, &[[0, 1, 2], [2, 0, 1]]).unwrap();
     let ray = Ray::new(vec3!(0.25, 0.25, 1), vec3!(0, 0, -1)).unwrap();
@@ -119,7 +119,7 @@ fn no_ray_and_no_mesh_panics() {
             if let Ok(ray) = Ray::new(origin, direction) {
                 let _ = (ray.hit(&mesh), ray.at(distance));
             }
-            // A ray toward a point of a face meets the face there, or another face before it.
+            // A ray toward a point of a face, so that the ray meets this face or a nearer one.
             let middle = positions[0].lerp(positions[1], fx!(0.5));
             let middle = middle.lerp(positions[2], fx!(0.25));
             if let Ok(ray) = Ray::new(origin, middle - origin) {
@@ -147,7 +147,8 @@ fn labeled(
     (display, depths)
 }
 
-/// For example, a map is moved by moving its window. The place of the window is then far greater than its size.
+/// A map, for example, is moved by moving its window. The window can then be at coordinates that are far greater than
+/// the window's size.
 #[test]
 fn a_window_far_from_the_origin_shows_what_lies_in_it() {
     let mut pixels = vec![Rgb565::BLACK; 320 * 240];
@@ -161,7 +162,7 @@ fn a_window_far_from_the_origin_shows_what_lies_in_it() {
             top: least.y + fx!(6),
         };
         let projection = Projection::orthographic(window, fx!(-1), fx!(1)).unwrap();
-        // A unit has 40 pixels.
+        // One unit is 40 pixels on the screen.
         for [x, y] in [[0, 0], [8, 6], [4, 3], [1, 5]] {
             let point = least + Vec3::from_ints(x, y, 0);
             let at = canvas.project(&DrawOptions::new(), &projection, point);
@@ -177,7 +178,8 @@ fn a_window_far_from_the_origin_shows_what_lies_in_it() {
 
 #[test]
 fn the_distance_of_a_hit_is_rounded_to_nearest() {
-    // Heights that would make the distance a half are left out, because the direction is rounded, too.
+    // Heights are left out if the distance would lie in the middle between two numbers, because the rounding of the
+    // direction would then decide.
     for height in (65_536..65_546).filter(|height| height % 4 != 2) {
         let corners = [[-9, 9], [9, 9], [0, -9]].map(|[x, z]| {
             let [x, z] = [x, z].map(|v| v << 16);
@@ -208,7 +210,7 @@ fn a_labels_point_gives_its_place_and_depth() {
             .into_styled(style)
             .draw(&mut label)
             .unwrap();
-        // A label at exactly the stored depth is drawn, because triangles are drawn there, too.
+        // A label at exactly the stored depth is drawn, because a triangle at this depth would be drawn, too.
         let mut label = canvas.label(at(8, 4, 200));
         label
             .fill_contiguous(
@@ -269,7 +271,8 @@ fn labels_accept_any_place_and_any_area() {
     }
 }
 
-/// The colors of columns from `i32::MIN` on: red left of the origin, then blue. Skips any number of columns at once.
+/// An iterator over the colors of columns, from column `i32::MIN` on: red left of the origin, then blue. The iterator
+/// skips any number of columns at once.
 struct FromLeast(i64);
 
 impl Iterator for FromLeast {

@@ -16,7 +16,7 @@ struct Model {
     faces: Vec<[u16; 3]>,
     normals: [[i8; 3]; 6],
     uvs: [[u8; 2]; 6],
-    /// The triangles' indices of normals and texture coordinates, if they differ from those of positions.
+    /// The triangles' indices of normals and texture coordinates, if they differ from the indices of positions.
     own: Option<Vec<[u16; 3]>>,
 }
 
@@ -26,7 +26,8 @@ fn model(random: &mut Random) -> Model {
     });
     let position = |()| Vec3::from_bits([(); 3].map(|()| random.random_range(-0x2_0000..0x2_0000)));
     let positions = [(); 6].map(position);
-    // The first two values are the lowest and the highest of the grid, so that the grid covers its whole range.
+    // The first two values are the lowest and the highest value of a grid, so that `UvGrid::around` finds the grid of
+    // all six values.
     let mut uvs: [[u8; 2]; 6] = random.random();
     [uvs[0], uvs[1]] = [[0; 2], [255; 2]];
     Model {

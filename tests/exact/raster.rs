@@ -18,7 +18,7 @@ const EMPTY: &str = "
             ........
         ";
 
-/// Model positions for these screen positions in pixels, which must be whole subpixels.
+/// Model positions for these positions on the screen, in pixels. Each coordinate must be a multiple of 1/256 pixel.
 fn positions(points: &[[f64; 2]]) -> Vec<Vec3> {
     let subpixels = |at: f64| (at * 256.) as i32;
     points
@@ -27,7 +27,7 @@ fn positions(points: &[[f64; 2]]) -> Vec<Vec3> {
         .collect()
 }
 
-/// Draws triangles of three points each, and compares the counts.
+/// Draws a triangle for every three points, and compares how often each pixel is drawn.
 #[track_caller]
 fn assert_picture(points: &[[f64; 2]], options: &DrawOptions, expected: &str) {
     let positions = positions(points);
@@ -182,7 +182,7 @@ fn a_vertical_edge_on_centers() {
     );
 }
 
-/// Six triangles meet at a pixel center: exactly one of them owns it.
+/// Six triangles meet at a pixel center. Exactly one of them owns the center.
 #[test]
 fn a_hub_on_a_center() {
     let hub = [3.5, 2.5];
@@ -211,7 +211,7 @@ fn a_hub_on_a_center() {
     );
 }
 
-/// Triangles smaller than a pixel: only those that contain a pixel center draw that pixel.
+/// A triangle smaller than a pixel draws a pixel only if the triangle contains the pixel's center.
 #[test]
 fn triangles_smaller_than_a_pixel() {
     assert_picture(
@@ -232,7 +232,7 @@ fn triangles_smaller_than_a_pixel() {
             [5.5, 3.5],
             [5.5, 3.25],
             // The first sliver passes many pixel centers and contains none. The other sliver has three centers on an
-            // edge, and does not own the first and the last of them.
+            // edge, and owns only the middle one of these three.
             [0., 4.515_625],
             [7.75, 4.75],
             [7.75, 4.515_625],
@@ -272,7 +272,7 @@ fn no_area_no_pixel() {
     );
 }
 
-/// By default, back faces are culled. Each cull mode draws the faces that it should.
+/// Each cull mode draws the faces that it should. The default culls back faces.
 #[test]
 fn each_cull_mode_draws_its_faces() {
     let front = [[0., 0.], [0., 4.], [4., 0.]];
@@ -334,7 +334,7 @@ fn triangles_that_slant_out_of_the_frame() {
         ";
     assert_picture(&corners, &BOTH_SIDES, expected);
 
-    // Rows of one color are drawn by another function.
+    // Another function of the crate draws rows in one color.
     let positions = positions(&corners);
     let mesh = Mesh::new(&positions, &[[0, 1, 2], [3, 4, 5]]).unwrap();
     let mut pixels = [Rgb565::BLACK; (SIZE.0 * SIZE.1) as usize];
@@ -410,7 +410,7 @@ fn a_viewport_scales() {
     );
 }
 
-/// A line has one pixel per column, or per row if it is steeper than 45°, from end to end. A blended line lacks its
+/// From end to end, a line has one pixel per column, or per row if it is steeper than 45°. A blended line lacks its
 /// last pixel if the line does not pass the center of this pixel.
 #[test]
 fn lines_have_the_pixels_of_their_ends() {
@@ -483,7 +483,7 @@ fn triangles_count_if_their_rectangles_have_a_center() {
     for (points, count) in [
         // The rectangle contains the picture's upper left corner.
         ([[-9., 5.], [5., -9.], [-9., -9.]], 1),
-        // The rectangle lies between centers, or reaches one.
+        // The rectangle lies between pixel centers, or reaches a center.
         ([[1., 1.], [1.5, 1.], [1., 1.5]], 0),
         ([[1., 1.], [1.6, 1.], [1., 1.6]], 1),
         // The rectangle lies beside the picture.

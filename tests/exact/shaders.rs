@@ -55,7 +55,7 @@ fn picture(draw: &dyn Fn(&mut Screen<'_>)) -> (Vec<Rgb565>, Vec<u16>) {
     (colors, depths)
 }
 
-/// A wrapper like one in a program: it passes on the varyings and two methods.
+/// A wrapper as a program might write it: the wrapper passes on the varyings and two methods of the inner shader.
 #[derive(Clone, Copy)]
 struct Same<S>(S);
 
@@ -72,10 +72,10 @@ impl<S: Shader> Shader for Same<S> {
     }
 }
 
-/// A wrapper that adds its own varyings to those of the inner shader.
+/// A wrapper that adds its own varyings to the varyings of the inner shader.
 ///
-/// Its own varyings have a tolerance. Without a tolerance, triangles with almost no change in depth would be drawn
-/// exactly.
+/// The wrapper's own varyings have a tolerance. If a varying had no tolerance, triangles with almost no change in depth
+/// would be drawn exactly.
 #[derive(Clone, Copy)]
 struct WithFace<S>(S);
 
@@ -168,7 +168,8 @@ struct Model<'m, S> {
     shader: S,
 }
 
-/// What can be done with a model, whatever its shader is. One list can therefore hold models with different shaders.
+/// A model with any shader. Because the trait does not name the shader's type, one list can hold models with different
+/// shaders.
 trait Draw {
     fn draw(&self, canvas: &mut Screen<'_>, view: &Projection<Perspective>);
 }
@@ -213,7 +214,7 @@ fn a_list_holds_models_with_different_shaders() {
     assert!(drawn == expected);
 }
 
-/// Gray fog that grows with distance: none at the near plane, full far away.
+/// Blends a color with gray fog that grows with distance: no fog at the near plane, only fog far away.
 fn fogged(depth: u16, color: Rgb565) -> Rgb565 {
     // Depth is 65535 · near / distance.
     let mix = |own: u8, fog: u8| {

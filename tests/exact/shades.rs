@@ -40,8 +40,8 @@ fn frame(mut draw: impl FnMut(&mut Canvas<'_, Gray8>) -> Drawn) -> (Vec<Gray8>, 
     (all, drawn.missing.uvs)
 }
 
-/// A shader that counts how often it is asked for varyings. It has values at the corners, and a value of the whole
-/// face.
+/// A shader that counts how often it is asked for varyings. Its varyings are a value at each corner, and a value of the
+/// whole face.
 #[derive(Clone, Copy)]
 struct Counting<'c>(&'c Cell<u32>);
 

@@ -129,7 +129,7 @@ fn short_positions_draw_what_long_positions_draw() {
     });
 }
 
-/// Positions are rounded to the nearest 16-bit numbers. The largest of them uses at least 15 bits.
+/// Positions are rounded to the nearest 16-bit numbers. The largest shortened number uses at least 15 bits.
 #[test]
 fn shortened_positions_are_the_nearest() {
     cases(256, |random| {
@@ -156,8 +156,8 @@ fn shortened_positions_are_the_nearest() {
     });
 }
 
-/// Rounding moves a point by up to half a unit along each axis, so by up to √3/2 units. Its image moves by up to that
-/// distance times focal length / w, and by as much again for each unit of the point's slope x / w or y / w.
+/// Rounding moves a point by up to half a unit along each axis, so by up to d = √3/2 units. The point's image moves by
+/// up to d · focal length / w · (1 + slope), where the slope is x / w or y / w.
 #[test]
 fn rounding_moves_a_sphere_by_less_than_a_hundredth_of_a_pixel() {
     let (short, fraction) = SPHERE.shortened::<{ 33 * 33 }>().unwrap();

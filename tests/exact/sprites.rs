@@ -48,8 +48,8 @@ fn corners<K: ProjectionKind>(
     sprites: &Sprites<'_>,
     mvp: &Mvp<K>,
 ) -> Vec<Vec3> {
-    // Corners that the shader does not see stay zero. They belong to triangles without pixels, and `check` leaves these
-    // out.
+    // Corners that the shader does not see stay zero. These corners belong to triangles without pixels, and `check`
+    // leaves these triangles out.
     let found = RefCell::new(vec![Vec3::ZERO; 4 * sprites.positions().len()]);
     let probe = Probe::<_, Rgb565> {
         values: &|corner| {
@@ -69,9 +69,9 @@ fn corners<K: ProjectionKind>(
     found.into_inner()
 }
 
-/// A shader that records the texture coordinates of all pixels, in units of 2^-16 texel of 1024, and counts how often
-/// it is asked for varyings. (The shared recorder is no use here: it gives the two triangles of a sprite different
-/// varyings, their indices, so no sprite would be drawn as a rectangle.)
+/// A shader that records the texture coordinates of all pixels, and counts how often it is asked for varyings. The unit
+/// is 2^-16 texel of a texture with a side of 1024 texels. (The shared recorder is no use here: it gives the two
+/// triangles of a sprite different varyings, their indices, so no sprite would be drawn as a rectangle.)
 #[derive(Clone, Copy)]
 struct TexelRecorder<'a> {
     found: &'a RefCell<Vec<(Point, [i32; 2])>>,
@@ -94,7 +94,8 @@ impl Shader for TexelRecorder<'_> {
     }
 }
 
-/// A shader with colors at the four corners that lie in no common plane.
+/// A shader that interpolates a number. The numbers at a sprite's four corners lie in no common plane, so the number is
+/// not linear over the sprite.
 #[derive(Clone, Copy)]
 struct Bent;
 
@@ -128,7 +129,7 @@ fn coordinates(
     (found, asked.get())
 }
 
-/// Draws sprites, and compares them with a mesh. Sprites without an axis have `faces_camera`.
+/// Draws sprites, and compares them with a mesh. `faces_camera` is true for sprites without an axis.
 fn check<K: ProjectionKind>(
     options: &DrawOptions,
     (sprites, faces_camera): (Sprites<'_>, bool),
@@ -236,7 +237,7 @@ fn same_as_mesh<K: ProjectionKind>(
     let expected = picture(HEIGHT, &|canvas| {
         let drawn = canvas.draw_with(both, mesh, projection, shader);
         assert!(drawn.drawn > 20, "{drawn:?}");
-        // The mesh lacks the few triangles that have no pixel, because no shader sees these.
+        // The mesh lacks the few triangles that have no pixel, because no shader sees these triangles.
         let Drawn {
             submitted, missing, ..
         } = total.get();

@@ -12,7 +12,7 @@ use fixel::{Object, ShadeList};
 const SIZE: (u32, u32) = (64, 48);
 const PIXELS: usize = (SIZE.0 * SIZE.1) as usize;
 
-/// A wedge without symmetry. Its sides have different colors.
+/// A wedge without symmetry, with sides of different colors.
 static WEDGE: Mesh = Mesh::checked(Mesh::new(
     &[
         vec3!(-1, -1, 1),
@@ -48,7 +48,7 @@ fn mirrored(mut frame: Vec<Gray8>) -> Vec<Gray8> {
     frame
 }
 
-/// Of the pixels that the first frame draws: how many the second frame draws in the same color, and how many there are.
+/// Two counts: the pixels that both frames draw in the same color, and all pixels that the first frame draws.
 fn common([a, b]: [&[Gray8]; 2]) -> [usize; 2] {
     let drawn = a.iter().zip(b).filter(|(a, _)| **a != Gray8::BLACK);
     let (all, same): (Vec<_>, Vec<_>) = (
@@ -143,7 +143,7 @@ fn only_an_odd_number_of_mirrors_turns_culling_around() {
     for (factors, turned) in [
         (vec3!(1, 1, 1), vec3!(-1, -1, 1)),
         (vec3!(-1, 1, 1), vec3!(-1, -1, -1)),
-        // The scale makes the model as flat and as thin as the format allows.
+        // These factors make the model as thin along z as the format allows.
         (
             Vec3::new(fx!(1), fx!(1), tiny),
             Vec3::new(fx!(-1), fx!(-1), tiny),
@@ -181,7 +181,8 @@ fn only_an_odd_number_of_mirrors_turns_culling_around() {
     }
 }
 
-/// A triangle that faces the viewer. Scaled to a needle, it is still as high as a pixel.
+/// A triangle that faces the viewer. The triangle is so tall that its image is still a pixel high after the test has
+/// scaled it to a needle.
 fn shape_of_needle() -> [Vec3; 3] {
     [vec3!(-0.5, -900, 0), vec3!(0.5, -900, 0), vec3!(0, 900, 0)]
 }
@@ -240,8 +241,8 @@ impl Shader for Asked<'_> {
     }
 }
 
-/// A face of a part has its index in the whole mesh, an edge has its index in its list, and a point has no index. This
-/// is the same in direct draw calls and in prepared lists.
+/// A face of a part has its index in the whole mesh, an edge has its index in its list, and a point has no index.
+/// Direct draw calls and prepared lists give the same indices.
 #[test]
 fn shaders_learn_which_face_or_edge_they_color() {
     let edges = [[0, 1], [1, 2], [2, 3]];
@@ -257,7 +258,7 @@ fn shaders_learn_which_face_or_edge_they_color() {
         let seen = RefCell::new(Vec::new());
         picture(|canvas| draw(canvas, &Asked(&seen)));
         let mut seen = seen.into_inner();
-        // A line asks again for the pixel at each of its ends.
+        // For the pixels at its two ends, a line asks for varyings again.
         seen.dedup();
         seen
     };
@@ -291,7 +292,7 @@ fn shaders_learn_which_face_or_edge_they_color() {
     assert_eq!(rest, numbers(&[0, 1, 2, 0, 1, 2]));
 }
 
-/// Shows only faces that are fronts by the rule of culling, as a shader learns it.
+/// Draws only faces with `is_front`. These faces must be the faces that are left after culling.
 #[derive(Clone, Copy)]
 struct Fronts;
 
@@ -311,7 +312,7 @@ impl Shader for Fronts {
 #[test]
 fn fronts_are_what_culling_leaves() {
     let all = DrawOptions::new().with_cull(Cull::Nothing);
-    // The last place is across the near plane.
+    // At the last place, the near plane cuts the model.
     for place in [vec3!(0, 0, -5), vec3!(1, 0.5, -4), vec3!(0, 0, -2)] {
         for mirror in [vec3!(1, 1, 1), vec3!(-1, 1, 1)] {
             let model = Transform::translate(place) * Transform::rotate_y(deg!(40));

@@ -54,7 +54,7 @@ const _: () = {
     both::<Error>();
 };
 
-/// Draws as many rows of the frame as the pixels hold, from the given row on. All closures have this one type, so that
+/// Draws rows of the frame, from the given row on, until the pixels are full. All closures have this one type, so that
 /// the code of the threads is compiled once.
 type DrawRows<'d> = dyn Fn(&mut [[u8; 2]], &mut [u16], u32) + Sync + 'd;
 

@@ -65,8 +65,8 @@ fn over<K: ProjectionKind>(mesh: &Mesh, mvp: &Mvp<K>, test: impl DepthTest) -> V
     colors
 }
 
-/// Draws only the edges, without depth. They are blended, so they lack end pixels if they do not pass their centers: a
-/// face narrower than a pixel can hide an end there.
+/// Draws only the edges, without depth. The edges are blended, so an edge lacks an end pixel if the edge does not pass
+/// the pixel's center. (A face narrower than a pixel can hide an end of an edge there.)
 fn alone<K: ProjectionKind>(mesh: &Mesh, edges: &[[u16; 2]], mvp: &Mvp<K>) -> Vec<Gray8> {
     let mesh = mesh.with_edges(edges).unwrap();
     let mut colors = vec![Gray8::BLACK; PIXELS];
@@ -88,7 +88,7 @@ fn picture(pixels: &[Gray8]) -> String {
     rows.map(row).collect()
 }
 
-/// The number of pixels that the visible edges should have, and the number of those that are not drawn.
+/// The number of pixels that the visible edges should have, and how many of these pixels are not drawn.
 fn missing(drawn: &[Gray8], expected: &[Gray8]) -> [usize; 2] {
     let edge = expected.iter().filter(|&&color| color == EDGE).count();
     let missing = |&(a, b): &(&Gray8, &Gray8)| *b == EDGE && *a != EDGE;
@@ -135,7 +135,8 @@ fn edges_over_the_mesh_have_no_gaps() {
 }
 
 /// Draws the outlines of round meshes over the meshes, in many poses. `face` moves the depths of the faces, and `line`
-/// those of the lines. Returns the number of pixels of the outlines, and how many of these pixels the mesh hides.
+/// moves the depths of the lines. Returns the number of pixels of the outlines, and how many of these pixels the mesh
+/// hides.
 fn hidden_outlines(face: impl DepthTest, line: impl DepthTest) -> [usize; 2] {
     static ROUND_BALL: Mesh = shape!(sphere(24, 16));
     static ROUND_CAN: Mesh = shape!(cylinder(24));
@@ -176,7 +177,7 @@ fn hidden_outlines(face: impl DepthTest, line: impl DepthTest) -> [usize; 2] {
 fn silhouettes_of_round_meshes_have_hardly_any_gaps() {
     let [outlines, gaps] = hidden_outlines(TestAndWrite, Biased::in_front(TestAndWrite));
     assert!(gaps * 150 <= outlines, "{gaps} of {outlines}");
-    // For contrast: lines without regard to their faces, and faces without regard to their lines.
+    // For contrast: there are more gaps without a depth bias, and if the bias moves the faces instead of the lines.
     let [outlines, gaps] = hidden_outlines(TestAndWrite, TestAndWrite);
     assert!(gaps * 3 > outlines, "{gaps} of {outlines}");
     let [outlines, gaps] = hidden_outlines(Biased::behind(TestAndWrite), TestAndWrite);
@@ -184,8 +185,8 @@ fn silhouettes_of_round_meshes_have_hardly_any_gaps() {
 }
 
 /// A sheet leans back in all directions from a corner in the middle of the picture, and can reach beyond the picture.
-/// The lines of its border move nearer by the change of the sheet's depth per pixel. They move equally in a whole
-/// frame, in bands and from a list.
+/// The lines of its border move nearer by a multiple of the change of the sheet's depth per pixel. The lines move by
+/// the same amount in a whole frame, in bands and from a list.
 #[test]
 fn outlines_move_as_the_faces_beside_them_are_steep() {
     static SHEET: Mesh = shape!(plane(1, 1));
@@ -232,9 +233,10 @@ fn outlines_move_as_the_faces_beside_them_are_steep() {
         for (band, is_listed) in [(16, false), (SIZE.1, true), (8, true)] {
             assert!(moved == draw(Biased::new(WriteOnly, 0, slope), band, is_listed));
         }
-        // The sheet's sides point along (1, 0, 0) and (0, 0, 1), and its normal along (0, 1, 0), leaned and turned. On
-        // the sheet, the change of depth per unit across and down is given by the ratios of the normal's components.
-        // Along a side, it is the change per unit of the longer axis.
+        // The sheet's sides point along (1, 0, 0) and (0, 0, 1), and its normal along (0, 1, 0), leaned and turned. The
+        // ratios of the normal's components give the change of depth on the sheet, per unit across and per unit down. A
+        // side is longer along one axis, across or down; along the side, the change of depth is counted per unit of
+        // this axis.
         let [lean, turn] = [lean, turn].map(|degrees| f64::from(degrees).to_radians());
         let turned = |[x, y, z]: [f64; 3]| {
             let (y, z) = (
@@ -257,7 +259,7 @@ fn outlines_move_as_the_faces_beside_them_are_steep() {
         let pixel = 4.0 / f64::from(SIZE.1);
         let expected = sides.map(|steepness| SLOPE * steepness * pixel / depth * 65_536.0);
         // Both ends of the sheet's shorter side, `side` pixels long, are rounded by up to half of 1/256 pixel. The
-        // format has 11 bits after the first one. Two codes are cut.
+        // change of depth is stored in a format with 11 bits after the first one, and is rounded down twice.
         let side = (2.0 * size).min(2.0) * lean.sin().min(lean.cos()) / pixel;
         let tolerance = expected[0].max(expected[1]) * (4.0 / 256.0 / side + 2.0 / 2048.0) + 2.0;
         let pixels = plain.iter().zip(&moved).filter(|(plain, _)| **plain > 0);

@@ -41,7 +41,7 @@ pub struct Picture {
 /// The color of every pixel before drawing.
 const BACKGROUND: Rgb565 = Rgb565::new(1, 2, 3);
 
-/// A list with room for two copies of all pieces that clipping makes of the few triangles.
+/// A list with room for two copies of all pieces that clipping makes of a scene's few triangles.
 type List = DrawList<32, 400>;
 
 impl<K: ProjectionKind> Call<'_, K> {
@@ -233,7 +233,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         }
     }
 
-    /// Records every pixel for which the shader is asked if there is no depth buffer.
+    /// Draws without a depth buffer, and records every pixel for which the shader is asked.
     pub fn record<I, F, const N: usize>(
         &self,
         options: &DrawOptions<I>,
@@ -250,7 +250,7 @@ impl<K: ProjectionKind> Call<'_, K> {
             self.draw(&mut canvas, options, recorder);
         });
 
-        // The last color at each position must show. Positions without a color must be unchanged.
+        // Each pixel must have the color that was drawn there last. A pixel where no color was drawn must be unchanged.
         let mut expected = vec![BACKGROUND; colors.len()];
         for seen in &record.seen {
             if let Some(color) = seen.color {
@@ -331,8 +331,8 @@ impl<K: ProjectionKind> Call<'_, K> {
         frame
     }
 
-    /// Draws with a depth buffer. Of the pixels that were `seen` without a depth buffer, exactly those that are not
-    /// hidden must be drawn.
+    /// Draws with a depth buffer. Of the pixels that were `seen` without a depth buffer, exactly the pixels that are
+    /// not hidden must be drawn.
     fn depth_test<I, F, const N: usize>(
         &self,
         options: &DrawOptions<I>,
@@ -390,14 +390,14 @@ impl<K: ProjectionKind> Call<'_, K> {
             canvas.draw_prepared(&prepared, shader).unwrap()
         });
         assert!(frame == *expected, "prepared triangles differ");
-        // If clipping removes a triangle, only direct drawing reports its missing attributes.
+        // If clipping removes a triangle, only a direct draw call reports that the triangle lacks attributes.
         let missing = drawn.missing;
         assert_eq!(Drawn { missing, ..counts }, drawn);
         let bands = self.in_bands(&mut |band| band.draw_prepared(&prepared, shader).unwrap());
         assert!(bands == *expected, "bands of prepared triangles differ");
 
-        // In another order, other triangles can show. But the number of triangles is the same, and bands equal the
-        // frame.
+        // In another order, other triangles can show. But the number of drawn triangles is the same, and bands equal
+        // the frame.
         let sorted = list
             .prepare_back_to_front(options, self.scene.size, self.mesh, &self.mvp)
             .unwrap();
@@ -409,8 +409,8 @@ impl<K: ProjectionKind> Call<'_, K> {
         let bands = self.in_bands(&mut |band| band.draw_prepared(&sorted, shader).unwrap());
         assert!(bands == frame, "bands of sorted triangles differ");
 
-        // Draw the mesh as two objects of a scene. Their material is not the shader, because then scenes would be
-        // compiled for each shader.
+        // Draw the mesh as two objects of a scene. The objects' material is not the shader, because with the shader as
+        // material, scenes would be compiled for each shader.
         let mut objects = [Object::new(self.mesh, Transform::IDENTITY, ()); 2];
         let scene = list
             .prepare_back_to_front(options, self.scene.size, &mut objects, &self.mvp)
@@ -604,11 +604,11 @@ impl<K: ProjectionKind> Call<'_, K> {
         assert!(self.in_bands(draw) == frame, "bands of smooth lines differ");
     }
 
-    /// Draws a picture in bands of the scene's heights.
+    /// Draws a picture in bands. The scene gives their heights.
     fn in_bands(&self, draw: &mut Draw<'_>) -> Picture {
         let mut picture = self.blank();
         let (width, height) = self.scene.size;
-        // More than twelve bands would take long and find little.
+        // There are at most twelve bands, because more bands would take long and find few mistakes.
         let least = height.div_ceil(12);
         let mut heights = self.scene.bands.iter().cycle();
         let (mut colors, mut depths) = (&mut picture.colors[..], &mut picture.depths[..]);
@@ -629,6 +629,6 @@ impl<K: ProjectionKind> Call<'_, K> {
 
 type Frame<'f> = Canvas<'f, Rgb565, Native, LinearDepth>;
 
-/// Draws into a frame or a band. All closures have this one type. There are hundreds of them, so generic functions
-/// would take minutes to compile.
+/// Draws into a frame or a band. All closures have this one type. Generic functions would take minutes to compile,
+/// because there are hundreds of closures.
 type Draw<'d> = dyn FnMut(&mut Frame<'_>) -> Drawn + 'd;

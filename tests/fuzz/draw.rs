@@ -86,8 +86,8 @@ struct DefaultMode<'a, 'c, K> {
 
 impl<K: ProjectionKind> Draw for DefaultMode<'_, '_, K> {
     fn draw<F: ShaderFor<Rgb565>>(self, shader: &F) {
-        // `Bits` checks the invariants of the pixels, which are the same for all shaders. Here only frames are
-        // compared.
+        // The check with the shader `Bits` covers the invariants of the pixels, which are the same for all shaders.
+        // Here only frames are compared.
         self.call.check_frames(&self.options, shader);
     }
 }

@@ -1,4 +1,4 @@
-//! The f64 model's triangles, and bounds of the crate's deviation from them.
+//! The f64 model's triangles, and bounds on the crate's deviation from these triangles.
 
 use fixel::prelude::*;
 
@@ -14,11 +14,11 @@ const GUARD: f64 = 2048.;
 pub struct Knowledge {
     pub view: View,
     pub at: [Projected; 3],
-    /// The largest coefficient of x and y, in pixels, and of depth, which has the guard band's scale. (All clip
-    /// coordinates have the same exponent.)
+    /// The largest coefficient of the clip coordinates: of x and y in pixels, and of depth in units in which the depth
+    /// range is half of the guard band's width. (All clip coordinates have the same exponent.)
     scale: f64,
-    /// For each corner, the bound of the error of its clip coordinates, divided by the scale. It has the unit of a
-    /// distance.
+    /// For each corner: a bound on the error of its clip coordinates, divided by `scale`. The quotient has the unit of
+    /// a distance.
     errors: [f64; 3],
 }
 
@@ -53,7 +53,7 @@ impl Knowledge {
         let scale = pixels(0, window.size().width)
             .max(pixels(1, window.size().height))
             .max(of_depth);
-        // The offset of a parallel projection counts as a distance, too.
+        // In a parallel projection, the offset of depth counts as a distance, too.
         let offset = if parallel {
             projection.near.abs().max(projection.far.abs()).max(1.)
         } else {
@@ -71,13 +71,14 @@ impl Knowledge {
         self.view.projection.kind == Kind::Parallel
     }
 
-    /// The bound of the error of a corner's distance, or of its depth relative to the depth range.
+    /// A bound on the error of a corner's distance or, in a parallel projection, of its depth as a fraction of the
+    /// depth range.
     pub fn of_depth(&self, corner: usize) -> f64 {
         self.errors[corner] * self.scale / GUARD
     }
 
-    /// The bound of the error of a clipped outline anywhere in the guard band, in pixels, before rounding. Away from
-    /// the middle, an error of w causes an error of x.
+    /// A bound on the error of a clipped outline anywhere in the guard band, in pixels, before rounding. The bound
+    /// contains the factor 2, because away from the middle, an error of w causes an error of x, too.
     pub fn of_place(&self) -> f64 {
         let most = self.errors.into_iter().fold(0., f64::max);
         let nearest = if self.is_parallel() {

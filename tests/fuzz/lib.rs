@@ -8,12 +8,12 @@
 //! |---|---|
 //! | `numbers` | numbers of every magnitude |
 //! | `scene` | a draw call: mesh, model-view-projection, canvas, and options |
-//! | `projection` | projections of the crate, and the same of the model |
-//! | `steps` | products of transforms of the crate, and the same of the model |
-//! | `draw` | a scene in every mode, and with one of the crate's shaders |
+//! | `projection` | projections, made both by the crate and by the model |
+//! | `steps` | products of transforms, made both by the crate and by the model |
+//! | `draw` | draws a scene in every mode, and with one of the crate's shaders |
 //! | `shaders` | a shader with colors that depend on every bit |
 //! | `shades` | the crate's shaders |
-//! | `call` | a draw call in bands, prepared, as bytes and twice |
+//! | `call` | draws a scene in bands, prepared, as bytes and twice |
 //! | `knowledge` | the f64 model's triangles, and bounds on the crate's deviation from them |
 //! | `model` | the comparison of pixels with the f64 model |
 

@@ -23,17 +23,18 @@ const MOST_RATIO: f64 = 128.;
 /// The largest relative error of a distance for which values are compared. With this error, a corner is still within a
 /// thousandth of a pixel of the model's corner.
 const MOST_ERROR: f64 = 1. / 65536.;
-/// The largest error of a depth for which depths are compared.
+/// Depths are compared only if the bound on their error is at most this, in steps of depth.
 const MOST_DEPTH_ERROR: f64 = 4.;
-/// The error of a depth, relative to the depth: 2⁻³⁰ each for the reciprocals of the distance and of the near plane,
-/// and for the scale of 65536.
+/// A bound on the error that the scale of depths causes, in steps of depth. Relative to the depth, which is below
+/// 65536, the error is at most 2⁻²⁸: 2⁻³⁰ each from the reciprocals of the distance and of the near plane, and from the
+/// scale of 65536.
 const DEPTH_SCALE: f64 = 65536. / (1 << 28) as f64;
 
-/// The triangles of a scene, as far as the model knows them.
+/// The triangles of a scene for which the model knows the exact result.
 pub struct Truth {
-    /// For each triangle of the mesh: its values if all its corners are visible.
+    /// For each triangle of the mesh: its corners, if all corners are visible.
     whole: Vec<Option<Whole>>,
-    /// For each other triangle: its visible part if the model knows enough about it.
+    /// For each other triangle: its visible part, if the model knows enough about the triangle.
     clipped: Vec<Option<Clipped>>,
     window: Bounds,
     cull: Cull,
@@ -51,9 +52,9 @@ struct Ahead {
     parallel: bool,
     w: [f64; 3],
     depth: [f64; 3],
-    /// The bound of the relative error of w.
+    /// A bound on the relative error of w.
     w_error: f64,
-    /// The bound of a depth's error, before the depth is rounded down.
+    /// A bound on the error of a depth before the depth is rounded down.
     depth_error: f64,
 }
 
@@ -194,7 +195,7 @@ impl Ahead {
         }
     }
 
-    /// The largest change of a value if each w has an error.
+    /// The largest change of a value that the errors of the corners' distances w can cause.
     ///
     /// If each w has a relative error of ε, the barycentric weights change by at most 2ε/(1 − ε). The value then
     /// changes by at most this fraction of its range over the corners.
@@ -242,20 +243,20 @@ impl Knowledge {
 
 /// The visible part of a clipped triangle.
 struct Clipped {
-    /// The part with pixels that must be drawn, except next to its outline.
+    /// Pixels in this part must be drawn, except next to the part's outline.
     inner: Vec<Piece<0>>,
-    /// The part with pixels that may be drawn.
+    /// Only pixels in this part can be drawn.
     outer: Vec<Piece<0>>,
-    /// The bound of the outline's error, in pixels.
+    /// A bound on the outline's error, in pixels.
     margin: f64,
 }
 
 /// A little more than the bound of a corner's error: rounding moves the corner by up to 1/512 pixel along each axis.
 const SNAP: f64 = 1. / 256.;
-/// A triangle is not compared if other errors are larger than this.
+/// A triangle is not compared if its errors other than [`SNAP`] are larger than this, in pixels.
 const MOST_MOVED: f64 = 1. / 64.;
-/// A pixel may be drawn or not if the ratio of its distance to that of the near or the far plane is within this factor.
-/// The crate's planes deviate by 2⁻¹⁶ plus rounding.
+/// If the distances of a pixel and of the near or the far plane differ by less than this factor, the pixel may be drawn
+/// or not. The crate's planes deviate by 2⁻¹⁶ plus rounding.
 const CLOSE: f64 = 1.01;
 
 impl Clipped {

@@ -20,7 +20,7 @@ pub fn bits(u: &mut Unstructured<'_>) -> Result<i32> {
         0 => u.arbitrary()?,
         1 => u.arbitrary::<i32>()? >> u.int_in_range(0..=31)?,
         2 => *u.choose(&ENDS)?,
-        // Numbers within ±8 in 16.16 on a grid, so that some numbers are equal and some points are collinear.
+        // Multiples of 1/16 within ±8, in 16.16, so that some numbers are equal and some points are collinear.
         3 => i32::from(u.arbitrary::<i8>()?) << 12,
         _ => i32::from(u.arbitrary::<i16>()?) << 4,
     })
@@ -30,7 +30,7 @@ pub fn scalar(u: &mut Unstructured<'_>) -> Result<Scalar> {
     bits(u).map(Scalar::from_bits)
 }
 
-/// The absolute value of a number. It is rarely 0.
+/// The absolute value of a number. The value is rarely 0.
 pub fn size(u: &mut Unstructured<'_>) -> Result<Scalar> {
     Ok(scalar(u)?.abs())
 }
@@ -49,7 +49,7 @@ pub fn vector(u: &mut Unstructured<'_>) -> Result<Vec3> {
     }))
 }
 
-/// Scale factors, mostly within ±4 in 32nds.
+/// Scale factors, mostly multiples of 1/32 between −4 and 4.
 pub fn factors(u: &mut Unstructured<'_>) -> Result<Vec3> {
     if u.ratio(1, 8)? {
         return vector(u);
@@ -59,8 +59,8 @@ pub fn factors(u: &mut Unstructured<'_>) -> Result<Vec3> {
 }
 
 pub fn tex_coords(u: &mut Unstructured<'_>) -> Result<Vec2> {
-    // As a texture coordinate, the same bits are a sixteenth of the value in 16.16, so some coordinates are within one
-    // or two repeats.
+    // A texture coordinate has 20 fraction bits, so these bits mean a sixteenth of their value in 16.16. Some
+    // coordinates are therefore within one or two repeats.
     Ok(Vec2::from_bits([bits(u)?, bits(u)?]))
 }
 
@@ -68,7 +68,7 @@ pub fn angle(u: &mut Unstructured<'_>) -> Result<Angle> {
     Ok(if u.arbitrary()? {
         Angle::from_bits(u.arbitrary()?)
     } else {
-        // The angles are 32nds of a turn, which include right angles.
+        // The angles are multiples of 1/32 turn. Right angles are among them.
         Angle::from_bits(u32::from(u.arbitrary::<u8>()?) << 27)
     })
 }

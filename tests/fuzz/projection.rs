@@ -58,7 +58,7 @@ fn planes(u: &mut Unstructured<'_>) -> Result<[Scalar; 2]> {
     Ok([a.min(b), a.max(b)])
 }
 
-/// A field of view. It is rarely very wide or very narrow.
+/// A field of view, which is rarely very wide or very narrow.
 fn field_of_view(u: &mut Unstructured<'_>) -> Result<Angle> {
     if u.ratio(1, 8)? {
         angle(u)

@@ -6,7 +6,7 @@ use std::panic;
 
 use base64::prelude::{BASE64_STANDARD, Engine};
 
-/// Checks all inputs: lines in base64. Fails with a list of the inputs that fail.
+/// Checks all inputs, one per line in base64. Panics with a list of the inputs that fail.
 fn replay(inputs: &str, check: fn(&[u8])) {
     let fails = |line: &&str| {
         let input = BASE64_STANDARD.decode(line).unwrap();

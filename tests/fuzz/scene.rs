@@ -13,7 +13,7 @@ use super::steps::{Eye, Steps};
 /// The largest number of positions, and of triangles, in a mesh.
 const MOST: usize = 10;
 
-/// The values of an attribute, with or without its own faces.
+/// The values of an attribute, with or without a list of faces of their own.
 #[derive(Clone, Debug)]
 pub struct Attribute<T> {
     pub values: Vec<T>,
@@ -51,7 +51,7 @@ fn indices<const K: usize>(u: &mut Unstructured<'_>, count: usize) -> Result<[u1
     Ok(indices.map(|index| u16::from(index) % u16::try_from(count.max(1)).unwrap()))
 }
 
-/// Indices of an attribute at a triangle's corners. Sometimes, a corner has no value.
+/// The indices of an attribute's values at a triangle's corners. Sometimes, a corner has no value.
 fn corners(u: &mut Unstructured<'_>, count: usize) -> Result<[u16; 3]> {
     Ok(if u.ratio(1, 8)? {
         let [a, b, _] = indices(u, count)?;
@@ -78,9 +78,9 @@ pub struct Billboard {
     in_pixels: bool,
     axis: Option<Vec3>,
     anchor: Vec2,
-    /// The scale of the first sprite. The scales of the others are multiples.
+    /// The scale of the first sprite. The other sprites have multiples of this scale.
     scale: Option<Scalar>,
-    /// The frame of the first sprite. The frames of the others are multiples.
+    /// The frame of the first sprite. The other sprites have multiples of this frame number.
     frame: Option<u16>,
     grid: (u16, u16),
 }
@@ -225,7 +225,7 @@ pub struct Scene {
     pub size: (u32, u32),
     pub viewport: Option<[i32; 4]>,
     pub cull: Cull,
-    /// The heights of the bands in rows. The list repeats.
+    /// The heights of the bands in rows. After the last height, the first one follows again.
     pub bands: Vec<u8>,
     pub what: What,
     pub shade: Shade,
@@ -233,7 +233,7 @@ pub struct Scene {
     pub tolerance: Scalar,
     /// The initial contents of the depth buffer: one value in its first half, the other in its second half.
     pub depths: [u16; 2],
-    /// How edges and points are drawn. If 0, they are drawn as single pixels.
+    /// Selects the style of edges and points. With 0, they are drawn as single pixels.
     pub style: u8,
     pub changes: Changes,
 }

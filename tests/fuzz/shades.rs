@@ -103,12 +103,12 @@ impl Shine {
     }
 }
 
-/// A function of a shader of any type.
+/// A function that takes a shader of any type.
 pub trait Draw {
     fn draw<F: ShaderFor<Rgb565>>(self, shader: &F);
 }
 
-/// Texels that differ from all of their neighbors.
+/// Makes texels that differ from all of their neighbors.
 const fn texels<const W: usize, const H: usize>() -> [[Rgb565; W]; H] {
     let mut texels = [[Rgb565::new(0, 0, 0); W]; H];
     let mut row = 0;
@@ -127,7 +127,7 @@ const fn texels<const W: usize, const H: usize>() -> [[Rgb565; W]; H] {
 static ONE: [[Rgb565; 1]; 1] = texels();
 static SMALL: [[Rgb565; 4]; 2] = texels();
 static LARGE: [[Rgb565; 64]; 128] = texels();
-/// The largest width of a texture.
+/// A texture with the largest possible width.
 static WIDE: [[Rgb565; 32_768]; 1] = texels();
 /// A transparent texel, and three colors.
 static HOLED: [[Argb1555; 2]; 2] = [
@@ -176,7 +176,7 @@ pub fn draw(which: u8, lights: Lights, color: Rgb888, between: [u16; 2], then: i
     let glossy = spot.shiny(viewer, exponent, fx!(1)).unwrap();
     let shiny = |lamp: Light| lamp.shiny(viewer, exponent, fx!(0.5)).unwrap();
     let faces = [Rgb565::new(31, 0, 0), color.into(), Rgb565::new(0, 0, 31)];
-    // The parts can be in any order, and a range can be reversed.
+    // The parts can be in any order, and a part's range of faces can be reversed.
     let part = |depth: u16| {
         Part::new(
             (depth & 15).into()..(depth >> 4 & 15).into(),

@@ -9,7 +9,7 @@ use crate::moves::Move;
 /// A factor in a product of transforms.
 #[derive(Clone, Copy, Debug)]
 pub enum Step {
-    /// A transform, multiplied from the right: it acts on points before the previous steps do.
+    /// A transform, multiplied from the right, so that it acts on points before the previous steps do.
     Move(Move),
     Uniform(Scalar),
     Rotate(Vec3, Angle),
@@ -58,7 +58,7 @@ impl Steps {
         few(u, count, Step::arbitrary).map(Self)
     }
 
-    /// Whether the product mirrors: an odd number of factors is negative.
+    /// Whether the product mirrors, which it does if an odd number of scale factors is negative.
     pub fn mirrors(&self) -> bool {
         let negative = |factor: Scalar| factor < fx!(0);
         self.0.iter().fold(false, |mirrors, step| match step {

@@ -31,7 +31,7 @@ pub static ROOFS: Mesh = {
                 [east, y, north],
                 [west, y, north],
             ];
-            // Each slope has its own corners: left and right below, right and left above.
+            // Each slope has its own corners, in this order: lower left, lower right, upper right, upper left.
             let slopes = [
                 [corners[0], corners[1], right, left],
                 [corners[2], corners[3], left, right],

@@ -14,7 +14,7 @@ use super::map::{MAP, SIDE};
 const INK: Rgb565 = Rgb565::new(30, 54, 22);
 const SHADE: Rgb565 = Rgb565::new(3, 5, 6);
 
-/// Panels with fewer rows have no compass and no names.
+/// Panels with fewer rows than this show no compass and no names.
 pub const LOW: u32 = 96;
 
 /// The state of the viewer that the display shows.
@@ -30,7 +30,8 @@ pub struct Status {
 impl Status {
     /// Draws everything for which there is room. A low panel has no compass.
     ///
-    /// `size` is the size of the frame. A band cannot tell it, because its bounding box contains only the band.
+    /// `size` is the size of the frame. A band does not know this size, because its bounding box contains only the
+    /// band.
     pub fn draw<T: DrawTarget<Color = Rgb565>>(
         &self,
         target: &mut T,
@@ -43,7 +44,7 @@ impl Status {
         self.map(target, size)
     }
 
-    /// A strip, half a turn wide, that turns with the viewer.
+    /// The compass: a strip that spans half a turn, and turns with the viewer.
     fn compass<T: DrawTarget<Color = Rgb565>>(
         &self,
         target: &mut T,

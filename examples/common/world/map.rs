@@ -133,10 +133,10 @@ impl Layer {
     }
 }
 
-/// Memory for any layer, while the compiler makes it.
+/// Memory in which the compiler makes a layer, with room for any layer.
 struct Draft {
     positions: [[i16; 3]; 1600],
-    /// In sixteenths of a unit of the world. A texture covers two units.
+    /// Texture coordinates, in sixteenths of a unit of the world. A texture covers two units.
     uvs: [[i16; 2]; 1600],
     faces: [[Index; 3]; 1600],
     starts: [usize; BLOCKS * BLOCKS + 1],
@@ -147,8 +147,8 @@ struct Draft {
 }
 
 impl Draft {
-    /// The index of a vertex. If the block does not have the vertex yet, it is added. Positions are in sixteenths of a
-    /// unit.
+    /// Returns the index of a vertex. Adds the vertex if the block does not have it yet. Positions are in sixteenths of
+    /// a unit.
     const fn vertex(&mut self, [x, y, z]: [i16; 3], [u, v]: [i16; 2]) -> Index {
         let mut at = self.first;
         while at < self.vertices {
@@ -164,7 +164,7 @@ impl Draft {
         at as Index
     }
 
-    /// Adds a rectangle. Its corners run counter-clockwise from the bottom left.
+    /// Adds a rectangle. The corners run counter-clockwise from the bottom left.
     const fn quad(&mut self, corners: [[i16; 3]; 4], uvs: [[i16; 2]; 4]) {
         let a = self.vertex(corners[0], uvs[0]);
         let b = self.vertex(corners[1], uvs[1]);
@@ -214,9 +214,9 @@ impl Draft {
         if !is(Some(side), material) || height == OUTSIDE {
             return;
         }
-        // The neighbors, and the lower corners of the sides toward them, from left to right as seen from the neighbor.
-        // Cells at the left and upper edges of the map have no neighbors there: the index wraps to an index outside of
-        // the map.
+        // For each side of the cell: the neighbor there, and the side's two lower corners, the left one first for a
+        // viewer on that neighbor. A cell at the left or the upper edge of the map has no neighbor beyond this edge, so
+        // the neighbor's index wraps to an index outside of the map.
         let sides = [
             (cell(column, row.wrapping_sub(1)), [right, z], [x, z]),
             (cell(column, row + 1), [x, front], [right, front]),
@@ -226,14 +226,14 @@ impl Draft {
         let mut at = 0;
         while at < 4 {
             let (Cell { height: mut y, .. }, [a, b], [c, d]) = sides[at];
-            // To the north and the east, coordinates decrease from left to right.
+            // On sides to the north and to the east, coordinates decrease from left to right.
             let (from, to) = match at {
                 0 => (-a, -c),
                 1 => (a, c),
                 2 => (-b, -d),
                 _ => (b, d),
             };
-            // Light is computed at the vertices, so no side is higher than a unit.
+            // Light is computed at the vertices, so a side is cut into rectangles at most one unit high.
             while y < height {
                 let floor = (y.div_euclid(16) + 1) * 16;
                 let upper = if floor < height { floor } else { height };

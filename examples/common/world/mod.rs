@@ -24,7 +24,8 @@
 //! | flash of textures, in KiB | 110 | 110 | 110 |
 //! | flash of meshes, map and places, in KiB | 40 | 40 | 40 |
 //!
-//! The mirror image in the pond is drawn upside down below the water, after the ground, which hides it elsewhere.
+//! The mirror image in the pond is drawn upside down below the water. The ground is drawn before, and hides the mirror
+//! image outside of the pond.
 
 // Coordinates of the map, and colors, are small.
 #![allow(clippy::cast_possible_wrap, clippy::cast_sign_loss)]
@@ -71,7 +72,7 @@ pub static LOOK: [Vec3; STOPS] = [
     vec3!(9, 1.1, 16),
 ];
 
-/// A point of a smooth closed curve through points (Catmull-Rom). A whole turn goes around the curve once.
+/// A point of a smooth closed curve through `points` (Catmull-Rom). A whole turn goes around the curve once.
 fn along(points: &[Vec3; STOPS], turn: Angle) -> Vec3 {
     let place = u64::from(turn.to_bits()) * STOPS as u64;
     let (first, t) = (
@@ -90,7 +91,7 @@ fn along(points: &[Vec3; STOPS], turn: Angle) -> Vec3 {
 const WATER: Scalar = Scalar::from_bits((map::WATER as i32) << 12);
 static POND: Bounds = Bounds::new(vec3!(8, -0.2, 8), vec3!(12, -0.1, 12));
 
-/// The light of the lamps on the map, and of one above the door.
+/// The color of the light of all lamps: the lamps on the map, and one lamp above the door.
 const LAMPLIGHT: Rgb888 = Rgb888::new(255, 172, 82);
 const LAMPS: usize = map::LAMPS.len() + 1;
 const DOOR: Vec3 = vec3!(10, 1.7, 5.8);
@@ -324,7 +325,7 @@ impl<M: Mode> Scene<M> {
         )
     }
 
-    /// Draws plants of one kind. They turn about their stems to face the viewer.
+    /// Draws plants of one kind. The plants turn about their stems to face the viewer.
     fn plants<O, D, const W: usize, const H: usize>(
         &self,
         canvas: &mut Canvas<'_, Rgb565, O, D>,

@@ -28,7 +28,8 @@ static DOME: Mesh = {
                 // From 0 to 256: `west` from east to west, and `low` from the zenith down to the horizon.
                 let west = (0x1_0000 - x) >> 9;
                 let low = 256 - (y.unsigned_abs() >> 8) as i32;
-                // `haze` is (low/256)², and the glow decreases with its square, so the glow is lower than the haze.
+                // `haze` is (low/256)². The glow decreases with the square of `haze`, so the glow reaches less high
+                // than the haze.
                 let haze = (low * low) >> 8;
                 let glow = (((haze * haze) >> 8) * ((west * west) >> 8)) >> 8;
                 colors[at] = Rgb888::new(

@@ -38,7 +38,8 @@ pub type Tile = Mipmap<'static, Rgb565>;
 
 const LENGTH: usize = Mipmap::<Rgb565>::len(64, 64);
 
-/// A texture of 64x64 texels with all its levels, from an expression of the named column and row.
+/// A texture of 64x64 texels with all its levels. The expression computes the color of a texel from its column `$x` and
+/// its row `$y`.
 macro_rules! mipmap {
     (|$x:ident, $y:ident| $color:expr) => {{
         #[allow(long_running_const_eval)]
@@ -204,7 +205,8 @@ pub static WINDOW: [[Argb1555; 16]; 32] = {
     texels
 };
 
-/// A plant, from its width in texels and an expression of column and row: the brightness of a texel, or 0 for a hole.
+/// A plant, from its size in texels, the color of its leaves, and an expression that computes the brightness of a texel
+/// from its column `$x` and its row `$y`. A brightness of 0 makes a hole.
 macro_rules! plant {
     ($width:literal x $height:literal, $leaf:expr, |$x:ident, $y:ident| $light:expr) => {{
         #[allow(long_running_const_eval)]

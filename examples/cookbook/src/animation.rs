@@ -1,4 +1,5 @@
-//! Saves an animation as a WebP file. It keeps all colors of the pictures; its losses are invisible.
+//! Saves an animation as a WebP file. The file keeps all colors of the pictures. The losses of its compression are
+//! invisible.
 
 use std::error::Error;
 use std::fs;
@@ -14,7 +15,7 @@ const RATE: u32 = 15;
 /// The quality, at most 100. At 75, the animation of the garden has 0.8 MB; without losses, it would have 3.8 MB.
 const QUALITY: f32 = 75.;
 
-/// Writes pictures of equal size to a file. After the last picture, the first one follows.
+/// Writes pictures of equal size to a file. The animation repeats forever.
 pub fn save(path: &Path, pictures: &[SimulatorDisplay<Rgb565>]) -> Result<(), Box<dyn Error>> {
     let size = pictures.first().map(OriginDimensions::size);
     let size = size.ok_or("an animation needs a frame")?;

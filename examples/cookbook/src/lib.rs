@@ -1,7 +1,7 @@
 //! The scenes of the cookbook, the pictures of the documentation's pages, and a little world.
 //!
-//! The program and the tests share this library, so that the meshes and textures are built only once. They take the
-//! compiler longer than the code.
+//! The program and the tests share this library, so that the meshes and textures are built only once. The meshes and
+//! textures take the compiler longer than the code.
 
 pub mod bus;
 pub mod displays;
@@ -23,7 +23,7 @@ pub use scenes::{Draw, Frame, SCENES};
 /// The size of the documentation's pictures.
 pub const SIZE: Size = Size::new(320, 240);
 
-/// The scene that is longer than the other scenes. It is animated.
+/// The scene that is longer than the other scenes, and is animated.
 pub const WORLD: &str = "world";
 
 /// All scenes by name.

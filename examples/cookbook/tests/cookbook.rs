@@ -81,7 +81,8 @@ fn the_walk_is_closed() {
         assert_eq!(viewer(turn), stops);
         let ((eye, target), (eye_before, target_before)) =
             (viewer(turn), viewer(turn - Angle::from_bits(1 << 9)));
-        // A step is 2^-20 of the way between two stops. These are less than 8 units apart. Rounding adds to the step.
+        // A step is 2^-20 of the way between two stops. The stops are less than 8 units apart. Rounding makes the step
+        // larger.
         assert!(
             eye_before.distance(eye) < fx!(0.001),
             "{stop}: {eye_before}"

@@ -1,4 +1,4 @@
-//! Draws a scene in a layout, and measures it.
+//! Draws a scene in a layout, and measures the drawing.
 
 use crc32fast::Hasher;
 use fixel::canvas::DepthBuffer;
@@ -49,16 +49,16 @@ impl Layout {
     }
 }
 
-/// What is measured about a picture.
+/// The measured figures of a picture.
 #[derive(Default)]
 pub struct Figures {
     /// The number of pixels that the models cover.
     pub pixels: usize,
     /// The number of triangles drawn. A triangle counts once in each of its bands.
     pub triangles: u32,
-    /// The ticks of the clock during the draw calls only.
+    /// The ticks of the clock during the calls that prepare and draw. No other call counts.
     pub ticks: u64,
-    /// The largest number of bytes of stack that a draw call uses.
+    /// The largest number of bytes of stack that a call to prepare or to draw uses.
     pub stack: usize,
     /// The CRC-32 of the pixels, row by row. The more significant byte comes first.
     pub crc: u32,
@@ -167,7 +167,7 @@ impl Bench {
 }
 
 impl Figures {
-    /// Adds the ticks and the stack of one draw call.
+    /// Adds the ticks and the stack of one measured call.
     fn add(&mut self, ticks: u64, stack: usize) {
         self.ticks += ticks;
         self.stack = self.stack.max(stack);

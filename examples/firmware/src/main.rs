@@ -1,7 +1,8 @@
-//! The measured scenes on a microcontroller. They have the same pixels as on the host, in whole frames and in bands.
+//! The measured scenes on a microcontroller, in whole frames and in bands. The pictures have the same pixels as on the
+//! host.
 //!
-//! `cargo run --profile speed -p firmware --target thumbv7em-none-eabi` runs the program under QEMU. This needs QEMU
-//! with its Arm and RISC-V boards, and `ld.lld`. Other targets are thumbv6m-none-eabi, thumbv7m-none-eabi,
+//! `cargo run --profile speed -p firmware --target thumbv7em-none-eabi` runs the program under QEMU. The command needs
+//! QEMU with the Arm and RISC-V boards, and `ld.lld`. Other targets are thumbv6m-none-eabi, thumbv7m-none-eabi,
 //! thumbv8m.base-none-eabi, thumbv8m.main-none-eabi and riscv32imc-unknown-none-elf.
 //!
 //! The program first prints the number of instructions in a tick. For each mode, scene and layout, it then prints the

@@ -6,7 +6,7 @@
 use fixel::mesh::{Buffers, Counts, Shape};
 use fixel::prelude::*;
 
-/// The triangles of the outer cube, then those of the inner cube.
+/// The triangles of the outer cube, then the triangles of the inner cube.
 pub static INWARDS: Mesh = mesh(Mesh::new(&CUBES.positions, &CUBES.faces));
 /// The same triangles in reverse order, with 16-bit positions. The positions have the same values, but a Cortex-M0+
 /// transforms them with other code.
@@ -39,7 +39,7 @@ static CUBES: Cubes = {
     let (outer_faces, inner_faces) = cubes.faces.split_at_mut(COUNTS.faces);
     build(SHAPES[0], outer_positions, outer_uvs, outer_faces);
     build(SHAPES[1], inner_positions, inner_uvs, inner_faces);
-    // The vertices of the inner cube follow those of the outer cube.
+    // The vertices of the inner cube follow the vertices of the outer cube.
     let mut at = 0;
     while at < COUNTS.faces {
         let [a, b, c] = inner_faces[at];

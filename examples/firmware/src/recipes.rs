@@ -1,4 +1,4 @@
-//! The cookbook's scenes on a microcontroller. They have the same pixels as on the host.
+//! The cookbook's scenes on a microcontroller. The pictures have the same pixels as on the host.
 //!
 //! `cargo run --profile speed -p firmware --bin recipes --target thumbv7em-none-eabi` prints a checksum of each
 //! picture, in 96x72, and the number of instructions. `cargo run -p cookbook -- --crc --size 96x72` prints the host's

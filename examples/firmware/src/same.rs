@@ -22,8 +22,8 @@ pub enum Repeat {
     Once,
     /// Twice. The band is cleared in between.
     Again,
-    /// Twice, the second time over the first. Of triangles at equal depths, the last one shows, and this is the same
-    /// triangle both times.
+    /// Twice, the second time over the first picture. Of triangles at equal depths, the last one drawn shows, and the
+    /// same triangle is the last one both times.
     Over,
 }
 

@@ -26,7 +26,7 @@ pub fn lying(args: &Args, model: &Model) -> Option<String> {
         }
     }
     let size = sub(high, low);
-    // The fractions of the lower and the upper side of the model's bounding box that faces cover.
+    // For the lower and the upper side of the model's bounding box: the fraction of the side that faces cover.
     let covered = |axis: usize| {
         let mut areas = [0.0; 2];
         for [a, b, c] in model.triangles.iter().map(corners) {

@@ -260,7 +260,7 @@ pub enum Color {
     Mono,
 }
 
-/// The options that work without a model. The project's own scene and the measured scenes define everything else.
+/// The options that work without a model. The project's own scene and the measured scenes define all other settings.
 const WITHOUT_MODEL: &[&str] = &[
     "model", "scene", "mode", "depth", "color", "size", "bands", "frames", "out", "dump", "crc",
     "quiet", "window",

@@ -25,12 +25,12 @@ use crate::part::Piece;
 /// The simulator's canvas.
 pub type Board<'a, C, D> = Canvas<'a, C, Native, D>;
 
-/// The lines that are drawn.
+/// The lines that are drawn for each piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lines {
     None,
     Edges,
-    /// Creases and silhouettes, except those that faces hide.
+    /// Creases and silhouettes, except lines that faces hide.
     Outline,
 }
 
@@ -45,7 +45,7 @@ pub struct Style<'a> {
     lines: Lines,
     /// The color of lines.
     line: Rgb888,
-    /// How far the depths of faces are moved behind the lines on them.
+    /// The bias that moves the depths of faces behind the lines on these faces.
     bias: Biased,
     backdrop: Backdrop,
     /// Converts a color to the color that the canvas shows at a pixel.
@@ -152,7 +152,7 @@ fn area<D: DepthBuffer>(canvas: &Board<'_, Rgb888, D>) -> Rectangle {
     )
 }
 
-/// Whether lines must be white to be visible on a backdrop.
+/// Whether lines must be white so that they are visible on a backdrop.
 fn lines_are_white(backdrop: Backdrop) -> bool {
     match backdrop {
         Backdrop::Color(color) => Gray8::from_rgb(color, Point::zero()).luma() < 128,
@@ -326,7 +326,7 @@ impl Posed<'_> {
             };
             sum = add(sum, drawn);
         }
-        // Sort from back to front: first the pieces, then the faces of each piece.
+        // Sort the translucent faces from back to front: first the pieces, then the faces of each piece.
         let mut sorted = Vec::new();
         for (piece, surface, part) in blended {
             if let Surface::Many(shader) = surface {
@@ -358,7 +358,7 @@ impl Posed<'_> {
         })
     }
 
-    /// Returns the order of a piece's faces from back to front, and how far back the middle of the faces is.
+    /// Returns the order of a piece's faces from back to front, and the distance of the middle of these faces.
     fn order(&self, piece: &Piece<'_>) -> (f64, Vec<usize>) {
         let to_eye = match &self.mvp {
             AnyMvp::Perspective(mvp) => mvp.model_view(),

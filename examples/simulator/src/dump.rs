@@ -9,7 +9,8 @@ use fixel::{Fragment, Primitive, Shader, TexCoord};
 use super::Result;
 use crate::args::Mode;
 
-/// A "color" that holds the interpolated values of a pixel, so that the depth test keeps the visible values.
+/// A "color" that holds the interpolated values of a pixel. The canvas stores it like a color, so the depth test keeps
+/// the visible values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Record {
     covered: bool,
@@ -45,8 +46,8 @@ impl PixelColor for Record {
     type Raw = ();
 }
 
-/// A shader that records the interpolated values. It uses as many fraction bits as the size of the texture coordinates
-/// allows.
+/// A shader that records the interpolated values. The recorded values have as many fraction bits as the size of the
+/// texture coordinates allows.
 #[derive(Clone, Copy, Debug)]
 pub struct Recorder {
     uv_bits: u32,
@@ -75,8 +76,8 @@ impl Recorder {
         }
     }
 
-    /// Returns the size of one texture repeat, as it is recorded, in the units of a mode's tolerance. (When a texture
-    /// is drawn, this unit is a texel.)
+    /// Returns the size of one repeat of the texture in the recorded numbers. The result is in units of a mode's
+    /// tolerance. (When a texture is drawn, this unit is a texel.)
     pub fn repeat(&self) -> f64 {
         f64::from(self.uv_bits - 16).exp2()
     }
@@ -132,7 +133,7 @@ pub fn write(records: &[Record], width: usize, out: &mut impl Write) -> Result<(
 
 /// Returns `bits` · 2^-`fraction` as a decimal number with all of its digits.
 fn decimal(bits: i32, fraction: i32) -> String {
-    // The conversion is exact, because a double holds 53 bits. A number with n fraction bits has n decimals.
+    // The conversion to f64 is exact, because f64 holds 53 bits. A number with n fraction bits has n decimals.
     let value = f64::from(bits) * f64::from(-fraction).exp2();
     let Ok(decimals @ 1..) = usize::try_from(fraction) else {
         return value.to_string();

@@ -13,7 +13,8 @@ use crate::output::{self, Output};
 
 /// The time between frames of an animation, in milliseconds.
 pub const FRAME_MS: u64 = 40;
-/// A mark in every picture that this program writes. A picture with a default name replaces only a file with this mark.
+/// A mark in every picture that this program writes. A picture that gets a default name replaces only a file with this
+/// mark.
 const MARK: &str = "fixel simulator";
 
 /// The format of a picture file.
@@ -26,8 +27,8 @@ pub enum Format {
 }
 
 impl Format {
-    /// Returns the format that the extension of `path` names. Standard output has no extension, so it gets a PNG, or a
-    /// GIF if there are several frames.
+    /// Returns the format that the extension of `path` names. Standard output has no extension, so the format is PNG,
+    /// or GIF if there are several frames.
     ///
     /// # Errors
     ///

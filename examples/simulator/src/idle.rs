@@ -11,8 +11,8 @@ pub fn name(value: &impl ValueEnum) -> String {
     value.map_or(String::new(), |value| value.get_name().into())
 }
 
-/// Returns a sentence for each option that was given, but has no effect on the picture. Only models have a `shade`.
-/// `has_textures` says whether any face has a texture.
+/// Returns a sentence for each option that was given, but has no effect on the picture. `shade` is `None` if the scene
+/// is not a model. `has_textures` says whether any face has a texture.
 pub fn options(
     args: &Args,
     matches: &ArgMatches,
@@ -28,7 +28,7 @@ pub fn options(
     let is_parallel = args.projection != Kind::Perspective;
     let unlit = is(&[Texture, Wire, Depth, Normal]);
     let untextured = !is(&[Texture, Lit]);
-    // With any shade, the mode changes a dump.
+    // The mode always changes a dump, whatever the shade is.
     let exact = args.dump.is_none() && is(&[Wire, Depth, Flat]);
     let flat_scene = args.scene == Some(SceneName::SphereFlat);
     let rows = [

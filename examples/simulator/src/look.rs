@@ -11,10 +11,10 @@ use crate::args::{Args, Shade};
 use crate::scene::{Moment, Motion, Scene};
 use crate::view::direction;
 
-/// The default ambient light. It reaches every face.
+/// The default ambient light, which reaches every face.
 const AMBIENT: f64 = 0.3;
 
-/// The default background, and the background behind dark models.
+/// The default background, and then the background behind dark models.
 pub const DARK: Rgb888 = Rgb888::new(34, 40, 52);
 pub const BRIGHT: Rgb888 = Rgb888::new(206, 212, 222);
 
@@ -37,7 +37,7 @@ pub struct Haze {
 /// The background of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Backdrop {
-    /// One color. It is converted to the color type of the canvas.
+    /// One color, which is converted to the color type of the canvas.
     Color(Rgb888),
     /// The sky of the project's own scene.
     Sky,
@@ -65,13 +65,13 @@ impl Backdrop {
     }
 }
 
-/// Everything about a picture's colors except the surface itself.
+/// Everything that determines a picture's colors, except the surface itself.
 pub struct Look {
     /// `None` for the measured scenes and for the project's own scene.
     pub shade: Option<Shade>,
-    /// The background of the picture, before it is converted to the canvas's format. It differs from all shades.
+    /// The background of the picture, before it is converted to the canvas's format.
     pub backdrop: Backdrop,
-    /// How grays are spread from black to white.
+    /// How the grays of the picture are stretched toward black and white; `None` if they are not.
     pub contrast: Option<Contrast>,
     lights: Vec<Colored<Light>>,
     viewer: Viewer,

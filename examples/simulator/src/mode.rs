@@ -1,5 +1,5 @@
-//! Modes and depth formats, chosen at run time. In the library they are types, so that firmware links only the ones
-//! that it uses.
+//! Modes and depth formats, chosen at run time. In the library, modes and formats are types, so that firmware links
+//! only the modes and formats that it uses.
 
 use fixel::Scalar;
 use fixel::mode::{Affine, Exact, Fast, Newton};
@@ -25,7 +25,7 @@ impl Mode {
         Ok(match mode {
             args::Mode::Exact => Self::Exact(Exact),
             args::Mode::Newton => Self::Newton(Newton),
-            // A tolerance beyond the format is larger than any texture.
+            // The tolerance is limited to the number format. A larger tolerance would exceed any texture.
             args::Mode::Fast => Self::Fast(Fast::within(Scalar::try_from(
                 (TOLERANCE * texel).min(32_767.0),
             )?)),

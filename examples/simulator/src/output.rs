@@ -24,7 +24,7 @@ fn partial_files() -> std::sync::MutexGuard<'static, Vec<PathBuf>> {
 /// The system does not let the program handle signals.
 pub fn remove_on_interrupt() -> Result<()> {
     ctrlc::set_handler(|| {
-        // The lock is kept until the program ends, so that no other file is begun.
+        // The lock is kept until the program ends, so that the program begins no other file.
         for path in partial_files().iter() {
             let _ = fs::remove_file(path);
         }
@@ -35,11 +35,12 @@ pub fn remove_on_interrupt() -> Result<()> {
 
 /// Whether `path` stands for standard output.
 pub fn is_stdout(path: &Path) -> bool {
-    // Opening this path again would overwrite the file that the shell opened, from its start.
+    // Standard output can be a file that the shell opened. Opening the path again would overwrite this file from its
+    // start.
     ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].contains(&&*path.to_string_lossy())
 }
 
-/// Whether `path` is written directly, without an unfinished file. This is so for standard output, devices and pipes.
+/// Whether `path` is standard output, a device or a pipe, which is written directly, without an unfinished file.
 pub fn is_stream(path: &Path) -> bool {
     // A file that a shell opened, such as /dev/fd/3, must not be replaced.
     let is_special = ["/dev/fd", "/dev/stderr", "/proc"]
@@ -88,7 +89,8 @@ pub fn are_same(a: &Path, b: &Path) -> bool {
     a.file_name() == b.file_name() && folder(a).is_some() && folder(a) == folder(b)
 }
 
-/// An output. [`finish`](Self::finish) gives the file its name. Without a call to `finish`, the file is removed.
+/// An output. [`finish`](Self::finish) gives the unfinished file its final name. Without a call to `finish`, the
+/// unfinished file is removed.
 #[derive(Debug)]
 pub struct Output {
     name: String,
@@ -134,7 +136,7 @@ impl Output {
                 writer: Some(writer),
             });
         }
-        // A link stays a link: its target is written.
+        // A link stays a link, because the program writes to the link's target.
         let path = match fs::symlink_metadata(path) {
             Ok(link) if link.is_symlink() => target(path).map_err(failed)?,
             _ => path.to_path_buf(),
@@ -167,7 +169,7 @@ impl Output {
         move |error| format!("cannot write {name}: {error}").into()
     }
 
-    /// Gives the file its name.
+    /// Gives the unfinished file its final name.
     ///
     /// # Errors
     ///

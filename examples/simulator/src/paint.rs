@@ -1,4 +1,4 @@
-//! Makes the shader of each piece, in any look and any color format.
+//! Makes the shader of each piece, for any look and any color format.
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888, RgbColor};
@@ -30,12 +30,12 @@ impl Stored for Rgb565 {}
 impl Stored for Rgb888 {}
 impl Stored for Gray8 {}
 
-/// The color type of a canvas, and the color type of textures for it.
+/// The color type of a canvas. It determines the color type of textures on this canvas.
 pub trait Shown:
     PixelFormat<Channels: Varyings<Face: FaceValues> + FaceValues> + Into<Rgb888> + Default + 'static
 {
-    /// The color type in which a texture is stored. For dithered formats, it is a finer type, because the picture must
-    /// be dithered, not the texture.
+    /// The color type in which a texture is stored. For dithered formats, the texture has a finer type, because the
+    /// picture must be dithered, not the texture.
     type Texel: Stored;
 }
 
@@ -91,7 +91,8 @@ impl<'a, C: Shown> Base<'a, C> {
     }
 }
 
-/// Calls a method of the shader in a base. The first case is a single color.
+/// Evaluates an expression with the shader inside a `Base`. The first expression is for a single color, the second for
+/// a texture.
 macro_rules! sampled {
     ($base:expr, |$flat:ident| $plain:expr, |$skin:ident| $call:expr) => {
         match $base {
@@ -153,7 +154,7 @@ where
         [0, 1, 2].map(|corner| {
             let (((), Within(tint)), ((), Within((light, ())))) = (tints[corner], lights[corner]);
             let (tint, light) = (tint.all(), light.all());
-            // At most 2^16 each.
+            // Tint and light are at most 2^16 in each channel.
             let product = [0, 1, 2].map(|at| {
                 let product = i64::from(tint[at]) * i64::from(light[at]);
                 (product >> 16) as i32
@@ -192,7 +193,8 @@ fn rich<'a, C: Shown>(
     let base = Base::<C>::new(texture, &finish, filter, has_colors);
     let (light, contrast) = (look.light(), look.contrast);
     let glow = Precise::of_rgb(finish.glow);
-    // If a texture is reduced or smooth, the border of a hole is where alpha is one half.
+    // If a texture is reduced or smooth, its alpha changes gradually. The border of a hole is then where alpha is one
+    // half.
     let least = if matches!(finish.alpha, Alpha::Cut(_)) {
         128
     } else {
@@ -211,7 +213,7 @@ fn rich<'a, C: Shown>(
         (source.opacity >= least).then_some(Translucent { color, opacity })
     };
     let fog = look.fog::<C>()?;
-    /// Wraps a shader with everything that follows the light.
+    /// Adds to a shader everything that follows the light: `touch` and fog.
     macro_rules! surface {
         ($shader:expr) => {
             match fog {
@@ -282,7 +284,7 @@ pub fn surface<'a, C: Shown>(
     let texture = texture.filter(|_| is_textured);
     match look.shade {
         Some(Shade::Normal) => interpolated(NormalView::<C>::new()),
-        // The faces have the color of the background, and hide the lines behind them.
+        // The faces have the color of the background, so that they are invisible but hide the lines behind them.
         Some(Shade::Wire) => {
             let Backdrop::Color(color) = look.backdrop else {
                 return Err("a wire has a background of one color".into());
@@ -307,7 +309,7 @@ pub fn surface<'a, C: Shown>(
     }
 }
 
-/// The shaders of the project's own scene in a color type: of the sea and of the island.
+/// The shaders of the sea and of the island, the two pieces of the project's own scene, in color `C`.
 ///
 /// # Errors
 ///
@@ -326,7 +328,8 @@ pub fn own<C: Shown>() -> Result<Vec<Surface<'static>>> {
     })
 }
 
-/// The shader of a measured scene in color `C`. The measurements can use another color type.
+/// The shader of a measured scene in color `C`. (Outside of the simulator, the scenes are measured in one color type
+/// only.)
 ///
 /// # Errors
 ///

@@ -28,7 +28,7 @@ pub struct Finish {
     pub texture: Option<usize>,
     /// The color that is used if there is no texture and the vertices have no colors.
     pub color: Rgb888,
-    /// The light that is added to the color.
+    /// The light that the surface emits, which is added to the color.
     pub glow: Rgb888,
     pub opacity: u8,
     /// What the texture's alpha means.
@@ -73,7 +73,7 @@ pub struct Piece<'a> {
 }
 
 impl<'a> Piece<'a> {
-    /// A mesh that is compiled in. Its back faces are culled.
+    /// A mesh that is compiled in. Back faces of the mesh are culled.
     pub const fn compiled(mesh: Mesh<'a>, outline: Option<Outline<'a>>) -> Self {
         Self {
             mesh,
@@ -156,7 +156,7 @@ impl Part {
     }
 }
 
-/// For each value, its index in the list to which it was added.
+/// The keys of the values that a list already has. Each key has the value's index in the list.
 struct Places<K>(HashMap<K, u16>);
 
 impl<K: Eq + Hash> Places<K> {
@@ -176,7 +176,7 @@ impl<K: Eq + Hash> Places<K> {
     }
 }
 
-/// A part that is being filled. No value of an attribute has the index [`Mesh::NO_VALUE`].
+/// A part that is being filled. A corner without a value of an attribute gets the index [`Mesh::NO_VALUE`].
 struct Filling<'a> {
     model: &'a Model,
     part: Part,
@@ -231,7 +231,8 @@ impl<'a> Filling<'a> {
                 uv_face[at] = self.uvs.add(&mut self.part.uvs, uv, value)?;
             }
             if let Some(normal) = corner.normal {
-                // A normal of unit length is not too small for the format. A zero normal stays zero.
+                // Normals are scaled to unit length, so that they are not too small for the format. A zero normal stays
+                // zero.
                 let value = || {
                     Ok(Vec3::try_from(
                         unit(model.normals[normal as usize]).unwrap_or_default(),
@@ -328,8 +329,8 @@ pub fn split(model: &Model, outlined: Outlined) -> Result<Vec<Part>> {
 }
 
 /// Returns the edges that can be part of an outline, in the form that [`Outline::new`] takes, and whether each of them
-/// is a crease. Creases come first. Edges are the same if their ends have the same positions, even with different
-/// indices.
+/// is a crease. Creases come first. Two edges count as the same edge if their ends have the same positions, even if the
+/// indices differ.
 fn outline(model: &Model) -> Vec<(bool, [u32; 4])> {
     let mut first: HashMap<[u64; 3], u32> = HashMap::new();
     let mut place = |index: u32| {
@@ -356,7 +357,7 @@ fn outline(model: &Model) -> Vec<(bool, [u32; 4])> {
         open.into_iter()
             .map(|([a, b], (c, _))| (false, [a, b, c, a])),
     );
-    // Creases come first. The rest is sorted, because a hash map has no fixed order.
+    // Creases come first. Within creases and other edges, the corners decide, because a hash map has no fixed order.
     edges.sort_unstable_by_key(|&(is_crease, corners)| (!is_crease, corners));
     edges
 }

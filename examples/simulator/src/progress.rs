@@ -12,12 +12,12 @@ use crate::args::Args;
 /// The shortest time between two changes of the line.
 const PAUSE: Duration = Duration::from_millis(100);
 
-/// The number of triangles from which a line shows the current step.
+/// A model with at least this number of triangles has a line that shows the current step.
 const MANY: usize = 100_000;
-/// The number of bytes from which a line shows how much of a file has been read.
+/// A file with at least this number of bytes has a line that shows how much of the file has been read.
 const BIG: usize = 16 << 20;
 
-/// A line such as "reading: 30 of 120 MB". It is erased at the end of the task.
+/// A line such as "reading: 30 of 120 MB". The line is erased at the end of the task.
 pub struct Progress {
     task: &'static str,
     /// Whether the line is shown.
@@ -62,7 +62,7 @@ pub fn step(args: &Args, triangles: usize, task: &'static str) -> Progress {
 
 fn write(line: &str) {
     let mut terminal = io::stderr();
-    // An error does not matter, because nobody needs the line.
+    // An error is ignored, because nobody needs the line.
     let _ = terminal
         .write_all(line.as_bytes())
         .and_then(|()| terminal.flush());

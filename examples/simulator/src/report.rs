@@ -7,11 +7,11 @@ use super::Result;
 use crate::args::Args;
 use crate::output;
 
-/// Prints a line as [`answer`] does, except if the user wants no lines.
+/// Prints a line as [`answer`] does, but prints nothing if the user wants no lines.
 ///
 /// # Errors
 ///
-/// The line cannot be written because nobody reads it, or because the disk is full.
+/// The line cannot be written, for example because the disk is full, or the reader of a pipe has ended.
 pub fn say(args: &Args, line: impl Display) -> Result<()> {
     if args.quiet {
         return Ok(());
@@ -24,7 +24,7 @@ pub fn say(args: &Args, line: impl Display) -> Result<()> {
 ///
 /// # Errors
 ///
-/// The line cannot be written because nobody reads it, or because the disk is full.
+/// The line cannot be written, for example because the disk is full, or the reader of a pipe has ended.
 pub fn answer(args: &Args, line: impl Display) -> Result<()> {
     let is_taken = [&args.out, &args.dump]
         .into_iter()

@@ -23,7 +23,7 @@ use crate::skin::{Skin, Texels};
 use crate::subject::Subject;
 use crate::targets::{self, Targets};
 
-/// Runs the program with `args`. `matches` says which of them the user gave.
+/// Runs the program with `args`. `matches` says which arguments the user gave.
 ///
 /// # Errors
 ///
@@ -71,7 +71,7 @@ pub fn run(args: &Args, matches: &ArgMatches) -> Result<()> {
     report::say(args, format_args!("camera {}", subject.framing.options()))
 }
 
-/// The background of a small picture in which only the model's colors are counted.
+/// The background of a small picture that is drawn to count the model's colors. The background itself does not count.
 const HOLE: Rgb888 = Rgb888::MAGENTA;
 
 /// Draws the picture in the color of `args`, and writes it.
@@ -128,7 +128,7 @@ fn picture_in<C: Shown>(
 }
 
 /// Stretches the grays of `colors` from black to white, and returns the contrast. The darkest and the brightest
-/// fiftieth are ignored.
+/// fiftieth of the pixels are ignored.
 fn stretched(colors: &mut [Rgb888]) -> Option<Contrast> {
     let gray = |&color: &Rgb888| Gray8::from_rgb(color, Point::zero());
     let mut lumas: Vec<u8> = colors.iter().map(|color| gray(color).luma()).collect();

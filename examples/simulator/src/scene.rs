@@ -1,4 +1,4 @@
-//! The scene and its motion. It is drawn band by band.
+//! The scene and its motion. The scene is drawn band by band.
 
 use std::time::{Duration, Instant};
 
@@ -16,7 +16,7 @@ use crate::args::{Args, DepthBuffer, SceneName, Shade};
 use crate::dump::{Record, Recorder};
 use crate::part::Piece;
 
-/// A moment of an animation, and how the user has turned the model in a window.
+/// The number of an animation's frame, and how the user has turned the model in a window.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Moment {
     pub frame: u32,
@@ -53,7 +53,7 @@ impl<'a, C: PixelColor> Band<'a, C> {
     }
 }
 
-/// From where a scene is seen in each frame.
+/// The motion of a scene: the pose and the view of each frame.
 #[derive(Clone, Copy, Debug)]
 pub enum Motion {
     Measured(SceneName),
@@ -82,7 +82,7 @@ impl Motion {
                 #[allow(clippy::cast_possible_truncation)] // whole turns drop out
                 let angle = Angle::from_bits(part as u32);
                 let pose = if axis[0] == 0.0 && axis[2] == 0.0 && axis[1] > 0.0 {
-                    // This pose equals the board's pose, bit for bit.
+                    // With this function, the pose equals the pose on a board, bit for bit.
                     Transform::rotate_y(angle)
                 } else {
                     Transform::rotate(direction(axis)?, angle)?

@@ -1,4 +1,4 @@
-//! Looks at a scene before its picture is drawn, to find whether something will be visible, and how much.
+//! Before the picture of a scene is drawn, finds whether something will be visible, and how much.
 
 use embedded_graphics::pixelcolor::Rgb888;
 use fixel::Cull;
@@ -10,7 +10,7 @@ use crate::draw::{Lines, Style};
 use crate::dump::Record;
 use crate::scene::{Band, Moment, Scene};
 
-/// The largest side of the small pictures, in which pixels are only counted.
+/// The largest side of the small pictures that are drawn only to count pixels.
 const SMALL: u32 = 256;
 /// Checks that something is visible. Adds hints for the user to `notes`, and chooses the lines to be drawn. If
 /// one-sided materials hide everything, both sides will be drawn.
@@ -127,7 +127,7 @@ pub fn colors(scene: &Scene<'_>, size: (u32, u32), style: &Style<'_>) -> Result<
     Ok(covered.map(|(color, _)| color).collect())
 }
 
-/// Returns the size of a picture with the same shape and sides of at most [`SMALL`].
+/// Returns the size of a picture that has the same shape, and sides of at most [`SMALL`] pixels.
 fn small((width, height): (u32, u32)) -> (u32, u32) {
     let largest = width.max(height).max(SMALL);
     let side = |side: u32| (side * SMALL / largest).max(1);

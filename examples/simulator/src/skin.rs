@@ -23,7 +23,7 @@ pub struct Skin {
 }
 
 impl Skin {
-    /// Reads the picture at `path`. It is drawn opaque.
+    /// Reads the picture at `path`. The picture is drawn opaque, whatever its alpha is.
     ///
     /// # Errors
     ///
@@ -105,7 +105,8 @@ impl Skin {
     }
 }
 
-/// Gives invisible texels the mean color of their visible neighbors, because a bilinear filter blends them with these.
+/// Gives each invisible texel the mean color of its visible neighbors, because a bilinear filter blends the invisible
+/// texel with these neighbors.
 fn spread(picture: &mut Picture) {
     let (width, height) = (picture.width as usize, picture.height as usize);
     let old = picture.pixels.clone();
@@ -125,7 +126,7 @@ fn spread(picture: &mut Picture) {
             }
         }
         for (to, sum) in pixel.iter_mut().zip(sum) {
-            // The mean of bytes fits a byte.
+            // The mean of bytes fits into a byte.
             *to = (sum / count.max(1)) as u8;
         }
     }

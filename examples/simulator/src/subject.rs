@@ -115,7 +115,8 @@ impl Subject {
             pieces.push(part.piece(*finish.unwrap_or(&Finish::textured(0)))?);
         }
         let view = View::new(args, &self.framing, &self.units)?;
-        // A repeat counts as the same number of texels along u and v, as if the texture were square.
+        // The tolerance assumes that a repeat has the same number of texels along u and v, as if the texture were
+        // square.
         let recorder = Recorder::new(self.largest_uv, self.units.exponent, args.mode);
         let side = self.skins.iter().map(|skin| skin.side).max().unwrap_or(1);
         Ok(Scene {
@@ -162,7 +163,7 @@ fn frame(args: &Args, points: &[Point], solid: &Solid, about: Point) -> Result<F
 /// Returns the finish of each material, followed by the finish of faces without a material, and the textures of the
 /// finishes.
 ///
-/// `skin` replaces all textures and colors. If a texture cannot be read, this is noted.
+/// `skin` replaces all textures and colors. If a texture cannot be read, the function adds a note for the user.
 fn finishes(args: &Args, model: &mut Model, skin: Option<Skin>) -> (Vec<Finish>, Vec<Skin>) {
     let cull = |two_sided: bool| {
         if args.cull || !two_sided {

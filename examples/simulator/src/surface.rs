@@ -1,9 +1,9 @@
-//! Gives all shaders one interface, so that they can be chosen at run time.
+//! Gives all shaders one interface, so that the simulator can choose a shader at run time.
 //!
 //! Firmware names its shader, and the compiler makes a rasterizer for this shader. The simulator has a hundred shaders,
-//! each for several depth formats and modes. A rasterizer for each would take minutes to compile. Here, shaders with
-//! different varyings share a rasterizer, which interpolates enough numbers for all of them. A number that a shader
-//! does not use is 0 everywhere, so it changes no pixel.
+//! each for several depth formats and modes. A rasterizer for each combination would take minutes to compile. Here,
+//! shaders with different varyings share a rasterizer, which interpolates enough numbers for all of them. A number that
+//! a shader does not use is 0 everywhere, so it changes no pixel.
 
 use embedded_graphics::pixelcolor::raw::RawU16;
 use embedded_graphics::pixelcolor::{PixelColor, Rgb565, Rgb888};
@@ -13,12 +13,12 @@ use fixel::shade::{
 };
 use fixel::{Fragment, Primitive, Shader, ShaderFor};
 
-/// The values of a face as numbers. A light has the most: three channels.
+/// The values of a face as numbers. The values of a light take the most numbers: three channels.
 type Face = [i32; 3];
 
-/// Values that are the same at all pixels of a face, as numbers.
+/// Values that are the same at all pixels of a face, and their conversion to numbers and back.
 pub trait FaceValues: Copy {
-    /// The number of these numbers.
+    /// How many numbers the values take.
     const COUNT: usize;
 
     fn put(self, numbers: &mut [i32]);
@@ -54,7 +54,7 @@ impl FaceValues for Rgb565 {
     }
 
     fn take(numbers: &[i32]) -> Self {
-        // The number was made from the 16 bits of a color.
+        // `put` made the number from the 16 bits of a color.
         RawU16::from_u32(numbers[0].cast_unsigned()).into()
     }
 }
@@ -84,17 +84,17 @@ pub type Channels = (
     ),
     PerFace<Face>,
 );
-/// Three channels of the vertices' colors. Small triangles store them in two numbers.
+/// Three channels of the vertices' colors. Small triangles store the three channels in two numbers.
 pub type Pairs = <Gouraud<Rgb565> as Shader>::Varyings;
 
-/// A shader with the layout that it needs. Its colors are converted to colors of 24 bits.
+/// A shader in the layout that it needs. The shader's colors are converted to colors of 24 bits.
 pub enum Surface<'a> {
     Many(Any<'a, Many>),
     Channels(Any<'a, Channels>),
     Pairs(Any<'a, Pairs>),
 }
 
-/// A shader with its varyings at some places among those of `V`.
+/// A shader that is adapted to the layout `V`: its varyings are at some places among the numbers of `V`.
 trait Shade<V: Varyings> {
     fn varyings(&self, primitive: &Primitive<'_>) -> [V; 3];
     fn shade(&self, at: &Fragment, varyings: V) -> Option<Translucent<Rgb888>>;
@@ -103,7 +103,7 @@ trait Shade<V: Varyings> {
 struct Placed<S, C> {
     shader: S,
     screen: Screen<C>,
-    /// For each number of the shader, its place in the layout.
+    /// For each number that the shader interpolates: its index among the layout's numbers.
     places: [usize; 8],
 }
 
@@ -115,7 +115,8 @@ fn tolerances<V: Varyings>() -> Vec<Tolerance> {
     (0..V::Lanes::COUNT).map(V::tolerance).collect()
 }
 
-/// Gives each wanted number its own place with the same tolerance. `None` if there are too few places.
+/// Gives each wanted number a place of its own among the offered numbers, with the same tolerance. `None` if there are
+/// too few places.
 fn places(wanted: &[Tolerance], offered: &[Tolerance]) -> Option<[usize; 8]> {
     let mut places = [0; 8];
     let mut free: Vec<usize> = (0..offered.len()).collect();
@@ -203,11 +204,12 @@ impl<V: Varyings> Shader for Glass<'_, '_, V> {
 }
 
 impl<'a> Surface<'a> {
-    /// Wraps a shader. Its varyings must have places in the layout, for example in [`Surface::Many`].
+    /// Wraps a shader in a layout, for example in [`Surface::Many`]. The layout must have places for the shader's
+    /// varyings.
     ///
     /// # Errors
     ///
-    /// A varying has no place. This is a mistake in this program.
+    /// A varying has no place, which is a mistake in this program.
     pub fn new<C, V, S>(
         layout: fn(Any<'a, V>) -> Self,
         shader: S,

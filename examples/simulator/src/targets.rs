@@ -109,7 +109,7 @@ impl<'a> Targets<'a> {
                     spent += time.max(Duration::from_micros(1));
                 }
                 total.time += least;
-                // In bands, triangles would be counted several times.
+                // Draw everything as one band, because in several bands, triangles would be counted several times.
                 let (records, (counts, _)) = bands(size, u32::MAX, |band| record(band, moment))?;
                 total.pixels += records.iter().filter(|at| at.is_covered()).count();
                 total.counts = add(total.counts, counts);
@@ -189,7 +189,7 @@ impl<'a> Targets<'a> {
     }
 }
 
-/// The time for which a frame is drawn again.
+/// A single frame is drawn repeatedly for this time, to measure how long drawing takes.
 const REPEATED: Duration = Duration::from_millis(300);
 
 /// The sums over all frames.

@@ -29,7 +29,7 @@ pub struct View {
     pub depths: [u16; 2],
 }
 
-/// A direction, scaled up so that it uses all bits of the format. Its length does not matter.
+/// A direction, scaled up so that it uses all bits of the format. The length of a direction does not matter.
 ///
 /// # Errors
 ///

@@ -1,8 +1,8 @@
 //! Speed against accuracy: measures every interpolation mode.
 //!
 //! `cargo run --release -p trade` draws the four measured scenes, and sets of random and adversarial planes, in every
-//! mode. It compares each pixel with a model in f64 that gets the same snapped vertices, and measures the time of the
-//! draw calls. It writes to target/trade/:
+//! mode. The program compares each pixel with a model in f64 that gets the same snapped vertices, and measures the time
+//! of the draw calls. The program writes to target/trade/:
 //! | file | what |
 //! |---|---|
 //! | trade.csv, trade.md | a row for each scene, mode and target: cost, texel error, PSNR, code |
@@ -17,8 +17,8 @@
 //! cargo run --release -p trade -- --firmware target/thumbv7em --sizes thumbv7em=target/sizes
 //! ```
 //!
-//! The size of the code is that of the smallest firmware that draws textured triangles with a depth buffer in the mode,
-//! minus the size of a firmware that draws nothing, at opt-level "s". Instructions are counted at opt-level 3.
+//! The size of the code is the size of the smallest firmware that draws textured triangles with a depth buffer in the
+//! mode, minus the size of a firmware that draws nothing, at opt-level "s". Instructions are counted at opt-level 3.
 //!
 //! With `--summary`, the program measures nothing. It draws the figures that the project keeps as one picture, for
 //! README.

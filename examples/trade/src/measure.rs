@@ -27,7 +27,7 @@ pub struct Figures {
     pub frames: usize,
     /// The texel errors; `None` if no attribute is interpolated.
     pub error: Option<Spread>,
-    /// The PSNR of the covered pixels in dB. It is infinite if all of them are equal.
+    /// The PSNR of the covered pixels in dB. The PSNR is infinite if all these pixels are equal to the model's pixels.
     pub psnr: f64,
     /// The time of each drawing.
     pub times: Times,
@@ -41,7 +41,7 @@ impl Figures {
     }
 }
 
-/// A case with its exact pictures.
+/// A case, and the exact picture of each drawing in it.
 pub struct Subject<'a> {
     case: &'a Case,
     truths: Vec<Truth>,
@@ -182,7 +182,7 @@ impl SquareError {
     }
 }
 
-/// A checksum that is computed as in the firmware.
+/// Computes the checksum in the same way as the firmware does.
 fn crc(pixels: impl Iterator<Item = Rgb565>) -> u32 {
     let mut crc = Hasher::new();
     for pixel in pixels {

@@ -7,8 +7,8 @@
 //! | planes-slivers | a fraction of a pixel to a pixel and a half wide, up to 320 long, distances up to 1 : 8 |
 //! | planes-deep | distances 1 : 10 to 1 : 1000 |
 //!
-//! A generator with a fixed seed makes the triangles, so every run has the same ones. A run with fewer triangles uses
-//! the first of them.
+//! A generator with a fixed seed makes the triangles, so every run has the same triangles. A run with fewer triangles
+//! uses the first triangles of each set.
 
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -65,7 +65,7 @@ impl Dice {
         self.0.random_range(low..high)
     }
 
-    /// Returns a number between two numbers. Its logarithm has a uniform distribution.
+    /// Returns a number between two numbers. The number's logarithm has a uniform distribution.
     fn scale(&mut self, low: f64, high: f64) -> f64 {
         self.between(low.ln(), high.ln()).exp()
     }

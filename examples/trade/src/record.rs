@@ -15,11 +15,11 @@ pub struct Seen {
     pub texel: [i32; 2],
 }
 
-/// A shader that records the texel at every pixel of every triangle. It has the varyings of a texture.
+/// A shader that records the texel at every pixel of every triangle. The recorder has the varyings of a texture.
 #[derive(Clone, Copy)]
 pub struct Recorder<'a> {
     pub seen: &'a RefCell<Vec<Seen>>,
-    /// The base-2 logarithm of the texture's side in texels. At 4 or more, no bit of u and v is lost.
+    /// The base-2 logarithm of the texture's side in texels. If the logarithm is at least 4, no bit of u and v is lost.
     pub texels_log2: u32,
 }
 

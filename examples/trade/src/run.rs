@@ -18,10 +18,10 @@ use super::sweep::{self, Point, Sweep};
 use super::table::{self, HOST, Row};
 use super::{measured, planes};
 
-/// The number of rounds in which the repetitions are made.
+/// The repetitions are divided into this number of rounds.
 const ROUNDS: u32 = 3;
 
-/// The figures of another target.
+/// The figures of a target other than the host.
 struct Elsewhere {
     target: String,
     costs: Vec<firmware::Cost>,

@@ -29,7 +29,7 @@ impl Spread {
     }
 }
 
-/// Returns the median. Of two middle values, it is the lower one. It is 0 if there are no values.
+/// Returns the median: the lower one if there are two middle values, and 0 if there are no values.
 pub fn median(mut values: Vec<f64>) -> f64 {
     if values.is_empty() {
         return 0.;

@@ -173,8 +173,8 @@ fn case(size: (u32, u32), side: Side, texels_log2: u32, wall: Triangles) -> Resu
     })
 }
 
-/// A wall that fills the frame. It is nearest at the top left, and `ratio` times as far away at the bottom right. Three
-/// quarters of the change of 1/w are along a row.
+/// A wall that fills the frame. The wall is nearest at the top left, and `ratio` times as far away at the bottom right.
+/// Three quarters of the change of 1/w are along a row.
 fn wall(size: (u32, u32), ratio: f64) -> Result<Triangles> {
     let [width, height] = [size.0, size.1].map(f64::from);
     let corner = |u: f64, v: f64| Corner {

@@ -9,7 +9,7 @@ use super::spread::Spread;
 /// The name of the computer on which this program runs, as a target.
 pub const HOST: &str = "host";
 
-/// A scene in a mode on a target.
+/// A row: a scene in a mode on a target, and its figures.
 #[derive(Clone, Debug)]
 pub struct Row {
     pub scene: &'static str,

@@ -1,4 +1,4 @@
-//! Textures of several sizes with eight by eight squares. Their texels are read at run time.
+//! Textures of several sizes with eight by eight squares. Texels are read at run time.
 
 use embedded_graphics::pixelcolor::{Rgb565, WebColors};
 use fixel::prelude::*;

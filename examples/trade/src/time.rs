@@ -13,8 +13,8 @@ use super::case::Case;
 use super::spread::median;
 use super::surface::{Job, Target};
 
-/// The number of drawings before the first one that counts. They warm up caches and branch predictors, like the earlier
-/// frames of a program.
+/// The number of drawings before the first drawing that counts. These drawings warm up caches and branch predictors,
+/// like the earlier frames of a program.
 const WARM: u32 = 4;
 /// The shortest time to measure, a thousand times the resolution of the clock. Faster drawings are repeated.
 const LEAST: Duration = Duration::from_micros(50);

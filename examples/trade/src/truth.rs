@@ -1,4 +1,4 @@
-//! The exact pixels: the model in f64, with the crate's snapped vertices.
+//! Exact pixels, which the model in f64 computes from the crate's snapped vertices.
 
 use std::cell::RefCell;
 
@@ -13,7 +13,7 @@ use super::reference::coverage::{Bounds, covered_in};
 use super::reference::linear::Vec3 as Point;
 use super::reference::raster::{self, Piece, pieces};
 
-/// The exact result of a drawing.
+/// The exact result of a drawing, computed by the model.
 pub struct Truth {
     /// Every pixel of every triangle that is drawn, sorted by face, row and column.
     pub pixels: Vec<Expected>,
@@ -35,7 +35,8 @@ impl Truth {
     ///
     /// # Errors
     ///
-    /// The crate refuses the mesh or clips it. (If it clips the mesh, it draws other vertices than the given ones.)
+    /// The crate refuses the mesh or clips it. (If the crate clips the mesh, it draws other vertices than the given
+    /// vertices.)
     pub fn of(case: &Case, shot: &Shot) -> Result<Self> {
         let (width, height) = case.size;
         let mut truth = Self {

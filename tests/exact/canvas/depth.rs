@@ -58,7 +58,7 @@ fn text_covers_the_picture_and_keeps_depths() {
     assert_eq!(drawn, covered);
 }
 
-/// There is no depth above, below or beside a band, nor on a canvas without a depth buffer.
+/// `depth_at` returns `None` above, below and beside a band, and on a canvas without a depth buffer.
 #[test]
 fn a_pixels_depth_is_read_in_the_frames_coordinates() {
     let mut pixels = [Gray8::BLACK; 12];
@@ -79,7 +79,8 @@ fn a_pixels_depth_is_read_in_the_frames_coordinates() {
     }
 }
 
-/// Draws a triangle in a depth format. The depth at a pixel must be the depth of the triangle's point there.
+/// Draws a triangle in a depth format. The stored depth of a pixel must be the depth of the triangle's point at this
+/// pixel.
 fn drawn_depth<F: DepthBuffer>() {
     let projection = Projection::perspective(deg!(90), (1, 1), fx!(0.5), fx!(100)).unwrap();
     let (mut pixels, mut depths) = ([Gray8::BLACK; 64], [0; 64]);
@@ -102,7 +103,8 @@ fn a_pixels_depth_is_that_of_the_point_drawn_there() {
     drawn_depth::<WideFloatDepth>();
 }
 
-/// Draws a near triangle, calls `between`, and draws a farther one. Returns the pixels of gray 1 (near) and 2 (far).
+/// Draws a near triangle, calls `between`, and draws a farther one. Returns how many pixels show the near triangle
+/// (gray 1) and the farther one (gray 2).
 fn shown<F: DepthBuffer>(between: fn(&mut Canvas<'_, Gray8, Native, F>)) -> [usize; 2] {
     let mut pixels = [Gray8::BLACK; 64];
     let mut depths = [0; 64];

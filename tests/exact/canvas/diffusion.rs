@@ -1,4 +1,4 @@
-//! Grays shown on a display of fewer grays by error diffusion.
+//! Error diffusion: a display with few grays shows a picture of many grays.
 
 use embedded_graphics::mock_display::MockDisplay;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, GrayColor};
@@ -9,8 +9,8 @@ use rand::{Rng, SeedableRng};
 
 use crate::common::random::cases;
 
-/// Diffusion keeps the sum of all grays; `errors` holds the part that is not shown. The grays stay so far from black
-/// and white that no error moves a gray past either of them.
+/// Diffusion keeps the sum of all grays; `errors` holds the part of the sum that is not shown. All grays are so far
+/// from black and white that no error moves a gray past black or white.
 #[test]
 fn diffusion_loses_no_brightness() {
     let mut random = SmallRng::seed_from_u64(1);
@@ -39,12 +39,14 @@ fn diffusion_loses_no_brightness() {
         let white: i32 = shown.iter().map(|color| 17 * i32::from(color.luma())).sum();
         let lost: i32 = errors.iter().map(|&error| i32::from(error)).sum();
         assert_eq!((sum - white) * 16, lost, "{width}x{height}");
-        // An error is at most half a step of 17, plus less than 1/16 for each of three shares that are rounded down.
+        // An error is at most half a step, 17 / 2, plus the rounding of three shares. Each share is rounded down by
+        // less than 1/16.
         assert!(errors.iter().all(|error| error.abs() <= 9 * 16));
     }
 }
 
-/// Every window is as bright as the original, except for the errors that cross its borders.
+/// In every window of the frame, the diffused picture is as bright as the original, except for the errors that cross
+/// the window's borders.
 ///
 /// An error is at most half a step, 127.5. Each pixel of the first and last rows passes 9/16 of its error across the
 /// upper or lower border. Each pixel of the first and last columns passes 7/16 + 1/16 of its error across one side, and

@@ -32,8 +32,8 @@ type Theirs<O> = Framebuffer<
     { buffer_size::<Rgb565>(WIDTH as usize, HEIGHT as usize) },
 >;
 
-/// The canvas has the bytes, in both orders, and the colors of embedded-graphics' framebuffer, whatever is drawn. Bands
-/// put together equal the frame.
+/// Whatever is drawn, the canvas has the same bytes, in both byte orders, and the same colors as embedded-graphics'
+/// framebuffer. Bands put together equal the frame.
 #[test]
 fn a_canvas_is_a_framebuffer() {
     let mut in_bands = 0;
@@ -128,8 +128,8 @@ impl<T: Drawable> Drawable for Counted<'_, T> {
     }
 }
 
-/// Draws a drawable over a band. Returns whether the band shows a part of it. Checks that it was drawn only in this
-/// case.
+/// Draws a drawable over a band. Returns whether the band shows a part of the drawable. Checks that the drawable was
+/// drawn only in this case.
 fn is_overlaid(
     band: &mut Canvas<'_, Rgb565>,
     thing: impl Drawable<Color = Rgb565> + Dimensions,
@@ -141,7 +141,8 @@ fn is_overlaid(
     is_seen
 }
 
-/// Text and shapes look the same in bands and in the frame. They are drawn only in bands that show a part of them.
+/// Text and shapes look the same in bands and in the frame. A text or shape is drawn only in bands that show a part of
+/// it.
 #[test]
 fn overlays_are_drawn_in_the_bands_that_show_them() {
     let (mut drawn, mut skipped) = (0, 0);
@@ -189,8 +190,8 @@ fn fill_contiguous_stops_when_the_area_is_full() {
     assert!(taken <= 27);
 }
 
-/// An iterator over the colors of an area; the color depends on the pixel's number. It skips any number of pixels at
-/// once.
+/// An iterator over the colors of an area. A color depends on the pixel's number. The iterator skips any number of
+/// pixels at once.
 struct Colors(u64);
 
 fn color(number: u64) -> Gray8 {

@@ -1,4 +1,4 @@
-//! The canvas as an embedded-graphics target, as bytes, and on a display.
+//! Tests of the canvas as an embedded-graphics target, as bytes, and on a display.
 
 use std::any::TypeId;
 
@@ -94,7 +94,7 @@ fn a_display_error_is_passed_on() {
     assert_eq!(canvas.show(&mut display), Err(BusError(42)));
 }
 
-/// The bytes are in bus order, for colors of each number of bytes.
+/// The bytes of a color are in bus order, for colors of one, two and three bytes.
 #[test]
 fn bytes_are_in_bus_order() {
     let mut pixels = [[0; 2]; 2];
@@ -119,7 +119,7 @@ fn bytes_are_in_bus_order() {
     assert_eq!(canvas.as_bytes(), [7]);
 }
 
-/// The raw bits of each color, in the smallest integer that holds them.
+/// `Words` stores the raw bits of each color in the smallest integer that holds them.
 #[test]
 fn words_are_raw_bits() {
     let mut pixels = [0_u16; 2];
@@ -184,7 +184,7 @@ fn constructors_infer_types_from_memory() {
     assert_eq!(canvas.as_cells(), [[0xff, 0, 0]; 4]);
 }
 
-/// The numbers of elements given and needed, from an error.
+/// The numbers in an error about lengths: the number of elements given, and the number needed.
 fn length(error: Option<Error>) -> (usize, usize) {
     match error {
         Some(Error::Length { given, needed, .. }) => (given, needed),

@@ -108,7 +108,7 @@ fn a_canvas_is_packed_by_a_framebuffer() {
     shows_as_a_framebuffer!(Gray4, RawU4);
 }
 
-/// In a page, bit n of a byte is row n. Rows below the canvas are 0.
+/// In a page, bit n of a byte is the pixel in row n. Rows below the canvas are 0.
 #[test]
 fn pages_are_the_pixels_one_below_the_other() {
     cases(2000, |random| {

@@ -95,8 +95,8 @@ impl DrawTarget for Target<'_> {
 
 /// Draws the picture that `random` describes. The picture is the same on every target of the same size.
 ///
-/// Without `crops`, the picture is also the same in a band. `cropped` measures coordinates from the corner of the
-/// visible part of its area, so a crop of a band differs from a band of the crop.
+/// Without `crops`, the picture is also the same in a band. The adapter `cropped` counts coordinates from the upper
+/// left corner of the visible part of its area, so a crop of a band differs from a band of the crop.
 pub fn draw(
     target: &mut impl DrawTarget<Color = Rgb565, Error = Infallible>,
     random: &mut Random,

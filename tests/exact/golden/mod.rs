@@ -1,7 +1,7 @@
 //! Checksums of the pictures of the measured scenes and of the project's own scene.
 //!
 //! A checksum may change only on purpose: look at the picture (`simulator --scene NAME --out NAME.png`), explain the
-//! change in the commit, and replace the checksum here. Firmware draws the same pictures (`.ci/run`).
+//! change in the commit, and replace the checksum here. `.ci/run` checks that firmware draws the same pictures.
 
 mod words;
 
@@ -30,7 +30,7 @@ fn picture(draw: &dyn Fn(&mut Target<'_>)) -> (u32, usize) {
     (crc, depths.iter().filter(|&&depth| depth > 0).count())
 }
 
-/// The checksums of a scene's eight poses, and the mean number of pixels.
+/// The checksums of a scene's eight poses, and the mean number of pixels drawn in a pose.
 fn poses(draw: &dyn Fn(i32, &mut Target<'_>)) -> ([u32; 8], usize) {
     let poses = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| picture(&|canvas| draw(k, canvas)));
     let pixels: usize = poses.iter().map(|pose| pose.1).sum();

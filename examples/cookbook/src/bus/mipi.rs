@@ -9,7 +9,7 @@ pub struct Command {
     pub code: u8,
     /// Its data.
     pub data: Vec<u8>,
-    /// When the first byte of data began. A unit is the time that the bus takes for a byte.
+    /// The time at which the first byte of data began, in units of the time that the bus takes for a byte.
     pub start: u64,
 }
 
@@ -22,12 +22,12 @@ pub struct Panel {
     is_on: bool,
     bits_per_pixel: u8,
     is_exchanged: bool,
-    /// The glass has blue where the controller has red, so the program must exchange them.
+    /// Whether the glass has blue where the controller has red, so that the program must exchange red and blue.
     is_blue_first: bool,
-    /// The first and last columns of the window. Both are part of it.
+    /// The first and the last column of the window. Both belong to the window.
     columns: (u16, u16),
     rows: (u16, u16),
-    /// Each pixel as it was sent; `None` before it is sent.
+    /// The raw bits of each pixel, as they were sent; `None` for a pixel that was never sent.
     memory: Vec<Option<u32>>,
 }
 
@@ -67,8 +67,8 @@ impl Panel {
                 // NORON, INVOFF, INVON, TEOFF, TEON and the manufacturers' registers (voltages, timing, gamma) change
                 // only the display, not the memory.
                 (0x13 | 0x20 | 0x21 | 0x34, []) | (0x35, [_]) | (0x60.., _) => {}
-                // MADCTL: bit 5 exchanges rows and columns. Bits 7 and 6 mirror them, so that the host counts from the
-                // upper left corner of the rotated panel. Bit 3 exchanges red and blue.
+                // MADCTL: bit 5 exchanges rows and columns. Bits 7 and 6 mirror rows and columns, so that the host
+                // counts from the upper left corner of the rotated panel. Bit 3 exchanges red and blue.
                 (0x36, &[mode]) => {
                     let is_blue_first = mode & 0b1000 != 0;
                     assert_eq!(
@@ -167,7 +167,7 @@ impl Panel {
     }
 }
 
-/// The first and the last column or row. Each has two bytes, the more significant byte first.
+/// Reads the first and the last column or row of a window. Each number has two bytes, the more significant byte first.
 fn window(data: &[u8], size: u16) -> (u16, u16) {
     let &[a, b, c, d] = data else {
         panic!("a window takes four bytes, not {data:02x?}");

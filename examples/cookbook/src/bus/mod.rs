@@ -1,9 +1,10 @@
-//! Wires that record what a driver sends, and models of the panels at the other end of the wires.
+//! Wires that record the bytes of a driver, and models of the panels at the other end of the wires.
 //!
-//! A driver of another project gets [`Wires`] in place of a bus and pins. A model then reads the record as the data
-//! sheet of its controller says, and shows what the panel would show. No model uses code of a driver or of fixel.
+//! A driver from another project gets [`Wires`] in place of a bus and pins. A model of a controller then reads the
+//! record as the controller's data sheet says, and shows what the panel would show. No model uses code of a driver or
+//! of fixel.
 
-// A model panics if it gets something that its panel would not understand.
+// A model panics if it gets a command that its panel would not understand.
 #![allow(clippy::missing_panics_doc, clippy::must_use_candidate)]
 
 pub mod mipi;
@@ -22,7 +23,7 @@ use embedded_hal::spi::{self, Operation, SpiDevice};
 
 use mipi::Command;
 
-/// A bus that can only write, with its D/C line. Clones are other ends of the same wires.
+/// A bus that can only write, with its D/C line. All clones are connected to the same wires.
 #[derive(Clone, Default)]
 pub struct Wires(Rc<RefCell<Record>>);
 
@@ -35,11 +36,11 @@ struct Record {
 
 /// Bytes that follow each other without a change of D/C.
 pub struct Run {
-    /// D/C was high: data, not commands.
+    /// Whether D/C was high, so that the bytes are data, not commands.
     pub is_data: bool,
     /// The bytes in the order in which they were sent.
     pub bytes: Vec<u8>,
-    /// When the first byte began. A unit is the time that the bus takes for a byte.
+    /// The time at which the first byte began, in units of the time that the bus takes for a byte.
     pub start: u64,
 }
 
@@ -80,7 +81,7 @@ impl Wires {
         self.0.borrow().now
     }
 
-    /// Lets the time for a number of bytes pass. Nothing is sent in this time.
+    /// Waits for as long as the bus takes to send this many bytes. Nothing is sent in this time.
     pub fn wait(&self, bytes: u64) {
         self.0.borrow_mut().now += bytes;
     }
@@ -143,7 +144,8 @@ impl OutputPin for Wires {
     }
 }
 
-/// A pin that is not connected, for example to the reset of a panel that is always ready. It reads as low.
+/// A pin that is connected to nothing. A driver gets this pin if the panel is always ready or needs no reset. The pin
+/// reads as low.
 pub struct Unconnected;
 
 impl digital::ErrorType for Unconnected {

@@ -13,7 +13,8 @@ pub struct Panel {
     column: u8,
     page: u8,
     is_horizontal: bool,
-    /// A byte has 8 rows of a column, with the topmost row in the least significant bit; `None` before it is written.
+    /// The bytes in memory. A byte has 8 pixels of a column, with the topmost pixel in the least significant bit;
+    /// `None` before the byte is written.
     memory: [[Option<u8>; 128]; 8],
 }
 
@@ -45,7 +46,7 @@ impl Panel {
         }
     }
 
-    /// Executes commands. Their arguments follow with D/C low, too.
+    /// Executes commands. The arguments of a command follow with D/C low, too.
     fn execute(&mut self, mut bytes: &[u8]) {
         while let [command, rest @ ..] = bytes {
             bytes = match (command, rest) {
@@ -78,8 +79,8 @@ impl Panel {
         }
     }
 
-    /// In horizontal mode, the next byte goes to the next column, then to the next page, and after the window to its
-    /// start.
+    /// Stores a byte. In horizontal mode, the next byte goes to the next column, after the last column to the next
+    /// page, and after the last page to the start of the window.
     fn write(&mut self, byte: u8) {
         assert!(self.is_horizontal, "the other modes are not modeled");
         self.memory[usize::from(self.page)][usize::from(self.column)] = Some(byte);

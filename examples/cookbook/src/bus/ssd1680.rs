@@ -2,7 +2,7 @@
 
 use super::mipi::Command;
 
-/// The number of bytes in a row of memory. A row has 122 pixels, and 6 that are not on the glass.
+/// The number of bytes in a row of memory. A row has 122 pixels on the glass, and 6 pixels that are not on the glass.
 const STRIDE: usize = 16;
 const ROWS: usize = 250;
 
@@ -11,16 +11,16 @@ type Memory = [[u8; STRIDE]; ROWS];
 
 /// The contents of the controller's registers and memories, and the picture on the paper.
 pub struct Panel {
-    /// The picture to show, and the picture that a quick refresh assumes to be on the paper.
+    /// Two memories: the picture to show, and the picture that a quick refresh assumes to be on the paper.
     new: Memory,
     old: Memory,
     /// The first and the last column of bytes, and the first and the last row.
     columns: (usize, usize),
     rows: (usize, usize),
     at: (usize, usize),
-    /// The steps of the next activation.
+    /// The code of the steps that the next activation takes.
     update: u8,
-    /// Whether the waveforms drive all pixels, or only pixels that differ.
+    /// Whether the waveforms drive all pixels, instead of only the pixels that differ.
     is_full: bool,
     /// The picture on the paper: white (1) before the first refresh.
     pub paper: Memory,
@@ -68,7 +68,8 @@ impl Panel {
                 (0x32, table) => self.is_full = table[0] != 0,
                 (0x22, &[update]) => self.update = update,
                 (0x20, []) if self.update & 0b100 != 0 => self.refresh(),
-                // An activation that only starts or stops the voltages; SWRESET; voltages, borders and timing.
+                // These commands have no effect in the model: an activation that only starts or stops the voltages;
+                // SWRESET; settings of voltages, borders and timing.
                 (0x20 | 0x12, []) | (0x01 | 0x03 | 0x04 | 0x0f | 0x2c | 0x3a | 0x3b | 0x3c, _) => {}
                 (code, data) => panic!("command {code:#04x} with {data:02x?}"),
             }

@@ -9,12 +9,13 @@ use super::mipi::Command;
 
 /// A panel's TE output (tearing effect). The output is high while the panel reads no row of its memory.
 ///
-/// The panel reads its rows one after the other: [`Scan::LINES`] lines in [`Scan::PERIOD`] times of a byte, which is 60
-/// times a second on a bus of 62.5 MHz. In the first [`Scan::BLANK`] lines, it pauses, like an ST7789 after a reset.
+/// The panel reads its rows one after the other. A scan has [`Scan::LINES`] lines, and takes as long as the bus takes
+/// for [`Scan::PERIOD`] bytes: there are 60 scans a second on a bus of 62.5 MHz. In the first [`Scan::BLANK`] lines,
+/// the panel pauses, like an ST7789 after a reset.
 pub struct Scan(pub Wires);
 
 impl Scan {
-    /// The time of a scan, in times of a byte.
+    /// The duration of a scan, in units of the time that the bus takes for a byte.
     pub const PERIOD: u64 = 62_500_000 / 8 / 60;
     /// The number of lines of a scan. All lines take the same time.
     pub const LINES: u64 = 320 + Self::BLANK;
@@ -43,7 +44,8 @@ impl InputPin for Scan {
     }
 }
 
-/// A pin that a program reads in place of [`Scan`]. The program then waits only for the 1.1 ms in which it draws.
+/// A pin that a program reads in place of [`Scan`]. With this pin, the program does not wait for the panel. Time passes
+/// only for drawing, 1.1 ms per frame.
 pub struct Ignored(pub Wires);
 
 impl ErrorType for Ignored {

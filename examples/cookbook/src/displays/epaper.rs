@@ -17,7 +17,7 @@ const BAND: usize = (WIDTH * ROWS) as usize;
 static TOWER: Mesh = shape!(cylinder(24));
 static SAIL: Mesh = shape!(cuboid(vec3!(1, 0.12, 0.02)));
 
-/// Draws a windmill into the driver's buffer of 4 KB. Its bands take 5 KB with depths.
+/// Draws a windmill into the driver's buffer of 4 KB. A band takes 5 KB, with depths.
 pub fn draw(paper: &mut Display2in13, turn: Angle) -> Result<(), Error> {
     let view = Projection::perspective(deg!(40), (WIDTH, HEIGHT), fx!(0.5), fx!(50))?
         * Camera::look_at(vec3!(1, 1, 7), vec3!(0, 0.5, 0), Vec3::Y)?;

@@ -1,4 +1,4 @@
-//! Programs that drive displays, each with a driver of another project, and the pictures that their panels show.
+//! Programs that drive displays, each with a driver from another project, and the pictures that their panels show.
 //!
 //! The library's guide shows the programs. Here, their buses are wires that record, and their panels are models.
 
@@ -52,7 +52,7 @@ pub const DISPLAYS: &[(&str, Show)] = &[
     ("window", window_picture),
 ];
 
-/// A dark table with room for panels side by side.
+/// A picture of a dark table with room for panels side by side.
 fn table(panels: u32, size: Size) -> Picture {
     let width = panels * (size.width + GAP) + GAP;
     SimulatorDisplay::with_default_color(
@@ -70,8 +70,8 @@ fn corner(panel: u32, width: u32) -> Point {
     Point::new(x, y)
 }
 
-/// Puts a panel on the table, given its number from the left, the size of its pixels, and their colors. The table shows
-/// where pixels have no color.
+/// Draws a panel on the table. `panel` is the panel's number from the left. Where a pixel has no color, the table stays
+/// visible.
 fn lay(
     picture: &mut Picture,
     panel: u32,
@@ -147,7 +147,7 @@ fn window_picture() -> Result<Picture, Error> {
         let ran = run_window(&turns[..=panel as usize])?;
         lay(&mut picture, panel, window::FRAME, 1, ran.colors());
     }
-    // The part that was sent again.
+    // The part of the frame that was sent again.
     let mut sent = window::WINDOW;
     sent.top_left += corner(1, window::FRAME.width);
     let line = PrimitiveStyle::with_stroke(Rgb888::YELLOW, 1);

@@ -19,10 +19,10 @@ const BAND: usize = (SIDE * ROWS) as usize;
 
 static GLOBE: Mesh = shape!(sphere(18, 12));
 
-/// Returns the columns of these rows that are in the circle. They are symmetric about its center.
+/// Returns the columns of these rows that are in the circle. The columns are symmetric about the circle's center.
 fn columns(rows: Range<u32>) -> Range<u32> {
     let radius = SIDE / 2;
-    // The distance of the row nearest to the center.
+    // The distance from the center to the nearest of these rows.
     let up = (rows.start.max(radius) - radius).max(radius - rows.end.min(radius));
     let half = ((radius * radius - up * up).isqrt() + 1).min(radius);
     radius - half..radius + half

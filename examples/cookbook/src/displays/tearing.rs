@@ -48,7 +48,8 @@ pub fn run<T: InputPin<Error: Debug>>(
         let mut frame = Canvas::new(&mut pixels, SIDE, SIDE)?;
         draw(&mut frame, passed)?;
         // The panel reads its 320 rows in 16 ms. The bus writes 240 rows in 15 ms, so it takes longer per row. The
-        // panel reads ahead of the bus, and shows the old frame once more. It reads no new row before all are there.
+        // panel reads ahead of the bus, and shows the old frame once more. It reads the new frame only when all rows
+        // are there.
         while te.is_low().unwrap() {}
         while te.is_high().unwrap() {}
         frame.show(&mut panel).unwrap();

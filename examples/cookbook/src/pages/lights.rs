@@ -61,7 +61,7 @@ pub(super) fn colored(canvas: &mut Frame<'_>) -> Drawn {
     under(canvas, [red, blue])
 }
 
-/// The same sheet twice, seen from below: without the adapter and with it.
+/// The same sheet twice, seen from below: without and with the adapter for two-sided light.
 pub(super) fn two_sided(canvas: &mut Frame<'_>) -> Drawn {
     let view = view(canvas)?;
     let lamp = Light::new(vec3!(0, 1, 4), fx!(0.1), fx!(0.9))?;

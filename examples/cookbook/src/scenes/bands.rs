@@ -8,7 +8,7 @@ use fixel::prelude::*;
 const ROWS: u32 = 8;
 
 static BALL: Mesh = shape!(sphere(32, 24));
-/// Stripes in four colors between white ones, and white caps.
+/// Stripes in four colors between white stripes, and white caps.
 static STRIPES: [[Rgb565; 8]; 16] = {
     let colors = [
         Rgb565::RED,

@@ -7,7 +7,7 @@ use fixel::prelude::*;
 static SQUARE: Mesh = shape!(plane(1, 1));
 static BALL: Mesh = shape!(sphere(32, 24));
 static WHITE: [[Rgb565; 32]; 32] = [[Rgb565::WHITE; 32]; 32];
-/// A round cloud. It is thickest in the middle.
+/// A round cloud, which is thickest in the middle.
 static CLOUD: [[Gray8; 32]; 32] = {
     let mut texels = [[Gray8::new(0); 32]; 32];
     let mut at = 0_usize;
@@ -32,7 +32,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let red = Flat::rgb(Rgb888::new(230, 60, 40)).lit(sun);
     canvas.draw(&BALL, &at(vec3!(-0.2, 0.8, -0.5), fx!(0.8)), &red);
 
-    // Blended surfaces follow, from back to front. They write no depths.
+    // Blended surfaces follow, from back to front. Blended surfaces write no depths.
     let seen = DrawOptions::new().with_depth(TestOnly);
     let shadow = at(vec3!(0.3, 0.02, -1.1), fx!(1)) * Transform::scale_axes(vec3!(1, 0.01, 0.8));
     let dark = Flat::new(Rgb565::new(14, 28, 16));

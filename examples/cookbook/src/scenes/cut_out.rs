@@ -35,7 +35,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let grass = Flat::new(Rgb565::new(12, 40, 8));
     canvas.draw(&SQUARE, &at(Vec3::ZERO, vec3!(60, 1, 60)), &grass);
 
-    // Through the holes of the near leaves, you see the far leaves from inside.
+    // Through the holes between the near leaves, you see the far leaves from inside.
     let both_sides = DrawOptions::new().with_cull(Cull::Nothing);
     let sun = Light::new(vec3!(-2, 3, 2), fx!(0.35), fx!(0.65))?;
     let bark = Flat::rgb(Rgb888::new(130, 90, 60)).lit(sun);

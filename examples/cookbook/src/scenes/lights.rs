@@ -14,7 +14,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let view = projection * camera;
     let viewer = Viewer::of(&view);
 
-    // Lights are in world space, and are added up. The light of a lamp ends at its range.
+    // Lights are in world space, and are added up. The light of a lamp ends at the lamp's range.
     let night = Light::new(vec3!(0, 1, 0.5), fx!(0.1), fx!(0.15))?;
     let red = PointLight::new(vec3!(-3, 1.5, 1), fx!(1), fx!(6))?;
     let blue = PointLight::new(vec3!(3, 1.5, 1), fx!(1), fx!(6))?;

@@ -6,7 +6,7 @@ use embedded_graphics::text::{Alignment, Text};
 use embedded_graphics::{Drawable, geometry::Point};
 use fixel::prelude::*;
 
-/// The front and the back are concave polygons of 32 corners. They are cut into triangles at compile time.
+/// The front and the back are concave polygons of 32 corners. The macro cuts the polygons into triangles.
 static CLOVER: Mesh = include_mesh!("../../../assets/clover.obj");
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
@@ -21,10 +21,10 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let jade = Flat::rgb(Rgb888::new(120, 225, 150));
     canvas.clear(Rgb565::new(4, 8, 8));
 
-    // One light per triangle. Nothing is stored.
+    // Light is computed once per triangle. Nothing is stored.
     canvas.draw(&CLOVER, &at(fx!(-2.5)), &jade.lit_faces(sun));
 
-    // One light per corner. Edges that turn by more than 40 degrees stay sharp.
+    // Light is computed once per corner. Edges that turn by more than 40 degrees stay sharp.
     let (mut normals, mut faces) = ([Vec3::ZERO; 100], [[0; 3]; 124]);
     let creased = CLOVER.with_creased_normals(deg!(40), &mut normals, &mut faces)?;
     canvas.draw(&creased, &at(fx!(0)), &jade.lit(sun));

@@ -21,7 +21,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let mvp = projection * Transform::translate(vec3!(0, 0, -7)) * tilt;
     canvas.clear(Rgb565::new(1, 2, 3));
 
-    // The stars are squares with a size in pixels. They have this size at any distance.
+    // The stars are squares with a size in pixels, which is the same at any distance.
     let stars: [Vec3; STARS] = core::array::from_fn(|at| {
         let across = |at| (noise(at) - fx!(0.5)) * 40;
         Vec3::new(across(2 * at), across(2 * at + 1), fx!(-30))

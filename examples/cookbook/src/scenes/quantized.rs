@@ -1,4 +1,4 @@
-//! A ring with numbers of 32 bits, and a ring that takes a third of its flash.
+//! A ring with numbers of 32 bits, and a ring with numbers of 8 bits that takes a third of the flash.
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};

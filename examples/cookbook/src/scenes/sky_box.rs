@@ -8,7 +8,7 @@ use fixel::prelude::*;
 static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 static ROCK: Mesh = shape!(sphere(9, 6));
 
-/// Stars and gas in one direction. (Your textures can come from files, with `include_texture!`.)
+/// The color of stars and gas in a direction. (Your textures can come from files, with `include_texture!`.)
 fn space(direction: Vec3) -> Rgb565 {
     let wave = |along: Vec3| fx!(1) * Angle::from_turns(direction.dot(along)).sin();
     let bent = wave(vec3!(0.5, 0.2, 0.6)) / 4 + wave(vec3!(0.3, 1.1, -0.7)) / 8;

@@ -26,7 +26,7 @@ const fn fir() -> [[Rgb565; 32]; 32] {
     texels
 }
 
-/// Points that fill a box of this size evenly. They are sorted from front to back.
+/// Points that fill a box of this size evenly, sorted from front to back.
 fn scattered<const N: usize>(size: Vec3) -> [Vec3; N] {
     core::array::from_fn(|i| {
         // Multiples of irrational numbers, modulo 1.

@@ -14,7 +14,7 @@ fn ground_at(x: Scalar, z: Scalar) -> Scalar {
     wave(x / 11 + z / 31, fx!(1.1)) + wave(z / 9 - x / 23, fx!(0.9)) + wave((x + z) / 4, fx!(0.18))
 }
 
-/// The number of pixels of a band. Their colors and depths take 20 KiB; on a chip, they are statics.
+/// The number of pixels of a band. Colors and depths of a band take 20 KiB; on a chip, they are statics.
 const BAND: u32 = 320 * 16;
 
 pub fn draw(display: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {

@@ -1,5 +1,5 @@
 //! The picture on a real panel. A display driver from another project writes the canvas to recorded wires. A model of
-//! the controller, made from its data sheet, reads the record. The model must show the canvas.
+//! the controller, made from its data sheet, reads the record. The model's picture must equal the canvas.
 
 mod recipes;
 
@@ -24,14 +24,14 @@ use mipidsi::options::{Orientation, Rotation};
 
 use common::{lighthouse, scenes};
 
-/// A square panel of 240x240 pixels. It is not rotated.
+/// A square panel of 240x240 pixels, not rotated.
 const SQUARE: (u32, u32) = (240, 240);
 
 fn square<'b>(wires: &Wires, buffer: &'b mut [u8]) -> Driver<'b, ST7789> {
     driver(ST7789, (240, 240), wires, buffer)
 }
 
-/// A panel of 240x320 pixels. It is rotated by a quarter turn.
+/// A panel of 240x320 pixels, rotated by a quarter turn.
 const WIDE: (u32, u32) = (scenes::WIDTH, scenes::HEIGHT);
 
 fn wide<'b>(wires: &Wires, buffer: &'b mut [u8]) -> Driver<'b, ILI9341Rgb565> {

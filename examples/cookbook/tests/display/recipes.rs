@@ -1,4 +1,4 @@
-//! The guide's programs that drive displays, each with a driver of another project.
+//! The guide's programs that drive displays, each with a driver from another project.
 
 use std::fs;
 use std::path::Path;
@@ -60,7 +60,7 @@ fn a_window_is_that_part_of_the_frame() {
     );
 }
 
-/// Inside the circle, the panel shows the pixels of a whole frame. At least 15 % of the bytes are not sent.
+/// Inside the circle, the round panel shows the same pixels as a whole frame. At least 15 % of the bytes are not sent.
 #[test]
 fn a_round_panel_gets_its_circle() {
     let ran = displays::run_round().unwrap();
@@ -94,8 +94,8 @@ fn an_oled_shows_the_frame() {
     assert!(expected.iter().filter(|lit| **lit).count() > 1000);
 }
 
-/// After each refresh, a full one and then quick ones, the paper shows what was drawn. Quick refreshes drive only a
-/// small part of the pixels.
+/// After the full refresh and after each quick refresh, the paper shows the picture that was drawn. Quick refreshes
+/// drive only a small part of the pixels.
 #[test]
 fn paper_is_refreshed_where_it_changes() {
     let turns = [0, 10, 30, 55].map(Angle::from_degrees);
@@ -166,8 +166,9 @@ fn a_frame_is_not_drawn_into_while_it_is_sent() {
     }
 }
 
-/// Returns the frames of the rows that a scan shows, for each scan that begins after the first frame has arrived and
-/// while other frames are sent. `None` stands for a row that is written while it is read.
+/// For each row of a scan, returns the frame of which the scan shows this row. The scans are all scans that begin after
+/// the first frame has arrived and while other frames are sent. `None` stands for a row that is written while the panel
+/// reads it.
 fn frames_of_scans(commands: &[Command]) -> Vec<Vec<Option<usize>>> {
     let side = tearing::SIDE as usize;
     let writes = commands.iter().filter(|command| command.code == 0x2c);
@@ -192,7 +193,8 @@ fn frames_of_scans(commands: &[Command]) -> Vec<Vec<Option<usize>>> {
     frames.collect()
 }
 
-/// No scan shows rows of two frames, whenever the program is ready to draw. Without the panel's signal, some scans do.
+/// Whenever the program is ready to draw, no scan shows rows of two frames. Without the panel's signal, some scans show
+/// rows of two frames.
 #[test]
 fn no_frame_is_torn() {
     let ways = [0_i16, 1, 2, 3, 4, 5].map(|step| fx!(0.3) * Scalar::from(step));

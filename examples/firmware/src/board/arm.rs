@@ -25,7 +25,7 @@ fn SysTick() {
     );
 }
 
-/// SysTick at the frequency of the core. Its rounds are counted, so the clock can count 2^56 ticks.
+/// SysTick at the frequency of the core. The clock counts SysTick's rounds, too, so it can count 2^56 ticks.
 pub struct Clock(SYST);
 
 impl Clock {
@@ -55,9 +55,9 @@ impl Clock {
 
     /// The number of ticks since the clock was set to zero.
     fn ticks(&self) -> u64 {
-        // No round is counted during this block. If a round ends in it, its exception is pending, and a second reading
-        // of the timer belongs to the next round. If no exception is pending even now, the first reading belongs to the
-        // current round.
+        // No round is counted during this block. If a round ends during the block, SysTick's exception is pending, and
+        // a second reading of the timer belongs to the next round. If no exception is pending even now, the first
+        // reading belongs to the current round.
         let (rounds, left) = interrupt::free(|_| {
             let (rounds, left) = (ROUNDS.load(Ordering::Relaxed), self.left());
             if SCB::is_pendst_pending() {

@@ -1,4 +1,4 @@
-//! Measures whole frames: for each of the measured scenes, the mean of its eight poses.
+//! Measures whole frames. For each measured scene, the cost is the mean over its eight poses.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::mode::Mode;

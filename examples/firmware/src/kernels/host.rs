@@ -9,7 +9,7 @@ use super::{memory, painter};
 
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 
-/// Makes a draw call. Callgrind counts the instructions in functions with this name.
+/// Calls `draw`, which makes a draw call. Callgrind counts the instructions in functions with this name.
 #[inline(never)]
 fn only_drawing(draw: impl FnOnce() -> Drawn) {
     let _ = draw();

@@ -1,5 +1,5 @@
-//! The cost on a microcontroller of the inner loops (a pixel in each mode, and the set-up of a triangle), and of frames
-//! (the mean of the eight poses of each measured scene).
+//! Measures costs on a microcontroller: of the inner loops (a pixel in each mode, and the set-up of a triangle), and of
+//! frames. For each measured scene, the cost of a frame is the mean over its eight poses.
 //!
 //! `cargo run --profile speed -p firmware --bin kernels --target thumbv7em-none-eabi` runs the program under QEMU,
 //! which counts instructions. On a chip, the program counts the core's cycles. The first line says whether it counts
@@ -10,9 +10,10 @@
 //!
 //! The cost of a pixel is the difference between two drawings of a triangle that covers a frame of 64 rows.
 //! `unit=pixel` compares frames of 16 and 48 columns. These lie within one span, so only the inner loop is measured.
-//! `unit=long-pixel` compares 48 and 240 columns, so it includes a pixel's share, 1/64, of the start of a span. The
-//! cost of a triangle is the difference between two prepared lists with different numbers of the same triangle. For
-//! `rows-of-64`, it is the cost of a whole sphere with rows of 64 vertices, divided by the number of its triangles.
+//! `unit=long-pixel` compares 48 and 240 columns. Its cost includes 1/64 of the cost of starting a span, because a span
+//! has 64 pixels. The cost of a triangle is the difference between two prepared lists with different numbers of the
+//! same triangle. For `rows-of-64`, it is the cost of a whole sphere with rows of 64 vertices, divided by the number of
+//! its triangles.
 //!
 //! Pixels are RGB565 in the processor's byte order. Textures have 64x64 texels and are drawn without a filter. Only
 //! draw calls are measured. `depth-pass` and `depth-fail` have a depth buffer that lets all pixels pass or no pixel.

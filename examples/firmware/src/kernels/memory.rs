@@ -39,7 +39,7 @@ pub fn print() -> Result<(), Error> {
     Ok(())
 }
 
-/// The number of bytes in a mesh's lists. Its edges do not count, because nothing draws them.
+/// The number of bytes in a mesh's lists, without the mesh's edges, because nothing draws the edges.
 fn flash(mesh: &Mesh) -> usize {
     let counts = mesh.without_edges().counts();
     (counts.positions + counts.normals) * size_of::<Vec3>()

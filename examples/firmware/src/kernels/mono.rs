@@ -51,7 +51,7 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     })
 }
 
-/// Prints the cost of the pixels by which the wider frame is wider.
+/// Prints the cost of the pixels that only the wider of the two frames has.
 fn print(
     watch: &mut Stopwatch,
     name: &str,

@@ -190,7 +190,7 @@ fn draw_sorted<D: DepthBuffer>(
     Ok(())
 }
 
-/// Draws. Callgrind counts the instructions in functions with this name.
+/// Calls `draw`. Callgrind counts the instructions in functions with this name.
 #[inline(never)]
 fn only_drawing(draw: impl FnOnce() -> Result<(), Error>) -> Result<(), Error> {
     draw()

@@ -16,7 +16,7 @@ impl Shader for Column {
     type Varyings = [i32; 1];
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [[i32; 1]; 3] {
-        // A repeat is 2^20 units of u. Here it becomes 2^22 units, which is 2^6 texels of 2^16 units.
+        // A repeat of the texture is 2^20 units of u. The factor 4 makes it 2^22 units: 2^6 texels of 2^16 units each.
         primitive.corners(|corner| [corner.uv().x.to_bits() << 2])
     }
 
@@ -25,12 +25,12 @@ impl Shader for Column {
     }
 }
 
-/// Within a piece, the column increases by the same amount at every pixel. At the last pixel, it also increases by the
-/// remainder up to the start of the next piece, which is at most a unit per pixel. From one piece of the wall to the
-/// next, the increase changes by more than this.
+/// Within a piece, the column increases by the same amount at every pixel. At the last pixel, the column also increases
+/// by the remainder up to the start of the next piece: at most one unit per pixel of the piece. This constant is the
+/// limit for the remainder. From one piece of the wall to the next, the increase changes by more than this limit.
 const ROUNDING: u16 = 64;
 
-/// The number of pixels of a row's first span, without its last pixel, where the last piece ends.
+/// The number of pixels of a row's first span, without the span's last pixel. The last piece ends at this last pixel.
 const RUN: usize = 63;
 
 /// The number of pixels between two bends in a row of the wall; `None` if it varies, or if there is no bend.

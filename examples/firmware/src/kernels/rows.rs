@@ -35,8 +35,8 @@ const ROWS: [(&str, u32); 17] = [
 /// The approximate number of triangles of each of these spheres.
 const TRIANGLES: u32 = 2000;
 
-/// The numbers of slices and stacks of spheres, and names with the numbers of triangles, with interpolated colors and
-/// in one color. The measured sphere has 32 slices and stacks.
+/// Spheres: the number of slices, which is also the number of stacks, and two names with the number of triangles. The
+/// first name is for interpolated colors, the second for one color. The measured sphere has 32 slices and stacks.
 const SIZES: [(u32, [&str; 2]); 6] = [
     (16, ["sphere-480", "sphere-flat-480"]),
     (32, ["sphere-1984", "sphere-flat-1984"]),

@@ -6,7 +6,7 @@ use semihosting::println;
 
 use super::board::{self, Clock};
 
-/// SysTick counts in 24 bits. No measurement here takes that long.
+/// SysTick counts in 24 bits. No measurement here takes longer than a round of SysTick.
 const ROUND: u64 = 1 << 24;
 
 /// Measures how long functions take.

@@ -22,17 +22,18 @@ const PIXELS: usize = 240 * ROWS as usize;
 /// The distance from the eye to the screen, in pixels.
 const FOCAL: i32 = 256;
 
-/// Corners in pixels from the frame's top left corner, and their distances. 1/w decreases by half over 640 columns. Its
-/// relative change per pixel increases from 1/1280 to 1/640. For this change, no mode falls back to division, and no
-/// mode skips the correction of perspective.
+/// Corners in pixels from the frame's top left corner, and their distances. 1/w decreases by half over 640 columns. The
+/// relative change of 1/w per pixel increases from 1/1280 to 1/640. With this change, no mode falls back to division,
+/// and no mode skips the correction of perspective.
 const CORNERS: [([i32; 2], i32); 3] = [([-16, -16], 1), ([-16, 144], 1), ([624, -16], 2)];
-/// A texture of 64x64 texels moves by half a texel to two texels per column.
+/// Texture coordinates of the corners. From one column to the next, a texture of 64x64 texels moves by half a texel to
+/// two texels.
 pub const UVS: [Vec2; 3] = [vec2!(0, 0), vec2!(0, 2), vec2!(10, 1)];
 
 static COLORS: ConstStaticCell<[Rgb565; PIXELS]> = ConstStaticCell::new([Rgb565::BLACK; PIXELS]);
 static DEPTHS: ConstStaticCell<[u16; PIXELS]> = ConstStaticCell::new([0; PIXELS]);
 
-/// A color that no measured draw call produces. It marks pixels that were not drawn.
+/// The color of pixels that were not drawn. No measured draw call produces this color.
 const UNDRAWN: Rgb565 = Rgb565::new(20, 40, 20);
 
 /// The depth buffer before the draw call.

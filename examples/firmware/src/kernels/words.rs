@@ -30,7 +30,7 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     let mvp = projection * Transform::translate(vec3!(0, 0, -3));
     let (options, white) = black_box((DrawOptions::new(), Flat::new(Rgb565::WHITE)));
 
-    // A sprite of 4x4 pixels, and two triangles of a mesh with the same pixels.
+    // Compare a sprite of 4x4 pixels with two triangles of a mesh that cover the same pixels.
     let (middles, corners, faces) = squares();
     let quads = Mesh::new(&corners, &faces)?;
     let ticks = watch.time(|| drawn(canvas.draw_with(&options, &quads, &mvp, &white).drawn))?;
@@ -118,7 +118,8 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     Ok(())
 }
 
-/// A lit ball, prepared for bands of eight rows. It is lit in each band, and then only once for all bands.
+/// Measures a lit ball, prepared for bands of eight rows. The ball is lit in each band, and then only once for all
+/// bands.
 fn lit_in_bands(watch: &mut Stopwatch, list: &mut DrawList<400, 250>) -> Result<(), Error> {
     let projection = Projection::perspective(deg!(60), (1, 1), fx!(1), fx!(10))?;
     let mvp = projection * Transform::translate(vec3!(0, 0, -2.2));
@@ -134,7 +135,7 @@ fn lit_in_bands(watch: &mut Stopwatch, list: &mut DrawList<400, 250>) -> Result<
     )
 }
 
-/// Draws a list in bands of eight rows, and draws it again with the shader's values stored.
+/// Draws a list in bands of eight rows. Then draws the list again, with stored values of the shader.
 fn bands<S: ShaderFor<Rgb565>>(
     watch: &mut Stopwatch,
     ball: &Prepared<'_, (), &Mesh<'_>>,

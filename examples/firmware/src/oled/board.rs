@@ -1,4 +1,4 @@
-//! The registers of the LM3S6965 that drive the panel. Their names are those of the data sheet.
+//! The registers of the LM3S6965 that drive the panel. The registers have the names that the data sheet gives them.
 //!
 //! The clock, select and data lines of the panel are pins A2, A3 and A5, which belong to the serial interface SSI0. Pin
 //! C7 says whether a byte is a command. D0 selects the SD card on the same wires.
@@ -53,7 +53,7 @@ impl Port {
     }
 }
 
-/// Clocks of SSI0, and of ports A, C and D.
+/// The registers that switch on the clocks of SSI0, and of ports A, C and D.
 const RCGC1: Register = Register(0x400f_e104);
 const RCGC2: Register = Register(0x400f_e108);
 

@@ -1,4 +1,4 @@
-//! The part of the program that runs on the board. It draws frame after frame in bands, one frame every 30 ms.
+//! The part of the program that runs on the board. This part draws frame after frame in bands, one frame every 30 ms.
 
 use cortex_m::asm;
 use cortex_m::peripheral::{SYST, syst::SystClkSource};

@@ -1,5 +1,5 @@
-//! The part of the program that runs on the host. It draws a frame as a whole, and compares it with the emulator's
-//! panel.
+//! The part of the program that runs on the host. This part draws a frame as a whole, and compares the frame with the
+//! emulator's panel.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};

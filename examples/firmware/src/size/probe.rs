@@ -35,8 +35,8 @@ static COLORS: [Rgb888; 17 * 9] = {
 /// A texture.
 pub static SKIN: [[Rgb565; 2]; 2] = [[Rgb565::WHITE, Rgb565::RED], [Rgb565::RED, Rgb565::WHITE]];
 
-/// A position in front of the eye. It is so close that the near plane of [`projection`](fn@projection) cuts the model,
-/// and clipping runs.
+/// A position in front of the eye. The position is so close that the near plane of [`projection`](fn@projection) cuts
+/// the model, and clipping runs.
 pub const PLACE: Vec3 = vec3!(0, 0, -1.5);
 
 /// The projection of the probes.
@@ -65,7 +65,7 @@ fn frames(pixels: &mut [Rgb565], depths: &mut [u16]) {
     }
 }
 
-/// The probe on the host. It draws the same frames, so that the compiler checks the code.
+/// The probe on the host. The host draws the same frames, so that the compiler checks the code.
 #[cfg(not(target_os = "none"))]
 pub fn host() {
     let mut pixels = vec![Rgb565::new(0, 0, 0); PIXELS];

@@ -1,7 +1,7 @@
 //! Chooses the camera in the model's own units. Options that the user gave are kept. The other options get values that
 //! show the whole model.
 //!
-//! This runs on the host, in f64. `units` and `view` pass the result to the library.
+//! The computation uses f64, because it runs only on the host. `units` and `view` pass the result to the library.
 
 mod fit;
 pub mod turntable;
@@ -22,8 +22,8 @@ const WIDE: f64 = 100.0;
 const LEAST: f64 = 1e-3;
 /// The default direction from the model to the eye, if y is up: in front, a little to the right and above.
 const FROM: Point = [0.55, 0.6, 1.0];
-/// The default direction for the oblique projections. They show the top and the side of a model that is seen from the
-/// front.
+/// The default direction for the oblique projections, because these show the top and the side of a model even if it is
+/// seen from the front.
 const FRONT: Point = [0.0, 0.0, 1.0];
 
 pub use fixel_assets::vector::Vector as Point;
@@ -56,7 +56,7 @@ pub struct Framing {
 pub struct Solid {
     /// The center of the box around the model.
     pub middle: Point,
-    /// The largest distance from the center, along an axis, of a point.
+    /// The largest distance of a point from the center, measured along one axis.
     pub radius: f64,
 }
 
@@ -110,7 +110,7 @@ pub fn basis(back: Point, up: Point) -> Option<[Point; 3]> {
 /// Turns a direction along the shortest arc from +y to `up`, which has length one. If z points up, a model's front is
 /// then at −y, where modeling programs expect the front.
 fn upright([x, y, z]: Point, up: Point) -> Point {
-    // There are many shortest arcs for half a turn. A turn about z keeps the front in front.
+    // For half a turn, there are many shortest arcs. A turn about z keeps the model's front in front.
     if up[1] < -1.0 + 1e-12 {
         return [-x, -y, z];
     }
@@ -167,7 +167,7 @@ fn most_ratio(depth: DepthBuffer) -> f64 {
     }
 }
 
-/// What the choice of an eye depends on.
+/// The input for the choice of an eye.
 struct Choice<'a> {
     args: &'a Args,
     points: &'a [Point],
@@ -190,8 +190,8 @@ impl Choice<'_> {
         let mut middle = [0.0; 2];
         let distance = if args.projection == Kind::Perspective {
             let slope = half_tangent(args.fov.unwrap_or(FIELD_OF_VIEW)) * FILL;
-            // The model stays beyond the near plane, however wide the view is: the farthest point is at most 100 times
-            // as far away as the nearest point.
+            // However wide the view is, the model stays beyond the near plane, because the farthest point is at most
+            // 100 times as far away as the nearest point.
             let closest = front + ((front - back) / 99.0).max(self.solid.radius * 0.01);
             let distance = fit::distance(place(0), slope * self.aspect, moves)
                 .max(fit::distance(place(1), slope, moves))
@@ -227,9 +227,9 @@ impl Choice<'_> {
         (x / self.aspect).max(y).max(least) / FILL
     }
 
-    /// Returns the point that `eye` must look at to have all points in the middle of its picture. The camera turns to
-    /// the middle of the points' angles until it no longer moves. If the eye is among the points, it looks at the
-    /// middle of the model.
+    /// Returns the point that `eye` must look at to have all points in the middle of its picture. The function turns
+    /// the camera to the middle of the points' angles again and again, until the camera no longer moves. If the eye is
+    /// among the points, the camera looks at the middle of the model.
     fn target(&self, eye: Point, up: Point) -> Point {
         let mut target = self.solid.middle;
         if self.args.projection != Kind::Perspective {
@@ -263,8 +263,8 @@ impl Choice<'_> {
 impl Framing {
     /// Chooses the options that `args` leave open so that all `points` are visible and as large as possible.
     ///
-    /// The value of each option is rounded as it is printed, and everything else is derived from these values. So the
-    /// printed options make the same picture.
+    /// The value of each option is rounded as it is printed, and all other numbers are derived from the rounded values.
+    /// So the printed options make the same picture.
     ///
     /// # Errors
     ///

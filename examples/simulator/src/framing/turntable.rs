@@ -9,8 +9,9 @@ const SIDES: u32 = 72;
 /// Returns points with a convex hull that contains `points` in every pose, while they turn around the axis through
 /// `about` in the direction `up`, which has length one.
 ///
-/// Around the axis, only the radius and the height of points matter, and of these only the convex outline. Each point
-/// of the outline becomes a polygon around its circle. The polygon is larger than the circle by a thousandth.
+/// For a turn around the axis, only the radius and the height of each point matter. Only points on the convex outline
+/// of all radii and heights are kept. Such a point moves along a circle, and the result has the corners of a polygon
+/// around this circle. The polygon is larger than the circle by a thousandth.
 pub fn swept(points: &[Point], about: Point, up: Point) -> Vec<Point> {
     let Some([right, back, _]) = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
         .into_iter()
@@ -29,7 +30,7 @@ pub fn swept(points: &[Point], about: Point, up: Point) -> Vec<Point> {
     let mut outline: Vec<[f64; 2]> = Vec::new();
     for p in profile {
         while let [.., a, b] = outline[..] {
-            // Drop b if it lies on the line from a to p, or below it.
+            // Drop point b if it lies on the line from a to p, or below this line.
             if (b[1] - a[1]) * (p[0] - a[0]) > (p[1] - a[1]) * (b[0] - a[0]) {
                 break;
             }

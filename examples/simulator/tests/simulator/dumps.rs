@@ -1,4 +1,4 @@
-//! The values in a dump, pixel by pixel. They are the same in bands.
+//! The values in a dump, pixel by pixel. Bands give the same values as a frame.
 
 use std::fs;
 
@@ -56,7 +56,7 @@ fn the_dump_is_exact_and_in_row_order() {
         let at = f64::from(u8::try_from(at).unwrap());
         let (x, y) = (at % 4.0, (at / 4.0).floor());
         assert_eq!(cells[..2], [x, y], "{row}");
-        // The values are those of the pixel's center. v points down. The error is a few units of 2^-24.
+        // u and v are the values at the pixel's center. v points down. The error is a few units of 2^-24.
         assert!(((x + 0.5) / 4.0 - cells[2]).abs() < 1e-6, "{row}");
         assert!(((y + 0.5) / 4.0 - cells[3]).abs() < 1e-6, "{row}");
         assert!((cells[4] - 1.0).abs() < 1e-4, "{row}");

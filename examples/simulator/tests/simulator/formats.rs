@@ -12,7 +12,7 @@ use super::program::{directory, good, printed, refused, run};
 
 const VIEW: &str = "--eye 4,3,5 --look-at 0,0.8,0 --up 0,1,0 --fov 35 --size 96x72";
 
-/// The checksum of a picture of `model`.
+/// Draws `model`, and returns the checksum of the picture.
 fn crc(directory: &Path, model: &str, look: &str) -> String {
     let said = good(
         directory,
@@ -178,7 +178,7 @@ fn materials_have_colors_and_textures() {
     save(&directory.join("own.png"), [9, 99, 199]);
     let own = middles(&directory, "--shade texture --texture own.png");
     assert_eq!(own, [[9, 99, 199]; 4]);
-    // A missing file causes a note, and the picture is drawn.
+    // A missing file causes a note, but the picture is drawn.
     fs::remove_file(directory.join("green.png")).unwrap();
     let output = run(&directory, "squares.obj");
     let notes = String::from_utf8(output.stderr).unwrap();
@@ -192,7 +192,7 @@ fn materials_have_colors_and_textures() {
     assert_eq!(middles(&directory, "--shade texture")[2], [255; 3]);
 }
 
-/// By default, the picture would have the name of the model's texture.
+/// The default name of the picture is the name of the model's texture here, so another name must be chosen.
 #[test]
 fn textures_of_a_model_are_not_overwritten() {
     let directory = directory("own-texture");
@@ -367,7 +367,8 @@ fn stl_line(fifth: &str) -> Vec<u8> {
     lines.replace('\n', "\r\n").into_bytes()
 }
 
-/// Runs the program with each file. A case has the file's name, its contents, and a text that the message must contain.
+/// Runs the program with each file. A case consists of the file's name, the file's contents, and a text that the
+/// message must contain.
 fn refuse_all(directory: &Path, cases: Vec<(&str, Vec<u8>, &str)>) {
     for (name, bytes, says) in cases {
         fs::write(directory.join(name), bytes).unwrap();

@@ -1,4 +1,5 @@
-//! The camera that the program chooses and prints. It must show the whole model at any angle, shape, scale and turn.
+//! The camera that the program chooses and prints. The camera must show the whole model at any angle, shape, scale and
+//! turn.
 
 use std::fmt::Write;
 use std::fs;
@@ -57,8 +58,8 @@ fn outline(camera: &str, size: [u32; 2], place: impl Fn(Point) -> Point) -> [[f6
     let up = cross(back, right);
     let half = (option(camera, "--fov")[0].to_radians() / 2.0).tan();
     let aspect = f64::from(size[0]) / f64::from(size[1]);
-    // If lines of sight are parallel, a point has the same size at any distance as at the target's distance. Its
-    // distance from the target only shifts the point.
+    // If lines of sight are parallel, everything appears as large as at the target's distance. A point's distance from
+    // the target only shifts the point in the picture.
     let parallel = camera
         .split_once("--projection ")
         .map(|(_, kind)| match kind {
@@ -104,16 +105,16 @@ fn every_angle_and_shape_shows_the_whole_model_as_large_as_possible() {
         let camera = camera(&said);
         let [across, rise, [nearest, farthest]] = outline(camera, size, |p| p);
         let reach = |[low, high]: [f64; 2]| high.max(-low);
-        // The model fills 94 % of the picture. The printed camera is rounded to 1e-5 of the model. This has a larger
-        // effect on corners close to the eye.
+        // The model fills 94 % of the picture. The printed camera is rounded to 1e-5 of the model. The rounding has a
+        // larger effect on corners close to the eye.
         assert!(
             reach(across) < 0.945 && reach(rise) < 0.945,
             "{view}: {said}"
         );
         assert!(option(camera, "--near")[0] < nearest, "{view}: {said}");
         assert!(option(camera, "--far")[0] > farthest, "{view}: {said}");
-        // The model is in the middle in both directions. It fills the picture in one direction, or the eye is next to
-        // it.
+        // The model is in the middle in both directions. The model fills the picture in one direction, or the eye is
+        // next to the model.
         assert!((across[0] + across[1]).abs() < 2e-3, "{view}: {across:?}");
         assert!((rise[0] + rise[1]).abs() < 2e-3, "{view}: {rise:?}");
         let fills = reach(across).max(reach(rise)) > 0.938;
@@ -534,8 +535,8 @@ fn merging_positions_are_noted_with_a_scale_that_keeps_them() {
     for radius in [1.0, 0.01, 1000.0] {
         assert_eq!(fan(radius), "", "{radius}");
     }
-    // Neighbors are 0.06 radii apart. This is about a third of a step at the first radius, and a thousandth at the
-    // second.
+    // Neighbors are 0.06 radii apart. With the first radius, this distance is about a third of a step, with the second
+    // about a thousandth.
     for (radius, least) in [(8e-5, 3.0), (2.4e-7, 1000.0)] {
         let note = fan(radius);
         assert!(note.contains("positions are the same as others"), "{note}");
@@ -604,7 +605,8 @@ fn a_camera_that_shows_nothing_is_an_error() {
     ] {
         refused(&directory, arguments, &["nothing is visible", says]);
     }
-    // The sheet shows its back in the first frame, and its front in a later frame. One frame that shows it is enough.
+    // The sheet shows its back in the first frame, and its front in a later frame. One frame that shows the front is
+    // enough.
     let sheet = "v -1 0 0\nv 1 0 0\nv 1 1 0\nv -1 1 0\nf 4 3 2 1\n";
     fs::write(directory.join("sheet.obj"), sheet).unwrap();
     let view = "sheet.obj --cull --eye 0,0.5,9 --look-at 0,0.5,0";

@@ -51,8 +51,8 @@ fn a_filter_changes_only_colors() {
     }
 }
 
-/// Two plates at 60,000 times the distance of the near plane, one of them a hundredth farther away. In linear steps,
-/// they have the same depth, so the last plate in the file shows.
+/// Two plates at 60,000 times the distance of the near plane. One plate is a hundredth farther away than the other. In
+/// linear steps, both plates have the same depth, so the last plate in the file shows.
 #[test]
 fn float_depth_keeps_the_order_of_distant_surfaces() {
     let directory = directory("far");

@@ -4,8 +4,8 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-/// A house without a floor. It has eight wall triangles and four roof triangles, all different, and counter-clockwise
-/// seen from outside.
+/// A house without a floor. The house has eight wall triangles and four roof triangles, all different, and
+/// counter-clockwise seen from outside.
 pub const POSITIONS: [[f32; 3]; 9] = [
     [-1.0, 0.0, 1.5],
     [1.0, 0.0, 1.5],

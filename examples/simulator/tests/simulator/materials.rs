@@ -110,7 +110,7 @@ fn emission_is_added_and_textures_clamped() {
     }
 }
 
-/// glTF calls the square one-sided. It is seen from the front and from behind.
+/// glTF calls the square one-sided. The test looks at the square from the front and from behind.
 #[test]
 fn one_sided_materials_hide_backs_but_not_the_whole_model() {
     let directory = directory("one-sided");

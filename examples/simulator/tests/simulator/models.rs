@@ -99,7 +99,7 @@ fn a_model_of_many_points_is_drawn_in_parts() {
     fs::write(directory.join("grid.obj"), model).unwrap();
     let view = "--eye 149.5,149.5,400 --look-at 149.5,149.5,0 --size 100x100 --fov 40";
     let said = good(&directory, &format!("grid.obj {view}"));
-    // 2 · 400 · tan 20° = 291.2 of the plate's 299 units are visible, so the plate covers every pixel exactly once.
+    // The view shows 2 · 400 · tan 20° = 291.2 of the plate's 299 units, so the plate covers every pixel exactly once.
     assert_eq!(printed(&said, "pixels"), "10000");
     assert_eq!(printed(&said, "triangles"), (299 * 299 * 2).to_string());
 }

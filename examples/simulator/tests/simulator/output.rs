@@ -84,8 +84,8 @@ fn a_default_name_replaces_only_what_the_program_wrote() {
         assert!(said.contains("wrote cow-picture.png"), "{said}");
         assert_eq!(fs::read(directory.join("cow.png")).unwrap(), texture);
     }
-    // The second run replaced the picture of the first run. But the program keeps its own picture if the picture is an
-    // input.
+    // The second run replaced the picture of the first run. But the program does not replace its own picture if this
+    // picture is an input.
     let said = good(
         &directory,
         "cow.obj --texture cow-picture.png --out other.png",
@@ -252,7 +252,7 @@ fn a_closed_pipe_is_reported_in_one_line() {
             "{arguments}: {said}"
         );
         assert_eq!(said.lines().count(), 1, "{arguments}: {said}");
-        // A closed standard error causes no panic, either.
+        // A closed standard error must not cause a panic, either.
         let (reader, writer) = std::io::pipe().unwrap();
         drop(reader);
         let refused = format!("{arguments} --fov 40 --eye 1,2,3 --look-at 1,2,3");
@@ -296,7 +296,7 @@ fn a_full_disk_is_reported_in_one_line() {
     assert!(!metadata.is_file());
 }
 
-/// The unfinished file has its own name. This name does not get longer with the name of the output.
+/// The unfinished file has a name of its own, and this name is always short, even if the name of the output is long.
 #[test]
 fn a_file_name_may_have_the_maximum_length() {
     let directory = cow("long");
@@ -358,7 +358,7 @@ fn a_pipe_is_written_to() {
         bytes
     });
     good(&directory, "t.obj --size 16x12 --out t.png");
-    // Check this first, because the reader would wait forever if the program had replaced the pipe.
+    // Check first that the pipe is still a pipe. If the program had replaced the pipe, the reader would wait forever.
     assert!(!fs::metadata(directory.join("t.png")).unwrap().is_file());
     assert!(reader.join().unwrap().starts_with(b"\x89PNG"));
 }

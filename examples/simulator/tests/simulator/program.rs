@@ -20,7 +20,7 @@ pub fn run(directory: &Path, arguments: &str) -> Output {
         .unwrap()
 }
 
-/// Runs the program. It must succeed. Returns what it printed.
+/// Runs the program, which must succeed. Returns the text that the program printed.
 pub fn good(directory: &Path, arguments: &str) -> String {
     let output = run(directory, arguments);
     let errors = String::from_utf8_lossy(&output.stderr);
@@ -37,7 +37,7 @@ pub fn files(directory: &Path) -> Vec<String> {
     names
 }
 
-/// Runs the program. It must refuse its arguments with a message that contains all of `says`, and must leave no new
+/// Runs the program, which must refuse its arguments with a message that contains all of `says`, and must leave no new
 /// file.
 pub fn refused(directory: &Path, arguments: &str, says: &[&str]) {
     let before = files(directory);

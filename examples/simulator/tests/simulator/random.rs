@@ -94,7 +94,7 @@ fn no_command_line_panics_or_loses_a_file_or_silently_draws_nothing() {
                 "skin.png",
                 include_bytes!("../../../assets/lighthouse.png").to_vec(),
             ),
-            // A picture of the user with the default name of the output.
+            // The user's own file, which happens to have the output's default name.
             ("t.png", b"mine".to_vec()),
         ];
         for (name, bytes) in &inputs {
@@ -111,7 +111,7 @@ fn no_command_line_panics_or_loses_a_file_or_silently_draws_nothing() {
         let mut options = OPTIONS.to_vec();
         for (option, values) in options.partial_shuffle(&mut random, few).0 {
             words.push(option);
-            // The first value is a good value. It is taken half of the time.
+            // The first value is a good value. In half of all cases, the first value is taken.
             let value = if random.random() {
                 values.first()
             } else {
@@ -149,7 +149,7 @@ fn no_command_line_panics_or_loses_a_file_or_silently_draws_nothing() {
         );
         if code == Some(0) {
             succeeded += 1;
-            // The picture can have a single color. Then a note says this, except if the user wants no notes.
+            // The picture can have a single color. Then a note must say so, except if the user wants no notes.
             let is_hidden = said.contains("same color") || words.contains(&"--quiet");
             let pictures = names.iter().filter(|name| {
                 Path::new(name).extension() == Some("png".as_ref())

@@ -65,7 +65,7 @@ fn senseless_cameras_are_refused() {
         ("--look-at 0;0;0", ["0;0;0", "must be a number"]),
     ] {
         refused(&directory, &format!("t.obj {arguments}"), &says);
-        // A parallel projection chooses another eye, and its planes can lie behind the eye.
+        // A parallel projection chooses another eye, and the near and far planes can lie behind the eye.
         if !arguments.contains("--near") && !arguments.starts_with("--far") {
             let parallel = format!("t.obj --projection orthographic {arguments}");
             refused(&directory, &parallel, &says);

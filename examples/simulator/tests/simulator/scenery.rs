@@ -74,8 +74,8 @@ fn lights_add_up_in_their_colors() {
             middle(&format!("--shade {shade} --ambient {ambient} {lights}"))
         };
         let lit = |lights| shine(0, lights);
-        // Clay is (236, 214, 190). A light from straight ahead gives 0.7 of this color, and a light at 60 degrees half
-        // of that.
+        // Clay is (236, 214, 190). A light from straight ahead gives 0.7 of this color, and a light at 60 degrees gives
+        // half as much.
         let near = |found: Rgb, wanted: [f64; 3]| {
             for (found, wanted) in found.iter().zip(wanted) {
                 assert!(
@@ -121,7 +121,7 @@ fn fog_hides_by_distance() {
     assert_eq!(middle("--fog 6,9,ff0000"), bare);
     assert_eq!(middle("--fog 1,4,ff0000"), [255, 0, 0]);
     assert_eq!(middle("--fog 1,4 --background 00ff00"), [0, 255, 0]);
-    // Half of the color shows, with an error of one step of the blend, 1/256, and of 1/200 by the fog's density.
+    // Half of the color shows. The error is up to 1/256, one step of the blend, plus up to 1/200 by the fog's density.
     let half = middle("--fog 3,7,000000");
     for (half, bare) in half.iter().zip(bare) {
         assert!(
@@ -129,7 +129,8 @@ fn fog_hides_by_distance() {
             "{half} of {bare}"
         );
     }
-    // The fog has the color of the background even where textures use another color type: both are black.
+    // In format mono, textures have another color type than the canvas. Fog and background must still have the same
+    // color, black.
     let hidden = draw(
         &directory,
         &format!("s.obj {FRONT} --shade texture --color mono --fog 1,4"),
@@ -177,8 +178,9 @@ fn every_surface_takes_every_light_and_fog() {
             // The square is at a distance of 5.
             for (fog, clear) in [("", 1.0), ("--fog 3,7,000000", 0.5)] {
                 for filter in ["nearest", "bilinear"] {
-                    // The error comes from rounding and from the fog's steps. Colors of five bits add half a step when
-                    // they are stored, and half a step when they are drawn.
+                    // The error comes from rounding and from the fog's steps. With Rgb565, channels of five bits are
+                    // rounded twice, once in the stored texture and once on the canvas. Each adds up to half a step to
+                    // the error.
                     for (color, within) in [("rgb888", 3.0), ("rgb565", 3.0 + 255.0 / 31.0)] {
                         let look = format!(
                             "{model} {FRONT} --shade {shade} {fog} --filter {filter} --color {color}"
@@ -242,7 +244,7 @@ fn edges_lie_over_the_surface() {
             let mut black = 0;
             for ((bare, wired), edge) in bare.iter().zip(&wired).zip(&edges) {
                 assert!(wired == bare || *wired == [0; 3]);
-                // The surface hides no edge here, so every edge shows.
+                // The surface hides no edge in this view, so every edge shows.
                 assert_eq!(*wired == [0; 3], *edge == [255; 3], "{shade} {color}");
                 black += u32::from(*wired == [0; 3]);
             }
@@ -280,7 +282,8 @@ fn edges_that_would_fill_the_picture_become_an_outline() {
         );
         let picture = image::open(directory.join("t.png")).unwrap().into_luma8();
         let white = picture.pixels().filter(|pixel| pixel.0[0] > 0).count();
-        // The outline has four sides of 45 to 60 pixels each. Otherwise, all edges are drawn.
+        // If the edges are dense, only the outline is drawn, which has four sides of 45 to 60 pixels each. Otherwise,
+        // all edges are drawn.
         assert_eq!(white < 250, is_dense, "{size}: {white}");
         assert!(white > 100, "{size}: {white}");
     }

@@ -21,7 +21,8 @@ fn a_texture_is_drawn_texel_by_texel_or_resampled() {
     fs::write(directory.join("s.obj"), square).unwrap();
     let view = "--eye 0.5,0.5,2 --look-at 0.5,0.5,0 --fov 28.072486935852957 --near 1 --far 3";
     let look = "--size 64x64 --shade texture --color rgb888 --out o.png";
-    // Other sizes are resampled. A ramp stays a ramp, except at its border, where neighbors are missing.
+    // Other sizes are resampled. A ramp of colors stays a ramp, except at the picture's border, where neighbors are
+    // missing.
     for (width, height, within) in [(64, 64, 0), (48, 80, 8), (85, 52, 8)] {
         colors(width, height)
             .save(directory.join("skin.png"))

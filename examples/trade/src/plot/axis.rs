@@ -27,7 +27,7 @@ impl Axis {
         }
     }
 
-    /// Makes an axis a little longer than the range of the values. Its labels are as many round numbers as fit.
+    /// Makes an axis a little longer than the range of the values. The labels are as many round numbers as fit.
     pub fn around(values: impl Iterator<Item = f64>) -> Self {
         const DIGITS: [&[f64]; 4] = [
             &[1.],
@@ -84,7 +84,7 @@ pub fn label(value: f64) -> String {
     }
 }
 
-/// Formats the number of a tick on an axis of errors. At the lowest tick, smaller errors are drawn, too.
+/// Formats the number of a tick on an axis of errors. Errors below the lowest tick are drawn at this tick.
 pub fn error_label(value: f64) -> String {
     if value < LEAST_ERROR * 1.01 {
         format!("≤ {}", label(value))

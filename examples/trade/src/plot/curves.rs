@@ -29,7 +29,8 @@ pub struct Curves<'a> {
 
 /// The content of a panel.
 struct Panel<'a> {
-    /// The name of the horizontal axis. It is empty in the upper panel, because the lower panel shows the shared axis.
+    /// The name of the horizontal axis. The name is empty in the upper panel, because the lower panel shows the shared
+    /// axis.
     along: &'a str,
     up: Side<'a>,
     lines: Vec<Line>,

@@ -38,7 +38,7 @@ const TITLE: (&str, i32) = (FONT, 32);
 const NAME: (&str, i32) = (FONT, 27);
 const LABEL: (&str, i32) = (FONT, 24);
 
-/// Registers the font. Call it once, before the first plot.
+/// Registers the font. Call this function once, before the first plot.
 pub fn fonts() -> Result<()> {
     register_font(FONT, FontStyle::Normal, dejavu::sans::regular())
         .map_err(|_| "the font cannot be read".into())

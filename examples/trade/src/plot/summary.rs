@@ -24,7 +24,7 @@ const CHART: u32 = 1000;
 const ZOOM: u32 = 2;
 /// The left and top edges, the width and the height of the part of the floor.
 const PART: (u32, u32, u32, u32) = (0, 88, 320, 152);
-/// The height of a view with the line above it.
+/// The height of a view, with the line of text above the view.
 const VIEW: u32 = PART.3 * ZOOM + 64;
 const SCENES: [(&str, &str, Mark); 2] = [
     ("floor", "a floor of 2 triangles", Mark::Circle),
