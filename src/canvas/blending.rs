@@ -27,12 +27,12 @@ use crate::shade::{Output, PixelFormat, Precise, fraction};
 /// ghostly(fixel::canvas::Add);
 /// ```
 pub trait Blending<C>: Copy + Sealed {
-    /// Whether [`blend`](Self::blend) reads the color below.
+    /// Whether [`blend`](Self::blend) reads the color on the canvas.
     #[doc(hidden)]
     const READS: bool = true;
 
-    /// The new color at a pixel of the frame. `below` returns the old color, and is called only if the old color
-    /// matters.
+    /// The new color at a pixel of the frame. `below` returns the old color; it is called only if the result depends on
+    /// the old color.
     #[doc(hidden)]
     fn blend<O: Output<Color = C>>(self, output: O, below: impl FnOnce() -> C, at: Point) -> C;
 }
@@ -53,8 +53,8 @@ pub struct Replace;
 /// Use it for glass, water and ghosts.
 ///
 /// For colors of 15 and 16 bits, the share has 32 steps. The error is at most 1.1 steps in a channel of 5 bits, 1.7
-/// steps in a channel of 6 bits, and 1 step in the channels of other colors. 0 keeps the color on the canvas, and 255
-/// replaces it.
+/// steps in a channel of 6 bits, and 1 step in the channels of other colors. A share of 0 keeps the color on the
+/// canvas, and a share of 255 replaces it.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -76,7 +76,7 @@ pub struct Opacity(pub u8);
 /// A [`Blending`]: the new color is added to the color on the canvas, channel by channel, and the sum is limited to
 /// white. Use it for fire, sparks and beams of light. The sum is exact.
 ///
-/// To fade such a surface with distance, put it in black fog.
+/// To fade an added surface with distance, put it in black fog.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -98,7 +98,7 @@ pub struct Add;
 /// A [`Blending`]: the color on the canvas is multiplied by the new color, channel by channel, where white is 1. Use it
 /// for shadows and stained glass. The product is rounded to nearest, or dithered.
 ///
-/// To fade such a surface with distance, put it in white fog.
+/// To fade a multiplied surface with distance, put it in white fog.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -133,8 +133,8 @@ impl<C: PixelFormat> Blending<C> for Opacity {
     }
 }
 
-/// Changes the color below by the function `precise` of the color below and the output's color, in proportion to the
-/// output's share. `plain` is the same function for colors that have no fraction bits.
+/// Replaces a share of the color below by `precise(below, color)`. The color and the share are the parts of `output`.
+/// `plain` is the same function for outputs without fraction bits, which cover the whole pixel.
 #[inline]
 fn changed<C: PixelFormat, O: Output<Color = C>>(
     output: O,

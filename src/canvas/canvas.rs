@@ -1,4 +1,4 @@
-//! The canvas: the caller's memory as a frame or a band of it.
+//! The canvas: a frame, or a band of a frame, in memory of the caller.
 
 use core::marker::PhantomData;
 use core::ops::Range;
@@ -17,7 +17,7 @@ use crate::error::check_length;
 /// Largest width and height of a frame, in pixels.
 const MAX_SIZE: u32 = 2048;
 
-/// The pixels of a frame, or of a horizontal band of it, in memory that belongs to the caller.
+/// The pixels of a frame, or of a horizontal band of a frame, in memory that belongs to the caller.
 ///
 #[cfg_attr(doc, doc = diagram!("band"))]
 /// Column 0, row 0 is the frame's top left pixel. A band knows which rows of which frame it holds. Everything is
@@ -90,9 +90,10 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
 
     /// A canvas of `width` x `height` pixels, row by row from the top.
     ///
-    /// Over a slice of colors, the canvas stores them unchanged. Over a slice of byte arrays, it stores bytes, and its
-    /// type must name the color and the byte order: `Canvas<Rgb565, BigEndian>` stores `[u8; 2]`. Most displays expect
-    /// the most significant byte first. `bytes.as_chunks_mut().0` views a slice of bytes as such arrays.
+    /// Over a slice of colors, the canvas stores them unchanged. Over a slice of byte arrays, the canvas stores bytes,
+    /// and the canvas's type must name the color and the byte order: `Canvas<Rgb565, BigEndian>` stores `[u8; 2]`. Most
+    /// displays expect the most significant byte first. `bytes.as_chunks_mut().0` views a slice of bytes as byte
+    /// arrays.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor, raw::BigEndian};
@@ -114,7 +115,7 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     {
         check_size(width, height)?;
         check_length(pixels.len(), (width * height) as usize)?;
-        // Not built by `band`, because here the compiler knows the first and the last row of a frame of known size.
+        // `new` does not call `band`. So if the size is a constant, the compiler knows the first and the last row.
         Ok(Self {
             cells: pixels,
             depths: &mut [],
@@ -141,7 +142,8 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
         O: Storage<C, Cell = P>,
     {
         check_size(width, height)?;
-        // A frame has fewer than 2^32 pixels, so a longer slice is refused with any row count.
+        // A slice with 2^32 rows or more counts as `u32::MAX` rows. The check below refuses it, because no frame has so
+        // many rows.
         let rows = u32::try_from(pixels.len() / width as usize).unwrap_or(u32::MAX);
         match first_row.checked_add(rows) {
             Some(end) if rows > 0 && end <= height => {
@@ -189,7 +191,7 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     ///
     /// # Errors
     ///
-    /// As for [`with_depth`](Self::with_depth).
+    /// The same as for [`with_depth`](Self::with_depth).
     pub fn with_depth_format<D: DepthBuffer>(
         self,
         depth: &'a mut [u16],
@@ -235,7 +237,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         self.cells
     }
 
-    /// The pixels of a canvas of bytes, in the order in which a bus sends them. This is a view, not a copy.
+    /// The pixels of a canvas of bytes, in the order in which a bus sends them. The result is a view, not a copy.
     #[must_use]
     pub const fn as_bytes<const N: usize>(&self) -> &[u8]
     where
@@ -246,7 +248,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
 
     /// Shows the canvas on a display of the same color, in one call of
     /// [`fill_contiguous`](DrawTarget::fill_contiguous). A band is shown at its place in the frame.
-    /// [`show_with`](Self::show_with) shows it on a display of another color.
+    /// [`show_with`](Self::show_with) shows the canvas on a display of another color.
     ///
     /// embedded-graphics' `Framebuffer` packs 8, 4 or 2 pixels that are side by side into a byte. Panels of electronic
     /// paper and many displays with few grays expect this format. To pack a canvas, show it on a framebuffer:
@@ -262,7 +264,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// let first_row = 4;
     /// let mut band = Canvas::band(&mut pixels, 16, 8, first_row)?;
     /// band.clear(BinaryColor::On);
-    /// // The framebuffer has the size of a band, so its rows begin at the band's.
+    /// // The framebuffer is as large as the band, so its first row shows the band's first row.
     /// let Ok(()) = band.show(&mut packed.translated(Point::new(0, -(first_row as i32))));
     /// assert_eq!(packed.data(), &[0xff; 4]);
     /// # Ok::<(), Error>(())
@@ -319,9 +321,9 @@ impl<O: Storage<BinaryColor>, D> Canvas<'_, BinaryColor, O, D> {
     /// the least significant bit.
     ///
     /// 8 rows form a *page*. A page has one byte for each column, from the left. Pages follow each other from the top,
-    /// and the first row of the canvas is the first row of a page. So let each band for such a display begin at a
-    /// multiple of 8, and give it 8 rows, 16 rows, and so on. If the last page of a band has fewer rows, its other bits
-    /// are 0.
+    /// and the first row of the canvas is the first row of a page. So let each band for such a display begin at a row
+    /// that is a multiple of 8, and give the band 8 rows, 16 rows, and so on. If the last page of a band has fewer than
+    /// 8 rows, the page's other bits are 0.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::BinaryColor;
@@ -340,7 +342,8 @@ impl<O: Storage<BinaryColor>, D> Canvas<'_, BinaryColor, O, D> {
     /// ```
     pub fn pages(&self) -> impl Iterator<Item = u8> {
         let (cells, width) = (&*self.cells, self.width);
-        // A canvas has at most 2^22 pixels, and its pages at most 7 rows more.
+        // The index cannot overflow: a canvas has at most 2^22 pixels, and the last page reaches at most 7 rows
+        // further.
         let is_on = move |row: u32, column| {
             let cell = cells.get((row * width + column) as usize);
             cell.is_some_and(|&cell| O::load(cell).is_on())
@@ -365,8 +368,8 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
 
     /// Sets every depth to infinity and keeps the colors. The next draw call then covers the picture.
     ///
-    /// Use it for a second scene over the first, such as a cockpit or a gauge that no wall may hide. Without a depth
-    /// buffer, this function does nothing.
+    /// Use this function for a second scene over the first, such as a cockpit or a gauge that no wall may hide. Without
+    /// a depth buffer, this function does nothing.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;
@@ -382,8 +385,8 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         self.depths.fill(0);
     }
 
-    /// The stored depth of a pixel, as the depth buffer encodes it; `None` outside this canvas's rows or without a
-    /// depth buffer.
+    /// The stored depth of a pixel, as the depth buffer encodes it; `None` if the pixel is outside this canvas, or if
+    /// there is no depth buffer.
     ///
     /// A point of the scene is hidden if its [`ScreenPoint::depth`](crate::ScreenPoint::depth) is less than this depth:
     ///
@@ -406,7 +409,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         if !self.bounding_box().contains(point) {
             return None;
         }
-        // The area has no negative coordinates.
+        // No point in the area has a negative coordinate.
         let (x, y) = (point.x.cast_unsigned(), point.y.cast_unsigned());
         let at = (y - self.rows.start) * self.width + x;
         self.depths.get(at as usize).copied()

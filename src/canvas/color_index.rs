@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::raw::{RawData, RawU8};
 
 /// A color that is an entry of a palette, so that a pixel of a colored picture takes one byte.
 ///
-/// Drawing writes indices. A [`map`](crate::Shader::map) makes them from a shader's colors, and
+/// Drawing writes indices. A [`map`](crate::Shader::map) makes indices from a shader's colors, and
 /// [`Canvas::show_with`](super::Canvas::show_with) looks up the colors of the palette:
 ///
 /// ```

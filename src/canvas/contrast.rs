@@ -7,8 +7,8 @@ use super::storage::Storage;
 
 /// A change of grays that makes one gray black and a lighter gray white, and spreads the grays between them evenly.
 ///
-/// Displays with few grays need it. Without it, a scene that has only dark grays becomes noise in black and white. The
-/// default changes nothing.
+/// Displays with few grays need this change: for example, a scene of only dark grays would become noise in black and
+/// white. The default contrast changes no gray.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -36,14 +36,15 @@ impl Default for Contrast {
 
 impl Contrast {
     /// Makes `black` and all darker grays black, and `white` and all lighter grays white. If `white` is not lighter
-    /// than `black`, all grays up to `black` are black and all others white.
+    /// than `black`, all grays up to `black` become black, and all lighter grays become white.
     #[must_use]
     pub const fn new(black: u8, white: u8) -> Self {
         Self { black, white }
     }
 
-    /// The contrast of the rows in memory: the darkest gray becomes black, and the lightest gray becomes white. At each
-    /// end, `ignored`/256 of the pixels do not count, so that a single highlight does not set the contrast.
+    /// The contrast of the rows in memory: the darkest gray becomes black, and the lightest gray becomes white. The
+    /// darkest `ignored`/256 of the pixels and the lightest `ignored`/256 do not count, so that a single highlight does
+    /// not set the contrast.
     ///
     /// All bands of a frame need the same contrast, for example the contrast of the previous frame. The function uses 1
     /// KiB of stack.
@@ -73,7 +74,7 @@ impl Contrast {
         self.white
     }
 
-    /// Stretches a gray, rounded to nearest.
+    /// The new value of a gray, rounded to nearest.
     #[must_use]
     #[inline]
     pub fn stretch(self, gray: Gray8) -> Gray8 {

@@ -7,12 +7,13 @@ use crate::sealed::{Sealed, sealed};
 /// [`WideFloatDepth`]. Sealed.
 ///
 /// A fragment is drawn if it is at least as near as the stored depth. Therefore, if two fragments have the same depth,
-/// the later one is visible. 65535 is the near plane, 0 is infinitely far.
+/// the later fragment is visible. A depth of 65535 is the near plane, and a depth of 0 is infinitely far.
 ///
 #[cfg_attr(doc, doc = diagram!("depth"))]
-/// Depths have one of three formats. In each, a nearer depth is a greater number, so the depth test is the same
-/// comparison. The formats differ in cost, and in the ratio far/near that they resolve. The table lists the greatest
-/// depth step, relative to the distance, at the far end. "None" means that every depth at the far end is stored as 0.
+/// Depths have one of three formats. In every format, a nearer depth is a greater number, so the depth test is the same
+/// comparison in all of them. The formats differ in cost, and in the ratio far/near that they resolve. The table lists
+/// the greatest depth step at the far plane, in percent of the distance. "None" means that every depth at the far plane
+/// is stored as 0.
 ///
 /// | far / near | [`LinearDepth`] | [`FloatDepth`] | [`WideFloatDepth`] |
 /// |---:|---:|---:|---:|
@@ -22,7 +23,7 @@ use crate::sealed::{Sealed, sealed};
 /// | 65,536 | none | 0.024 % | 0.049 % |
 /// | 1,000,000 | none | none | 0.049 % |
 ///
-/// Surfaces that are closer together than a step have equal depths, and the later one is visible.
+/// Surfaces that are closer together than a step have equal depths, and the surface that is drawn later is visible.
 ///
 /// Under a parallel projection, depth is linear in the distance itself: use [`LinearDepth`]. Shaders see the same
 /// linear [`Fragment::depth`](crate::Fragment::depth) with every format.
@@ -45,7 +46,7 @@ use crate::sealed::{Sealed, sealed};
 /// # Ok::<(), Error>(())
 /// ```
 pub trait DepthBuffer: Sealed {
-    /// Whether depths are tested and stored.
+    /// Whether the canvas keeps depths, to be tested and stored.
     #[doc(hidden)]
     const IS_KEPT: bool = true;
 
@@ -55,7 +56,8 @@ pub trait DepthBuffer: Sealed {
     #[doc(hidden)]
     fn encode(q: u32, down: u32) -> u32;
 
-    /// The stored depths of pixels; an endless row of `None` if no depths are kept.
+    /// Iterates over the stored depths of pixels. If no depths are kept, the iterator returns `None` for every pixel,
+    /// without end.
     #[doc(hidden)]
     #[inline]
     fn each(depths: &mut [u16]) -> impl Iterator<Item = Option<&mut u16>> {
@@ -77,8 +79,8 @@ pub enum NoDepth {}
 
 /// Depth in equal steps of 1/w: floor(65535 · near / w). The default.
 ///
-/// It is the finest format at distances up to 8 · near. At 16 · near and beyond, it is the coarsest. Its step, relative
-/// to the distance w, is w / (65535 · near).
+/// `LinearDepth` is the finest format at distances up to 8 · near, and the coarsest at 16 · near and beyond. A step,
+/// relative to the distance w, is w / (65535 · near).
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -91,7 +93,7 @@ pub enum NoDepth {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum LinearDepth {}
 
-/// Depth in floating point, with 4 bits of exponent and 12 of mantissa, for far/near up to 65,536.
+/// Depth in floating point, with 4 bits of exponent and 12 of mantissa, for a ratio far/near of up to 65,536.
 ///
 /// A step is 2⁻¹³ to 2⁻¹² of the distance (0.012 to 0.024 %) everywhere in the range, because each halving of 1/w
 /// lowers the code by 4096. If a surface is at least 65,536 times as far away as the near plane, its depth is stored as
@@ -115,11 +117,11 @@ pub enum LinearDepth {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FloatDepth {}
 
-/// Depth in floating point, with 5 bits of exponent and 11 of mantissa, for every far/near that a
+/// Depth in floating point, with 5 bits of exponent and 11 of mantissa, for every ratio far/near that a
 /// [`Projection`](crate::Projection) accepts.
 ///
-/// A step is 2⁻¹² to 2⁻¹¹ of the distance (0.024 to 0.049 %) up to 2³² · near. This is twice as coarse as
-/// [`FloatDepth`], at the same cost.
+/// A step is 2⁻¹² to 2⁻¹¹ of the distance (0.024 to 0.049 %) up to 2³² · near. These steps are twice as coarse as the
+/// steps of [`FloatDepth`], at the same cost.
 ///
 /// Within one triangle, the error of the interpolated 1/w is 2⁻²⁴ of its largest value. If a triangle's far end is more
 /// than 6,000 times as far away as its near end, this error exceeds half a step at the far end.
@@ -147,7 +149,7 @@ impl DepthBuffer for NoDepth {
 
     #[inline]
     fn each(_: &mut [u16]) -> impl Iterator<Item = Option<&mut u16>> {
-        // An iterator over a slice of units zips with the colors' iterator without a second check for the end.
+        // This is an iterator over a slice, because a loop over two zipped slices has only one check for the end.
         const ANY: &[()] = &[(); usize::MAX];
         ANY.iter().map(|()| None)
     }
@@ -156,7 +158,7 @@ impl DepthBuffer for NoDepth {
 impl DepthBuffer for LinearDepth {
     #[inline]
     fn encode(q: u32, down: u32) -> u32 {
-        // 31 bits shifted right by 31 are already 0.
+        // `q` has 31 bits, so a shift by 31 already makes it 0.
         q >> down.min(31)
     }
 }
@@ -169,9 +171,10 @@ impl DepthBuffer for FloatDepth {
 }
 
 impl WideFloatDepth {
-    /// The number q for which q · 2^-`down` is the depth of a code, at most 2^31 - 1.
+    /// The least depth of a code, as a number q that means the depth q · 2^-`down`; limited to at most 2^31 - 1.
     pub(crate) fn decode(code: u32, down: u32) -> u32 {
-        // As for `float`: the depth is (2^11 + m) · 2^(e - 11), where e is the exponent's code minus 16.
+        // The depth is (2^11 + m) · 2^(e - 11), where m is the code's mantissa, and e is its exponent minus 16 (see
+        // `float`).
         let (exponent, mantissa) = (code >> 11, code & 0x7ff | 1 << 11);
         let up = (exponent + down).cast_signed() - 27;
         if up > 19 {
@@ -191,25 +194,25 @@ impl DepthBuffer for WideFloatDepth {
     }
 }
 
-// With 16 bits for 32 octaves, a logarithm would be the finest: log2(1 + m) ≈ m + 0.344 m (1 − m) has steps of 0.036 %
-// instead of 0.049 %. But per textured fragment, a logarithm takes 23 instructions more than `LinearDepth` on
-// Cortex-M4, where a float takes 7 more. On Cortex-M0+, a logarithm takes 24 more, and a float 13 more. Surfaces that
-// are 1 % apart do not need a logarithm.
+// With 16 bits for 32 octaves, a logarithm would be the finest code: the approximation log2(1 + m) ≈ m + 0.344 m (1 −
+// m) gives steps of 0.036 % instead of 0.049 %. But per textured fragment, a logarithm takes 23 instructions more than
+// `LinearDepth` on Cortex-M4, where a float takes 7 more. On Cortex-M0+, a logarithm takes 24 instructions more, and a
+// float takes 13 more. Surfaces that are 1 % apart do not need a logarithm.
 /// Encodes a depth as a float with `EXPONENT` bits of exponent and 16 − `EXPONENT` bits of mantissa.
 ///
-/// Let the depth be 2^e · 1.m. The greatest exponent code stands for e = 15, because the near plane is 2^16 and
-/// depths are below it. So the least exponent that is stored is e = 16 − 2^EXPONENT.
+/// Let the depth be 2^e · 1.m, where m stands for the mantissa's bits. The greatest exponent code stands for e = 15,
+/// because the near plane is 2^16 and depths are below it. So the least exponent that is stored is e = 16 − 2^EXPONENT.
 #[inline]
 fn float<const EXPONENT: u32>(q: u32, down: u32) -> u32 {
     let mantissa = 16 - EXPONENT;
-    // Let zeros be the leading zeros of q. Shifted left by them, q is the mantissa in 32 bits, and e = 31 − zeros −
-    // down. So the exponent's code is e − (16 − 2^EXPONENT) = 15 + 2^EXPONENT − zeros − down. The mantissa keeps its
-    // top bit, which adds one to this code, and `normalize` adds another one, so the bias is 2 less.
+    // Let zeros be the number of leading zeros of q. Shifted left by zeros, q is the mantissa in 32 bits, and e = 31 −
+    // zeros − down. So the exponent's code is e − (16 − 2^EXPONENT) = 15 + 2^EXPONENT − zeros − down. The mantissa
+    // keeps its top bit, which adds 1 to this code, and `normalize` adds another 1, so the bias is 2 less.
     let bias = 13 + (1 << EXPONENT);
     let exponent = u32::wrapping_sub(bias, down) << mantissa;
     let (normal, exponent) = normalize(q, exponent, mantissa);
     let code = (normal >> (31 - mantissa)).wrapping_add(exponent);
-    // Depths below the least exponent give negative codes.
+    // A depth below the least exponent gives a negative code, and is stored as 0.
     code.cast_signed().max(0).cast_unsigned()
 }
 
@@ -217,11 +220,11 @@ fn float<const EXPONENT: u32>(q: u32, down: u32) -> u32 {
 mod tests {
     use super::*;
 
-    /// The largest shift of the tests: past the range of the wide format.
+    /// The largest shift that the tests use; it reaches beyond the range of the wide format.
     const MOST_DOWN: u32 = 63;
 
-    /// Checks every code at its lower end and just below it, at every shift. So codes rise with 1/w, and a value of 1/w
-    /// has the same code in triangles of any scale.
+    /// Checks, for every code at every shift, the least depth that has this code, and the depth just below. So codes
+    /// rise with 1/w, and a value of 1/w has the same code in triangles of any scale.
     fn codes_rise<F: DepthBuffer, const EXPONENT: u32>() {
         let mantissa = 16 - EXPONENT;
         for code in 0..=0xffff_u32 {
@@ -236,7 +239,7 @@ mod tests {
                     continue;
                 };
                 assert_eq!(F::encode(q, down), code, "{q} >> {down}");
-                // If q has fewer bits than a mantissa, q − 1 may be two codes below.
+                // If q has fewer bits than a mantissa, the code of q − 1 may be lower by two.
                 if q > 1 << mantissa {
                     let before = code.saturating_sub(1);
                     assert_eq!(F::encode(q - 1, down), before, "{q} - 1 >> {down}");
@@ -273,7 +276,7 @@ mod tests {
         assert_eq!(WideFloatDepth::decode(0, 15), 0);
     }
 
-    /// Depths below 1 in the narrow formats, and below 2^-16 in the wide one, are encoded as infinitely far at every
+    /// Depths below 1 in the narrow formats, and below 2^-16 in the wide format, are encoded as infinitely far at every
     /// shift.
     #[test]
     fn depths_below_the_range_are_zero() {
@@ -291,7 +294,7 @@ mod tests {
         }
     }
 
-    /// No number panics, not even one that no canvas produces.
+    /// No input panics, not even numbers that no canvas produces.
     #[test]
     fn no_number_panics() {
         for q in [0, 1, 1 << 31, u32::MAX] {

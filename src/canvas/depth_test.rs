@@ -6,8 +6,8 @@ use crate::sealed::Sealed;
 
 /// How a draw call uses the canvas's depth buffer.
 ///
-/// It is [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], or [`Biased`] around one of these.
-/// [`DrawOptions::with_depth`](crate::DrawOptions::with_depth) chooses the depth test.
+/// Five types are depth tests: [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], and [`Biased`] around another
+/// depth test. [`DrawOptions::with_depth`](crate::DrawOptions::with_depth) chooses the depth test.
 ///
 /// ```
 /// use fixel::{prelude::*, canvas::TestOnly};
@@ -18,7 +18,7 @@ pub trait DepthTest: Copy + Sealed {
     #[doc(hidden)]
     const TESTS: bool;
 
-    /// Whether depths are stored.
+    /// Whether the depths of drawn pixels are stored.
     #[doc(hidden)]
     const WRITES: bool;
 
@@ -100,8 +100,8 @@ depth_tests! {
 
 /// A depth test with depths that are moved before they are tested and stored.
 ///
-/// On a Cortex-M4, it costs 8 to 12 instructions for each drawn pixel and 5 to 8 for each hidden pixel. On a
-/// Cortex-M0+, it costs 15 or 16 for each drawn pixel and 12 to 14 for each hidden pixel.
+/// On a Cortex-M4, moving the depths costs 8 to 12 instructions for each drawn pixel and 5 to 8 for each hidden pixel.
+/// On a Cortex-M0+, the costs are 15 or 16 instructions for each drawn pixel and 12 to 14 for each hidden pixel.
 ///
 /// If a mesh is moved away from the eye, lines and decals on its surface are drawn without gaps:
 ///
@@ -130,17 +130,17 @@ pub struct Biased<Z = super::TestAndWrite> {
     pub steps: i32,
     /// The factor by which the depth difference between neighboring pixels is multiplied.
     pub slope: Scalar,
-    /// What the slope adds to half of 1/w in the current primitive: half of `slope` times the greatest change of 1/w
-    /// per pixel.
+    /// The number that is added to half of 1/w because of the slope: half of `slope` times the greatest change of 1/w
+    /// per pixel in the current primitive.
     added: i32,
-    /// The left shift of the current span's 1/w.
+    /// By how many bits the current span's 1/w is shifted left.
     up: u32,
 }
 
 impl<Z> Biased<Z> {
     /// `test` with depths moved by `steps` steps of the depth buffer and by `slope` times the depth difference between
     /// neighboring pixels. Of the differences to the next pixel in the row and to the next pixel in the column, the
-    /// greater one counts. Positive values move a surface nearer. Depths saturate at both ends.
+    /// greater difference counts. Positive values move a surface nearer. Depths saturate at both ends.
     ///
     /// For an edge of an [outline](crate::Mesh::outline), `slope` multiplies the greatest of several differences: the
     /// difference along the line, and the difference on each of the edge's two faces that is not culled. A face may be
@@ -160,8 +160,9 @@ impl<Z> Biased<Z> {
 
     /// `test` with depths moved away by two steps and by the depth difference between neighboring pixels. With this
     /// bias, edges drawn over the mesh have no gaps. (There is one exception. If the near plane clips a very narrow
-    /// triangle, its new corners are rounded to 1/256 pixel. This tilts the triangle, so it may hide a pixel of its own
-    /// edge.) For silhouettes of round bodies, this bias is too small: draw an outline [`in_front`](Self::in_front).
+    /// triangle, its new corners are rounded to 1/256 pixel. The rounding tilts the triangle, so that the triangle may
+    /// hide a pixel of its own edge.) For silhouettes of round bodies, this bias is too small: draw an outline
+    /// [`in_front`](Self::in_front).
     #[must_use]
     pub const fn behind(test: Z) -> Self {
         Self::new(test, -2, crate::fx!(-1))
@@ -190,8 +191,8 @@ impl<Z: DepthTest> DepthTest for Biased<Z> {
     #[inline]
     fn triangle(&mut self, steepness: u32) {
         self.test.triangle(steepness);
-        // The product of 32 bits and 32 bits fits in 64 bits. The clamp changes nothing, because the sum with 1/w
-        // saturates anyway.
+        // The product of 32 bits and 32 bits fits in 64 bits. The clamp changes no depth, because the sum of `added`
+        // and 1/w saturates anyway.
         let added = (i64::from(self.slope.to_bits()) * i64::from(steepness)) >> 17;
         self.added = added.clamp(i32::MIN.into(), i32::MAX.into()) as i32;
     }
@@ -203,8 +204,8 @@ impl<Z: DepthTest> DepthTest for Biased<Z> {
 
     #[inline]
     fn biased<D: DepthBuffer>(&self, q: u32, down: u32) -> u32 {
-        // `q` is shifted back, which loses no bit, and halved, because the sum may need more than the 31 bits of 1/w: a
-        // line may become nearer than the primitive's nearest corner.
+        // This undoes the span's left shift, which loses no bit, and halves `q`. Without halving, the sum might exceed
+        // the 31 bits of 1/w, because a bias can move a line nearer than the primitive's nearest corner.
         let up = self.up.wrapping_add(1);
         let (q, down) = (q >> (up & 31), down.wrapping_sub(up));
         let sum = q.cast_signed().saturating_add(self.added);

@@ -11,15 +11,15 @@ use crate::shade::PixelFormat;
 
 /// Memory for an error diffusion (Floyd and Steinberg, 1976), for [`Canvas::show_diffused`].
 ///
-/// It carries errors from row to row, and from band to band. Make a new `ErrorDiffusion` for each frame, and show the
-/// frame's bands with it from top to bottom.
+/// The memory carries errors from row to row, and from band to band. Make a new `ErrorDiffusion` for each frame, and
+/// show the frame's bands with it from top to bottom.
 #[derive(Debug)]
 pub struct ErrorDiffusion<'e> {
-    /// The errors of the columns, in 16ths of a step of [`Gray8`]. From `column` on, they are for this row; up to
+    /// The errors of the columns, in 16ths of a step of [`Gray8`]. From `column` on, the errors are for this row; up to
     /// `column` − 2, they are for the next row.
     errors: &'e mut [i16],
     column: usize,
-    /// The error that this column receives.
+    /// The error that this column receives from the column on its left.
     right: i32,
     /// The errors that the next row has received so far: in the previous column, and in this column.
     below: i32,
@@ -27,14 +27,15 @@ pub struct ErrorDiffusion<'e> {
 }
 
 impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
-    /// Shows a gray canvas on a display of fewer grays by error diffusion, in one call of
+    /// Shows a gray canvas on a display with fewer grays by error diffusion, in one call of
     /// [`fill_contiguous`](DrawTarget::fill_contiguous).
     ///
     /// Each pixel gets the nearest gray that the display has. The difference, at most half a step of these grays, is
-    /// added to later pixels: 7/16 of it to the pixel on the right; 3/16, 5/16 and 1/16 to the pixels below on the
-    /// left, directly below, and below on the right. Parts for pixels beyond the sides are added to the pixel directly
-    /// below instead. Brightness is therefore kept, except where it would exceed white or fall below black. Details are
-    /// finer than with ordered dithering, but in a moving picture they change from frame to frame.
+    /// added to later pixels: 7/16 of the difference to the pixel on the right; 3/16, 5/16 and 1/16 to the pixels below
+    /// on the left, directly below, and below on the right. At the left and right sides of the frame, the parts for
+    /// pixels outside are added to the pixel directly below. The mean brightness therefore stays the same, except where
+    /// it would exceed white or fall below black. Details are finer than with ordered dithering, but in a moving
+    /// picture they change from frame to frame.
     ///
     /// Bands that are shown from top to bottom give the same picture as the whole frame. The display may be another
     /// canvas that holds the whole frame or the same rows. The display must consume every color that is sent to it.
@@ -86,12 +87,12 @@ impl<'e> ErrorDiffusion<'e> {
         }
     }
 
-    /// The color of the next pixel of rows that end with the column `last`.
+    /// The color that the display shows for the next pixel. `last` is the last column of each row.
     fn color<C: PixelFormat<Channels = [i32; 1]>>(&mut self, gray: Gray8, last: usize) -> C {
         /// White, in 16ths of a step of [`Gray8`].
         const WHITE: i32 = 255 * 16;
         let [most, ..] = C::MAX_STEPS;
-        // A program's own color type may have no color but black: then it has no steps.
+        // A color type of the user may have black as its only color, and then has no steps.
         let half = (WHITE / 2).checked_div(most).unwrap_or(WHITE / 2);
         let at = self.column;
         let is_last = at >= last;
@@ -101,12 +102,14 @@ impl<'e> ErrorDiffusion<'e> {
             .div_euclid(WHITE)
             .min(most)
             .max(0);
-        // Exact for 1, 3, 15 and 255 steps; other numbers do not divide 255.
+        // The gray is exact for 1, 3, 15 and 255 steps, because these numbers divide 255. Otherwise, the gray is
+        // rounded.
         let shown = (steps * WHITE + most / 2)
             .checked_div(most)
             .unwrap_or_default();
-        // The part of the error that neither black nor white can take up is dropped. It would pile up at the right
-        // border, which receives more than it passes on, and would smear into darker rows.
+        // Apart from rounding, the error exceeds half a step only where the gray should be darker than black or lighter
+        // than white. The excess is dropped. If the excess were kept, it would pile up at the right border, which
+        // receives more than it passes on, and would smear into darker rows.
         let error = (wanted - shown).max(-half).min(half);
 
         let (right, left, below) = ((error * 7) >> 4, (error * 3) >> 4, (error * 5) >> 4);
@@ -128,9 +131,9 @@ impl<'e> ErrorDiffusion<'e> {
         C::from_steps([steps.cast_unsigned() as u8; 3])
     }
 
-    /// Stores the error of a column of the next row. The error is at most half a step, 2,040. Only a frame of a single
-    /// column reaches this bound, because the column keeps all of its error. With more columns, the error is at most
-    /// 14/16 of the bound, plus 3 for rounding.
+    /// Stores the error of a column of the next row. The error is at most 2,040, half of a step from black to white.
+    /// Only a frame of a single column reaches this bound, because this column keeps all of its error. With more
+    /// columns, the error is at most 14/16 of the bound, plus 3 for rounding.
     fn keep(&mut self, column: usize, error: i32) {
         if let Some(kept) = self.errors.get_mut(column) {
             *kept = error as i16;
@@ -164,7 +167,7 @@ mod tests {
         }
     }
 
-    /// The first pixel of a frame of one gray, and the mean of 64 x 64 pixels.
+    /// Shows 64 x 64 pixels of one gray. Returns the first pixel that is shown, and the mean of all pixels.
     fn shown<const MOST: i32>(gray: u8) -> (i32, f64) {
         let mut errors = [0; 64];
         let mut diffusion = ErrorDiffusion::new(&mut errors);

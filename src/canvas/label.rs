@@ -15,8 +15,8 @@ use super::depth::DepthBuffer;
 use super::storage::Storage;
 use crate::num::wide::at_least;
 
-/// A canvas as an embedded-graphics [`DrawTarget`] with its origin at a point of the scene. Nearer surfaces hide its
-/// pixels. [`Canvas::label`] makes it.
+/// An embedded-graphics [`DrawTarget`] that draws on a canvas, with its origin at a point of the scene. Surfaces nearer
+/// than this point hide the label's pixels. [`Canvas::label`] makes it.
 #[doc(hidden)]
 #[derive(Debug)]
 pub struct Label<'c, T> {
@@ -51,12 +51,12 @@ impl<C, O: Storage<C>, D: DepthBuffer> Label<'_, Canvas<'_, C, O, D>> {
         }
     }
 
-    /// The part of a rectangle that is in memory, as columns and rows of the frame, and the rectangle's corner in the
-    /// frame; `None` if no part is in memory.
+    /// The columns and rows of the frame where a rectangle's pixels are in memory, and the rectangle's top left corner
+    /// in the frame; `None` if no pixel is in memory.
     ///
     /// [`Rectangle::intersection`] adds a size to a corner in `i32`, which overflows for large areas. In 32 bits, the
-    /// corner's place in the frame would saturate, too, and the rectangle's other side would move by as much. So this
-    /// function computes in 64 bits.
+    /// corner's place in the frame could also saturate, which would move the rectangle's other side. So this function
+    /// computes in 64 bits.
     fn inside(&self, area: &Rectangle) -> Option<(Range<u32>, Range<u32>, [i64; 2])> {
         let (Point { x, y }, Point { x: u, y: v }) = (area.top_left, self.origin);
         let corner @ [x, y] =
@@ -80,7 +80,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Label<'_, Canv
                 y.saturating_add(self.origin.y),
             ];
             if area.contains(Point::new(x, y)) {
-                // The area has no negative coordinates.
+                // No point in the area has a negative coordinate.
                 let (x, y) = (x.cast_unsigned(), y.cast_unsigned());
                 self.draw_row(y, &(x..x + 1), iter::once(color));
             }
@@ -166,13 +166,13 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         }
     }
 
-    /// A label that nothing hides, at the frame's corner.
+    /// A label with its origin at the frame's top left corner. Nothing hides it.
     const fn over(&mut self) -> Label<'_, Self> {
         Label::new(self, Point::zero(), u16::MAX)
     }
 }
 
-/// Drawing cannot fail. It does not change the depth buffer, except that `clear` clears both colors and depths.
+/// Drawing cannot fail. Drawing does not change the depth buffer, except that `clear` clears both colors and depths.
 ///
 /// Any point and any rectangle is allowed, even one that reaches beyond the range of `i32`.
 impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> DrawTarget for Canvas<'_, C, O, D> {

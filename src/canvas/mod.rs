@@ -1,4 +1,4 @@
-//! The canvas: the caller's memory for a frame or a band of it, with or without a depth buffer.
+//! The canvas: a frame, or a band of a frame, in memory of the caller, with or without a depth buffer.
 //!
 #![cfg_attr(doc, doc = page_picture!("formats", "A ball in 16 bits of color, in four grays, in black and white"))]
 //! A [`Canvas`] has three type parameters: its color, how the color is stored, and its depth buffer. The compiler

@@ -1,4 +1,5 @@
-//! How colors are stored in memory, and how spans receive them: each color with its depth, row by row.
+//! How a canvas stores colors in memory, and how a span gets the pixels that it draws: consecutive pixels of one row,
+//! each a stored color with its depth.
 
 use core::marker::PhantomData;
 use core::mem;
@@ -121,7 +122,8 @@ impl<C> Cell<C, Words> for u8 {}
 impl<C> Cell<C, Words> for u16 {}
 impl<C> Cell<C, Words> for u32 {}
 
-/// Stores raw bytes in an order, and reads them, the most significant byte first.
+/// Implements [`Storage`] for an order of bytes: `$store` makes a color's bytes, and `$end`, if given, reverses them so
+/// that the most significant byte is read first.
 macro_rules! bytes {
     ($($Order:ident $store:ident $(from $end:ident)?;)+) => {$(
         impl<C, const N: usize> Storage<C> for $Order
@@ -155,8 +157,8 @@ fn number<'b>(bytes: impl Iterator<Item = &'b u8>) -> u32 {
     bytes.fold(0, |all, &byte| all << 8 | u32::from(byte))
 }
 
-/// A pixel of a canvas of color `C` and storage `O`. The compiler infers both from the pixel where it can. Public in
-/// name only.
+/// A pixel of a canvas of color `C` and storage `O`. The compiler infers `C` and `O` from the pixel's type where it
+/// can. The trait is public, but its module is private.
 ///
 /// ```compile_fail,E0277
 /// use fixel::prelude::*;
@@ -175,7 +177,7 @@ pub trait Cell<C, O> {}
 
 impl<C: PixelColor> Cell<C, Native> for C {}
 
-/// The colors and depths of a canvas. Once a `Memory` is in registers, rows are found without reading the canvas.
+/// The colors and depths of a canvas. If a `Memory` is in registers, finding a row does not read the canvas again.
 pub(crate) struct Memory<'a, C, O: Storage<C>, D> {
     pub(super) colors: &'a mut [O::Cell],
     /// Empty if there is no depth buffer.
@@ -195,9 +197,9 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer> Memory<'a, C, O, D> {
         }
     }
 
-    /// The pixels of `columns` of `row` with their depths. Both must lie within the canvas's area; the rasterizer's
-    /// rows and columns do. Returns `None` if the memory is too short for these pixels, or if `columns` ends before it
-    /// starts. Never panics.
+    /// The pixels in some columns of a row, with their depths. The row and the columns must lie within the canvas's
+    /// area; the rasterizer's rows and columns do. Returns `None` if the memory is too short for these pixels, or if
+    /// `columns` ends before it starts. Never panics.
     #[inline]
     pub(crate) fn cells(self, row: u32, columns: Range<u32>) -> Option<Cells<'a, C, O, D>> {
         let first = self.begin(row);
@@ -249,7 +251,7 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer> Cells<'a, C, O, D> {
     /// split off, because they are not used.
     #[inline]
     pub(crate) fn colors<const N: usize>(&mut self) -> Option<&'a mut [O::Cell; N]> {
-        // Checked before any color is taken.
+        // If too few colors are left, none may be split off.
         if self.colors.len() < N {
             return None;
         }

@@ -20,7 +20,8 @@ pub(super) struct Attribute<'a, T: Copy> {
 impl<'a, T: Copy> Attribute<'a, T> {
     pub(super) const NONE: Self = Self::of_lists((&[], &[]));
 
-    /// The attribute of lists that are known to fit the mesh. Without `faces`, there is one value per position.
+    /// Makes an attribute of lists that are known to fit the mesh. If the list of faces is empty, there is one value
+    /// per position.
     pub(super) const fn of_lists((values, faces): (&'a [T], &'a [[Index; 3]])) -> Self {
         Self::of((Values::Full(values), faces))
     }
@@ -55,7 +56,7 @@ impl<'a, T: Copy> Attribute<'a, T> {
         self.values.get(self.index(indices, corner)?)
     }
 
-    /// Like [`at`](Self::at), for an attribute that always has full precision. This takes less code.
+    /// Like [`at`](Self::at), but for an attribute that always has full precision; this function takes less code.
     #[inline]
     pub(super) fn full_at(&self, indices: Indices, corner: usize) -> Option<T> {
         match self.values {
@@ -87,7 +88,7 @@ impl<'a> Mesh<'a> {
     ///
     /// # Errors
     ///
-    /// As for [`with_uvs`](Self::with_uvs).
+    /// The same as for [`with_uvs`](Self::with_uvs).
     pub const fn with_normals(
         self,
         values: &'a [Vec3],
@@ -101,7 +102,7 @@ impl<'a> Mesh<'a> {
     ///
     /// # Errors
     ///
-    /// As for [`with_uvs`](Self::with_uvs).
+    /// The same as for [`with_uvs`](Self::with_uvs).
     pub const fn with_colors(
         self,
         values: &'a [Rgb888],
@@ -133,8 +134,8 @@ impl<'a> Mesh<'a> {
         Self { colors, ..self }
     }
 
-    /// The mesh with normals and texture coordinates in fewer bits. The lists are known to fit the mesh. Lists of faces
-    /// may be empty.
+    /// The mesh with normals and texture coordinates in fewer bits. The lists must fit the mesh, because they are not
+    /// checked. Lists of faces may be empty.
     #[doc(hidden)]
     #[must_use]
     pub const fn quantized(
@@ -149,19 +150,19 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// Whether there are texture coordinates.
+    /// Whether the mesh has texture coordinates.
     #[must_use]
     pub const fn has_uvs(&self) -> bool {
         self.uvs.values.len() > 0
     }
 
-    /// Whether there are normals.
+    /// Whether the mesh has normals.
     #[must_use]
     pub const fn has_normals(&self) -> bool {
         self.normals.values.len() > 0
     }
 
-    /// Whether there are colors.
+    /// Whether the mesh has colors.
     #[must_use]
     pub const fn has_colors(&self) -> bool {
         self.colors.values.len() > 0
@@ -189,7 +190,7 @@ impl<'a> Mesh<'a> {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Values<'a, T> {
     Full(&'a [T]),
-    /// A reference, so that this variant does not make every mesh larger.
+    /// This variant holds a reference, so that it does not make every mesh larger.
     Small(&'a Small<'a, T>),
 }
 
@@ -210,7 +211,7 @@ enum Stored<'a> {
 }
 
 impl<'a, T: Copy> Values<'a, T> {
-    /// A list of small values; an empty list becomes an empty list in full precision.
+    /// The values of a list in fewer bits; an empty list becomes an empty list in full precision.
     pub(super) const fn small(values: &'a Small<'a, T>) -> Self {
         match values.len {
             0 => Self::Full(&[]),
@@ -257,7 +258,7 @@ impl<T: Copy + Hash> Hash for Values<'_, T> {
 }
 
 impl<'a> Small<'a, Vec3> {
-    /// Normals that [`short_normal`] made.
+    /// A list of normals that [`short_normal`] made.
     #[must_use]
     pub const fn normals(normals: &'a [[i8; 3]]) -> Self {
         Self {
@@ -346,7 +347,7 @@ impl UvGrid {
             let from_origin = uv.to_bits()[axis].abs_diff(self.origin[axis]);
             let step = self.step[axis];
             if step > 0 {
-                // At most `most`, because that many steps reach the greatest coordinate.
+                // The result is at most the `most` of `around`, because that many steps reach the greatest coordinate.
                 steps[axis] = ((from_origin as u64 + step as u64 / 2) / step as u64) as u16;
             }
             axis += 1;
@@ -354,8 +355,8 @@ impl UvGrid {
         steps
     }
 
-    /// A point of the grid. (A step is rounded up by less than a unit of 2⁻²⁰. So the last point may lie beyond the
-    /// greatest coordinate, by less than one unit for each step.)
+    /// The texture coordinate at a point of the grid. (A step is rounded up by less than a unit of 2⁻²⁰. So the last
+    /// point may lie beyond the greatest coordinate, by less than one unit for each step.)
     fn uv(&self, [u, v]: [u16; 2]) -> Vec2 {
         let bits = |axis: usize, steps: u16| {
             let beyond = u64::from(steps) * u64::from(self.step[axis]);

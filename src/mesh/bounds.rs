@@ -3,10 +3,10 @@
 use super::Mesh;
 use crate::Vec3;
 
-/// An upright box in model space, such as the smallest one around a mesh.
+/// An upright box in model space, such as the smallest box around a mesh.
 ///
-/// [`Canvas::is_in_view`](crate::Canvas::is_in_view) uses the box to tell whether a mesh may have pixels. In a
-/// `static`, the compiler computes the box of a mesh.
+/// [`Canvas::is_in_view`](crate::Canvas::is_in_view) uses the box to tell whether a mesh may have pixels in the frame.
+/// In a `static`, the compiler computes the box of a mesh.
 ///
 /// ```
 /// use fixel::mesh::Bounds;
@@ -25,7 +25,7 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// The box between any two opposite corners.
+    /// The box that has these two points as opposite corners.
     #[must_use]
     pub const fn new(a: Vec3, b: Vec3) -> Self {
         Self { least: a, most: a }.with(b)
@@ -54,7 +54,8 @@ impl Bounds {
 }
 
 impl Mesh<'_> {
-    /// Finds the smallest upright box around all positions; without positions, the box is the origin alone.
+    /// Finds the smallest upright box around all positions; if there are no positions, the box contains only the
+    /// origin.
     #[must_use]
     pub const fn bounds(&self) -> Bounds {
         let positions = self.positions();

@@ -48,15 +48,15 @@ pub struct Counts {
 /// ```
 #[derive(Debug)]
 pub struct Buffers<'a> {
-    /// For positions.
+    /// Memory for positions.
     pub positions: &'a mut [Vec3],
-    /// For triangles.
+    /// Memory for triangles.
     pub faces: &'a mut [[Index; 3]],
-    /// For edges.
+    /// Memory for edges.
     pub edges: &'a mut [[Index; 2]],
-    /// For texture coordinates.
+    /// Memory for texture coordinates.
     pub uvs: &'a mut [Vec2],
-    /// For normals.
+    /// Memory for normals.
     pub normals: &'a mut [Vec3],
 }
 
@@ -73,7 +73,8 @@ impl<'a> Buffers<'a> {
         }
     }
 
-    /// `counts`, with 0 for each optional list that has an empty slice; an error if any other slice is too short.
+    /// Returns `counts`, but with 0 for each optional list that has an empty slice; an error if any other slice is too
+    /// short.
     pub(super) const fn wanted(&self, counts: Counts) -> Result<Counts, Error> {
         ok!(check_count(counts.positions, self.positions.len()));
         ok!(check_count(counts.faces, self.faces.len()));
@@ -85,7 +86,7 @@ impl<'a> Buffers<'a> {
         })
     }
 
-    /// The mesh of the first elements of each slice; `counts` says how many.
+    /// Makes a mesh of the first elements of each slice; `counts` has their numbers.
     pub(super) const fn mesh(self, counts: Counts) -> Result<Mesh<'a>, Error> {
         ok!(check_count(counts.positions, Mesh::MAX_POSITIONS));
         Ok(Mesh::of_lists(

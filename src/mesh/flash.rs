@@ -26,7 +26,7 @@ impl<const N: usize> Room<N> {
         normals: [Vec3::ZERO; N],
     };
 
-    /// All lists, to be filled.
+    /// All lists, for a shape to fill.
     #[must_use]
     pub const fn buffers(&mut self) -> Buffers<'_> {
         Buffers {
@@ -43,7 +43,7 @@ impl<const N: usize> Room<N> {
 ///
 /// # Panics
 ///
-/// If the list is shorter. Only the macros call this function, at compile time.
+/// If the list has fewer than `N` elements. Only the macros call this function, at compile time.
 #[must_use]
 pub const fn first<T: Copy, const N: usize>(list: &[T]) -> [T; N] {
     match list.first_chunk() {
@@ -56,7 +56,7 @@ pub const fn first<T: Copy, const N: usize>(list: &[T]) -> [T; N] {
 ///
 /// # Panics
 ///
-/// If the list is shorter than the result.
+/// If the list has fewer than `N` elements.
 #[must_use]
 pub const fn shortened<const N: usize>(positions: &[Vec3]) -> ([[i16; 3]; N], u32) {
     let positions: [Vec3; N] = first(positions);
@@ -70,7 +70,7 @@ pub const fn shortened<const N: usize>(positions: &[Vec3]) -> ([[i16; 3]; N], u3
 ///
 /// # Panics
 ///
-/// If the list is shorter than the result; the same holds for the functions below.
+/// If the list has fewer than `N` elements; the same holds for the functions below.
 #[must_use]
 pub const fn normals_of_8<const N: usize>(normals: &[Vec3]) -> [[i8; 3]; N] {
     let mut short = [[0; 3]; N];
@@ -112,8 +112,8 @@ pub const fn quantized_8<const N: usize>(uvs: &[Vec2]) -> ([[u8; 2]; N], UvGrid)
 }
 
 /// Makes lists from the little-endian bytes of their elements. The macros that read files write lists as bytes, because
-/// the compiler reads bytes several times as fast as numbers. The functions use patterns and operators: in the
-/// compiler, an index takes as long as several operators, and a call takes as long as ten.
+/// the compiler reads bytes several times as fast as numbers. The functions use only patterns and operators. At compile
+/// time, reading an element by its index takes as long as several operators, and a call takes as long as ten.
 ///
 /// # Panics
 ///
@@ -121,7 +121,7 @@ pub const fn quantized_8<const N: usize>(uvs: &[Vec2]) -> ([[u8; 2]; N], UvGrid)
 macro_rules! lists {
     ($($name:ident: [$element:ty] = $first:expr, [$($byte:ident)+] => $value:expr;)+) => {$(
         #[must_use]
-        #[allow(clippy::cast_possible_wrap)] // the casts are meant, and a call of cast_signed takes long
+        #[allow(clippy::cast_possible_wrap)] // the casts are intended, and a call of cast_signed takes long
         pub const fn $name<const N: usize>(bytes: &[u8]) -> [$element; N] {
             let mut list = [$first; N];
             let mut rest = bytes;
@@ -164,9 +164,9 @@ lists! {
     colors: [Rgb888] = Rgb888::new(0, 0, 0), [r g b] => Rgb888::new(r, g, b);
 }
 
-/// A mesh of the first elements of each list in `$room`; `$counts` says how many. Its lists are statics of exactly
-/// these lengths. With `short`, positions have 16 bits per component; with `quantized_16` or `quantized_8`, attributes
-/// have fewer bits, too.
+/// Makes a mesh of the first elements of each list in `$room`; `$counts` has their numbers. The lists of the mesh are
+/// statics of exactly these lengths. With `short`, positions have 16 bits per component; with `quantized_16` or
+/// `quantized_8`, attributes have fewer bits, too.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __mesh {

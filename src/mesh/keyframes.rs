@@ -11,9 +11,9 @@ use crate::{Error, Scalar, Vec3, message};
 /// Two poses of one mesh that can be blended: their positions, and their normals if both poses have normals.
 ///
 /// Both meshes need the same faces. Texture coordinates, colors and edges come from the first mesh. A `static` of this
-/// type is checked at compile time. It stores only the positions and normals of the second mesh in flash.
+/// type is checked at compile time. Of the second mesh, the `static` stores only the positions and normals in flash.
 ///
-/// An animation of many poses is an array of `Keyframes`, one for each step from a pose to the next: see
+/// An animation of many poses is an array of `Keyframes`, with one element for each step from a pose to the next: see
 /// [`blend_chain`](Self::blend_chain).
 ///
 /// ```
@@ -74,7 +74,7 @@ const fn normal_faces<'a>(mesh: &Mesh<'a>) -> &'a [[Index; 3]] {
     }
 }
 
-/// [`Vec3::lerp`], with a shorter path for `t` from 0 to 1, where nothing saturates.
+/// The result of [`Vec3::lerp`]. For `t` from 0 to 1, the computation is shorter, because nothing saturates.
 #[inline]
 fn between(from: Vec3, to: Vec3, t: Scalar) -> Vec3 {
     let rest = (1 << 16) - i64::from(t.to_bits());
@@ -93,7 +93,7 @@ impl<'a> Keyframes<'a> {
     /// # Errors
     ///
     /// [`Error::Length`] if the meshes differ in how many positions, faces or normals they have. [`Error::FacesDiffer`]
-    /// if two faces have different position indices, or different normal indices where both meshes have normals. If the
+    /// if two faces have different position indices or, if both meshes have normals, different normal indices. If the
     /// normals of two files do not match, drop them with [`Mesh::without_normals`].
     pub const fn new(first: &Mesh<'a>, second: &Mesh<'a>) -> Result<Self, Error> {
         let positions = second.positions();
@@ -119,7 +119,7 @@ impl<'a> Keyframes<'a> {
     ///
     /// # Panics
     ///
-    /// If `result` is an error. Call it only at compile time.
+    /// If `result` is an error. Call `checked` only at compile time.
     #[must_use]
     pub const fn checked(result: Result<Self, Error>) -> Self {
         message::checked(result, "keyframes")
@@ -127,7 +127,8 @@ impl<'a> Keyframes<'a> {
 
     /// The mesh at a time along a chain of poses. Each pair must begin with the pose that ends the pair before it. The
     /// mesh is the first pose at time 0, the second pose at time 1, and the middle between the second and the third
-    /// pose at time 1.5. Before time 0, it is the first pose; after the time of the last pose, it is the last pose.
+    /// pose at time 1.5. Before time 0, the mesh is the first pose; after the time of the last pose, it is the last
+    /// pose.
     ///
     /// ```
     /// use fixel::mesh::Keyframes;
@@ -173,10 +174,10 @@ impl<'a> Keyframes<'a> {
     /// The mesh between the two poses, in the caller's memory: the first pose at `t` = 0, the second at `t` = 1; other
     /// values of `t` extrapolate.
     ///
-    /// Each component is rounded once to the nearest 2⁻¹⁶, halves up, and saturates. At `t` = 0 and `t` = 1 it is
-    /// exact. Blended normals become shorter; this does not affect the lights of this crate, which use only directions.
-    /// If you pass no room for normals (`&mut []`), or if only one pose has them, the mesh has no normals, and lighting
-    /// uses the normals of its triangles.
+    /// Each component is rounded once to the nearest 2⁻¹⁶, halves up, and saturates. At `t` = 0 and `t` = 1, every
+    /// component is exact. Blended normals become shorter; this does not affect the lights of this crate, which use
+    /// only directions. If you pass no room for normals (`&mut []`), or if only one pose has them, the mesh has no
+    /// normals, and lighting uses the normals of its triangles.
     ///
     /// # Errors
     ///

@@ -22,8 +22,8 @@ pub type Index = u16;
 ///
 #[cfg_attr(doc, doc = diagram!("winding"))]
 /// Attributes are indexed like positions, unless they have their own faces. For example, in an OBJ file, a position may
-/// have a different texture coordinate in each face. In such faces, [`NO_VALUE`](Self::NO_VALUE) is the index of a
-/// corner without a value. Front faces are counter-clockwise as seen by the viewer.
+/// have a different texture coordinate in each face. If an attribute has its own faces, a corner without a value has
+/// the index [`NO_VALUE`](Self::NO_VALUE). Front faces are counter-clockwise as seen by the viewer.
 ///
 /// The constructors check every index; for a `static`, this happens at compile time:
 ///
@@ -40,7 +40,7 @@ pub type Index = u16;
 pub struct Mesh<'a> {
     pub(super) positions: Positions<'a>,
     pub(super) faces: &'a [[Index; 3]],
-    /// If this mesh is a part of a mesh: the index of its first face in the whole mesh. Otherwise 0.
+    /// If this mesh is a part of a mesh, the index of the part's first face in the whole mesh; otherwise 0.
     pub(super) first_face: usize,
     pub(super) edges: &'a [[Index; 2]],
     pub(super) uvs: Attribute<'a, Vec2>,
@@ -54,7 +54,7 @@ pub(super) const fn check<const K: usize>(
     len: usize,
     exception: Option<Index>,
 ) -> Result<(), Error> {
-    // A pattern, because in the compiler, a call of `len` takes as long as several comparisons.
+    // The loop uses a pattern, because at compile time, a call of `len` takes as long as several comparisons.
     let mut rest = lists;
     while let [list, others @ ..] = rest {
         let mut corner = 0;
@@ -78,7 +78,7 @@ impl<'a> Mesh<'a> {
     /// The index that marks, in the `faces` of an attribute, a corner without a value. The corner then gets the texture
     /// coordinate (0, 0), the normal of its triangle, or white.
     ///
-    /// (In a list of 65,536 values, this index names the last value.)
+    /// Exception: in a list of 65,536 values, this index is valid, and means the last value.
     pub const NO_VALUE: Index = Index::MAX;
 
     /// The largest number of positions that an [`Index`] can address.
@@ -103,12 +103,12 @@ impl<'a> Mesh<'a> {
 
     /// A mesh of 16-bit positions, in units of 2^-`fraction`, and the triangles between them.
     ///
-    /// These positions take half the flash of positions in [`Scalar`](crate::Scalar)s. With the same values, they draw
-    /// the same pixels, bit for bit. With 14 fraction bits, for example, they range from −2 to almost 2 in steps of
-    /// 1/16384.
+    /// These positions take half the flash of positions in [`Scalar`](crate::Scalar)s. They draw the same pixels, bit
+    /// for bit, as 32-bit positions with the same values. With 14 fraction bits, for example, 16-bit positions range
+    /// from −2 to almost 2 in steps of 1/16384.
     ///
-    /// Rounding to these units moves a position by up to half a unit along each axis. On the screen, this moves the
-    /// position by up to √3/2 · (1 + s) units times focal length / w, where s is the slope x/w or y/w at which the
+    /// Rounding to these units moves a position by up to half a unit along each axis. On the screen, the rounding moves
+    /// the position by up to √3/2 · (1 + s) units times focal length / w, where s is the slope x/w or y/w at which the
     /// position is seen. For a sphere that fills 320x240, with 14 fraction bits, this is 0.008 pixels. To transform a
     /// 16-bit position takes 7 instructions more than to transform a 32-bit position on Cortex-M4, and about 10 more on
     /// Cortex-M0+.
@@ -131,7 +131,7 @@ impl<'a> Mesh<'a> {
     ///
     /// # Errors
     ///
-    /// As for [`new`](Self::new); [`Error::Parts`] if there are more than 16 fraction bits.
+    /// The errors of [`new`](Self::new); [`Error::Parts`] if there are more than 16 fraction bits.
     pub const fn short(
         positions: &'a [[i16; 3]],
         fraction: u32,
@@ -179,7 +179,7 @@ impl<'a> Mesh<'a> {
     ///
     /// # Panics
     ///
-    /// If `result` is an error. Call it only at compile time.
+    /// If `result` is an error. Call `checked` only at compile time.
     #[must_use]
     pub const fn checked(result: Result<Self, Error>) -> Self {
         message::checked(result, "mesh")
@@ -249,7 +249,7 @@ impl<'a> Mesh<'a> {
         self.edges
     }
 
-    /// The position at `index`; the origin for an index out of range, which no checked list holds.
+    /// The position at `index`; the origin if the index is out of range, which cannot happen with a checked list.
     #[inline]
     pub(crate) fn position(&self, index: Index) -> Vec3 {
         self.positions.at(index)

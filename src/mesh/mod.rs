@@ -26,10 +26,10 @@
 //! | texture coordinates, `quantized_8` | 8 | 2 | 1/510 of their range, and 2⁻²¹ repeats |
 //!
 #![cfg_attr(doc, doc = page_picture!("quantized", "The same ring with numbers of 32 bits, and quantized"))]
-//! A normal's largest component becomes ±127, and the others are rounded to nearest, halves up. This turns the normal
-//! by at most asin(√½ / 127). The range from the least texture coordinate to the greatest is divided into equal steps,
-//! separately for u and v. If coordinates range from 0 to 1, a texture with 64 texels in a row moves by up to 1/2048
-//! texel with 16 bits, and by up to 1/8 texel with 8 bits.
+//! A normal's largest component becomes ±127, and the others are rounded to nearest, halves up. The rounding turns the
+//! normal by at most asin(√½ / 127). The range from the least texture coordinate to the greatest is divided into equal
+//! steps, separately for u and v. If coordinates range from 0 to 1, a texture with 64 texels in a row moves by up to
+//! 1/2048 texel with 16 bits, and by up to 1/8 texel with 8 bits.
 //!
 //! The attributes of each triangle are unpacked when the triangle is drawn. For normals, this takes a few percent of
 //! the instructions on Cortex-M4. A program without such meshes does not contain the code that unpacks attributes.

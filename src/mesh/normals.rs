@@ -15,8 +15,8 @@ const FRACTION: u32 = 22;
 fn measured(corners: [Vec3; 3]) -> Option<(Direction, [i32; 3])> {
     let [a, b, c] = corners;
     let sides = [a.way_to(b), b.way_to(c), c.way_to(a)];
-    // Components of sides have up to 32 bits and a sign. They are cut to 31 bits and a sign, so that a difference of
-    // two products fits into 64 bits.
+    // Components of sides have up to 32 bits and a sign. All components are cut to 31 bits and a sign, so that a
+    // difference of two products fits into 64 bits.
     let size = sides
         .as_flattened()
         .iter()
@@ -37,7 +37,8 @@ fn measured(corners: [Vec3; 3]) -> Option<(Direction, [i32; 3])> {
 ///
 /// A chord of length s on the unit circle spans an angle of 2 asin(s/2). Up to 90 degrees, this angle is computed as s
 /// · P(s²/4), with a polynomial P. Above 90 degrees, the chord to the opposite point gives the rest of the half turn.
-/// P(q) approximates asin(√q)/√q: it is interpolated at the Chebyshev nodes of 0..1/2, with an error of at most 2⁻¹⁶.
+/// P(q) approximates asin(√q)/√q: the polynomial is interpolated at the Chebyshev nodes of 0..1/2, with an error of at
+/// most 2⁻¹⁶.
 fn angle(a: [i32; 3], b: [i32; 3]) -> i32 {
     const P: [u32; 5] = [65_536, 10_893, 5_365, 640, 6_202];
     /// π.
@@ -75,11 +76,11 @@ impl<'a> Mesh<'a> {
     /// Adds computed normals, one per position, so that light changes smoothly across all edges.
     ///
     /// A normal is the mean of the normals of the triangles around its position. Each triangle is weighted by its angle
-    /// at the position, so the normal does not depend on how polygons were cut into triangles. It has length one. Its
-    /// direction is accurate to 2⁻¹² radians, if the triangles do not face away from one another and their angles at
-    /// the position are at least 0.1 degrees. Angles are rounded down to multiples of 2⁻²² radians, so a triangle whose
-    /// angle at the position is below about 2⁻²² radians does not count. If no triangle counts, or if the weighted
-    /// normals add up to zero, the position gets the zero vector.
+    /// at the position, so the normal does not depend on how polygons were cut into triangles. The normal has length
+    /// one. Its direction is accurate to 2⁻¹² radians, if the triangles do not face away from one another and their
+    /// angles at the position are at least 0.1 degrees. Angles are rounded down to multiples of 2⁻²² radians, so a
+    /// triangle whose angle at the position is below about 2⁻²² radians does not count. If no triangle counts, or if
+    /// the weighted normals add up to zero, the position gets the zero vector.
     ///
     /// The time grows in proportion to the number of triangles, so a mesh that moves can get new normals in each frame.
     ///
@@ -124,11 +125,11 @@ impl<'a> Mesh<'a> {
     /// everything is smooth.
     ///
     /// The normal at a corner of a triangle is a mean over the triangles around that position. The mean includes only
-    /// triangles whose own normals are within `crease` of this triangle's normal. These triangles are weighted as in
-    /// [`with_smooth_normals`](Self::with_smooth_normals). Equal normals are stored once, so a box needs 6. There are
-    /// at most three normals per triangle; `faces` receives the indices of the normals.
+    /// triangles whose own normals are within `crease` of this triangle's normal. The triangles are weighted as in
+    /// [`with_smooth_normals`](Self::with_smooth_normals). Equal normals are stored once, so a box needs 6 normals.
+    /// There are at most three normals per triangle; `faces` receives the indices of the normals.
     ///
-    /// The time grows with the square of the number of triangles, so do this once, not for each frame.
+    /// The time grows with the square of the number of triangles, so call this function once, not for each frame.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -140,7 +141,7 @@ impl<'a> Mesh<'a> {
     /// let (mut normals, mut faces) = ([Vec3::ZERO; 12], [[0; 3]; 4]); // your memory
     /// let mesh = Mesh::new(&positions, &roof)?
     ///     .with_creased_normals(deg!(60), &mut normals, &mut faces)?;
-    /// // The sides meet at 90 degrees, so each has one normal.
+    /// // The sides meet at 90 degrees, so each side has one normal.
     /// assert_eq!(mesh.counts().normals, 2);
     /// assert_eq!(faces, [[0; 3], [0; 3], [1; 3], [1; 3]]);
     /// # Ok::<(), Error>(())
@@ -245,7 +246,7 @@ mod tests {
         [1, 7, 5],
     ];
 
-    /// This holds however the sides of the box are cut into triangles.
+    /// The normals point to the corners, no matter how the sides of the box are cut into triangles.
     #[test]
     fn smooth_normals_of_a_box_point_to_its_corners() {
         let mut normals = [Vec3::ZERO; 9];
@@ -278,7 +279,7 @@ mod tests {
             [Vec3::ZERO, far, far + Vec3::from_bits([0, y, z])]
         };
         for micro_degrees in [100_000, 200_000, 1_000_000] {
-            // The width at a distance of 1000, which is 2^16 · 1000 units.
+            // The triangle's width at a distance of 1000 (2^16 · 1000 units).
             let width = f64::from(micro_degrees) / 1e6 * std::f64::consts::PI / 180. * 65_536e3;
             for turn in 0..64 {
                 let (sin, cos) = (f64::from(turn) * 0.1).sin_cos();

@@ -42,8 +42,8 @@ pub struct Outline<'a> {
 impl<'a> Outline<'a> {
     /// An outline of edges that the caller has found; the first `creases` of them are creases.
     ///
-    /// An edge `[a, b, c, d]` runs from position a to position b. Its faces are a b c and b a d, with their corners in
-    /// the order of the mesh's faces. A border has one face: its d equals a.
+    /// An edge `[a, b, c, d]` runs from position a to position b. The faces of this edge are a b c and b a d, with
+    /// corners in the same order as in the mesh. A border has one face: its d equals a.
     ///
     /// ```
     /// use fixel::mesh::Outline;
@@ -92,7 +92,7 @@ impl<'a> Outline<'a> {
     /// static BALL: Mesh = shape!(sphere(8, 4));
     /// let mut room = [[0; 4]; 3 * 48];
     /// let ball = Outline::build(&BALL, deg!(60), &mut room)?;
-    /// // 48 triangles have 72 edges. Nowhere do they meet at more than 60 degrees.
+    /// // 48 triangles have 72 edges. No two triangles meet at more than 60 degrees.
     /// assert_eq!((ball.edges().len(), ball.creases()), (72, 0));
     /// # Ok::<(), Error>(())
     /// ```
@@ -124,8 +124,8 @@ impl<'a> Outline<'a> {
     }
 }
 
-/// This number replaces the number of a side whose opposite side has been found. `write` refuses meshes with more than
-/// 2^32 − 1 sides, so no side has this number.
+/// Once the opposite side of a side has been found, this number replaces the side's number. `write` refuses meshes with
+/// more than 2^32 − 1 sides, so no side has this number.
 const USED: u32 = u32::MAX;
 
 /// The two ends of the side with this number, and the third corner of its face. Face i has the sides 3i to 3i + 2.
@@ -138,7 +138,7 @@ const fn side(faces: &[[Index; 3]], number: usize) -> [Index; 3] {
     }
 }
 
-/// Whether two positions are the same, even under different indices.
+/// Whether two indices name the same position, or positions that are equal.
 const fn are_same(positions: Positions<'_>, a: Index, b: Index) -> bool {
     if a == b {
         return true;
@@ -147,8 +147,9 @@ const fn are_same(positions: Positions<'_>, a: Index, b: Index) -> bool {
     ax == bx && ay == by && az == bz
 }
 
-/// A hash of a position. A product of 32 and at most 31 bits cannot overflow, and its lower 32 bits are kept. Only
-/// operators are used, because in the compiler, an operator takes a tenth of the time of a call such as `wrapping_mul`.
+/// A hash of a position. A product of 32 bits and at most 31 bits cannot overflow, and its lower 32 bits are kept. The
+/// function uses only operators, because at compile time, an operator takes a tenth of the time of a call such as
+/// `wrapping_mul`.
 #[allow(clippy::cast_sign_loss)]
 const fn hash([x, y, z]: [i32; 3]) -> u32 {
     let x = (x as u32 as u64 * 0x1E37_79B1) as u32;
@@ -184,7 +185,7 @@ const fn scaled(vector: [i64; 3], wanted: u32) -> [i64; 3] {
     let bits = 64 - magnitude(vector).leading_zeros();
     if bits > wanted {
         let down = bits - wanted;
-        // Rounded toward zero, so that opposite vectors remain opposite.
+        // Components are rounded toward zero, so that opposite vectors remain opposite.
         let one = 1 << down;
         [x / one, y / one, z / one]
     } else {
@@ -207,7 +208,7 @@ const fn is_crease([a, b, c, d]: [[i32; 3]; 4], [limit_sine, limit_cosine]: [i12
     let m = scaled(cross(direction(a, d), side), 20);
     let [x, y, z] = cross(n, m);
     let (x, y, z) = (x as i128, y as i128, z as i128);
-    // The squares of the angle's sine and cosine, both times the same factor; they are below 2^84.
+    // The squares of the angle's sine and cosine, both multiplied by the same factor; they are below 2^84.
     let sine = x * x + y * y + z * z;
     let dot = (n[0] * m[0] + n[1] * m[1] + n[2] * m[2]) as i128;
     let cosine = dot * dot;
@@ -219,7 +220,7 @@ const fn is_crease([a, b, c, d]: [[i32; 3]; 4], [limit_sine, limit_cosine]: [i12
         return dot < 0;
     }
     // Compares the squares of the two tangents, multiplied out to products below 2^124. Above 90 degrees, the greater
-    // angle has the smaller square.
+    // angle has the smaller squared tangent.
     let this = (sine >> 20) * (limit_cosine * limit_cosine);
     let limit = (cosine >> 20) * (limit_sine * limit_sine);
     if dot < 0 { this < limit } else { this > limit }
@@ -239,7 +240,7 @@ const fn write(
         USED as usize
     };
     ok!(check_count(sides, max));
-    // Each entry is a hash of the side's ends, and the side's number. The sides of one edge have the same hash, so they
+    // Each entry has a hash of a side's ends, and the side's number. The sides of one edge have the same hash, so they
     // become neighbors when the entries are sorted.
     let mut count = 0;
     let mut first = 0;
@@ -251,7 +252,7 @@ const fn write(
             let hashes = [hash(a), hash(b), hash(c)];
             let mut corner = 0;
             while corner < 3 {
-                // The sum is the same for both sides of an edge.
+                // The sum of the hashes of both ends is the same for both sides of an edge.
                 let hash = (hashes[corner] as u64 + hashes[(corner + 1) % 3] as u64) as u32;
                 let number = first + corner;
                 edges[count] = [
@@ -279,7 +280,8 @@ const fn write(
             let [a, b, c] = side(faces, number_of(entry) as usize);
             let (d, is_crease) = match partner(mesh, [a, b], entry, edges, (at + 1, count)) {
                 None => (a, false),
-                // No angle is above 180 degrees. This limit is usual where only silhouettes are wanted.
+                // No angle is above 180 degrees, so no edge is a crease. This limit is usual if only silhouettes are
+                // wanted.
                 Some(d) if crease.to_bits() == 1 << 31 => (d, false),
                 Some(d) => {
                     let [from, to] = [positions.bits(a), positions.bits(b)];
@@ -301,8 +303,8 @@ const fn write(
 
 /// Sorts the first `count` entries by their [`key`]s. A heap sort needs no further memory and can run in the compiler.
 const fn sort(entries: &mut [[Index; 4]], count: usize) {
-    // First, the entries become a heap: no entry is less than the entries below it. Then the largest remaining entry
-    // goes to the end, one by one.
+    // First, the entries become a heap: no entry is less than the entries below it. Then, again and again, the largest
+    // entry of the heap moves to the heap's end and leaves the heap.
     let mut next = count / 2 + count;
     while next > 1 {
         next -= 1;
@@ -329,7 +331,7 @@ const fn sort(entries: &mut [[Index; 4]], count: usize) {
     }
 }
 
-/// An entry as one number.
+/// An entry as one number, by which the entries are sorted.
 const fn key([a, b, c, d]: [Index; 4]) -> u64 {
     (a as u64) << 48 | (b as u64) << 32 | (c as u64) << 16 | d as u64
 }
@@ -387,7 +389,7 @@ macro_rules! outline {
     ($mesh:expr, $crease:expr $(,)?) => {{
         const SIDES: usize = 3 * $mesh.faces().len();
         #[allow(long_running_const_eval)]
-        // A reference, because each use of a constant copies its value.
+        // The constant is a reference, because each use of a constant copies its value.
         const FOUND: &([[$crate::Index; 4]; SIDES], [usize; 2]) = &{
             let mut edges = [[0; 4]; SIDES];
             let outline = $crate::mesh::Outline::build(&$mesh, $crease, &mut edges);

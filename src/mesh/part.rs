@@ -1,4 +1,4 @@
-//! Parts of a mesh: runs of its faces, alone or with their materials.
+//! Parts of a mesh: runs of the mesh's faces, with or without a material.
 
 use core::ops::Range;
 
@@ -6,7 +6,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 
 use super::Mesh;
 
-/// What a model file says about a surface. [`include_materials!`](crate::include_materials) makes it.
+/// The properties of a surface, as a model file states them. [`include_materials!`](crate::include_materials) makes it.
 ///
 /// A material is only data: the program decides how to draw the surface. For example, the program can find a texture by
 /// its name, draw a translucent part with [`Opacity`](crate::canvas::Opacity) after the opaque parts, and draw a part
@@ -41,12 +41,12 @@ pub struct Material<'a> {
 /// What the alpha of a texture means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TextureAlpha {
-    /// Nothing: the texture is opaque.
+    /// Alpha has no meaning: the texture is opaque.
     Ignored,
     /// Texels with an alpha below this value are holes; all other texels are opaque. In
     /// [`Argb1555`](crate::texture::Argb1555), texels with an alpha below 128 are holes.
     Cut(u8),
-    /// The texels' opacity: see [`Argb4444`](crate::texture::Argb4444).
+    /// Alpha is the opacity of a texel: see [`Argb4444`](crate::texture::Argb4444).
     Blended,
 }
 
@@ -129,8 +129,8 @@ impl<'a> Part<'a> {
 
 impl Mesh<'_> {
     /// The mesh reduced to a range of its triangles; a range that reaches beyond the end is shortened. The part keeps
-    /// all positions and attributes, drops the edges, and needs no new check. For shaders, its triangles keep the
-    /// [indices](crate::Primitive::face) that they have in the whole mesh.
+    /// all positions and attributes, drops the edges, and needs no new check. For shaders, the part's triangles keep
+    /// the [indices](crate::Primitive::face) that they have in the whole mesh.
     ///
     /// ```
     /// use fixel::prelude::*;

@@ -11,11 +11,11 @@ use crate::{Vec2, Vec3};
 /// Where a draw call places a model, and which attributes its shader asked for but the mesh lacks.
 #[derive(Clone, Debug)]
 pub(crate) struct Placement<'a> {
-    /// From model to world space.
+    /// The transform from model space to world space.
     pub(super) model: &'a Transform,
-    /// From model to eye space.
+    /// The transform from model space to eye space.
     pub(super) view: Transform,
-    /// Computed when a shader asks for the first normal.
+    /// The matrix for normals; computed when a shader first asks for a normal.
     normals: OnceCell<NormalMatrix>,
     pub(crate) missing: Cell<Missing>,
     /// The address of the entry of a draw list that is being drawn; 0 if there is no list.
@@ -44,9 +44,9 @@ pub(crate) struct Placement<'a> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct Missing {
-    /// Texture coordinates; (0, 0) was used instead.
+    /// Texture coordinates are missing; (0, 0) was used instead.
     pub uvs: bool,
-    /// Colors; white was used instead.
+    /// Colors are missing; white was used instead.
     pub colors: bool,
 }
 
@@ -72,7 +72,7 @@ impl<'a> Placement<'a> {
 
     /// The direction in world space of a normal in model space.
     pub(super) fn direction(&self, normal: Vec3) -> Direction {
-        // Not `get_or_init`, which has a panic path for reentrant initialization.
+        // This code does not call `get_or_init`, because that function has a panic path for reentrant initialization.
         if let Some(matrix) = self.normals.get() {
             return matrix.direction(normal);
         }

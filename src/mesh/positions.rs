@@ -95,8 +95,8 @@ impl<'a> Positions<'a> {
         (0..all.len()).map(move |index| all.get(index).unwrap_or_default())
     }
 
-    /// The position at an index, in its stored format; the origin for an index out of range, which no checked list
-    /// holds.
+    /// The position at an index, in its stored format; the origin if the index is out of range, which cannot happen
+    /// with a checked list.
     #[inline]
     pub(crate) fn stored(&self, index: Index) -> StoredPosition<'a> {
         let index = usize::from(index);
@@ -123,7 +123,7 @@ impl<'a> Positions<'a> {
         }
     }
 
-    /// The position at an index; the origin for an index out of range, which no checked list holds.
+    /// The position at an index; the origin if the index is out of range, which cannot happen with a checked list.
     #[inline(never)]
     pub(crate) fn at(&self, index: Index) -> Vec3 {
         Vec3::from_bits(self.stored(index).to_bits())
@@ -160,14 +160,14 @@ impl StoredPosition<'_> {
     pub(crate) fn to_bits(self) -> [i32; 3] {
         match self {
             Self::Long(position) => position.to_bits(),
-            // 16 bits shifted by at most 16.
+            // The shifted component fits into 32 bits, because it has 16 bits and is shifted by at most 16.
             Self::Short { position, up } => position.map(|x| i32::from(x) << (up & 31)),
         }
     }
 }
 
-/// The most fraction bits, up to 16, with which every component fits into 16 bits. The result is also 0 if a component
-/// is 32767.5 or more and does not fit at all.
+/// The greatest number of fraction bits, up to 16, with which every component fits into 16 bits. If a component is
+/// 32767.5 or more, no number of fraction bits is small enough, and the result is 0.
 const fn finest(positions: Positions<'_>) -> u32 {
     let mut fraction = FRACTION;
     let mut at = 0;
@@ -193,7 +193,7 @@ const fn fits(bits: i32, fraction: u32) -> bool {
     units == units as i16 as i64
 }
 
-/// The nearest number of units that 16 bits hold.
+/// The nearest number of units that fits into 16 bits.
 const fn rounded(bits: i32, fraction: u32) -> i16 {
     let units = units(bits, fraction);
     if units > i16::MAX as i64 {
@@ -206,7 +206,8 @@ const fn rounded(bits: i32, fraction: u32) -> i16 {
 
 impl Mesh<'_> {
     /// The mesh's positions rounded to the nearest 16-bit components, and their number of fraction bits, for
-    /// [`short`](Self::short). It uses as many fraction bits as the largest component permits, at most 16.
+    /// [`short`](Self::short). The number of fraction bits is the greatest that the largest component permits, at most
+    /// 16.
     ///
     /// ```
     /// use fixel::prelude::*;

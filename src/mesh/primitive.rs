@@ -11,12 +11,13 @@ use crate::{Scalar, Vec2, Vec3};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Indices {
     pub(crate) element: Element,
-    /// The indices of its three positions. An edge repeats its second position; a point repeats its position twice.
+    /// The indices of the primitive's three positions. An edge repeats its second position; a point repeats its
+    /// position twice.
     pub(crate) corners: [Index; 3],
 }
 
-/// The number of a triangle among the mesh's faces, the number of an edge among the mesh's or an outline's edges, or a
-/// point.
+/// A triangle with its number among the mesh's faces, an edge with its number among the edges of the mesh or of an
+/// outline, or a point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Element {
     Face(usize),
@@ -105,8 +106,8 @@ pub struct Primitive<'a> {
     /// For a triangle: twice its area on the screen, the upper 32 of 64 bits; negative if the corners run
     /// counter-clockwise.
     ///
-    /// For an outline's edge, if depths are biased: the greatest change of depth from a pixel to the next on the faces
-    /// beside the edge, in the format [`WideFloatDepth`](crate::canvas::WideFloatDepth). For other edges and for
+    /// For an outline's edge, if depths are biased: the greatest change of depth from one pixel to the next on the
+    /// faces beside the edge, in the format [`WideFloatDepth`](crate::canvas::WideFloatDepth). For other edges and for
     /// points: 0.
     pub(crate) area: i32,
 }
@@ -246,12 +247,13 @@ impl Primitive<'_> {
 
     /// The normal of the triangle's plane in model space: (b − a) × (c − a) for the corners a, b and c.
     ///
-    /// It is scaled so that its largest component is between 16,384 and 32,768. It is zero for a triangle without area.
-    /// Sides are first rounded down to multiples of 2⁻¹⁵, so a triangle must be much larger than that.
+    /// The normal is scaled so that its largest component is between 16,384 and 32,768. For a triangle without area,
+    /// the normal is zero. Sides are first rounded down to multiples of 2⁻¹⁵, so the sides of a triangle must be much
+    /// longer than 2⁻¹⁵.
     #[must_use]
     pub fn normal(&self) -> Vec3 {
         let [a, b, c] = self.positions().map(Vec3::to_bits);
-        // Differences take 33 bits. Halved, they fit into 32.
+        // A difference takes 33 bits; half of it fits into 32.
         let side = |from: i32, to: i32| ((i64::from(to) - i64::from(from)) >> 1) as i32;
         let [b, c] = [b, c].map(|p| [side(a[0], p[0]), side(a[1], p[1]), side(a[2], p[2])]);
         Vec3::from_bits(scaled_cross(b, c))
@@ -263,15 +265,15 @@ impl Primitive<'_> {
         self.placement.direction(self.normal())
     }
 
-    /// The mean of the three corners in world space. It is computed in model space, accurate to 2⁻¹⁶, and then
-    /// transformed, rounded to nearest, and saturated to the range of [`Scalar`].
+    /// The mean of the three corners in world space. The mean is computed in model space, accurate to 2⁻¹⁶. The result
+    /// of its transform to world space is rounded to nearest, and saturates to the range of [`Scalar`].
     #[must_use]
     pub fn world_middle(&self) -> Vec3 {
         let [a, b, c] = self.positions().map(Vec3::to_bits);
         let mean = |a: i32, b: i32, c: i32| {
             let sum = i64::from(a) + i64::from(b) + i64::from(c);
-            // A third of a sum of 34 bits. The factor, 2^32 / 3, is rounded down, so that the product fits into 64
-            // bits.
+            // The result is a third of a sum of 34 bits. The factor, 2^32 / 3, is rounded down, so that the product
+            // fits into 64 bits.
             ((sum * 0x5555_5555 + (1 << 31)) >> 32) as i32
         };
         let middle = [
@@ -313,8 +315,8 @@ pub struct Corner<'a> {
 }
 
 impl Corner<'_> {
-    /// The index of the position among the mesh's [`positions`](Mesh::positions), even in a part of a mesh. Use it to
-    /// look up your own values, one per position.
+    /// The index of the position among the mesh's [`positions`](Mesh::positions), even in a part of a mesh. Use the
+    /// index to look up your own values, one per position.
     #[must_use]
     #[inline]
     pub fn index(&self) -> Index {
@@ -372,8 +374,8 @@ impl Corner<'_> {
         color.unwrap_or_else(|| self.primitive.placement.lacks_colors())
     }
 
-    /// The direction of [`normal`](Self::normal) in world space, where lights are. It stays perpendicular to the
-    /// surface if the model is stretched or mirrored.
+    /// The direction of [`normal`](Self::normal) in world space, where lights are. The direction stays perpendicular to
+    /// the surface if the model is stretched or mirrored.
     #[must_use]
     #[inline]
     pub fn world_normal(&self) -> Direction {
@@ -393,7 +395,7 @@ mod tests {
     use super::*;
     use crate::Transform;
 
-    /// This holds at the ends of the range, too.
+    /// The test includes corners at the ends of the range.
     #[test]
     fn the_middle_is_the_mean_of_the_corners() {
         let (least, most) = (i32::MIN, i32::MAX);
@@ -416,7 +418,7 @@ mod tests {
             };
             let [x, y, z] = primitive.world_middle().to_bits();
             let sum: i64 = corners.map(i64::from).iter().sum();
-            // Within one unit of a third of the sum.
+            // The result is within one unit of a third of the sum.
             assert!((3 * i64::from(x) - sum).abs() <= 3, "{corners:?}: {x}");
             assert_eq!((y, z), (0, x));
         }

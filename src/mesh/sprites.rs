@@ -6,13 +6,13 @@ use crate::error::{check_extent, check_length, check_parts, ok};
 use crate::num::TexCoord;
 use crate::{Error, Scalar, Vec2, Vec3};
 
-/// Sprites, also called billboards: a rectangle at each of the positions, parallel to the image plane.
-/// [`Canvas::draw`](crate::Canvas::draw) draws all of them, for example particles, in one call.
+/// Sprites, also called billboards: a rectangle at each position of a list, parallel to the image plane.
+/// [`Canvas::draw`](crate::Canvas::draw) draws all sprites of the list, for example particles, in one call.
 ///
-/// All sprites have one size, in units of the world or in pixels. Their texture coordinates run from (0, 0) at the top
-/// left to (1, 1) at the bottom right. With an [axis](Self::with_axis), they turn only about that axis, as trees must.
-/// Each sprite may have a [scale](Self::with_scales), a [color](Self::with_colors) and a [frame](Self::with_frames) of
-/// its own.
+/// All sprites have one size, in units of the world or in pixels. On each sprite, texture coordinates run from (0, 0)
+/// at the top left to (1, 1) at the bottom right. With an [axis](Self::with_axis), sprites turn only about that axis,
+/// as trees must. Each sprite may have a [scale](Self::with_scales), a [color](Self::with_colors) and a
+/// [frame](Self::with_frames) of its own.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -22,7 +22,7 @@ use crate::{Error, Scalar, Vec2, Vec3};
 /// let mut canvas = Canvas::new(&mut pixels, 16, 8)?;
 /// canvas.clear(BinaryColor::Off);
 ///
-/// // A unit at a distance of 2 is two pixels wide, and one at a distance of 4 is one pixel wide.
+/// // A unit at a distance of 2 is two pixels wide, and a unit at a distance of 4 is one pixel wide.
 /// let positions = [vec3!(-2, 0, -2), vec3!(0, 0, -4), vec3!(4, 0, -4)];
 /// let sprites = Sprites::new(&positions, (fx!(2), fx!(3)))?;
 /// let white = Flat::new(BinaryColor::On);
@@ -59,17 +59,18 @@ use crate::{Error, Scalar, Vec2, Vec3};
 /// # How they are drawn
 ///
 /// A sprite is two triangles, drawn by the same rules as the triangles of a mesh. Nothing is culled, because sprites
-/// have no backs. A sprite without an [axis](Self::with_axis) is a rectangle on the screen. It is drawn as one
-/// primitive, which costs less than two triangles. However, it is drawn as two triangles if it is clipped, if the
-/// shader has [values per face](crate::shade::PerFace) (as with mipmaps), or if a varying changes both across and down
-/// (as the light of a lamp does). The single primitive has the same pixels and depths as the two triangles, and its
-/// varyings are as accurate.
+/// have no backs. A sprite without an [axis](Self::with_axis) is a rectangle on the screen. Such a rectangle is drawn
+/// as one primitive, which costs less than two triangles. However, two triangles are drawn if the rectangle is clipped,
+/// if the shader has [values per face](crate::shade::PerFace) (as with mipmaps), or if a varying changes both across
+/// and down (as the light of a lamp does). The single primitive has the same pixels and depths as the two triangles,
+/// and its varyings are as accurate.
 ///
 /// Every shader works with sprites. For a shader, sprites are a mesh in eye space, with normals that point toward the
 /// viewer. The two triangles of sprite i have the indices 2i and 2i + 1. The offsets of the four corners from the
-/// sprite's position are accurate to 2⁻²⁶ of the longest of these offsets. (With an axis, their error grows as the axis
-/// approaches the line of sight.) Then corners are rounded to the nearest [`Scalar`]s in eye space. This moves them by
-/// at most 2⁻¹⁶ · focal length / w pixels. A sprite with a corner beyond ±32,768 in eye space is not drawn.
+/// sprite's position are accurate to 2⁻²⁶ of the longest of these offsets. (With an axis, the error of the offsets
+/// grows as the axis approaches the line of sight.) Then corners are rounded to the nearest [`Scalar`]s in eye space.
+/// The rounding moves a corner by at most 2⁻¹⁶ · focal length / w pixels. A sprite with a corner beyond ±32,768 in eye
+/// space is not drawn.
 ///
 /// With [`cut_out`](crate::Textured::cut_out), sprites may be drawn in any order, because holes do not change depths.
 ///
@@ -120,7 +121,8 @@ pub struct Sprites<'a> {
     pub(crate) is_in_pixels: bool,
     pub(crate) axis: Option<Vec3>,
     pub(crate) anchor: Vec2,
-    /// One for each position, or empty. The same holds for `colors` and `frames`.
+    /// One scale for each position, or an empty slice. `colors` and `frames` also have one element for each position,
+    /// or are empty.
     pub(crate) scales: &'a [Scalar],
     pub(crate) colors: &'a [Rgb888],
     pub(crate) frames: &'a [u16],
@@ -187,7 +189,7 @@ impl<'a> Sprites<'a> {
     ///
     /// # Errors
     ///
-    /// As for [`new`](Self::new).
+    /// The same as for [`new`](Self::new).
     pub const fn in_pixels(positions: &'a [Vec3], size: (Scalar, Scalar)) -> Result<Self, Error> {
         Ok(Self {
             is_in_pixels: true,
@@ -196,8 +198,8 @@ impl<'a> Sprites<'a> {
     }
 
     /// Lets the sprites turn only about an axis: their vertical sides are parallel to the axis, and their horizontal
-    /// sides are parallel to the image plane. The axis is a direction in model space, of any length. For a tree, it
-    /// points up.
+    /// sides are parallel to the image plane. The axis is a direction in model space, of any length. For a tree, the
+    /// axis points up.
     ///
     /// A sprite seen along its axis is so narrow that it has no pixels.
     ///
@@ -214,9 +216,9 @@ impl<'a> Sprites<'a> {
         })
     }
 
-    /// Sets the point of a sprite that lies at its position, as a texture coordinate. The default is (0.5, 0.5), which
-    /// is the middle. Use (0.5, 1) for something that stands on the ground. If a coordinate is below 0 or above 1, the
-    /// point lies outside the sprite.
+    /// Sets the anchor: the point of the rectangle, as a texture coordinate, that lies at the sprite's position. The
+    /// default is (0.5, 0.5), which is the middle. Use (0.5, 1) for something that stands on the ground. If a
+    /// coordinate is below 0 or above 1, the point lies outside the sprite.
     #[must_use]
     pub const fn with_anchor(self, anchor: Vec2) -> Self {
         Self { anchor, ..self }
@@ -245,8 +247,9 @@ impl<'a> Sprites<'a> {
         Ok(Self { colors, ..self })
     }
 
-    /// Divides the texture into a grid of columns and rows, and shows one cell of it, a frame, on each sprite. Frames
-    /// are counted from 0 at the top left, row by row. Beyond the last frame, counting begins again with the first one.
+    /// Divides the texture into a grid of columns and rows, and shows one cell of this grid, a frame, on each sprite.
+    /// Frames are counted from 0 at the top left, row by row. Beyond the last frame, counting begins again with the
+    /// first frame.
     ///
     /// # Errors
     ///
@@ -278,7 +281,7 @@ impl<'a> Sprites<'a> {
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
     /// use fixel::prelude::*;
-    /// // Two frames of two texels each: a dark one and a bright one.
+    /// // Two frames of two texels each: a dark frame and a bright frame.
     /// static SHEET: [[Gray8; 4]; 1] = [[Gray8::new(9), Gray8::new(9), Gray8::new(200), Gray8::new(200)]];
     /// let projection = Projection::orthographic(Window::centered(fx!(8), fx!(8)), fx!(-1), fx!(1))?;
     /// let dark = Sprites::new(&[Vec3::ZERO], (fx!(8), fx!(8)))?.with_frames((2, 1), &[0])?;
@@ -321,25 +324,25 @@ impl<'a> Sprites<'a> {
         self.axis
     }
 
-    /// The point of a sprite that lies at its position, as a texture coordinate.
+    /// The point of a sprite's rectangle, as a texture coordinate, that lies at the sprite's position.
     #[must_use]
     pub const fn anchor(&self) -> Vec2 {
         self.anchor
     }
 
-    /// The scale of each sprite; empty if all have scale 1.
+    /// The scale of each sprite; empty if all sprites have scale 1.
     #[must_use]
     pub const fn scales(&self) -> &'a [Scalar] {
         self.scales
     }
 
-    /// The color of each sprite; empty if they have none.
+    /// The color of each sprite; empty if sprites have no colors.
     #[must_use]
     pub const fn colors(&self) -> &'a [Rgb888] {
         self.colors
     }
 
-    /// The frame of each sprite; empty if all show the first one.
+    /// The frame of each sprite; empty if all sprites show the first frame.
     #[must_use]
     pub const fn frames(&self) -> &'a [u16] {
         self.frames
@@ -358,7 +361,7 @@ impl<'a> Sprites<'a> {
         self.inset
     }
 
-    /// The texture coordinates of a sprite at the left, right, top and bottom.
+    /// The texture coordinates of a sprite's left, right, top and bottom side.
     pub(crate) fn frame(&self, sprite: usize) -> [TexCoord; 4] {
         let [columns, rows] = self.grid.map(u32::from);
         let frame = self.frames.get(sprite).copied().unwrap_or_default();

@@ -23,7 +23,7 @@ pub trait Effect<O: Output>: Copy {
     /// The new output.
     type Color: Output;
 
-    /// The values that the effect interpolates, in addition to the surface's.
+    /// The values that the effect interpolates, in addition to the values of the surface.
     type Varyings: Varyings;
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3];
@@ -51,7 +51,7 @@ impl<S: Shader, E: Effect<S::Color>> Shader for Adapted<S, E> {
     }
 }
 
-/// A surface times the interpolated vertex color, channel by channel; see [`Shader::tinted`].
+/// A surface multiplied by the interpolated vertex color, channel by channel; see [`Shader::tinted`].
 pub type Tinted<S> = Adapted<S, Tint>;
 
 #[doc(hidden)]
@@ -74,7 +74,7 @@ impl<O: Output<Color: PixelFormat>> Effect<O> for Tint {
     }
 }
 
-/// Shader `S` on a canvas of color format `C`; see [`Shader::converted`].
+/// Shader `S`, converted for a canvas of color format `C`; see [`Shader::converted`].
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Converted<S, C> {
@@ -83,7 +83,7 @@ pub struct Converted<S, C> {
 }
 
 impl<S, C> Converted<S, C> {
-    /// `shader`, for a canvas of color `C`.
+    /// Converts `shader` for a canvas of color `C`.
     #[must_use]
     pub(super) const fn new(shader: S) -> Self {
         Self {

@@ -21,7 +21,7 @@ pub(super) const fn scale([x, y, z]: [i32; 3]) -> Transform {
     }
 }
 
-/// The shader, and its varyings at the corners of a triangle of a mesh.
+/// Returns the shader, and its varyings at the corners of a triangle of a mesh.
 pub(super) fn face<S: Shader>(
     shader: S,
     model: &Transform,

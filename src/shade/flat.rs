@@ -131,7 +131,7 @@ impl<C: PixelColor + Default> Shader for FaceColors<'_, C> {
     }
 }
 
-/// The color of each [`Part`] of a mesh; made by [`rgb`](Self::rgb).
+/// One color for each [`Part`] of a mesh; made by [`rgb`](Self::rgb).
 ///
 #[cfg_attr(doc, doc = page_picture!("part_colors", "A ring with red and white parts"))]
 /// Faces that belong to no part are white. Edges and points are white, too.
@@ -165,7 +165,7 @@ impl<'a> PartColors<'a> {
 
     /// The color of a face.
     fn color(&self, face: usize) -> Rgb888 {
-        // The part before the first part that starts after the face.
+        // The face belongs to the part before the first part that starts after the face, or to no part.
         let after = self
             .parts
             .partition_point(|part| part.faces().start <= face);

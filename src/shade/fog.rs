@@ -17,7 +17,8 @@ use crate::{Error, Scalar};
 ///
 #[cfg_attr(doc, doc = page_picture!("in_fog", "A row of rings that fade into gray"))]
 /// The distance z is measured from the eye along the view direction, as [`Corner::distance`](crate::Corner::distance)
-/// is. It is interpolated in correct perspective. The share of the surface that remains has an error of at most 1/100.
+/// is. The distance is interpolated in correct perspective. The share of the surface that remains has an error of at
+/// most 1/100.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, Gray4, GrayColor}};
@@ -46,7 +47,7 @@ pub struct Fog<C, D = LinearFog> {
 /// How thick a fog is: `LinearFog` or `ExponentialFog`.
 #[doc(hidden)]
 pub trait Density: Copy + Sealed {
-    /// The number that is interpolated. It is linear in the distance.
+    /// The number that is interpolated. This number is linear in the distance.
     #[doc(hidden)]
     fn varying(&self, distance: Scalar) -> i32;
 
@@ -67,7 +68,7 @@ sealed!(LinearFog, ExponentialFog);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LinearFog {
-    /// The second distance, in units of 2⁻¹⁶.
+    /// The second distance, at which a surface becomes hidden, in units of 2⁻¹⁶.
     far: i32,
     range: Ramp,
 }
@@ -99,8 +100,8 @@ fn limited(value: i64) -> i32 {
 }
 
 impl Density for LinearFog {
-    /// Returns the negative share that remains visible, in units of 2^-[`BITS`], plus half of 1/32. This half lets a
-    /// pixel round the share to 32nds by a shift alone.
+    /// Returns the negative share that remains visible, in units of 2^-[`BITS`], plus half of 1/32. Because of the
+    /// added half, a shift alone rounds the share to 32nds at a pixel.
     fn varying(&self, distance: Scalar) -> i32 {
         // The difference has 33 bits: it may be greater than the greatest `Scalar`.
         let beyond = i64::from(distance.to_bits()) - i64::from(self.far);
@@ -122,16 +123,16 @@ impl Density for LinearFog {
 
 impl Density for ExponentialFog {
     fn varying(&self, distance: Scalar) -> i32 {
-        // A product of 62 bits, cut to 46 bits, times log₂ e in units of 2^-14.
+        // A product of 62 bits is cut to 46 bits, and then multiplied by log₂ e in units of 2^-14.
         let product = i64::from(distance.to_bits()) * i64::from(self.density);
         limited(((product >> 16) * 23_637) >> (30 - BITS))
     }
 
     #[inline]
     fn left(varying: i32) -> i32 {
-        // 2^-x for x from 0 to less than 16. The whole part of x is a right shift. For the fraction f of x, 2^-f is
-        // replaced by the parabola 1 − (½ + c) f + c f², which is exact at f = 0 and f = 1. With c = 0.1715, its error
-        // is at most 0.0019.
+        // The code computes 2^-x for x from 0 to less than 16. The whole part of x becomes a right shift. For the
+        // fraction f of x, 2^-f is replaced by the parabola 1 − (½ + c) f + c f², which is exact at f = 0 and f = 1.
+        // With c = 0.1715, its error is at most 0.0019.
         let x = varying.clamp(0, (16 << BITS) - 1).cast_unsigned();
         let fraction = x & ((1 << BITS) - 1);
         let slope = (1 << (BITS - 1)) + C - ((C * fraction) >> BITS);
@@ -211,7 +212,7 @@ impl<O: Output<Color = C>, C: PixelFormat, D: Density> Effect<O> for Fog<C, D> {
 }
 
 /// An output and a fog that are not blended yet. If no other adapter follows, a plain color of 15 or 16 bits is blended
-/// in 32 steps, by one product for all channels. This takes half of the time.
+/// in 32 steps, by one product for all channels. Such a blend takes half of the time.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Fogged<O: Output, D> {
@@ -290,7 +291,8 @@ mod tests {
         }
     }
 
-    /// Checks every distance from before the nearest to beyond the farthest distance.
+    /// Checks every distance, from before the distance where the fog begins to beyond the distance where it hides
+    /// everything.
     #[test]
     fn linear_weights_are_rounded_to_nearest() {
         let [near, far] = [fx!(1), fx!(3)];
@@ -321,7 +323,7 @@ mod tests {
         for (near, far) in [(Scalar::MIN, Scalar::MAX), (fx!(0), Scalar::DELTA)] {
             let fog = Fog::linear(Gray8::WHITE, near, far).unwrap();
             for distance in [Scalar::MIN, fx!(0), Scalar::MAX] {
-                // In units of 2^-14, of which 256 are half of 1/32.
+                // The varying is in units of 2^-14; half of 1/32 is 256 units.
                 let varying = fog.density.varying(distance);
                 let exact = (f64::from(distance) - f64::from(far))
                     / (f64::from(far) - f64::from(near))

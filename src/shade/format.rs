@@ -37,7 +37,7 @@ use crate::texture::Blend;
     note = "the colors of embedded-graphics have channels; for another color, implement `fixel::PixelFormat`"
 )]
 pub trait PixelFormat: PixelColor {
-    /// White, in whole steps: 31, 63, 31 for [`Rgb565`]; each is 2ⁿ − 1, at most 255.
+    /// White, in whole steps: 31, 63, 31 for [`Rgb565`]. Each number of steps is 2ⁿ − 1, at most 255.
     const MAX_STEPS: [i32; 3];
 
     /// Whether the format is so coarse that it is dithered.
@@ -49,7 +49,7 @@ pub trait PixelFormat: PixelColor {
     /// The channels in whole steps, 0 to [`MAX_STEPS`](Self::MAX_STEPS).
     fn steps(self) -> [i32; 3];
 
-    /// The color with these channels, in whole steps. Bits that the format does not have are dropped.
+    /// Makes a color of these channels, in whole steps. Bits that the format does not have are dropped.
     #[must_use]
     fn from_steps(steps: [u8; 3]) -> Self;
 
@@ -65,8 +65,8 @@ pub trait PixelFormat: PixelColor {
     #[must_use]
     #[inline]
     fn covered(self, by: Self, share: i32, at: Point) -> Self {
-        // In this order, the compiler prepares the color `by` and the share before a loop over pixels that have both in
-        // common.
+        // `by` comes first here, so that in a loop over pixels with the same `by` and the same share, the compiler
+        // prepares both before the loop.
         let left_32 = 32_i32.wrapping_sub(share.wrapping_add(1 << 10) >> 11);
         match by.mix_32(self, left_32.cast_unsigned()) {
             Some(mixed) => mixed,
@@ -102,7 +102,7 @@ pub(super) fn zip(
     [f(r, x), f(g, y), f(b, z)]
 }
 
-/// The error that interpolation may give a fraction: 1/1024.
+/// The error that interpolation may add to a fraction: 1/1024.
 pub(super) const FRACTION: u32 = 1 << 6;
 
 /// c/255 in units of 2⁻¹⁶, with an error of at most half a unit: 0 for 0, 65,536 for 255.
@@ -112,7 +112,7 @@ pub(crate) const fn fraction(c: u8) -> i32 {
     c as i32 * 257 + (c >> 7) as i32
 }
 
-/// The channels of a color as fractions, 0 to 65,536; for a gray format, its luma.
+/// The channels of a color as fractions, 0 to 65,536; for a gray format, the color's luma.
 #[inline]
 pub(super) fn fractions<C: PixelFormat>(color: Rgb888) -> [i32; 3] {
     let rgb = [
@@ -127,7 +127,7 @@ pub(super) fn fractions<C: PixelFormat>(color: Rgb888) -> [i32; 3] {
     }
 }
 
-/// The luma of fractions.
+/// The luma of red, green and blue, all as fractions.
 #[inline]
 pub(super) fn luma([r, g, b]: [i32; 3]) -> i32 {
     // The sum of the weights is 2^14, and the luma of white is 2^30.
@@ -214,7 +214,7 @@ pub trait Channels: Varyings + Default + Sealed {
     #[doc(hidden)]
     const IS_GRAY: bool;
 
-    /// The channels to interpolate, from all three channels.
+    /// Of all three channels, selects the channels that are interpolated.
     fn first(channels: [i32; 3]) -> Self;
 
     /// All three channels; channels that are not used are 0.
@@ -253,7 +253,7 @@ impl Channels for [i32; 1] {
 
 /// The 8x8 matrix of Bayer (1973): each number from 0 to 63 once, with consecutive numbers far apart.
 ///
-/// Each number consists of the bits of x ^ y and of y, interleaved and in reverse order.
+/// In column x and row y, the number consists of the bits of x ^ y and of y, interleaved and in reverse order.
 static BAYER: [[u8; 8]; 8] = [
     [0, 32, 8, 40, 2, 34, 10, 42],
     [48, 16, 56, 24, 50, 18, 58, 26],
@@ -265,8 +265,8 @@ static BAYER: [[u8; 8]; 8] = [
     [63, 31, 55, 23, 61, 29, 53, 21],
 ];
 
-/// The number to add to a level before the level is cut to whole steps, in units of 2⁻¹⁶ step. It is (m + ½)/64 of a
-/// step, where m is the matrix's entry for this pixel. It lies between 512 and 65,024; its mean is half a step.
+/// The number to add to a level before the level is cut to whole steps, in units of 2⁻¹⁶ step. The number is (m + ½)/64
+/// of a step, where m is the matrix's entry for this pixel. It lies between 512 and 65,024, with a mean of half a step.
 ///
 /// A level of whole steps keeps its value even with an error of up to 511 units in either direction.
 #[inline]
@@ -283,7 +283,7 @@ mod tests {
     const ORIGIN: Point = Point::zero();
 
     fn pixels() -> impl Iterator<Item = Point> {
-        // These pixels are not at the origin, because the pattern is fixed to the frame.
+        // These 8x8 pixels do not begin at the origin, because the pattern is fixed to the frame.
         (0..64).map(|i| Point::new(3 + i % 8, i / 8 - 5))
     }
 
@@ -346,7 +346,7 @@ mod tests {
             let sum: i32 = pixels()
                 .map(|at| step(Precise::<C>::from_levels([level; 3]).finish(at)))
                 .sum();
-            // One step of the sum is 1/64 step of the mean; the error is at most half a step of the sum.
+            // A step of the sum is 1/64 step of the mean. The sum has an error of at most half a step.
             let error = (sum << 16) - level * 64;
             assert!(error.abs() <= 1 << 15, "level {level}: sum {sum}");
         }

@@ -8,15 +8,15 @@ use crate::error::check_order;
 use crate::mesh::Primitive;
 use crate::{Error, Scalar};
 
-/// The fraction bits of a height's share of the way from bottom to top.
+/// A height is converted to a share of the way from bottom to top, with this many fraction bits.
 const BITS: u32 = 12;
 
 /// Colors by the height (y) in model space, for a sky or for terrain: one color up to a low height, another color above
 /// a high height, and a proportional mixture between the two heights.
 ///
 #[cfg_attr(doc, doc = page_picture!("gradient", "A ball that is blue at the bottom and pale yellow at the top"))]
-/// The color is computed at the vertices and interpolated in correct perspective. Its error at a vertex is at most 1/60
-/// step of a 6-bit channel and 1/15 step of an 8-bit channel.
+/// The color is computed at the vertices and interpolated in correct perspective. The color's error at a vertex is at
+/// most 1/60 step of a 6-bit channel and 1/15 step of an 8-bit channel.
 ///
 /// Draw a sky before everything else, from inside, with a [camera that stays in its center](crate::Camera::sky), and
 /// without a depth test:
@@ -47,7 +47,7 @@ const BITS: u32 = 12;
 pub struct Gradient<C: PixelFormat> {
     bottom: i32,
     ramp: Ramp,
-    /// The levels at the bottom.
+    /// The color's levels at the bottom.
     low: [i32; 3],
     change: [i32; 3],
     color: core::marker::PhantomData<C>,
@@ -78,11 +78,11 @@ impl<C: PixelFormat> Gradient<C> {
         })
     }
 
-    /// The levels at a height.
+    /// The color's levels at a height.
     fn levels(&self, height: Scalar) -> [i32; 3] {
         let above = i64::from(height.to_bits()) - i64::from(self.bottom);
         let share = self.ramp.share(above).clamp(0, 1 << BITS) as i32;
-        // A change has 24 bits. Its upper 18 bits are multiplied by a share of 13 bits.
+        // A change has 24 bits. The upper 18 of these bits are multiplied by a share of 13 bits.
         let part = |change: i32| ((change >> 6) * share) >> (BITS - 6);
         let ([r, g, b], [x, y, z]) = (self.low, self.change);
         [r + part(x), g + part(y), b + part(z)]

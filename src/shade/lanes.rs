@@ -1,11 +1,11 @@
 //! Arrays of up to eight values, with operations that are unrolled by hand.
 //!
-//! Optimized for size, a loop over `[T; N]` remains a loop over memory. These operations have no loop, so the values
+//! In a build for size, a loop over `[T; N]` remains a loop over memory. These operations have no loop, so the values
 //! stay in registers at every optimization level.
 
 use crate::sealed::Sealed;
 
-/// A number N from 0 to 8, written as the type `[(); N]`; it names an array of N values of any type.
+/// A number N from 0 to 8, written as the type `[(); N]`; [`Of`](Self::Of) is an array of N values of any type.
 ///
 /// Unlike array lengths, these numbers can be added on stable Rust. An adapter of a [`Shader`](super::Shader) needs the
 /// sum to append its own varyings to the inner shader's varyings.
@@ -43,12 +43,13 @@ pub trait Lanes: Copy + Sealed {
 /// The most numbers that a shader may interpolate.
 pub(crate) const MOST: usize = 8;
 
-/// Implements a number from itself, its successor, its predecessor (if any), and two names for each value.
+/// Implements [`Lanes`] for a number. The arguments are the number, its successor, its predecessor (if any), and two
+/// names for each value.
 macro_rules! lanes {
     ($($n:tt before $next:tt $(after $less:tt)?: $($x:ident $y:ident)*;)+) => {$(
         impl Sealed for [(); $n] {}
 
-        #[allow(unused_mut, unused_variables)] // of no values
+        #[allow(unused_mut, unused_variables)] // if there are no values
         impl Lanes for [(); $n] {
             type Of<T: Copy> = [T; $n];
             const COUNT: usize = $n;

@@ -113,7 +113,7 @@ mod tests {
     fn vertices_are_lit_by_their_normals() {
         let mesh = mesh().with_normals(&NORMALS, None).unwrap();
         let lit = Flat::<Gray8>::rgb(Rgb888::WHITE).lit(sun());
-        // 0.75, 0.65 and 0.25, first in units of 2^-16 and rounded, then of 255.
+        // The brightnesses are 0.75, 0.65 and 0.25: rounded to units of 2^-16 here, and below as grays from 0 to 255.
         assert_eq!(lights(lit, &mesh, 0), [49152, 42598, 16384]);
         let (shader, corners) = face(lit, &IDENTITY, &mesh, 0);
         assert_eq!(

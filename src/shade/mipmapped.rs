@@ -8,10 +8,10 @@ use crate::num::log2;
 use crate::texture::{Addressing, Blend, Filter, Nearest, Sampler, Trilinear};
 use crate::{Error, Projection, Vec3, Viewport};
 
-/// Less than any triangle's density, so that the level of edges and points is 0.
+/// The density of edges and points: less than the density of any triangle, so that edges and points have level 0.
 const FINEST: i32 = -(1 << 20);
 
-/// The detail of a [`mipmapped`](Textured::mipmapped) texture.
+/// Chooses the levels of a [`mipmapped`](Textured::mipmapped) texture: a [`Textured`]'s `detail`.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Mipmapped {
@@ -57,8 +57,8 @@ impl<S: Sampler, A, F> Textured<S, A, F> {
     ///
     /// # The level
     ///
-    /// At level 0, a pixel shows a texel of the texture; at level n, it shows the mean of 2ⁿ x 2ⁿ texels. The level at
-    /// a pixel is
+    /// At level 0, a pixel shows a texel of the texture; at level n, a pixel shows the mean of 2ⁿ x 2ⁿ texels. The
+    /// level at a pixel is
     ///
     /// > log₂(density · z / focal · z / d)
     ///
@@ -72,7 +72,8 @@ impl<S: Sampler, A, F> Textured<S, A, F> {
     ///
     /// `density` and d are computed once for each triangle, and z comes from [`Fragment::depth`]. The level differs
     /// from the formula by at most 1/8 if the depth is at least 32 and the triangle's sides and d are at least 1/16
-    /// unit. A level below 0 counts as 0. Edges, points, and triangles with texels in a line show level 0.
+    /// unit. A level below 0 counts as 0. Edges and points show level 0, and so do triangles with all three texture
+    /// coordinates on one line.
     ///
     /// The formula holds for a perspective projection. Under a parallel projection, distant surfaces do not become
     /// smaller. Give the texture the right size instead.
@@ -80,8 +81,8 @@ impl<S: Sampler, A, F> Textured<S, A, F> {
     /// # Accuracy
     ///
     /// The table lists by how much a pixel differs, on average, from the mean of the texture over the pixel's area. The
-    /// unit is a step of a channel that has steps from 0 to 255. The pixels are those of the benchmark's floor from 1
-    /// to 20 units ahead. The texture has 64x64 texels, in squares of 8, and is repeated; the eye moves in eight steps.
+    /// unit is a step of a channel that has steps from 0 to 255. The pixels show the benchmark's floor from 1 to 20
+    /// units ahead. The texture has 64x64 texels, in squares of 8, and is repeated; the eye moves in eight steps.
     /// `cargo test --test accuracy mipmap -- --nocapture` prints these figures.
     ///
     /// | | 1 repeat | 8 repeats | 32 repeats |
@@ -174,7 +175,7 @@ fn density([a, b, c]: [[i32; 3]; 3], [d, e, f]: [[i32; 2]; 3]) -> i32 {
     let (b, b_down) = limited([side(a[0], b[0]), side(a[1], b[1]), side(a[2], b[2])]);
     let (c, c_down) = limited([side(a[0], c[0]), side(a[1], c[1]), side(a[2], c[2])]);
     let cross = |i: usize, j: usize| b[i] * c[j] - b[j] * c[i];
-    // The cross product is below 2^61; `limited` cuts it to below 2^30.
+    // The cross product is below 2^61; `limited` cuts the product to below 2^30.
     let (n, n_down) = limited([cross(1, 2), cross(2, 0), cross(0, 1)]);
     let squared = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
     let along = n[0] * i64::from(a[0]) + n[1] * i64::from(a[1]) + n[2] * i64::from(a[2]);
@@ -185,7 +186,7 @@ fn density([a, b, c]: [[i32; 3]; 3], [d, e, f]: [[i32; 2]; 3]) -> i32 {
 
     let log2 = |number: i64, down: u32| log2(number.unsigned_abs()) + (down << 8).cast_signed();
     let down = b_down + c_down + n_down;
-    // Areas are in units of 2^-32, n · a in units of 2^-48.
+    // Areas are in units of 2^-32, and n · a is in units of 2^-48.
     let length = (log2(squared, 0) >> 1) + (down << 8).cast_signed();
     ((log2(texels, e_down + f_down) + length) >> 1) - log2(along, down) + (16 << 8)
 }
@@ -198,10 +199,10 @@ fn limited<const N: usize>(numbers: [i64; N]) -> ([i64; N], u32) {
     (numbers.map(|x| x >> down), down)
 }
 
-/// log₂((depth + ½)²) of a pixel, with 8 fraction bits. Its error is at most 0.05 from a depth of 16 on.
+/// log₂((depth + ½)²) of a pixel, with 8 fraction bits. For depths of 16 and more, the error is at most 0.05.
 #[inline]
 fn depth_log2(depth: u16) -> i32 {
-    /// Half the greatest error of the straight line below, 0.086.
+    /// Half of 0.086, the greatest error of the straight line below.
     const MIDDLE: i32 = 11;
     let depth = u32::from(depth);
     let squared = (depth * (depth + 1)) | 1;
@@ -224,7 +225,7 @@ mod tests {
                 for c in corners {
                     let texels = [[a[0], b[0]], [c[0], a[1]], [b[1], ends[i]]];
                     let density = density([a, b, c], texels);
-                    // At most half of 64 + 95 bits, and 16; at least -111 bits.
+                    // The density is at most half of 64 + 95, plus 16, and at least -111.
                     assert!((-111 << 8..=96 << 8).contains(&density), "{density}");
                 }
             }
@@ -236,7 +237,7 @@ mod tests {
         for depth in 0..=u16::MAX {
             let exact = 2. * (f64::from(depth) + 0.5).log2();
             let error = f64::from(depth_log2(depth)) / 256. - exact;
-            // Half of 0.086, a unit for the cut, and a unit for the rounding of `MIDDLE`.
+            // The error is at most half of 0.086, plus a unit for the cut, plus a unit for the rounding of `MIDDLE`.
             assert!(depth < 16 || error.abs() <= 0.05, "{depth}: {error}");
         }
         assert!(depth_log2(0) <= depth_log2(1));

@@ -15,7 +15,7 @@
 //! | [`DepthView`] | depth as gray | 0 |
 //! | [`NormalView`] | the direction of the normal as a color | 3, or 1 for gray |
 //!
-//! An adapter changes a surface. Adapters can be stacked in any order and number. They compute in [full
+//! An adapter changes a surface. Adapters can be stacked in any order and number. Adapters compute in [full
 //! precision](Precise), and the canvas rounds or dithers the result once.
 //!
 //! | adapter | color of a pixel | more varyings |

@@ -9,8 +9,8 @@ use super::{Amount, Illumination, PixelFormat, Precise, Shader};
 /// The output of a [`Shader`] for a pixel: a color of the canvas, a [`Precise`] color, or either of these with an
 /// opacity ([`Translucent`]).
 ///
-/// An adapter changes the color by [`lit`](Self::lit) or [`map`](Self::map), in full precision and without touching
-/// the opacity. A color that no adapter changes is stored as it is.
+/// An adapter changes the color by [`lit`](Self::lit) or [`map`](Self::map), in full precision and without touching the
+/// opacity. A color that no adapter changes is stored unchanged.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
@@ -73,8 +73,8 @@ pub trait Output: Copy {
         self.finish(at)
     }
 
-    /// The new color of a pixel of the color `below`. The output covers `share`/65,536 of the pixel, or less if it is
-    /// translucent.
+    /// The new color of a pixel that has the color `below`. The output covers `share`/65,536 of the pixel, or less if
+    /// it is translucent.
     #[doc(hidden)]
     #[inline]
     fn cover(self, below: Self::Color, share: i32, at: Point) -> Self::Color
@@ -112,7 +112,7 @@ impl<C: PixelColor> Output for C {
     where
         C: PixelFormat,
     {
-        // Exact, because the steps have no fraction.
+        // The products are exact, because the steps have no fraction.
         Precise::of_products(self.steps(), light.diffuse.rgb()).glossed(light.specular)
     }
 
@@ -166,13 +166,14 @@ impl<C: PixelFormat> Output for Precise<C> {
 
 /// A color with an opacity, by which it covers the color on the canvas: from 0 (not at all) to 255 (wholly).
 ///
-/// [Masked textures](crate::Textured::masked) and [`Argb4444`](crate::texture::Argb4444) have such colors. A shader of
-/// your own may return such colors, too. Draw opaque surfaces first. Then draw translucent surfaces from back to front,
-/// with the depth test [`TestOnly`](crate::canvas::TestOnly), so that they hide nothing that is drawn later.
+/// [Masked textures](crate::Textured::masked) and [`Argb4444`](crate::texture::Argb4444) have translucent colors. A
+/// shader of your own may return translucent colors, too. Draw opaque surfaces first. Then draw translucent surfaces
+/// from back to front, with the depth test [`TestOnly`](crate::canvas::TestOnly), so that they hide nothing that is
+/// drawn later.
 ///
-/// For plain colors of 15 and 16 bits, the share has 32 steps, so the error is at most 1.1 steps in a 5-bit channel and
-/// 1.7 steps in a 6-bit channel. For other colors, the error is half a step. An opacity of 0 keeps the color on the
-/// canvas, and 255 replaces it.
+/// For plain colors of 15 and 16 bits, the covered share has 32 steps, so the error is at most 1.1 steps in a 5-bit
+/// channel and 1.7 steps in a 6-bit channel. For other colors, the error is half a step. An opacity of 0 keeps the
+/// color on the canvas, and 255 replaces it.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4};
@@ -213,7 +214,7 @@ impl<C> Translucent<C> {
     #[must_use]
     #[inline]
     pub fn faded(self, opacity: u8) -> Self {
-        // The product divided by 255, rounded to nearest. This is exact for all products of two 8-bit numbers.
+        // The product divided by 255, rounded to nearest. The result is exact for all products of two 8-bit numbers.
         let product = u32::from(self.opacity) * u32::from(opacity) + 128;
         Self {
             color: self.color,
@@ -224,7 +225,7 @@ impl<C> Translucent<C> {
     /// The opacity times `most`, in units of 1/65,536.
     #[inline]
     fn share(&self, most: i32) -> i32 {
-        // 16 bits times 15 bits.
+        // The product of 16 bits and 15 bits fits into 32 bits.
         let share = fraction(self.opacity);
         if most == 1 << 16 {
             share

@@ -1,4 +1,4 @@
-//! Colors in full precision: what adapters compute with until the canvas stores the color.
+//! Colors in full precision. Adapters compute with these colors; the canvas rounds or dithers the result.
 
 use core::marker::PhantomData;
 
@@ -10,10 +10,10 @@ use super::{Amount, Channels, Illumination, Lanes, PixelFormat, Tolerance, Varyi
 
 /// A color of format `C`, with channels that keep 16 fraction bits.
 ///
-/// Light, tint, fog and every other adapter return such a color. So the result of a whole stack of adapters is rounded
-/// or dithered once, when the canvas stores it. A *level* is a channel in steps of the format, with 16 fraction bits: a
-/// red level of [`Rgb565`] is from 0 to 31 · 65,536. A *fraction* is a share of full brightness; full brightness is
-/// 65,536. Gray formats use only the first of the three levels.
+/// Light, tint, fog and every other adapter return a `Precise` color. So the result of a whole stack of adapters is
+/// rounded or dithered once, when the canvas stores it. A *level* is a channel in steps of the format, with 16 fraction
+/// bits: a red level of [`Rgb565`] is from 0 to 31 · 65,536. A *fraction* is a share of full brightness; full
+/// brightness is 65,536. Gray formats use only the first of the three levels.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Gray4, Rgb565}, prelude::*};
@@ -21,7 +21,7 @@ use super::{Amount, Channels, Illumination, Lanes, PixelFormat, Tolerance, Varyi
 /// let color = Precise::from(Rgb565::new(3, 10, 31)).times([32_768; 3]);
 /// assert_eq!(color.levels(), [98_304, 327_680, 1_015_808]); // 1.5, 5, 15.5 steps
 /// assert_eq!(color.finish(Point::zero()), Rgb565::new(2, 5, 16));
-/// // Two halves are a quarter, in the mean of 8x8 pixels, too.
+/// // A quarter of a step remains, also in the mean of 8x8 dithered pixels.
 /// let gray = Precise::from(Gray4::new(1)).times([32_768; 3]).times([32_768; 3]);
 /// let mean: u32 = (0..64).map(|i| u32::from(gray.finish(Point::new(i % 8, i / 8)).luma())).sum();
 /// assert_eq!(mean, 16);
@@ -48,8 +48,8 @@ impl<C: PixelFormat> From<C> for Precise<C> {
 
 impl<C: PixelFormat> Precise<C> {
     /// The number of low bits that a level loses before it is multiplied by a fraction. A dithered format has few
-    /// steps. Its levels lose only as many bits as a step has, so the error of a product is below 1/1000 step. In other
-    /// formats, the error is at most 1/250 step.
+    /// steps, so levels of this format lose only as many bits as a step has, and the error of a product is below 1/1000
+    /// step. In other formats, the error is at most 1/250 step.
     const DOWN: u32 = if C::IS_DITHERED {
         32 - C::MAX_STEPS[0].leading_zeros()
     } else {
@@ -95,15 +95,15 @@ impl<C: PixelFormat> Precise<C> {
         }
         let channels = [color.r().into(), color.g().into(), color.b().into()];
         Self::of_raised(zip(channels, C::MAX_STEPS, |channel, most| {
-            // A constant: the number of steps in 1/255 of white, in units of 2^-24, rounded up so that white is exact.
-            // A product plus half a step fits into 32 bits.
+            // `steps` is a constant: the number of steps in 1/255 of white, in units of 2^-24, rounded up so that white
+            // is exact. The product plus half a step fits into 32 bits.
             let steps = (most.cast_unsigned() << 24) / 255 + 1;
             let level = channel.cast_unsigned().wrapping_mul(steps);
             (level.wrapping_add(HALF.cast_unsigned() << 8) >> 8).cast_signed()
         }))
     }
 
-    /// Steps times fractions: exact.
+    /// The product of steps and fractions, which is exact.
     #[inline]
     pub(super) fn of_products(steps: [i32; 3], fractions: [i32; 3]) -> Self {
         // Products are below 2^24 for numbers in range. Other numbers from a user's shader wrap, so that they cannot
@@ -111,7 +111,7 @@ impl<C: PixelFormat> Precise<C> {
         Self::from_levels(zip(steps, fractions, i32::wrapping_mul))
     }
 
-    /// The sum of two colors, at most white: exact.
+    /// The exact sum of two colors, limited to white.
     #[inline]
     pub(crate) fn of_sum(a: C, b: C) -> Self {
         let sums = zip(a.steps(), b.steps(), |a, b| a + b);
@@ -183,7 +183,7 @@ impl<C: PixelFormat> Precise<C> {
         Self::from_levels(zip(self.levels(), fractions, Self::part))
     }
 
-    /// The sum of two colors, channel by channel, at most white.
+    /// The sum of two colors, channel by channel, limited to white.
     #[must_use]
     #[inline]
     pub fn plus(self, other: Self) -> Self {
@@ -194,7 +194,7 @@ impl<C: PixelFormat> Precise<C> {
         ))
     }
 
-    /// This color, covered by another one in a share from 0 to 65,536.
+    /// This color after another color covers a share of it, from 0 to 65,536.
     #[must_use]
     #[inline]
     pub fn mix(self, other: Self, share: i32) -> Self {

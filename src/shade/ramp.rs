@@ -27,7 +27,7 @@ impl Ramp {
 
     /// Converts a distance, of 32 bits and a sign, to a share of the length.
     pub(super) fn share(self, distance: i64) -> i64 {
-        // Below 2^32 · 2^31.
+        // The product is below 2^32 · 2^31.
         (distance * i64::from(self.inverse)) >> self.down
     }
 }

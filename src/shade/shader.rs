@@ -22,8 +22,8 @@ use crate::mesh::Primitive;
 pub struct Fragment {
     /// Column and row in the frame, (0, 0) at the top left.
     pub point: Point,
-    /// Depth: 65535 at the near plane, falling toward 0 with the distance. Its steps are linear in 1/w (under a
-    /// parallel projection, in the distance), whatever the depth buffer's format.
+    /// Depth: 65535 at the near plane, falling toward 0 with the distance. With every format of the depth buffer, steps
+    /// of this depth are linear in 1/w (under a parallel projection, in the distance).
     pub depth: u16,
 }
 
@@ -32,9 +32,9 @@ pub struct Fragment {
 ///
 #[cfg_attr(doc, doc = page_picture!("lit", "A ring that is lit"))]
 /// [`varyings`](Self::varyings) is called once for each triangle, edge or point that has pixels. For a clipped triangle
-/// or edge, it is called once for each part. [`shade`](Self::shade) is called once for each visible pixel, with the
-/// values interpolated in correct perspective; it returns `None` to leave the pixel as it is. [`Varyings`] lists the
-/// types that can be interpolated.
+/// or edge, `varyings` is called once for each part. [`shade`](Self::shade) is called once for each visible pixel, with
+/// the values interpolated in correct perspective; it returns `None` to leave the pixel as it is. [`Varyings`] lists
+/// the types that can be interpolated.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
@@ -69,11 +69,12 @@ pub struct Fragment {
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// A shader that wraps another shader calls the inner `varyings` and `shade`. Its [`Varyings`](Self::Varyings) are the
-/// inner shader's, alone or in a pair with its own. Most effects need no type of their own: see [`map`](Self::map).
+/// A shader that wraps another shader calls the inner `varyings` and `shade`. The outer [`Varyings`](Self::Varyings)
+/// are the varyings of the inner shader, alone or in a pair with others. Most effects do not need such a type: see
+/// [`map`](Self::map).
 ///
 /// To change the color, the outer shader calls [`lit`](Output::lit) or [`map`](Output::map) on the output of the inner
-/// shader. It returns the result, which is a color in full precision:
+/// shader. The outer shader returns the result, which is a color in full precision:
 ///
 /// ```
 /// # use fixel::{Fragment, PixelFormat, Primitive, Shader};
@@ -172,7 +173,7 @@ pub struct Fragment {
 /// for model in models {
 ///     model.draw(&mut frame, &view);
 /// }
-/// # // The middle of each: a red one, and one that is bluest where it faces the viewer.
+/// # // In the middle, the box is red, and the ball is blue, because its middle faces the viewer.
 /// # assert!(pixels[3 * 8 + 2].r() > 10 && pixels[3 * 8 + 2].b() == 0 && pixels[3 * 8 + 5].b() > 25);
 /// # Ok::<(), Error>(())
 /// ```
@@ -187,11 +188,11 @@ pub trait Shader: Copy {
     /// Whether [`shade`](Self::shade) reads [`Fragment::depth`].
     ///
     /// The default, `true`, is always correct. `false` makes a shader faster if no depth buffer needs depth and nothing
-    /// is interpolated. In this case, depth is not computed, and it reads as 0.
+    /// is interpolated. Then depth is not computed, and [`Fragment::depth`] reads as 0.
     const READS_DEPTH: bool = true;
 
-    /// The values at the three corners of a triangle. For an edge, they are the values at its first end, its second
-    /// end, and its second end again; for a point, they are the same value three times.
+    /// The values at the three corners of a triangle. For an edge, the values belong to its first end, its second end,
+    /// and its second end again; for a point, the same value comes three times.
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3];
 
     /// The color of a pixel, or `None` to leave both its color and its depth as they are.
@@ -301,7 +302,7 @@ pub trait Shader: Copy {
     /// The colors take three of the eight [`Varyings`] that a shader may have, or one if the surface is gray.
     ///
     #[cfg_attr(doc, doc = page_picture!("tinted", "A cube with checkers, multiplied by the colors of its corners"))]
-    /// A white vertex leaves the surface as it is; a black vertex makes it black.
+    /// A white vertex leaves the surface as it is; a black vertex makes the surface black.
     ///
     /// The fractions of the vertex color (65,536 is 1) are varyings that follow the surface's own: three, or one for a
     /// gray surface.
@@ -347,7 +348,7 @@ pub trait Shader: Copy {
     /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(8))?;
     /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(4));
     /// let mut pixels = [Gray8::BLACK; 1];
-    /// // At a distance of 4, e^(-0.25 · 4) is left: 37 % of 100, and 63 % of 200.
+    /// // At a distance of 4, the share e^(-0.25 · 4) is left: 37 % of 100, plus 63 % of 200.
     /// let fog = Fog::exponential(Gray8::new(200), fx!(0.25))?;
     /// Canvas::new(&mut pixels, 1, 1)?.draw(&SQUARE, &mvp, &Flat::new(Gray8::new(100)).in_fog(fog));
     /// assert_eq!(pixels, [Gray8::new(163)]);
@@ -391,7 +392,7 @@ pub trait Shader: Copy {
     /// use fixel::prelude::*;
     /// static FLOOR: Mesh = shape!(plane(1, 1));
     /// let projection = Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(0.5), fx!(8))?;
-    /// // Eight units wide and long, half a unit below the eye.
+    /// // The floor is eight units wide and long, half a unit below the eye.
     /// let mvp = projection * Transform::translate(vec3!(0, -0.5, -4)) * Transform::scale(fx!(4));
     /// let mut pixels = [Gray4::BLACK; 32];
     /// let mut canvas = Canvas::new(&mut pixels, 4, 8)?;

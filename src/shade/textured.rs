@@ -15,8 +15,8 @@ use crate::texture::{
 /// ([`bilinear`](Self::bilinear)).
 ///
 #[cfg_attr(doc, doc = page_picture!("textured", "A cube with checkers"))]
-/// The texture repeats, or is [`clamped`](Self::clamped) to its edge. It may be [`lit`](Shader::lit), or
-/// [`tinted`](Shader::tinted) by vertex colors. A [`Mipmap`](crate::texture::Mipmap) may be
+/// The texture repeats, or is [`clamped`](Self::clamped) to its edge. The textured surface may be [`lit`](Shader::lit),
+/// or [`tinted`](Shader::tinted) by vertex colors. A [`Mipmap`](crate::texture::Mipmap) may be
 /// [`mipmapped`](Self::mipmapped), so that it does not flicker in the distance.
 ///
 /// ```
@@ -35,11 +35,11 @@ use crate::texture::{
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// The varyings are a column and a row, in texels with 16 fraction bits. Along a side of 16 or more texels, they hold
-/// the texture coordinates exactly; along a shorter side, they are rounded to nearest. Their range is ±32,768 texels
-/// (128 repeats of 256 texels, or 8 repeats of 4096 texels); beyond it, they saturate. If the texture repeats, a
-/// triangle is first moved by whole repeats so that it begins in the first repeat. So the range limits only the extent
-/// of a triangle, not its place in the texture. Lines and points are not moved.
+/// The varyings are a column and a row, in texels with 16 fraction bits. Along a side of 16 or more texels, the
+/// varyings hold the texture coordinates exactly; along a shorter side, they are rounded to nearest. The range of the
+/// varyings is ±32,768 texels (128 repeats of 256 texels, or 8 repeats of 4096 texels); beyond this range, they
+/// saturate. If the texture repeats, a triangle is first moved by whole repeats so that it begins in the first repeat.
+/// So the range limits only the extent of a triangle, not its place in the texture. Lines and points are not moved.
 ///
 /// # The type
 ///
@@ -108,9 +108,9 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     /// magnified texture then looks smooth.
     ///
     /// The first texel's center lies half a texel from the texture's corner. Beyond the outermost centers, a repeating
-    /// texture blends with its other edge, and a [`clamped`](Self::clamped) one keeps the color of its edge. A texture
-    /// that is drawn at a reduced size flickers even with this filter; a [`mipmapped`](Self::mipmapped) texture does
-    /// not.
+    /// texture blends with its other edge, and a [`clamped`](Self::clamped) texture keeps the color of its edge. A
+    /// texture that is drawn at a reduced size flickers even with this filter; a [`mipmapped`](Self::mipmapped) texture
+    /// does not.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, GrayColor}};
@@ -131,8 +131,8 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     /// # Rounding
     ///
     /// The position between the centers is rounded to the nearest 1/32 texel for colors of 16 bits (such as
-    /// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565)), because one word holds all their channels during a blend.
-    /// For other colors it is rounded to the nearest 1/256 texel ([`Blend::WEIGHT_BITS`]).
+    /// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565)), because one word holds all channels of such a color during a
+    /// blend. For other colors, the position is rounded to the nearest 1/256 texel ([`Blend::WEIGHT_BITS`]).
     ///
     /// The filter first makes two blends along rows, each rounded to a whole step, and then one blend between the rows.
     /// A channel's error is at most one step, plus 1/32 (or 1/256) of the difference between the four texels. Between
@@ -203,7 +203,7 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     /// use fixel::{prelude::*, texture::Raw};
     /// static SKIN: [[Gray8; 2]; 1] = [[Gray8::new(200); 2]];
     /// static SQUARE: Mesh = shape!(plane(1, 1));
-    /// let mask = Raw::<Gray4>::new(&[0x3f], 2, 1)?; // a fifth, and the whole
+    /// let mask = Raw::<Gray4>::new(&[0x3f], 2, 1)?; // opacities of 1/5 and 1
     /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
     /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
     /// let mut pixels = [Gray8::new(100); 2];
@@ -225,7 +225,7 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     {
         let (size, given) = (self.texture.size_log2(), mask.size_log2());
         if size != given {
-            // At most 2^15.
+            // Widths and heights are at most 2^15, so the masks change nothing.
             let pixels = |[width, height]: [u32; 2]| [1 << (width & 15), 1 << (height & 15)];
             return Err(Error::MaskSize {
                 given: pixels(given),
@@ -238,7 +238,7 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
 }
 
 impl<S: Sampler<Color: Texel>, A: Addressing, F: Filter<S::Color>, D> Textured<S, A, F, D> {
-    /// The corners' columns and rows.
+    /// The columns and rows of the texture at a primitive's corners.
     #[inline]
     pub(super) fn corners(&self, primitive: &Primitive<'_>) -> [Texels; 3] {
         let [a, b, c] = primitive.corners(|corner| corner.uv().to_bits());
@@ -307,7 +307,7 @@ impl<S: Sampler<Color: PixelColor>, M: Sampler<Color: GrayColor>> Sampler for Ma
 
     #[inline]
     fn texel_at(&self, level: u32, u: i32, v: i32) -> Self::Color {
-        // White is 1, 3, 15 or 255.
+        // The luma of white is 1, 3, 15 or 255.
         let scale = 255 / M::Color::WHITE.luma().max(1);
         let mask = self.mask.texel_at(level, u, v);
         Translucent {
@@ -352,7 +352,7 @@ mod tests {
 
     #[test]
     fn coordinates_are_exact_in_texels() {
-        // 12 and 24 units of 2^-20 repeat are 3 · 2^-16 texels each, of four columns and of two rows.
+        // With four columns, 12 units of 2^-20 repeat are 3 · 2^-16 texels. With two rows, 24 units are as many texels.
         let uvs = [vec2!(0, 0), vec2!(0.25, 1), Vec2::from_bits([12, 24])];
         let expected = [[0, 0], [1 << 16, 2 << 16], [3, 3]];
         assert_eq!(corners(Textured::new(&SKIN), uvs), expected);
@@ -375,7 +375,7 @@ mod tests {
                 "{u}, {v}"
             );
         }
-        // A triangle that begins left of the first repeat begins in it afterwards.
+        // A triangle that begins left of the first repeat is moved into the first repeat.
         let [a, b, _] = corners(
             Textured::new(&SKIN),
             [vec2!(-0.25, -1), vec2!(0.25, 0), vec2!(0, 0)],

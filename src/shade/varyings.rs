@@ -1,5 +1,5 @@
-//! The values that a shader interpolates. Their types say how exact each value must be, and which values belong to a
-//! whole face.
+//! The values that a shader interpolates. The types of the values say how exact each value must be, and which values
+//! belong to a whole face.
 
 use super::lanes::{Lanes, MOST};
 
@@ -17,7 +17,8 @@ use super::lanes::{Lanes, MOST};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Tolerance {
-    /// The varying is a texture coordinate, in texels times 2^16; the [mode](crate::mode) decides.
+    /// The varying is a texture coordinate, in texels times 2^16; the [mode](crate::mode) decides which error it may
+    /// have.
     Texels,
     /// The error may be at most this many units of the varying.
     Units(u32),

@@ -10,8 +10,8 @@ use crate::mesh::Primitive;
 /// Depth as gray: white is near, black is far.
 ///
 #[cfg_attr(doc, doc = page_picture!("depth_view", "A ring that is bright in front and dark behind"))]
-/// It shows depth in linear steps, from 65535 at the near plane toward 0, whatever the depth buffer's format. In
-/// perspective, these steps are linear in 1/distance, so most scenes are dark; [`between`](Self::between) spreads a
+/// With every format of the depth buffer, the view shows depth in linear steps, from 65535 at the near plane toward 0.
+/// In perspective, these steps are linear in 1/distance, so most scenes are dark; [`between`](Self::between) spreads a
 /// part of the range from black to white.
 ///
 /// ```
@@ -45,14 +45,14 @@ pub struct DepthView<C> {
 }
 
 impl<C> DepthView<C> {
-    /// Black for depth 0, white for depth 65535.
+    /// A view that shows depth 0 as black and depth 65535 as white.
     #[must_use]
     pub const fn new() -> Self {
         Self::between(0, u16::MAX)
     }
 
-    /// Black for the depth `far` and below, white for `near` and above. If `near` is not greater than `far`, every
-    /// depth above `far` is white.
+    /// A view that shows the depth `far` and all lower depths as black, and the depth `near` and all greater depths as
+    /// white. If `near` is not greater than `far`, every depth above `far` is white.
     #[must_use]
     pub const fn between(far: u16, near: u16) -> Self {
         let range = match near.saturating_sub(far) {
@@ -88,7 +88,7 @@ impl<C: PixelFormat> Shader for DepthView<C> {
     #[inline]
     fn shade(&self, at: &Fragment, (): ()) -> Option<Precise<C>> {
         let above = at.depth.saturating_sub(self.far).min(self.range);
-        // Before the last shift, the product is at most 2^31. White becomes 65,536 less at most 2, because the gain is
+        // Before the last shift, the product is at most 2^31. White becomes at least 65,536 − 2, because the gain is
         // rounded down.
         let fraction = ((u32::from(above) << self.shift) * self.gain) >> 15;
         let levels = C::MAX_STEPS.map(|white| white * fraction.cast_signed());
@@ -139,8 +139,8 @@ impl<C: PixelFormat> Shader for NormalView<C> {
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        // 255 · (n + 1)/2, rounded to nearest; n is in units of 2^-30. The clamp is for unit vectors with a component
-        // that is too great in its last bits.
+        // A channel is 255 · (n + 1)/2, rounded to nearest; n is in units of 2^-30. The clamp is for unit vectors with
+        // a component that is too great in its last bits.
         let channel = |n: i32| {
             let steps = (255 * (i64::from(n) + (1 << 30)) + (1 << 30)) >> 31;
             steps.clamp(0, 255).cast_unsigned() as u8

@@ -6,7 +6,7 @@ use crate::sealed::{Sealed, sealed};
 /// What a texture shows beyond its edges: [`Repeat`] or [`Clamp`].
 #[doc(hidden)]
 pub trait Addressing: Copy + Sealed {
-    /// Whether the texture continues with the texels of its edge.
+    /// Whether the texture, beyond its edge, continues with the texels of the edge.
     const CLAMPS: bool;
 }
 
@@ -24,7 +24,7 @@ pub struct Repeat;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Clamp;
 
-/// How many more fraction bits a texture coordinate has than texels.
+/// The number of fraction bits that a texture coordinate has beyond the 16 of a position in texels.
 const FINER: u32 = TexCoord::FRAC_BITS - 16;
 
 /// Converts texture coordinates, in units of 2⁻²⁰ repeat and counted from `origin`, to texels with 16 fraction bits:
@@ -35,7 +35,7 @@ const FINER: u32 = TexCoord::FRAC_BITS - 16;
 #[inline(never)]
 pub(crate) fn texels(bits: [i32; 3], origin: i32, log2: u32) -> [i32; 3] {
     bits.map(|bits| {
-        // At most 33 bits, shifted by at most 15.
+        // The difference has at most 33 bits, and is shifted by at most 15, so it fits into 64 bits.
         let bits = i64::from(bits) - i64::from(origin);
         let texels = ((bits << log2) + (1 << (FINER - 1))) >> FINER;
         texels.clamp(i32::MIN.into(), i32::MAX.into()) as i32
@@ -51,8 +51,8 @@ impl Addressing for Clamp {
 }
 
 /// The origin from which a triangle's texture coordinates are counted, in bits. If the texture repeats, the origin is
-/// the start of the repeat that contains the least of the three coordinates. This coordinate then lies in the first
-/// repeat.
+/// the start of the repeat that contains the least of the three coordinates. The least coordinate then lies in the
+/// first repeat.
 #[inline]
 pub(crate) fn origin<A: Addressing>([a, b, c]: [i32; 3]) -> i32 {
     if A::CLAMPS {
@@ -61,8 +61,8 @@ pub(crate) fn origin<A: Addressing>([a, b, c]: [i32; 3]) -> i32 {
     a.min(b).min(c) >> TexCoord::FRAC_BITS << TexCoord::FRAC_BITS
 }
 
-/// The column or row of a texel that may lie beyond the edges. A clamped texture limits it to the edges. A repeating
-/// texture needs no change, because samplers already wrap.
+/// The column or row of a texel that may lie beyond the edges. If the texture is clamped, the number is limited to the
+/// edges. If it repeats, the number stays, because samplers already wrap.
 #[inline]
 pub(super) fn index<A: Addressing>(texel: i32, log2: u32) -> i32 {
     if A::CLAMPS {
@@ -72,8 +72,8 @@ pub(super) fn index<A: Addressing>(texel: i32, log2: u32) -> i32 {
     }
 }
 
-/// `texels` minus `little`, both with 16 fraction bits. If the difference wraps, it is wrong only by a whole number of
-/// repeats.
+/// `texels` minus `little`, both with 16 fraction bits. If the texture repeats, the difference may wrap: then it is
+/// wrong only by a whole number of repeats.
 #[inline]
 pub(super) fn back<A: Addressing>(texels: i32, little: i32) -> i32 {
     if A::CLAMPS {
@@ -87,7 +87,7 @@ pub(super) fn back<A: Addressing>(texels: i32, little: i32) -> i32 {
 mod tests {
     use super::*;
 
-    /// Textures with few texels round; textures with many texels saturate.
+    /// With few texels, coordinates are rounded; with many texels, they saturate.
     #[test]
     fn coordinates_round_or_saturate_for_any_size_of_texture() {
         let bits = [[-25, -24, -23], [-8, -7, 7], [8, 23, 24]];
@@ -98,7 +98,7 @@ mod tests {
         assert_eq!(bits.map(|bits| texels(bits, 0, 4)), bits);
         let (low, high) = (i32::MIN, i32::MAX);
         assert_eq!(texels([low, high, 0], 0, 4), [low, high, 0]);
-        // 4096 columns: eight repeats in each direction, and not one unit more.
+        // With 4096 columns, coordinates reach eight repeats in each direction, and not one unit more.
         let ends = [(-8 << 20) - 1, -8 << 20, (8 << 20) - 1];
         assert_eq!(texels(ends, 0, 12), [low, low, high - 255]);
         assert_eq!(texels([8 << 20, 0, 0], 0, 12), [high, 0, 0]);

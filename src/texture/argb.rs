@@ -6,8 +6,9 @@ use super::blend::{self, Blend, bilinear, blend, each, linear, mean};
 
 /// A texel of 16 bits with an opacity of 4 bits, and 4 bits each of red, green and blue.
 ///
-/// Its color is [`Rgb565`]. A texel of opacity 0 changes neither the color nor the depth on the canvas. A bilinear
-/// filter blends colors regardless of their opacities, so give texels of opacity 0 the colors of their neighbors.
+/// The texel's color is an [`Rgb565`]. A texel of opacity 0 changes neither the color nor the depth on the canvas. A
+/// bilinear filter blends colors regardless of their opacities, so give texels of opacity 0 the colors of their
+/// neighbors.
 ///
 /// ```
 /// use fixel::texture::Argb4444;
@@ -22,9 +23,9 @@ pub struct Argb4444(u16);
 
 /// A texel of 16 bits that is either opaque or a hole: 1 bit of opacity, and 5 bits each of red, green and blue.
 ///
-/// Its color is [`Rgb565`]. A hole changes neither the color nor the depth on the canvas. Between texels, the nearest
-/// texel decides whether there is a hole. Where there is no hole, a [`Bilinear`](super::Bilinear) filter blends as if
-/// the holes had the nearest texel's color.
+/// The texel's color is an [`Rgb565`]. A hole changes neither the color nor the depth on the canvas. Between texels,
+/// the nearest texel decides whether there is a hole. Where there is no hole, a [`Bilinear`](super::Bilinear) filter
+/// blends as if the holes had the nearest texel's color.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -45,7 +46,7 @@ impl Argb4444 {
         Self(u16::from_be_bytes(bytes))
     }
 
-    /// A texel from its bits: opacity, red, green and blue, the highest first.
+    /// A texel from its bits: from the highest to the lowest, opacity, red, green and blue.
     #[must_use]
     #[inline]
     pub const fn from_bits(bits: u16) -> Self {
@@ -83,7 +84,7 @@ impl Argb1555 {
         Self(0x8000 | r << 10 | g << 5 | b)
     }
 
-    /// A texel from its bits: opacity, red, green and blue, the highest first.
+    /// A texel from its bits: from the highest to the lowest, opacity, red, green and blue.
     #[must_use]
     #[inline]
     pub const fn from_bits(bits: u16) -> Self {
@@ -144,8 +145,8 @@ mod tests {
             let texel = Argb4444::from_bits(bits);
             let near = |found: u8, most: f64, digit: u16, white: f64| {
                 let exact = f64::from(digit) / most * white;
-                // Six bits made from four have the greatest error: they add n/4, rounded down, in place of n/5. For n =
-                // 3, this is 3/5 too little.
+                // The greatest error is in channels of six bits. From the four bits n of a texel, the code makes 4n +
+                // n/4, rounded down, instead of 4n + n/5. For n = 3, this is too little by 3/5.
                 let error = (f64::from(found) - exact).abs();
                 assert!(error < 0.601, "{bits:x}: {exact}");
             };
@@ -163,7 +164,7 @@ mod tests {
         }
     }
 
-    /// The exact blend of four values, in steps.
+    /// The exact blend of four channels, in steps.
     fn exact([a, b, c, d]: [f64; 4], [x, y]: [f64; 2]) -> f64 {
         (a * (1. - x) + b * x) * (1. - y) + (c * (1. - x) + d * x) * y
     }
@@ -179,7 +180,7 @@ mod tests {
             for channel in [0, 4, 8, 12] {
                 let values = bits.map(|bits| f64::from(bits >> channel & 15));
                 let exact = exact(values, [x, y].map(|weight| f64::from(weight) / 16.));
-                // Two roundings of half a step.
+                // There are two roundings, each by at most half a step.
                 assert!((f64::from(found >> channel & 15) - exact).abs() <= 1.);
             }
         });

@@ -22,7 +22,7 @@ use embedded_graphics::pixelcolor::{
 /// assert_eq!(Rgb565::blend(quad, [8, 0]), Rgb565::new(8, 0, 0));
 /// ```
 pub trait Blend: Copy {
-    /// [`blend`](Self::blend) divides the distance between two texels into 2^`WEIGHT_BITS` steps; the value must be
+    /// [`blend`](Self::blend) divides the distance between two texels into 2^`WEIGHT_BITS` steps. `WEIGHT_BITS` must be
     /// from 1 to 15.
     const WEIGHT_BITS: u32;
 
@@ -44,18 +44,20 @@ pub trait Blend: Copy {
         Self::blend([[self, other]; 2], [weight, 0])
     }
 
-    /// The color at a point between four texels. The upper row comes first, and the left texel comes first in a row.
+    /// The color at a point between four texels. In `texels`, the upper row comes first, and in each row, the left
+    /// texel comes first.
     ///
-    /// `weights` are the point's distances to the right of the first texel and below it, from 0 to less than 1, in
-    /// units of 2^-[`WEIGHT_BITS`](Self::WEIGHT_BITS). With weights of 0, the result must be exactly the first texel.
+    /// `weights` are the point's distances from the first texel, to the right and downward, each from 0 to less than 1,
+    /// in units of 2^-[`WEIGHT_BITS`](Self::WEIGHT_BITS). With weights of 0, the result must be exactly the first
+    /// texel.
     #[must_use]
     fn blend(texels: [[Self; 2]; 2], weights: [u32; 2]) -> Self;
 
     /// The mean of four texels, which replaces them in the next level of a [`Mipmap`](super::Mipmap). Each channel is
     /// rounded to nearest, halves up.
     ///
-    /// By default, the mean is the [`blend`](Self::blend) halfway between the texels, which may be rounded a step too
-    /// high.
+    /// By default, the mean is the [`blend`](Self::blend) halfway between the texels; rounding may then make a channel
+    /// a step too high.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -84,7 +86,7 @@ const fn lowest(mask: u32) -> u32 {
     mask & !(mask << 1)
 }
 
-/// Applies `of` to each of four texels. Written out, because in a build for size, `map` remains a loop.
+/// Applies `of` to each of four texels. The function is written out, because in a build for size, `map` remains a loop.
 #[inline]
 pub(super) fn each<T, U>([[a, b], [c, d]]: [[T; 2]; 2], of: impl Fn(T) -> U) -> [[U; 2]; 2] {
     [[of(a), of(b)], [of(c), of(d)]]
@@ -105,7 +107,7 @@ pub(super) fn bilinear<const MASK: u32, const BITS: u32>(
     linear::<MASK, BITS>([row(upper), row(lower)], y)
 }
 
-/// The texel with the center that is nearest to a point, of the four texels around the point.
+/// Of the four texels around a point, the texel with the nearest center.
 #[inline]
 pub(super) fn nearest<C: Blend>([upper, lower]: [[C; 2]; 2], [x, y]: [u32; 2]) -> C {
     let half = 1 << (C::WEIGHT_BITS - 1);
@@ -117,8 +119,8 @@ pub(super) fn nearest<C: Blend>([upper, lower]: [[C; 2]; 2], [x, y]: [u32; 2]) -
 #[inline]
 pub(super) fn linear<const MASK: u32, const BITS: u32>([a, b]: [u32; 2], weight: u32) -> u32 {
     const { assert!(roomy(MASK, BITS), "lanes overlap when weighted") };
-    // a · (2^BITS − weight) + b · weight, for all lanes at once. Lanes of the difference may borrow from their
-    // neighbors; they give it back in the sum, where no lane is negative.
+    // a · (2^BITS − weight) + b · weight, for all lanes at once. In b − a, a negative lane borrows from the lane above.
+    // In the sum, no lane is negative, so nothing remains borrowed.
     let half = lowest(MASK) << (BITS - 1);
     let sum = (a << BITS)
         .wrapping_add(half)
@@ -183,8 +185,8 @@ macro_rules! one_word {
     };
 }
 
-/// Implements [`Blend`] for colors with more bits. The outer channels are in one word, 16 bits apart, and the middle
-/// channel is in another word.
+/// Implements [`Blend`] for colors with more bits. The first and the third channel are in one word, 16 bits apart, and
+/// the middle channel is in another word.
 macro_rules! two_words {
     ($($Color:ident $bits:literal $outer:literal $middle:literal)+) => {
         blend! {$(
@@ -225,7 +227,7 @@ mod tests {
             (0x1f, 27),
             (0x00ff_00ff, 8),
             (0x003f_003f, 10),
-            // Green is in the upper half. Above blue are 6 unused bits, above red 5, and above green 5.
+            // Green is in the upper half. Above blue are 6 unused bits, above red are 5, and above green are 5.
             (0x07e0_f81f, 5),
             (0x03e0_7c1f, 5),
             (0x8000_0000, 0),

@@ -9,7 +9,8 @@ use super::include::{Convert, File, Table, texels};
 use super::{Argb1555, Argb4444};
 use crate::message;
 
-/// Colors that a picture can be converted to: `$color` is made of the bytes of [`File::COLORS`].
+/// Lets a picture be converted to each `$Color`. `$color` computes the color from `$bytes`, an entry of
+/// [`File::COLORS`].
 macro_rules! colors {
     ($([$($Color:ident)+] |$bytes:ident| $color:expr;)+) => {$($(
         impl<F: File, const N: usize, const K: usize> Convert<F, N, K> for $Color {

@@ -59,7 +59,7 @@ mod tests {
 
     const KEY: Rgb888 = Rgb888::MAGENTA;
 
-    /// Gray texels, with holes where a bit is set.
+    /// Gray texels. If bit i of `holes` is set, texel i is a hole.
     fn skin(grays: [u8; 16], holes: u16) -> [[Rgb888; 4]; 4] {
         let texel = |i: usize| match holes >> i & 1 {
             1 => KEY,
@@ -68,7 +68,8 @@ mod tests {
         core::array::from_fn(|row| core::array::from_fn(|column| texel(4 * row + column)))
     }
 
-    /// A blend that contained the key would not be gray. Where no texel around is left out, nothing changes.
+    /// A blend that contained the key's color would not be gray. Where none of the four texels is a hole, the color is
+    /// the same as without holes.
     #[test]
     fn holes_are_the_key_s_and_leave_no_fringe() {
         cases(256, |random| {
@@ -92,7 +93,8 @@ mod tests {
                     "{color:?}"
                 );
             }
-            // Weights are rounded to 1/256 texel: elsewhere, the same texel is nearest.
+            // Weights are rounded to 1/256 texel. Except at this distance from a texel's border, both filters agree on
+            // the nearest texel.
             if at
                 .iter()
                 .all(|at| (at & 0xffff) >= 256 && (at & 0xffff) < 0xff00)

@@ -1,4 +1,4 @@
-//! The color at a point between texels, and between levels.
+//! Filters: the color at a point between texels, and between levels of a mipmap.
 
 use super::addressing::{back, index};
 use super::{Addressing, Blend, Sampler};
@@ -14,7 +14,7 @@ pub trait Filter<C>: Copy + Sealed {
 
 sealed!(Nearest, Bilinear, Trilinear);
 
-/// Takes the texel whose center is nearest.
+/// Takes the texel with the nearest center.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -26,8 +26,8 @@ pub struct Nearest;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bilinear;
 
-/// Blends the four texels around a point in each of the two levels between which a pixel lies, and then the two
-/// results.
+/// Blends the four texels around a point in each of the two mipmap levels nearest to a pixel's level, and then blends
+/// the two results.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -47,7 +47,8 @@ fn nearest(level: i32, sampler: &impl Sampler) -> u32 {
     ((level + 128).max(0).cast_unsigned() >> 8).min(width.min(height))
 }
 
-/// The exponents of the size of a level. Written out, because in a build for size, `map` remains a loop.
+/// The base-2 logarithms of a level's width and height. The function is written out, because in a build for size, `map`
+/// remains a loop.
 #[inline]
 pub(super) const fn size_at(level: u32, [width, height]: [u32; 2]) -> [u32; 2] {
     [width.wrapping_sub(level), height.wrapping_sub(level)]
@@ -108,11 +109,12 @@ pub(super) fn around<S: Sampler<Color: Blend>, A: Addressing>(
     ([row(upper), row(lower)], [x, y])
 }
 
-/// The two columns or rows with `at` between their centers, and the distance of `at` from the first center.
+/// The two columns or rows with `at` between their centers, and the weight of the second: the distance of `at` from the
+/// first center.
 #[inline]
 fn between<A: Addressing>(at: i32, log2: u32, weight_bits: u32) -> ([i32; 2], u32) {
-    // Centers lie at halves, so half a texel is subtracted, less half a unit of the weight. This half unit makes the
-    // cut below round to nearest.
+    // A texel's center is half a texel from its corner, so half a texel is subtracted. Half a unit of the weight is
+    // added, so that the shift below rounds to nearest.
     let at = back::<A>(at, (1 << 15) - (1 << (15 - weight_bits)));
     let first = at >> 16;
     let weight = (at.cast_unsigned() & 0xffff) >> (16 - weight_bits);

@@ -3,7 +3,7 @@
 use super::{Indexed, Mipmap, Texture};
 use crate::message;
 
-/// A picture that the macro has read.
+/// A picture that [`include_texture!`](crate::include_texture) has read.
 ///
 /// A trait's functions cannot run at compile time, but its constants can depend on types. So the macro declares a type
 /// for the picture, the compiler infers the color's type from the place of the macro, and a constant that depends on
@@ -11,19 +11,19 @@ use crate::message;
 pub trait File {
     /// The file's name, for errors.
     const PATH: &'static str;
-    /// Columns and rows. A texture may have this size.
+    /// The numbers of columns and rows. A texture may have this size.
     const SIZE: [u32; 2];
-    /// The colors that occur, at least one. The bytes of a color are: red, green and blue with 5 bits each, with 6 bits
-    /// each, and with 8 bits each; luma with 1, 2, 4 and 8 bits; and the bits of `Argb1555` and of `Argb4444`, the high
-    /// byte first.
+    /// The colors that occur in the picture, at least one. The bytes of a color are: red, green and blue with 5 bits
+    /// each, then with 6 bits each, then with 8 bits each; luma with 1, 2, 4 and 8 bits; and the bits of `Argb1555` and
+    /// of `Argb4444`, the high byte first.
     const COLORS: &'static [[u8; 17]];
     /// The pixels, row by row, as indices of colors; for a mipmap, the pixels of all levels. An index has one byte or,
     /// if there are more than 256 colors, three bytes, the low byte first.
     const PIXELS: &'static [u8];
 }
 
-/// A color to which the `N` pixels of picture `F`, which has `K` colors, can be converted. `u8` is the index of a
-/// pixel's color.
+/// A type of texel to which the `N` pixels of picture `F`, which has `K` colors, can be converted: a color, or `u8` for
+/// the index of a pixel's color.
 #[diagnostic::on_unimplemented(
     message = "a picture cannot become a texture of `{Self}`",
     label = "`{Self}` is not a color of embedded-graphics",
@@ -36,7 +36,7 @@ pub trait Convert<F: File, const N: usize, const K: usize>: Copy + 'static {
 
 /// A color to which the table of the colors of picture `F` can be converted.
 pub trait Table<F: File, const K: usize>: Copy + 'static {
-    /// The colors, at least as many as the picture has.
+    /// The table of colors, which has at least as many colors as the picture.
     const TABLE: &'static [Self; K];
 }
 
@@ -54,7 +54,7 @@ pub trait FromFile<F: File, const N: usize, const K: usize>: Sized {
 /// The colors of the pixels, from a table of colors and the pixels' indices.
 pub(super) const fn texels<C: Copy, const N: usize>(table: &[C], pixels: &[u8]) -> [C; N] {
     let (mut texels, mut at) = ([table[0]; N], 0);
-    // The loop contains no call, because the compiler refuses to run two million calls and repetitions.
+    // The loop contains no call, because the compiler refuses constants that take two million calls and repetitions.
     let (has_bytes, (triples, _)) = (pixels.len() == N, pixels.as_chunks());
     while at < N {
         texels[at] = if has_bytes {

@@ -11,7 +11,7 @@ use super::Sampler;
 /// entry shows the last entry; with 256 entries, which is the default, this check takes no time. To draw the same
 /// texture darker or in other colors, replace `colors`.
 ///
-/// [`include_texture!`](crate::include_texture) makes such a texture from a picture of few colors.
+/// [`include_texture!`](crate::include_texture) makes an `Indexed` texture from a picture with few colors.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};

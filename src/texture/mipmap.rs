@@ -1,4 +1,4 @@
-//! Textures with their reductions to half, quarter and so on.
+//! Mipmaps: textures with reductions to half, a quarter and so on of their size.
 
 use super::filter::size_at;
 use super::sampler::{exponents, size_log2};
@@ -11,13 +11,13 @@ use crate::error::{check_length, ok};
 /// Level 0 is the texture. Each further level has half the width and half the height of the level before; in the last
 /// level, the shorter side has one texel. A texel is the mean of the four texels that it replaces. Each channel is
 /// rounded to nearest, halves up ([`Blend::mean`]). So at level n, a channel differs by at most n/2 steps from the mean
-/// of all texels that it replaces.
+/// of all texels of level 0 that the texel replaces.
 ///
 /// A mipmap borrows the texels of all levels, in one slice: level 0 first, each level row by row from the top. All
 /// levels together take a third more memory than the texture alone; [`len`](Self::len) returns the number of texels.
 /// [`include_texture!`](crate::include_texture) computes the levels of a picture at compile time.
-/// [`build`](Self::build) computes them at run time, in your memory. [`new`](Self::new) accepts a slice that already
-/// contains all levels.
+/// [`build`](Self::build) computes the levels at run time, in your memory. [`new`](Self::new) accepts a slice that
+/// already contains all levels.
 ///
 /// At each pixel, [`Textured::mipmapped`](crate::Textured::mipmapped) uses the level that suits the distance of the
 /// pixel. Without `mipmapped`, all pixels use level 0.
@@ -34,20 +34,20 @@ use crate::error::{check_length, ok};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Mipmap<'a, C> {
     texels: &'a [C],
-    /// The color for an empty slice, which cannot occur.
+    /// The color of a texel beyond the end of the slice. Such a texel cannot occur.
     first: C,
     size_log2: [u8; 2],
 }
 
-/// The number of texels of all levels, from the exponents of the size. It has one bit for each level; the bits are two
-/// apart, because a level has a quarter of the texels of the level before.
+/// The number of texels of all levels, from the base-2 logarithms of the size. In binary, the number has one set bit
+/// for each level. The set bits are two places apart, because a level has a quarter of the texels of the level before.
 const fn len_of([width_log2, height_log2]: [u32; 2]) -> usize {
     let (low, high) = if width_log2 < height_log2 {
         (width_log2, height_log2)
     } else {
         (height_log2, width_log2)
     };
-    // The last level has 2^(high − low) texels, the first one 2^(high + low).
+    // The last level has 2^(high − low) texels, and the first level has 2^(high + low).
     let bits = (0x5555_5555_u64 << (high - low)) & ((2 << (high + low)) - 1);
     bits as usize
 }
@@ -65,7 +65,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     /// # Panics
     ///
     /// If the width or the height is not a power of two or is above [`Texture::MAX_SIZE`](crate::Texture::MAX_SIZE).
-    /// Use it only in constants, where this stops compilation.
+    /// Call this function only in constants, where a panic stops compilation.
     #[must_use]
     pub const fn len(width: usize, height: usize) -> usize {
         len_of(size_log2(width, height))
@@ -103,7 +103,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     ///
     /// # Errors
     ///
-    /// As for [`new`](Self::new).
+    /// The same as for [`new`](Self::new).
     pub fn build(texels: &'a mut [C], width: u32, height: u32) -> Result<Self, Error>
     where
         C: Blend,
@@ -115,7 +115,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
             && let Some((next, _)) = others.split_at_mut_checked(size / 4)
             && !next.is_empty()
         {
-            // Two rows of this level, and one of the next.
+            // Two rows of this level become one row of the next level.
             let pairs = level.chunks_exact(2 * wide);
             for (pair, row) in pairs.zip(next.chunks_exact_mut(wide / 2)) {
                 let (upper, lower) = pair.split_at(wide);
@@ -131,7 +131,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
         Mipmap::new(texels, width, height)
     }
 
-    /// All levels' texels, level 0 first, each row by row.
+    /// The texels of all levels, level 0 first, each level row by row.
     #[must_use]
     pub const fn texels(&self) -> &'a [C] {
         self.texels
@@ -169,7 +169,8 @@ impl<C: Copy> Sampler for Mipmap<'_, C> {
         let (u, v) = (u.cast_unsigned() as usize, v.cast_unsigned() as usize);
         let [width, height] = size_at(level, self.size_log2());
         let size = 1_usize.wrapping_shl(width.wrapping_add(height));
-        // The level begins after all larger levels. In the number of all texels, the larger levels are the higher bits.
+        // The level begins after all larger levels. In the binary number of all texels, the larger levels are the
+        // higher bits.
         let start = self.texels.len() & !(size | (size - 1));
         let place = v.wrapping_shl(width) | u & (1_usize.wrapping_shl(width) - 1);
         let level = self.texels.get(start..).and_then(|rest| rest.get(..size));

@@ -8,9 +8,9 @@
 //! | [`Raw`] | known at run time | bytes of a file, in either order, or packed grays |
 //! | [`Mipmap`] | known at run time | a color, with reductions of the texture for triangles far away |
 //!
-//! [`include_texture!`](crate::include_texture) turns a picture file into any of them at compile time. The shader
-//! [`Textured`](crate::Textured) draws all of these, and your own [`Sampler`]s. Texels of [`Argb4444`] have an opacity,
-//! and texels of [`Argb1555`] may be holes.
+//! [`include_texture!`](crate::include_texture) turns a picture file into any of these textures at compile time. The
+//! shader [`Textured`](crate::Textured) draws all of these, and your own [`Sampler`]s. Texels of [`Argb4444`] have an
+//! opacity, and texels of [`Argb1555`] may be holes.
 
 // Files are read at compile time, where `From` is not const; offsets lie within a file.
 #![allow(

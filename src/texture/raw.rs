@@ -11,17 +11,17 @@ use super::{Argb1555, Argb4444, Sampler};
 use crate::error::{check_length, check_parts, ok};
 use crate::{Error, message};
 
-/// A texture of raw bytes, usually those of `include_bytes!`, in the format of embedded-graphics' `ImageRaw`.
+/// A texture of raw bytes, usually from `include_bytes!`, in the format of embedded-graphics' `ImageRaw`.
 ///
-/// A color may be any color of embedded-graphics, [`Argb4444`] or [`Argb1555`]. `O` is the order of the bytes of a
-/// texel: `BigEndian`, the default, has the high byte first; `LittleEndian` has the low byte first. Texels smaller than
-/// a byte are packed, with the first texel in the high bits. For example, a mask of
+/// `C` is the type of a texel: any color of embedded-graphics, [`Argb4444`] or [`Argb1555`]. `O` is the order of the
+/// bytes of a texel: `BigEndian`, the default, has the high byte first; `LittleEndian` has the low byte first. Texels
+/// smaller than a byte are packed, with the first texel in the high bits. For example, a mask of
 /// [`Gray4`](embedded_graphics::pixelcolor::Gray4) takes half a byte per texel. Rows follow each other without a gap,
 /// the top row first. Width and height are powers of two, at most [`Texture::MAX_SIZE`](crate::Texture::MAX_SIZE), and
 /// a row fills whole bytes.
 ///
-/// The bytes are converted at each pixel that is drawn. A [`Texture`](super::Texture) or rows, which hold colors in
-/// memory, are faster.
+/// The bytes of a texel are converted at each pixel that is drawn. A [`Texture`](super::Texture) or rows, which hold
+/// colors in memory, are faster.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray4, Rgb565, RgbColor, raw::LittleEndian};
@@ -30,7 +30,7 @@ use crate::{Error, message};
 /// let skin = Raw::<Rgb565>::new(&[0xf8, 0x00, 0x00, 0x1f], 2, 1)?;
 /// assert_eq!([skin.texel(0, 0), skin.texel(1, 0)], [Rgb565::RED, Rgb565::BLUE]);
 /// let same = Raw::<Rgb565, LittleEndian>::new(&[0x00, 0xf8, 0x1f, 0x00], 2, 1)?;
-/// assert_eq!(same.texel(2, 0), Rgb565::RED); // it repeats
+/// assert_eq!(same.texel(2, 0), Rgb565::RED); // the texture repeats
 ///
 /// static DROP: Raw<Gray4> = Raw::checked(Raw::new(&[0x0f, 0xa5], 2, 2));
 /// assert_eq!(DROP.texel(0, 1), Gray4::new(10));
@@ -85,7 +85,7 @@ where
     /// # Errors
     ///
     /// [`Error::PowerOfTwo`] if the width or the height is not a power of two or is too large; [`Error::Parts`] if a
-    /// row does not fill a byte; [`Error::Length`] unless there are exactly as many bytes as the texels need.
+    /// row does not fill whole bytes; [`Error::Length`] unless there are exactly as many bytes as the texels need.
     pub const fn new(bytes: &'a [u8], width: u32, height: u32) -> Result<Self, Error> {
         let size = ok!(exponents(width, height));
         let bits = C::Raw::BITS_PER_PIXEL as u32;
@@ -110,7 +110,7 @@ where
     ///
     /// # Panics
     ///
-    /// If `result` is an error. Call it only at compile time.
+    /// If `result` is an error. Call `checked` only at compile time.
     #[must_use]
     pub const fn checked(result: Result<Self, Error>) -> Self {
         message::checked(result, "texture")

@@ -4,14 +4,15 @@ use crate::Error;
 use crate::error::ok;
 use crate::message;
 
-/// Texels by column and row; they repeat in both directions.
+/// Gives texels by column and row. The texels repeat in both directions.
 ///
 /// Width and height are powers of two.
 ///
-/// A reference to rows of texels is a sampler. It is the fastest one, because the size of the rows is part of the type.
-/// [`Texture`](super::Texture), [`Indexed`](super::Indexed), [`Raw`](super::Raw) and [`Mipmap`](super::Mipmap) are
-/// samplers themselves. References to them are not samplers. A reference would be read again at each pixel, because the
-/// compiler cannot know that writing a pixel does not change the texture. Your own sampler can compute its texels:
+/// A reference to rows of texels is a sampler. It is the fastest sampler, because the size of the rows is part of the
+/// type. [`Texture`](super::Texture), [`Indexed`](super::Indexed), [`Raw`](super::Raw) and [`Mipmap`](super::Mipmap)
+/// are samplers themselves. References to these types are not samplers. A reference would be read again at each pixel,
+/// because the compiler cannot know that writing a pixel does not change the texture. Your own sampler can compute its
+/// texels:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -35,11 +36,12 @@ use crate::message;
 ///
 /// let shader = Textured::new(Checkers).bilinear();
 /// static ROWS: [[Gray8; 2]; 1] = [[Gray8::new(1), Gray8::new(2)]];
-/// assert_eq!((&ROWS).texel(1, -7), Gray8::new(2)); // they repeat
+/// assert_eq!((&ROWS).texel(1, -7), Gray8::new(2)); // the rows repeat
 /// # let _ = shader;
 /// ```
 ///
-/// Rows of other sizes do not compile; the error names a size that does:
+/// Rows do not compile if their number or length is not a power of two. The compiler's error then names a size that
+/// compiles:
 ///
 /// ```compile_fail
 /// use fixel::texture::Sampler;
@@ -77,7 +79,7 @@ pub trait Sampler: Copy {
 /// Largest width and height of a texture, in texels.
 pub(super) const MAX_SIZE: usize = 1 << 15;
 
-/// The exponent of a width or height; `of` names the size in the error.
+/// The base-2 logarithm of a width or height. `of` is the name of the size in the error.
 pub(super) const fn exponent(of: &'static str, given: u32) -> Result<u32, Error> {
     let max = MAX_SIZE as u32;
     if given.is_power_of_two() && given <= max {
@@ -87,13 +89,13 @@ pub(super) const fn exponent(of: &'static str, given: u32) -> Result<u32, Error>
     }
 }
 
-/// The exponents of a width and a height.
+/// The base-2 logarithms of a width and a height.
 pub(super) const fn exponents(width: u32, height: u32) -> Result<[u32; 2], Error> {
     let width_log2 = ok!(exponent("width", width));
     Ok([width_log2, ok!(exponent("height", height))])
 }
 
-/// The exponents of a width and a height in a type, checked at compile time.
+/// The base-2 logarithms of a width and a height that are part of a type, checked at compile time.
 pub(super) const fn size_log2(width: usize, height: usize) -> [u32; 2] {
     /// A size that does not fit into 32 bits is too large anyway.
     const fn given(size: usize) -> u32 {

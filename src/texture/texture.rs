@@ -28,10 +28,10 @@ use crate::error::{check_length, ok};
 ///
 /// # Cost
 ///
-/// Reading a texel takes one instruction more than reading it from rows, `&[[C; W]; H]`. A loop over pixels that
-/// already needs all registers also loads up to two numbers from the stack. The table lists millions of instructions
-/// per frame for the benchmark's floor: 47,610 pixels with a 64x64 texture and a depth buffer. If you know the size
-/// when you write the program, [`include_texture!`](crate::include_texture) can also make rows.
+/// Reading a texel takes one instruction more than reading it from rows, `&[[C; W]; H]`. If a loop over pixels already
+/// needs all registers, it also loads up to two numbers from the stack. The table lists millions of instructions per
+/// frame for the benchmark's floor: 47,610 pixels with a 64x64 texture and a depth buffer. If you know the size when
+/// you write the program, [`include_texture!`](crate::include_texture) can also make rows.
 ///
 /// <!-- figures: textures of run-time size -->
 /// | | rows | `Texture` |
@@ -44,12 +44,12 @@ use crate::error::{check_length, ok};
 /// <!-- end -->
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Texture<'a, C> {
-    /// As many texels as the size needs, so at least one.
+    /// As many texels as the size needs, which is at least one.
     texels: &'a [C],
     /// The texel that takes the place of an empty slice; an empty slice cannot occur.
     first: &'a C,
     size_log2: [u8; 2],
-    /// Minus the width. The bits that are set are the bits that no column has.
+    /// Minus the width. In every column's number, the set bits of this number are 0.
     minus_width: i32,
 }
 
@@ -82,7 +82,7 @@ impl<'a, C: Copy> Texture<'a, C> {
         Ok(Self::of(texels, [width, height]))
     }
 
-    /// A texture of rows, the top one first. Rows of a wrong size do not compile.
+    /// A texture of rows, the top row first. Rows of a wrong size do not compile.
     #[must_use]
     pub const fn from_rows<const W: usize, const H: usize>(rows: &'a [[C; W]; H]) -> Self {
         Self::of(rows.as_flattened(), const { size_log2(W, H) })
@@ -125,16 +125,16 @@ impl<C: Copy> Sampler for Texture<'_, C> {
         [width.into(), height.into()]
     }
 
-    /// A loop over pixels has no registers to spare, so this needs only three numbers beside the coordinates: the
-    /// address of the texels, their number, and minus the width.
+    /// A loop over pixels has no registers to spare, so this function needs only three numbers beside the coordinates:
+    /// the address of the texels, their number, and minus the width.
     #[inline]
     fn texel(&self, u: i32, v: i32) -> C {
         let (all, one) = (self.texels, slice::from_ref(self.first));
-        // The compiler sees that there is at least one texel. This must not be a branch: in a build for size, the
+        // The compiler sees that there is at least one texel. The choice must not be a branch: in a build for size, the
         // compiler would leave the branch in the loop over pixels.
         let texels = select_unpredictable(all.is_empty(), one, all);
-        // −1 − (v · width + u modulo width). The number −width is used twice, because −1 − (u modulo width) is !u |
-        // −width.
+        // The complement is −1 − (v · width + u modulo width). The number −width is used twice, because −1 − (u modulo
+        // width) is !u | −width.
         let complement = v
             .wrapping_mul(self.minus_width)
             .wrapping_add(!u | self.minus_width);
@@ -176,7 +176,7 @@ mod tests {
         assert_eq!(new(1, max, max), Err(Error::Length { given, needed }));
     }
 
-    /// Compares every texel with the texel of the rows, even far beyond the edges.
+    /// Compares each texel of the texture with the same texel of the rows, even far beyond the edges.
     #[test]
     fn a_texture_repeats_like_its_rows() {
         fn compare<const W: usize, const H: usize>() {

@@ -12,10 +12,10 @@ use crate::{Error, Vec3};
 use surface::Surface;
 use writer::MeshWriter;
 
-/// A generated shape. [`shape!`](crate::shape) turns it into a mesh in flash, and [`build`](Self::build) into a mesh in
-/// the caller's memory.
+/// A generated shape. [`shape!`](crate::shape) turns a shape into a mesh in flash, and [`build`](Self::build) turns it
+/// into a mesh in the caller's memory.
 ///
-/// All shapes are centered on the origin. They have positions, unit normals, texture coordinates from 0 to 1, and
+/// All shapes are centered on the origin. Shapes have positions, unit normals, texture coordinates from 0 to 1, and
 /// edges, which form a wireframe without the diagonals of quads. Triangles are counter-clockwise as seen from outside.
 /// Positions repeat where the texture or the normal jumps. To resize a shape, scale it with a
 /// [`Transform`](crate::Transform).
@@ -47,8 +47,8 @@ const fn parts(of: &'static str, given: u32, min: u32) -> Result<(), Error> {
 
 impl Shape {
     /// The most parts in one direction. Indices have 16 bits. So a sphere of this many slices has 2 stacks, a plane of
-    /// this many columns or rows has at most 2 in the other direction, and a torus or a cylinder has at most one part
-    /// less.
+    /// this many columns or rows has at most 2 parts in the other direction, and a torus or a cylinder has at most this
+    /// many slices less one.
     pub const MAX_PARTS: u32 = 16_384;
 
     /// A box from −`corner` to `corner`; the texture fills each of its six sides.
@@ -71,13 +71,13 @@ impl Shape {
 
     /// A sphere of radius 1 with its poles on the y axis.
     ///
-    /// It has `slices` sides around the axis, which start at +z and continue toward +x, and `stacks` rows from the
-    /// upper pole to the lower. The texture wraps around the sphere once.
+    /// The sphere has `slices` sides around the axis, which start at +z and continue toward +x, and `stacks` rows from
+    /// the upper pole to the lower. The texture wraps around the sphere once.
     ///
     /// # Errors
     ///
-    /// [`Error::Parts`] below 3 slices or 2 stacks; [`Error::TooMany`] if the (`slices` + 1)(`stacks` + 1) positions
-    /// are more than 65,536.
+    /// [`Error::Parts`] if there are fewer than 3 slices or 2 stacks; [`Error::TooMany`] if the (`slices` + 1)(`stacks`
+    /// + 1) positions are more than 65,536.
     pub const fn sphere(slices: u32, stacks: u32) -> Result<Self, Error> {
         let checks = [parts("slices", slices, 3), parts("stacks", stacks, 2)];
         Self::of(Surface::Sphere, [slices, stacks], &checks)
@@ -85,13 +85,13 @@ impl Shape {
 
     /// A torus around the y axis: a tube of radius `tube` around a circle of radius 1.
     ///
-    /// It has `slices` sides around the axis and `sides` around the tube. The texture wraps once around the axis and
-    /// once around the tube, with its seam on the inside.
+    /// The torus has `slices` sides around the axis and `sides` around the tube. The texture wraps once around the axis
+    /// and once around the tube, with its seam on the inside.
     ///
     /// # Errors
     ///
-    /// [`Error::Parts`] below 3 slices or sides; [`Error::Extent`] unless 0 < `tube` < 1; [`Error::TooMany`] if the
-    /// (`slices` + 1)(`sides` + 1) positions are more than 65,536.
+    /// [`Error::Parts`] if there are fewer than 3 slices or sides; [`Error::Extent`] unless 0 < `tube` < 1;
+    /// [`Error::TooMany`] if the (`slices` + 1)(`sides` + 1) positions are more than 65,536.
     pub const fn torus(tube: Scalar, slices: u32, sides: u32) -> Result<Self, Error> {
         let max = Scalar::from_bits(Scalar::ONE.to_bits() - 1);
         let checks = [
@@ -107,8 +107,8 @@ impl Shape {
     ///
     /// # Errors
     ///
-    /// [`Error::Parts`] below 1 column or row; [`Error::TooMany`] if the (`columns` + 1)(`rows` + 1) positions are
-    /// more than 65,536.
+    /// [`Error::Parts`] if there is no column or no row; [`Error::TooMany`] if the (`columns` + 1)(`rows` + 1)
+    /// positions are more than 65,536.
     pub const fn plane(columns: u32, rows: u32) -> Result<Self, Error> {
         let checks = [parts("columns", columns, 1), parts("rows", rows, 1)];
         Self::of(Surface::Plane, [columns, rows], &checks)
@@ -120,7 +120,8 @@ impl Shape {
     ///
     /// # Errors
     ///
-    /// [`Error::Parts`] below 3 slices; [`Error::TooMany`] if the 4(`slices` + 1) positions are more than 65,536.
+    /// [`Error::Parts`] if there are fewer than 3 slices; [`Error::TooMany`] if the 4(`slices` + 1) positions are more
+    /// than 65,536.
     pub const fn cylinder(slices: u32) -> Result<Self, Error> {
         Self::of(
             Surface::Cylinder,
@@ -178,7 +179,8 @@ impl Shape {
         }
     }
 
-    /// Builds the mesh in the caller's memory. Lists with an empty slice are left out.
+    /// Builds the mesh in the caller's memory. The mesh lacks each optional list for which `buffers` has an empty
+    /// slice.
     ///
     /// # Errors
     ///
@@ -226,7 +228,7 @@ macro_rules! shape {
         );
         const COUNTS: $crate::mesh::Counts = SHAPE.counts();
         #[allow(long_running_const_eval)]
-        // A reference, because each use of a constant copies its value.
+        // The constant is a reference, because each use of a constant copies its value.
         const ROOM: &$crate::mesh::flash::Room<{ COUNTS.positions + COUNTS.faces + COUNTS.edges }> = &{
             let mut room = $crate::mesh::flash::Room::EMPTY;
             let _ = $crate::Mesh::checked(SHAPE.build(room.buffers()));

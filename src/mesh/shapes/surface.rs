@@ -15,7 +15,7 @@ const fn angle(part: u32, parts: u32, half: bool) -> Angle {
     Angle::from_bits(bits as u32)
 }
 
-/// Sine and cosine in units of 2⁻³⁰.
+/// The sine and the cosine, in units of 2⁻³⁰.
 const fn sin_cos(angle: Angle) -> (i64, i64) {
     (angle.sin().to_bits() as i64, angle.cos().to_bits() as i64)
 }
@@ -39,7 +39,7 @@ const fn across(part: u32, parts: u32) -> Scalar {
 /// The surface to which the grid of a shape is bent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Surface {
-    /// Not a grid: six sides between this corner and the opposite corner.
+    /// A box, which is not a grid: six sides between this corner and the opposite corner.
     Cuboid(Vec3),
     Sphere,
     /// A tube of this radius.
@@ -48,13 +48,13 @@ pub(super) enum Surface {
     Cylinder,
 }
 
-/// A row of vertices around the y axis. Returns its radius in units of 2⁻³⁰, its height in units of 2⁻⁶⁰, and the two
-/// components of its normals away from the axis and along the axis, in units of 2⁻³⁰.
+/// A row of vertices around the y axis. Returns the row's radius in units of 2⁻³⁰, its height in units of 2⁻⁶⁰, and the
+/// two components of its normals away from the axis and along the axis, in units of 2⁻³⁰.
 const fn ring(shape: Shape, row: u32) -> (i64, i64, i64, i64) {
     match shape.surface {
         Surface::Torus(tube) => {
             let tube = tube.to_bits() as i64;
-            // From the inside over the top to the outside.
+            // Rows begin on the inside of the tube, and continue over the top to the outside.
             let (up, inwards) = sin_cos(angle(row, shape.rows, false));
             let radius = ONE - ((tube * inwards) >> 16);
             (radius, (tube * up) << 14, -inwards, up)
@@ -75,8 +75,9 @@ pub(super) const fn write(writer: &mut MeshWriter<'_>, shape: Shape) {
         return;
     }
     let Shape { columns, rows, .. } = shape;
-    // Sine, cosine and u depend on the column alone. To compute them for every vertex would take half of the time, so
-    // they are computed once. Until the last row is written, its positions store them.
+    // The sine, the cosine and u of a vertex depend on the column alone. To compute these numbers for every vertex
+    // would take half of the time, so they are computed once. Until the last row is written, the positions of that row
+    // store these numbers.
     let last = rows * (columns + 1);
     let mut column = 0;
     while column <= columns {
@@ -153,7 +154,7 @@ const fn write_grid(writer: &mut MeshWriter<'_>, shape: Shape) {
                 writer.edge([a, c]);
             }
             if inside && row < rows {
-                // At a pole, a quad is a single triangle. Its corner at the pole lies between its two other corners.
+                // At a pole, a quad is a single triangle. The corner at the pole lies between the two other corners.
                 if poles && row + 1 == rows {
                     writer.triangle([a, c, b]);
                 } else {

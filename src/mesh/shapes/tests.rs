@@ -110,7 +110,8 @@ fn normals_are_unit_vectors_that_point_outwards() {
             for corner in 0..3 {
                 let indices = Indices::of_face(face, *indices);
                 let normal = float(mesh.normals.at(indices, corner).unwrap());
-                // Three components rounded by up to 2^-17 each: √3 · 2^-17.
+                // Each of the three components is rounded by up to 2^-17, so the length has an error of up to √3 ·
+                // 2^-17.
                 let length = dot(normal, normal).sqrt();
                 assert!((length - 1.0).abs() < 1.0 / 32768.0, "{name}: {length}");
                 assert!(
@@ -200,7 +201,7 @@ fn counts_are_exact() {
             edges: &mut edges,
             ..Buffers::new(&mut positions, &mut faces)
         };
-        // `build` refuses indices that were not written.
+        // If `build` left an index unwritten, its value u16::MAX would be an error.
         let mesh = shape.build(buffers).unwrap();
         assert_eq!(mesh.edge_indices().len(), counts.edges);
         assert!(!mesh.has_uvs() && !mesh.has_normals());

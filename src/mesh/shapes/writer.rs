@@ -4,10 +4,10 @@ use crate::error::ok;
 use crate::mesh::{Buffers, Counts, Index};
 use crate::{Error, TexCoord, Vec2, Vec3};
 
-/// One, in the bits of a `Fraction`.
+/// The number 1 with the 30 fraction bits of a `Fraction`.
 pub(super) const ONE: i64 = 1 << 30;
 
-/// Writes a mesh into buffers and knows where the next elements go.
+/// Writes a mesh into buffers, and keeps the place of the next element of each list.
 pub(super) struct MeshWriter<'a> {
     pub(super) buffers: Buffers<'a>,
     pub(super) counts: Counts,
@@ -20,7 +20,7 @@ pub(super) struct MeshWriter<'a> {
 /// The vector of `Scalar`s nearest to a vector with components in units of 2⁻⁶⁰.
 const fn rounded([x, y, z]: [i64; 3]) -> Vec3 {
     const HALF: i64 = 1 << 43;
-    // Magnitudes are at most 2, so the casts lose nothing.
+    // Components have magnitudes of at most 2, so the casts lose nothing.
     Vec3::from_bits([
         ((x + HALF) >> 44) as i32,
         ((y + HALF) >> 44) as i32,

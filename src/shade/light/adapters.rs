@@ -67,7 +67,7 @@ impl<L: Lamp> Lighting for Shiny<L> {
             0
         };
         Illumination {
-            // Saturating, so that a user's lamp cannot panic.
+            // The sum saturates, so that no value of a user's lamp causes a panic.
             diffuse: self
                 .lamp
                 .ambient()
@@ -77,9 +77,9 @@ impl<L: Lamp> Lighting for Shiny<L> {
     }
 }
 
-/// Raises a number from 0 to 1, in units of 2⁻³⁰, to a power. This takes up to 15 products. Each product is rounded by
-/// at most 2⁻³¹, and later products multiply this error by at most the exponent. So the error of the result is less
-/// than 2⁻¹⁹.
+/// Raises a number from 0 to 1, in units of 2⁻³⁰, to a power. Raising the number takes up to 15 products. Each product
+/// is rounded by at most 2⁻³¹, and later products multiply this error by at most the exponent. So the error of the
+/// result is less than 2⁻¹⁹.
 fn power(base: i32, exponent: u8) -> i32 {
     let times = |a: i32, b: i32| ((i64::from(a) * i64::from(b) + (1 << 29)) >> 30) as i32;
     let (mut result, mut square, mut rest) = (1 << 30, base.min(1 << 30), exponent);

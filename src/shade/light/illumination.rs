@@ -7,7 +7,7 @@ use crate::shade::{Channels, PixelFormat, Varyings};
 
 /// The light at a point of a surface, in units of 2⁻¹⁶ of full brightness.
 ///
-/// A light may have up to a thousand times full brightness. It may also be negative; it then takes light away from
+/// A light may have up to a thousand times full brightness. A light may also be negative: then it takes light away from
 /// other lights. A surface limits the sum of its lights to the range from 0 to full brightness.
 ///
 /// ```
@@ -52,7 +52,7 @@ impl<D: Amount, S: Amount> Illumination<D, S> {
         }
     }
 
-    /// Like [`plus`](Self::plus), for lights of one type.
+    /// Like [`plus`](Self::plus), but for two amounts of light of one type.
     #[inline]
     pub(super) fn join(self, other: Self) -> Self {
         Self {

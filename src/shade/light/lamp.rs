@@ -7,15 +7,15 @@ use super::{
 use crate::math::Direction;
 use crate::{Error, Scalar};
 
-/// A light from one place or direction: [`Light`](super::Light), [`PointLight`] or [`SpotLight`]. Such a light can make
+/// A light from one place or direction: [`Light`](super::Light), [`PointLight`] or [`SpotLight`]. A lamp can make
 /// highlights.
 pub trait Lamp: Lighting {
     /// The direction from a point toward the light, and the strength of the light at the point: 65,536 is full
     /// brightness. Where no light reaches the point, the strength is 0, and the direction may be [`Direction::NONE`].
     fn ray(&self, point: &SurfacePoint) -> (Direction, i32);
 
-    /// The light on a matte surface, in units of 2⁻¹⁶, by Lambert's law: the strength of the light at a point times the
-    /// cosine of the angle at which it meets the surface.
+    /// The light on a matte surface, in units of 2⁻¹⁶, by Lambert's law: the strength of the light at a point, times
+    /// the cosine of the angle between the normal and the direction toward the light.
     #[inline]
     fn diffuse(&self, point: &SurfacePoint) -> i32 {
         let (toward, light) = self.ray(point);
@@ -28,9 +28,9 @@ pub trait Lamp: Lighting {
         0
     }
 
-    /// Adds a white highlight (Blinn–Phong) as the `viewer` sees it. Its brightness is `strength` · (n·h)^`exponent`
-    /// times the strength of the light at the point, where n is the normal, and h is the direction halfway between
-    /// light and viewer.
+    /// Adds a white highlight (Blinn–Phong) as the `viewer` sees it. The highlight's brightness is `strength` ·
+    /// (n·h)^`exponent` times the strength of the light at the point, where n is the normal, and h is the direction
+    /// halfway between light and viewer.
     ///
     /// An exponent of 8 makes a wide highlight; an exponent of 100 makes a small one. Highlights are computed at the
     /// corners and interpolated, so a mesh must be fine enough to show them. Highlights take one of the eight

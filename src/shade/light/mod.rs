@@ -1,7 +1,7 @@
 //! Light that falls on a surface: where it comes from, how strong it is, and in which color.
 //!
-//! Lights are in world space. [`Light`] is sun and sky in one; [`PointLight`] and [`SpotLight`] are lamps. All are
-//! white unless you make them [`colored`](Lighting::colored). Arrays, slices and tuples of lights are lights, too.
+//! Lights are in world space. [`Light`] is sun and sky in one; [`PointLight`] and [`SpotLight`] are lamps. All lights
+//! are white unless you make them [`colored`](Lighting::colored). Arrays, slices and tuples of lights are lights, too.
 
 mod adapters;
 mod illumination;
@@ -56,7 +56,7 @@ const fn brightness(value: Scalar) -> Result<i32, Error> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SurfacePoint {
-    /// The normal of the surface.
+    /// The normal of the surface at this point.
     pub normal: Direction,
     /// The normal of the triangle; [`Direction::NONE`] on edges and points, and if no light
     /// [reads it](Lighting::READS_FACE).
@@ -66,7 +66,7 @@ pub struct SurfacePoint {
 }
 
 impl SurfacePoint {
-    /// The point as light `L` reads it. If `L` does not read the position, the position is not computed.
+    /// Makes the point that light `L` reads. If `L` does not read the position, the position is not computed.
     #[inline]
     pub(super) fn new<L: Lighting>(
         normal: Direction,
@@ -173,8 +173,8 @@ pub trait Lighting: Copy {
     /// are lit as if their normals pointed the other way.
     ///
     #[cfg_attr(doc, doc = page_picture!("two_sided", "Two sheets that turn their backs: dark without the adapter, bright with it"))]
-    /// A triangle turns its back to the viewer if its normal points to the side of its plane where the viewer is not.
-    /// Edges and points have no back.
+    /// A triangle turns its back to the viewer if its normal points to one side of its plane, and the viewer is on the
+    /// other side. Edges and points have no back.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -208,7 +208,7 @@ mod tests {
     use crate::{Angle, Mesh, fx, vec3};
     use embedded_graphics::pixelcolor::Gray8;
 
-    /// A light with the brightness x of the position, in units of 2⁻¹⁶.
+    /// A light that is as bright as the position's x coordinate, in units of 2⁻¹⁶.
     #[derive(Clone, Copy)]
     struct BrightAsX;
 
@@ -250,7 +250,7 @@ mod tests {
         let none: [Light; 0] = [];
         let diffuse = |light: Illumination| light.diffuse;
         let lamp = diffuse(linear.at(&point));
-        // Half of a half, within 8e-4.
+        // The brightness is half of a half, with an error of at most 8e-4.
         assert!(lamp.abs_diff(16_384) <= 52, "{lamp}");
         assert_eq!(diffuse((quarter, linear).at(&point)), 24_576 + lamp);
         assert_eq!(diffuse(three.at(&point)), 3 * 8_192 + 49_152);
@@ -277,7 +277,7 @@ mod tests {
                     face: away,
                     position: Vec3::from_bits([x, 0, 0]),
                 };
-                // Within 9.2e-4, the error of a lamp.
+                // The tolerance is less than 9.2e-4, the greatest error of a lamp.
                 let light = lamp.at(&point).diffuse;
                 assert!(light >= FULL - 54, "{light} at {x} of {range}");
             }

@@ -62,8 +62,8 @@ pub struct PointLight {
     range: i32,
     /// 2⁶¹ / (`range` · 2^`up`), from 2³⁰ to 2³¹; the divisor has 31 bits.
     inverse: u32,
-    /// 2⁷⁴ / (`range` · 2^`up`)², from 2¹² to 2¹⁴. It is raised by 2⁻¹⁴ of itself, because it multiplies a number of 13
-    /// bits or more that is rounded down.
+    /// 2⁷⁴ / (`range` · 2^`up`)², from 2¹² to 2¹⁴. The number is raised by 2⁻¹⁴ of itself, because its other factor, a
+    /// number of 13 bits or more, is rounded down.
     inverse_square: u16,
     /// The negative brightness in units of 2⁻¹⁵.
     short_brightness: i16,
@@ -139,7 +139,7 @@ impl Lamp for PointLight {
         let Some(of) = measure(way) else {
             return (Direction::NONE, 0);
         };
-        // The distance is below √3 · 2^31, and the reciprocal is at most 2^31.
+        // The product fits into 64 bits: the distance is below √3 · 2^31, and the reciprocal is at most 2^31.
         let part = (of.length(self.up.into()) * u64::from(self.inverse)) >> 45;
         let square = (part * part) >> 16;
         (
@@ -161,7 +161,7 @@ impl Lamp for PointLight {
         if shorter < 0 {
             return 0;
         }
-        // 15 bits and a sign. The greatest component is at least 2^14, unless the distance is 0.
+        // A mantissa has 15 bits and a sign. The greatest mantissa is at least 2^14, unless the distance is 0.
         let mantissa = |way: i32| way << up >> 16;
         let (x, y, z) = (mantissa(x), mantissa(y), mantissa(z));
         let [i, j, k] = point.normal.to_bits();
@@ -178,13 +178,13 @@ impl Lamp for PointLight {
         let rest = ((1 << 27) - (share >> shorter >> shorter).cast_signed()).max(0);
         let brightness = i32::from(self.short_brightness);
         let light = if self.falloff == Falloff::Smooth {
-            // In units of 2^-15. As an `i16`, 1 wraps to −1, which has the same square.
+            // `rest` is now in units of 2^-15. As an `i16`, 1 wraps to −1, which has the same square.
             let rest = i32::from((rest >> 12) as i16);
             ((rest * brightness) >> 16) * rest
         } else {
             cold();
             let left = if self.falloff == Falloff::Linear {
-                // `distance` is 2√`square` and has 17 bits; the reciprocal has 15 bits.
+                // `distance` is 2√`square` and has 17 bits; the upper half of `inverse` has 15 bits.
                 let distance = ((square >> 14) * (root >> 16).cast_unsigned()) >> 14;
                 let part = (distance * (self.inverse >> 16)) >> 15 >> shorter;
                 (MOST - part.cast_signed()).max(0)
@@ -199,7 +199,7 @@ impl Lamp for PointLight {
     }
 }
 
-/// 1 in units of 2⁻¹⁵, less one unit.
+/// The number 1 in units of 2⁻¹⁵, less one unit.
 const MOST: i32 = (1 << 15) - 1;
 
 /// The product of numbers from 0 to 1 in units of 2⁻¹⁶.

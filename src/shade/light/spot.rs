@@ -10,9 +10,9 @@ use crate::{Angle, Error, Scalar, Vec3};
 ///
 #[cfg_attr(doc, doc = page_picture!("spot_light", "A floor and a ball in a cone of light"))]
 /// Let θ be the angle between the cone's axis and the direction from the lamp to a surface. If θ is at most the inner
-/// angle, a surface gets as much light as from the point light; if θ is at least the outer angle, it gets no light.
-/// Between these angles, the light falls smoothly: the point light is multiplied by t²(3 − 2t), where t = (cos θ − cos
-/// outer) / (cos inner − cos outer).
+/// angle, a surface gets as much light as from the point light; if θ is at least the outer angle, the surface gets no
+/// light. Between these angles, the light falls smoothly: the point light is multiplied by t²(3 − 2t), where t = (cos θ
+/// − cos outer) / (cos inner − cos outer).
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
@@ -47,9 +47,9 @@ pub struct SpotLight {
     axis: Direction,
     /// The cosine of the outer angle, in units of 2⁻³⁰.
     outer: i32,
-    /// The difference of the cosines, in units of 2⁻³⁰: 1 to 2³⁰.
+    /// The cosine of the inner angle minus the cosine of the outer angle, in units of 2⁻³⁰: 1 to 2³⁰.
     edge: i32,
-    /// Converts the difference of a cosine and `outer` to a share of `edge`, with 16 fraction bits.
+    /// Converts a cosine minus `outer` to a share of `edge`, with 16 fraction bits.
     ramp: Ramp,
 }
 
@@ -74,7 +74,7 @@ impl SpotLight {
             return Err(Error::Cone { inner, outer });
         }
         let [most, least] = [inner, outer].map(|angle| angle.cos().to_bits());
-        // Angles that differ by little may have the same cosine.
+        // If the angles differ by little, their cosines may be equal, but `edge` must not be 0.
         let edge = (most - least).max(1);
         Ok(Self {
             lamp,

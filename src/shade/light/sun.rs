@@ -61,7 +61,8 @@ impl Light {
         let diffuse = ok!(brightness(diffuse));
         let toward = ok!(Direction::checked(direction));
         let [x, y, z] = toward.to_bits();
-        // The vector becomes no longer than the unit vector, because `diffuse` is at most 1.
+        // The components fit into 32 bits, because `diffuse` is at most 1, so the product is no longer than a unit
+        // vector.
         let direction = [
             ((x as i64 * diffuse as i64) >> 16) as i32,
             ((y as i64 * diffuse as i64) >> 16) as i32,
@@ -161,7 +162,7 @@ mod tests {
                 "{found}"
             );
         };
-        // The plane x + y = 0 stretched fourfold along x becomes x + 4y = 0.
+        // If the plane x + y = 0 is stretched fourfold along x, it becomes x + 4y = 0.
         let wide = scale([1 << 29, 1 << 27, 1 << 27]);
         close(on(wide, vec3!(1, 1, 0)), 4.0 / 17_f64.sqrt());
         // In a mirrored model, a surface that faced up faces down.

@@ -16,7 +16,7 @@ impl<L: Lighting, const N: usize> Lighting for [L; N] {
     }
 }
 
-/// All lights of a slice. Its length may change while the program runs.
+/// All lights of a slice. The number of lights may change while the program runs.
 impl<L: Lighting> Lighting for &[L] {
     type Diffuse = L::Diffuse;
     type Specular = L::Specular;

@@ -8,7 +8,7 @@ use crate::view::AsMvp;
 use crate::{Error, Vec3};
 
 /// The place from which a picture is seen, in world space: a point under a perspective projection, a direction under a
-/// parallel one.
+/// parallel projection.
 ///
 /// Highlights and two-sided light depend on the viewer.
 ///
@@ -76,7 +76,7 @@ impl Viewer {
         match self.0 {
             Position::Toward(direction) => face.dot(direction).to_bits() < 0,
             Position::At(eye) => {
-                // The 33 bits of a component lose their lowest two.
+                // Each component has 33 bits, and loses the lowest two.
                 let [x, y, z] = position.way_to(eye);
                 dot(
                     &face.to_bits(),
