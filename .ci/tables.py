@@ -194,13 +194,6 @@ def names(instructions, other):
             parts.append(text(202 + count * 1.6, y + 4, tenths(count), "start"))
         return drawing(660, 20 * len(kinds) + 12, "Instructions for a pixel of each kind of texture", parts)
 
-    def kib(what):
-        return whole(math.ceil(other[what] / 1024))
-
-    def a_second(core_mhz, target, scene, layout):
-        """Frames, if each instruction takes 1.5 cycles."""
-        return whole(core_mhz * 1e6 / (1.5 * instructions[target, "3", "newton", scene, layout]))
-
     def rate(what):
         """Frames a second of a Pico."""
         return f"{125e6 / other[what]:.0f}"

@@ -5,7 +5,7 @@ use fixel::Drawn;
 use fixel::prelude::*;
 
 use super::common::scenes::{self, HEIGHT, POSES, WIDTH};
-use super::{memory, painter};
+use super::painter;
 
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 
@@ -57,9 +57,6 @@ pub fn main() -> Result<(), Error> {
         let is_chosen = |scene: &str| name.as_deref().is_none_or(|name| name == scene);
         let mut scenes = painter::SCENES.into_iter().filter(|scene| is_chosen(scene));
         return scenes.try_for_each(|scene| painter::run(scene, way.as_deref()));
-    }
-    if scene == "memory" {
-        return memory::print();
     }
     println!("On a microcontroller, kernels measures: add --target thumbv7em-none-eabi.");
     println!("On the host, it draws the poses of a scene: floor, cube, sphere or sphere-flat.");

@@ -22,8 +22,7 @@
 //!
 //! On the host, `kernels SCENE` draws the poses of a scene, so that `.ci/host` can count instructions. `kernels
 //! painter` compares the painter's order with a depth buffer. `kernels painter SCENE depth` and `kernels painter SCENE
-//! sorted` only draw, with a depth buffer or in the painter's order. `kernels memory` prints the flash of scenes and
-//! the RAM of their prepared lists.
+//! sorted` only draw, with a depth buffer or in the painter's order.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -39,8 +38,6 @@ mod frames;
 mod host;
 #[cfg(target_os = "none")]
 mod lights;
-#[cfg(not(target_os = "none"))]
-mod memory;
 #[cfg(target_os = "none")]
 mod mono;
 #[cfg(not(target_os = "none"))]
