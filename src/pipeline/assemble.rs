@@ -1,5 +1,5 @@
-//! Primitive assembly: from a mesh's indices to triangles and lines on the screen. They are passed on whole, clipped,
-//! or rejected.
+//! Primitive assembly: from a mesh's indices to triangles and lines on the screen. Each triangle or line is passed on
+//! whole, clipped, or rejected.
 
 use super::cache::VertexCache;
 use super::call::Call;

@@ -183,8 +183,8 @@ where
         let call = Call::new(to, of.mesh, mvp);
         let shift = call.projector.depth_shift();
         style.paint::<V::Kind>(paint, shift, |line, blitter| {
-            // Called directly, not through a `DrawLine`, because this makes a program smaller that draws only
-            // hairlines.
+            // The line is drawn by a direct call, not through a `DrawLine`. So a program that draws only hairlines is
+            // smaller.
             if of.outline.is_none() && style.is_hairline() {
                 draw(&call, of, (raster::line, 0), blitter)
             } else {

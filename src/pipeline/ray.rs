@@ -15,7 +15,7 @@ use crate::{Error, Fraction, Scalar, Vec3};
 
 /// A half-line: the points that are seen at a pixel, or the path of a shot.
 ///
-/// [`Canvas::ray`] makes the ray of a pixel, and [`hit`](Self::hit) finds the face of a mesh that it meets first.
+/// [`Canvas::ray`] makes the ray of a pixel, and [`hit`](Self::hit) finds the face of a mesh that the ray meets first.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -89,8 +89,8 @@ impl Ray {
 
     /// The face of a mesh that the ray meets first, and the point there; `None` if the ray meets no face.
     ///
-    /// The test whether the ray meets a face is exact, and a ray through an edge between two faces meets one of them.
-    /// Faces whose distances differ by less than 2⁻²⁹ of their extent count as equally far away; the last of them is
+    /// The test whether the ray meets a face is exact, so a ray never slips through an edge between two faces. Faces
+    /// whose distances differ by less than 2⁻²⁹ of their extent count as equally far away; the last of them is
     /// returned, because it is drawn over the others.
     #[must_use]
     pub fn hit(&self, mesh: &Mesh<'_>) -> Option<Hit> {
@@ -134,8 +134,8 @@ impl Ray {
     }
 }
 
-/// Space as seen along a ray: the axis along which the ray is longest points ahead, and the other two are sheared so
-/// that they are 0 on the ray.
+/// Space as seen along a ray: the axis along which the ray is longest points ahead, and the coordinates along the other
+/// two axes are sheared so that they are 0 on the ray.
 struct RayView {
     /// The longest axis.
     main: Axis,
@@ -261,7 +261,7 @@ fn in_model(
 ) -> Option<(Vec3, [i32; 3])> {
     let [x, ..] = view.linear;
     let NormalMatrix([first, second, third]) = view.normal_matrix();
-    // Not negative, because the normal matrix is multiplied by the sign of the determinant.
+    // This determinant is not negative, because the normal matrix is multiplied by the determinant's sign.
     let determinant = dot(&x, &first);
     if determinant <= 0 {
         return None;
@@ -294,9 +294,9 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// The result is `None` if the pixel is outside the viewport, if the model's transform has no inverse, or if the
     /// ray's origin is not within ±32,768 in model space.
     ///
-    /// The face that it [hits](Ray::hit) is the face drawn at the pixel, unless two faces have the same depth there, or
-    /// the pixel's center is very close to the face's edge. Very close means within 1/200 of a pixel plus twice the
-    /// on-screen size of the model's smallest unit, 2⁻¹⁶. A ray also meets faces beyond the far plane.
+    /// The face that the ray [hits](Ray::hit) is the face drawn at the pixel, unless two faces have the same depth
+    /// there, or the pixel's center is very close to the face's edge. Very close means within 1/200 of a pixel plus
+    /// twice the on-screen size of the model's smallest unit, 2⁻¹⁶. A ray also meets faces beyond the far plane.
     ///
     /// ```
     /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};

@@ -73,8 +73,8 @@ fn scaled(row: &Row, unit: &BlockFloat, size: i32) -> AffineRow {
 /// The greatest number of fraction bits of a coefficient.
 const MOST_EXP: i32 = 40;
 
-/// Writes the row of clip space `line`, after `view`, with as many fraction bits as fit. Returns the number of fraction
-/// bits of the clip coordinate.
+/// Writes `line`, a row of the transform to clip space, applied after `view`, with as many fraction bits as fit.
+/// Returns the number of fraction bits of the clip coordinate.
 #[inline(never)]
 fn finest_row(line: &AffineRow, view: &Transform, row: &mut [i32; 3], offset: &mut i64) -> u8 {
     let mut linear = [BlockFloat::ZERO; 3];
@@ -163,10 +163,10 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
                 *fraction = finest_row(line, view, row, offset);
             }
         }
-        // At the near plane, t is 1 + 2^-16, or 1 − 2^-16 under a parallel projection: see above. The plane is nearer
-        // by 2^-27 of its distance or, under a parallel projection, by 2^-19 of the distance between the planes,
-        // because rounding must not move a point that lies exactly in the plane to the outside. (Terms of t have an
-        // error of 2^-29 of the greatest term. Under a parallel projection, this term may be a few hundred.)
+        // At the near plane, t is 1 + 2^-16, or 1 − 2^-16 under a parallel projection: see above. The near plane is
+        // taken to be nearer by 2^-27 of its distance or, under a parallel projection, by 2^-19 of the distance between
+        // the planes, because rounding must not move a point that lies exactly in the plane to the outside. (Terms of t
+        // have an error of 2^-29 of the greatest term. Under a parallel projection, this term may be a few hundred.)
         let fraction = i32::from(fractions[0]);
         let ends = if K::PERSPECTIVE {
             let least = (1 << 27) + (1 << 11) - 1;
@@ -195,8 +195,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         Projector { positions, ..*self }
     }
 
-    /// The clip position of a position of model space. For an index that no checked list contains, it is the clip
-    /// position of the origin.
+    /// The clip position of a position of model space. For an index beyond the positions, which no checked list
+    /// contains, the result is the clip position of the origin.
     #[inline]
     pub(super) fn clip_position(&self, index: Index) -> ClipPosition {
         let stored = self.positions.stored(index);
@@ -224,9 +224,10 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         }
     }
 
-    /// The bound of a coordinate at a plane. An even plane bounds the coordinate from below, and the bound is negated.
-    /// An odd plane bounds the coordinate from above. Planes 0 and 1 bound t (near and far, or far and near), planes 2
-    /// and 3 bound x (left and right), and planes 4 and 5 bound y (top and bottom).
+    /// The bound of a coordinate at a plane. A plane with an even number bounds the coordinate from below, and the
+    /// bound is negated. A plane with an odd number bounds the coordinate from above. Planes 0 and 1 bound t (near and
+    /// far or, under a parallel projection, far and near), planes 2 and 3 bound x (left and right), and planes 4 and 5
+    /// bound y (top and bottom).
     #[inline]
     fn bound(&self, t: i64, plane: u32) -> i64 {
         let end = self.ends.get(plane as usize).copied();
@@ -448,7 +449,7 @@ mod tests {
     use crate::{Angle, Mesh, Vec3, fx};
     use rand::Rng;
 
-    /// Mantissas are rounded once, to the nearest.
+    /// A mantissa of a scaled row is rounded once, to nearest.
     #[test]
     fn scaled_rows_are_nearest() {
         cases(2000, |random| {
@@ -468,7 +469,7 @@ mod tests {
         });
     }
 
-    /// The limits, from both sides.
+    /// Tests positions just inside and just outside of each plane.
     #[test]
     fn outcodes_change_at_each_plane() {
         let fov = Angle::from_degrees(60);

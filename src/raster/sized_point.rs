@@ -11,9 +11,9 @@ use crate::{Error, Scalar};
 ///
 /// A pixel belongs to a point if its center lies within the square or disc around the point's position on the screen.
 /// The position is exact to 1/256 pixel. A square includes its lower and its right border. So a square with a size of n
-/// pixels always covers n times n pixels, and a square of size 1 is [one pixel](Self::PIXEL). Squares whose positions
-/// are one size apart adjoin without overlaps. A disc includes its border, and the pixel that contains the point, even
-/// if that pixel's center lies outside.
+/// pixels always covers n times n pixels, and a square of size 1 is [one pixel](Self::PIXEL). If the positions of
+/// squares are one size apart, the squares adjoin without overlaps. A disc includes its border, and the pixel that
+/// contains the point, even if that pixel's center lies outside.
 ///
 /// Points are drawn with a size of at least 1 and at most 255 pixels. All pixels of a square or disc have the depth and
 /// the attributes of its position.

@@ -38,8 +38,8 @@ pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], 
         }
         return;
     }
-    // Equal runs side by side are drawn as a block, which starts at `first`. Runs are compared before they are cut,
-    // because a band must have the spans of the frame: each span has its own rounding.
+    // Equal runs side by side are drawn as a block, which starts at `first`. Runs are compared before they are cut at
+    // the scissor. So a band has the same spans as the whole frame, and each span has the same rounding.
     let mut first = steps.start;
     let mut rows = next();
     for column in steps.clone() {

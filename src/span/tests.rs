@@ -154,7 +154,8 @@ fn divided_spans_are_exact_quotients() {
     }
 }
 
-/// The same error for interpolants that are computed anew for each pixel. The span's own interpolants are not used.
+/// The error is the same for interpolants that are computed anew for each pixel. The span's own interpolants are not
+/// used.
 #[test]
 fn spans_divided_anew_are_exact_quotients() {
     for (count, span, _) in spans() {
@@ -176,8 +177,8 @@ fn spans_divided_anew_are_exact_quotients() {
     }
 }
 
-/// An attribute is below 2^27. A reciprocal has a relative error of 2^-26 plus 12 δ⁴, because the guess at the second
-/// pixel has an error of 3 δ². The attribute is rounded down.
+/// An attribute is below 2^27. A guess has a relative error of up to 2.1 δ², so a reciprocal has a relative error of
+/// less than 12 δ⁴, plus 2^-26 from rounding. The attribute is rounded down.
 #[test]
 fn newton_spans_are_quotients_to_a_few_units() {
     for (count, span, delta) in spans() {
