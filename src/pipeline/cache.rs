@@ -68,7 +68,8 @@ impl VertexCache {
         cache
     }
 
-    /// Forgets all vertices. Their indices must be below `count`, and each index must be the number of its own slot.
+    /// Forgets all vertices. The indices of these vertices must be below `count`, and each index must be the number of
+    /// its own slot.
     #[inline]
     pub(super) fn forget(&mut self, count: usize) {
         for entry in self.entries.iter_mut().take(count) {
@@ -175,7 +176,7 @@ mod tests {
         for corners in faces {
             let of = corners.map(|index| slots.of(index));
             let is_shared = of[0] == of[1] || of[1] == of[2] || of[2] == of[0];
-            // As in `corners`, then in `copies`.
+            // `corners` looks up the three vertices. If a slot is shared, `copies` looks them up again.
             for _ in 0..=usize::from(is_shared) {
                 for (&index, slot) in corners.iter().zip(of) {
                     projected += usize::from(entries[slot].replace(index) != Some(index));

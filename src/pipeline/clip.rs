@@ -120,8 +120,8 @@ fn cut<K: ProjectionKind>(
     for (at, to) in corner.position.iter_mut().zip(&outside.position) {
         // Both coordinates are below 2^62.
         let difference = to.wrapping_sub(*at);
-        // The product of 64 bits and the fraction, from the halves of `difference`: below 2^63, because the fraction
-        // is below 2^31.
+        // Multiplies `difference` by the fraction, one half of `difference` after the other. The product is below 2^63,
+        // because the fraction is below 2^31 (which stands for 1).
         let (high, low) = ((difference >> 32) as i32, difference.cast_unsigned() as u32);
         let low = u64::from(low) * u64::from(fraction.cast_unsigned());
         *at += (product(high, fraction) << 1) + (low >> 31).cast_signed();

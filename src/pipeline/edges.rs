@@ -205,7 +205,7 @@ fn draw<K: ProjectionKind>(
     let mut draw = Draw::new(blitter, &call.shared, edges.count());
     edges.assemble(call, |indices, ends, is_clipped, beside| {
         let [a, b] = ends;
-        // Most edges miss a band. For these edges, no shader is called.
+        // Most edges have no pixel in a band. For such edges, no shader is called.
         if draw.meets([a.vertex.screen[1], b.vertex.screen[1]], reach) {
             draw.line((indices, beside), is_clipped, |raster| line(raster, ends));
         }

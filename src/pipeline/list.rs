@@ -155,9 +155,9 @@ pub(super) struct Entry {
 /// The numbers of an element's corners in the list of vertices, counted from 1.
 #[derive(Clone, Copy, Debug)]
 enum Corners {
-    /// A triangle that is inside all planes: its vertices.
+    /// The vertices of a triangle that is inside all planes.
     Whole([u16; 3]),
-    /// An edge that is inside all planes: its vertices, and how steep the faces beside it are, as in
+    /// The vertices of an edge that is inside all planes, and how steep the faces beside the edge are, as in
     /// [`Primitive::area`](crate::mesh::Primitive).
     Edge { ends: [u16; 2], beside: u16 },
     /// A clipped triangle or edge: `count` corners, starting with vertex `first`. Each corner takes two vertices; the
@@ -410,8 +410,8 @@ pub struct Filling<'l> {
     needed: [usize; 2],
     /// The rows in which the present thing may have pixels.
     rows: [i16; 2],
-    /// Recently added positions of the present thing, each with its vertex's number in the list, counted from 1; 0
-    /// means none.
+    /// For recently added vertices of the present thing: the index of the mesh's position, and the vertex's number in
+    /// the list, counted from 1. The number 0 means that there is no vertex.
     numbers: [(Index, u16); cache::SIZE],
     numbered: cache::Slots,
 }

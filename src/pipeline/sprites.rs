@@ -86,7 +86,7 @@ impl Shape {
         } else {
             [width, height]
         };
-        // From the anchor to the left, right, bottom and top, in units of 2^-20 of the width or height.
+        // How far the left, right, bottom and top side are from the anchor, in units of 2^-20 of the width or height.
         let [u, v] = [sprites.anchor.x, sprites.anchor.y].map(|at| i64::from(at.to_bits()));
         let sides = [
             (right, width, -u),

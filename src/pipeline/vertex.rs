@@ -102,7 +102,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         viewport: &Viewport,
     ) -> Self {
         let [near, far] = [projection.near, projection.far].map(Scalar::to_bits);
-        // The row of t, and the factor of x and y in addition to the viewport's size.
+        // The row that gives t, and the factor by which x and y are multiplied in addition to the viewport's size.
         let (depth, unit) = if K::PERSPECTIVE {
             // t = w / near · (1 + 2^-16), slightly above 1 at the near plane: the greatest 1/t is 1 − 2^-16, which
             // leaves room for rounding below a depth of 65536.
@@ -363,8 +363,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             ([on_screen(x, of_x), on_screen(y, of_y)], q, 0)
         };
         let [cx, cy] = self.center;
-        // A position that is inside only by the tolerance may lie slightly beyond the guard band.
-        // (Not by `map`, which stays a loop in a build for size.)
+        // A position that is inside only by the tolerance may lie slightly beyond the guard band. (Written without
+        // `map`, because `map` stays a loop in a build for size.)
         let clamped = |x: i32| x.clamp(-(1 << GUARD_BITS), (1 << GUARD_BITS) - 1);
         let [x, y] = screen;
         *to = ScreenVertex {
@@ -381,9 +381,9 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     #[inline(never)]
     pub(super) fn misses(&self, bounds: &Bounds, scissor: &Scissor) -> bool {
         let (least, most) = (bounds.least.to_bits(), bounds.most.to_bits());
-        // A plane's coefficients are rounded down twice, by up to half a unit each time, and multiplied by a corner.
-        // The plane's offset is rounded by up to one unit before it is multiplied by at most 2^19. Coefficients and
-        // offset are halved.
+        // A plane's coefficients are rounded down twice, by up to half a unit each time, and multiplied by a corner's
+        // coordinate. The plane's offset is rounded by up to one unit before it is multiplied by at most 2^19.
+        // `is_outside` halves coefficients and offset.
         let mut error: i64 = 1 << 19;
         for (least, most) in least.iter().zip(&most) {
             error += i64::from(least.unsigned_abs().max(most.unsigned_abs()));

@@ -11,7 +11,7 @@ use crate::num::wide::{DIVIDES, divide};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     column: i32,
-    /// From -`height` to -1. When a step makes it 0 or more, the edge has reached the next column.
+    /// The range is -`height` to -1. When a step makes `part` 0 or more, the edge has reached the next column.
     part: i32,
     /// The rational number grows by `step` + `rest` / `height` for each row.
     step: i32,
@@ -29,7 +29,7 @@ pub(crate) const fn first_center(position: i32) -> i32 {
 }
 
 impl Edge {
-    /// The edge from `from` down to `to`, at `row`.
+    /// The edge from [x, y] down to `to`, ready for `row`.
     ///
     /// The ends differ by at most 4096 pixels in each direction, and the edge crosses the center of `row`, so
     /// everything fits in 32 bits. For an edge that crosses no center, the result is meaningless.
@@ -87,7 +87,8 @@ impl Edge {
         self.column += self.step;
         self.part += self.rest;
         if self.part >= 0 {
-            // Keeps the compiler from computing both cases, because a small core has too few registers for both.
+            // This line keeps the compiler from computing both cases, because a small core has too few registers for
+            // both.
             black_box(());
             self.part -= self.height;
             self.column += 1;
@@ -131,8 +132,8 @@ impl ShortEdge {
         DIVIDES && width | height < SHORT
     }
 
-    /// The edge from `from` down to `to`, at `row`. The edge must cross the center of `row`. `None` if the edge is
-    /// level.
+    /// The edge from [x, y] down to `to`, ready for `row`. The edge must cross the center of `row`. `None` if the edge
+    /// is level.
     #[inline]
     pub(super) fn new([x, y]: [i32; 2], to: [i32; 2], row: i32) -> Option<Self> {
         let (dx, dy) = (to[0] - x, to[1] - y);
@@ -168,7 +169,7 @@ mod tests {
     use crate::random::{cases, within};
     use rand::Rng;
 
-    /// The height of an edge, and the height times its crossing of a row.
+    /// The height of an edge, and the x at which the edge crosses the centers of a row, times the height.
     fn crossing(from: [i32; 2], to: [i32; 2], row: i32) -> (i64, i64) {
         let [[x0, y0], [x1, y1]] = [from, to].map(|end| end.map(i64::from));
         let height = y1 - y0;

@@ -175,7 +175,7 @@ fn edge(rows: &mut [Columns], side: usize, ends: [&ScreenVertex; 2], row: i32, i
     }
     let [top, bottom] = ends;
     if let Some(mut edge) = ShortEdge::new(top.screen, bottom.screen, row) {
-        // An empty statement keeps the compiler from unrolling the loops, because most edges pass few rows.
+        // Most edges pass few rows, so an empty statement keeps the compiler from unrolling the loops.
         for columns in rows {
             black_box(());
             columns[side & 1] = edge.next();

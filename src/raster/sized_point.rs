@@ -114,7 +114,7 @@ impl PointStyle {
 /// fits into 31 bits.
 const HALF: [i64; 2] = [128, 255 * 128];
 
-/// The first pixel whose center is beyond a coordinate in units of 1/256 pixel.
+/// The first column (or row) with a center beyond a coordinate in units of 1/256 pixel.
 const fn beyond(at: i32) -> i32 {
     (at + 128) >> 8
 }
@@ -171,7 +171,7 @@ mod tests {
     use super::super::picture::{Picture, vertex};
     use super::*;
 
-    /// Draws a point of a size in quarters of a pixel.
+    /// Draws a point. The place and the size of the point are in quarters of a pixel.
     fn draw(picture: &mut Picture, place: [i32; 2], size: i64, is_round: bool) {
         let scissor = picture.scissor();
         let at = vertex(place.map(|at| at * 64));

@@ -92,8 +92,8 @@ impl Coverage {
     }
 }
 
-/// Draws an anti-aliased line: all pixels that it may cover, once each. The blitter's shading reads from `coverage` how
-/// much of each pixel is covered.
+/// Draws an anti-aliased line: each pixel that the line may cover, once. The blitter's shading reads from `coverage`
+/// how much of each pixel is covered.
 pub(crate) fn smooth_line(
     raster: &mut Rasterizer<'_>,
     [mut a, mut b]: [&ClippedVertex; 2],
@@ -174,8 +174,8 @@ impl Strip {
         } else {
             let slope = length(bx - ax).over(length(by - ay)).at(16);
             // √(1 + s²) is at most 1 + (√2 - 1) s for s up to 1, and √2 - 1 is below 27/64; the same holds with 1 and s
-            // exchanged. The slope is at most 2^20. It has a relative error of 1.3 · 2^-30 within 66 rows, or an error
-            // of 2^-17 within 4096 rows. A quarter of a pixel is more than both of these errors.
+            // exchanged. The slope is at most 2^20. The slope has a relative error of 1.3 · 2^-30 within 66 rows, or an
+            // error of 2^-17 within 4096 rows. A quarter of a pixel is more than both of these errors.
             let (one, size) = (1 << 16, slope.abs());
             let across = size.max(one) + ((size.min(one) * 27) >> 6);
             (slope, ((i64::from(reach) * across) >> 8) + (1 << 14))

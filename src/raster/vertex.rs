@@ -61,7 +61,7 @@ impl ScreenVertex {
 }
 
 /// A point of a triangle: the barycentric weights of the second and the third corner, in units of 2⁻³⁰. The weight of
-/// the first corner is the rest of 1.
+/// the first corner is 1 minus these two weights.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Barycentric(pub(crate) [i32; 2]);
 

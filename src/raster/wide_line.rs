@@ -18,8 +18,8 @@ pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], 
     else {
         return;
     };
-    // Two hairlines beside this line, stepped as in `line`: a run begins after the pixel of the hairline `before`, and
-    // ends with the pixel of the hairline `last`.
+    // `before` and `last` are hairlines beside this line, stepped as in `line`. A run begins after the pixel of
+    // `before`, and ends with the pixel of `last`.
     let beside = |by: i32| {
         Edge::new(
             [128 - minor - by, start],

@@ -68,7 +68,8 @@ where
         }
     }
 
-    /// The pixels of a row, from `column` on. [`Pixels`] starts one pixel before that column.
+    /// The pixels of a row, from `column` on. [`Pixels`] starts one pixel before that column, because it moves on
+    /// before it draws.
     #[inline(always)]
     fn pixels(&self, row: i32, column: i32) -> Pixels<S, T> {
         Pixels {

@@ -55,7 +55,7 @@ impl SmallPlane {
 }
 
 impl Gradient {
-    /// Nothing to interpolate.
+    /// An interpolant before the first triangle: 0 everywhere.
     pub(crate) const NONE: Self = Self {
         step: 0,
         row: 0,
@@ -290,7 +290,7 @@ impl Basis {
     pub(crate) fn lay_wide(&self, values: [i32; 3], gradient: &mut Gradient) {
         let [dx, dy] = self.gains(values);
         let [x, y] = self.to_center;
-        // First, the change from the corner to the center of the pixel that contains the corner.
+        // `moved` is the change from the corner to the center of the pixel that contains the corner.
         let [part_x, part_y] = [x, y].map(|way| i64::from(((way + 127) & 255) - 127));
         let moved = self.wide.quotient(dx * part_x + dy * part_y);
         // The gains times 256 take 60 bits.
@@ -315,8 +315,8 @@ impl Wide {
     /// `numerator` / area in units of 2^-30, rounded down, modulo 2⁶⁴.
     #[inline(never)]
     fn quotient(self, numerator: i64) -> i64 {
-        // This is numerator · inverse · 2^(shift - 32). The product takes 91 bits, so it is computed from the halves of
-        // the numerator.
+        // The result is numerator · inverse · 2^(shift - 32). The product takes 91 bits, so it is computed from the
+        // halves of the numerator.
         let inverse = self.inverse.cast_unsigned();
         let (high, low) = ((numerator >> 32) as i32, numerator.cast_unsigned() as u32);
         let lower = unsigned_product(low, inverse);
@@ -332,7 +332,7 @@ impl Wide {
 }
 
 impl WidePlane {
-    /// Nothing to interpolate.
+    /// A plane before the first triangle: 0 everywhere.
     const NONE: Self = Self {
         start: 0,
         dx: 0,

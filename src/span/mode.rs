@@ -48,7 +48,7 @@ pub trait Mode: Policy {}
 #[diagnostic::do_not_recommend]
 impl<M: Policy> Mode for M {}
 
-/// [`Newton`] steps, and pieces chosen for a single span, require δ ≤ 2^-6. (For the letters, see
+/// [`Newton`] steps, and pieces chosen for a single span, require δ ≤ 2^-6. (For the meaning of the letters, see
 /// [`plan`](super::plan).)
 const STEEPEST: u32 = 6;
 
@@ -56,7 +56,7 @@ const STEEPEST: u32 = 6;
 /// nearest corner has a q from 2^30 to 2^31. In the scale of the nearest corner, interpolants are rounded to half a
 /// unit, and the steps of a span add an error of up to 32 units. In all, an attribute has an error of up to 56½ units.
 /// A coordinate of up to 256 texels has a [`Scale`](super::scale::Scale) of 26 bits, so a unit at the nearest corner is
-/// at most 2^-4 of 2^-16 texel. A unit grows with the distance: at 16 times the distance, the error is at most 56½ ·
+/// at most 2^-4 · 2^-16 texel. A unit grows with the distance: at 16 times the distance, the error is at most 56½ ·
 /// 2^-16 texel. (0.001 texel is 65½ · 2^-16 texel.)
 const DEEP: u32 = 1 << 27;
 
@@ -293,8 +293,8 @@ pub struct Fast {
 const MOST_BITS: u32 = 28;
 
 impl Fast {
-    /// A tolerance of 1/32 texel: the counterpart of [`Newton`] with 16-bit products, for cores without longer
-    /// products. For a texture of 256 texels, the total error is up to 1/16 texel.
+    /// A tolerance of 1/32 texel, for cores without 64-bit products, where a larger error would show. For a texture of
+    /// 256 texels, the total error is up to 1/16 texel.
     pub const NARROW: Self = Self::within(crate::fx!(0.031_25));
 
     /// Pieces with an error of at most this many texels, not counting the rounding error. If the number is 0 or less,

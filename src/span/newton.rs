@@ -57,7 +57,7 @@ pub(super) fn tangent<L: Lanes>(span: &mut Span<L>) {
         .cast_signed()
         .wrapping_add(span.dq.wrapping_mul(middle));
     let (r, dq) = (inverse(q), span.dq);
-    // p / q in units of 2^-30.
+    // The attributes p / q in the middle of the span, in units of 2^-30.
     let values = L::zip(&span.p, &span.dp, |p, gain| {
         fine(p.wrapping_add(gain.wrapping_mul(middle)), r)
     });

@@ -25,7 +25,7 @@ pub(crate) enum Plan {
     /// Attributes are linear along the span. In a draw call that may divide attributes by w elsewhere, the attributes
     /// along this span are interpolated multiplied by 4.
     Straight,
-    /// Attributes are linear along the span, but each attribute has its own scale, which each pixel undoes.
+    /// Attributes are linear along the span, but each attribute has its own scale, which is undone at each pixel.
     Scaled,
     /// For triangles only: each span of the triangle has its own plan.
     BySpan,

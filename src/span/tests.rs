@@ -68,7 +68,7 @@ fn numbers(
 /// Spans of every length, with the relative change of 1/w per pixel. Along a span, 1/w and the attribute over w rise,
 /// fall or stay.
 fn spans() -> impl Iterator<Item = (u32, Span<[(); 1]>, f64)> {
-    // 1/w, from 2^29 to 2^31, and the attribute over w, at most half of 1/w.
+    // Each start is a 1/w, from 2^29 to 2^31, and an attribute over w, at most half of 1/w.
     let starts = [(1 << 30, 1 << 28), ((1 << 31) - (1 << 27), -(1 << 28))];
     let steps = [0, 1, -250, 40_000, -(1 << 20), 1 << 20];
     let gains = [0, 7, -100_000, 1 << 21];

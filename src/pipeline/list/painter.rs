@@ -81,7 +81,7 @@ fn heap_sort(entries: &mut [Entry]) {
     }
 }
 
-/// Moves the entry at `at` down the heap until both of its children are less.
+/// Moves the entry at `at` down the heap until neither of its children has a higher rank.
 fn sift_down(heap: &mut [Entry], mut at: usize) {
     let Some(&moved) = heap.get(at) else {
         return;

@@ -108,7 +108,7 @@ impl<T, G> Object<T, G> {
     }
 }
 
-/// A thing in a list, and where it is.
+/// A thing in a list, with its transforms.
 #[derive(Clone, Copy, Debug)]
 pub struct Placed<G> {
     pub(super) thing: G,
@@ -202,8 +202,8 @@ impl<'a, T, G: Listed, const COUNT: usize> Scene<'a> for &'a mut [Object<T, G>; 
 /// A mesh, edges or several objects, ready to be drawn to every band of a frame.
 ///
 /// [`DrawList::prepare`](crate::DrawList::prepare) returns it, and
-/// [`Canvas::draw_prepared`](crate::Canvas::draw_prepared) draws it. For objects with materials,
-/// [`parts`](Self::parts) yields one after the other.
+/// [`Canvas::draw_prepared`](crate::Canvas::draw_prepared) draws it. For objects with materials, [`parts`](Self::parts)
+/// yields one object after the other.
 ///
 /// `T` is the type of the materials, `G` is the type of the listed things, `O` is the type of the options, and `K` is
 /// the kind of projection. A `Prepared` can be shared with another core that draws other bands of the same frame.
