@@ -1,5 +1,5 @@
-//! Primitive assembly: from a mesh's indices to triangles and lines on the screen. They are passed on whole, clipped,
-//! or rejected.
+//! Primitive assembly: from a mesh's indices to triangles and lines on the screen. Each triangle or line is passed on
+//! whole, clipped, or rejected.
 
 use super::cache::VertexCache;
 use super::call::Call;
@@ -16,7 +16,7 @@ pub(super) trait Assembly {
     /// Receives a triangle that is inside all planes and not culled, and twice its area.
     fn whole(&mut self, indices: Indices, corners: [&ScreenVertex; 3], area: i64);
 
-    /// Receives the part of a triangle that is inside all planes; it may be empty or face away.
+    /// Receives the part of a triangle that is inside all planes; the part may be empty or face away.
     fn clipped(&mut self, indices: Indices, polygon: &[ClippedVertex]);
 }
 
@@ -142,8 +142,8 @@ pub(super) fn steepness<K: ProjectionKind>(
     let [from, to_b, to_c] = ScreenVertex::screens(corners);
     let side = |to: [i32; 2]| [to[0] - from[0], to[1] - from[1]];
     let ([bx, by], [cx, cy]) = (side(to_b), side(to_c));
-    // The change per 1/256 pixel, times the area. The differences of interpolants have 31 bits and the sides have 20
-    // bits, so the change times the area has 52 bits.
+    // `across` and `down` are the changes per 1/256 pixel, times the area. The differences of interpolants have 31 bits
+    // and the sides have 20 bits, so the change times the area has 52 bits.
     let across = product(b, cy) - product(c, by);
     let down = product(c, bx) - product(b, cx);
     let gain = across.unsigned_abs().max(down.unsigned_abs());

@@ -25,10 +25,10 @@ pub(super) struct Slots {
 }
 
 impl Slots {
-    /// The slots of a mesh's vertices. Vertices with indices 64 apart share a slot. In a grid with rows of 63 to 65
-    /// vertices (or 127 to 129, and so on), these vertices are neighbors: they would push each other out of the slot,
-    /// and be projected up to ten times. In such a grid, the slots of consecutive indices are 75/64 apart. A face in
-    /// the middle of the mesh tells how long the rows are.
+    /// The slots of a mesh's vertices. Usually, vertices with indices 64 apart share a slot. In a grid with rows of 63
+    /// to 65 vertices (or 127 to 129, and so on), these vertices are neighbors: they would push each other out of the
+    /// slot, and be projected up to ten times. In such a grid, the slots of consecutive indices are 75/64 apart. A face
+    /// in the middle of the mesh tells how long the rows are.
     #[inline]
     pub(super) fn new(faces: &[[Index; 3]]) -> Self {
         let [a, b, c] = faces.get(faces.len() / 2).copied().unwrap_or_default();
@@ -57,8 +57,8 @@ impl Slots {
 impl VertexCache {
     #[inline]
     pub(super) const fn new(slots: Slots) -> Self {
-        // All bits are 0 except one, which is set in place. Any other array would be built twice on the stack, and
-        // copied.
+        // The array starts with all bits 0, and a single bit is then set in place. An array with any other bits would
+        // be built twice on the stack, and copied.
         let mut cache = Self {
             entries: [ScreenVertex::UNSET; SIZE],
             slots,
@@ -68,7 +68,8 @@ impl VertexCache {
         cache
     }
 
-    /// Forgets all vertices. Their indices must be below `count`, and each index must be the number of its own slot.
+    /// Forgets all vertices. The indices of these vertices must be below `count`, and each index must be the number of
+    /// its own slot.
     #[inline]
     pub(super) fn forget(&mut self, count: usize) {
         for entry in self.entries.iter_mut().take(count) {
@@ -175,7 +176,7 @@ mod tests {
         for corners in faces {
             let of = corners.map(|index| slots.of(index));
             let is_shared = of[0] == of[1] || of[1] == of[2] || of[2] == of[0];
-            // As in `corners`, then in `copies`.
+            // `corners` looks up the three vertices. If a slot is shared, `copies` looks them up again.
             for _ in 0..=usize::from(is_shared) {
                 for (&index, slot) in corners.iter().zip(of) {
                     projected += usize::from(entries[slot].replace(index) != Some(index));
@@ -186,7 +187,8 @@ mod tests {
         [projected, shared]
     }
 
-    /// With slots that are always 64 apart, vertices of rows of 64 would be projected ten times.
+    /// If vertices with indices 64 apart shared a slot in every mesh, vertices in rows of 64 would be projected ten
+    /// times.
     #[test]
     fn no_number_of_vertices_in_a_row_is_a_cliff() {
         for length in 3..=300 {

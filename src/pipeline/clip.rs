@@ -9,7 +9,7 @@ use crate::num::wide::product;
 use crate::raster::{Barycentric, ClippedVertex, ScreenVertex};
 use crate::view::ProjectionKind;
 
-/// Most corners of a clipped triangle: three, and at most one more for each of six planes.
+/// The most corners that a clipped triangle may have: three, and at most one more for each of six planes.
 const MOST_CORNERS: usize = 9;
 
 /// A clipped triangle or line on the screen.
@@ -26,7 +26,8 @@ type Polygon = Vec<ClipVertex, MOST_CORNERS>;
 
 /// Clips a line between two positions, or a triangle of three positions, to the inside of the planes in `outcode`. This
 /// mask has a bit for each plane outside of which a corner lies. Adds the corners of the result to `clipped`: no corner
-/// if nothing is inside. (An out-parameter saves a copy of 220 bytes, and the routine that copies.)
+/// if nothing is inside. (With an out-parameter, 220 bytes need not be copied, and the routine that would copy them is
+/// not linked.)
 ///
 /// An edge is cut only by planes outside of which one of its own ends lies, in the order of the planes, and from its
 /// inside end. So two triangles that share an edge get the same new corners.
@@ -119,8 +120,8 @@ fn cut<K: ProjectionKind>(
     for (at, to) in corner.position.iter_mut().zip(&outside.position) {
         // Both coordinates are below 2^62.
         let difference = to.wrapping_sub(*at);
-        // The product of 64 bits and the fraction, from the halves of `difference`: below 2^63, because the fraction
-        // is below 2^31.
+        // Multiplies `difference` by the fraction, one half of `difference` after the other. The product is below 2^63,
+        // because the fraction is below 2^31 (which stands for 1).
         let (high, low) = ((difference >> 32) as i32, difference.cast_unsigned() as u32);
         let low = u64::from(low) * u64::from(fraction.cast_unsigned());
         *at += (product(high, fraction) << 1) + (low >> 31).cast_signed();
@@ -275,14 +276,16 @@ mod tests {
                 .sum();
             #[allow(clippy::cast_precision_loss)] // of 42 bits
             let found = sum as f64 / 65_536.;
-            // The tolerance is twice an area: half of 1/256 pixel along an outline of up to 16,000 pixels.
+            // The tolerance is twice the area of a strip: half of 1/256 pixel wide, and as long as an outline of up to
+            // 16,000 pixels.
             assert!((found - exact).abs() < 64., "{found} is not {exact}");
         }
     }
 
     #[test]
     fn triangles_outside_the_view_volume_are_clipped_away() {
-        // One triangle is in front of the near plane. The other is beyond one side or another at each point.
+        // One triangle is in front of the near plane. Each point of the other triangle is beyond a side of the guard
+        // band.
         let near = [[1, 1, 2], [5, 1, 3], [1, 5, 2]];
         let corner = [[-2100, 2000, 0], [-2100, 4000, 0], [-1000, 3100, 0]];
         for corners in [near, corner] {

@@ -183,8 +183,8 @@ where
         let call = Call::new(to, of.mesh, mvp);
         let shift = call.projector.depth_shift();
         style.paint::<V::Kind>(paint, shift, |line, blitter| {
-            // Called directly, not through a `DrawLine`, because this makes a program smaller that draws only
-            // hairlines.
+            // The line is drawn by a direct call, not through a `DrawLine`. So a program that draws only hairlines is
+            // smaller.
             if of.outline.is_none() && style.is_hairline() {
                 draw(&call, of, (raster::line, 0), blitter)
             } else {
@@ -205,7 +205,7 @@ fn draw<K: ProjectionKind>(
     let mut draw = Draw::new(blitter, &call.shared, edges.count());
     edges.assemble(call, |indices, ends, is_clipped, beside| {
         let [a, b] = ends;
-        // Most edges miss a band. For these edges, no shader is called.
+        // Most edges have no pixel in a band. For such edges, no shader is called.
         if draw.meets([a.vertex.screen[1], b.vertex.screen[1]], reach) {
             draw.line((indices, beside), is_clipped, |raster| line(raster, ends));
         }

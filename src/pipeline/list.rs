@@ -146,7 +146,8 @@ pub(super) struct Entry {
     /// The element's index, counted through the triangles or edges of all objects.
     element: u32,
     /// The rows in which the element may have pixels: the first row, and the row after the last. They may be above or
-    /// below the frame, and take 14 bits and a sign. (While the list is sorted, the nearness is stored here.)
+    /// below the frame, and take 14 bits and a sign. (While the list is sorted, this field holds the element's
+    /// nearness.)
     rows: [i16; 2],
     corners: Corners,
 }
@@ -154,9 +155,9 @@ pub(super) struct Entry {
 /// The numbers of an element's corners in the list of vertices, counted from 1.
 #[derive(Clone, Copy, Debug)]
 enum Corners {
-    /// A triangle that is inside all planes: its vertices.
+    /// The vertices of a triangle that is inside all planes.
     Whole([u16; 3]),
-    /// An edge that is inside all planes: its vertices, and how steep the faces beside it are, as in
+    /// The vertices of an edge that is inside all planes, and how steep the faces beside the edge are, as in
     /// [`Primitive::area`](crate::mesh::Primitive).
     Edge { ends: [u16; 2], beside: u16 },
     /// A clipped triangle or edge: `count` corners, starting with vertex `first`. Each corner takes two vertices; the
@@ -252,9 +253,9 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// Triangles that are equally far away keep the order of the mesh, and of the objects. The method is heap sort,
     /// which needs no further memory, and at most 2 n log₂ n comparisons for n visible triangles.
     ///
-    /// The table compares the list with a depth buffer of 320x240, which takes 150 KiB. Figures are means of eight
-    /// poses, printed by `kernels painter`; the instructions are instructions of x86-64, counted by `valgrind
-    /// --tool=callgrind --toggle-collect='*only_drawing*'`:
+    /// The table compares the list with a depth buffer of 320x240, which takes 150 KiB. For each scene, `kernels
+    /// painter` prints the figures as means over eight poses. The instructions are x86-64 instructions, counted by
+    /// `valgrind --tool=callgrind --toggle-collect='*only_drawing*'`:
     ///
     /// <!-- figures: painter -->
     /// | scene | wrong pixels | list | millions of instructions with depth | sorted |
@@ -390,7 +391,7 @@ const NO_ROWS: [i16; 2] = [i16::MAX, i16::MIN];
 struct Listing {
     /// How many triangles or edges the things before this thing have.
     first: u32,
-    /// The rows in which any of its elements may have pixels: the first row, and the row after the last.
+    /// The rows in which any element of the thing may have pixels: the first row, and the row after the last.
     rows: [i16; 2],
     depth_shift: DepthShift,
 }
@@ -409,8 +410,8 @@ pub struct Filling<'l> {
     needed: [usize; 2],
     /// The rows in which the present thing may have pixels.
     rows: [i16; 2],
-    /// Recently added positions of the present thing, each with its vertex's number in the list, counted from 1; 0
-    /// means none.
+    /// For recently added vertices of the present thing: the index of the mesh's position, and the vertex's number in
+    /// the list, counted from 1. The number 0 means that there is no vertex.
     numbers: [(Index, u16); cache::SIZE],
     numbered: cache::Slots,
 }
@@ -448,7 +449,7 @@ impl Filling<'_> {
         });
     }
 
-    /// Adds a vertex and returns its number, which is wrong if there is no room.
+    /// Adds a vertex and returns its number. If there is no room, the number is wrong.
     fn add_vertex(&mut self, vertex: &ScreenVertex) -> u16 {
         self.needed[1] += 1;
         let _ = self.vertices.push(*vertex);
@@ -515,10 +516,10 @@ impl Assembly for Filling<'_> {
     note = "a list takes `&mesh`, `mesh.edges(style)`, `mesh.outline(&outline, style)` or `&mut objects`"
 )]
 pub trait Listed: Copy + Sealed {
-    /// How its lines are drawn.
+    /// How the thing's lines are drawn.
     type Style;
 
-    /// The name of its elements, for error messages.
+    /// The name of the thing's elements, for error messages.
     const ELEMENTS: &'static str;
 
     /// The most rows that an element may reach beyond the rows in its entry.
@@ -528,7 +529,7 @@ pub trait Listed: Copy + Sealed {
 
     fn mesh(&self) -> &Mesh<'_>;
 
-    /// The number of its elements.
+    /// The number of the thing's elements.
     fn count(&self) -> usize;
 
     /// The indices of an element's data in the mesh.
@@ -627,7 +628,8 @@ impl<const SMOOTH: bool> Listed for Edges<'_, SMOOTH> {
         });
     }
 
-    /// Positions lie within the guard band, and its center is at most 6144 rows from the frame's top.
+    /// Rows fit into 16 bits: positions lie within the guard band, and the guard band's center is at most 6144 rows
+    /// from the frame's top.
     #[inline]
     fn rows(least: i32, most: i32) -> [i16; 2] {
         [(least >> 8) as i16, ((most >> 8) + 1) as i16]
@@ -639,7 +641,7 @@ impl<const SMOOTH: bool> Listed for Edges<'_, SMOOTH> {
     }
 }
 
-/// What a list is filled with: a thing, or several objects.
+/// A thing, or several objects, to fill a list with.
 #[doc(hidden)]
 pub trait Scene<'a>: Sealed {
     type Thing: Listed;

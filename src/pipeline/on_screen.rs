@@ -32,7 +32,7 @@ pub struct ScreenPoint {
     pub x: Subpixel,
     /// Rows from the frame's top edge, rounded to the nearest 1/256.
     pub y: Subpixel,
-    /// The depth as the canvas's depth buffer would store it; linear if the canvas has none.
+    /// The depth as the canvas's depth buffer would store it; linear if the canvas has no depth buffer.
     pub depth: u16,
 }
 
@@ -184,8 +184,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 
     /// The size of `bounds` on the screen in whole pixels: the length of the box's diagonal, as seen at the distance of
-    /// the box's center. Use it to choose among meshes with different levels of detail. The length is rounded to the
-    /// nearest 1/256 pixel, then down to whole pixels. (The diameter of a ball is 1/√3 of this length.)
+    /// the box's center. Use this size to choose among meshes with different levels of detail. The length is rounded to
+    /// the nearest 1/256 pixel, then down to whole pixels. (The diameter of a ball is 1/√3 of this length.)
     ///
     /// Under a perspective projection, the result is `u32::MAX` unless the center is ahead of the eye by more than half
     /// of the diagonal. Corners are rounded to [`Scalar`](crate::Scalar)s in eye space, and saturate there.
@@ -221,7 +221,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         let view = mvp.model_view_of();
         let (a, b) = (view.point(bounds.least), view.point(bounds.most));
         let diagonal = a.wide_distance(b);
-        // Twice the distance of the box's center.
+        // How far the box's center is ahead of the eye, times two.
         let ahead = -(i64::from(a.z.to_bits()) + i64::from(b.z.to_bits()));
         if V::Kind::PERSPECTIVE && ahead <= diagonal {
             return u32::MAX;
@@ -234,7 +234,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
             width
         };
         let size = BlockFloat::new(diagonal, 16).over(pixel);
-        // Rounded to the nearest 2^-8, then down to a whole number.
+        // The size is rounded to the nearest 2^-8, then down to a whole number.
         u32::try_from(size.at(8) >> 8).unwrap_or(u32::MAX)
     }
 }

@@ -91,7 +91,7 @@ impl HalfSize {
         if !style.is_attenuated() {
             return Self::Equal(BlockFloat::new(size.value, 16 - 7).at(0));
         }
-        // A unit of world space at distance 1 takes `scale` halves of the viewport's height.
+        // At distance 1, a unit of world space is as high as `scale` halves of the viewport.
         let [_, row] = &projection.rows;
         let [_, scale, ..] = row.m;
         let height = viewport.size().height;

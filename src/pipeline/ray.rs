@@ -15,7 +15,7 @@ use crate::{Error, Fraction, Scalar, Vec3};
 
 /// A half-line: the points that are seen at a pixel, or the path of a shot.
 ///
-/// [`Canvas::ray`] makes the ray of a pixel, and [`hit`](Self::hit) finds the face of a mesh that it meets first.
+/// [`Canvas::ray`] makes the ray of a pixel, and [`hit`](Self::hit) finds the face of a mesh that the ray meets first.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -89,8 +89,8 @@ impl Ray {
 
     /// The face of a mesh that the ray meets first, and the point there; `None` if the ray meets no face.
     ///
-    /// The test whether the ray meets a face is exact, and a ray through an edge between two faces meets one of them.
-    /// Faces whose distances differ by less than 2⁻²⁹ of their extent count as equally far away; the last of them is
+    /// The test whether the ray meets a face is exact, so a ray never slips through an edge between two faces. Faces
+    /// whose distances differ by less than 2⁻²⁹ of their extent count as equally far away; the last of them is
     /// returned, because it is drawn over the others.
     #[must_use]
     pub fn hit(&self, mesh: &Mesh<'_>) -> Option<Hit> {
@@ -134,8 +134,8 @@ impl Ray {
     }
 }
 
-/// Space as seen along a ray: the axis along which the ray is longest points ahead, and the other two are sheared so
-/// that they are 0 on the ray.
+/// Space as seen along a ray: the axis along which the ray is longest points ahead, and the coordinates along the other
+/// two axes are sheared so that they are 0 on the ray.
 struct RayView {
     /// The longest axis.
     main: Axis,
@@ -156,7 +156,7 @@ enum Axis {
 }
 
 impl Axis {
-    /// Three components in another order: first the component along this axis.
+    /// Reorders three components, so that the component along this axis comes first.
     #[inline]
     const fn first(self, [x, y, z]: [i32; 3]) -> [i32; 3] {
         match self {
@@ -204,8 +204,9 @@ impl RayView {
     #[inline]
     fn meet(&self, [a, b, c]: &[Seen; 3], cull: Cull) -> Option<[i32; 3]> {
         let [along, one, other] = self.direction.map(i64::from);
-        // The sheared coordinates, times the ray's main component. Each product is a component of the cross product of
-        // a vector of a length of at most √2 · 2^32 and a vector of length 2^30, so it is below 2^63.
+        // `first` and `second` return the sheared coordinates, times the ray's main component. Each product is a
+        // component of the cross product of a vector of a length of at most √2 · 2^32 and a vector of length 2^30, so
+        // it is below 2^63.
         let is_beside = |[a, b, c]: [i64; 3]| a.min(b).min(c) > 0 || a.max(b).max(c) < 0;
         let first = |at: &Seen| at[1] * along - at[0] * one;
         let firsts = [first(a), first(b), first(c)];
@@ -231,7 +232,7 @@ impl RayView {
             return None;
         }
         let sum = sum.unsigned_abs();
-        // 32 bits of the sum, so that a share of the sum, times 2^30, has 62 bits.
+        // Only the upper 32 bits of the sum are used, so that a share of the sum, times 2^30, has 62 bits.
         let down = (128 - sum.leading_zeros()).saturating_sub(32);
         let sum = (sum >> down) as u64;
         let share = |area: u128| {
@@ -243,7 +244,7 @@ impl RayView {
         Some([(1 << 30) - second - third, second, third])
     }
 
-    /// The distance from the origin of a point `ahead` · 2^-46 ahead along the main axis; saturates.
+    /// The distance between the origin and a point that lies `ahead` · 2^-46 ahead along the main axis; saturates.
     fn distance(&self, ahead: i64) -> Scalar {
         let along = u64::from(self.direction[0].unsigned_abs());
         let rounded = ahead.unsigned_abs() + along / 2;
@@ -261,7 +262,7 @@ fn in_model(
 ) -> Option<(Vec3, [i32; 3])> {
     let [x, ..] = view.linear;
     let NormalMatrix([first, second, third]) = view.normal_matrix();
-    // Not negative, because the normal matrix is multiplied by the sign of the determinant.
+    // This determinant is not negative, because the normal matrix is multiplied by the determinant's sign.
     let determinant = dot(&x, &first);
     if determinant <= 0 {
         return None;
@@ -294,9 +295,9 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// The result is `None` if the pixel is outside the viewport, if the model's transform has no inverse, or if the
     /// ray's origin is not within ±32,768 in model space.
     ///
-    /// The face that it [hits](Ray::hit) is the face drawn at the pixel, unless two faces have the same depth there, or
-    /// the pixel's center is very close to the face's edge. Very close means within 1/200 of a pixel plus twice the
-    /// on-screen size of the model's smallest unit, 2⁻¹⁶. A ray also meets faces beyond the far plane.
+    /// The face that the ray [hits](Ray::hit) is the face drawn at the pixel, unless two faces have the same depth
+    /// there, or the pixel's center is very close to the face's edge. Very close means within 1/200 of a pixel plus
+    /// twice the on-screen size of the model's smallest unit, 2⁻¹⁶. A ray also meets faces beyond the far plane.
     ///
     /// ```
     /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
@@ -349,7 +350,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         if !columns.contains(&pixel.x) || !rows.contains(&pixel.y) {
             return None;
         }
-        // The center of a pixel, from −1 to 1.
+        // The place of a pixel's center in the viewport, from −1 to 1.
         let at = |pixel: i32, start: i32, end: i32| {
             let center = 2 * (pixel - start) + 1 - (end - start);
             BlockFloat::new(center.into(), 0).over(BlockFloat::new((end - start).into(), 0))

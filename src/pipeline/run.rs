@@ -73,8 +73,9 @@ pub(super) fn quads<K: ProjectionKind>(
     draw.drawn()
 }
 
-/// Fast path for two triangles that form an axis-aligned rectangle at one depth, from the first corner of the first
-/// triangle to the last corner of the second; false if they must be drawn as two triangles.
+/// Fast path for two triangles that form an axis-aligned rectangle at one depth. The rectangle reaches from the first
+/// corner of the first triangle to the last corner of the second. Returns false if the rectangle must be drawn as two
+/// triangles.
 #[inline]
 fn rectangle<K: ProjectionKind>(
     call: &Call<'_, K>,
@@ -153,8 +154,8 @@ impl<'d> Draw<'d> {
         }
     }
 
-    /// Whether a line or point may have pixels in the scissor. It lies between the positions a and b, in units of 1/256
-    /// row, and reaches up to `reach` rows beyond them.
+    /// Whether a line or point may have pixels in the scissor. The line or point lies between the positions a and b, in
+    /// units of 1/256 row, and reaches up to `reach` rows beyond them.
     #[inline]
     pub(super) fn meets(&self, [a, b]: [i32; 2], reach: i32) -> bool {
         let rows = &self.shared.scissor.rows;

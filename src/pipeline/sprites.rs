@@ -62,7 +62,8 @@ struct Shape {
 }
 
 impl Shape {
-    /// The corners of sprites that `view` transforms to eye space, where a pixel has this size.
+    /// The corners of sprites that `view` transforms to eye space. `pixel` is the size of a pixel in eye space, at a
+    /// distance of 1 in perspective.
     fn new(sprites: &Sprites<'_>, view: &Transform, pixel: [BlockFloat; 2]) -> Self {
         /// Components of unit vectors, in units of 2^-30.
         const ONE: i32 = 1 << 30;
@@ -85,7 +86,7 @@ impl Shape {
         } else {
             [width, height]
         };
-        // From the anchor to the left, right, bottom and top, in units of 2^-20 of the width or height.
+        // How far the left, right, bottom and top side are from the anchor, in units of 2^-20 of the width or height.
         let [u, v] = [sprites.anchor.x, sprites.anchor.y].map(|at| i64::from(at.to_bits()));
         let sides = [
             (right, width, -u),
@@ -187,7 +188,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
         let mut uvs = [uvs_of(sprites.frame(0)); BATCH];
         let mut colors = [[Rgb888::WHITE; 4]; BATCH];
         let mut vertices = VertexCache::new(Slots::new(&[]));
-        // The corners of the last scale, because many sprites have the same scale.
+        // The corners are kept for the last scale, because many sprites have the same scale.
         let mut last = (BlockFloat::ZERO, [Vec3::ZERO; 4], true);
         for (batch, positions) in sprites.positions.chunks(BATCH).enumerate() {
             let first = batch * BATCH;

@@ -73,8 +73,8 @@ fn scaled(row: &Row, unit: &BlockFloat, size: i32) -> AffineRow {
 /// The greatest number of fraction bits of a coefficient.
 const MOST_EXP: i32 = 40;
 
-/// Writes the row of clip space `line`, after `view`, with as many fraction bits as fit. Returns the number of fraction
-/// bits of the clip coordinate.
+/// Writes `line`, a row of the transform to clip space, applied after `view`, with as many fraction bits as fit.
+/// Returns the number of fraction bits of the clip coordinate.
 #[inline(never)]
 fn finest_row(line: &AffineRow, view: &Transform, row: &mut [i32; 3], offset: &mut i64) -> u8 {
     let mut linear = [BlockFloat::ZERO; 3];
@@ -102,7 +102,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         viewport: &Viewport,
     ) -> Self {
         let [near, far] = [projection.near, projection.far].map(Scalar::to_bits);
-        // The row of t, and the factor of x and y in addition to the viewport's size.
+        // The row that gives t, and the factor by which x and y are multiplied in addition to the viewport's size.
         let (depth, unit) = if K::PERSPECTIVE {
             // t = w / near · (1 + 2^-16), slightly above 1 at the near plane: the greatest 1/t is 1 − 2^-16, which
             // leaves room for rounding below a depth of 65536.
@@ -163,10 +163,10 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
                 *fraction = finest_row(line, view, row, offset);
             }
         }
-        // At the near plane, t is 1 + 2^-16, or 1 − 2^-16 under a parallel projection: see above. The plane is nearer
-        // by 2^-27 of its distance or, under a parallel projection, by 2^-19 of the distance between the planes,
-        // because rounding must not move a point that lies exactly in the plane to the outside. (Terms of t have an
-        // error of 2^-29 of the greatest term. Under a parallel projection, this term may be a few hundred.)
+        // At the near plane, t is 1 + 2^-16, or 1 − 2^-16 under a parallel projection: see above. The near plane is
+        // taken to be nearer by 2^-27 of its distance or, under a parallel projection, by 2^-19 of the distance between
+        // the planes, because rounding must not move a point that lies exactly in the plane to the outside. (Terms of t
+        // have an error of 2^-29 of the greatest term. Under a parallel projection, this term may be a few hundred.)
         let fraction = i32::from(fractions[0]);
         let ends = if K::PERSPECTIVE {
             let least = (1 << 27) + (1 << 11) - 1;
@@ -195,8 +195,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         Projector { positions, ..*self }
     }
 
-    /// The clip position of a position of model space. For an index that no checked list contains, it is the clip
-    /// position of the origin.
+    /// The clip position of a position of model space. For an index beyond the positions, which no checked list
+    /// contains, the result is the clip position of the origin.
     #[inline]
     pub(super) fn clip_position(&self, index: Index) -> ClipPosition {
         let stored = self.positions.stored(index);
@@ -224,9 +224,10 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         }
     }
 
-    /// The bound of a coordinate at a plane. An even plane bounds the coordinate from below, and the bound is negated.
-    /// An odd plane bounds the coordinate from above. Planes 0 and 1 bound t (near and far, or far and near), planes 2
-    /// and 3 bound x (left and right), and planes 4 and 5 bound y (top and bottom).
+    /// The bound of a coordinate at a plane. A plane with an even number bounds the coordinate from below, and the
+    /// bound is negated. A plane with an odd number bounds the coordinate from above. Planes 0 and 1 bound t (near and
+    /// far or, under a parallel projection, far and near), planes 2 and 3 bound x (left and right), and planes 4 and 5
+    /// bound y (top and bottom).
     #[inline]
     fn bound(&self, t: i64, plane: u32) -> i64 {
         let end = self.ends.get(plane as usize).copied();
@@ -362,8 +363,8 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             ([on_screen(x, of_x), on_screen(y, of_y)], q, 0)
         };
         let [cx, cy] = self.center;
-        // A position that is inside only by the tolerance may lie slightly beyond the guard band.
-        // (Not by `map`, which stays a loop in a build for size.)
+        // A position that is inside only by the tolerance may lie slightly beyond the guard band. (Written without
+        // `map`, because `map` stays a loop in a build for size.)
         let clamped = |x: i32| x.clamp(-(1 << GUARD_BITS), (1 << GUARD_BITS) - 1);
         let [x, y] = screen;
         *to = ScreenVertex {
@@ -380,9 +381,9 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     #[inline(never)]
     pub(super) fn misses(&self, bounds: &Bounds, scissor: &Scissor) -> bool {
         let (least, most) = (bounds.least.to_bits(), bounds.most.to_bits());
-        // A plane's coefficients are rounded down twice, by up to half a unit each time, and multiplied by a corner.
-        // The plane's offset is rounded by up to one unit before it is multiplied by at most 2^19. Coefficients and
-        // offset are halved.
+        // A plane's coefficients are rounded down twice, by up to half a unit each time, and multiplied by a corner's
+        // coordinate. The plane's offset is rounded by up to one unit before it is multiplied by at most 2^19.
+        // `is_outside` halves coefficients and offset.
         let mut error: i64 = 1 << 19;
         for (least, most) in least.iter().zip(&most) {
             error += i64::from(least.unsigned_abs().max(most.unsigned_abs()));
@@ -448,7 +449,7 @@ mod tests {
     use crate::{Angle, Mesh, Vec3, fx};
     use rand::Rng;
 
-    /// Mantissas are rounded once, to the nearest.
+    /// A mantissa of a scaled row is rounded once, to nearest.
     #[test]
     fn scaled_rows_are_nearest() {
         cases(2000, |random| {
@@ -468,7 +469,7 @@ mod tests {
         });
     }
 
-    /// The limits, from both sides.
+    /// Tests positions just inside and just outside of each plane.
     #[test]
     fn outcodes_change_at_each_plane() {
         let fov = Angle::from_degrees(60);

@@ -51,7 +51,7 @@ impl Cull {
         }
     }
 
-    /// The sides that are not drawn, by their winding on the screen. A mirror turns the winding around.
+    /// The same choice, as a choice of windings on the screen. If the mesh is mirrored, front and back are exchanged.
     #[inline]
     pub(crate) const fn mirrored(self, is_mirror: bool) -> Self {
         match self {

@@ -11,7 +11,7 @@ use crate::num::wide::{DIVIDES, divide};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     column: i32,
-    /// From -`height` to -1. When a step makes it 0 or more, the edge has reached the next column.
+    /// The range is -`height` to -1. When a step makes `part` 0 or more, the edge has reached the next column.
     part: i32,
     /// The rational number grows by `step` + `rest` / `height` for each row.
     step: i32,
@@ -29,7 +29,7 @@ pub(crate) const fn first_center(position: i32) -> i32 {
 }
 
 impl Edge {
-    /// The edge from `from` down to `to`, at `row`.
+    /// The edge from [x, y] down to `to`, ready for `row`.
     ///
     /// The ends differ by at most 4096 pixels in each direction, and the edge crosses the center of `row`, so
     /// everything fits in 32 bits. For an edge that crosses no center, the result is meaningless.
@@ -63,7 +63,7 @@ impl Edge {
         if skipped > 0 {
             edge.skip(skipped);
         }
-        // So far, `part` is from 0 to `height` − 1. The field must be less by `height`. The edge starts one row back,
+        // So far, `part` is from 0 to `height` − 1. In the field, it is less by `height`. The edge starts one row back,
         // because `next` moves on before it returns a column.
         edge.column -= step;
         edge.part -= rest + height;
@@ -87,7 +87,8 @@ impl Edge {
         self.column += self.step;
         self.part += self.rest;
         if self.part >= 0 {
-            // Keeps the compiler from computing both cases, because a small core has too few registers for both.
+            // This line keeps the compiler from computing both cases, because a small core has too few registers for
+            // both.
             black_box(());
             self.part -= self.height;
             self.column += 1;
@@ -96,8 +97,8 @@ impl Edge {
     }
 }
 
-/// An [`Edge`] of less than 128 columns and rows, in fixed point, for cores that divide. A row takes 6 instructions in
-/// place of 10.
+/// An [`Edge`] of less than 128 columns and rows, in fixed point, for cores that divide fast. A row takes 6
+/// instructions, not the 10 of an [`Edge`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ShortEdge {
     /// The crossing plus half a pixel minus [`BELOW`], in units of 2^-32 pixel. The upper half is the first column
@@ -109,13 +110,13 @@ pub(super) struct ShortEdge {
 /// Limit for the sides of a short edge, in units of 1/256 pixel.
 const SHORT: i32 = 128 << 8;
 
-/// How far a short edge starts below its crossing, in units of 2^-32 pixel: half of the greatest distance that is
-/// allowed.
+/// The number by which `x` of a short edge is too small at the start, in units of 2^-32 pixel: half of the greatest
+/// number that is allowed.
 ///
 /// Let dx and dy be the sides of the edge. A crossing is a multiple of 1 / (256 · dy) pixel, which is more than 2^9
-/// units. So a short edge must be less than 2^9 units below the crossing, and at least one unit below it: then a center
-/// on the crossing counts. Rounding moves the edge by at most 129 units: by less than a unit for each row, because the
-/// step is rounded, and by one unit more.
+/// units. So `x` must be too small by at least one unit, and by less than 2^9 units: then a center on the crossing
+/// counts. Rounding changes `x` by at most 129 units: by less than a unit for each row, because the step is rounded,
+/// and by one unit more.
 const BELOW: u32 = 1 << 8;
 
 /// A number of 64 bits from its halves.
@@ -131,8 +132,8 @@ impl ShortEdge {
         DIVIDES && width | height < SHORT
     }
 
-    /// The edge from `from` down to `to`, at `row`. The edge must cross the center of `row`. `None` if the edge is
-    /// level.
+    /// The edge from [x, y] down to `to`, ready for `row`. The edge must cross the center of `row`. `None` if the edge
+    /// is level.
     #[inline]
     pub(super) fn new([x, y]: [i32; 2], to: [i32; 2], row: i32) -> Option<Self> {
         let (dx, dy) = (to[0] - x, to[1] - y);
@@ -144,11 +145,12 @@ impl ShortEdge {
         let upper = size / dy;
         let lower = ((size - upper * dy) << 16) / dy;
         let step = join(upper >> 16, upper << 16).wrapping_add(lower.into());
-        // 2^8 · (x · 2^24 + 2^31 - BELOW), and then the way down to the center of the row.
+        // `start` is 2^8 · (x · 2^24 + 2^31 - BELOW). To this, the change from the upper end down to the center of the
+        // row is added.
         let down = ((row << 8) + 128 - y).cast_unsigned();
         let start = join(x + 127, -(BELOW << 8).cast_signed());
         let x = start.wrapping_add(step.wrapping_mul(down.into())) >> 8;
-        // One row back, as in `Edge::new`.
+        // The edge starts one row back, as in `Edge::new`.
         let x = x.wrapping_sub(step);
         Some(Self { x, step })
     }
@@ -167,7 +169,7 @@ mod tests {
     use crate::random::{cases, within};
     use rand::Rng;
 
-    /// The height of an edge, and the height times its crossing of a row.
+    /// The height of an edge, and the x at which the edge crosses the centers of a row, times the height.
     fn crossing(from: [i32; 2], to: [i32; 2], row: i32) -> (i64, i64) {
         let [[x0, y0], [x1, y1]] = [from, to].map(|end| end.map(i64::from));
         let height = y1 - y0;
@@ -209,7 +211,7 @@ mod tests {
             let size = random.random_range(0_u32..15);
             let [x, y] = from;
             check_short(from, [x + dx, y + dy]);
-            // Many small edges, and edges with crossings at centers or near them.
+            // Many small edges, and edges that cross a row at a center or near it.
             let (dx, dy) = (dx >> size, i32::max(dy >> size, 1));
             check_short(from, [x + dx, y + dy]);
             let from = from.map(|at| at & !255 | 128);
@@ -218,14 +220,14 @@ mod tests {
         });
     }
 
-    /// The limits, from both sides.
+    /// Tests sizes just inside and just outside of the limit.
     #[test]
     fn edges_of_up_to_128_pixels_are_short() {
         assert!(ShortEdge::fits(SHORT - 1, SHORT - 1));
         assert!(!ShortEdge::fits(SHORT, 1) && !ShortEdge::fits(1, SHORT));
     }
 
-    /// Compares every row of every edge with the rational crossing, for every row it may start at.
+    /// Compares every row of every edge with the rational crossing, for every row at which the edge may start.
     #[test]
     fn crossings_are_exact() {
         let ends = [

@@ -1,4 +1,4 @@
-//! Lines: one pixel per column or row, whichever is longer.
+//! Hairlines: one pixel for each step along the line's longer axis.
 
 use core::ops::Range;
 
@@ -7,7 +7,7 @@ use super::point::point;
 use super::scissor::meet;
 use super::{ClippedVertex, Patch, Rasterizer, Rows, ScreenVertex};
 
-/// Draws a hairline: in each step along the longer axis, the pixel that contains the line.
+/// Draws a hairline: in each step along the longer axis, the one pixel that contains the line there.
 #[inline(never)]
 pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
     if !raster.blends {
@@ -169,8 +169,8 @@ mod tests {
     /// A line in each octant, from either end.
     #[test]
     fn a_line_in_each_octant() {
-        // Around the center of pixel (6, 6): two lines each to the right, down, to the left and up. They turn aside by
-        // a third of their length, one to either side.
+        // Around the center of pixel (6, 6), two lines lead to the right, two down, two to the left and two up. The two
+        // lines of a pair turn aside by a third of their length, to opposite sides.
         let ends = [
             [[34, 26], [46, 30]],
             [[30, 34], [34, 46]],

@@ -9,8 +9,8 @@ use crate::{Error, Scalar};
 /// For each pixel center that a line passes along its longer axis, a run of pixels is drawn across that axis: the
 /// pixels whose centers are at most half the width away from the line. A center exactly on the upper or left end of the
 /// run does not belong to it; a center on the lower or right end does. So a line of width n has n pixels in each run. A
-/// center at the left end of a line (in steep lines, the upper end) belongs to the line; a center at the right (lower)
-/// end does not. The pixels do not depend on the line's direction.
+/// center at the left end of a line (in steep lines, the upper end) belongs to the line; a center at the right end (in
+/// steep lines, the lower end) does not. The pixels do not depend on the line's direction.
 ///
 /// A [hairline](Self::HAIRLINE) also draws the pixels that contain its ends, so that lines meet at every corner. If
 /// colors are [blended](crate::DrawOptions::with_blending) or translucent, a hairline draws the pixel at an end only if
@@ -55,16 +55,17 @@ use crate::{Error, Scalar};
 /// the line covers. The canvas needs a color that implements [`PixelFormat`](crate::PixelFormat).
 ///
 /// The ends of a line are exact to 1/256 pixel. Let d be the distance from the pixel's center to the nearest point of
-/// the line. Then the share is (width + 1)/2 − d, limited to 0 and 1. So the width is measured at right angles to the
-/// line, ends are round, and a line is equally strong in every direction. A share has an error of at most 1.3/256.
-/// Blending rounds like [`Opacity`](crate::canvas::Opacity), and dithers coarse colors. On 1-bit panels, hairlines look
-/// better.
+/// the line. Then the share is (width + 1)/2 − d, limited to the range from 0 to 1. So the width is measured at right
+/// angles to the line, ends are round, and a line is equally strong in every direction. A share has an error of at most
+/// 1.3/256. Blending rounds like [`Opacity`](crate::canvas::Opacity), and dithers coarse colors. On 1-bit panels,
+/// hairlines look better.
 ///
 /// Depth and attributes vary along the longer axis, as on a hairline; beyond an end, they have the values of the end.
-/// So a pixel has the depth of a place up to √2 · (width + 1)/2 pixels away. If a mesh hides the lines on it, draw the
-/// mesh [`Biased`](crate::canvas::Biased) by this number of pixels, as in the example below. Or draw the outline of the
-/// mesh nearer by the same number of pixels. Draw smooth lines last, with [`TestOnly`](crate::canvas::TestOnly).
-/// Anything that is drawn later, behind a pixel that a line covers only in part, would not show through.
+/// So a pixel may have the depth of a place on the line that is up to √2 · (width + 1)/2 pixels away. If a mesh hides
+/// the lines on it, draw the mesh [`Biased`](crate::canvas::Biased) by this number of pixels, as in the example below.
+/// Or draw the outline of the mesh nearer by the same number of pixels. Draw smooth lines last, with
+/// [`TestOnly`](crate::canvas::TestOnly). Anything that is drawn later, behind a pixel that a line covers only in part,
+/// would not show through.
 ///
 /// The blending of the options is applied first; then the share blends the result with the canvas.
 ///

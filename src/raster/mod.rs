@@ -62,13 +62,14 @@ impl Patch<'_> {
 /// The columns of a row that are drawn: the first column, and the column after the last. They lie within ±2^15.
 pub(crate) type Columns = [i16; 2];
 
-/// A shader, a mode and a canvas.
+/// A shader, a mode and a canvas, which together draw the pixels that the rasterizer finds.
 ///
-/// The stages before a blitter, from the mesh's indices to rows of pixels, call it through a `dyn`. So a program has a
-/// single copy of these stages, however many shaders and canvases there are. A call costs a few instructions.
+/// The stages before a blitter, from the mesh's indices to rows of pixels, call the blitter through a `dyn`. So a
+/// program has a single copy of these stages, however many shaders and canvases there are. A call costs a few
+/// instructions.
 pub(crate) trait Blitter {
-    /// Whether the pixels of a primitive differ in more than their position. If not, [`lay`](Self::lay) ignores its
-    /// patch.
+    /// Whether the pixels of a primitive differ in more than their position. If they do not, [`lay`](Self::lay) ignores
+    /// its patch.
     fn varies(&self) -> bool;
 
     /// Whether colors are mixed with the colors below. Then it matters how often a pixel is drawn.
@@ -80,12 +81,13 @@ pub(crate) trait Blitter {
 
 /// A [`Blitter`] that draws a patch.
 pub(crate) trait Rows {
-    /// Draws these columns of consecutive rows. All columns lie within the canvas; a row may be empty.
+    /// Draws the given columns of consecutive rows, the first of which is row `first`. All columns lie within the
+    /// canvas; a row may be empty.
     fn draw(&mut self, first: i32, columns: &[Columns]);
 }
 
 impl dyn Rows + '_ {
-    /// Draws some columns of one row. They lie within the canvas.
+    /// Draws some columns of one row. The columns must lie within the canvas.
     fn span(&mut self, row: i32, columns: &Range<i32>) {
         self.draw(row, &[[columns.start as i16, columns.end as i16]]);
     }

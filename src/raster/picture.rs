@@ -16,7 +16,7 @@ pub(crate) struct Picture {
     pub(crate) blends: bool,
     /// The character that pixels are drawn as.
     pub(crate) ink: char,
-    /// The places of the last patch.
+    /// The screen positions of the last patch's vertices.
     pub(crate) screen: [[i32; 2]; 3],
     /// The rows and columns of all spans.
     pub(crate) spans: Vec<(i32, Range<i32>)>,
@@ -42,7 +42,7 @@ impl Picture {
         }
     }
 
-    /// Draws what `draw` rasterizes.
+    /// Calls `draw` with a rasterizer that draws to this picture.
     pub(crate) fn draw<R>(
         &mut self,
         scissor: &Scissor,

@@ -19,7 +19,7 @@ pub(crate) fn point(
     }
 }
 
-/// Lays the interpolants over the pixel of a point. They have the point's values everywhere.
+/// Lays the interpolants over the pixel of a point. The interpolants have the point's values everywhere.
 #[inline(always)]
 #[allow(clippy::inline_always)] // optimized for size, a call would take 19 instructions more
 pub(super) fn lay<'r>(
@@ -49,7 +49,7 @@ mod tests {
     use super::super::picture::{Picture, vertex};
     use super::*;
 
-    /// Draws points, each over the last.
+    /// Draws points, each over the points before it.
     fn drawn(places: &[[i32; 2]], scissor: &Scissor) -> Picture {
         let mut picture = Picture::new(5, 3);
         for &place in places {

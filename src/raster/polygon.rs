@@ -5,21 +5,21 @@ use core::ops::Range;
 use super::triangle::{Triangle, area, covers};
 use super::{ClippedVertex, Columns, Cull, Rasterizer, Rows, Scissor, ScreenVertex};
 
-/// The fan of triangles that a clipped triangle is drawn as; all share the first corner of its outline. For example,
-/// the corners 0 to 4 make the triangles 0 1 2, 0 2 3 and 0 3 4.
+/// A clipped triangle as a fan of triangles. All triangles of the fan share the first corner of the outline. For
+/// example, the corners 0 to 4 make the triangles 0 1 2, 0 2 3 and 0 3 4.
 ///
-/// The outline is convex except for the rounding of its corners. Where rounding dents it or makes it cross itself, some
-/// triangles of the fan turn over and overlap others: the fan is folded. A pixel belongs to the outline if more of the
-/// triangles that cover it have the winding of the whole than have the opposite winding. The first triangle with the
-/// winding of the whole draws the pixel.
+/// The outline is convex except for the rounding of its corners. Where rounding dents the outline or makes it cross
+/// itself, some triangles of the fan turn over and overlap others: the fan is folded. Take all triangles that cover a
+/// pixel. The pixel belongs to the outline if more of them have the winding of the whole outline than the opposite
+/// winding. The first of them with the winding of the whole draws the pixel.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Polygon<'a> {
     outline: &'a [ClippedVertex],
     /// Twice the area of the outline, positive if it runs clockwise on the screen.
     pub(crate) area: i64,
     /// Whether a triangle of the fan has turned over, even a triangle outside the scissor. In a folded fan, every pixel
-    /// is a span of its own. A band that ignored the triangles outside the band would draw longer spans. Their values
-    /// might differ from the frame's values by a unit.
+    /// is a span of its own. If a band ignored triangles outside the band, it might not see that the fan is folded, and
+    /// draw longer spans. Values in longer spans might differ by a unit from the values in the whole frame.
     is_folded: bool,
 }
 
@@ -137,7 +137,7 @@ pub(crate) struct Part<'a> {
 }
 
 impl Part<'_> {
-    /// Draws the pixels of some rows that this triangle has to draw.
+    /// Draws some rows of the triangle, but only the pixels that this triangle of the fan has to draw.
     #[cold]
     #[inline(never)]
     pub(super) fn rows(&self, laid: &mut dyn Rows, first: i32, rows: &[Columns]) {

@@ -8,8 +8,8 @@ use super::polygon::Part;
 use super::{Blitter, Columns, Patch, Rows, Scissor, ScreenVertex, Triangle};
 use crate::mesh::{Indices, Primitive};
 
-/// The most rows that [`Rows`] receive at once. This is enough for all rows of a small triangle, and takes 256 bytes of
-/// stack.
+/// The most rows that [`Rows::draw`] receives at once. This is enough for all rows of a small triangle, and takes 256
+/// bytes of stack.
 const ROWS: i32 = 64;
 
 /// A triangle, edge or point of a mesh, the pixels that may be drawn, and the blitter that draws them.
@@ -55,7 +55,7 @@ impl<'r> Rasterizer<'r> {
         self.blitter.lay(&self.primitive, patch)
     }
 
-    /// Fills a triangle inside the scissor; with `part`, only the pixels that it selects.
+    /// Fills a triangle inside the scissor; with `part`, only the pixels that `part` selects.
     ///
     /// A center on a left or top edge belongs to the triangle. A center on a right or bottom edge does not.
     #[cfg_attr(for_size, inline(never))]
@@ -63,7 +63,7 @@ impl<'r> Rasterizer<'r> {
         let block = &mut self.block;
         let Range { start, end } = triangle.rows;
         let (mut first, mut rows) = (start, scan_convert(block, start, triangle));
-        // Many slivers pass between all centers. For these triangles, nothing is laid.
+        // Many slivers cover no pixel center. For such a sliver, no interpolant is laid.
         while !rows.iter().copied().any(has_pixels) {
             first += ROWS;
             if first >= end {
@@ -86,11 +86,11 @@ impl<'r> Rasterizer<'r> {
     }
 
     /// Draws an upright rectangle inside the scissor. The triangle `half` is one half of the rectangle, but its
-    /// interpolants are laid over the whole rectangle. So no interpolant may have a value at the fourth corner beyond
-    /// its values at the other three.
+    /// interpolants are laid over the whole rectangle. So at the fourth corner, no interpolant may have a value beyond
+    /// its values at the other three corners.
     ///
-    /// The rectangle has the pixels of both halves. The errors of planes are the same, because they are derived from
-    /// the width and the height of a triangle.
+    /// The rectangle has the pixels of both halves. An interpolant has the same greatest error as in a half, because
+    /// this error depends only on the width and the height of the triangle.
     #[inline(never)]
     pub(crate) fn rectangle(&mut self, half: &Triangle<'_>) {
         let laid = self.blitter.lay(&self.primitive, &half.patch);
@@ -175,7 +175,7 @@ fn edge(rows: &mut [Columns], side: usize, ends: [&ScreenVertex; 2], row: i32, i
     }
     let [top, bottom] = ends;
     if let Some(mut edge) = ShortEdge::new(top.screen, bottom.screen, row) {
-        // An empty statement keeps the compiler from unrolling the loops, because most edges pass few rows.
+        // Most edges pass few rows, so an empty statement keeps the compiler from unrolling the loops.
         for columns in rows {
             black_box(());
             columns[side & 1] = edge.next();
@@ -197,7 +197,7 @@ fn long_edge(rows: &mut [Columns], side: usize, [top, bottom]: [&ScreenVertex; 2
 
 /// Whether a row has a pixel.
 fn has_pixels([start, end]: Columns) -> bool {
-    black_box(()); // so that the loop over rows is not unrolled: most triangles have a pixel in the first one or two
+    black_box(()); // so that the loop over rows is not unrolled: most triangles have a pixel in the first row or two
     start < end
 }
 

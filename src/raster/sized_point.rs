@@ -11,9 +11,9 @@ use crate::{Error, Scalar};
 ///
 /// A pixel belongs to a point if its center lies within the square or disc around the point's position on the screen.
 /// The position is exact to 1/256 pixel. A square includes its lower and its right border. So a square with a size of n
-/// pixels always covers n times n pixels, and a square of size 1 is [one pixel](Self::PIXEL). Squares whose positions
-/// are one size apart adjoin without overlaps. A disc includes its border, and the pixel that contains the point, even
-/// if that pixel's center lies outside.
+/// pixels always covers n times n pixels, and a square of size 1 is [one pixel](Self::PIXEL). If the positions of
+/// squares are one size apart, the squares adjoin without overlaps. A disc includes its border, and the pixel that
+/// contains the point, even if that pixel's center lies outside.
 ///
 /// Points are drawn with a size of at least 1 and at most 255 pixels. All pixels of a square or disc have the depth and
 /// the attributes of its position.
@@ -114,7 +114,7 @@ impl PointStyle {
 /// fits into 31 bits.
 const HALF: [i64; 2] = [128, 255 * 128];
 
-/// The first pixel whose center is beyond a coordinate in units of 1/256 pixel.
+/// The first column (or row) with a center beyond a coordinate in units of 1/256 pixel.
 const fn beyond(at: i32) -> i32 {
     (at + 128) >> 8
 }
@@ -171,7 +171,7 @@ mod tests {
     use super::super::picture::{Picture, vertex};
     use super::*;
 
-    /// Draws a point of a size in quarters of a pixel.
+    /// Draws a point. The place and the size of the point are in quarters of a pixel.
     fn draw(picture: &mut Picture, place: [i32; 2], size: i64, is_round: bool) {
         let scissor = picture.scissor();
         let at = vertex(place.map(|at| at * 64));

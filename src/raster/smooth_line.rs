@@ -26,15 +26,15 @@ use crate::num::wide::product;
 /// ```
 ///
 /// `direction` has an error of at most 1.3 · 2⁻²⁶, which moves a line by less than 2⁻¹² pixel at a distance of 4096
-/// pixels in each direction. `across`, `along` and the distance, which is the root of the sum of their squares, are
-/// each cut to 2⁻¹⁰ pixel: together, this is an error of (1 + √2) · 2⁻¹⁰. Near the ends, `along` has an error of 2⁻¹¹
-/// more. Rounding the share to 256ths adds 2⁻⁹. In all, the error is at most 1.3/256.
+/// pixels in each direction. The distance is the root of the sum of the squares of `across` and `along`. All three are
+/// cut to 2⁻¹⁰ pixel: together, this is an error of (1 + √2) · 2⁻¹⁰. Near the ends, `along` has an error of 2⁻¹¹ more.
+/// Rounding the share to 256ths adds 2⁻⁹. In all, the error is at most 1.3/256.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Coverage {
     /// The vector of length one from a toward b, in units of 2⁻²⁵.
     direction: [i32; 2],
     /// The distance from the line at the center of pixel (0, 0), in units of 2⁻²⁵ pixel, modulo 128 pixels. A pixel
-    /// that is drawn is at most 36 pixels away.
+    /// that is drawn is at most 36 pixels away from the line.
     across: i32,
     /// The distance from a along the line: `along` at the center of pixel (0, 0), `end` at b, in units of 2⁻¹⁷ pixel.
     /// The screen's 4096 pixels take 30 bits.
@@ -92,8 +92,8 @@ impl Coverage {
     }
 }
 
-/// Draws an anti-aliased line: all pixels that it may cover, once each. The blitter's shading reads from `coverage` how
-/// much of each pixel is covered.
+/// Draws an anti-aliased line: each pixel that the line may cover, once. The blitter's shading reads from `coverage`
+/// how much of each pixel is covered.
 pub(crate) fn smooth_line(
     raster: &mut Rasterizer<'_>,
     [mut a, mut b]: [&ClippedVertex; 2],
@@ -113,7 +113,7 @@ pub(crate) fn smooth_line(
         rows: meet(&strip.bounds.rows, &raster.scissor.rows),
     };
 
-    // Beyond an end, along the longer axis, values are the values at the end.
+    // Along the longer axis, attributes and depth keep the values of an end beyond that end.
     let is_steep = ax.abs_diff(bx) < ay.abs_diff(by);
     let major = |end: &ClippedVertex| {
         let [x, y] = end.vertex.screen;
@@ -174,8 +174,8 @@ impl Strip {
         } else {
             let slope = length(bx - ax).over(length(by - ay)).at(16);
             // √(1 + s²) is at most 1 + (√2 - 1) s for s up to 1, and √2 - 1 is below 27/64; the same holds with 1 and s
-            // exchanged. The slope is up to 2^20. It has a relative error of 1.3 · 2^-30 within 66 rows, or an error of
-            // 2^-17 within 4096 rows. A quarter of a pixel is more than both of these errors.
+            // exchanged. The slope is at most 2^20. The slope has a relative error of 1.3 · 2^-30 within 66 rows, or an
+            // error of 2^-17 within 4096 rows. A quarter of a pixel is more than both of these errors.
             let (one, size) = (1 << 16, slope.abs());
             let across = size.max(one) + ((size.min(one) * 27) >> 6);
             (slope, ((i64::from(reach) * across) >> 8) + (1 << 14))
@@ -277,7 +277,7 @@ mod tests {
         assert_eq!(point[..4], expected);
     }
 
-    /// From either end, at the scissor's borders and beyond them.
+    /// Draws each line from either end. The ends lie inside the scissor, at its borders, and beyond them.
     #[test]
     fn no_covered_pixel_is_left_out() {
         let places = [-70, -40, -3, 0, 2, 7, 15, 22, 31, 49, 70];

@@ -12,7 +12,7 @@ use crate::num::wide::cross;
 #[derive(Clone, Debug)]
 pub(crate) struct Triangle<'a> {
     pub(super) patch: Patch<'a>,
-    /// The rows of the scissor in which it may have pixels.
+    /// The rows of the scissor in which the triangle may have pixels.
     pub(crate) rows: Range<i32>,
     /// The scissor, if some columns of the triangle may be outside.
     pub(super) cut: Option<&'a Scissor>,
@@ -51,7 +51,7 @@ impl<'a> Triangle<'a> {
     ) -> Option<Self> {
         let [[ax, ay], [bx, by], [cx, cy]] = ScreenVertex::screens(vertices);
         let (top, bottom) = (ay.min(by).min(cy), ay.max(by).max(cy));
-        // Rows first, because most triangles that miss a band have no row in it.
+        // Rows are tested first, because most triangles without pixels in a band have no row in it.
         let rows = meet(&(first_center(top)..first_center(bottom)), &scissor.rows);
         if rows.is_empty() {
             return None;

@@ -3,13 +3,13 @@
 use crate::mesh::Index;
 use crate::num::wide::dot;
 
-/// Lower clamp of 1/w. The rounding in a span (at most 40 units) stays below 1/32 of this clamp, and the weighing of
-/// attributes leaves room for 1/32.
+/// The least 1/w: smaller numbers are clamped to it. The rounding error in a span (at most 40 units) is below 1/32 of
+/// this number, and the scales of attributes leave room for an error of 1/32.
 ///
 /// The clamp changes only corners that are more than half a million times as far away as the nearest corner.
 pub(crate) const LEAST_WEIGHT: u32 = 1 << 11;
 
-/// Upper clamp of 1/w: rounding may add 40 units, and the sum stays below 2^31.
+/// The greatest 1/w: greater numbers are clamped to it. Rounding may add 40 units, and the sum stays below 2^31.
 pub(crate) const MOST_WEIGHT: u32 = (1 << 31) - 64;
 
 /// A vertex on the screen, or the clipping planes outside of which it lies.
@@ -38,13 +38,14 @@ impl ScreenVertex {
     };
 
     /// The screen positions of three vertices.
-    // Destructured by hand: optimized for size, a `map` over references compiles to arrays and loops.
+    // Destructured by hand, because a `map` over references compiles to arrays and loops if the optimization is for
+    // size.
     #[inline]
     pub(crate) const fn screens([a, b, c]: [&Self; 3]) -> [[i32; 2]; 3] {
         [a.screen, b.screen, c.screen]
     }
 
-    /// The interpolants of depth of three vertices, brought to one exponent, and that exponent.
+    /// The `q` of three vertices, brought to one exponent, and this exponent.
     #[inline]
     pub(crate) fn weights([a, b, c]: [&Self; 3]) -> ([u32; 3], u8) {
         if a.exponent == b.exponent && b.exponent == c.exponent {
@@ -60,7 +61,7 @@ impl ScreenVertex {
 }
 
 /// A point of a triangle: the barycentric weights of the second and the third corner, in units of 2⁻³⁰. The weight of
-/// the first corner is the rest of 1.
+/// the first corner is 1 minus these two weights.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Barycentric(pub(crate) [i32; 2]);
 
@@ -91,10 +92,11 @@ pub(crate) struct ClippedVertex {
 pub(crate) struct DepthShift(pub(crate) i32);
 
 impl DepthShift {
-    /// How far an interpolant with this `exponent` is shifted right to become a depth, 2^16 at the near plane: 15 to
-    /// 47.
+    /// The right shift, 15 to 47, that turns an interpolant with this `exponent` into a depth. A depth of 2^16 is the
+    /// near plane.
     ///
-    /// At 47, the largest interpolant, below 2^31, becomes a depth below 2^-16, which no format can tell from 0.
+    /// A shift of 47 turns even the largest interpolant, below 2^31, into a depth below 2^-16. No format can tell this
+    /// depth from 0.
     #[inline]
     pub(crate) fn of(self, exponent: u8) -> u32 {
         (self.0 - i32::from(exponent)).clamp(15, 47).cast_unsigned()

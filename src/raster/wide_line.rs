@@ -18,8 +18,8 @@ pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], 
     else {
         return;
     };
-    // Two hairlines beside this line, stepped as in `line`: a run begins after the pixel of the hairline `before`, and
-    // ends with the pixel of the hairline `last`.
+    // `before` and `last` are hairlines beside this line, stepped as in `line`. A run begins after the pixel of
+    // `before`, and ends with the pixel of `last`.
     let beside = |by: i32| {
         Edge::new(
             [128 - minor - by, start],
@@ -38,8 +38,8 @@ pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], 
         }
         return;
     }
-    // Equal runs side by side are drawn as a block, which starts at `first`. Runs are compared before they are cut,
-    // because a band must have the spans of the frame: each span has its own rounding.
+    // Equal runs side by side are drawn as a block, which starts at `first`. Runs are compared before they are cut at
+    // the scissor. So a band has the same spans as the whole frame, and each span has the same rounding.
     let mut first = steps.start;
     let mut rows = next();
     for column in steps.clone() {

@@ -24,7 +24,7 @@ pub(crate) struct Blit<'p, S: Shading, T, K, M> {
     shading: S,
     test: S::Test,
     interpolator: Interpolator<Count<S>, K, M>,
-    /// The values that all pixels of the current primitive share for the shader.
+    /// The values of the shader that are the same at all pixels of the current primitive.
     face: FaceOf<S>,
 }
 
@@ -68,7 +68,8 @@ where
         }
     }
 
-    /// The pixels of a row, from `column` on. [`Pixels`] starts one pixel before that column.
+    /// The pixels of a row, from `column` on. [`Pixels`] starts one pixel before that column, because it moves on
+    /// before it draws.
     #[inline(always)]
     fn pixels(&self, row: i32, column: i32) -> Pixels<S, T> {
         Pixels {
@@ -137,7 +138,8 @@ where
                 count: columns.len(),
             };
             match (span.p.as_mut(), span.dp.as_mut()) {
-                // The first number also holds the third attribute. The compiler drops the third number.
+                // The first number also holds the third attribute, so the third number is not used. If it is 0, the
+                // compiler drops it.
                 ([.., p], [.., dp]) if Self::PAIRS => (*p, *dp) = (0, 0),
                 _ => {}
             }

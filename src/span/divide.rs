@@ -9,14 +9,15 @@ use crate::num::wide::product;
 use crate::shade::Lanes;
 
 impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
-    /// Draws a span. At each pixel, an attribute is p / q · 2^bits, rounded down.
+    /// Draws a span with a reciprocal at every pixel. An attribute is p / q · 2^bits, rounded down, where p and q are
+    /// interpolants of the [`Span`], and 2^bits is the attribute's [`Scale`](super::scale::Scale).
     #[inline(always)]
     pub(super) fn divide(self, span: &Span<Count<S>>, cells: CellsOf<'_, T>, scales: Scales<S>) {
         self.straight(span.clone(), cells, |_, q, p| quotients::<S>(q, p, &scales));
     }
 
-    /// [`divide`](Self::divide) out of line, for modes that rarely divide. Inlined, the division would take registers
-    /// from the mode's own kernel.
+    /// The same as [`divide`](Self::divide), but out of line, for modes that rarely divide. If the division were
+    /// inlined, it would take registers from the mode's own kernel.
     #[inline(never)]
     pub(super) fn divide_apart(
         self,
@@ -27,8 +28,9 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
         self.divide(span, cells, scales);
     }
 
-    /// The same as [`divide`](Self::divide), but `at` computes the interpolants of each pixel. In triangles of great
-    /// depth, stepping the interpolants would add up too much rounding. Depths are stepped, like in all modes.
+    /// The same as [`divide`](Self::divide), but `at` computes the interpolants of each pixel. In triangles with a
+    /// great range of depths, too many rounding errors would add up from step to step. Depths are still stepped, as in
+    /// all modes.
     #[cold]
     #[inline(never)]
     pub(super) fn divide_anew(
@@ -48,7 +50,7 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
 #[inline]
 fn quotients<S: Shading>(q: u32, p: &Numbers<S>, scales: &Scales<S>) -> Numbers<S> {
     let up = (q | 1).leading_zeros();
-    // The reciprocal of 31 bits of q, so that the factors of the product below can be signed numbers.
+    // The reciprocal of the upper 31 bits of q, because the product below takes signed factors.
     let r = reciprocal((q << up) >> 1).cast_signed();
     Count::<S>::zip(p, scales, |p, scale| {
         // Let p' = p << up and q' = q << up. p' is at most half of q' and so below 2^31, and r = 2^62 / q'. So the

@@ -4,12 +4,12 @@ use crate::num::reciprocal;
 use crate::num::wide::{DIVIDES, product, times_short, unsigned_product};
 use crate::raster::{Patch, ScreenVertex};
 
-/// An interpolant over a triangle: its value at every pixel center. The error is at most 33¾ units in a small plane,
-/// 67½ units in a [coarse](Basis::is_coarse) plane, and 2½ units in a wide plane.
+/// An interpolant over a triangle: a plane that gives the interpolant's value at every pixel center. The error is at
+/// most 33¾ units in a small plane, 67½ units in a [coarse](Basis::is_coarse) plane, and 2½ units in a wide plane.
 ///
-/// Small triangles have small planes, of 32 bits: a value is `start` plus a number of steps. In large triangles and in
-/// thin slivers, steps would add up too much rounding. So large triangles and slivers have wide planes, with 30 bits
-/// more.
+/// Small triangles have small planes, of 32 bits: a value is `start` plus a number of steps. In large triangles and
+/// thin slivers, too many rounding errors would add up from step to step. So these triangles have wide planes, with 30
+/// bits more.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Gradient {
     /// Change from one column to the next, rounded to the nearest unit.
@@ -55,7 +55,7 @@ impl SmallPlane {
 }
 
 impl Gradient {
-    /// Nothing to interpolate.
+    /// An interpolant before the first triangle: 0 everywhere.
     pub(crate) const NONE: Self = Self {
         step: 0,
         row: 0,
@@ -134,11 +134,12 @@ struct Wide {
 
 /// Limit for the width plus the height of a small triangle, in units of 1/256 pixel.
 ///
-/// A step to the next column or row has an error of at most ¾ unit: ½ from its own rounding, and (|b| + |c|) · 2^-33
-/// from the rounding of the weights, which is at most ¼ because b and c, the shifted differences between corners, are
-/// below 2^30. From the first corner to the center of any pixel there are at most 43 steps. The rounding of `start`
-/// adds ½ unit. The reciprocal of the area has an error of 2^-30, which adds less than a unit, because ranges are below
-/// 2^30. The sum is 33¾ units. A coarse plane has twice the steps, so its error is less than 67½ units.
+/// Let b and c be the shifted differences between corners, below 2^30. A step to the next column or row has an error of
+/// at most ¾ unit: ½ unit from its own rounding, and (|b| + |c|) · 2^-33 units, at most ¼, from the rounding of the
+/// weights. From the first corner to the center of any pixel of the triangle there are at most 43 steps. The rounding
+/// of `start` adds ½ unit. The reciprocal of the area has an error of 2^-30, which adds less than a unit, because
+/// ranges are below 2^30. The sum is 33¾ units. A coarse plane has twice the steps, so its error is less than 67½
+/// units.
 const SMALL: i32 = 43 << 8;
 
 /// The most bits by which the differences between corners are shifted left.
@@ -198,13 +199,13 @@ impl Basis {
         basis
     }
 
-    /// Whether values of this range make a small plane.
+    /// Whether values with this range (greatest minus least) make a small plane.
     #[inline]
     pub(crate) const fn is_small(&self, range: u32) -> bool {
         range < self.limit
     }
 
-    /// Whether values of this range make a coarse plane: a small plane for a triangle of up to twice the width and
+    /// Whether values with this range make a coarse plane: a small plane for a triangle of up to twice the width and
     /// height. A coarse plane has up to twice the error.
     #[inline]
     pub(crate) const fn is_coarse(&self, range: u32) -> bool {
@@ -289,7 +290,7 @@ impl Basis {
     pub(crate) fn lay_wide(&self, values: [i32; 3], gradient: &mut Gradient) {
         let [dx, dy] = self.gains(values);
         let [x, y] = self.to_center;
-        // First, the change from the corner to the center of the pixel that contains the corner.
+        // `moved` is the change from the corner to the center of the pixel that contains the corner.
         let [part_x, part_y] = [x, y].map(|way| i64::from(((way + 127) & 255) - 127));
         let moved = self.wide.quotient(dx * part_x + dy * part_y);
         // The gains times 256 take 60 bits.
@@ -314,7 +315,8 @@ impl Wide {
     /// `numerator` / area in units of 2^-30, rounded down, modulo 2⁶⁴.
     #[inline(never)]
     fn quotient(self, numerator: i64) -> i64 {
-        // numerator · inverse · 2^(shift - 32), from the halves of the numerator; the product takes 91 bits.
+        // The result is numerator · inverse · 2^(shift - 32). The product takes 91 bits, so it is computed from the
+        // halves of the numerator.
         let inverse = self.inverse.cast_unsigned();
         let (high, low) = ((numerator >> 32) as i32, numerator.cast_unsigned() as u32);
         let lower = unsigned_product(low, inverse);
@@ -330,7 +332,7 @@ impl Wide {
 }
 
 impl WidePlane {
-    /// Nothing to interpolate.
+    /// A plane before the first triangle: 0 everywhere.
     const NONE: Self = Self {
         start: 0,
         dx: 0,
@@ -443,7 +445,7 @@ mod tests {
         (area != 0).then_some(gradient)
     }
 
-    /// The plane through `values` at the center of a pixel, in units of 1/100.
+    /// The value of the plane through `values` at the center of a pixel, in hundredths of a unit.
     fn hundredths(screen: [[i32; 2]; 3], values: [i32; 3], pixel: [i32; 2]) -> i128 {
         let [a, b, c] = screen.map(|place| place.map(i128::from));
         let [x, y] = pixel.map(|at| i128::from(256 * at + 128));
@@ -473,7 +475,7 @@ mod tests {
         })
     }
 
-    /// Values with a greatest magnitude of up to 30 bits. Their range may be small.
+    /// Random values with a magnitude of up to 30 bits and a range that may be small.
     fn values(random: &mut Random) -> [i32; 3] {
         let [most, range] = [30, 31].map(|bits| 1 << random.random_range(0..bits) >> 1);
         let base = random.random_range(-most..=most);
@@ -527,7 +529,7 @@ mod tests {
         });
     }
 
-    /// The limits of shape and range, from both sides.
+    /// Tests shapes and ranges just inside and just outside of each limit.
     #[test]
     fn triangles_and_ranges_up_to_the_limits_have_small_planes() {
         let is_small = |screen, values| laid(screen, values, false).unwrap().is_small;
@@ -541,7 +543,7 @@ mod tests {
         // A range of 30 bits.
         assert!(is_small(square(4096), [-(1 << 29), (1 << 29) - 1, 0]));
         assert!(!is_small(square(4096), [-(1 << 29), 1 << 29, 0]));
-        // A sliver ten pixels long: the thinner, the less the values may change.
+        // Slivers ten pixels long. The thinner a sliver is, the smaller the range of its values must be.
         let sliver = |high: i32| [[0, 127], [2560, 127], [0, 127 + high]];
         for (high, bits) in [
             (2560, 30),

@@ -14,13 +14,13 @@ use crate::raster::{DepthShift, Patch};
 use crate::shade::{Lanes, Tolerance};
 use crate::view::ProjectionKind;
 
-/// Upper clamp of a tolerance: four times this number takes 31 bits, and no attribute that is drawn affinely is as
-/// great as this number.
+/// Tolerances are clamped to this number, so that four times a tolerance takes 31 bits. No attribute that is drawn
+/// affinely is as great as this number.
 const MOST_TOLERANCE: u32 = (1 << 29) - 1;
 const _: () = assert!(4 * MOST_TOLERANCE <= i32::MAX.cast_unsigned());
 
-/// The data that the spans of a primitive share. Shader and canvas play no part here, so one copy of this code serves
-/// all shaders with the same number of interpolated numbers.
+/// The data that the spans of a primitive share. The types of shader and canvas do not appear here, so one copy of this
+/// code serves all shaders with the same number of interpolated numbers.
 pub(super) struct Interpolator<L: Lanes, K, M> {
     mode: M,
     pub(super) planes: Planes<L>,
@@ -72,7 +72,8 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
             mode,
             planes: Planes {
                 setup: Setup::new([!Self::OVER_W, pairs], Self::LEAST_BITS, shift),
-                // Built in place: attributes that a loop changes would be copied into `planes` afterwards.
+                // The attributes are built in place. If a loop built them, they would be copied into `planes`
+                // afterwards.
                 attributes: L::map(&lanes, |&lane| Attribute {
                     tolerance: mode.affine_within(tolerance(lane)).min(MOST_TOLERANCE),
                     ..Attribute::UNSET
@@ -110,7 +111,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
         self.plan = self.mode.of_triangle(&self.planes);
         if Self::BEST == Plan::Anew && self.plan == Plan::Anew {
             let Planes { setup, attributes } = &mut self.planes;
-            // Depths keep the plane that they have in all modes.
+            // Depths keep the plane that they have in all modes but `Compact`.
             let mut q = setup.q;
             setup.lay_wide(attributes.as_mut(), patch);
             q.wide = setup.q.wide;
@@ -121,8 +122,8 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
     /// The span that begins at a pixel, and its plan.
     #[inline(never)]
     pub(super) fn begin(&self, [x, y]: [i32; 2], count: usize) -> (Span<L>, Plan) {
-        // A canvas has at most 2048 columns and rows, so the masks change nothing. Here, they save a mask in each
-        // plane.
+        // A canvas has at most 2048 columns and rows, so the masks change nothing. With these two masks, the compiler
+        // leaves out the same masks in each plane.
         let (x, y) = (x & 0x7fff, y & 0x7fff);
         let at = |gradient: &Gradient| {
             if Self::IS_WIDE {

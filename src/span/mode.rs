@@ -7,7 +7,7 @@ use super::setup::{Attribute, Planes, SHALLOW};
 use crate::Scalar;
 use crate::shade::{Lanes, Tolerance};
 
-/// How attributes are interpolated between a triangle's corners, which trades accuracy for speed.
+/// How attributes are interpolated between a triangle's corners. The modes differ in accuracy, speed and size of code.
 ///
 #[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
 /// [`DrawOptions::with_mode`](crate::DrawOptions::with_mode) chooses the mode of a draw call. A program links only the
@@ -48,19 +48,21 @@ pub trait Mode: Policy {}
 #[diagnostic::do_not_recommend]
 impl<M: Policy> Mode for M {}
 
-/// Plans that compute a reciprocal from earlier reciprocals require δ ≤ 2^-6.
+/// [`Newton`] steps, and pieces chosen for a single span, require δ ≤ 2^-6. (For the meaning of the letters, see
+/// [`plan`](super::plan).)
 const STEEPEST: u32 = 6;
 
-/// A corner whose q is below this is more than 8 to 16 times as far away as the nearest corner, which has a q from 2^30
-/// to 2^31. Interpolants are rounded to half a unit at the nearest corner's scale, and a span's steps add up to 32
-/// units. In all, an attribute has an error of up to 56½ units. A coordinate of up to 256 texels has a
-/// [`Scale`](super::scale::Scale) of 26 bits, so a unit at the nearest corner is at most 2^-4 of 2^-16 texel. A unit
-/// grows with the distance: at 16 times the distance, the error is at most 56½ · 2^-16 texel. (0.001 texel is 65½ ·
-/// 2^-16 texel.)
+/// A corner with a q below this number is more than 8 to 16 times as far away as the nearest corner, because the
+/// nearest corner has a q from 2^30 to 2^31. In the scale of the nearest corner, interpolants are rounded to half a
+/// unit, and the steps of a span add an error of up to 32 units. In all, an attribute has an error of up to 56½ units.
+/// A coordinate of up to 256 texels has a [`Scale`](super::scale::Scale) of 26 bits, so a unit at the nearest corner is
+/// at most 2^-4 · 2^-16 texel. A unit grows with the distance: at 16 times the distance, the error is at most 56½ ·
+/// 2^-16 texel. (0.001 texel is 65½ · 2^-16 texel.)
 const DEEP: u32 = 1 << 27;
 
-/// The left shift of a span's interpolants that brings q between 2^29 and 2^31 at all pixels of the span; `None` if q
-/// changes twofold along the span, or if δ exceeds 2^-6.
+/// The left shift of a span's interpolants that brings q between 2^29 and 2^31 at all pixels of the span; `None` if δ
+/// exceeds 2^-6 at the least q of the span, or if q has 32 bits. A span has at most 64 pixels, so with such a δ, q
+/// changes less than twofold along the span.
 #[inline(never)]
 fn room(q: u32, step: i32, count: usize) -> Option<u32> {
     let others = (count as u32).cast_signed().wrapping_sub(1);
@@ -73,9 +75,9 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
 
 /// Perspective-correct, with the exact [`reciprocal`](crate::num::reciprocal) of 1/w at every pixel.
 ///
-/// No pixel depends on the pixels before it. An attribute is computed from the span's interpolants and rounded down
-/// to its unit; the reciprocal adds a relative error below 2⁻³⁰. In a triangle with a corner more than 8 to 16
-/// times as far away as its nearest corner, each pixel computes its interpolants anew in 64 bits. So the error stays
+/// No pixel depends on the pixels before it. An attribute is computed from the span's interpolants and rounded down to
+/// its unit; the reciprocal adds a relative error below 2⁻³⁰. In a triangle with a corner more than 8 to 16 times as
+/// far away as its nearest corner, the interpolants of each pixel are computed anew, in 64 bits. So the error stays
 /// within a thousandth of a texel, for a texture of 256 texels and depth ratios of up to 1,000 within a triangle.
 ///
 /// ```
@@ -101,10 +103,10 @@ impl Policy for Exact {
 
 /// Perspective-correct, with a reciprocal of 1/w at every pixel and nothing else: the mode with the least code.
 ///
-/// All triangles and all spans take one path. So a program contains neither the paths for small triangles and for
-/// linear spans, nor the choice among them. On a Cortex-M4 at opt-level "s", drawing textured triangles with a depth
-/// buffer takes a fifth less code than in mode [`Newton`], and 2 to 2.7 times the instructions. On a core
-/// without 64-bit products, it takes 3 to 5 times the instructions of [`Fast`].
+/// All triangles and all spans take one path. So a program contains no special paths for small triangles or linear
+/// spans. On a Cortex-M4 at opt-level "s", drawing textured triangles with a depth buffer takes a fifth less code than
+/// in mode [`Newton`], and 2 to 2.7 times the instructions. On a core without 64-bit products, it takes 3 to 5 times
+/// the instructions of [`Fast`].
 ///
 /// The error is at most as large as in [`Newton`]. Stored depths may differ by a step from the depths of the other
 /// modes, so do not use `Compact` and another mode with one depth buffer.
@@ -121,7 +123,7 @@ impl Policy for Compact {
     const BEST: Plan = Plan::Divide;
 }
 
-/// Linear on the screen, which is correct under a parallel projection.
+/// Attributes are linear on the screen. This is correct under a parallel projection.
 ///
 #[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
 /// Under perspective, `Affine` bends textures; no other mode does. Use it for surfaces that face the eye, are small, or
@@ -145,10 +147,10 @@ impl Policy for Affine {
 /// from the two pixels before.
 ///
 /// Let δ be the relative change of 1/w from one pixel to the next. Linear extrapolation from the reciprocals of 1/w at
-/// two pixels has a relative error of 2δ² at the third pixel; one Newton step squares this error. δ is at most 2⁻⁶, so
-/// the reciprocal has a relative error of at most 2⁻²¹. If 1/w changes faster, or by a factor of two along a span, the
-/// span is drawn as in [`Compact`]. Rounding adds an error of up to 57 units to an attribute (less than 0.0008 texels
-/// to a texture coordinate). The error of [`Compact`] comes on top of both errors.
+/// two pixels has a relative error of 2δ² at the third pixel; one Newton step squares this error. This path requires δ
+/// ≤ 2⁻⁶, so the reciprocal has a relative error of at most 2⁻²¹. A span with a greater δ is drawn with a reciprocal at
+/// every pixel, as in [`Compact`]. Rounding adds an error of up to 57 units to an attribute (less than 0.0008 texels to
+/// a texture coordinate). The error of [`Compact`] comes on top of both errors.
 ///
 /// Where division makes no visible difference, this mode does not divide:
 ///
@@ -158,12 +160,12 @@ impl Policy for Affine {
 ///   ([`Varyings`](crate::shade::Varyings)): 16 units of a texture coordinate, an eighth of a step of a color. This
 ///   covers nearly all triangles of a model with vertex colors.
 ///
-/// Each span begins with the exact reciprocal, at the edge of each triangle and every 64 pixels. So bands have the same
-/// pixels as whole frames.
+/// Each span begins with the exact reciprocal. Spans begin at the edge of a triangle, and every 64 pixels after the
+/// edge. So bands have the same pixels as whole frames.
 ///
 /// On a core without 64-bit products, such as Cortex-M0+ and M23, use [`Fast`]
-/// ([`DrawOptions::fast`](crate::DrawOptions::fast)): there, a pixel that takes a Newton step costs more than five
-/// times the instructions, and a frame of the measured cube about twice.
+/// ([`DrawOptions::fast`](crate::DrawOptions::fast)): there, compared with `Fast`, a pixel that takes a Newton step
+/// costs more than five times the instructions, and a frame of the measured cube about twice.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Newton};
@@ -252,21 +254,23 @@ impl Policy for Newton {
     }
 }
 
-/// Perspective-correct at the ends of straight pieces, which are as long as a tolerance allows.
+/// Perspective-correct at the ends of straight pieces, and linear between the ends. Pieces are as long as a tolerance
+/// allows.
 ///
 /// In a piece of L pixels, let f′ be the change of an attribute per pixel, and δ the relative change of 1/w per pixel.
 /// The straight line has an error of |f′| · δ · L² / 4. Pieces have 64, 32, 16, 8, 4 or 2 pixels: the greatest length
 /// that keeps this error within the tolerance everywhere in the triangle, and δ · L at or below 1/16.
 ///
-/// The reciprocals at the ends have 16 bits, and two Newton steps compute each from the previous one. So a piece needs
-/// no division and no 64-bit product. This makes `Fast` the mode for cores on which these operations are slow, such as
-/// Cortex-M0+; it is fast on all cores. If 1/w changes by 1/64 of itself per pixel, or by a factor of two along a span,
-/// the span is drawn as in [`Compact`].
+/// The reciprocals at the ends have 16 bits, and two Newton steps compute each reciprocal from the one before. So a
+/// piece needs no division and no 64-bit product. This makes `Fast` the mode for cores on which these operations are
+/// slow, such as Cortex-M0+; it is fast on all cores. A span is drawn as in [`Compact`] if even pieces of two pixels
+/// would break one of these limits, or if 1/w changes by more than 1/64 of itself from one pixel to the next. (The
+/// second limit may be 1/32 in a triangle in which 1/w changes less than fourfold.)
 ///
-/// The tolerance is in texels, for a texture of any size. For a color, it counts steps of its channels (a channel of an
-/// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565) has 32 or 64 values); for other varyings, it counts multiples of
-/// 2^16. In addition, an attribute has an error of up to 2^-13 of its greatest value in the triangle: 1/32 texel if a
-/// texture of 256 texels is seen once, more if it repeats.
+/// For a texture coordinate, the tolerance is in texels, for a texture of any size. For a color, the tolerance is in
+/// steps of a channel (a channel of an [`Rgb565`](embedded_graphics::pixelcolor::Rgb565) has 32 or 64 values). For
+/// other varyings, the tolerance is in multiples of 2^16. In addition, an attribute has an error of up to 2^-13 of its
+/// greatest value in the triangle: 1/32 texel if a texture of 256 texels is seen once, more if it repeats.
 ///
 /// A triangle that hardly changes in depth is a single piece, if the error of texture coordinates is within the
 /// tolerance and the error of other varyings is within what the shader allows ([`Varyings`](crate::shade::Varyings)).
@@ -289,8 +293,8 @@ pub struct Fast {
 const MOST_BITS: u32 = 28;
 
 impl Fast {
-    /// A tolerance of 1/32 texel: the counterpart of [`Newton`] with 16-bit products, for cores without longer
-    /// products. For a texture of 256 texels, the total error is up to 1/16 texel.
+    /// A tolerance of 1/32 texel, for cores without 64-bit products, where a larger error would show. For a texture of
+    /// 256 texels, the total error is up to 1/16 texel.
     pub const NARROW: Self = Self::within(crate::fx!(0.031_25));
 
     /// Pieces with an error of at most this many texels, not counting the rounding error. If the number is 0 or less,
@@ -304,7 +308,8 @@ impl Fast {
     }
 
     /// The plan for the longest pieces that the tolerance allows; `None` if even two pixels are too many, or if
-    /// attributes have too many bits. `least` is the least q; all values will be shifted left by `up`.
+    /// attributes have too many bits. `least` is the least q. It is given before the shift by `up` that the caller will
+    /// apply to all values.
     #[inline]
     fn pieces<L: Lanes>(self, least: u32, planes: &Planes<L>, up: u32) -> Option<Plan> {
         let Planes { setup, attributes } = planes;
@@ -315,7 +320,7 @@ impl Fast {
         let mut most = 0;
         L::map(attributes, |p: &Attribute| {
             // |f′| = |p′ − f · q′| / q. As a fraction of 2^bits units, |f| is at most half, so |f′| is at most `gain` /
-            // q. `most` is the greatest |f′|, in units of 2^28 / q.
+            // q. `most` is the greatest |f′| of all attributes, in units of 2^28 / q.
             let gain = p.gradient.step.unsigned_abs().saturating_add(step >> 1);
             most = most.max((gain >> (MOST_BITS.wrapping_sub(p.scale.bits()) & 31)) + 1);
         });
@@ -393,20 +398,20 @@ mod tests {
     use super::*;
     use crate::fx;
 
-    /// The limits of spans that need no division, from both sides.
+    /// Tests spans just inside and just outside of each limit.
     #[test]
     fn room_is_for_gentle_spans_that_lose_less_than_half() {
-        // A span may be shifted to 31 bits at its greatest q.
+        // A span is shifted until its greatest q has 31 bits.
         assert_eq!(room(1 << 30, 0, 64), Some(0));
         assert_eq!(room((1 << 31) - 1, 0, 64), Some(0));
         assert_eq!(room(1 << 20, 0, 64), Some(10));
         assert_eq!(room(1 << 31, 0, 64), None);
-        // δ is at most 2^-6 of the least q, at either end of the span.
+        // The step is at most 2^-6 of the least q, at either end of the span.
         assert_eq!(room(1 << 30, 1 << 24, 2), Some(0));
         assert_eq!(room(1 << 30, (1 << 24) + 1, 2), None);
         assert_eq!(room((1 << 30) + (1 << 24), -(1 << 24), 2), Some(0));
         assert_eq!(room(1 << 30, -(1 << 24), 2), None);
-        // Over 64 pixels, q must change less than twofold.
+        // With steps up to this limit, q changes less than twofold over 64 pixels. A step of 1/63 is above the limit.
         let step = (1 << 30) / 63;
         assert_eq!(room(1 << 30, step - 1, 64), None);
         assert_eq!(room((1 << 30) + 64, step, 64), None);

@@ -7,19 +7,19 @@ use crate::num::reciprocal;
 use crate::num::wide::{Word, high, newton_step, product, seldom};
 use crate::shade::Lanes;
 
-/// The number of bits in an attribute's scale, and so the bits of a fraction p/q.
+/// The number of bits of every attribute's scale in this kernel: p / q is an attribute with this many fraction bits.
 pub(super) const FRACTION: u32 = Scale::AFFINE.bits();
 
 impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
     /// Draws a span with one Newton step per pixel; the initial guess is on the line through the last two reciprocals.
     ///
-    /// 1/w is from 2^29 to 2^31 at all pixels and changes by at most 2^-6 of itself per pixel; attributes have
-    /// [`FRACTION`] bits.
+    /// The span must meet two conditions: 1/w is from 2^29 to 2^31 at all pixels and changes by at most 2^-6 of itself
+    /// per pixel, and all scales have [`FRACTION`] bits.
     #[inline(always)]
     pub(super) fn newton(mut self, span: &Span<Count<S>>, mut cells: CellsOf<'_, T>) {
         let span = span.anew();
         let Span { dq, dp, down, .. } = span;
-        // q is from 2^29 to 2^31, and so is r = 2^60 / q; p is 2^-28 q times the attribute.
+        // q is from 2^29 to 2^31, and so is r = 2^60 / q; p is the attribute times q · 2^-28.
         let first = inverse(span.q.cast_signed());
         let wide = |n: &i32| Word::from(*n);
         let (mut q, mut p) = (wide(&span.q.cast_signed()), Count::<S>::map(&span.p, wide));
@@ -46,9 +46,9 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
     }
 }
 
-/// Replaces the interpolants of a span by four times its attributes at the first pixel, and by their change per pixel.
-/// The new values lie on the tangent to the exact attributes in the middle of the span. Rounding adds an error of up to
-/// 12½ units of an attribute.
+/// Makes a span linear: replaces each p by four times the attribute at the first pixel, and each step of p by four
+/// times the attribute's change per pixel. The linear values are the tangent to the exact attribute in the middle of
+/// the span. Rounding adds an error of up to 12½ units to an attribute.
 #[inline(always)]
 pub(super) fn tangent<L: Lanes>(span: &mut Span<L>) {
     let middle = (span.count as u32 >> 1).cast_signed();
@@ -57,11 +57,11 @@ pub(super) fn tangent<L: Lanes>(span: &mut Span<L>) {
         .cast_signed()
         .wrapping_add(span.dq.wrapping_mul(middle));
     let (r, dq) = (inverse(q), span.dq);
-    // p / q in units of 2^-30.
+    // The attributes p / q in the middle of the span, in units of 2^-30.
     let values = L::zip(&span.p, &span.dp, |p, gain| {
         fine(p.wrapping_add(gain.wrapping_mul(middle)), r)
     });
-    // f' = (p' - f · q') / q, where a prime is the change per pixel.
+    // f' = (p' - f · q') / q, where a prime marks a change per pixel.
     span.dp = L::zip(&span.dp, &values, |gain, value| {
         fine(gain.wrapping_sub(fine(*value, dq)), r)
     });
@@ -91,8 +91,9 @@ mod tests {
     use rand::Rng;
 
     /// At the ends of a span, the tangent deviates by up to 16 units (and by 2^-16 of 16 units more, because 1/w
-    /// changes by up to 2^-16 of itself from the middle). Rounding adds up to 12½ units; the module `bounds` of the
-    /// tests derives this number. The error is greatest where 1/w is near 2^29, as in most cases here.
+    /// changes by up to 2^-16 of itself between the middle and an end). Rounding adds up to 12½ units, as derived in
+    /// `bounds`, a module of the tests of accuracy. The error is greatest where 1/w is near 2^29, as in most cases
+    /// here.
     #[test]
     fn the_error_of_a_level_row_is_at_most_28_and_a_half_units() {
         cases(256, |random| {
@@ -143,7 +144,7 @@ mod tests {
             (1 << 30, 1 << 30),
             (3 << 29, 715_827_882),
         ] {
-            // The reciprocal is rounded down, to 31 bits of 2^61 / q.
+            // The result lacks up to one unit, because the reciprocal is rounded down.
             assert!((exact - inverse(q)).abs() <= 1, "{q}");
         }
     }

@@ -9,8 +9,8 @@ use crate::shade::Lanes;
 impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
     /// Draws a span in straight pieces of 2^`length` pixels, where `length` is 1 to 6.
     ///
-    /// 1/w is from 2^29 to 2^31 at all pixels. The reciprocals at the ends of pieces have 16 bits; two Newton steps
-    /// compute each reciprocal from the one before.
+    /// 1/w must be from 2^29 to 2^31 at all pixels. The reciprocals at the ends of pieces have 16 bits; two Newton
+    /// steps compute each reciprocal from the one before.
     #[inline(always)]
     pub(super) fn pieces(
         mut self,
@@ -20,7 +20,7 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
         length: u32,
     ) {
         let mut span = span.clone();
-        // Makes room for a reciprocal of up to 17 bits.
+        // Removes two bits, so that a product with a reciprocal of up to 17 bits has no more than 45 bits.
         span.p = Count::<S>::map(&span.p, |p| p >> 2);
         span.dp = Count::<S>::map(&span.dp, |p| p >> 2);
         let (dq, dp, down) = (span.dq, span.dp, span.down);
@@ -28,8 +28,8 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
         let mut inverse = short_reciprocal(q >> 15);
         let mut values = attributes::<S>(&p, &scales, inverse);
         loop {
-            // A piece ends where the next piece begins, or at the span's last pixel, because attributes may have any
-            // value beyond the span.
+            // A piece ends where the next piece begins. The last piece ends at the span's last pixel, because
+            // attributes may have any value beyond the span.
             let count = 1 << length;
             let is_last = left <= count;
             let pixels_on = if is_last { left.wrapping_sub(1) } else { count };
@@ -71,7 +71,7 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
 fn refined(q: u32, mut inverse: u32) -> u32 {
     let q = q >> 15;
     for _ in 0..2 {
-        // The product is near 2^31, and its difference from 2^31 has 28 bits.
+        // q · inverse is near 2^31. The difference has 28 bits.
         let residual = (1_u32 << 31)
             .wrapping_sub(q.wrapping_mul(inverse))
             .cast_signed();
@@ -92,7 +92,8 @@ const RECIPROCALS: [i32; 64] = {
     parts
 };
 
-/// `change` / n, rounded down, for an n below 64.
+/// `change` / n for an n below 64, rounded down. If `change` is large, the rounding of the table adds an error of up to
+/// two units.
 #[inline]
 fn divided(change: i32, n: u32) -> i32 {
     (product(change, RECIPROCALS[(n & 63) as usize]) >> 30) as i32
@@ -111,21 +112,21 @@ fn attributes<S: Shading>(p: &Numbers<S>, scales: &Scales<S>, inverse: u32) -> N
 mod tests {
     use super::*;
 
-    /// All lengths of a piece, and changes up to the largest.
+    /// Tests all lengths of a piece, with changes up to the largest.
     #[test]
     fn a_divided_change_is_rounded_down() {
         for n in 1..64_u32 {
             for change in [0, 1, 63, -1, -64, 1_000_003, -(1 << 28), i32::MAX, i32::MIN] {
                 let exact = f64::from(change) / f64::from(n);
                 let lacks = exact - f64::from(divided(change, n));
-                // An entry of the table is too small by up to one unit, 2^-30, so a change of 31 bits lacks up to two
-                // units more.
+                // An entry of the table is too small by up to one unit, 2^-30, so the quotient of a change of 31 bits
+                // lacks up to two units more.
                 assert!((-2.0..3.).contains(&lacks), "{change} / {n}: {lacks}");
             }
         }
     }
 
-    /// Every divisor, from guesses with a relative error of up to a sixteenth.
+    /// Tests every divisor, with guesses that have a relative error of up to a sixteenth.
     ///
     /// The first step leaves a relative error of 2^-8, and its products cut off one unit and 2^-18. The second step
     /// leaves the square of this error, 1.02 · 2^-16, and its products cut off as much again. The result of a step
@@ -137,8 +138,8 @@ mod tests {
             let allowed = exact * (1.02 * 2_f64.powi(-16) + 2_f64.powi(-18)) + 1.;
             let least = (15_u32 << 27).div_ceil(q);
             let most = ((17 << 27) / q).min(1 << 17);
-            // Apart from rounding, the error is greatest at one of the two ends. Every eighth guess is tested for the
-            // rounding.
+            // Apart from rounding, the error is greatest for the least or the greatest guess. Because of the rounding,
+            // every eighth guess between these two is tested as well.
             for guess in (least..=most).step_by(8).chain([most]) {
                 let residual = exact - f64::from(refined(q << 15 | q & 0x7fff, guess));
                 assert!(

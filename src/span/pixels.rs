@@ -21,13 +21,13 @@ pub(super) type Scales<S> = <Count<S> as Lanes>::Of<Scale>;
 /// How many numbers a shader interpolates, as a type.
 pub(super) type Count<S> = <<S as Shading>::Varyings as Varyings>::Lanes;
 
-/// The values that all pixels of a primitive share for a shader.
+/// The values of a shader that are the same at all pixels of a primitive.
 pub(super) type FaceOf<S> = <<S as Shading>::Varyings as Varyings>::Face;
 
 /// Interpolants at the first pixel of a span, and their change from one pixel to the next.
 ///
 /// `q` is 1/w (or depth under a parallel projection), scaled so that the greatest `q` in the primitive has bit 30 set.
-/// Each `p` is attribute · q · 2^-bits (see [`Scale`]), so that |p| ≤ q/2 apart from rounding.
+/// Each `p` is attribute · q · 2^-bits (see [`Scale`]), so |p| is at most q/2, apart from rounding.
 #[derive(Clone)]
 pub(crate) struct Span<L: Lanes> {
     pub q: u32,
@@ -42,7 +42,7 @@ pub(crate) struct Span<L: Lanes> {
 }
 
 impl<L: Lanes> Span<L> {
-    /// A copy of the span, from memory.
+    /// A copy of the span that the compiler has to read from memory.
     ///
     /// A loop over pixels takes all registers of a small core. Without this copy, the compiler keeps earlier values in
     /// some of these registers, and loads steps from the stack at every pixel.

@@ -4,12 +4,13 @@
 //! changes from one pixel to the next, and δ = |q′| / q. q is scaled so that its greatest value in a triangle has bit
 //! 30 set.
 //!
-//! For a triangle, in this order:
+//! The plan of a triangle is found in this order:
 //!
 //! 1. Under a parallel projection and in mode [`Affine`](super::Affine), nothing is divided: the triangle's spans are
 //!    straight.
-//! 2. If its attributes are affine within the mode's tolerance ([`Policy::affine_within`]), its spans are straight,
-//!    too. The inequality stands at `Attribute::is_affine` in setup.rs.
+//! 2. If the triangle's attributes are affine (linear on the screen) within the mode's tolerance
+//!    ([`Policy::affine_within`]), the triangle's spans are straight, too. The inequality stands at
+//!    `Attribute::is_affine` in setup.rs.
 //! 3. The mode chooses ([`Policy::of_triangle`]), and may choose again for each span ([`Policy::of_span`]).
 
 use super::pixels::Span;
@@ -21,10 +22,10 @@ use crate::shade::{Lanes, Tolerance};
 pub(crate) enum Plan {
     /// For a triangle with small planes: attributes are linear, and a row is a single span.
     Small,
-    /// Attributes are linear along the span. If they would be divided elsewhere in the draw call, they are stored
-    /// multiplied by 4.
+    /// Attributes are linear along the span. In a draw call that may divide attributes by w elsewhere, the attributes
+    /// along this span are interpolated multiplied by 4.
     Straight,
-    /// Attributes are linear along the span, but each attribute has its own scale, which each pixel undoes.
+    /// Attributes are linear along the span, but each attribute has its own scale, which is undone at each pixel.
     Scaled,
     /// For triangles only: each span of the triangle has its own plan.
     BySpan,
@@ -48,8 +49,8 @@ pub(crate) trait Policy: Copy {
     /// only.
     const BEST: Plan;
 
-    /// The greatest error of an attribute, in its units, that the mode accepts to save all divisions of a triangle.
-    /// With 0, no division is saved.
+    /// The greatest error that an attribute may have, in units of the attribute, if a triangle is drawn without
+    /// divisions. With 0, no triangle is drawn without divisions.
     #[inline]
     fn affine_within(self, _tolerance: Tolerance) -> u32 {
         0

@@ -2,7 +2,7 @@
 
 use crate::num::wide::product;
 
-/// A power of two, 2^bits: divided by it, an attribute becomes a fraction. `bits` is 1 to 32.
+/// The power of two, 2^bits, by which an attribute is divided to become a fraction. `bits` is 1 to 32.
 ///
 /// |attribute| · 17/16 < 2^(bits − 1), so the fraction attribute · 2^-bits is below 1/2, even after interpolation has
 /// added its rounding errors.
@@ -42,7 +42,7 @@ impl Scale {
     }
 
     /// The left shift and the right shift, in this order, that turn an interpolant of this scale into an interpolant of
-    /// `bits` bits, for a 1/w that is shifted left by `up`.
+    /// a scale of `bits` bits, if 1/w is shifted left by `up`.
     #[inline]
     pub(crate) const fn to(self, bits: u32, up: u32) -> (u32, u32) {
         let left = up + self.bits;
@@ -66,7 +66,7 @@ impl Scale {
     }
 }
 
-/// The number of bits of a scale at which an interpolant's unit is the attribute's unit.
+/// The number of bits of the scale with which an interpolant has the same unit as its attribute.
 pub(crate) const WHOLE: u32 = 30;
 
 /// The weight of an attribute that is not divided by w.
@@ -86,8 +86,8 @@ pub(crate) fn weigh(values: &mut [i32; 3], weights: &[u32; 3], least_bits: u32) 
         return scale;
     }
     for (value, weight) in values.iter_mut().zip(weights) {
-        // The value, shifted to fill 32 bits, times the weight; then the upper half of the product, rounded to
-        // nearest.
+        // The value is shifted to fill 32 bits, and multiplied by the weight. The result is the upper half of the
+        // product, rounded to nearest.
         let filled = *value << ((32 - scale.bits) & 31);
         let product = product(filled, weight.cast_signed());
         *value = ((product + (1 << 31)) >> 32) as i32;
@@ -95,12 +95,12 @@ pub(crate) fn weigh(values: &mut [i32; 3], weights: &[u32; 3], least_bits: u32) 
     scale
 }
 
-/// Clamps values of 31 bits, so that they stay away from the ends of `i32` by as much as rounding may add to them where
-/// the weight is least. One step beyond the ends would wrap around.
+/// Clamps values of 31 bits, to leave room at the ends of `i32` for rounding. Beyond the ends, a value would wrap
+/// around. Rounding adds most at the corner with the least weight.
 #[cold]
 fn leave_room(values: &mut [i32; 3], weights: &[u32; 3]) {
     let least = weights.iter().copied().fold(1 << 30, u32::min);
-    // The error of an interpolant is below 64 units, and this unit is 2^32 / weight units of the value.
+    // The error of an interpolant is below 64 units, and such a unit is 2^32 / weight units of the value.
     let room = 1 << 7 << least.leading_zeros().min(20);
     for value in values {
         *value = (*value).clamp(i32::MIN + room, i32::MAX - room);
@@ -111,8 +111,8 @@ fn leave_room(values: &mut [i32; 3], weights: &[u32; 3]) {
 mod tests {
     use super::*;
 
-    /// The error of an interpolant is at most 40 units, the error of a numerator 36½. Together, these errors may bring
-    /// a numerator 56½ units nearer to half of the interpolant. Beyond this half, a numerator wraps.
+    /// The error of q (1/w) is at most 40 units, and the error of a numerator p is at most 36½ units. Together, these
+    /// errors may bring a numerator 56½ units nearer to half of q. Beyond half of q, a numerator wraps around.
     #[test]
     fn numerators_leave_room_for_rounding() {
         for bits in 0..=31 {

@@ -9,8 +9,8 @@ use crate::shade::Lanes;
 
 /// The most pixels of a span; every span computes its interpolants afresh.
 ///
-/// A step is rounded by up to half a unit of 2⁻³⁰, so a span adds at most 32 units of error. All modes use the same
-/// length, so they get the same depths, except `Compact`, which has other planes.
+/// A step is rounded by up to half a unit of 2⁻³⁰, so the steps of a span add at most 32 units of error. All modes use
+/// the same length, so depths are the same in all modes but `Compact`. (`Compact` has wide planes only.)
 pub(super) const SPAN: i32 = 64;
 
 /// If 1/w is greater than this at all corners, the triangle is shallow: 1/w changes less than fourfold, because the
@@ -20,7 +20,7 @@ pub(super) const SHALLOW: u32 = (1 << 29) + 64;
 /// An attribute that is interpolated over a primitive.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Attribute {
-    /// Its values at the corners of the mesh's triangle.
+    /// The attribute's values at the corners of the mesh's triangle.
     pub(super) corners: [i32; 3],
     /// The greatest error that the attribute may have if the triangle is drawn affinely.
     pub(super) tolerance: u32,
@@ -38,7 +38,7 @@ impl Attribute {
         scale: Scale::UNSET,
     };
 
-    /// Its values at the vertices of a patch.
+    /// The attribute's values at the vertices of a patch.
     #[inline]
     fn at(&self, patch: &Patch<'_>) -> [i32; 3] {
         match patch.barycentric {
@@ -57,7 +57,7 @@ impl Attribute {
         ]
     }
 
-    /// The range of its values, if they are small enough for [`Scale::AFFINE`].
+    /// The range of the attribute's values; `None` if they are too large for [`Scale::AFFINE`].
     #[inline]
     fn affine_range(&self) -> Option<u32> {
         let [a, b, c] = self.corners;
@@ -66,8 +66,8 @@ impl Attribute {
         fits.then(|| (high - low).cast_unsigned())
     }
 
-    /// Whether the attribute may be interpolated without regard to 1/w. `least` is the least 1/w, and `change` is the
-    /// range of 1/w.
+    /// Whether the attribute may be interpolated without regard to 1/w. `range` is the attribute's range, `least` is
+    /// the least 1/w, and `change` is the range of 1/w.
     ///
     /// Let q be 1/w and f the attribute, both at the corners, and λ the barycentric weights of a pixel, which add up
     /// to 1. The affine value is Σλf, the exact value is Σλqf / Σλq. Their difference is the covariance of q and f,
@@ -101,7 +101,8 @@ const PAIR_DOWN: u32 = 5;
 /// The three attributes at a pixel, from `pair` (the first and the third attribute) and `second` (the second attribute,
 /// [shifted left](Scale::AFFINE_UP)).
 ///
-/// The first attribute is the lower half of the pair: its five bits of whole steps are where RGB565 has red.
+/// The first attribute is the lower half of the pair, because its five bits of whole steps are then the bits in which
+/// RGB565 has red.
 ///
 /// The first and the third attribute are levels raised by half a step: from ½ to 31½ steps. The unit of a half is 2^-11
 /// step. A coarse plane has an error of [67½ units](super::gradient), and the bits that are cut add one unit. Together,
@@ -132,8 +133,8 @@ pub(crate) struct Setup {
     /// large.
     pub(super) is_paired: bool,
     /// The least number of bits of a [`Scale`] in triangles where 1/w changes less than fourfold. With b bits, an
-    /// interpolant's unit is 2^(b − 30) units of the attribute. More bits than the attribute has cost accuracy, but
-    /// save scaling.
+    /// interpolant's unit is 2^(b − 30) units of the attribute. If a scale has more bits than its attribute needs,
+    /// accuracy is lost, but interpolants need no scaling later.
     pub(super) least_bits: u32,
     pub(super) shift: DepthShift,
     /// 1/w (or depth).
@@ -166,7 +167,8 @@ impl Setup {
     /// Lays all interpolants through the vertices of a patch, and returns their plan: [`Plan::BySpan`] if attributes
     /// must be divided.
     ///
-    /// The same code serves any number of attributes: a copy for each number would be most of a small program.
+    /// One copy of this code serves any number of attributes, because a copy for each number would be most of a small
+    /// program.
     #[inline(never)]
     pub(super) fn lay(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) -> Plan {
         let (q, exponent) = ScreenVertex::weights(patch.vertices);

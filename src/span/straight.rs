@@ -31,8 +31,8 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
         }
     }
 
-    /// [`straight`](Self::straight) for attributes that are fractions in units of 2^-30, each with its own scale; out
-    /// of line because it is the exception.
+    /// The same as [`straight`](Self::straight), for attributes that are fractions in units of 2^-30, each with its own
+    /// scale. It is out of line because it is rarely needed.
     #[inline(never)]
     pub(super) fn scaled(self, span: &Span<Count<S>>, cells: CellsOf<'_, T>, scales: Scales<S>) {
         self.straight(span.anew(), cells, |_, _, p| {

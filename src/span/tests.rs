@@ -68,7 +68,7 @@ fn numbers(
 /// Spans of every length, with the relative change of 1/w per pixel. Along a span, 1/w and the attribute over w rise,
 /// fall or stay.
 fn spans() -> impl Iterator<Item = (u32, Span<[(); 1]>, f64)> {
-    // 1/w, from 2^29 to 2^31, and the attribute over w, at most half of 1/w.
+    // Each start is a 1/w, from 2^29 to 2^31, and an attribute over w, at most half of 1/w.
     let starts = [(1 << 30, 1 << 28), ((1 << 31) - (1 << 27), -(1 << 28))];
     let steps = [0, 1, -250, 40_000, -(1 << 20), 1 << 20];
     let gains = [0, 7, -100_000, 1 << 21];
@@ -154,7 +154,8 @@ fn divided_spans_are_exact_quotients() {
     }
 }
 
-/// The same error for interpolants that are computed anew for each pixel. The span's own interpolants are not used.
+/// The error is the same for interpolants that are computed anew for each pixel. The span's own interpolants are not
+/// used.
 #[test]
 fn spans_divided_anew_are_exact_quotients() {
     for (count, span, _) in spans() {
@@ -176,8 +177,8 @@ fn spans_divided_anew_are_exact_quotients() {
     }
 }
 
-/// An attribute is below 2^27. A reciprocal has a relative error of 2^-26 plus 12 δ⁴, because the guess at the second
-/// pixel has an error of 3 δ². The attribute is rounded down.
+/// An attribute is below 2^27. A guess has a relative error of up to 2.1 δ², so a reciprocal has a relative error of
+/// less than 12 δ⁴, plus 2^-26 from rounding. The attribute is rounded down.
 #[test]
 fn newton_spans_are_quotients_to_a_few_units() {
     for (count, span, delta) in spans() {

@@ -7,9 +7,9 @@ use crate::raster::{DepthShift, ScreenVertex};
 /// Sorts triangles or edges back to front: by their farthest corners and, if these are equally far away, by their
 /// indices.
 ///
-/// The farthest corner is found without a division, and it keeps a floor behind the things that stand on it. (The
-/// middle of the corners is right in slightly more pixels if triangles are alike. If one triangle is much larger than
-/// another, the middle is wrong in more pixels.)
+/// The farthest corner is found without a division, and it keeps a floor behind the things that stand on it. (If
+/// triangles were compared by the middle of their corners, slightly more pixels would be right among triangles of
+/// similar size, but more pixels would be wrong if one triangle is much larger than another.)
 #[inline(never)]
 pub(super) fn sort<G: Listed, T>(
     entries: &mut [Entry],
@@ -36,8 +36,8 @@ pub(super) fn sort<G: Listed, T>(
     }
 }
 
-/// How near a corner is; greater is nearer. It is 1/w or, under a parallel projection, the depth, with 26 bits and an
-/// exponent. Corners of different objects can be compared.
+/// How near a corner is; a greater number is nearer. The number is 1/w or, under a parallel projection, the depth, with
+/// 26 bits and an exponent. Corners of different objects can be compared.
 fn nearness(corner: &ScreenVertex, shift: DepthShift) -> u32 {
     // A depth is q shifted right by 15 to 47. In perspective, all q have the same top bit, so that the shift decides
     // first; under a parallel projection, all shifts are equal.
@@ -57,7 +57,7 @@ fn corners(corners: Corners, vertices: &[ScreenVertex]) -> impl Iterator<Item = 
 }
 
 impl Entry {
-    /// Its rank in the order: the [`nearness`] of its farthest corner, then its index.
+    /// The entry's rank in the order: the [`nearness`] of its farthest corner, then its index.
     fn rank(&self) -> u64 {
         let [high, low] = self.rows.map(|bits| u64::from(bits.cast_unsigned()));
         high << 48 | low << 32 | u64::from(self.element)
@@ -81,7 +81,7 @@ fn heap_sort(entries: &mut [Entry]) {
     }
 }
 
-/// Moves the entry at `at` down the heap until both of its children are less.
+/// Moves the entry at `at` down the heap until neither of its children has a higher rank.
 fn sift_down(heap: &mut [Entry], mut at: usize) {
     let Some(&moved) = heap.get(at) else {
         return;

@@ -81,7 +81,7 @@ use crate::{Error, Transform};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Object<T, G = &'static Mesh<'static>> {
-    /// A mesh, or edges of one.
+    /// A mesh, or edges of a mesh.
     pub thing: G,
     /// From model to world space.
     pub model: Transform,
@@ -108,7 +108,7 @@ impl<T, G> Object<T, G> {
     }
 }
 
-/// A thing in a list, and where it is.
+/// A thing in a list, with its transforms.
 #[derive(Clone, Copy, Debug)]
 pub struct Placed<G> {
     pub(super) thing: G,
@@ -155,7 +155,8 @@ impl<G, T> Objects<'_, G, T> {
 
 /// The index of the object to which an element belongs.
 fn object_of<T, G>(objects: &[Object<T, G>], element: u32) -> usize {
-    // It is the last object that does not begin after the element, because objects before it may be empty.
+    // The last object that does not begin after the element. An object without elements begins at the same index as the
+    // next object.
     let after = objects.partition_point(|object| object.listing.first <= element);
     after.wrapping_sub(1)
 }
@@ -201,11 +202,11 @@ impl<'a, T, G: Listed, const COUNT: usize> Scene<'a> for &'a mut [Object<T, G>; 
 /// A mesh, edges or several objects, ready to be drawn to every band of a frame.
 ///
 /// [`DrawList::prepare`](crate::DrawList::prepare) returns it, and
-/// [`Canvas::draw_prepared`](crate::Canvas::draw_prepared) draws it. For objects with materials,
-/// [`parts`](Self::parts) yields one after the other.
+/// [`Canvas::draw_prepared`](crate::Canvas::draw_prepared) draws it. For objects with materials, [`parts`](Self::parts)
+/// yields one object after the other.
 ///
-/// `T` is the type of the materials, `G` is the type of what was listed, `O` is the type of the options, and `K` is the
-/// kind of projection. A `Prepared` can be shared with another core that draws other bands of the same frame.
+/// `T` is the type of the materials, `G` is the type of the listed things, `O` is the type of the options, and `K` is
+/// the kind of projection. A `Prepared` can be shared with another core that draws other bands of the same frame.
 ///
 /// ```
 /// use fixel::{Prepared, prelude::*};
@@ -287,8 +288,8 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
         }))
     }
 
-    /// Runs of consecutive elements of one thing. The first element of a run may have pixels in `rows`. A thing that
-    /// was prepared alone is a single run.
+    /// Runs of consecutive elements of one thing. Each run of an object begins with an element that may have pixels in
+    /// `rows`. A thing that was prepared alone is a single run.
     #[inline]
     pub(super) fn runs<'s>(
         &'s self,

@@ -15,9 +15,9 @@ use crate::shade::{Fragment, Lanes, Shader, Varyings};
 ///
 /// Without a `ShadeList`, a shader computes its [`varyings`](Shader::varyings) for a triangle or edge once in each band
 /// that contains a part of it. [`Prepared::shade`] computes them once per frame and stores them here. The pixels are
-/// the same. A small lit ball in bands of eight rows, whose triangles lie in 1.3 bands on average, takes 8 % fewer
-/// instructions on a Cortex-M4, and 10 % fewer if its faces are lit. The saving grows with larger triangles and with
-/// lower bands.
+/// the same. For example, a small lit ball is drawn in bands of eight rows, and a triangle lies in 1.3 bands on
+/// average. With a `ShadeList`, the ball takes 8 % fewer instructions on a Cortex-M4, and 10 % fewer if its faces are
+/// lit. The saving grows with larger triangles and with lower bands.
 ///
 /// For each triangle or edge, the list stores the values to interpolate at three corners, and the values [per
 /// face](crate::shade::PerFace). These values take 4 bytes for faces in white light, and 12 bytes for white light at
@@ -141,8 +141,8 @@ fn index(entry: usize, first: usize) -> usize {
     entry.wrapping_sub(first) / size_of::<Entry>()
 }
 
-/// The values that [`Prepared::shade`] computed; [`of`](Self::of) makes a shader of them. A `Shades` borrows the
-/// [`ShadeList`]; see there for an example.
+/// The values that [`Prepared::shade`] computed; [`of`](Self::of) makes a shader from these values. A `Shades` borrows
+/// the [`ShadeList`]; see there for an example.
 #[derive(Clone, Copy)]
 pub struct Shades<'a, S: Shader> {
     /// The address of the list's first entry. The list cannot change while these values exist, so the address of an
