@@ -75,8 +75,8 @@ fn points_are_the_models() {
     });
 }
 
-/// Points with a size in world space. Half of it is size · focal length / distance / 2 pixels or, under a parallel
-/// projection, size · height of the frame / height of the window / 2 pixels.
+/// Points with a size in world space. Half of the size on the screen is size · focal length / distance / 2 pixels or,
+/// under a parallel projection, size · height of the frame / height of the window / 2 pixels.
 #[test]
 fn attenuated_points_are_the_models() {
     cases(CASES, |random| {
@@ -93,7 +93,7 @@ fn attenuated_points_are_the_models() {
             }
             .unwrap()
             .attenuated();
-            // A scale of the model moves the point, but does not change its size.
+            // The model's scale moves the point, but does not change the point's size.
             let model = Transform::scale(scale);
             let world = model.point(positions[0]);
             let distance = -f64::from(world.z.to_bits()) / 65536.;

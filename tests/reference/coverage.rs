@@ -44,7 +44,7 @@ impl Bounds {
         }
     }
 
-    /// The part of these bounds with every center that is within `margin` pixels of the corners' bounding box.
+    /// The part of these bounds that contains every center within `margin` pixels of the corners' bounding box.
     pub fn around(self, corners: &Corners, margin: f64) -> Self {
         let range = |axis: usize| {
             let low = corners.iter().map(|c| c[axis]).fold(f64::MAX, f64::min);
@@ -130,7 +130,7 @@ pub fn covers(t: Snapped, pixel: [i32; 2]) -> bool {
 
 /// Whether a triangle of either winding, with corners that were not snapped, covers a point.
 ///
-/// The ends of an edge are sorted first, so the edge has the same value in both of its triangles. Therefore the
+/// The ends of an edge are sorted first, so both triangles beside the edge compute the same value for it. So the
 /// triangles leave no gap and do not overlap, even in rounded arithmetic.
 pub fn covers_f64(t: &Corners, p: [f64; 2]) -> bool {
     let [a, b, c] = *t;

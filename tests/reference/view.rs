@@ -88,7 +88,7 @@ impl View {
     }
 }
 
-/// Rounds pixels to the nearest 1/256 pixel, halves toward +∞. Saturates.
+/// Converts pixels to units of 1/256 pixel, rounded to nearest, halves toward +∞. The result saturates.
 pub fn snap(screen: [f64; 2]) -> [i32; 2] {
     screen.map(|x| (x * 256. + 0.5).floor() as i32)
 }

@@ -38,7 +38,7 @@ fn canvases_beyond_their_limits_are_refused() {
     assert_eq!(new(MAX_SIZE, MAX_SIZE), Ok(()));
 }
 
-/// Lists can be prepared for frames of the same sizes as canvases.
+/// The frame for which a list is prepared has the same limits of size as a canvas.
 #[test]
 fn prepared_frames_beyond_their_limits_are_refused() {
     let mesh = Mesh::new(&[], &[]).unwrap();
@@ -79,7 +79,7 @@ fn positions_of_a_mesh_beyond_their_limit_are_refused() {
         let faces = [[0, last, last]];
         assert!(Mesh::new(&positions[..count], &faces).is_ok(), "{count}");
     }
-    // The mesh with one position less refuses the last index.
+    // If a mesh has one position less, it refuses the last index.
     assert!(Mesh::new(&positions[..Mesh::MAX_POSITIONS - 1], &[[0, 0, u16::MAX]]).is_err());
     let Err(Error::TooMany { given, max, .. }) = Mesh::new(&positions, &[]) else {
         panic!("too many positions");
@@ -90,7 +90,7 @@ fn positions_of_a_mesh_beyond_their_limit_are_refused() {
 #[test]
 fn parts_of_a_shape_beyond_their_limits_are_refused() {
     let max = Shape::MAX_PARTS;
-    // The largest cylinder: each column has four vertices.
+    // This is the largest cylinder, because each of its columns has four vertices.
     assert!(Shape::cylinder(max - 1).is_ok());
     assert!(Shape::plane(max - 1, 1).is_ok());
     assert!(Shape::plane(max, 1).is_ok());
@@ -148,7 +148,8 @@ fn textures_of_the_largest_sides_are_drawn() {
 
 #[test]
 fn numbers_beyond_their_formats_are_refused() {
-    // The ends of the formats are accepted. Half a unit beyond them is refused, because it is rounded away from zero.
+    // The ends of the formats are accepted. A number half a unit beyond an end is refused, because it is rounded away
+    // from zero.
     let unit = 1. / 65_536.;
     assert_eq!(Scalar::try_from(32_768. - unit), Ok(Scalar::MAX));
     assert!(Scalar::try_from(32_768. - unit / 2.).is_err());
@@ -211,14 +212,14 @@ fn projections_beyond_their_limits_are_refused() {
     assert!(edges(i32::MIN, i32::MAX));
 }
 
-/// Whether a point straight ahead is visible.
+/// Whether the point straight ahead at the distance `bits` is visible.
 fn seen<K: ProjectionKind>(mvp: &Mvp<K>, bits: i32) -> bool {
     let point = Vec3::from_bits([0, 0, -bits]);
     Counter::new((4, 4)).snapped(mvp, point).is_some()
 }
 
-/// Points are a unit in front of each plane and a unit behind it. A point exactly in a plane may be visible or not,
-/// because planes have 28 bits.
+/// Checks points before and beyond each plane, as near to the plane as its error permits. A point exactly in a plane
+/// may be visible or not, because planes have 28 bits.
 #[test]
 fn points_show_between_near_and_far() {
     for (near, far) in [
@@ -231,7 +232,7 @@ fn points_show_between_near_and_far() {
         let projection =
             Projection::<Perspective>::from_focal_length(fx!(4), (4, 4), s(near), s(far));
         let mvp = projection.unwrap().into();
-        // The error of the planes: their coefficients have at least 28 bits.
+        // The error of a plane's distance. The coefficients of planes have at least 28 bits.
         let units = |at: i32| (at >> 27) + 1;
         assert!(
             !seen(&mvp, near - units(near)) && seen(&mvp, near + units(near)),
@@ -246,7 +247,7 @@ fn points_show_between_near_and_far() {
 }
 
 /// Screen coordinates reach 2048 pixels from the viewport's center. A triangle within this guard band is drawn
-/// unclipped. A triangle that reaches beyond the guard band is clipped, and covers the same pixels.
+/// unclipped. A triangle that reaches beyond the guard band is clipped. Both triangles must cover about the same area.
 #[test]
 fn triangles_beyond_the_guard_band_are_clipped() {
     let size = (64, 48);
@@ -301,7 +302,8 @@ fn screen_positions_are_within_the_guard_band() {
             let mut counter = Counter::new(size);
             for point in [[at, 0], [0, at], [at, at]] {
                 let [x, y] = [point[0] + 32 * 256, point[1] + 24 * 256];
-                // Move each position by half a subpixel to either side. The last position must not be rounded up.
+                // Move each position by half a subpixel to either side. The position at the end of the band must not be
+                // rounded up.
                 for half in [-128, 0, 127] {
                     let position = at_subpixel([x, y]) + Vec3::from_bits([half, half, 0]);
                     let Some(place) = counter.snapped(&pixel_projection(size), position) else {

@@ -47,7 +47,7 @@ fn the_widest_coordinates_are_exact() {
     let all = [i32::MIN, i32::MAX];
     let t = [[all[0], all[0]], [all[1], all[0]], [all[0], all[1]]];
     assert_eq!(area2(t), ((1_i128 << 32) - 1).pow(2));
-    // The slope is at x + y = −1/256 pixel.
+    // The longest edge is the line x + y = −1/256 pixel.
     assert_eq!(covered(t, 3, 3).count(), 0);
     assert!(covers(t, [-1, -1]) && !covers(t, [-1, 0]));
 }

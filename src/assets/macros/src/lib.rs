@@ -36,7 +36,7 @@ pub fn assets(input: TokenStream) -> TokenStream {
 }
 
 /// A picture of `fixel`'s own documentation as a `data:` URI. The picture is part of the page because docs.rs serves no
-/// other files. The input is the parts of a path in the package.
+/// other files. The input is string literals, which together are the picture's path in the package.
 #[doc(hidden)]
 #[proc_macro]
 pub fn picture_uri(input: TokenStream) -> TokenStream {
