@@ -104,13 +104,13 @@ where
     all
 }
 
-/// Two colors, and the pixels that result from every way to blend one over the other.
+/// Two colors, and the pixels that result from every way to blend one color over the other color.
 struct Blended {
     above: Channels,
     below: Channels,
     /// Whether the colors are dithered.
     is_coarse: bool,
-    /// An opacity in 255ths becomes a weight. This is the largest error of the weight.
+    /// The largest error of the weight that the crate computes from an opacity in 255ths.
     weight: f64,
     opacity: Vec<Channels>,
     alpha: Vec<Channels>,
@@ -177,8 +177,8 @@ impl Blended {
             let values: Vec<f64> = found.iter().map(|parts| parts[part][0]).collect();
             let context = || format!("{what} of {above:?} and {below:?}: {exact}, not {values:?}");
             if self.is_coarse {
-                // Dithering gives the two whole steps around the exact level. Its 64 thresholds begin at 1/128 and are
-                // 1/64 apart.
+                // Dithering gives the two whole steps around the exact level. The 64 thresholds of dithering begin at
+                // 1/128 and are 1/64 apart.
                 let mean = values.iter().sum::<f64>() / values.len() as f64;
                 assert!((mean - exact).abs() <= error + 1. / 128., "{}", context());
                 assert!(

@@ -118,8 +118,8 @@ impl Bound {
     }
 }
 
-/// Whether `Exact` is certain to recompute the interpolants at each pixel. It does so if a corner's 1/w is below 2²⁷
-/// units; the nearest corner's 1/w is 2³⁰ to 2³¹ units.
+/// Whether `Exact` is certain to recompute the interpolants at each pixel. `Exact` does this if a corner's 1/w is below
+/// 2²⁷ units. The nearest corner's 1/w is 2³⁰ to 2³¹ units.
 pub fn is_precise(corners_w: [f64; 3]) -> bool {
     let [nearest, farthest] = ends(corners_w);
     farthest > 16.001 * nearest
@@ -141,7 +141,7 @@ fn may_be_precise(corners_w: [f64; 3]) -> bool {
 /// - The area and its reciprocal have the same relative error in all interpolants, so this error cancels. The bits
 ///   shifted out of a gradient's numerator are below 2⁻²² of a unit. A raised interpolant is rounded to half of a
 ///   raised unit. An error of 0.01 unit covers both.
-/// - The quotient has the errors given above.
+/// - The quotient has 30 bits, and is rounded down to a unit.
 fn anew(corners: [i32; 3], corners_w: [f64; 3]) -> Bound {
     let [nearest, _] = ends(corners_w);
     let [a, b, c] = corners.map(f64::from);
@@ -204,9 +204,9 @@ fn lifted(w: [f64; 3]) -> f64 {
 ///
 /// Interpolants have 28 bits, so a unit is 2²⁸ / Q of the attribute. Because Q is at least 2²⁹, this is half of the
 /// attribute's unit.
-/// - If every corner's Q is above 2²⁹, interpolants have 28 bits from the start. Their error of 56½ units, or 28¼ units
-///   of the attribute, replaces the error in the attribute's own bits. The bound is 28.3, because a pixel's Q can be a
-///   little below 2²⁹.
+/// - If every corner's Q is above 2²⁹, interpolants have 28 bits from the start. The error of such interpolants, 56½
+///   units or 28¼ units of the attribute, replaces the error in the attribute's own bits. The bound is 28.3, because a
+///   pixel's Q can be a little below 2²⁹.
 /// - Otherwise, the interpolants of a span are shifted. The shift rounds the start and 63 steps to nearest once more:
 ///   32 units, or 16 units of the attribute.
 ///
@@ -217,15 +217,16 @@ fn lifted(w: [f64; 3]) -> f64 {
 /// numerator is rounded down to a unit, like the exact quotient.
 ///
 /// Where division would make almost no difference, `Newton` does not divide:
-/// - A triangle that hardly changes in depth is affine. Its error is the error that its shader allows (16 units by
-///   default), plus the error of numerators with 30 bits (a quarter of 36½ units), plus a unit of rounding. This sum is
-///   less than the sum of the next item.
+/// - A triangle that hardly changes in depth is drawn affinely. The triangle's error is the error that the shader
+///   allows (16 units by default), plus the error of numerators with 30 bits (a quarter of 36½ units), plus a unit of
+///   rounding. This sum is less than the sum of the next item.
 /// - A span along which 1/w hardly changes is drawn straight, in quarter units of the attribute. The tangent at the
 ///   middle of the span has an error of 16 whole units at the span's ends. Where Q is least, a reciprocal below 2³¹ has
-///   31 bits. It contributes ½ to a value below 2²⁹, and rounding contributes another ½: together 1. The dividend of a
-///   gain is rounded to half of its unit, which the reciprocal turns into 1. The product is rounded once more, to ½.
-///   The reciprocal contributes 2⁻⁵ to a gain below 2²⁵. So 32 gains make 49, and the total is 50 quarter units, that
-///   is, 12½ units. (Where Q is at least 2³⁰, the 1 of a gain is ½.)
+///   31 bits. The reciprocal contributes ½ to the error of a value below 2²⁹, and rounding contributes another ½:
+///   together 1. The dividend of a gain has a rounding error of half of its unit, and the product with the reciprocal
+///   turns this error into 1. The product is rounded once more, to ½. The reciprocal contributes 2⁻⁵ to a gain below
+///   2²⁵. So 32 gains make 49, and the total is 50 quarter units, that is, 12½ units. (Where Q is at least 2³⁰, the 1
+///   of a gain is ½.)
 ///
 /// An attribute with more than 28 bits is divided exactly, and so is every other attribute of the same shader.
 fn newton(corners: [i32; 3], corners_w: [f64; 3]) -> f64 {
@@ -252,11 +253,12 @@ const RUN_ROUNDING: f64 = 16.;
 /// The error that `Fast` adds to the stepped interpolants' error and to the tolerance. One part of the error is
 /// relative to A, the largest absolute value at a corner. The other part is in units of the attribute.
 ///
-/// - 1/w is truncated to its upper 15 to 17 bits. The relative error is 2⁻¹⁴ where it has 15 bits (from 2²⁹ to 2³⁰).
+/// - 1/w is truncated to its upper 15 to 17 bits. This is a relative error of 2⁻¹⁴ where 15 bits are left (1/w from 2²⁹
+///   to 2³⁰).
 /// - The reciprocal at the start of a span is rounded down to 16 to 18 bits: 2⁻¹⁵. Each later reciprocal results from
 ///   two Newton steps that start with an error of 1/16: 2⁻¹⁶ · 1.02. The products of the last step lose 2⁻¹⁸ and a
-///   unit. The unit is 2⁻¹⁷ where 1/w has 15 bits. It is 2⁻¹⁵ where 1/w has 17 bits, but there the error of 1/w is only
-///   2⁻¹⁶.
+///   unit. The reciprocal's unit is 2⁻¹⁷ where 1/w has 15 bits. Where 1/w has 17 bits, the unit is 2⁻¹⁵, but there the
+///   error of 1/w is only 2⁻¹⁶.
 /// - A step of the interpolants is truncated to 2⁻²⁸ of A's bits. 64 steps add up to 2⁻²², or 2⁻²¹ where 1/w is only
 ///   2²⁹.
 /// - A value is rounded down by up to a unit, and so is the gain of each of 64 pixels: 65 units.
@@ -272,16 +274,16 @@ fn is_far(corners_w: [f64; 3]) -> bool {
     farthest > 4.001 * nearest
 }
 
-/// The largest difference between `Newton` and `Exact` if both have the same interpolants. Both have the same if a
-/// corner is far, but not so far that `Exact` recomputes the interpolants. Both modes round down to a unit, and `Exact`
-/// loses half a unit more.
+/// The largest difference between `Newton` and `Exact` if both have the same interpolants. Both modes have the same
+/// interpolants if a corner is far, but not so far that `Exact` recomputes the interpolants. Both modes round down to a
+/// unit, and `Exact` loses half a unit more.
 pub fn newton_from_exact(corners: [i32; 3], corners_w: [f64; 3]) -> Option<f64> {
     let is_alike = is_far(corners_w) && !may_be_precise(corners_w);
     is_alike.then(|| newton(corners, corners_w) + 1.5)
 }
 
-/// The bound of a 16-bit depth's error, in steps, before the depth is rounded down. It consists of the error of 1/w,
-/// with 2³⁰ units for at most 65,536 steps, and of 2⁻²⁹ for the reciprocal of the near plane's distance.
+/// The bound of a 16-bit depth's error, in steps, before the depth is rounded down. The bound consists of the error of
+/// 1/w, with 2³⁰ units for at most 65,536 steps, and of 2⁻²⁹ for the reciprocal of the near plane's distance.
 pub const DEPTH: f64 = (INVERSE_W + 3.) / 16384.;
 
 /// The bound of a depth's error in a triangle with these corners, including the error of a lifted corner.

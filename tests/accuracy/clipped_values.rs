@@ -34,8 +34,8 @@ fn nearest<'a>(pieces: &'a [Piece<2>], pixel: [i32; 2]) -> Option<(f64, &'a Piec
     pieces.iter().map(gap).min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-/// Checks each pixel center. It must be drawn once if it is farther inside than a corner can move, and never if it is
-/// farther outside than a corner can move.
+/// Checks each pixel center. A pixel must be drawn once if its center is farther inside than a corner can move, and
+/// never if its center is farther outside than a corner can move.
 fn check_coverage(pieces: &[Piece<2>], seen: &[Seen<2>]) {
     let mut drawn = vec![0; SIZE.0 as usize * SIZE.1 as usize];
     for seen in seen {

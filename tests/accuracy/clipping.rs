@@ -41,7 +41,7 @@ fn projection() -> Projection<fixel::view::Perspective> {
         .unwrap()
 }
 
-/// The model's view. Its near and far planes are moved outwards by a fraction of their distance.
+/// The model's view. The near and far planes of this view are moved outwards by a fraction of their distance.
 fn model_view(outwards: f64) -> view::View {
     let (near, far) = (NEAR * (1. - outwards), FAR * (1. + outwards));
     view::View {
@@ -153,8 +153,8 @@ fn count(
 /// One unit of space, in units of 2⁻¹⁶.
 const UNIT: i32 = 1 << 16;
 
-/// A position anywhere around the eye. It can be close to the near plane, at the far plane, behind the eye, or far to
-/// the side.
+/// A position anywhere around the eye. The position can be close to the near plane, at the far plane, behind the eye,
+/// or far to the side.
 fn around(random: &mut Random) -> Vec3 {
     let [x, y] = from_fn(|_| {
         let reach = match random.random_range(0..7) {
@@ -278,7 +278,7 @@ impl Ground {
     }
 }
 
-/// A floor, a ceiling, a wall or tilted ground. It reaches from behind the eye to beyond the far plane.
+/// A floor, a ceiling, a wall or tilted ground. The plane reaches from behind the eye to beyond the far plane.
 fn ground(random: &mut Random) -> Ground {
     let side = if random.random() { 1 } else { -1 };
     let height = side * random.random_range(UNIT / 8..2 * UNIT);
@@ -293,7 +293,7 @@ fn ground(random: &mut Random) -> Ground {
     }
 }
 
-/// The ground continues below the eye and behind the eye. Its triangles have all shapes.
+/// The ground continues below the eye and behind the eye. The triangles of the ground have all shapes.
 #[test]
 fn meshes_through_the_near_plane_are_the_models() {
     cases(128, |random| {
@@ -323,12 +323,12 @@ fn meshes_through_the_near_plane_are_the_models() {
     });
 }
 
-/// The near and far planes both clip each of these thin triangles, so four of its corners are new and rounded. Its
-/// outline is only a few subpixels wide at the far end, so rounding can make the outline cross itself there. Then the
-/// triangles of the outline's fan overlap, but no pixel may be drawn twice.
+/// The near and far planes both clip each of these thin triangles, so four of its corners are new and rounded. A
+/// clipped triangle is only a few subpixels wide at the far end, so rounding can make its outline cross itself there.
+/// In this case, the triangles of the outline's fan overlap, but no pixel may be drawn twice.
 #[test]
 fn thin_clipped_triangles_draw_each_pixel_once() {
-    // Rounding decides which triangles fold over a pixel's center. Only few triangles do, so the test draws many.
+    // Rounding decides which triangles fold over a pixel's center. Only few triangles fold, so the test draws many.
     let mut drawn = 0;
     for height in (10_000..60_000).step_by(100) {
         let place = |[u, v]: Point| Vec3::from_bits([32 * u, height + u + 5 * v, -32 * v]);
@@ -367,7 +367,7 @@ const BEYOND: [[[f64; 3]; 3]; 6] = [
     [[1., 400., -4.], [50., 300., -4.], [-100., 500., -4.5]],
 ];
 
-/// One, two and three corners of a triangle lie beyond each plane.
+/// For each plane: triangles with one, two and three corners beyond the plane.
 #[test]
 fn each_plane_clips_one_two_and_three_corners() {
     for (plane, beyond) in BEYOND.iter().enumerate() {
@@ -410,8 +410,8 @@ fn nothing_behind_the_eye_is_drawn() {
     }
 }
 
-/// Ground below the eye reaches from far behind the eye to the far plane. Its end at the far plane is below the
-/// horizon, and it covers all pixels below this end. The far plane is 24 units away, so the ground ends 30/24 = 1¼ rows
+/// Ground below the eye reaches from far behind the eye to the far plane. The ground ends at the far plane, below the
+/// horizon, and covers all pixels below this end. The far plane is 24 units away, so the ground ends 30/24 = 1¼ rows
 /// below the middle, and centers from 17.5 down show ground.
 #[test]
 fn ground_fills_the_picture_up_to_the_far_plane() {

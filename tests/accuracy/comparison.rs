@@ -41,7 +41,7 @@ pub struct Scene {
     view: View,
 }
 
-/// The differences between the crate's pixels and the model's. Unless noted, the model uses the crate's snapped
+/// The differences between the crate's pixels and the model's pixels. Unless noted, the model uses the crate's snapped
 /// vertices.
 pub struct Comparison {
     /// Pixels drawn, including hidden ones.
@@ -60,7 +60,7 @@ pub struct Comparison {
     pub allowed: Spread,
     /// How far the exact depth lies outside the stored step, in steps.
     pub depth: Spread,
-    /// How far the visible surface lies behind the nearest one, in steps of depth.
+    /// How far the visible surface lies behind the nearest surface, in steps of depth.
     pub order: Spread,
     pub coverage: Coverage,
 }

@@ -295,8 +295,8 @@ fn a_magnified_texture_is_smooth() {
             }
         }
         // The difference between neighboring pixels is a fraction of the difference between neighboring texels, plus
-        // the errors of both pixels. A position has an error of 0.001 and half a 256th along each axis. A color has an
-        // error of one step.
+        // the errors of both pixels. A position has an error of 0.001 texel and half of 1/256 texel along each axis. A
+        // color has an error of one step.
         let most = steepest(&nearest);
         let allowed = most * (scale + 4. * (0.001 + 1. / 512.)) + 2.;
         assert!(steepest(&smooth) <= allowed, "{texels:?}");

@@ -16,11 +16,11 @@ use crate::reference::view::{View, Viewport as ModelViewport};
 
 const SIZE: (u32, u32) = (64, 48);
 /// A box that is this many pixels outside the view must count as out of view. One pixel is for the border of one pixel
-/// around the view, and the rest is for rounding. Four moves have a relative error of 2.7e-8 (`relative`), times at
-/// most 120 from the eye, times 2,048 pixels, which is half of the guard band. Coefficients of at most 3 are rounded to
-/// 27 bits, and multiplied by at most 24 for the three coordinates of a corner. Together, this is below 0.01 pixel at a
-/// distance of 1, so a distance below 1 counts as 1. In a parallel view, a unit is at most 512 pixels wide, and 120
-/// units have an error of 0.0017 pixel.
+/// around the view, and the rest is for rounding. Four moves have a relative error of 2.7e-8 (`relative`), times a
+/// distance of at most 120 from the eye, times half of the guard band, 2,048 pixels. Coefficients of at most 3 are
+/// rounded to 27 bits, and multiplied by at most 24 for the three coordinates of a corner. Together, these errors are
+/// below 0.01 pixel at a distance of 1, so a distance below 1 counts as 1. In a parallel view, a unit is at most 512
+/// pixels wide, and 120 units have an error of 0.0017 pixel.
 const PIXELS: f64 = 1.01;
 /// A box that is beyond the near or the far plane by this fraction of the plane's distance must count as out of view.
 const PART: f64 = 0.0001;

@@ -26,9 +26,9 @@ const HALF_STEP: f64 = UNIT / 510.;
 /// 4.4e-4.
 ///
 /// A smooth falloff uses s, the square of the distance divided by the range. The truncated vector adds an error of
-/// 2.1e-4 to s, and the 13 bits of the square and of the reciprocal add 1.85e-4. The formula (1 - s)² turns these 4e-4
-/// into at most half. Two factors of 15 bits add 6.1e-5. Their product with the brightness keeps 14 bits, and adds
-/// 6.1e-5.
+/// 2.1e-4 to s, and the 13 bits of the square and of the reciprocal add 1.85e-4. Both errors are relative to s. The
+/// formula (1 - s)² turns their sum of 4e-4 into an error of at most half as much. Two factors of 15 bits add 6.1e-5.
+/// The product of these factors with the brightness keeps 14 bits, and adds 6.1e-5.
 ///
 /// A linear falloff uses the length of the truncated vector, which has an error of 1.06e-4. The square of the length
 /// loses 6.1e-5, the reciprocal of the range 6.1e-5, and two products and the result 9.1e-5. The error of the root
@@ -143,8 +143,8 @@ fn lamps_follow_lambert_and_their_falloff() {
     });
 }
 
-/// The surfaces are in all directions and along an axis. They are at all distances, many of them beyond the format's
-/// range.
+/// The surfaces are in all directions and along an axis. The surfaces are at all distances, and many are beyond the
+/// format's range.
 #[test]
 fn lamps_light_nothing_beyond_the_longest_range() {
     cases(CASES, |random| {

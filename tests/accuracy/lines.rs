@@ -1,5 +1,5 @@
-//! Lines and points. Their pixels are compared with exact integers, the depths and attributes of lines with the f64
-//! model.
+//! Lines and points. The pixels of both are compared with exact integers, and the depths and attributes of lines with
+//! the f64 model.
 
 use crate::bands::{Point, point};
 use crate::common::random::{Random, cases, list, within};
@@ -236,8 +236,8 @@ fn around(random: &mut Random) -> Vec3 {
     Vec3::from_bits(within(random, ranges))
 }
 
-/// Random ends. Sometimes they make a line of more than 64 pixels in one row: y is below 1/32, so at a distance above 3
-/// the line is less than half a pixel from the middle.
+/// Random ends. Sometimes the two ends make a line of more than 64 pixels in one row: y is below 1/32, so at a distance
+/// above 3 the line is less than half a pixel from the middle.
 fn ends(random: &mut Random) -> [Vec3; 2] {
     if random.random_ratio(3, 4) {
         [around(random), around(random)]
@@ -277,9 +277,9 @@ fn lines_in_perspective_are_the_models() {
             let mvp = projection().into();
             let (pixels, depths) = recorded(&mvp, ends, [0, 1]);
             // A line drawn from its other end has the same pixels. The attribute of a clipped end is a blend of both
-            // ends' attributes. These differ by less than 2^21 units, and the weight is in units of 2^-30. The blend is
-            // rounded to the nearest unit from either side, so the two results can differ by one unit. The attribute of
-            // a pixel is rounded down, so it can differ by one more unit.
+            // ends' attributes. The two attributes differ by less than 2^21 units, and the weight is in units of 2^-30.
+            // The blend is rounded to the nearest unit from either side, so the two results can differ by one unit. The
+            // attribute of a pixel is rounded down, so it can differ by one more unit.
             let (others, other_depths) = recorded(&mvp, ends, [1, 0]);
             let places = |pixels: &[Drawn]| {
                 pixels
@@ -323,7 +323,8 @@ fn lines_in_perspective_are_the_models() {
 /// model's values at a point within 1/256 pixel.
 fn check_line(line: &Line<1>, extent: [f64; 2], pixels: &[Drawn]) {
     const ROUNDING: f64 = 1. / 256.;
-    // Beyond the guard band, clipping makes new ends. Their error does not depend on the length of the line in pixels.
+    // Beyond the guard band, clipping makes new ends. The error of the new ends does not depend on the length of the
+    // line in pixels.
     let major = usize::from(extent[1] > extent[0]);
     let minor = 1 - major;
     let length = extent[major];
@@ -369,7 +370,7 @@ fn check_line(line: &Line<1>, extent: [f64; 2], pixels: &[Drawn]) {
         // Attribute/w is linear, too, and the quotient of attribute/w and 1/w has the sum of both errors. Attributes
         // are below 2^20 units and scaled by 2^-21, and q is at least 2^30 · near/far. As bounds.rs derives, the errors
         // of the numerator and of q count as at most 56½ units of the numerator. In this small picture, they stay
-        // within 51 units. Clipping adds two units, and rounding two.
+        // within 51 units. Clipping adds two units, and rounding adds two units.
         let over_w = |i: usize| line.attributes[i][0] / line.w[i];
         let room_over = (over_w(0) - over_w(1)).abs() / length * ROUNDING * 1.01;
         let format = (f64::from(1 << 21) * 51. / (f64::from(1 << 30) * NEAR / FAR) + 4.) / 65536.;

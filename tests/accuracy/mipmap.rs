@@ -108,8 +108,8 @@ fn parts(color: Rgb888) -> [f64; 3] {
     [color.r(), color.g(), color.b()].map(f64::from)
 }
 
-/// The mean difference between a drawn floor and the exact mean colors of its pixels. It is the mean over all channels
-/// of all of the floor's pixels, in 255ths.
+/// The mean difference between a drawn floor and the exact mean colors of its pixels. The mean is over all channels of
+/// all of the floor's pixels, and in 255ths.
 fn difference(
     shader: &impl ShaderFor<Rgb888>,
     floor: &Mesh<'_>,

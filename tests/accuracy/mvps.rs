@@ -161,7 +161,7 @@ fn compare_spots(
 }
 
 /// A point that is this close to a plane, in pixels or in steps of depth, can be clipped or not. The crate's near plane
-/// is farther away by 2⁻¹⁶ of its distance.
+/// is nearer by 2⁻²⁷ of its distance.
 const SIDE: f64 = 1. / 16384.;
 
 fn viewport(random: &mut Random) -> Viewport {

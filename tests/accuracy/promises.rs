@@ -163,13 +163,13 @@ struct Worst {
 ///
 /// For each repeat, an interpolant's unit is at most 4¼ · 2⁻³⁰ · w of a repeat. For a product of 1, this is 2⁻⁶ · 4¼
 /// units of 2⁻¹⁶ texel, and 56½ times as much is 3¾ units. Up to a product of 16, the error of `Exact` is at most 61½ +
-/// 1 units; 0.001 texel is 65½ units. `Newton` adds 28½ units, where a row is straight, or 8 units for each repeat,
-/// whichever is larger; it also adds 16, or 21.2 for one repeat without a far corner. So the derivation proves the
-/// promise up to a product of 4 for one repeat, and of 5 for two. A larger error needs roundings that all have the same
-/// sign, in a row that is as level as possible. Up to a product of 16, this test shows that the promise is kept. `Fast`
-/// can use 1/32 texel besides its tolerance. For one repeat, its 16-bit reciprocals use up to 0.0297 of this (see
-/// `bounds::fast`); for more repeats, proportionally more. So its promise is for one repeat, at the span's farthest
-/// pixel.
+/// 1 units; 0.001 texel is 65½ units. `Newton` adds 28½ units where a row is straight, or 8 units for each repeat,
+/// whichever is larger. `Newton` also adds 16 units, or 21.2 units for one repeat without a far corner. So the
+/// derivation proves the promise up to a product of 4 for one repeat, and of 5 for two. A larger error needs roundings
+/// that all have the same sign, in a row that is as level as possible. Up to a product of 16, this test shows that the
+/// promise is kept. `Fast` can use 1/32 texel besides its tolerance. For one repeat, the 16-bit reciprocals use up to
+/// 0.0297 texel (see `bounds::fast`). For more repeats, they use proportionally more. So the promise of `Fast` is for
+/// one repeat, at the span's farthest pixel.
 ///
 /// In a very deep triangle, `Exact` recomputes the interpolants at each pixel. A numerator is then rounded by half of
 /// its unit. For a product of 1, this is 1/32 unit of 2⁻¹⁶ texel, and the truncation of a corner's 1/w moves a value by
@@ -336,7 +336,7 @@ fn textured_triangles_keep_the_promises() {
 }
 
 /// Triangles with a corner 16 to 1,000 times as far away as another corner, and triangles with a corner up to 490,000
-/// times as far away. In the former, `Exact` promises 0.001 texel at every pixel.
+/// times as far away. Up to 1,000, `Exact` promises 0.001 texel at every pixel.
 #[test]
 fn deep_triangles_keep_the_promises() {
     let mut worst = [Worst::default(); MODES];
@@ -364,8 +364,8 @@ fn deep_triangles_keep_the_promises() {
     }
 }
 
-/// The hardest deep triangles that a search found. The search began with the worst of many random triangles, and
-/// changed them again and again. The errors are three fifths of the bounds that the pages of limits and modes state.
+/// The hardest deep triangles that a search found. The search changed the worst of many random triangles again and
+/// again. The errors are three fifths of the bounds that the pages of limits and modes state.
 #[test]
 fn errors_of_deep_triangles_come_close_to_the_bound() {
     let newton = Case {
@@ -415,8 +415,8 @@ fn errors_of_deep_triangles_come_close_to_the_bound() {
     }
 }
 
-/// A row of each possible length, on slopes of either sign. The steepest slope is too steep to compute a reciprocal
-/// from earlier reciprocals.
+/// Rows of every possible length, in triangles in which 1/w has a slope of either sign. The steepest slope is too steep
+/// to compute a reciprocal from earlier reciprocals.
 #[test]
 fn spans_of_every_length_keep_the_promises() {
     let mut worst = [Worst::default(); MODES];
@@ -455,8 +455,8 @@ fn spans_of_every_length_keep_the_promises() {
     }
 }
 
-/// Rows along an edge on which 1/w changes by less than rounding can add. The format leaves no room there: all 31 bits
-/// of the nearest corner's 1/w are set, or the farthest corner has a quarter of this 1/w.
+/// The rows lie along an edge, and 1/w changes by less than rounding can add. The format leaves no room there: all 31
+/// bits of the nearest corner's 1/w are set, or the farthest corner has a quarter of this 1/w.
 #[test]
 fn rows_at_the_ends_of_the_format_keep_the_promises() {
     // All bits of a corner's 1/w are set if w / near is a power of two, in units that put the near plane at

@@ -14,7 +14,7 @@ use crate::reference::linear::{self, Matrix};
 use crate::reference::scenes::{SIZE, Shape, cube, sphere, view};
 use crate::spread::Spread;
 
-/// The number of angles in a turn. It is not a multiple of four, so that each quadrant has other angles.
+/// The number of angles in a turn. This number is not a multiple of four, so that each quadrant has other angles.
 const ANGLES: u32 = 719;
 /// The focal length of the measured scenes, in pixels.
 const FOCAL: f64 = 200.;
@@ -30,9 +30,9 @@ fn approximate(angle: f64) -> [f64; 2] {
 /// The rotations of a model's turn, in the order of their product.
 const AXES: [fn(Angle) -> Transform; 2] = [Transform::rotate_x, Transform::rotate_y];
 
-/// A turn about an axis, from a sine and a cosine that can be off the unit circle. It is the product of a rotation by
-/// the direction of the point (cosine, sine) and a scale of the two other axes by the point's distance from the origin.
-/// The angle is exact to 2⁻³³ of a turn, the scale to 2⁻¹⁷.
+/// A turn about an axis, from a sine and a cosine that can be off the unit circle. The turn is the product of a
+/// rotation by the direction of the point (cosine, sine) and a scale of the two other axes by the point's distance from
+/// the origin. The angle is exact to 2⁻³³ of a turn, the scale to 2⁻¹⁷.
 fn turn(axis: usize, [sin, cos]: [f64; 2]) -> Transform {
     let scale = Scalar::try_from(sin.hypot(cos)).unwrap();
     let angle = Angle::try_from_radians(sin.atan2(cos)).unwrap();

@@ -1,4 +1,4 @@
-//! Sized points. Their pixels are compared with exact integers, and sizes in world space with f64.
+//! Sized points. The pixels of a point are compared with exact integers, and sizes in world space with f64.
 
 use crate::bands::{CASES, Frame, SIZE, XRecorder, counts, drawn, modeled, point};
 use crate::common::random::{cases, within};
@@ -9,9 +9,9 @@ use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
 use rand::Rng;
 
-/// A square reaches half its size from the point in each direction. It covers the centers in it and on its right and
-/// lower sides, but not on its left and upper sides. A disc covers the centers within half its size, and the pixel that
-/// contains the point.
+/// A square reaches half its size from the point in each direction. The square covers the centers inside it and on its
+/// right and lower sides, but not on its left and upper sides. A disc covers the centers within half its size, and the
+/// pixel that contains the point.
 #[test]
 fn points_are_the_models() {
     cases(CASES, |random| {

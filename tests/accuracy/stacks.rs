@@ -28,7 +28,7 @@ static SQUARE: Mesh = shape!(plane(1, 1));
 /// The distance of the square. The fog reaches from 1 to 9.
 const DISTANCE: f64 = 6.;
 
-/// The values of a scene. They are the same at all pixels.
+/// The values of a scene. The values are the same at all pixels.
 #[derive(Clone, Copy, Debug)]
 struct Scene {
     surface: Rgb888,

@@ -1,4 +1,4 @@
-//! Wide lines. Their pixels are compared with exact integers, and the shares of anti-aliased lines with f64.
+//! Wide lines. The pixels of a line are compared with exact integers, and the shares of anti-aliased lines with f64.
 
 use crate::bands::{CASES, Point, SIZE, counts, drawn, modeled, point};
 use crate::common::random::{Random, cases, within};
@@ -378,8 +378,8 @@ fn blended_lines_are_the_models() {
     for (pixel, color) in Bounds::new(SIZE.0, SIZE.1).pixels().zip(&colors) {
         let share = share(screen, 2.5, center(pixel));
         let exact = over(over(240., 60., 100. / 255.), 60., share);
-        // The opacity has an error of 1/512, and the share has an error of 1.3/256. Both are multiplied by 180 steps.
-        // Two roundings add a step.
+        // The opacity has an error of 1/512, and the share has an error of 1.3/256. Both errors are multiplied by 180
+        // steps. Two roundings add a step.
         let room = 180. * (1. / 512. + 1.3 / 256.) + 1.;
         assert!(
             (f64::from(color.luma()) - exact).abs() <= room,

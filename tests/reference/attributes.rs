@@ -46,7 +46,7 @@ pub fn weights(t: &Corners, p: [f64; 2]) -> Option<Barycentric> {
 }
 
 /// Barycentric weights at the center of a pixel, for snapped corners (24.8). Each weight is the quotient of two exact
-/// integers. It is rounded three times: in both conversions to f64, and in the division.
+/// integers. The weight is rounded three times: in both conversions to f64, and in the division.
 pub fn weights_snapped(t: Snapped, pixel: [i32; 2]) -> Option<Barycentric> {
     let area = area2(t);
     if area == 0 {

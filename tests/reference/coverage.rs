@@ -79,15 +79,15 @@ pub fn center([x, y]: [i32; 2]) -> [f64; 2] {
     [f64::from(x) + 0.5, f64::from(y) + 0.5]
 }
 
-/// (b − a) × (p − a), exact for any input. This is twice the area of the triangle a, b, p in 1/256² pixel², positive if
-/// the triangle runs clockwise on the screen (y down).
+/// (b − a) × (p − a), exact for any input. The result is twice the area of the triangle a, b, p in 1/256² pixel²,
+/// positive if the triangle runs clockwise on the screen (y down).
 pub fn edge(a: [i32; 2], b: [i32; 2], p: [i64; 2]) -> i128 {
     let from_a = |to: i64, axis: usize| i128::from(to) - i128::from(a[axis]);
     from_a(b[0].into(), 0) * from_a(p[1], 1) - from_a(b[1].into(), 1) * from_a(p[0], 0)
 }
 
-/// Twice the signed area in 1/256² pixel². It is positive for corners that run clockwise on the screen (y down), so it
-/// is negative for a front face, because its corners run counter-clockwise.
+/// Twice the signed area in 1/256² pixel². The area is positive for corners that run clockwise on the screen (y down),
+/// and negative for a front face, because its corners run counter-clockwise.
 pub fn area2(t: Snapped) -> i128 {
     edge(t[0], t[1], t[2].map(i64::from))
 }

@@ -106,8 +106,8 @@ impl<const N: usize> Line<N> {
     }
 }
 
-/// The share of a pixel that an anti-aliased line covers. It is computed as if the line's border were parallel to a
-/// side of the pixel: the part of the pixel's width that is at most half of the line's width from the segment.
+/// The share of a pixel that an anti-aliased line covers. The share is computed as if the line's border were parallel
+/// to a side of the pixel: the part of the pixel's width that is at most half of the line's width from the segment.
 pub fn share(ends: [[f64; 2]; 2], width: f64, center: [f64; 2]) -> f64 {
     let [a, b] = ends;
     (width / 2. + 0.5 - to_segment(a, b, center)).clamp(0., 1.)

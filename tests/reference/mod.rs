@@ -1,4 +1,4 @@
-//! The whole rendering pipeline in f64, written from the mathematics. It shares no code with the crate.
+//! The whole rendering pipeline in f64, written from the mathematics. The model shares no code with the crate.
 //!
 //! The tests compare the crate's integer pipeline with this pipeline. Each part therefore has its plainest textbook
 //! form, not a fast form. Parts with an exact answer (the coverage of snapped vertices) are computed in exact integers.

@@ -5,7 +5,7 @@ use super::linear::{IDENTITY, Matrix, Vec3, Vec4, multiply};
 /// The stored depth at the near plane.
 pub const DEPTH_MAX: f64 = 65535.;
 
-/// The kind of a projection. It determines how depth decreases with distance.
+/// The kind of a projection. The kind determines how depth decreases with distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Rays meet in the eye. Homogeneous w is the distance ahead.
@@ -42,8 +42,8 @@ impl Projection {
         }
     }
 
-    /// The depth at the distance d ahead, before it is rounded down to a u16. At the near plane, the depth is 65535. It
-    /// decreases with the distance: 65535·n/d in perspective, 65535·(f − d)/(f − n) for parallel rays.
+    /// The depth at the distance d ahead, before it is rounded down to a u16. At the near plane, the depth is 65535.
+    /// The depth decreases with the distance: 65535·n/d in perspective, 65535·(f − d)/(f − n) for parallel rays.
     pub fn depth(&self, distance: f64) -> f64 {
         match self.kind {
             Kind::Perspective => DEPTH_MAX * self.near / distance,
@@ -51,7 +51,7 @@ impl Projection {
         }
     }
 
-    /// The distance at which a surface has this depth. This is the inverse of [`depth`](Self::depth).
+    /// The distance at which a surface has this depth. The inverse of [`depth`](Self::depth).
     pub fn distance_at_depth(&self, depth: f64) -> f64 {
         match self.kind {
             Kind::Perspective => DEPTH_MAX * self.near / depth,
@@ -98,7 +98,7 @@ pub fn focal(focal: f64, size: (u32, u32), near: f64, far: f64) -> Projection {
     frustum(-right, right, -top, top, near, far)
 }
 
-/// A parallel projection along −z. It maps the box between the six planes to the cube from −1 to 1.
+/// A parallel projection along −z. The projection maps the box between the six planes to the cube from −1 to 1.
 pub fn orthographic(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Projection {
     Projection {
         matrix: [
@@ -145,8 +145,8 @@ pub fn cabinet(angle: f64, window: (f64, f64, f64, f64), near: f64, far: f64) ->
     oblique(angle, 0.5, window, near, far)
 }
 
-/// The perspective transform alone. It maps x and y to (n·x, n·y)/−z, and −z to (n + f) − nf/−z; z is negative ahead of
-/// the eye. Followed by an orthographic projection, it is a [`frustum`].
+/// The perspective transform alone. The transform maps x and y to (n·x, n·y)/−z, and −z to (n + f) − nf/−z. z is
+/// negative ahead of the eye. Together with an orthographic projection after it, this transform gives a [`frustum`].
 pub fn perspective_transform(n: f64, f: f64) -> Matrix {
     [
         [n, 0., 0., 0.],

@@ -194,8 +194,8 @@ pub struct Picture<const N: usize> {
 /// Evaluates pieces at those pixels of a canvas of width x height that are inside the viewport.
 ///
 /// A `margin` of 0 finds the pieces that cover a pixel's center. A larger `margin`, in pixels, also finds the pieces
-/// within that distance of the center, and extends their planes to the center: if vertices are rounded by up to
-/// `margin`, a piece near the center can cover it instead.
+/// within this distance of the center, and extends their planes to the center. (If vertices are rounded by up to
+/// `margin`, a piece near the center can cover the center instead.)
 pub fn render<const N: usize>(
     pieces: &[Piece<N>],
     projection: &Projection,

@@ -104,8 +104,8 @@ pub fn cube(pose: u32) -> (Shape, View) {
     (shape, view(eye))
 }
 
-/// The sphere and its view in pose 0 to 7. It has 33 rows of 33 vertices each, from the pole at +y down. The last
-/// column coincides with the first.
+/// The sphere and its view in pose 0 to 7. The sphere has 33 rows of 33 vertices each, from the pole at +y down. The
+/// last column of vertices coincides with the first column.
 pub fn sphere(pose: u32) -> (Shape, View) {
     const PARTS: usize = 32;
     let mut shape = Shape::default();

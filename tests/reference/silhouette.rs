@@ -1,7 +1,7 @@
 //! Finds whether a point of the screen is inside, outside or near the outline of a union of triangles.
 //!
-//! The union's outline is exact, up to the rounding of f64. It consists of parts of the *contour* edges. With each
-//! triangle on the left of its own edges, an edge is a contour edge if its opposite edge (same two ends, other
+//! The union's outline is exact, up to the rounding of f64. The outline consists of parts of the *contour* edges. With
+//! each triangle on the left of its own edges, an edge is a contour edge if its opposite edge (same two ends, other
 //! direction) belongs to no triangle. Every other edge has triangles on both sides, so it does not bound the union. For
 //! the front faces of a closed mesh, contour edges lie between a front face and a back face, or on the near plane. A
 //! contour edge bounds the union only where no other triangle lies across it, so only this part of the edge belongs to
@@ -20,9 +20,9 @@ pub const REACH: f64 = 1.;
 
 /// The side of a tile, in pixels.
 const TILE: usize = 8;
-/// The distance from an edge, in pixels, at which the code looks for another triangle across the edge. It is also the
-/// largest distance by which rounding can move a point of the union out of every triangle. It is far above the rounding
-/// of f64 at coordinates of thousands (1e-12), and far below any visible distance.
+/// The distance from an edge, in pixels, at which the code looks for another triangle across the edge. Rounding can
+/// move a point of the union out of every triangle by at most the same distance. This distance is far above the
+/// rounding of f64 at coordinates of thousands (1e-12), and far below any visible distance.
 const ACROSS: f64 = 1e-9;
 /// If a gap between the triangles across an edge is shorter than this, in pixels, rounding has caused the gap.
 const HOLE: f64 = 1e-7;

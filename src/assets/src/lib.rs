@@ -1,9 +1,9 @@
 //! Reads models and pictures in any common format, for the crate `fixel`.
 //!
 //! [`read`] reads OBJ with its MTL materials, STL, PLY, and glTF, text or binary; [`Picture::decode`] reads PNG, JPEG,
-//! BMP, TGA, GIF and WebP. Both accept files with small mistakes. For a model, [`Model::notes`] says what was replaced
-//! or left out. If nothing is left to draw, the message of the error says this. The crate runs on the host, where
-//! `fixel`'s macros use it to put models and pictures into flash.
+//! BMP, TGA, GIF and WebP. Both functions accept files with small mistakes. For a model, [`Model::notes`] says what was
+//! replaced or left out. If nothing is left to draw, the message of the error says this. The crate runs on the host,
+//! where `fixel`'s macros use it to put models and pictures into flash.
 //!
 //! ```
 //! use std::io;
@@ -97,11 +97,11 @@ pub struct Model {
 /// A triangle.
 #[derive(Clone, Copy, Debug)]
 pub struct Triangle {
-    /// Its corners, counter-clockwise as seen from the front.
+    /// The corners, counter-clockwise as seen from the front.
     pub corners: [Corner; 3],
-    /// Index of its material.
+    /// The index of the material; `None` if the triangle has no material.
     pub material: Option<u32>,
-    /// Index of its object.
+    /// The index of the object; `None` if the triangle belongs to no object.
     pub object: Option<u32>,
     /// Which faces are shaded as one surface with this triangle, where the file has no normals.
     pub smoothing: Smoothing,
@@ -136,8 +136,8 @@ pub struct Corner {
 ///
 /// # Errors
 ///
-/// The file cannot be read, is not a model, ends too early, or has nothing to draw. The message is one line. It names
-/// the file, the line or the byte, the value, and what was expected.
+/// The file cannot be read, is not a model, ends too early, or has nothing to draw. The message is one line. The
+/// message names the file, the line or the byte, the value, and what was expected.
 pub fn read(path: &Path, files: &dyn Files) -> Result<Model, String> {
     let name = path.display();
     let bytes = files

@@ -17,7 +17,7 @@ const NO_VALUE: u16 = u16::MAX;
 /// How a model becomes the lists of a mesh.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// The factor of all positions. It must not be 0.
+    /// The factor by which all positions are multiplied. The factor must not be 0.
     pub scale: f64,
     /// Whether z points up in the file. The model is turned so that y points up.
     pub z_up: bool,

@@ -14,7 +14,7 @@ const IDENTITY: Affine = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 /// A material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
-    /// Its name, which may be empty.
+    /// The material's name, which may be empty.
     pub name: String,
     /// The color of the surface where no texture is drawn.
     pub color: [u8; 3],
@@ -22,7 +22,7 @@ pub struct Material {
     pub tint: [u8; 3],
     /// Index of the texture in the model's list of images.
     pub texture: Option<u32>,
-    /// The light that the surface itself sends out. It is added to the light that the surface reflects.
+    /// The light that the surface itself sends out. This light is added to the light that the surface reflects.
     pub emission: [u8; 3],
     /// The opacity, from 0 (invisible) to 1.
     pub opacity: f64,

@@ -28,7 +28,7 @@ impl Notes {
         }
     }
 
-    /// Adds the name of something in the file that is not drawn. All these names share one sentence.
+    /// Adds the name of something in the file that is not drawn. All names share one sentence.
     pub fn left_out(&mut self, feature: impl Into<String>) {
         let feature = feature.into();
         if self.left_out.len() < MOST && !self.left_out.contains(&feature) {

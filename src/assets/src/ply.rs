@@ -124,7 +124,7 @@ struct Element {
     properties: Vec<Property>,
 }
 
-/// The faces that have been read. They are kept until all vertices are read.
+/// The faces that have been read. The faces are kept until all vertices are read.
 #[derive(Default)]
 struct Faces {
     corners: Vec<Corner>,

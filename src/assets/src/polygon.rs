@@ -7,7 +7,7 @@ use earcut::{Earcut, deviation};
 use crate::vector::{Vector, sub, unit};
 use crate::{Corner, Model, Smoothing, Triangle, next};
 
-/// The largest coordinate that is used. Its square fits f64.
+/// The largest coordinate that is used. The square of this coordinate fits f64.
 const MOST: f64 = 1e30;
 
 /// Texture coordinates beyond this limit are moved near 0 by whole repeats, because the mesh's format ends at 2048.
@@ -215,8 +215,8 @@ impl Ears {
         (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
     }
 
-    /// Whether all triangles of the fan turn in the same direction as the polygon. If they do, their areas add up to
-    /// the polygon's area, so no two of them overlap.
+    /// Whether all triangles of the fan turn in the same direction as the polygon. If they do, the triangles' areas add
+    /// up to the polygon's area, so no two triangles overlap.
     fn fan_is_right(&self) -> bool {
         self.triangles
             .iter()

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use super::Notes;
 
-/// The first `most` characters of a text.
+/// Cuts a text after its first `most` characters.
 fn cut(text: &str, most: usize) -> String {
     let end = text.char_indices().nth(most);
     end.map_or_else(|| text.into(), |(end, _)| format!("{}…", &text[..end]))

@@ -9,8 +9,8 @@ impl Model {
     /// If all three normals of a triangle point to its back, reverses these normals. Seen from a triangle's front, its
     /// corners run counter-clockwise.
     ///
-    /// Two-sided light finds a face's front from its corners. Without this correction, it would light the triangle from
-    /// the wrong side.
+    /// Two-sided light finds a face's front from its corners. Without this correction, two-sided light would light the
+    /// triangle from the wrong side.
     pub fn turn_normals(&mut self) {
         let Self {
             positions,

@@ -630,8 +630,8 @@ fn png_of_all_kinds_and_depths() {
     assert_pixels(&file, &colored(&wanted), "a transparent color of 16 bits");
 }
 
-/// A JPEG of 8x8 pixels of one color, which is given by its components. It is baseline or progressive, and has Adobe's
-/// marker if the color is CMYK. All Huffman codes of DC have 4 bits; the only code of AC has 1 bit.
+/// A JPEG of 8x8 pixels of one color, which is given by its components. The JPEG is baseline or progressive, and has
+/// Adobe's marker if the color is CMYK. All Huffman codes of DC have 4 bits; the only code of AC has 1 bit.
 fn jpeg(components: &[u8], is_progressive: bool) -> Vec<u8> {
     let count = u8::try_from(components.len()).unwrap();
     let segment = |marker: u8, data: &[u8]| {
@@ -728,7 +728,7 @@ fn jpeg_in_gray_color_and_cmyk() {
     }
 }
 
-/// A GIF of 5x3 pixels. Its first frame has this place, size and transparent index.
+/// A GIF of 5x3 pixels. The first frame has this place, size and transparent index.
 fn gif(place: [u16; 2], size: [u16; 2], transparent: Option<u8>) -> Vec<u8> {
     let mut bytes = Vec::new();
     let colors: Vec<u8> = COLORS

@@ -102,7 +102,7 @@ fn attributes_of_vertices() {
     assert_eq!(model.colors[corner.color.unwrap() as usize], [0, 0, 255]);
     // In the file, v points up.
     assert_eq!(model.uvs[corner.uv.unwrap() as usize], [1.0, 0.25]);
-    // Colors can be fractions. Their properties can have other names.
+    // Colors can be fractions. The properties of colors can have other names.
     let vertex =
         "property float diffuse_red\nproperty float diffuse_green\nproperty float diffuse_blue\n";
     let model = ply(text(

@@ -28,7 +28,7 @@ fn text() -> String {
     format!("solid a part\n{facets}endsolid a part\n")
 }
 
-/// A binary file with four triangles. Its header promises `count` triangles, and each triangle has two bytes of
+/// A binary file with four triangles. The header promises `count` triangles, and each triangle has two bytes of
 /// attributes.
 fn binary(header: &[u8], count: u32, attributes: [u16; 4]) -> Vec<u8> {
     let mut bytes = header.to_vec();

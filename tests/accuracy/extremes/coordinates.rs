@@ -69,7 +69,8 @@ fn far_away(w: f64) -> Verdict {
     }))
 }
 
-/// Triangles through the middle of the picture. Their sides are about `times` as long as the picture is wide.
+/// Triangles through the middle of the picture. The sides of a triangle are about `times` as long as the picture is
+/// wide.
 fn large(times: f64) -> Verdict {
     let view = TriangleView::ROOM;
     let mut random = Random(4);

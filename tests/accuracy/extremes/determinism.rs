@@ -67,7 +67,7 @@ enum Numbers {
     Long,
 }
 
-/// Two rings, one in front of a ball and one behind it, over a floor that reaches behind the eye. No two surfaces
+/// A ring in front of a ball and a ring behind the ball, over a floor that reaches behind the eye. No two surfaces
 /// coincide.
 fn models() -> [Model; 4] {
     let at = |x: Scalar, y: Scalar, z: Scalar| Transform::translate(Vec3::new(x, y, z));
@@ -108,7 +108,7 @@ fn sums<F: DepthBuffer>(
     let mut depths = crc32fast::Hasher::new();
     for first in (0..SIZE.1).step_by(rows as usize) {
         let pixels = (SIZE.0 * rows.min(SIZE.1 - first)) as usize;
-        // The memory is not blank before, because earlier contents must not show.
+        // The memory is not blank at first, so that the test fails if earlier contents show.
         let (mut color, mut depth) = (vec![[9; 2]; pixels], vec![7; pixels]);
         let band = Canvas::band(&mut color, SIZE.0, SIZE.1, first).unwrap();
         let mut band = band.with_depth_format::<F>(&mut depth).unwrap();

@@ -1,12 +1,12 @@
 //! A mesh drawn by the crate and by the model, and the differences between the two pictures.
 //!
 //! There are two ways to judge a value. If nothing is clipped, the model interpolates between the crate's own snapped
-//! corners. If a triangle is clipped, it has new corners, and the crate does not report them. In this case, the value
-//! must be one of the model's values within [`Scene::snap`] plus [`Scene::moved`] of the pixel's center. The reason:
-//! interpolants are linear on the screen. Let each corner move by at most d. Then the value of the linear function
-//! through the moved corners, at any point, is a value of the original function within d of this point. A quotient of
-//! two linear functions is monotonic along any line, so its extremes over a square around the center are at the corners
-//! of the square.
+//! corners. If a triangle is clipped, it has new corners, and the crate does not report the new corners. In this case,
+//! the value must be one of the model's values within [`Scene::snap`] plus [`Scene::moved`] of the pixel's center. The
+//! reason: interpolants are linear on the screen. Let each corner move by at most d. Then the value of the linear
+//! function through the moved corners, at any point, is a value of the original function within d of this point. A
+//! quotient of two linear functions is monotonic along any line, so its extremes over a square around the center are at
+//! the corners of the square.
 
 use std::collections::HashMap;
 
@@ -129,7 +129,7 @@ impl Scene {
     }
 
     /// The largest distance, in pixels, by which rounding in clip space moves a point of a clipped triangle at the
-    /// distance `w`. It is the error relative to `w`, times half of the guard band's width.
+    /// distance `w`. This distance is the error relative to `w`, times half of the guard band's width.
     fn moved(&self, w: f64) -> f64 {
         GUARD * self.off(w)
     }

@@ -108,7 +108,7 @@ fn parts_of_a_shape_beyond_their_limits_are_refused() {
     assert!(matches!(Shape::plane(255, 256), Err(Error::TooMany { .. })));
 }
 
-/// A list refuses more visible vertices than 16 bits can count, even if it has room for them.
+/// A list refuses more visible vertices than 16 bits can count, even if the list has room for more.
 #[test]
 fn vertices_of_a_list_beyond_their_limit_are_refused() {
     // The list is static because it is too large for the stack.
@@ -116,7 +116,7 @@ fn vertices_of_a_list_beyond_their_limit_are_refused() {
     const MAX: usize = DrawList::<65_600, 65_600>::MAX_VERTICES;
     let size = (64, 64);
     let prepare = |seen: usize| {
-        // Every three consecutive vertices form a triangle.
+        // Each vertex forms a triangle with the two vertices before it.
         let corners = [[10, 10], [10, 50], [50, 10]].map(|at| at_subpixel(at.map(|x| x * 256)));
         let positions: Vec<Vec3> = corners.into_iter().cycle().take(seen).collect();
         let faces: Vec<[u16; 3]> = (2..seen)
@@ -134,8 +134,8 @@ fn vertices_of_a_list_beyond_their_limit_are_refused() {
     assert_eq!(prepare(MAX + 1), Err(refused.to_owned()));
 }
 
-/// A texture of one row with the largest width, and a texture of one column with the largest height. One more texel
-/// does not compile.
+/// A texture of one row with the largest width, and a texture of one column with the largest height. A texture with one
+/// more texel does not compile.
 #[test]
 fn textures_of_the_largest_sides_are_drawn() {
     static WIDE: [[Gray8; MAX_TEXTURE]; 1] = [[Gray8::new(7); MAX_TEXTURE]; 1];
@@ -290,7 +290,7 @@ fn triangles_beyond_the_guard_band_are_clipped() {
 }
 
 /// Screen positions run from 2048 pixels before the viewport's center to one subpixel less than 2048 pixels after it.
-/// The code that walks along edges relies on these 20 bits.
+/// Such positions have 20 bits, and the code that walks along edges relies on this.
 #[test]
 fn screen_positions_are_within_the_guard_band() {
     let size = (64, 48);

@@ -14,8 +14,8 @@ use crate::moves::{exact, rounded};
 /// less.
 const GRIDS: [(u16, u16); 2] = [(255, 257), (256, 256)];
 
-/// A wavy rug, slightly tilted, in front of the eye. It reaches beyond all edges of the picture. Returns its vertices,
-/// and the two triangles of each cell.
+/// A wavy rug, slightly tilted, in front of the eye. The rug reaches beyond all edges of the picture. Returns its
+/// vertices, and the two triangles of each cell.
 fn rug(columns: u16, rows: u16) -> (Vec<Vec3>, Vec<[u16; 3]>) {
     let mut random = Random(11);
     let view = TriangleView::ROOM;

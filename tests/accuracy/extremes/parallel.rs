@@ -149,9 +149,9 @@ impl View {
     ///   with a sine (4.1).
     /// - The offset is a quotient and a product of a coefficient and a distance (8.4), and is rounded to a mantissa
     ///   (1).
-    /// - The viewport's scale rounds coefficients (1). The product with the view rounds them to 29 bits (2). If an
-    ///   offset is so large that coefficients keep fewer bits, they are rounded by 2⁻⁴⁴ of the offset, and multiplied
-    ///   by up to 3 · 2¹⁵: 6 of the offset.
+    /// - The viewport's scale rounds coefficients (1). The product with the view rounds coefficients to 29 bits (2). If
+    ///   an offset is so large that coefficients keep fewer bits, they are rounded by 2⁻⁴⁴ of the offset, and
+    ///   multiplied by up to 3 · 2¹⁵: 6 of the offset.
     /// - Each move has its own errors (3): see [`relative`](crate::moves::relative).
     ///
     /// So an offset has an error of at most 15.4. A product with a coefficient has an error of 9.4 and 6. 16 is a bound
@@ -196,7 +196,8 @@ impl View {
     }
 
     /// The bounds that the page of limits promises for the errors of x, y and the depth, with up to six moves. (A bound
-    /// of x or y is at most √3 · 34 · 2⁻³⁰ of the lengths times the scale; a bound of the depth, √3 · 26 · 2⁻³⁰.)
+    /// of x or y is at most √3 · 34 · 2⁻³⁰ of the lengths times the scale; a bound of the depth is at most √3 · 26 ·
+    /// 2⁻³⁰ of them.)
     fn promised(&self, p: Vec3) -> [f64; 3] {
         let of_point = size(&self.moves, p);
         let [x, y] = [0, 1].map(|axis| {
@@ -260,7 +261,7 @@ impl View {
         let mut errors = [Worst::default(); 3];
         let [of_x, of_y, of_depth] = &mut errors;
         for (axis, (worst, got)) in [(of_x, x), (of_y, y)].into_iter().enumerate() {
-            // The last column and row of the guard band end 1/256 pixel before its edge.
+            // Positions in the last column and row of the guard band end 1/256 pixel before the edge of the band.
             let wanted_here = wanted[axis].min(middle[axis] + GUARD - 1. / 256.);
             let by = (f64::from(got) / 256. - wanted_here).abs() - 1. / 512.;
             worst.add(by.max(0.), bounds[axis], || {

@@ -14,7 +14,7 @@ use crate::drawing::Drawing;
 
 const NEAR: f64 = 0.25;
 
-/// Triangles of many slopes. `behind` of their corners are behind the near plane.
+/// Triangles of many slopes. `behind` corners of each triangle are behind the near plane.
 fn crossing(behind: usize) -> Verdict {
     worst((0..24).map(|step| {
         let s = f64::from(step);

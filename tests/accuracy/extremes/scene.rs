@@ -32,8 +32,8 @@ pub struct Scene {
     pub sums: Vec<f64>,
 }
 
-/// A view of triangles: a projection, the moves before it, and a viewport. All its numbers must be exact in the crate's
-/// formats.
+/// A view of triangles: a projection, the moves before it, and a viewport. All numbers of the view must be exact in the
+/// crate's formats.
 #[derive(Clone, Debug)]
 pub struct TriangleView {
     pub size: (u32, u32),

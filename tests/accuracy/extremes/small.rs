@@ -114,8 +114,7 @@ fn corners_in_a_line_draw_nothing() {
     }
 }
 
-/// Two or three corners have the same position, because they are the same vertex, or different vertices at one
-/// position.
+/// Two or three corners of a triangle are the same vertex, or different vertices at the same position.
 #[test]
 fn corners_in_one_place_draw_nothing() {
     let places = [[128, 128], [1000, 2000], [3333, 17]];

@@ -62,7 +62,7 @@ fn cell(worst: Worst) -> String {
     format!("{} ≤ {}", digits(worst.measured), digits(worst.bound))
 }
 
-/// Both tables as Markdown.
+/// The table of pictures and the table of other errors, as Markdown.
 fn markdown(rows: &[&Row]) -> String {
     let mut text = String::from(
         "| case | pixels | texels, `Newton` | texels, `Exact` | texels, `Fast` to ¼ | depth steps |\n|---|---|---|---|---|---|\n",

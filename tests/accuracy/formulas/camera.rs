@@ -238,8 +238,8 @@ fn lines_across_the_view_keep_their_slope() {
         let point = |t: f64| vec(p[0] + t * v[0], p[1] + t * v[1], p[2]);
         let at = |t| projection.image(point(t)).unwrap().map(float);
         let (a, b) = (at(0.0), at(4.0));
-        // The distance is at least 4·0.5/9. Both of its ends are rounded by up to half a step in space, and again on
-        // the screen.
+        // The distance is at least 4·0.5/9. Both ends of this distance are rounded by up to half a step in space, and
+        // again on the screen.
         let run = 4.0 * v[0] / -p[2];
         let slack = 4.0 * STEP * (1.0 + 4.0) / run;
         close((b[1] - a[1]) / (b[0] - a[0]), v[1] / v[0], slack);

@@ -140,8 +140,8 @@ fn a_frustums_matrix_is_a_product() {
         // Entries are numbers up to 64 with 28 bits, and are rounded once.
         same_matrix(&projection.to_matrix(), expected, 0.52 * STEP);
 
-        // z = −n becomes −1, and z = −f becomes +1. Two entries are rounded by up to half a step. One of them is
-        // multiplied by z, and the sum is divided by w = −z.
+        // z = −n becomes −1, and z = −f becomes +1. Two entries are rounded by up to half a step. One of these entries
+        // is multiplied by z, and the sum is divided by w = −z.
         let depth = |z: f64| float(projection.to_matrix().project(vec(0.0, 0.0, z)).unwrap().z);
         let [.., n, f] = edges;
         close(depth(-n), -1.0, STEP * (2.0 / n + 1.0));

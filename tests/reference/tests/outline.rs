@@ -59,7 +59,8 @@ fn surfaces_that_touch_are_one() {
 
 #[test]
 fn positions_around_a_torus_agree_with_sampling() {
-    // The test takes many points of a small disc around each center. All of them are in the union, none, or some.
+    // The test takes many points of a small disc around each center. Either all of these points are in the union, or
+    // none, or some.
     let torus = Torus::new(40, 20);
     let d = 0.4;
     let pieces = raster::culled(

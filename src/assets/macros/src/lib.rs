@@ -12,7 +12,7 @@ use arguments::Arguments;
 use base64::prelude::{BASE64_STANDARD, Engine};
 use proc_macro::{Delimiter, Group, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
-/// Expands one of `fixel`'s macros. Its input is the macro's name, the path of `fixel`, and the macro's own input.
+/// Expands one of `fixel`'s macros. The input is the macro's name, the path of `fixel`, and the macro's own input.
 #[proc_macro]
 pub fn assets(input: TokenStream) -> TokenStream {
     let mut input = input.into_iter();
