@@ -330,7 +330,7 @@ fn textured_triangles_keep_the_promises() {
     cases(1200, |random| case(random).check(&mut worst));
     print("random triangles", &worst);
     for worst in worst {
-        // The promises apply to nearly all values.
+        // The modes make a promise for nearly all values.
         assert!(worst.pixels > 200_000, "{}", worst.pixels);
     }
 }

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// The files that the importer may read: files of the disk, or files from any other source.
+/// The files that the importer may read: files on the disk, or files from any other source.
 pub trait Files {
     /// The contents of a file.
     ///
@@ -19,7 +19,7 @@ pub trait Files {
     fn progress(&self, _done: usize, _all: usize) {}
 }
 
-/// The files of the disk.
+/// The files on the disk.
 #[derive(Clone, Copy, Debug)]
 pub struct Disk;
 

@@ -11,7 +11,7 @@
 //!
 //! use fixel_assets::{Files, Options};
 //!
-//! /// A file in memory. (`Disk` reads files from the disk.)
+//! /// A file in memory. (`Disk` reads the files on the disk.)
 //! struct Memory(&'static str);
 //!
 //! impl Files for Memory {

@@ -67,7 +67,7 @@ impl Reader {
             // A value that cannot be read is kept as NaN, because the indices of faces count it.
             b"vt" => {
                 let [u, v, ..] = numbers(value, &mut model.notes);
-                // In OBJ files, v points up. In a [`Model`], v points down, like the rows of an image.
+                // In OBJ files, v points up. In a `Model`, v points down, like the rows of an image.
                 let uv = [u.unwrap_or(f64::NAN), 1.0 - v.unwrap_or(0.0)];
                 model.uvs.push(uv);
             }

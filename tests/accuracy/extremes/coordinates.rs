@@ -82,7 +82,8 @@ fn large(times: f64) -> Verdict {
             view.at([reach * cos, reach * sin], random.between(0.5, 0.6))
         };
         let mut corners = [0., 1., 2.].map(|third| corner(third, &mut random));
-        // In one half of the triangles, a side passes near the middle; in the other half, the middle is well inside.
+        // In one half of the triangles, a side passes near the middle; in the other half, the middle is well inside the
+        // triangle.
         if random.next() < 0.5 {
             let [a, b, _] = corners;
             corners[2] = [0, 1, 2].map(|i: usize| -(a[i] + b[i]) / 2. * 0.9);

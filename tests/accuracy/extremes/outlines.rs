@@ -1,7 +1,7 @@
 //! Triangles that all six planes clip: outlines of nine corners.
 //!
-//! A plane through the view volume meets its six sides in a hexagon. A triangle in that plane can cut off three corners
-//! of the hexagon. The bounds are the same as in [`planes`](super::planes).
+//! A plane through the view volume can cut all six sides of the volume. The cut is a hexagon. A triangle in that plane
+//! can cut off three corners of the hexagon. The bounds are the same as in [`planes`](super::planes).
 
 use std::f64::consts::TAU;
 

@@ -169,7 +169,7 @@ impl View {
     ///
     /// The derivation is as in [`error`](Self::error). Both terms of (far − distance) / (far − near) have the same
     /// factor, so the factor's error counts only once, relative to the sum (4.3). The product with the view is rounded
-    /// (2). If an offset is large, coefficients are rounded (6).
+    /// (2). If an offset is large, coefficients keep fewer bits (6).
     fn depth_error(&self, p: Vec3) -> f64 {
         let most = 65536. / (self.model.far - self.model.near);
         let lengths = self.lengths(2, p) + self.model.far.abs();

@@ -102,8 +102,8 @@ impl TriangleView {
         }
     }
 
-    /// Judges a triangle that shows a texture once. Each of the three corners is once the first, because the fan of a
-    /// clipped triangle starts at the first corner.
+    /// Judges a triangle that shows a texture once. The triangle is judged three times, with a different corner as the
+    /// first corner, because the fan of a clipped triangle starts there.
     pub fn judge(&self, [a, b, c]: Corners) -> Verdict {
         let mut verdict = Verdict::default();
         for corners in [[a, b, c], [b, c, a], [c, a, b]] {
