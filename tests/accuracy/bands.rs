@@ -12,7 +12,7 @@ use rand::Rng;
 /// The number of random inputs that a test checks.
 pub const CASES: u64 = 400;
 
-/// A position in 24.8.
+/// A position on the screen in 24.8 (1/256 pixel).
 pub type Point = [i32; 2];
 
 pub const SIZE: (u32, u32) = (90, 40);
@@ -21,7 +21,7 @@ pub type Frame<'f> = Canvas<'f, Gray8, Native, LinearDepth>;
 /// Records the interpolated x of the position.
 pub type XRecorder<'p, 'v> = Recorder<'p, Probe<'v, [i32; 1]>, 1>;
 
-/// The pixels of a draw call in bands of `rows` rows, each with the interpolated x of the position.
+/// Draws in bands of `rows` rows. Returns the drawn pixels, each with the interpolated x of the position.
 pub fn drawn(
     rows: u32,
     draw: &dyn Fn(&mut Frame<'_>, &XRecorder<'_, '_>) -> Drawn,
@@ -56,7 +56,7 @@ pub fn counts(seen: &[Seen<1>]) -> Vec<u32> {
     counts
 }
 
-/// How often each pixel is drawn by the model, given whether the model has a pixel.
+/// How often the model draws each pixel: once if `has` is true for the pixel, otherwise never.
 pub fn modeled(has: &dyn Fn([i32; 2]) -> bool) -> Vec<u32> {
     let pixels = Bounds::new(SIZE.0, SIZE.1).pixels();
     pixels.map(|pixel| u32::from(has(pixel))).collect()

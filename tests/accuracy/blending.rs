@@ -21,7 +21,7 @@ static SQUARE: Mesh = shape!(plane(1, 1));
 /// The side of the dither matrix, in pixels. Coarse colors are dithered.
 const SIZE: u32 = 8;
 
-/// A color as a list of channels: each channel's value, and its value in white.
+/// A color as a list of channels. For each channel: its value in this color, and its value in white.
 type Channels = Vec<[f64; 2]>;
 
 /// A color type with channels that the test can read.
@@ -104,21 +104,21 @@ where
     all
 }
 
-/// Two colors, and the pixels that result from every way to blend one over the other.
+/// Two colors, and the pixels that result from every way to blend one color over the other color.
 struct Blended {
     above: Channels,
     below: Channels,
     /// Whether the colors are dithered.
     is_coarse: bool,
-    /// The largest error of the weight that an opacity in 255ths becomes.
+    /// The largest error of the weight that the crate computes from an opacity in 255ths.
     weight: f64,
     opacity: Vec<Channels>,
     alpha: Vec<Channels>,
     sum: Vec<Channels>,
     product: Vec<Channels>,
-    /// Blended with opacity 0.
+    /// The pixels after blending with opacity 0.
     none: Vec<Channels>,
-    /// Blended with opacity 255.
+    /// The pixels after blending with opacity 255.
     all: Vec<Channels>,
 }
 
@@ -143,7 +143,7 @@ impl Blended {
             above: above.parts(),
             below: below.parts(),
             is_coarse: C::IS_COARSE,
-            // The error is half of 2^-16. Colors of 15 and 16 bits keep only 32nds of the weight.
+            // The weight has an error of half of 2^-16. Colors of 15 and 16 bits keep only 32nds of the weight.
             weight: 0.5 / 65_536. + if is_short { 1. / 64. } else { 0. },
             opacity: with_opacity(opacity),
             alpha: pixels::<C, O>(below, &|band| {
@@ -177,8 +177,8 @@ impl Blended {
             let values: Vec<f64> = found.iter().map(|parts| parts[part][0]).collect();
             let context = || format!("{what} of {above:?} and {below:?}: {exact}, not {values:?}");
             if self.is_coarse {
-                // Dithering gives the two whole steps around the exact level. Its 64 thresholds begin at 1/128 and are
-                // 1/64 apart.
+                // Dithering gives the two whole steps around the exact level. The 64 thresholds of dithering begin at
+                // 1/128 and are 1/64 apart.
                 let mean = values.iter().sum::<f64>() / values.len() as f64;
                 assert!((mean - exact).abs() <= error + 1. / 128., "{}", context());
                 assert!(
@@ -213,7 +213,7 @@ impl Blended {
         // Sums of whole steps are whole steps, so dithering does not change them.
         assert!(self.sum.iter().all(|color| *color == self.sum[0]));
         self.compare("product", &self.product, &multiply, &|_| 16. / 65_536.);
-        // Opacities 0 and 255 are exact.
+        // Opacities 0 and 255 give exactly the color below and the color above.
         assert!(self.none.iter().all(|color| *color == self.below));
         assert!(self.all.iter().all(|color| *color == self.above));
     }

@@ -6,7 +6,7 @@
 //!
 //! | source | units of 1/w | units of the numerator |
 //! |---|---|---|
-//! | a corner's 1/w: a distance of 31 bits, its reciprocal, one shift | 4 | half of that |
+//! | a corner's 1/w: a distance of 31 bits, its reciprocal, one shift | 4 | 2 |
 //! | a corner's numerator, rounded to nearest | | ½ |
 //! | area and its reciprocal, 31 bits each, on 31 bits | 4 | 2 |
 //! | the start of a span, rounded to nearest | ½ | ½ |
@@ -14,15 +14,16 @@
 //!
 //! The sums are 40 and 36½. In a small triangle, other errors replace the last three rows: 43 steps of ¾ unit,
 //! including ¼ from the rounding of the corners' weights; ½ from the rounding of the sum of the weights; and less than
-//! 1 from the reciprocal of the area, because values differ by less than 2³⁰. Together, these are 33¾ instead of 36 and
-//! 34.
+//! 1 from the reciprocal of the area, because values differ by less than 2³⁰. Together, these errors are 33¾ units. The
+//! replaced rows add up to 36 and 34 units.
 //!
 //! The numerator is at most Q/2, so an error e of 1/w counts as much as an error e/2 of the numerator. Together, the
 //! two errors are 56½ units of the numerator. Each unit is 2^bits / Q of the attribute.
 //!
-//! If all 31 bits of the nearest corner's 1/w are set except the last six, these 56½ units count as 113. This leaves
-//! room to keep the corner from exceeding 31 bits, for example by lowering it by 64 units. That would move an attribute
-//! by a quarter of 2⁻²⁵ of its range over the corners, which is 16 of the 113 units.
+//! The bounds assume that Q is only 2³⁰ at the nearest corner. If all 31 bits of this Q are set except the last six,
+//! units are half as large, so the bounds allow 113 units. This leaves room to keep Q within 31 bits, for example by
+//! lowering it by 64 units. Such a change would move an attribute by a quarter of 2⁻²⁵ of its range over the corners,
+//! which is 16 of the 113 units.
 
 use crate::mode::Mode;
 
@@ -50,7 +51,7 @@ fn size([a, b, c]: [i32; 3]) -> u32 {
     a.unsigned_abs().max(b.unsigned_abs()).max(c.unsigned_abs())
 }
 
-/// The bound of a value's error in a triangle. At a pixel, it depends only on the pixel's 1/w.
+/// The bound of a value's error in a triangle. The bound at a pixel depends only on the pixel's 1/w.
 #[derive(Clone, Copy, Debug)]
 pub struct Bound {
     /// 1/w at the distance 1.
@@ -81,8 +82,8 @@ impl Bound {
         }
     }
 
-    /// The bound in a mode that does not divide, and the bound under a parallel projection. There, the numerator is a ·
-    /// 2^(30 - bits).
+    /// The bound in a mode that does not divide, and the bound under a parallel projection. In both cases, the
+    /// numerator is a · 2^(30 - bits).
     pub fn parallel(mode: Mode, corners: [i32; 3]) -> Self {
         let bits = bits(corners);
         let numerator = NUMERATOR - INVERSE_W / 2.;
@@ -117,8 +118,8 @@ impl Bound {
     }
 }
 
-/// Whether `Exact` is certain to recompute the interpolants at each pixel. It does so if a corner's 1/w is below 2²⁷
-/// units; the nearest corner's 1/w is 2³⁰ to 2³¹ units.
+/// Whether `Exact` is certain to recompute the interpolants at each pixel. `Exact` does this if a corner's 1/w is below
+/// 2²⁷ units. The nearest corner's 1/w is 2³⁰ to 2³¹ units.
 pub fn is_precise(corners_w: [f64; 3]) -> bool {
     let [nearest, farthest] = ends(corners_w);
     farthest > 16.001 * nearest
@@ -130,17 +131,17 @@ fn may_be_precise(corners_w: [f64; 3]) -> bool {
     farthest > 7.999 * nearest
 }
 
-/// The bound if interpolants are recomputed at each pixel, with all their bits. Then only the rounding of the corners
-/// counts, not the rounding of steps, starts and areas.
+/// The bound if interpolants are recomputed at each pixel, with all their bits. In this case, only the rounding of the
+/// corners counts, not the rounding of steps, starts and areas.
 ///
 /// - A corner's numerator is rounded to nearest: half a unit of 2^bits / Q.
 /// - The 1/w of a corner has a relative error of up to 4 units of 2⁻³⁰, and is then truncated by less than a unit. The
-///   corner's numerator uses the same 1/w, so only the corner's barycentric weight is wrong: a value moves by that part
-///   of its range over the corners.
-/// - The relative error of the area and its reciprocal is the same for all interpolants, and cancels. The bits shifted
-///   out of a gradient's numerator are below 2⁻²² of a unit. A raised interpolant is rounded to half of a raised unit.
-///   An error of 0.01 unit covers both.
-/// - The quotient has the errors given above.
+///   corner's numerator uses the same 1/w, so only the corner's barycentric weight is wrong: a value moves by this
+///   relative error times the value's range over the corners.
+/// - The area and its reciprocal have the same relative error in all interpolants, so this error cancels. The bits
+///   shifted out of a gradient's numerator are below 2⁻²² of a unit. A raised interpolant is rounded to half of a
+///   raised unit. An error of 0.01 unit covers both.
+/// - The quotient has 30 bits, and is rounded down to a unit.
 fn anew(corners: [i32; 3], corners_w: [f64; 3]) -> Bound {
     let [nearest, _] = ends(corners_w);
     let [a, b, c] = corners.map(f64::from);
@@ -189,7 +190,7 @@ fn ends(w: [f64; 3]) -> [f64; 2] {
     ]
 }
 
-/// The largest number of units of 1/w by which a corner is lifted.
+/// The largest number of units by which a corner's 1/w is lifted.
 fn lifted(w: [f64; 3]) -> f64 {
     let [nearest, farthest] = ends(w);
     if farthest / nearest > 2_f64.powi(19) {
@@ -203,28 +204,29 @@ fn lifted(w: [f64; 3]) -> f64 {
 ///
 /// Interpolants have 28 bits, so a unit is 2²⁸ / Q of the attribute. Because Q is at least 2²⁹, this is half of the
 /// attribute's unit.
-/// - If every corner's Q is above 2²⁹, interpolants have 28 bits from the start. Their error of 56½ units replaces the
-///   error in the attribute's own bits. It is 28¼ units of the attribute. The bound is 28.3, because a pixel's Q can be
-///   a little below 2²⁹.
+/// - If every corner's Q is above 2²⁹, interpolants have 28 bits from the start. The error of such interpolants, 56½
+///   units or 28¼ units of the attribute, replaces the error in the attribute's own bits. The bound is 28.3, because a
+///   pixel's Q can be a little below 2²⁹.
 /// - Otherwise, the interpolants of a span are shifted. The shift rounds the start and 63 steps to nearest once more:
 ///   32 units, or 16 units of the attribute.
 ///
-/// The reciprocal: let δ ≤ 2⁻⁶ be the relative change of 1/w per pixel. The line through two reciprocals has, at the
-/// third pixel, a relative error of 2δ² + 6δ³ + …, plus three times the error of the two reciprocals. A Newton step
-/// squares this sum: (2⁻¹¹ · (1 + 2⁻⁴))² is 1.13 · 2⁻²². The products of the step lose at most 2⁻²⁷, far less than the
-/// remaining 0.87 · 2⁻²². The total is 2⁻²¹ of the attribute. The product with the numerator is rounded down to a unit,
-/// as the exact quotient is.
+/// The reciprocal has its own error. Let δ ≤ 2⁻⁶ be the relative change of 1/w per pixel. The line through two
+/// reciprocals has, at the third pixel, a relative error of 2δ² + 6δ³ + …, plus three times the error of the two
+/// reciprocals. A Newton step squares this sum: (2⁻¹¹ · (1 + 2⁻⁴))² is 1.13 · 2⁻²². The products of the step lose at
+/// most 2⁻²⁷, far less than the remaining 0.87 · 2⁻²². The total is 2⁻²¹ of the attribute. The product with the
+/// numerator is rounded down to a unit, like the exact quotient.
 ///
-/// Where division would make almost no difference, pixels are not divided:
-/// - A triangle that hardly changes in depth is affine. Its error is the error that its shader allows (16 units by
-///   default), plus the error of numerators with 30 bits (a quarter of 36½ units), plus a unit of rounding. This sum is
-///   less than the sum of the next item.
-/// - A span along which 1/w hardly changes is straight, in quarter units of the attribute. The tangent at the middle of
-///   the span is 16 whole units away at the span's ends. Where Q is least, a reciprocal below 2³¹ has 31 bits. It
-///   contributes ½ to a value below 2²⁹, and rounding contributes another ½: together 1. The dividend of a gain is
-///   rounded to half of its unit, which the reciprocal turns into 1. The product is rounded once more, to ½. The
-///   reciprocal contributes 2⁻⁵ to a gain below 2²⁵. So 32 gains make 49, and the total is 50 quarter units, that is,
-///   12½ units. (Where Q is at least 2³⁰, the 1 of a gain is ½.)
+/// Where division would make almost no difference, `Newton` does not divide:
+/// - A triangle that hardly changes in depth is drawn affinely. The triangle's error is the error that the shader
+///   allows (16 units by default), plus the error of numerators with 30 bits (a quarter of 36½ units), plus a unit of
+///   rounding. This sum is less than the sum of the next item.
+/// - A span along which 1/w hardly changes is drawn straight, in quarter units of the attribute. The tangent at the
+///   middle of the span has an error of 16 whole units at the span's ends. Where Q is least, a reciprocal below 2³¹ has
+///   31 bits. The reciprocal contributes ½ to the error of a value below 2²⁹, and rounding contributes another ½:
+///   together 1. The dividend of a gain has a rounding error of half of its unit, and the product with the reciprocal
+///   turns this error into 1. The product is rounded once more, to ½. The reciprocal contributes 2⁻⁵ to a gain below
+///   2²⁵. So 32 gains make 49, and the total is 50 quarter units, that is, 12½ units. (Where Q is at least 2³⁰, the 1
+///   of a gain is ½.)
 ///
 /// An attribute with more than 28 bits is divided exactly, and so is every other attribute of the same shader.
 fn newton(corners: [i32; 3], corners_w: [f64; 3]) -> f64 {
@@ -242,25 +244,26 @@ fn newton(corners: [i32; 3], corners_w: [f64; 3]) -> f64 {
     units + reciprocal.max(STRAIGHT)
 }
 
-/// The error of a straight span of `Newton`.
+/// The error of a span that `Newton` draws straight.
 const STRAIGHT: f64 = 16. + 12.5;
 
 /// The error from rounding the start and the steps of a span of `Newton` again.
 const RUN_ROUNDING: f64 = 16.;
 
-/// The error that `Fast` adds to the stepped interpolants' error and to the tolerance. One part is relative to the
-/// largest attribute A, the other part is in units of the attribute.
+/// The error that `Fast` adds to the stepped interpolants' error and to the tolerance. One part of the error is
+/// relative to A, the largest absolute value at a corner. The other part is in units of the attribute.
 ///
-/// - 1/w is truncated to its upper 15 to 17 bits. The relative error is 2⁻¹⁴ where it has 15 bits (from 2²⁹ to 2³⁰).
+/// - 1/w is truncated to its upper 15 to 17 bits. This is a relative error of 2⁻¹⁴ where 15 bits are left (1/w from 2²⁹
+///   to 2³⁰).
 /// - The reciprocal at the start of a span is rounded down to 16 to 18 bits: 2⁻¹⁵. Each later reciprocal results from
 ///   two Newton steps that start with an error of 1/16: 2⁻¹⁶ · 1.02. The products of the last step lose 2⁻¹⁸ and a
-///   unit. The unit is 2⁻¹⁷ where 1/w has 15 bits. It is 2⁻¹⁵ where 1/w has 17 bits, but there the error of 1/w is only
-///   2⁻¹⁶.
-/// - A step of the interpolants is truncated to 2⁻²⁸ of A's bits, and is made 64 times: 2⁻²², or 2⁻²¹ where 1/w is only
+///   unit. The reciprocal's unit is 2⁻¹⁷ where 1/w has 15 bits. Where 1/w has 17 bits, the unit is 2⁻¹⁵, but there the
+///   error of 1/w is only 2⁻¹⁶.
+/// - A step of the interpolants is truncated to 2⁻²⁸ of A's bits. 64 steps add up to 2⁻²², or 2⁻²¹ where 1/w is only
 ///   2²⁹.
 /// - A value is rounded down by up to a unit, and so is the gain of each of 64 pixels: 65 units.
 ///
-/// The total is less than 2⁻¹³ · 0.95 of A. A's bits hold 17/16 of A, which they exceed by less than a factor of two.
+/// The total is less than 2⁻¹³ · 0.95 of A. The range of A's bits is at least 17/16 of A, and less than twice that.
 fn fast(corners: [i32; 3]) -> f64 {
     f64::from(size(corners)) * 0.95 * 2_f64.powi(-13) + 65.
 }
@@ -271,16 +274,16 @@ fn is_far(corners_w: [f64; 3]) -> bool {
     farthest > 4.001 * nearest
 }
 
-/// The largest difference between `Newton` and `Exact` if both have the same interpolants. They have if a corner is
-/// far, but not so far that `Exact` recomputes the interpolants. Both modes round down to a unit, and `Exact` loses
-/// half a unit more.
+/// The largest difference between `Newton` and `Exact` if both have the same interpolants. Both modes have the same
+/// interpolants if a corner is far, but not so far that `Exact` recomputes the interpolants. Both modes round down to a
+/// unit, and `Exact` loses half a unit more.
 pub fn newton_from_exact(corners: [i32; 3], corners_w: [f64; 3]) -> Option<f64> {
     let is_alike = is_far(corners_w) && !may_be_precise(corners_w);
     is_alike.then(|| newton(corners, corners_w) + 1.5)
 }
 
-/// The bound of a 16-bit depth's error, in steps, before the depth is rounded down. It consists of the error of 1/w,
-/// with 2³⁰ units for at most 65,536 steps, and of 2⁻²⁹ for the reciprocal of the near plane's distance.
+/// The bound of a 16-bit depth's error, in steps, before the depth is rounded down. The bound consists of the error of
+/// 1/w, with 2³⁰ units for at most 65,536 steps, and of 2⁻²⁹ for the reciprocal of the near plane's distance.
 pub const DEPTH: f64 = (INVERSE_W + 3.) / 16384.;
 
 /// The bound of a depth's error in a triangle with these corners, including the error of a lifted corner.

@@ -4,8 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use crate::reference::scenes::Shape;
 
-/// 5,984 triangles in 68 columns and 45 rows. Texture coordinates run from 0 to 1 around the surface, and from its top
-/// to its bottom.
+/// The surface has 5,984 triangles in 68 columns and 45 rows. Texture coordinates run from 0 to 1 around the surface,
+/// and from its top to its bottom.
 pub fn bumpy() -> Shape {
     const COLUMNS: usize = 68;
     const ROWS: usize = 45;

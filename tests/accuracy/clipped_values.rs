@@ -34,8 +34,8 @@ fn nearest<'a>(pieces: &'a [Piece<2>], pixel: [i32; 2]) -> Option<(f64, &'a Piec
     pieces.iter().map(gap).min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-/// Checks each pixel center. It must be drawn once if it is farther inside than a corner can move, and never if it is
-/// farther outside than a corner can move.
+/// Checks each pixel center. A pixel must be drawn once if its center is farther inside than a corner can move, and
+/// never if its center is farther outside than a corner can move.
 fn check_coverage(pieces: &[Piece<2>], seen: &[Seen<2>]) {
     let mut drawn = vec![0; SIZE.0 as usize * SIZE.1 as usize];
     for seen in seen {
@@ -46,7 +46,7 @@ fn check_coverage(pieces: &[Piece<2>], seen: &[Seen<2>]) {
         for x in 0..160 {
             let count = drawn[usize::try_from(y * 160 + x).unwrap()];
             let gap = nearest(pieces, [x, y]).map_or(f64::MAX, |(gap, _)| gap);
-            // Twice the distance of the points `around` leaves room for the rounding of distances.
+            // The limit is twice the distance of the points `around`, which leaves room for the rounding of distances.
             if gap > 2. * SNAP {
                 assert_eq!(count, 0, "at {:?}", [x, y]);
                 continue;
@@ -126,7 +126,7 @@ fn values_of_clipped_triangles_are_the_models() {
                 for (k, bound) in bounds.iter().enumerate() {
                     let error = (f64::from(seen.values[k]) - model.attributes[k]).abs();
                     let gradient = model.dx[k].hypot(model.dy[k]);
-                    // A corner made by clipping is rounded down twice.
+                    // The values of a corner that clipping made are rounded down twice.
                     let bound = SNAP * gradient + 2. + bound.at(model.w, farthest[row]);
                     assert!(
                         error <= bound,

@@ -1,11 +1,12 @@
 //! Clipping: pixels are drawn only inside the view volume, are drawn once, and agree with the f64 model.
 //!
 //! Tolerances: rounding moves a corner by at most 1/512 pixel along each axis, so an edge moves by at most √2/512 =
-//! 0.0028 pixel. Clip space adds less than 0.001 pixel in scenes of some hundred units (coefficients of 30 bits: 2⁻²⁹ ·
-//! 256 units / 0.25 of the near plane · 100 pixels from the center = 5e-5). So a pixel may be drawn or not if its
-//! center is nearer than [`EDGE`] = 1/256 pixel to an edge. The crate's near and far planes equal the projection's
-//! planes to 28 bits. The model draws with planes moved inwards by the fraction [`PLANES`], and with planes moved
-//! outwards by it. A test decides only where both results agree.
+//! 0.0028 pixel. Rounding in clip space adds less than 0.001 pixel in scenes of some hundred units (coefficients of 30
+//! bits: 2⁻²⁹ · 256 units / 0.25 of the near plane · 100 pixels from the center = 5e-5). So a pixel may be drawn or not
+//! if its center is nearer than [`EDGE`] = 1/256 pixel to an edge. The crate's near and far planes equal the
+//! projection's planes in the first 28 bits. The model draws twice: with planes moved inwards by the fraction
+//! [`PLANES`], and with planes moved outwards by the same fraction. A test judges only the pixels on which both results
+//! agree.
 
 use std::array::from_fn;
 use std::collections::HashMap;
@@ -27,12 +28,12 @@ const SIZE: (u32, u32) = (48, 32);
 const NEAR: f64 = 0.25;
 const FAR: f64 = 24.;
 const FOCAL: u16 = 30;
-/// In pixels.
+/// Within this distance of an edge, in pixels, rounding decides whether a center is covered.
 const EDGE: f64 = 1. / 256.;
-/// In pixels: √2/512 and the error of clip space. Where two sides of a triangle are this near to a center, rounding can
+/// √2/512 and the error of clip space, in pixels. Where two sides of a triangle are this near to a center, rounding can
 /// swap the sides.
 const FOLD: f64 = 0.0029;
-/// 2⁻²⁴.
+/// The planes are moved by this fraction of their distance, 2⁻²⁴.
 const PLANES: f64 = 1. / 16_777_216.;
 
 fn projection() -> Projection<fixel::view::Perspective> {
@@ -40,7 +41,7 @@ fn projection() -> Projection<fixel::view::Perspective> {
         .unwrap()
 }
 
-/// The model's view. Its near and far planes are moved outwards by a fraction of their distance.
+/// The model's view. The near and far planes of this view are moved outwards by a fraction of their distance.
 fn model_view(outwards: f64) -> view::View {
     let (near, far) = (NEAR * (1. - outwards), FAR * (1. + outwards));
     view::View {
@@ -63,7 +64,7 @@ struct Model {
     sides: Vec<[[f64; 2]; 2]>,
 }
 
-/// The sides of the visible part of each face, without the sides between its pieces.
+/// The sides of each face's visible part, without the sides between the pieces of the part.
 fn sides<const N: usize>(pieces: &[raster::Piece<N>]) -> Vec<[[f64; 2]; 2]> {
     let key = |side: [[f64; 2]; 2]| side.map(|end| end.map(f64::to_bits));
     let mut all = HashMap::new();
@@ -115,8 +116,8 @@ impl Model {
         }
     }
 
-    /// Whether two sides pass so near to a pixel's center that rounding of their ends can swap them. A triangle this
-    /// thin can turn over, and then it overlaps its neighbors.
+    /// Whether two sides pass so near to a pixel's center that rounding of their ends can swap the sides. A triangle
+    /// this thin can turn over, and then it overlaps its neighbors.
     fn may_fold(&self, pixel: [i32; 2]) -> bool {
         let near = |[a, b]: &[[f64; 2]; 2]| to_segment(*a, *b, center(pixel)) < FOLD;
         self.sides.iter().filter(|side| near(side)).count() > 1
@@ -149,11 +150,11 @@ fn count(
     (counter.take(), drawn)
 }
 
-/// In units of 2⁻¹⁶.
+/// One unit of space, in units of 2⁻¹⁶.
 const UNIT: i32 = 1 << 16;
 
-/// A position anywhere around the eye. It can be close to the near plane, at the far plane, behind the eye, or far to
-/// the side.
+/// A position anywhere around the eye. The position can be close to the near plane, at the far plane, behind the eye,
+/// or far to the side.
 fn around(random: &mut Random) -> Vec3 {
     let [x, y] = from_fn(|_| {
         let reach = match random.random_range(0..7) {
@@ -234,8 +235,8 @@ fn triangles_around_the_eye_are_the_models() {
                 (NEAR - format..=FAR + format).contains(&w),
                 "{pixel:?}: {w}"
             );
-            // Corners have moved by less than EDGE, so the plane has the value somewhere within EDGE of the pixel's
-            // center.
+            // Rounding has moved corners by less than EDGE, so the plane has this 1/w somewhere within EDGE of the
+            // pixel's center.
             let (exact, gradient) = plane(center(pixel));
             let room = gradient * EDGE + 1e-6;
             let nearest = 1. / (exact + room);
@@ -264,7 +265,7 @@ fn triangles_around_the_eye_are_the_models() {
 /// A plane near the eye, as a map from positions of the mesh to space.
 #[derive(Clone, Copy, Debug)]
 struct Ground {
-    /// The place of the mesh's origin.
+    /// The position in space of the mesh's origin.
     origin: [i32; 3],
     /// The changes of position per unit of the mesh's x and y.
     steps: [[i32; 3]; 2],
@@ -277,13 +278,13 @@ impl Ground {
     }
 }
 
-/// A floor, a ceiling, a wall or tilted ground. It reaches from behind the eye to beyond the far plane.
+/// A floor, a ceiling, a wall or tilted ground. The plane reaches from behind the eye to beyond the far plane.
 fn ground(random: &mut Random) -> Ground {
     let side = if random.random() { 1 } else { -1 };
     let height = side * random.random_range(UNIT / 8..2 * UNIT);
     let [across, along] = from_fn(|_| random.random_range(-6..=6));
     let wall = random.random();
-    // v points ahead. The tilt is small, so that the horizon is visible.
+    // The mesh's y points ahead. The tilt is small, so that the horizon is visible.
     let (x, y) = ([32, across, 0], [0, along, -32]);
     let turn = |[a, b, c]: [i32; 3]| if wall { [b, a, c] } else { [a, b, c] };
     Ground {
@@ -292,7 +293,7 @@ fn ground(random: &mut Random) -> Ground {
     }
 }
 
-/// The ground continues below the eye and behind it. Its triangles have all shapes.
+/// The ground continues below the eye and behind the eye. The triangles of the ground have all shapes.
 #[test]
 fn meshes_through_the_near_plane_are_the_models() {
     cases(128, |random| {
@@ -322,12 +323,12 @@ fn meshes_through_the_near_plane_are_the_models() {
     });
 }
 
-/// The near and far planes both clip each of these thin triangles, so four of its corners are new and rounded. Its
-/// outline is only a few subpixels wide at the far end, so rounding can make the outline cross itself there. Then the
-/// triangles of the outline's fan overlap, but no pixel may be drawn twice.
+/// The near and far planes both clip each of these thin triangles, so four of its corners are new and rounded. A
+/// clipped triangle is only a few subpixels wide at the far end, so rounding can make its outline cross itself there.
+/// In this case, the triangles of the outline's fan overlap, but no pixel may be drawn twice.
 #[test]
 fn thin_clipped_triangles_draw_each_pixel_once() {
-    // Rounding decides which triangles fold over a pixel's center. Few triangles do, so the test draws many.
+    // Rounding decides which triangles fold over a pixel's center. Only few triangles fold, so the test draws many.
     let mut drawn = 0;
     for height in (10_000..60_000).step_by(100) {
         let place = |[u, v]: Point| Vec3::from_bits([32 * u, height + u + 5 * v, -32 * v]);
@@ -354,8 +355,8 @@ fn thin_clipped_triangles_draw_each_pixel_once() {
 }
 
 /// Positions inside the view volume, and three positions beyond each of its planes: near (some behind the eye), far,
-/// left, right, bottom, top. The sides are those of the guard band, ±2048 pixels. At a distance of 4 and with a focal
-/// length of 30 pixels, they are 273 units from the axis.
+/// left, right, bottom, top. The last four planes are the sides of the guard band, ±2048 pixels. At a distance of 4 and
+/// with a focal length of 30 pixels, these sides are 273 units from the axis.
 const INSIDE: [[f64; 3]; 3] = [[-1., -1., -4.], [1.5, -0.5, -5.], [0., 1., -3.]];
 const BEYOND: [[[f64; 3]; 3]; 6] = [
     [[-0.5, 0.25, -0.125], [0.5, 0.5, 2.], [1., -1., 0.]],
@@ -366,7 +367,7 @@ const BEYOND: [[[f64; 3]; 3]; 6] = [
     [[1., 400., -4.], [50., 300., -4.], [-100., 500., -4.5]],
 ];
 
-/// One, two and three corners of a triangle lie beyond each plane.
+/// For each plane: triangles with one, two and three corners beyond the plane.
 #[test]
 fn each_plane_clips_one_two_and_three_corners() {
     for (plane, beyond) in BEYOND.iter().enumerate() {
@@ -409,9 +410,9 @@ fn nothing_behind_the_eye_is_drawn() {
     }
 }
 
-/// Ground below the eye reaches from far behind it to the far plane. It covers only pixels below the horizon, down from
-/// its end at the far plane. The far plane is 24 units away, so the ground ends 30/24 = 1¼ rows below the middle, and
-/// centers from 17.5 down show ground.
+/// Ground below the eye reaches from far behind the eye to the far plane. The ground ends at the far plane, below the
+/// horizon, and covers all pixels below this end. The far plane is 24 units away, so the ground ends 30/24 = 1¼ rows
+/// below the middle, and centers from 17.5 down show ground.
 #[test]
 fn ground_fills_the_picture_up_to_the_far_plane() {
     let ground = [
@@ -428,7 +429,7 @@ fn ground_fills_the_picture_up_to_the_far_plane() {
     }
 }
 
-/// The largest viewport ends where the guard band ends. No pixel may be lost or drawn twice there either.
+/// The largest viewport ends where the guard band ends. At this end, too, no pixel may be lost or drawn twice.
 #[test]
 fn a_viewport_as_wide_as_the_guard_band_is_filled_once() {
     let size = (2048, 24);

@@ -23,10 +23,11 @@ const TEXELS: f64 = 256.;
 const UV_BITS: i32 = 24;
 /// The largest rounding error of a vertex's u or v, in texels.
 pub const ROUNDING: f64 = TEXELS / (2 << TexCoord::FRAC_BITS) as f64;
-/// A little more than the bound of a vertex's error: rounding moves the vertex by up to 1/512 pixel along each axis.
+/// A little more than the bound of a vertex's error, in pixels: rounding moves the vertex by up to 1/512 pixel along
+/// each axis.
 const SNAP: f64 = 1. / 256.;
 
-/// A shape in the crate's numbers, with its transforms to the picture for the crate and for the model.
+/// A shape and its transforms to the picture, both in the crate's numbers and in the model's numbers.
 pub struct Scene {
     positions: Vec<Vec3>,
     faces: Vec<[u16; 3]>,
@@ -40,7 +41,7 @@ pub struct Scene {
     view: View,
 }
 
-/// The differences between the crate's pixels and the model's. Unless noted, the model uses the crate's snapped
+/// The differences between the crate's pixels and the model's pixels. Unless noted, the model uses the crate's snapped
 /// vertices.
 pub struct Comparison {
     /// Pixels drawn, including hidden ones.
@@ -59,7 +60,7 @@ pub struct Comparison {
     pub allowed: Spread,
     /// How far the exact depth lies outside the stored step, in steps.
     pub depth: Spread,
-    /// How far the visible surface lies behind the nearest one, in steps of depth.
+    /// How far the visible surface lies behind the nearest surface, in steps of depth.
     pub order: Spread,
     pub coverage: Coverage,
 }
@@ -67,16 +68,16 @@ pub struct Comparison {
 /// The differences in coverage, which are the same in all modes.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Coverage {
-    /// The number of pairs of triangle and pixel that only the crate draws or only the model draws.
+    /// In how many cases only the crate, or only the model, draws a pixel of a triangle.
     pub not_alike: usize,
-    /// Of the pixels with centers more than 1/256 pixel inside the silhouette: how many were drawn never, once, and
-    /// more often.
+    /// Of the pixels with centers more than 1/256 pixel inside the silhouette: how many were never drawn, drawn once,
+    /// and drawn more often.
     pub inside: [usize; 3],
     /// Of the pixels with centers more than 1/256 pixel outside the silhouette: how many were drawn.
     pub outside: usize,
 }
 
-/// The model's values at the drawn pixels, in drawing order. They are the same for all modes.
+/// The model's values at the drawn pixels, in drawing order. All modes are compared with these values.
 struct Model {
     drawn: Vec<(usize, [i32; 2])>,
     /// Values with the crate's snapped vertices.
@@ -88,7 +89,7 @@ struct Model {
     /// The distance of the farthest pixel of each face in each row.
     farthest: HashMap<(usize, i32), f64>,
     coverage: Coverage,
-    /// The faces with the crate's snapped vertices.
+    /// The model's faces, with the crate's snapped vertices.
     pieces: Vec<Piece<2>>,
 }
 
@@ -147,8 +148,8 @@ impl Scene {
         }
     }
 
-    /// Draws the scene in several modes, and compares. Every vertex must lie between the near and far planes and in the
-    /// guard band.
+    /// Draws the scene in several modes, and compares the pictures with the model. Every vertex must lie between the
+    /// near and far planes and in the guard band.
     pub fn compare(&self, modes: &[Mode]) -> Vec<(Mode, Comparison)> {
         let mut model = None;
         modes
@@ -243,8 +244,8 @@ impl Comparison {
                 };
                 let [u, v] =
                     [0, 1].map(|k| bound(piece.attributes.map(|corner| corner[k]), TEXELS / unit));
-                // The distance of a vertex is the result of products of 30-bit mantissas and numbers below 64, and is
-                // rounded by half a unit.
+                // A vertex's distance is computed from products of 30-bit mantissas and numbers below 64, and rounding
+                // adds an error of half a unit.
                 [u, v, bound(piece.w, 65536.).plus(0.51)]
             })
             .collect();

@@ -2,7 +2,7 @@
 //!
 //! The crate walks along edges with remainders. The model tests every pixel center against three exact half-spaces.
 //! With the same snapped corners, both must draw the same pixels. The tests here therefore have no tolerance, except
-//! the tests of clipped triangles, which get new corners.
+//! the tests of clipped triangles, because clipping makes new corners.
 
 use std::array::from_fn;
 use std::ops::Range;
@@ -71,7 +71,7 @@ fn loose_triangles_cover_what_the_model_covers() {
     });
 }
 
-/// Slivers: two corners lie anywhere, the third within a pixel of the line between them.
+/// Slivers: two corners lie anywhere, and the third corner lies within a pixel of the line between them.
 #[test]
 fn slivers_cover_what_the_model_covers() {
     cases(256, |random| {
@@ -162,7 +162,7 @@ fn grids_cover_each_pixel_once() {
         let columns = random.random_range(1..=20);
         let rows = random.random_range(1..=16);
         let cells = [columns, rows].map(i32::from);
-        // A multiple of the number of cells, so that the width and the height of a cell are whole numbers of pixels.
+        // Multiples of the numbers of cells, so that the width and the height of a cell are whole numbers of pixels.
         let area = [32 / cells[0] * cells[0], 24 / cells[1] * cells[1]];
         let moves = places(random, 0..32);
         let mesh = grid(columns, rows, area, &moves, random.random());
@@ -178,7 +178,7 @@ fn grids_cover_each_pixel_once() {
     });
 }
 
-/// Draws every triangle with corners on half-pixels of a small picture; the corners are moved by some subpixels.
+/// Draws every triangle with corners on multiples of half a pixel in a small picture. Some offsets move all corners.
 #[test]
 fn all_small_triangles_cover_what_the_model_covers() {
     const SIDE: i32 = 7;
@@ -238,10 +238,11 @@ fn every_triangle<K: ProjectionKind>(counter: &mut Counter, projection: &Mvp<K>,
     }
 }
 
-/// In units of 2⁻¹⁶.
+/// One unit of space, in units of 2⁻¹⁶.
 const METER: i32 = 1 << 16;
 
-/// Positions in space are seen in perspective. Wherever the crate snaps them, it covers the same pixels as the model.
+/// Positions in space are seen in perspective. The crate reports where it snaps corners, and it must cover the same
+/// pixels as the model with these corners.
 #[test]
 fn triangles_in_perspective_cover_what_the_model_covers() {
     cases(128, |random| {
@@ -268,7 +269,7 @@ fn triangles_in_perspective_cover_what_the_model_covers() {
             places.push(counter.snapped(&mvp, position));
         }
         let place = |index: u16| places[usize::from(index)];
-        // Triangles that are clipped get new corners, and are checked in other tests.
+        // Clipped triangles have new corners. Other tests check them.
         let whole: Vec<[u16; 3]> = faces
             .into_iter()
             .filter(|face| face.iter().all(|&index| place(index).is_some()))
@@ -298,10 +299,10 @@ fn triangles_in_perspective_cover_what_the_model_covers() {
     });
 }
 
-/// Beyond the guard band, triangles are clipped and get new corners. Rounding moves these by up to 1/512 pixel along
-/// each axis. A point of an edge moves by at most √2/512 = 0.0028 pixel. With the rounding of clip space (a fraction of
-/// 2⁻³¹ of an edge of at most 65,536 pixels: 3e-5 pixel), it moves by less than 1/256 pixel. So pixels can differ from
-/// the exact model only within that distance of an edge.
+/// Beyond the guard band, triangles are clipped and get new corners. Rounding moves the new corners by up to 1/512
+/// pixel along each axis, so it moves a point of an edge by at most √2/512 = 0.0028 pixel. With the rounding of clip
+/// space (a fraction of 2⁻³¹ of an edge of at most 65,536 pixels: 3e-5 pixel), the point moves by less than 1/256
+/// pixel. So pixels can differ from the exact model only if their centers are within 1/256 pixel of an edge.
 #[test]
 fn triangles_beyond_the_guard_band_cover_what_the_model_covers() {
     cases(192, |random| {

@@ -9,7 +9,8 @@ use rand::Rng;
 use crate::common::random::{Random, cases};
 use crate::reference::diffusion::steps;
 
-/// Grays of a frame: noise, a slope, or plain black and white areas. Errors cannot cross black and white areas.
+/// Grays of a frame: noise, a slope, or areas of black, white and a third gray. Errors cannot cross black and white
+/// areas.
 fn frame(random: &mut Random, width: usize, height: usize) -> Vec<Vec<u8>> {
     let kind = random.random_range(0..3);
     let [across, down] = [random.random_range(0..20), random.random_range(0..20)];

@@ -39,7 +39,7 @@ impl<K: ProjectionKind> Drawing<'_, K> {
         self.record(values, false)
     }
 
-    /// Every pixel that passes the depth test, in drawing order. The last pixel at each position is visible.
+    /// Every pixel that passes the depth test, in drawing order. At each position, the last of these pixels is visible.
     pub fn shown<const N: usize>(&self, values: Values<'_, N>) -> Vec<Seen<N>>
     where
         [(); N]: Few<N>,
@@ -99,7 +99,7 @@ impl<K: ProjectionKind> Drawing<'_, K> {
             .draw(canvas, &self.options, &self.mesh, &self.mvp, shader);
     }
 
-    /// The depths in a buffer of this format after drawing, row by row.
+    /// The depths in a buffer of the format `F` after drawing, row by row.
     pub fn depths<F: DepthBuffer>(&self) -> Vec<u16> {
         let (mut pixels, mut depth) = self.blank();
         let canvas = self.canvas(&mut pixels);

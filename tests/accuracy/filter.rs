@@ -18,7 +18,7 @@ use rand::Rng;
 
 /// A color with access to its channels.
 trait Parts: Blend + PixelColor + Debug {
-    /// Units of the weight from one texel to the next.
+    /// The number of units in the distance from one texel's center to the next.
     const UNITS: f64;
 
     fn of(raw: u32) -> Self;
@@ -58,9 +58,10 @@ parts! {
 /// The bound that the documentation promises for a channel, in steps.
 ///
 /// The position is rounded to the nearest of `UNITS` units between two centers. So its error is at most half a unit
-/// along each axis, and it stays between the same centers. Between them, the color changes along either axis by at most
-/// the difference of the surrounding texels, per texel. Both axes together add this difference / `UNITS`. Rounding the
-/// two rows adds at most half a step, and their mean keeps this error. Rounding the mean adds another half.
+/// along each axis, and it stays between the same centers. Between these centers, the color changes along either axis
+/// by at most the difference of the surrounding texels, per texel. So the errors along both axes together change the
+/// color by at most this difference / `UNITS`. Rounding the two rows adds at most half a step, and the mean of the rows
+/// keeps this error. Rounding the mean adds another half step.
 fn allowed<C: Parts>(model: &Blended) -> f64 {
     1. + (model.most - model.least) / C::UNITS
 }
@@ -128,7 +129,7 @@ fn compare_at(
     }
 }
 
-/// The raw value of a texel: a random color, the darkest color, or the brightest color.
+/// The raw value of a random texel, of the darkest texel, or of the brightest texel.
 fn raw(random: &mut Random) -> u32 {
     match random.random_range(0..3) {
         0 => random.random(),
@@ -169,7 +170,7 @@ fn compare_any<C: Parts>(random: &mut Random) {
     compare(&texels::<C, 1, 1>(random), &places);
 }
 
-/// Defines a test for each color.
+/// Defines a test for each color type.
 macro_rules! against_the_model {
     ($($name:ident $color:ident)+) => {$(
         #[test]
@@ -294,8 +295,8 @@ fn a_magnified_texture_is_smooth() {
             }
         }
         // The difference between neighboring pixels is a fraction of the difference between neighboring texels, plus
-        // the errors of both pixels. A position has an error of 0.001 and half a 256th along each axis. A color has an
-        // error of one step.
+        // the errors of both pixels. A position has an error of 0.001 texel and half of 1/256 texel along each axis. A
+        // color has an error of one step.
         let most = steepest(&nearest);
         let allowed = most * (scale + 4. * (0.001 + 1. / 512.)) + 2.;
         assert!(steepest(&smooth) <= allowed, "{texels:?}");

@@ -1,4 +1,4 @@
-//! Depth in each format, for increasing ratios of the far plane's distance to the near plane's.
+//! Depths in each format, for increasing ratios of the far plane's distance to the near plane's distance.
 
 use std::array::from_fn;
 
@@ -92,7 +92,7 @@ fn wrong_in<F: DepthBuffer>(
     wrong(mode, canvas, projection, distances, gap)
 }
 
-/// Whether a format is certain to tell two walls apart. Its steps are the fraction `step` of the distance.
+/// Whether a format is certain to tell two walls apart. The format's steps are the fraction `step` of the distance.
 fn is_certain(step: f64, near_end: f64, slant: f64, gap: f64) -> bool {
     // A vertex has an error of 2^-17 in space, and of 1/512 pixel on the screen, where w changes by up to a sixteenth
     // per pixel. So twice 2^-17 / near_end and twice 1/8192 must stay well below the gap minus a step.
@@ -100,8 +100,8 @@ fn is_certain(step: f64, near_end: f64, slant: f64, gap: f64) -> bool {
 }
 
 /// Walls are a hundredth or a thousandth apart, face the eye or slant, and stand at all distances up to the far plane.
-/// With floating-point depth, each wall hides the wall behind it, as far as the format reaches. With linear depth, it
-/// does so as long as a step is finer than the gap.
+/// With floating-point depth, each wall hides the wall behind it, as far as the format reaches. With linear depth, each
+/// wall hides the wall behind it if a step is finer than the gap.
 #[test]
 fn surfaces_behind_stay_hidden() {
     for (near, ratio) in [
@@ -167,7 +167,7 @@ fn surfaces_behind_stay_hidden() {
     }
 }
 
-/// The code of a depth before it is rounded down, in a format with `exponent_bits` bits of exponent.
+/// The code of a depth in a format with `exponent_bits` bits of exponent. The code is not yet rounded down.
 fn code(depth: f64, exponent_bits: i32) -> f64 {
     let steps = 2_f64.powi(16 - exponent_bits);
     let exponent = depth.log2().floor();
@@ -175,10 +175,10 @@ fn code(depth: f64, exponent_bits: i32) -> f64 {
     steps * (exponent - 17. + 2_f64.powi(exponent_bits) + depth / exponent.exp2())
 }
 
-/// The distance of the near plane of these triangles.
+/// The distance of the near plane in the tests of triangles.
 const NEAR: f64 = 1. / 64.;
 
-/// A triangle in any part of the range up to `farthest`. The ratio of its distances is at most 4,096.
+/// A triangle in any part of the range up to `farthest`. The ratio of its corners' distances is at most 4,096.
 fn triangle(random: &mut Random, farthest: f64) -> Triangle<Perspective, 0> {
     let nearest = random.random_range(0.0..(farthest / 2000. * 32_768.).log2());
     let octaves = random.random_range(0.0..12_f64);
@@ -198,8 +198,8 @@ fn triangle(random: &mut Random, farthest: f64) -> Triangle<Perspective, 0> {
     }
 }
 
-/// Draws triangles in every mode. Each depth must be the model's depth, rounded down to a step, up to the error of
-/// interpolation.
+/// Draws triangles in every mode. Each depth must be the model's depth, rounded down to a step. The error of
+/// interpolation is allowed.
 fn depths_are_the_models<F: DepthBuffer>(exponent_bits: i32, farthest: f64) {
     let (mut pixels, mut most) = (0, 0_f64);
     cases(2000, |random| {

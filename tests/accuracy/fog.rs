@@ -79,7 +79,7 @@ fn check(
     let tolerance = 0.5 / steps + 0.5 / weights + 1. / 256. + 58. / 16_384. + more;
     for (i, shown) in shown.iter().enumerate() {
         let at = [i % SIZE as usize, i / SIZE as usize].map(|at| at as f64 + 0.5);
-        // A corner that moves by 1/512 pixel tilts the plane a little.
+        // A corner that is rounded by 1/512 pixel tilts the plane a little.
         let moves = [-0.01, 0.01];
         let expected = moves
             .into_iter()
@@ -128,8 +128,8 @@ fn fog_is_correct_in_perspective_at_every_pixel() {
         );
         check(&plane, &shown, 63., 32., 0., left);
 
-        // The parabola has an error of at most 0.0019, and its products of 3 units of 2^-14. The density has steps of
-        // 2^-16, and the logarithm's factor has an error of 3e-5.
+        // The parabola has an error of at most 0.0019, and its products have an error of 3 units of 2^-14. The density
+        // has steps of 2^-16, and the logarithm's factor has an error of 3e-5.
         let density = Scalar::try_from(density / distance).unwrap();
         let fog = Fog::exponential(Gray8::WHITE, density).unwrap();
         let shown = white(

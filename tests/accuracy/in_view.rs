@@ -15,14 +15,14 @@ use crate::reference::projection::{self, Projection as ModelProjection};
 use crate::reference::view::{View, Viewport as ModelViewport};
 
 const SIZE: (u32, u32) = (64, 48);
-/// A box that is this many pixels outside the view must count as out of view. One pixel is for the pixel around the
-/// view, the rest is for rounding. Four moves have a relative error of 2.7e-8 (`relative`), times at most 120 from the
-/// eye, times 2,048 pixels, which is half of the guard band. Coefficients of at most 3 are rounded to 27 bits, and
-/// multiplied by at most 24 for the three coordinates of a corner. Together, this is below 0.01 pixel at a distance of
-/// 1, so a distance below 1 counts as 1. In a parallel view, a unit is at most 512 pixels wide, and 120 units have an
-/// error of 0.0017 pixel.
+/// A box that is this many pixels outside the view must count as out of view. One pixel is for the border of one pixel
+/// around the view, and the rest is for rounding. Four moves have a relative error of 2.7e-8 (`relative`), times a
+/// distance of at most 120 from the eye, times half of the guard band, 2,048 pixels. Coefficients of at most 3 are
+/// rounded to 27 bits, and multiplied by at most 24 for the three coordinates of a corner. Together, these errors are
+/// below 0.01 pixel at a distance of 1, so a distance below 1 counts as 1. In a parallel view, a unit is at most 512
+/// pixels wide, and 120 units have an error of 0.0017 pixel.
 const PIXELS: f64 = 1.01;
-/// A box must count as out of view if it is beyond the near or the far plane by this fraction of the plane's distance.
+/// A box that is beyond the near or the far plane by this fraction of the plane's distance must count as out of view.
 const PART: f64 = 0.0001;
 
 fn corners(bounds: &Bounds) -> [Vec3; 8] {
@@ -33,7 +33,7 @@ fn corners(bounds: &Bounds) -> [Vec3; 8] {
     })
 }
 
-/// The faces of a box. Its edges are lines between its corners.
+/// The faces of a box, as triangles of its corners.
 const FACES: [[u16; 3]; 12] = [
     [0, 1, 3],
     [0, 3, 2],
@@ -50,7 +50,8 @@ const FACES: [[u16; 3]; 12] = [
 ];
 const EDGES: [[u16; 2]; 5] = [[0, 7], [1, 6], [2, 5], [3, 4], [0, 1]];
 
-/// Whether a box has any pixel in some rows. The box is drawn as triangles, as edges and as points.
+/// Whether a box has any pixel in the rows from `start` to `end`. The box is drawn as triangles, as edges and as
+/// points.
 fn has_pixels<K: ProjectionKind>(bounds: &Bounds, mvp: &Mvp<K>, [start, end]: [u32; 2]) -> bool {
     let positions = corners(bounds);
     let mesh = Mesh::new(&positions, &FACES)
@@ -108,7 +109,7 @@ fn sizes<K: ProjectionKind>(
     let ahead = -(a[2] + b[2]) / 2.;
     let per_unit = model.matrix[0][0] * f64::from(SIZE.0) / 2.;
     let (size, noise) = if K::PERSPECTIVE {
-        // Where the eye is almost on the sphere around the box, rounding decides.
+        // If the eye is almost on the sphere around the box, rounding decides whether the eye is inside the sphere.
         if (ahead - diagonal / 2.).abs() < 8. * 2_f64.powi(-16) {
             return (0, 0., 0.);
         }
@@ -122,12 +123,12 @@ fn sizes<K: ProjectionKind>(
     } else {
         (diagonal * per_unit, per_unit)
     };
-    // Along each axis, corners have an error of half a unit plus 2^-27 of 2^6, and so has the distance. 2^-8 pixel is
-    // added.
+    // Along each axis, corners have an error of half a unit plus 2^-27 of 2^6, and the distance has this error, too. A
+    // margin of 2^-8 pixel is added.
     (found, size, noise * 4. * 2_f64.powi(-16) + 2_f64.powi(-8))
 }
 
-/// Whether the crate's size is the model's size, rounded down.
+/// Whether the crate's size is the model's size, rounded down. `noise` is the largest difference by rounding.
 fn is_size((found, size, noise): (u32, f64, f64)) -> bool {
     if found == u32::MAX || size == f64::INFINITY {
         return found == u32::MAX && size == f64::INFINITY;
@@ -243,12 +244,12 @@ fn the_largest_boxes_have_their_sizes() {
     let size = canvas.size_on_screen(&options, &bounds, &flat);
     assert_eq!(size, (diagonal * 8. / 500.) as u32);
 
-    // Half of the diagonal ends 8,000 before the eye.
+    // The sphere around the box, with half of the diagonal as its radius, ends 8,000 units before the eye.
     let lens = Projection::perspective(deg!(90), (1, 1), fx!(1), fx!(32767)).unwrap();
     let size = canvas.size_on_screen(&options, &bounds, &lens);
     assert_eq!(size, (diagonal * 4. / 29_500.) as u32);
 
-    // Pixels are a quarter as high as wide, so the width counts.
+    // In this viewport, pixels are a quarter as high as wide, so the width counts.
     let tall = options.with_viewport(Viewport::new(0, 0, 8, 32).unwrap());
     assert_eq!(canvas.size_on_screen(&tall, &bounds, &lens), size);
 }

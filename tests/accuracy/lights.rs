@@ -21,23 +21,25 @@ const HALF_STEP: f64 = UNIT / 510.;
 
 /// The error of a lamp's light, in units of 2^-16.
 ///
-/// The vector to the lamp and the normal are truncated to mantissas of 14 bits or more. This turns each of them by up
-/// to √3 · 2^-14, which is 1.06e-4. The reciprocal root adds 2.3e-4, so the cosine has an error of 4.4e-4.
+/// The vector to the lamp and the normal are truncated to mantissas of 14 bits or more. Truncation turns each of the
+/// two vectors by up to √3 · 2^-14, which is 1.06e-4. The reciprocal root adds 2.3e-4, so the cosine has an error of
+/// 4.4e-4.
 ///
-/// A smooth falloff uses s, the square of distance over range. The truncated vector adds an error of 2.1e-4 to s, and
-/// the 13 bits of the square and of the reciprocal add 1.85e-4. The formula (1 - s)² turns these 4e-4 into at most
-/// half. Two factors of 15 bits add 6.1e-5. Their product with the brightness keeps 14 bits, and adds 6.1e-5.
+/// A smooth falloff uses s, the square of the distance divided by the range. The truncated vector adds an error of
+/// 2.1e-4 to s, and the 13 bits of the square and of the reciprocal add 1.85e-4. Both errors are relative to s. The
+/// formula (1 - s)² turns their sum of 4e-4 into an error of at most half as much. Two factors of 15 bits add 6.1e-5.
+/// The product of these factors with the brightness keeps 14 bits, and adds 6.1e-5.
 ///
 /// A linear falloff uses the length of the truncated vector, which has an error of 1.06e-4. The square of the length
 /// loses 6.1e-5, the reciprocal of the range 6.1e-5, and two products and the result 9.1e-5. The error of the root
 /// counts once, because it changes the cosine and the light in opposite directions.
 ///
-/// The light keeps 13 bits, which adds 1.22e-4. The brightness adds 1.5e-5, and the result 1.5e-5. The total is 9.2e-4
-/// for a smooth falloff and 9.2e-4 for a linear falloff: 60 units.
+/// The light keeps 13 bits, which adds 1.22e-4. The rounding of the brightness adds 1.5e-5, and the rounding of the
+/// result 1.5e-5. The total is 9.2e-4 for a smooth falloff and 9.2e-4 for a linear falloff: 60 units.
 const LAMP_ERROR: f64 = 60.;
 
-/// The largest distance between the end of a lamp's light and its range, as a fraction of the range: half the error of
-/// the square, which is 4e-4, and half of the four units of light that a lamp leaves out.
+/// The largest distance between the place where a lamp's light ends and the lamp's range, as a fraction of the range:
+/// half the error of the square, which is 4e-4, and half of the four units of light that a lamp leaves out.
 const RANGE_ERROR: f64 = 1. / 4000.;
 
 fn f64s(v: Vec3) -> [f64; 3] {
@@ -130,7 +132,7 @@ fn lamps_follow_lambert_and_their_falloff() {
                 falloff: model,
                 cone: None,
             };
-            // The light ends at its range. A constant light ends abruptly.
+            // Skip points near the lamp's range, because a constant light ends abruptly there.
             let part = length(subtract(f64s(position + way), exact.at)) / f64::from(range);
             if (part - 1.).abs() <= RANGE_ERROR {
                 continue;
@@ -141,7 +143,8 @@ fn lamps_follow_lambert_and_their_falloff() {
     });
 }
 
-/// The surfaces are at all distances, many of them beyond the format's range, in all directions and along an axis.
+/// The surfaces are in all directions and along an axis. The surfaces are at all distances, and many are beyond the
+/// format's range.
 #[test]
 fn lamps_light_nothing_beyond_the_longest_range() {
     cases(CASES, |random| {
@@ -184,8 +187,8 @@ fn lamps_light_nothing_beyond_the_longest_range() {
     });
 }
 
-/// The cosine has an error of 8 units of 2^-30. This is divided by the width of the cone's edge, and multiplied by up
-/// to 1.5 in the smooth step. Three more products are truncated.
+/// The cosine has an error of 8 units of 2^-30. This error is divided by the width of the cone's edge, and multiplied
+/// by up to 1.5 in the smooth step. Three more products are truncated.
 #[test]
 fn spots_end_softly() {
     cases(CASES, |random| {
@@ -259,7 +262,7 @@ fn highlights_follow_blinn_and_phong() {
                 normalized(subtract(f64s(eye), exact.at)),
             );
             let sum = length(array::from_fn(|i| light[i] + viewer[i]));
-            // Highlights end abruptly at the terminator.
+            // Skip surfaces that light grazes, because highlights end abruptly there.
             if dot(light, exact.normal).abs() <= 1e-5 || sum <= 1e-3 {
                 continue;
             }
@@ -277,7 +280,7 @@ fn highlights_follow_blinn_and_phong() {
     });
 }
 
-/// In a parallel projection, every surface is seen from the same direction, wherever the surface is.
+/// In a parallel projection, surfaces at all positions are seen from the same direction.
 #[test]
 fn parallel_views_light_the_side_that_is_seen() {
     let mut backs = 0;
@@ -316,7 +319,8 @@ fn parallel_views_light_the_side_that_is_seen() {
     assert!(backs > 1500, "{backs}");
 }
 
-/// The whole pipeline is tested, at vertices and at faces. Lights stay in world space while model and camera turn.
+/// The whole pipeline is tested, at vertices and at faces. Lights keep their places in the world while model and camera
+/// turn.
 #[test]
 fn corners_and_faces_are_lit_in_world_space() {
     cases(CASES, |random| {
@@ -346,7 +350,7 @@ fn corners_and_faces_are_lit_in_world_space() {
             let face = linear::cross(subtract(world[1], world[0]), subtract(world[2], world[0]));
             let normal = normalized(face);
             let middle: [f64; 3] = array::from_fn(|i| world.iter().map(|p| p[i]).sum::<f64>() / 3.);
-            // Directions are inexact near the lamp, because positions have steps of 2^-16.
+            // Skip surfaces near the lamp. Directions are inexact there, because positions have steps of 2^-16.
             let nearest = world
                 .iter()
                 .chain([&middle])
@@ -425,7 +429,7 @@ fn corners_and_faces_are_lit_in_world_space() {
     });
 }
 
-/// The outside of a closed model is lit in the same way if it is drawn two-sided as if it is drawn one-sided.
+/// The outside of a closed model has the same light whether the model is drawn one-sided or two-sided.
 #[test]
 fn a_closed_model_is_lit_alike_with_one_side_and_with_two() {
     static BALL: Mesh = shape!(sphere(24, 16));

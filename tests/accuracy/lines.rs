@@ -1,5 +1,5 @@
-//! Lines and points. Their pixels are compared with exact integers, the depths and attributes of lines with the f64
-//! model.
+//! Lines and points. The pixels of both are compared with exact integers, and the depths and attributes of lines with
+//! the f64 model.
 
 use crate::bands::{Point, point};
 use crate::common::random::{Random, cases, list, within};
@@ -23,7 +23,7 @@ const SIZE: (u32, u32) = (150, 28);
 /// line is steeper than 45°) with a center that the line crosses: the pixel that contains the crossing. A center
 /// exactly at the end with the smaller coordinate counts; a center exactly at the other end does not. The pixels that
 /// contain the ends belong to the line, too, except if the line crosses another pixel of their column (or row), or if
-/// `blends`. Computed in exact integers for each pixel.
+/// `blends`. The result is computed in exact integers.
 pub fn on_line([a, b]: [Point; 2], blends: bool, pixel: [i32; 2]) -> bool {
     let [dx, dy] = [0, 1].map(|i| i64::from(b[i]) - i64::from(a[i]));
     let major = usize::from(dy.abs() > dx.abs());
@@ -32,8 +32,8 @@ pub fn on_line([a, b]: [Point; 2], blends: bool, pixel: [i32; 2]) -> bool {
     let center = pixel[major] * 256 + 128;
     if center < a[major] || center >= b[major] {
         let is_in = |end: Point| end.map(|at| at.div_euclid(256)) == pixel;
-        // Before the smaller end, only the end's own pixel can come before the first center; beyond the greater end,
-        // after the last.
+        // This center is before the smaller end or not before the greater end. The pixel can belong to the line only if
+        // it contains this end.
         return !blends && (center < a[major] && is_in(a) || center >= b[major] && is_in(b));
     }
     // The crossing is a + (center - a) · slope, a rational number, rounded down.
@@ -43,7 +43,7 @@ pub fn on_line([a, b]: [Point; 2], blends: bool, pixel: [i32; 2]) -> bool {
     over.div_euclid(length * 256) == i64::from(pixel[minor])
 }
 
-/// How often each pixel is drawn if mesh edges are drawn as lines through the pixel projection.
+/// Draws mesh edges as lines through the pixel projection. Returns how often each pixel is drawn.
 fn drawn(points: &[Point], edges: &[[u16; 2]], blends: bool) -> Vec<u32> {
     let projection = pixel_projection(SIZE);
     let mut counter = Counter::new(SIZE);
@@ -75,7 +75,7 @@ fn modeled(points: &[Point], edges: &[[u16; 2]], blends: bool) -> Vec<u32> {
         .collect()
 }
 
-/// A line draws exactly the model's pixels, once each. In the other direction, it draws the same pixels.
+/// A line draws exactly the model's pixels, once each. A line in the other direction draws the same pixels.
 #[test]
 fn lines_are_the_models() {
     cases(512, |random| {
@@ -92,8 +92,8 @@ fn lines_are_the_models() {
     });
 }
 
-/// The lines are joined end to end, all within 45° of the same direction along an axis. They blend no pixel twice and
-/// leave no gap: there is one pixel for each center from the first end to the last.
+/// The lines are joined end to end, all within 45° of the same direction along an axis. No pixel is blended twice, and
+/// there is no gap: each column (or row) with its center between the first end and the last end has one pixel.
 #[test]
 fn polylines_blend_no_pixel_twice() {
     cases(512, |random| {
@@ -159,7 +159,7 @@ fn points_are_the_pixels_they_lie_in() {
             &Mesh::new(&positions, &[]).unwrap(),
             &projection,
         );
-        // A point can reach a row if the row or a neighboring row contains the point.
+        // A point counts as drawn if a row of the picture, or the row above or below the picture, contains the point.
         let rows = -1..=i32::try_from(SIZE.1).unwrap();
         let meeting = points
             .iter()
@@ -222,7 +222,7 @@ fn projection() -> Projection<Perspective> {
     Projection::from_focal_length(fx!(30), SIZE, fx!(0.25), fx!(32)).unwrap()
 }
 
-/// In units of 2⁻¹⁶.
+/// One unit of space, in units of 2⁻¹⁶.
 const UNIT: i32 = 1 << 16;
 
 /// A position around the eye: in front of it, behind it, or beyond the far plane.
@@ -236,8 +236,8 @@ fn around(random: &mut Random) -> Vec3 {
     Vec3::from_bits(within(random, ranges))
 }
 
-/// Random ends. Sometimes they make a line of more than 64 pixels in one row: y is below 1/32, so at a distance above 3
-/// the line is less than half a pixel from the middle.
+/// Random ends. Sometimes the two ends make a line of more than 64 pixels in one row: y is below 1/32, so at a distance
+/// above 3 the line is less than half a pixel from the middle.
 fn ends(random: &mut Random) -> [Vec3; 2] {
     if random.random_ratio(3, 4) {
         [around(random), around(random)]
@@ -277,9 +277,9 @@ fn lines_in_perspective_are_the_models() {
             let mvp = projection().into();
             let (pixels, depths) = recorded(&mvp, ends, [0, 1]);
             // A line drawn from its other end has the same pixels. The attribute of a clipped end is a blend of both
-            // ends' attributes. These differ by less than 2^21 units, and the weight is in units of 2^-30. The blend is
-            // rounded to the nearest unit from either side, so the two results can differ by one unit. The attribute of
-            // a pixel is rounded down, so it can differ by one more unit.
+            // ends' attributes. The two attributes differ by less than 2^21 units, and the weight is in units of 2^-30.
+            // The blend is rounded to the nearest unit from either side, so the two results can differ by one unit. The
+            // attribute of a pixel is rounded down, so it can differ by one more unit.
             let (others, other_depths) = recorded(&mvp, ends, [1, 0]);
             let places = |pixels: &[Drawn]| {
                 pixels
@@ -316,14 +316,15 @@ fn lines_in_perspective_are_the_models() {
     });
 }
 
-/// Compares the pixels of a line with the model's line. `extent` is the model line's extent along each axis.
+/// Compares the pixels of a line with the model's line. `extent` is the size of the model's line along each axis.
 ///
-/// The ends are rounded to 1/256 pixel, which moves the line by less than 1/256 pixel, along and across. If the line
-/// crosses a center within that distance of a pixel's edge, it can therefore draw the next pixel. The pixel's values
-/// are the model's values at a point within that distance.
+/// The ends are rounded to 1/256 pixel, which moves the line by less than 1/256 pixel, along and across. So if the line
+/// crosses a center within 1/256 pixel of a pixel's edge, it can draw the next pixel. The pixel's values are the
+/// model's values at a point within 1/256 pixel.
 fn check_line(line: &Line<1>, extent: [f64; 2], pixels: &[Drawn]) {
     const ROUNDING: f64 = 1. / 256.;
-    // Beyond the guard band, clipping makes new ends. Their error does not depend on the length of the line in pixels.
+    // Beyond the guard band, clipping makes new ends. The error of the new ends does not depend on the length of the
+    // line in pixels.
     let major = usize::from(extent[1] > extent[0]);
     let minor = 1 - major;
     let length = extent[major];
@@ -334,8 +335,9 @@ fn check_line(line: &Line<1>, extent: [f64; 2], pixels: &[Drawn]) {
         let pixel = [f64::from(x), f64::from(y)];
         let q = line.fraction_at(major, pixel[major] + 0.5);
         let value = line.at(q.clamp(0., 1.));
-        // The center of a pixel is between the line's ends, or the pixel contains an end. Only by rounding can a pixel
-        // be beyond the line's end or beside the line. Across, an error along the line counts, too, times the slope.
+        // The center of a pixel is between the line's ends, or the pixel contains an end. Rounding can move a pixel
+        // beyond the line's end or beside the line. The error across the line includes the error along the line times
+        // the slope.
         let contains =
             |end: f64| (pixel[major] - ROUNDING..=pixel[major] + 1. + ROUNDING).contains(&end);
         assert!(
@@ -352,7 +354,7 @@ fn check_line(line: &Line<1>, extent: [f64; 2], pixels: &[Drawn]) {
             [x, y]
         );
 
-        // 1/w is linear. `room` is its error at a position with an error of ROUNDING.
+        // 1/w is linear along the line. `room` is the error of 1/w at a position with an error of ROUNDING.
         let inverse = 1. / value.w;
         let room = (1. / line.w[0] - 1. / line.w[1]).abs() / length * ROUNDING * 1.01 + 1e-6;
         let (least, most) = (
@@ -365,10 +367,10 @@ fn check_line(line: &Line<1>, extent: [f64; 2], pixels: &[Drawn]) {
             [x, y]
         );
 
-        // Attribute/w is linear, too, and the error of the quotient is the sum of both errors. Attributes are below
-        // 2^20 units and scaled by 2^-21, and q is at least 2^30 · near/far. As bounds.rs derives, the errors of the
-        // numerator and of q count as at most 56½ units of the numerator. In this small picture, they stay within 51
-        // units. Clipping adds two units, and rounding two.
+        // Attribute/w is linear, too, and the quotient of attribute/w and 1/w has the sum of both errors. Attributes
+        // are below 2^20 units and scaled by 2^-21, and q is at least 2^30 · near/far. As bounds.rs derives, the errors
+        // of the numerator and of q count as at most 56½ units of the numerator. In this small picture, they stay
+        // within 51 units. Clipping adds two units, and rounding adds two units.
         let over_w = |i: usize| line.attributes[i][0] / line.w[i];
         let room_over = (over_w(0) - over_w(1)).abs() / length * ROUNDING * 1.01;
         let format = (f64::from(1 << 21) * 51. / (f64::from(1 << 30) * NEAR / FAR) + 4.) / 65536.;

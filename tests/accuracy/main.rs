@@ -1,4 +1,5 @@
-//! All tests that need the f64 model. They compare the crate's pixels, values, depths and positions with the model's.
+//! All tests that need the f64 model. The tests compare pixels, values, depths and positions of the crate with the
+//! model.
 //!
 //! `cargo test --test accuracy -- --nocapture` prints the measured errors.
 

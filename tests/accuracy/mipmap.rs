@@ -1,4 +1,5 @@
-//! Mipmaps: their levels, the level that a pixel shows, and how much a floor differs from a floor sampled by area.
+//! Mipmaps: their levels, the level that a pixel shows, and how much a drawn floor differs from the mean colors of its
+//! pixels.
 
 use std::array;
 use std::fmt::Debug;
@@ -22,7 +23,7 @@ const FOCAL: f64 = 200.;
 /// The two colors of the measured scenes.
 const COLORS: [Rgb888; 2] = [Rgb888::CSS_IVORY, Rgb888::CSS_STEEL_BLUE];
 
-/// The index of a texel's color, in a texture of squares of 8x8 texels.
+/// The index of a texel's color in a checkered texture with squares of 8x8 texels.
 fn checker(u: i64, v: i64) -> usize {
     usize::from(((u >> 3) + (v >> 3)) & 1 == 1)
 }
@@ -49,7 +50,7 @@ fn picture(shader: &impl ShaderFor<Rgb888>, floor: &Mesh<'_>, k: i16) -> Vec<Rgb
 }
 
 /// The point of the floor that pose `k` shows at a position on the screen. The point's coordinates are from 0 to 1
-/// across and along the floor. `None` beside the floor.
+/// across and along the floor. Returns `None` if the position shows no floor.
 fn floor(k: i16) -> impl Fn([f64; 2]) -> Option<[f64; 2]> {
     let [right, ahead] = moved(k);
     // The camera looks down a little.
@@ -64,7 +65,8 @@ fn floor(k: i16) -> impl Fn([f64; 2]) -> Option<[f64; 2]> {
     }
 }
 
-/// The mean colors of the floor's pixels in pose `k`, row by row. The texture repeats `repeats` times along each axis.
+/// The mean color of the floor over each pixel's area in pose `k`, row by row. The texture repeats `repeats` times
+/// along each axis.
 fn means(k: i16, repeats: f64) -> Vec<Option<[f64; 3]>> {
     let floor = floor(k);
     let colors = COLORS.map(parts);
@@ -106,8 +108,8 @@ fn parts(color: Rgb888) -> [f64; 3] {
     [color.r(), color.g(), color.b()].map(f64::from)
 }
 
-/// The mean difference between a drawn floor and a floor with pixels that are means over their areas. The mean is over
-/// all channels of all of the floor's pixels, in steps of 255.
+/// The mean difference between a drawn floor and the exact mean colors of its pixels. The mean is over all channels of
+/// all of the floor's pixels, and in 255ths.
 fn difference(
     shader: &impl ShaderFor<Rgb888>,
     floor: &Mesh<'_>,
@@ -159,7 +161,7 @@ fn levels_bring_a_far_floor_closer_to_its_means() {
             difference(&levels.trilinear(), &floor, &exact),
         ];
         println!("{repeats} repeats: {found:.2?}");
-        // Levels help the more, the more texels a far pixel covers.
+        // The more texels a far pixel covers, the more levels help.
         let [nearest, bilinear, level, smooth, blended] = found;
         let helps = [1., 0.8, 0.6][match repeats {
             1 => 0,
@@ -182,7 +184,7 @@ where
     let mut texels: Vec<C> = (0..Mipmap::<C>::len(width as usize, height as usize))
         .map(|_| C::Raw::from_u32(random.random()).into())
         .collect();
-    // What the memory behind level 0 contained before does not matter.
+    // The memory behind level 0 can have any contents before.
     let (w, h) = (width as usize, height as usize);
     let first = texels[..w * h].to_vec();
     let mipmap = Mipmap::build(&mut texels, width, height).unwrap();

@@ -12,7 +12,7 @@ pub enum Mode {
     Exact,
     Compact,
     Newton,
-    /// With a tolerance in texels.
+    /// `Fast` with a tolerance in texels.
     Fast(Scalar),
     Affine,
 }
@@ -33,7 +33,7 @@ impl Mode {
         Self::Fast(fx!(4)),
     ];
 
-    /// The modes that differ from each other under a parallel projection. Each other mode equals one of these.
+    /// The modes that are tested under a parallel projection. Every other mode equals one of these modes.
     pub const PARALLEL: [Self; 5] = [
         Self::Exact,
         Self::Compact,
@@ -42,7 +42,7 @@ impl Mode {
         Self::Affine,
     ];
 
-    /// The mode that this one equals under a parallel projection.
+    /// The mode that this mode equals under a parallel projection.
     pub fn in_parallel(self) -> Self {
         match self {
             Self::Exact | Self::Compact => self,
@@ -50,7 +50,8 @@ impl Mode {
         }
     }
 
-    /// The promised bound in texels, with the snapped vertices, for a texture of 256 texels in a picture of 320x240.
+    /// The largest error that the mode promises, in texels, if the model has the snapped vertices. The promise is for a
+    /// texture of 256 texels in a picture of 320x240.
     pub fn promised(self) -> f64 {
         match self {
             Self::Exact | Self::Compact | Self::Newton => 0.001,

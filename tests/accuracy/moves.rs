@@ -1,4 +1,4 @@
-//! Transforms that are made twice from the same numbers: by the crate, and as f64 matrices.
+//! Transforms that are computed twice from the same numbers: by the crate, and as f64 matrices.
 
 use std::f64::consts::TAU;
 
@@ -21,12 +21,12 @@ pub fn to(offset: [f64; 3]) -> Move {
     Move::To(rounded(offset))
 }
 
-/// A rotation about x by radians.
+/// A rotation about x by an angle in radians.
 pub fn x(radians: f64) -> Move {
     Move::X(Angle::try_from_radians(radians).unwrap())
 }
 
-/// A rotation about y by radians.
+/// A rotation about y by an angle in radians.
 pub fn y(radians: f64) -> Move {
     Move::Y(Angle::try_from_radians(radians).unwrap())
 }
@@ -42,7 +42,7 @@ pub fn rounded(point: [f64; 3]) -> Vec3 {
     Vec3::new(x, y, z)
 }
 
-/// The exact value of a crate's point.
+/// The exact coordinates of one of the crate's points.
 pub fn exact(point: Vec3) -> [f64; 3] {
     [point.x, point.y, point.z].map(f64::from)
 }
@@ -87,7 +87,8 @@ pub fn product(moves: &[Move]) -> (Transform, Matrix) {
     )
 }
 
-/// The largest distance from the origin that a point reaches while the moves act on it. Errors are relative to it.
+/// The largest distance from the origin that a point reaches while the moves act on it. Errors are relative to this
+/// distance.
 pub fn size(moves: &[Move], p: Vec3) -> f64 {
     let length = |v: Vec3| linear::length(exact(v));
     let largest = |v: Vec3| {
@@ -104,7 +105,7 @@ pub fn size(moves: &[Move], p: Vec3) -> f64 {
 
 /// The bound of the error of clip coordinates, relative to [`size`] and the largest coefficient. Each move adds 2⁻³⁰
 /// three times: for its mantissas, for a sine, and for the mantissas of the product. The projection, its product, and
-/// its scale add 2⁻³⁰ each. The common exponent adds it twice, because it costs one bit. The sum of a point's three
+/// its scale add 2⁻³⁰ each. The common exponent adds 2⁻³⁰ twice, because it costs one bit. The sum of a point's three
 /// coordinates is at most √3 times its length.
 pub fn relative(moves: &[Move]) -> f64 {
     2_f64.powi(-30) * 3_f64.sqrt() * (3 * moves.len() + 5) as f64

@@ -1,5 +1,5 @@
-//! Products of transforms and perspective projections, compared with f64: the position of a point, and its depth. (For
-//! parallel projections, see [`parallel`](crate::extremes).)
+//! Products of transforms and perspective projections. The position and the depth of a point are compared with f64.
+//! (For parallel projections, see [`parallel`](crate::extremes).)
 
 use std::array;
 use std::ops::Range;
@@ -103,7 +103,7 @@ fn compare_spots(
     let middle = view.viewport.screen([0.; 2]);
     for (&p, &spot) in points.iter().zip(spots) {
         let wanted = view.project(exact(p));
-        // The largest coefficient of the rows for x and y, in pixels, and of the row for depth, which has the guard
+        // The largest coefficient, in pixels, of the rows for x and y, and of the row for depth, which has the guard
         // band's scale.
         let pixels = |axis: usize, size: u32| {
             let row = model.matrix[axis].into_iter();
@@ -113,7 +113,7 @@ fn compare_spots(
             .max(pixels(1, viewport.size().height))
             .max(GUARD);
         let size = size(moves, p);
-        // Away from the middle, an error of w also changes x and y.
+        // For a point away from the middle, an error of w also changes x and y.
         let off = [0, 1].map(|axis: usize| (wanted.screen[axis] - middle[axis]).abs());
         let aside = 1. + off[0].max(off[1]) / GUARD;
         let error = relative(moves) * size * scale / wanted.w * aside;
@@ -160,8 +160,8 @@ fn compare_spots(
     }
 }
 
-/// A point can be clipped or not if it is this close to a plane, relative to the size. The crate's near plane is
-/// farther away by 2⁻¹⁶ of its distance.
+/// A point that is this close to a plane, in pixels or in steps of depth, can be clipped or not. The crate's near plane
+/// is nearer by 2⁻²⁷ of its distance.
 const SIDE: f64 = 1. / 16384.;
 
 fn viewport(random: &mut Random) -> Viewport {

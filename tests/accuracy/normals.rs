@@ -9,7 +9,7 @@ use crate::bumpy::bumpy;
 use crate::common::random::{Random, cases};
 use crate::reference::normals::{angle, around, of_triangle};
 
-/// The documented relative error of an angle, 2⁻¹³. Actual errors are far smaller.
+/// The relative error that the documentation states for an angle, 2⁻¹³. Actual errors are far smaller.
 const WEIGHT: f64 = 1. / 8192.;
 /// The error of rounding a unit vector to units of 2⁻¹⁶: half a unit along each axis.
 const ROUNDING: f64 = 0.87 / 65_536.;
@@ -25,7 +25,7 @@ fn error(normal: Vec3, (sum, weights): ([f64; 3], f64)) -> f64 {
     let length = sum.iter().map(|x| x * x).sum::<f64>().sqrt();
     let allowed = (weights * WEIGHT + SUM) / length + ROUNDING;
     let off = angle(real(normal), sum);
-    // If the errors can turn the sum in any direction, any normal is right.
+    // If the errors can turn the sum to any direction, every normal is right.
     if allowed > 0.5 { 0. } else { off / allowed }
 }
 

@@ -46,12 +46,12 @@ fn key(ends: [Vector; 2]) -> [[u64; 3]; 2] {
     ends
 }
 
-/// Memory for every side of every triangle of a mesh.
+/// Memory for an outline with every side of every triangle of a mesh.
 fn room(mesh: &Mesh) -> Vec<[u16; 4]> {
     vec![[0; 4]; 3 * mesh.faces().len()]
 }
 
-/// Compares an outline's edges, its creases and its faces with the model.
+/// Compares the edges of an outline, its creases, and the faces beside its edges with the model.
 fn check_edges(mesh: &Mesh, degrees: f64) {
     let mut room = room(mesh);
     let limit = Angle::try_from_degrees(degrees).unwrap();
@@ -154,7 +154,7 @@ fn soup(random: &mut Random) -> ([Vec3; 6], Vec<[u16; 3]>) {
     (positions, faces)
 }
 
-/// No mesh causes a panic, and the sides of an outline's faces are sides of the mesh.
+/// No mesh causes a panic, and the two faces of each edge of an outline are faces of the mesh.
 #[test]
 fn any_mesh_has_an_outline() {
     cases(512, |random| {
@@ -180,13 +180,13 @@ fn any_mesh_has_an_outline() {
     });
 }
 
-/// A line of this width always has a pixel, because it is wider than the diagonal of a pixel.
+/// A style for lines that always have a pixel, because they are wider than the diagonal of a pixel.
 const WIDE: LineStyle = match LineStyle::wide(fx!(2)) {
     Ok(style) => style,
     Err(_) => LineStyle::HAIRLINE,
 };
 
-/// The ends of those edges of an outline that have pixels.
+/// The ends of all edges of an outline that have pixels.
 fn drawn<K: ProjectionKind>(
     options: &DrawOptions,
     mesh: &Mesh,
@@ -248,7 +248,7 @@ fn side(triangle: [Vector; 3], view: &view::View) -> Option<i32> {
     Some(if area > 0. { -1 } else { 1 })
 }
 
-/// A random turn, and a move to this distance in front of the eye.
+/// A random rotation, and then a translation to this distance in front of the eye.
 fn pose(random: &mut Random, distance: f64) -> Transform {
     let [x, y, z] = random.random::<[u32; 3]>().map(Angle::from_bits);
     Transform::translate(Vec3::new(
@@ -269,8 +269,8 @@ fn projection(far: Scalar) -> Projection<Perspective> {
 }
 
 /// The same edges are drawn as in the model, even where the near or the far plane clips a face. If all corners of both
-/// faces are within the guard band, the model decides from the snapped corners, which is exact. Otherwise, it decides
-/// from the planes of the faces; edges are skipped if rounding can turn a face over.
+/// faces are within the guard band, the model decides from the snapped corners, which is exact. Otherwise, the model
+/// decides from the planes of the faces, and an edge is skipped if rounding can turn one of its faces over.
 #[test]
 fn drawn_edges_are_the_models() {
     cases(300, |random| {
@@ -329,7 +329,8 @@ fn drawn_edges_are_the_models() {
                 continue;
             };
             let expected = is_drawn([left, right], i < outline.creases(), culled);
-            // Whatever its faces show, an edge can have no pixels if fewer than two of its pixels are in view.
+            // If fewer than two of an edge's pixels are in view, the edge can have no pixels, whichever sides its faces
+            // show.
             let mut on_screen = |index: u16| counter.snapped(&mvp, place(index));
             let is_inside = on_screen(a).zip(on_screen(b)).is_some_and(|(a, b)| {
                 let inside =
@@ -355,7 +356,7 @@ fn drawn_edges_are_the_models() {
     });
 }
 
-/// Every pixel on the border of a closed mesh belongs to a line of the outline, or is beside a pixel of one.
+/// Every pixel on the border of a closed mesh belongs to a line of the outline, or is beside a pixel of such a line.
 #[test]
 fn outlines_have_no_gaps() {
     cases(300, |random| {

@@ -13,7 +13,7 @@ const SIZE: (u32, u32) = (40, 30);
 const NEAR: f64 = 1.;
 const FAR: f64 = 64.;
 
-/// The triangles that a function draws, in drawing order. Triangles without pixels are not included.
+/// The triangles that `draw` draws, in drawing order. Triangles without pixels are not included.
 fn drawn(draw: impl FnOnce(&Recorder<'_, Flat<Gray8>, 0>)) -> Vec<usize> {
     let record = record(Flat::new(Gray8::BLACK), draw);
     let mut faces: Vec<usize> = record.corners.iter().map(|(face, _)| *face).collect();
@@ -147,7 +147,7 @@ fn farther_triangles_come_first_in_perspective() {
     cases(256, |random| {
         let scene = scene(random);
         let projection = Projection::perspective(deg!(60), SIZE, fx!(1), fx!(64)).unwrap();
-        // 1/w is truncated to 26 bits, and the first of them is set. Rounding the reciprocal and the projection's
+        // 1/w is truncated to 26 bits, and the first of these bits is set. Rounding the reciprocal and the projection's
         // coefficients at most doubles this error.
         let tolerance = |w| w * 2_f64.powi(-24);
         scene.check(&scene.order(&projection), 1, &tolerance);
@@ -168,7 +168,7 @@ fn farther_triangles_come_first_in_parallel() {
     });
 }
 
-/// Triangles at the same distance keep the order of the mesh. Triangles behind them are drawn first.
+/// Triangles at the same distance keep the order of the mesh. Triangles that are farther away are drawn first.
 #[test]
 fn triangles_at_equal_distances_keep_their_order() {
     let corner = |x: f64, z: f64| [[x, 0., z], [x + 1., 0., z], [x, 1., z]];

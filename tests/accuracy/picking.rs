@@ -20,7 +20,8 @@ use crate::reference::view::{Projected, View, Viewport as ModelViewport};
 
 const SIZE: (u32, u32) = (40, 30);
 const LEFT: i32 = -7;
-/// Rounding moves a vertex by up to 1/512 pixel along both axes, so it moves an edge by up to 0.0028 pixels.
+/// A distance from an edge in pixels, with a margin. Rounding moves a vertex by up to 1/512 pixel along both axes, so
+/// it moves an edge by up to 0.0028 pixels.
 const EDGE: f64 = 0.005;
 
 /// The smallest and the largest depth of a face within [`EDGE`] of a position on the screen, in units of 1/65536.
@@ -99,7 +100,8 @@ fn check<K: ProjectionKind>(
             height: SIZE.1,
         },
     };
-    // The largest size on the screen of a unit of the model, at a distance of 1.
+    // `unit` is the largest size on the screen of a unit of the model, at a distance of 1. `scale` is the moves' part
+    // in this size.
     let scale = moves.iter().fold(1., |scale: f64, step| match step {
         Move::Scale(by) => scale * exact(*by).map(f64::abs).into_iter().fold(0., f64::max),
         _ => scale,
@@ -108,7 +110,7 @@ fn check<K: ProjectionKind>(
     let unit = 2_f64.powi(-16) * scale * focal;
     let corners =
         |face: usize| faces[face].map(|at| view.project(exact(positions[usize::from(at)])));
-    // This model does not clip, so skip scenes with clipped triangles.
+    // The f64 model of this test does not clip, so skip scenes with clipped triangles.
     let whole = |face: usize| {
         corners(face)
             .iter()

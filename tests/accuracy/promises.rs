@@ -1,4 +1,5 @@
-//! The promises of the modes for textured triangles: random triangles of a picture of 320x240, and the hardest ones.
+//! The promises of the modes for textured triangles: random triangles in a picture of 320x240, and the hardest
+//! triangles.
 
 use std::array;
 
@@ -31,7 +32,7 @@ fn about(random: &mut Random) -> [f64; 2] {
     within(random, [-40.0..360., -40.0..280.])
 }
 
-/// A triangle in or around the picture: of any shape, thin, small, of few rows, or with a row of any length.
+/// A triangle in or around the picture: of any shape, thin, small, with few rows, or with a row of any length.
 fn shape(random: &mut Random) -> [[f64; 2]; 3] {
     match random.random_range(0..13) {
         0 => [about(random), about(random), about(random)],
@@ -103,7 +104,7 @@ fn case(random: &mut Random) -> Case {
         corners.map(|()| match kind {
             0..=2 => random.random_range(0.0..1.),
             3 => random.random_range(0.0..4.),
-            // With this many repeats, both attributes have 28 bits.
+            // With this many repeats, u and v have 28 bits.
             4..=5 => random.random_range(4.0..7.),
             _ => f64::from(random.random_range(0..2)),
         })
@@ -151,8 +152,8 @@ struct Worst {
     pixels: usize,
     /// The number of these values that are more than 16 times as far away as the nearest corner.
     deep: usize,
-    /// The largest error relative to the statement of the page of limits for any depth ratio, and the number of values
-    /// for which there is no promise.
+    /// The largest error relative to the bound that the page of limits states for any depth ratio, and the number of
+    /// values for which the mode makes no promise.
     stated: f64,
     unpromised: usize,
 }
@@ -161,14 +162,14 @@ struct Worst {
 /// to the nearest corner's w.
 ///
 /// For each repeat, an interpolant's unit is at most 4¼ · 2⁻³⁰ · w of a repeat. For a product of 1, this is 2⁻⁶ · 4¼
-/// units of 2⁻¹⁶ texel, and 56½ times that are 3¾ units. Up to a product of 16, the error of `Exact` is at most 61½ + 1
-/// units; 0.001 texel is 65½. `Newton` adds 28½ units, where a row is straight, or 8 units for each repeat, whichever
-/// is larger; it also adds 16, or 21.2 for one repeat without a far corner. So the derivation proves the promise up to
-/// a product of 4 for one repeat, and of 5 for two. A larger error needs roundings that all have the same sign, in a
-/// row that is as level as possible: up to a product of 16, this test shows that the promise is kept. `Fast` can use
-/// 1/32 texel besides its tolerance. For one repeat, its 16-bit reciprocals use up to 0.0297 of this (see
-/// `bounds::fast`); for more repeats, proportionally more. So its promise is for one repeat, at the span's farthest
-/// pixel.
+/// units of 2⁻¹⁶ texel, and 56½ times as much is 3¾ units. Up to a product of 16, the error of `Exact` is at most 61½ +
+/// 1 units; 0.001 texel is 65½ units. `Newton` adds 28½ units where a row is straight, or 8 units for each repeat,
+/// whichever is larger. `Newton` also adds 16 units, or 21.2 units for one repeat without a far corner. So the
+/// derivation proves the promise up to a product of 4 for one repeat, and of 5 for two. A larger error needs roundings
+/// that all have the same sign, in a row that is as level as possible. Up to a product of 16, this test shows that the
+/// promise is kept. `Fast` can use 1/32 texel besides its tolerance. For one repeat, the 16-bit reciprocals use up to
+/// 0.0297 texel (see `bounds::fast`). For more repeats, they use proportionally more. So the promise of `Fast` is for
+/// one repeat, at the span's farthest pixel.
 ///
 /// In a very deep triangle, `Exact` recomputes the interpolants at each pixel. A numerator is then rounded by half of
 /// its unit. For a product of 1, this is 1/32 unit of 2⁻¹⁶ texel, and the truncation of a corner's 1/w moves a value by
@@ -185,10 +186,10 @@ fn is_promised(mode: Mode, is_precise: bool, repeats: f64, far: f64) -> bool {
 /// bound that the mode promises at a ratio of 1, plus an error in proportion to the ratio.
 ///
 /// The unit of an interpolant is at most 4¼ · 2⁻³⁰ · w of a repeat, which is 1.02 · 10⁻⁶ texel · w. Stepped
-/// interpolants have an error of 56½ units: 5.8 · 10⁻⁵. At 2¹⁹, it is a fiftieth more, because 1/w itself is too small
-/// by up to 40 units of 2,048. Interpolants that `Exact` recomputes have an error of 0.51 units. A corner's 1/w adds a
-/// unit of 1/w, 2.4 · 10⁻⁷, for each repeat between the corners. There are two if corners have opposite signs. The sum
-/// is 10⁻⁶.
+/// interpolants have an error of 56½ units: 5.8 · 10⁻⁵. At a ratio of 2¹⁹, this error is a fiftieth larger, because 1/w
+/// itself is too small by up to 40 units of 2,048. Interpolants that `Exact` recomputes have an error of 0.51 units. A
+/// corner's 1/w adds a unit of 1/w, 2.4 · 10⁻⁷, for each repeat between the corners. There are two repeats if corners
+/// have opposite signs. The sum is 10⁻⁶.
 fn stated(mode: Mode, is_precise: bool, repeats: f64, far: f64) -> f64 {
     let (base, slope) = match mode {
         Mode::Exact if is_precise => (0.001, 1e-6),
@@ -198,7 +199,7 @@ fn stated(mode: Mode, is_precise: bool, repeats: f64, far: f64) -> f64 {
     mode.tolerance() + repeats * (base + slope * far)
 }
 
-/// The part of the bounds of a texture coordinate that is the same for all pixels of a triangle.
+/// For one texture coordinate of a triangle: the numbers in its bounds that are the same at all pixels.
 struct Attribute {
     /// The bound in each mode.
     bounds: [Bound; MODES],
@@ -276,7 +277,7 @@ impl Case {
                         worst.stated = worst.stated.max(error / TEXEL / stated);
                     }
                     // Values must stay between the values of the corners, because a color beyond white would wrap to
-                    // black. The tolerance does not count here, because straight pieces end within the triangle.
+                    // black. The tolerance is not allowed here, because straight pieces end within the triangle.
                     let beyond = allowed - tolerance * TEXEL;
                     assert!(
                         value >= attribute.least - beyond && value <= attribute.most + beyond,
@@ -298,7 +299,7 @@ impl Case {
                         worst.unpromised += 1;
                     }
                 }
-                // Depths have 16 bits at the near plane, at a distance of 1/64.
+                // The depth is the largest 16-bit number at the near plane, which is at a distance of 1/64.
                 let (stored, depth) = (f64::from(seen.depth), model.depth);
                 assert!(
                     stored <= depth + bounds::DEPTH && depth < stored + 1. + bounds::DEPTH,
@@ -329,18 +330,18 @@ fn textured_triangles_keep_the_promises() {
     cases(1200, |random| case(random).check(&mut worst));
     print("random triangles", &worst);
     for worst in worst {
-        // The promises apply to nearly all values.
+        // The modes make a promise for nearly all values.
         assert!(worst.pixels > 200_000, "{}", worst.pixels);
     }
 }
 
-/// Triangles with a corner 16 to 1,000 times as far away as another corner, where `Exact` promises 0.001 texel at every
-/// pixel, and triangles with a corner up to 490,000 times as far away.
+/// Triangles with a corner 16 to 1,000 times as far away as another corner, and triangles with a corner up to 490,000
+/// times as far away. Up to 1,000, `Exact` promises 0.001 texel at every pixel.
 #[test]
 fn deep_triangles_keep_the_promises() {
     let mut worst = [Worst::default(); MODES];
     cases(400, |random| {
-        // The nearest corner is far outside the picture, so that many pixels are far away, or it is in the picture.
+        // The nearest corner is either far outside the picture, so that many pixels are far away, or in the picture.
         let (nearest, most): (_, f64) = if random.random() {
             let beyond = within(random, [-1500.0..1800., -1500.0..1700.]);
             (beyond, random.random_range(4.01..9.96))
@@ -414,8 +415,8 @@ fn errors_of_deep_triangles_come_close_to_the_bound() {
     }
 }
 
-/// A row of each possible length, on slopes of either sign. The steepest slope is too steep to compute a reciprocal
-/// from earlier reciprocals.
+/// Rows of every possible length, in triangles in which 1/w has a slope of either sign. The steepest slope is too steep
+/// to compute a reciprocal from earlier reciprocals.
 #[test]
 fn spans_of_every_length_keep_the_promises() {
     let mut worst = [Worst::default(); MODES];
@@ -447,14 +448,15 @@ fn spans_of_every_length_keep_the_promises() {
         }
     }
     print("spans of every length", &worst);
-    // The inputs are always the same: there are 1,560,572 values. (Other values are too far away for a promise.)
+    // The inputs are always the same: there are 1,560,572 values. (For other values, which are too far away, there is
+    // no promise.)
     for worst in worst {
         assert!(worst.pixels > 1_500_000, "{}", worst.pixels);
     }
 }
 
-/// Rows along an edge on which 1/w changes by less than rounding can add. The format leaves no room there: the nearest
-/// corner has all 31 bits set, or the farthest corner has a quarter of this 1/w.
+/// The rows lie along an edge, and 1/w changes by less than rounding can add. The format leaves no room there: all 31
+/// bits of the nearest corner's 1/w are set, or the farthest corner has a quarter of this 1/w.
 #[test]
 fn rows_at_the_ends_of_the_format_keep_the_promises() {
     // All bits of a corner's 1/w are set if w / near is a power of two, in units that put the near plane at

@@ -81,7 +81,8 @@ fn errors_of_rounded_attributes_are_within_the_bounds() {
                 assert_eq!(got, Vec3::ZERO);
                 continue;
             }
-            // The largest of the three components is 127. Each other component has an error of at most half a unit.
+            // The largest component of a stored normal is 127. Each other component has an error of at most half a
+            // unit.
             let bound = (0.5_f64.sqrt() / 127.).asin().to_degrees();
             let error = angle(a, b);
             assert!(
@@ -95,7 +96,7 @@ fn errors_of_rounded_attributes_are_within_the_bounds() {
                     [uvs, got].map(|uvs| uvs.map(|uv| f64::from(uv.to_bits()[axis])));
                 let range = exact.into_iter().fold(f64::MIN, f64::max)
                     - exact.into_iter().fold(f64::MAX, f64::min);
-                // A step is rounded up to a whole unit of 2^-20, and a coordinate is rounded to the nearest step.
+                // The step is rounded up to a whole unit of 2^-20, and each coordinate is rounded to the nearest step.
                 let bound = range / most / 2. + 0.5;
                 for (exact, got) in exact.iter().zip(got) {
                     assert!((exact - got).abs() <= bound, "{exact} becomes {got}");

@@ -14,7 +14,7 @@ fn check(name: &str, scene: &Scene, is_convex: bool) {
     for (mode, picture) in scene.compare(&Mode::PERSPECTIVE) {
         check_mode(&format!("{name}, {mode:?}"), mode, &picture);
         let [_, _, again] = picture.coverage.inside;
-        // No part of a convex surface hides another.
+        // No part of a convex surface hides another part.
         assert!(
             again == 0 || !is_convex,
             "centers inside the silhouette that were drawn twice"
@@ -31,8 +31,7 @@ fn check_mode(name: &str, mode: Mode, picture: &Comparison) {
         picture.snapped.max() <= promised,
         "{name}: texels, given snapped vertices"
     );
-    // Unrounded u and v differ at the corners by the rounding error. This error is added everywhere between the
-    // corners.
+    // Unrounded u and v differ from rounded u and v at the corners. This difference is also added between the corners.
     assert!(
         picture.unrounded.max() <= promised + ROUNDING,
         "{name}: texels, given snapped vertices and unrounded u and v"

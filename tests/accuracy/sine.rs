@@ -1,5 +1,5 @@
-//! The effect of a sine's error, in pixels. A model tumbles by the crate's polynomial, and by micromath's approximation
-//! of the sine.
+//! The effect of a sine's error, in pixels. A model tumbles twice: with the crate's sine, which is a polynomial, and
+//! with micromath's approximation.
 
 use std::collections::HashMap;
 
@@ -14,7 +14,7 @@ use crate::reference::linear::{self, Matrix};
 use crate::reference::scenes::{SIZE, Shape, cube, sphere, view};
 use crate::spread::Spread;
 
-/// The number of angles in a turn. It is not a multiple of four, so that each quadrant has other angles.
+/// The number of angles in a turn. This number is not a multiple of four, so that each quadrant has other angles.
 const ANGLES: u32 = 719;
 /// The focal length of the measured scenes, in pixels.
 const FOCAL: f64 = 200.;
@@ -30,9 +30,9 @@ fn approximate(angle: f64) -> [f64; 2] {
 /// The rotations of a model's turn, in the order of their product.
 const AXES: [fn(Angle) -> Transform; 2] = [Transform::rotate_x, Transform::rotate_y];
 
-/// A turn about an axis by a sine and a cosine that can be off the unit circle. It is the product of a rotation by the
-/// direction of the point (cosine, sine) and a scale of the two other axes by the point's length. The angle is exact to
-/// 2⁻³³ of a turn, the scale to 2⁻¹⁷.
+/// A turn about an axis, from a sine and a cosine that can be off the unit circle. The turn is the product of a
+/// rotation by the direction of the point (cosine, sine) and a scale of the two other axes by the point's distance from
+/// the origin. The angle is exact to 2⁻³³ of a turn, the scale to 2⁻¹⁷.
 fn turn(axis: usize, [sin, cos]: [f64; 2]) -> Transform {
     let scale = Scalar::try_from(sin.hypot(cos)).unwrap();
     let angle = Angle::try_from_radians(sin.atan2(cos)).unwrap();
@@ -43,18 +43,18 @@ fn turn(axis: usize, [sin, cos]: [f64; 2]) -> Transform {
     AXES[axis](angle) * Transform::scale_axes(scales)
 }
 
-/// The angles about x and y in a step. The model makes two turns about x while it makes five about y.
+/// The angles about x and y in a step. The model makes two full turns about x while it makes five about y.
 fn angles(step: u32) -> [Angle; 2] {
     let turn = ((u64::from(step) << 32) / u64::from(ANGLES)) as u32;
     [2, 5].map(|turns| Angle::from_bits(turn.wrapping_mul(turns)))
 }
 
-/// Both turns, by the crate's sine.
+/// The product of both turns, with the crate's sine.
 fn polynomial([x, y]: [Angle; 2]) -> Transform {
     AXES[0](x) * AXES[1](y)
 }
 
-/// Both turns, by micromath's sine.
+/// The product of both turns, with micromath's sine.
 fn approximation([x, y]: [Angle; 2]) -> Transform {
     turn(0, approximate(radians(x))) * turn(1, approximate(radians(y)))
 }
@@ -194,7 +194,7 @@ fn check(name: &str, model: &Model) {
     assert!(all.explained.max() <= 1.);
     // An error of 1.1e-3 in sine or cosine, at a radius of at least 1, a focal length of 200 and a distance of at most
     // 1.5, is 0.15 pixel. Both turns together exceed twice this error. If the test used std's sine by mistake, the
-    // result would be 0.003, like that of the polynomial.
+    // result would be only 0.003, as with the polynomial.
     assert!((0.15..=0.40).contains(&all.approximation.max()));
     assert!(part > 0.01);
 }

@@ -1,4 +1,4 @@
-//! Sized points. Their pixels are compared with exact integers, and sizes in world space with f64.
+//! Sized points. The pixels of a point are compared with exact integers, and sizes in world space with f64.
 
 use crate::bands::{CASES, Frame, SIZE, XRecorder, counts, drawn, modeled, point};
 use crate::common::random::{cases, within};
@@ -9,9 +9,9 @@ use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
 use rand::Rng;
 
-/// A square reaches half its size from the point in each direction. It covers the centers in it and on its right and
-/// lower sides, but not on its left and upper sides. A disc covers the centers within half its size, and the pixel that
-/// contains the point.
+/// A square reaches half its size from the point in each direction. The square covers the centers inside it and on its
+/// right and lower sides, but not on its left and upper sides. A disc covers the centers within half its size, and the
+/// pixel that contains the point.
 #[test]
 fn points_are_the_models() {
     cases(CASES, |random| {
@@ -75,8 +75,8 @@ fn points_are_the_models() {
     });
 }
 
-/// Points with a size in world space. Half of it is size · focal length / distance / 2 pixels or, under a parallel
-/// projection, size · height of the frame / height of the window / 2 pixels.
+/// Points with a size in world space. Half of the size on the screen is size · focal length / distance / 2 pixels or,
+/// under a parallel projection, size · height of the frame / height of the window / 2 pixels.
 #[test]
 fn attenuated_points_are_the_models() {
     cases(CASES, |random| {
@@ -93,7 +93,7 @@ fn attenuated_points_are_the_models() {
             }
             .unwrap()
             .attenuated();
-            // A scale of the model moves the point, but does not change its size.
+            // The model's scale moves the point, but does not change the point's size.
             let model = Transform::scale(scale);
             let world = model.point(positions[0]);
             let distance = -f64::from(world.z.to_bits()) / 65536.;

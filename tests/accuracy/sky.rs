@@ -1,5 +1,5 @@
-//! A sky compared with rays in f64. Its directions do not depend on the eye's place, and its colors depend on the
-//! height.
+//! A sky compared with rays in f64. From all positions of the eye, a direction shows the same color, and the color
+//! depends only on the direction's height.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888};
 use fixel::canvas::NoTest;
@@ -42,9 +42,9 @@ fn gray(height: f64, [bottom, top]: [f64; 2], [low, high]: [u8; 2]) -> f64 {
 }
 
 /// A gray can have an error of half a step by rounding, of 1/15 at the corners (the promise of [`Gradient`]), and of
-/// 1/8 by interpolation (the promise of the modes). Corners on the screen are rounded to 1/256 pixel. This moves a
-/// pixel of the dome by up to 1/512 pixel, and its values a little more, because triangles are tilted. The test allows
-/// a hundredth of a pixel in each direction. The camera's rotation has 30 bits, and adds no error.
+/// 1/8 by interpolation (the promise of the modes). Corners on the screen are rounded to 1/256 pixel. This rounding
+/// moves a pixel of the dome by up to 1/512 pixel, and the pixel's values a little more, because triangles are tilted.
+/// The test allows a hundredth of a pixel in each direction. The camera's rotation has 30 bits, and adds no error.
 #[test]
 fn a_sky_shows_the_height_of_each_direction() {
     const TOLERANCE: f64 = 0.5 + 1. / 15. + 1. / 8.;
@@ -86,7 +86,7 @@ fn a_sky_shows_the_height_of_each_direction() {
             let found = triangles
                 .iter()
                 .find_map(|&corners| Some((corners, hit(direction, corners)?)));
-            // By rounding, a ray along an edge can miss both triangles.
+            // Because of rounding, a ray through an edge can miss both triangles.
             let (corners, parts) = found?;
             let shares = corners.into_iter().zip(parts);
             Some(

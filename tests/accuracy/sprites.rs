@@ -42,7 +42,7 @@ fn anywhere(random: &mut Random, range: f64) -> [f64; 3] {
     within(random, [-range..range, -range..range, -range..range])
 }
 
-/// The moves of a camera, which is a rigid transform, and of a model.
+/// The moves of a camera, which form a rigid transform, and the moves of a model.
 fn places(random: &mut Random) -> [Vec<Move>; 2] {
     let [x, y, z] = random.random::<[u32; 3]>().map(Angle::from_bits);
     let factors = within(random, [0.2..3., 0.2..3., -3.0..-0.2]);
@@ -63,7 +63,7 @@ fn places(random: &mut Random) -> [Vec<Move>; 2] {
 
 /// The bound of the error of a corner in eye space, along each axis.
 fn allowed(all: &[Move], eye: &Matrix, kind: Kind, sprite: &Sprite, ahead: f64) -> f64 {
-    // A corner has an error of twice half a unit, and the error of the transform. Sides have 30 bits; if they are given
+    // A corner has an error of two half units, plus the error of the transform. Sides have 30 bits; if they are given
     // in pixels, their lengths have the relative error of the distance. A side along an axis has the error of the
     // axis's direction. This error grows as the axis approaches the line of sight.
     let unit = 2_f64.powi(-16);
@@ -91,10 +91,10 @@ fn is_perspective(projection: &ModelProjection) -> bool {
     projection.kind == projection::Kind::Perspective
 }
 
-/// Whether a sprite with these corners is well inside the picture, and is certain to have a pixel.
+/// Whether a sprite with these corners is well inside the picture and certain to have a pixel.
 fn is_shown(projection: &ModelProjection, corners: &[[f64; 3]; 4]) -> bool {
     // A circle with a radius of more than √½ pixel contains the center of a pixel. So a triangle well inside the
-    // picture has a pixel if it contains this circle.
+    // picture has a pixel if it contains such a circle.
     let w = |corner: &[f64; 3]| {
         if is_perspective(projection) {
             -corner[2]
@@ -216,7 +216,7 @@ fn compare(
     }
     let (back, unit) = (inverse(&view_matrix).unwrap(), 2_f64.powi(-16));
     for (i, (at, world)) in seen.into_inner().into_iter().enumerate() {
-        // These are the corners of both triangles. Possibly, only one triangle has pixels.
+        // These are the corners of both triangles. One of the triangles can be without pixels.
         let corner = |i: usize| [0, 1, 2, 2, 1, 3].map(|i: usize| expected[i])[i % 6];
         let off = |corner: [f64; 3], at: Vec3| {
             let at = exact(at);
@@ -234,7 +234,7 @@ fn compare(
             off(best, at) <= allowed,
             "{at:?} is not {best:?}, within {allowed}"
         );
-        // The turn of the camera adds up the errors along three axes, and rounding adds half a unit.
+        // The camera's rotation adds up the errors along three axes, and rounding adds half a unit.
         let there = point(&back, best);
         let allowed = 3_f64.sqrt() * allowed
             + unit

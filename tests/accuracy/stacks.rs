@@ -1,9 +1,9 @@
-//! Stacks of adapters. Whatever their order and number are, a color is rounded or dithered only once, when it is
+//! Stacks of adapters. In any order and number of adapters, a color is rounded or dithered only once, when it is
 //! stored.
 //!
-//! Every stack of two and of three adapters over every kind of surface is compared with the product in f64. Surface,
-//! light, tint, fog and opacity are the same at all pixels. So the mean of 8x8 pixels, the size of the dither matrix,
-//! is the color.
+//! Every stack of up to three adapters, over every kind of surface, is compared with the exact color, computed in f64.
+//! Surface, light, tint, fog and opacity are the same at all pixels. So the mean of 8x8 pixels, the size of the dither
+//! matrix, must be the exact color.
 
 use std::cell::Cell;
 
@@ -28,7 +28,7 @@ static SQUARE: Mesh = shape!(plane(1, 1));
 /// The distance of the square. The fog reaches from 1 to 9.
 const DISTANCE: f64 = 6.;
 
-/// The values of a scene. They are the same at all pixels.
+/// The values of a scene. The values are the same at all pixels.
 #[derive(Clone, Copy, Debug)]
 struct Scene {
     surface: Rgb888,
@@ -56,7 +56,7 @@ impl Scene {
         }
     }
 
-    /// The ground in the canvas's format: a color between black and white, if the format has one.
+    /// The color of the ground in the canvas's format: between black and white, if the format has such a color.
     fn ground<C: Channels>(&self) -> C {
         C::from_rgb(self.ground, Point::default())
     }
@@ -74,7 +74,7 @@ impl Scene {
 trait Channels: PixelFormat + Default {
     fn channels(self) -> [f64; 3];
 
-    /// The channels, in full precision, that the format shows of a color of 24 bits.
+    /// Converts a color of 24 bits to the channels of this format, in full precision.
     fn exact(color: Rgb888) -> [f64; 3];
 }
 
@@ -126,8 +126,8 @@ fn each(a: [f64; 3], b: [f64; 3], f: impl Fn(f64, f64) -> f64) -> [f64; 3] {
     [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2])]
 }
 
-/// A stack with its type erased. It has kept the varyings, because these are equal at all corners of [`SQUARE`]. So
-/// tests of three adapters are compiled once for each adapter, and not for each stack.
+/// A stack with its type erased. The varyings are equal at all corners of [`SQUARE`], so the function contains them.
+/// With this type, tests of three adapters are compiled once for each adapter, and not for each stack.
 #[derive(Clone, Copy)]
 struct Erased<'a, C>(&'a dyn Fn(&Fragment) -> Precise<C>);
 
@@ -185,17 +185,18 @@ fn from_above() -> Mvp<Parallel> {
     projection.unwrap() * Camera::top(Vec3::ZERO, fx!(6))
 }
 
-/// The channels that a stack should show, from 0 to 1.
+/// The channels that a stack must show, from 0 to 1.
 type Exact = [f64; 3];
 
-/// The tests of one triangle in one format.
+/// The inputs of all tests of one scene.
 struct Tests<'a> {
     triangle: &'a Primitive<'a>,
     scene: Scene,
 }
 
 impl Tests<'_> {
-    /// Compares a stack with the model, alone and over the ground. Then does the same with each adapter added in turn.
+    /// Compares a stack with the model, opaque and blended with the ground. If `more` is above 0, does the same with
+    /// each adapter added in turn.
     fn stack<C: Channels>(
         &self,
         name: &str,
@@ -251,7 +252,7 @@ impl Tests<'_> {
         self.stack(&format!("{name}.half"), Half(shader), half, more);
     }
 
-    /// Draws a stack over a ground, and compares the mean of all pixels with the model.
+    /// Draws a stack over the ground, and compares the mean of all pixels with the model.
     fn check<C: Channels>(
         &self,
         name: &str,
@@ -279,9 +280,10 @@ impl Tests<'_> {
         let steps = C::MAX_STEPS.map(f64::from);
         for ((sum, expected), steps) in sum.into_iter().zip(expected).zip(steps) {
             let error = (sum / f64::from(SIDE * SIDE) - expected) * steps;
-            // A dithered mean is within 1/128 step of the level, and the level may have the same error. Other formats
-            // are rounded to nearest. Each of up to four products drops less than 1/250 step. The 2^-16ths of a color
-            // of 24 bits and the weights of a luma (2^-15 each) are less than 0.012 of 255 steps.
+            // A dithered mean is within 1/128 step of the level, and the level can have an error of 1/128 step, too.
+            // Other formats are rounded to nearest. Each of up to four products drops less than 1/250 step. The
+            // rounding of a color of 24 bits to units of 2^-16, and the weights of a luma (2^-15 each), add less than
+            // 0.012 of 255 steps.
             let tolerance = if C::IS_DITHERED {
                 1. / 64.
             } else {

@@ -18,7 +18,7 @@ pub struct Triangle<K, const N: usize> {
     pub positions: [Vec3; 3],
     /// Each attribute at the three corners.
     pub values: [[i32; 3]; N],
-    /// At each corner, the w by which attributes are divided.
+    /// The w at each corner by which attributes are divided.
     pub w: [f64; 3],
     /// The depths at the corners, by the formula of the projection. Depth is linear on the screen.
     pub depth: [f64; 3],
@@ -53,7 +53,7 @@ impl<K: ProjectionKind, const N: usize> Triangle<K, N> {
         }
     }
 
-    /// The model's values at the pixels of a triangle with these corners, row by row.
+    /// The model's values at the pixels of a triangle with the corners `screen`, row by row.
     pub fn model(&self, screen: Snapped) -> Vec<Model<N>> {
         let attributes = [0, 1, 2].map(|corner: usize| self.values.map(|v| f64::from(v[corner])));
         let depth = self.depth.map(|depth| [depth]);

@@ -1,4 +1,5 @@
-//! Interpolated values of random triangles. Both sides use the same snapped corners, so only interpolation is tested.
+//! Interpolated values of random triangles. The crate and the model use the same snapped corners, so only interpolation
+//! is tested.
 
 use std::array::{self, from_fn};
 
@@ -17,7 +18,7 @@ use crate::mode::Mode;
 use crate::reference::coverage::Snapped;
 use crate::triangle::Triangle;
 
-/// The width is more than two spans.
+/// The width is more than two spans of 64 pixels.
 const SIZE: (u32, u32) = (160, 48);
 const FOCAL: i16 = 200;
 /// The near plane's distance. Distances are from 2^-13 to 2^11.
@@ -63,8 +64,8 @@ fn distances(random: &mut Random) -> [f64; 3] {
     [(); 3].map(|()| (base + spread * random.random::<f64>()).exp2())
 }
 
-/// A value at three corners: like a color, like a texture coordinate, any value, the ends of the format, or just below
-/// powers of two, where scaling leaves the least room.
+/// A value at three corners: like a color, like a texture coordinate, any value, the ends of the format, the same value
+/// at all corners, or just below powers of two, where scaling leaves the least room.
 fn corners(random: &mut Random) -> [i32; 3] {
     match random.random_range(0..6) {
         0 => [(); 3].map(|()| random.random_range(0..256)),
@@ -79,7 +80,7 @@ fn corners(random: &mut Random) -> [i32; 3] {
     }
 }
 
-/// Attributes that are independent, or that all have similar size, like u and v.
+/// Attributes that are independent, or that are all in the same range, like u and v.
 fn values(random: &mut Random) -> [[i32; 3]; VALUES] {
     if random.random() {
         return [corners(random), corners(random), corners(random)];
@@ -210,7 +211,7 @@ fn values_in_perspective_are_within_the_bounds() {
 
 #[test]
 fn values_in_parallel_are_within_the_bounds() {
-    // These are the bounds that the page of modes states.
+    // The page of modes states these bounds.
     let stated = |mode, most| Bound::parallel(mode, [0, most, 0]).at(1., 1.);
     assert!(stated(Mode::Exact, 256 << 16) <= 3.3);
     assert!(stated(Mode::Affine, 1 << 28) <= 36.5);

@@ -1,4 +1,4 @@
-//! Wide lines. Their pixels are compared with exact integers, and the shares of anti-aliased lines with f64.
+//! Wide lines. The pixels of a line are compared with exact integers, and the shares of anti-aliased lines with f64.
 
 use crate::bands::{CASES, Point, SIZE, counts, drawn, modeled, point};
 use crate::common::random::{Random, cases, within};
@@ -35,9 +35,9 @@ fn line<'a>(ends: &'a [Vec3; 2], edge: &'a [[u16; 2]; 1]) -> Mesh<'a> {
 }
 
 /// Whether a pixel belongs to the wide line between two snapped ends. `half` of the width is in units of 1/256 pixel.
-/// Along the longer axis, the pixel's center must lie between the ends; the smaller end counts, the greater end does
-/// not. Across, the center must lie at most `half` from the line, and less than `half` if it is above the line or left
-/// of it. Computed in exact integers.
+/// Along the longer axis, the pixel's center must lie between the ends, where the smaller end is included and the
+/// greater end is not. Across, the center must lie at most `half` from the line, and less than `half` if it is above
+/// the line or left of it. The result is computed in exact integers.
 ///
 /// A line of width 1 is a hairline.
 fn on_line([a, b]: [Point; 2], half: i64, pixel: [i32; 2]) -> bool {
@@ -54,7 +54,7 @@ fn on_line([a, b]: [Point; 2], half: i64, pixel: [i32; 2]) -> bool {
         return false;
     }
     let length = end - start;
-    // The distance of the center across, times the length.
+    // The distance between the center and the line across, times the line's length.
     let distance = (across - from) * length - (along - start) * (to - from);
     -half * length < distance && distance <= half * length
 }
@@ -65,8 +65,8 @@ fn ahead(random: &mut Random) -> Vec3 {
     Vec3::from_bits(within(random, ranges))
 }
 
-/// Compares the depths and values of a smooth line with those of a plain line. The plain line has one pixel in each
-/// step along the longer axis.
+/// Compares the depths and values of a smooth line with the depths and values of a plain line. The plain line has one
+/// pixel in each step along the longer axis.
 ///
 /// The two lines have different spans, so they have different rounding errors. For each line, the error is at most 2^21
 /// · 34 · 1.5 / (2^30 / 128) + 4 units, or 16.7. The derivation is as in `lines_in_perspective_are_the_models`, where
@@ -87,7 +87,7 @@ fn check_values(smooth: &[Seen<1>], [a, b]: [Point; 2], plain: &[Seen<1>]) {
     }
 }
 
-/// Half of a line's width, in units of 1/256 pixel. The line is often a plain line, or a few pixels wide.
+/// Half of a random width of a line, in units of 1/256 pixel. The width is often one pixel or a few pixels.
 fn half(random: &mut Random) -> i32 {
     match random.random_range(0..3) {
         0 => random.random_range(128..=8192),
@@ -96,7 +96,7 @@ fn half(random: &mut Random) -> i32 {
     }
 }
 
-/// A style with twice this half of a width, in units of 1/256 pixel.
+/// The style of a line, from half of its width in units of 1/256 pixel.
 fn width(half: i32) -> LineStyle {
     LineStyle::wide(Scalar::from_bits(half << 9)).unwrap()
 }
@@ -106,7 +106,7 @@ fn perspective() -> Projection<Perspective> {
 }
 
 /// A wide line draws exactly the model's pixels, once each, from either end, in bands and in a frame. Each pixel has
-/// the values of the thin line beside it. A line of width 1 is the thin line.
+/// the values of the thin line beside it. A line of width 1 is the same as a thin line.
 #[test]
 fn wide_lines_are_the_models() {
     cases(CASES, |random| {
@@ -272,7 +272,7 @@ fn bands_of_lines_in_perspective_equal_the_frame() {
     });
 }
 
-/// In perspective, too, pixels beside a plain line have the depths and values of the plain line.
+/// In perspective, too, the pixels of a smooth line beside a plain line have the depths and values of the plain line.
 #[test]
 fn smooth_lines_have_the_values_of_plain_ones() {
     cases(CASES, |random| {
@@ -378,7 +378,8 @@ fn blended_lines_are_the_models() {
     for (pixel, color) in Bounds::new(SIZE.0, SIZE.1).pixels().zip(&colors) {
         let share = share(screen, 2.5, center(pixel));
         let exact = over(over(240., 60., 100. / 255.), 60., share);
-        // The opacity has an error of 1/512, and the share of 1.3/256, both times 180 steps. There are two roundings.
+        // The opacity has an error of 1/512, and the share has an error of 1.3/256. Both errors are multiplied by 180
+        // steps. Two roundings add a step.
         let room = 180. * (1. / 512. + 1.3 / 256.) + 1.;
         assert!(
             (f64::from(color.luma()) - exact).abs() <= room,
@@ -389,7 +390,8 @@ fn blended_lines_are_the_models() {
     assert!(partly > 30);
 }
 
-/// A line beside the canvas can have pixels in the canvas. If it has, its mesh must be in view.
+/// A line beside the canvas can have pixels in the canvas. If it has pixels there, the bounds of its mesh, widened by
+/// the line's reach, must be in view.
 #[test]
 fn lines_that_reach_into_a_band_are_in_view() {
     let (mut has_pixels, mut beside) = (0, 0);
@@ -412,7 +414,7 @@ fn lines_that_reach_into_a_band_are_in_view() {
         let is_drawn = band.pixels().any(|pixel| pixel != Gray8::BLACK);
         let bounds = line.bounds();
         if is_drawn {
-            // A unit is a pixel. A smooth line reaches half a pixel farther than half its width.
+            // In this projection, a unit is a pixel. A smooth line reaches half a pixel farther than half its width.
             let reach = (width.width() + fx!(1)) / 2;
             let reach = Vec3::new(reach, reach, fx!(0));
             let (least, most) = (bounds.least - reach, bounds.most + reach);

@@ -18,8 +18,8 @@ pub struct Barycentric {
 }
 
 impl Barycentric {
-    /// The weights, from twice the area of the whole triangle and twice the areas of three triangles. Each of these
-    /// connects the point with the edge opposite a corner.
+    /// The weights, from twice the area of the whole triangle, and twice the areas of three parts. Each part is the
+    /// triangle between the point and the edge opposite a corner.
     fn new(&[a, b, c]: &Corners, opposite: [f64; 3], area: f64) -> Self {
         let over_area = |[a, b, c]: [f64; 3]| [a / area, b / area, c / area];
         Self {
@@ -46,7 +46,7 @@ pub fn weights(t: &Corners, p: [f64; 2]) -> Option<Barycentric> {
 }
 
 /// Barycentric weights at the center of a pixel, for snapped corners (24.8). Each weight is the quotient of two exact
-/// integers. It is rounded three times: in both conversions to f64, and in the division.
+/// integers. The weight is rounded three times: in both conversions to f64, and in the division.
 pub fn weights_snapped(t: Snapped, pixel: [i32; 2]) -> Option<Barycentric> {
     let area = area2(t);
     if area == 0 {
@@ -66,7 +66,7 @@ pub fn weights_snapped(t: Snapped, pixel: [i32; 2]) -> Option<Barycentric> {
 pub struct Value<const N: usize> {
     /// Homogeneous w.
     pub w: f64,
-    /// ∂(1/w) per pixel to the right and down.
+    /// The change of 1/w per pixel to the right, and per pixel down.
     pub inverse_w_gradient: [f64; 2],
     /// The attributes.
     pub attributes: [f64; N],
@@ -78,8 +78,8 @@ pub struct Value<const N: usize> {
 
 /// The perspective-correct value for these weights, from `w` and `attributes` at the corners.
 ///
-/// If all w are equal, this is linear interpolation. Outside the triangle, 1/w can fall to 0; beyond, the value has no
-/// meaning.
+/// If all w are equal, this is linear interpolation. Outside the triangle, 1/w can fall to 0. Where it is negative, the
+/// value has no meaning.
 pub fn interpolate<const N: usize>(
     weights: &Barycentric,
     w: [f64; 3],

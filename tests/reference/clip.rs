@@ -5,17 +5,17 @@ use super::linear::Vec4;
 /// A half-space: a position in clip space is inside if its dot product with the plane is not negative.
 pub type Plane = Vec4;
 
-/// −w ≤ z.
+/// The near plane: −w ≤ z.
 pub const NEAR: Plane = [0., 0., 1., 1.];
-/// z ≤ w.
+/// The far plane: z ≤ w.
 pub const FAR: Plane = [0., 0., -1., 1.];
-/// −w ≤ x.
+/// The left plane: −w ≤ x.
 pub const LEFT: Plane = [1., 0., 0., 1.];
-/// x ≤ w.
+/// The right plane: x ≤ w.
 pub const RIGHT: Plane = [-1., 0., 0., 1.];
-/// −w ≤ y.
+/// The bottom plane: −w ≤ y.
 pub const BOTTOM: Plane = [0., 1., 0., 1.];
-/// y ≤ w.
+/// The top plane: y ≤ w.
 pub const TOP: Plane = [0., -1., 0., 1.];
 
 /// The planes that make a division by w safe.
@@ -39,8 +39,8 @@ pub fn side(plane: &Plane, position: &Vec4) -> f64 {
     plane.iter().zip(position).map(|(a, b)| a * b).sum()
 }
 
-/// The point where an edge meets a plane. It is always computed from the inside end to the outside end, so that two
-/// polygons with the same edge get the same bits.
+/// The point where an edge meets a plane. The point is always computed from the inside end to the outside end, so that
+/// two polygons with the same edge get the same bits.
 fn cut<const N: usize>(
     inside: &ClipVertex<N>,
     outside: &ClipVertex<N>,

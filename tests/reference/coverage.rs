@@ -44,7 +44,7 @@ impl Bounds {
         }
     }
 
-    /// The part of these bounds with every center that is within `margin` pixels of the corners' bounding box.
+    /// The part of these bounds that contains every center within `margin` pixels of the corners' bounding box.
     pub fn around(self, corners: &Corners, margin: f64) -> Self {
         let range = |axis: usize| {
             let low = corners.iter().map(|c| c[axis]).fold(f64::MAX, f64::min);
@@ -79,15 +79,15 @@ pub fn center([x, y]: [i32; 2]) -> [f64; 2] {
     [f64::from(x) + 0.5, f64::from(y) + 0.5]
 }
 
-/// (b − a) × (p − a), exact for any input. This is twice the area of the triangle a, b, p in 1/256² pixel², positive if
-/// the triangle runs clockwise on the screen (y down).
+/// (b − a) × (p − a), exact for any input. The result is twice the area of the triangle a, b, p in 1/256² pixel²,
+/// positive if the triangle runs clockwise on the screen (y down).
 pub fn edge(a: [i32; 2], b: [i32; 2], p: [i64; 2]) -> i128 {
     let from_a = |to: i64, axis: usize| i128::from(to) - i128::from(a[axis]);
     from_a(b[0].into(), 0) * from_a(p[1], 1) - from_a(b[1].into(), 1) * from_a(p[0], 0)
 }
 
-/// Twice the signed area in 1/256² pixel². It is positive for corners that run clockwise on the screen (y down), so it
-/// is negative for a front face, because its corners run counter-clockwise.
+/// Twice the signed area in 1/256² pixel². The area is positive for corners that run clockwise on the screen (y down),
+/// and negative for a front face, because its corners run counter-clockwise.
 pub fn area2(t: Snapped) -> i128 {
     edge(t[0], t[1], t[2].map(i64::from))
 }
@@ -130,7 +130,7 @@ pub fn covers(t: Snapped, pixel: [i32; 2]) -> bool {
 
 /// Whether a triangle of either winding, with corners that were not snapped, covers a point.
 ///
-/// The ends of an edge are sorted first, so the edge has the same value in both of its triangles. Therefore the
+/// The ends of an edge are sorted first, so both triangles beside the edge compute the same value for it. So the
 /// triangles leave no gap and do not overlap, even in rounded arithmetic.
 pub fn covers_f64(t: &Corners, p: [f64; 2]) -> bool {
     let [a, b, c] = *t;

@@ -2,9 +2,10 @@
 
 /// The steps that each pixel of `grays` (rows of 0 to 255) shows on a display with `most` steps from black to white.
 ///
-/// A share is truncated to 1/16 of a gray, toward black, and the last share is the remainder. Shares for pixels beyond
-/// the left and right sides go to the pixel below. An error is at most half a step. The part of a larger error is
-/// dropped, because neither black nor white can take it.
+/// A pixel's error is divided into four shares for its neighbors. A share is truncated to 1/16 of a gray, toward black,
+/// and the last share is the remainder. Shares for pixels beyond the left and right sides go to the pixel below. An
+/// error is limited to half a step. The rest of a larger error is dropped, because black and white pixels cannot show
+/// it.
 pub fn steps(grays: &[Vec<u8>], most: i32) -> Vec<Vec<i32>> {
     let (height, width) = (grays.len(), grays[0].len());
     let step = 255. / f64::from(most);

@@ -42,7 +42,7 @@ pub enum Source {
         brightness: f64,
         range: f64,
         falloff: Falloff,
-        /// The axis, and the cosines of the inner and the outer angle.
+        /// For a spotlight: the axis of its cone, and the cosines of the inner and the outer angle.
         cone: Option<(Vec3, [f64; 2])>,
     },
 }

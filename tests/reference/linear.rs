@@ -6,7 +6,7 @@ pub type Vec3 = [f64; 3];
 /// A homogeneous point.
 pub type Vec4 = [f64; 4];
 
-/// Four rows. A column vector stands on the right: `M · v`.
+/// A matrix, as four rows. A column vector stands on its right: `M · v`.
 pub type Matrix = [[f64; 4]; 4];
 
 /// The identity matrix.

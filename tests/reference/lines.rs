@@ -1,4 +1,4 @@
-//! Values along a projected segment. 1/z is linear along it on the screen.
+//! Values along a projected segment. On the screen, 1/z is linear along the segment.
 
 use super::clip::{ALL_PLANES, ClipVertex, Plane, segment};
 use super::distance::{closest, to_segment};
@@ -92,8 +92,9 @@ impl<const N: usize> Line<N> {
         }
     }
 
-    /// The fraction at which the infinite line reaches this x (axis 0) or y (axis 1) in pixels. Lines are drawn column
-    /// by column or row by row with it. Infinite or NaN if the line is parallel to the other axis.
+    /// The fraction at which the infinite line reaches this x (axis 0) or y (axis 1) in pixels. A line is drawn with
+    /// this fraction, column by column or row by row. The fraction is infinite or NaN if the line is parallel to the
+    /// other axis.
     pub fn fraction_at(&self, axis: usize, at: f64) -> f64 {
         let [start, end] = self.screen.map(|point| point[axis]);
         (at - start) / (end - start)
@@ -105,8 +106,8 @@ impl<const N: usize> Line<N> {
     }
 }
 
-/// The share of a pixel that an anti-aliased line covers: the part of the pixel's width that is within half of the
-/// line's width of the segment, as if the line's border were parallel to a side of the pixel.
+/// The share of a pixel that an anti-aliased line covers. The share is computed as if the line's border were parallel
+/// to a side of the pixel: the part of the pixel's width that is at most half of the line's width from the segment.
 pub fn share(ends: [[f64; 2]; 2], width: f64, center: [f64; 2]) -> f64 {
     let [a, b] = ends;
     (width / 2. + 0.5 - to_segment(a, b, center)).clamp(0., 1.)

@@ -22,7 +22,7 @@ pub fn reduced(rows: &[Vec<f64>]) -> Vec<Vec<f64>> {
 ///
 /// `corners` are in eye space. `texels` are their texture coordinates in texels. `focal` is in pixels. `z` is the
 /// distance at the pixel. At the distance z, a pixel covers a width of z/focal. On a plane at the distance d from the
-/// eye, this is stretched by z/d along the line of sight (exactly so in the middle of the picture).
+/// eye, this width is stretched by z/d along the line of sight (exactly only in the middle of the picture).
 pub fn level(corners: [Vec3; 3], texels: [[f64; 2]; 3], focal: f64, z: f64) -> f64 {
     let [a, b, c] = corners;
     let normal = cross(subtract(b, a), subtract(c, a));

@@ -1,7 +1,7 @@
-//! The whole rendering pipeline in f64, written from the mathematics. It shares no code with the crate.
+//! The whole rendering pipeline in f64, written from the mathematics. The model shares no code with the crate.
 //!
-//! The tests compare the integer pipeline with this one. Each part therefore has its plainest textbook form, not a fast
-//! form. Parts with an exact answer (the coverage of snapped vertices) are computed in exact integers.
+//! The tests compare the crate's integer pipeline with this pipeline. Each part therefore has its plainest textbook
+//! form, not a fast form. Parts with an exact answer (the coverage of snapped vertices) are computed in exact integers.
 //!
 //! Conventions: column vectors; matrices as rows; right-handed axes; the eye at the origin, looking down −z, y up;
 //! angles in radians; screen coordinates in pixels, y down, with the center of pixel (0, 0) at (½, ½); snapped
@@ -60,7 +60,7 @@ pub mod scenes;
 pub mod silhouette;
 pub mod sprites;
 pub mod texture;
-// The tests of the model are part of tests/accuracy only. Other programs that include the model are not tests.
+// Only tests/accuracy runs the tests of the model, because other programs that include the model are not tests.
 #[cfg(test)]
 mod tests;
 pub mod view;

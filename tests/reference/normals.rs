@@ -12,7 +12,8 @@ pub fn of_triangle([a, b, c]: [Vec3; 3]) -> Vec3 {
     normalized(cross(subtract(b, a), subtract(c, a)))
 }
 
-/// The sum of the weighted normals around a position, and the sum of their weights. Only accepted normals count.
+/// The sum of the weighted normals of the triangles around a position, and the sum of the weights. Only normals for
+/// which `accepted` is true count.
 pub fn around(
     position: usize,
     positions: &[Vec3],

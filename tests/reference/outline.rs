@@ -9,7 +9,7 @@ use super::linear::{Vec3, cross, dot, length, subtract};
 pub struct Edge {
     /// The positions of the ends.
     pub ends: [Vec3; 2],
-    /// The indices of the faces beside the edge: two, or one at a border.
+    /// The indices of the faces beside the edge: two faces, or one face at a border.
     pub faces: Vec<usize>,
     /// The angle between the normals of the two faces, in radians; `None` at a border.
     pub angle: Option<f64>,

@@ -5,7 +5,7 @@ use super::linear::{IDENTITY, Matrix, Vec3, Vec4, multiply};
 /// The stored depth at the near plane.
 pub const DEPTH_MAX: f64 = 65535.;
 
-/// The kind of a projection. It determines how depth decreases with distance.
+/// The kind of a projection. The kind determines how depth decreases with distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Rays meet in the eye. Homogeneous w is the distance ahead.
@@ -42,8 +42,8 @@ impl Projection {
         }
     }
 
-    /// The depth at the distance d ahead, before it is rounded down to a u16. It decreases from 65535 at the near
-    /// plane: 65535·n/d in perspective, 65535·(f − d)/(f − n) for parallel rays.
+    /// The depth at the distance d ahead, before it is rounded down to a u16. At the near plane, the depth is 65535.
+    /// The depth decreases with the distance: 65535·n/d in perspective, 65535·(f − d)/(f − n) for parallel rays.
     pub fn depth(&self, distance: f64) -> f64 {
         match self.kind {
             Kind::Perspective => DEPTH_MAX * self.near / distance,
@@ -51,7 +51,7 @@ impl Projection {
         }
     }
 
-    /// The distance at which a surface has this depth. This is the inverse of [`depth`](Self::depth).
+    /// The distance at which a surface has this depth. The inverse of [`depth`](Self::depth).
     pub fn distance_at_depth(&self, depth: f64) -> f64 {
         match self.kind {
             Kind::Perspective => DEPTH_MAX * self.near / depth,
@@ -60,7 +60,8 @@ impl Projection {
     }
 }
 
-/// Off-center perspective, as in OpenGL: left, right, bottom and top of the window on the near plane, near and far.
+/// An off-center perspective projection, as in OpenGL, from the left, right, bottom and top of the window on the near
+/// plane, and the distances of the near and far planes.
 pub fn frustum(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Projection {
     Projection {
         matrix: [
@@ -83,21 +84,21 @@ pub fn window(fov: f64, aspect: f64, near: f64) -> [f64; 4] {
     [-right, right, -top, top]
 }
 
-/// Symmetric perspective. `fov` is the vertical field of view in radians, `aspect` is width/height.
+/// A symmetric perspective projection. `fov` is the vertical field of view in radians, `aspect` is width/height.
 pub fn perspective(fov: f64, aspect: f64, near: f64, far: f64) -> Projection {
     let [l, r, b, t] = window(fov, aspect, near);
     frustum(l, r, b, t, near, far)
 }
 
-/// Symmetric perspective by a focal length in pixels, for a picture of width x height pixels:
-/// screen x = width/2 + focal·x/−z.
+/// A symmetric perspective projection from a focal length in pixels, for a picture of width x height pixels: screen x =
+/// width/2 + focal·x/−z.
 pub fn focal(focal: f64, size: (u32, u32), near: f64, far: f64) -> Projection {
     let right = near * f64::from(size.0) / (2. * focal);
     let top = near * f64::from(size.1) / (2. * focal);
     frustum(-right, right, -top, top, near, far)
 }
 
-/// Parallel rays along −z: maps the box to the canonical cube.
+/// A parallel projection along −z. The projection maps the box between the six planes to the cube from −1 to 1.
 pub fn orthographic(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Projection {
     Projection {
         matrix: [
@@ -112,7 +113,8 @@ pub fn orthographic(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Projectio
     }
 }
 
-/// Oblique parallel rays: an orthographic view after a shear that leaves the plane z = 0 in place.
+/// A parallel projection with oblique rays: an orthographic projection after a shear that leaves the plane z = 0 in
+/// place.
 ///
 /// A point at distance d moves by d·ratio in the direction of `angle`, and keeps its distance. The angle is in radians,
 /// from +x toward +y, so edges recede to the upper right for 0 < angle < π/2.
@@ -143,8 +145,8 @@ pub fn cabinet(angle: f64, window: (f64, f64, f64, f64), near: f64, far: f64) ->
     oblique(angle, 0.5, window, near, far)
 }
 
-/// The perspective transform alone. It maps x and y to (n·x, n·y)/−z, and −z to (n + f) − nf/−z; z is negative ahead of
-/// the eye. Followed by an orthographic projection, it is a [`frustum`].
+/// The perspective transform alone. The transform maps x and y to (n·x, n·y)/−z, and −z to (n + f) − nf/−z. z is
+/// negative ahead of the eye. Together with an orthographic projection after it, this transform gives a [`frustum`].
 pub fn perspective_transform(n: f64, f: f64) -> Matrix {
     [
         [n, 0., 0., 0.],

@@ -130,7 +130,7 @@ pub fn pieces<const N: usize>(mesh: &Mesh<'_, N>, view: &View) -> Vec<Piece<N>> 
     pieces_clipped(mesh, view, &DEPTH_PLANES)
 }
 
-/// The mesh's triangles on the screen, clipped to `planes`, which must keep w positive.
+/// The mesh's triangles on the screen, clipped to `planes`. The planes must keep w positive.
 pub fn pieces_clipped<const N: usize>(
     mesh: &Mesh<'_, N>,
     view: &View,
@@ -174,17 +174,17 @@ pub struct Hit<const N: usize> {
     pub face: usize,
     /// The piece's index in the list that was rendered.
     pub piece: usize,
-    /// The distance of the pixel's center from the piece, in pixels. 0 if the piece covers the center.
+    /// The distance of the pixel's center from the piece, in pixels; 0 if the piece covers the center.
     pub gap: f64,
     /// Distance ahead of the eye.
     pub distance: f64,
-    /// The depth before it is rounded down. 65535 at the near plane.
+    /// The depth before it is rounded down; 65535 at the near plane.
     pub depth: f64,
     /// Homogeneous w, and the attributes with their changes per pixel.
     pub value: Value<N>,
 }
 
-/// Every surface at every pixel of the canvas, including hidden ones.
+/// Every surface at every pixel of the canvas, including hidden surfaces.
 #[derive(Clone, Debug)]
 pub struct Picture<const N: usize> {
     width: u32,
@@ -194,8 +194,8 @@ pub struct Picture<const N: usize> {
 /// Evaluates pieces at those pixels of a canvas of width x height that are inside the viewport.
 ///
 /// A `margin` of 0 finds the pieces that cover a pixel's center. A larger `margin`, in pixels, also finds the pieces
-/// within that distance of the center, and extends their planes to the center: if vertices are rounded by up to
-/// `margin`, a piece near the center can cover it instead.
+/// within this distance of the center, and extends their planes to the center. (If vertices are rounded by up to
+/// `margin`, a piece near the center can cover the center instead.)
 pub fn render<const N: usize>(
     pieces: &[Piece<N>],
     projection: &Projection,
@@ -277,15 +277,16 @@ impl<const N: usize> Picture<N> {
         &self.hits[y as usize * self.width as usize + x as usize]
     }
 
-    /// The visible surface: the nearest one that covers the pixel. Of equally near surfaces, it is the last one drawn.
+    /// The visible surface: the nearest surface that covers the pixel. Of equally near surfaces, the last one drawn is
+    /// visible.
     pub fn nearest(&self, pixel: [i32; 2]) -> Option<&Hit<N>> {
         let covering = self.at(pixel).iter().filter(|hit| hit.gap == 0.);
         covering.max_by(|a, b| a.depth.total_cmp(&b.depth))
     }
 
-    /// Every surface that a depth buffer with a step of `step` can show: surfaces, including neighbors within the
-    /// margin, that are at most `step` behind the nearest covering surface. If no surface covers the pixel, all
-    /// surfaces.
+    /// Every surface that a depth buffer with a step of `step` can show: every surface within the margin that is at
+    /// most `step` behind the nearest covering surface. If no surface covers the pixel, these are all surfaces within
+    /// the margin.
     ///
     /// Where a surface ends within the margin (see `Silhouette::contour_within`), the surface behind it can show, too.
     /// Use all surfaces of [`at`](Self::at) there.

@@ -9,7 +9,7 @@ use super::projection::focal;
 use super::raster::Mesh;
 use super::view::{View, Viewport};
 
-/// Columns and rows of the picture.
+/// The numbers of columns and rows of the picture.
 pub const SIZE: (u32, u32) = (320, 240);
 /// The number of poses of the cube and of the sphere.
 pub const POSES: u32 = 8;
@@ -76,8 +76,7 @@ pub fn cube(pose: u32) -> (Shape, View) {
     let mut shape = Shape::default();
     for axis in 0..3 {
         for sign in [-1., 1.] {
-            // u points along the next axis, and is mirrored on faces of negative sign. v points along the axis after
-            // that.
+            // u points along the next axis, and is mirrored on faces of negative sign. v points along the third axis.
             let corner = |u: f64, v: f64| {
                 let mut p = [0.; 3];
                 p[axis] = sign;
@@ -105,8 +104,8 @@ pub fn cube(pose: u32) -> (Shape, View) {
     (shape, view(eye))
 }
 
-/// The sphere and its view in pose 0 to 7. It has 33 rows of 33 vertices each, from the pole at +y down. The last
-/// column coincides with the first.
+/// The sphere and its view in pose 0 to 7. The sphere has 33 rows of 33 vertices each, from the pole at +y down. The
+/// last column of vertices coincides with the first column.
 pub fn sphere(pose: u32) -> (Shape, View) {
     const PARTS: usize = 32;
     let mut shape = Shape::default();

@@ -1,11 +1,11 @@
 //! Finds whether a point of the screen is inside, outside or near the outline of a union of triangles.
 //!
-//! The union's outline is exact, up to the rounding of f64. It consists of parts of the *contour* edges. With each
-//! triangle on the left of its own edges, an edge is a contour edge if its opposite edge (same two ends, other
+//! The union's outline is exact, up to the rounding of f64. The outline consists of parts of the *contour* edges. With
+//! each triangle on the left of its own edges, an edge is a contour edge if its opposite edge (same two ends, other
 //! direction) belongs to no triangle. Every other edge has triangles on both sides, so it does not bound the union. For
 //! the front faces of a closed mesh, contour edges lie between a front face and a back face, or on the near plane. A
-//! contour edge bounds the union only where no other triangle lies across it, and only that part counts. (The front of
-//! the mesh can hide the edge, or the back of a fold can lie under it.)
+//! contour edge bounds the union only where no other triangle lies across it, so only this part of the edge belongs to
+//! the outline. (Elsewhere, the front of the mesh can hide the edge, or the back of a fold can lie under it.)
 //!
 //! Edges are compared by the bits of their ends, so vertices that two triangles share must have the same bits. An inner
 //! edge without an exact opposite edge, for example at a T-junction, takes time but does not change the result.
@@ -20,11 +20,11 @@ pub const REACH: f64 = 1.;
 
 /// The side of a tile, in pixels.
 const TILE: usize = 8;
-/// The distance across an edge, in pixels, at which another triangle is looked for. It is also the largest distance by
-/// which rounding can move a point of the union out of every triangle. It is far above the rounding of f64 at
-/// coordinates of thousands (1e-12), and far below any visible distance.
+/// The distance from an edge, in pixels, at which the code looks for another triangle across the edge. Rounding can
+/// move a point of the union out of every triangle by at most the same distance. This distance is far above the
+/// rounding of f64 at coordinates of thousands (1e-12), and far below any visible distance.
 const ACROSS: f64 = 1e-9;
-/// A gap between the triangles across an edge comes from rounding if it is shorter than this, in pixels.
+/// If a gap between the triangles across an edge is shorter than this, in pixels, rounding has caused the gap.
 const HOLE: f64 = 1e-7;
 
 /// The position of a point relative to the union.
@@ -133,7 +133,7 @@ impl Silhouette {
     ///
     /// # Panics
     ///
-    /// As for [`classify`](Self::classify).
+    /// If `d` is over [`REACH`] or the point is outside the picture.
     pub fn contour_within(&self, p: [f64; 2], d: f64) -> bool {
         self.contour_near(self.tile(p, d), p, d).next().is_some()
     }
@@ -190,7 +190,8 @@ impl Silhouette {
     }
 }
 
-/// The part of a line inside a triangle of positive area, between the lengths `start` and `end` along the line.
+/// The part of a line that is inside a triangle of positive area. The line runs from the length `start` to the length
+/// `end`.
 fn inside(
     [a, b, c]: &Corners,
     origin: [f64; 2],

@@ -8,7 +8,8 @@ pub struct Sprite {
     pub position: Vec3,
     /// Width and height in eye space.
     pub size: [f64; 2],
-    /// The place of the position in the sprite: as fractions of the width from the left and of the height from the top.
+    /// The place in the sprite that is at the position: a fraction of the width from the left, and a fraction of the
+    /// height from the top.
     pub anchor: [f64; 2],
     /// The direction of the vertical sides in model space; `None` if they are vertical in the picture.
     pub axis: Option<Vec3>,

@@ -36,7 +36,7 @@ pub struct Blended {
     pub most: f64,
 }
 
-/// One channel of a texture at a point, which is in texels. The rows of the texture run from top to bottom.
+/// One channel of a texture at a point. The point is in texels. The rows of the texture run from top to bottom.
 pub fn bilinear(rows: &[Vec<f64>], wrap: Wrap, [u, v]: [f64; 2]) -> Blended {
     let mut blended = Blended {
         value: 0.,

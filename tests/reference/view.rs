@@ -41,7 +41,7 @@ impl Viewport {
 pub struct Projected {
     /// Position in clip space.
     pub clip: Vec4,
-    /// The position in pixels, with y down. It has no meaning if w ≤ 0.
+    /// The position in pixels, with y down. The position has no meaning if w ≤ 0.
     pub screen: [f64; 2],
     /// Homogeneous w: the distance in perspective, 1 for parallel rays.
     pub w: f64,
@@ -66,7 +66,7 @@ impl View {
         multiply(&self.projection.matrix, &self.eye)
     }
 
-    /// A position of the mesh in clip space. It is transformed to eye space first.
+    /// A position of the mesh in clip space. The position is transformed to eye space first.
     pub fn clip(&self, position: Vec3) -> Vec4 {
         apply(&self.projection.matrix, apply_point(&self.eye, position))
     }
@@ -88,7 +88,7 @@ impl View {
     }
 }
 
-/// Rounds pixels to the nearest 1/256 pixel, halves toward +∞. Saturates.
+/// Converts pixels to units of 1/256 pixel, rounded to nearest, halves toward +∞. The result saturates.
 pub fn snap(screen: [f64; 2]) -> [i32; 2] {
     screen.map(|x| (x * 256. + 0.5).floor() as i32)
 }

@@ -8,11 +8,10 @@ use crate::vector::{Vector, add, cross, dot, length, sub};
 /// Cosine of the largest angle, 60 degrees, between faces that are shaded as one surface.
 const CREASE: f64 = 0.5;
 
-/// The largest number of faces around a point that are compared one by one. If there are more, faces of similar
-/// direction are first merged.
+/// Around a point with more faces than this, faces of similar direction are merged before all pairs are compared.
 const FEW: usize = 64;
 
-/// The direction of a normal in steps of 1/8. Normals within about 7 degrees have the same direction.
+/// A normal's direction, rounded to steps of 1/8. Normals within about 7 degrees of each other have the same direction.
 fn direction(normal: Vector) -> [i8; 3] {
     let length = length(normal);
     normal.map(|x| {
@@ -22,10 +21,12 @@ fn direction(normal: Vector) -> [i8; 3] {
     })
 }
 
-/// Returns, for each of the faces around a point, the sum of the normals of all faces within [`CREASE`].
+/// `faces` are the normals of the faces around a point. For each face, returns the sum of the normals of all faces that
+/// are at most 60 degrees from it.
 ///
-/// All pairs of faces are compared. If there are more than [`FEW`] faces, faces of similar direction first become one
-/// group. There are at most a few hundred directions, so the time is linear in the number of faces.
+/// All pairs of faces are compared. If there are more than [`FEW`] faces, faces of similar direction are first merged
+/// into groups, and pairs of groups are compared. There are at most a few hundred directions, so the time is linear in
+/// the number of faces.
 fn smooth(faces: &[Vector]) -> Vec<Vector> {
     let mut groups: Vec<Vector> = Vec::new();
     let mut places: HashMap<[i8; 3], usize> = HashMap::new();
@@ -70,7 +71,7 @@ impl Model {
         self.make_uvs();
     }
 
-    /// The normal of a triangle; its length is twice the triangle's area.
+    /// A vector along the normal of a triangle, with twice the triangle's area as its length.
     fn area_normal(&self, triangle: &Triangle) -> [f64; 3] {
         let [a, b, c] = triangle
             .corners
@@ -79,8 +80,8 @@ impl Model {
     }
 
     /// Computes normals for the corners that have none: the mean of the normals of the faces around the point, weighted
-    /// by area. For a face without a smoothing group, only faces within 60 degrees of it count, so that the edges of a
-    /// box stay sharp.
+    /// by area. For a face without a smoothing group, only the faces at most 60 degrees from it count, so that the
+    /// edges of a box stay sharp.
     pub fn make_normals(&mut self) {
         let lacks = |corner: &Corner| corner.normal.is_none();
         if !self
@@ -102,8 +103,8 @@ impl Model {
                     .or_insert(new)
             })
             .collect();
-        // The corners at each position. The number of a corner is three times its triangle's index, plus its place
-        // there.
+        // The corners at each position. A corner's number is three times the index of its triangle, plus 0, 1 or 2 for
+        // its place in the triangle.
         let mut around: Vec<Vec<usize>> = vec![Vec::new(); places.len()];
         for (at, triangle) in self.triangles.iter().enumerate() {
             for (which, corner) in triangle.corners.iter().enumerate() {
@@ -154,7 +155,7 @@ impl Model {
     /// Computes texture coordinates for the triangles that have none. Each triangle is projected to the side of the
     /// model's bounding box that it faces most.
     fn make_uvs(&mut self) {
-        // Positions that no face uses do not count: they can be far away, or not numbers.
+        // Positions that no face uses do not count, because they can be far away, or not numbers.
         let corners = self.triangles.iter().flat_map(|triangle| triangle.corners);
         let (mut lows, mut highs) = ([f64::MAX; 3], [f64::MIN; 3]);
         for position in corners.map(|corner| self.positions[corner.position as usize]) {
@@ -200,7 +201,7 @@ impl Model {
     }
 }
 
-/// The index of the last element. There are at most three for each triangle of a file in memory.
+/// The index of the last element of a list. The list has at most three elements for each triangle of a file in memory.
 #[allow(clippy::cast_possible_truncation)]
 fn last<T>(list: &[T]) -> u32 {
     list.len().saturating_sub(1) as u32

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// The files that the importer may read: files of the disk, or files from any other source.
+/// The files that the importer may read: files on the disk, or files from any other source.
 pub trait Files {
     /// The contents of a file.
     ///
@@ -15,11 +15,11 @@ pub trait Files {
     /// Whether the file exists.
     fn has(&self, path: &Path) -> bool;
 
-    /// Called now and then with the number of a model's bytes that have been read, and the number of all its bytes.
+    /// Called now and then while a model is read: `done` of its `all` bytes have been read.
     fn progress(&self, _done: usize, _all: usize) {}
 }
 
-/// The files of the disk.
+/// The files on the disk.
 #[derive(Clone, Copy, Debug)]
 pub struct Disk;
 
@@ -38,13 +38,13 @@ impl Files for Disk {
 pub struct Folder<'a> {
     pub files: &'a dyn Files,
     pub path: &'a Path,
-    /// How many bytes the model has.
+    /// The model's size in bytes.
     pub all: usize,
 }
 
 impl Folder<'_> {
-    /// A file that a model names, relative to the model's folder. If it does not exist, for example because the model
-    /// comes from another computer, only the last part of its name is used.
+    /// The path of a file that a model names relative to the model's folder. If no such file exists, for example
+    /// because the model comes from another computer, the path is the model's folder and the last part of the name.
     pub fn beside(&self, name: &str) -> PathBuf {
         let name = name.replace('\\', "/");
         let path = self.path.join(&name);
@@ -54,7 +54,8 @@ impl Folder<'_> {
         self.path.join(name.rsplit('/').next().unwrap_or(&name))
     }
 
-    /// Reports how many bytes have been read. Can be called for each `element`, because most calls do nothing.
+    /// Reports that `bytes` bytes have been read. Readers can call this for each `element`, because most calls do
+    /// nothing.
     pub fn progress(&self, element: usize, bytes: usize) {
         if element.trailing_zeros() >= 14 {
             self.files.progress(bytes, self.all);

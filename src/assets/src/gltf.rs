@@ -1,4 +1,4 @@
-//! Reads glTF 2.0, text and binary.
+//! Reads glTF 2.0 files, both text and binary.
 
 mod accessor;
 mod matrix;
@@ -13,7 +13,8 @@ use crate::files::Folder;
 use crate::mtl::byte;
 use crate::{Alpha, Corner, Image, Material, Model, Smoothing, next};
 
-/// Extensions that compress the geometry, and the names of their methods. Files that need them cannot be read.
+/// Extensions that compress the geometry, each with the name of its method. A file that requires one of these
+/// extensions cannot be read.
 const COMPRESSED: [(&str, &str); 3] = [
     ("KHR_draco_mesh_compression", "Draco"),
     ("EXT_meshopt_compression", "meshopt"),
@@ -31,11 +32,12 @@ const READ: [&str; 7] = [
     "KHR_xmp_json_ld",
 ];
 
-/// The largest number of values that a file may leave out (they are 0), and of vertices of nodes that share meshes.
-/// Without this limit, a short file could claim all memory.
+/// An accessor without bytes, with values of 0, may have at most this many values. All nodes together may have at most
+/// this many vertices, or as many as the file has bytes. Without these limits, a short file could claim all memory,
+/// because nodes can share a mesh.
 const MOST: usize = 1 << 22;
 
-/// Reads a glTF file: the triangles of its default scene, or of its first one.
+/// Reads the triangles of a glTF file's default scene. Without a default scene, reads its first scene.
 pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
     let (json, binary) = parts(bytes)?;
     let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
@@ -108,7 +110,7 @@ fn parts(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
     Ok((json.ok_or("it has no JSON text")?, binary))
 }
 
-/// The elements of a list; no elements if there is no list.
+/// The elements of the list `name` in an object; empty if there is no such list.
 fn list<'v>(object: &'v Value, name: &str) -> &'v [Value] {
     object[name].as_array().map_or(&[], Vec::as_slice)
 }
@@ -121,9 +123,9 @@ fn names(list: &Value) -> impl Iterator<Item = &str> {
         .filter_map(Value::as_str)
 }
 
-/// A number of elements or of bytes, or an index.
+/// Reads a whole number: a number of elements or bytes, or an index.
 fn whole(value: &Value) -> Option<usize> {
-    // Some programs write 3.0.
+    // Some programs write 3 as 3.0.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // checked
     let float = value
         .as_f64()
@@ -184,7 +186,7 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// An element of the file's list `of`.
+    /// The element with the index `at` in the file's list `of`.
     fn item(&self, of: &str, at: usize) -> Result<&'a Value, String> {
         let items = list(self.root, of);
         items.get(at).ok_or_else(|| {
@@ -291,8 +293,8 @@ impl<'a> Reader<'a> {
             alpha: match mode {
                 "MASK" => {
                     let cutoff = material["alphaCutoff"].as_f64().unwrap_or(0.5);
-                    // The cutoff applies to the product of the texture's alpha and the factor's alpha. Dividing by the
-                    // factor makes it apply to the texture's alpha.
+                    // The cutoff applies to the product of the texture's alpha and the factor's alpha. The cutoff
+                    // divided by the factor applies to the texture's alpha alone.
                     Alpha::Cut(if alpha > 0.0 {
                         byte(cutoff / alpha)
                     } else {
@@ -331,8 +333,8 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// Adds the meshes of the default scene. Without a default scene, the first scene is drawn; without scenes, all
-    /// meshes.
+    /// Adds the meshes of the default scene. Without a default scene, adds the meshes of the first scene. Without
+    /// scenes, adds all meshes.
     fn scene(&mut self) {
         let scenes = list(self.root, "scenes");
         let scene = whole(&self.root["scene"])
@@ -486,7 +488,8 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// Adds the vertices of a primitive. `weights` morphs them, and the matrix of the node, or the joints, move them.
+    /// Adds the vertices of a primitive. The vertices are morphed by `weights`, and then moved by their joints or,
+    /// without joints, by the matrix of the node.
     fn vertices(
         &mut self,
         primitive: &Value,
@@ -586,7 +589,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// The vertices of a primitive in the model's lists: how many, and where they begin.
+/// The vertices of a primitive: how many there are, and the index of the first one in each of the model's lists.
 struct Vertices {
     count: usize,
     position: u32,
@@ -597,7 +600,8 @@ struct Vertices {
 }
 
 impl Vertices {
-    /// The corner at a vertex. If the vertex does not exist, the corner has no position in the model either.
+    /// The corner at a vertex. If the vertex does not exist, the corner gets the index of a position that does not
+    /// exist either.
     fn corner(&self, index: f64) -> Corner {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         // a whole number of 32 bits
@@ -618,7 +622,8 @@ impl Vertices {
     }
 }
 
-/// The base color of a material and its texture, in either description.
+/// The base color and the base texture of a material, from whichever description the material has: specular and
+/// glossiness, or metallic and roughness.
 fn surface(material: &Value) -> (&Value, &Value) {
     let glossy = &material["extensions"]["KHR_materials_pbrSpecularGlossiness"];
     if glossy.is_object() {

@@ -1,8 +1,9 @@
 //! Reads models and pictures in any common format, for the crate `fixel`.
 //!
 //! [`read`] reads OBJ with its MTL materials, STL, PLY, and glTF, text or binary; [`Picture::decode`] reads PNG, JPEG,
-//! BMP, TGA, GIF and WebP. Both accept files with small mistakes. [`Model::notes`] and the messages of errors say what
-//! was replaced or left out. The crate runs on the host: `fixel`'s macros put what it reads into flash.
+//! BMP, TGA, GIF and WebP. Both functions accept files with small mistakes. For a model, [`Model::notes`] says what was
+//! replaced or left out. If nothing is left to draw, the message of the error says this. The crate runs on the host,
+//! where `fixel`'s macros use it to put models and pictures into flash.
 //!
 //! ```
 //! use std::io;
@@ -10,7 +11,7 @@
 //!
 //! use fixel_assets::{Files, Options};
 //!
-//! /// A file in memory. `Disk` reads the files of the disk.
+//! /// A file in memory. (`Disk` reads the files on the disk.)
 //! struct Memory(&'static str);
 //!
 //! impl Files for Memory {
@@ -26,7 +27,7 @@
 //! let model = fixel_assets::read(Path::new("square.obj"), &Memory(text))?;
 //! assert_eq!((model.positions.len(), model.triangles.len()), (4, 2));
 //! assert!(model.notes.iter().eq(["a face of fewer than 3 corners is left out"]));
-//! // In the fixed-point format of a mesh.
+//! // The third corner of the square, in the fixed-point format of a mesh.
 //! assert_eq!(model.lists(&Options::default())?.positions[2], [1 << 16, 1 << 16, 0]);
 //! # Ok::<(), String>(())
 //! ```
@@ -67,7 +68,7 @@ pub use sniff::Format;
 pub struct Model {
     /// Positions of all vertices, in the file's units and axes.
     pub positions: Vec<[f64; 3]>,
-    /// Texture coordinates: u right, v down from the top left corner, 1 for one repeat.
+    /// Texture coordinates, from the top left corner: u runs to the right, v runs down, and 1 is one repeat.
     pub uvs: Vec<[f64; 2]>,
     /// Normals, of any length except 0.
     pub normals: Vec<[f64; 3]>,
@@ -96,38 +97,38 @@ pub struct Model {
 /// A triangle.
 #[derive(Clone, Copy, Debug)]
 pub struct Triangle {
-    /// Its corners, counter-clockwise as seen from the front.
+    /// The corners, counter-clockwise as seen from the front.
     pub corners: [Corner; 3],
-    /// Index of its material.
+    /// The index of the material; `None` if the triangle has no material.
     pub material: Option<u32>,
-    /// Index of its object.
+    /// The index of the object; `None` if the triangle belongs to no object.
     pub object: Option<u32>,
-    /// Which edges are shaded smoothly where the file has no normals.
+    /// Which faces are shaded as one surface with this triangle, where the file has no normals.
     pub smoothing: Smoothing,
 }
 
-/// Which faces around a point are shaded as one surface, where the file has no normals.
+/// Which of the faces around a point are shaded as one surface, where the file has no normals.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Smoothing {
-    /// Faces that meet at 60 degrees or less.
+    /// Faces with normals at most 60 degrees apart.
     #[default]
     Angle,
-    /// No faces: each face is flat.
+    /// None: each face is flat.
     Flat,
     /// Faces of the same group.
     Group(u32),
 }
 
-/// Indices into a model's lists.
+/// A corner of a triangle, as indices into the model's lists.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Corner {
-    /// Of a position.
+    /// Index of the corner's position.
     pub position: u32,
-    /// Of a texture coordinate.
+    /// Index of the corner's texture coordinate.
     pub uv: Option<u32>,
-    /// Of a normal.
+    /// Index of the corner's normal.
     pub normal: Option<u32>,
-    /// Of a color.
+    /// Index of the corner's color.
     pub color: Option<u32>,
 }
 
@@ -135,8 +136,8 @@ pub struct Corner {
 ///
 /// # Errors
 ///
-/// The file cannot be read, is not a model, ends too early, or has nothing to draw. The message is one line. It names
-/// the file, the line or the byte, the value, and what was expected.
+/// The file cannot be read, is not a model, ends too early, or has nothing to draw. The message is one line. The
+/// message names the file, the line or the byte, the value, and what was expected.
 pub fn read(path: &Path, files: &dyn Files) -> Result<Model, String> {
     let name = path.display();
     let bytes = files
@@ -209,7 +210,7 @@ impl Model {
         }
     }
 
-    /// Whether faces have colors of their own.
+    /// Whether the model has vertex colors, or a material that differs from [`Material::new`].
     #[must_use]
     pub fn is_colored(&self) -> bool {
         let is_plain = |material: &Material| {

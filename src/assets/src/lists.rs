@@ -1,14 +1,14 @@
-//! A model as the lists of a mesh in flash: fixed-point numbers, and indices of 16 bits.
+//! Converts a model into the lists of a mesh in flash: fixed-point numbers, and indices of 16 bits.
 
 use std::collections::HashSet;
 
 use super::{Corner, Model, Triangle};
 
-/// The fraction bits of positions and normals, and of texture coordinates.
+/// The numbers of fraction bits: 16 in positions and normals, 20 in texture coordinates.
 const SCALAR: u32 = 16;
 const TEX_COORD: u32 = 20;
 
-/// The most positions that indices of 16 bits can count.
+/// The largest number of positions that have indices of 16 bits.
 const MOST: usize = 1 << 16;
 
 /// The index that stands for a missing attribute of a corner.
@@ -17,13 +17,13 @@ const NO_VALUE: u16 = u16::MAX;
 /// How a model becomes the lists of a mesh.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Positions are multiplied by this number, which must not be 0.
+    /// The factor by which all positions are multiplied. The factor must not be 0.
     pub scale: f64,
     /// Whether z points up in the file. The model is turned so that y points up.
     pub z_up: bool,
-    /// Only faces of the material with this name.
+    /// If given, only faces of the material with this name are kept.
     pub part: Option<String>,
-    /// Only faces of the object with this name.
+    /// If given, only faces of the object with this name are kept.
     pub object: Option<String>,
 }
 
@@ -38,39 +38,41 @@ impl Default for Options {
     }
 }
 
-/// The lists of a mesh. Attributes without faces of their own are indexed like the positions.
+/// The lists of a mesh. If the list of an attribute's faces is empty, the indices in `faces` are also the indices of
+/// the attribute.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Lists {
-    /// In units of 2^-16.
+    /// Positions, in units of 2^-16.
     pub positions: Vec<[i32; 3]>,
     /// Indices of positions.
     pub faces: Vec<[u16; 3]>,
     /// Pairs of positions: the sides of the file's polygons.
     pub edges: Vec<[u16; 2]>,
-    /// In units of 2^-20.
+    /// Texture coordinates, in units of 2^-20.
     pub uvs: Vec<[i32; 2]>,
-    /// Empty, or as many as faces.
+    /// The indices of texture coordinates; empty, or as many entries as `faces`.
     pub uv_faces: Vec<[u16; 3]>,
-    /// In units of 2^-16.
+    /// Normals, in units of 2^-16.
     pub normals: Vec<[i32; 3]>,
-    /// Empty, or as many as faces.
+    /// The indices of normals; empty, or as many entries as `faces`.
     pub normal_faces: Vec<[u16; 3]>,
     /// Red, green and blue.
     pub colors: Vec<[u8; 3]>,
-    /// Empty, or as many as faces.
+    /// The indices of colors; empty, or as many entries as `faces`.
     pub color_faces: Vec<[u16; 3]>,
 }
 
 /// A run of faces with one material.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Run {
-    /// The first face, and the face after the last one.
+    /// The index of the first face, and the index after the last face.
     pub faces: [usize; 2],
-    /// Index of the material; `None` for faces without one.
+    /// Index of the material; `None` for faces without a material.
     pub material: Option<u32>,
 }
 
-/// A number in units of 2^-`fraction`, rounded to nearest, halves away from zero.
+/// Converts a number to units of 2^-`fraction`, rounded to nearest, halves away from zero; `None` if the result does
+/// not fit 32 bits.
 fn fixed(x: f64, fraction: u32) -> Option<i32> {
     let units = (x * f64::from(1_u32 << fraction)).round();
     #[allow(clippy::cast_possible_truncation)] // checked
@@ -78,7 +80,8 @@ fn fixed(x: f64, fraction: u32) -> Option<i32> {
     (f64::from(bits).total_cmp(&(units + 0.0)).is_eq()).then_some(bits)
 }
 
-/// The faces of an attribute, as indices of its values. Empty if the attribute can use the indices of the positions.
+/// For each face, the indices of an attribute's values. The list is empty if the attribute can use the indices of the
+/// positions.
 fn own_faces(
     triangles: &[&Triangle],
     (positions, values): (usize, usize),
@@ -101,8 +104,8 @@ const fn narrow(index: u32) -> u16 {
     index as u16
 }
 
-/// Keeps only the values that corners or `others` use, in their order, and renumbers the corners. Returns the kept
-/// values, and the new index of each old value.
+/// Keeps only the values that corners or `others` use, without changing their order, and renumbers the corners. Returns
+/// the kept values, and the new index of each old value.
 fn compact<T: Clone>(
     values: &[T],
     triangles: &mut [Triangle],
@@ -131,7 +134,7 @@ fn compact<T: Clone>(
     (kept, places)
 }
 
-/// Finds a name in a list.
+/// Returns the index of the wanted name in a list; `None` if no name is wanted.
 fn find<'a>(
     wanted: Option<&str>,
     what: &str,
@@ -169,7 +172,7 @@ impl Model {
                     .into(),
             );
         }
-        // Lines that belong to no face are kept only with the whole mesh.
+        // Lines that belong to no face are kept only if all faces are kept.
         let lines = if triangles.len() == self.triangles.len() {
             &self.edges[..]
         } else {
@@ -238,14 +241,16 @@ impl Model {
             .map(position)
             .collect::<Result<_, _>>()?;
         let uv = |&[u, v]: &[f64; 2]| {
-            // OBJ's v points up. Rounding v before it is turned around rounds halves as in the file.
+            // In OBJ files, v points up. The file's v is rounded before it is reversed, so that halves are rounded away
+            // from zero in the file's own direction.
             let up = fixed(1.0 - v, TEX_COORD).map(|v| (1 << TEX_COORD) - v);
             [fixed(u, TEX_COORD).unwrap_or(0), up.unwrap_or(0)]
         };
         let normal = |normal: &[f64; 3]| {
             let turned = turned(*normal);
             let size = turned.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-            // Only the direction matters, and it must not be lost by rounding.
+            // Only a normal's direction matters. A very short normal is scaled so that rounding does not lose its
+            // direction, a very long normal so that it fits.
             let scale = if (0.01..16_384.0).contains(&size) {
                 1.0
             } else {
@@ -288,8 +293,8 @@ impl Model {
     }
 
     /// A sentence about positions that become equal when they are multiplied by `scale` and rounded. The sentence names
-    /// a scale that keeps them apart, if the mesh's format permits that scale. `None` if at most a hundredth of the
-    /// positions become equal. Positions within 1/65,536 of the model's size count as one position.
+    /// a scale that keeps these positions apart, if the mesh's format permits such a scale. `None` if at most a
+    /// hundredth of the positions become equal. Positions within 1/65,536 of the model's size count as one position.
     #[must_use]
     pub fn merging(&self, scale: f64) -> Option<String> {
         let corners = self.triangles.iter().flat_map(|triangle| triangle.corners);
@@ -351,8 +356,8 @@ impl Model {
 }
 
 impl Lists {
-    /// The positions with 16-bit components, rounded to nearest, and their number of fraction bits: as many as the
-    /// largest component permits, at most 16.
+    /// The positions with 16-bit components, rounded to nearest, and the number of their fraction bits. There are as
+    /// many fraction bits as the largest component permits, at most 16.
     #[must_use]
     pub fn shortened(&self) -> (Vec<[i16; 3]>, u32) {
         let units = |bits: i32, fraction: u32| {

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use super::{Model, next};
 
-/// A transform of texture coordinates: `[[a, b, c], [d, e, f]]` moves (u, v) to (a u + b v + c, d u + e v + f).
+/// A transform of texture coordinates. `[[a, b, c], [d, e, f]]` moves (u, v) to (a u + b v + c, d u + e v + f).
 pub type Affine = [[f64; 3]; 2];
 
 /// The transform that changes nothing.
@@ -14,23 +14,23 @@ const IDENTITY: Affine = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 /// A material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
-    /// Its name, which may be empty.
+    /// The material's name, which may be empty.
     pub name: String,
     /// The color of the surface where no texture is drawn.
     pub color: [u8; 3],
     /// The color by which a texture's texels are multiplied.
     pub tint: [u8; 3],
-    /// Index of an image of the model.
+    /// Index of the texture in the model's list of images.
     pub texture: Option<u32>,
-    /// Light that the surface sends out by itself, added to what it reflects.
+    /// The light that the surface itself sends out. This light is added to the light that the surface reflects.
     pub emission: [u8; 3],
-    /// From 0, which is invisible, to 1.
+    /// The opacity, from 0 (invisible) to 1.
     pub opacity: f64,
     /// What the alpha channel of the texture means.
     pub alpha: Alpha,
-    /// Whether faces are seen from behind.
+    /// Whether faces are visible from behind.
     pub two_sided: bool,
-    /// Whether the texture continues its border along u and v, and does not repeat.
+    /// For u and for v: true if coordinates beyond the texture show its border, false if the texture repeats.
     pub clamp: [bool; 2],
 }
 
@@ -46,7 +46,7 @@ pub enum Alpha {
 }
 
 impl Material {
-    /// A white, two-sided material. If a texture is added, it is opaque.
+    /// A white, two-sided material. A texture that is added to this material is opaque.
     #[must_use]
     pub const fn new(name: String) -> Self {
         Self {
@@ -66,9 +66,9 @@ impl Material {
 /// A picture that a model names or contains.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Image {
-    /// Its path.
+    /// The path of the picture's file.
     File(PathBuf),
-    /// Its name, and the contents of its file.
+    /// The picture's name in the model, and the bytes of a picture file.
     Bytes(String, Vec<u8>),
 }
 
@@ -85,7 +85,7 @@ impl Image {
 
 impl Model {
     /// Transforms the texture coordinates of the faces of some materials. `transforms` maps a material's index to a
-    /// transform in the model's coordinates, where v points down.
+    /// transform of texture coordinates as the model stores them: v points down.
     pub(crate) fn transform_uvs(
         &mut self,
         transforms: &HashMap<u32, Affine>,

@@ -1,4 +1,4 @@
-//! Reads MTL, the materials of OBJ files.
+//! Reads MTL files, which describe the materials of OBJ files.
 
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
@@ -22,7 +22,7 @@ pub struct Materials {
 }
 
 impl Materials {
-    /// The index of the material of this name. If there is none yet, a white one is added.
+    /// The index of the material with this name. If there is no such material yet, a white material is added.
     pub fn named(&mut self, model: &mut Model, name: &[u8]) -> Result<u32, String> {
         let name = String::from_utf8_lossy(name).into_owned();
         let material = Material::new(name.clone());
@@ -75,7 +75,7 @@ impl Materials {
                 notes.add(format!("{} of a material cannot be read", quote(keyword)));
             }
         }
-        // Only an alpha channel of the texture itself is used, not one in a separate file.
+        // An alpha channel is used only if it is in the texture's own file.
         for (place, file) in masks {
             let texture = model.materials[place as usize].texture;
             if texture.map(|at| &model.images[at as usize]) != Some(&Image::File(file)) {
@@ -86,7 +86,7 @@ impl Materials {
     }
 }
 
-/// A color of three components, or of one for gray.
+/// Reads a color: three components, or one component for a gray.
 fn color(value: &[u8], notes: &mut Notes) -> Option<[u8; 3]> {
     match numbers(value, notes) {
         [Some(gray), None, ..] => Some([byte(gray); 3]),
@@ -95,13 +95,13 @@ fn color(value: &[u8], notes: &mut Notes) -> Option<[u8; 3]> {
     }
 }
 
-/// A number from 0 to 1.
+/// Reads a number, and clamps it to the range from 0 to 1.
 fn fraction(value: &[u8], notes: &mut Notes) -> Option<f64> {
     let [x, ..] = numbers(value.strip_prefix(b"-halo").unwrap_or(value), notes);
     x.filter(|x| !x.is_nan()).map(|x| x.clamp(0.0, 1.0))
 }
 
-/// Converts a component of a color from 0 to 1.
+/// Converts a component of a color, from 0 to 1, to a byte.
 pub fn byte(component: f64) -> u8 {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // saturates
     let byte = (component * 255.0).round() as u8;
@@ -111,8 +111,9 @@ pub fn byte(component: f64) -> u8 {
 /// A scale and an offset of texture coordinates, in this order.
 type Changes = [[f64; 2]; 2];
 
-/// Reads a texture: options with any number of values each, and then the name of the file, which can contain blanks.
-/// Returns the path of the file, the scale and offset, and whether the texture is clamped along both axes.
+/// Reads the value of a texture statement: options with any number of values each, and then the name of a file. The
+/// name can contain blanks. Returns the path of the file, the scale and offset, and whether the texture is clamped
+/// along both axes.
 fn map(value: &[u8], notes: &mut Notes, folder: Folder<'_>) -> Option<(PathBuf, Changes, bool)> {
     let (mut rest, mut changes, mut clamp) = (value, [[1.0; 2], [0.0; 2]], false);
     let (mut option, mut count) = (b"".as_slice(), 0);

@@ -1,9 +1,10 @@
-//! What a reader replaced or left out.
+//! Notes about what a reader replaced or left out.
 
-/// The largest number of messages, and of names, that are kept. A file can cause any number of both.
+/// At most this many different sentences are kept, and at most this many names. Without a limit, a file could cause any
+/// number of both.
 const MOST: usize = 32;
 
-/// Sentences for the user about what was replaced or left out, one for each kind.
+/// Sentences for the user about what was replaced or left out. Equal sentences are kept once, with their number.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Notes {
     sentences: Vec<(String, usize)>,
@@ -12,7 +13,7 @@ pub struct Notes {
 }
 
 impl Notes {
-    /// Adds a sentence, or counts it if it is there already.
+    /// Adds a sentence. A sentence that has been added before is only counted.
     pub fn add(&mut self, sentence: impl Into<String>) {
         let sentence = sentence.into();
         let is_full = self.sentences.len() == MOST;
@@ -27,7 +28,7 @@ impl Notes {
         }
     }
 
-    /// Adds the name of something in the file that is not drawn. All these names share one sentence.
+    /// Adds the name of something in the file that is not drawn. All names share one sentence.
     pub fn left_out(&mut self, feature: impl Into<String>) {
         let feature = feature.into();
         if self.left_out.len() < MOST && !self.left_out.contains(&feature) {

@@ -1,4 +1,4 @@
-//! Reads Wavefront OBJ of any size.
+//! Reads Wavefront OBJ files of any size.
 
 use std::collections::HashSet;
 
@@ -7,7 +7,7 @@ use super::mtl::{self, Materials};
 use super::text::{first_word, numbers, parse, quote, statements, words};
 use super::{Corner, Model, Smoothing, next};
 
-/// Reads OBJ text, and the materials that it names from `folder`.
+/// Reads OBJ text and, from `folder`, the material files that the text names.
 pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
     let mut reader = Reader::default();
     let mut statements = statements(bytes, |line, read| folder.progress(line, read));
@@ -21,10 +21,10 @@ pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
     result.and_then(|()| reader.finish())
 }
 
-/// The largest number of corners of a face. A face with more is a mistake that would fill the memory.
+/// The largest number of corners of a face. A face with more corners is a mistake that would fill the memory.
 const MOST_CORNERS: usize = 1_000_000;
 
-/// A polygon, with the material, the smoothing and the object that applied to it.
+/// A polygon, with the material, the smoothing and the object that were set at its line.
 struct Polygon {
     corners: Vec<Corner>,
     material: Option<u32>,
@@ -37,7 +37,7 @@ struct Reader {
     model: Model,
     materials: Materials,
     libraries: HashSet<Vec<u8>>,
-    /// A color for each position, up to the last position that has a color.
+    /// A color for each position, up to the last position with a color in the file.
     colors: Vec<[f64; 3]>,
     polygons: Vec<Polygon>,
     material: Option<u32>,
@@ -55,8 +55,8 @@ impl Reader {
                     let line = quote(statement);
                     return Err(format!("{line} is not a position: it needs 3 numbers"));
                 };
-                // Three more numbers are a color; one more number is a weight. Infinity stands for white in every range
-                // of colors.
+                // Three more numbers are a color; one more number is a weight. Positions without a color get infinity,
+                // which becomes white in every range of colors.
                 if let (Some(r), Some(g), Some(b)) = (r, g, b) {
                     self.colors
                         .resize(model.positions.len(), [f64::INFINITY; 3]);
@@ -64,10 +64,10 @@ impl Reader {
                 }
                 model.positions.push([x, y, z]);
             }
-            // A value that cannot be read is kept as NaN, because faces count it.
+            // A value that cannot be read is kept as NaN, because the indices of faces count it.
             b"vt" => {
                 let [u, v, ..] = numbers(value, &mut model.notes);
-                // In OBJ files, v points up. Here it points down, as an image's rows do.
+                // In OBJ files, v points up. In a `Model`, v points down, like the rows of an image.
                 let uv = [u.unwrap_or(f64::NAN), 1.0 - v.unwrap_or(0.0)];
                 model.uvs.push(uv);
             }
@@ -144,13 +144,14 @@ impl Reader {
             (self.colors).resize(model.positions.len(), [f64::INFINITY; 3]);
         }
         let mut all = self.colors.iter().flatten();
-        // A value slightly above 1 does not make the colors bytes: some programs write 1.0001 for 1.
+        // Colors with a value of 1.5 or more are bytes. A value slightly above 1 is a fraction, because some programs
+        // write 1.0001 for 1.
         let is_byte = all.any(|x| (1.5..f64::INFINITY).contains(x));
         let scale = if is_byte { 255.0 } else { 1.0 };
         let bytes = |color: [f64; 3]| color.map(|x| mtl::byte(x / scale));
         model.colors = self.colors.into_iter().map(bytes).collect();
 
-        // Repairs add to these lists, so the lengths before the repairs decide which indices are missing.
+        // Repairs add to these lists. So the lengths before the repairs decide which indices have no element.
         let (uvs, normals) = (next(&model.uvs)?, next(&model.normals)?);
         let known = |at: u32, count: u32| if at < count { at } else { u32::MAX };
         for mut polygon in self.polygons {
@@ -186,13 +187,13 @@ fn corner(model: &Model, word: &[u8]) -> Corner {
             _ => corner.position = u32::MAX,
         }
     }
-    // If the file has colors, they have the indices of the positions.
+    // Colors, if the file has any, have the same indices as positions.
     corner.color = Some(corner.position);
     corner
 }
 
-/// Converts an index into one that counts from 0. In the file, indices count from 1, or backwards from the last of the
-/// `len` elements so far.
+/// Converts an index of the file to an index that counts from 0. In the file, indices count from 1, or backwards from
+/// the last of the `len` elements so far.
 fn index(part: &[u8], len: usize) -> u32 {
     let (index, len) = (parse(part).unwrap_or(0), len.cast_signed() as i64);
     let from_0 = index + if index < 0 { len } else { -1 };

@@ -5,15 +5,15 @@ use std::collections::{HashMap, VecDeque};
 use crate::Lists;
 use crate::vector::{cross, dot, length};
 
-/// An edge is no crease if its faces meet at an angle of at most this many radians.
+/// Faces with normals at most this many radians apart form no crease.
 const FLAT: f64 = 1.0 / 1024.0;
 
 impl Lists {
-    /// The edges of an outline, and the number of creases, which come first. The edges are those that
-    /// `fixel::mesh::Outline::build` finds, in the order of the faces.
+    /// The edges of an outline, and the number of creases. The creases come first. `fixel::mesh::Outline::build` finds
+    /// the same edges. Creases and other edges are each in the order of the faces.
     ///
     /// An edge a, b, c, d runs from a to b; its faces are a b c and b a d. A border has one face, and its d equals a.
-    /// An edge is a crease if its faces meet at more than `crease` degrees.
+    /// An edge is a crease if the normals of its faces are more than `crease` degrees apart.
     #[must_use]
     pub fn outline(&self, crease: f64) -> (Vec<[u16; 4]>, usize) {
         let at = |index: u16| self.positions[usize::from(index)];
@@ -37,7 +37,7 @@ impl Lists {
             .filter(has_area)
             .flat_map(|&[a, b, c]| [[a, b, c], [b, c, a], [c, a, b]]);
         let mut edges: Vec<[u16; 4]> = Vec::new();
-        // The edges that still lack a face, found by the positions of their ends.
+        // The indices of the edges that still lack their second face, by the positions of their ends.
         let mut open: HashMap<[[i32; 3]; 2], VecDeque<usize>> = HashMap::new();
         for [a, b, c] in sides {
             if let Some(edge) = open.get_mut(&[at(b), at(a)]).and_then(VecDeque::pop_front) {

@@ -1,7 +1,7 @@
 //! Reads pictures: PNG, JPEG, BMP, TGA, GIF and WebP.
 //!
-//! Each format has a reader of its own. The crate `image` would bring all of them, but also color management, which
-//! takes longer to compile than all of these readers together.
+//! Each format has a reader of its own. The crate `image` reads all of these formats, but brings color management, too,
+//! which takes longer to compile than all of these readers together.
 
 mod bmp;
 mod tga;
@@ -21,11 +21,11 @@ const MOST: u64 = 1 << 28;
 /// Pixels, row by row from the top: red, green, blue and alpha.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
-    /// Columns, at least 1.
+    /// The number of columns, at least 1.
     pub width: u32,
-    /// Rows, at least 1.
+    /// The number of rows, at least 1.
     pub height: u32,
-    /// As many as columns times rows.
+    /// The colors of all pixels: width times height.
     pub pixels: Vec<[u8; 4]>,
     /// The file's table of colors, if it has one.
     pub table: Option<Table>,
@@ -41,7 +41,7 @@ pub struct Table {
 }
 
 impl Picture {
-    /// Reads a picture. The bytes decide which format it has, not its name.
+    /// Reads a picture. The format is found from the bytes, not from a name.
     ///
     /// # Errors
     ///
@@ -69,14 +69,15 @@ impl Picture {
         Ok(picture)
     }
 
-    /// Whether some pixel is not opaque.
+    /// Whether any pixel is not opaque.
     #[must_use]
     pub fn has_alpha(&self) -> bool {
         self.pixels.iter().any(|pixel| pixel[3] < 255)
     }
 
-    /// Returns the pixels as indices, and the colors; `None` if there are more than 256 colors. If the file has a
-    /// table, the colors are the table. Otherwise they are in the order in which they first occur.
+    /// Returns the pixels as indices, and the colors; `None` if there are more than 256 colors. If the file has a table
+    /// that agrees with the pixels, the colors are this table. Otherwise, the colors are in the order in which they
+    /// first occur.
     #[must_use]
     pub fn palette(&self) -> Option<(Vec<u8>, Vec<[u8; 4]>)> {
         if let Some(Table { indices, colors }) = &self.table {
@@ -98,9 +99,9 @@ impl Picture {
         Some((indices?, colors))
     }
 
-    /// Returns the picture in another size. Where the picture shrinks, each color is the mean of the area that it
-    /// covers. Where the picture grows, colors are interpolated. In both cases, colors are weighted by alpha: invisible
-    /// colors have no weight.
+    /// Returns the picture in another size. Along a side that shrinks, each new pixel is the mean of the old pixels
+    /// that it covers. Along a side that grows, colors are interpolated. In both cases, colors are weighted by alpha,
+    /// so the colors of invisible pixels have no weight.
     #[must_use]
     pub fn resampled(&self, width: u32, height: u32) -> Self {
         let (columns, rows) = (weights(self.width, width), weights(self.height, height));
@@ -145,9 +146,9 @@ impl Picture {
     }
 }
 
-/// Returns, for each of the `to` new pixels in a row, the `from` old pixels that contribute to it, and their weights.
-/// Where a picture shrinks, these are the pixels that the new pixel covers at least in part. Where a picture grows,
-/// they are the nearest two.
+/// A row of `from` pixels becomes a row of `to` pixels. Returns, for each new pixel, the old pixels that contribute to
+/// it, and their weights. If the row shrinks, the old pixels are all that the new pixel covers at least in part. If the
+/// row grows, they are the nearest two.
 #[allow(clippy::cast_precision_loss, clippy::cast_sign_loss)] // below 2^24, and clamped to 0
 fn weights(from: u32, to: u32) -> Vec<Vec<(usize, f32)>> {
     let ratio = from as f32 / to as f32;
@@ -167,7 +168,7 @@ fn weights(from: u32, to: u32) -> Vec<Vec<(usize, f32)>> {
     (0..to).map(one).collect()
 }
 
-/// Refuses pictures without pixels, and pictures with more than [`MOST`].
+/// Refuses pictures without pixels, and pictures with more than [`MOST`] pixels.
 fn check(width: u64, height: u64) -> Result<(), String> {
     match width * height {
         1..=MOST => Ok(()),
@@ -222,7 +223,8 @@ fn indexed(
     Ok(picture)
 }
 
-/// The indices of the pixels of a row. An index has 1, 2, 4 or 8 bits, the first one in the highest bits of a byte.
+/// The indices of the pixels of a row. An index has 1, 2, 4 or 8 bits. The first index in a byte is in the byte's
+/// highest bits.
 fn unpacked(row: &[u8], bits: usize, width: usize) -> impl Iterator<Item = u8> {
     let mask = u8::MAX >> (8 - bits);
     (0..width).map(move |x| row[x * bits / 8] >> (8 - bits - x * bits % 8) & mask)
@@ -238,7 +240,7 @@ fn masked(raw: &[u8], masks: [u32; 4]) -> [u8; 4] {
     let mut color = masks.map(|mask| {
         let shift = mask.trailing_zeros() % 32;
         let (value, most) = ((bits & mask) >> shift, (mask >> shift).max(1));
-        // At most 255, because the value is at most `most`.
+        // The result is at most 255, because the value is at most `most`.
         ((u64::from(value) * 255 + u64::from(most) / 2) / u64::from(most)) as u8
     });
     if masks[3] == 0 {
@@ -316,7 +318,7 @@ fn png(bytes: &[u8]) -> Result<Picture, String> {
 }
 
 fn jpeg(bytes: &[u8]) -> Result<Picture, String> {
-    // The decoder would fill the missing part with gray.
+    // Without this check, the decoder would fill the missing part of a short file with gray.
     if !bytes.windows(2).any(|marker| marker == [0xff, 0xd9]) {
         return Err("it ends before its end marker".into());
     }

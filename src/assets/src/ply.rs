@@ -1,4 +1,4 @@
-//! Reads PLY, text and binary.
+//! Reads PLY files, both text and binary.
 
 use std::collections::HashMap;
 
@@ -20,7 +20,7 @@ pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
     let mut faces = Faces::default();
     for element in &elements {
         if let Err(problem) = file.element(element, &mut model, &mut faces, folder) {
-            // The faces before the problem are drawn.
+            // The faces that were read before the problem are drawn.
             if faces.ends.is_empty() {
                 return Err(problem);
             }
@@ -99,7 +99,8 @@ impl Kind {
         })
     }
 
-    /// Converts a component of a color to a byte. A fraction is at most 1, an integer at most the largest of its type.
+    /// Converts a component of a color to a byte. Full brightness is 1 for a fraction, and the largest value of the
+    /// type for an integer.
     fn color(self, value: f64) -> u8 {
         let bits = i32::try_from(8 * self.size - usize::from(self.signed)).unwrap_or(8);
         byte(if self.float {
@@ -123,14 +124,14 @@ struct Element {
     properties: Vec<Property>,
 }
 
-/// The faces that have been read. They are kept until all vertices are read.
+/// The faces that have been read. The faces are kept until all vertices are read.
 #[derive(Default)]
 struct Faces {
     corners: Vec<Corner>,
     /// For each face, the end of its corners in `corners`.
     ends: Vec<usize>,
     colors: Vec<Option<u32>>,
-    /// Indices of the faces' colors in the model's list.
+    /// The index of each face color in the model's list of colors.
     places: HashMap<[u8; 3], u32>,
     /// The indices of the first vertex's texture coordinate, normal and color in the model's lists.
     attributes: [Option<u32>; 3],
@@ -285,7 +286,7 @@ impl<'a> File<'a> {
         }
     }
 
-    /// Reads the next number. In a text file, the number is the next of `words`.
+    /// Reads the next number. In a text file, the number is the next word of `words`.
     fn number(
         &mut self,
         kind: Kind,
@@ -312,7 +313,7 @@ impl<'a> File<'a> {
         let bits = u64::from_le_bytes(low_first);
         let unused = 64 - 8 * kind.size;
         #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss)]
-        // Values have 32 bits, except doubles.
+        // All values have at most 32 bits, except doubles.
         Ok(match kind {
             Kind {
                 float: true,
@@ -325,7 +326,7 @@ impl<'a> File<'a> {
         })
     }
 
-    /// Reads the values of an element.
+    /// Reads one element: for each property, the list of its values.
     fn row(&mut self, element: &Element, row: &mut [Vec<f64>]) -> Result<(), String> {
         let mut line: &[u8] = b"";
         while self.order == Order::Text && line.trim_ascii().is_empty() {

@@ -7,7 +7,7 @@ use earcut::{Earcut, deviation};
 use crate::vector::{Vector, sub, unit};
 use crate::{Corner, Model, Smoothing, Triangle, next};
 
-/// The largest coordinate that is used. Its square fits f64, and every scale brings it into range.
+/// The largest coordinate that is used. The square of this coordinate fits f64.
 const MOST: f64 = 1e30;
 
 /// Texture coordinates beyond this limit are moved near 0 by whole repeats, because the mesh's format ends at 2048.
@@ -15,8 +15,9 @@ const FAR: f64 = 1024.0;
 
 impl Model {
     /// Adds a polygon as triangles, and its outline. A polygon with fewer than 3 corners, or with a position that is
-    /// missing or not a number, is left out. Texture coordinates far from 0 are moved near 0; if one is missing or not
-    /// a number, the polygon's are left out. A normal without direction is replaced. Each repair is noted.
+    /// missing or not a number, is left out. Texture coordinates far from 0 are moved near 0. If a texture coordinate
+    /// is missing or not a number, all texture coordinates of the polygon are left out. A normal without direction is
+    /// replaced. Each repair is noted.
     ///
     /// # Errors
     ///
@@ -73,7 +74,8 @@ impl Model {
         Some(position.iter().all(|x| x.abs() <= MOST))
     }
 
-    /// Moves texture coordinates near 0. If some corner has none, or one that is no number, all are removed.
+    /// Moves texture coordinates near 0. If the texture coordinates of a corner are missing or not numbers, the texture
+    /// coordinates of all corners are removed.
     pub(crate) fn fix_uvs(&mut self, corners: &mut [Corner]) -> Result<(), String> {
         if corners.iter().all(|corner| corner.uv.is_none()) {
             return Ok(());
@@ -138,8 +140,8 @@ impl Model {
     }
 }
 
-/// Newell's normal of a polygon. Positions are taken relative to the first corner, so that a polygon far from the
-/// origin loses no digits.
+/// Newell's normal of a polygon. Positions are relative to the first corner, so that a polygon far from the origin
+/// loses no digits.
 fn newell(positions: &[Vector], corners: &[Corner]) -> Vector {
     let origin = positions[corners[0].position as usize];
     let relative = |corner: &Corner| sub(positions[corner.position as usize], origin);
@@ -174,8 +176,8 @@ impl fmt::Debug for Ears {
 
 impl Ears {
     /// Returns the triangles of a polygon, as indices of its `corners`. The triangles form the fan around the first
-    /// corner. If the fan leaves a concave polygon, the triangles lie within the polygon instead, as in
-    /// `include_mesh!`. Outlines that cross themselves keep the fan.
+    /// corner. If a part of the fan lies outside a concave polygon, the triangles lie within the polygon instead, as in
+    /// `include_mesh!`. An outline that crosses itself keeps the fan.
     pub fn triangles(&mut self, positions: &[[f64; 3]], corners: &[Corner]) -> &[[usize; 3]] {
         self.triangles.clear();
         self.triangles
@@ -213,19 +215,19 @@ impl Ears {
         (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
     }
 
-    /// Whether all triangles of the fan turn in the same direction as the polygon. If they do, their areas add up to
-    /// the polygon's area, so no two of them overlap.
+    /// Whether all triangles of the fan turn in the same direction as the polygon. If they do, the triangles' areas add
+    /// up to the polygon's area, so no two triangles overlap.
     fn fan_is_right(&self) -> bool {
         self.triangles
             .iter()
             .all(|&triangle| self.area(triangle) >= 0.0)
     }
 
-    /// Replaces the fan by triangles within the polygon, if these cover the polygon.
+    /// Replaces the fan by triangles within the polygon, if such triangles cover the whole polygon.
     fn cut(&mut self) {
         let earcut = self.earcut.get_or_insert_with(Earcut::new);
         earcut.earcut(self.points.iter().copied(), &[], &mut self.indices);
-        // Rounding causes a far smaller deviation; an outline that crosses itself causes a far larger one.
+        // Rounding causes a far smaller deviation. An outline that crosses itself causes a far larger deviation.
         if deviation(self.points.iter().copied(), &[], &self.indices) > 1e-6 {
             return;
         }

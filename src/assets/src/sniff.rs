@@ -15,8 +15,8 @@ pub enum Format {
     Gltf,
 }
 
-/// The format, or `None` if fixel cannot read it; the format's name with an article; its file name extensions; and the
-/// text at the start of its files, or "" if no text identifies them.
+/// A file format: the [`Format`], or `None` if fixel cannot read it; the name with an article; the file name
+/// extensions; and the text that identifies its files, or "" if no text does.
 type Row = (Option<Format>, &'static str, &'static str, &'static str);
 
 const FORMATS: [Row; 17] = [
@@ -41,7 +41,7 @@ const FORMATS: [Row; 17] = [
 
 const CAN_BE_READ: &str = "OBJ, STL, PLY, glTF and GLB can be read";
 
-/// The row of `path`'s extension.
+/// The row with the extension of `path`.
 fn named(path: &Path) -> Option<&'static Row> {
     let ending = path.extension()?.to_ascii_lowercase();
     let has = |row: &&Row| row.2.split(' ').any(|other| ending == other);
@@ -62,7 +62,7 @@ pub fn is_binary_stl(bytes: &[u8]) -> bool {
     count.is_some_and(|&count| u64::from(u32::from_le_bytes(count)) * 50 + 84 == bytes.len() as u64)
 }
 
-/// The row of the format with the signature at the start of the file. OBJ has no signature.
+/// The row of the format that the start of the file shows. OBJ files have no signature.
 fn marked(bytes: &[u8]) -> Option<&'static Row> {
     let start = String::from_utf8_lossy(&bytes[..bytes.len().min(1024)]);
     let text = start.trim_start_matches('\u{feff}').trim_start();
@@ -70,14 +70,14 @@ fn marked(bytes: &[u8]) -> Option<&'static Row> {
     let is_stl = is_binary_stl(bytes) || (lower.starts_with("solid") && lower.contains("facet"));
     let is_found = |(format, _, _, mark): &&Row| match format {
         Some(Format::Stl) => is_stl,
-        // An XML file has declarations and comments first.
+        // In an XML file, declarations and comments can come before the mark.
         _ if mark.starts_with('<') => text.starts_with('<') && text.contains(mark),
         _ => !mark.is_empty() && text.starts_with(mark),
     };
     FORMATS.iter().find(is_found)
 }
 
-/// The format of a file.
+/// Finds the format of a file.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! Reads STL, text and binary.
+//! Reads STL files, both text and binary.
 
 use std::collections::HashMap;
 
@@ -7,7 +7,7 @@ use super::sniff::is_binary_stl;
 use super::text::{first_word, line_end, number};
 use super::{Corner, Model, Smoothing, merge};
 
-/// Reads an STL file. The file's normals are ignored: they are zero, or repeat what the corners say.
+/// Reads an STL file. The file's normals are ignored, because they are zero or follow from the corners.
 pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
     let mut reader = Reader::default();
     // The header of a binary file may also begin with "solid".
@@ -19,7 +19,8 @@ pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
     Ok(reader.model)
 }
 
-/// A model made of separate triangles.
+/// Collects separate triangles in a model. The maps give the indices of positions and colors that the model has
+/// already.
 #[derive(Default)]
 struct Reader {
     model: Model,
@@ -39,7 +40,7 @@ impl Reader {
             let read = text.len() - rest.len();
             rest = after;
             let is = |keyword: &str| word.eq_ignore_ascii_case(keyword.as_bytes());
-            // The name of a solid can consist of any words.
+            // The name of a solid can contain any words, even `vertex`.
             is_name = is("solid") || is("endsolid") || (is_name && !is("facet"));
             if missing > 0 {
                 numbers.push(number(word).map_err(|problem| {

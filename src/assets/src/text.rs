@@ -1,17 +1,17 @@
-//! Helpers for the text of models, which may have any size and any encoding.
+//! Helpers for the text of models. The text can have any size and any encoding.
 
 use std::borrow::Cow;
 use std::str::FromStr;
 
 use super::Notes;
 
-/// The first `most` characters of a text.
+/// Cuts a text after its first `most` characters.
 fn cut(text: &str, most: usize) -> String {
     let end = text.char_indices().nth(most);
     end.map_or_else(|| text.into(), |(end, _)| format!("{}…", &text[..end]))
 }
 
-/// A quotation of the file, short enough for a message.
+/// A quotation from the file, short enough for a message.
 pub fn quote(word: &[u8]) -> String {
     let word = String::from_utf8_lossy(&word[..word.len().min(160)]);
     format!("'{}'", cut(&word, 40).escape_debug())
@@ -23,7 +23,8 @@ pub fn one_line(message: &str) -> String {
     cut(&words.join(" ").replace(char::is_control, ""), 300)
 }
 
-/// The character that ends the lines of a text: a carriage return if most lines end with it alone, else a line feed.
+/// The character that ends the lines of a text: a carriage return if most lines end with only a carriage return, else a
+/// line feed.
 pub fn line_end(text: &[u8]) -> u8 {
     let count = |end| text.split(|&byte| byte == end).count();
     b"\n\r"[usize::from(count(b'\r') > 2 * count(b'\n'))]
@@ -33,7 +34,7 @@ pub fn line_end(text: &[u8]) -> u8 {
 type Line<'a> = (usize, Cow<'a, [u8]>);
 
 /// The lines of OBJ and MTL text, without comments and empty lines. A line that ends with a backslash is joined with
-/// the next line. `progress` gets the number of each line, and the number of bytes so far.
+/// the next line. `progress` gets the number of each line, and the number of bytes read so far.
 pub fn statements(text: &[u8], progress: impl Fn(usize, usize)) -> impl Iterator<Item = Line<'_>> {
     let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
     let (end, mut read) = (line_end(text), 0);
@@ -58,14 +59,14 @@ pub fn statements(text: &[u8], progress: impl Fn(usize, usize)) -> impl Iterator
     lines.filter(|(_, line)| !line.is_empty())
 }
 
-/// The words of a text before a comment.
+/// The words of a text, up to its first comment.
 pub fn words(text: &[u8]) -> impl Iterator<Item = &[u8]> {
     let words = text.split(u8::is_ascii_whitespace);
     let words = words.filter(|word| !word.is_empty());
     words.take_while(|word| !word.starts_with(b"#"))
 }
 
-/// The first word of a text, and what follows it.
+/// The first word of a text, and the rest of the text.
 pub fn first_word(text: &[u8]) -> Option<(&[u8], &[u8])> {
     let text = text.trim_ascii_start();
     let end = text.iter().position(u8::is_ascii_whitespace);
@@ -73,13 +74,13 @@ pub fn first_word(text: &[u8]) -> Option<(&[u8], &[u8])> {
     (!word.is_empty()).then(|| (word, rest.trim_ascii()))
 }
 
-/// Reads a word as a number of a type.
+/// Converts a word to a number of the type `T`; `None` if the word is not such a number.
 pub fn parse<T: FromStr>(word: &[u8]) -> Option<T> {
     std::str::from_utf8(word).ok()?.parse().ok()
 }
 
-/// Reads a number. A decimal comma counts as a point. What C programs write for a value that is not a number becomes
-/// NaN.
+/// Reads a number. A decimal comma counts as a point. A value that is not a number, as C programs write it (such as
+/// 1.#IND or nan(ind)), becomes NaN.
 pub fn number(word: &[u8]) -> Result<f64, String> {
     let text = || String::from_utf8_lossy(word).replacen(',', ".", 1);
     let is_nan = || text().contains(".#") || text().contains("nan(");
@@ -88,7 +89,7 @@ pub fn number(word: &[u8]) -> Result<f64, String> {
     number.ok_or_else(|| format!("{} is not a number", quote(word)))
 }
 
-/// The words of a text as numbers, at most 7.
+/// Reads the first 7 words of a text as numbers; `None` for a missing word, and for a word that is not a number.
 pub fn numbers(text: &[u8], notes: &mut Notes) -> [Option<f64>; 7] {
     let mut numbers = [None; 7];
     for (place, word) in numbers.iter_mut().zip(words(text)) {

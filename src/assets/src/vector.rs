@@ -15,7 +15,7 @@ pub fn add(a: Vector, b: Vector) -> Vector {
     [0, 1, 2].map(|i| a[i] + b[i])
 }
 
-/// A point moved along a direction.
+/// a + direction · by.
 #[must_use]
 pub fn along(a: Vector, direction: Vector, by: f64) -> Vector {
     [0, 1, 2].map(|i| a[i] + direction[i] * by)

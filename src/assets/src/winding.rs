@@ -1,4 +1,4 @@
-//! Corrects normals of models with wrong winding of their triangles.
+//! Corrects the normals of models with triangles that are wound the wrong way.
 
 use std::collections::HashMap;
 
@@ -6,10 +6,11 @@ use crate::vector::{cross, dot, sub};
 use crate::{Corner, Model};
 
 impl Model {
-    /// Reverses the normals of each triangle with three normals that point to its back. Seen from a triangle's front,
-    /// its corners run counter-clockwise.
+    /// If all three normals of a triangle point to its back, reverses these normals. Seen from a triangle's front, its
+    /// corners run counter-clockwise.
     ///
-    /// Two-sided light finds a face's front from its corners, so it would light this triangle from the wrong side.
+    /// Two-sided light finds a face's front from its corners. Without this correction, two-sided light would light the
+    /// triangle from the wrong side.
     pub fn turn_normals(&mut self) {
         let Self {
             positions,

@@ -1,6 +1,6 @@
-//! glTF files as people have them are read, and notes say what was replaced or left out.
+//! glTF files as real programs write them are read, and notes say what was replaced or left out.
 
-#![allow(clippy::float_cmp)] // values that the files say exactly
+#![allow(clippy::float_cmp)] // the files state these values exactly
 
 mod common;
 
@@ -17,7 +17,7 @@ struct Document {
 }
 
 impl Document {
-    /// A square of two triangles in the plane z = 0, with texture coordinates, drawn by one node.
+    /// A file with one node, which draws a square of two triangles with texture coordinates, in the plane z = 0.
     fn square() -> Self {
         let mut document = Self {
             root: json!({
@@ -191,7 +191,7 @@ fn nodes_are_moved_mirrored_and_drawn_once() {
             "a node that does not exist is left out"
         ]
     );
-    // A cycle of nodes ends. A file without a scene is a library of meshes.
+    // A cycle of nodes does not hang the reader. All meshes of a file without a scene are read.
     document.root["nodes"][0]["children"] = json!([1]);
     assert_eq!(document.read().triangles.len(), 2);
     document.root["scenes"] = json!([]);
@@ -320,7 +320,7 @@ fn materials() {
     let oak = &model.materials[0];
     assert_eq!(model.images, [Image::File("wood chip.png".into())]);
     assert_eq!((oak.name.as_str(), oak.texture), ("oak", Some(0)));
-    // Half of the light is 188 as an sRGB byte, a quarter is 137.
+    // As an sRGB byte, half of the light is 188, and a quarter of the light is 137.
     assert_eq!(
         (oak.color, oak.tint, oak.emission),
         ([255, 188, 0], [255, 188, 0], [255, 0, 137])
@@ -420,7 +420,7 @@ fn shapes_are_morphed_and_bent() {
     document.primitive()["targets"] = json!([{"POSITION": up}]);
     document.root["meshes"][0]["weights"] = json!([0.5]);
     assert_eq!(document.read().positions[0], [0.0, 0.0, 2.0]);
-    // The weights of a node take precedence over those of its mesh.
+    // The weights of a node take precedence over the weights of its mesh.
     document.root["nodes"][0]["weights"] = json!([0.25]);
     assert_eq!(document.read().positions[0], [0.0, 0.0, 1.0]);
 
@@ -558,7 +558,7 @@ fn mutations_neither_panic_nor_hang() {
     }
 }
 
-/// The file has thousands of nodes that share a mesh of thousands of vertices.
+/// The file has 100 nodes that share a mesh of 524,288 vertices.
 #[test]
 fn a_short_file_does_not_fill_the_memory() {
     let mut document = Document::square();

@@ -1,6 +1,6 @@
 //! OBJ and MTL files as real programs write them are read, and notes say what was replaced or left out.
 
-#![allow(clippy::float_cmp)] // Numbers are exact.
+#![allow(clippy::float_cmp)] // the files state these values exactly
 
 mod common;
 
@@ -14,14 +14,14 @@ fn obj(text: &str) -> Result<Model, String> {
     read(&[("a.obj", text)])
 }
 
-/// Reads a model that must be without notes.
+/// Reads a model. The model must have no notes.
 fn clean(text: &str) -> Model {
     let model = obj(text).expect(text);
     assert!(model.notes.is_empty(), "{text}: {:?}", notes(&model));
     model
 }
 
-/// Reads a model with one note, which must contain `says`.
+/// Reads a model. The model must have exactly one note, and the note must contain `says`.
 #[track_caller]
 fn noted(text: &str, says: &str) -> Model {
     let model = obj(text).expect(text);
@@ -30,7 +30,7 @@ fn noted(text: &str, says: &str) -> Model {
     model
 }
 
-/// Reads a square with a material.
+/// Reads a square with the material `a` of this MTL text.
 #[track_caller]
 fn with_mtl(mtl: &str) -> Model {
     let uvs = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
@@ -38,7 +38,7 @@ fn with_mtl(mtl: &str) -> Model {
     read(&[("a.obj", text.as_str()), ("a.mtl", mtl)]).expect(mtl)
 }
 
-/// The material of MTL text that causes no notes.
+/// The material of this MTL text. The text must cause no notes.
 #[track_caller]
 fn material(mtl: &str) -> Material {
     let model = with_mtl(mtl);
@@ -46,7 +46,7 @@ fn material(mtl: &str) -> Material {
     model.materials[0].clone()
 }
 
-/// The note that MTL text causes. The square must still be drawn, and there must be no other note.
+/// The only note that this MTL text causes. The square must still be drawn.
 #[track_caller]
 fn note(mtl: &str) -> String {
     let model = with_mtl(mtl);
@@ -67,7 +67,7 @@ fn uvs(model: &Model) -> [[f64; 2]; 4] {
 
 #[test]
 fn every_line_end_and_a_byte_order_mark_are_read() {
-    // A single line end of another system does not matter.
+    // The text ends with a single line end of another system, which must not matter.
     for end in ["\n", "\r\n", "\r"] {
         let text =
             format!("\u{feff}# made by hand\n{SQUARE}\nf 1 2 3 4\n").replace('\n', end) + "\n# \r";
@@ -194,7 +194,7 @@ fn missing_indices_are_replaced_or_left_out() {
     assert_eq!(clean(&format!("f 1 2 3 4\n{SQUARE}")).triangles.len(), 2);
 }
 
-/// Lines that cannot be read are counted, so the lines after them keep their indices.
+/// Lines that cannot be read are counted, so the values of later lines keep their indices.
 #[test]
 fn what_cannot_be_read_is_counted() {
     let text = format!("{SQUARE}vt\nvt 0.5 0\nvn up\nvn 0 0 4\nf 1/2/2 2/2/2 3/2/2\n");
@@ -272,7 +272,7 @@ fn what_is_not_drawn_is_named_once() {
         format!("{SQUARE}g a\no b\nf 1 2 3\nvp 1 2\np 1\np 2\ncurv 0 1 1 2\nlod 1\nfoo\nfoo\n");
     let model = noted(&text, "not drawn: 'vp', 'p', 'curv', 'lod', 'foo'");
     assert_eq!(model.triangles.len(), 1);
-    // A file of garbage does not cause a note without end.
+    // A file of garbage causes only a note of limited length.
     let words: Vec<String> = (0..100_000).map(|at| format!("w{at} x\n")).collect();
     let words = words.concat();
     let model = noted(&format!("{SQUARE}f 1 2 3\n{words}"), "'w0', 'w1', ");

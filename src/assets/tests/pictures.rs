@@ -1,5 +1,5 @@
-//! Pictures in all formats have the right pixels and tables; damaged pictures are refused. The tests make them byte by
-//! byte, or with the encoders of other crates.
+//! Pictures in all formats have the right pixels and tables; damaged pictures are refused. The tests make the pictures
+//! byte by byte, or with the encoders of other crates.
 
 use std::fmt::Write;
 use std::io::Cursor;
@@ -260,7 +260,7 @@ fn bmp_with_run_lengths() {
         data: data.to_vec(),
         ..Bmp::default()
     };
-    // The rows from the bottom: runs; single pixels with padding; a jump over two pixels.
+    // From the bottom: a row of runs, a row with single pixels and padding, and a row with a jump over two pixels.
     let eight = [
         3, 1, 1, 2, 1, 3, 0, 0, 0, 5, 3, 3, 1, 0, 2, 99, 0, 0, 1, 1, 0, 2, 2, 0, 2, 3, 0, 1,
     ];
@@ -335,8 +335,8 @@ fn bmp_refusals_name_the_cause() {
     assert_eq!(change(file.len() - 24, 9), "a color index leaves its table");
 }
 
-/// A TGA: its kind, the first index and the raw colors of its table, bits per color and per pixel, flags, and raw
-/// pixels.
+/// A TGA of this kind. `table` is the first index and the raw colors. `bits` are the bits of a color of the table, and
+/// the bits of a pixel.
 fn tga(
     kind: u8,
     table: (u16, &[Vec<u8>]),
@@ -374,7 +374,7 @@ fn tga(
     bytes
 }
 
-/// The pixels in the order of a file that begins in another corner, as `flags` say.
+/// Reorders pixels for a file that begins in the corner that `flags` name.
 fn from_corner<T: Clone>(pixels: &[T], flags: u8) -> Vec<T> {
     let at = |x: usize, y: usize| {
         let x = if flags & 0x10 == 0 { x } else { WIDTH - 1 - x };
@@ -630,8 +630,8 @@ fn png_of_all_kinds_and_depths() {
     assert_pixels(&file, &colored(&wanted), "a transparent color of 16 bits");
 }
 
-/// A JPEG of 8x8 pixels of one color, given by its components: baseline or progressive, with Adobe's marker if it is
-/// CMYK. All Huffman codes of DC have 4 bits; the only code of AC has 1 bit.
+/// A JPEG of 8x8 pixels of one color, which is given by its components. The JPEG is baseline or progressive, and has
+/// Adobe's marker if the color is CMYK. All Huffman codes of DC have 4 bits; the only code of AC has 1 bit.
 fn jpeg(components: &[u8], is_progressive: bool) -> Vec<u8> {
     let count = u8::try_from(components.len()).unwrap();
     let segment = |marker: u8, data: &[u8]| {
@@ -728,7 +728,7 @@ fn jpeg_in_gray_color_and_cmyk() {
     }
 }
 
-/// A GIF of 5x3 pixels. Its first frame has this place, size and transparent index.
+/// A GIF of 5x3 pixels. The first frame has this place, size and transparent index.
 fn gif(place: [u16; 2], size: [u16; 2], transparent: Option<u8>) -> Vec<u8> {
     let mut bytes = Vec::new();
     let colors: Vec<u8> = COLORS
@@ -835,7 +835,7 @@ fn webp_with_and_without_loss_and_alpha_and_animated() {
     for colors in [&COLORS, &clear] {
         let file = lossless(&colored(colors));
         assert_pixels(&file, &colored(colors), "lossless");
-        // A frame of an animation contains the same chunk as a picture that is not animated.
+        // A frame of an animation contains the same chunk as a still picture.
         let chunk = |pixels: &[Color]| lossless(pixels)[12..].to_vec();
         let frame = |pixels: &[Color]| {
             [

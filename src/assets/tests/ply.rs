@@ -1,6 +1,6 @@
 //! PLY files as real programs write them are read, and notes say what was replaced or left out.
 
-#![allow(clippy::float_cmp)] // values that the files say exactly
+#![allow(clippy::float_cmp)] // the files state these values exactly
 
 mod common;
 
@@ -11,7 +11,8 @@ const VERTICES: &str = "property float x\nproperty float y\nproperty float z\n";
 const FACES: &str = "property list uchar int vertex_indices\n";
 const SQUARE: &str = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
-/// The text of a file: a square, more properties of vertices and faces, and all values.
+/// The text of a file. `vertex` and `face` are more properties of vertices and faces. `vertices` and `faces` are the
+/// lines of values.
 fn text(vertex: &str, vertices: &str, face: &str, faces: &str) -> String {
     let counts = [vertices.lines().count(), faces.lines().count()];
     format!(
@@ -99,9 +100,9 @@ fn attributes_of_vertices() {
         [0.0, 0.0, 1.0]
     );
     assert_eq!(model.colors[corner.color.unwrap() as usize], [0, 0, 255]);
-    // v points up in the file.
+    // In the file, v points up.
     assert_eq!(model.uvs[corner.uv.unwrap() as usize], [1.0, 0.25]);
-    // Colors can be fractions, and can have other names.
+    // Colors can be fractions. The properties of colors can have other names.
     let vertex =
         "property float diffuse_red\nproperty float diffuse_green\nproperty float diffuse_blue\n";
     let model = ply(text(
@@ -185,7 +186,7 @@ fn what_cannot_be_used_is_noted() {
             "a face is left out: it names a vertex that does not exist (2 times)",
         ]
     );
-    // The file ends too early: the faces before the end are drawn.
+    // If the file ends too early, the faces before its end are drawn.
     let short = text("", SQUARE, "", "3 0 1 2\n3 0 2 3\n").replace("face 2", "face 5");
     let model = ply(short);
     assert_eq!(model.triangles.len(), 2);

@@ -28,7 +28,8 @@ fn text() -> String {
     format!("solid a part\n{facets}endsolid a part\n")
 }
 
-/// A binary file with four triangles. Its header promises `count`, and each triangle has two bytes of attributes.
+/// A binary file with four triangles. The header promises `count` triangles, and each triangle has two bytes of
+/// attributes.
 fn binary(header: &[u8], count: u32, attributes: [u16; 4]) -> Vec<u8> {
     let mut bytes = header.to_vec();
     bytes.resize(80, 0);
@@ -159,7 +160,7 @@ fn binary_is_read_whatever_it_promises() {
         assert_eq!(model.triangles.len(), count);
         assert!(notes(&model)[0].contains(&format!("promises 4 triangles: {count} are read")));
     }
-    // More bytes follow the triangles.
+    // Other bytes can follow the triangles.
     says(&[&binary(b"", 0, [0; 4])[..], b"the end"].concat());
     assert!(whole([&bytes[..], b"the end"].concat()).is_empty());
     let model = stl([&bytes[..], &[1; 70]].concat());

@@ -74,7 +74,7 @@ pub static CASES: Cases = Cases::new(|| {
     ]
 });
 
-/// Triangles of a few pixels in the corners of the largest canvas, and a thin triangle along its diagonal.
+/// In the largest canvas: triangles of a few pixels in the corners, and a thin triangle along the diagonal.
 fn corners_of_the_largest() -> Verdict {
     let view = TriangleView {
         size: (2048, 2048),

@@ -1,8 +1,8 @@
 //! Coordinates and offsets up to the ends of the format, and triangles far larger than the screen.
 //!
-//! The bounds are the same as in [`planes`](super::planes). Clip space keeps 30 bits of the largest term of a sum. If
-//! coordinates and offsets add up to S, rounding therefore moves a point at distance w by up to S/w · 2⁻¹⁶ · 0.15
-//! pixels (`Scene::moved`), and moves its texels in proportion.
+//! The bounds are the same as in [`planes`](super::planes). Clip space keeps 30 bits of the largest term of a sum. So
+//! if coordinates and offsets add up to S, rounding moves a point at distance w by up to S/w · 2⁻¹⁶ · 0.15 pixels
+//! (`Scene::moved`), and its texels in proportion.
 
 use super::scene::{Corners, Random, TriangleView, worst};
 use super::table::{Cases, picture};
@@ -22,7 +22,7 @@ fn triangles(view: &TriangleView, count: usize) -> Vec<Corners> {
         .collect()
 }
 
-/// A model far from its own origin, moved in front of the eye.
+/// A model that is far from its own origin, and that a translation moves in front of the eye.
 fn placed(at: f64) -> Verdict {
     let view = TriangleView {
         moves: vec![to([-at, at, -at])],
@@ -33,7 +33,7 @@ fn placed(at: f64) -> Verdict {
     worst(triangles.map(|corners| view.judge(corners.map(model))))
 }
 
-/// A model in front of a camera that is turned and far from the world's origin.
+/// A model in front of a camera. The camera is turned, and far from the world's origin.
 fn turned(at: f64) -> Verdict {
     let turn = 0.7_f64;
     let view = TriangleView {
@@ -69,7 +69,8 @@ fn far_away(w: f64) -> Verdict {
     }))
 }
 
-/// Triangles through the middle of the picture. Their sides are about `times` as long as the picture is wide.
+/// Triangles through the middle of the picture. The sides of a triangle are about `times` as long as the picture is
+/// wide.
 fn large(times: f64) -> Verdict {
     let view = TriangleView::ROOM;
     let mut random = Random(4);
@@ -81,7 +82,8 @@ fn large(times: f64) -> Verdict {
             view.at([reach * cos, reach * sin], random.between(0.5, 0.6))
         };
         let mut corners = [0., 1., 2.].map(|third| corner(third, &mut random));
-        // In one half of the triangles, a side passes near the middle; in the other half, the middle is well inside.
+        // In one half of the triangles, a side passes near the middle; in the other half, the middle is well inside the
+        // triangle.
         if random.next() < 0.5 {
             let [a, b, _] = corners;
             corners[2] = [0, 1, 2].map(|i: usize| -(a[i] + b[i]) / 2. * 0.9);

@@ -1,8 +1,9 @@
 //! Ranges of depth: far/near from 10 to 10⁶, and two surfaces 1 % apart.
 //!
-//! At a distance of w, a step of the depth buffer is w²/(65,535 · near). Up to 655 times the near plane's distance, 1 %
-//! of w is therefore at least one step, for any far plane, and the nearer of two surfaces shows. Farther away, the
-//! visible surface is behind the nearest one by less than a step plus the errors of two depths (`bounds::DEPTH`).
+//! Surfaces at a distance w that are one step of the depth buffer apart are w²/(65,535 · near) apart in space. So up to
+//! 655 times the near plane's distance, for any far plane, two surfaces that are 1 % of w apart differ by at least one
+//! step, and the nearer surface shows. Farther away, the visible surface is behind the nearest one by less than a step
+//! plus the errors of two depths (`bounds::DEPTH`).
 
 use fixel::prelude::*;
 use fixel::view::Perspective;
@@ -17,7 +18,7 @@ use crate::moves::{exact, rounded};
 use crate::reference::coverage::Bounds;
 use crate::reference::linear::{Vec3 as Vector, cross, dot, subtract};
 
-/// Ratios of far to near, each with a near and a far plane.
+/// Ratios of far to near, each with the distances of a near plane and a far plane.
 const RATIOS: [(&str, f64, f64); 6] = [
     ("10", 4., 40.),
     ("10²", 4., 400.),
@@ -46,13 +47,13 @@ fn reaching(view: &TriangleView) -> Verdict {
             let w = view.near * (1e-3 + part * end).exp();
             view.at([random.between(-60., 60.), random.between(-50., 50.)], w)
         };
-        // The second corner is anywhere between the planes, or in the far plane.
+        // The second corner is anywhere between the near and far planes, or in the far plane.
         let parts = [0., (random.next() * 2.).min(1.), 1.];
         view.judge(parts.map(|part| corner(part, &mut random)))
     }))
 }
 
-/// 1/w of a plane at a pixel.
+/// The 1/w at a pixel, in the plane through three corners.
 fn inverse_w(corners: [Vec3; 3], view: &TriangleView, [x, y]: [i32; 2]) -> f64 {
     let [a, b, c]: [Vector; 3] = corners.map(exact);
     let normal = cross(subtract(b, a), subtract(c, a));
@@ -60,8 +61,8 @@ fn inverse_w(corners: [Vec3; 3], view: &TriangleView, [x, y]: [i32; 2]) -> f64 {
     dot(normal, [at(x, view.size.0), -at(y, view.size.1), -1.]) / dot(normal, a)
 }
 
-/// Draws two surfaces at about the distance `w`, in either order. Returns by how many steps the visible surface is
-/// behind the nearest one, and whether the farther surface shows anywhere.
+/// Draws two surfaces at about the distance `w`, in either order. Returns how far the visible surface is behind the
+/// nearest surface, in steps, and whether the farther surface shows anywhere.
 fn behind(view: &TriangleView, w: f64) -> (Worst, bool) {
     let mut all = Worst::default();
     let mut hidden = false;
@@ -118,8 +119,8 @@ fn is_inside([x, y]: [i32; 2], corners: [[f64; 2]; 3], view: &TriangleView) -> b
     })
 }
 
-/// The largest number of steps by which the visible surface is behind the nearest one, at distances from the near plane
-/// to the far plane.
+/// The largest number of steps by which the visible surface is behind the nearest surface, at distances from the near
+/// plane to the far plane.
 fn order(view: &TriangleView) -> Worst {
     let mut worst = Worst::default();
     let mut w = view.near * 1.5;

@@ -1,7 +1,8 @@
-//! Every way to draw a picture gives the same result: again, in bands, with triangles in another order, with either
-//! format of depths, and with positions of 16 or 32 bits.
+//! A picture is always the same: if it is drawn again, in bands, with triangles in another order, with either format of
+//! depths, or with positions of 16 or 32 bits.
 //!
-//! The programs in `examples/firmware` do the same on every target, and `.ci/run` compares them with the host.
+//! The programs in `examples/firmware` draw on every target, and `.ci/run` compares their results with the host's
+//! results.
 
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -66,7 +67,7 @@ enum Numbers {
     Long,
 }
 
-/// Two rings, one in front of a ball and one behind it, over a floor that reaches behind the eye. No two surfaces
+/// A ring in front of a ball and a ring behind the ball, over a floor that reaches behind the eye. No two surfaces
 /// coincide.
 fn models() -> [Model; 4] {
     let at = |x: Scalar, y: Scalar, z: Scalar| Transform::translate(Vec3::new(x, y, z));
@@ -107,7 +108,7 @@ fn sums<F: DepthBuffer>(
     let mut depths = crc32fast::Hasher::new();
     for first in (0..SIZE.1).step_by(rows as usize) {
         let pixels = (SIZE.0 * rows.min(SIZE.1 - first)) as usize;
-        // The earlier contents of the memory must not show.
+        // The memory is not blank at first, so that the test fails if earlier contents show.
         let (mut color, mut depth) = (vec![[9; 2]; pixels], vec![7; pixels]);
         let band = Canvas::band(&mut color, SIZE.0, SIZE.1, first).unwrap();
         let mut band = band.with_depth_format::<F>(&mut depth).unwrap();
@@ -135,8 +136,8 @@ fn frame<F: DepthBuffer>(mode: impl Mode, rows: u32, numbers: Numbers) -> Sums {
     })
 }
 
-/// Draws a whole frame, and bands of several heights, with positions of 16 and 32 bits. All checksums must be equal.
-/// Returns them.
+/// Draws a whole frame, and bands of several heights, with positions of 16 and 32 bits. Returns the checksums, which
+/// must all be equal.
 fn bands<F: DepthBuffer>(mode: impl Mode) -> Sums {
     let whole = frame::<F>(mode, SIZE.1, Numbers::Long);
     for rows in [1, 7, 16, 240] {
@@ -172,8 +173,8 @@ fn shuffled<T>(list: &mut [T], random: &mut Random) {
 }
 
 /// Draws the models in another order, and each model's triangles in another order. Only depth decides which triangles
-/// show. Of two triangles at the same position and depth, the last one would show, but there are no such triangles
-/// here.
+/// show. (Of two triangles at the same position and depth, the last triangle would show, but these models have no such
+/// triangles.)
 fn orders<F: DepthBuffer>() -> Sums {
     let draw = |rows: u32, parts: &[(Vec<[u16; 3]>, Model)]| {
         sums::<F>(rows, &|band, projection| {

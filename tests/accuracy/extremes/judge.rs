@@ -1,11 +1,12 @@
 //! A mesh drawn by the crate and by the model, and the differences between the two pictures.
 //!
 //! There are two ways to judge a value. If nothing is clipped, the model interpolates between the crate's own snapped
-//! corners. If a triangle is clipped, it has new corners, and the crate does not report them. Then the model must have
-//! the value within [`Scene::snap`] plus [`Scene::moved`] of the pixel's center. The reason: interpolants are linear on
-//! the screen. If each corner moves by at most d, the linear function through the moved corners has, at any point, a
-//! value that the original function has within d of the point. A quotient of two linear functions is monotonic along
-//! any line, so its extremes over a square around the center are at the corners of the square.
+//! corners. If a triangle is clipped, it has new corners, and the crate does not report the new corners. In this case,
+//! the value must be one of the model's values within [`Scene::snap`] plus [`Scene::moved`] of the pixel's center. The
+//! reason: interpolants are linear on the screen. Let each corner move by at most d. Then the value of the linear
+//! function through the moved corners, at any point, is a value of the original function within d of this point. A
+//! quotient of two linear functions is monotonic along any line, so its extremes over a square around the center are at
+//! the corners of the square.
 
 use std::collections::HashMap;
 
@@ -29,12 +30,12 @@ use crate::reference::view;
 const TEXEL: f64 = 65536.;
 /// Half of the guard band's width, in pixels.
 const GUARD: f64 = 2048.;
-/// Half a subpixel: the largest distance that snapping moves a corner along each axis.
+/// Half a subpixel: the largest distance by which snapping moves a corner along each axis.
 const SNAP: f64 = 1. / 512.;
 
 /// The bound of the error of clip space, relative to the largest coefficient, for each unit of a coordinate. Rounding
-/// adds half a unit of 2⁻²⁹ each for the mantissas of the model's matrix, of the projection's matrix and of their
-/// product. Dropping the last bit of the mantissas adds half a unit of 2⁻²⁸.
+/// adds half a unit of 2⁻²⁹ three times: for the mantissas of the model's matrix, of the projection's matrix, and of
+/// their product. Dropping the last bit of the mantissas adds half a unit of 2⁻²⁸.
 const CLIP: f64 = 5. / (1 << 30) as f64;
 
 impl Scene {
@@ -127,8 +128,8 @@ impl Scene {
         pieces_clipped(&mesh, &self.view, &[&[NEAR, FAR], &sides[..]].concat())
     }
 
-    /// The largest distance in pixels that rounding in clip space moves a point of a clipped triangle at the distance
-    /// `w`: the error relative to w, times half of the guard band's width.
+    /// The largest distance, in pixels, by which rounding in clip space moves a point of a clipped triangle at the
+    /// distance `w`. This distance is the error relative to `w`, times half of the guard band's width.
     fn moved(&self, w: f64) -> f64 {
         GUARD * self.off(w)
     }
@@ -145,8 +146,9 @@ impl Scene {
         CLIP * parts.fold(0., f64::max)
     }
 
-    /// The largest distance that snapping moves a corner along an axis: half a subpixel. At the right and lower sides
-    /// of the guard band, it is a whole subpixel, because the position is rounded down to the last subpixel.
+    /// The largest distance by which snapping moves a corner along an axis: half a subpixel. At the right and lower
+    /// sides of the guard band, this distance is a whole subpixel, because the position is rounded down to the last
+    /// subpixel.
     fn snap(&self, piece: &Piece<2>) -> f64 {
         if piece.screen.into_iter().any(|corner| self.is_last(corner)) {
             2. * SNAP
@@ -169,7 +171,7 @@ impl Scene {
         last(x, left, width) || last(y, top, height)
     }
 
-    /// Measures the distance of corners from their exact positions, along each axis.
+    /// Measures the distances between snapped corners and their exact positions, along each axis.
     fn corners(&self, places: &[Option<[i32; 2]>], worst: &mut Worst) {
         for ((&position, sum), place) in self.positions.iter().zip(&self.sums).zip(places) {
             let wanted = self.view.project(exact(position));
@@ -203,7 +205,7 @@ impl Scene {
         assert_eq!(drawn, model);
     }
 
-    /// The pixels that may be drawn.
+    /// The pixels inside both the canvas and the viewport.
     fn bounds(&self) -> Bounds {
         let viewport = self.view.viewport;
         Bounds::new(self.size.0, self.size.1).intersect(Bounds {
@@ -254,13 +256,13 @@ impl Scene {
         }
     }
 
-    /// The largest distance that an edge moves at right angles to its direction.
+    /// The largest distance by which an edge moves at right angles to its direction.
     fn edge_reach(&self, piece: &Piece<2>) -> f64 {
         let nearest = piece.w.into_iter().fold(f64::MAX, f64::min);
         (self.snap(piece) + self.moved(nearest)) * 2_f64.sqrt()
     }
 
-    /// The model's values around a pixel; `None` if a part of the surroundings lies beyond the horizon.
+    /// The model's values within reach of a pixel's center; `None` if a part of this area lies beyond the horizon.
     fn about(&self, piece: &Piece<2>, pixel: [i32; 2]) -> Option<About> {
         if piece.snapped.is_some() {
             let value = piece.at(pixel)?;
@@ -285,7 +287,7 @@ impl Scene {
         Some(about)
     }
 
-    /// The model's values around each drawn pixel, and the part of the face to which they belong.
+    /// For each drawn pixel: the part of the face to which it belongs, and the model's values around the pixel.
     fn models<'a>(
         &self,
         seen: &[Seen<2>],
@@ -330,7 +332,7 @@ impl Scene {
         ends
     }
 
-    /// The u and the v of a face's corners.
+    /// The u of a face's three corners, and the v of its three corners.
     fn corner_texels(&self, face: usize) -> [[i32; 3]; 2] {
         let corners = self.faces[face].map(usize::from);
         [0, 1].map(|k| corners.map(|corner| self.texels[corner][k]))

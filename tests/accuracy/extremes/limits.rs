@@ -38,7 +38,7 @@ fn canvases_beyond_their_limits_are_refused() {
     assert_eq!(new(MAX_SIZE, MAX_SIZE), Ok(()));
 }
 
-/// Lists can be prepared for frames of the same sizes as canvases.
+/// The frame for which a list is prepared has the same limits of size as a canvas.
 #[test]
 fn prepared_frames_beyond_their_limits_are_refused() {
     let mesh = Mesh::new(&[], &[]).unwrap();
@@ -79,7 +79,7 @@ fn positions_of_a_mesh_beyond_their_limit_are_refused() {
         let faces = [[0, last, last]];
         assert!(Mesh::new(&positions[..count], &faces).is_ok(), "{count}");
     }
-    // The mesh with one position less refuses the last index.
+    // If a mesh has one position less, it refuses the last index.
     assert!(Mesh::new(&positions[..Mesh::MAX_POSITIONS - 1], &[[0, 0, u16::MAX]]).is_err());
     let Err(Error::TooMany { given, max, .. }) = Mesh::new(&positions, &[]) else {
         panic!("too many positions");
@@ -90,7 +90,7 @@ fn positions_of_a_mesh_beyond_their_limit_are_refused() {
 #[test]
 fn parts_of_a_shape_beyond_their_limits_are_refused() {
     let max = Shape::MAX_PARTS;
-    // The largest cylinder: each column has four vertices.
+    // This is the largest cylinder, because each of its columns has four vertices.
     assert!(Shape::cylinder(max - 1).is_ok());
     assert!(Shape::plane(max - 1, 1).is_ok());
     assert!(Shape::plane(max, 1).is_ok());
@@ -108,7 +108,7 @@ fn parts_of_a_shape_beyond_their_limits_are_refused() {
     assert!(matches!(Shape::plane(255, 256), Err(Error::TooMany { .. })));
 }
 
-/// A list refuses more visible vertices than 16 bits can count, even if it has room for them.
+/// A list refuses more visible vertices than 16 bits can count, even if the list has room for more.
 #[test]
 fn vertices_of_a_list_beyond_their_limit_are_refused() {
     // The list is static because it is too large for the stack.
@@ -116,7 +116,7 @@ fn vertices_of_a_list_beyond_their_limit_are_refused() {
     const MAX: usize = DrawList::<65_600, 65_600>::MAX_VERTICES;
     let size = (64, 64);
     let prepare = |seen: usize| {
-        // Every three consecutive vertices form a triangle.
+        // Each vertex forms a triangle with the two vertices before it.
         let corners = [[10, 10], [10, 50], [50, 10]].map(|at| at_subpixel(at.map(|x| x * 256)));
         let positions: Vec<Vec3> = corners.into_iter().cycle().take(seen).collect();
         let faces: Vec<[u16; 3]> = (2..seen)
@@ -134,8 +134,8 @@ fn vertices_of_a_list_beyond_their_limit_are_refused() {
     assert_eq!(prepare(MAX + 1), Err(refused.to_owned()));
 }
 
-/// A texture of one row with the largest width, and a texture of one column with the largest height. One more texel
-/// does not compile.
+/// A texture of one row with the largest width, and a texture of one column with the largest height. A texture with one
+/// more texel does not compile.
 #[test]
 fn textures_of_the_largest_sides_are_drawn() {
     static WIDE: [[Gray8; MAX_TEXTURE]; 1] = [[Gray8::new(7); MAX_TEXTURE]; 1];
@@ -148,7 +148,8 @@ fn textures_of_the_largest_sides_are_drawn() {
 
 #[test]
 fn numbers_beyond_their_formats_are_refused() {
-    // The ends of the formats are accepted. Half a unit beyond them is refused, because it is rounded away from zero.
+    // The ends of the formats are accepted. A number half a unit beyond an end is refused, because it is rounded away
+    // from zero.
     let unit = 1. / 65_536.;
     assert_eq!(Scalar::try_from(32_768. - unit), Ok(Scalar::MAX));
     assert!(Scalar::try_from(32_768. - unit / 2.).is_err());
@@ -211,14 +212,14 @@ fn projections_beyond_their_limits_are_refused() {
     assert!(edges(i32::MIN, i32::MAX));
 }
 
-/// Whether a point straight ahead is visible.
+/// Whether the point straight ahead at the distance `bits` is visible.
 fn seen<K: ProjectionKind>(mvp: &Mvp<K>, bits: i32) -> bool {
     let point = Vec3::from_bits([0, 0, -bits]);
     Counter::new((4, 4)).snapped(mvp, point).is_some()
 }
 
-/// Points are a unit in front of each plane and a unit behind it. A point exactly in a plane may be visible or not,
-/// because planes have 28 bits.
+/// Checks points before and beyond each plane, as near to the plane as its error permits. A point exactly in a plane
+/// may be visible or not, because planes have 28 bits.
 #[test]
 fn points_show_between_near_and_far() {
     for (near, far) in [
@@ -231,7 +232,7 @@ fn points_show_between_near_and_far() {
         let projection =
             Projection::<Perspective>::from_focal_length(fx!(4), (4, 4), s(near), s(far));
         let mvp = projection.unwrap().into();
-        // The error of the planes: their coefficients have at least 28 bits.
+        // The error of a plane's distance. The coefficients of planes have at least 28 bits.
         let units = |at: i32| (at >> 27) + 1;
         assert!(
             !seen(&mvp, near - units(near)) && seen(&mvp, near + units(near)),
@@ -246,7 +247,7 @@ fn points_show_between_near_and_far() {
 }
 
 /// Screen coordinates reach 2048 pixels from the viewport's center. A triangle within this guard band is drawn
-/// unclipped. A triangle that reaches beyond the guard band is clipped, and covers the same pixels.
+/// unclipped. A triangle that reaches beyond the guard band is clipped. Both triangles must cover about the same area.
 #[test]
 fn triangles_beyond_the_guard_band_are_clipped() {
     let size = (64, 48);
@@ -289,7 +290,7 @@ fn triangles_beyond_the_guard_band_are_clipped() {
 }
 
 /// Screen positions run from 2048 pixels before the viewport's center to one subpixel less than 2048 pixels after it.
-/// The code that walks along edges relies on these 20 bits.
+/// Such positions have 20 bits, and the code that walks along edges relies on this.
 #[test]
 fn screen_positions_are_within_the_guard_band() {
     let size = (64, 48);
@@ -301,7 +302,8 @@ fn screen_positions_are_within_the_guard_band() {
             let mut counter = Counter::new(size);
             for point in [[at, 0], [0, at], [at, at]] {
                 let [x, y] = [point[0] + 32 * 256, point[1] + 24 * 256];
-                // Move each position by half a subpixel to either side. The last position must not be rounded up.
+                // Move each position by half a subpixel to either side. The position at the end of the band must not be
+                // rounded up.
                 for half in [-128, 0, 127] {
                     let position = at_subpixel([x, y]) + Vec3::from_bits([half, half, 0]);
                     let Some(place) = counter.snapped(&pixel_projection(size), position) else {

@@ -10,12 +10,12 @@ use super::verdict::{Verdict, Worst};
 use crate::common::{BOTH_SIDES, Counter};
 use crate::moves::{exact, rounded};
 
-/// Columns and rows of vertices. The first grid has one vertex less than the largest number, the second has that
-/// number.
+/// Columns and rows of vertices. The second grid has the largest number of vertices, and the first grid has one vertex
+/// less.
 const GRIDS: [(u16, u16); 2] = [(255, 257), (256, 256)];
 
-/// A wavy rug, slightly tilted, in front of the eye. It reaches beyond all edges of the picture. Returns its vertices,
-/// and the two triangles of each cell.
+/// A wavy rug, slightly tilted, in front of the eye. The rug reaches beyond all edges of the picture. Returns its
+/// vertices, and the two triangles of each cell.
 fn rug(columns: u16, rows: u16) -> (Vec<Vec3>, Vec<[u16; 3]>) {
     let mut random = Random(11);
     let view = TriangleView::ROOM;
@@ -87,7 +87,8 @@ fn the_largest_meshes_cover_each_pixel_once() {
     assert_eq!(CASES.len(), 2);
 }
 
-/// All vertices except the last ones are unused. The last ones must be drawn like the first ones.
+/// The first three and the last three vertices have the same positions. A triangle of the last three must be drawn like
+/// a triangle of the first three.
 #[test]
 fn the_largest_indices_are_drawn_like_the_smallest() {
     let mut positions = vec![Vec3::ZERO; Mesh::MAX_POSITIONS];

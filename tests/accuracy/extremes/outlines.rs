@@ -1,7 +1,7 @@
 //! Triangles that all six planes clip: outlines of nine corners.
 //!
-//! A plane through the view volume meets its six sides in a hexagon. A triangle in that plane can cut off three corners
-//! of the hexagon. The bounds are the same as in [`planes`](super::planes).
+//! A plane through the view volume can cut all six sides of the volume. The cut is a hexagon. A triangle in that plane
+//! can cut off three corners of the hexagon. The bounds are the same as in [`planes`](super::planes).
 
 use std::f64::consts::TAU;
 
@@ -11,8 +11,8 @@ use super::scene::{Corners, ONCE, Random, TriangleView};
 use super::table::{Cases, picture};
 use super::verdict::Verdict;
 
-/// At a focal length of 2000 pixels, the guard band of ±2048 pixels reaches to each side about as far as its distance
-/// from the eye. The near and far planes are at 1 and 2.
+/// The focal length is 2000 pixels and the guard band is ±2048 pixels, so at a distance of w from the eye, the guard
+/// band reaches about w to each side. The near and far planes are at 1 and 2.
 fn view(viewport: Viewport) -> TriangleView {
     TriangleView {
         size: (64, 64),
@@ -35,7 +35,8 @@ fn triangle(random: &mut Random) -> Corners {
     })
 }
 
-/// Draws ten of these triangles. Each of their nine corners in turn is on the canvas.
+/// Draws ten triangles that become polygons of nine corners when they are clipped. Each of the nine corners in turn is
+/// on the canvas.
 fn nine_corners() -> Verdict {
     let mut random = Random(14);
     let mut verdict = Verdict::default();

@@ -1,5 +1,5 @@
 //! Positions and depths of points under parallel projections, compared with f64: for all windows and planes that the
-//! constructors accept, from 2⁻¹⁶ to 65,536 wide, and for the windows and planes with the most different scales.
+//! constructors accept, from 2⁻¹⁶ to 65,536 wide, and for windows and planes with extremely different scales.
 //!
 //! Each row of clip space has 29-bit coefficients and its own exponent. The errors of x, of y and of the depth
 //! therefore depend only on the scale of their own row. [`View::error`] and [`View::depth_error`] derive the bounds.
@@ -32,8 +32,8 @@ struct View {
     projection: Projection<Parallel>,
     model: ModelProjection,
     window: Window,
-    /// The distance of the plane that an oblique projection leaves in place, the ratio of the projection, and how far
-    /// points behind the plane move in x and y, divided by their distance from the plane.
+    /// An oblique projection leaves the plane at this distance in place. Points behind this plane move in x and y by
+    /// `shear` times their distance from the plane. `ratio` is the ratio of the projection.
     plane: f64,
     ratio: f64,
     shear: [f64; 2],
@@ -41,8 +41,8 @@ struct View {
     viewport: Viewport,
 }
 
-/// The errors of a point's x and y in pixels, without rounding to 1/256 pixel, and of its depth in steps, without
-/// rounding down. Each error has its bound. `None` if the point is clipped.
+/// The errors of a point, each with its bound: of x and y in pixels, without the rounding to 1/256 pixel, and of the
+/// depth in steps, without the rounding down. `None` if the point is clipped.
 type Errors = Option<[Worst; 3]>;
 
 impl View {
@@ -92,7 +92,7 @@ impl View {
         window: Window,
         (angle, ratio, plane): (f64, f64, f64),
     ) -> Self {
-        // The model's oblique projection leaves the plane through the eye in place, so the window moves instead.
+        // The model's oblique projection always leaves the plane through the eye in place, so here the window is moved.
         let shear = [ratio * angle.cos(), ratio * angle.sin()];
         let [x, y] = shear.map(|shear| plane * shear);
         Self {
@@ -107,7 +107,7 @@ impl View {
         }
     }
 
-    /// The edges of the window along x or y, and the size of the viewport in pixels.
+    /// Along x (axis 0) or y (axis 1): the two edges of the window, and the size of the viewport in pixels.
     fn axis(&self, axis: usize) -> (f64, f64, f64) {
         let (window, size) = (&self.window, self.viewport.size());
         let (low, high, pixels) = match axis {
@@ -117,8 +117,8 @@ impl View {
         (low.into(), high.into(), pixels.into())
     }
 
-    /// The point of eye space at normalized device coordinates, at the fraction `way` of the distance from the near
-    /// plane to the far plane.
+    /// The point of eye space with the normalized device coordinates `at`. `way` is its fraction of the distance from
+    /// the near plane to the far plane.
     fn eye(&self, at: [f64; 2], way: f64) -> [f64; 3] {
         let distance = self.model.near + way * (self.model.far - self.model.near);
         let [x, y] = [0, 1].map(|i: usize| {
@@ -145,16 +145,18 @@ impl View {
     /// Errors are relative to M · S. M is the bound of the row's coefficients, in pixels. S is the sum of all lengths
     /// that add up to the coordinate: the point's coordinates, as the transforms move them; the window's distance from
     /// the line of sight; and the distance of an oblique projection's plane. In units of 2⁻³⁰:
-    /// - A coefficient is a quotient (1.3), rounded to a mantissa (1). The coefficient of z is also a product with a
-    ///   sine (4.1).
-    /// - The offset is a quotient and a product of a coefficient and a distance (8.4), rounded to a mantissa (1).
-    /// - The viewport's scale rounds coefficients (1). The product with the view rounds them to 29 bits (2). If an
-    ///   offset is so large that coefficients keep fewer bits, they are rounded by 2⁻⁴⁴ of the offset, and multiplied
-    ///   by up to 3 · 2¹⁵: 6 of the offset.
+    /// - A coefficient is a quotient (1.3) that is rounded to a mantissa (1). The coefficient of z is also a product
+    ///   with a sine (4.1).
+    /// - The offset is a quotient and a product of a coefficient and a distance (8.4), and is rounded to a mantissa
+    ///   (1).
+    /// - The viewport's scale rounds coefficients (1). The product with the view rounds coefficients to 29 bits (2). If
+    ///   an offset is so large that coefficients keep fewer bits, they are rounded by 2⁻⁴⁴ of the offset, and
+    ///   multiplied by up to 3 · 2¹⁵: 6 of the offset.
     /// - Each move has its own errors (3): see [`relative`](crate::moves::relative).
     ///
-    /// So an offset has at most 15.4. A product with a coefficient has 9.4 and 6. 16 bounds both. A coefficient has at
-    /// most 40 fraction bits, in units of the guard band: half of the last bit is 2⁻³⁰ pixel.
+    /// So an offset has an error of at most 15.4. A product with a coefficient has an error of 9.4 and 6. 16 is a bound
+    /// of both. A coefficient has at most 40 fraction bits, in units of the guard band: half of the last bit is 2⁻³⁰
+    /// pixel.
     fn error(&self, axis: usize, p: Vec3) -> f64 {
         let (low, high, pixels) = self.axis(axis);
         let most = pixels / (high - low) * self.ratio.max(1.);
@@ -167,7 +169,7 @@ impl View {
     ///
     /// The derivation is as in [`error`](Self::error). Both terms of (far − distance) / (far − near) have the same
     /// factor, so the factor's error counts only once, relative to the sum (4.3). The product with the view is rounded
-    /// (2). If an offset is large, coefficients are rounded (6).
+    /// (2). If an offset is large, coefficients keep fewer bits (6).
     fn depth_error(&self, p: Vec3) -> f64 {
         let most = 65536. / (self.model.far - self.model.near);
         let lengths = self.lengths(2, p) + self.model.far.abs();
@@ -193,8 +195,9 @@ impl View {
             .collect()
     }
 
-    /// The bounds of the errors of x, y and the depth, with up to six moves, as the page of limits promises them. (A
-    /// bound of x or y is at most √3 · 34 · 2⁻³⁰ of the lengths times the scale; a bound of the depth, √3 · 26 · 2⁻³⁰.)
+    /// The bounds that the page of limits promises for the errors of x, y and the depth, with up to six moves. (A bound
+    /// of x or y is at most √3 · 34 · 2⁻³⁰ of the lengths times the scale; a bound of the depth is at most √3 · 26 ·
+    /// 2⁻³⁰ of them.)
     fn promised(&self, p: Vec3) -> [f64; 3] {
         let of_point = size(&self.moves, p);
         let [x, y] = [0, 1].map(|axis| {
@@ -258,7 +261,7 @@ impl View {
         let mut errors = [Worst::default(); 3];
         let [of_x, of_y, of_depth] = &mut errors;
         for (axis, (worst, got)) in [(of_x, x), (of_y, y)].into_iter().enumerate() {
-            // The last column and row of the guard band end 1/256 pixel before its edge.
+            // Positions in the last column and row of the guard band end 1/256 pixel before the edge of the band.
             let wanted_here = wanted[axis].min(middle[axis] + GUARD - 1. / 256.);
             let by = (f64::from(got) / 256. - wanted_here).abs() - 1. / 512.;
             worst.add(by.max(0.), bounds[axis], || {
@@ -271,7 +274,7 @@ impl View {
         Some(errors)
     }
 
-    /// The point of model space that is nearest to a point of eye space; `None` if it is beyond the format.
+    /// Transforms a point of eye space back to model space, and rounds it; `None` if the result is beyond the format.
     fn point(&self, eye: [f64; 3]) -> Option<Vec3> {
         let back = self.moves.iter().fold(eye, |at, step| {
             let inverse = match *step {
@@ -292,7 +295,7 @@ fn any_length(random: &mut Random, least: f64, most: f64) -> f64 {
     random.random_range(least..most).exp2()
 }
 
-/// A random number of either sign, from less than a unit to the ends of the format; or 0.
+/// A random number: 0, or a number of either sign from less than a unit to the ends of the format.
 fn any_number(random: &mut Random) -> f64 {
     let length = any_length(random, -17., 15.);
     match random.random_range(0..5) {
@@ -364,10 +367,10 @@ fn any_view(random: &mut Random) -> View {
     view
 }
 
-/// Random points in a view, and next to it.
+/// Random points inside a view and near it.
 fn points(random: &mut Random, view: &View, count: usize) -> Vec<Vec3> {
     let mut at = || {
-        // Half of the points are in the viewport. The others are anywhere in the guard band, or beyond it.
+        // Half of the points are in the viewport. The other half are anywhere in the guard band, or a little beyond it.
         let mut reach = [1.; 2];
         if random.random() {
             reach = [0, 1].map(|axis| 2.1 * GUARD / view.axis(axis).2);
@@ -412,7 +415,8 @@ fn points_in_any_parallel_view_are_the_models() {
     );
 }
 
-/// The views with the most different scales of rows: half of the window's width and height, and the planes.
+/// Views with extremely different scales of x, y and depth: half of the window's width and height, and the distances of
+/// the planes.
 const VIEWS: [(&str, [f64; 2], [f64; 2]); 6] = [
     ("±48, far − near 0.001", [48., 36.], [10., 10.001]),
     ("±1000, far − near 0.01", [1000., 750.], [0., 0.01]),
@@ -426,7 +430,7 @@ const VIEWS: [(&str, [f64; 2], [f64; 2]); 6] = [
     ),
 ];
 
-/// The largest errors of positions and of depths, for points all over one of these views.
+/// The largest error of a position and the largest error of a depth, for points all over one of [`VIEWS`].
 fn worst_of([width, height]: [f64; 2], [near, far]: [f64; 2]) -> [Worst; 2] {
     let window = Window::centered(number(2. * width), number(2. * height));
     let view = View::orthographic(window, number(near), number(far));
@@ -445,7 +449,7 @@ fn worst_of([width, height]: [f64; 2], [near, far]: [f64; 2]) -> [Worst; 2] {
         judged += 1;
     }
     // Points between the planes are rounded to multiples of 2⁻¹⁶. If the planes are only 2⁻¹⁶ apart, half of the points
-    // lie in the near plane, and the others in the far plane. All are visible.
+    // lie in the near plane, and the other half in the far plane. All points are visible.
     assert!(judged > 19_000, "{judged}");
     [position, depth]
 }

@@ -15,7 +15,8 @@ pub fn nearest<'a>(
 
 /// The distance of a point from a triangle. The triangle can be as thin as a line.
 pub fn gap(piece: &Piece<2>, p: [f64; 2]) -> f64 {
-    // Below this area, f64 cannot tell inside from outside. A triangle one pixel long is then narrower than 10⁻⁶.
+    // Below this area, f64 cannot tell inside from outside. A triangle of this area and a length of one pixel is
+    // narrower than 10⁻⁶ pixel.
     if area2_f64(&piece.screen).abs() < 1e-6 {
         let [a, b, c] = piece.screen;
         let sides = [(a, b), (b, c), (c, a)];

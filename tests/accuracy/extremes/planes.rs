@@ -1,7 +1,7 @@
 //! Triangles around the eye and at the near and far planes.
 //!
 //! Bounds: rounding moves a corner by up to half a subpixel along each axis, and the error of clip space moves it
-//! further (`Scene::moved`). An edge moves by up to √2 times the sum. For values and depths, see `bounds`.
+//! further (`Scene::moved`). An edge moves by up to √2 times the sum. The bounds of values and depths are in `bounds`.
 
 use std::f64::consts::TAU;
 
@@ -14,7 +14,7 @@ use crate::drawing::Drawing;
 
 const NEAR: f64 = 0.25;
 
-/// Triangles of many slopes. `behind` of their corners are behind the near plane.
+/// Triangles of many slopes. `behind` corners of each triangle are behind the near plane.
 fn crossing(behind: usize) -> Verdict {
     worst((0..24).map(|step| {
         let s = f64::from(step);
@@ -33,8 +33,8 @@ fn crossing(behind: usize) -> Verdict {
     }))
 }
 
-/// Triangles in planes through the eye, or a little beside it. On the screen, each triangle is a line, or covers
-/// everything.
+/// Triangles in planes that pass through the eye, or a little beside the eye. On the screen, each triangle is a line,
+/// or covers everything.
 fn through_the_eye() -> Verdict {
     let turns = (0..32).map(|step| (f64::from(step) / 32. * TAU).sin_cos());
     worst(turns.flat_map(|(sin, cos)| {
@@ -48,7 +48,7 @@ fn through_the_eye() -> Verdict {
     }))
 }
 
-/// Triangles with corners or sides on the near plane, and a triangle that lies in it.
+/// Triangles with corners or sides on the near plane, and a triangle that lies in the near plane.
 fn on_the_plane() -> Verdict {
     worst([
         TriangleView::ROOM.judge([[0., 0.1, -NEAR], [-2., -1., -4.], [2., -1., -5.]]),
@@ -136,7 +136,7 @@ fn triangles_are_clipped_where_the_model_clips_them() {
     assert_eq!(CASES.len(), 7);
 }
 
-/// Triangles behind the eye are not drawn, however near to it they are.
+/// Triangles behind the eye are not drawn, even if they are very near to it.
 #[test]
 fn triangles_behind_the_eye_are_not_drawn() {
     assert_eq!(crossing(3).pixels, 0);

@@ -60,7 +60,8 @@ impl Grid {
         for a in 0..PLACES {
             for b in 0..PLACES {
                 for c in 0..PLACES {
-                    // Draw each triangle in three of the six orders of its corners. Both windings are among them.
+                    // Draw each triangle with three of the six orders of its corners. Both windings are among these
+                    // orders.
                     if a < b && b < c || c < b && b < a || b < c && c < a {
                         let corners = [a, b, c].map(|i| places[i]);
                         let mask = drawn(corners, &mut counter);
@@ -107,8 +108,8 @@ impl Grid {
         }
     }
 
-    /// Splits every triangle at every vertex inside it or on a side. The three parts, or the two parts at a side, must
-    /// cover each pixel of the triangle once. Returns the number of splits.
+    /// Splits every triangle at every vertex inside it (into three parts) or on one of its sides (into two parts). The
+    /// parts must cover each pixel of the triangle once. Returns the number of splits.
     fn parts_cover_the_whole(&self) -> usize {
         let mut splits = 0;
         for a in 0..PLACES {

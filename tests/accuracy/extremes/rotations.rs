@@ -1,10 +1,10 @@
 //! Products of a million small rotations, with and without renormalization of the matrix.
 //!
-//! A product rounds each of its entries by half of 2⁻²⁹. An entry of a rotation has this error and the error of the
-//! sine, at most 1.6·10⁻⁹. Rows and columns have three entries. If all roundings had the same sign, a million products
-//! would therefore change lengths and right angles by 10⁶ · 3 · (2 · 2⁻³⁰ + 1.6·10⁻⁹) = 1 %. Renormalization makes the
-//! rows orthogonal to a unit of 2⁻²⁹ in each entry, or to 4·10⁻⁹ in the sums of a row's products, whatever the earlier
-//! error was.
+//! A product rounds each of its entries by up to half of 2⁻²⁹. An entry of a rotation has this error, and the error of
+//! the sine, which is at most 1.6·10⁻⁹. Rows and columns have three entries. If all roundings had the same sign, a
+//! million products would therefore change lengths and right angles by 10⁶ · 3 · (2 · 2⁻³⁰ + 1.6·10⁻⁹) = 1 %. After
+//! renormalization, each entry has an error of at most a unit of 2⁻²⁹, and each sum of products of two rows has an
+//! error of at most 4·10⁻⁹, however large the error was before.
 
 use fixel::prelude::*;
 
@@ -13,12 +13,12 @@ use super::verdict::Worst;
 use crate::moves::radians;
 use crate::reference::linear::{self, Matrix};
 
-/// The unit of a matrix's entries and of its axes.
+/// The number 1 in the units of a matrix's entries, 2⁻³⁰.
 const ONE: f64 = 1_073_741_824.;
 const STEPS: u32 = 1_000_000;
 /// The largest error that one product adds to each entry of R·Rᵀ − I, as derived above.
 const DRIFT: f64 = 3. * (2. / ONE + 1.6e-9);
-/// The error of an entry after renormalization.
+/// The largest error of an entry of R·Rᵀ − I after renormalization.
 const RIGID: f64 = 4e-9;
 
 /// The entries of a rotation, in units of 2⁻¹⁶ · 2⁻¹⁴, read from the images of axes of length 16,384.
@@ -55,8 +55,8 @@ fn from_model(transform: &Transform, model: &Matrix) -> f64 {
     entries.fold(0., |worst, (a, b)| worst.max((a - b).abs()))
 }
 
-/// Multiplies by the same three small rotations a million times. Returns the largest errors on the way: the distance
-/// from a rigid matrix, and the distance from the model's matrix.
+/// Multiplies by the same three small rotations a million times. Returns the largest errors, measured after every
+/// 10,000 products: the distance from a rigid matrix, and the distance from the model's matrix.
 fn turned(renormalized_every: Option<u32>) -> [Worst; 2] {
     let angles = [0.001, 0.000_7, 0.002_3].map(|a| Angle::try_from_radians(a).unwrap());
     let step = Transform::rotate_x(angles[0])

@@ -12,7 +12,7 @@ use crate::reference::view::{self, View};
 /// A triangle's corners.
 pub type Corners = [[f64; 3]; 3];
 
-/// Texture coordinates that show a texture of 256 texels once: its column and row at each of three corners, with 16
+/// Texture coordinates of three corners that show a texture of 256 texels once: the texture's column and row, with 16
 /// fraction bits.
 pub const ONCE: [[i32; 2]; 3] = [[0, 0], [256 << 16, 0], [0, 256 << 16]];
 
@@ -32,8 +32,8 @@ pub struct Scene {
     pub sums: Vec<f64>,
 }
 
-/// A view of triangles: a projection, the moves before it, and a viewport. All its numbers must be exact in the crate's
-/// formats.
+/// A view of triangles: a projection, the moves before it, and a viewport. All numbers of the view must be exact in the
+/// crate's formats.
 #[derive(Clone, Debug)]
 pub struct TriangleView {
     pub size: (u32, u32),
@@ -57,7 +57,7 @@ impl TriangleView {
         viewport: None,
     };
 
-    /// A triangle with corners rounded to the crate's nearest positions.
+    /// A scene of one triangle, with corners rounded to the crate's nearest positions.
     pub fn scene(&self, corners: Corners, texels: [[i32; 2]; 3]) -> Scene {
         let positions = corners.map(rounded).to_vec();
         let (transform, eye) = product(&self.moves);
@@ -102,8 +102,8 @@ impl TriangleView {
         }
     }
 
-    /// Judges a triangle that shows a texture once. Each corner is first in turn, because the fan of a clipped triangle
-    /// starts at its first corner.
+    /// Judges a triangle that shows a texture once. The triangle is judged three times, with a different corner as the
+    /// first corner, because the fan of a clipped triangle starts there.
     pub fn judge(&self, [a, b, c]: Corners) -> Verdict {
         let mut verdict = Verdict::default();
         for corners in [[a, b, c], [b, c, a], [c, a, b]] {
@@ -135,7 +135,7 @@ pub fn worst(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
     all
 }
 
-/// Pseudo-random numbers from 0 to 1, the same in every run. They are the upper bits of Knuth's MMIX generator.
+/// Pseudo-random numbers from 0 to 1, the same in every run. The numbers are the upper bits of Knuth's MMIX generator.
 pub struct Random(pub u64);
 
 impl Random {

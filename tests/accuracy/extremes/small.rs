@@ -92,15 +92,15 @@ fn drawn(triangles: &[[[i32; 2]; 3]]) -> (usize, u32) {
     (pixels, drawn.drawn)
 }
 
-/// Three corners lie on a line, at every slope between positions a quarter of a pixel apart.
+/// Three corners lie on a line. The lines have every slope between positions that are an eighth of a pixel apart.
 #[test]
 fn corners_in_a_line_draw_nothing() {
     let mut triangles = Vec::new();
     for dx in -24..=24 {
         for dy in -24..=24 {
             for (first, second) in [(1, 3), (-2, 1), (0, 2), (3, 3)] {
-                // The first origin is on a pixel center, where the top-left rule decides. The second is beside the
-                // center.
+                // The first origin is on a pixel center, where the top-left rule decides. The second origin is beside
+                // the center.
                 for origin in [[3200, 2944], [3000, 3001]] {
                     let at =
                         |times: i32| [origin[0] + 32 * dx * times, origin[1] + 32 * dy * times];
@@ -114,7 +114,7 @@ fn corners_in_a_line_draw_nothing() {
     }
 }
 
-/// Two or three corners have the same position: as the same vertex, or as different vertices.
+/// Two or three corners of a triangle are the same vertex, or different vertices at the same position.
 #[test]
 fn corners_in_one_place_draw_nothing() {
     let places = [[128, 128], [1000, 2000], [3333, 17]];
@@ -161,7 +161,7 @@ fn the_largest_mesh_in_one_place_draws_only_points() {
         assert_eq!(counter.take().iter().copied().max(), Some(seen));
         counter.draw_points(&DrawOptions::new(), &mesh, &mvp);
         let counts = counter.take();
-        // In front of the eye, every point is drawn, all of them in the same pixel.
+        // If the position is in front of the eye, every point is drawn, and all points are in the same pixel.
         let seen: u32 = if place == vec3!(0, 0, -2) { 65_536 } else { 0 };
         assert_eq!(counts.iter().copied().max(), Some(seen));
         assert_eq!(counts.iter().sum::<u32>(), seen);

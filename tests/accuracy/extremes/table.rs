@@ -6,7 +6,7 @@ use std::{env, fs};
 
 use super::verdict::{Verdict, Worst};
 
-/// Rows of the table. They are measured only once, for their own test and for the table.
+/// Rows of the table. Each row is measured only once, for its own test and for the table.
 pub type Cases = LazyLock<Vec<Row>>;
 
 /// A row of the table.
@@ -62,7 +62,7 @@ fn cell(worst: Worst) -> String {
     format!("{} ≤ {}", digits(worst.measured), digits(worst.bound))
 }
 
-/// Both tables as Markdown.
+/// The table of pictures and the table of other errors, as Markdown.
 fn markdown(rows: &[&Row]) -> String {
     let mut text = String::from(
         "| case | pixels | texels, `Newton` | texels, `Exact` | texels, `Fast` to ¼ | depth steps |\n|---|---|---|---|---|---|\n",
@@ -89,8 +89,8 @@ fn markdown(rows: &[&Row]) -> String {
 }
 
 /// Whether the table `found` has the same rows as the table `shown`, and no error exceeds the shown error by more than
-/// a fifth plus 10⁻⁴. The margin is needed because another computer's sines can change the last bit of a corner. A
-/// smaller error can come from another pixel, so its bound can differ.
+/// a fifth plus 10⁻⁴. The margin is needed because sines of another computer can change the last bit of a corner. If an
+/// error is smaller than shown, its bound can differ, because the error can be from another pixel.
 fn is_no_worse(found: &str, shown: &str) -> bool {
     let found: Vec<&str> = found.split_whitespace().collect();
     let shown: Vec<&str> = shown.split_whitespace().collect();

@@ -1,14 +1,14 @@
 //! Texture coordinates of ±32,000 texels, and textures that are smaller than a pixel.
 //!
 //! An attribute keeps 30 bits of its largest value in the triangle. For 32,000 texels, the resolution is therefore
-//! 1/16,384 texel, and bounds are 125 times as large as for 256 texels. `Fast` keeps 16 of these bits, 1/2 texel, and
-//! adds its tolerance.
+//! 1/16,384 texel, and bounds are 125 times as large as for 256 texels. `Fast` keeps only 16 of these bits, which is a
+//! resolution of 1/2 texel, and adds its tolerance.
 
 use super::scene::{Random, TriangleView, worst};
 use super::table::{Cases, picture};
 use super::verdict::Verdict;
 
-/// A texture coordinate from one end of its range to the other, at many slopes.
+/// Triangles in which a texture coordinate goes from −`most` to `most`, at many slopes.
 fn wide(most: i32) -> Verdict {
     let view = TriangleView::ROOM;
     let mut random = Random(9);
@@ -44,9 +44,9 @@ fn tiny(w: f64) -> Verdict {
     }))
 }
 
-/// Ground under a camera that hardly rolls. Along a row, 1/w changes by 2⁻²⁸ to 2⁻²¹ of its value per pixel, while the
-/// texture coordinate changes by many texels, up to 1000 in all. Rows that are drawn straight must be within the
-/// bounds.
+/// The ground below a camera with hardly any roll. Along a row, 1/w changes by 2⁻²⁸ to 2⁻²¹ of its value per pixel,
+/// while the texture coordinate changes by many texels, up to 1000 in all. Rows that are drawn straight must be within
+/// the bounds.
 fn level() -> Verdict {
     let view = TriangleView {
         far: 32_767.,

@@ -1,5 +1,5 @@
-//! Drawing never fails: whatever the bits of vertices, matrices, texture coordinates and varyings are, nothing panics
-//! (test builds check for overflow), and bands equal the frame.
+//! Drawing never fails. With any bits in vertices, matrices, texture coordinates and varyings, nothing panics (test
+//! builds check for overflow), and bands equal the frame.
 
 use std::ops::Range;
 
@@ -16,7 +16,7 @@ use rand::seq::IndexedRandom;
 use crate::common::random::{Random, cases};
 use crate::mode::Mode;
 
-/// Random bits. The ends of the format, its middle, and all magnitudes between them are frequent.
+/// Random bits. The ends and the middle of the format are frequent, and so are all magnitudes between them.
 fn bits(random: &mut Random) -> i32 {
     if random.random() {
         let special = [i32::MAX, i32::MIN, 0, 1 << 16, -(1 << 16)];
@@ -54,7 +54,7 @@ fn transform(random: &mut Random) -> Transform {
 #[derive(Clone, Debug)]
 struct Scene {
     positions: [Vec3; CORNERS],
-    /// Positions of 16 bits and the number of their fraction bits. If present, they replace the other positions.
+    /// Positions of 16 bits and the number of their fraction bits. If present, they replace `positions`.
     short: Option<([[i16; 3]; CORNERS], u32)>,
     uvs: [Vec2; CORNERS],
     faces: [[u16; 3]; 4],
@@ -222,8 +222,8 @@ impl Scene {
             .unwrap();
         let options = &self.options;
         let drawn = match (self.what, self.mode) {
-            // Modes differ in how they interpolate numbers, and the numbers of `Raw` are arbitrary. So it is enough to
-            // draw other numbers in one mode, which saves the compiler seconds.
+            // Modes differ only in how they interpolate numbers, and `Raw` tests them with arbitrary numbers. So
+            // normals and light are drawn in one mode only, which saves seconds of compilation.
             (What::Normals, _) => canvas.draw_with(options, mesh, mvp, &NormalView::new()),
             (What::Lit, _) => {
                 let light = Light::new(vec3!(1, 2, 3), fx!(0.5), fx!(0.5)).unwrap();

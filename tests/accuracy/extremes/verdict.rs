@@ -41,19 +41,19 @@ impl Worst {
 /// The largest differences between the crate's picture of a mesh and the model's picture.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Verdict {
-    /// In pixels: the distance of a corner from its exact position. In clipped meshes: how far inside a face the center
+    /// The distance of a corner from its exact position, in pixels. In clipped meshes, how far inside a face the center
     /// of an omitted pixel is, or how far outside a face the center of a drawn pixel is.
     pub coverage: Worst,
-    /// In texels of a texture of 256 texels, in each of [`MODES`].
+    /// The error of a texture coordinate in each of [`MODES`], in texels of a texture of 256 texels.
     pub texels: [Worst; 3],
-    /// In steps of the depth buffer: how far the exact depth is beyond the stored step.
+    /// How far the exact depth is outside the stored step, in steps of the depth buffer.
     pub depth: Worst,
     /// The number of pixels drawn.
     pub pixels: usize,
 }
 
 impl Verdict {
-    /// Keeps the worse of both verdicts.
+    /// Keeps the larger error of each kind, and adds up the pixels.
     pub fn merge(&mut self, other: Self) {
         self.coverage.merge(other.coverage);
         for (worst, other) in self.texels.iter_mut().zip(other.texels) {

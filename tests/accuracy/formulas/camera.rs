@@ -24,7 +24,7 @@ fn foreshortening(camera: &Camera) -> [f64; 3] {
 fn axonometric_views_foreshorten_the_axes() {
     let (target, distance) = (vec3!(1, 2, 3), fx!(10));
     let alike = (2.0_f64 / 3.0).sqrt();
-    // Each of the two coordinates is rounded by half a step.
+    // Each of the two coordinates is rounded by up to half a step.
     all_close(
         foreshortening(&Camera::isometric(target, distance)),
         [alike; 3],
@@ -43,7 +43,7 @@ fn axonometric_views_foreshorten_the_axes() {
         Camera::side(target, distance),
         Camera::top(target, distance),
     ] {
-        // The target is in the middle, at the camera's distance.
+        // The target is in the middle of the picture, at the camera's distance.
         assert_eq!(camera.view().point(target), vec3!(0, 0, -10));
     }
     // Each view, with the axes that point right and up in the picture.
@@ -69,7 +69,7 @@ fn look_at_follows_its_formula() {
             let [eye, target, up] = from_fn(|_| point(random));
             let k = normalized(subtract(exact(eye), exact(target)));
             let side = cross(exact(up), k);
-            // If up is nearly parallel to the line of sight, its rounding error counts too much.
+            // If `up` is nearly parallel to the line of sight, the rounding error of `up` counts too much.
             if dot(side, side) > 1e-4 * dot(exact(up), exact(up)) {
                 break (eye, target, up, k, side);
             }
@@ -134,7 +134,8 @@ fn a_camera_of_composed_moves_equals_look_at() {
             exact(reverse.point(p)),
             STEP,
         );
-        // Look-at gives the same pose. The target is 100 ahead, and rounded by up to half a step along each axis.
+        // `Camera::look_at` gives the same pose. The target is 100 units ahead, and rounded by up to half a step along
+        // each axis.
         let camera = Camera::look_at(eye, pose.point(vec3!(0, 0, -100)), Vec3::Y).unwrap();
         let slack = STEP + 174.0 * (STEP / 100.0) * 2.0 / 80_f64.to_radians().cos();
         all_close(
@@ -216,7 +217,7 @@ fn a_line_projects_to_a_line() {
             let mvp = projection * Transform::IDENTITY;
             let place = canvas.project(&DrawOptions::new(), &mvp, Vec3::try_from(point).unwrap());
             let place = place.expect("the point is ahead");
-            // The position is rounded by half a subpixel.
+            // The position is rounded by up to half a subpixel.
             let expected = [MIDDLE[0] + x, MIDDLE[1] - y];
             all_close(
                 [f64::from(place.x), f64::from(place.y)],
@@ -237,8 +238,8 @@ fn lines_across_the_view_keep_their_slope() {
         let point = |t: f64| vec(p[0] + t * v[0], p[1] + t * v[1], p[2]);
         let at = |t| projection.image(point(t)).unwrap().map(float);
         let (a, b) = (at(0.0), at(4.0));
-        // The distance is at least 4·0.5/9. Both of its ends are rounded by half a step in space, and again on the
-        // screen.
+        // The distance is at least 4·0.5/9. Both ends of this distance are rounded by up to half a step in space, and
+        // again on the screen.
         let run = 4.0 * v[0] / -p[2];
         let slack = 4.0 * STEP * (1.0 + 4.0) / run;
         close((b[1] - a[1]) / (b[0] - a[0]), v[1] / v[0], slack);

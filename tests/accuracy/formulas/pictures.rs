@@ -59,7 +59,8 @@ fn picture(model: Transform) -> Vec<String> {
         .collect()
 }
 
-/// The position of a model's point in the picture, projected in f64 from the point's position in eye space.
+/// The position of a point of the model in the picture. The projection is computed in f64 from the point's position in
+/// eye space.
 fn place(model: Transform, point: Vec3) -> [f64; 2] {
     let [x, y, z] = exact(model.point(point));
     let half = f64::from(SIZE) / 2.0;
@@ -84,7 +85,8 @@ fn check(model: Transform, picture: &[String]) {
         let near = edges
             .iter()
             .any(|&edge| distance(center(x, y), edge) <= 0.51);
-        // The distance may be half a pixel along the line's shorter axis, and a subpixel for rounding.
+        // A pixel's center may be half a pixel from the edge along the edge's shorter axis, plus a subpixel for
+        // rounding.
         assert!(!on(x, y) || near, "({x}, {y}) is on no edge");
     }
     for [a, b] in edges {

@@ -68,10 +68,10 @@ fn perspective_by_field_of_view() {
     } = projection.window();
     let edges = [top, right, bottom, left].map(float);
     let top = 2.0 * (TAU / 12.0).tan();
-    // Values of 30 bits are rounded once.
+    // The edges are values of 30 bits that are rounded once.
     let expected = [top, top * 1.5, -top, -top * 1.5];
     all_close(edges, expected, 0.51 * STEP);
-    // Tables print these values with four decimals.
+    // Printed tables have these values with four decimals.
     all_close(edges, [1.1547, 1.7321, -1.1547, -1.7321], 0.5e-4);
     assert_eq!((projection.near(), projection.far()), (fx!(2), fx!(10)));
 }
@@ -80,7 +80,7 @@ fn perspective_by_field_of_view() {
 fn a_frustum_gives_back_its_field_of_view_and_edges() {
     let seven = projection();
     let eight = Projection::frustum(seven.window(), seven.near(), seven.far()).unwrap();
-    // Edges of about 1.15 are rounded by half a step.
+    // Edges of about 1.15 are rounded by up to half a step.
     let relative = STEP / 2.0 / 1.15;
     close(
         float(eight.aspect()),
@@ -140,8 +140,8 @@ fn a_frustums_matrix_is_a_product() {
         // Entries are numbers up to 64 with 28 bits, and are rounded once.
         same_matrix(&projection.to_matrix(), expected, 0.52 * STEP);
 
-        // z = −n becomes −1, and z = −f becomes +1. Two entries are rounded by half a step. One of them is multiplied
-        // by z, and the sum is divided by w = −z.
+        // z = −n becomes −1, and z = −f becomes +1. Two entries are rounded by up to half a step. One of these entries
+        // is multiplied by z, and the sum is divided by w = −z.
         let depth = |z: f64| float(projection.to_matrix().project(vec(0.0, 0.0, z)).unwrap().z);
         let [.., n, f] = edges;
         close(depth(-n), -1.0, STEP * (2.0 / n + 1.0));
@@ -153,7 +153,7 @@ fn a_frustums_matrix_is_a_product() {
         let scale = Matrix4::scale(vec(2.0 / (r - l), 2.0 / (t - b), -2.0 / (f - n)));
         let middle = vec(-(r + l) / (r - l), -(t + b) / (t - b), -(f + n) / (f - n));
         let middle = Matrix4::translate(middle);
-        // Factors are rounded by half a step, and multiplied by up to n·f, which is below 217.
+        // Factors are rounded by up to half a step, and multiplied by up to n·f, which is below 217.
         let slack = 0.51 * STEP * (2.0 + (n + f).max(n * f));
         same_matrix(&(middle * scale * perspective), expected, slack);
     });
@@ -162,7 +162,7 @@ fn a_frustums_matrix_is_a_product() {
 #[test]
 fn depths_of_the_perspective_transform_follow_their_formula() {
     let (n, f) = (2.0, 10.0);
-    // With z positive ahead, the transform gives the same depth with the opposite sign.
+    // In the formula, z is positive ahead of the eye. In the transform, z and the depth are negative there.
     let depth = |z: f64| {
         let matrix = Matrix4::perspective_transform(number(n), number(f));
         -float(matrix.project(vec(0.0, 0.0, -z)).unwrap().z)
@@ -206,7 +206,7 @@ fn orthographic_projections_map_a_box_to_the_cube() {
     assert_eq!(first, second);
 }
 
-/// The length of the image of an edge of length one along the line of sight, and its direction in degrees.
+/// The image of an edge of length one along the line of sight: its length, and its direction in degrees.
 fn receding(projection: &Projection<Parallel>) -> (f64, f64) {
     let at = |z| projection.to_matrix().project(vec(0.25, 0.25, z)).unwrap();
     // The window is ±1, like normalized device coordinates.
@@ -224,8 +224,8 @@ fn oblique_projections_show_receding_edges_at_their_length_and_angle() {
         let any = Projection::oblique(turn, fx!(0.75), near, window, near, far).unwrap();
         for (projection, length) in [(cavalier, 1.0), (cabinet, 0.5), (any, 0.75)] {
             let (found, direction) = receding(&projection);
-            // Entries of the matrix are rounded by half a step, and multiplied by z = 3 and 2. The images are rounded,
-            // too.
+            // Entries of the matrix are rounded by up to half a step, and multiplied by z = 3 and 2. The images are
+            // rounded, too.
             let slack = STEP * 3.5;
             close(found, length, slack);
             let off = (direction - f64::from(angle)).rem_euclid(360.0);
@@ -274,7 +274,8 @@ fn lines_approach_their_vanishing_points() {
             .image(vec(p[0] + t * v[0], p[1] + t * v[1], -1.0 - t))
             .unwrap()
             .map(float);
-        // The distance is n·(|p| + |v|)/t, plus two roundings, plus the rounding of v times n.
+        // The image is at most n·(|p| + |v|)/t from the vanishing point, plus two roundings, plus the rounding of v
+        // times n.
         all_close(far, end, 2.0 * 11.0 / t + 3.0 * STEP);
     });
 }

@@ -15,7 +15,7 @@ fn segment(z0: f64, z1: f64) -> Segment {
 
 #[test]
 fn depth_halfway_along_a_projected_segment() {
-    // q = 1/2 is exact. 1.6 is rounded by half a step.
+    // q = 1/2 is exact. 1.6 is rounded by up to half a step.
     let z = segment(1.0, 4.0).distance(unit(0.5)).unwrap();
     close(float(z), 1.6, STEP / 2.0);
 }
@@ -71,7 +71,7 @@ fn both_forms_of_interpolation_give_the_same_point() {
         // g = f / lerp(w1/w0, 1, f). The value is then interpolated linearly in space.
         let g = f64::from(segment.in_space(f).unwrap());
         let in_space = float(a) + g * (float(b) - float(a));
-        // The result is rounded once. g is rounded once, and multiplied by at most 200.
+        // The result is rounded once. g is also rounded once, and multiplied by at most 200.
         close(
             float(homogeneous),
             in_space,
@@ -134,7 +134,7 @@ fn equal_steps_in_depth_shrink_on_screen() {
         let t = f64::from(t);
         let step = at(t + 1.0) - at(t);
         assert!(step < last && step > 0.0, "step {step} after {last} at {t}");
-        // The step lies between the speeds at its ends. All four numbers are rounded by half a step.
+        // The step lies between the speeds at its ends. All four numbers are rounded by up to half a step.
         assert!(step <= speed(t) + 2.0 * STEP && step >= speed(t + 1.0) - 2.0 * STEP);
         last = step;
     }

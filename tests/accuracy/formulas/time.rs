@@ -1,4 +1,4 @@
-//! The time of a scene.
+//! Angles at a time, for constant rates of rotation.
 
 use core::f64::consts::TAU;
 

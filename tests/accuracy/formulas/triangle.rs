@@ -20,8 +20,8 @@ fn area(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
 #[test]
 fn attributes_over_z_are_linear_on_screen() {
     cases(256, |random| {
-        // Corners are whole pixels from the middle, and distances are sixteenths. The coordinates, products with 1/64,
-        // are exact in space and on the screen, so that rounding moves no vertex.
+        // Corners are whole pixels from the middle, and distances are sixteenths. The coordinates in space are products
+        // of these numbers and 1/64. The coordinates are exact in space and on the screen, so rounding moves no vertex.
         let screen: [[i32; 2]; 3] = from_fn(|_| from_fn(|_| random.random_range(-32..32)));
         let z: [i32; 3] = from_fn(|_| random.random_range(16..256));
         let values: [i32; 3] = from_fn(|_| random.random_range(-1_000_000..1_000_000));

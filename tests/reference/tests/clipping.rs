@@ -13,7 +13,8 @@ fn vertex<const N: usize>(position: [f64; 4], attributes: [f64; N]) -> ClipVerte
 
 #[test]
 fn a_corner_behind_the_near_plane_becomes_two() {
-    // Two corners are inside the near plane by 1, and one is outside by 1, so the new corners are halfway.
+    // Two corners are inside the near plane by 1, and one corner is outside by 1, so the new corners are halfway
+    // between them.
     let inside = polygon(
         &[
             vertex([0., 0., 0., 1.], [0.]),

@@ -29,7 +29,8 @@ fn a_triangle_owns_centers_on_its_left_edge() {
 
 #[test]
 fn top_and_left_edges_on_centers_are_in() {
-    // Two triangles make a rectangle. Its corners are the centers of the pixels (0, 0), (3, 0), (3, 2) and (0, 2).
+    // Two triangles make a rectangle. The rectangle's corners are the centers of the pixels (0, 0), (3, 0), (3, 2) and
+    // (0, 2).
     let corner = |x: i32, y: i32| [x * 256 + 128, y * 256 + 128];
     let [a, b, c, d] = [corner(0, 0), corner(3, 0), corner(3, 2), corner(0, 2)];
     let square = counts(&[[a, b, c], [a, d, c]], 5, 4);
@@ -47,7 +48,7 @@ fn the_widest_coordinates_are_exact() {
     let all = [i32::MIN, i32::MAX];
     let t = [[all[0], all[0]], [all[1], all[0]], [all[0], all[1]]];
     assert_eq!(area2(t), ((1_i128 << 32) - 1).pow(2));
-    // The slope is at x + y = −1/256 pixel.
+    // The longest edge is the line x + y = −1/256 pixel.
     assert_eq!(covered(t, 3, 3).count(), 0);
     assert!(covers(t, [-1, -1]) && !covers(t, [-1, 0]));
 }

@@ -64,7 +64,7 @@ fn look_at_faces_the_target() {
     let m = look_at(eye, target, up).unwrap();
     close(point(&m, eye), [0.; 3]);
     close(point(&m, target), [0., 0., -length(subtract(eye, target))]);
-    // Up need not be at right angles to the line of sight. In the picture, it points straight up.
+    // `up` need not be at right angles to the line of sight. In the picture, `up` points straight up.
     let up = direction(&m, up);
     assert!(up[0].abs() < EPSILON && up[1] > 0.);
     assert_eq!(look_at(eye, eye, [0., 1., 0.]), None);

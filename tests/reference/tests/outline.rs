@@ -32,7 +32,7 @@ fn an_edge_in_front_of_another_surface_is_not_part_of_the_outline() {
     let two = [rectangle(2., 2., 8., 8.), rectangle(5., 4., 14., 6.)].concat();
     let two = Silhouette::new(&two, 16, 16);
     // The left edge of the right rectangle lies inside the left rectangle. The right edge of the left rectangle lies
-    // only partly inside the right one.
+    // only partly inside the right rectangle.
     assert_eq!(two.classify([5., 5.], 0.5), Inside);
     assert_eq!(two.classify([8., 5.], 0.5), Inside);
     assert_eq!(two.classify([7.9, 4.3], 0.25), Inside);
@@ -59,7 +59,8 @@ fn surfaces_that_touch_are_one() {
 
 #[test]
 fn positions_around_a_torus_agree_with_sampling() {
-    // All, no or some points of a small disc around each center are in the union.
+    // The test takes many points of a small disc around each center. Either all of these points are in the union, or
+    // none, or some.
     let torus = Torus::new(40, 20);
     let d = 0.4;
     let pieces = raster::culled(
@@ -99,7 +100,7 @@ fn positions_around_a_torus_agree_with_sampling() {
             }
         }
     }
-    // Each case has occurred, including surfaces that end in front of others.
+    // Each case has occurred, including surfaces that end in front of other surfaces.
     assert!(
         found.iter().all(|&n| n > 50) && hidden > 10,
         "{found:?} {hidden}"

@@ -12,7 +12,7 @@ fn view() -> view::View {
     }
 }
 
-/// A square from `low` to `high` that faces the eye at this distance. Its attributes are x and y.
+/// A square from `low` to `high` that faces the eye at this distance. The attributes of the square are x and y.
 fn square(low: [f64; 2], high: [f64; 2], distance: f64) -> ([[f64; 3]; 4], [[[f64; 2]; 3]; 2]) {
     let [a, b, c, d] = [low, [high[0], low[1]], high, [low[0], high[1]]];
     (

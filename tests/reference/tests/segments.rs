@@ -20,8 +20,8 @@ fn depths_fractions_and_values() {
 
 #[test]
 fn a_line_from_behind_the_eye() {
-    // The segment runs from (−1, 0), two behind the eye, to (1, 0), eight ahead. The near plane is at 2, so the segment
-    // is clipped at 0.4 of its length, at x = −0.2.
+    // The segment runs from (−1, 0), two units behind the eye, to (1, 0), eight units ahead of the eye. The near plane
+    // is at 2, so the segment is clipped at 0.4 of its length, at x = −0.2.
     let view = view::View {
         eye: linear::IDENTITY,
         projection: projection::frustum(-2., 2., -2., 2., 2., 10.),

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use proc_macro::{Delimiter, Literal, Span, TokenStream, TokenTree};
 
-/// A file, as the program names it.
+/// A file that the program names.
 pub struct Asset {
     /// The path in the program's text.
     pub value: String,
@@ -15,7 +15,7 @@ pub struct Asset {
 /// The input of a macro.
 pub struct Arguments {
     pub path: Asset,
-    /// Words by themselves, such as `short`, and words with values, such as `scale = 0.01`.
+    /// Options without a value, such as `short`, and options with a value, such as `scale = 0.01`.
     options: Vec<(String, Option<String>)>,
 }
 
@@ -146,7 +146,7 @@ fn string(literal: &str) -> Option<String> {
 fn beside_source(span: Span, path: &str) -> PathBuf {
     let package = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
     let source = span.local_file().or_else(|| {
-        // A documentation test has the path of the file that contains it.
+        // In a documentation test, the span names the file that contains the test.
         Some(package.as_deref()?.join(span.file())).filter(|source| source.is_file())
     });
     let folder = source

@@ -43,11 +43,11 @@ impl Expansion {
         self.notes.extend(notes);
     }
 
-    /// The tokens of the block, at `span`.
+    /// The tokens of the block. The compiler reports errors in these tokens at `span`.
     pub fn tokens(mut self, fixel: &TokenTree, span: Span) -> TokenStream {
         let notes = std::mem::take(&mut self.notes);
         for note in notes {
-            // A procedural macro can cause no warnings except by using a deprecated item.
+            // A procedural macro can cause a warning only by using a deprecated item.
             self.text.insert_str(
                 0,
                 &format!("const _: () = {{ #[deprecated(note = {note:?})] const ASSET: () = (); ASSET }};\n"),

@@ -12,7 +12,7 @@ use arguments::Arguments;
 use base64::prelude::{BASE64_STANDARD, Engine};
 use proc_macro::{Delimiter, Group, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
-/// Expands one of `fixel`'s macros. Its input is the macro's name, the path of `fixel`, and the macro's own input.
+/// Expands one of `fixel`'s macros. The input is the macro's name, the path of `fixel`, and the macro's own input.
 #[proc_macro]
 pub fn assets(input: TokenStream) -> TokenStream {
     let mut input = input.into_iter();
@@ -36,7 +36,7 @@ pub fn assets(input: TokenStream) -> TokenStream {
 }
 
 /// A picture of `fixel`'s own documentation as a `data:` URI. The picture is part of the page because docs.rs serves no
-/// other files. The input is the parts of a path in the package.
+/// other files. The input is string literals, which together are the picture's path in the package.
 #[doc(hidden)]
 #[proc_macro]
 pub fn picture_uri(input: TokenStream) -> TokenStream {

@@ -5,13 +5,13 @@ use fixel_assets::{Disk, Image, Lists, Material, Model, Options};
 use crate::arguments::Arguments;
 use crate::expansion::Expansion;
 
-/// The formats in which the lists can be stored, other than the default.
+/// The formats in which a mesh can store its lists, except the default format.
 const FORMATS: [&str; 3] = ["short", "quantized_16", "quantized_8"];
 
 /// The options that choose the faces of the mesh, and its scale and axes.
 const COMMON: [&str; 4] = ["object", "part", "scale", "up"];
 
-/// Reads the model, and tells the compiler on which files the expansion depends.
+/// Reads the model. Tells the compiler on which files the expansion depends.
 fn read(arguments: &Arguments, expansion: &mut Expansion) -> Result<Model, String> {
     let model = fixel_assets::read(&arguments.path.path, &Disk)?;
     expansion.depend(std::slice::from_ref(&arguments.path.path));
@@ -39,7 +39,7 @@ fn options(arguments: &Arguments) -> Result<Options, String> {
     })
 }
 
-/// The little-endian bytes of a list.
+/// All bytes of a list, in little-endian order. `bytes` converts one number.
 fn bytes<T: Copy, const N: usize, const SIZE: usize>(
     list: &[[T; N]],
     bytes: impl Fn(T) -> [u8; SIZE],
@@ -91,7 +91,7 @@ pub fn outline(arguments: &Arguments) -> Result<Expansion, String> {
     Ok(expansion)
 }
 
-/// The statics of a mesh.
+/// Writes the statics of a mesh.
 fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
     let mut list = |name: &str, kind: &str, reader: &str, count: usize, bytes: Vec<u8>| {
         let bytes = out.bytes(bytes);

@@ -85,7 +85,7 @@ pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
         out.push(&bytes);
         return Ok(out);
     }
-    // Each color is converted once. The pixels become indices of the colors.
+    // Each different color is converted once, and the pixels are stored as indices of these colors.
     if arguments.has("mipmap") {
         // Each level is computed from the whole picture, not from the level before, so that rounding errors do not add
         // up.
@@ -124,12 +124,12 @@ const RAW: [(&str, [[u32; 2]; 3]); 8] = [
     ("bgr888", [[0, 8], [8, 8], [16, 8]]),
 ];
 
-/// c/255 in units of 2^-16, with an error of at most half a unit.
+/// The fraction channel/255 in units of 2^-16, with an error of at most half a unit.
 fn fraction(channel: u8) -> u32 {
     u32::from(channel) * 257 + u32::from(channel >> 7)
 }
 
-/// A fraction as a number of `bits` bits, rounded as `fixel` rounds it.
+/// Converts a fraction to a number of `bits` bits, rounded as `fixel` rounds it.
 fn steps(fraction: u32, bits: u32) -> u32 {
     (fraction * ((1 << bits) - 1) + (1 << 15)) >> 16
 }
@@ -192,7 +192,7 @@ fn indexed(pixels: &[[u8; 4]]) -> (Vec<u8>, Vec<[u8; 4]>) {
     (indices, colors)
 }
 
-/// Refuses sides that a texture cannot have.
+/// Refuses a width or a height that a texture cannot have.
 fn check(width: u32, height: u32) -> Result<(), String> {
     for (side, name) in [(width, "width"), (height, "height")] {
         if !side.is_power_of_two() || side > MOST {

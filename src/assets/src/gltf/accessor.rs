@@ -5,8 +5,8 @@ use serde_json::Value;
 use super::{MOST, Reader, whole};
 
 impl Reader<'_> {
-    /// The values of an attribute. Empty if the attribute is missing, or has another number of values than the
-    /// positions.
+    /// The values of an attribute. The list is empty if the attribute is missing, or has more or fewer values than
+    /// there are positions.
     pub(super) fn attribute<const N: usize>(
         &mut self,
         accessor: &Value,
@@ -154,7 +154,7 @@ fn component_size(kind: usize) -> Option<usize> {
     }
 }
 
-/// A component of a value; `normalized` integers stand for fractions.
+/// Reads a component of a value. A `normalized` integer stands for a fraction.
 fn number(kind: usize, bytes: &[u8], normalized: bool) -> f64 {
     let (value, most) = match (kind, bytes) {
         (5120, &[a]) => (i8::from_le_bytes([a]).into(), 127.0),

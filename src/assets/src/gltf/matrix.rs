@@ -1,4 +1,4 @@
-//! Matrices of nodes and joints.
+//! The matrices of nodes and of joints.
 
 use serde_json::Value;
 
@@ -23,8 +23,8 @@ pub(super) fn matrix(numbers: [f64; 16]) -> Matrix {
     [0, 1, 2, 3].map(|column| [0, 1, 2, 3].map(|row| numbers[4 * column + row]))
 }
 
-/// The matrix for normals, and the determinant of the upper left 3 x 3. The matrix for normals is the cofactors of the
-/// upper left 3 x 3, that is, its transposed inverse times the determinant.
+/// The matrix that transforms normals, and the determinant of the upper left 3 x 3 of `m`. The matrix has the cofactors
+/// of this 3 x 3 as entries, so it is the transposed inverse times the determinant.
 pub(super) fn normal_matrix(m: &Matrix) -> ([[f64; 3]; 3], f64) {
     let cofactors = [0, 1, 2].map(|column| {
         let (a, b) = (&m[(column + 1) % 3], &m[(column + 2) % 3]);
@@ -69,7 +69,7 @@ pub(super) fn local(node: &Value) -> Matrix {
     [axis(0), axis(1), axis(2), [tx, ty, tz, 1.0]]
 }
 
-/// The mean of the matrices of a vertex's joints, weighted; `None` if the sum of the weights is not positive.
+/// The weighted mean of the matrices of a vertex's joints; `None` if the sum of the weights is not positive.
 pub(super) fn blend(joints: &[Matrix], (which, weights): &([f64; 4], [f64; 4])) -> Option<Matrix> {
     let all: f64 = weights.iter().sum();
     let mut mean = [[0.0; 4]; 4];

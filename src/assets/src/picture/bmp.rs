@@ -1,4 +1,5 @@
-//! Reads BMP: all headers of Windows and OS/2, all depths, and run lengths of 4 and 8 bits.
+//! Reads BMP files with all headers of Windows and OS/2, all numbers of bits per pixel, and run-length encoding of 4
+//! and 8 bits.
 
 use super::{Picture, check, colored, indexed, masked, shown, turned, unpacked};
 
@@ -93,8 +94,8 @@ pub fn read(bytes: &[u8]) -> Result<Picture, String> {
     )
 }
 
-/// The rows of a picture without compression. Each row is padded to 4 bytes, except that the last padding can be
-/// missing.
+/// The rows of a picture without compression. Each row is padded to a multiple of 4 bytes. The padding of the last row
+/// can be missing.
 fn rows_of(
     data: &[u8],
     bits: usize,
@@ -110,9 +111,9 @@ fn rows_of(
     Ok((0..height).map(move |y| &data[y * stride..][..row]))
 }
 
-/// The indices of pixels that are stored as runs. Skipped pixels have index 0.
+/// The indices of pixels that are stored as runs. Pixels that the runs skip have index 0.
 fn runs(mut data: &[u8], bits: usize, width: usize, height: usize) -> Result<Vec<u8>, String> {
-    // A run has at most 255 pixels. Jumps can skip more, but a short file must not claim much memory.
+    // A run has at most 255 pixels. A jump can skip more pixels, but a short file must not claim much memory.
     if width * height > 255 * (data.len() + (1 << 16)) {
         let len = data.len();
         return Err(format!(

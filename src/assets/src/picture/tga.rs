@@ -1,4 +1,5 @@
-//! Reads TGA: with and without a table of colors, run lengths, or alpha, and from any corner.
+//! Reads TGA files, with and without a table of colors, run-length encoding, and alpha. The first pixel can be in any
+//! corner.
 
 use super::{Picture, check, colored, indexed, masked, shown, turned};
 
@@ -37,7 +38,7 @@ pub fn read(bytes: &[u8]) -> Result<Picture, String> {
     let size = bytes_of(header[7]);
     let entries = rest.split_off(..word(5) * size * usize::from(header[1]));
     let entries = entries.ok_or(SHORT)?.chunks_exact(size.max(1));
-    // The index of the first color in the file can be greater than 0.
+    // The first color that the file stores can have an index greater than 0.
     let mut colors = vec![[0, 0, 0, 255]; word(3)];
     colors.extend(shown(entries.map(color).collect()));
 

@@ -1,6 +1,6 @@
 //! Helpers for the tests of several formats.
 
-#![allow(dead_code)] // Each test binary uses some of them.
+#![allow(dead_code)] // Each test binary uses only some of these helpers.
 
 use std::collections::HashMap;
 use std::io;
@@ -22,19 +22,19 @@ impl Files for Memory {
     }
 }
 
-/// Reads the first of several files, given by name and contents.
+/// Reads the model in the first of several files. Each file is given by its name and contents.
 pub fn read<T: AsRef<[u8]>>(files: &[(&str, T)]) -> Result<Model, String> {
     let file = |(name, bytes): &(&str, T)| (name.into(), bytes.as_ref().to_vec());
     let memory = Memory(files.iter().map(file).collect());
     fixel_assets::read(Path::new(files[0].0), &memory)
 }
 
-/// What the reader noted.
+/// The notes of the reader, as a list.
 pub fn notes(model: &Model) -> Vec<String> {
     model.notes.iter().collect()
 }
 
-/// The bytes with some of them replaced, removed or repeated, differently for each `seed`.
+/// A copy of the bytes, with some bytes replaced, removed or repeated, differently for each `seed`.
 pub fn mutated(bytes: &[u8], seed: u64) -> Vec<u8> {
     let mut state = seed;
     let mut random = |most: usize| {
