@@ -13,10 +13,10 @@
     )
 )]
 #![cfg_attr(doc, doc = diagram!("pipeline"))]
-//! The [guide] leads from [concepts](guide::concepts) to [firmware](guide::firmware). If you know OpenGL or another
-//! library, begin with [coming from](guide::coming_from). If you know linear algebra but no graphics, begin with the
-//! [mathematics](guide::mathematics). To work on the crate itself, begin with [the path of a
-//! pixel](#the-path-of-a-pixel), which lists the functions for the stages in the diagram above.
+//! The [guide] leads from [concepts](guide::concepts) to [firmware](guide::firmware). If you know OpenGL, tgx,
+//! embedded-3dgfx or small3dlib, begin with [what differs from them](guide::coming_from). If you know linear algebra
+//! but no graphics, begin with the [mathematics](guide::mathematics). To work on the crate itself, begin with [the path
+//! of a pixel](#the-path-of-a-pixel), which lists the functions for the stages in the diagram above.
 //!
 //! # A picture
 //!

@@ -35,8 +35,9 @@ impl Default for Contrast {
 }
 
 impl Contrast {
-    /// Makes `black` and all darker grays black, and `white` and all lighter grays white. If `white` is not lighter
-    /// than `black`, all grays up to `black` become black, and all lighter grays become white.
+    /// A contrast that turns the gray `black`, and all darker grays, into black (0), and the gray `white`, and all
+    /// lighter grays, into white (255). If `white` is not lighter than `black`, all grays up to `black` become black,
+    /// and all lighter grays become white.
     #[must_use]
     pub const fn new(black: u8, white: u8) -> Self {
         Self { black, white }

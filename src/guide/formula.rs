@@ -20,7 +20,7 @@ macro_rules! one_formula {
     };
 }
 
-/// Writes a formula as MathML. A name of one letter is a variable. A longer name is upright.
+/// Writes a formula as MathML. A name of one letter is set in italics, as a variable; a longer name is set upright.
 macro_rules! math {
     () => {
         ""

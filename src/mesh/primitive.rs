@@ -315,8 +315,9 @@ pub struct Corner<'a> {
 }
 
 impl Corner<'_> {
-    /// The index of the position among the mesh's [`positions`](Mesh::positions), even in a part of a mesh. Use the
-    /// index to look up your own values, one per position.
+    /// The index of the corner's position in the mesh's [`positions`](Mesh::positions). A [part](Mesh::part) keeps all
+    /// positions of the whole mesh, so its indices are the same as in the whole mesh. Use the index to look up your own
+    /// values, one per position.
     #[must_use]
     #[inline]
     pub fn index(&self) -> Index {

@@ -180,7 +180,8 @@ impl Angle {
 
     /// Returns [`atan2`](Self::atan2) of integers in any common unit.
     pub(crate) fn atan2_bits(y: i64, x: i64) -> Self {
-        // The number of units of an angle in a radian, 2^32 / 2π. It multiplies a sine in units of 2^-30.
+        // The number of units of an angle in a radian, 2^32 / 2π. `rest` below is a sine in units of 2^-30. The product
+        // with this constant, shifted right by 30, is an angle.
         const UNITS: i64 = 683_565_276;
         let Some([x, y, _]) = unit::unit([x, y, 0]) else {
             return Self::ZERO;

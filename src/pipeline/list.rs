@@ -538,8 +538,8 @@ pub trait Listed: Copy + Sealed {
     /// Adds the visible elements to a list.
     fn fill<K: ProjectionKind>(&self, call: &Call<'_, K>, filling: &mut Filling<'_>);
 
-    /// The rows of an element with its highest corner at `least` and its lowest corner at `most`, in units of 1/256
-    /// row.
+    /// The first row of an element, and the row after its last. `least` and `most` are the y of its top and its bottom
+    /// corner, in units of 1/256 row.
     fn rows(least: i32, most: i32) -> [i16; 2];
 
     /// Draws elements of a list.

@@ -79,7 +79,7 @@ pub(crate) trait Blitter {
     fn lay(&mut self, primitive: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows;
 }
 
-/// A [`Blitter`] that draws a patch.
+/// What [`Blitter::lay`] returns: the blitter, now ready to draw rows of the patch.
 pub(crate) trait Rows {
     /// Draws the given columns of consecutive rows, the first of which is row `first`. All columns lie within the
     /// canvas; a row may be empty.

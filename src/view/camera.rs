@@ -256,7 +256,8 @@ mod tests {
         let turn = Transform::rotate_y(Angle::from_degrees(30));
         let camera = Camera::at_pose(Transform::translate(Vec3::from_ints(1, 2, 3)) * turn);
         let ahead = camera.pose().point(-Vec3::Z);
-        // In x and z, the point is at (−sin 30°, −cos 30°) from the camera, within a unit of a `Scalar`.
+        // `ahead` is one unit of length in front of the camera: at −sin 30° in x and −cos 30° in z from it. The error
+        // is at most 2^-16, the smallest step of a `Scalar`.
         let expected = [1.0 - 0.5, 2.0, 3.0 - 0.75_f64.sqrt()].map(|v| v * 65_536.0);
         for (found, expected) in ahead.to_bits().into_iter().zip(expected) {
             assert!((f64::from(found) - expected).abs() <= 1.0, "{ahead:?}");

@@ -152,8 +152,9 @@ fn displaced(model: &Model) -> Displaced {
             let [exactly, nearly] = [0, 1].map(|which: usize| away(places[which][i]));
             all.polynomial.add(exactly, i);
             all.approximation.add(nearly, i);
-            // A point at a distance ρ from an axis moves by ρ times the errors of sine and cosine together: first in
-            // the turn about y, then in the turn about x. The first turn increases ρ by at most its own error.
+            // `errors` holds √(Δsin² + Δcos²) of each turn. A turn displaces a point at a distance ρ from its axis by
+            // up to ρ times this error. The turn about y comes first, then the turn about x. The first turn increases ρ
+            // by at most its own error.
             let [x, y, z] = linear::point(&view.eye, position);
             let after = [y, z - model.place[2]];
             let moved = position[0].hypot(position[2]) * errors[1] * (1. + errors[0])

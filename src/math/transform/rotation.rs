@@ -19,7 +19,7 @@ impl Transform {
 
     /// Rotates about the x axis, from y toward z.
     ///
-    /// Entries are accurate to 2.6e-9.
+    /// The entries of the rotation matrix are accurate to 2.6e-9.
     #[must_use]
     pub const fn rotate_x(angle: Angle) -> Self {
         let [s, minus, c] = sin_cos_29(angle);
@@ -43,7 +43,7 @@ impl Transform {
     /// Rotates about an axis through the origin, counter-clockwise as seen from its tip
     /// (Rodrigues' formula).
     ///
-    /// The axis may have any length except zero. Entries are accurate to 3 · 2⁻²⁸.
+    /// The axis may have any length except zero. The entries of the rotation matrix are accurate to 3 · 2⁻²⁸.
     ///
     /// # Errors
     ///
@@ -99,7 +99,7 @@ impl Transform {
     /// Rotates by a quaternion, in the order `[x, y, z, w]` with the real part last.
     ///
     /// The parts may have any common unit, because the quaternion is normalized. For a sensor's raw integers, use
-    /// [`Scalar::from_bits`]. Entries are accurate to 2⁻²⁷.
+    /// [`Scalar::from_bits`]. The entries of the rotation matrix are accurate to 2⁻²⁷.
     ///
     /// # Errors
     ///

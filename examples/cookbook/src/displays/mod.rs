@@ -274,7 +274,8 @@ pub fn run_ili9341() -> Result<Ran, Error> {
     let wires = Wires::default();
     let interface = SPIInterface::new(wires.clone(), wires.clone());
     ili9341::run(interface, Unconnected, NoDelay)?;
-    // Most modules with this controller have a glass with blue first, and the driver assumes this.
+    // On most modules with this controller, the glass has blue where the controller has red. The `ili9341` driver
+    // assumes such a module.
     Ok(Ran::new(
         mipi::Panel::new(240, 320).with_blue_first(),
         &wires,

@@ -166,9 +166,9 @@ fn a_frame_is_not_drawn_into_while_it_is_sent() {
     }
 }
 
-/// For each row of a scan, returns the frame of which the scan shows this row. The scans are all scans that begin after
-/// the first frame has arrived and while other frames are sent. `None` stands for a row that is written while the panel
-/// reads it.
+/// For each scan, returns the frames that its rows come from, from top to bottom; consecutive rows of the same frame
+/// count once. The scans are all scans that begin after the first frame has arrived and while other frames are sent.
+/// `None` stands for a row that is written while the panel reads it.
 fn frames_of_scans(commands: &[Command]) -> Vec<Vec<Option<usize>>> {
     let side = tearing::SIDE as usize;
     let writes = commands.iter().filter(|command| command.code == 0x2c);

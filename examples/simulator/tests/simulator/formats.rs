@@ -192,7 +192,7 @@ fn materials_have_colors_and_textures() {
     assert_eq!(middles(&directory, "--shade texture")[2], [255; 3]);
 }
 
-/// The default name of the picture is the name of the model's texture here, so another name must be chosen.
+/// The default name of the picture is the name of the model's texture here, so the program must choose another name.
 #[test]
 fn textures_of_a_model_are_not_overwritten() {
     let directory = directory("own-texture");
