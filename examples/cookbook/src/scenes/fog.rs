@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::prelude::*;
 
 static FLOOR: Mesh = shape!(plane(1, 1));
-static TOWER: Mesh = shape!(cuboid(vec3!(1, 3, 1)));
+static TOWER: Mesh = shape!(cuboid(vec3!(1, 2.25, 1)));
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let size = canvas.frame_size();
@@ -26,7 +26,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
             let height = fx!(0.6) + Scalar::from((row * 7 + column * 15 + 40) % 5) / 4;
             let place = Vec3::from_ints(5 * column, 0, -4 * row);
             // The tower stands on the floor, so its middle is half of its height above the floor.
-            let tower = Transform::translate(place + Vec3::new(fx!(0), height * 3 / 2, fx!(0)))
+            let tower = Transform::translate(place + Vec3::new(fx!(0), height * 9 / 4, fx!(0)))
                 * Transform::scale_axes(Vec3::new(fx!(1), height, fx!(1)));
             let brick = Flat::rgb(Rgb888::new(190, 110, 80)).lit_faces(sun);
             canvas.draw(&TOWER, &(view * tower), &brick.in_fog(fog).dithered());
