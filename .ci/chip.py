@@ -36,7 +36,7 @@ class Display:
             self.execute()
             self.command = command
             if command == 0x2C:
-                self.frames.append(self.chip.microseconds // 1000)
+                self.frames.append(self.chip.moment(len(self.frames)))
                 if len(self.frames) == FRAMES:
                     self.chip.core.emu_stop()
 
@@ -80,6 +80,11 @@ class Chip:
         self.instructions, self.blocks, self.starts, self.lowest = 0, {}, [], 1 << 32
         core.hook_add(UC_HOOK_BLOCK, self.count)
         self.display = Display(self)
+        self.load(program)
+        for address, data in self.segments:
+            core.mem_write(address, data)
+
+    def load(self, program):
         with open(program, "rb") as file:
             elf = ELFFile(file)
             self.entry = elf["e_entry"]
@@ -87,8 +92,10 @@ class Chip:
             symbols = elf.get_section_by_name(".symtab").iter_symbols()
             self.symbols = {symbol.name: symbol["st_value"] for symbol in symbols}
         self.stack = self.symbols["_stack_start"]
-        for address, data in self.segments:
-            core.mem_write(address, data)
+
+    def moment(self, _):
+        """The time in ms of the frame with a number, which begins now."""
+        return self.microseconds // 1000
 
     def count(self, _, address, size, __):
         """Counts the instructions of a block that begins, and finds the deepest stack. Blocks do not change."""
