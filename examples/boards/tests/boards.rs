@@ -261,7 +261,7 @@ fn the_guide_quotes_the_programs() {
     const ESP32C3: &str = include_str!("../esp32c3/src/main.rs");
     const SECTIONS: [(&str, &[&str]); 2] = [
         ("Embassy and RTIC", &[EMBASSY, RTIC, RTIC]),
-        ("Three boards", &[ESP32C3]),
+        ("Four boards", &[ESP32C3]),
     ];
     let plain =
         |text: &str| -> Vec<String> { text.lines().map(|line| line.trim().to_string()).collect() };
