@@ -52,9 +52,7 @@ class Rp2350(Chip):
         core.ctl_set_cpu_model(UC_CPU_ARM_CORTEX_M33)
         # Flash, RAM, and the core's own registers.
         memory = [(FLASH, FLASH_SIZE), (0x20000000, 0x82000), (0xE0000000, 0x100000)]
-        core.mem_map(FLASH, FLASH_SIZE)
-        core.mem_write(FLASH, b"\xff" * FLASH_SIZE)
-        super().__init__(program, core, memory[1:], [(0x40000000, 0x170000), (0x50000000, 0x1000 * 4), (SIO, 0x1000)])
+        super().__init__(program, core, memory, [(0x40000000, 0x170000), (0x50000000, 0x4000), (SIO, 0x1000)])
         code = bytes(core.mem_read(FLASH, 0x40000))
         for at in range(0, len(code), 2):
             if code[at : at + 2] in (WFE, SEV):
@@ -68,6 +66,7 @@ class Rp2350(Chip):
         self.stack = self.word(FLASH)
 
     def load(self, program):
+        self.core.mem_write(FLASH, b"\xff" * FLASH_SIZE)  # erased
         with open(program, "rb") as file:
             data = file.read()
         if not data.startswith(b"UF2\n"):
