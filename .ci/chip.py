@@ -73,10 +73,10 @@ class Chip:
         for start, size in memory:
             core.mem_map(start, size)
         for start, size in registers:
-            core.mmio_map(start, size, lambda _, at, __, start: self.read(start + at) & 0xFFFFFFFF, start,
-                          lambda _, at, __, value, start: self.write(start + at, value), start)
+            core.mmio_map(start, size, lambda _, at, __, start: self.guard(self.read, start + at) & 0xFFFFFFFF, start,
+                          lambda _, at, __, value, start: self.guard(self.write, start + at, value), start)
         self.registers = collections.defaultdict(int)
-        self.microseconds, self.transfer = 0, None
+        self.microseconds, self.transfer, self.failure = 0, None, None
         self.instructions, self.blocks, self.starts, self.lowest = 0, {}, [], 1 << 32
         core.hook_add(UC_HOOK_BLOCK, self.count)
         self.display = Display(self)
@@ -151,6 +151,17 @@ class Chip:
             self.core.emu_start(at, until)
         except UcError as error:
             sys.exit(f"{error} at {self.core.reg_read(self.PC):#x}")
+        if self.failure:
+            raise self.failure
+
+    def guard(self, access, *arguments):
+        """Reads or writes a register. Unicorn ignores exceptions there, so `start` raises them."""
+        try:
+            return access(*arguments)
+        except BaseException as failure:
+            self.failure = self.failure or failure
+            self.core.emu_stop()
+            return 0
 
     def report(self, picture):
         """Writes the picture and prints the results."""
