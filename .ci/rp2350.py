@@ -161,7 +161,8 @@ class Rp2350(Chip):
             sys.exit(f"DMA writes {size} bytes at a time; SPI requests {self.registers[SPI_DMA]}")
         reference, feedback, dividers = (self.registers[PLLS[0] + at] for at in (0, 8, 12))
         self.CLOCK_HZ = CRYSTAL_HZ * feedback / (reference & 63) / (dividers >> 16 & 7) / (dividers >> 12 & 7)
-        self.BUS_HZ = self.CLOCK_HZ / self.registers[SPI_PRESCALE] / ((self.registers[SPI_FORMAT] >> 8) + 1)
+        bus_hz = self.CLOCK_HZ / self.registers[SPI_PRESCALE] / ((self.registers[SPI_FORMAT] >> 8) + 1)
+        self.BUS_HZ = bus_hz * 8 * size / (8 * size + 2)  # it rests for two of its clocks after each word
         self.begin(lambda: self.band(source, count, size), count * size)
 
     def read(self, address):

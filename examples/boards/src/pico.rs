@@ -81,9 +81,9 @@ pub type Band = &'static mut [u16];
 /// The frequency of the board's crystal.
 const CRYSTAL_HZ: u32 = 12_000_000;
 
-/// The fastest clock of a controller's bus. An ST7789's data sheet allows it. An ILI9341's allows 10 MHz, but faster is
-/// usual. The chip divides its own clock by an even number. So the Pico's bus has 62.5 or 31.25 MHz, and the Pico 2's
-/// has 37.5 MHz for both.
+/// The fastest clock for a controller's bus. An ST7789's data sheet allows 62.5 MHz. An ILI9341's allows 10 MHz, but
+/// faster is usual. The chip divides its clock by an even number: the Pico's bus runs at 62.5 or 31.25 MHz, and the bus
+/// of the Pico 2 at 37.5 MHz for both.
 const fn fastest(controller: Controller) -> HertzU32 {
     match controller {
         Controller::St7789 => HertzU32::Hz(62_500_000),

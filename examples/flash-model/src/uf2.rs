@@ -1,4 +1,5 @@
-//! UF2: the file that the drive of a Pico or Pico 2 takes. Its blocks of 512 bytes each carry 256 bytes and their address.
+//! UF2: the file that the drive of a Pico or Pico 2 takes. Its blocks of 512 bytes each carry 256 bytes and their
+//! address.
 
 use std::ops::Range;
 
@@ -21,8 +22,8 @@ const END: u32 = 0x0ab1_6f30;
 /// The family's number is in the block.
 const HAS_FAMILY: u32 = 0x2000;
 
-/// An RP2350 starts a program if it finds these words in the first 4 KiB: a block begins, and its first item says that the
-/// program is for the chip's Arm cores in the secure state.
+/// An RP2350 starts a program only if it finds these words in the first 4 KiB: a block begins, and its first item says
+/// that the program is for the chip's Arm cores in the secure state.
 const RP2350_BLOCK: [u32; 2] = [0xffff_ded3, 0x1021_0142];
 
 impl Board {

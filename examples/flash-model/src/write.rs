@@ -19,7 +19,7 @@ const SIDE: u32 = 256;
 /// The radius of a model. Below 1, so that 16 bits hold a coordinate with 15 fraction bits.
 const RADIUS: f64 = 1.0 - 1.0 / 16384.0;
 
-/// The words of the model `name` for a board and its panel, with what was changed or left out in `notes`. A model without
+/// The words of the model `name` for a board and its panel. `notes` tell what was changed or left out. A model without
 /// pictures gets `spare`.
 ///
 /// # Errors

@@ -352,7 +352,9 @@ const BOARDS = [
 ];
 /** Chooses a board and a display by their numbers. */
 const choose = (board, panel) =>
-  page.evaluate(`for (const [id, at] of [["chip", ${board}], ["panel", ${panel}]]) document.getElementById(id).selectedIndex = at`);
+  page.evaluate(`[["chip", ${board}], ["panel", ${panel}]].forEach(([id, at]) => {
+    document.getElementById(id).selectedIndex = at;
+  })`);
 
 /** Saves a UF2 for a board, and returns what it puts into the board's flash. */
 async function saved(name, { size, family }) {

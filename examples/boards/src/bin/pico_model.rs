@@ -1,5 +1,5 @@
-//! A Raspberry Pi Pico (RP2040) or Pico 2 (RP2350) that shows the model behind this program in flash, on an ST7789 or an
-//! ILI9341. The playground and `--example model` put both into one UF2.
+//! A Raspberry Pi Pico (RP2040) or Pico 2 (RP2350) that shows the model behind this program in flash, on an ST7789 or
+//! an ILI9341. The playground and `--example model` put both into one UF2.
 #![no_std]
 #![no_main]
 
