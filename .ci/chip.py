@@ -36,7 +36,7 @@ class Display:
             self.execute()
             self.command = command
             if command == 0x2C:
-                self.frames.append(self.chip.microseconds // 1000)
+                self.frames.append(self.chip.moment(len(self.frames)))
                 if len(self.frames) == FRAMES:
                     self.chip.core.emu_stop()
 
@@ -73,13 +73,18 @@ class Chip:
         for start, size in memory:
             core.mem_map(start, size)
         for start, size in registers:
-            core.mmio_map(start, size, lambda _, at, __, start: self.read(start + at) & 0xFFFFFFFF, start,
-                          lambda _, at, __, value, start: self.write(start + at, value), start)
+            core.mmio_map(start, size, lambda _, at, __, start: self.guard(self.read, start + at) & 0xFFFFFFFF, start,
+                          lambda _, at, __, value, start: self.guard(self.write, start + at, value), start)
         self.registers = collections.defaultdict(int)
-        self.microseconds, self.transfer = 0, None
+        self.microseconds, self.transfer, self.failure = 0, None, None
         self.instructions, self.blocks, self.starts, self.lowest = 0, {}, [], 1 << 32
         core.hook_add(UC_HOOK_BLOCK, self.count)
         self.display = Display(self)
+        self.load(program)
+        for address, data in self.segments:
+            core.mem_write(address, data)
+
+    def load(self, program):
         with open(program, "rb") as file:
             elf = ELFFile(file)
             self.entry = elf["e_entry"]
@@ -87,8 +92,10 @@ class Chip:
             symbols = elf.get_section_by_name(".symtab").iter_symbols()
             self.symbols = {symbol.name: symbol["st_value"] for symbol in symbols}
         self.stack = self.symbols["_stack_start"]
-        for address, data in self.segments:
-            core.mem_write(address, data)
+
+    def moment(self, _):
+        """The time in ms of the frame with a number, which begins now."""
+        return self.microseconds // 1000
 
     def count(self, _, address, size, __):
         """Counts the instructions of a block that begins, and finds the deepest stack. Blocks do not change."""
@@ -144,6 +151,17 @@ class Chip:
             self.core.emu_start(at, until)
         except UcError as error:
             sys.exit(f"{error} at {self.core.reg_read(self.PC):#x}")
+        if self.failure:
+            raise self.failure
+
+    def guard(self, access, *arguments):
+        """Reads or writes a register. Unicorn ignores exceptions there, so `start` raises them."""
+        try:
+            return access(*arguments)
+        except BaseException as failure:
+            self.failure = self.failure or failure
+            self.core.emu_stop()
+            return 0
 
     def report(self, picture):
         """Writes the picture and prints the results."""

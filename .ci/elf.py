@@ -55,7 +55,7 @@ def memory(path):
     # The startup code copies these from flash to RAM: initialized variables, and an ESP32's code that must not wait
     # for flash.
     both = total(".data", ".trap", ".rwtext")
-    print(both + total(".vector_table", ".boot2", ".flash.appdesc", ".text", ".rodata"),
+    print(both + total(".vector_table", ".start_block", ".boot2", ".flash.appdesc", ".text", ".rodata"),
           both + total(".bss", ".uninit", ".noinit"))
 
 

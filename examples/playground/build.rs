@@ -17,7 +17,7 @@ fn main() -> io::Result<()> {
     let lines: Vec<String> = lines.lines().filter_map(wanted).collect();
     fs::write(out.join("costs.csv"), lines.join("\n"))?;
 
-    // The modules and the program, if they were built before. A folder of this package is
+    // The modules and the programs, if they were built before. A folder of this package is
     // …/target/release/build/playground-0/out.
     println!("cargo::rerun-if-env-changed=PLAYGROUND_MODULES");
     let modules = env::var_os("PLAYGROUND_MODULES")
@@ -26,17 +26,21 @@ fn main() -> io::Result<()> {
             let target = out.ancestors().nth(4)?;
             Some(target.join("wasm32-unknown-unknown/release"))
         });
-    // What reads and writes files is built for its size, and the last one for a board.
-    for (folder, name) in [
-        ("", "playground.wasm"),
-        ("", "world.wasm"),
-        ("../size", "reader.wasm"),
-        ("../size", "animation.wasm"),
-        ("../../thumbv6m-none-eabi/release", "pico_model"),
+    // What reads and writes files is built for its size, and the last two for boards.
+    for (path, name) in [
+        ("playground.wasm", "playground.wasm"),
+        ("world.wasm", "world.wasm"),
+        ("../size/reader.wasm", "reader.wasm"),
+        ("../size/animation.wasm", "animation.wasm"),
+        ("../../thumbv6m-none-eabi/release/pico_model", "pico_model"),
+        (
+            "../../thumbv8m.main-none-eabihf/release/pico_model",
+            "pico2_model",
+        ),
     ] {
         let module = modules
             .as_ref()
-            .map(|modules| modules.join(folder).join(name))
+            .map(|modules| modules.join(path))
             .unwrap_or_default();
         println!("cargo::rerun-if-changed={}", module.display());
         pack(&module, &out.join(format!("{name}.gz")))?;

@@ -1,4 +1,4 @@
-//! Makes a UF2 of the program `pico_model` and a model, and draws what such a UF2 shows:
+//! Makes a UF2 of the program `pico_model`, built for either board, and a model; draws what such a UF2 shows:
 //!
 //! ```sh
 //! model PROGRAM st7789|ili9341 MODEL [PICTURE] > model.uf2
@@ -14,7 +14,7 @@ use boards::model::Scene;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
 use fixel_assets::{Disk, Picture};
-use flash_model::{FLASH, Panel, region, uf2, write};
+use flash_model::{Board, Panel, board, region, uf2, write};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let args: Vec<String> = std::env::args().skip(1).collect();
@@ -31,11 +31,13 @@ fn main() -> Result<(), Box<dyn Error>> {
                 _ => None,
             };
             let mut notes = Vec::new();
-            let words = write(model, &Disk, picture.as_ref(), panel, &mut notes)?;
+            let program = fs::read(program)?;
+            let board = board(&program)?;
+            let words = write(model, &Disk, picture.as_ref(), board, panel, &mut notes)?;
             for note in notes {
                 eprintln!("{note}");
             }
-            uf2(&fs::read(program)?, &words)?
+            uf2(&program, &words)?
         }
         [path, now_ms] => picture(Path::new(path), now_ms.parse()?)?,
         _ => return Err("model PROGRAM PANEL MODEL [PICTURE], or model UF2 MILLISECONDS".into()),
@@ -44,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn picture(path: &Path, now_ms: u64) -> Result<Vec<u8>, Box<dyn Error>> {
-    let bytes = region(&fs::read(path)?, FLASH);
+    let bytes = region(&fs::read(path)?, Board::Pico2.flash());
     let words: Vec<u32> = bytes
         .as_chunks()
         .0

@@ -10,9 +10,9 @@ pub mod floor;
 #[cfg(feature = "model")]
 pub mod model;
 pub mod panel;
-#[cfg(feature = "pico")]
+#[cfg(feature = "picos")]
 pub mod pico;
-#[cfg(all(feature = "pico", not(feature = "rtic")))]
+#[cfg(all(feature = "picos", not(feature = "rtic")))]
 pub mod queue;
 
 #[cfg(feature = "ball")]

@@ -1,6 +1,6 @@
-//! The Pico (RP2040): its clocks, its pins, its display, and a band on its way there by DMA.
+//! The Pico (RP2040) and the Pico 2 (RP2350): clocks, pins, the display, and a band on its way there by DMA.
 //!
-//! | display | Pico | |
+//! | display | both boards | |
 //! |---|---|---|
 //! | SCL | GP18 | SPI 0, clock |
 //! | SDA | GP19 | SPI 0, data |
@@ -20,11 +20,35 @@ use hal::fugit::HertzU32;
 use hal::gpio::bank0::{Gpio16, Gpio17, Gpio18, Gpio19, Gpio20};
 use hal::gpio::{self, FunctionSioOutput, FunctionSpi, Pin, PullDown};
 use hal::pac;
-use hal::{Sio, Spi, Timer, Watchdog, sio, spi};
+use hal::{Sio, Spi, Watchdog, sio, spi};
 use heapless::Vec;
-use rp2040_hal as hal;
+#[cfg(feature = "pico2")]
+pub use rp235x_hal as hal;
+#[cfg(feature = "pico")]
+pub use rp2040_hal as hal;
 
 use crate::panel::{Controller, Panel, Pins};
+
+/// The second-stage boot loader, which an RP2040 runs first to set up its flash.
+#[cfg(feature = "pico")]
+#[allow(unsafe_code)] // names its place
+#[unsafe(link_section = ".boot2")]
+#[used]
+static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_GENERIC_03H;
+
+/// The block that an RP2350 looks for: what follows is a program for its Arm cores.
+#[cfg(feature = "pico2")]
+#[allow(unsafe_code)] // names its place
+#[unsafe(link_section = ".start_block")]
+#[used]
+static IMAGE: hal::block::ImageDef = hal::block::ImageDef::secure_exe();
+
+/// Counts microseconds.
+#[cfg(feature = "pico")]
+pub use hal::Timer;
+/// Counts microseconds.
+#[cfg(feature = "pico2")]
+pub type Timer = hal::Timer<hal::timer::CopyableTimer0>;
 
 /// Columns and rows of the display, rows of a band, and bands in memory. The taller bands are, the fewer triangles are
 /// in several of them; two cores need a band each, and one that is being sent.
@@ -54,14 +78,16 @@ pub const BANDS: usize = LAYOUT.3;
 /// The pixels of a band, each a word of the bus.
 pub type Band = &'static mut [u16];
 
-/// The frequency of the Pico's crystal.
+/// The frequency of the board's crystal.
 const CRYSTAL_HZ: u32 = 12_000_000;
 
-/// The clock of a controller's bus. An ILI9341's data sheet allows 10 MHz; faster is usual.
-const fn bus(controller: Controller) -> HertzU32 {
+/// The fastest clock for a controller's bus. An ST7789's data sheet allows 62.5 MHz. An ILI9341's allows 10 MHz, but
+/// faster is usual. The chip divides its clock by an even number: the Pico's bus runs at 62.5 or 31.25 MHz, and the bus
+/// of the Pico 2 at 37.5 MHz for both.
+const fn fastest(controller: Controller) -> HertzU32 {
     match controller {
         Controller::St7789 => HertzU32::Hz(62_500_000),
-        Controller::Ili9341 => HertzU32::Hz(31_250_000),
+        Controller::Ili9341 => HertzU32::Hz(40_000_000),
     }
 }
 
@@ -148,7 +174,7 @@ pub fn set_up(pac: pac::Peripherals) -> Option<Board> {
 /// The same for a display with another controller, and at most [`WIDTH`] columns.
 #[inline] // leaves out the code for other controllers
 pub fn set_up_with(mut pac: pac::Peripherals, controller: Controller, width: u32) -> Option<Board> {
-    // The processor and its peripherals run at 125 MHz.
+    // The processor and its peripherals run at 125 MHz, those of the Pico 2 at 150 MHz.
     let mut watchdog = Watchdog::new(pac.WATCHDOG);
     let clocks = init_clocks_and_plls(
         CRYSTAL_HZ,
@@ -160,7 +186,10 @@ pub fn set_up_with(mut pac: pac::Peripherals, controller: Controller, width: u32
         &mut watchdog,
     )
     .ok()?;
+    #[cfg(feature = "pico")]
     let mut timer = Timer::new(pac.TIMER, &mut pac.RESETS, &clocks);
+    #[cfg(feature = "pico2")]
+    let mut timer = Timer::new_timer0(pac.TIMER0, &mut pac.RESETS, &clocks);
 
     let sio = Sio::new(pac.SIO);
     let gpio = gpio::Pins::new(
@@ -181,7 +210,7 @@ pub fn set_up_with(mut pac: pac::Peripherals, controller: Controller, width: u32
     let mut bytes = Spi::<_, _, _, 8>::new(pac.SPI0, (data, clock)).init(
         &mut pac.RESETS,
         frequency,
-        bus(controller),
+        fastest(controller),
         MODE_0,
     );
     let mut panel = match controller {
@@ -193,7 +222,7 @@ pub fn set_up_with(mut pac: pac::Peripherals, controller: Controller, width: u32
     let mut bus = Spi::<_, _, _, 16>::new(device, data).init(
         &mut pac.RESETS,
         frequency,
-        bus(controller),
+        fastest(controller),
         MODE_0,
     );
 

@@ -1,4 +1,4 @@
-//! The bands on their way to the Pico's display, for one core or for two.
+//! The bands on their way to the display of a Pico or Pico 2, for one core or for two.
 //!
 //! DMA sends one band after the other, and an interrupt of core 0 starts the next. So the bus does not wait for the
 //! processor as long as a finished band is in the queue.
@@ -11,12 +11,11 @@ use critical_section::Mutex;
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::canvas::{Canvas, Words};
 use hal::pac::{self, interrupt};
-use hal::{Timer, sio};
+use hal::sio;
 use heapless::{Deque, Vec};
-use rp2040_hal as hal;
 
 use crate::panel::Controller;
-use crate::pico::{self, BANDS, BANDS_OF_FRAME, Band, HEIGHT, ROWS, Sender, WIDTH};
+use crate::pico::{self, BANDS, BANDS_OF_FRAME, Band, HEIGHT, ROWS, Sender, Timer, WIDTH, hal};
 use crate::scene::{Memory, Scene};
 
 /// The bands, and their way to the display.

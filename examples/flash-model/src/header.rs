@@ -6,12 +6,9 @@ use bytemuck::{AnyBitPattern, NoUninit, Pod, Zeroable};
 
 use crate::Problem;
 
-/// Where the model lies in the Pico's address space: behind 256 KiB for the firmware, up to the end of 2 MiB of flash.
-pub const FLASH: Range<u32> = ADDRESS..0x1020_0000;
-/// Where it starts. examples/boards/pico/model/memory.x keeps the firmware below.
+/// Where the model starts in a board's address space: behind 256 KiB for the firmware. examples/boards/build.rs keeps
+/// the firmware below.
 pub const ADDRESS: u32 = 0x1004_0000;
-/// How many words the flash for the model has.
-pub const WORDS: usize = (FLASH.end - FLASH.start) as usize / 4;
 
 /// The first word: "fixm".
 pub(crate) const MAGIC: u32 = u32::from_le_bytes(*b"fixm");
@@ -67,6 +64,33 @@ pub struct Header {
 
 /// The words of a header.
 pub(crate) const HEADER: usize = size_of::<Header>() / 4;
+
+/// A board that the firmware runs on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Board {
+    /// A Raspberry Pi Pico, with an RP2040 and 2 MiB of flash.
+    Pico,
+    /// A Raspberry Pi Pico 2, with an RP2350 and 4 MiB of flash.
+    Pico2,
+}
+
+impl Board {
+    /// Where the model lies in the address space: up to the end of flash.
+    #[must_use]
+    pub const fn flash(self) -> Range<u32> {
+        match self {
+            Self::Pico => ADDRESS..0x1020_0000,
+            Self::Pico2 => ADDRESS..0x1040_0000,
+        }
+    }
+
+    /// How many words the flash for the model has.
+    #[must_use]
+    pub const fn words(self) -> usize {
+        let Range { start, end } = self.flash();
+        (end - start) as usize / 4
+    }
+}
 
 /// A panel that the firmware knows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -31,11 +31,11 @@ use embedded_graphics::pixelcolor::Rgb888;
 use fixel::mesh::flash::{Small, UvGrid};
 use fixel::{Mesh, Vec2, Vec3};
 
-pub use header::{ADDRESS, FLASH, Header, Panel, PartRecord, TextureRecord, WORDS};
+pub use header::{ADDRESS, Board, Header, Panel, PartRecord, TextureRecord};
 pub use problem::Problem;
 pub use skin::Skin;
 #[cfg(feature = "write")]
-pub use uf2::{region, uf2};
+pub use uf2::{board, region, uf2};
 #[cfg(feature = "write")]
 pub use write::write;
 

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::header::{FLASH, VERSION};
+use crate::header::VERSION;
 
 /// Why a model cannot be read. Each message is at most three lines of 36 letters, for a panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,11 +32,9 @@ impl fmt::Display for Problem {
                 f,
                 "The model has version {version}.\nThis program reads {VERSION}."
             ),
-            Self::Length(length) => write!(
-                f,
-                "The model has {length} bytes.\nAt most {} fit.",
-                FLASH.len()
-            ),
+            Self::Length(length) => {
+                write!(f, "The model's length is wrong:\n{length} bytes.")
+            }
             Self::Checksum { is, wanted } => write!(
                 f,
                 "The model is damaged.\nIts checksum is {is:08x}.\nIt should be {wanted:08x}."

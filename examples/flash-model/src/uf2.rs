@@ -1,10 +1,13 @@
-//! UF2: the file that a Pico's drive takes. Its blocks of 512 bytes each carry 256 bytes and their address.
+//! UF2: the file that the drive of a Pico or Pico 2 takes. Its blocks of 512 bytes each carry 256 bytes and their
+//! address.
 
 use std::ops::Range;
 
 use elf::abi::PT_LOAD;
 use elf::endian::LittleEndian;
 use elf::{ElfBytes, ParseError};
+
+use crate::Board;
 
 /// Where flash begins, and with it the firmware.
 const FLASH: u32 = 0x1000_0000;
@@ -18,7 +21,46 @@ const START: [u32; 2] = [0x0a32_4655, 0x9e5d_5157];
 const END: u32 = 0x0ab1_6f30;
 /// The family's number is in the block.
 const HAS_FAMILY: u32 = 0x2000;
-const RP2040: u32 = 0xe48b_ff56;
+
+/// An RP2350 starts a program only if it finds these words in the first 4 KiB: a block begins, and its first item says
+/// that the program is for the chip's Arm cores in the secure state.
+const RP2350_BLOCK: [u32; 2] = [0xffff_ded3, 0x1021_0142];
+
+impl Board {
+    /// The number of its family in a UF2. The drive takes no file with another one.
+    ///
+    /// If the flash of an RP2350 is divided by a partition table, its boot loader also needs a block of the family
+    /// "absolute" (RP2350-E10 in its data sheet). A new Pico 2 has no such table.
+    const fn family(self) -> u32 {
+        match self {
+            Self::Pico => 0xe48b_ff56,
+            Self::Pico2 => 0xe48b_ff59,
+        }
+    }
+
+    /// The board of what a program puts into flash.
+    fn of(image: &[u8]) -> Self {
+        let start = &image[..image.len().min(4096)];
+        let words: Vec<u32> = start
+            .as_chunks()
+            .0
+            .iter()
+            .copied()
+            .map(u32::from_le_bytes)
+            .collect();
+        let is_rp2350 = words.windows(2).any(|words| words == RP2350_BLOCK);
+        if is_rp2350 { Self::Pico2 } else { Self::Pico }
+    }
+}
+
+/// The board that the firmware, an ELF file, is for.
+///
+/// # Errors
+///
+/// As for [`uf2`].
+pub fn board(firmware: &[u8]) -> Result<Board, String> {
+    Ok(Board::of(&image(firmware)?))
+}
 
 /// A UF2 of the firmware, which is an ELF file, and the words of a model.
 ///
@@ -26,7 +68,8 @@ const RP2040: u32 = 0xe48b_ff56;
 ///
 /// The firmware is no ELF file, or does not lie in flash below the model.
 pub fn uf2(firmware: &[u8], model: &[u32]) -> Result<Vec<u8>, String> {
-    let firmware = image(firmware).map_err(|problem| format!("firmware: {problem}"))?;
+    let firmware = image(firmware)?;
+    let family = Board::of(&firmware).family();
     let model: Vec<u8> = model.iter().flat_map(|word| word.to_le_bytes()).collect();
     let mut pages: Vec<(u32, [u8; PAYLOAD])> = Vec::new();
     for (start, bytes) in [(FLASH, firmware), (crate::ADDRESS, model)] {
@@ -39,7 +82,7 @@ pub fn uf2(firmware: &[u8], model: &[u32]) -> Result<Vec<u8>, String> {
     let blocks = (0..).zip(&pages).flat_map(|(number, (address, page))| {
         let [first, second] = START;
         let head = [
-            first, second, HAS_FAMILY, *address, 256, number, count, RP2040,
+            first, second, HAS_FAMILY, *address, 256, number, count, family,
         ];
         let mut block: Vec<u8> = head.iter().flat_map(|word| word.to_le_bytes()).collect();
         block.extend(page);
@@ -52,10 +95,10 @@ pub fn uf2(firmware: &[u8], model: &[u32]) -> Result<Vec<u8>, String> {
 
 /// What an ELF file puts into flash.
 fn image(file: &[u8]) -> Result<Vec<u8>, String> {
-    let say = |problem: ParseError| problem.to_string();
+    let say = |problem: ParseError| format!("firmware: {problem}");
     let file = ElfBytes::<LittleEndian>::minimal_parse(file).map_err(say)?;
     let mut image = Vec::new();
-    let segments = file.segments().ok_or("it has no segments")?;
+    let segments = file.segments().ok_or("firmware: it has no segments")?;
     for segment in segments
         .iter()
         .filter(|segment| segment.p_type == PT_LOAD && segment.p_filesz > 0)
@@ -67,7 +110,7 @@ fn image(file: &[u8]) -> Result<Vec<u8>, String> {
         let (Some(start), Some(end)) = (start, end.filter(|&end| end <= room)) else {
             let address = segment.p_paddr;
             return Err(format!(
-                "{} bytes at {address:#x} are outside its flash",
+                "firmware: {} bytes at {address:#x} are outside its flash",
                 bytes.len()
             ));
         };

@@ -11,15 +11,16 @@ use fixel::{Vec2, Vec3};
 use fixel_assets::vector::{along, length, sub};
 use fixel_assets::{Alpha, Files, Format, Image, Material, Model, Options, Picture};
 
-use crate::header::{self, HEADER, Header, MAGIC, NO_TEXTURE, VERSION, WORDS};
-use crate::{Panel, PartRecord, TextureRecord};
+use crate::header::{self, HEADER, Header, MAGIC, NO_TEXTURE, VERSION};
+use crate::{Board, Panel, PartRecord, TextureRecord};
 
 /// The most texels along a side of a texture: as many as a panel has rows.
 const SIDE: u32 = 256;
 /// The radius of a model. Below 1, so that 16 bits hold a coordinate with 15 fraction bits.
 const RADIUS: f64 = 1.0 - 1.0 / 16384.0;
 
-/// The words of the model `name`, with what was changed or left out in `notes`. A model without pictures gets `spare`.
+/// The words of the model `name` for a board and its panel. `notes` tell what was changed or left out. A model without
+/// pictures gets `spare`.
 ///
 /// # Errors
 ///
@@ -28,6 +29,7 @@ pub fn write(
     name: &str,
     files: &dyn Files,
     spare: Option<&Picture>,
+    board: Board,
     panel: Panel,
     notes: &mut Vec<String>,
 ) -> Result<Vec<u32>, String> {
@@ -88,7 +90,7 @@ pub fn write(
             texels: list(&mut words, &texels),
             ..Header::default()
         };
-        if words.len() <= WORDS {
+        if words.len() <= board.words() {
             if side < SIDE {
                 notes.push(format!(
                     "pictures are at most {side} texels wide and high, to fit into flash"
@@ -100,7 +102,7 @@ pub fn write(
             return Err(of_model(format!(
                 "it takes {} bytes of flash: {} fit",
                 4 * words.len(),
-                4 * WORDS
+                4 * board.words()
             )));
         }
         side /= 2;

@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::texture::Sampler;
 use fixel::{Mesh, Vec2, Vec3};
 use fixel_assets::{Files, Picture};
-use flash_model::{ADDRESS, FLASH, Model, Panel, Problem, region, uf2, write};
+use flash_model::{ADDRESS, Board, Model, Panel, Problem, board, region, uf2, write};
 
 /// The house of tests/models, with a picture for its bricks.
 struct House;
@@ -33,7 +33,15 @@ impl Files for House {
 
 fn house() -> Vec<u32> {
     let mut notes = Vec::new();
-    let words = write("house.obj", &House, None, Panel::Ili9341, &mut notes).unwrap();
+    let words = write(
+        "house.obj",
+        &House,
+        None,
+        Board::Pico,
+        Panel::Ili9341,
+        &mut notes,
+    )
+    .unwrap();
     assert_eq!(notes, Vec::<String>::new());
     words
 }
@@ -44,7 +52,15 @@ fn notes_tell_what_is_left_out() {
         let obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
         let files = Pair(obj.into(), format!("newmtl a\n{lines}\n"));
         let mut notes = Vec::new();
-        write("a.obj", &files, None, Panel::St7789, &mut notes).unwrap();
+        write(
+            "a.obj",
+            &files,
+            None,
+            Board::Pico,
+            Panel::St7789,
+            &mut notes,
+        )
+        .unwrap();
         notes
     };
     let opaque = ["all materials are opaque, and none sends out light"];
@@ -155,7 +171,7 @@ fn attributes_belong_to_their_corners() {
         1.0 - MOST
     );
     let picture = Picture::decode(BRICK).unwrap();
-    let words = write_text(&obj, Some(&picture), &mut Vec::new()).unwrap();
+    let words = write_text(&obj, Some(&picture), Board::Pico, &mut Vec::new()).unwrap();
     let model = Model::read(&words).unwrap();
     let mesh = model.mesh();
     let positions: Vec<_> = mesh.positions().iter().collect();
@@ -253,7 +269,7 @@ fn a_model_that_is_too_large_gets_smaller_pictures_or_is_refused() {
         table: None,
     };
     let mut notes = Vec::new();
-    let words = write_text(&triangles(1, 1), Some(&spare), &mut notes).unwrap();
+    let words = write_text(&triangles(1, 1), Some(&spare), Board::Pico, &mut notes).unwrap();
     assert!(notes.is_empty(), "{notes:?}");
     assert_eq!(
         Model::read(&words)
@@ -267,14 +283,17 @@ fn a_model_that_is_too_large_gets_smaller_pictures_or_is_refused() {
         [8; 2]
     );
     // These triangles take 1.8 MB.
-    write_text(&triangles(21_845, 4), Some(&spare), &mut notes).unwrap();
+    write_text(&triangles(21_845, 4), Some(&spare), Board::Pico, &mut notes).unwrap();
     assert_eq!(
         notes,
         ["pictures are at most 128 texels wide and high, to fit into flash"]
     );
-    let error = write_text(&triangles(21_845, 6), None, &mut notes).unwrap_err();
+    let more = triangles(21_845, 6);
+    let error = write_text(&more, None, Board::Pico, &mut notes).unwrap_err();
     assert!(error.ends_with("bytes of flash: 1835008 fit"), "{error}");
-    let error = write_text(&triangles(21_846, 1), None, &mut notes).unwrap_err();
+    // A Pico 2 has twice as much flash.
+    write_text(&more, None, Board::Pico2, &mut notes).unwrap();
+    let error = write_text(&triangles(21_846, 1), None, Board::Pico, &mut notes).unwrap_err();
     assert!(error.contains("a mesh can have at most 65536"), "{error}");
 }
 
@@ -304,9 +323,17 @@ impl Files for Text<'_> {
 fn write_text(
     text: &str,
     spare: Option<&Picture>,
+    board: Board,
     notes: &mut Vec<String>,
 ) -> Result<Vec<u32>, String> {
-    write("triangles.obj", &Text(text), spare, Panel::St7789, notes)
+    write(
+        "triangles.obj",
+        &Text(text),
+        spare,
+        board,
+        Panel::St7789,
+        notes,
+    )
 }
 
 /// An ELF file with these bytes in two segments.
@@ -392,5 +419,32 @@ fn a_uf2_holds_firmware_and_model() {
     assert!(region(&file, ADDRESS..ADDRESS + words[LENGTH]) == bytes);
     // All other flash stays erased.
     let rest = region(&file, 0x1000_2710..ADDRESS);
-    assert!(rest.iter().all(|&byte| byte == 0xff) && FLASH.start == ADDRESS);
+    assert!(rest.iter().all(|&byte| byte == 0xff));
+}
+
+#[test]
+fn a_uf2_is_for_the_chip_that_starts_its_firmware() {
+    let words = house();
+    // The chip looks for the block in the first 4 KiB. Its second word says which processors the program is for.
+    let block = |image_type: u32| [0xffff_ded3, image_type, 0x1ff, 0, 0xab12_3579];
+    let arm = 0x1021_0142;
+    for (at, image_type, wanted, family) in [
+        (0x114, arm, Board::Pico2, 0xe48b_ff59_u32),
+        (4088, arm, Board::Pico2, 0xe48b_ff59),
+        (4092, arm, Board::Pico, 0xe48b_ff56),
+        (0x114, 0x1001_0142, Board::Pico, 0xe48b_ff56),
+    ] {
+        let mut firmware = vec![0; 8192];
+        let bytes: Vec<u8> = block(image_type)
+            .iter()
+            .flat_map(|word| word.to_le_bytes())
+            .collect();
+        firmware[at..at + bytes.len()].copy_from_slice(&bytes);
+        let firmware = elf(0x1000_0000, &firmware);
+        assert_eq!(board(&firmware).unwrap(), wanted, "{at} {image_type:#x}");
+        let file = uf2(&firmware, &words).unwrap();
+        for block in file.as_chunks::<512>().0 {
+            assert_eq!(block[28..32], family.to_le_bytes(), "{at} {image_type:#x}");
+        }
+    }
 }

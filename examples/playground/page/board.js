@@ -5,6 +5,8 @@ import { fetched } from "./module.js";
 
 /** What is shown before a model was dropped. */
 const DEFAULT = ["lighthouse.obj", "lighthouse.png"];
+/** The program that the emulated board runs. */
+const EMULATED = "pico_model.gz";
 /** The emulated board, while it runs. */
 let worker;
 
@@ -16,26 +18,27 @@ async function fetchedFile(name) {
   return new File([await response.blob()], name);
 }
 
-/** Makes a file of the model and the program; returns its bytes, the model's name, and notes. */
-async function make(files) {
+/** Makes a file of the model and a program; returns its bytes, the model's name, and notes. */
+async function make(files, board) {
   tell("Making the file …");
-  const program = await fetched("pico_model.gz");
+  const program = await fetched(board);
   const model = files.length ? files : await Promise.all(DEFAULT.map(fetchedFile));
   const { uf2, name, notes } = await flash(program, model, Number($("panel").value));
   return { uf2, name, notes: notes.map((note) => `${note[0].toUpperCase()}${note.slice(1)}.`) };
 }
 
 async function saveFile(files) {
-  const { uf2, name, notes } = await make(files);
+  const { value, selectedOptions: [{ text }] } = $("chip");
+  const { uf2, name, notes } = await make(files, value);
   const file = `${name.replace(/\.\w+$/, "")}.uf2`;
   save(file, new Blob([uf2]));
-  tell([`${file} holds ${name} and its program. Copy it to the Pico's drive.`, ...notes].join(" "));
+  tell([`${file} holds ${name} and its program. Copy it to the drive of the ${text}.`, ...notes].join(" "));
 }
 
 /** Runs the file on the emulated board; stops it if it runs. */
 async function emulate(files) {
   if (worker) return stop("Stopped.");
-  const { uf2, name, notes } = await make(files);
+  const { uf2, name, notes } = await make(files, EMULATED);
   const script = await fetched("emulator.js.gz").catch(({ message }) => {
     throw new Error(`${message} This page was built without the emulator. Everything else works.`);
   });
@@ -46,6 +49,7 @@ async function emulate(files) {
   $("emulate").textContent = "Stop";
   $("screen").hidden = true;
   $("emulated").textContent = "";
+  if ($("chip").value !== EMULATED) notes.unshift("This is the file for a Pico. The page emulates no Pico 2.");
   tell([`${name} runs on an emulated RP2040 at 125 MHz.`, ...notes].join(" "));
   worker.onerror = ({ message }) => stop(message);
   worker.onmessage = ({ data }) => (data.error ? stop(`The board has stopped: ${data.error}`) : show(data));

@@ -37,7 +37,9 @@ fn built() -> Result<(), String> {
   cargo build --release --lib -p playground -p playground-world --target wasm32-unknown-unknown
   cargo build --profile size -p playground-reader -p playground-gif --target wasm32-unknown-unknown
   cargo build --release --manifest-path examples/boards/Cargo.toml --features model,pico --bin pico_model \
-    --target thumbv6m-none-eabi --target-dir target";
+    --target thumbv6m-none-eabi --target-dir target
+  cargo build --release --manifest-path examples/boards/Cargo.toml --features model,pico2 --bin pico_model \
+    --target thumbv8m.main-none-eabihf --target-dir target";
     match FILES
         .iter()
         .find(|file| !file.is_there() && !file.is_optional())

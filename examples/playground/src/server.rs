@@ -13,7 +13,7 @@ pub struct File {
 
 macro_rules! files {
     ($($name:literal: $kind:literal = $path:expr,)+) => {
-        /// The page, the modules, a board's program and its emulator: empty if they were not built before.
+        /// The page, the modules, the boards' programs and an emulator: empty if they were not built before.
         pub static FILES: [File; [$($name),+].len()] =
             [$(File { name: $name, kind: $kind, bytes: include_bytes!($path) }),+];
     };
@@ -35,6 +35,7 @@ files! {
     "animation.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/animation.wasm.gz"),
     "world.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/world.wasm.gz"),
     "pico_model.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/pico_model.gz"),
+    "pico2_model.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/pico2_model.gz"),
     "emulator.js.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/emulator.js.gz"),
     "lighthouse.obj": "text/plain" = "../../assets/lighthouse.obj",
     "lighthouse.png": "image/png" = "../../assets/lighthouse.png",

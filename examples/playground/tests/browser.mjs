@@ -345,16 +345,27 @@ test("a turn is saved as a GIF, here in three colors", async () => {
   }
 });
 
-/** Saves a UF2, and returns what it puts into the Pico's flash. */
-async function saved(name) {
+/** The boards, in the order in which the page offers them: a program, the bytes of flash, and the family of UF2s. */
+const BOARDS = [
+  { program: "pico_model.gz", size: 2 << 20, family: 0xe48bff56 },
+  { program: "pico2_model.gz", size: 4 << 20, family: 0xe48bff59 },
+];
+/** Chooses a board and a display by their numbers. */
+const choose = (board, panel) =>
+  page.evaluate(`[["chip", ${board}], ["panel", ${panel}]].forEach(([id, at]) => {
+    document.getElementById(id).selectedIndex = at;
+  })`);
+
+/** Saves a UF2 for a board, and returns what it puts into the board's flash. */
+async function saved(name, { size, family }) {
   const file = await downloaded("#flash", name, "#flashed");
-  const flash = Buffer.alloc(2 << 20, 0xff);
+  const flash = Buffer.alloc(size, 0xff);
   assert.equal(file.length % 512, 0);
   for (let at = 0; at < file.length; at += 512) {
     const word = (index) => file.readUInt32LE(at + 4 * index);
     assert.deepEqual([word(0), word(1), word(2), word(127)], [0x0a324655, 0x9e5d5157, 0x2000, 0x0ab16f30]);
-    // Block by block, 256 bytes each, for an RP2040.
-    assert.deepEqual([word(4), word(5), word(6), word(7)], [256, at / 512, file.length / 512, 0xe48bff56]);
+    // Block by block, 256 bytes each.
+    assert.deepEqual([word(4), word(5), word(6), word(7)], [256, at / 512, file.length / 512, family]);
     file.copy(flash, word(3) - FLASH, at + 32, at + 288);
   }
   return { file, flash };
@@ -363,21 +374,26 @@ const FLASH = 0x10000000;
 /** Where the model begins in flash. */
 const BEHIND = 0x40000;
 
-test("a file for a Pico holds its program and the model", async () => {
-  const program = gunzipSync(readFileSync(join(process.env.PAGE, "pico_model.gz")));
-  const elf = join(folder, "pico_model");
-  writeFileSync(elf, program);
+test("a file for a board holds its program and the model", async () => {
   const cabin = ["cabin.obj", "cabin.mtl", "planks.tga"].map((name) => join(assets, name));
   const cases = [
-    // The number of triangles, the texture's width, and what the host makes the same file of.
-    ["lighthouse.uf2", [], 0, 1144, 128, ["st7789", ...lighthouse]],
-    ["cabin.uf2", cabin, 1, 54, 32, ["ili9341", cabin[0]]],
+    // Board, panel, the number of triangles, the texture's width, and what the host makes the same file of.
+    ["lighthouse.uf2", [], 0, 0, 1144, 128, ["st7789", ...lighthouse]],
+    ["lighthouse.uf2", [], 1, 0, 1144, 128, ["st7789", ...lighthouse]],
+    ["cabin.uf2", cabin, 0, 1, 54, 32, ["ili9341", cabin[0]]],
+    ["cabin.uf2", [], 1, 1, 54, 32, ["ili9341", cabin[0]]],
   ];
-  for (const [name, files, panel, faces, width, args] of cases) {
+  for (const [name, files, board, panel, faces, width, args] of cases) {
+    const program = gunzipSync(readFileSync(join(process.env.PAGE, BOARDS[board].program)));
+    const elf = join(folder, "program");
+    writeFileSync(elf, program);
     if (files.length) await page.drop("#stage", files);
     await page.until(`${text("#flash")}`, `Save ${name.replace("uf2", "obj")} as UF2`);
-    await page.evaluate(`document.querySelector("#panel").selectedIndex = ${panel}`);
-    const { file, flash } = await saved(name);
+    await choose(board, panel);
+    const { file, flash } = await saved(name, BOARDS[board]);
+    // An RP2350 starts only a program with this block in its first 4 KiB: for Arm cores, and the only one.
+    const block = Buffer.from("d3deffff42012110ff01000000000000793512ab", "hex");
+    assert.equal(flash.subarray(0, 4096).includes(block), board === 1);
     for (const { address, bytes } of segments(program)) {
       assert.ok(flash.subarray(address - FLASH, address - FLASH + bytes.length).equals(bytes), `${address}`);
     }
@@ -396,18 +412,19 @@ test("a file for a Pico holds its program and the model", async () => {
 test("a file for a Pico runs on an emulated one, whose display shows the host's picture", async () => {
   const cabin = ["cabin.obj", "cabin.mtl", "planks.tga"].map((name) => join(assets, name));
   const cases = [
-    // The display's columns, and the clock of its bus.
-    ["lighthouse", [], 0, 240, 62_500_000],
-    ["cabin", cabin, 1, 320, 31_250_000],
+    // The board, the panel, the display's columns, and the clock of its bus. The file for a Pico 2 has the same model.
+    ["lighthouse", [], 0, 0, 240, 62_500_000],
+    ["cabin", cabin, 1, 1, 320, 31_250_000],
   ];
-  for (const [name, files, panel, width, clock] of cases) {
+  for (const [name, files, board, panel, width, clock] of cases) {
     if (files.length) await page.drop("#stage", files);
     await page.until(`${text("#flash")}`, `Save ${name}.obj as UF2`);
-    await page.evaluate(`document.querySelector("#panel").selectedIndex = ${panel}`);
+    await choose(board, panel);
     const uf2 = join(folder, "run.uf2");
-    writeFileSync(uf2, (await saved(`${name}.uf2`)).file);
+    writeFileSync(uf2, (await saved(`${name}.uf2`, BOARDS[board])).file);
     await page.click("#emulate");
     await page.until(`${text("#flashed")}.startsWith("${name}.obj runs on")`);
+    assert.equal(await page.evaluate(`${text("#flashed")}.includes("The page emulates no Pico 2.")`), board === 1);
     // It has turned a little since the start.
     const time = `Number(/after ([\\d.]+) seconds/.exec(${text("#emulated")})?.[1])`;
     await page.until(`${time} > 0.5`);
@@ -453,7 +470,7 @@ test("the page tells that it was built without the emulator", async () => {
   assert.equal(await page.evaluate(text("#emulate")), "Run it here");
 });
 
-test("the page tells why a model cannot be saved for a Pico", async () => {
+test("the page tells why a model cannot be saved for a Pico, but a Pico 2 has room for it", async () => {
   // The page draws as many triangles, but all lists with indices of their own take 2 MB.
   const count = 65_535;
   const corner = (at) => `${(at % count) + 1}/${count - (at % count)}/${count - (at % count)}`;
@@ -463,8 +480,12 @@ test("the page tells why a model cannot be saved for a Pico", async () => {
   writeFileSync(join(folder, "many.obj"), `${points}\n${faces}\n`);
   await page.drop("#stage", [join(folder, "many.obj"), lighthouse[1]]);
   await page.until(text("#flash"), "Save many.obj as UF2");
+  await choose(0, 0);
   await page.click("#flash");
   await page.until(`/^model many.obj: it takes \\d+ bytes of flash: 1835008 fit$/.test(${text("#flashed")})`);
+  await choose(1, 0);
+  const { flash } = await saved("many.uf2", BOARDS[1]);
+  assert.ok(flash.readUInt32LE(BEHIND + 8) > 1835008);
 });
 
 test("the page tells why a file cannot be read, and the last picture stays", async () => {

@@ -2,17 +2,12 @@
 #![no_std]
 #![no_main]
 
+use boards::pico::hal;
 use boards::queue::{Share, animate, start};
 use boards::scene::Memory;
 use cortex_m::singleton;
 use hal::multicore::{Multicore, Stack};
 use panic_halt as _;
-use rp2040_hal as hal;
-
-/// The second-stage boot loader, which the chip runs first to set up its flash.
-#[unsafe(link_section = ".boot2")]
-#[used]
-static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_GENERIC_03H;
 
 /// The stack of core 1, in words of four bytes: half as much again as was measured.
 static STACK: Stack<2048> = Stack::new();

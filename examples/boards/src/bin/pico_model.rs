@@ -1,30 +1,29 @@
-//! A Raspberry Pi Pico (RP2040) that shows the model behind this program in flash, on an ST7789 or an ILI9341. The
-//! playground and `--example model` put both into one UF2.
+//! A Raspberry Pi Pico (RP2040) or Pico 2 (RP2350) that shows the model behind this program in flash, on an ST7789 or
+//! an ILI9341. The playground and `--example model` put both into one UF2.
 #![no_std]
 #![no_main]
 
 use boards::model::Scene;
 use boards::panel::Controller;
-use boards::pico::{BANDS_OF_FRAME, HEIGHT, PIXELS, ROWS};
+use boards::pico::{BANDS_OF_FRAME, HEIGHT, PIXELS, ROWS, hal};
 use boards::queue::{begin, free, send, start_with};
 use cortex_m::singleton;
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::canvas::{Canvas, Words};
-use flash_model::{ADDRESS, Panel, WORDS};
+use flash_model::{ADDRESS, Board, Panel};
 use panic_halt as _;
-use rp2040_hal as hal;
-
-/// The second-stage boot loader, which the chip runs first to set up its flash.
-#[unsafe(link_section = ".boot2")]
-#[used]
-static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_GENERIC_03H;
 
 /// The flash behind the program.
 fn flash() -> &'static [u32] {
-    // SAFETY: these words are in the Pico's flash, memory.x keeps the program out of them, and nothing writes to them.
+    let board = if cfg!(feature = "pico2") {
+        Board::Pico2
+    } else {
+        Board::Pico
+    };
+    // SAFETY: these words are in the board's flash, memory.x keeps the program out of them, and nothing writes to them.
     #[allow(unsafe_code)]
     unsafe {
-        core::slice::from_raw_parts(ADDRESS as *const u32, WORDS)
+        core::slice::from_raw_parts(ADDRESS as *const u32, board.words())
     }
 }
 

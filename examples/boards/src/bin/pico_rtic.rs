@@ -4,19 +4,13 @@
 
 use panic_halt as _;
 
-/// The second-stage boot loader, which the chip runs first to set up its flash.
-#[unsafe(link_section = ".boot2")]
-#[used]
-static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_GENERIC_03H;
-
 #[rtic::app(device = rp2040_hal::pac)]
 mod app {
-    use boards::pico::{Band, HEIGHT, ROWS, Sender, WIDTH, set_up};
+    use boards::pico::{Band, HEIGHT, ROWS, Sender, Timer, WIDTH, set_up};
     use boards::scene::{Memory, Scene};
     use embedded_graphics::pixelcolor::Rgb565;
     use fixel::canvas::{Canvas, Words};
     use heapless::spsc::{Consumer, Producer, Queue};
-    use rp2040_hal::Timer;
     use rp2040_hal::pac::Interrupt;
 
     #[shared]

@@ -171,7 +171,8 @@ fn flashed(files: &Dropped, panel: u32) -> Result<Answer, String> {
     let spare = texture::dropped(files.0.iter().filter(|(other, _)| other != name));
     let spare = spare.ok().map(|texture| texture.picture);
     let mut notes = Vec::new();
-    let words = flash_model::write(name, &files, spare.as_ref(), panel, &mut notes)?;
+    let board = flash_model::board(program.1)?;
+    let words = flash_model::write(name, &files, spare.as_ref(), board, panel, &mut notes)?;
     let uf2 = flash_model::uf2(program.1, &words)?;
     let notes = notes.join("\n").into_bytes();
     let none = Vec::new();

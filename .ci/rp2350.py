@@ -1,0 +1,250 @@
+#!/usr/bin/python3
+"""Runs a program of the Pico 2 on an emulated core, with a model of the registers that it needs, and of its display.
+
+rp2350.py PROGRAM PICTURE.ppm
+
+The program is an ELF file or a UF2. Writes what the display shows after some frames, and prints what stm32f4.py prints.
+Registers have the addresses of the RP2350's data sheet. The core begins where the chip's boot ROM would jump to, if the
+program has the block that the boot ROM looks for. Only core 0 runs.
+"""
+import struct
+import sys
+
+from unicorn import UC_ARCH_ARM, UC_HOOK_CODE, UC_MODE_MCLASS, UC_MODE_THUMB, Uc
+from unicorn.arm_const import (UC_ARM_REG_LR, UC_ARM_REG_PC, UC_ARM_REG_PRIMASK, UC_ARM_REG_SP, UC_CPU_ARM_CORTEX_M33)
+
+from chip import Chip
+
+FLASH, FLASH_SIZE = 0x10000000, 0x400000
+RETURN = FLASH + FLASH_SIZE - 4  # the return address of interrupt handlers: flash that no program uses
+FAMILY = 0xE48BFF59  # of UF2s for the secure state of the Arm cores
+BLOCK = (0xFFFFDED3, 0x10210142, 0x1FF, 0, 0xAB123579)  # a program for these cores, and no other block
+WFE, SEV = b"\x20\xbf", b"\x40\xbf"
+CS, DC, SCK, DATA, LIGHT = 17, 16, 18, 19, 21
+FUNCTION_SPI, FUNCTION_SIO = 1, 5
+CRYSTAL_HZ = 12e6
+
+RESETS, RESETS_DONE = 0x40020000, 0x40020008
+REFERENCE, SYSTEM, PERIPHERAL = 0x40010030, 0x4001003C, 0x40010048  # clocks; what is selected is 8 behind
+PINS, PADS = 0x40028004, 0x40038004
+XOSC, XOSC_STATUS = 0x40048000, 0x40048004
+PLLS = 0x40050000, 0x40058000
+SPI = 0x40080000
+SPI_FORMAT, SPI_ENABLE, SPI_DATA, SPI_STATUS, SPI_PRESCALE, SPI_DMA = (SPI + at for at in (0, 4, 8, 12, 16, 36))
+TIMER_HIGH, TIMER_LOW = 0x400B0024, 0x400B0028
+# Channel 0 of the DMA, and two of its registers at other addresses, of which the second one triggers.
+DMA_READ, DMA_WRITE, DMA_COUNT, DMA_CONTROL = (0x50000000 + at for at in (0, 4, 8, 12))
+DMA_CONTROL_1, DMA_WRITE_2 = 0x50000010, 0x5000002C
+DMA_RAW, DMA_ENABLE, DMA_STATUS, DMA_TRIGGER = 0x50000400, 0x50000404, 0x5000040C, 0x50000450
+DMA_INTERRUPT, SPI_REQUEST = 10, 24
+SIO = 0xD0000000
+SIO_SET, SIO_CLEAR, SIO_LOCKS = SIO + 0x18, SIO + 0x20, SIO + 0x100
+ENABLED_INTERRUPTS = 0xE000E100
+
+
+class Rp2350(Chip):
+    """An RP2350 with an ST7789 or an ILI9341. The program sleeps until an interrupt says that the DMA is ready."""
+
+    STACK, PC = UC_ARM_REG_SP, UC_ARM_REG_PC
+
+    def __init__(self, program):
+        core = Uc(UC_ARCH_ARM, UC_MODE_THUMB | UC_MODE_MCLASS)
+        core.ctl_set_cpu_model(UC_CPU_ARM_CORTEX_M33)
+        # Flash, RAM, and the core's own registers.
+        memory = [(FLASH, FLASH_SIZE), (0x20000000, 0x82000), (0xE0000000, 0x100000)]
+        super().__init__(program, core, memory, [(0x40000000, 0x170000), (0x50000000, 0x4000), (SIO, 0x1000)])
+        code = bytes(core.mem_read(FLASH, 0x40000))
+        for at in range(0, len(code), 2):
+            if code[at : at + 2] in (WFE, SEV):
+                core.hook_add(UC_HOOK_CODE, self.sleep, begin=FLASH + at, end=FLASH + at)
+        self.registers[RESETS] = (1 << 29) - 1
+        for pin in range(48):
+            self.registers[PADS + 4 * pin] = 0x116  # isolated
+        self.locks, self.queue, self.received, self.asked = set(), b"", 0, []
+        self.event = self.asleep = self.is_lit = self.was_high_half = False
+        self.check_block()
+        self.stack = self.word(FLASH)
+
+    def load(self, program):
+        self.core.mem_write(FLASH, b"\xff" * FLASH_SIZE)  # erased
+        with open(program, "rb") as file:
+            data = file.read()
+        if not data.startswith(b"UF2\n"):
+            return super().load(program)
+        self.segments, count = [], len(data) // 512
+        for number in range(count):
+            block = data[512 * number : 512 * number + 512]
+            first, second, flags, address, *rest = struct.unpack_from("<8I", block)
+            found = [first, second, flags, *rest, *struct.unpack_from("<I", block, 508)]
+            if found != [0x0A324655, 0x9E5D5157, 0x2000, 256, number, count, FAMILY, 0x0AB16F30] or address % 256:
+                sys.exit(f"{program}: block {number} of {count} is {' '.join(map(hex, found))}, at {address:#x}")
+            self.segments.append((address, block[32 : 32 + 256]))
+
+    def check_block(self):
+        """The boot ROM starts a program only if a block in the first 4 KiB of flash says for which cores it is."""
+        words = struct.unpack("<1024I", self.core.mem_read(FLASH, 4096))
+        if BLOCK not in zip(*(words[at:] for at in range(len(BLOCK)))):
+            sys.exit("the boot ROM finds no program for its Arm cores")
+
+    @staticmethod
+    def length(code):
+        return 4 if code[1] >= 0xE8 else 2
+
+    def sleep(self, core, address, *_):
+        """WFE waits for an event, unless there was one since the last WFE. SEV is one."""
+        if core.mem_read(address, 2) == SEV:
+            self.event = True
+        else:
+            self.asleep = True
+            core.emu_stop()
+
+    def resume(self, at):
+        if not self.asleep:
+            return at | 1
+        self.asleep = False
+        if not self.event:
+            if not self.send():
+                sys.exit("sleeps for ever")
+            self.registers[DMA_RAW] |= 1
+        self.event = False
+        if self.registers[DMA_RAW] & self.registers[DMA_ENABLE] & 1:
+            self.interrupt(DMA_INTERRUPT)
+        return at + 2 | 1
+
+    def interrupt(self, number):
+        if not self.word(ENABLED_INTERRUPTS) >> number & 1 or self.core.reg_read(UC_ARM_REG_PRIMASK):
+            sys.exit(f"interrupt {number} is not enabled")
+        context = self.core.context_save()
+        self.core.reg_write(UC_ARM_REG_SP, self.core.reg_read(UC_ARM_REG_SP) - 32)  # the core saves eight registers
+        self.core.reg_write(UC_ARM_REG_LR, RETURN | 1)
+        self.start(self.word(FLASH + 4 * (16 + number)), RETURN)
+        self.core.context_restore(context)
+        if self.registers[DMA_RAW]:
+            sys.exit(f"the handler of interrupt {number} does not withdraw its request")
+
+    def moment(self, number):
+        """The program asks for the time of a frame before it draws the frame. The first frame only clears."""
+        return self.asked[number - 1] if number else 0
+
+    def send(self):
+        """The last bytes of a transfer are still in the queue of the bus."""
+        transfer = self.transfer
+        if transfer:
+            self.transfer = None
+            self.queue += transfer()
+        return transfer is not None
+
+    def band(self, source, count, size):
+        """The bytes of a band. SPI sends the more significant byte of a word first."""
+        words = self.core.mem_read(source, count * size)
+        return b"".join(words[at : at + size][::-1] for at in range(0, len(words), size))
+
+    def word_bytes(self):
+        """The bytes of a word on the bus, once bus and pins are ready."""
+        functions = [self.registers[PINS + 8 * pin] & 31 for pin in (CS, DC, SCK, DATA)]
+        isolated = [self.registers[PADS + 4 * pin] >> 8 & 1 for pin in (CS, DC, SCK, DATA)]
+        if functions != 2 * [FUNCTION_SIO] + 2 * [FUNCTION_SPI] or any(isolated) or self.registers[RESETS] >> 18 & 1:
+            sys.exit(f"pins have functions {functions}, isolated {isolated}; resets {self.registers[RESETS]:#x}")
+        if not self.registers[SPI_ENABLE] & 2:
+            sys.exit("the bus is off")
+        return ((self.registers[SPI_FORMAT] & 15) + 1) // 8
+
+    def trigger(self):
+        if self.transfer:
+            sys.exit("a transfer began while another one was under way")
+        control, source, count = (self.registers[at] for at in (DMA_CONTROL, DMA_READ, DMA_COUNT))
+        size = 1 << (control >> 2 & 3)
+        # Enabled, its source advances and its target does not, at the request of the bus.
+        if (control & 0x7E00F1, self.registers[DMA_WRITE]) != (SPI_REQUEST << 17 | 0x11, SPI_DATA):
+            sys.exit(f"DMA has control {control:#x}, target {self.registers[DMA_WRITE]:#x}")
+        if size != self.word_bytes() or not self.registers[SPI_DMA] & 2:
+            sys.exit(f"DMA writes {size} bytes at a time; SPI requests {self.registers[SPI_DMA]}")
+        reference, feedback, dividers = (self.registers[PLLS[0] + at] for at in (0, 8, 12))
+        self.CLOCK_HZ = CRYSTAL_HZ * feedback / (reference & 63) / (dividers >> 16 & 7) / (dividers >> 12 & 7)
+        bus_hz = self.CLOCK_HZ / self.registers[SPI_PRESCALE] / ((self.registers[SPI_FORMAT] >> 8) + 1)
+        self.BUS_HZ = bus_hz * 8 * size / (8 * size + 2)  # it rests for two of its clocks after each word
+        self.begin(lambda: self.band(source, count, size), count * size)
+
+    def read(self, address):
+        value = self.registers[address]
+        if address == RESETS_DONE:
+            return ~self.registers[RESETS]
+        if address in (REFERENCE + 8, SYSTEM + 8):
+            return 1 << (self.registers[address - 8] & 3)
+        if address == PERIPHERAL + 8:
+            return 1
+        if address == XOSC_STATUS:
+            return (self.registers[XOSC] >> 12 == 0xFAB) << 31
+        if address in PLLS:  # locked once it has power
+            return value | (not self.registers[address + 4] & 0x21) << 31
+        if address == TIMER_HIGH:
+            self.was_high_half = True
+            return self.microseconds >> 32
+        if address == TIMER_LOW:
+            # A frame asks for both halves of the time; delays ask for the lower one, again and again.
+            self.microseconds += 750_000 if self.was_high_half else 5137
+            if self.was_high_half:
+                self.asked.append(self.microseconds // 1000)
+            self.was_high_half = False
+            return self.microseconds
+        if address == SPI_STATUS:
+            is_busy, queue, self.queue = self.queue != b"", self.queue, b""
+            if is_busy:  # everything is sent, and for each word one is received, of which eight are kept
+                self.display.receive(queue)
+                self.received = min(self.received + len(queue) // self.word_bytes(), 8)
+            return is_busy << 4 | (self.received > 0) << 2 | 0b11
+        if address == SPI_DATA:
+            self.received -= 1
+        if address == DMA_CONTROL:
+            return value | (self.transfer is not None) << 26
+        if address == DMA_STATUS:
+            return self.registers[DMA_RAW] & self.registers[DMA_ENABLE]
+        if SIO_LOCKS <= address < SIO_LOCKS + 128:  # 0 if it is taken already
+            was_free = address not in self.locks
+            self.locks.add(address)
+            return was_free
+        return value
+
+    def write(self, address, value):
+        if address < SIO:  # three more addresses of a register change some of its bits
+            change, address = address >> 12 & 3, address & ~0x3000
+            value = [value, self.registers[address] ^ value, self.registers[address] | value,
+                     self.registers[address] & ~value][change]
+        if address == DMA_STATUS:
+            self.registers[DMA_RAW] &= ~value
+        elif address == DMA_CONTROL_1:
+            self.registers[DMA_CONTROL] = value
+        elif address == DMA_WRITE_2:
+            self.registers[DMA_WRITE] = value
+            self.trigger()
+        elif address == DMA_TRIGGER:
+            self.trigger()
+        elif address == SPI_DATA:
+            self.queue += value.to_bytes(4, "big")[-self.word_bytes() :]
+        elif address in (SIO_SET, SIO_CLEAR):
+            self.pins(value, high=address == SIO_SET)
+        elif SIO_LOCKS <= address < SIO_LOCKS + 128:
+            self.locks.discard(address)
+        else:
+            self.registers[address] = value
+
+    def pins(self, value, high):
+        cs, dc = value >> CS & 1, value >> DC & 1
+        if (cs or dc) and self.queue:
+            sys.exit(f"a pin changed before the last {len(self.queue)} bytes were on the bus")
+        self.display.pins(cs, dc, high)
+        if value >> LIGHT & 1:
+            if high and not self.display.frames:
+                sys.exit("the backlight is on before the display is cleared")
+            self.is_lit = high
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    chip = Rp2350(sys.argv[1])
+    chip.core.reg_write(chip.STACK, chip.stack)
+    chip.run(chip.word(FLASH + 4) | 1)
+    if not chip.is_lit:
+        sys.exit("the backlight is off")
+    chip.report(sys.argv[2])
