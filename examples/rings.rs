@@ -3,14 +3,15 @@
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, raw::ToBytes};
 use fixel::prelude::*;
 
-static RING: Mesh = shape!(torus(fx!(0.25), 64, 24)); // in flash; or include_mesh!("model.glb")
+// A tube of radius 0.25, in flash. For your own model: include_mesh!("model.glb").
+static RING: Mesh = shape!(torus(fx!(0.25), 64, 24));
 
 fn draw(color: &mut [Rgb565], depth: &mut [u16]) -> Result<(), Error> {
     let mut canvas = Canvas::new(color, 320, 240)?.with_depth(depth)?; // your memory
     let projection = Projection::perspective(deg!(45), (320, 240), fx!(0.1), fx!(100))?;
     let camera = Camera::look_at(vec3!(0, 2, 3.2), Vec3::ZERO, Vec3::Y)?;
     let view = projection * camera;
-    let sun = Light::new(vec3!(-1, 3, 2), fx!(0.25), fx!(0.75))?;
+    let sun = Light::new(vec3!(-1, 3, 2), fx!(0.25), fx!(0.75))?; // ambient, diffuse
     let orange = Flat::rgb(Rgb888::new(255, 150, 50)).lit(sun);
     let blue = Flat::rgb(Rgb888::new(70, 140, 230)).lit(sun);
     let left = view * Transform::translate(vec3!(-0.4, 0, 0)) * Transform::rotate_z(deg!(25));

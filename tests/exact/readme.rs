@@ -10,7 +10,7 @@ fn readme_shows_the_example() {
     assert_eq!(shown, include_str!("../../examples/rings.rs"));
 }
 
-/// `.ci/firmware` checks "no float" and "no alloc" in linked programs, and `.ci/sizes` checks "no panic".
+/// `.ci/firmware` checks "no FPU needed" and "no alloc" in linked programs, and `.ci/sizes` checks "no panic".
 #[test]
 fn badges_are_true() {
     let library = include_str!("../../src/lib.rs");
