@@ -1,9 +1,11 @@
-//! Makes a UF2 of the program `pico_model`, built for either board, and a model; draws what such a UF2 shows:
+//! Makes a UF2 of the program `pico_model` and a model; draws what such a UF2 shows:
 //!
 //! ```sh
 //! model PROGRAM st7789|ili9341 MODEL [PICTURE] > model.uf2
 //! model UF2 MILLISECONDS > picture.ppm
 //! ```
+//!
+//! PROGRAM is the program for a Pico or a Pico 2, or a UF2 with the program and another model.
 
 use std::error::Error;
 use std::fs;

@@ -53,7 +53,7 @@ impl Board {
     }
 }
 
-/// The board that the firmware, an ELF file, is for.
+/// The board that the firmware, an ELF file or a UF2, is for.
 ///
 /// # Errors
 ///
@@ -62,11 +62,11 @@ pub fn board(firmware: &[u8]) -> Result<Board, String> {
     Ok(Board::of(&image(firmware)?))
 }
 
-/// A UF2 of the firmware, which is an ELF file, and the words of a model.
+/// A UF2 of the firmware and the words of a model. The firmware is an ELF file, or a UF2, whose model is replaced.
 ///
 /// # Errors
 ///
-/// The firmware is no ELF file, or does not lie in flash below the model.
+/// The firmware is neither, or does not lie in flash below the model.
 pub fn uf2(firmware: &[u8], model: &[u32]) -> Result<Vec<u8>, String> {
     let firmware = image(firmware)?;
     let family = Board::of(&firmware).family();
@@ -93,8 +93,14 @@ pub fn uf2(firmware: &[u8], model: &[u32]) -> Result<Vec<u8>, String> {
     Ok(blocks.collect())
 }
 
-/// What an ELF file puts into flash.
+/// What an ELF file or a UF2 puts into flash below the model.
 fn image(file: &[u8]) -> Result<Vec<u8>, String> {
+    if file.starts_with(&START[0].to_le_bytes()) {
+        let mut image = region(file, FLASH..crate::ADDRESS);
+        let last = image.iter().rposition(|&byte| byte != 0xff);
+        image.truncate(last.ok_or("firmware: the UF2 has none")? + 1);
+        return Ok(image);
+    }
     let say = |problem: ParseError| format!("firmware: {problem}");
     let file = ElfBytes::<LittleEndian>::minimal_parse(file).map_err(say)?;
     let mut image = Vec::new();

@@ -420,6 +420,11 @@ fn a_uf2_holds_firmware_and_model() {
     // All other flash stays erased.
     let rest = region(&file, 0x1000_2710..ADDRESS);
     assert!(rest.iter().all(|&byte| byte == 0xff));
+    // The model in a UF2 can be replaced.
+    let other = [1, 2, 3];
+    assert!(uf2(&file, &other) == uf2(&elf(0x1000_0000, &firmware), &other));
+    let model = &file[512 * sectors(firmware.len())..];
+    assert_eq!(uf2(model, &[]), Err("firmware: the UF2 has none".into()));
 }
 
 #[test]
