@@ -167,8 +167,8 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
 
     /// Adds a depth buffer in [`LinearDepth`] format: one `u16` per pixel.
     ///
-    /// [`clear`](Canvas::clear) and [`clear_depth`](Canvas::clear_depth) clear the depth buffer. A new buffer must be
-    /// all 0 (infinitely far) or be cleared before the first draw call.
+    /// [`clear`](Canvas::clear) and [`clear_depth`](Canvas::clear_depth) clear the depth buffer. Before the first draw
+    /// call, clear the buffer or fill it with 0, which means infinitely far.
     ///
     /// # Errors
     ///

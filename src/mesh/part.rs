@@ -34,7 +34,8 @@ pub struct Material<'a> {
     pub emission: Rgb888,
     /// Whether faces are seen from behind, too.
     pub two_sided: bool,
-    /// Whether the texture's border continues beyond its edges, along u and along v; otherwise, the texture repeats.
+    /// Whether the texels at the texture's edges continue beyond these edges, along u and along v; otherwise, the
+    /// texture repeats.
     pub clamp: [bool; 2],
 }
 
