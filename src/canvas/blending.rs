@@ -14,8 +14,8 @@ use crate::shade::{Output, PixelFormat, Precise, fraction};
 /// then blended surfaces, from back to front. Draw the blended surfaces with [`TestOnly`](super::TestOnly), so that
 /// they hide nothing that is drawn later.
 ///
-/// Each channel is blended as it is stored, without gamma. The result is rounded to nearest, or dithered if the color
-/// is coarse (see [`PixelFormat`]).
+/// Each channel is blended as it is stored, without gamma. The result is rounded to nearest, or dithered if channels
+/// have at most 4 bits (see [`PixelFormat`]).
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -52,9 +52,9 @@ pub struct Replace;
 /// A [`Blending`]: each new color covers the color on the canvas by a fixed share, from 0 (not at all) to 255 (wholly).
 /// Use it for glass, water and ghosts.
 ///
-/// For colors of 15 and 16 bits, the share has 32 steps. The error is at most 1.1 steps in a channel of 5 bits, 1.7
-/// steps in a channel of 6 bits, and 1 step in the channels of other colors. A share of 0 keeps the color on the
-/// canvas, and a share of 255 replaces it.
+/// For colors of 15 and 16 bits, the share is rounded to a multiple of 1/32. A channel of 5 bits is off by at most 1.1
+/// of its steps, a channel of 6 bits by at most 1.7 steps, and a channel of any other color by at most 1 step. A share
+/// of 0 keeps the color on the canvas, and a share of 255 replaces it.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -95,8 +95,9 @@ pub struct Opacity(pub u8);
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Add;
 
-/// A [`Blending`]: the color on the canvas is multiplied by the new color, channel by channel, where white is 1. Use it
-/// for shadows and stained glass. The product is rounded to nearest, or dithered.
+/// A [`Blending`]: each channel of the color on the canvas is multiplied by the same channel of the new color. A
+/// channel's greatest value counts as 1, so white changes nothing. Use it for shadows and stained glass. The product is
+/// rounded to nearest, or dithered.
 ///
 /// To fade a multiplied surface with distance, put it in white fog.
 ///

@@ -20,9 +20,9 @@ const MAX_SIZE: u32 = 2048;
 /// The pixels of a frame, or of a horizontal band of a frame, in memory that belongs to the caller.
 ///
 #[cfg_attr(doc, doc = diagram!("band"))]
-/// Column 0, row 0 is the frame's top left pixel. A band knows which rows of which frame it holds. Everything is
-/// drawn in the frame's coordinates, and pixels outside the band are skipped. Put together, the bands of a frame
-/// equal the whole frame, bit for bit.
+/// Column 0, row 0 is the frame's top left pixel. A band knows the size of its frame, and which rows of the frame it
+/// holds. Draw everything in the frame's coordinates; the band skips the pixels outside its rows. Put together, the
+/// bands of a frame equal the whole frame, bit for bit.
 ///
 /// `C` is the color, `O` the way it is stored, and `D` the depth buffer.
 ///
@@ -32,7 +32,7 @@ const MAX_SIZE: u32 = 2048;
 /// | words of raw bits, for a bus of 16-bit words | `u16` | `Canvas<Rgb565, `[`Words`](super::Words)`>` |
 /// | bytes, most significant first | `[u8; 2]` | `Canvas<Rgb565, BigEndian>` |
 /// | bytes, least significant first | `[u8; 2]` | `Canvas<Rgb565, LittleEndian>` |
-/// | entries of a palette | [`ColorIndex`](super::ColorIndex) | `Canvas<ColorIndex>` |
+/// | indices of colors in a palette | [`ColorIndex`](super::ColorIndex) | `Canvas<ColorIndex>` |
 ///
 /// [`BigEndian`](embedded_graphics::pixelcolor::raw::BigEndian) and
 /// [`LittleEndian`](embedded_graphics::pixelcolor::raw::LittleEndian) are embedded-graphics' types. For displays with
@@ -57,8 +57,8 @@ const MAX_SIZE: u32 = 2048;
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// `Canvas<Rgb565>` is the type without a depth buffer. A function that draws on a canvas with a depth buffer must name
-/// the whole type or be generic:
+/// The type `Canvas<Rgb565>` has no depth buffer. For a function that draws on a canvas with a depth buffer, write the
+/// whole type of the canvas, or a generic type:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -90,10 +90,10 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
 
     /// A canvas of `width` x `height` pixels, row by row from the top.
     ///
-    /// Over a slice of colors, the canvas stores them unchanged. Over a slice of byte arrays, the canvas stores bytes,
-    /// and the canvas's type must name the color and the byte order: `Canvas<Rgb565, BigEndian>` stores `[u8; 2]`. Most
-    /// displays expect the most significant byte first. `bytes.as_chunks_mut().0` views a slice of bytes as byte
-    /// arrays.
+    /// If `pixels` is a slice of colors, the canvas stores colors unchanged. If `pixels` is a slice of byte arrays, the
+    /// canvas stores bytes, and the canvas's type must name the color and the byte order: `Canvas<Rgb565, BigEndian>`
+    /// stores `[u8; 2]`. Most displays expect the most significant byte first. `bytes.as_chunks_mut().0` views a slice
+    /// of bytes as byte arrays.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor, raw::BigEndian};
@@ -167,8 +167,8 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
 
     /// Adds a depth buffer in [`LinearDepth`] format: one `u16` per pixel.
     ///
-    /// [`clear`](Canvas::clear) and [`clear_depth`](Canvas::clear_depth) clear the depth buffer. A new buffer must be
-    /// all 0 (infinitely far) or be cleared before the first draw call.
+    /// [`clear`](Canvas::clear) and [`clear_depth`](Canvas::clear_depth) clear the depth buffer. Before the first draw
+    /// call, clear the buffer or fill it with 0, which means infinitely far.
     ///
     /// # Errors
     ///
@@ -246,9 +246,9 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         self.cells.as_flattened()
     }
 
-    /// Shows the canvas on a display of the same color, in one call of
+    /// Shows the canvas on a display of the same color type, in one call of
     /// [`fill_contiguous`](DrawTarget::fill_contiguous). A band is shown at its place in the frame.
-    /// [`show_with`](Self::show_with) shows the canvas on a display of another color.
+    /// [`show_with`](Self::show_with) shows the canvas on a display of another color type.
     ///
     /// embedded-graphics' `Framebuffer` packs 8, 4 or 2 pixels that are side by side into a byte. Panels of electronic
     /// paper and many displays with few grays expect this format. To pack a canvas, show it on a framebuffer:
@@ -281,8 +281,8 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         display.fill_contiguous(&self.bounding_box(), self.pixels())
     }
 
-    /// Shows the canvas on a display of another color, as [`show`](Self::show) does. `color` converts the color at each
-    /// point of the frame.
+    /// Shows the canvas on a display of another color type, otherwise like [`show`](Self::show). `color` converts the
+    /// color at each point of the frame.
     ///
     /// For a canvas of [`ColorIndex`](super::ColorIndex), `color` looks up each color in a palette. A gray canvas can
     /// be dithered once the whole frame is drawn and its [`Contrast`](super::Contrast) is known:
@@ -317,8 +317,8 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
 }
 
 impl<O: Storage<BinaryColor>, D> Canvas<'_, BinaryColor, O, D> {
-    /// The pixels as the bytes of an SSD1306 or a similar display: each byte holds 8 rows of a column, the topmost in
-    /// the least significant bit.
+    /// The pixels as bytes for an SSD1306 or a similar display: each byte holds 8 rows of a column, the topmost in the
+    /// least significant bit.
     ///
     /// 8 rows form a *page*. A page has one byte for each column, from the left. Pages follow each other from the top,
     /// and the first row of the canvas is the first row of a page. So let each band for such a display begin at a row
@@ -366,7 +366,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         self.clear_depth();
     }
 
-    /// Sets every depth to infinity and keeps the colors. The next draw call then covers the picture.
+    /// Sets every depth to infinity and keeps the colors. Everything that is drawn afterwards covers the picture.
     ///
     /// Use this function for a second scene over the first, such as a cockpit or a gauge that no wall may hide. Without
     /// a depth buffer, this function does nothing.
@@ -388,7 +388,8 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// The stored depth of a pixel, as the depth buffer encodes it; `None` if the pixel is outside this canvas, or if
     /// there is no depth buffer.
     ///
-    /// A point of the scene is hidden if its [`ScreenPoint::depth`](crate::ScreenPoint::depth) is less than this depth:
+    /// A point of the scene is hidden if its [`ScreenPoint::depth`](crate::ScreenPoint::depth) is less than the depth
+    /// stored at its pixel:
     ///
     /// ```
     /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};

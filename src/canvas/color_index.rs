@@ -3,9 +3,9 @@
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::pixelcolor::raw::{RawData, RawU8};
 
-/// A color that is an entry of a palette, so that a pixel of a colored picture takes one byte.
+/// The index of a color in a palette, used as a canvas's color, so that a pixel of a colored picture takes one byte.
 ///
-/// Drawing writes indices. A [`map`](crate::Shader::map) makes indices from a shader's colors, and
+/// Draw calls write indices to the canvas. A [`map`](crate::Shader::map) makes indices from a shader's colors, and
 /// [`Canvas::show_with`](super::Canvas::show_with) looks up the colors of the palette:
 ///
 /// ```

@@ -43,9 +43,9 @@ impl Contrast {
         Self { black, white }
     }
 
-    /// The contrast of the rows in memory: the darkest gray becomes black, and the lightest gray becomes white. The
-    /// darkest `ignored`/256 of the pixels and the lightest `ignored`/256 do not count, so that a single highlight does
-    /// not set the contrast.
+    /// Measures the grays of the rows in memory, and returns the contrast that turns the darkest gray into black and
+    /// the lightest gray into white. The darkest `ignored`/256 of the pixels and the lightest `ignored`/256 do not
+    /// count, so that a single highlight does not set the contrast.
     ///
     /// All bands of a frame need the same contrast, for example the contrast of the previous frame. The function uses 1
     /// KiB of stack.

@@ -11,9 +11,9 @@ use crate::sealed::{Sealed, sealed};
 ///
 #[cfg_attr(doc, doc = diagram!("depth"))]
 /// Depths have one of three formats. In every format, a nearer depth is a greater number, so the depth test is the same
-/// comparison in all of them. The formats differ in cost, and in the ratio far/near that they resolve. The table lists
-/// the greatest depth step at the far plane, in percent of the distance. "None" means that every depth at the far plane
-/// is stored as 0.
+/// comparison in all of them. The formats differ in cost, and in the ratio far/near that they resolve. A step is the
+/// distance in space between two surfaces with consecutive stored depths. The table lists the greatest step at the far
+/// plane, in percent of the far plane's distance. "None" means that every depth at the far plane is stored as 0.
 ///
 /// | far / near | [`LinearDepth`] | [`FloatDepth`] | [`WideFloatDepth`] |
 /// |---:|---:|---:|---:|
@@ -23,9 +23,10 @@ use crate::sealed::{Sealed, sealed};
 /// | 65,536 | none | 0.024 % | 0.049 % |
 /// | 1,000,000 | none | none | 0.049 % |
 ///
-/// Surfaces that are closer together than a step have equal depths, and the surface that is drawn later is visible.
+/// Surfaces that are closer together than a step may have equal depths. The surface that is drawn later is then
+/// visible.
 ///
-/// Under a parallel projection, depth is linear in the distance itself: use [`LinearDepth`]. Shaders see the same
+/// Under a parallel projection, depth falls linearly with the distance, so use [`LinearDepth`]. Shaders see the same
 /// linear [`Fragment::depth`](crate::Fragment::depth) with every format.
 ///
 /// Use the trait as the bound of code that draws with any depth buffer, or with none:
@@ -65,7 +66,7 @@ pub trait DepthBuffer: Sealed {
     }
 }
 
-/// No depth buffer: later fragments cover earlier ones.
+/// No depth buffer: later fragments cover earlier fragments.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -79,8 +80,8 @@ pub enum NoDepth {}
 
 /// Depth in equal steps of 1/w: floor(65535 · near / w). The default.
 ///
-/// `LinearDepth` is the finest format at distances up to 8 · near, and the coarsest at 16 · near and beyond. A step,
-/// relative to the distance w, is w / (65535 · near).
+/// `LinearDepth` is the finest format at distances up to 8 · near, and the coarsest at 16 · near and beyond. At a
+/// distance w, a step is w / (65535 · near) of this distance.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -96,8 +97,8 @@ pub enum LinearDepth {}
 /// Depth in floating point, with 4 bits of exponent and 12 of mantissa, for a ratio far/near of up to 65,536.
 ///
 /// A step is 2⁻¹³ to 2⁻¹² of the distance (0.012 to 0.024 %) everywhere in the range, because each halving of 1/w
-/// lowers the code by 4096. If a surface is at least 65,536 times as far away as the near plane, its depth is stored as
-/// 0.
+/// lowers the stored depth by 4096. If a surface is at least 65,536 times as far away as the near plane, its depth is
+/// stored as 0.
 ///
 /// Within one triangle, the error of the interpolated 1/w is 2⁻²⁴ of its largest value. If a triangle's far end is more
 /// than 3,000 times as far away as its near end, this error exceeds half a step at the far end.

@@ -103,7 +103,7 @@ depth_tests! {
 /// On a Cortex-M4, moving the depths costs 8 to 12 instructions for each drawn pixel and 5 to 8 for each hidden pixel.
 /// On a Cortex-M0+, the costs are 15 or 16 instructions for each drawn pixel and 12 to 14 for each hidden pixel.
 ///
-/// If a mesh is moved away from the eye, lines and decals on its surface are drawn without gaps:
+/// If the depths of a mesh are moved away from the eye, lines and decals on its surface are drawn without gaps:
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -126,9 +126,9 @@ depth_tests! {
 pub struct Biased<Z = super::TestAndWrite> {
     /// The wrapped test.
     pub test: Z,
-    /// How far depths move, in steps of the depth buffer.
+    /// How far depths move toward the eye, in units of the stored depth. A negative number moves depths away.
     pub steps: i32,
-    /// The factor by which the depth difference between neighboring pixels is multiplied.
+    /// How far depths also move toward the eye, in multiples of the depth difference between neighboring pixels.
     pub slope: Scalar,
     /// The number that is added to half of 1/w because of the slope: half of `slope` times the greatest change of 1/w
     /// per pixel in the current primitive.
@@ -138,7 +138,7 @@ pub struct Biased<Z = super::TestAndWrite> {
 }
 
 impl<Z> Biased<Z> {
-    /// `test` with depths moved by `steps` steps of the depth buffer and by `slope` times the depth difference between
+    /// `test` with depths moved by `steps` units of the stored depth and by `slope` times the depth difference between
     /// neighboring pixels. Of the differences to the next pixel in the row and to the next pixel in the column, the
     /// greater difference counts. Positive values move a surface nearer. Depths saturate at both ends.
     ///
@@ -146,7 +146,8 @@ impl<Z> Biased<Z> {
     /// difference along the line, and the difference on each of the edge's two faces that is not culled. A face may be
     /// so narrow on the screen that a pixel is many times as wide as the face. Therefore, the difference on a face is
     /// limited to the depth difference between the nearest and the farthest corner of the face. If the edge is not a
-    /// crease, the limit is twice as large, because the next face also recedes.
+    /// crease, the limit is twice as large, because on a round body, pixels of the edge may lie over the next face,
+    /// which is farther away.
     #[must_use]
     pub const fn new(test: Z, steps: i32, slope: Scalar) -> Self {
         Self {
@@ -158,23 +159,26 @@ impl<Z> Biased<Z> {
         }
     }
 
-    /// `test` with depths moved away by two steps and by the depth difference between neighboring pixels. With this
-    /// bias, edges drawn over the mesh have no gaps. (There is one exception. If the near plane clips a very narrow
-    /// triangle, its new corners are rounded to 1/256 pixel. The rounding tilts the triangle, so that the triangle may
-    /// hide a pixel of its own edge.) For silhouettes of round bodies, this bias is too small: draw an outline
-    /// [`in_front`](Self::in_front).
+    /// `test` with depths moved away by two units of the stored depth and by the depth difference between neighboring
+    /// pixels. With this bias, edges drawn over the mesh have no gaps.
+    ///
+    /// There is one exception. If the near plane clips a very narrow triangle, its new corners are rounded to 1/256
+    /// pixel. The rounding tilts the triangle, so that the triangle may hide a pixel of its own edge.
+    ///
+    /// For silhouettes of round bodies, this bias is too small. Instead, draw the mesh without a bias, and its outline
+    /// with [`in_front`](Self::in_front).
     #[must_use]
     pub const fn behind(test: Z) -> Self {
         Self::new(test, -2, crate::fx!(-1))
     }
 
-    /// `test` with depths moved nearer by two steps and by the depth difference between neighboring pixels, for
-    /// [outlines](crate::Mesh::outline) over a mesh that is drawn without a bias.
+    /// `test` with depths moved nearer by two units of the stored depth and by the depth difference between neighboring
+    /// pixels, for [outlines](crate::Mesh::outline) over a mesh that is drawn without a bias.
     ///
     /// The center of a line's pixel may be half a pixel away from the line. At that center, a face may be nearer than
-    /// the line, but by less than the bias. In a test with balls and cans, 0.5 % of the silhouette pixels are missing.
-    /// The missing pixels are on balls that are only a few pixels wide. A line is visible through a surface that is in
-    /// front of it by less than the bias.
+    /// the line, but by less than the bias. In a test with balls and cans, 0.5 % of the silhouette pixels are missing,
+    /// all of them on balls that are only a few pixels wide. On the other hand, a line is visible through a surface
+    /// that is in front of it by less than the bias.
     #[must_use]
     pub const fn in_front(test: Z) -> Self {
         Self::new(test, 2, crate::fx!(1))

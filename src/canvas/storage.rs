@@ -66,7 +66,7 @@ pub enum Native {}
 ///
 /// Use it if the bus and its DMA send words of 16 bits with the most significant bit first. A display of 16-bit colors
 /// expects this order. The processor then stores a pixel in one step, whereas it stores [`BigEndian`] bytes one by one.
-/// Many buses also pause after each word, so sending fewer words takes less time.
+/// Many buses also pause after each word, so one word of 16 bits is sent faster than two words of 8 bits.
 ///
 /// A color of up to 8 bits is stored in a `u8`, a color of up to 16 bits in a `u16`, and a color of more bits in a
 /// `u32`. Unused upper bits are 0.

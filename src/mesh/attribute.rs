@@ -73,7 +73,7 @@ impl<'a> Mesh<'a> {
     /// # Errors
     ///
     /// Without `faces`: [`Error::Length`] unless there is one value per position. With `faces`: [`Error::Length`]
-    /// unless `faces` has one entry per triangle; [`Error::Index`] if an entry names a value that does not exist.
+    /// unless `faces` has one element per triangle; [`Error::Index`] if an index names a value that does not exist.
     pub const fn with_uvs(
         self,
         values: &'a [Vec2],
@@ -83,8 +83,8 @@ impl<'a> Mesh<'a> {
         Ok(Self { uvs, ..self })
     }
 
-    /// Adds normals in model space, of any length: one per position, or any number if `faces` gives three indices per
-    /// triangle.
+    /// Adds normals: one per position, or any number if `faces` gives three indices per triangle. A normal is a
+    /// direction in model space; the vector may have any length.
     ///
     /// # Errors
     ///
@@ -112,22 +112,22 @@ impl<'a> Mesh<'a> {
         Ok(Self { colors, ..self })
     }
 
-    /// The mesh without its texture coordinates; see [`without_edges`](Self::without_edges).
+    /// The mesh without its texture coordinates. [`without_edges`](Self::without_edges) says how this saves flash.
     #[must_use]
     pub const fn without_uvs(self) -> Self {
         let uvs = Attribute::NONE;
         Self { uvs, ..self }
     }
 
-    /// The mesh without its normals; see [`without_edges`](Self::without_edges). Lighting then uses the normals of the
-    /// triangles.
+    /// The mesh without its normals. [`without_edges`](Self::without_edges) says how this saves flash. Lighting then
+    /// uses the normals of the triangles.
     #[must_use]
     pub const fn without_normals(self) -> Self {
         let normals = Attribute::NONE;
         Self { normals, ..self }
     }
 
-    /// The mesh without its colors; see [`without_edges`](Self::without_edges).
+    /// The mesh without its colors. [`without_edges`](Self::without_edges) says how this saves flash.
     #[must_use]
     pub const fn without_colors(self) -> Self {
         let colors = Attribute::NONE;

@@ -3,10 +3,10 @@
 use super::Mesh;
 use crate::Vec3;
 
-/// An upright box in model space, such as the smallest box around a mesh.
+/// A box with sides parallel to the axes of model space, such as the smallest box of this kind around a mesh.
 ///
 /// [`Canvas::is_in_view`](crate::Canvas::is_in_view) uses the box to tell whether a mesh may have pixels in the frame.
-/// In a `static`, the compiler computes the box of a mesh.
+/// If the box is stored in a `static`, the compiler computes it:
 ///
 /// ```
 /// use fixel::mesh::Bounds;
@@ -54,8 +54,8 @@ impl Bounds {
 }
 
 impl Mesh<'_> {
-    /// Finds the smallest upright box around all positions; if there are no positions, the box contains only the
-    /// origin.
+    /// Finds the smallest box around all positions, with sides parallel to the axes; if there are no positions, the box
+    /// contains only the origin.
     #[must_use]
     pub const fn bounds(&self) -> Bounds {
         let positions = self.positions();

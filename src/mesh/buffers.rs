@@ -4,7 +4,7 @@ use super::{Index, Mesh, Positions};
 use crate::error::{check_count, ok};
 use crate::{Error, Vec2, Vec3};
 
-/// The number of elements in each list of a mesh, which is the room that the mesh needs in [`Buffers`].
+/// How many elements each list of a mesh has. [`Buffers`] need room for these elements.
 ///
 /// ```
 /// use fixel::mesh::Shape;
@@ -23,11 +23,12 @@ pub struct Counts {
     pub edges: usize,
     /// Texture coordinates.
     pub uvs: usize,
-    /// Triangles as indices of texture coordinates; 0 if texture coordinates are indexed like the positions.
+    /// Triangles in the list of indices of texture coordinates; 0 if texture coordinates are indexed like the
+    /// positions.
     pub uv_faces: usize,
     /// Normals.
     pub normals: usize,
-    /// Triangles as indices of normals; 0 if normals are indexed like the positions.
+    /// Triangles in the list of indices of normals; 0 if normals are indexed like the positions.
     pub normal_faces: usize,
     /// Colors.
     pub colors: usize,
@@ -35,7 +36,7 @@ pub struct Counts {
 
 /// Memory for a shape that is built at run time: one slice per list, each at least as long as [`Counts`] says.
 ///
-/// If the slice for edges, texture coordinates or normals is empty, the mesh has none of them.
+/// Edges, texture coordinates and normals are optional: if you give an empty slice, the mesh lacks this list.
 ///
 /// ```
 /// use fixel::mesh::{Buffers, Shape};
@@ -61,7 +62,7 @@ pub struct Buffers<'a> {
 }
 
 impl<'a> Buffers<'a> {
-    /// Room for positions and triangles only.
+    /// Buffers for a mesh that has only positions and triangles.
     #[must_use]
     pub const fn new(positions: &'a mut [Vec3], faces: &'a mut [[Index; 3]]) -> Self {
         Self {

@@ -10,8 +10,8 @@ use crate::{Error, Scalar, Vec3, message};
 
 /// Two poses of one mesh that can be blended: their positions, and their normals if both poses have normals.
 ///
-/// Both meshes need the same faces. Texture coordinates, colors and edges come from the first mesh. A `static` of this
-/// type is checked at compile time. Of the second mesh, the `static` stores only the positions and normals in flash.
+/// Both meshes need the same faces. Texture coordinates, colors and edges come from the first mesh. If keyframes are a
+/// `static`, they are checked at compile time. Of the second mesh, the flash then holds only the positions and normals.
 ///
 /// An animation of many poses is an array of `Keyframes`, with one element for each step from a pose to the next: see
 /// [`blend_chain`](Self::blend_chain).
@@ -93,8 +93,9 @@ impl<'a> Keyframes<'a> {
     /// # Errors
     ///
     /// [`Error::Length`] if the meshes differ in how many positions, faces or normals they have. [`Error::FacesDiffer`]
-    /// if two faces have different position indices or, if both meshes have normals, different normal indices. If the
-    /// normals of two files do not match, drop them with [`Mesh::without_normals`].
+    /// if a face of the first mesh differs from the same face of the second mesh in its position indices or, if both
+    /// meshes have normals, in its normal indices. If the normals of two files do not match, drop them with
+    /// [`Mesh::without_normals`].
     pub const fn new(first: &Mesh<'a>, second: &Mesh<'a>) -> Result<Self, Error> {
         let positions = second.positions();
         ok!(check_length(positions.len(), first.positions().len()));
@@ -174,10 +175,11 @@ impl<'a> Keyframes<'a> {
     /// The mesh between the two poses, in the caller's memory: the first pose at `t` = 0, the second at `t` = 1; other
     /// values of `t` extrapolate.
     ///
-    /// Each component is rounded once to the nearest 2⁻¹⁶, halves up, and saturates. At `t` = 0 and `t` = 1, every
-    /// component is exact. Blended normals become shorter; this does not affect the lights of this crate, which use
-    /// only directions. If you pass no room for normals (`&mut []`), or if only one pose has them, the mesh has no
-    /// normals, and lighting uses the normals of its triangles.
+    /// Each component of a blended position or normal is rounded once to the nearest 2⁻¹⁶, halves up, and saturates. At
+    /// `t` = 0 and `t` = 1, every component is exact. The blend of two unit normals may be shorter than 1. This does
+    /// not affect this library's lights, which use only the directions of normals. If you pass no room for normals
+    /// (`&mut []`), or if only one pose has them, the mesh has no normals, and lighting uses the normals of its
+    /// triangles.
     ///
     /// # Errors
     ///

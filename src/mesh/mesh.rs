@@ -8,7 +8,7 @@ use super::positions::Positions;
 use crate::error::{check_count, ok};
 use crate::{Error, Vec2, Vec3, message};
 
-/// An index into a mesh's positions or attributes: a corner of a triangle or an end of an edge.
+/// An index into a mesh's positions or attributes. A triangle is stored as three indices, and an edge as two.
 ///
 /// ```
 /// use fixel::{Index, Mesh, Vec3};
@@ -17,13 +17,14 @@ use crate::{Error, Vec2, Vec3, message};
 /// ```
 pub type Index = u16;
 
-/// A triangle mesh over the caller's slices: positions and faces, and optionally texture coordinates, normals, colors
-/// and edges.
+/// A triangle mesh that borrows slices of the caller: positions and faces, and optionally texture coordinates, normals,
+/// colors and edges.
 ///
 #[cfg_attr(doc, doc = diagram!("winding"))]
-/// Attributes are indexed like positions, unless they have their own faces. For example, in an OBJ file, a position may
-/// have a different texture coordinate in each face. If an attribute has its own faces, a corner without a value has
-/// the index [`NO_VALUE`](Self::NO_VALUE). Front faces are counter-clockwise as seen by the viewer.
+/// Texture coordinates, normals and colors are attributes. An attribute uses the indices of the positions, unless the
+/// attribute has `faces` (three indices per triangle) of its own. With its own `faces`, a position may have a different
+/// value in each triangle, as in an OBJ file; a corner without a value has the index [`NO_VALUE`](Self::NO_VALUE). The
+/// corners of a front face run counter-clockwise as seen by the viewer.
 ///
 /// The constructors check every index; for a `static`, this happens at compile time:
 ///
@@ -109,9 +110,9 @@ impl<'a> Mesh<'a> {
     ///
     /// Rounding to these units moves a position by up to half a unit along each axis. On the screen, the rounding moves
     /// the position by up to √3/2 · (1 + s) units times focal length / w, where s is the slope x/w or y/w at which the
-    /// position is seen. For a sphere that fills 320x240, with 14 fraction bits, this is 0.008 pixels. To transform a
-    /// 16-bit position takes 7 instructions more than to transform a 32-bit position on Cortex-M4, and about 10 more on
-    /// Cortex-M0+.
+    /// position is seen. For a sphere that fills 320x240 pixels, stored with 14 fraction bits, this bound is 0.008
+    /// pixels. Transforming a 16-bit position takes more instructions than transforming a 32-bit position: 7 more on
+    /// Cortex-M4, and about 10 more on Cortex-M0+.
     ///
     /// [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) produce such meshes with the argument
     /// `short`; [`Mesh::shortened`] converts the positions of any mesh.
@@ -185,7 +186,7 @@ impl<'a> Mesh<'a> {
         message::checked(result, "mesh")
     }
 
-    /// Adds edges, which [`edges`](Self::edges) draws.
+    /// Adds edges, so that [`edges`](Self::edges) can draw them.
     ///
     /// # Errors
     ///

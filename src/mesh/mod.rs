@@ -15,21 +15,21 @@
 //! # Less flash
 //!
 //! [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) can store a mesh in fewer bits. The argument
-//! `short` reduces only the positions. The arguments `quantized_16` and `quantized_8` reduce all lists; the number in
-//! the name is the number of bits of a texture coordinate:
+//! `short` reduces only the positions. The arguments `quantized_16` and `quantized_8` reduce positions, normals and
+//! texture coordinates. The number in the name is the number of bits for u, and for v:
 //!
-//! | list | bytes | in fewer bits | largest error |
+//! | list | bytes per element | bytes in fewer bits | largest error |
 //! |---|---|---|---|
 //! | positions | 12 | 6 | see [`Mesh::short`] |
 //! | normals | 12 | 3 | 0.32 degrees |
-//! | texture coordinates, `quantized_16` | 8 | 4 | 1/131,070 of their range, and 2⁻²¹ repeats |
-//! | texture coordinates, `quantized_8` | 8 | 2 | 1/510 of their range, and 2⁻²¹ repeats |
+//! | texture coordinates, `quantized_16` | 8 | 4 | 1/131,070 of their range, plus 2⁻²¹ of the texture |
+//! | texture coordinates, `quantized_8` | 8 | 2 | 1/510 of their range, plus 2⁻²¹ of the texture |
 //!
 #![cfg_attr(doc, doc = page_picture!("quantized", "The same ring with numbers of 32 bits, and quantized"))]
 //! A normal's largest component becomes ±127, and the others are rounded to nearest, halves up. The rounding turns the
 //! normal by at most asin(√½ / 127). The range from the least texture coordinate to the greatest is divided into equal
 //! steps, separately for u and v. If coordinates range from 0 to 1, a texture with 64 texels in a row moves by up to
-//! 1/2048 texel with 16 bits, and by up to 1/8 texel with 8 bits.
+//! 1/2048 texel with `quantized_16`, and by up to 1/8 texel with `quantized_8`.
 //!
 //! The attributes of each triangle are unpacked when the triangle is drawn. For normals, this takes a few percent of
 //! the instructions on Cortex-M4. A program without such meshes does not contain the code that unpacks attributes.

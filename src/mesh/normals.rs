@@ -79,7 +79,7 @@ impl<'a> Mesh<'a> {
     /// at the position, so the normal does not depend on how polygons were cut into triangles. The normal has length
     /// one. Its direction is accurate to 2⁻¹² radians, if the triangles do not face away from one another and their
     /// angles at the position are at least 0.1 degrees. Angles are rounded down to multiples of 2⁻²² radians, so a
-    /// triangle whose angle at the position is below about 2⁻²² radians does not count. If no triangle counts, or if
+    /// triangle does not count if its angle at the position is below about 2⁻²² radians. If no triangle counts, or if
     /// the weighted normals add up to zero, the position gets the zero vector.
     ///
     /// The time grows in proportion to the number of triangles, so a mesh that moves can get new normals in each frame.
@@ -124,10 +124,10 @@ impl<'a> Mesh<'a> {
     /// `crease`, and changes abruptly at sharper edges. At 0 degrees, only flat polygons are smooth; at 180 degrees,
     /// everything is smooth.
     ///
-    /// The normal at a corner of a triangle is a mean over the triangles around that position. The mean includes only
-    /// triangles whose own normals are within `crease` of this triangle's normal. The triangles are weighted as in
-    /// [`with_smooth_normals`](Self::with_smooth_normals). Equal normals are stored once, so a box needs 6 normals.
-    /// There are at most three normals per triangle; `faces` receives the indices of the normals.
+    /// The normal at a corner of a triangle is the mean of the normals of some triangles around that position: the
+    /// normals that are within `crease` of the normal of the corner's own triangle. The triangles are weighted as in
+    /// [`with_smooth_normals`](Self::with_smooth_normals). Equal normals are stored once, so a box needs 6 normals. The
+    /// mesh gets at most three normals per triangle; their indices are written to `faces`.
     ///
     /// The time grows with the square of the number of triangles, so call this function once, not for each frame.
     ///

@@ -18,8 +18,8 @@ use crate::num::Angle;
 ///
 /// [`outline!`](crate::outline) finds the edges at compile time and stores 8 bytes per edge in flash. At run time,
 /// [`build`](Self::build) finds the edges and stores them in the caller's memory. The outline may be drawn with another
-/// mesh that has the same faces, such as another frame of an animation. Silhouettes then follow the positions that are
-/// drawn; creases remain the same edges.
+/// mesh that has the same faces, such as another frame of an animation. Silhouettes then follow the positions of the
+/// mesh that is drawn; creases remain the same edges.
 ///
 /// ```
 /// use fixel::mesh::Outline;
@@ -40,10 +40,10 @@ pub struct Outline<'a> {
 }
 
 impl<'a> Outline<'a> {
-    /// An outline of edges that the caller has found; the first `creases` of them are creases.
+    /// An outline of edges that the caller has found; the first `creases` edges are creases.
     ///
-    /// An edge `[a, b, c, d]` runs from position a to position b. The faces of this edge are a b c and b a d, with
-    /// corners in the same order as in the mesh. A border has one face: its d equals a.
+    /// An edge `[a, b, c, d]` runs from position a to position b. The faces beside this edge are the triangles (a, b,
+    /// c) and (b, a, d), with corners in the same order as in the mesh. A border has one face; then d equals a.
     ///
     /// ```
     /// use fixel::mesh::Outline;
@@ -81,10 +81,11 @@ impl<'a> Outline<'a> {
     ///
     /// `edges` needs room for the three sides of every face. About half of this room is used.
     ///
-    /// Two sides form an edge if their ends have the same positions, even with different indices. Therefore, a seam of
-    /// texture coordinates is not a border. Faces without area are ignored. The diagonals of flat polygons, whose faces
-    /// lie within 2⁻¹⁰ radians (0.056 degrees) of one plane, are never creases. If two faces run along an edge in the
-    /// same direction, each face has a border at that edge. Lines of an OBJ file that belong to no face are left out.
+    /// The sides of two faces form one edge if their ends have the same positions, even if the indices differ.
+    /// Therefore, a seam of texture coordinates is not a border. Faces without area are ignored. An angle of at most
+    /// 2⁻¹⁰ radians (0.056 degrees) between two faces counts as flat, so the diagonals of a flat polygon are never
+    /// creases. If two faces run along an edge in the same direction, each face has a border at that edge. Lines of an
+    /// OBJ file that belong to no face are left out.
     ///
     /// ```
     /// use fixel::mesh::Outline;

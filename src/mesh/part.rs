@@ -1,4 +1,4 @@
-//! Parts of a mesh: runs of the mesh's faces, with or without a material.
+//! Parts of a mesh: consecutive faces of the mesh, with or without a material.
 
 use core::ops::Range;
 
@@ -34,7 +34,8 @@ pub struct Material<'a> {
     pub emission: Rgb888,
     /// Whether faces are seen from behind, too.
     pub two_sided: bool,
-    /// Whether the texture's border continues beyond its edges, along u and along v; otherwise, the texture repeats.
+    /// Whether the texels at the texture's edges continue beyond these edges, along u and along v; otherwise, the
+    /// texture repeats.
     pub clamp: [bool; 2],
 }
 
@@ -43,8 +44,8 @@ pub struct Material<'a> {
 pub enum TextureAlpha {
     /// Alpha has no meaning: the texture is opaque.
     Ignored,
-    /// Texels with an alpha below this value are holes; all other texels are opaque. In
-    /// [`Argb1555`](crate::texture::Argb1555), texels with an alpha below 128 are holes.
+    /// Texels with an alpha below this value are holes; all other texels are opaque. If the texture is converted to
+    /// [`Argb1555`](crate::texture::Argb1555), the value is always 128.
     Cut(u8),
     /// Alpha is the opacity of a texel: see [`Argb4444`](crate::texture::Argb4444).
     Blended,
@@ -67,7 +68,7 @@ impl Material<'_> {
     }
 }
 
-/// A run of a mesh's faces that have one material.
+/// Consecutive faces of a mesh that have the same material.
 ///
 /// [`include_materials!`](crate::include_materials) makes a list of the parts for the mesh of a file. [`PartColors`]
 /// draws all parts in their colors in one call; [`Mesh::part`](crate::Mesh::part) returns one part, to be drawn by
@@ -110,7 +111,7 @@ pub struct Part<'a> {
 }
 
 impl<'a> Part<'a> {
-    /// A run of faces with a material.
+    /// The faces in a range, with their material.
     #[must_use]
     pub const fn new(faces: Range<usize>, material: Material<'a>) -> Self {
         Self {

@@ -248,8 +248,8 @@ impl Primitive<'_> {
     /// The normal of the triangle's plane in model space: (b − a) × (c − a) for the corners a, b and c.
     ///
     /// The normal is scaled so that its largest component is between 16,384 and 32,768. For a triangle without area,
-    /// the normal is zero. Sides are first rounded down to multiples of 2⁻¹⁵, so the sides of a triangle must be much
-    /// longer than 2⁻¹⁵.
+    /// the normal is zero. Sides are first rounded down to multiples of 2⁻¹⁵, so the normal is inaccurate unless the
+    /// sides are much longer than 2⁻¹⁵.
     #[must_use]
     pub fn normal(&self) -> Vec3 {
         let [a, b, c] = self.positions().map(Vec3::to_bits);
@@ -265,8 +265,8 @@ impl Primitive<'_> {
         self.placement.direction(self.normal())
     }
 
-    /// The mean of the three corners in world space. The mean is computed in model space, accurate to 2⁻¹⁶. The result
-    /// of its transform to world space is rounded to nearest, and saturates to the range of [`Scalar`].
+    /// The mean of the three corners in world space. The mean is computed in model space, accurate to 2⁻¹⁶. After the
+    /// transform to world space, the mean is rounded to nearest, and saturates to the range of [`Scalar`].
     #[must_use]
     pub fn world_middle(&self) -> Vec3 {
         let [a, b, c] = self.positions().map(Vec3::to_bits);

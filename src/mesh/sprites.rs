@@ -9,9 +9,9 @@ use crate::{Error, Scalar, Vec2, Vec3};
 /// Sprites, also called billboards: a rectangle at each position of a list, parallel to the image plane.
 /// [`Canvas::draw`](crate::Canvas::draw) draws all sprites of the list, for example particles, in one call.
 ///
-/// All sprites have one size, in units of the world or in pixels. On each sprite, texture coordinates run from (0, 0)
-/// at the top left to (1, 1) at the bottom right. With an [axis](Self::with_axis), sprites turn only about that axis,
-/// as trees must. Each sprite may have a [scale](Self::with_scales), a [color](Self::with_colors) and a
+/// All sprites have the same size, in units of the world or in pixels. On each sprite, texture coordinates run from (0,
+/// 0) at the top left to (1, 1) at the bottom right. With an [axis](Self::with_axis), sprites turn only about that
+/// axis, as trees should. Each sprite may have a [scale](Self::with_scales), a [color](Self::with_colors) and a
 /// [frame](Self::with_frames) of its own.
 ///
 /// ```
@@ -61,15 +61,15 @@ use crate::{Error, Scalar, Vec2, Vec3};
 /// A sprite is two triangles, drawn by the same rules as the triangles of a mesh. Nothing is culled, because sprites
 /// have no backs. A sprite without an [axis](Self::with_axis) is a rectangle on the screen. Such a rectangle is drawn
 /// as one primitive, which costs less than two triangles. However, two triangles are drawn if the rectangle is clipped,
-/// if the shader has [values per face](crate::shade::PerFace) (as with mipmaps), or if a varying changes both across
-/// and down (as the light of a lamp does). The single primitive has the same pixels and depths as the two triangles,
-/// and its varyings are as accurate.
+/// if the shader has [values per face](crate::shade::PerFace) (as with mipmaps), or if a varying (a number that the
+/// shader interpolates) changes both across and down, as the light of a lamp does. The single primitive has the same
+/// pixels and depths as the two triangles, and its varyings are as accurate.
 ///
 /// Every shader works with sprites. For a shader, sprites are a mesh in eye space, with normals that point toward the
 /// viewer. The two triangles of sprite i have the indices 2i and 2i + 1. The offsets of the four corners from the
-/// sprite's position are accurate to 2⁻²⁶ of the longest of these offsets. (With an axis, the error of the offsets
-/// grows as the axis approaches the line of sight.) Then corners are rounded to the nearest [`Scalar`]s in eye space.
-/// The rounding moves a corner by at most 2⁻¹⁶ · focal length / w pixels. A sprite with a corner beyond ±32,768 in eye
+/// sprite's position are accurate to 2⁻²⁶ of the longest of these offsets. With an axis, the error is greater: it grows
+/// as the axis approaches the line of sight. Then corners are rounded to the nearest [`Scalar`]s in eye space. The
+/// rounding moves a corner by at most 2⁻¹⁶ · focal length / w pixels. A sprite with a corner beyond ±32,768 in eye
 /// space is not drawn.
 ///
 /// With [`cut_out`](crate::Textured::cut_out), sprites may be drawn in any order, because holes do not change depths.
@@ -135,7 +135,8 @@ impl<'a> Sprites<'a> {
     /// The most columns and the most rows of [frames](Self::with_frames) in a texture.
     pub const MAX_FRAMES: u32 = 1024;
 
-    /// Sprites of one width and height in world units, even if the model is scaled. Positions are in model space.
+    /// Sprites with the same width and height in world units. Positions are in model space. A scale in the model's
+    /// transform moves the sprites, but does not change their size.
     ///
     /// # Errors
     ///
@@ -158,8 +159,8 @@ impl<'a> Sprites<'a> {
         })
     }
 
-    /// Sprites of one width and height in pixels at any distance, such as marks on a map. Each sprite has the depth of
-    /// its position.
+    /// Sprites with the same width and height in pixels, at any distance, such as marks on a map. Each sprite has the
+    /// depth of its position.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -248,8 +249,8 @@ impl<'a> Sprites<'a> {
     }
 
     /// Divides the texture into a grid of columns and rows, and shows one cell of this grid, a frame, on each sprite.
-    /// Frames are counted from 0 at the top left, row by row. Beyond the last frame, counting begins again with the
-    /// first frame.
+    /// Frames are counted from 0 at the top left, row by row. A number beyond the last frame starts again at the first
+    /// frame.
     ///
     /// # Errors
     ///
@@ -271,8 +272,9 @@ impl<'a> Sprites<'a> {
         })
     }
 
-    /// Leaves out the border of each frame, or of the whole texture. `inset` is the size of the border: a fraction of
-    /// the texture's width on the left and on the right, and a fraction of its height at the top and at the bottom.
+    /// Leaves out the border of each frame or, if there are no frames, of the whole texture. `inset` is the size of the
+    /// border: a fraction of the texture's width on the left and on the right, and a fraction of its height at the top
+    /// and at the bottom.
     ///
     /// At the border, a [bilinear](crate::Textured::bilinear) filter also blends texels of neighboring frames. An inset
     /// of half a texel prevents this: 1/128 for a texture of 64 texels. For mipmaps, use half a texel of the smallest

@@ -39,8 +39,8 @@ use prepared::{Objects, Placed, Run};
 /// Memory for the triangles or edges of a frame that is drawn in bands.
 ///
 /// The triangles or edges are transformed, culled and clipped once, and every band draws them from the list.
-/// [`prepare`](Self::prepare) takes a mesh, edges, or several [`Object`]s. Sorted [back to
-/// front](Self::prepare_back_to_front), a list replaces the depth buffer.
+/// [`prepare`](Self::prepare) takes a mesh, edges, or several [`Object`]s. A list that is sorted [back to
+/// front](Self::prepare_back_to_front) replaces the depth buffer.
 ///
 /// To sort whole objects instead, for example glass that is drawn last, sort them by the depths of their origins:
 ///
@@ -59,7 +59,7 @@ use prepared::{Objects, Placed, Run};
 /// # Which camera, which frame
 ///
 /// Prepared things keep their camera, projection, transforms and options. The methods that draw a list have no such
-/// arguments, so they cannot draw it with a different camera, for example. A canvas of another frame size is refused.
+/// arguments, so a list cannot be drawn with a wrong camera, for example. A canvas of another frame size is refused.
 /// [`Prepared::objects`] returns the objects of the scene. As long as the prepared things are in use, neither the list
 /// nor these objects can change:
 ///
@@ -75,7 +75,7 @@ use prepared::{Objects, Placed, Run};
 /// }
 /// ```
 ///
-/// One mistake remains possible: to draw an earlier frame's list in a frame whose other draw calls have a new camera.
+/// One mistake remains possible: to draw an earlier frame's list in a frame in which other draw calls use a new camera.
 /// So prepare the list in each frame, after the camera has moved.
 ///
 /// Light, and whatever else a shader computes at the corners, can be computed once for all bands, too: see
@@ -87,10 +87,10 @@ use prepared::{Objects, Placed, Run};
 /// # Memory
 ///
 /// The list needs room for the visible triangles or edges (16 bytes each) and for their vertices (16 bytes each). A
-/// closed mesh in which neighboring triangles follow each other needs about half as many vertices as triangles. Other
-/// meshes need at most three vertices for each triangle, and up to 18 for each clipped triangle. An edge needs at most
-/// two vertices, or four if it is clipped. If there is too little room, [`prepare`](Self::prepare) returns how much is
-/// needed.
+/// closed mesh in which neighboring triangles follow each other needs about half as many vertices as triangles. In
+/// other meshes, a triangle needs at most three vertices. A clipped triangle needs up to 18 vertices in any mesh. An
+/// edge needs at most two vertices, or four if it is clipped. If there is too little room, [`prepare`](Self::prepare)
+/// returns how much is needed.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
@@ -179,12 +179,12 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
         }
     }
 
-    /// Transforms, culls and clips the triangles of a mesh, edges, or the things of several [`Object`]s, for a `frame`
-    /// of this many columns and rows. Without a list, [`Canvas::draw_with`](crate::Canvas::draw_with) does this work
-    /// again in each band. The previous contents of the list are dropped.
+    /// Transforms, culls and clips a thing, and keeps the visible triangles or edges in this list. `frame` is the
+    /// number of columns and rows of the frame. Without a list, [`Canvas::draw_with`](crate::Canvas::draw_with) does
+    /// this work again in each band. The previous contents of the list are dropped.
     ///
     /// `thing` is a mesh, [`mesh.edges(style)`](Mesh::edges) or [`mesh.outline(&outline, style)`](Mesh::outline), or a
-    /// mutable borrow of a slice of objects, which share the `view`: a projection and a camera.
+    /// mutable borrow of a slice of [`Object`]s. `view` is a projection times a camera; all objects share it.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
@@ -253,9 +253,9 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// Triangles that are equally far away keep the order of the mesh, and of the objects. The method is heap sort,
     /// which needs no further memory, and at most 2 n log₂ n comparisons for n visible triangles.
     ///
-    /// The table compares the list with a depth buffer of 320x240, which takes 150 KiB. For each scene, `kernels
-    /// painter` prints the figures as means over eight poses. The instructions are x86-64 instructions, counted by
-    /// `valgrind --tool=callgrind --toggle-collect='*only_drawing*'`:
+    /// The table compares a sorted list with a depth buffer of 320x240 pixels, which takes 150 KiB. The numbers are
+    /// means over eight poses of each scene, as the project's program `kernels painter` prints them. The instructions
+    /// are x86-64 instructions, counted by `valgrind --tool=callgrind --toggle-collect='*only_drawing*'`:
     ///
     /// <!-- figures: painter -->
     /// | scene | wrong pixels | list | millions of instructions with depth | sorted |
@@ -268,7 +268,8 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// <!-- end -->
     ///
     /// Sorting takes time for each triangle, and hidden pixels are drawn, too. In return, no depths are tested and
-    /// stored. For a pixel of one color, such as a pixel of the towers, the work on depth is most of the cost.
+    /// stored. If pixels have one color, as in the scene of the towers, testing and storing depths is most of a pixel's
+    /// cost.
     ///
     /// No order is right for triangles that cross each other, or that cover each other in a circle. A large triangle
     /// may cover a small one in front of it if the small one's farthest corner is farther away. So draw a floor or a
@@ -322,7 +323,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     ///
     /// # Errors
     ///
-    /// As for [`prepare`](Self::prepare).
+    /// The same as for [`prepare`](Self::prepare).
     #[allow(clippy::type_complexity)] // as above
     pub fn prepare_back_to_front<'a, S: Scene<'a>, O: Options, V: AsMvp>(
         &'a mut self,

@@ -57,9 +57,9 @@ pub struct Drawn {
     /// The number of triangles, edges or points in the mesh.
     pub submitted: u32,
     /// The number of triangles, edges or points that may have changed a pixel. A triangle counts if it is not culled,
-    /// and the smallest upright rectangle around it contains a pixel center of the viewport in the canvas's rows. A
-    /// line or point counts if any part of it is between the near and the far plane and in the guard band (±2048 pixels
-    /// around the viewport's center), and may reach a row of the viewport in the canvas.
+    /// and its bounding rectangle on the screen contains a pixel center of the viewport in the canvas's rows. A line or
+    /// point counts if any part of it is between the near and the far plane and in the guard band (±2048 pixels around
+    /// the viewport's center), and may reach a row of the viewport in the canvas.
     pub drawn: u32,
     /// The number of triangles, edges or points that were clipped by a plane of the view volume or of the guard band.
     pub clipped: u32,

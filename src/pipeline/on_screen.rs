@@ -27,8 +27,7 @@ use crate::view::{AsMvp, ProjectionKind};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ScreenPoint {
-    /// Columns from the frame's left edge, rounded to the nearest 1/256. A pixel's center is half a column from its
-    /// edges.
+    /// Columns from the frame's left edge, rounded to the nearest 1/256. A pixel in column n has its center at n + 0.5.
     pub x: Subpixel,
     /// Rows from the frame's top edge, rounded to the nearest 1/256.
     pub y: Subpixel,
@@ -48,10 +47,10 @@ impl ScreenPoint {
 }
 
 impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
-    /// The screen position of a point of model space, with the same bits as when the point is drawn.
+    /// The screen position of a point of model space: bit for bit the position at which a draw call draws the point.
     ///
-    /// The result is `None` if the point is nearer than the near plane, beyond the far plane, or more than 2048
-    /// pixels left or right of, above or below the viewport's center. The position may lie outside the viewport.
+    /// The result is `None` if the point is nearer than the near plane, beyond the far plane, or more than 2048 pixels
+    /// away from the viewport's center, horizontally or vertically. The position may lie outside the viewport.
     ///
     /// Use it to place a [`label`](Self::label) beside an object. For the opposite direction, from a pixel into the
     /// scene, see [`ray`](Self::ray).
@@ -144,9 +143,9 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 
     /// Whether a mesh within `bounds` may have a pixel in this canvas. If the result is `false`, the mesh certainly has
-    /// none, whether it is drawn as triangles, as points or as hairlines. [Wide](crate::LineStyle) lines, points of a
-    /// [size](crate::PointStyle) and [sprites](crate::Sprites) reach beyond their positions. For these, enlarge
-    /// `bounds` by half of their width or size; for smooth lines, by half a pixel more.
+    /// none, whether it is drawn as triangles, as points or as hairlines. [Wide](crate::LineStyle) lines, points larger
+    /// than [one pixel](crate::PointStyle) and [sprites](crate::Sprites) reach beyond their positions. For these,
+    /// enlarge `bounds` by half of their width or size; for smooth lines, by half a pixel more.
     ///
     /// On a Cortex-M4 the test takes as many instructions as two or three triangles of one pixel, most of them for a
     /// set-up that every draw call needs before its first vertex. So a mesh that you skip, because it is out of view or
@@ -188,7 +187,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// the nearest 1/256 pixel, then down to whole pixels. (The diameter of a ball is 1/√3 of this length.)
     ///
     /// Under a perspective projection, the result is `u32::MAX` unless the center is ahead of the eye by more than half
-    /// of the diagonal. Corners are rounded to [`Scalar`](crate::Scalar)s in eye space, and saturate there.
+    /// of the diagonal. The corners of `bounds` are rounded to [`Scalar`](crate::Scalar)s in eye space, and saturate
+    /// there.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;

@@ -90,8 +90,8 @@ impl Ray {
     /// The face of a mesh that the ray meets first, and the point there; `None` if the ray meets no face.
     ///
     /// The test whether the ray meets a face is exact, so a ray never slips through an edge between two faces. Faces
-    /// whose distances differ by less than 2⁻²⁹ of their extent count as equally far away; the last of them is
-    /// returned, because it is drawn over the others.
+    /// count as equally far away if their distances differ by less than 2⁻²⁹ of their extent. Of these faces, the last
+    /// is returned, because it is drawn over the other faces.
     #[must_use]
     pub fn hit(&self, mesh: &Mesh<'_>) -> Option<Hit> {
         let view = RayView::new(self);
@@ -289,8 +289,8 @@ fn in_model(
 }
 
 impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
-    /// The ray of a pixel in model space: the points that `mvp` projects to the pixel's center. It starts at the near
-    /// plane. The ray passes through the faces that `options` cull.
+    /// The ray of a pixel in model space: the points that `mvp` projects to the pixel's center. The ray starts at the
+    /// near plane. The ray passes through the faces that `options` cull.
     ///
     /// The result is `None` if the pixel is outside the viewport, if the model's transform has no inverse, or if the
     /// ray's origin is not within ±32,768 in model space.

@@ -3,14 +3,15 @@
 use crate::error::{check_range, ok};
 use crate::{Error, Scalar};
 
-/// The width of lines, and whether they are anti-aliased: for [`Mesh::edges`](crate::Mesh::edges) and
+/// How wide lines are, and whether they are anti-aliased: for [`Mesh::edges`](crate::Mesh::edges) and
 /// [`Mesh::outline`](crate::Mesh::outline).
 ///
-/// For each pixel center that a line passes along its longer axis, a run of pixels is drawn across that axis: the
-/// pixels whose centers are at most half the width away from the line. A center exactly on the upper or left end of the
-/// run does not belong to it; a center on the lower or right end does. So a line of width n has n pixels in each run. A
-/// center at the left end of a line (in steep lines, the upper end) belongs to the line; a center at the right end (in
-/// steep lines, the lower end) does not. The pixels do not depend on the line's direction.
+/// The longer axis of a line is x or y, whichever axis the line extends farther along. For each pixel center that the
+/// line passes along its longer axis, a run of pixels is drawn across that axis: the pixels whose centers are at most
+/// half the width away from the line. A center exactly on the upper or left end of the run does not belong to it; a
+/// center on the lower or right end does. So a line of width n has n pixels in each run. A center at the left end of a
+/// line (in steep lines, the upper end) belongs to the line; a center at the right end (in steep lines, the lower end)
+/// does not. The pixels do not depend on the line's direction.
 ///
 /// A [hairline](Self::HAIRLINE) also draws the pixels that contain its ends, so that lines meet at every corner. If
 /// colors are [blended](crate::DrawOptions::with_blending) or translucent, a hairline draws the pixel at an end only if
@@ -63,11 +64,12 @@ use crate::{Error, Scalar};
 /// Depth and attributes vary along the longer axis, as on a hairline; beyond an end, they have the values of the end.
 /// So a pixel may have the depth of a place on the line that is up to √2 · (width + 1)/2 pixels away. If a mesh hides
 /// the lines on it, draw the mesh [`Biased`](crate::canvas::Biased) by this number of pixels, as in the example below.
-/// Or draw the outline of the mesh nearer by the same number of pixels. Draw smooth lines last, with
-/// [`TestOnly`](crate::canvas::TestOnly). Anything that is drawn later, behind a pixel that a line covers only in part,
-/// would not show through.
+/// Or draw the outline of the mesh `Biased` toward the eye by the same number. Draw smooth lines last, with
+/// [`TestOnly`](crate::canvas::TestOnly). A line is blended with the colors that are already on the canvas, so a
+/// surface behind it that is drawn later does not show through.
 ///
-/// The blending of the options is applied first; then the share blends the result with the canvas.
+/// If the draw options have a blending, it is applied first. Then the result covers the color on the canvas by the
+/// pixel's share.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -106,7 +108,7 @@ impl LineStyle {
     /// The greatest width, in pixels.
     pub const MAX_WIDTH: Scalar = crate::fx!(64);
 
-    /// Lines of a width in pixels, rounded to the nearest 1/128.
+    /// Lines with a width of `pixels`, rounded to the nearest 1/128.
     ///
     /// ```
     /// use fixel::prelude::*;

@@ -10,8 +10,8 @@ use crate::{Error, Scalar};
 /// By default, a point is [one pixel](Self::PIXEL).
 ///
 /// A pixel belongs to a point if its center lies within the square or disc around the point's position on the screen.
-/// The position is exact to 1/256 pixel. A square includes its lower and its right border. So a square with a size of n
-/// pixels always covers n times n pixels, and a square of size 1 is [one pixel](Self::PIXEL). If the positions of
+/// The position is exact to 1/256 pixel. A square includes its lower and its right border. So if n is a whole number, a
+/// square of size n always covers n × n pixels, and a square of size 1 is [one pixel](Self::PIXEL). If the positions of
 /// squares are one size apart, the squares adjoin without overlaps. A disc includes its border, and the pixel that
 /// contains the point, even if that pixel's center lies outside.
 ///
@@ -39,7 +39,7 @@ impl Default for PointStyle {
 }
 
 impl PointStyle {
-    /// Points of one pixel: the pixel that contains the position. Their [`size`](Self::size) is 0.
+    /// Points of one pixel: the pixel that contains the position. For this style, [`size`](Self::size) returns 0.
     pub const PIXEL: Self = Self {
         size: Scalar::ZERO,
         is_round: false,

@@ -23,9 +23,9 @@ pub struct Argb4444(u16);
 
 /// A texel of 16 bits that is either opaque or a hole: 1 bit of opacity, and 5 bits each of red, green and blue.
 ///
-/// The texel's color is an [`Rgb565`]. A hole changes neither the color nor the depth on the canvas. Between texels,
-/// the nearest texel decides whether there is a hole. Where there is no hole, a [`Bilinear`](super::Bilinear) filter
-/// blends as if the holes had the nearest texel's color.
+/// The texel's color is an [`Rgb565`]. A hole changes neither the color nor the depth on the canvas. With a
+/// [`Bilinear`](super::Bilinear) filter, a pixel is a hole if the nearest texel is a hole. Otherwise, the filter blends
+/// as if the holes had the nearest texel's color.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -53,7 +53,7 @@ impl Argb4444 {
         Self(bits)
     }
 
-    /// The opacity, in 255ths.
+    /// The opacity, from 0 (invisible) to 255 (opaque).
     #[must_use]
     #[inline]
     pub const fn opacity(self) -> u8 {

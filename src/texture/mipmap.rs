@@ -1,4 +1,4 @@
-//! Mipmaps: textures with reductions to half, a quarter and so on of their size.
+//! Mipmaps: textures with copies of half their size, a quarter, and so on.
 
 use super::filter::size_at;
 use super::sampler::{exponents, size_log2};
@@ -6,12 +6,12 @@ use super::{Blend, Sampler};
 use crate::Error;
 use crate::error::{check_length, ok};
 
-/// A texture with its mipmap levels: the texture itself, and reductions of it for triangles that are far away.
+/// A texture with its mipmap levels: the texture itself, and smaller copies of it for triangles that are far away.
 ///
 /// Level 0 is the texture. Each further level has half the width and half the height of the level before; in the last
-/// level, the shorter side has one texel. A texel is the mean of the four texels that it replaces. Each channel is
-/// rounded to nearest, halves up ([`Blend::mean`]). So at level n, a channel differs by at most n/2 steps from the mean
-/// of all texels of level 0 that the texel replaces.
+/// level, the shorter side has one texel. A texel of a further level is the mean of the four texels that it replaces.
+/// Each channel is rounded to nearest, halves up ([`Blend::mean`]). So at level n, a channel differs by at most n/2
+/// steps from the mean of all texels of level 0 that the texel replaces.
 ///
 /// A mipmap borrows the texels of all levels, in one slice: level 0 first, each level row by row from the top. All
 /// levels together take a third more memory than the texture alone; [`len`](Self::len) returns the number of texels.

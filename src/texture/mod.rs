@@ -2,11 +2,11 @@
 //!
 //! | texture | size | texel |
 //! |---|---|---|
-//! | rows, `&[[C; W]; H]` | in the type | a color: the fastest |
+//! | rows, `&[[C; W]; H]` | in the type | a color; the fastest texture |
 //! | [`Texture`] | known at run time | a color |
-//! | [`Indexed`] | the size of its indices | a byte or less, an index into a table of colors |
+//! | [`Indexed`] | the size of its indices | an index into a table of colors, in a byte or less |
 //! | [`Raw`] | known at run time | bytes of a file, in either order, or packed grays |
-//! | [`Mipmap`] | known at run time | a color, with reductions of the texture for triangles far away |
+//! | [`Mipmap`] | known at run time | a color; has smaller copies of the texture for triangles far away |
 //!
 //! [`include_texture!`](crate::include_texture) turns a picture file into any of these textures at compile time. The
 //! shader [`Textured`](crate::Textured) draws all of these, and your own [`Sampler`]s. Texels of [`Argb4444`] have an

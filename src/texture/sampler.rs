@@ -10,9 +10,9 @@ use crate::message;
 ///
 /// A reference to rows of texels is a sampler. It is the fastest sampler, because the size of the rows is part of the
 /// type. [`Texture`](super::Texture), [`Indexed`](super::Indexed), [`Raw`](super::Raw) and [`Mipmap`](super::Mipmap)
-/// are samplers themselves. References to these types are not samplers. A reference would be read again at each pixel,
-/// because the compiler cannot know that writing a pixel does not change the texture. Your own sampler can compute its
-/// texels:
+/// are samplers themselves. References to these types are not samplers: what the reference points to would be read
+/// again at each pixel, because the compiler cannot know that writing a pixel does not change the texture. Your own
+/// sampler can compute its texels:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

@@ -29,9 +29,9 @@ use crate::error::{check_length, ok};
 /// # Cost
 ///
 /// Reading a texel takes one instruction more than reading it from rows, `&[[C; W]; H]`. If a loop over pixels already
-/// needs all registers, it also loads up to two numbers from the stack. The table lists millions of instructions per
-/// frame for the benchmark's floor: 47,610 pixels with a 64x64 texture and a depth buffer. If you know the size when
-/// you write the program, [`include_texture!`](crate::include_texture) can also make rows.
+/// needs all registers, the loop also loads up to two numbers from the stack. The table lists millions of instructions
+/// per frame for the benchmark's floor: 47,610 pixels with a 64x64 texture and a depth buffer. If you know the size
+/// when you write the program, [`include_texture!`](crate::include_texture) can also make rows.
 ///
 /// <!-- figures: textures of run-time size -->
 /// | | rows | `Texture` |
@@ -82,7 +82,7 @@ impl<'a, C: Copy> Texture<'a, C> {
         Ok(Self::of(texels, [width, height]))
     }
 
-    /// A texture of rows, the top row first. Rows of a wrong size do not compile.
+    /// A texture of rows, the top row first. Rows do not compile if their number or length is not a power of two.
     #[must_use]
     pub const fn from_rows<const W: usize, const H: usize>(rows: &'a [[C; W]; H]) -> Self {
         Self::of(rows.as_flattened(), const { size_log2(W, H) })

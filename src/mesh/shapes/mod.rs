@@ -17,7 +17,7 @@ use writer::MeshWriter;
 ///
 /// All shapes are centered on the origin. Shapes have positions, unit normals, texture coordinates from 0 to 1, and
 /// edges, which form a wireframe without the diagonals of quads. Triangles are counter-clockwise as seen from outside.
-/// Positions repeat where the texture or the normal jumps. To resize a shape, scale it with a
+/// Where the texture or the normal jumps, a position is stored twice or more often. To resize a shape, scale it with a
 /// [`Transform`](crate::Transform).
 ///
 /// ```
@@ -46,9 +46,9 @@ const fn parts(of: &'static str, given: u32, min: u32) -> Result<(), Error> {
 }
 
 impl Shape {
-    /// The most parts in one direction. Indices have 16 bits. So a sphere of this many slices has 2 stacks, a plane of
-    /// this many columns or rows has at most 2 parts in the other direction, and a torus or a cylinder has at most this
-    /// many slices less one.
+    /// The most slices, stacks, sides, columns or rows of a shape. Because indices have 16 bits, a sphere of this many
+    /// slices can only have 2 stacks, a plane of this many columns or rows has at most 2 parts in the other direction,
+    /// and a torus or a cylinder has at most this many slices less one.
     pub const MAX_PARTS: u32 = 16_384;
 
     /// A box from −`corner` to `corner`; the texture fills each of its six sides.

@@ -33,8 +33,8 @@ use crate::{Error, Transform};
 /// The material is any value that says how to draw the object: a shader, or a value by which your program chooses a
 /// shader.
 ///
-/// [`DrawList::prepare`](crate::DrawList::prepare) prepares a slice of objects, and records in it which triangles or
-/// edges belong to which object. So the triangles and the edges of one frame need two separate slices.
+/// [`DrawList::prepare`](crate::DrawList::prepare) prepares a slice of objects, and stores in each object which
+/// triangles or edges of the list belong to it. So the triangles and the edges of one frame need two separate slices.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -45,8 +45,8 @@ use crate::{Error, Transform};
 /// ```
 ///
 /// All objects of a slice have the same type of material. For different shaders, make the material a trait object
-/// (`&dyn`) of a trait of your own. (The example uses the default options. In mode `Fast`, the type of the triangles
-/// would be `Prepared<(), &Mesh, DrawOptions<Fast>>`.)
+/// (`&dyn`) of a trait of your own. The example uses the default options. In mode `Fast`, the type of the triangles
+/// would be `Prepared<(), &Mesh, DrawOptions<Fast>>`.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -226,8 +226,8 @@ pub struct Prepared<'a, T = (), G = &'a Mesh<'a>, O = DrawOptions, K = Perspecti
 }
 
 impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
-    /// The objects of the scene, in the order of their slice; none for a thing that was prepared alone. The scene
-    /// borrows the objects, so use this method to read their places while you draw a band:
+    /// The objects of the scene, in the order of their slice; none for a thing that was prepared alone. As long as a
+    /// `Prepared` borrows the objects, read their transforms with this method:
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -257,8 +257,8 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     }
 
     /// The parts of the list to draw in a canvas's rows, in drawing order, each with its object's material. In a sorted
-    /// list, a part is a run of elements of one object; otherwise, it is a whole object. A part that has no pixels in
-    /// these rows may be left out.
+    /// list, a part holds consecutive triangles or edges of one object; otherwise, a part is a whole object. A part
+    /// that has no pixels in these rows may be left out.
     ///
     /// # Errors
     ///

@@ -15,13 +15,13 @@ use crate::shade::{Fragment, Lanes, Shader, Varyings};
 ///
 /// Without a `ShadeList`, a shader computes its [`varyings`](Shader::varyings) for a triangle or edge once in each band
 /// that contains a part of it. [`Prepared::shade`] computes them once per frame and stores them here. The pixels are
-/// the same. For example, a small lit ball is drawn in bands of eight rows, and a triangle lies in 1.3 bands on
-/// average. With a `ShadeList`, the ball takes 8 % fewer instructions on a Cortex-M4, and 10 % fewer if its faces are
-/// lit. The saving grows with larger triangles and with lower bands.
+/// the same. In a test, a small lit ball is drawn in bands of eight rows, so that a triangle lies in 1.3 bands on
+/// average. With a `ShadeList`, the ball takes 8 % fewer instructions on a Cortex-M4, or 10 % fewer if the light is
+/// computed per face. Larger triangles and bands of fewer rows save more.
 ///
 /// For each triangle or edge, the list stores the values to interpolate at three corners, and the values [per
-/// face](crate::shade::PerFace). These values take 4 bytes for faces in white light, and 12 bytes for white light at
-/// the corners.
+/// face](crate::shade::PerFace). For white light, these values take 12 bytes if the light is computed at the corners,
+/// and 4 bytes if it is computed per face.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -71,7 +71,7 @@ impl<S: Shader, const ELEMENTS: usize> fmt::Debug for ShadeList<S, ELEMENTS> {
 }
 
 impl<S: Shader, const ELEMENTS: usize> ShadeList<S, ELEMENTS> {
-    /// Empty memory.
+    /// An empty list.
     #[must_use]
     pub const fn new() -> Self {
         Self { values: Vec::new() }
@@ -142,7 +142,7 @@ fn index(entry: usize, first: usize) -> usize {
 }
 
 /// The values that [`Prepared::shade`] computed; [`of`](Self::of) makes a shader from these values. A `Shades` borrows
-/// the [`ShadeList`]; see there for an example.
+/// the [`ShadeList`]. The documentation of [`ShadeList`] has an example.
 #[derive(Clone, Copy)]
 pub struct Shades<'a, S: Shader> {
     /// The address of the list's first entry. The list cannot change while these values exist, so the address of an
