@@ -30,8 +30,10 @@
 /// | `short` | positions of 16 bits: see [`Mesh::short`](crate::Mesh::short) |
 /// | `quantized_16`, `quantized_8` | positions of 16 bits, with [normals of 8 bits and texture coordinates of 16 or 8](crate::mesh#less-flash) |
 /// | `normals` | normals for corners that have none: the mean of the normals, weighted by area, of the faces around the point that meet the corner's face at 60 degrees or less. If an OBJ file puts the corner's face into a smoothing group, the mean is over the faces of that group; if it switches smoothing off, the normal is the face's own |
+/// | `uvs` | texture coordinates for triangles that have none: each triangle is projected to the side of the model's bounding box that it faces most |
 /// | `object = "name"` | only the faces of the object with this name: a glTF mesh, or an OBJ object or group |
 /// | `part = "name"` | only the faces of the material with this name |
+/// | `center` | the middle of the bounding box is moved to the origin, before `scale`: for models far from the origin |
 /// | `scale = 0.01` | positions are multiplied by this number |
 /// | `up = z` | z points up in the file; the model is turned so that y points up. `up = z` is the default for STL, and `up = y` for other formats |
 ///
@@ -39,8 +41,8 @@
 /// Positions that no face uses are left out. Positions are rounded to the nearest [`Scalar`](crate::Scalar), and
 /// texture coordinates to the nearest [`TexCoord`](crate::TexCoord). A mesh has at most 65,536 positions. Polygons,
 /// including concave ones, are cut into triangles; [`Mesh::edges`](crate::Mesh::edges) are the sides of the polygons.
-/// If only some corners have texture coordinates, all other corners get (0, 0). Corners without a normal get the normal
-/// of their triangle.
+/// If only some corners have texture coordinates, and there is no option `uvs`, all other corners get (0, 0). Corners
+/// without a normal get the normal of their triangle.
 ///
 /// ```compile_fail
 /// use fixel::prelude::*;
@@ -102,8 +104,8 @@ macro_rules! include_materials {
 /// assert!(EDGES.creases() > 0);
 /// ```
 ///
-/// The options `object`, `part`, `scale` and `up` are the same as for the mesh. The option `crease` is an angle in
-/// degrees, from 0 to 180, and 30 by default. An edge is a crease if its two faces meet at more than this angle; 30 to
+/// The options `object`, `part`, `center`, `scale` and `up` are the same as for the mesh. The option `crease` is an angle
+/// in degrees, from 0 to 180, and 30 by default. An edge is a crease if its two faces meet at more than this angle; 30 to
 /// 45 degrees suit most models. [`Outline::build`](crate::mesh::Outline::build) describes which edges are found.
 #[macro_export]
 macro_rules! include_outline {

@@ -28,6 +28,22 @@ fn a_part_has_only_its_own_values() {
     assert!(!ROOF.edge_indices().is_empty());
 }
 
+/// The box around the roof reaches from (-1, 1.25, -1) to (1, 2, 1).
+#[test]
+fn a_part_is_centered_before_it_is_scaled() {
+    static ROOF: Mesh = include_mesh!("../models/house.obj", part = "tiles", up = z);
+    static MOVED: Mesh = include_mesh!(
+        "../models/house.obj",
+        part = "tiles",
+        up = z,
+        center,
+        scale = 4
+    );
+    let middle = vec3!(0, 0, -1.625);
+    let moved = ROOF.positions().iter().map(|at| (at - middle) * fx!(4));
+    assert!(MOVED.positions().iter().eq(moved));
+}
+
 /// With `up = z`, the macro turns the model by a quarter turn around x: the file's z becomes y.
 #[test]
 fn z_may_point_up() {
@@ -206,6 +222,7 @@ fn a_mipmap_has_the_means_of_the_picture() {
 #[test]
 fn an_object_and_its_normals() {
     static BASKET: Mesh = include_mesh!("../../examples/assets/balloon.glb", object = "basket");
+    static WOVEN: Mesh = include_mesh!("../../examples/assets/balloon.glb", object = "basket", uvs);
     static BALLOON: Mesh = include_mesh!("../../examples/assets/balloon.glb");
     static HOUSE: Mesh = include_mesh!("../models/house.obj", normals);
     static BARE: Mesh = include_mesh!("../models/house.obj");
@@ -215,6 +232,7 @@ fn an_object_and_its_normals() {
     assert!(
         BASKET.positions().iter().all(|p| p.y < fx!(0)) && !BASKET.has_uvs() && BALLOON.has_uvs()
     );
+    assert!(WOVEN.has_uvs() && WOVEN.faces() == BASKET.faces());
     // The house has no normals of its own; the balloon has.
     assert!(HOUSE.has_normals() && !BARE.has_normals() && BALLOON.has_normals());
 }

@@ -75,11 +75,18 @@ impl<'a> Scene<'a> {
         let mesh = model.mesh();
         for part in model.parts() {
             let mesh = mesh.part(part.faces);
-            if let Some(skin) = part.texture {
-                canvas.draw_with(&options, &mesh, &mvp, &Textured::new(skin).lit(self.sun));
-            } else {
-                canvas.draw_with(&options, &mesh, &mvp, &Flat::rgb(part.color).lit(self.sun));
+            macro_rules! draw {
+                ($surface:expr) => {
+                    canvas.draw_with(&options, &mesh, &mvp, &$surface.lit(self.sun))
+                };
             }
+            let color = Flat::<Rgb565>::rgb(part.color);
+            match (part.texture.map(Textured::new), model.colors()) {
+                (Some(skin), Some(colors)) => draw!(colors.over(skin)),
+                (Some(skin), None) => draw!(skin),
+                (None, Some(colors)) => draw!(colors.over(color)),
+                (None, None) => draw!(color),
+            };
         }
         Ok(())
     }

@@ -13,7 +13,7 @@ pub const ADDRESS: u32 = 0x1004_0000;
 /// The first word: "fixm".
 pub(crate) const MAGIC: u32 = u32::from_le_bytes(*b"fixm");
 /// The version of the format.
-pub(crate) const VERSION: u32 = 1;
+pub(crate) const VERSION: u32 = 2;
 /// The words at the start that the checksum leaves out.
 const UNCHECKED: usize = 4;
 /// A part's texture if it has none.
@@ -54,6 +54,10 @@ pub struct Header {
     pub uvs: u32,
     /// Elements.
     pub uv_faces: u32,
+    /// Elements.
+    pub colors: u32,
+    /// Elements.
+    pub color_faces: u32,
     /// Elements.
     pub parts: u32,
     /// Elements.

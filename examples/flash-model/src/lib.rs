@@ -12,11 +12,14 @@
 //! | faces of normals | three `u16`; as many as faces, or none if normals are indexed like positions |
 //! | texture coordinates | two `u16`, steps from the least to the greatest |
 //! | faces of texture coordinates | as for normals |
+//! | colors | three `u8`: red, green and blue |
+//! | faces of colors | as for normals |
 //! | parts | a [`PartRecord`] |
 //! | textures | a [`TextureRecord`] |
 //! | texels | `u16`, the bits of an `Rgb565` |
 #![cfg_attr(not(feature = "write"), no_std)]
 
+mod colors;
 mod header;
 mod problem;
 mod skin;
@@ -31,6 +34,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use fixel::mesh::flash::{Small, UvGrid};
 use fixel::{Mesh, Vec2, Vec3};
 
+pub use colors::Colors;
 pub use header::{ADDRESS, Board, Header, Panel, PartRecord, TextureRecord};
 pub use problem::Problem;
 pub use skin::Skin;
@@ -50,6 +54,7 @@ pub struct Model<'a> {
     normal_faces: &'a [[u16; 3]],
     uvs: Small<'a, Vec2>,
     uv_faces: &'a [[u16; 3]],
+    colors: Colors<'a>,
     parts: &'a [PartRecord],
     textures: &'a [TextureRecord],
     texels: &'a [u16],
@@ -81,6 +86,10 @@ impl<'a> Model<'a> {
         let normal_faces = lists.triples(header.normal_faces)?;
         let uvs = lists.arrays::<u16, 2>(header.uvs)?;
         let uv_faces = lists.triples(header.uv_faces)?;
+        let colors = Colors {
+            values: lists.triples(header.colors)?,
+            faces: lists.triples(header.color_faces)?,
+        };
         let parts = lists.arrays(header.parts)?;
         let textures = lists.arrays(header.textures)?;
         let texels = lists.arrays::<u16, 1>(header.texels)?;
@@ -90,6 +99,7 @@ impl<'a> Model<'a> {
         let counts = (positions.len(), faces.len());
         check(counts, normals.len(), normal_faces)?;
         check(counts, uvs.len(), uv_faces)?;
+        check(counts, colors.values.len(), colors.faces)?;
         let corners = header.uv_corners.map(|[u, v]| Vec2::from_bits([u, v]));
         let model = Self {
             panel: Panel::of(header.panel).ok_or(Problem::Lists)?,
@@ -98,6 +108,7 @@ impl<'a> Model<'a> {
             normal_faces,
             uvs: Small::uvs_of_16(uvs, UvGrid::around(&corners, u16::MAX)),
             uv_faces,
+            colors,
             parts,
             textures,
             texels: texels.as_flattened(),
@@ -119,6 +130,15 @@ impl<'a> Model<'a> {
     pub const fn mesh(&self) -> Mesh<'_> {
         let normals = (&self.normals, self.normal_faces);
         self.mesh.quantized(normals, (&self.uvs, self.uv_faces))
+    }
+
+    /// The colors of vertices; `None` if the model has none.
+    #[must_use]
+    pub const fn colors(&self) -> Option<Colors<'a>> {
+        if self.colors.values.is_empty() {
+            return None;
+        }
+        Some(self.colors)
     }
 
     /// The parts. Together they are the mesh.

@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::raw::{RawData, RawU16};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::mesh::flash::{UvGrid, short_normal};
 use fixel::{Vec2, Vec3};
-use fixel_assets::vector::{along, length, sub};
+use fixel_assets::vector::{length, sub};
 use fixel_assets::{Alpha, Files, Format, Image, Material, Model, Options, Picture};
 
 use crate::header::{self, HEADER, Header, MAGIC, NO_TEXTURE, VERSION};
@@ -36,13 +36,12 @@ pub fn write(
     let path = Path::new(name);
     let mut model = fixel_assets::read(path, files)?;
     model.complete();
-    let scale = fit(&mut model);
+    // Lines are not drawn, and could reach beyond the faces.
+    model.edges.clear();
     notes.extend(model.notes.iter());
-    if !model.colors.is_empty() {
-        notes.push("the colors of corners are left out".into());
-    }
     let options = Options {
-        scale,
+        center: true,
+        scale: fitting(&model),
         z_up: Format::of(path) == Some(Format::Stl),
         ..Options::default()
     };
@@ -85,6 +84,8 @@ pub fn write(
             normal_faces: list(&mut words, &lists.normal_faces),
             uvs: list(&mut words, &uvs),
             uv_faces: list(&mut words, &uv_faces),
+            colors: list(&mut words, &lists.colors),
+            color_faces: list(&mut words, &lists.color_faces),
             parts: list(&mut words, &parts),
             textures: list(&mut words, &textures),
             texels: list(&mut words, &texels),
@@ -129,24 +130,13 @@ fn list<T: NoUninit>(words: &mut Vec<u32>, list: &[T]) -> u32 {
     u32::try_from(list.len()).unwrap_or(u32::MAX)
 }
 
-/// Moves the middle of the model's box to the origin, and returns the scale that makes its radius about 1.
-fn fit(model: &mut Model) -> f64 {
+/// The scale that makes the model's radius about 1.
+fn fitting(model: &Model) -> f64 {
+    let middle = model.middle();
     let corners = model.triangles.iter().flat_map(|triangle| triangle.corners);
-    let used: Vec<_> = corners
-        .map(|corner| model.positions[corner.position as usize])
-        .collect();
-    let bound = |pick: fn(f64, f64) -> f64| {
-        [0, 1, 2].map(|axis| used.iter().map(|at| at[axis]).reduce(pick).unwrap_or(0.0))
-    };
-    let (low, high) = (bound(f64::min), bound(f64::max));
-    let center = along(low, sub(high, low), 0.5);
-    let distances = used.iter().map(|&at| length(sub(at, center)));
+    let used = corners.map(|corner| model.positions[corner.position as usize]);
+    let distances = used.map(|at| length(sub(at, middle)));
     let radius = distances.fold(0.0, f64::max);
-    // Lines are not drawn, and could reach beyond the faces.
-    model.edges.clear();
-    for position in &mut model.positions {
-        *position = sub(*position, center);
-    }
     if radius > 0.0 { RADIUS / radius } else { 1.0 }
 }
 

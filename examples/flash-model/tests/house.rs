@@ -1,11 +1,12 @@
 //! A model is the same after it was written and read back; bad bytes are refused.
 
+use std::collections::HashSet;
 use std::io;
 use std::path::Path;
 
-use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use fixel::prelude::*;
 use fixel::texture::Sampler;
-use fixel::{Mesh, Vec2, Vec3};
 use fixel_assets::{Files, Picture};
 use flash_model::{ADDRESS, Board, Model, Panel, Problem, board, region, uf2, write};
 
@@ -98,7 +99,7 @@ const LENGTH: usize = 2;
 const CHECKSUM: usize = 3;
 const PANEL: usize = 4;
 const COUNTS: usize = 10;
-const HEADER: usize = 19;
+const HEADER: usize = 21;
 
 /// The words with a right length and checksum.
 fn sealed(mut words: Vec<u32>) -> Vec<u32> {
@@ -185,6 +186,60 @@ fn attributes_belong_to_their_corners() {
     assert_eq!(Ok(mesh), wanted);
 }
 
+/// Two triangles: each position has a color, or each face.
+#[test]
+fn colors_tint_as_those_of_a_mesh() {
+    let [red, green, blue] = [Rgb888::RED, Rgb888::GREEN, Rgb888::new(0, 51, 255)];
+    let obj =
+        "v -1 -1 0 1 0 0\nv 1 -1 0 0 1 0\nv 1 1 0 0 0.2 1\nv -1 1 0 0 1 0\nf 1 2 3\nf 1 3 4\n";
+    let ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n\
+               element face 2\nproperty list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\n\
+               property uchar blue\nend_header\n-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n3 0 1 2 255 0 0\n3 0 2 3 0 51 255\n";
+    let of_positions = &[red, green, blue, green][..];
+    let cases = [
+        ("a.obj", obj, of_positions, None),
+        ("a.ply", ply, &[red, blue][..], Some(&[[0; 3], [1; 3]][..])),
+    ];
+    for (name, text, colors, faces) in cases {
+        let picture = Picture::decode(BRICK).unwrap();
+        for spare in [None, Some(&picture)] {
+            let mut notes = Vec::new();
+            let words = write(name, &Text(text), spare, Panel::St7789, &mut notes).unwrap();
+            assert!(notes.is_empty(), "{notes:?}");
+            if faces.is_some() {
+                let mut words = words.clone();
+                let at = starts(&words)[7];
+                words[at] = 2; // a third color
+                assert_eq!(Model::read(&sealed(words)).err(), Some(Problem::Lists));
+            }
+            let model = Model::read(&words).unwrap();
+            let part = model.parts().next().unwrap();
+            let (mesh, own) = (model.mesh(), model.colors().unwrap());
+            let wanted = mesh.with_colors(colors, faces).unwrap();
+            let (found, wanted) = if let Some(skin) = part.texture {
+                let skin = Textured::new(skin);
+                (drawn(&mesh, own.over(skin)), drawn(&wanted, skin.tinted()))
+            } else {
+                let flat = Flat::<Rgb565>::rgb(part.color);
+                (drawn(&mesh, own.over(flat)), drawn(&wanted, flat.tinted()))
+            };
+            assert!(found == wanted, "{name}");
+            assert!(wanted.iter().collect::<HashSet<_>>().len() > 2);
+        }
+    }
+    assert!(Model::read(&house()).unwrap().colors().is_none());
+}
+
+/// The pixels of a mesh in a square picture.
+fn drawn(mesh: &Mesh<'_>, shader: impl ShaderFor<Rgb565>) -> Vec<Rgb565> {
+    let projection = Projection::perspective(deg!(90), (16, 16), fx!(0.1), fx!(10)).unwrap();
+    let camera = Camera::look_at(vec3!(0, 0, 1), Vec3::ZERO, Vec3::Y).unwrap();
+    let mut pixels = vec![Rgb565::BLACK; 256];
+    let mut canvas = Canvas::new(&mut pixels, 16, 16).unwrap();
+    canvas.draw(mesh, &(projection * camera), &shader);
+    pixels
+}
+
 #[test]
 fn every_damaged_bit_is_noticed() {
     let words = house();
@@ -211,6 +266,19 @@ fn every_damaged_bit_is_noticed() {
     assert_eq!(short, Some(Problem::Length(words[LENGTH])));
 }
 
+/// Where the lists begin.
+fn starts(words: &[u32]) -> [usize; HEADER - COUNTS] {
+    let sizes = [6, 6, 3, 6, 4, 6, 3, 6, 16, 12, 2];
+    let mut at = HEADER;
+    let starts = std::array::from_fn(|list| {
+        let start = at;
+        at += (words[COUNTS + list] as usize * sizes[list]).div_ceil(4);
+        start
+    });
+    assert_eq!(at, words.len());
+    starts
+}
+
 #[test]
 fn lists_that_do_not_fit_each_other_are_refused() {
     let refused = |change: &dyn Fn(&mut Vec<u32>)| {
@@ -229,26 +297,18 @@ fn lists_that_do_not_fit_each_other_are_refused() {
             }
         }
     }
-    let words = house();
-    let counts: Vec<usize> = words[COUNTS..HEADER]
-        .iter()
-        .map(|&count| count as usize)
-        .collect();
-    let sizes = [6, 6, 3, 6, 4, 6, 16, 12, 2];
-    let mut at = HEADER;
-    let starts: Vec<usize> = counts
-        .iter()
-        .zip(sizes)
-        .map(|(count, size)| {
-            let start = at;
-            at += (count * size).div_ceil(4);
-            start
-        })
-        .collect();
-    let [_, faces, _, normal_faces, _, uv_faces, parts, textures, _] = starts[..] else {
-        panic!("nine lists")
-    };
-    assert_eq!(at, words.len());
+    let [
+        _,
+        faces,
+        _,
+        normal_faces,
+        _,
+        uv_faces,
+        ..,
+        parts,
+        textures,
+        _,
+    ] = starts(&house());
     for list in [faces, normal_faces, uv_faces] {
         refused(&|words| words[list] |= 0x7fff);
     }

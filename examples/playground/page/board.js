@@ -3,10 +3,10 @@ import { $, short } from "./controls.js";
 import { flash, save } from "./files.js";
 import { fetched } from "./module.js";
 
-/** What is shown before a model was dropped. */
-const DEFAULT = ["lighthouse.obj", "lighthouse.png"];
 /** The program that the emulated board runs. */
 const EMULATED = "pico_model.gz";
+/** The visitor's files, the model first. */
+let own = [];
 /** The emulated board, while it runs. */
 let worker;
 
@@ -18,27 +18,31 @@ async function fetchedFile(name) {
   return new File([await response.blob()], name);
 }
 
-/** Makes a file of the model and a program; returns its bytes, the model's name, and notes. */
-async function make(files, board) {
+/** The names of the chosen model's files, its own first. */
+const names = () =>
+  $("own").selected ? own.map(({ name }) => name) : $("model").selectedOptions[0].dataset.files.split(" ");
+
+/** Makes a file of the chosen model and a program; returns its bytes, the model's name, and notes. */
+async function make(board) {
   tell("Making the file …");
   const program = await fetched(board);
-  const model = files.length ? files : await Promise.all(DEFAULT.map(fetchedFile));
-  const { uf2, name, notes } = await flash(program, model, Number($("panel").value));
+  const files = $("own").selected ? own : await Promise.all(names().map(fetchedFile));
+  const { uf2, name, notes } = await flash(program, files, Number($("panel").value));
   return { uf2, name, notes: notes.map((note) => `${note[0].toUpperCase()}${note.slice(1)}.`) };
 }
 
-async function saveFile(files) {
+async function saveFile() {
   const { value, selectedOptions: [{ text }] } = $("chip");
-  const { uf2, name, notes } = await make(files, value);
+  const { uf2, name, notes } = await make(value);
   const file = `${name.replace(/\.\w+$/, "")}.uf2`;
   save(file, new Blob([uf2]));
   tell([`${file} holds ${name} and its program. Copy it to the drive of the ${text}.`, ...notes].join(" "));
 }
 
 /** Runs the file on the emulated board; stops it if it runs. */
-async function emulate(files) {
+async function emulate() {
   if (worker) return stop("Stopped.");
-  const { uf2, name, notes } = await make(files, EMULATED);
+  const { uf2, name, notes } = await make(EMULATED);
   const script = await fetched("emulator.js.gz").catch(({ message }) => {
     throw new Error(`${message} This page was built without the emulator. Everything else works.`);
   });
@@ -74,12 +78,19 @@ function show({ width, rgba, begun, lasts, bytes }) {
   ].join(" ");
 }
 
-/** Makes the buttons use the model of these files, or the lighthouse if there is none. */
-export function showBoard(files) {
+/** Shows the chosen model's name. */
+export const showModel = () => ($("flash").textContent = `Save ${names()[0]} as UF2`);
+
+/** Chooses the model of these files, if there is one. */
+export function chooseModel(files) {
   const model = files.find(({ name }) => /\.(obj|stl|ply|gltf|glb)$/i.test(name));
-  const used = model ? files : [];
-  const report = ({ message }) => tell(message);
-  $("flash").textContent = `Save ${model?.name ?? DEFAULT[0]} as UF2`;
-  $("flash").onclick = () => saveFile(used).catch(report);
-  $("emulate").onclick = () => emulate(used).catch(report);
+  if (!model) return;
+  own = [model, ...files.filter((file) => file !== model)];
+  Object.assign($("own"), { textContent: model.name, disabled: false, hidden: false, selected: true });
+  showModel();
 }
+
+const report = ({ message }) => tell(message);
+$("model").onchange = showModel;
+$("flash").onclick = () => saveFile().catch(report);
+$("emulate").onclick = () => emulate().catch(report);

@@ -31,7 +31,7 @@ export function settings() {
 }
 
 /** Controls whose values an address keeps, besides those of the camera. */
-const kept = () => [...document.querySelectorAll("fieldset select, [type=checkbox], #tolerance, #divider, #axis")];
+const kept = () => [...document.querySelectorAll("fieldset select, #board select, [type=checkbox], #tolerance, #divider, #axis")];
 /** The part of the camera that the visitor moves. */
 const VIEW = ["yaw", "pitch", "distance", "fov", "near", "far", "right", "down"];
 /** The value of a control as the page begins. */
@@ -54,9 +54,11 @@ export function keep(home) {
 export function recall() {
   const found = new URLSearchParams(location.hash.slice(1));
   for (const control of kept()) {
-    if (!found.has(control.id)) continue;
-    if (control.type === "checkbox") control.checked = found.get(control.id) === "true";
-    else control.value = found.get(control.id);
+    const wanted = found.get(control.id);
+    const exists = ({ value, disabled }) => value === wanted && !disabled;
+    if (wanted === null || (control.options && ![...control.options].some(exists))) continue;
+    if (control.type === "checkbox") control.checked = wanted === "true";
+    else control.value = wanted;
   }
   const numbers = ["scene", ...VIEW].map((name) => [name, parseFloat(found.get(name))]);
   return Object.fromEntries(numbers.filter(([, number]) => Number.isFinite(number)));

@@ -2,7 +2,7 @@
 import { animation } from "./animation.js";
 import { $, camera, keep, recall, roundAngles, settings, showCamera, showSettings } from "./controls.js";
 import { compare, showNumbers } from "./figures.js";
-import { showBoard } from "./board.js";
+import { chooseModel, showModel } from "./board.js";
 import { read, save } from "./files.js";
 import { Crate, FLOOR, LIGHTHOUSE, MODES, OWN, WORLD, load } from "./module.js";
 import { showSegment } from "./segment.js";
@@ -200,7 +200,7 @@ async function open(files) {
     const { model, texture, name, notes } = await read(files);
     if (model) crate.read("read_model", model);
     own = model ? files : [...files, ...own];
-    showBoard(own);
+    chooseModel(own);
     // The last model's texture does not suit another one.
     const { data, ...size } = texture ?? PLAIN;
     crate.read("read_texture", data, size);
@@ -295,9 +295,9 @@ async function start() {
   crate = new Crate(await load("playground.wasm.gz"));
   crate.read("read_texture", PLAIN.data, PLAIN);
   showSegment(crate);
-  showBoard(own);
   document.querySelector("main").inert = false;
   const { scene, ...kept } = recall();
+  showModel();
   // Without an address that says what to show, the picture turns. Where little motion is wanted, it never starts to
   // turn by itself.
   if (scene === undefined) $("spins").checked = true;

@@ -24,8 +24,8 @@ use super::view::{CAMERA, CHECKSUM, COUNTS, ERRORS, FIELDS, INSTRUCTIONS, NAMES,
 const SLOTS: usize = 3;
 /// Most pixels of a picture.
 const PIXELS: usize = 640 * 480;
-/// Room for a model's lists or a texture's pixels, in bytes.
-const INPUT: usize = 1 << 22;
+/// Room for a model's lists (71 bytes for each of 65,536 elements) or a texture's pixels, in bytes.
+const INPUT: usize = 5 << 20;
 
 /// Where a pixel was not drawn, as bytes of red, green, blue and opacity.
 const NOTHING: u32 = u32::from_le_bytes([58, 62, 68, 255]);

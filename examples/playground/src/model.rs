@@ -27,17 +27,10 @@ impl<T: Copy> List<T> {
         }
     }
 
-    /// Takes `len` elements of `SIZE` bytes from the bytes. There may be fewer.
-    fn read<const SIZE: usize>(
-        &mut self,
-        len: usize,
-        bytes: &mut &[u8],
-        element: impl Fn([u8; SIZE]) -> T,
-    ) {
-        let (list, rest) = bytes.split_at(bytes.len().min(len * SIZE));
-        *bytes = rest;
+    /// Takes a list from the bytes.
+    fn read<const SIZE: usize>(&mut self, bytes: &mut &[u8], element: impl Fn([u8; SIZE]) -> T) {
         self.len = 0;
-        for (to, &from) in self.elements.iter_mut().zip(list.as_chunks().0) {
+        for (to, &from) in self.elements.iter_mut().zip(list(bytes)) {
             *to = element(from);
             self.len += 1;
         }
@@ -53,6 +46,17 @@ impl<T: Copy> List<T> {
     }
 }
 
+/// What gives a model its colors: a texture, its materials, its vertices, or vertices that tint one of the former.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    Plain,
+    Texture,
+    TintedTexture,
+    Parts,
+    TintedParts,
+    Corners,
+}
+
 /// A mesh and its texture.
 pub struct Model {
     positions: List<Vec3>,
@@ -61,7 +65,11 @@ pub struct Model {
     uv_faces: List<[u16; 3]>,
     normals: List<Vec3>,
     normal_faces: List<[u16; 3]>,
+    colors: List<Rgb888>,
+    color_faces: List<[u16; 3]>,
     parts: heapless::Vec<Part<'static>, FACES>,
+    /// Whether the file has texture coordinates for all faces.
+    pub has_uvs: bool,
     texels: [Rgb565; TEXELS],
     size: [u32; 2],
     /// What stands in the parentheses of `include_mesh!` and `include_texture!`; empty if there is no file.
@@ -80,7 +88,10 @@ impl Model {
             uv_faces: List::new([0; 3]),
             normals: List::new(Vec3::ZERO),
             normal_faces: List::new([0; 3]),
+            colors: List::new(Rgb888::new(0, 0, 0)),
+            color_faces: List::new([0; 3]),
             parts: heapless::Vec::new(),
+            has_uvs: false,
             texels: [Rgb565::new(0, 0, 0); TEXELS],
             size: [0; 2],
             calls: [Call::new(), Call::new()],
@@ -94,31 +105,24 @@ impl Model {
     ///
     /// Those of a mesh: the reader makes none of them.
     pub fn read(&mut self, mut bytes: &[u8]) -> Result<(), Error> {
-        let (counts, rest) = bytes.split_at(bytes.len().min(28));
-        bytes = rest;
-        let mut counts = counts.as_chunks().0.iter();
-        let mut count = || {
-            counts
-                .next()
-                .map_or(0, |&count| u32::from_le_bytes(count) as usize)
-        };
-        let counts: [usize; 7] = core::array::from_fn(|_| count());
         let bytes = &mut bytes;
-        self.positions.read(counts[0], bytes, vector);
-        self.faces.read(counts[1], bytes, indices);
-        self.uvs.read(counts[2], bytes, |list: [u8; 8]| {
-            Vec2::from_bits(numbers(list))
-        });
-        self.uv_faces.read(counts[3], bytes, indices);
-        self.normals.read(counts[4], bytes, vector);
-        self.normal_faces.read(counts[5], bytes, indices);
-        let (parts, rest) = bytes.split_at(bytes.len().min(counts[6] * 12));
+        self.positions.read(bytes, vector);
+        self.faces.read(bytes, indices);
+        self.uvs
+            .read(bytes, |list: [u8; 8]| Vec2::from_bits(numbers(list)));
+        self.uv_faces.read(bytes, indices);
+        self.normals.read(bytes, vector);
+        self.normal_faces.read(bytes, indices);
+        self.colors
+            .read(bytes, |[red, green, blue]| Rgb888::new(red, green, blue));
+        self.color_faces.read(bytes, indices);
         self.parts.clear();
-        for &bytes in parts.as_chunks().0 {
+        for &bytes in list(bytes) {
             // There is room: a model has at most as many parts as triangles.
             let _ = self.parts.push(part(bytes));
         }
-        self.calls[0] = call(rest);
+        self.has_uvs = bytes.split_off_first() == Some(&1);
+        self.calls[0] = call(bytes);
 
         let mesh = self.mesh()?;
         let bounds = mesh.bounds();
@@ -137,14 +141,30 @@ impl Model {
     ///
     /// None for a model that was read.
     pub fn mesh(&self) -> Result<Mesh<'_>, Error> {
-        Mesh::new(self.positions.elements(), self.faces.elements())?
+        let mesh = Mesh::new(self.positions.elements(), self.faces.elements())?
             .with_normals(self.normals.elements(), self.normal_faces.some())?
-            .with_uvs(self.uvs.elements(), self.uv_faces.some())
+            .with_uvs(self.uvs.elements(), self.uv_faces.some())?;
+        match self.colors.some() {
+            Some(colors) => mesh.with_colors(colors, self.color_faces.some()),
+            None => Ok(mesh),
+        }
     }
 
-    /// The parts with their colors, for a model without a texture of which any material has a color.
-    pub fn parts(&self) -> Option<&[Part<'static>]> {
-        (self.calls[1].is_empty() && !self.parts.is_empty()).then_some(self.parts.as_slice())
+    /// What gives the model its colors.
+    pub fn look(&self) -> Look {
+        match (self.calls[1].is_empty(), self.colors.len, self.parts.len()) {
+            (false, 0, _) => Look::Texture,
+            (false, ..) => Look::TintedTexture,
+            (true, 0, 0) => Look::Plain,
+            (true, 0, _) => Look::Parts,
+            (true, _, 0) => Look::Corners,
+            (true, ..) => Look::TintedParts,
+        }
+    }
+
+    /// The parts with the colors of their materials.
+    pub fn parts(&self) -> &[Part<'static>] {
+        &self.parts
     }
 
     /// Reads a texture from bytes of red, green, blue and opacity, and the call after them.
@@ -173,6 +193,15 @@ impl Model {
         let [width, height] = self.size;
         Texture::new(&self.texels[..(width * height) as usize], width, height)
     }
+}
+
+/// Takes a list of elements of `SIZE` bytes, after their number, from the bytes. There may be fewer.
+fn list<'a, const SIZE: usize>(bytes: &mut &'a [u8]) -> &'a [[u8; SIZE]] {
+    let count = bytes.split_off(..4).and_then(<[u8]>::first_chunk);
+    let count = count.map_or(0, |&count| u32::from_le_bytes(count) as usize);
+    let most = bytes.len();
+    let list = bytes.split_off(..most.min(count.saturating_mul(SIZE)));
+    list.unwrap_or_default().as_chunks().0
 }
 
 /// Numbers in little-endian bytes.

@@ -4,7 +4,7 @@ use core::fmt::{self, Write};
 
 use fixel::prelude::*;
 
-use super::model::Model;
+use super::model::{Look, Model};
 use super::scene::Scene;
 use super::view::View;
 
@@ -82,10 +82,16 @@ fn drawing(scene: Scene, model: &Model) -> Option<[&'static str; 2]> {
         Scene::Cube => ["CUBE", "Textured::new(&SKIN)"],
         Scene::Sphere => ["scenes::SPHERE", "scenes::shaded()"],
         Scene::SphereFlat => ["scenes::SPHERE", "scenes::faceted()"],
-        Scene::Own if model.parts().is_some() => {
-            ["MODEL", "PartColors::rgb::<Rgb565>(PARTS).lit(sun)"]
+        Scene::Own => {
+            let shader = match model.look() {
+                Look::Plain | Look::Texture => "Textured::new(SKIN).lit(sun)",
+                Look::TintedTexture => "Textured::new(SKIN).tinted().lit(sun)",
+                Look::Parts => "PartColors::rgb::<Rgb565>(PARTS).lit(sun)",
+                Look::TintedParts => "PartColors::rgb::<Rgb565>(PARTS).tinted().lit(sun)",
+                Look::Corners => "Gouraud::<Rgb565>::new().lit(sun)",
+            };
+            ["MODEL", shader]
         }
-        Scene::Own => ["MODEL", "Textured::new(SKIN).lit(sun)"],
         Scene::Lighthouse | Scene::World => return None,
     })
 }
@@ -98,19 +104,25 @@ fn own(model: &Model, to: &mut Text) -> fmt::Result {
     } else {
         mesh.as_str()
     };
-    writeln!(to, "static MODEL: Mesh = include_mesh!({mesh});")?;
-    if model.parts().is_some() {
-        // The options after the name contain no quotation marks.
-        let name = mesh.rfind('"').map_or(mesh, |end| &mesh[..=end]);
-        return writeln!(to, "static PARTS: &[Part] = include_materials!({name});\n");
+    let look = model.look();
+    let uvs = match look {
+        Look::Texture | Look::TintedTexture if !model.has_uvs => ", uvs",
+        _ => "",
+    };
+    writeln!(to, "static MODEL: Mesh = include_mesh!({mesh}{uvs});")?;
+    match look {
+        Look::Plain => to.write_str(PLAIN),
+        Look::Texture | Look::TintedTexture => writeln!(
+            to,
+            "static SKIN: Texture<Rgb565> = include_texture!({texture});\n"
+        ),
+        Look::Parts | Look::TintedParts => {
+            // The options after the name contain no quotation marks.
+            let name = mesh.rfind('"').map_or(mesh, |end| &mesh[..=end]);
+            writeln!(to, "static PARTS: &[Part] = include_materials!({name});\n")
+        }
+        Look::Corners => writeln!(to),
     }
-    if texture.is_empty() {
-        return to.write_str(PLAIN);
-    }
-    writeln!(
-        to,
-        "static SKIN: Texture<Rgb565> = include_texture!({texture});\n"
-    )
 }
 
 /// Writes the program for a view.
@@ -123,7 +135,8 @@ pub fn write(view: &View, model: &Model, to: &mut Text) -> fmt::Result {
     let format = (view.format as usize).min(FORMATS.len() - 1);
     let [color, black] = FORMATS[if is_world { 0 } else { format }];
     let [colors, mesh, texture] = head(view.scene);
-    let has_parts = view.scene == Scene::Own && model.parts().is_some();
+    let has_parts =
+        view.scene == Scene::Own && matches!(model.look(), Look::Parts | Look::TintedParts);
     let [part, part_colors] = if has_parts {
         [
             "use fixel::mesh::Part;\n",

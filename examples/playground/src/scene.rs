@@ -9,7 +9,7 @@ use fixel::shade::PartColors;
 
 use super::common::{lighthouse, scenes};
 use super::formats::Color;
-use super::model::Model;
+use super::model::{Look, Model};
 use super::view::View;
 
 /// A scene. The page knows it by its place in the list.
@@ -94,13 +94,21 @@ impl Scene {
             }
             Self::Own => {
                 let sun = Light::new(vec3!(2, 3, 4), fx!(0.35), fx!(0.65))?;
-                let mesh = &model.mesh()?;
-                if let Some(parts) = model.parts() {
-                    let lit = C::shader(PartColors::rgb::<Rgb565>(parts).lit(sun));
-                    return Ok(canvas.draw_with(options, mesh, mvp, &lit));
+                let (mesh, skin) = (&model.mesh()?, Textured::new(model.texture()?));
+                let parts = PartColors::rgb::<Rgb565>(model.parts());
+                /// Draws the mesh with a shader in the sun.
+                macro_rules! lit {
+                    ($shader:expr) => {
+                        canvas.draw_with(options, mesh, mvp, &C::shader($shader.lit(sun)))
+                    };
                 }
-                let lit = C::shader(Textured::new(model.texture()?).lit(sun));
-                canvas.draw_with(options, mesh, mvp, &lit)
+                match model.look() {
+                    Look::Plain | Look::Texture => lit!(skin),
+                    Look::TintedTexture => lit!(skin.tinted()),
+                    Look::Parts => lit!(parts),
+                    Look::TintedParts => lit!(parts.tinted()),
+                    Look::Corners => lit!(Gouraud::<Rgb565>::new()),
+                }
             }
             Self::World => return Ok(Drawn::default()),
         })

@@ -13,7 +13,8 @@ pub struct File {
 
 macro_rules! files {
     ($($name:literal: $kind:literal = $path:expr,)+) => {
-        /// The page, the modules, the boards' programs and an emulator: empty if they were not built before.
+        /// The page, the modules, the boards' programs and an emulator (empty if they were not built before), and models
+        /// for a board.
         pub static FILES: [File; [$($name),+].len()] =
             [$(File { name: $name, kind: $kind, bytes: include_bytes!($path) }),+];
     };
@@ -39,6 +40,13 @@ files! {
     "emulator.js.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/emulator.js.gz"),
     "lighthouse.obj": "text/plain" = "../../assets/lighthouse.obj",
     "lighthouse.png": "image/png" = "../../assets/lighthouse.png",
+    "cabin.obj": "text/plain" = "../../assets/cabin.obj",
+    "cabin.mtl": "text/plain" = "../../assets/cabin.mtl",
+    "planks.tga": "image/x-tga" = "../../assets/planks.tga",
+    "house.obj": "text/plain" = "../../../tests/models/house.obj",
+    "house.mtl": "text/plain" = "../../../tests/models/house.mtl",
+    "brick.tga": "image/x-tga" = "../../../src/texture/samples/brick.tga",
+    "globe.ply": "text/plain" = "../../assets/globe.ply",
 }
 
 impl File {

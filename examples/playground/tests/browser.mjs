@@ -194,6 +194,26 @@ test("the address holds the state", async () => {
   await shows(view(LIGHTHOUSE, { mode: 3, format: 2, yaw }));
 });
 
+test("the address holds the panel and its model, but not a model that was dropped", async () => {
+  await page.choose("#panel", 1);
+  await chooseModel("cabin");
+  const reload = async (pattern) => {
+    const kept = await page.until(`/${pattern}/.test(location.hash) && location.href`);
+    await page.send("Page.navigate", { url: "about:blank" });
+    await page.send("Page.navigate", { url: kept });
+    await shows(view(LIGHTHOUSE));
+  };
+  await reload("model=cabin.*panel=1");
+  await page.until(text("#flash"), "Save cabin.obj as UF2");
+  assert.equal(await page.evaluate(`document.querySelector("#panel").value`), "1");
+  await page.drop("#stage", lighthouse);
+  await page.until(`document.querySelector("#model").value`, "own");
+  await scene(LIGHTHOUSE);
+  await reload("model=own");
+  await page.until(text("#flash"), "Save lighthouse.obj as UF2");
+  assert.equal(await page.evaluate(`document.querySelector("#model").value`), "lighthouse");
+});
+
 test("a picture that turns goes on after a reload", async () => {
   await page.click("#spins");
   await page.until(`(${NUMBER})("Pictures a second")`);
@@ -296,6 +316,12 @@ test("a glTF model of a hundred-thousandth of a unit is opened with its buffer a
   assert.equal(await page.evaluate(text("#status")), "triangle.gltf is read.");
 });
 
+/** Drops files with a model, or chooses one of the page's models. */
+async function chooseModel(files) {
+  if (Array.isArray(files)) return files.length && page.drop("#stage", files);
+  await page.choose("#model", await page.evaluate(`[...document.querySelectorAll("#model option")].findIndex(({ value }) => value === "${files}")`));
+}
+
 /** What an ELF file puts into memory: addresses and bytes. */
 function segments(elf) {
   const all = Array.from({ length: elf.readUInt16LE(44) }, (_, at) => elf.readUInt32LE(28) + 32 * at);
@@ -382,13 +408,16 @@ test("a file for a board holds its program and the model", async () => {
     ["lighthouse.uf2", [], 1, 0, 1144, 128, ["st7789", ...lighthouse]],
     ["cabin.uf2", cabin, 0, 1, 54, 32, ["ili9341", cabin[0]]],
     ["cabin.uf2", [], 1, 1, 54, 32, ["ili9341", cabin[0]]],
+    // Models of the page, whose files lie side by side there.
+    ["house.uf2", "house", 0, 1, 14, 8, ["ili9341", join(process.env.PAGE, "house.obj")]],
+    ["globe.uf2", "globe", 1, 0, 720, undefined, ["st7789", join(process.env.PAGE, "globe.ply")]],
   ];
   for (const [name, files, board, panel, faces, width, args] of cases) {
     const program = gunzipSync(readFileSync(join(process.env.PAGE, BOARDS[board].program)));
     const elf = join(folder, "program");
     writeFileSync(elf, program);
-    if (files.length) await page.drop("#stage", files);
-    await page.until(`${text("#flash")}`, `Save ${name.replace("uf2", "obj")} as UF2`);
+    await chooseModel(files);
+    await page.until(`/^Save ${name.replace("uf2", "(obj|ply)")} as UF2$/.test(${text("#flash")})`);
     await choose(board, panel);
     const { file, flash } = await saved(name, BOARDS[board]);
     // An RP2350 starts only a program with this block in its first 4 KiB: for Arm cores, and the only one.
@@ -402,8 +431,8 @@ test("a file for a board holds its program and the model", async () => {
     // The checksum is that of everything behind it. src/lib.rs of the package flash-model has the format.
     assert.equal(word(3), crc32(flash.subarray(BEHIND + 16, BEHIND + word(2))));
     assert.deepEqual([word(4), word(11)], [panel, faces]);
-    const lists = [6, 6, 3, 6, 4, 6, 16].map((size, list) => Math.ceil((word(10 + list) * size) / 4));
-    assert.equal(word(19 + lists.reduce((sum, words) => sum + words)), width);
+    const lists = [6, 6, 3, 6, 4, 6, 3, 6, 16].map((size, list) => Math.ceil((word(10 + list) * size) / 4));
+    if (width) assert.equal(word(21 + lists.reduce((sum, words) => sum + words)), width);
     // The emulated boards of .ci/boards run files from there.
     assert.ok(execFileSync(MODEL, [elf, ...args], { maxBuffer: 1 << 24 }).equals(file), `${name} is not the host's`);
   }
@@ -415,15 +444,16 @@ test("a file for a Pico runs on an emulated one, whose display shows the host's 
     // The board, the panel, the display's columns, and the clock of its bus. The file for a Pico 2 has the same model.
     ["lighthouse", [], 0, 0, 240, 62_500_000],
     ["cabin", cabin, 1, 1, 320, 31_250_000],
+    ["globe", "globe", 0, 0, 240, 62_500_000],
   ];
   for (const [name, files, board, panel, width, clock] of cases) {
-    if (files.length) await page.drop("#stage", files);
-    await page.until(`${text("#flash")}`, `Save ${name}.obj as UF2`);
+    await chooseModel(files);
+    await page.until(`/^Save ${name}.(obj|ply) as UF2$/.test(${text("#flash")})`);
     await choose(board, panel);
     const uf2 = join(folder, "run.uf2");
     writeFileSync(uf2, (await saved(`${name}.uf2`, BOARDS[board])).file);
     await page.click("#emulate");
-    await page.until(`${text("#flashed")}.startsWith("${name}.obj runs on")`);
+    await page.until(`/^${name}.(obj|ply) runs on/.test(${text("#flashed")})`);
     assert.equal(await page.evaluate(`${text("#flashed")}.includes("The page emulates no Pico 2.")`), board === 1);
     // It has turned a little since the start.
     const time = `Number(/after ([\\d.]+) seconds/.exec(${text("#emulated")})?.[1])`;
@@ -595,6 +625,15 @@ test("no scrolling sideways, and text that can be read, in light and dark", asyn
       assert.ok(widest <= width, `scene ${index} is ${widest} pixels wide on a screen of ${width}`);
     }
   }
+});
+
+test("a model with a long name fits on a small screen", async () => {
+  const name = `${"long".repeat(30)}.obj`;
+  writeFileSync(join(folder, name), island);
+  await page.size(360, 900);
+  await page.drop("#stage", [join(folder, name)]);
+  await page.until(text("#flash"), `Save ${name} as UF2`);
+  assert.ok((await page.evaluate(`document.documentElement.scrollWidth`)) <= 360);
 });
 
 test("axe finds nothing to mend, in light and dark", async () => {

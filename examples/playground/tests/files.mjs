@@ -65,9 +65,10 @@ test("models of any size and place have a radius near 1, and others stay as they
     const notes = await drop({ "a.obj": obj(scale, shift) });
     const { scale: drawn, center_x, center_y, center_z } = home(OWN);
     assert.ok(Math.abs(drawn - 1) < 0.02, `${scale}: scaled by ${drawn}`);
-    const given = Number(/scale = ([^ )]+)/.exec(crate.program(view(OWN)))[1]);
-    assert.ok(Math.abs(given * 2.5 * scale - 1) < 1e-5, `${scale}: ${given}`);
+    const [, center, given] = /normals(, center)?, scale = ([^ )]+)\)/.exec(crate.program(view(OWN)));
+    assert.ok(Math.abs(Number(given) * 2.5 * scale - 1) < 1e-5, `${scale}: ${given}`);
     const isMoved = shift > 1000 * scale;
+    assert.equal(center !== undefined, isMoved);
     assert.equal(notes.some((note) => note.includes("far from the origin")), isMoved);
     if (isMoved) for (const at of [center_x, center_y, center_z]) assert.ok(Math.abs(at) < 0.02, `${scale}: center ${at}`);
   }
@@ -75,6 +76,54 @@ test("models of any size and place have a radius near 1, and others stay as they
 
 const painted = `mtllib a.mtl\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl one\n${obj().replace("f 1 2 3", "f 1/1 2/2 3/3")}`;
 const materials = "newmtl one\nmap_Kd textures/One.tga\nnewmtl two\nmap_Kd two.tga\n";
+
+/** A PLY of the triangle whose vertices have colors. */
+const painting = (colors) =>
+  ply
+    .replace("element face", "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face")
+    .replace(vertices(CORNERS), vertices(CORNERS.map((at, corner) => [...at, ...colors[corner]])));
+
+test("vertices have their colors, in every format", async () => {
+  const [red, green, blue] = [[255, 0, 0], [0, 255, 0], [0, 0, 255]];
+  const [wanted, mesh, ...others] = await drawn({ "a.ply": painting([red, green, blue]) });
+  assert.deepEqual([mesh, others], ['include_mesh!("a.ply", normals)', []]);
+  assert.match(crate.program(view(OWN)), /Gouraud::<Rgb565>::new\(\)\.lit\(sun\)/);
+  const lines = obj().split("\n");
+  const colorful = lines.map((line, at) => (at < 3 ? `${line} ${[red, green, blue][at].join(" ")}` : line)).join("\n");
+  const [ofObj] = await drawn({ "a.obj": colorful });
+  assert.equal(ofObj, wanted);
+  const model = structuredClone(gltf);
+  const colors = Buffer.from(Uint8Array.from([...red, 0, ...green, 0, ...blue, 0]));
+  model.meshes[0].primitives[0].attributes.COLOR_0 = 1;
+  model.accessors.push({ bufferView: 1, componentType: 5121, normalized: true, count: 3, type: "VEC3" });
+  model.bufferViews.push({ buffer: 1, byteLength: 12, byteStride: 4 });
+  model.buffers.push({ uri: `data:;base64,${colors.toString("base64")}`, byteLength: 12 });
+  const [ofGltf] = await drawn({ "some data.bin": bytes, "a.gltf": JSON.stringify(model) });
+  assert.equal(ofGltf, wanted);
+  const [gray] = await drawn({ "a.ply": ply });
+  const [turned] = await drawn({ "a.ply": painting([green, blue, red]) });
+  assert.equal(new Set([wanted, gray, turned]).size, 3);
+});
+
+test("colors of vertices tint a texture and the colors of materials", async () => {
+  const files = { "a.obj": painted, "a.mtl": "newmtl one\nKd 1 1 0\n" };
+  const [yellow] = await drawn(files);
+  const tinted = painted.replace(/^v .*$/gm, "$& 0 1 1");
+  const [green, ...calls] = await drawn({ ...files, "a.obj": tinted });
+  assert.deepEqual(calls, ['include_mesh!("a.obj", normals)', 'include_materials!("a.obj")']);
+  const [other] = await drawn({ ...files, "a.mtl": "newmtl one\nKd 0 1 0\n" });
+  assert.notEqual(green, yellow);
+  assert.equal(green, other);
+  const [plain] = await drawn({ "a.obj": painted, "skin.tga": tga(4, 4) });
+  const [shaded, , skin] = await drawn({ "a.obj": tinted, "skin.tga": tga(4, 4) });
+  assert.equal(skin, 'include_texture!("skin.tga")');
+  assert.notEqual(plain, shaded);
+});
+
+test("a picture for a model without texture coordinates: the program computes them, too", async () => {
+  const [, mesh] = await drawn({ "a.stl": `solid a\nfacet normal 0 0 0\nouter loop\n${turned}\nendloop\nendfacet\nendsolid a\n`, "a.tga": tga(4, 4) });
+  assert.equal(mesh, 'include_mesh!("a.stl", normals, uvs)');
+});
 
 test("a model gets its material's picture, in sides that are powers of two", async () => {
   const others = { "other.tga": tga(4, 4), "a.mtl": materials, "a.obj": painted };

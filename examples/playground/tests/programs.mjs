@@ -83,6 +83,25 @@ const mtl = "newmtl roof\nKd 0.8 0.2 0.1\nnewmtl floor\nKd 0.3 0.3 0.6\n";
 const painted = `mtllib house.mtl\n${OBJ.replace("f 1/1/1", "usemtl roof\nf 1/1/1").replace("f 4/1/5", "usemtl floor\nf 4/1/5")}`;
 await dropped({ "house.mtl": mtl, "house.obj": painted });
 for (const format of [0, 2]) add(OWN, { format, pitch: -20 });
+// A picture for a model without texture coordinates.
+await dropped({ "bare.obj": OBJ.replace(/^v[tn].*\n/gm, "").replace(/\/\d+\/\d+/g, ""), "bare.bmp": bitmap(64, 64) });
+add(OWN, { pitch: -20 });
+// Models far from the origin: 0.01 wide, and of a millionth of a unit.
+for (const [name, scale, shift] of [["far", 0.005, [20000, -7, 300]], ["tiny", 4e-7, [0, 0, 1e-6]]]) {
+  const moved = CORNERS.map((at) => `v ${at.map((x, axis) => x * scale + shift[axis]).join(" ")}`).join("\n");
+  await dropped({ [`${name}.obj`]: OBJ.replace(/(v .*\n)+/, `${moved}\n`), [`${name}.bmp`]: bitmap(64, 64) });
+  add(OWN, {});
+}
+// Colors of vertices: alone, with materials, and with a texture.
+const COLORS = ["1 0 0", "0 1 0", "0 0 1", "1 1 0", "0.2 0.6 1"];
+const vertices = OBJ.split("\n").map((line, at) => (line.startsWith("v ") ? `${line} ${COLORS[at]}` : line)).join("\n");
+await dropped({ "vertices.obj": vertices });
+for (const mode of MODES.keys()) add(OWN, { mode, format: mode, ...CAMERAS[mode % 3] });
+const both = vertices.replace("f 1/1/1", "usemtl roof\nf 1/1/1").replace("f 4/1/5", "usemtl floor\nf 4/1/5");
+await dropped({ "house.mtl": mtl, "both.obj": `mtllib house.mtl\n${both}` });
+for (const format of [0, 2]) add(OWN, { format, pitch: -20 });
+await dropped({ "vertices.obj": vertices, "skin.bmp": bitmap(20, 16) });
+for (const format of [0, 1]) add(OWN, { format });
 // Names with quotation marks, and with letters that macOS takes apart.
 await dropped({ 'a "large" model.obj': OBJ, "scha\u0308del.bmp": bitmap(1024, 1024) });
 add(OWN, {});

@@ -18,13 +18,7 @@ pub fn lying(args: &Args, model: &Model) -> Option<String> {
             .corners
             .map(|corner| model.positions[corner.position as usize])
     };
-    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-    for point in model.triangles.iter().flat_map(corners) {
-        for axis in 0..3 {
-            low[axis] = low[axis].min(point[axis]);
-            high[axis] = high[axis].max(point[axis]);
-        }
-    }
+    let [low, high] = model.bounds();
     let size = sub(high, low);
     // For the lower and the upper side of the model's bounding box: the fraction of the side that faces cover.
     let covered = |axis: usize| {

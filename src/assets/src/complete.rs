@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::{Corner, Model, Smoothing, Triangle};
-use crate::vector::{Vector, add, cross, dot, length, sub};
+use crate::vector::{Vector, add, cross, dot, largest, length, sub};
 
 /// Cosine of the largest angle, 60 degrees, between faces that are shaded as one surface.
 const CREASE: f64 = 0.5;
@@ -154,19 +154,10 @@ impl Model {
 
     /// Computes texture coordinates for the triangles that have none. Each triangle is projected to the side of the
     /// model's bounding box that it faces most.
-    fn make_uvs(&mut self) {
+    pub fn make_uvs(&mut self) {
         // Positions that no face uses do not count, because they can be far away, or not numbers.
-        let corners = self.triangles.iter().flat_map(|triangle| triangle.corners);
-        let (mut lows, mut highs) = ([f64::MAX; 3], [f64::MIN; 3]);
-        for position in corners.map(|corner| self.positions[corner.position as usize]) {
-            for axis in 0..3 {
-                lows[axis] = lows[axis].min(position[axis]);
-                highs[axis] = highs[axis].max(position[axis]);
-            }
-        }
-        let size = (0..3)
-            .map(|axis| highs[axis] - lows[axis])
-            .fold(0.0, f64::max);
+        let [lows, highs] = self.bounds();
+        let size = largest(sub(highs, lows));
         let scale = if size > 0.0 { 1.0 / size } else { 1.0 };
         let mut made: HashMap<(u32, usize, bool), u32> = HashMap::new();
         for at in 0..self.triangles.len() {

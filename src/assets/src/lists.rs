@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 
+use super::vector::{Vector, along, largest, sub};
 use super::{Corner, Model, Triangle};
 
 /// The numbers of fraction bits: 16 in positions and normals, 20 in texture coordinates.
@@ -17,6 +18,8 @@ const NO_VALUE: u16 = u16::MAX;
 /// How a model becomes the lists of a mesh.
 #[derive(Clone, Debug)]
 pub struct Options {
+    /// Whether the middle of the [box](Model::bounds) around the faces is moved to the origin, before anything else.
+    pub center: bool,
     /// The factor by which all positions are multiplied. The factor must not be 0.
     pub scale: f64,
     /// Whether z points up in the file. The model is turned so that y points up.
@@ -30,6 +33,7 @@ pub struct Options {
 impl Default for Options {
     fn default() -> Self {
         Self {
+            center: false,
             scale: 1.0,
             z_up: false,
             part: None,
@@ -222,16 +226,22 @@ impl Model {
                 ));
             }
         }
-        let turned = |[x, y, z]: [f64; 3]| if options.z_up { [x, z, -y] } else { [x, y, z] };
-        let largest = model.positions.iter().flatten();
-        let largest = largest.fold(0.0, |most: f64, x| most.max(x.abs()));
-        let position = |position: &[f64; 3]| -> Result<[i32; 3], String> {
-            let [x, y, z] = turned(*position).map(|x| fixed(x * options.scale, SCALAR));
+        let turned = |[x, y, z]: Vector| if options.z_up { [x, z, -y] } else { [x, y, z] };
+        let origin = if options.center {
+            model.middle()
+        } else {
+            [0.0; 3]
+        };
+        let placed = |position: &Vector| turned(sub(*position, origin));
+        let sizes = model.positions.iter().map(|at| largest(placed(at)));
+        let most = sizes.fold(0.0, f64::max);
+        let position = |position: &Vector| -> Result<[i32; 3], String> {
+            let [x, y, z] = placed(position).map(|x| fixed(x * options.scale, SCALAR));
             x.zip(y).zip(z).map(|((x, y), z)| [x, y, z]).ok_or_else(|| {
-                let fits = (f64::from(32_767_u16) / largest).log2().floor().exp2();
+                let fits = (f64::from(32_767_u16) / most).log2().floor().exp2();
                 format!(
                     "a coordinate is {}: it must lie between -32768 and 32767.99999; with scale = {fits} it does",
-                    largest * options.scale
+                    most * options.scale
                 )
             })
         };
@@ -246,9 +256,9 @@ impl Model {
             let up = fixed(1.0 - v, TEX_COORD).map(|v| (1 << TEX_COORD) - v);
             [fixed(u, TEX_COORD).unwrap_or(0), up.unwrap_or(0)]
         };
-        let normal = |normal: &[f64; 3]| {
+        let normal = |normal: &Vector| {
             let turned = turned(*normal);
-            let size = turned.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            let size = largest(turned);
             // Only a normal's direction matters. A very short normal is scaled so that rounding does not lose its
             // direction, a very long normal so that it fits.
             let scale = if (0.01..16_384.0).contains(&size) {
@@ -292,23 +302,41 @@ impl Model {
         Ok(lists)
     }
 
+    /// The least and the greatest coordinates of the positions that faces use.
+    #[must_use]
+    pub fn bounds(&self) -> [Vector; 2] {
+        let corners = self.triangles.iter().flat_map(|triangle| triangle.corners);
+        let (mut low, mut high) = ([f64::MAX; 3], [f64::MIN; 3]);
+        for position in corners.map(|corner| self.positions[corner.position as usize]) {
+            for axis in 0..3 {
+                low[axis] = low[axis].min(position[axis]);
+                high[axis] = high[axis].max(position[axis]);
+            }
+        }
+        [low, high]
+    }
+
+    /// The middle of the box between the [bounds](Self::bounds).
+    #[must_use]
+    pub fn middle(&self) -> Vector {
+        let [low, high] = self.bounds();
+        along(low, sub(high, low), 0.5)
+    }
+
     /// A sentence about positions that become equal when they are multiplied by `scale` and rounded. The sentence names
-    /// a scale that keeps these positions apart, if the mesh's format permits such a scale. `None` if at most a
-    /// hundredth of the positions become equal. Positions within 1/65,536 of the model's size count as one position.
+    /// the options that keep these positions apart. `None` if at most a hundredth of the positions become equal.
+    /// Positions within 1/65,536 of the model's size count as one position.
     #[must_use]
     pub fn merging(&self, scale: f64) -> Option<String> {
         let corners = self.triangles.iter().flat_map(|triangle| triangle.corners);
         let used: HashSet<u32> = corners.map(|corner| corner.position).collect();
-        let points: Vec<[f64; 3]> = used.iter().map(|&at| self.positions[at as usize]).collect();
-        let side = |axis: usize| {
-            let all = points.iter().map(|point| point[axis]);
-            all.clone().fold(f64::MIN, f64::max) - all.fold(f64::MAX, f64::min)
-        };
-        let fine = 1.0 / side(0).max(side(1)).max(side(2));
+        let points: Vec<Vector> = used.iter().map(|&at| self.positions[at as usize]).collect();
+        let [low, high] = self.bounds();
+        let fine = 1.0 / largest(sub(high, low));
         let distinct = |scale: f64| {
             let steps = scale * f64::from(1_u32 << SCALAR);
             #[allow(clippy::cast_possible_truncation)] // saturates
-            let rounded = |point: &[f64; 3]| point.map(|x| (x * steps).round() as i64);
+            let rounded = |point: &Vector| point.map(|x| (x * steps).round() as i64);
             points.iter().map(rounded).collect::<HashSet<_>>().len()
         };
         if fine <= scale || !fine.is_finite() {
@@ -323,18 +351,16 @@ impl Model {
         while enough < fine && !are_kept(distinct(enough)) {
             enough *= 2.0;
         }
-        let farthest = points
-            .iter()
-            .flatten()
-            .fold(0.0, |most: f64, x| most.max(x.abs()));
-        let how = if farthest * enough < 32_767.0 {
-            format!("scale = {enough} keeps them apart")
+        let farthest = largest(low).max(largest(high));
+        // With the middle of the model at the origin, all positions fit at every scale up to `fine`.
+        let center = if farthest * enough < 32_767.0 {
+            ""
         } else {
-            "move the model to its origin and scale it up".into()
+            "center, "
         };
         let merged = apart.saturating_sub(kept);
         Some(format!(
-            "{merged} of {apart} positions are the same as others in steps of 1/65536: {how}"
+            "{merged} of {apart} positions are the same as others in steps of 1/65536: {center}scale = {enough} keeps them apart"
         ))
     }
 

@@ -4,8 +4,10 @@
 
 mod common;
 
+use std::collections::HashSet;
+
 use common::{mutated, notes, read};
-use fixel_assets::{Alpha, Material, Model, Smoothing};
+use fixel_assets::{Alpha, Material, Model, Options, Smoothing};
 
 /// A square of two triangles.
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
@@ -212,6 +214,35 @@ fn what_cannot_be_read_is_counted() {
         model.normals[corner.normal.unwrap() as usize],
         [0.0, 0.0, 1.0]
     );
+}
+
+/// Positions a millionth apart, at the origin and far from it.
+#[test]
+fn a_note_tells_how_to_keep_positions_apart() {
+    let text = |from: f64| {
+        let corner = |at: u32| format!("v {} 0 0\n", from + f64::from(at) * 1e-6);
+        let corners: String = (0..300).map(corner).collect();
+        let face = |at: u32| format!("f {} {} {}\n", at + 1, at + 2, at + 3);
+        corners + &(0..298).map(face).collect::<String>()
+    };
+    for (from, wanted) in [(0.0, ": scale = "), (10_000.0, ": center, scale = ")] {
+        let model = obj(&text(from)).unwrap();
+        let note = model.merging(1.0).unwrap();
+        let (_, options) = note.split_once(wanted).unwrap();
+        let scale = options.split_once(' ').unwrap().0.parse().unwrap();
+        let center = wanted.contains("center");
+        assert_eq!(model.merging(scale), None);
+        let options = Options {
+            center,
+            scale,
+            ..Options::default()
+        };
+        let positions = model.lists(&options).unwrap().positions;
+        let distinct: HashSet<_> = positions.iter().collect();
+        assert!(distinct.len() > 290, "{}", distinct.len());
+        let [low, high] = [positions.iter().min(), positions.iter().max()].map(Option::unwrap);
+        assert_eq!(center, (low[0] + high[0]).abs() <= 1, "{low:?} {high:?}");
+    }
 }
 
 #[test]

@@ -5,7 +5,7 @@
 //!
 //! | part | contents |
 //! |---|---|
-//! | 0 | the mesh: how long its lists are, the lists in little-endian numbers, and how `include_mesh!` is called for it |
+//! | 0 | the mesh: its lists in little-endian numbers, each after its length; 1 if all faces have texture coordinates in the file; and how `include_mesh!` is called for it |
 //! | 1 | the texture's pixels: red, green, blue and alpha; and how `include_texture!` is called for it |
 //! | 2 | the texture's width and height |
 //! | 3 | the name of the model, or of the picture if there is no model |

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use fixel_assets::vector::{along, largest, length, sub};
+use fixel_assets::vector::{largest, length, sub};
 use fixel_assets::{Files, Format, Material, Model, Options, Run};
 
 use crate::quoted;
@@ -35,8 +35,10 @@ pub fn read(
     if !has_normals {
         call.push_str(", normals");
     }
+    let (center, scale) = fitted(&model, &mut call, notes);
     let options = Options {
-        scale: fitted(&mut model, &mut call, notes),
+        center,
+        scale,
         z_up: Format::of(path) == Some(Format::Stl),
         ..Options::default()
     };
@@ -48,51 +50,30 @@ pub fn read(
             lists.faces.len()
         )));
     }
-    let (faces, uv_faces, normal_faces) = (&lists.faces, &lists.uv_faces, &lists.normal_faces);
-    let (positions, uvs, normals) = (&lists.positions, &lists.uvs, &lists.normals);
-    let parts = parts(&model);
-    let counts = [
-        positions.len(),
-        faces.len(),
-        uvs.len(),
-        uv_faces.len(),
-        normals.len(),
-        normal_faces.len(),
-        parts.len(),
-    ];
     let mut mesh = Vec::new();
-    #[allow(clippy::cast_possible_truncation)] // 65,536 at most
-    mesh.extend(
-        counts
-            .iter()
-            .flat_map(|&count| (count as u32).to_le_bytes()),
-    );
-    let words = |faces: &[[u16; 3]]| {
-        faces
-            .iter()
-            .flatten()
-            .flat_map(|word| word.to_le_bytes())
-            .collect::<Vec<_>>()
-    };
-    mesh.extend(
-        positions
-            .iter()
-            .flatten()
-            .flat_map(|bits| bits.to_le_bytes()),
-    );
-    mesh.extend(words(faces));
-    mesh.extend(uvs.iter().flatten().flat_map(|bits| bits.to_le_bytes()));
-    mesh.extend(words(uv_faces));
-    mesh.extend(normals.iter().flatten().flat_map(|bits| bits.to_le_bytes()));
-    mesh.extend(words(normal_faces));
-    mesh.extend(
-        parts
-            .as_flattened()
-            .iter()
-            .flat_map(|word| word.to_le_bytes()),
-    );
+    list(&mut mesh, &lists.positions, i32::to_le_bytes);
+    list(&mut mesh, &lists.faces, u16::to_le_bytes);
+    list(&mut mesh, &lists.uvs, i32::to_le_bytes);
+    list(&mut mesh, &lists.uv_faces, u16::to_le_bytes);
+    list(&mut mesh, &lists.normals, i32::to_le_bytes);
+    list(&mut mesh, &lists.normal_faces, u16::to_le_bytes);
+    list(&mut mesh, &lists.colors, u8::to_le_bytes);
+    list(&mut mesh, &lists.color_faces, u16::to_le_bytes);
+    list(&mut mesh, &parts(&model), u32::to_le_bytes);
+    mesh.push(model.had_uvs.into());
     mesh.extend(call.into_bytes());
     Ok((mesh, model))
+}
+
+/// Appends how many elements a list has, and the elements.
+fn list<T: Copy, const N: usize, const SIZE: usize>(
+    to: &mut Vec<u8>,
+    list: &[[T; N]],
+    bytes: impl Fn(T) -> [u8; SIZE],
+) {
+    #[allow(clippy::cast_possible_truncation)] // 65,536 at most
+    to.extend((list.len() as u32).to_le_bytes());
+    to.extend(list.as_flattened().iter().flat_map(|&number| bytes(number)));
 }
 
 /// The runs of faces with one material: the first face, the one after the last, and the material's color. None if no
@@ -115,36 +96,22 @@ fn is_colored(material: &Material) -> bool {
     material.color != [255; 3]
 }
 
-/// Returns the scale at which the model fits the mesh's format, whose steps are 2^-16: 1 if it fits as it is, otherwise
-/// the one that makes its radius about 1. If the model is then still far from the origin, moves it there.
-fn fitted(model: &mut Model, call: &mut String, notes: &mut Vec<String>) -> f64 {
-    // The positions that faces use.
-    let corners = model.triangles.iter().flat_map(|triangle| triangle.corners);
-    let used = corners.map(|corner| model.positions[corner.position as usize]);
-    let bound = |axis: usize, pick: fn(f64, f64) -> f64| {
-        let all = used.clone().map(|at| at[axis]);
-        all.reduce(pick).unwrap_or(0.0)
-    };
-    let low = [0, 1, 2].map(|axis| bound(axis, f64::min));
-    let high = [0, 1, 2].map(|axis| bound(axis, f64::max));
-    let center = along(low, sub(high, low), 0.5);
+/// Returns how the model fits the mesh's format, whose steps are 2^-16: as it is, or at the scale that makes its radius
+/// about 1. If the model is then still far from the origin, it is also moved there.
+fn fitted(model: &Model, call: &mut String, notes: &mut Vec<String>) -> (bool, f64) {
+    let [low, high] = model.bounds();
+    let center = model.middle();
     let radius = length(sub(high, center));
     let most = largest(low).max(largest(high)).max(radius);
     if radius == 0.0 || (radius >= 1.0 / 16.0 && most < 16_384.0) {
-        return 1.0;
+        return (false, 1.0);
     }
     let scale = 1.0 / radius;
-    let _ = write!(call, ", scale = {scale:e}");
-    if largest(center) * scale > 1024.0 {
-        let [x, y, z] = center;
-        notes.push(format!(
-            "it is far from the origin: the page moved it there, by ({}, {}, {})",
-            -x, -y, -z
-        ));
-        let _ = write!(call, " /* of a model without its place: ({x}, {y}, {z}) */");
-        for position in &mut model.positions {
-            *position = sub(*position, center);
-        }
+    let is_far = largest(center) * scale > 1024.0;
+    if is_far {
+        notes.push("it is far from the origin: the option center moves it there".into());
+        call.push_str(", center");
     }
-    scale
+    let _ = write!(call, ", scale = {scale:e}");
+    (is_far, scale)
 }

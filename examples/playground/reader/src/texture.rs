@@ -96,11 +96,7 @@ pub fn of_model(
     let is_other = |(other, _): &&(String, &[u8])| {
         other != name && !model.files.iter().any(|file| file == Path::new(other))
     };
-    found = found.or_else(|| dropped(files.0.iter().filter(is_other)).ok());
-    if !model.colors.is_empty() {
-        notes.push("the page does not draw the colors of corners".into());
-    }
-    found
+    found.or_else(|| dropped(files.0.iter().filter(is_other)).ok())
 }
 
 /// A picture that a model names or contains.

@@ -8,8 +8,8 @@ use crate::expansion::Expansion;
 /// The formats in which a mesh can store its lists, except the default format.
 const FORMATS: [&str; 3] = ["short", "quantized_16", "quantized_8"];
 
-/// The options that choose the faces of the mesh, and its scale and axes.
-const COMMON: [&str; 4] = ["object", "part", "scale", "up"];
+/// The options that choose the faces of the mesh, and its place, scale and axes.
+const COMMON: [&str; 5] = ["object", "part", "center", "scale", "up"];
 
 /// Reads the model. Tells the compiler on which files the expansion depends.
 fn read(arguments: &Arguments, expansion: &mut Expansion) -> Result<Model, String> {
@@ -32,6 +32,7 @@ fn options(arguments: &Arguments) -> Result<Options, String> {
         return Err("scale is 0: the mesh would be a point".into());
     }
     Ok(Options {
+        center: arguments.has("center"),
         scale,
         z_up,
         part: arguments.text("part")?,
@@ -48,7 +49,7 @@ fn bytes<T: Copy, const N: usize, const SIZE: usize>(
 }
 
 pub fn mesh(arguments: &Arguments) -> Result<Expansion, String> {
-    arguments.check(&[&FORMATS[..], &["normals"], &COMMON].concat())?;
+    arguments.check(&[&FORMATS[..], &["normals", "uvs"], &COMMON].concat())?;
     let formats: Vec<&str> = FORMATS
         .into_iter()
         .filter(|format| arguments.has(format))
@@ -60,6 +61,9 @@ pub fn mesh(arguments: &Arguments) -> Result<Expansion, String> {
     let mut model = read(arguments, &mut expansion)?;
     if arguments.has("normals") {
         model.make_normals();
+    }
+    if arguments.has("uvs") {
+        model.make_uvs();
     }
     let options = options(arguments)?;
     if let Some(note) = model.merging(options.scale) {
