@@ -8,7 +8,7 @@ use fixel::shade::Gradient;
 static DOME: Mesh = shape!(sphere(24, 16));
 static SEA: Mesh = shape!(plane(1, 1));
 static ROCK: Mesh = shape!(sphere(7, 4));
-/// Light that fades from the middle to the edge.
+/// A texture of the light around the sun, which fades from the middle to the edge.
 static GLOW: [[Gray8; 64]; 64] = {
     let mut texels = [[Gray8::new(0); 64]; 64];
     let mut at = 0_usize;
