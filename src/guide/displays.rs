@@ -21,14 +21,14 @@
 //! Most of a dashboard does not move. If you know where an object moves, draw and send only a window around the object.
 //! In the picture, the window is yellow, and has a ninth of the frame's pixels.
 //!
-//! Make a canvas as large as the window. Draw on it with the viewport of the whole frame, moved left and up by the
-//! coordinates of the window's top left corner. The canvas then shows that window. Triangles cover the same pixels as
-//! when the whole frame is drawn. Interpolated colors and texture coordinates can differ by up to the
+//! Make a canvas as large as the window. On this canvas, draw with the viewport of the whole frame, moved left and up
+//! by the coordinates of the window's top left corner. The canvas then shows that window. Triangles cover the same
+//! pixels as when the whole frame is drawn. Interpolated colors and texture coordinates can differ by up to the
 //! [mode's](crate::guide::modes) error, because interpolation along a row begins at the window's edge. The pattern of
 //! [ordered dithering](crate::shade::PixelFormat) begins at the corner of the canvas. So if colors are dithered, the
 //! coordinates of the window's corner must be multiples of 8. The method `translated` of embedded-graphics is used
-//! twice: `canvas.translated` lets text have coordinates in the frame, and `display.translated` sends the window to its
-//! place on the display. The window must contain both the old and the new position of the moving object.
+//! twice: with `canvas.translated`, text is placed by its position in the frame; with `display.translated`, the window
+//! goes to its place on the display. The window must contain both the old and the new position of the moving object.
 //! [`Canvas::project`](crate::Canvas::project) gives the position of a point of the scene in the frame.
 //!
 #![doc = display_program!("window")]
