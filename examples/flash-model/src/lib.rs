@@ -11,7 +11,7 @@
 //! | faces | three `u16`, indices of positions |
 //! | normals | three `i8` |
 //! | faces of normals | three `u16`, indices of normals: one element for each face, or no elements if each position has a normal |
-//! | texture coordinates | two `u16`: u and v, from 0 for the model's least to 65,535 for its greatest |
+//! | texture coordinates | two `u16`: u and v, in steps above the least of the model; a step is the range from the least to the greatest, divided by 65,535 and rounded up to a unit of 2<sup>-20</sup> |
 //! | faces of texture coordinates | as for normals |
 //! | parts | a [`PartRecord`] |
 //! | textures | a [`TextureRecord`] |

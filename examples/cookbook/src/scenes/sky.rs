@@ -1,4 +1,4 @@
-//! An evening sky: colors by height, and a sun that shines through them.
+//! An evening sky: its colors change with height, and the glow of the sun is added.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888};
 use fixel::canvas::{Add, NoTest};
