@@ -16,9 +16,9 @@
 //!
 #![doc = diagram!("pipeline")]
 //!
-//! A draw call takes a mesh (the shape), a model-view-projection (the place of the shape and of the eye) and a shader
-//! (the colors). It writes pixels to a canvas (your memory). All four are plain values that belong to your program.
-//! Between draw calls, only the canvas keeps state.
+//! A draw call takes a mesh (the shape), a model-view-projection (the places of the shape and of the eye, and the angle
+//! of view) and a shader (the colors). It writes pixels to a canvas (your memory). Mesh, model-view-projection, shader
+//! and canvas are plain values that belong to your program. Between draw calls, only the canvas keeps state.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -87,16 +87,17 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! Choose the unit so that your scene is between a tenth of a unit and a few thousand units in size: a meter for a
-//! garden, a centimeter for a machine. [Limits](crate::guide::limits) gives the accuracy of the picture for each range.
+//! Choose the unit of length so that your scene is between a tenth of a unit and a few thousand units in size: for
+//! example, a meter for a garden, or a centimeter for a machine. [Limits](crate::guide::limits) gives the accuracy of
+//! the picture for each range.
 //!
-//! The page of [`num`](crate::num) says how results are rounded.
+//! The page of [`num`](crate::num) says how the results of calculations are rounded.
 //!
 //! # Mesh
 //!
-//! A [`Mesh`](crate::Mesh) borrows positions and faces, and optionally texture coordinates, normals, colors and edges.
-//! `shape!` and `include_mesh!` make a mesh at compile time, so it is stored in flash. A mesh that borrows your own
-//! slices can also be in flash:
+//! A [`Mesh`](crate::Mesh) borrows positions and faces (the corners of triangles), and optionally texture coordinates,
+//! normals, colors and edges. `shape!` and `include_mesh!` make a mesh at compile time, so it is stored in flash. A
+//! mesh that borrows your own slices can also be in flash:
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -112,8 +113,8 @@
 //!
 #![doc = diagram!("winding")]
 //!
-//! If you see the inside of a model, the corners of its triangles are in clockwise order. Swap two corners of each
-//! triangle, or draw with [`Cull::Front`](crate::Cull::Front).
+//! If you see the inside of a model, the corners of its triangles are in clockwise order, seen from outside. Swap two
+//! corners of each triangle, or draw with [`Cull::Front`](crate::Cull::Front).
 //!
 //! # Transform, camera, projection
 //!
@@ -124,7 +125,7 @@
 //!   that the eye is at the origin and looks along −z.
 //! - A [`Projection`](crate::Projection) sets the angle of view, and the distances of the near and the far plane. A
 //!   draw call draws only surfaces between these planes. [`perspective`](crate::Projection::perspective) takes the
-//!   vertical angle, from the bottom of the picture to its top.
+//!   vertical angle of view, from the bottom of the picture to its top.
 //!
 #![doc = diagram!("eye")]
 //!
@@ -140,7 +141,7 @@
 //! assert_eq!((right * quarter).point(Vec3::X), vec3!(2, 1, 0)); // turned, then moved
 //! assert_eq!((quarter * right).point(Vec3::X), vec3!(0, 3, 0)); // moved, then turned
 //!
-//! // An arm at the end of an arm: each transform is in the axes of the one on its left.
+//! // A forearm at the end of an upper arm: each transform is relative to the transform on its left.
 //! let shoulder = Transform::rotate_z(deg!(90));
 //! let elbow = Transform::translate(vec3!(1, 0, 0)) * Transform::rotate_z(deg!(90));
 //! assert_eq!((shoulder * elbow).point(vec3!(1, 0, 0)), vec3!(-1, 1, 0));
@@ -150,9 +151,10 @@
 //!
 //! A [`Shader`](crate::Shader) gives each pixel its color. Some shaders are surfaces: [`Flat`](crate::Flat) has one
 //! color, [`Gouraud`](crate::Gouraud) interpolates vertex colors, and [`Textured`](crate::Textured) shows a texture.
-//! The pixels of a texture are called texels. Adapters (`lit`, `in_fog`, `map`) wrap a surface. You can use any number
-//! of adapters, in any order. The module [`shade`](crate::shade) lists all surfaces and adapters. The compiler turns a
-//! surface with all of its adapters into one loop, and the program contains only the shaders that you name.
+//! The pixels of a texture are called texels. Methods such as `lit`, `in_fog` and `map` wrap a surface in an adapter
+//! that changes the surface's colors. You can use any number of adapters, in any order. The module
+//! [`shade`](crate::shade) lists all surfaces and adapters. The compiler turns a surface with all of its adapters into
+//! one loop, and the program contains only the shaders that you name.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -193,15 +195,15 @@
 //! assert_eq!(floor.cull, Cull::Back);
 //! ```
 //!
-//! Each option is a type, so a program contains only the variants that it names. [Choosing a mode](crate::guide::modes)
-//! compares the modes of interpolation.
+//! Each option is a type, so a program contains only the code of the options that it names. [Choosing a
+//! mode](crate::guide::modes) compares the modes of interpolation.
 //!
 //! # Canvas
 //!
 //! A [`Canvas`](crate::Canvas) is a picture in your memory: its size, its colors, and optionally a depth buffer. If the
-//! memory is a slice of colors, the canvas stores colors. If the memory is a slice of arrays, such as `[u8; 2]`, the
-//! canvas stores bytes in the order that a display expects. A canvas consists of references and a few numbers, so make
-//! a new one for each frame.
+//! memory is a slice of colors, the canvas stores each color unchanged. If the memory is a slice of arrays, such as
+//! `[u8; 2]`, the canvas stores the bytes of each color in the order that the display expects. A canvas is only a few
+//! references and numbers, so you can make a new canvas for each frame.
 //!
 //! A canvas is a `DrawTarget`, so embedded-graphics can draw text and shapes over the picture.
 //! [`show`](crate::Canvas::show) copies the picture to another `DrawTarget`. [`as_bytes`](crate::Canvas::as_bytes)
@@ -210,22 +212,23 @@
 //!
 //! # Depth
 //!
-//! With a depth buffer, triangles may be drawn in any order; you always see the nearest one. The buffer takes two bytes
-//! per pixel, and stores how near each pixel is:
+//! With a depth buffer, triangles can be drawn in any order: at each pixel, you see the nearest triangle. For each
+//! pixel, the buffer stores in two bytes how near the visible surface is:
 //!
 #![doc = diagram!("depth")]
 //!
-//! `clear` sets all depths to 0, which is infinitely far. Half of the depth steps cover only the distances from the
-//! near plane to twice the distance of the near plane. So put the near plane as far away as the scene allows. The far
-//! plane may be at any distance: it does not change the steps. For scenes that reach far beyond 1,000 times the near
-//! plane's distance, use the format [`FloatDepth`](crate::canvas::FloatDepth).
+//! `clear` sets all depths to 0, which means infinitely far. Half of the 65,536 possible depths stand for distances
+//! between the near plane and twice the near plane's distance. So put the near plane as far away as the scene allows.
+//! The far plane can be at any distance, because it does not change how depths are stored. For scenes that reach far
+//! beyond 1,000 times the near plane's distance, use the format [`FloatDepth`](crate::canvas::FloatDepth).
 //!
 //! A scene without a depth buffer must be drawn from back to front. A [`DrawList`](crate::DrawList) holds transformed
 //! triangles, and can sort them in this order.
 //!
 //! # Band
 //!
-//! A frame of 320x240 pixels takes 300 KiB with depth. If that is too much, draw the frame in bands:
+//! A frame of 320x240 pixels takes 300 KiB with depth. If that is too much, draw the frame in bands, a few rows at a
+//! time:
 //!
 #![doc = diagram!("band")]
 //!
@@ -268,11 +271,11 @@
 //! | what you see | what to check |
 //! |---|---|
 //! | nothing, and [`submitted`](crate::Drawn::submitted) is 0 | the mesh has no faces |
-//! | nothing, and [`drawn`](crate::Drawn::drawn) is 0 | all triangles are culled or out of view. If [`Cull::Nothing`](crate::Cull::Nothing) shows them, their corners are in clockwise order. [`Canvas::project`](crate::Canvas::project) gives the position of a point on the screen, or `None` if the point is nearer than the near plane, beyond the far plane, or far outside the viewport |
+//! | nothing, and [`drawn`](crate::Drawn::drawn) is 0 | all triangles are culled or out of view. If the triangles appear with [`Cull::Nothing`](crate::Cull::Nothing), their corners are in clockwise order. [`Canvas::project`](crate::Canvas::project) gives the position of a point on the screen, or `None` if the point is nearer than the near plane, beyond the far plane, or far outside the viewport |
 //! | nothing, although triangles are drawn | the depth buffer still has the depths of the last frame: call `clear` before each frame |
 //! | the inside of objects | the corners of triangles are in clockwise order: see [Mesh](#mesh) |
 //! | one color in place of a texture or of vertex colors | [`missing`](crate::Drawn::missing): the mesh lacks texture coordinates or colors |
-//! | lit surfaces are dark | the direction of a [`Light`](crate::Light) points to the light, in world space; surfaces that face away from it have only its ambient brightness |
+//! | lit surfaces are dark | the direction of a [`Light`](crate::Light) points to the light, in world space; surfaces that face away from the light have only the light's ambient brightness |
 //! | a spot or a highlight has jagged edges, or is missing | light is computed at the corners of triangles: make the mesh finer |
 //! | distant surfaces flicker through each other | move the near plane away from the eye: see [Depth](#depth) |
 //! | lines on a surface are broken | draw the surface with [`Biased::behind`](crate::canvas::Biased::behind), slightly behind its true depth; or draw its [outline](crate::Mesh::outline) with [`Biased::in_front`](crate::canvas::Biased::in_front) |

@@ -18,41 +18,43 @@
 //! [Firmware](crate::guide::firmware) covers the whole chip: DMA, two cores, and Embassy and RTIC.
 //!
 #![doc = display_picture!("A window of the frame", "window")]
-//! Most of a dashboard does not move. If you know where an object moves, draw only a window around the object (yellow
-//! in the picture), and send only the pixels of this window, here a ninth of the frame.
+//! Most of a dashboard does not move. If you know where an object moves, draw and send only a window around the object.
+//! In the picture, the window is yellow, and has a ninth of the frame's pixels.
 //!
-//! Make a canvas as large as the window. Draw on it with the viewport of the whole frame, moved left and up by the
-//! coordinates of the window's top left corner. The canvas then shows that window. Triangles cover the same pixels as
-//! in the frame. Interpolated colors and texture coordinates can differ by up to the [mode's](crate::guide::modes)
-//! error, because a row of pixels begins at the window's edge. The pattern of [ordered
-//! dithering](crate::shade::PixelFormat) begins at the corner of the canvas. For dithered colors, use multiples of 8 as
-//! the coordinates of the window's corner. With `translated`, embedded-graphics draws into the window, and sends the
-//! window to its place. The window must contain both the old and the new position of the moving object.
-//! [`Canvas::project`](crate::Canvas::project) gives the positions of points.
+//! Make a canvas as large as the window. On this canvas, draw with the viewport of the whole frame, moved left and up
+//! by the coordinates of the window's top left corner. The canvas then shows that window. Triangles cover the same
+//! pixels as when the whole frame is drawn. Interpolated colors and texture coordinates can differ by up to the
+//! [mode's](crate::guide::modes) error, because interpolation along a row begins at the window's edge. The pattern of
+//! [ordered dithering](crate::shade::PixelFormat) begins at the corner of the canvas. So if colors are dithered, the
+//! coordinates of the window's corner must be multiples of 8. The method `translated` of embedded-graphics is used
+//! twice: with `canvas.translated`, text is placed by its position in the frame; with `display.translated`, the window
+//! goes to its place on the display. The window must contain both the old and the new position of the moving object.
+//! [`Canvas::project`](crate::Canvas::project) gives the position of a point of the scene in the frame.
 //!
 #![doc = display_program!("window")]
 //!
 #![doc = display_picture!("A round panel", "round")]
-//! A round panel does not show the corners of the frame. A circle leaves a fifth of its square empty. With bands of 16
-//! rows, each as wide as the circle in these rows (on the right in the picture), 15 % of the pixels are neither drawn
-//! nor sent. Bands of fewer rows leave out more pixels, but transform the mesh more often.
+//! A round panel does not show the corners of the frame, which are a fifth of the frame. With bands of 16 rows, each as
+//! wide as the circle in these rows (on the right in the picture), 15 % of the pixels are neither drawn nor sent. Bands
+//! of fewer rows leave out more pixels, but transform the mesh more often.
 //!
 #![doc = display_program!("round")]
 //!
 #![doc = display_picture!("Electronic paper", "epaper")]
 //! A full refresh of electronic paper flashes, and takes seconds. A quick refresh takes a third of a second, and drives
-//! only the pixels that differ from the previous picture: on the right, it drives the red pixels to black and the blue
-//! pixels to white. So pictures should differ only where something moved. Ordered dithering keeps its pattern in place;
-//! [error diffusion](crate::canvas::ErrorDiffusion) looks better, but a small change alters pixels everywhere below the
-//! change. Use error diffusion for pictures that get a full refresh. Electronic paper also needs a full refresh now and
-//! then, to remove what quick refreshes leave. The panel's data sheet says how often.
+//! only the pixels that differ from the previous picture. On the right, a quick refresh drove the red pixels to black
+//! and the blue pixels to white. So two consecutive pictures should differ only where something moved. Ordered
+//! dithering keeps its pattern in place; [error diffusion](crate::canvas::ErrorDiffusion) looks better, but a small
+//! change alters pixels everywhere below the change. Use error diffusion for pictures that get a full refresh.
+//! Electronic paper also needs a full refresh now and then, to remove the traces of old pictures that quick refreshes
+//! leave. The panel's data sheet says how often.
 //!
 #![doc = display_program!("epaper")]
 //!
 #![doc = display_picture!("An OLED without a second buffer", "oled")]
-//! The driver's buffered mode keeps a frame of 1 KiB, and a canvas would be copied into this frame. The driver's basic
-//! mode accepts bytes in the panel's own format. [`Canvas::pages`](crate::Canvas::pages) makes these bytes: one byte
-//! for 8 rows of a column.
+//! In its buffered mode, the driver keeps a frame of 1 KiB, and the canvas would have to be copied into this frame. In
+//! its basic mode, the driver accepts bytes in the panel's own format. [`Canvas::pages`](crate::Canvas::pages) makes
+//! these bytes: one byte for 8 rows of a column.
 //!
 #![doc = display_program!("oled")]
 //!
@@ -65,27 +67,27 @@
 //!
 #![doc = display_picture!("Words of 16 bits", "ili9341")]
 //! Some drivers and buses accept words of 16 bits. A canvas in [`Words`](crate::canvas::Words) stores pixels as a slice
-//! of `u16`, which needs no conversion.
+//! of `u16`, which these drivers can send without conversion.
 //!
 #![doc = display_program!("ili9341")]
 //!
 #![doc = display_picture!("No tearing", "tearing")]
 //! The panel reads its memory 60 times a second. If a frame arrives while the panel reads, the panel shows the upper
-//! part of one frame and the lower part of another: a tear (left). The panel's output TE tells when the panel begins to
-//! read.
+//! part of one frame and the lower part of another: a tear (left). The panel's output TE is low while the panel reads,
+//! and high until the next reading begins.
 //!
-//! When to start depends on whether the bus or the panel is faster. If the bus takes longer to send a frame than the
-//! panel takes to read it, start as soon as the panel has begun to read (TE falls). Finish before the panel's next pass
-//! catches up with you. If the bus is faster, start when the panel has finished (TE rises). The whole frame must be in
-//! memory, because drawing between bands would delay the frame. Panels read in the direction of their longer side, so
-//! this method does not prevent tearing on a rotated panel.
+//! When to start sending depends on whether the bus or the panel is faster. If the bus takes longer to send a row than
+//! the panel takes to read a row, start as soon as the panel has begun to read (TE falls). Finish before the panel's
+//! next reading catches up with the bus. If the bus is faster, start when the panel has finished reading (TE rises).
+//! The whole frame must be in memory, because drawing between bands would delay the frame. Panels read in the direction
+//! of their longer side, so this method does not prevent tearing on a rotated panel.
 //!
 #![doc = display_program!("tearing")]
 //!
 #![doc = display_picture!("Two frames", "frames")]
 //! While one buffer is sent, the next frame is drawn into the other buffer. Two frames of 240x240 pixels take 225 KiB.
 //! A Pico has too little RAM for two frames and everything else, but two frames fit into the PSRAM on many boards with
-//! an RP2350. Keep the depth buffer in fast memory, because each pixel reads and writes it several times.
+//! an RP2350. Keep the depth buffer in fast memory, because drawing reads and writes each depth several times.
 //!
 #![doc = display_program!("frames")]
 //!

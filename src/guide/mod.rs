@@ -5,15 +5,16 @@
 //!
 //! 1. **[Concepts](concepts)**: mesh, projection, camera, shader, options, canvas, depth and band, with diagrams;
 //!    how to write numbers; and what to check when the scene is wrong.
-//! 2. **[Coming from](coming_from)** OpenGL, tgx, embedded-3dgfx or small3dlib: for each of their terms, the term in
-//!    fixel; and the differences. Skip this page if you know none of these libraries.
+//! 2. **[Coming from](coming_from)** OpenGL, tgx, embedded-3dgfx or small3dlib: fixel's name for each term of these
+//!    libraries, and what fixel does differently. Skip this page if you know none of these libraries.
 //! 3. **[Cookbook](cookbook)**: short programs with their pictures. Each program shows one idea.
 //! 4. **[Firmware](firmware)**: from `cargo new` to a panel on SPI, with bands and DMA.
-//! 5. **[Displays](displays)**: windows of a frame, round panels, electronic paper, OLEDs, 18 bits a pixel, tearing,
-//!    two frames.
+//! 5. **[Displays](displays)**: programs for round panels, electronic paper, OLEDs, and panels with 18 bits per pixel;
+//!    how to send only a window of the frame, how to avoid tearing, and how to keep two frames in memory.
 //! 6. **[Mathematics](mathematics)**: from similar triangles to the pixel. Every formula is derived, and a program
 //!    checks it.
-//! 7. **[Choosing a mode](modes)**: speed against accuracy, and how each bound is derived.
+//! 7. **[Choosing a mode](modes)**: the speed and the error of each mode of interpolation, and how the bound of each
+//!    error is derived.
 //! 8. **[Limits](limits)**: the range of each quantity, and what happens beyond it.
 //! 9. **[Benchmarks](benchmarks)**: what drawing costs, compared with other libraries.
 #![cfg_attr(doc, doc = page_picture!("shaders", "Balls in eight shaders"))]
@@ -41,8 +42,8 @@ macro_rules! picture {
 }
 
 /// Writes a scene of the cookbook: its title, its picture and its program. The tests compile the program unchanged,
-/// inside a hidden module. Without the module, the program would begin with `//!`, and rustdoc compiles each program
-/// that begins with `//!` on its own.
+/// inside a hidden module. Without the module, the program would begin with `//!`. Rustdoc would then compile the
+/// program separately, which takes longer than together with the other programs.
 macro_rules! recipe {
     ($title:literal, $name:literal $(, $attribute:literal)?) => {
         concat!(
@@ -85,8 +86,8 @@ mod formula;
 pub mod concepts;
 pub mod mathematics;
 
-/// If you know another 3D library, this page gives fixel's names for the parts of that library, and the differences
-/// that you see in a picture.
+/// If you know OpenGL, tgx, embedded-3dgfx or small3dlib, this page gives fixel's name for each term of that library,
+/// and says what fixel does differently.
 ///
 #[cfg_attr(doc, doc = diagram!("axes"))]
 #[doc = include_str!("coming_from.md")]
@@ -94,7 +95,7 @@ pub mod coming_from {}
 
 #[doc = include_str!("cookbook.md")]
 #[doc = recipe!("Hello", "hello")]
-// Recipes marked `ignore` read files by paths relative to their own folder.
+// Recipes marked `ignore` would not compile here, because they read files by paths relative to the recipe's folder.
 #[doc = recipe!("Files", "files", "ignore")]
 #[doc = recipe!("Bands", "bands")]
 #[doc = recipe!("Two cores", "two_cores")]
@@ -143,7 +144,7 @@ pub mod firmware {}
 pub mod displays;
 
 /// A mode is the method that interpolates textures and colors across a triangle. This page says which mode suits which
-/// scene and processor core, how large an error to expect, and how each bound is derived.
+/// scene and processor core, how large an error to expect, and how the bound of each error is derived.
 ///
 #[cfg_attr(
     all(doc, feature = "assets"),
@@ -158,15 +159,15 @@ pub mod displays;
 #[doc = include_str!("modes.md")]
 pub mod modes {}
 
-/// This page gives the cost of drawing in instructions and bytes, measured in the same way for this crate and for
-/// similar libraries. It also says where other libraries are ahead, and how to repeat the measurements.
+/// This page gives the cost of drawing in instructions and bytes, measured in the same way for fixel and for similar
+/// libraries. It also says where other libraries are ahead, and how to repeat the measurements.
 ///
 #[cfg_attr(doc, doc = page_picture!("measured", "The measured scenes: floor, cube, smooth sphere, flat sphere"))]
 #[doc = include_str!("benchmarks.md")]
 pub mod benchmarks {}
 
 /// For each quantity (coordinates, distances, sizes, angles), this page gives the range in which accuracy is promised,
-/// the behavior beyond it, and the errors measured at its ends.
+/// the behavior beyond this range, and the errors measured at the ends of the range.
 ///
 #[cfg_attr(doc, doc = diagram!("eye"))]
 #[doc = include_str!("limits.md")]

@@ -1,4 +1,4 @@
-//! The header, and the lists behind it.
+//! The header of a model, and the lists that follow the header.
 
 use core::ops::Range;
 
@@ -6,22 +6,23 @@ use bytemuck::{AnyBitPattern, NoUninit, Pod, Zeroable};
 
 use crate::Problem;
 
-/// Where the model starts in a board's address space: behind 256 KiB for the firmware. examples/boards/build.rs keeps
-/// the firmware below.
+/// The address of the model's first byte, 256 KiB after the first byte of flash. The firmware ends below this address:
+/// examples/boards/build.rs tells the linker where the model begins.
 pub const ADDRESS: u32 = 0x1004_0000;
 
 /// The first word: "fixm".
 pub(crate) const MAGIC: u32 = u32::from_le_bytes(*b"fixm");
 /// The version of the format.
 pub(crate) const VERSION: u32 = 2;
-/// The words at the start that the checksum leaves out.
+/// The number of words at the start of a model that the checksum leaves out. The last of these words is the checksum.
 const UNCHECKED: usize = 4;
-/// A part's texture if it has none.
+/// In place of a texture's index, this number says that a part has no texture.
 pub(crate) const NO_TEXTURE: u32 = u32::MAX;
 
-/// The first face, the one after the last, 0xRRGGBB, and the index of a texture or 0xFFFFFFFF.
+/// A part of a model: its first face, the face after its last, its color as 0xRRGGBB, and the index of its texture, or
+/// 0xFFFFFFFF if it has no texture.
 pub type PartRecord = [u32; 4];
-/// Width, height and the index of the first texel.
+/// A texture: its width and height in texels, and the index of its first texel.
 pub type TextureRecord = [u32; 3];
 
 /// The first words of a model.
@@ -32,41 +33,41 @@ pub struct Header {
     pub magic: u32,
     /// The version of the format.
     pub version: u32,
-    /// The length of header and lists in bytes.
+    /// The length of the whole model, that is, of the header and the lists, in bytes.
     pub length: u32,
-    /// The CRC-32 of everything behind this word.
+    /// The CRC-32 of all words of the model after this word.
     pub checksum: u32,
-    /// A [`Panel`].
+    /// The number of the [`Panel`] that shows the model.
     pub panel: u32,
-    /// The fraction bits of positions.
+    /// The number of fraction bits of a position's coordinates.
     pub fraction: u32,
-    /// The least u and v, and the greatest, in units of 2^-20.
+    /// The least u and the least v of the model, then the greatest u and the greatest v, in units of 2^-20.
     pub uv_corners: [[i32; 2]; 2],
-    /// Elements of the lists.
+    /// The number of positions.
     pub positions: u32,
-    /// Elements.
+    /// The number of faces.
     pub faces: u32,
-    /// Elements.
+    /// The number of normals.
     pub normals: u32,
-    /// Elements.
+    /// The number of faces of normals.
     pub normal_faces: u32,
-    /// Elements.
+    /// The number of texture coordinates.
     pub uvs: u32,
-    /// Elements.
+    /// The number of faces of texture coordinates.
     pub uv_faces: u32,
-    /// Elements.
+    /// The number of colors.
     pub colors: u32,
-    /// Elements.
+    /// The number of faces of colors.
     pub color_faces: u32,
-    /// Elements.
+    /// The number of parts.
     pub parts: u32,
-    /// Elements.
+    /// The number of textures.
     pub textures: u32,
-    /// Elements.
+    /// The number of texels of all textures.
     pub texels: u32,
 }
 
-/// The words of a header.
+/// The number of words of a header.
 pub(crate) const HEADER: usize = size_of::<Header>() / 4;
 
 /// A board that the firmware runs on.
@@ -79,7 +80,7 @@ pub enum Board {
 }
 
 impl Board {
-    /// Where the model lies in the address space: up to the end of flash.
+    /// The addresses of the model's flash: from the end of the firmware's 256 KiB to the end of flash.
     #[must_use]
     pub const fn flash(self) -> Range<u32> {
         match self {
@@ -88,7 +89,7 @@ impl Board {
         }
     }
 
-    /// How many words the flash for the model has.
+    /// The number of words of 32 bits that fit into the model's flash.
     #[must_use]
     pub const fn words(self) -> usize {
         let Range { start, end } = self.flash();
@@ -107,7 +108,7 @@ pub enum Panel {
 }
 
 impl Panel {
-    /// The panel of a number.
+    /// Returns the panel with this number, or `None` if no panel has this number.
     #[must_use]
     pub const fn of(number: u32) -> Option<Self> {
         match number {
@@ -117,7 +118,8 @@ impl Panel {
         }
     }
 
-    /// The panel that is wanted, even if the rest is damaged; the ST7789 if that is unknown.
+    /// Returns the panel that the model's header names, even if the rest of the model is damaged. If the words do not
+    /// begin with a header, or the header names no known panel, returns the ST7789.
     #[must_use]
     pub fn wanted(words: &[u32]) -> Self {
         let header = words.first_chunk::<HEADER>();
@@ -128,7 +130,7 @@ impl Panel {
             .unwrap_or_default()
     }
 
-    /// Its columns and rows.
+    /// The number of the panel's columns, and of its rows.
     #[must_use]
     pub const fn size(self) -> (u32, u32) {
         match self {
@@ -138,7 +140,8 @@ impl Panel {
     }
 }
 
-/// The header, and the words of the lists, whose checksum is right.
+/// Checks the first word, the version, the length and the checksum of a model. Returns its header, and the words of its
+/// lists.
 pub(crate) fn read(words: &[u32]) -> Result<(&Header, &[u32]), Problem> {
     let (header, _) = words
         .split_first_chunk::<HEADER>()
@@ -161,16 +164,16 @@ pub(crate) fn read(words: &[u32]) -> Result<(&Header, &[u32]), Problem> {
     Ok((header, &words[HEADER..]))
 }
 
-/// The CRC-32 that the header of these words should have.
+/// Computes the checksum that belongs into the header of these words.
 pub(crate) fn checksum(words: &[u32]) -> u32 {
     crc32fast::hash(bytemuck::must_cast_slice(&words[UNCHECKED..]))
 }
 
-/// The lists that were not read yet.
+/// The words of the lists that have not been read yet.
 pub(crate) struct Lists<'a>(pub &'a [u32]);
 
 impl<'a> Lists<'a> {
-    /// The next list.
+    /// Reads the next list, which has `count` elements.
     pub fn arrays<T: NoUninit + AnyBitPattern, const N: usize>(
         &mut self,
         count: u32,
@@ -183,7 +186,7 @@ impl<'a> Lists<'a> {
         arrays.get(..count as usize).ok_or(Problem::Lists)
     }
 
-    /// The next list of triples.
+    /// Reads the next list, which has `count` triples.
     pub fn triples<T: NoUninit + AnyBitPattern>(
         &mut self,
         count: u32,
@@ -191,7 +194,7 @@ impl<'a> Lists<'a> {
         self.arrays(count)
     }
 
-    /// Nothing must follow.
+    /// Checks that no words follow the last list.
     pub fn end(self) -> Result<(), Problem> {
         if self.0.is_empty() {
             Ok(())

@@ -1,6 +1,7 @@
 //! A model in flash: a mesh, its parts with their colors and textures, and the panel that shows it.
 //!
-//! The firmware `pico_model` of examples/boards borrows all of it from flash. The playground and the tests write it.
+//! The firmware `pico_model` of examples/boards borrows the whole model from flash. The playground and the tests write
+//! models.
 //!
 //! The words are little-endian. After the [header](Header) come these lists, each padded to a whole word:
 //!
@@ -9,8 +10,8 @@
 //! | positions | three `i16`, in units of 2<sup>-fraction</sup>: the model fits into the ball of radius 1 around the origin |
 //! | faces | three `u16`, indices of positions |
 //! | normals | three `i8` |
-//! | faces of normals | three `u16`; as many as faces, or none if normals are indexed like positions |
-//! | texture coordinates | two `u16`, steps from the least to the greatest |
+//! | faces of normals | three `u16`, indices of normals: one element for each face, or no elements if each position has a normal |
+//! | texture coordinates | two `u16`: u and v, in steps above the least of the model; a step is the range from the least to the greatest, divided by 65,535 and rounded up to a unit of 2<sup>-20</sup> |
 //! | faces of texture coordinates | as for normals |
 //! | colors | three `u8`: red, green and blue |
 //! | faces of colors | as for normals |
@@ -60,14 +61,14 @@ pub struct Model<'a> {
     texels: &'a [u16],
 }
 
-/// A part of a model.
+/// A part of a model: faces with one color or texture.
 #[derive(Clone, Debug)]
 pub struct Part<'a> {
-    /// Its faces in the mesh.
+    /// The part's faces: a range of the mesh's faces.
     pub faces: Range<usize>,
     /// The color of a part without a texture.
     pub color: Rgb888,
-    /// The texture.
+    /// The texture, if the part has one.
     pub texture: Option<Skin<'a>>,
 }
 
@@ -76,7 +77,8 @@ impl<'a> Model<'a> {
     ///
     /// # Errors
     ///
-    /// `words` hold no model, or one of another version; it is cut off or damaged; or its lists do not fit each other.
+    /// The words are not a model, or the model has another version. The model is cut off or damaged. The model's lists
+    /// do not fit each other.
     pub fn read(words: &'a [u32]) -> Result<Self, Problem> {
         let (header, words) = header::read(words)?;
         let mut lists = Lists(words);
@@ -125,7 +127,7 @@ impl<'a> Model<'a> {
         self.panel
     }
 
-    /// The mesh.
+    /// The mesh of the whole model.
     #[must_use]
     pub const fn mesh(&self) -> Mesh<'_> {
         let normals = (&self.normals, self.normal_faces);
@@ -141,9 +143,9 @@ impl<'a> Model<'a> {
         Some(self.colors)
     }
 
-    /// The parts. Together they are the mesh.
+    /// The parts that make up the mesh, each with its color or texture.
     pub fn parts(&self) -> impl Iterator<Item = Part<'a>> {
-        // Each part was checked.
+        // No part is left out, because `read` has checked each part.
         self.parts.iter().flat_map(|part| self.part(part))
     }
 
@@ -167,7 +169,9 @@ impl<'a> Model<'a> {
     }
 }
 
-/// Checks that an attribute has values for all corners.
+/// Checks that an attribute (normals or texture coordinates) fits the mesh. If the attribute has faces of its own, they
+/// must be as many as the mesh's faces, and each corner must name a value that exists, or `NO_VALUE`. Otherwise, the
+/// attribute must have a value for each position, or no values.
 fn check(
     (positions, faces): (usize, usize),
     values: usize,

@@ -1,19 +1,20 @@
-//! Why there is no model.
+//! The reasons why a model cannot be read.
 
 use core::fmt;
 
 use crate::header::VERSION;
 
-/// Why a model cannot be read. Each message is at most three lines of 36 letters, for a panel.
+/// Why a model cannot be read. A message has at most three lines of 36 characters, so that it fits on a panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Problem {
     /// Flash does not have the model's first word.
     Missing,
-    /// The model's format has this version.
+    /// The model's format has this version, and the program cannot read it.
     Version(u32),
-    /// This number of bytes does not fit the header and the flash.
+    /// The header states this length in bytes, but the length is not a multiple of 4, is less than the length of the
+    /// header, or reaches beyond the flash.
     Length(u32),
-    /// The model's bytes have another checksum than its header.
+    /// The checksum of the model's bytes differs from the checksum in its header.
     Checksum {
         /// The checksum of the bytes.
         is: u32,

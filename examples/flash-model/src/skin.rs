@@ -7,12 +7,14 @@ use fixel::texture::Sampler;
 
 use crate::header::TextureRecord;
 
-/// A texture whose texels are the bits of colors. (A slice of `Rgb565` cannot be borrowed from words without `unsafe`.)
+/// A texture that stores each texel as the 16 bits of an `Rgb565`. (Without `unsafe`, words cannot be borrowed as a
+/// slice of `Rgb565`.)
 #[derive(Clone, Copy, Debug)]
 pub struct Skin<'a>(Texture<'a, u16>);
 
 impl<'a> Skin<'a> {
-    /// The texture of a record; `None` if it is not within the texels, or of a size that no texture has.
+    /// Returns the texture that a record describes. Returns `None` if the texture would reach beyond the texels, or if
+    /// its width or height is not valid.
     pub(crate) fn new(&[width, height, first]: &TextureRecord, texels: &'a [u16]) -> Option<Self> {
         let count = width.checked_mul(height)? as usize;
         let texels = texels.get(first as usize..)?.get(..count)?;

@@ -1,5 +1,5 @@
-//! UF2: the file that the drive of a Pico or Pico 2 takes. Its blocks of 512 bytes each carry 256 bytes and their
-//! address.
+//! Writes and reads UF2, the format of files that are copied onto the USB drive of a Pico or a Pico 2. A file consists
+//! of blocks of 512 bytes. Each block carries 256 bytes of data, and their address in flash.
 
 use std::ops::Range;
 
@@ -9,25 +9,26 @@ use elf::{ElfBytes, ParseError};
 
 use crate::Board;
 
-/// Where flash begins, and with it the firmware.
+/// The address of the first byte of flash, which is the first byte of the firmware.
 const FLASH: u32 = 0x1000_0000;
-/// The bytes that are erased together. A Pico's boot loader wants to get all of them (RP2040-E14 in its data sheet).
+/// The number of bytes of flash that are erased together. A Pico's boot loader needs data for all of these bytes
+/// (RP2040-E14 in its data sheet).
 const SECTOR: usize = 4096;
-/// The bytes of a block.
+/// The number of bytes of data that a block carries.
 const PAYLOAD: usize = 256;
 const BLOCK: usize = 512;
 
 const START: [u32; 2] = [0x0a32_4655, 0x9e5d_5157];
 const END: u32 = 0x0ab1_6f30;
-/// The family's number is in the block.
+/// The flag that says that a block has the number of a family of chips.
 const HAS_FAMILY: u32 = 0x2000;
 
-/// An RP2350 starts a program only if it finds these words in the first 4 KiB: a block begins, and its first item says
-/// that the program is for the chip's Arm cores in the secure state.
+/// An RP2350 starts a program only if it finds these words in the first 4 KiB of flash: the first word begins a block,
+/// and the second word, the block's first item, says that the program is for the chip's Arm cores in the secure state.
 const RP2350_BLOCK: [u32; 2] = [0xffff_ded3, 0x1021_0142];
 
 impl Board {
-    /// The number of its family in a UF2. The drive takes no file with another one.
+    /// The number of the board's family of chips in a UF2 file. The board's drive refuses files with another number.
     ///
     /// If the flash of an RP2350 is divided by a partition table, its boot loader also needs a block of the family
     /// "absolute" (RP2350-E10 in its data sheet). A new Pico 2 has no such table.
@@ -38,7 +39,7 @@ impl Board {
         }
     }
 
-    /// The board of what a program puts into flash.
+    /// Returns the board of a program. `image` is what the program puts into flash.
     fn of(image: &[u8]) -> Self {
         let start = &image[..image.len().min(4096)];
         let words: Vec<u32> = start
@@ -53,7 +54,7 @@ impl Board {
     }
 }
 
-/// The board that the firmware, an ELF file or a UF2, is for.
+/// Returns the board of the firmware, which is an ELF file or a UF2 file.
 ///
 /// # Errors
 ///
@@ -62,11 +63,12 @@ pub fn board(firmware: &[u8]) -> Result<Board, String> {
     Ok(Board::of(&image(firmware)?))
 }
 
-/// A UF2 of the firmware and the words of a model. The firmware is an ELF file, or a UF2, whose model is replaced.
+/// Makes a UF2 file from the firmware and the words of a model. The firmware is an ELF file or a UF2 file. If that UF2
+/// file contains a model, it is left out.
 ///
 /// # Errors
 ///
-/// The firmware is neither, or does not lie in flash below the model.
+/// The firmware is neither an ELF file nor a UF2 file, or does not lie in flash below the model.
 pub fn uf2(firmware: &[u8], model: &[u32]) -> Result<Vec<u8>, String> {
     let firmware = image(firmware)?;
     let family = Board::of(&firmware).family();
@@ -93,7 +95,8 @@ pub fn uf2(firmware: &[u8], model: &[u32]) -> Result<Vec<u8>, String> {
     Ok(blocks.collect())
 }
 
-/// What an ELF file or a UF2 puts into flash below the model.
+/// Returns the bytes that an ELF file or a UF2 file puts into flash below the model, beginning with the first byte of
+/// flash.
 fn image(file: &[u8]) -> Result<Vec<u8>, String> {
     if file.starts_with(&START[0].to_le_bytes()) {
         let mut image = region(file, FLASH..crate::ADDRESS);
@@ -120,7 +123,7 @@ fn image(file: &[u8]) -> Result<Vec<u8>, String> {
                 bytes.len()
             ));
         };
-        // Both are less than 256 KiB.
+        // Both numbers are at most 256 KiB, so they fit into a `usize`.
         let [start, end] = [start, end].map(|at| usize::try_from(at).unwrap_or(0));
         image.resize(image.len().max(end), 0xff);
         image[start..end].copy_from_slice(bytes);
@@ -128,7 +131,8 @@ fn image(file: &[u8]) -> Result<Vec<u8>, String> {
     Ok(image)
 }
 
-/// The bytes that a UF2 has at addresses; 0xff where it has none, as erased flash.
+/// Returns the bytes that a UF2 file has for these addresses. Where the file has none, the byte is 0xff, as in erased
+/// flash.
 #[must_use]
 pub fn region(uf2: &[u8], addresses: Range<u32>) -> Vec<u8> {
     let mut bytes = vec![0xff; addresses.len()];

@@ -1,4 +1,4 @@
-//! Makes the words of a model file.
+//! Converts a model from files of a modeling program to words for flash.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -14,17 +14,18 @@ use fixel_assets::{Alpha, Files, Format, Image, Material, Model, Options, Pictur
 use crate::header::{self, HEADER, Header, MAGIC, NO_TEXTURE, VERSION};
 use crate::{Board, Panel, PartRecord, TextureRecord};
 
-/// The most texels along a side of a texture: as many as a panel has rows.
+/// The most texels along a side of a texture. This is the least power of two that is not below the 240 rows of a panel.
 const SIDE: u32 = 256;
-/// The radius of a model. Below 1, so that 16 bits hold a coordinate with 15 fraction bits.
+/// The radius of a written model. The radius is less than 1, so that an `i16` can hold a coordinate with 15 fraction
+/// bits.
 const RADIUS: f64 = 1.0 - 1.0 / 16384.0;
 
-/// The words of the model `name` for a board and its panel. `notes` tell what was changed or left out. A model without
-/// pictures gets `spare`.
+/// Reads the model `name`, and returns its words for a board and its panel. Appends to `notes` what was changed or left
+/// out. If no picture of the model can be used, all parts get the picture `spare`, if there is one.
 ///
 /// # Errors
 ///
-/// Those of the importer, or the model is too large for flash.
+/// The importer's errors, or the model is too large for flash.
 pub fn write(
     name: &str,
     files: &dyn Files,
@@ -110,7 +111,7 @@ pub fn write(
     }
 }
 
-/// The words with their header in the first of them.
+/// Completes the header with the length and the checksum, and writes the header into the first words.
 fn sealed(mut words: Vec<u32>, mut header: Header) -> Vec<u32> {
     header.length = u32::try_from(4 * words.len()).unwrap_or(u32::MAX);
     words[..HEADER].copy_from_slice(bytemuck::cast_slice(&[header]));
@@ -119,7 +120,7 @@ fn sealed(mut words: Vec<u32>, mut header: Header) -> Vec<u32> {
     words
 }
 
-/// Appends a list, and returns its number of elements.
+/// Appends a list to the words, and returns the number of the list's elements.
 fn list<T: NoUninit>(words: &mut Vec<u32>, list: &[T]) -> u32 {
     let bytes: &[u8] = bytemuck::cast_slice(list);
     words.extend(bytes.chunks(4).map(|chunk| {
@@ -130,7 +131,7 @@ fn list<T: NoUninit>(words: &mut Vec<u32>, list: &[T]) -> u32 {
     u32::try_from(list.len()).unwrap_or(u32::MAX)
 }
 
-/// The scale that makes the model's radius about 1.
+/// The scale that makes the model's radius `RADIUS`, about the middle of the model's box.
 fn fitting(model: &Model) -> f64 {
     let middle = model.middle();
     let corners = model.triangles.iter().flat_map(|triangle| triangle.corners);
@@ -140,7 +141,7 @@ fn fitting(model: &Model) -> f64 {
     if radius > 0.0 { RADIUS / radius } else { 1.0 }
 }
 
-/// The parts, and the pictures that they name, each in its material's tint.
+/// Returns the parts, and the pictures that the parts use, each multiplied by its material's tint.
 fn parts(
     model: &Model,
     files: &dyn Files,
@@ -189,7 +190,7 @@ fn parts(
     (parts, pictures)
 }
 
-/// A picture that a model names or contains.
+/// Reads the picture with the index `at`, which is in a file that the model names, or in the model itself.
 fn picture(model: &Model, at: u32, files: &dyn Files) -> Result<Picture, String> {
     let (name, bytes) = match model.images.get(at as usize) {
         Some(Image::File(path)) => {
@@ -214,11 +215,11 @@ fn tinted(mut picture: Picture, tint: [u8; 3]) -> Picture {
     picture
 }
 
-/// The textures of pictures whose sides have at most `most` texels.
+/// Converts pictures to textures with sides of at most `most` texels.
 fn textures(pictures: &[Picture], most: u32) -> (Vec<TextureRecord>, Vec<u16>) {
     let mut texels = Vec::new();
     let textures = pictures.iter().map(|picture| {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 0 to 8
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // log2 is 0 to 8
         let near = |side: u32| 1 << f64::from(side.clamp(1, most)).log2().round() as u32;
         let [width, height] = [picture.width, picture.height].map(near);
         let first = u32::try_from(texels.len()).unwrap_or(u32::MAX);

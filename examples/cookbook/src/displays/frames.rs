@@ -1,4 +1,4 @@
-//! Two frames in slow memory, such as the PSRAM of a Pico 2: one is sent while the other is drawn, in fast bands.
+//! Two frames in slow PSRAM: while one frame is sent, the other is drawn, in bands in fast SRAM.
 
 use std::fmt::Debug;
 use std::mem;
@@ -18,7 +18,7 @@ pub const PIXELS: usize = (SIDE * SIDE) as usize;
 
 static KNOT: Mesh = shape!(torus(fx!(0.3), 32, 16));
 
-/// Draws bands in SRAM, because depths are read and written often. PSRAM gets finished bands, once and in order.
+/// Depths are read and written often, so each band is drawn in SRAM, and then copied to PSRAM.
 pub fn draw(frame: &mut [[u8; 2]], turn: Angle) -> Result<(), Error> {
     let view = Projection::perspective(deg!(45), (SIDE, SIDE), fx!(0.5), fx!(50))?
         * Camera::look_at(vec3!(0, 1, 3.6), Vec3::ZERO, Vec3::Y)?;

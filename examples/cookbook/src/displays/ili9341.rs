@@ -1,4 +1,4 @@
-//! A driver that takes words of 16 bits gets the memory of the canvas.
+//! A driver that takes words of 16 bits gets the memory of the canvas without conversion.
 
 use display_interface::WriteOnlyDataCommand;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};

@@ -1,5 +1,5 @@
-//! A panel of 128x64 pixels in black and white, without the driver's buffer of 1 KiB: 8 rows are drawn, packed and
-//! sent.
+//! A panel of 128x64 pixels in black and white, without the driver's buffer of 1 KiB: 8 rows at a
+//! time are drawn, packed and sent.
 
 use embedded_graphics::Drawable;
 use embedded_graphics::geometry::Point;

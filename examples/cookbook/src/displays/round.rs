@@ -1,4 +1,4 @@
-//! A round panel: each band is as wide as the circle is there. Most pixels in the corners are neither drawn nor sent.
+//! A round panel: each band is only as wide as the circle is in the rows of the band.
 
 use std::fmt::Debug;
 use std::ops::Range;

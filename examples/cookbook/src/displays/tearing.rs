@@ -47,9 +47,9 @@ pub fn run<T: InputPin<Error: Debug>>(
     for &passed in ways {
         let mut frame = Canvas::new(&mut pixels, SIDE, SIDE)?;
         draw(&mut frame, passed)?;
-        // The panel reads its 320 rows in 16 ms. The bus writes 240 rows in 15 ms, so it takes longer per row. The
-        // panel reads ahead of the bus, and shows the old frame once more. It reads the new frame only when all rows
-        // are there.
+        // The panel reads its 320 rows in 16 ms. The bus writes 240 rows in 15 ms, so it takes
+        // longer per row. At first, the panel reads ahead of the bus, and shows the old frame once
+        // more. Its next reading shows the new frame, because all rows have arrived.
         while te.is_low().unwrap() {}
         while te.is_high().unwrap() {}
         frame.show(&mut panel).unwrap();

@@ -12,7 +12,7 @@ use embedded_graphics::text::Text;
 use fixel::prelude::*;
 
 pub const FRAME: Size = Size::new(240, 240);
-/// The moving part stays in this window. A canvas of its size takes 25 KiB with depths; the frame would take 225 KiB.
+/// The moving part stays in this window. With depths, it takes 25 KiB; a frame takes 225 KiB.
 pub const WINDOW: Rectangle = Rectangle::new(Point::new(80, 80), Size::new(80, 80));
 
 static RING: Mesh = shape!(torus(fx!(0.4), 24, 12));

@@ -1,4 +1,4 @@
-//! A frame in bands: memory for a few rows, which are drawn and sent band by band.
+//! A frame in bands: the memory holds a few rows, which are drawn and sent before the next rows.
 
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor, WebColors};

@@ -14,7 +14,8 @@ static FLOOR: Mesh = {
     Mesh::checked(Mesh::checked(Mesh::new(&CORNERS, &[[0, 1, 2], [0, 2, 3]])).with_uvs(&UVS, None))
 };
 
-/// Floor, ceiling and walls: their angles about the line of sight, the size of a stone in texels, and its colors.
+/// For floor, ceiling and walls: the angle about the line of sight, the size of a stone in texels, and the stone's
+/// colors.
 static SIDES: [(Angle, [usize; 2], [u16; 2]); 4] = [
     (deg!(0), [8, 8], [0xef3a, 0x2a4f]),
     (deg!(180), [8, 16], [0xac4a, 0x9388]),

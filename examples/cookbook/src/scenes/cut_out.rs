@@ -11,7 +11,7 @@ static TRUNK: Mesh = shape!(cylinder(12));
 
 /// A picket with its part of the two rails. A texel has a color or is a hole.
 fn picket(row: usize, column: usize) -> Argb1555 {
-    let aside = (2 * column).abs_diff(7); // of the picket's middle
+    let aside = (2 * column).abs_diff(7); // from the picket's middle, in half texels
     match row % 14 {
         _ if aside < 5 && row >= aside => Argb1555::new(31, 30, 28),
         8..12 => Argb1555::new(25, 24, 22),

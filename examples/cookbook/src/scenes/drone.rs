@@ -1,4 +1,4 @@
-//! A drone's display: gates over a meadow in fog, drawn first; on top, text and lines of embedded-graphics.
+//! A drone's display: first gates over a meadow in fog, then text and lines of embedded-graphics.
 
 use embedded_graphics::geometry::{Dimensions, Point};
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_4X6, ascii::FONT_7X13};
@@ -11,7 +11,7 @@ static GATE: Mesh = shape!(torus(fx!(0.12), 32, 8));
 static MEADOW: Mesh = shape!(plane(16, 16));
 const ORANGE: Rgb888 = Rgb888::new(255, 120, 30);
 const BLUE: Rgb888 = Rgb888::new(60, 120, 220);
-/// The places of the gates, their turns about the vertical, their colors, and their distances as text.
+/// For each gate: its place, its turn about the vertical, its color, and its distance as text.
 static GATES: [(Vec3, Angle, Rgb888, &str); 3] = [
     (vec3!(-0.6, 2.4, -7), deg!(10), ORANGE, "7 m"),
     (vec3!(5, 3.2, -14), deg!(-25), BLUE, "15 m"),

@@ -1,4 +1,4 @@
-//! A model and its texture, in the files that a modeling program saves.
+//! A model and its texture, from the files that a modeling program saves.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::mesh::Part;

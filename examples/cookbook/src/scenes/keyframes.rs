@@ -6,7 +6,7 @@ use embedded_graphics::{Drawable, geometry::Point, text::Text};
 use fixel::mesh::Keyframes;
 use fixel::prelude::*;
 
-/// Beak, back, two ends of the tail; and for each wing two roots, two elbows and a tip.
+/// Wings up. Beak, back, two ends of the tail; for each wing, two roots, two elbows and a tip.
 #[rustfmt::skip]
 const UP: [Vec3; 14] = [
     vec3!(0, 0, -1), vec3!(0, 0.2, 0), vec3!(-0.3, 0.1, 1), vec3!(0.3, 0.1, 1),
@@ -16,7 +16,7 @@ const UP: [Vec3; 14] = [
     vec3!(1.5, 1.5, 0.3),
 ];
 
-/// The same body with its wings down.
+/// The same bird with its wings down.
 const DOWN: [Vec3; 14] = {
     let mut pose = UP;
     (pose[6], pose[11]) = (vec3!(-1, -0.1, -0.4), vec3!(1, -0.1, -0.4));

@@ -41,7 +41,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
         canvas.draw_with(&behind, line, &orbit, &Flat::new(Rgb565::new(14, 28, 16)));
     }
 
-    // The text always has the same size. The text has the place and the depth of a point of the scene.
+    // A name has the place and the depth of its planet, but the same size at any distance.
     let font = [&FONT_4X6, &FONT_6X10][usize::from(frame.height > 100)];
     let offset = frame.height.cast_signed() / 20;
     for &(name, distance, angle, color) in &PLANETS {

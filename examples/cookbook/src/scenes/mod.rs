@@ -45,7 +45,7 @@ pub type Draw = fn(&mut Frame<'_>) -> Result<(), Error>;
 
 /// The scenes by name.
 pub const SCENES: &[(&str, Draw)] = &[
-    #[cfg(not(target_os = "none"))] // has a vector for its band
+    #[cfg(not(target_os = "none"))] // allocates a vector for its band
     ("bands", bands::draw),
     ("blending", blending::draw),
     ("corridor", corridor::draw),
@@ -55,7 +55,7 @@ pub const SCENES: &[(&str, Draw)] = &[
     ("files", files::draw),
     ("fog", fog::draw),
     ("hello", hello::draw),
-    #[cfg(not(target_os = "none"))] // has arcs of embedded-graphics, which need floats
+    #[cfg(not(target_os = "none"))] // draws arcs of embedded-graphics, which need floats
     ("instruments", instruments::draw),
     ("keyframes", keyframes::draw),
     ("labels", labels::draw),
@@ -66,7 +66,7 @@ pub const SCENES: &[(&str, Draw)] = &[
     ("packed", packed::draw),
     ("painter", painter::draw),
     ("panels", panels::draw),
-    #[cfg(not(target_os = "none"))] // writes a text
+    #[cfg(not(target_os = "none"))] // formats a text, which allocates
     ("picking", picking::draw),
     ("points", points::draw),
     ("quantized", quantized::draw),
@@ -75,7 +75,7 @@ pub const SCENES: &[(&str, Draw)] = &[
     ("sprites", sprites::draw),
     ("terrain", terrain::draw),
     ("toon", toon::draw),
-    #[cfg(not(target_os = "none"))] // has threads
+    #[cfg(not(target_os = "none"))] // starts a thread
     ("two_cores", two_cores::draw),
     ("wireframe", wireframe::draw),
 ];

@@ -1,4 +1,4 @@
-//! A model without normals: in flat faces, with creased normals, and with smooth normals.
+//! A model without normals: lit face by face, with creased normals, and with smooth normals.
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -21,7 +21,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let jade = Flat::rgb(Rgb888::new(120, 225, 150));
     canvas.clear(Rgb565::new(4, 8, 8));
 
-    // Light is computed once per triangle. Nothing is stored.
+    // Light is computed once per triangle. No normals are stored.
     canvas.draw(&CLOVER, &at(fx!(-2.5)), &jade.lit_faces(sun));
 
     // Light is computed once per corner. Edges that turn by more than 40 degrees stay sharp.
@@ -29,7 +29,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let creased = CLOVER.with_creased_normals(deg!(40), &mut normals, &mut faces)?;
     canvas.draw(&creased, &at(fx!(0)), &jade.lit(sun));
 
-    // No edge is sharp.
+    // Light is computed once per corner. No edge looks sharp.
     let mut normals = [Vec3::ZERO; 64];
     let smooth = CLOVER.with_smooth_normals(&mut normals)?;
     canvas.draw(&smooth, &at(fx!(2.5)), &jade.lit(sun));

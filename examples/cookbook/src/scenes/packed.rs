@@ -1,4 +1,4 @@
-//! A panel of 128x64 pixels in black and white: full contrast, and error diffusion.
+//! A picture with full contrast and error diffusion, for a black and white panel of 128x64 pixels.
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888};

@@ -17,7 +17,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let sun = Light::new(vec3!(-2, 4, 3), fx!(0.25), fx!(0.75))?;
     let color = |r, g, b| Flat::rgb(Rgb888::new(r, g, b)).lit(sun);
 
-    // Each ring hangs in the ring around it. The material of an object is its shader.
+    // Each ring hangs in the ring around it. Each object has a mesh, a transform and a shader.
     let upright = Transform::rotate_x(deg!(80));
     let outer = Transform::rotate_y(deg!(30)) * upright;
     let middle = outer * Transform::rotate_x(deg!(50)) * Transform::scale(fx!(0.74));

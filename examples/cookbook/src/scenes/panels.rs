@@ -8,7 +8,7 @@ use fixel::{canvas::ColorIndex, prelude::*, texture::Raw};
 static ISLAND: Mesh = include_mesh!("../../../assets/lighthouse.obj");
 const PIXELS: &[u8] = include_bytes!("../../../assets/lighthouse.rgb565");
 static SKIN: Raw<Rgb565> = Raw::checked(Raw::new(PIXELS, 128, 128));
-/// Colors from dark to bright.
+/// The palette of the third panel, from dark to bright.
 #[rustfmt::skip]
 const GLOW: [u16; 8] = [0x0003, 0x2888, 0x590a, 0x9109, 0xc9c6, 0xeb44, 0xfd45, 0xff71];
 const BAND: u32 = 76 * 64; // pixels of a band: 20 KiB

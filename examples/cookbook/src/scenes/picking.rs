@@ -32,7 +32,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     else {
         return Ok(());
     };
-    // The face is a part of the mesh, and the hit's point is in the ring's own space.
+    // The face is drawn as a part of the mesh. The hit's point is in the model space of the ring.
     let face = RING.part(hit.face..hit.face + 1);
     canvas.draw(&face, &mvp, &Flat::new(Rgb565::new(31, 40, 4)));
     let pin = Transform::translate(ring.point(hit.point)) * Transform::scale(fx!(0.03));

@@ -1,4 +1,4 @@
-//! An evening sky: colors by height, and a sun that shines through them.
+//! An evening sky: its colors change with height, and the glow of the sun is added.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888};
 use fixel::canvas::{Add, NoTest};
@@ -8,7 +8,7 @@ use fixel::shade::Gradient;
 static DOME: Mesh = shape!(sphere(24, 16));
 static SEA: Mesh = shape!(plane(1, 1));
 static ROCK: Mesh = shape!(sphere(7, 4));
-/// Light that fades from the middle to the edge.
+/// A texture of the light around the sun, which fades from the middle to the edge.
 static GLOW: [[Gray8; 64]; 64] = {
     let mut texels = [[Gray8::new(0); 64]; 64];
     let mut at = 0_usize;

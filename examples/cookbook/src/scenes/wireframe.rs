@@ -16,8 +16,9 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let (paper, ink) = (Rgb888::new(244, 238, 222), Rgb888::new(24, 44, 96));
     canvas.clear(paper.into());
 
-    // The faces hide the lines behind them. Lines move toward the eye so that their own faces do not hide them: by as
-    // much as these faces get nearer in half a pixel.
+    // The faces hide the lines behind them. So that its own two faces do not hide a line, the line
+    // is drawn nearer to the eye: by two steps of the depth buffer, and by the change of depth
+    // within half a pixel.
     canvas.draw(&ISLAND, &view, &Flat::rgb(paper));
     let lines = ISLAND.outline(&OUTLINE, LineStyle::HAIRLINE.smooth());
     let in_front = DrawOptions::new().with_depth(Biased::new(TestOnly, 2, fx!(0.5)));
