@@ -265,7 +265,7 @@ def claims(instructions, other):
            texels(other["sphere fast error max"]) == texels(other["sphere affine error max"]))
     yield (modes, "`Newton`; `Affine` takes as long",
            0.95 < frame(M4, "affine", "sphere") / frame(M4, "newton", "sphere") < 1.05)
-    yield (modes, "half of `Newton`'s time, unless rows are level",
+    yield (modes, "half of `Newton`'s time, except on a level floor",
            frame(M0, "fast", "cube") <= 0.5 * frame(M0, "newton", "cube"))
     yield (modes, "on a Cortex-M4 it takes at most six tenths of `Exact`'s time",
            all(frame(M4, "newton", scene) <= 0.6 * frame(M4, "exact", scene) for scene in SCENES[:3]))

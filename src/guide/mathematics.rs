@@ -23,7 +23,7 @@
 //!
 //! # A point
 //!
-//! **The image on the near plane of the point (*x*, *y*, *z*) is**
+//! **The point (*x*, *y*, *z*) has this image on the near plane:**
 //!
 #![doc = formula!({prime(x) = -frac(n x)(z)} {prime(y) = -frac(n y)(z)})]
 //!
@@ -68,7 +68,8 @@
 //! ahead of the eye.
 //!
 //! The visible part of the near plane is a window, from *l* to *r* in x and from *b* to *t* in y. In normalized device
-//! coordinates (ndc), the window reaches from −1 to 1 along both axes. With *nx* = *wx*′, this gives:
+//! coordinates (ndc), the window reaches from −1 to 1 along both axes. The image above is *x*′ = *nx*/*w*, so *nx* =
+//! *wx*′. This gives:
 //!
 #![doc = formula!(
     {x[ndc] = frac(2 prime(x) - (r + l))(r - l)}
@@ -113,8 +114,8 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! **The same matrix is a product of three matrices.** Let the depths of the near and the far plane stay as they are:
-//! (*Az* + *B*)/(−*z*) = *z* at *z* = −*n* and at *z* = −*f*.
+//! **The same matrix is a product of three matrices.** Look for *A* and *B* that leave the depths of the near and the
+//! far plane as they are: (*Az* + *B*)/(−*z*) = *z* at *z* = −*n* and at *z* = −*f*.
 //!
 #![doc = formula!({-A n + B = -n^2} {-A f + B = -f^2} {A = n + f} {B = n f})]
 //!
@@ -319,13 +320,13 @@
 //! # A segment
 //!
 //! **Halfway along the picture of a segment is not halfway along the segment.** Let *w*₀ and *w*₁ be the distances of
-//! its ends ahead of the eye. Here *w* is −*z*; books with a *z* axis that points ahead write *z* in place of *w*. Let
-//! *t* be the fraction of the way along the segment, and *q* the fraction of the way along its picture.
+//! the segment's ends ahead of the eye. Here *w* is −*z*; books with a *z* axis that points ahead write *z* in place of
+//! *w*. Let *t* be the fraction of the way along the segment, and *q* the fraction of the way along its picture.
 //!
 #![doc = diagram!("foreshortening")]
 //!
-//! The point at *t* and its distance are means of the two ends, with the weights 1 − *t* and *t*. Its image is
-//! *nx*/*w*, and at the ends *nx* = *wx*′:
+//! The point at *t* is a mean of the segment's ends, with the weights 1 − *t* and *t*. The point's distance *w* is the
+//! same mean of *w*₀ and *w*₁. The point's image is *nx*/*w*, and at the ends *nx* = *wx*′:
 //!
 #![doc = formula!(
     {prime(x) = frac((1 - t) n x[0] + t n x[1])((1 - t) w[0] + t w[1])}
@@ -382,11 +383,11 @@
 //!
 //! <div class="warning">
 //!
-//! **Interpolating z.** If *z* were linear on the screen, the middle of the picture of this segment would be at a
-//! distance of 2.5. Its true distance is 1.6. A depth test would let the wrong surface win, and a texture that is
-//! interpolated in this way bends along the diagonal of each square. Interpolate 1/*w* and *a*/*w*, and divide last.
-//! The mode [`Affine`](crate::mode::Affine) skips the division on purpose; [its error](crate::guide::modes#affine) has
-//! a formula.
+//! **Interpolating z.** Take the segment of the program above, from distance 1 to distance 4. If *z* were linear on the
+//! screen, the middle of the segment's picture would show the distance 2.5. The true distance there is 1.6. A depth
+//! test would let the wrong surface win, and a texture that is interpolated in this way bends along the diagonal of
+//! each square. Interpolate 1/*w* and *a*/*w*, and divide last. The mode [`Affine`](crate::mode::Affine) skips the
+//! division on purpose; [its error](crate::guide::modes#affine) has a formula.
 //!
 //! </div>
 //!
@@ -403,8 +404,8 @@
 //!
 #![doc = formula!({frac(1)(w) = frac(k[x] prime(x) + k[y] prime(y) - n k[z])(c n)})]
 //!
-//! The attribute is *a* = *g* · (*x*, *y*, *z*) + *d* on the plane. Divided by *w*, the first term is linear in *x*′
-//! and *y*′ by the same substitution, and *d*/*w* is linear because 1/*w* is.
+//! On the plane, the attribute is *a* = *g* · (*x*, *y*, *z*) + *d*. Divided by *w*, the first term is linear in *x*′
+//! and *y*′ by the same substitution, and *d*/*w* is linear because 1/*w* is linear.
 //!
 //! The value of a linear function at a point is the mean of its values at the corners, weighted with the point's
 //! barycentric coordinates on the screen. These coordinates are proportional to the areas of the triangles opposite the
@@ -438,7 +439,7 @@
 //!     canvas.draw_with(&options, mesh, projection, &Gouraud::new());
 //!     Ok(pixels[32 * 65 + 32].luma())
 //! }
-//! // There, all weights are ⅓: (252/4) / (1 + ½ + ¼) = 36. Without w it would be 252/3.
+//! // At (0, 0), all weights are ⅓: (252/4) / (1 + ½ + ¼) = 36. Without w it would be 252/3.
 //! assert_eq!(middle(Newton, &mesh, &projection)?, 36);
 //! assert_eq!(middle(Affine, &mesh, &projection)?, 84);
 //! # Ok::<(), Error>(())
@@ -654,10 +655,11 @@
 //!
 #![doc = formula!({length = sqrt(i^2 + j^2) = sqrt(1 - k^2)})]
 //!
-//! In an isometric view, all three axes have the same length, and therefore the same *k*. The three *k* are the
-//! components of the camera's back axis, a unit vector. So each is 1/√3, and each length is √(2/3) = 0.816. The camera
-//! is turned by 45° and raised by 35.26°, the angle with the sine 1/√3. In a dimetric view, two of the lengths are
-//! equal. In a trimetric view, all three differ. A view along an axis shows the front, a side or the top.
+//! In an isometric view, the images of all three axes have the same length, so the axes have the same *k*. The three
+//! numbers *k* are the components of the camera's back axis, a unit vector. So each is 1/√3, and each length is √(2/3),
+//! about 0.816. The camera is turned by 45° and raised by 35.26°, the angle with the sine 1/√3. In a dimetric view, two
+//! of the three lengths are equal. In a trimetric view, all three lengths differ. A view along an axis shows the front,
+//! a side or the top.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -709,11 +711,11 @@
 #![doc = diagram!("sine")]
 //!
 //! An [`Angle`](crate::Angle) counts units of 2⁻³² of a turn in 32 bits, which wrap at a whole turn. A program can
-//! compute an angle from the time since the start (absolute), or add a step for each frame (incremental). If it adds
-//! rounded steps, their errors add up: 16 ms at ten turns per minute are 11,453,246.12 units, so each frame loses 0.12
-//! of a unit. [`Rate::angle_at`](crate::Rate::angle_at) is absolute: it multiplies rate and time as integers, drops
-//! whole turns, and rounds once. [`Spin`](crate::Spin) is incremental: it adds exact fractions of a turn, and rounds
-//! only the result. Both give the same bits at any time, for frames of any length.
+//! compute an angle from the time since the start (absolute), or add a step for each frame (incremental). If the
+//! program adds rounded steps, the rounding errors add up: 16 ms at ten turns per minute are 11,453,246.12 units, so
+//! each frame loses 0.12 of a unit. [`Rate::angle_at`](crate::Rate::angle_at) is absolute: it multiplies rate and time
+//! as integers, drops whole turns, and rounds once. [`Spin`](crate::Spin) is incremental: it adds exact fractions of a
+//! turn, and rounds only the result. Both give the same bits at any time, for frames of any length.
 //!
 //! ```
 //! use fixel::{Angle, Fraction, Rate, deg};

@@ -144,7 +144,9 @@ pub static CASES: Cases = Cases::new(|| {
         )
     });
     let orders = RATIOS.map(|(name, near, far)| {
-        let case = format!("surfaces 1 % apart: visible one behind the nearest, far/near {name}");
+        let case = format!(
+            "surfaces 1 % apart: depth of the drawn surface behind the nearest, far/near {name}"
+        );
         figure(&case, "steps", order(&view(near, far)))
     });
     pictures.into_iter().chain(orders).collect()

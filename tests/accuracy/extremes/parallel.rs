@@ -459,11 +459,15 @@ pub static CASES: Cases = Cases::new(|| {
         let [position, depth] = worst_of(window, planes);
         [
             figure(
-                &format!("parallel view, {name}: positions"),
+                &format!("parallel view, window {name}: positions"),
                 "pixels",
                 position,
             ),
-            figure(&format!("parallel view, {name}: depths"), "steps", depth),
+            figure(
+                &format!("parallel view, window {name}: depths"),
+                "steps",
+                depth,
+            ),
         ]
     });
     rows.into_iter().flatten().collect()

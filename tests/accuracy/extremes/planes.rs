@@ -109,11 +109,11 @@ pub static CASES: Cases = Cases::new(|| {
         picture("one of three corners behind the near plane", crossing(1)),
         picture("two of three corners behind the near plane", crossing(2)),
         picture(
-            "planes through the eye and 2⁻¹⁶ beside it",
+            "triangles in a plane through the eye, or 2⁻¹⁶ beside the eye",
             through_the_eye(),
         ),
         picture(
-            "corners, sides, triangles in the near plane",
+            "corners, sides or whole triangles in the near plane",
             on_the_plane(),
         ),
         picture(
@@ -121,11 +121,11 @@ pub static CASES: Cases = Cases::new(|| {
             just_above_zero(),
         ),
         picture(
-            "floor to the horizon, 1/w to 2⁻¹⁷ of the nearest",
+            "floor to the horizon, 1/w falls to 2⁻¹⁷ of its greatest value",
             grazing(0.25, 0.5),
         ),
         picture(
-            "floor to the horizon, 1/w to 2⁻²¹ of the nearest",
+            "floor to the horizon, 1/w falls to 2⁻²¹ of its greatest value",
             grazing(1. / 64., 1. / 32.),
         ),
     ]

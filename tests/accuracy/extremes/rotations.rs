@@ -95,15 +95,23 @@ pub static CASES: Cases = Cases::new(|| {
     let [drifted, place] = turned(None);
     let [rigid, renormalized] = turned(Some(1000));
     vec![
-        figure("10⁶ rotations multiplied: entries of R·Rᵀ − I", "", drifted),
-        figure("10⁶ rotations multiplied: entries of R", "", place),
         figure(
-            "the same, `renormalized` every 1000: entries of R·Rᵀ − I",
+            "product R of 10⁶ rotations: entries of R·Rᵀ − I",
+            "",
+            drifted,
+        ),
+        figure(
+            "product R of 10⁶ rotations: error of the entries",
+            "",
+            place,
+        ),
+        figure(
+            "R, `renormalized` every 1000 rotations: entries of R·Rᵀ − I",
             "",
             rigid,
         ),
         figure(
-            "the same, `renormalized` every 1000: entries of R",
+            "R, `renormalized` every 1000 rotations: error of the entries",
             "",
             renormalized,
         ),

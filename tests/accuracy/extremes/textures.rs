@@ -68,9 +68,15 @@ pub static CASES: Cases = Cases::new(|| {
         picture("texture coordinates of ±256 texels", wide(256)),
         picture("texture coordinates of ±4,000 texels", wide(4000)),
         picture("texture coordinates of ±32,000 texels", wide(32_000)),
-        picture("texture of ±500 texels along level rows", level()),
-        picture("texture of 256 in 4 pixels, 100 away", tiny(100.)),
-        picture("texture of 256 in 4 pixels, 32,000 away", tiny(32_000.)),
+        picture(
+            "texture coordinates of ±500 texels along level rows",
+            level(),
+        ),
+        picture("texture of 256 texels in 4 pixels, 100 away", tiny(100.)),
+        picture(
+            "texture of 256 texels in 4 pixels, 32,000 away",
+            tiny(32_000.),
+        ),
     ]
 });
 
