@@ -1,4 +1,5 @@
-//! The messages of errors, at run time and in the compiler's interpreter, where `core::fmt` does not run.
+//! Builds the messages of errors without `core::fmt`, because errors at compile time need messages, too, and
+//! `core::fmt` does not run there.
 
 #![allow(clippy::cast_possible_wrap)] // counts
 

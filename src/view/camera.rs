@@ -7,7 +7,7 @@ use crate::{Angle, Error, Scalar, Transform, Vec3};
 /// A camera: the rigid transform from world space to eye space.
 ///
 #[cfg_attr(doc, doc = diagram!("look_at"))]
-/// In eye space, the eye is at the origin and looks down −z; x points to the right, and y points up. In the figure,
+/// In eye space, the eye is at the origin and looks down −z; x points to the right, and y points up. In the diagram,
 /// these axes are *i*, *j* and *k*. [Mathematics](crate::guide::mathematics#a-camera) derives this transform and its
 /// inverse.
 ///

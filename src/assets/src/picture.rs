@@ -18,7 +18,7 @@ use zune_jpeg::JpegDecoder;
 /// The largest number of pixels that a picture may have: 16,384 x 16,384.
 const MOST: u64 = 1 << 28;
 
-/// Pixels, row by row from the top: red, green, blue and alpha.
+/// A picture: its pixels, row by row from the top, as red, green, blue and alpha.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
     /// The number of columns, at least 1.
