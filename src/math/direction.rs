@@ -1,4 +1,4 @@
-//! Directions in world space, and the matrix that takes a model's normals there.
+//! Directions in world space, and the matrix that takes a model's normals to world space.
 
 use crate::num::Fraction;
 use crate::num::rsqrt::{measure, unit};

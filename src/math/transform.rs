@@ -15,9 +15,9 @@ mod tests;
 
 /// An affine transform of points: a 3×3 matrix and a translation.
 ///
-/// The matrix and the translation are in block floating point: each has 30-bit mantissas and one exponent, so that
-/// entries are accurate to 2⁻³⁰ of the largest one. Sums of products accumulate in 64 bits and are rounded once.
-/// Entries range from 2⁻⁶² to 2⁶²; larger entries saturate.
+/// The matrix and the translation are in block floating point: each has 30-bit mantissas and one exponent. So an entry
+/// is accurate to 2⁻³⁰ of the largest entry of the matrix or of the translation. Sums of products accumulate in 64 bits
+/// and are rounded once. Entries range from 2⁻⁶² to 2⁶²; larger entries saturate.
 ///
 /// `a * b` applies `b` first, as matrices do.
 ///

@@ -280,7 +280,7 @@ impl fmt::Display for Angle {
 }
 
 impl fmt::Debug for Angle {
-    /// Writes degrees as `Display` does, and the bits, because angles that differ by a unit have the same decimals.
+    /// Writes degrees as `Display` does, and the bits, because neighboring angles can have the same decimals.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{self} ({:#010x})", self.0)
     }

@@ -369,8 +369,8 @@ pub trait Shader: Copy {
     /// Applies a function to each pixel and its color: any effect in one line. `None` leaves the pixel as it is.
     ///
     /// The function may capture only [`Copy`] values. If an `rgb` function made the surface, such as
-    /// [`Flat::rgb`](super::Flat::rgb), the compiler does not know the color's type yet. Write the type: `|_, color:
-    /// Rgb565| …`.
+    /// [`Flat::rgb`](super::Flat::rgb), the compiler does not know the color's type yet. Write it:
+    /// `|_, color: Rgb565| …`.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};

@@ -135,9 +135,9 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     /// during a blend. For other colors, the position is rounded to the nearest 1/256 texel ([`Blend::WEIGHT_BITS`]).
     ///
     /// The filter first makes two blends along rows, each rounded to a whole step, and then one blend between the rows.
-    /// A channel's error is at most one step, plus 1/32 (or 1/256) of the difference between the four texels. Between
-    /// black and white, this error is two steps of red and three steps of green in Rgb565, and two steps of every
-    /// channel in Rgb888. At the centers of texels, there is no error.
+    /// A channel's error is at most one step, plus 1/32 (or 1/256) of the greatest difference between the four texels.
+    /// Between black and white, this error is two steps of red and three steps of green in Rgb565, and two steps of
+    /// every channel in Rgb888. At the centers of texels, there is no error.
     ///
     /// # Cost
     ///

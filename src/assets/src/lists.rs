@@ -151,7 +151,7 @@ fn find<'a>(
     match names.position(|name| name == wanted) {
         Some(at) => Ok(u32::try_from(at).ok()),
         None => Err(format!(
-            "there is no {what} '{wanted}': there are '{}'",
+            "there is no {what} '{wanted}': the names are '{}'",
             all.join("', '")
         )),
     }
@@ -172,7 +172,7 @@ impl Model {
             self.triangles.iter().filter(is_wanted).copied().collect();
         if triangles.is_empty() {
             return Err(
-                "no face is both of this material and of this object, or there is none of it"
+                "the options select no face: a face must have the material and the object that they name"
                     .into(),
             );
         }
@@ -360,7 +360,7 @@ impl Model {
         };
         let merged = apart.saturating_sub(kept);
         Some(format!(
-            "{merged} of {apart} positions are the same as others in steps of 1/65536: {center}scale = {enough} keeps them apart"
+            "{merged} of {apart} positions become equal to others when rounded to 1/65536: {center}scale = {enough} keeps them apart"
         ))
     }
 

@@ -64,7 +64,7 @@ impl Picture {
         }?;
         let pixels = u64::from(picture.width) * u64::from(picture.height);
         if pixels == 0 || picture.pixels.len() as u64 != pixels {
-            return Err("its size does not fit its pixels".into());
+            return Err("its size does not match its number of pixels".into());
         }
         Ok(picture)
     }

@@ -75,8 +75,8 @@ impl Transform {
         ))
     }
 
-    /// Makes the rotation by yaw, pitch and roll, in the order YXZ: the product `rotate_y(yaw) * rotate_x(pitch) *
-    /// rotate_z(roll)`.
+    /// Makes the rotation by yaw, pitch and roll, in the order YXZ. It is the product
+    /// `rotate_y(yaw) * rotate_x(pitch) * rotate_z(roll)`.
     ///
     /// The roll about z is applied first, then the pitch about x, then the yaw about y, all about
     /// the fixed axes. Equivalently, the model turns about its own y axis, then its own x axis,
