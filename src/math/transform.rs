@@ -149,7 +149,7 @@ impl Transform {
 
     /// Makes the transform that scales each axis by its own factor about the origin; a negative factor mirrors.
     ///
-    /// Each factor is accurate to 2⁻³⁰ of the largest one.
+    /// Each factor is accurate to 2⁻³⁰ of the largest factor.
     #[must_use]
     pub fn scale_axes(factors: Vec3) -> Self {
         let [x, y, z] = factors.to_bits();

@@ -166,8 +166,8 @@ impl Angle {
 
     /// Returns the angle from the x axis to the point (x, y), counter-clockwise; 0 for the origin.
     ///
-    /// The error is at most 2.4e-9 radians. `micromath` gives a first guess, accurate to about 1e-3 radians, and three
-    /// integer steps refine it.
+    /// The error is at most 2.4e-9 radians. The crate `micromath` gives a first guess, accurate to about 1e-3 radians,
+    /// and three integer steps refine it.
     ///
     /// ```
     /// use fixel::prelude::*;

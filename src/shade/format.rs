@@ -19,8 +19,9 @@ use crate::texture::Blend;
 /// bits.
 ///
 /// Colors with 5 or more bits per channel are rounded to nearest. [`Gray4`], [`Gray2`] and [`BinaryColor`] (on is
-/// white) are dithered by an 8x8 ordered matrix that is fixed to the frame. If 8x8 pixels have the same exact value,
-/// the mean of the dithered values differs from it by at most 1/128 step. Black stays black, and white stays white.
+/// white) are dithered by an 8x8 ordered matrix that is fixed to the frame. If 8x8 pixels have the same value before
+/// dithering, the mean of their dithered values differs from this value by at most 1/128 step. Black stays black, and
+/// white stays white.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{BinaryColor, Rgb565, Rgb888}, prelude::*};

@@ -272,8 +272,9 @@ impl Policy for Newton {
 /// other varyings, the tolerance is in multiples of 2^16. In addition, an attribute has an error of up to 2^-13 of its
 /// greatest value in the triangle: 1/32 texel if a texture of 256 texels is seen once, more if it repeats.
 ///
-/// A triangle that hardly changes in depth is a single piece, if the error of texture coordinates is within the
-/// tolerance and the error of other varyings is within what the shader allows ([`Varyings`](crate::shade::Varyings)).
+/// A triangle that hardly changes in depth is a single piece if two conditions hold: the error of texture coordinates
+/// is within the tolerance, and the error of other varyings is within the shader's own tolerance
+/// ([`Varyings`](crate::shade::Varyings)).
 ///
 /// Pieces end within the triangle, so only rounding moves an attribute beyond the values at the corners.
 ///

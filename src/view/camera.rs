@@ -94,10 +94,10 @@ impl Camera {
         self.view.inverse_rigid()
     }
 
-    /// Returns the camera for a sky, which looks in the same direction, but from the origin of the world. So a mesh
-    /// around the origin seems infinitely far away, however the camera moves. Draw the mesh first, with
-    /// [`NoTest`](crate::canvas::NoTest), so that it is behind everything; it must lie between the near and the far
-    /// plane.
+    /// Returns the camera with which to draw a sky: it looks in the same direction as `self`, but from the origin of
+    /// the world. So a mesh around the origin seems infinitely far away, however the camera moves. Draw the mesh first,
+    /// with [`NoTest`](crate::canvas::NoTest), so that it is behind everything; it must lie between the near and the
+    /// far plane.
     ///
     /// A dome is a sphere seen from inside, drawn with [`Cull::Front`](crate::Cull::Front). Color the dome by height
     /// with [`Gradient`](crate::shade::Gradient), or draw it with [`Textured`](crate::Textured) and a panorama. A sky

@@ -217,7 +217,7 @@ fn indexed(
     let mut picture = colored(
         width,
         height,
-        pixels.ok_or("a color index leaves its table")?,
+        pixels.ok_or("a color index is not in its table")?,
     )?;
     picture.table = Some(Table { indices, colors });
     Ok(picture)

@@ -78,10 +78,10 @@ impl Transform {
     /// Makes the rotation by yaw, pitch and roll, in the order YXZ. It is the product
     /// `rotate_y(yaw) * rotate_x(pitch) * rotate_z(roll)`.
     ///
-    /// The roll about z is applied first, then the pitch about x, then the yaw about y, all about
-    /// the fixed axes. Equivalently, the model turns about its own y axis, then its own x axis,
-    /// then its own z axis. A model that looks down −z turns left with a positive yaw, looks up
-    /// with a positive pitch, and tilts counter-clockwise, seen from behind, with a positive roll.
+    /// The roll about z is applied first, then the pitch about x, then the yaw about y. These axes are fixed.
+    /// Equivalently, the model turns about its own y axis, then its own x axis, then its own z axis. A model that looks
+    /// down −z turns left with a positive yaw, looks up with a positive pitch, and tilts counter-clockwise, seen from
+    /// behind, with a positive roll.
     ///
     /// ```
     /// use fixel::prelude::*;
