@@ -135,7 +135,7 @@ macro_rules! errors {
 }
 
 errors! {
-    /// The reason why a value was refused. Its message names the value and the allowed range.
+    /// The reason why a value was refused. The error's message names the value and the allowed range.
     ///
     /// Functions that build or check a value, and functions that prepare a [`DrawList`](crate::DrawList), return
     /// errors. Draw calls cannot fail, with one exception: drawing a prepared list fails if the canvas and the list
@@ -292,16 +292,16 @@ errors! {
         Number(width), Number(height), Number(needed_width), Number(needed_height);
     /// An index that is out of range.
     Index {
-        /// The face, edge or entry that holds the index.
+        /// The position, in its own list, of the face, edge or other element that holds the refused index.
         at: usize,
         /// The refused index.
         index: u32,
-        /// Number of elements; the index must be less than this number.
+        /// Number of elements to which the index can refer; the index must be less than this number.
         len: usize,
     } = "index {} in element {} is out of range: it must be below {}", Number(index), Number(at), Number(len);
     /// Two meshes with different faces, where both must have the same faces.
     FacesDiffer {
-        /// The first face that differs.
+        /// The index of the first face that differs.
         at: usize,
     } = "face {} differs: both meshes must have the same faces", Number(at);
     /// More elements than indices can address, or than the caller's memory has room for.
@@ -327,9 +327,9 @@ errors! {
         of: &'static str,
         /// The refused number of parts.
         given: u32,
-        /// Fewest allowed.
+        /// Lowest number allowed.
         min: u32,
-        /// Most allowed.
+        /// Highest number allowed.
         max: u32,
     } = "number of {} is {}: it must lie between {} and {}", Text(of), Number(given), Number(min), Number(max);
     /// A length that is not positive or is too large: a dimension of a shape, a sprite or a point, the distance of a

@@ -84,7 +84,7 @@
 //! | [`Object`]s: meshes with their transforms and materials | [`Object::new`] | argument of [`DrawList::prepare`] |
 //! | [`Sprites`]: billboards, particles | [`Sprites::new`], [`Sprites::in_pixels`] | first argument of [`Canvas::draw`] |
 //! | Lines and points | [`Mesh::edges`], [`Mesh::outline`], [`Mesh::points`] with a [`LineStyle`] or [`PointStyle`] | first argument of [`Canvas::draw`] |
-//! | [`Ray`] of a pixel | [`Canvas::ray`] | [`Ray::hit`]: the face of a mesh that is seen there |
+//! | [`Ray`] of a pixel | [`Canvas::ray`] | [`Ray::hit`] finds the face of a mesh that is seen at this pixel |
 //! | [`Canvas`]: colors, depth, rows | [`Canvas::new`], [`Canvas::band`], over your slices | the picture for a display: [`Canvas::show`] or [`Canvas::as_bytes`] |
 //!
 //! # Spaces
@@ -104,7 +104,7 @@
 //! # Promises
 //!
 //! 1. **No floating point, no allocation, no `unsafe`.** Floats appear only in constructors that accept them for
-//!    convenience, and in the first guess of [`Angle::atan2`]. They are never used per vertex or per pixel.
+//!    convenience, and in the first guess of [`Angle::atan2`]. No float is used per vertex or per pixel.
 //! 2. **Same bits everywhere.** Results do not depend on the target's word length or instructions: the host and the
 //!    board draw the same picture.
 //! 3. **No panics.** No accepted value can cause a panic or a write outside the canvas. Constructors refuse values that
@@ -120,8 +120,8 @@
 //!
 //! # Drawing to a display
 //!
-//! A frame of 320x240 takes 150 KiB for colors and 150 KiB for depths. If you have less memory, draw the scene band by
-//! band into the same memory, and send each band to the display when it is finished.
+//! With colors of 16 bits, a frame of 320x240 takes 150 KiB for colors and 150 KiB for depths. If you have less memory,
+//! draw the scene band by band into the same memory, and send each band to the display when it is finished.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}};
@@ -172,16 +172,16 @@
 //!
 //! # Speed against accuracy
 //!
-//! A [`Mode`](mode::Mode) is a type that decides how attributes are interpolated. You choose the mode for each draw
-//! call. The [guide to modes](guide::modes) says which mode suits which scene and core, and derives the error bounds of
-//! the modes. The [benchmarks](guide::benchmarks) say what drawing costs. The [cookbook](guide::cookbook) contains
-//! small scenes that each show one idea.
+//! A [`Mode`](mode::Mode) is a type that decides how colors, texture coordinates and other attributes are interpolated.
+//! You choose the mode for each draw call. The [guide to modes](guide::modes) says which mode suits which scene and
+//! core, and derives the error bounds of the modes. The [benchmarks](guide::benchmarks) say what drawing costs. The
+//! [cookbook](guide::cookbook) contains small scenes that each show one idea.
 //!
 //! # Versions
 //!
-//! - **Pictures.** Versions that Cargo treats as compatible (0.1.0 and 0.1.7) draw the same bits. Checksums in the
-//!   tests enforce this. Any change to a picture, even an improvement, requires a new minor version, and the changelog
-//!   says what differs. A bug that breaks a promise above is fixed immediately.
+//! - **Pictures.** Versions that Cargo treats as compatible (such as 0.1.0 and 0.1.7) draw the same bits. Checksums in
+//!   the tests enforce this. Any change to a picture, even an improvement, requires a new minor version, and the
+//!   changelog says what differs. A bug that breaks a promise above is fixed immediately.
 //! - **Compiler.** The crate compiles with Rust 1.88. Only a new minor version may require a later compiler. That
 //!   compiler is then at least six months old.
 //! - **Dependencies.** `fixed` and `embedded-graphics` appear in the interface. An incompatible new version of either
@@ -213,8 +213,8 @@
 //!
 //! The column on the right names the folder; a line without a folder name belongs to the last folder named above it.
 //! Two types are only examples: `Adapted`, which `.lit(light)` makes, represents any shader, and `Native` represents
-//! any storage. One of four kernels (straight, pieces, Newton, divide) runs between `Blit::draw` and its pixels. The
-//! [mode] chooses the kernel for each span.
+//! any storage. Between `Blit::draw` and its pixels runs one of four kernels, the loops over the pixels of a span:
+//! straight, pieces, Newton or divide. The [mode] chooses the kernel for each span.
 //!
 //! Each folder depends only on the folders before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`,
 //! `canvas`, `raster`, `span`, `pipeline`.
@@ -291,8 +291,8 @@ mod span;
 
 /// How attributes are interpolated: the trait [`Mode`](mode::Mode) and its five implementations.
 ///
-/// [Mathematics](crate::guide::mathematics#a-triangle) explains why each pixel needs a reciprocal, and how the modes
-/// avoid computing it.
+/// [Mathematics](crate::guide::mathematics#a-triangle) explains why each pixel needs the reciprocal of 1/w, and how the
+/// faster modes avoid a division at every pixel.
 ///
 #[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
 pub mod mode {

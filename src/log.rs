@@ -1,4 +1,4 @@
-//! `defmt::Format` for numbers, which are logged in decimals, and for types that contain them.
+//! Implements `defmt::Format` for numbers, which are logged as decimals, and for types that contain numbers.
 
 use defmt::{Debug2Format, Display2Format, Format, Formatter};
 

@@ -1,4 +1,5 @@
-//! The messages of errors, at run time and in the compiler's interpreter, where `core::fmt` does not run.
+//! Builds the messages of errors without `core::fmt`, because errors at compile time need messages, too, and
+//! `core::fmt` does not run there.
 
 #![allow(clippy::cast_possible_wrap)] // counts
 
@@ -137,7 +138,7 @@ pub const fn checked<T: Copy>(result: Result<T, Error>, name: &str) -> T {
 /// Always.
 pub(crate) const fn too_many_colors(name: &str, given: usize, max: usize) -> ! {
     stop(
-        "{}: the picture has {} colors, and the type's table {}: a table has at most 256",
+        "{}: the picture has {} colors, but the type's table has room for {}: a table can have at most 256",
         &[Text(name), Number(given as i64), Number(max as i64)],
     )
 }

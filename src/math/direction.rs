@@ -1,4 +1,4 @@
-//! Directions in world space, and the matrix that takes a model's normals there.
+//! Directions in world space, and the matrix that takes a model's normals to world space.
 
 use crate::num::Fraction;
 use crate::num::rsqrt::{measure, unit};
@@ -22,7 +22,7 @@ impl Direction {
     /// No direction: the vector of length zero.
     pub const NONE: Self = Self([0; 3]);
 
-    /// Returns the direction of a vector of any length; [`NONE`](Self::NONE) for zero.
+    /// Returns the direction of a vector of any length; [`NONE`](Self::NONE) for the zero vector.
     #[must_use]
     pub const fn of(vector: Vec3) -> Self {
         let [x, y, z] = vector.to_bits();

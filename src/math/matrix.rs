@@ -66,12 +66,12 @@ impl Matrix4 {
         ])
     }
 
-    /// Makes the perspective transform onto the near plane, which maps (x, y, z) to
-    /// (−n·x/z, −n·y/z, −(n + f) − n·f/z).
+    /// Makes the perspective transform onto the near plane, which maps (x, y, z) to (−n·x/z, −n·y/z, −(n + f) − n·f/z),
+    /// with n = `near` and f = `far`.
     ///
-    /// It maps a frustum to a box as wide as the frustum's window on the near plane; the near and far planes stay at −n
-    /// and −f. Scaling and moving that box to ±1 completes the frustum's matrix. The product n·f is rounded to nearest;
-    /// the product and the sum n + f saturate.
+    /// The transform maps a frustum to a box as wide and high as the frustum's window on the near plane; the near and
+    /// far planes stay at −n and −f. Scaling and moving that box to ±1 completes the frustum's matrix. The product n·f
+    /// is rounded to nearest; the product and the sum n + f saturate.
     #[must_use]
     pub const fn perspective_transform(near: Scalar, far: Scalar) -> Self {
         let product = multiply(near.to_bits(), far.to_bits(), 16);

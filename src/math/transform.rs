@@ -15,9 +15,9 @@ mod tests;
 
 /// An affine transform of points: a 3×3 matrix and a translation.
 ///
-/// The matrix and the translation are in block floating point: each has 30-bit mantissas and one exponent, so that
-/// entries are accurate to 2⁻³⁰ of the largest one. Sums of products accumulate in 64 bits and are rounded once.
-/// Entries range from 2⁻⁶² to 2⁶²; larger entries saturate.
+/// The matrix and the translation are in block floating point: each has 30-bit mantissas and one exponent. So an entry
+/// is accurate to 2⁻³⁰ of the largest entry of the matrix or of the translation. Sums of products accumulate in 64 bits
+/// and are rounded once. Entries range from 2⁻⁶² to 2⁶²; larger entries saturate.
 ///
 /// `a * b` applies `b` first, as matrices do.
 ///
@@ -123,9 +123,10 @@ impl Transform {
         t
     }
 
-    /// Moves by `offset`.
+    /// Makes the transform that moves points by `offset`.
     ///
-    /// An offset keeps 30 significant bits. If a component is ±16,384 or more, the offset is rounded to nearest.
+    /// An offset keeps 30 significant bits. If a component's magnitude is 16,384 or more, the offset is rounded to
+    /// nearest.
     #[must_use]
     pub fn translate(offset: Vec3) -> Self {
         let mut t = Self::IDENTITY;
@@ -134,8 +135,8 @@ impl Transform {
         t
     }
 
-    /// Scales all axes by one factor about the origin. The factor keeps 30 significant bits. A factor of ±16,384 or
-    /// more is rounded to nearest.
+    /// Makes the transform that scales all axes by one factor about the origin. The factor keeps 30 significant bits. A
+    /// factor with a magnitude of 16,384 or more is rounded to nearest.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -146,9 +147,9 @@ impl Transform {
         Self::scale_axes(Vec3::splat(factor))
     }
 
-    /// Scales each axis by its own factor about the origin; a negative factor mirrors.
+    /// Makes the transform that scales each axis by its own factor about the origin; a negative factor mirrors.
     ///
-    /// Each factor is accurate to 2⁻³⁰ of the largest one.
+    /// Each factor is accurate to 2⁻³⁰ of the largest factor.
     #[must_use]
     pub fn scale_axes(factors: Vec3) -> Self {
         let [x, y, z] = factors.to_bits();

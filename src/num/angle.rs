@@ -15,8 +15,8 @@ use crate::{Error, Scalar};
 
 /// An angle in units of 2⁻³² of a turn: 8.4e-8 degrees, 1.5e-9 radians.
 ///
-/// Arithmetic wraps at a whole turn: −90° and 270° are the same angle. [`deg!`](crate::deg) writes
-/// a literal.
+/// Arithmetic wraps at a whole turn: −90° and 270° are the same angle. [`deg!`](crate::deg) makes an angle from a
+/// literal in degrees.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -166,8 +166,8 @@ impl Angle {
 
     /// Returns the angle from the x axis to the point (x, y), counter-clockwise; 0 for the origin.
     ///
-    /// The error is at most 2.4e-9 radians. `micromath` gives a first guess, accurate to about 1e-3 radians, and three
-    /// integer steps refine it.
+    /// The error is at most 2.4e-9 radians. The crate `micromath` gives a first guess, accurate to about 1e-3 radians,
+    /// and three integer steps refine it.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -207,8 +207,8 @@ impl Angle {
     ///
     /// The error is at most 1.6e-9; 0, 1 and −1 are exact at multiples of 90°, and the sine's symmetries hold to the
     /// last bit. An odd polynomial of degree 11 covers a quarter of a turn. In a picture of 320x240, the error of this
-    /// polynomial is invisible; the error of `micromath`'s sine, 1.1e-3, would move vertices of the measured cube and
-    /// sphere by up to 0.35 and 0.26 pixels.
+    /// polynomial is invisible; the error of `micromath`'s sine, 1.1e-3, would move vertices of the benchmarks' cube by
+    /// up to 0.35 pixels, and vertices of their sphere by up to 0.26 pixels.
     ///
     /// ```
     /// use fixel::{Angle, Fraction};
@@ -280,7 +280,7 @@ impl fmt::Display for Angle {
 }
 
 impl fmt::Debug for Angle {
-    /// Writes degrees as `Display` does, and the bits, which tell an angle from its neighbors.
+    /// Writes degrees as `Display` does, and the bits, because neighboring angles can have the same decimals.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{self} ({:#010x})", self.0)
     }

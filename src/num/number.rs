@@ -223,9 +223,10 @@ number! {
 number! {
     /// Texture coordinates in repeats of the texture: signed, 12 integer and 20 fraction bits.
     ///
-    /// The range is −2048 to 2048 − 2⁻²⁰, and the resolution is 2⁻²⁰ ≈ 9.5e-7. The rounding moves a texture of 256
-    /// texels by at most 1.2e-4 texel; a [`Scalar`] would move it by 2e-3. [`vec2!`](crate::vec2) writes a pair of
-    /// literals. `TexCoord` has the same operators and conversions as [`Scalar`].
+    /// The range is −2048 to 2048 − 2⁻²⁰, and the resolution is 2⁻²⁰ ≈ 9.5e-7. Rounding to this resolution moves a
+    /// texture of 256 texels by at most 1.2e-4 texel; rounding to a [`Scalar`] would move it by up to 2e-3 texel.
+    /// [`vec2!`](crate::vec2) writes a pair of literals. `TexCoord` has the same operators and conversions as
+    /// [`Scalar`].
     ///
     /// ```
     /// use fixel::{Error, TexCoord, Vec2, vec2};

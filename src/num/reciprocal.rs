@@ -1,4 +1,4 @@
-//! The reciprocal behind every division by depth.
+//! The reciprocal by which attributes are multiplied, in place of a division by 1/w.
 
 use crate::num::wide::{DIVIDES, IS_WIDE, product, unsigned_product};
 
@@ -6,8 +6,8 @@ use crate::num::wide::{DIVIDES, IS_WIDE, product, unsigned_product};
 ///
 /// The result is exact in every bit and the same on every target. A core with a 64-bit divider divides. Other cores
 /// take the first 17 bits from a 32-bit divider or, without one, from a table of 32 bytes and two short Newton steps;
-/// one more Newton step doubles these bits, and the remainder corrects the last bit. For any other `q` the result has
-/// no meaning, but there is no panic.
+/// one more Newton step doubles the number of correct bits, and the remainder corrects the last bit. For any other `q`
+/// the result has no meaning, but there is no panic.
 ///
 /// ```
 /// use fixel::num::reciprocal;

@@ -20,7 +20,7 @@ pub struct Adapted<S, E> {
 /// An effect that changes the output, of type `O`, of a surface: a light, a tint, or fog.
 #[doc(hidden)]
 pub trait Effect<O: Output>: Copy {
-    /// The new output.
+    /// The output after the effect.
     type Color: Output;
 
     /// The values that the effect interpolates, in addition to the values of the surface.
@@ -28,7 +28,7 @@ pub trait Effect<O: Output>: Copy {
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3];
 
-    /// The new output at a pixel.
+    /// Applies the effect to the surface's output at a pixel.
     fn apply(&self, output: O, varyings: Self::Varyings) -> Self::Color;
 }
 

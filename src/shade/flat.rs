@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::{PixelColor, Rgb888, RgbColor};
 use super::{Converted, Fragment, PerFace, Shader};
 use crate::mesh::{Part, Primitive};
 
-/// One color for all pixels.
+/// A surface with one color for all pixels.
 ///
 #[cfg_attr(doc, doc = page_picture!("flat", "A ring in one color: only its outline can be seen"))]
 /// ```
@@ -29,8 +29,8 @@ pub struct Flat<C> {
 }
 
 impl<C> Flat<C> {
-    /// A shader with one color, given as red, green and blue, for a canvas of color `C`. The color is rounded, or
-    /// dithered if `C` is coarse, after any light has dimmed it.
+    /// A shader with one color, given as red, green and blue, for a canvas of color `C`. Light and other adapters
+    /// change the exact color; the result is then rounded, or dithered if `C` has fewer than 5 bits per channel.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
@@ -48,7 +48,7 @@ impl<C> Flat<C> {
 }
 
 impl<C: PixelColor> Flat<C> {
-    /// A shader of this color.
+    /// A shader that gives all pixels this color.
     #[must_use]
     pub const fn new(color: C) -> Self {
         Self { color }
@@ -75,8 +75,8 @@ impl<C: PixelColor> Shader for Flat<C> {
 /// One color per triangle, in the order of the mesh's faces.
 ///
 #[cfg_attr(doc, doc = page_picture!("face_colors", "A coarse ball whose triangles have different colors"))]
-/// Triangles beyond the end of the list have its last color; if the list is empty, all triangles are black (the color's
-/// default). Edges and points have the first color.
+/// Triangles beyond the end of the list have the list's last color; if the list is empty, all triangles are black (the
+/// color's default). Edges and points have the first color.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
@@ -104,7 +104,7 @@ pub struct FaceColors<'a, C> {
 }
 
 impl<'a, C: PixelColor + Default> FaceColors<'a, C> {
-    /// A shader of these colors.
+    /// A shader that gives each triangle the color at the triangle's index in `colors`.
     #[must_use]
     pub const fn new(colors: &'a [C]) -> Self {
         Self { colors }
@@ -141,11 +141,12 @@ pub struct PartColors<'a> {
 }
 
 impl<'a> PartColors<'a> {
-    /// A shader of the parts' colors, for a canvas of color `C`. Parts must be in the order of their faces, as
-    /// [`include_materials!`](crate::include_materials) makes them. The shader finds a triangle's part by binary
+    /// A shader of the parts' colors, for a canvas of color `C`. The parts must be in ascending order of their faces,
+    /// as [`include_materials!`](crate::include_materials) makes them. The shader finds a triangle's part by binary
     /// search.
     ///
-    /// A color is rounded, or dithered if `C` is coarse, after any light has dimmed it.
+    /// Light and other adapters change the exact color; the result is then rounded, or dithered if `C` has fewer than 5
+    /// bits per channel.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};

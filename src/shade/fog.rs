@@ -12,13 +12,13 @@ use crate::num::wide::clamp_negative;
 use crate::sealed::{Sealed, sealed};
 use crate::{Error, Scalar};
 
-/// Fog that hides distant surfaces: its color, and how much of a surface remains visible at a distance; see
-/// [`Shader::in_fog`](super::Shader::in_fog).
+/// Fog that hides distant surfaces. It has a color, and a density that says how much of a surface remains visible at
+/// each distance; see [`Shader::in_fog`](super::Shader::in_fog).
 ///
 #[cfg_attr(doc, doc = page_picture!("in_fog", "A row of rings that fade into gray"))]
 /// The distance z is measured from the eye along the view direction, as [`Corner::distance`](crate::Corner::distance)
-/// is. The distance is interpolated in correct perspective. The share of the surface that remains has an error of at
-/// most 1/100.
+/// is. The distance is interpolated in correct perspective. The share of the surface that remains visible has an error
+/// of at most 1/100.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, Gray4, GrayColor}};
@@ -148,8 +148,8 @@ impl Density for ExponentialFog {
 impl<C: PixelFormat> Fog<C> {
     /// Fog that begins at the distance `near` and hides everything at the distance `far` and beyond.
     ///
-    /// If `far` − `near` is less than a unit, a triangle fades at the wrong place if it reaches beyond `far` by 65,536
-    /// times `far` − `near`.
+    /// A triangle that reaches beyond `far` by 65,536 · (`far` − `near`) or more fades at the wrong place. Such a
+    /// distance is in the range of coordinates only if `far` − `near` is less than 1.
     ///
     /// # Errors
     ///

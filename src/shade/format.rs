@@ -1,4 +1,4 @@
-//! Color formats: conversion of a color to channels in steps of its format, and back by rounding or dithering.
+//! Color formats: how a color is split into channels, and how channels are rounded or dithered to a color.
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{
@@ -15,12 +15,13 @@ use crate::texture::Blend;
 /// This trait is implemented for the colors of embedded-graphics. There are three channels: red, green and blue. A gray
 /// color has three equal channels; only the first is used. Gray is the BT.601 luma of the stored values (without
 /// gamma): 0.299 red + 0.587 green + 0.114 blue, with weights rounded to 2⁻¹⁴. A *step* is a unit of a channel in the
-/// color's own format: the red of [`Rgb565`] has 0 to 31 steps. [`Precise`] is a color whose channels have fraction
+/// color's own format: the red of [`Rgb565`] is from 0 to 31 steps. A [`Precise`] color has channels with fraction
 /// bits.
 ///
 /// Colors with 5 or more bits per channel are rounded to nearest. [`Gray4`], [`Gray2`] and [`BinaryColor`] (on is
-/// white) are dithered by an 8x8 ordered matrix that is fixed to the frame. The mean of 8x8 pixels that show one level
-/// differs from that level by at most 1/128 step. Black stays black, and white stays white.
+/// white) are dithered by an 8x8 ordered matrix that is fixed to the frame. If 8x8 pixels have the same value before
+/// dithering, the mean of their dithered values differs from this value by at most 1/128 step. Black stays black, and
+/// white stays white.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{BinaryColor, Rgb565, Rgb888}, prelude::*};
@@ -37,7 +38,8 @@ use crate::texture::Blend;
     note = "the colors of embedded-graphics have channels; for another color, implement `fixel::PixelFormat`"
 )]
 pub trait PixelFormat: PixelColor {
-    /// White, in whole steps: 31, 63, 31 for [`Rgb565`]. Each number of steps is 2ⁿ − 1, at most 255.
+    /// The channels of white, in steps: 31, 63, 31 for [`Rgb565`]. The white of a channel with n bits is 2ⁿ − 1, at
+    /// most 255.
     const MAX_STEPS: [i32; 3];
 
     /// Whether the format is so coarse that it is dithered.
@@ -53,15 +55,16 @@ pub trait PixelFormat: PixelColor {
     #[must_use]
     fn from_steps(steps: [u8; 3]) -> Self;
 
-    /// The color nearest to `color`, or its dithered value at a pixel of the frame.
+    /// Converts `color` to this format: rounded to nearest or, in a dithered format, dithered for the pixel `at` of the
+    /// frame.
     #[must_use]
     #[inline]
     fn from_rgb(color: Rgb888, at: Point) -> Self {
         Precise::of_rgb(color).finish(at)
     }
 
-    /// This color after the color `by` covers a share of it; rounded or dithered. The share is from 0 to 65,536. For
-    /// colors of 15 and 16 bits, the share is first rounded to 1/32.
+    /// Mixes `share`/65,536 of the color `by` with the rest of this color, and rounds or dithers the result. For colors
+    /// of 15 and 16 bits, the share is first rounded to 1/32.
     #[must_use]
     #[inline]
     fn covered(self, by: Self, share: i32, at: Point) -> Self {

@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use super::{Fragment, PixelFormat, Precise, Shader};
 use crate::mesh::Primitive;
 
-/// The mesh's vertex colors, interpolated in correct perspective; white if the mesh has none.
+/// The mesh's vertex colors, interpolated in correct perspective; white if the mesh has no colors.
 ///
 #[cfg_attr(doc, doc = page_picture!("gouraud", "A cube whose corners' colors flow into each other"))]
 /// The canvas's color type decides how the vertex colors are interpolated and rounded: see
@@ -39,7 +39,7 @@ pub struct Gouraud<C> {
 }
 
 impl<C> Gouraud<C> {
-    /// A shader for a canvas of color `C`.
+    /// A shader of the vertex colors, for a canvas of color `C`.
     #[must_use]
     pub const fn new() -> Self {
         Self { color: PhantomData }

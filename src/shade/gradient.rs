@@ -18,8 +18,8 @@ const BITS: u32 = 12;
 /// The color is computed at the vertices and interpolated in correct perspective. The color's error at a vertex is at
 /// most 1/60 step of a 6-bit channel and 1/15 step of an 8-bit channel.
 ///
-/// Draw a sky before everything else, from inside, with a [camera that stays in its center](crate::Camera::sky), and
-/// without a depth test:
+/// Draw a sky before everything else, from inside, with a [camera that stays in the sky's center](crate::Camera::sky),
+/// and without a depth test:
 ///
 /// ```
 /// use embedded_graphics::mock_display::MockDisplay;
@@ -54,12 +54,12 @@ pub struct Gradient<C: PixelFormat> {
 }
 
 impl<C: PixelFormat> Gradient<C> {
-    /// A gradient with the color of `low` up to the height of `low`, and the color of `high` above the height of
-    /// `high`. Heights are in the model's units.
+    /// A gradient with the color `low` up to the height `bottom`, and the color `high` above the height `top`. Heights
+    /// are in the model's units.
     ///
     /// # Errors
     ///
-    /// [`Error::Empty`] if the second height is not above the first one.
+    /// [`Error::Empty`] if `top` is not above `bottom`.
     pub fn new(
         (bottom, low): (Scalar, Rgb888),
         (top, high): (Scalar, Rgb888),

@@ -20,7 +20,7 @@ pub trait Lanes: Copy + Sealed {
     /// N + 1.
     type Next: Lanes;
 
-    /// The sum of both numbers.
+    /// The sum of N and the number `B`.
     type Plus<B: Lanes>: Lanes;
 
     /// An array of equal values.

@@ -45,8 +45,8 @@ impl<O: Output<Color: PixelFormat>, L: Lighting> Effect<O> for ByVertex<L> {
     }
 }
 
-/// A surface under light that is computed once per triangle, at its center and for its own normal; see
-/// [`Shader::lit_faces`].
+/// A surface under light that is computed once per triangle, at the triangle's center and for the triangle's own
+/// normal; see [`Shader::lit_faces`].
 ///
 /// [`Shader::lit_faces`]: super::Shader::lit_faces
 pub type FaceLit<S, L = Light> = Adapted<S, ByFace<L>>;

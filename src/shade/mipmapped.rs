@@ -20,9 +20,9 @@ pub struct Mipmapped {
 }
 
 impl<S: Sampler, A, F> Textured<S, A, F> {
-    /// Shows at each pixel the level of a [`Mipmap`](crate::texture::Mipmap) that suits its distance, so that the
-    /// texture does not flicker far away. `projection` is the projection of the draw call. `frame` is the size of the
-    /// frame in pixels; if the draw call has a viewport, it is the size of the viewport.
+    /// Shows at each pixel the level of a [`Mipmap`](crate::texture::Mipmap) that suits the pixel's distance, so that
+    /// the texture does not flicker far away. `projection` is the projection of the draw call. `frame` is the size of
+    /// the frame in pixels. For a draw call with a viewport, pass the size of the viewport instead.
     ///
     #[cfg_attr(doc, doc = page_picture!("mipmapped", "A tiled floor: the left half without mipmaps flickers in the distance, the right half is even"))]
     /// A pixel shows the nearest texel of the nearest level, a blend of four texels of that level
@@ -63,12 +63,12 @@ impl<S: Sampler, A, F> Textured<S, A, F> {
     /// > log₂(density · z / focal · z / d)
     ///
     /// where z is the distance along the view direction, `focal` is the focal length in pixels, d is the distance of
-    /// the eye from the triangle's plane, and `density` is the number of texels per unit of the triangle, as a mean of
-    /// both directions. z / focal is a pixel's size at this distance. z / d is the factor by which the pixel's area is
-    /// stretched on the plane, along the line of sight. So the level suits the direction in which a texture is
-    /// foreshortened most, as is usual in graphics hardware; in the other direction, the picture is softer than
-    /// necessary. Toward the corners of the picture, the stretch is greater than z / d, by a factor of at most the
-    /// pixel's true distance divided by z.
+    /// the eye from the triangle's plane, and `density` is the number of texels per unit of length on the triangle, as
+    /// a mean of both directions of the texture. z / focal is a pixel's size at this distance. z / d is the factor by
+    /// which the pixel's area is stretched on the plane, along the line of sight. So the level suits the direction in
+    /// which a texture is foreshortened most, as is usual in graphics hardware; in the other direction, the picture is
+    /// softer than necessary. Toward the corners of the picture, the stretch is greater than z / d, by a factor of at
+    /// most the pixel's true distance divided by z.
     ///
     /// `density` and d are computed once for each triangle, and z comes from [`Fragment::depth`]. The level differs
     /// from the formula by at most 1/8 if the depth is at least 32 and the triangle's sides and d are at least 1/16
@@ -82,8 +82,9 @@ impl<S: Sampler, A, F> Textured<S, A, F> {
     ///
     /// The table lists by how much a pixel differs, on average, from the mean of the texture over the pixel's area. The
     /// unit is a step of a channel that has steps from 0 to 255. The pixels show the benchmark's floor from 1 to 20
-    /// units ahead. The texture has 64x64 texels, in squares of 8, and is repeated; the eye moves in eight steps.
-    /// `cargo test --test accuracy mipmap -- --nocapture` prints these figures.
+    /// units ahead. The checkered texture has 64x64 texels in squares of 8x8 texels, and repeats 1, 8 or 32 times. The
+    /// mean is taken over eight positions of the eye. `cargo test --test accuracy mipmap -- --nocapture` prints these
+    /// figures.
     ///
     /// | | 1 repeat | 8 repeats | 32 repeats |
     /// |---|---:|---:|---:|
@@ -124,11 +125,11 @@ impl<S: Sampler, A, F> Textured<S, A, F> {
 }
 
 impl<S: Sampler<Color: Blend>, A> Textured<S, A, Nearest, Mipmapped> {
-    /// Blends the four texels around each pixel in each of the two levels between which the pixel lies, then blends the
+    /// Blends the four texels around each pixel in each of the two levels nearest to the pixel's level, then blends the
     /// two results, so that no edge is visible where a level ends.
     ///
     /// Each blend is rounded as described for [`bilinear`](Self::bilinear). The position between two levels is rounded
-    /// down to the same units: 1/32 or 1/256 of a level.
+    /// down to 1/32 or 1/256 of a level, the unit of that method.
     #[must_use]
     pub const fn trilinear(self) -> Textured<S, A, Trilinear, Mipmapped> {
         Textured::of(self.texture, self.detail)

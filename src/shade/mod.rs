@@ -20,13 +20,13 @@
 //!
 //! | adapter | color of a pixel | more varyings |
 //! |---|---|---|
-//! | [`.lit(light)`](Shader::lit) | the surface × light at the vertices | 1; 3 for colored light, 1 more for highlights |
-//! | [`.lit_faces(light)`](Shader::lit_faces) | the surface × light in the triangle's middle | 0 |
+//! | [`.lit(light)`](Shader::lit) | the surface × the light, which is computed at the vertices | 1; 3 for colored light, 1 more for highlights |
+//! | [`.lit_faces(light)`](Shader::lit_faces) | the surface × the light, which is computed in the triangle's middle | 0 |
 //! | [`.tinted()`](Shader::tinted) | the surface × the mesh's vertex colors | 3, or 1 for gray |
 //! | [`.in_fog(fog)`](Shader::in_fog) | the surface, fading to the fog's color with distance | 1 |
 //! | [`.map(effect)`](Shader::map) | a function of the surface's color | 0 |
-//! | [`.dithered()`](Shader::dithered) | the surface, dithered although its format is fine | 0 |
-//! | [`.converted()`](Shader::converted) | the surface in another color format, dithered if that format is coarse | 0 |
+//! | [`.dithered()`](Shader::dithered) | the surface, dithered even if its format has many bits | 0 |
+//! | [`.converted()`](Shader::converted) | the surface in another color format, dithered if that format has fewer than 5 bits per channel | 0 |
 
 mod adapters;
 mod flat;

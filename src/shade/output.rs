@@ -23,7 +23,7 @@ pub trait Output: Copy {
     /// The color of the canvas.
     type Color: PixelColor;
 
-    /// This output in full precision and in the color format `D`.
+    /// The type of this output in full precision, and in the color format `D`.
     type With<D: PixelFormat>: Output<Color = D>;
 
     /// Whether the output hides the color on the canvas.
@@ -164,16 +164,17 @@ impl<C: PixelFormat> Output for Precise<C> {
     }
 }
 
-/// A color with an opacity, by which it covers the color on the canvas: from 0 (not at all) to 255 (wholly).
+/// A color that covers a share of the color on the canvas. The share is the opacity, from 0 (nothing) to 255
+/// (everything).
 ///
 /// [Masked textures](crate::Textured::masked) and [`Argb4444`](crate::texture::Argb4444) have translucent colors. A
 /// shader of your own may return translucent colors, too. Draw opaque surfaces first. Then draw translucent surfaces
 /// from back to front, with the depth test [`TestOnly`](crate::canvas::TestOnly), so that they hide nothing that is
 /// drawn later.
 ///
-/// For plain colors of 15 and 16 bits, the covered share has 32 steps, so the error is at most 1.1 steps in a 5-bit
-/// channel and 1.7 steps in a 6-bit channel. For other colors, the error is half a step. An opacity of 0 keeps the
-/// color on the canvas, and 255 replaces it.
+/// For colors of 15 and 16 bits that are not [`Precise`], the covered share is rounded to 1/32, so the error is at most
+/// 1.1 steps in a 5-bit channel and 1.7 steps in a 6-bit channel. For other colors, the error is half a step. An
+/// opacity of 0 keeps the color on the canvas, and 255 replaces it.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4};
@@ -202,8 +203,8 @@ pub struct Translucent<C> {
 }
 
 impl<C> Translucent<C> {
-    /// The same color, with its opacity multiplied by `opacity`/255 and rounded to nearest. Use it for a sprite that
-    /// fades away.
+    /// The same color, with its opacity multiplied by `opacity`/255 and rounded to nearest. Use this method for a
+    /// sprite that fades away.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;

@@ -85,8 +85,8 @@ impl<C: PixelFormat> Precise<C> {
         each(self.raised, |level| level.wrapping_sub(HALF))
     }
 
-    /// A color of 24 bits. The error is at most 1/65,536 step, or 0.003 step in a gray format; black and white are
-    /// exact.
+    /// Converts a color of 24 bits. The error is at most 1/65,536 step, or 0.003 step in a gray format; black and white
+    /// are exact.
     #[must_use]
     #[inline]
     pub fn of_rgb(color: Rgb888) -> Self {
@@ -194,7 +194,7 @@ impl<C: PixelFormat> Precise<C> {
         ))
     }
 
-    /// This color after another color covers a share of it, from 0 to 65,536.
+    /// Mixes `share`/65,536 of `other` with the rest of this color.
     #[must_use]
     #[inline]
     pub fn mix(self, other: Self, share: i32) -> Self {

@@ -1,4 +1,4 @@
-//! The position of a number in a range.
+//! The position of a number in a range, as a share of the range.
 
 use crate::num::reciprocal;
 

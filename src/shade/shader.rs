@@ -22,8 +22,8 @@ use crate::mesh::Primitive;
 pub struct Fragment {
     /// Column and row in the frame, (0, 0) at the top left.
     pub point: Point,
-    /// Depth: 65535 at the near plane, falling toward 0 with the distance. With every format of the depth buffer, steps
-    /// of this depth are linear in 1/w (under a parallel projection, in the distance).
+    /// Depth: 65535 at the near plane, falling toward 0 with the distance. Whatever the format of the depth buffer,
+    /// this depth is linear in 1/w; under a parallel projection, it is linear in the distance.
     pub depth: u16,
 }
 
@@ -70,8 +70,8 @@ pub struct Fragment {
 /// ```
 ///
 /// A shader that wraps another shader calls the inner `varyings` and `shade`. The outer [`Varyings`](Self::Varyings)
-/// are the varyings of the inner shader, alone or in a pair with others. Most effects do not need such a type: see
-/// [`map`](Self::map).
+/// are the varyings of the inner shader, alone or in a pair with varyings of the outer shader. Most effects need no
+/// shader of their own: see [`map`](Self::map).
 ///
 /// To change the color, the outer shader calls [`lit`](Output::lit) or [`map`](Output::map) on the output of the inner
 /// shader. The outer shader returns the result, which is a color in full precision:
@@ -97,7 +97,7 @@ pub struct Fragment {
 /// }
 /// ```
 ///
-/// For values of your own at each position of the mesh, keep a slice in the shader, and read it by
+/// For values of your own at each position of the mesh, keep a slice in the shader, and read the element at
 /// [`Corner::index`](crate::mesh::Corner::index):
 ///
 /// ```
@@ -201,8 +201,8 @@ pub trait Shader: Copy {
     /// Puts this surface under a light. The brightness is computed at the vertices and interpolated (Gouraud
     /// shading).
     ///
-    /// The light adds one varying, or three if light and canvas have colors, and one more for highlights. A stack of
-    /// shaders with more than eight [`Varyings`] does not compile.
+    /// The light adds one varying, or three if the light is colored and the canvas is not gray. Highlights add one
+    /// more. A stack of shaders with more than eight [`Varyings`] does not compile.
     ///
     #[cfg_attr(doc, doc = page_picture!("lit", "A coarse ring that looks round, because the light is interpolated"))]
     /// The light uses the mesh's normals, or each triangle's own normal if the mesh has none. The light's varyings come
@@ -304,8 +304,8 @@ pub trait Shader: Copy {
     #[cfg_attr(doc, doc = page_picture!("tinted", "A cube with checkers, multiplied by the colors of its corners"))]
     /// A white vertex leaves the surface as it is; a black vertex makes the surface black.
     ///
-    /// The fractions of the vertex color (65,536 is 1) are varyings that follow the surface's own: three, or one for a
-    /// gray surface.
+    /// The tint's varyings follow the surface's own varyings: the vertex color's red, green and blue as fractions
+    /// (65,536 is 1), or one fraction if the surface is gray.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888, RgbColor}};
@@ -369,7 +369,8 @@ pub trait Shader: Copy {
     /// Applies a function to each pixel and its color: any effect in one line. `None` leaves the pixel as it is.
     ///
     /// The function may capture only [`Copy`] values. If an `rgb` function made the surface, such as
-    /// [`Flat::rgb`](super::Flat::rgb), the color's type is not known yet. Write the type: `|_, color: Rgb565| …`.
+    /// [`Flat::rgb`](super::Flat::rgb), the compiler does not know the color's type yet. Write it:
+    /// `|_, color: Rgb565| …`.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -418,13 +419,13 @@ pub trait Shader: Copy {
         }
     }
 
-    /// Converts this surface to another color type: rounded, or dithered if that type is coarse.
+    /// Converts this surface to the color type `C`.
     ///
     #[cfg_attr(doc, doc = page_picture!("converted", "A ring in four grays, dithered"))]
-    /// Colors are rounded, or dithered if `C` is coarse (see [`PixelFormat`]).
+    /// Colors are rounded, or dithered if `C` has fewer than 5 bits per channel (see [`PixelFormat`]).
     ///
-    /// For example, use this method to draw a texture in another color format than the canvas's. Every pixel is
-    /// converted, so a texture stored in the canvas's format is faster.
+    /// For example, use this method to draw a texture in another color format than the canvas's. This method converts
+    /// every pixel, so a texture that is stored in the canvas's format is drawn faster.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888, RgbColor}};

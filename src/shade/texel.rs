@@ -9,7 +9,7 @@ use crate::texture::{Argb1555, Argb4444, Blend, OrHole};
 /// [`Argb4444`] or [`Argb1555`].
 #[doc(hidden)]
 pub trait Texel: Copy {
-    /// The output for a pixel that shows this texel.
+    /// The type of the output for a pixel that shows this texel.
     type Source: Output;
 
     /// The output for a pixel that shows this texel; `None` for a hole.

@@ -66,8 +66,8 @@ pub struct Textured<S, A = Repeat, F = Nearest, D = ()> {
 }
 
 impl<S: Sampler> Textured<S> {
-    /// A shader of a repeating texture: a reference to rows of texels, a [`Texture`](crate::Texture), or another
-    /// [`Sampler`].
+    /// A shader of a repeating texture. `texture` is a reference to rows of texels, a [`Texture`](crate::Texture), or
+    /// another [`Sampler`].
     #[must_use]
     pub const fn new(texture: S) -> Self {
         Self::of(texture, ())
@@ -104,13 +104,13 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
         Textured::of(self.texture, self.detail)
     }
 
-    /// Blends the four texels around each pixel, with weights that depend on the distances of their centers. A
-    /// magnified texture then looks smooth.
+    /// Blends the four texels around each pixel, with weights that depend on how near the texels' centers are to the
+    /// pixel's center. A magnified texture then looks smooth.
     ///
-    /// The first texel's center lies half a texel from the texture's corner. Beyond the outermost centers, a repeating
-    /// texture blends with its other edge, and a [`clamped`](Self::clamped) texture keeps the color of its edge. A
-    /// texture that is drawn at a reduced size flickers even with this filter; a [`mipmapped`](Self::mipmapped) texture
-    /// does not.
+    /// The centers of the outermost texels lie half a texel inside the texture's edges. Beyond these centers, a
+    /// repeating texture blends with the texels at its opposite edge, and a [`clamped`](Self::clamped) texture keeps
+    /// the color of its edge. A texture that is drawn at a reduced size flickers even with this filter; a
+    /// [`mipmapped`](Self::mipmapped) texture does not.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, GrayColor}};
@@ -130,14 +130,14 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     ///
     /// # Rounding
     ///
-    /// The position between the centers is rounded to the nearest 1/32 texel for colors of 16 bits (such as
-    /// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565)), because one word holds all channels of such a color during a
-    /// blend. For other colors, the position is rounded to the nearest 1/256 texel ([`Blend::WEIGHT_BITS`]).
+    /// A pixel's position between the centers of texels is rounded to the nearest 1/32 texel for colors of 16 bits
+    /// (such as [`Rgb565`](embedded_graphics::pixelcolor::Rgb565)), because one word holds all channels of such a color
+    /// during a blend. For other colors, the position is rounded to the nearest 1/256 texel ([`Blend::WEIGHT_BITS`]).
     ///
     /// The filter first makes two blends along rows, each rounded to a whole step, and then one blend between the rows.
-    /// A channel's error is at most one step, plus 1/32 (or 1/256) of the difference between the four texels. Between
-    /// black and white, this error is two steps of red and three steps of green in Rgb565, and two steps of every
-    /// channel in Rgb888. At the centers of texels, there is no error.
+    /// A channel's error is at most one step, plus 1/32 (or 1/256) of the greatest difference between the four texels.
+    /// Between black and white, this error is two steps of red and three steps of green in Rgb565, and two steps of
+    /// every channel in Rgb888. At the centers of texels, there is no error.
     ///
     /// # Cost
     ///

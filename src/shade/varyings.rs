@@ -3,7 +3,8 @@
 
 use super::lanes::{Lanes, MOST};
 
-/// The error that a varying may have if this avoids the division by w.
+/// The error that a varying may have. If linear interpolation stays within this error, a mode can avoid the division by
+/// w.
 ///
 /// The type of the [`Varyings`] determines the tolerance: [`Texels`], [`Within`], or plain numbers. The tolerance of
 /// plain numbers is 0.
@@ -29,10 +30,10 @@ pub enum Tolerance {
 /// | type | value at a pixel |
 /// |---|---|
 /// | `[i32; N]`, N up to 8 | interpolated in perspective |
-/// | [`Within<UNITS, V>`](Within) | the same; but a triangle that hardly changes in depth may be interpolated linearly if the error is at most `UNITS` |
+/// | [`Within<UNITS, V>`](Within) | like `V`, but a triangle that hardly changes in depth may be interpolated linearly if the error is at most `UNITS` |
 /// | [`Texels`] | two texture coordinates, as exact as the [mode](crate::mode) promises |
 /// | [`PerFace<T>`](PerFace) | the value of the first corner, of any type; nothing is interpolated |
-/// | `(A, B)` | both |
+/// | `(A, B)` | both values |
 /// | `()` | nothing |
 ///
 /// A shader interpolates at most eight numbers; a shader with more does not compile.
@@ -46,7 +47,7 @@ pub enum Tolerance {
 /// let _ = <(Texels, ([i32; 3], [i32; 3]))>::tolerance(0);
 /// ```
 ///
-/// If a single number must be exact, all numbers of the shader are interpolated exactly, even in triangles in which a
+/// If even one number must be exact, all numbers of the shader are interpolated exactly, even in triangles in which a
 /// texture alone would be interpolated linearly. So prefer [`Within`] if a small error cannot be seen.
 ///
 /// The shader chooses the unit of an interpolated number. The default mode returns a number with an error of up to
@@ -67,7 +68,7 @@ pub enum Tolerance {
     note = "varyings are `[i32; N]` with N up to 8, `Texels`, `Within<UNITS, V>`, `PerFace<T>`, `()` or a pair of these"
 )]
 pub trait Varyings: Copy {
-    /// How many numbers are interpolated.
+    /// The number of interpolated numbers, as a type.
     type Lanes: Lanes;
 
     /// The values that all pixels of a face share.
@@ -155,7 +156,7 @@ impl Varyings for Texels {
     }
 }
 
-/// Numbers that may have an error of `UNITS` units each if this avoids the division by w.
+/// Numbers that may each have an error of `UNITS` units, so that a mode can avoid the division by w.
 ///
 /// A color channel with 16 fraction bits, for example, may have an error of 1/8 step, which is invisible:
 ///

@@ -10,9 +10,9 @@ use crate::mesh::Primitive;
 /// Depth as gray: white is near, black is far.
 ///
 #[cfg_attr(doc, doc = page_picture!("depth_view", "A ring that is bright in front and dark behind"))]
-/// With every format of the depth buffer, the view shows depth in linear steps, from 65535 at the near plane toward 0.
-/// In perspective, these steps are linear in 1/distance, so most scenes are dark; [`between`](Self::between) spreads a
-/// part of the range from black to white.
+/// Whatever the format of the depth buffer, the view shows [`Fragment::depth`], which falls from 65535 at the near
+/// plane toward 0. In perspective, this depth is linear in 1/distance, so most scenes are dark;
+/// [`between`](Self::between) spreads a part of the range from black to white.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
@@ -124,7 +124,7 @@ pub struct NormalView<C> {
 }
 
 impl<C> NormalView<C> {
-    /// A shader for a canvas of color `C`.
+    /// A view of normals, for a canvas of color `C`.
     #[must_use]
     pub const fn new() -> Self {
         Self { color: PhantomData }

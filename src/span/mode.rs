@@ -23,8 +23,8 @@ use crate::shade::{Lanes, Tolerance};
 /// | [`Compact`] | 0.001 | a 31-bit reciprocal | programs that must be small |
 ///
 /// Under a parallel projection, attributes are linear on the screen, so every mode needs only additions. Each mode
-/// draws the same pixels in bands and in whole frames, and on every target. Depths are the same in all modes but
-/// `Compact`.
+/// draws the same pixels in bands and in whole frames, and on every target. All modes except `Compact` compute the same
+/// depths.
 ///
 /// A span is up to 64 consecutive pixels of a row. For each span, a mode chooses one of four loops over pixels (the
 /// kernels): straight, pieces, Newton, divide.
@@ -74,9 +74,10 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
 
 /// Perspective-correct, with the exact [`reciprocal`](crate::num::reciprocal) of 1/w at every pixel.
 ///
-/// No pixel depends on the pixels before it. An attribute is computed from the span's interpolants and rounded down to
-/// its unit; the reciprocal adds a relative error below 2⁻³⁰. In a triangle with a corner more than 8 to 16 times as
-/// far away as its nearest corner, the interpolants of each pixel are computed anew, in 64 bits. So the error stays
+/// No pixel depends on the pixels before it. An attribute is computed from the span's interpolants (1/w, and the
+/// attributes divided by w), and rounded down to its unit; the reciprocal adds a relative error below 2⁻³⁰. If a
+/// triangle's farthest corner is many times as far away as its nearest corner, the interpolants of each pixel are
+/// computed anew, in 64 bits. (The limit is between 8 and 16 times, and depends on the triangle.) So the error stays
 /// within a thousandth of a texel, for a texture of 256 texels and depth ratios of up to 1,000 within a triangle.
 ///
 /// ```
@@ -126,9 +127,9 @@ impl Policy for Compact {
 ///
 #[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
 /// Under perspective, `Affine` bends textures; no other mode does. Use it for surfaces that face the eye, are small, or
-/// are far away relative to their size. Rounding adds an error of up to 37 units to an attribute (a two-thousandth of a
-/// texel to a texture coordinate). If the attribute exceeds 2²⁸ units (4096 texels) in the triangle, the rounding error
-/// is up to four times as large.
+/// are far away relative to their size. Rounding adds an error of up to 37 units to an attribute (for a texture
+/// coordinate, a two-thousandth of a texel). If the attribute exceeds 2²⁸ units (4096 texels) in the triangle, the
+/// rounding error is up to four times as large.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Affine};
@@ -142,14 +143,14 @@ impl Policy for Affine {
     const BEST: Plan = Plan::Straight;
 }
 
-/// The default mode: perspective-correct, with one Newton step per pixel. The step starts from a value extrapolated
-/// from the two pixels before.
+/// The default mode: perspective-correct, with one Newton step per pixel. The step starts from a value that is
+/// extrapolated from the reciprocals at the two pixels before.
 ///
 /// Let δ be the relative change of 1/w from one pixel to the next. Linear extrapolation from the reciprocals of 1/w at
 /// two pixels has a relative error of 2δ² at the third pixel; one Newton step squares this error. This path requires δ
 /// ≤ 2⁻⁶, so the reciprocal has a relative error of at most 2⁻²¹. A span with a greater δ is drawn with a reciprocal at
-/// every pixel, as in [`Compact`]. Rounding adds an error of up to 57 units to an attribute (less than 0.0008 texels to
-/// a texture coordinate). The error of [`Compact`] comes on top of both errors.
+/// every pixel, as in [`Compact`]. Rounding adds an error of up to 57 units to an attribute (for a texture coordinate,
+/// less than 0.0008 texels). The error of [`Compact`] comes on top of both errors.
 ///
 /// Where division makes no visible difference, this mode does not divide:
 ///
@@ -263,16 +264,17 @@ impl Policy for Newton {
 /// The reciprocals at the ends have 16 bits, and two Newton steps compute each reciprocal from the one before. So a
 /// piece needs no division and no 64-bit product. This makes `Fast` the mode for cores on which these operations are
 /// slow, such as Cortex-M0+; it is fast on all cores. A span is drawn as in [`Compact`] if even pieces of two pixels
-/// would break one of these limits, or if 1/w changes by more than 1/64 of itself from one pixel to the next. (The
-/// second limit may be 1/32 in a triangle in which 1/w changes less than fourfold.)
+/// would break one of these limits, or if 1/w changes by more than 1/64 of itself from one pixel to the next. In a
+/// triangle in which 1/w changes less than fourfold, the limit of 1/64 can rise to 1/32.
 ///
 /// For a texture coordinate, the tolerance is in texels, for a texture of any size. For a color, the tolerance is in
 /// steps of a channel (a channel of an [`Rgb565`](embedded_graphics::pixelcolor::Rgb565) has 32 or 64 values). For
 /// other varyings, the tolerance is in multiples of 2^16. In addition, an attribute has an error of up to 2^-13 of its
 /// greatest value in the triangle: 1/32 texel if a texture of 256 texels is seen once, more if it repeats.
 ///
-/// A triangle that hardly changes in depth is a single piece, if the error of texture coordinates is within the
-/// tolerance and the error of other varyings is within what the shader allows ([`Varyings`](crate::shade::Varyings)).
+/// A triangle that hardly changes in depth is a single piece if two conditions hold: the error of texture coordinates
+/// is within the tolerance, and the error of other varyings is within the shader's own tolerance
+/// ([`Varyings`](crate::shade::Varyings)).
 ///
 /// Pieces end within the triangle, so only rounding moves an attribute beyond the values at the corners.
 ///
@@ -296,8 +298,8 @@ impl Fast {
     /// 256 texels, the total error is up to 1/16 texel.
     pub const NARROW: Self = Self::within(crate::fx!(0.031_25));
 
-    /// Pieces with an error of at most this many texels, not counting the rounding error. If the number is 0 or less,
-    /// there is a division at every pixel.
+    /// The mode with pieces that have an error of at most this many texels; the rounding error comes on top. If the
+    /// number is 0 or less, there is a division at every pixel.
     #[must_use]
     pub const fn within(texels: Scalar) -> Self {
         let bits = texels.to_bits();

@@ -1,4 +1,4 @@
-//! How the pixels of a triangle or a span are computed, and who decides that.
+//! How the pixels of a triangle or a span are computed, and how a draw call decides it.
 //!
 //! Notation, for values along a row of pixels: f is an attribute, q is 1/w, and p is f · q. f′, q′ and p′ are their
 //! changes from one pixel to the next, and δ = |q′| / q. q is scaled so that its greatest value in a triangle has bit

@@ -1,4 +1,4 @@
-//! The set-up of a primitive: 1/w and the attributes over w as gradients over the screen.
+//! The set-up of a primitive: the gradients on the screen of 1/w, and of the attributes divided by w.
 
 use super::gradient::{Basis, Gradient};
 use super::plan::Plan;

@@ -21,7 +21,7 @@ pub(crate) trait Shading: Copy {
     /// See [`Shader::READS_DEPTH`].
     const READS_DEPTH: bool;
 
-    /// Whether [`color`](Self::color) reads the color below.
+    /// Whether [`color`](Self::color) reads the color on the canvas.
     const READS_COLOR: bool;
 
     fn test(&self) -> Self::Test;

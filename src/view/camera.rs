@@ -7,7 +7,7 @@ use crate::{Angle, Error, Scalar, Transform, Vec3};
 /// A camera: the rigid transform from world space to eye space.
 ///
 #[cfg_attr(doc, doc = diagram!("look_at"))]
-/// In eye space, the eye is at the origin and looks down −z; x points to the right, and y points up. In the figure,
+/// In eye space, the eye is at the origin and looks down −z; x points to the right, and y points up. In the diagram,
 /// these axes are *i*, *j* and *k*. [Mathematics](crate::guide::mathematics#a-camera) derives this transform and its
 /// inverse.
 ///
@@ -94,10 +94,10 @@ impl Camera {
         self.view.inverse_rigid()
     }
 
-    /// Returns the camera for a sky, which looks in the same direction, but from the origin of the world. So a mesh
-    /// around the origin seems infinitely far away, however the camera moves. Draw the mesh first, with
-    /// [`NoTest`](crate::canvas::NoTest), so that it is behind everything; it must lie between the near and the far
-    /// plane.
+    /// Returns the camera with which to draw a sky: it looks in the same direction as `self`, but from the origin of
+    /// the world. So a mesh around the origin seems infinitely far away, however the camera moves. Draw the mesh first,
+    /// with [`NoTest`](crate::canvas::NoTest), so that it is behind everything; it must lie between the near and the
+    /// far plane.
     ///
     /// A dome is a sphere seen from inside, drawn with [`Cull::Front`](crate::Cull::Front). Color the dome by height
     /// with [`Gradient`](crate::shade::Gradient), or draw it with [`Textured`](crate::Textured) and a panorama. A sky

@@ -104,8 +104,9 @@ impl Row {
 ///
 /// [Mathematics](crate::guide::mathematics#a-matrix) derives the matrix from similar triangles.
 ///
-/// Coefficients of any size have 30 significant bits. Exception: if a coordinate of the picture depends on x (or y) and
-/// on z, only the larger of the two coefficients has 30 significant bits, and the smaller one can have fewer.
+/// The matrix's coefficients have 30 significant bits, whatever their size. Exception: if a coordinate of the picture
+/// depends on x (or y) and on z, only the larger of the two coefficients has 30 significant bits, and the smaller one
+/// can have fewer.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -165,11 +166,11 @@ impl<K: ProjectionKind> Projection<K> {
 
     /// Returns the window on the near plane.
     ///
-    /// The edges are accurate to 2⁻²⁹ of the largest edge before they are rounded to the nearest 2⁻¹⁶; they saturate.
-    /// In two cases, the bound is larger. Under an oblique projection, `near` counts as an edge, too, and the bound is
-    /// multiplied by 1 + |ratio|. In perspective, `near` also counts as an edge. If, in perspective, the distance from
-    /// the line of sight to the middle of the window exceeds `near`, the bound is multiplied by that distance divided
-    /// by `near`.
+    /// Each edge has an error of at most 2⁻²⁹ of the largest edge, before it is rounded to the nearest 2⁻¹⁶; it
+    /// saturates. In perspective and under an oblique projection, `near` counts as an edge in this bound. Under an
+    /// oblique projection, the bound is also multiplied by 1 + |ratio|. In perspective, if the distance from the line
+    /// of sight to the middle of the window exceeds `near`, the bound is also multiplied by that distance divided by
+    /// `near`.
     #[must_use]
     pub fn window(&self) -> Window {
         Window {

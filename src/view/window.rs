@@ -7,7 +7,7 @@ use crate::Scalar;
 /// In perspective, the rectangle lies on the near plane. Under a parallel projection, it is the cross section of the
 /// visible box. `x` increases to the right, and `y` increases upward.
 ///
-/// The window itself may hold any numbers. A projection refuses a window unless `left` < `right` and `bottom` < `top`.
+/// A `Window` can hold any numbers. A projection refuses a window unless `left` < `right` and `bottom` < `top`.
 ///
 /// ```
 /// use fixel::prelude::*;

@@ -98,8 +98,9 @@ fn parts(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
     let (mut at, mut json, mut binary) = (12, None, None);
     while let (Some(length), Some(kind)) = (word(at), word(at + 4)) {
         let chunk = bytes.get(at + 8..).and_then(|rest| rest.get(..length));
-        let chunk =
-            chunk.ok_or_else(|| format!("byte {at}: a part of {length} bytes leaves the file"))?;
+        let chunk = chunk.ok_or_else(|| {
+            format!("byte {at}: a part of {length} bytes reaches beyond the end of the file")
+        })?;
         match &kind.to_le_bytes()[..4] {
             b"JSON" => json = Some(chunk),
             b"BIN\0" => binary = Some(chunk),

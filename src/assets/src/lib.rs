@@ -2,8 +2,8 @@
 //!
 //! [`read`] reads OBJ with its MTL materials, STL, PLY, and glTF, text or binary; [`Picture::decode`] reads PNG, JPEG,
 //! BMP, TGA, GIF and WebP. Both functions accept files with small mistakes. For a model, [`Model::notes`] says what was
-//! replaced or left out. If nothing is left to draw, the message of the error says this. The crate runs on the host,
-//! where `fixel`'s macros use it to put models and pictures into flash.
+//! replaced or left out. If nothing is left to draw, [`read`] returns an error that says why. The crate runs on the
+//! host, where `fixel`'s macros use it to put models and pictures into flash.
 //!
 //! ```
 //! use std::io;
@@ -76,7 +76,7 @@ pub struct Model {
     pub colors: Vec<[u8; 3]>,
     /// The triangles of all polygons, in the file's order.
     pub triangles: Vec<Triangle>,
-    /// The outlines of the file's polygons, each edge once.
+    /// The edges of the file's polygons, each once: the indices of the positions of its ends.
     pub edges: Vec<[u32; 2]>,
     /// The names of the file's objects: its meshes or groups.
     pub objects: Vec<String>,
@@ -84,7 +84,7 @@ pub struct Model {
     pub materials: Vec<Material>,
     /// The pictures that materials name.
     pub images: Vec<Image>,
-    /// Whether every face has its own texture coordinates.
+    /// Whether every face had texture coordinates before [`complete`](Self::complete) added the missing ones.
     pub had_uvs: bool,
     /// The files that belong to the model: materials, buffers and pictures.
     pub files: Vec<PathBuf>,
@@ -113,7 +113,7 @@ pub enum Smoothing {
     /// Faces with normals at most 60 degrees apart.
     #[default]
     Angle,
-    /// None: each face is flat.
+    /// No other faces: each face is flat.
     Flat,
     /// Faces of the same group.
     Group(u32),

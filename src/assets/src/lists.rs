@@ -15,14 +15,14 @@ const MOST: usize = 1 << 16;
 /// The index that stands for a missing attribute of a corner.
 const NO_VALUE: u16 = u16::MAX;
 
-/// How a model becomes the lists of a mesh.
+/// Options for the conversion of a model to the lists of a mesh.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// Whether the middle of the [box](Model::bounds) around the faces is moved to the origin, before anything else.
     pub center: bool,
     /// The factor by which all positions are multiplied. The factor must not be 0.
     pub scale: f64,
-    /// Whether z points up in the file. The model is turned so that y points up.
+    /// Whether z points up in the file. If so, the model is turned so that y points up.
     pub z_up: bool,
     /// If given, only faces of the material with this name are kept.
     pub part: Option<String>,
@@ -42,27 +42,27 @@ impl Default for Options {
     }
 }
 
-/// The lists of a mesh. If the list of an attribute's faces is empty, the indices in `faces` are also the indices of
-/// the attribute.
+/// The lists of a mesh. If `uv_faces`, `normal_faces` or `color_faces` is empty although the mesh has such values,
+/// `faces` gives their indices, too.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Lists {
     /// Positions, in units of 2^-16.
     pub positions: Vec<[i32; 3]>,
-    /// Indices of positions.
+    /// For each face, the indices of its corners' positions.
     pub faces: Vec<[u16; 3]>,
-    /// Pairs of positions: the sides of the file's polygons.
+    /// The sides of the file's polygons: pairs of indices of positions.
     pub edges: Vec<[u16; 2]>,
     /// Texture coordinates, in units of 2^-20.
     pub uvs: Vec<[i32; 2]>,
-    /// The indices of texture coordinates; empty, or as many entries as `faces`.
+    /// For each face, the indices of its corners' texture coordinates; empty, or as long as `faces`.
     pub uv_faces: Vec<[u16; 3]>,
     /// Normals, in units of 2^-16.
     pub normals: Vec<[i32; 3]>,
-    /// The indices of normals; empty, or as many entries as `faces`.
+    /// For each face, the indices of its corners' normals; empty, or as long as `faces`.
     pub normal_faces: Vec<[u16; 3]>,
-    /// Red, green and blue.
+    /// Colors: red, green and blue.
     pub colors: Vec<[u8; 3]>,
-    /// The indices of colors; empty, or as many entries as `faces`.
+    /// For each face, the indices of its corners' colors; empty, or as long as `faces`.
     pub color_faces: Vec<[u16; 3]>,
 }
 
@@ -151,7 +151,7 @@ fn find<'a>(
     match names.position(|name| name == wanted) {
         Some(at) => Ok(u32::try_from(at).ok()),
         None => Err(format!(
-            "there is no {what} '{wanted}': there are '{}'",
+            "there is no {what} '{wanted}': the names are '{}'",
             all.join("', '")
         )),
     }
@@ -172,7 +172,7 @@ impl Model {
             self.triangles.iter().filter(is_wanted).copied().collect();
         if triangles.is_empty() {
             return Err(
-                "no face is both of this material and of this object, or there is none of it"
+                "the options select no face: a face must have the material and the object that they name"
                     .into(),
             );
         }
@@ -323,9 +323,9 @@ impl Model {
         along(low, sub(high, low), 0.5)
     }
 
-    /// A sentence about positions that become equal when they are multiplied by `scale` and rounded. The sentence names
-    /// the options that keep these positions apart. `None` if at most a hundredth of the positions become equal.
-    /// Positions within 1/65,536 of the model's size count as one position.
+    /// Returns a warning if more than a hundredth of the positions become equal when they are multiplied by `scale` and
+    /// rounded; otherwise `None`. The warning names the options that keep these positions apart. Positions that differ
+    /// by less than 1/65,536 of the model's size count as one position.
     #[must_use]
     pub fn merging(&self, scale: f64) -> Option<String> {
         let corners = self.triangles.iter().flat_map(|triangle| triangle.corners);
@@ -360,7 +360,7 @@ impl Model {
         };
         let merged = apart.saturating_sub(kept);
         Some(format!(
-            "{merged} of {apart} positions are the same as others in steps of 1/65536: {center}scale = {enough} keeps them apart"
+            "{merged} of {apart} positions become equal to others when rounded to 1/65536: {center}scale = {enough} keeps them apart"
         ))
     }
 

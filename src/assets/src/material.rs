@@ -46,7 +46,7 @@ pub enum Alpha {
 }
 
 impl Material {
-    /// A white, two-sided material. A texture that is added to this material is opaque.
+    /// Makes a white, two-sided material that ignores the alpha channel of its texture.
     #[must_use]
     pub const fn new(name: String) -> Self {
         Self {

@@ -4,7 +4,7 @@
 /// number of both.
 const MOST: usize = 32;
 
-/// Sentences for the user about what was replaced or left out. Equal sentences are kept once, with their number.
+/// Sentences for the user about what was replaced or left out. Equal sentences are kept once, with a count.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Notes {
     sentences: Vec<(String, usize)>,

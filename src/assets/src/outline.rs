@@ -9,8 +9,9 @@ use crate::vector::{cross, dot, length};
 const FLAT: f64 = 1.0 / 1024.0;
 
 impl Lists {
-    /// The edges of an outline, and the number of creases. The creases come first. `fixel::mesh::Outline::build` finds
-    /// the same edges. Creases and other edges are each in the order of the faces.
+    /// Returns the edges of the mesh's outline, and the number of creases. The creases come first, in the order of
+    /// their faces; the other edges follow, in the order of their faces. `fixel::mesh::Outline::build` finds the same
+    /// edges.
     ///
     /// An edge a, b, c, d runs from a to b; its faces are a b c and b a d. A border has one face, and its d equals a.
     /// An edge is a crease if the normals of its faces are more than `crease` degrees apart.

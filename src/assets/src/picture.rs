@@ -18,7 +18,7 @@ use zune_jpeg::JpegDecoder;
 /// The largest number of pixels that a picture may have: 16,384 x 16,384.
 const MOST: u64 = 1 << 28;
 
-/// Pixels, row by row from the top: red, green, blue and alpha.
+/// A picture: its pixels, row by row from the top, as red, green, blue and alpha.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
     /// The number of columns, at least 1.
@@ -64,7 +64,7 @@ impl Picture {
         }?;
         let pixels = u64::from(picture.width) * u64::from(picture.height);
         if pixels == 0 || picture.pixels.len() as u64 != pixels {
-            return Err("its size does not fit its pixels".into());
+            return Err("its size does not match its number of pixels".into());
         }
         Ok(picture)
     }
@@ -217,7 +217,7 @@ fn indexed(
     let mut picture = colored(
         width,
         height,
-        pixels.ok_or("a color index leaves its table")?,
+        pixels.ok_or("a color index is not in its table")?,
     )?;
     picture.table = Some(Table { indices, colors });
     Ok(picture)

@@ -175,9 +175,9 @@ impl fmt::Debug for Ears {
 }
 
 impl Ears {
-    /// Returns the triangles of a polygon, as indices of its `corners`. The triangles form the fan around the first
-    /// corner. If a part of the fan lies outside a concave polygon, the triangles lie within the polygon instead, as in
-    /// `include_mesh!`. An outline that crosses itself keeps the fan.
+    /// Returns the triangles of a polygon, as indices of its `corners`. The triangles form a fan around the first
+    /// corner. Exception: if a part of the fan would lie outside a concave polygon, the polygon is cut into triangles
+    /// that lie within it, as in `include_mesh!`. A polygon with an outline that crosses itself keeps the fan.
     pub fn triangles(&mut self, positions: &[[f64; 3]], corners: &[Corner]) -> &[[usize; 3]] {
         self.triangles.clear();
         self.triangles

@@ -498,15 +498,15 @@ fn refusals_and_notes_name_the_element() {
         ),
         (
             |d| d.root["accessors"][0]["type"] = json!("VEC2"),
-            "accessor 0: it has 2 components a value, and needs 3",
+            "accessor 0: it has 2 components per value, and needs 3",
         ),
         (
             |d| d.root["accessors"][0]["count"] = json!(400),
-            "accessor 0 leaves its buffer view",
+            "accessor 0 reaches beyond its buffer view",
         ),
         (
             |d| d.root["bufferViews"][0]["byteLength"] = json!(4000),
-            "bufferView 0 leaves its buffer of",
+            "bufferView 0 reaches beyond its buffer of",
         ),
         (
             |d| d.root["bufferViews"][0]["buffer"] = json!(3),

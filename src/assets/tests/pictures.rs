@@ -332,7 +332,10 @@ fn bmp_refusals_name_the_cause() {
         change(22, 0),
         "it is 5x0 pixels: 1 to 268435456 can be read"
     );
-    assert_eq!(change(file.len() - 24, 9), "a color index leaves its table");
+    assert_eq!(
+        change(file.len() - 24, 9),
+        "a color index is not in its table"
+    );
 }
 
 /// A TGA of this kind. `table` is the first index and the raw colors. `bits` are the bits of a color of the table, and

@@ -17,7 +17,7 @@ impl Transform {
         }
     }
 
-    /// Rotates about the x axis, from y toward z.
+    /// Makes the rotation about the x axis, from y toward z.
     ///
     /// The entries of the rotation matrix are accurate to 2.6e-9.
     #[must_use]
@@ -26,22 +26,22 @@ impl Transform {
         Self::from_rotation_rows([[ONE, 0, 0], [0, c, minus], [0, s, c]])
     }
 
-    /// Rotates about the y axis, from z toward x; as accurate as [`rotate_x`](Self::rotate_x).
+    /// Makes the rotation about the y axis, from z toward x; as accurate as [`rotate_x`](Self::rotate_x).
     #[must_use]
     pub const fn rotate_y(angle: Angle) -> Self {
         let [s, minus, c] = sin_cos_29(angle);
         Self::from_rotation_rows([[c, 0, s], [0, ONE, 0], [minus, 0, c]])
     }
 
-    /// Rotates about the z axis, from x toward y; as accurate as [`rotate_x`](Self::rotate_x).
+    /// Makes the rotation about the z axis, from x toward y; as accurate as [`rotate_x`](Self::rotate_x).
     #[must_use]
     pub const fn rotate_z(angle: Angle) -> Self {
         let [s, minus, c] = sin_cos_29(angle);
         Self::from_rotation_rows([[c, minus, 0], [s, c, 0], [0, 0, ONE]])
     }
 
-    /// Rotates about an axis through the origin, counter-clockwise as seen from its tip
-    /// (Rodrigues' formula).
+    /// Makes the rotation about an axis through the origin, counter-clockwise as seen from the axis's tip (Rodrigues'
+    /// formula).
     ///
     /// The axis may have any length except zero. The entries of the rotation matrix are accurate to 3 · 2⁻²⁸.
     ///
@@ -75,13 +75,13 @@ impl Transform {
         ))
     }
 
-    /// Rotates by yaw, pitch and roll, in the order YXZ: the product
+    /// Makes the rotation by yaw, pitch and roll, in the order YXZ. It is the product
     /// `rotate_y(yaw) * rotate_x(pitch) * rotate_z(roll)`.
     ///
-    /// The roll about z is applied first, then the pitch about x, then the yaw about y, all about
-    /// the fixed axes. Equivalently, the model turns about its own y axis, then its own x axis,
-    /// then its own z axis. A model that looks down −z turns left with a positive yaw, looks up
-    /// with a positive pitch, and tilts counter-clockwise, seen from behind, with a positive roll.
+    /// The roll about z is applied first, then the pitch about x, then the yaw about y. These axes are fixed.
+    /// Equivalently, the model turns about its own y axis, then its own x axis, then its own z axis. A model that looks
+    /// down −z turns left with a positive yaw, looks up with a positive pitch, and tilts counter-clockwise, seen from
+    /// behind, with a positive roll.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -96,7 +96,7 @@ impl Transform {
         Self::rotate_y(yaw) * Self::rotate_x(pitch) * Self::rotate_z(roll)
     }
 
-    /// Rotates by a quaternion, in the order `[x, y, z, w]` with the real part last.
+    /// Makes the rotation of a quaternion, given as `[x, y, z, w]` with the real part last.
     ///
     /// The parts may have any common unit, because the quaternion is normalized. For a sensor's raw integers, use
     /// [`Scalar::from_bits`]. The entries of the rotation matrix are accurate to 2⁻²⁷.

@@ -30,7 +30,7 @@ pub trait Lamp: Lighting {
 
     /// Adds a white highlight (Blinn–Phong) as the `viewer` sees it. The highlight's brightness is `strength` ·
     /// (n·h)^`exponent` times the strength of the light at the point, where n is the normal, and h is the direction
-    /// halfway between light and viewer.
+    /// halfway between the directions toward the light and toward the viewer.
     ///
     /// An exponent of 8 makes a wide highlight; an exponent of 100 makes a small one. Highlights are computed at the
     /// corners and interpolated, so a mesh must be fine enough to show them. Highlights take one of the eight

@@ -1,7 +1,8 @@
 //! Light that falls on a surface: where it comes from, how strong it is, and in which color.
 //!
-//! Lights are in world space. [`Light`] is sun and sky in one; [`PointLight`] and [`SpotLight`] are lamps. All lights
-//! are white unless you make them [`colored`](Lighting::colored). Arrays, slices and tuples of lights are lights, too.
+//! Lights are in world space. [`Light`] is sun and sky in one; [`PointLight`] and [`SpotLight`] shine from a point. All
+//! lights are white unless you make them [`colored`](Lighting::colored). Arrays, slices and tuples of lights are
+//! lights, too.
 
 mod adapters;
 mod illumination;
@@ -41,7 +42,7 @@ const fn brightness(value: Scalar) -> Result<i32, Error> {
     Ok(value.to_bits())
 }
 
-/// A point of a surface, as [`Lighting`] sees it, in world space.
+/// A point of a surface in world space: the values from which [`Lighting`] computes the light.
 ///
 /// ```
 /// use fixel::math::Direction;
@@ -133,19 +134,20 @@ pub trait Lighting: Copy {
     /// The type of [`Illumination::specular`]: `i32` for a light that makes highlights, else `()`.
     type Specular: Amount;
 
-    /// Whether [`at`](Self::at) reads [`SurfacePoint::position`]. With `false`, no transform is computed for the
-    /// corners.
+    /// Whether [`at`](Self::at) reads [`SurfacePoint::position`]. If this is `false`, the corners' positions in world
+    /// space are not computed.
     const READS_POSITION: bool = true;
 
-    /// Whether [`at`](Self::at) reads [`SurfacePoint::face`]. With `false`, no normal is computed for the triangles.
+    /// Whether [`at`](Self::at) reads [`SurfacePoint::face`]. If this is `false`, the triangles' normals are not
+    /// computed for this purpose.
     const READS_FACE: bool = true;
 
     /// The light that falls on a point of a surface: at most a thousand times full brightness. Full brightness is
     /// 65,536.
     fn at(&self, point: &SurfacePoint) -> Illumination<Self::Diffuse, Self::Specular>;
 
-    /// The same light, in a color. Highlights keep their brightness, and stay white. On a canvas with colors, colored
-    /// light takes three of the eight [varyings](crate::shade::Varyings) that a shader may have.
+    /// The same light, in a color. Highlights keep their brightness, and stay white. On a canvas that is not gray,
+    /// colored light takes three of the eight [varyings](crate::shade::Varyings) that a shader may have.
     ///
     #[cfg_attr(doc, doc = page_picture!("colored", "A ball between a red and a blue lamp"))]
     /// ```
@@ -169,8 +171,8 @@ pub trait Lighting: Copy {
         }
     }
 
-    /// The same light for single sheets, which are seen from both sides: triangles that turn their back to the viewer
-    /// are lit as if their normals pointed the other way.
+    /// The same light for thin sheets that are seen from both sides: triangles that turn their back to the viewer are
+    /// lit as if their normals pointed the other way.
     ///
     #[cfg_attr(doc, doc = page_picture!("two_sided", "Two sheets that turn their backs: dark without the adapter, bright with it"))]
     /// A triangle turns its back to the viewer if its normal points to one side of its plane, and the viewer is on the

@@ -8,7 +8,7 @@ use crate::num::rsqrt::{measure, short_root};
 use crate::num::wide::{cold, times_half};
 use crate::{Error, Scalar, Vec3};
 
-/// How the light of a lamp falls off with the distance d, up to its range r.
+/// How the light of a lamp falls off with the distance d, up to the lamp's range r.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -21,7 +21,7 @@ use crate::{Error, Scalar, Vec3};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Falloff {
-    /// (1 − d²/r²)²: bright around the lamp, and without an edge at its range. This is the default.
+    /// (1 − d²/r²)²: bright around the lamp, and without a visible edge at the range. This is the default.
     #[default]
     Smooth,
     /// 1 − d/r.
@@ -35,8 +35,8 @@ pub enum Falloff {
 #[cfg_attr(doc, doc = page_picture!("point_light", "A floor and a ball beside a lamp"))]
 /// A surface with unit normal n at the distance d has the brightness b · f(d) · max(0, n·l): b is the lamp's
 /// brightness, f is its [`Falloff`], and l is the unit vector toward the lamp. The error is at most 9.2e-4, a quarter
-/// of a step of eight bits. Very near the lamp, the direction is less accurate because positions are in steps of 2⁻¹⁶;
-/// at the lamp itself, the brightness is 0.
+/// of a step of an 8-bit channel. Very near the lamp, the direction is less accurate because positions are in steps of
+/// 2⁻¹⁶; at the lamp itself, the brightness is 0.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

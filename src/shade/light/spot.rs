@@ -10,9 +10,9 @@ use crate::{Angle, Error, Scalar, Vec3};
 ///
 #[cfg_attr(doc, doc = page_picture!("spot_light", "A floor and a ball in a cone of light"))]
 /// Let θ be the angle between the cone's axis and the direction from the lamp to a surface. If θ is at most the inner
-/// angle, a surface gets as much light as from the point light; if θ is at least the outer angle, the surface gets no
-/// light. Between these angles, the light falls smoothly: the point light is multiplied by t²(3 − 2t), where t = (cos θ
-/// − cos outer) / (cos inner − cos outer).
+/// angle, the surface gets as much light as from a [`PointLight`]; if θ is at least the outer angle, the surface gets
+/// no light. Between these angles, the light falls smoothly: the light of the [`PointLight`] is multiplied by
+/// t²(3 − 2t), where t = (cos θ − cos outer) / (cos inner − cos outer).
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};

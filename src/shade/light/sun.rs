@@ -76,9 +76,9 @@ impl Light {
         })
     }
 
-    /// The brightness of a surface with this normal in world space: 0 to 65,536, which is full brightness.
+    /// The brightness of a surface with this normal in world space, from 0 to 65,536 (full brightness).
     ///
-    /// If the normal is the zero direction, the brightness is the ambient light.
+    /// If the normal is [`Direction::NONE`], the brightness is the ambient light.
     #[must_use]
     pub fn brightness(&self, normal: Direction) -> i32 {
         let normal = normal.to_bits();

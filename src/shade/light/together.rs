@@ -2,7 +2,7 @@
 
 use super::{Amount, Illumination, Lighting, SurfacePoint};
 
-/// All lights of an array.
+/// The sum of all lights of an array.
 impl<L: Lighting, const N: usize> Lighting for [L; N] {
     type Diffuse = L::Diffuse;
     type Specular = L::Specular;
@@ -16,7 +16,7 @@ impl<L: Lighting, const N: usize> Lighting for [L; N] {
     }
 }
 
-/// All lights of a slice. The number of lights may change while the program runs.
+/// The sum of all lights of a slice. The number of lights may change while the program runs.
 impl<L: Lighting> Lighting for &[L] {
     type Diffuse = L::Diffuse;
     type Specular = L::Specular;
@@ -35,7 +35,7 @@ impl<L: Lighting> Lighting for &[L] {
 
 macro_rules! tuples {
     ($($($Light:ident $light:ident)+;)+) => {$(
-        /// All lights of a tuple; they may have different types.
+        /// The sum of all lights of a tuple. The lights may have different types.
         impl<$($Light: Lighting),+> Lighting for ($($Light,)+) {
             type Diffuse = tuples!(type Diffuse $($Light)+);
             type Specular = tuples!(type Specular $($Light)+);

@@ -130,8 +130,8 @@ impl Projection<Perspective> {
         ) * 2
     }
 
-    /// Returns the point of the near plane in which all lines of a direction vanish:
-    /// (−n·x/z, −n·y/z), rounded to nearest (half away from zero).
+    /// Returns the point of the near plane in which all lines with the direction (x, y, z) vanish: (−n·x/z, −n·y/z),
+    /// where n is the distance of the near plane; rounded to nearest (half away from zero).
     ///
     /// `None` if the direction is parallel to the picture, because such lines stay parallel in the picture, or if the
     /// point is beyond ±32768.
@@ -149,8 +149,8 @@ impl Projection<Perspective> {
         Some([at(direction.x)?, at(direction.y)?].map(Scalar::from_bits))
     }
 
-    /// Returns the image on the near plane of a point in eye space: (−n·x/z, −n·y/z), rounded to
-    /// nearest (half away from zero).
+    /// Returns the image on the near plane of the point (x, y, z) of eye space: (−n·x/z, −n·y/z), where n is the
+    /// distance of the near plane; rounded to nearest (half away from zero).
     ///
     /// `None` if the point is not ahead of the eye, or if the image is beyond ±32768.
     #[must_use]

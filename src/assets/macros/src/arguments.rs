@@ -58,7 +58,7 @@ impl Arguments {
             .find(|(word, _)| !known.contains(&word.as_str()))
         {
             Some((word, _)) => Err(format!(
-                "'{word}' is not an option: there are {}",
+                "'{word}' is not an option: the options are {}",
                 known.join(", ")
             )),
             None => Ok(()),

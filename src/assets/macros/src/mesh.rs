@@ -55,7 +55,7 @@ pub fn mesh(arguments: &Arguments) -> Result<Expansion, String> {
         .filter(|format| arguments.has(format))
         .collect();
     if formats.len() > 1 {
-        return Err(format!("{} exclude one another", formats.join(" and ")));
+        return Err(format!("{} cannot be used together", formats.join(" and ")));
     }
     let mut expansion = Expansion::default();
     let mut model = read(arguments, &mut expansion)?;

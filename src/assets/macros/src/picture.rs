@@ -17,7 +17,9 @@ fn read(arguments: &Arguments, out: &mut Expansion) -> Result<Picture, String> {
     let path = &arguments.path.path;
     if Format::of(path).is_none() {
         if arguments.value("image").is_some() {
-            return Err("image is for the pictures of a model, and this file is a picture".into());
+            return Err(
+                "the option image selects a picture of a model, but this file is a picture".into(),
+            );
         }
         out.depend(std::slice::from_ref(path));
         let bytes =

@@ -39,7 +39,7 @@ impl Reader<'_> {
         let bytes = buffer.get(start..).and_then(|rest| rest.get(..length));
         let bytes = bytes.ok_or_else(|| {
             format!(
-                "bufferView {at} leaves its buffer of {} bytes",
+                "bufferView {at} reaches beyond its buffer of {} bytes",
                 buffer.len()
             )
         })?;
@@ -59,7 +59,7 @@ impl Reader<'_> {
         };
         if components < N {
             return Err(format!(
-                "accessor {at}: it has {components} components a value, and needs {N}"
+                "accessor {at}: it has {components} components per value, and needs {N}"
             ));
         }
         let kind = whole(&accessor["componentType"]).unwrap_or(0);
@@ -73,7 +73,7 @@ impl Reader<'_> {
                 .map(|bytes| number(kind, bytes, normalized));
             [(); N].map(|()| components.next().unwrap_or(0.0))
         };
-        let leaves = || format!("accessor {at} leaves its buffer view");
+        let leaves = || format!("accessor {at} reaches beyond its buffer view");
         let offset = |object: &Value| whole(&object["byteOffset"]).unwrap_or(0);
         let whole_size = components * size;
         let sparse = &accessor["sparse"];

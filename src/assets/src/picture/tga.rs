@@ -89,7 +89,7 @@ pub fn read(bytes: &[u8]) -> Result<Picture, String> {
             _ => Some(color(raw)),
         })
         .collect();
-    let pixels = shown(pixels.ok_or("a color index leaves its table")?);
+    let pixels = shown(pixels.ok_or("a color index is not in its table")?);
     colored(
         width,
         height,
