@@ -36,7 +36,7 @@
 //!     let projection = Projection::perspective(deg!(45), size, fx!(0.1), fx!(100))?;
 //!     let camera = Camera::look_at(vec3!(0, 2, 5), Vec3::ZERO, Vec3::Y)?;
 //!     let turn = Transform::rotate_y(deg!(30));
-//!     let sun = Light::new(vec3!(-1, 3, 2), fx!(0.3), fx!(0.7))?;
+//!     let sun = Light::new(vec3!(-1, 3, 2), fx!(0.3), fx!(0.7))?; // toward the sun; ambient, diffuse
 //!     let surface = Flat::new(Rgb565::YELLOW).lit(sun);
 //!
 //!     canvas.clear(Rgb565::BLUE);
@@ -47,7 +47,7 @@
 //! ```
 //!
 //! A constructor returns an [`Error`](crate::Error) if a value makes no sense; the error names the value and its bound.
-//! Drawing cannot fail, so it returns no error.
+//! `draw` and `draw_with` cannot fail, so they return no error.
 //!
 //! # Numbers
 //!
@@ -58,11 +58,11 @@
 //! |---|---|---|
 //! | `fx!(0.25)` | [`Scalar`](crate::Scalar): a coordinate, a distance, a brightness | ±32,768 in steps of 1/65,536 |
 //! | `vec3!(0, 1.5, 4)` | [`Vec3`](crate::Vec3): three scalars | as for `Scalar` |
-//! | `vec2!(0.5, 1)` | [`Vec2`](crate::Vec2): a texture coordinate (1 is the whole width or height of the texture) | ±2048 in steps of 10⁻⁶ |
+//! | `vec2!(0.5, 1)` | [`Vec2`](crate::Vec2): two texture coordinates (1 is the whole width or height of the texture) | ±2048 in steps of 10⁻⁶ |
 //! | `deg!(62.5)` | [`Angle`](crate::Angle): a fraction of a turn | one turn, in steps of 10⁻⁷ degrees |
 //!
 //! A literal beyond the range does not compile. If a float or an integer is known only when the program runs, convert
-//! it: `Scalar::try_from` makes a scalar, `TexCoord::try_from` makes a texture coordinate, `Vec3::try_from` makes a
+//! it: `Scalar::try_from` makes a scalar, `TexCoord::try_from` makes one texture coordinate, `Vec3::try_from` makes a
 //! vector, and the constructors of [`Angle`](crate::Angle) make an angle.
 //!
 //! ```
@@ -152,9 +152,10 @@
 //! A [`Shader`](crate::Shader) gives each pixel its color. Some shaders are surfaces: [`Flat`](crate::Flat) has one
 //! color, [`Gouraud`](crate::Gouraud) interpolates vertex colors, and [`Textured`](crate::Textured) shows a texture.
 //! The pixels of a texture are called texels. Methods such as `lit`, `in_fog` and `map` wrap a surface in an adapter
-//! that changes the surface's colors. You can use any number of adapters, in any order. The module
-//! [`shade`](crate::shade) lists all surfaces and adapters. The compiler turns a surface with all of its adapters into
-//! one loop, and the program contains only the shaders that you name.
+//! that changes the surface's colors. You can use any number of adapters. Each adapter changes the color that the
+//! adapter before it made, so apply light before fog. The module [`shade`](crate::shade) lists all surfaces and
+//! adapters. The compiler turns a surface with all of its adapters into one loop, and the program contains only the
+//! shaders that you name.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -190,13 +191,15 @@
 //!     .with_cull(Cull::Nothing) // both sides
 //!     .with_depth(TestOnly) // hides nothing that is drawn later
 //!     .with_blending(Opacity(96)); // of 255
-//! let floor = DrawOptions::new().with_mode(Fast::within(fx!(0.25)));
+//! // On a Cortex-M0+: faster, with an error of about a quarter of a texel.
+//! let walls = DrawOptions::new().with_mode(Fast::within(fx!(0.25)));
 //! assert_eq!(glass.cull, Cull::Nothing);
-//! assert_eq!(floor.cull, Cull::Back);
+//! assert_eq!(walls.cull, Cull::Back);
 //! ```
 //!
-//! Each option is a type, so a program contains only the code of the options that it names. [Choosing a
-//! mode](crate::guide::modes) compares the modes of interpolation.
+//! A *mode* is the method that interpolates textures and colors; [Choosing a mode](crate::guide::modes) compares the
+//! modes. Modes, depth tests and blendings are types, so a program contains only those that it names. Culling and
+//! viewport are values.
 //!
 //! # Canvas
 //!
@@ -239,11 +242,12 @@
 //! static BALL: Mesh = shape!(sphere(12, 8));
 //!
 //! fn send(_first_row: u32, _bytes: &[u8]) {
-//!     // Start a DMA transfer.
+//!     // Send the bytes, and wait until they are sent: the next band is drawn into the same memory.
 //! }
 //!
 //! fn frame(mvp: &Mvp) -> Result<(), Error> {
-//!     let mut colors = [[0; 2]; 320 * 40]; // bytes in the order of the display
+//!     // On a microcontroller, statics. A color is two bytes, in the order of the display.
+//!     let mut colors = [[0; 2]; 320 * 40];
 //!     let mut depths = [0; 320 * 40];
 //!     for first_row in (0..240).step_by(40) {
 //!         let band = Canvas::<Rgb565, BigEndian>::band(&mut colors, 320, 240, first_row)?;

@@ -204,7 +204,15 @@ fn colors_tint_as_those_of_a_mesh() {
         let picture = Picture::decode(BRICK).unwrap();
         for spare in [None, Some(&picture)] {
             let mut notes = Vec::new();
-            let words = write(name, &Text(text), spare, Panel::St7789, &mut notes).unwrap();
+            let words = write(
+                name,
+                &Text(text),
+                spare,
+                Board::Pico,
+                Panel::St7789,
+                &mut notes,
+            )
+            .unwrap();
             assert!(notes.is_empty(), "{notes:?}");
             if faces.is_some() {
                 let mut words = words.clone();
