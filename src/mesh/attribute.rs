@@ -347,7 +347,8 @@ impl UvGrid {
             let from_origin = uv.to_bits()[axis].abs_diff(self.origin[axis]);
             let step = self.step[axis];
             if step > 0 {
-                // The result is at most the `most` of `around`, because that many steps reach the greatest coordinate.
+                // The cast loses nothing: `around` chose the step so that `most` steps, a `u16`, reach from the least
+                // coordinate to the greatest, so the result is at most `most`.
                 steps[axis] = ((from_origin as u64 + step as u64 / 2) / step as u64) as u16;
             }
             axis += 1;

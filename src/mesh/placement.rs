@@ -18,7 +18,7 @@ pub(crate) struct Placement<'a> {
     /// The matrix for normals; computed when a shader first asks for a normal.
     normals: OnceCell<NormalMatrix>,
     pub(crate) missing: Cell<Missing>,
-    /// The address of the entry of a draw list that is being drawn; 0 if there is no list.
+    /// The address of the draw list's entry whose element is being drawn; 0 if the element does not come from a list.
     pub(crate) entry: Cell<usize>,
 }
 

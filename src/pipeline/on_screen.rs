@@ -183,8 +183,9 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 
     /// The size of `bounds` on the screen in whole pixels: the length of the box's diagonal, as seen at the distance of
-    /// the box's center. Use this size to choose among meshes with different levels of detail. The length is rounded to
-    /// the nearest 1/256 pixel, then down to whole pixels. (The diameter of a ball is 1/√3 of this length.)
+    /// the box's center. (If the mesh is a ball, its box is a cube, and the ball's diameter is 1/√3 of the diagonal.)
+    /// Use this size to choose among meshes with different levels of detail. The length is rounded to the nearest 1/256
+    /// pixel, then down to whole pixels.
     ///
     /// Under a perspective projection, the result is `u32::MAX` unless the center is ahead of the eye by more than half
     /// of the diagonal. The corners of `bounds` are rounded to [`Scalar`](crate::Scalar)s in eye space, and saturate

@@ -45,7 +45,8 @@ pub(crate) struct Projector<'m, K> {
     /// Fraction bits of each clip coordinate. In perspective, the three numbers are equal, because x and y are divided
     /// by w.
     fractions: [u8; 3],
-    /// The least t that is inside, negated, and the greatest t that is inside.
+    /// The range of t (see [`ClipPosition`]) between the near and far planes: the least t, negated as in `bound`, and
+    /// the greatest t.
     ends: [i64; 2],
     /// The viewport's center, in units of 1/256 pixel.
     center: [i32; 2],

@@ -101,8 +101,8 @@ impl Edge {
 /// instructions, not the 10 of an [`Edge`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ShortEdge {
-    /// The crossing plus half a pixel minus [`BELOW`], in units of 2^-32 pixel. The upper half is the first column
-    /// whose center is on the crossing or to the right of it.
+    /// The crossing plus half a pixel minus [`BELOW`], in units of 2^-32 pixel. The upper 32 bits are the first column
+    /// with its center on the crossing or to the right of it.
     x: i64,
     step: i64,
 }

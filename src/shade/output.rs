@@ -9,8 +9,9 @@ use super::{Amount, Illumination, PixelFormat, Precise, Shader};
 /// The output of a [`Shader`] for a pixel: a color of the canvas, a [`Precise`] color, or either of these with an
 /// opacity ([`Translucent`]).
 ///
-/// An adapter changes the color by [`lit`](Self::lit) or [`map`](Self::map), in full precision and without touching the
-/// opacity. A color that no adapter changes is stored unchanged.
+/// [`lit`](Self::lit) and [`map`](Self::map) change the color in full precision, and leave the opacity as it is.
+/// [Adapters](crate::shade), such as light and fog, call these methods. A color that no adapter changes is stored
+/// unchanged.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};

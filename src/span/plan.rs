@@ -45,8 +45,8 @@ pub(crate) trait Policy: Copy {
     /// For attributes that are not affine, a program contains code for these two cases only.
     ///
     /// With [`Straight`](Plan::Straight), nothing is ever divided. With [`Divide`](Plan::Divide) or
-    /// [`Anew`](Plan::Anew), all attributes are divided. A mode with `Divide` has no other path, and uses wide planes
-    /// only.
+    /// [`Anew`](Plan::Anew), all attributes are divided. With `Divide`, all triangles, even small ones, have wide
+    /// planes (see [`Gradient`](super::gradient::Gradient)) and are drawn in the same way.
     const BEST: Plan;
 
     /// The greatest error that an attribute may have, in units of the attribute, if a triangle is drawn without

@@ -151,19 +151,20 @@ impl Camera {
         Self::dimetric(target, distance, ISOMETRIC_TILT)
     }
 
-    /// Makes a [trimetric](Self::trimetric) camera in front of `target`, which looks down −z.
+    /// Makes a [trimetric](Self::trimetric) camera that looks down −z, from in front of `target`.
     #[must_use]
     pub fn front(target: Vec3, distance: Scalar) -> Self {
         Self::trimetric(target, distance, Angle::ZERO, Angle::ZERO)
     }
 
-    /// Makes a [trimetric](Self::trimetric) camera to the right of `target`, which looks down −x.
+    /// Makes a [trimetric](Self::trimetric) camera that looks down −x, from the right of `target`.
     #[must_use]
     pub fn side(target: Vec3, distance: Scalar) -> Self {
         Self::trimetric(target, distance, Angle::QUARTER, Angle::ZERO)
     }
 
-    /// Makes a [trimetric](Self::trimetric) camera above `target`, which looks down −y, with −z upwards in the picture.
+    /// Makes a [trimetric](Self::trimetric) camera that looks down −y, from above `target`, with −z upwards in the
+    /// picture.
     #[must_use]
     pub fn top(target: Vec3, distance: Scalar) -> Self {
         Self::trimetric(target, distance, Angle::ZERO, Angle::QUARTER)

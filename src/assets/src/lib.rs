@@ -82,7 +82,7 @@ pub struct Model {
     pub objects: Vec<String>,
     /// The materials; empty if the file has none.
     pub materials: Vec<Material>,
-    /// The pictures that materials name.
+    /// The pictures for textures; [`Material::texture`] is an index into this list.
     pub images: Vec<Image>,
     /// Whether every face had texture coordinates before [`complete`](Self::complete) added the missing ones.
     pub had_uvs: bool,

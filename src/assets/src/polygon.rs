@@ -74,8 +74,8 @@ impl Model {
         Some(position.iter().all(|x| x.abs() <= MOST))
     }
 
-    /// Moves texture coordinates near 0. If the texture coordinates of a corner are missing or not numbers, the texture
-    /// coordinates of all corners are removed.
+    /// Moves texture coordinates near 0. If the texture coordinates of a corner are missing, not numbers, or too large,
+    /// the texture coordinates of all corners are removed.
     pub(crate) fn fix_uvs(&mut self, corners: &mut [Corner]) -> Result<(), String> {
         if corners.iter().all(|corner| corner.uv.is_none()) {
             return Ok(());

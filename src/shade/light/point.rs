@@ -122,7 +122,7 @@ impl PointLight {
 }
 
 /// The greatest value of 1 − d²/r², in units of 2⁻¹⁶, if a component of the distance saturates. A saturated component
-/// counts as at least 1 − 2⁻¹⁵ of the longest range.
+/// counts as at least (1 − 2⁻¹⁵) · r, even if r is the longest possible range.
 const SATURATED: i32 = 4;
 
 /// Full brightness, in units of 2⁻¹⁶.

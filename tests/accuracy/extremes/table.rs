@@ -32,7 +32,7 @@ pub fn picture(case: &str, verdict: Verdict) -> Row {
     }
 }
 
-/// Makes a row for another error.
+/// Makes a row for a single error with its unit, instead of a picture. The error must be within its bound.
 pub fn figure(case: &str, unit: &'static str, worst: Worst) -> Row {
     assert!(worst.measured <= worst.bound, "{case}: {worst:?}");
     Row {

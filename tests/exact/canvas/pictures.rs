@@ -238,8 +238,8 @@ fn point(random: &mut Random) -> Point {
     Point::new(random.random_range(-25..65), random.random_range(-20..50))
 }
 
-/// A point inside the frame, near it, or far from it. Far points stay so near that the offsets of embedded-graphics'
-/// adapters cause no overflow.
+/// A point inside the frame, near it, or far from it. Far points are at most 2^30 from 0, so that adding the offsets of
+/// embedded-graphics' adapters does not overflow.
 fn far_point(random: &mut Random) -> Point {
     if random.random_bool(0.9) {
         return point(random);

@@ -33,7 +33,9 @@ const ROUNDING: u16 = 64;
 /// The number of pixels of a row's first span, without the span's last pixel. The last piece ends at this last pixel.
 const RUN: usize = 63;
 
-/// The number of pixels between two bends in a row of the wall; `None` if it varies, or if there is no bend.
+/// The length of the pieces in a row of the wall, in pixels. A bend is where the increase from pixel to pixel changes
+/// by more than [`ROUNDING`]. `None` if there is no bend, or if the bends are not at equal distances from the row's
+/// start on.
 pub fn length(bench: &mut Bench, mode: Fast) -> Result<Option<usize>, Error> {
     let row = bench.row(mode, &Column)?;
     let columns = row

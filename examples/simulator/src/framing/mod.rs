@@ -454,7 +454,9 @@ impl Framing {
         }
     }
 
-    /// Returns the largest absolute value of all coordinates and distances, relative to the middle of the model.
+    /// Returns the largest number that must fit into the format: a coordinate of the model or of the eye, relative to
+    /// the middle of the model, or the distance of a plane or of the window's edge. (The target counts as a sixteenth,
+    /// and fog as a half.)
     ///
     /// # Errors
     ///
