@@ -260,7 +260,7 @@ def claims(instructions, other):
            "table, and on spheres of one color with more than 7,000 triangles.",
            all((theirs < ours) == (count != 1984) for ours, theirs, count in spheres[0])
            and all((theirs < ours) == (count > 7000) for ours, theirs, count in spheres[1]))
-    yield "README.md", "a scene with textures and depth adds 13 KB of code", 12_500 <= code("depth") < 13_500
+    yield "README.md", "A scene with textures and depth adds 13 KB of code", 12_500 <= code("depth") < 13_500
     yield (modes, "its error is as large as the error of `Fast` within a quarter",
            texels(other["sphere fast error max"]) == texels(other["sphere affine error max"]))
     yield (modes, "`Newton`; `Affine` takes as long",
