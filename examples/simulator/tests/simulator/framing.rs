@@ -539,7 +539,7 @@ fn merging_positions_are_noted_with_a_scale_that_keeps_them() {
     // about a thousandth.
     for (radius, least) in [(8e-5, 3.0), (2.4e-7, 1000.0)] {
         let note = fan(radius);
-        assert!(note.contains("positions are the same as others"), "{note}");
+        assert!(note.contains("positions become equal to others"), "{note}");
         let scale: f64 = printed(&note, "scale =").parse().unwrap();
         assert!((least / 4.0..least * 8.0).contains(&scale), "{note}");
         assert_eq!(fan(radius * scale), "", "{radius}");
