@@ -134,8 +134,8 @@ impl Ray {
     }
 }
 
-/// Space as seen along a ray: the axis along which the ray is longest points ahead, and the coordinates along the other
-/// two axes are sheared so that they are 0 on the ray.
+/// Space as seen along a ray: the axis along which the ray is longest points ahead, and a shear makes the coordinates
+/// along the other two axes 0 on the ray.
 struct RayView {
     /// The longest axis.
     main: Axis,

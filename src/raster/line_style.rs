@@ -6,7 +6,7 @@ use crate::{Error, Scalar};
 /// How wide lines are, and whether they are anti-aliased: for [`Mesh::edges`](crate::Mesh::edges) and
 /// [`Mesh::outline`](crate::Mesh::outline).
 ///
-/// The longer axis of a line is x or y, whichever axis the line extends farther along. For each pixel center that the
+/// The longer axis of a line is the axis, x or y, along which the line extends farther. For each pixel center that the
 /// line passes along its longer axis, a run of pixels is drawn across that axis: the pixels whose centers are at most
 /// half the width away from the line. A center exactly on the upper or left end of the run does not belong to it; a
 /// center on the lower or right end does. So a line of width n has n pixels in each run. A center at the left end of a

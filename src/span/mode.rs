@@ -77,8 +77,8 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
 /// No pixel depends on the pixels before it. An attribute is computed from the span's interpolants (1/w, and the
 /// attributes divided by w), and rounded down to its unit; the reciprocal adds a relative error below 2⁻³⁰. If a
 /// triangle's farthest corner is many times as far away as its nearest corner, the interpolants of each pixel are
-/// computed anew, in 64 bits. (The limit is between 8 and 16 times, and depends on the triangle.) So the error stays
-/// within a thousandth of a texel, for a texture of 256 texels and depth ratios of up to 1,000 within a triangle.
+/// computed anew, in 64 bits. (The limit depends on the triangle: it is 8 to 16 times.) So the error stays within a
+/// thousandth of a texel, for a texture of 256 texels and depth ratios of up to 1,000 within a triangle.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Exact};

@@ -154,8 +154,8 @@ fn divided_spans_are_exact_quotients() {
     }
 }
 
-/// The error is the same for interpolants that are computed anew for each pixel. The span's own interpolants are not
-/// used.
+/// Tests `Plan::Anew`, which computes the interpolants of each pixel from the planes, not from the span. The error is
+/// the same.
 #[test]
 fn spans_divided_anew_are_exact_quotients() {
     for (count, span, _) in spans() {

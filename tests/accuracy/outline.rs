@@ -329,8 +329,8 @@ fn drawn_edges_are_the_models() {
                 continue;
             };
             let expected = is_drawn([left, right], i < outline.creases(), culled);
-            // If fewer than two of an edge's pixels are in view, the edge can have no pixels, whichever sides its faces
-            // show.
+            // If fewer than two of an edge's pixels are in view, the edge can have no pixels, even if it belongs to the
+            // outline.
             let mut on_screen = |index: u16| counter.snapped(&mvp, place(index));
             let is_inside = on_screen(a).zip(on_screen(b)).is_some_and(|(a, b)| {
                 let inside =

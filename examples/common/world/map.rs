@@ -147,8 +147,8 @@ struct Draft {
 }
 
 impl Draft {
-    /// Returns the index of a vertex. Adds the vertex if the block does not have it yet. Positions are in sixteenths of
-    /// a unit.
+    /// Returns the index of a vertex. A vertex that the block does not have yet is added to the block. Positions are in
+    /// sixteenths of a unit.
     const fn vertex(&mut self, [x, y, z]: [i16; 3], [u, v]: [i16; 2]) -> Index {
         let mut at = self.first;
         while at < self.vertices {

@@ -152,7 +152,7 @@ fn area<D: DepthBuffer>(canvas: &Board<'_, Rgb888, D>) -> Rectangle {
     )
 }
 
-/// Whether lines must be white so that they are visible on a backdrop.
+/// Whether lines on a backdrop are white. (On a bright backdrop, lines are black.)
 fn lines_are_white(backdrop: Backdrop) -> bool {
     match backdrop {
         Backdrop::Color(color) => Gray8::from_rgb(color, Point::zero()).luma() < 128,

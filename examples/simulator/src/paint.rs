@@ -284,7 +284,7 @@ pub fn surface<'a, C: Shown>(
     let texture = texture.filter(|_| is_textured);
     match look.shade {
         Some(Shade::Normal) => interpolated(NormalView::<C>::new()),
-        // The faces have the color of the background, so that they are invisible but hide the lines behind them.
+        // The faces have the color of the background: they cannot be seen, but hide the lines behind them.
         Some(Shade::Wire) => {
             let Backdrop::Color(color) = look.backdrop else {
                 return Err("a wire has a background of one color".into());

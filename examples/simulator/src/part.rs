@@ -231,8 +231,8 @@ impl<'a> Filling<'a> {
                 uv_face[at] = self.uvs.add(&mut self.part.uvs, uv, value)?;
             }
             if let Some(normal) = corner.normal {
-                // Normals are scaled to unit length, so that they are not too small for the format. A zero normal stays
-                // zero.
+                // A normal in a file can be too small for the format, so normals are scaled to unit length. A zero
+                // normal stays zero.
                 let value = || {
                     Ok(Vec3::try_from(
                         unit(model.normals[normal as usize]).unwrap_or_default(),

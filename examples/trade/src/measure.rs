@@ -17,7 +17,7 @@ use super::surface::{Job, Target};
 use super::time::Times;
 use super::truth::{Expected, Truth, order};
 
-/// What is measured about a case in a mode.
+/// The measurements of one case in one mode.
 #[derive(Clone, Debug)]
 pub struct Figures {
     pub mode: &'static str,

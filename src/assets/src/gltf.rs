@@ -623,8 +623,8 @@ impl Vertices {
     }
 }
 
-/// The base color and the base texture of a material, from whichever description the material has: specular and
-/// glossiness, or metallic and roughness.
+/// The base color and the base texture of a material. If the material describes its surface by specular color and
+/// glossiness, they are its diffuse color and texture.
 fn surface(material: &Value) -> (&Value, &Value) {
     let glossy = &material["extensions"]["KHR_materials_pbrSpecularGlossiness"];
     if glossy.is_object() {
