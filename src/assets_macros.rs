@@ -33,7 +33,7 @@
 /// | `uvs` | texture coordinates for triangles that have none: each triangle is projected to the side of the model's bounding box that it faces most |
 /// | `object = "name"` | only the faces of the object with this name: a glTF mesh, or an OBJ object or group |
 /// | `part = "name"` | only the faces of the material with this name |
-/// | `center` | the middle of the bounding box is moved to the origin, before `scale`: for models far from the origin |
+/// | `center` | the middle of the whole model's bounding box is moved to the origin, before `scale`: for models far from the origin. Parts and objects of one file still fit together |
 /// | `scale = 0.01` | positions are multiplied by this number |
 /// | `up = z` | z points up in the file; the model is turned so that y points up. `up = z` is the default for STL, and `up = y` for other formats |
 ///

@@ -18,7 +18,8 @@ const NO_VALUE: u16 = u16::MAX;
 /// Options for the conversion of a model to the lists of a mesh.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Whether the middle of the [box](Model::bounds) around the faces is moved to the origin, before anything else.
+    /// Whether the middle of the [box](Model::bounds) around all faces of the model is moved to the origin, before
+    /// anything else. Faces that `part` and `object` leave out count, so that parts of one model still fit together.
     pub center: bool,
     /// The factor by which all positions are multiplied. The factor must not be 0.
     pub scale: f64,
@@ -228,7 +229,7 @@ impl Model {
         }
         let turned = |[x, y, z]: Vector| if options.z_up { [x, z, -y] } else { [x, y, z] };
         let origin = if options.center {
-            model.middle()
+            self.middle()
         } else {
             [0.0; 3]
         };
@@ -302,7 +303,8 @@ impl Model {
         Ok(lists)
     }
 
-    /// The least and the greatest coordinates of the positions that faces use.
+    /// The least and the greatest coordinates of the positions that faces use, in the file's units. A model that was
+    /// read has faces; without faces, the least are greater than the greatest.
     #[must_use]
     pub fn bounds(&self) -> [Vector; 2] {
         let corners = self.triangles.iter().flat_map(|triangle| triangle.corners);
