@@ -225,7 +225,7 @@
 extern crate std;
 
 #[cfg(test)]
-#[path = "../tests/common/random.rs"]
+#[path = "../tests/support/random.rs"]
 mod random;
 
 /// Includes a diagram of the documentation. The diagram has the color of the text, so that it can be read in every

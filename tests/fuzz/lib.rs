@@ -20,21 +20,6 @@
 // f64 holds every integer used here, and no pixel lies left of or above the picture.
 #![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]
 
-// The accuracy tests use more items of the following modules.
-#[path = "../accuracy/bounds.rs"]
-#[allow(dead_code)]
-mod bounds;
-#[path = "../accuracy/mode.rs"]
-#[allow(dead_code)]
-mod mode;
-#[path = "../accuracy/moves.rs"]
-#[allow(dead_code)]
-mod moves;
-#[path = "../common/recorder.rs"]
-mod recorder;
-#[path = "../reference/mod.rs"]
-mod reference;
-
 mod call;
 pub mod draw;
 mod knowledge;

@@ -1,8 +1,5 @@
 //! A shader that records its input, for tests that check more than colors.
 
-// Each test binary uses only a part of this module.
-#![allow(dead_code)]
-
 use std::cell::RefCell;
 
 use embedded_graphics::pixelcolor::{Gray8, PixelColor};
@@ -20,6 +17,19 @@ pub struct Seen<const N: usize, C = Gray8> {
     pub values: [i32; N],
     /// The color as the canvas stores it; `None` for a discarded pixel.
     pub color: Option<C>,
+}
+
+impl<const N: usize, C> Seen<N, C> {
+    /// The same pixel with other numbers.
+    pub fn with_values<const M: usize>(self, values: [i32; M]) -> Seen<M, C> {
+        Seen {
+            pixel: self.pixel,
+            depth: self.depth,
+            face: self.face,
+            values,
+            color: self.color,
+        }
+    }
 }
 
 /// The record of a draw call.

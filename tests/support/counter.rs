@@ -1,19 +1,12 @@
 //! Helpers that the raster tests share: a shader that counts pixels, and a projection with units of one pixel.
 
-// Each test binary includes this module and uses only a part of it.
-#![allow(dead_code)]
-
-pub mod meshes;
-pub mod random;
-pub mod recorder;
-
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::canvas::{Blending, TestAndWrite};
 use fixel::prelude::*;
 use fixel::view::{Parallel, ProjectionKind};
 use fixel::{Drawn, mode};
 
-use recorder::{Recorder, record};
+use crate::recorder::{Recorder, record};
 
 /// Counts how often each pixel of a frame is drawn. The frame has no depth buffer.
 pub struct Counter {

@@ -36,6 +36,17 @@ impl RngCore for Random {
     }
 }
 
+/// The number of inputs for a test that takes seconds: a quarter of `all`. With the environment variable `FIXEL_ALL`,
+/// which `.ci/nightly` sets, it is `all`.
+#[allow(dead_code)] // the library's unit tests are quick
+pub fn sampled(all: u32) -> u32 {
+    if env::var_os("FIXEL_ALL").is_some() {
+        all
+    } else {
+        all.div_ceil(4)
+    }
+}
+
 /// Runs a test for `count` generators.
 ///
 /// If the test panics, it runs again, first with short lists and then with longer ones, until it panics again. So the
@@ -43,12 +54,12 @@ impl RngCore for Random {
 /// lists. To run the test with this input again, set the environment variables `FIXEL_SEED` (the seed of the first
 /// generator, by default 0) and `FIXEL_LENGTH` (the length of all lists, from 1 to 32). Another seed gives other
 /// inputs.
-pub fn cases(count: u64, mut test: impl FnMut(&mut Random)) {
+pub fn cases(count: u32, mut test: impl FnMut(&mut Random)) {
     run(count, &mut test);
 }
 
 /// This function is not generic, so that it is compiled only once.
-fn run(count: u64, test: &mut dyn FnMut(&mut Random)) {
+fn run(count: u32, test: &mut dyn FnMut(&mut Random)) {
     let variable = |name, without| {
         env::var(name).map_or(without, |text| text.parse().expect("a whole number"))
     };
@@ -56,7 +67,7 @@ fn run(count: u64, test: &mut dyn FnMut(&mut Random)) {
         variable("FIXEL_SEED", 0),
         variable("FIXEL_LENGTH", WHOLE as u64) as usize,
     );
-    let seeds = (0..count).map(|case| case.wrapping_add(first));
+    let seeds = (0..count).map(|case| u64::from(case).wrapping_add(first));
     let mut fails = |seed, length| {
         let mut random = Random {
             generator: SmallRng::seed_from_u64(seed),

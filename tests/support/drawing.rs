@@ -3,11 +3,12 @@
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::canvas::DepthBuffer;
 use fixel::prelude::*;
+use fixel::shade::{Tolerance, Varyings};
 use fixel::view::ProjectionKind;
 
 use crate::mode::Mode;
 pub use crate::recorder::Seen;
-use crate::recorder::{Coordinates, Few, Probe, record};
+use crate::recorder::{Coordinates, Probe, record};
 
 /// A point on the screen: its position in units of 1/256 pixel, and its depth as a depth buffer stores it.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +20,11 @@ pub struct Spot {
 
 /// The values that a test interpolates.
 type Values<'a, const N: usize> = &'a dyn Fn(&Corner<'_>) -> [i32; N];
+
+/// The first `M` numbers; 0 where there are fewer.
+fn first<const N: usize, const M: usize>(numbers: [i32; N]) -> [i32; M] {
+    std::array::from_fn(|i| numbers.get(i).copied().unwrap_or_default())
+}
 
 /// A mesh, its transforms and its options: everything that a drawing needs.
 pub struct Drawing<'a, K> {
@@ -32,18 +38,12 @@ pub struct Drawing<'a, K> {
 
 impl<K: ProjectionKind> Drawing<'_, K> {
     /// Every pixel of every triangle, in drawing order, including hidden pixels.
-    pub fn all<const N: usize>(&self, values: Values<'_, N>) -> Vec<Seen<N>>
-    where
-        [(); N]: Few<N>,
-    {
+    pub fn all<const N: usize>(&self, values: Values<'_, N>) -> Vec<Seen<N>> {
         self.record(values, false)
     }
 
     /// Every pixel that passes the depth test, in drawing order. At each position, the last of these pixels is visible.
-    pub fn shown<const N: usize>(&self, values: Values<'_, N>) -> Vec<Seen<N>>
-    where
-        [(); N]: Few<N>,
-    {
+    pub fn shown<const N: usize>(&self, values: Values<'_, N>) -> Vec<Seen<N>> {
         self.record(values, true)
     }
 
@@ -63,20 +63,21 @@ impl<K: ProjectionKind> Drawing<'_, K> {
         faces
     }
 
-    fn record<const N: usize>(&self, values: Values<'_, N>, draws: bool) -> Vec<Seen<N>>
-    where
-        [(); N]: Few<N>,
-    {
+    fn record<const N: usize>(&self, values: Values<'_, N>, draws: bool) -> Vec<Seen<N>> {
         let (mut pixels, mut depth) = self.blank();
         let mut canvas = self.canvas(&mut pixels).with_depth(&mut depth).unwrap();
+        const { assert!(N <= 3) };
+        // All tests interpolate three numbers, so that each mode is compiled only once.
         let probe = Probe {
-            values: &|corner| Coordinates(values(corner)),
+            values: &|corner| Coordinates::<3>(first(values(corner))),
             color: draws.then_some(Gray8::new(255)),
         };
-        let record = record(probe, |recorder| {
+        let record = record::<_, 3>(probe, |recorder| {
             self.draw(&mut canvas, recorder);
         });
-        record.seen
+        let seen = record.seen.into_iter();
+        seen.map(|seen| seen.with_values(first(seen.values)))
+            .collect()
     }
 
     /// A canvas's memory before drawing: black pixels, and depths of 0.
@@ -104,12 +105,8 @@ impl<K: ProjectionKind> Drawing<'_, K> {
         let (mut pixels, mut depth) = self.blank();
         let canvas = self.canvas(&mut pixels);
         let mut canvas = canvas.with_depth_format::<F>(&mut depth).unwrap();
-        // The shader has varyings, so that each mode interpolates.
-        let probe = Probe {
-            values: &|_| [0],
-            color: Some(Gray8::new(255)),
-        };
-        self.draw(&mut canvas, &probe);
+        // This shader has varyings, so each mode interpolates.
+        self.draw(&mut canvas, &Raw);
         depth
     }
 
@@ -136,5 +133,52 @@ impl<K: ProjectionKind> Drawing<'_, K> {
                 })
             })
             .collect()
+    }
+}
+
+/// Varyings of three numbers, each with a tolerance.
+#[derive(Clone, Copy)]
+pub struct Rough([i32; 3]);
+
+impl Varyings for Rough {
+    type Lanes = [(); 3];
+    type Face = ();
+
+    fn tolerance(lane: usize) -> Tolerance {
+        [
+            Tolerance::Texels,
+            Tolerance::Units(1 << 20),
+            Tolerance::Units(u32::MAX),
+        ][lane]
+    }
+
+    fn split(self) -> ([i32; 3], ()) {
+        (self.0, ())
+    }
+
+    fn join(numbers: [i32; 3], (): ()) -> Self {
+        Self(numbers)
+    }
+}
+
+/// A shader with varyings of any magnitude. One varying jumps between the ends of its format.
+#[derive(Clone, Copy)]
+pub struct Raw;
+
+impl Shader for Raw {
+    type Color = Gray8;
+    type Varyings = Rough;
+
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Rough; 3] {
+        primitive.corners(|corner| {
+            let [x, y, _] = corner.position().to_bits();
+            let end = if y & 1 == 0 { i32::MIN } else { i32::MAX };
+            Rough([x, corner.uv().x.to_bits(), end])
+        })
+    }
+
+    fn shade(&self, at: &Fragment, Rough([a, b, c]): Rough) -> Option<Gray8> {
+        let [mixed, ..] = (a ^ a >> 16 ^ b ^ c ^ i32::from(at.depth)).to_le_bytes();
+        Some(Gray8::new(mixed))
     }
 }
