@@ -1,5 +1,7 @@
 //! The lists of a mesh have the file's values in fixed point, placed, scaled, turned and selected as the options say.
 
+#![allow(clippy::float_cmp)] // the files state these values exactly
+
 mod common;
 
 use common::read;
