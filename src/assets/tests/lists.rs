@@ -256,6 +256,37 @@ fn indices_have_16_bits() {
     assert_eq!(refused, wanted);
 }
 
+/// Some coordinates are a millionth, or a millionth apart, and one is `far`.
+fn merging(far: f64, scale: f64) -> Option<String> {
+    let text = format!("v 0 0 0\nv 1e-6 0 0\nv 0 1e-6 0\nv {far} 0 0\nf 1 2 3\nf 1 2 4\n");
+    obj(&text).merging(scale)
+}
+
+#[test]
+fn a_note_says_which_scale_keeps_positions_apart() {
+    // A unit is 2^-16, and half of it is rounded up. So the least sufficient power of two is 2^3: 2^-17 is 7.6e-6.
+    let says = |scale: i32| {
+        let what = "2 of 4 positions become equal to others when rounded to 1/65536";
+        format!("{what}: scale = {scale} keeps them apart")
+    };
+    assert_eq!(merging(0.01, 1.0), Some(says(8)));
+    assert_eq!(merging(0.01, 8.0), None);
+    // A negative scale stays negative.
+    assert_eq!(merging(0.01, -1.0), Some(says(-8)));
+    assert_eq!(merging(0.01, -8.0), None);
+    // Far from the origin, only a centered model fits at the scale.
+    let far = obj("v 20000 0 0\nv 20000.000001 0 0\nv 20000.001 0 0\nf 1 2 3\n");
+    for (scale, wanted) in [(1.0, "center, scale = 8 "), (-1.0, "center, scale = -8 ")] {
+        let note = far.merging(scale).unwrap();
+        assert!(note.contains(wanted), "{note}");
+    }
+    // Positions closer together than 1/65,536 of the size of the model count as one position.
+    assert_eq!(merging(1.0, 1.0), None);
+    // These positions are far out of the range of every scale near 1, and do not keep the search from its end.
+    let huge = obj("v 0 0 0\nv 1e30 0 0\nv 9e29 0 0\nf 1 2 3\n");
+    assert_eq!([1.0, -1.0].map(|scale| huge.merging(scale)), [None, None]);
+}
+
 #[test]
 fn runs_are_faces_of_one_material() {
     let run = |start, end, material| Run {
