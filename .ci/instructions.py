@@ -2,10 +2,10 @@
 """Compares the instructions of programs on each target with tests/instructions.csv, and prints the changes.
 
 Arguments: `--renew`, to rewrite the targets' part of the file; a folder; the targets. For each target, the folder has
-a file with its output; a file ending in .size with the output of programs optimized for size, if these were run; and a
-file ending in .rustc with the compiler's version. Fails if a case takes over 2 % more instructions, or is not in
-tests/instructions.csv. Another compiler makes other code: if a target's compiler differs from the compiler in
-tests/instructions.csv, the target is reported but not compared."""
+a file with its output, and a file ending in .size with the output of programs optimized for size, if these were run.
+The file `rustc` has the compiler's release. Fails if a case takes over 2 % more instructions, or is not in
+tests/instructions.csv. The first line of tests/instructions.csv has the compiler's release for all counts. Counts of
+another release are compared, too: if some differ, the message names both."""
 import csv
 import re
 import sys
@@ -47,21 +47,17 @@ def counts(text):
 
 
 def read():
-    """Returns the compiler of each target, and instructions by target and case."""
-    compilers, kept = {}, {}
-    lines = FILE.read_text().splitlines() if FILE.exists() else []
-    for line in lines:
-        if line.startswith("# "):
-            target, compiler = line[2:].split(": ", 1)
-            compilers[target] = compiler
-    for target, *case, instructions in list(csv.reader(l for l in lines if not l.startswith("#")))[1:]:
+    """Returns the compiler's release, and instructions by target and case."""
+    kept = {}
+    first, *lines = FILE.read_text().splitlines()
+    for target, *case, instructions in list(csv.reader(lines))[1:]:
         kept.setdefault(target, {})[tuple(case)] = int(instructions)
-    return compilers, kept
+    return first.removeprefix("# rustc "), kept
 
 
-def write(compilers, kept):
+def write(release, kept):
     with FILE.open("w", newline="") as file:
-        file.writelines(f"# {target}: {compilers[target]}\n" for target in sorted(compilers))
+        file.write(f"# rustc {release}\n")
         out = csv.writer(file, lineterminator="\n")
         out.writerow(HEAD)
         for target in sorted(kept):
@@ -94,22 +90,22 @@ def main():
     arguments = sys.argv[1:]
     renew = "--renew" in arguments
     folder, *targets = [argument for argument in arguments if argument != "--renew"]
-    compilers, kept = read()
+    pinned, kept = read()
+    release = Path(folder, "rustc").read_text().strip()
     failed = False
+    if renew and release != pinned and kept.keys() - set(targets):
+        sys.exit(f"{FILE} has counts of rustc {pinned}: renew those of all targets with {release}")
     for target in targets:
         now = measured(folder, target)
-        compiler = Path(folder, f"{target}.rustc").read_text().strip()
         if not now:
             failed = True
             print(f"{target} printed no counts")
         elif renew:
-            compilers[target], kept[target] = compiler, now
+            kept[target] = now
             print(f"{target}: {len(now)} counts written to {FILE}")
         elif target not in kept:
             failed = True
             print(f"{target} is not in {FILE}: .ci/firmware --renew {target}")
-        elif compilers.get(target) != compiler:
-            print(f"{target}: NOT COMPARED with {FILE}, whose counts are from\n  {compilers.get(target)},\nthese from\n  {compiler}.")
         else:
             run = {optimization for optimization, end in OUTPUTS.items() if Path(folder, target + end).exists()}
             before = {case: count for case, count in kept[target].items() if case[0] in run}
@@ -119,7 +115,10 @@ def main():
             if better:
                 print(f"  over 2 % better: {better}; to keep that, .ci/firmware --renew {target}")
     if renew:
-        write(compilers, kept)
+        write(release, kept)
+    elif failed and release != pinned:
+        print(f"The counts in {FILE} are from rustc {pinned}, these from {release}. Each release makes other code, so "
+              f"compare with the same: rustup toolchain install {pinned} --profile minimal --target {','.join(targets)}")
     elif failed:
         print("If the growth is intended, .ci/firmware --renew rewrites the file.")
     sys.exit(failed)
