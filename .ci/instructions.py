@@ -5,7 +5,7 @@ Arguments: `--renew`, to rewrite the targets' part of the file; a folder; the ta
 a file with its output, and a file ending in .size with the output of programs optimized for size, if these were run.
 The file `rustc` has the compiler's release. Fails if a case takes over 2 % more instructions, or is not in
 tests/instructions.csv. The first line of tests/instructions.csv has the compiler's release for all counts. Counts of
-another release are compared, too: if some differ, the message names both."""
+another release are compared, too: if one has grown, the message names both releases."""
 import csv
 import re
 import sys
