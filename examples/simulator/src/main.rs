@@ -20,7 +20,6 @@
 mod advice;
 mod args;
 mod bands;
-#[path = "../../common/mod.rs"]
 mod common;
 mod draw;
 mod dump;

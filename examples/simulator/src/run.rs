@@ -17,7 +17,7 @@ use crate::look::{BRIGHT, Backdrop, DARK, Look};
 use crate::paint::Shown;
 use crate::progress;
 use crate::report;
-use crate::scene::Scene;
+use crate::scene::{self, Scene};
 use crate::sight;
 use crate::skin::{Skin, Texels};
 use crate::subject::Subject;
@@ -32,12 +32,13 @@ pub fn run(args: &Args, matches: &ArgMatches) -> Result<()> {
     targets::check_size(args)?;
     let Some(path) = &args.model else {
         let targets = Targets::open(args, &[])?;
+        let island = scene::island()?;
         let (scene, size) = match args.scene {
             Some(name) => (
                 Scene::measured(args, name)?,
                 (scenes::WIDTH, scenes::HEIGHT),
             ),
-            None => (Scene::own(args)?, args.size),
+            None => (Scene::own(args, &island)?, args.size),
         };
         report::notes(args, idle::options(args, matches, None, true))?;
         return picture(args, &scene, &[], 1.0, Lines::None, (targets, size));

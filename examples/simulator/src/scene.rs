@@ -1,10 +1,13 @@
 //! The scene and its motion. The scene is drawn band by band.
 
+use std::io;
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
 use fixel::prelude::*;
 use fixel::{Cull, Drawn};
+use fixel_assets::Files;
 
 use super::Result;
 use super::common::{lighthouse, scenes};
@@ -14,7 +17,7 @@ use super::view::{AnyProjection, View, direction};
 use super::window::Orbit;
 use crate::args::{Args, DepthBuffer, SceneName, Shade};
 use crate::dump::{Record, Recorder};
-use crate::part::Piece;
+use crate::part::{Part, Piece};
 
 /// The number of an animation's frame, and how the user has turned the model in a window.
 #[derive(Clone, Copy, Debug, Default)]
@@ -108,13 +111,36 @@ pub struct Scene<'a> {
     pub recorder: Recorder,
 }
 
-impl Scene<'static> {
+/// The file of the island in the project's own scene.
+struct Island;
+
+impl Files for Island {
+    fn read(&self, _: &Path) -> io::Result<Vec<u8>> {
+        Ok(include_bytes!("../../assets/lighthouse.obj").into())
+    }
+
+    fn has(&self, _: &Path) -> bool {
+        true
+    }
+}
+
+/// Reads the island of the project's own scene. (A microcontroller has it in flash, put there by a macro. With the
+/// macro, Cargo would build the importer twice: for the simulator and for the compiler.)
+///
+/// # Errors
+///
+/// None: the file is part of the program.
+pub fn island() -> Result<Part> {
+    Part::whole(&fixel_assets::read(Path::new("lighthouse.obj"), &Island)?)
+}
+
+impl<'a> Scene<'a> {
     /// The project's own scene, as a microcontroller draws it.
     ///
     /// # Errors
     ///
     /// None: the scene's numbers are constant.
-    pub fn own(args: &Args) -> Result<Self> {
+    pub fn own(args: &Args, island: &'a Part) -> Result<Self> {
         let view = View {
             projection: AnyProjection::Perspective(lighthouse::projection(args.size)?),
             camera: lighthouse::camera()?,
@@ -125,8 +151,8 @@ impl Scene<'static> {
         let recorder = Recorder::new(20.0, 0, args.mode);
         Ok(Self {
             pieces: vec![
-                Piece::compiled(lighthouse::SEA, None),
-                Piece::compiled(lighthouse::ISLAND, Some(lighthouse::SILHOUETTES)),
+                Piece::own(lighthouse::SEA, None),
+                Piece::own(island.mesh()?, Some(island.outline()?)),
             ],
             motion: Motion::Turning {
                 view,
@@ -156,7 +182,7 @@ impl Scene<'static> {
         };
         let recorder = Recorder::new(1.0, 0, args.mode);
         Ok(Self {
-            pieces: vec![Piece::compiled(mesh, None)],
+            pieces: vec![Piece::own(mesh, None)],
             motion: Motion::Measured(name),
             mode: Mode::new(args.mode, 1.0)?,
             depth: args.depth,
@@ -167,9 +193,6 @@ impl Scene<'static> {
             recorder,
         })
     }
-}
-
-impl Scene<'_> {
     /// The number of faces.
     pub fn faces(&self) -> usize {
         self.pieces
