@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use embedded_graphics::pixelcolor::PixelColor;
+use embedded_graphics::pixelcolor::Rgb888;
 use fixel::Drawn;
 
 use super::Result;
@@ -14,14 +14,14 @@ use crate::scene::{Band, Done};
 /// # Errors
 ///
 /// `draw` fails.
-pub fn bands<C: PixelColor + Default>(
+pub fn bands(
     size: (u32, u32),
     rows: u32,
-    draw: impl Fn(Band<'_, C>) -> Result<Done>,
-) -> Result<(Vec<C>, Done)> {
+    draw: impl Fn(Band<'_>) -> Result<Done>,
+) -> Result<(Vec<Rgb888>, Done)> {
     let width = size.0 as usize;
     let rows = rows.min(size.1) as usize;
-    let mut pixels = vec![C::default(); width * size.1 as usize];
+    let mut pixels = vec![Rgb888::default(); width * size.1 as usize];
     let mut depth = vec![0; width * rows];
     let mut sum = (Drawn::default(), Duration::ZERO);
     let mut first_row = 0;

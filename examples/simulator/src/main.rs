@@ -48,23 +48,20 @@ use std::error::Error;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use clap::FromArgMatches;
-
 use args::Args;
 
 /// An error message for the user.
 type Result<T, E = Box<dyn Error>> = std::result::Result<T, E>;
 
 fn main() -> ExitCode {
-    let matches = args::command().get_matches();
-    let args = Args::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
-    let done = output::remove_on_interrupt().and_then(|()| run::run(&args, &matches));
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            // Not eprintln!, which panics if standard error is closed.
-            let _ = writeln!(io::stderr(), "error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    let (error, code) = match Args::parse() {
+        Err(error) => (format!("{error}\n\nFor more information, try '--help'."), 2),
+        Ok(args) => match run::run(&args) {
+            Err(error) => (error.to_string(), 1),
+            Ok(()) => return ExitCode::SUCCESS,
+        },
+    };
+    // Not eprintln!, which panics if standard error is closed.
+    let _ = writeln!(io::stderr(), "error: {error}");
+    ExitCode::from(code)
 }

@@ -1,10 +1,11 @@
 //! The scene and its motion. The scene is drawn band by band.
 
+use std::cell::Cell;
 use std::io;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
+use embedded_graphics::pixelcolor::Rgb888;
 use fixel::prelude::*;
 use fixel::{Cull, Drawn};
 use fixel_assets::Files;
@@ -16,7 +17,8 @@ use super::mode::{Mode, with_depth};
 use super::view::{AnyProjection, View, direction};
 use super::window::Orbit;
 use crate::args::{Args, DepthBuffer, SceneName, Shade};
-use crate::dump::{Record, Recorder};
+use crate::bands::bands;
+use crate::dump::{Record, Recorder, Recording};
 use crate::part::{Part, Piece};
 
 /// The number of an animation's frame, and how the user has turned the model in a window.
@@ -37,8 +39,8 @@ impl Moment {
 
 /// A band of a frame that is to be drawn.
 #[derive(Debug)]
-pub struct Band<'a, C> {
-    pub pixels: &'a mut [C],
+pub struct Band<'a> {
+    pub pixels: &'a mut [Rgb888],
     pub depth: &'a mut [u16],
     /// Width and height of the frame.
     pub size: (u32, u32),
@@ -47,14 +49,6 @@ pub struct Band<'a, C> {
 
 /// The result of drawing a band, and the time that the draw calls took.
 pub type Done = (Drawn, Duration);
-
-impl<'a, C: PixelColor> Band<'a, C> {
-    fn canvas(self) -> Result<(Canvas<'a, C>, &'a mut [u16])> {
-        let (width, height) = self.size;
-        let canvas = Canvas::band(self.pixels, width, height, self.first_row)?;
-        Ok((canvas, self.depth))
-    }
-}
 
 /// The motion of a scene: the pose and the view of each frame.
 #[derive(Clone, Copy, Debug)]
@@ -201,51 +195,43 @@ impl<'a> Scene<'a> {
             .sum()
     }
 
-    fn posed(&self, moment: Moment) -> Result<Posed<'_>> {
-        Ok(Posed {
+    /// Draws a band of a frame.
+    pub fn draw(&self, band: Band<'_>, moment: Moment, style: &Style<'_>) -> Result<Done> {
+        let posed = Posed {
             pieces: &self.pieces,
             mvp: self.motion.mvp(moment)?,
-            mode: self.mode,
-            cull: None,
-        })
-    }
-
-    /// Draws a band of a frame.
-    pub fn draw(&self, band: Band<'_, Rgb888>, moment: Moment, style: &Style<'_>) -> Result<Done> {
-        let posed = self.posed(moment)?;
-        let (canvas, depth) = band.canvas()?;
-        with_depth!(self.depth, canvas, depth, |canvas| {
+            style,
+        };
+        let (width, height) = band.size;
+        let canvas = Canvas::band(band.pixels, width, height, band.first_row)?;
+        with_depth!(self.depth, canvas, band.depth, |canvas| {
             style.clear(canvas);
             let start = Instant::now();
-            let drawn = posed.draw_in_style(canvas, style)?;
+            let drawn = posed.draw(canvas)?;
             let time = start.elapsed();
             style.finish(canvas);
             Ok((drawn, time))
         })
     }
 
-    /// Records a band of a frame: its faces or its edges.
+    /// Records the faces or the edges of a frame, in bands of `rows` rows. `cull` overrides the materials.
     pub fn record(
         &self,
-        band: Band<'_, Record>,
+        size: (u32, u32),
+        rows: u32,
         moment: Moment,
         edges: bool,
         cull: Option<Cull>,
-    ) -> Result<Done> {
-        let posed = Posed {
-            mode: self.recorded,
-            cull,
-            ..self.posed(moment)?
+    ) -> Result<(Vec<Record>, Drawn)> {
+        let records = vec![Cell::default(); size.0 as usize * size.1 as usize];
+        let recording = Recording {
+            recorder: self.recorder,
+            records: &records,
+            width: size.0,
         };
-        let (canvas, depth) = band.canvas()?;
-        with_depth!(self.depth, canvas, depth, |canvas| {
-            canvas.clear(Record::default());
-            let drawn = if edges {
-                posed.draw_edges(canvas, &self.recorder)
-            } else {
-                posed.draw(canvas, &self.recorder)
-            };
-            Ok((drawn, Duration::ZERO))
-        })
+        let style = Style::recording(self, recording, edges, cull)?;
+        let (_, (drawn, _)) = bands(size, rows, |band| self.draw(band, moment, &style))?;
+        drop(style);
+        Ok((records.into_iter().map(Cell::into_inner).collect(), drawn))
     }
 }

@@ -95,11 +95,11 @@ impl Subject {
             parts,
             framing,
             units,
-            largest_uv,
-            inputs,
             finishes,
             skins,
+            largest_uv,
             shade,
+            inputs,
         })
     }
 

@@ -204,6 +204,18 @@ impl<V: Varyings> Shader for Glass<'_, '_, V> {
 }
 
 impl<'a> Surface<'a> {
+    /// Wraps a shader of 24-bit colors.
+    ///
+    /// # Errors
+    ///
+    /// As for [`new`](Self::new).
+    pub fn of_rgb<S>(shader: S) -> super::Result<Self>
+    where
+        S: ShaderFor<Rgb888, Varyings: Varyings<Face: FaceValues>> + 'a,
+    {
+        Self::new(Self::Many, shader, |color| color)
+    }
+
     /// Wraps a shader in a layout, for example in [`Surface::Many`]. The layout must have places for the shader's
     /// varyings.
     ///
