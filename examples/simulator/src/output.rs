@@ -24,7 +24,8 @@ pub fn is_stream(path: &Path) -> bool {
 /// The message names the output and the input.
 pub fn refuse_inputs(output: &Path, inputs: &[PathBuf]) -> Result<()> {
     for input in inputs {
-        if !is_stdout(output) && same_file::is_same_file(output, input).unwrap_or(false) {
+        // A pipe must not be opened to compare it: the program would wait for the pipe's other end.
+        if !is_stream(output) && same_file::is_same_file(output, input).unwrap_or(false) {
             return Err(format!(
                 "cannot write {}: it is an input, {}",
                 output.display(),
@@ -38,8 +39,8 @@ pub fn refuse_inputs(output: &Path, inputs: &[PathBuf]) -> Result<()> {
 
 /// Whether two outputs are the same file. The file may not exist yet.
 pub fn are_same(a: &Path, b: &Path) -> bool {
-    if is_stdout(a) || is_stdout(b) {
-        return is_stdout(a) && is_stdout(b);
+    if is_stream(a) || is_stream(b) {
+        return a == b || (is_stdout(a) && is_stdout(b));
     }
     if let Ok(same) = same_file::is_same_file(a, b) {
         return same;
