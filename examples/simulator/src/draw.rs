@@ -211,13 +211,20 @@ pub enum AnyMvp {
     Parallel(Mvp<Parallel>),
 }
 
+/// Evaluates an expression with the transform inside an [`AnyMvp`].
+macro_rules! either {
+    ($any:expr, |$mvp:ident| $value:expr) => {
+        match $any {
+            AnyMvp::Perspective($mvp) => $value,
+            AnyMvp::Parallel($mvp) => $value,
+        }
+    };
+}
+
 impl AnyMvp {
     /// The viewer's position.
     pub fn viewer(&self) -> Viewer {
-        match self {
-            Self::Perspective(mvp) => Viewer::of(mvp),
-            Self::Parallel(mvp) => Viewer::of(mvp),
-        }
+        either!(self, |mvp| Viewer::of(mvp))
     }
 }
 
@@ -272,23 +279,30 @@ impl Posed<'_> {
         let draw = |piece: &Piece<'_>| {
             let (options, mesh) = (self.options(piece), &piece.mesh);
             let in_front = &options.with_depth(Biased::in_front(TestAndWrite));
-            match (&self.mvp, &piece.outline) {
-                (AnyMvp::Perspective(mvp), _) if edges => {
-                    canvas.draw_with(&options, mesh.edges(pen), mvp, &shader)
+            match &piece.outline {
+                _ if edges => {
+                    either!(&self.mvp, |mvp| canvas.draw_with(
+                        &options,
+                        mesh.edges(pen),
+                        mvp,
+                        &shader
+                    ))
                 }
-                (AnyMvp::Parallel(mvp), _) if edges => {
-                    canvas.draw_with(&options, mesh.edges(pen), mvp, &shader)
+                Some(outline) => {
+                    let outline = mesh.outline(outline, pen);
+                    either!(&self.mvp, |mvp| canvas
+                        .draw_with(in_front, outline, mvp, &shader))
                 }
-                (AnyMvp::Perspective(mvp), Some(outline)) => {
-                    canvas.draw_with(in_front, mesh.outline(outline, pen), mvp, &shader)
-                }
-                (AnyMvp::Parallel(mvp), Some(outline)) => {
-                    canvas.draw_with(in_front, mesh.outline(outline, pen), mvp, &shader)
-                }
-                _ => Drawn::default(),
+                None => Drawn::default(),
             }
         };
-        self.pieces.iter().map(draw).fold(Drawn::default(), add)
+        self.pieces
+            .iter()
+            .map(draw)
+            .fold(Drawn::default(), |mut sum, drawn| {
+                sum += drawn;
+                sum
+            })
     }
 
     /// Draws the surfaces and lines of the style. Counts surfaces or, if there are none, lines.
@@ -314,7 +328,7 @@ impl Posed<'_> {
                 Surface::Channels(shader) => self.draw_piece(canvas, piece, &shader),
                 Surface::Pairs(shader) => self.draw_piece(canvas, piece, &shader),
             };
-            sum = add(sum, drawn);
+            sum += drawn;
         }
         // Sort the translucent faces from back to front: first the pieces, then the faces of each piece.
         let mut sorted = Vec::new();
@@ -327,7 +341,7 @@ impl Posed<'_> {
         sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
         for (_, piece, shader, part) in &sorted {
             let piece = part.piece(piece.finish)?;
-            sum = add(sum, self.draw_glass(canvas, &piece, shader));
+            sum += self.draw_glass(canvas, &piece, shader);
         }
         if style.lines != Lines::None {
             self.draw_lines(canvas);
@@ -350,10 +364,7 @@ impl Posed<'_> {
 
     /// Returns the order of a piece's faces from back to front, and the distance of the middle of these faces.
     fn order(&self, piece: &Piece<'_>) -> (f64, Vec<usize>) {
-        let to_eye = match &self.mvp {
-            AnyMvp::Perspective(mvp) => mvp.model_view(),
-            AnyMvp::Parallel(mvp) => mvp.model_view(),
-        };
+        let to_eye = either!(&self.mvp, |mvp| mvp.model_view());
         // z points toward the eye.
         let z: Vec<f64> = (piece.mesh.positions().iter())
             .map(|p| f64::from(to_eye.point(p).to_bits()[2]))
@@ -368,13 +379,4 @@ impl Posed<'_> {
         let middle = keys.iter().sum::<f64>() / keys.len().max(1) as f64;
         (middle, order)
     }
-}
-
-/// The sum of two counts.
-pub fn add(a: Drawn, b: Drawn) -> Drawn {
-    let mut sum = a;
-    sum.submitted += b.submitted;
-    sum.drawn += b.drawn;
-    sum.clipped += b.clipped;
-    sum
 }

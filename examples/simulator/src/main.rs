@@ -10,7 +10,7 @@
 //! 5. Look at it: [`sight`] checks that something will be visible, and [`advice`] what the user should know.
 //! 6. Choose shaders: [`look`] has light and fog, and [`paint`] a shader for each piece. [`surface`] hides their types,
 //!    and [`mode`] chooses the library's types at run time.
-//! 7. Draw: [`draw`] a frame or a band of it, and [`bands`] a frame of bands.
+//! 7. Draw: [`draw`].
 //! 8. Write: [`targets`] opens and fills all outputs: [`encoder`] writes pictures, and [`dump`] tables. [`output`]
 //!    makes sure that no file is lost.
 //! 9. Tell the user: [`report`] prints lines, [`progress`] shows long tasks, and [`window`] shows the picture.
@@ -19,7 +19,6 @@
 
 mod advice;
 mod args;
-mod bands;
 mod common;
 mod draw;
 mod dump;

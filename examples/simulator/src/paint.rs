@@ -176,6 +176,63 @@ where
     }
 }
 
+/// A surface in fog, or without fog. So a single type, and a single copy of the code, serves both.
+#[derive(Clone, Copy)]
+struct InAnyFog<S, C> {
+    surface: S,
+    fog: Option<Fog<C>>,
+}
+
+/// A shader of one output.
+#[derive(Clone, Copy)]
+struct Given<O>(O);
+
+impl<O: Output> Shader for Given<O> {
+    type Color = O;
+    type Varyings = ();
+
+    fn varyings(&self, _: &Primitive<'_>) -> [(); 3] {
+        [(); 3]
+    }
+
+    fn shade(&self, _: &Fragment, (): ()) -> Option<O> {
+        Some(self.0)
+    }
+}
+
+impl<S, C> Shader for InAnyFog<S, C>
+where
+    S: Shader<Color = Translucent<Precise<C>>>,
+    C: PixelFormat,
+{
+    type Color = Translucent<Precise<C>>;
+    type Varyings = (S::Varyings, Within<64, [i32; 1]>);
+
+    const READS_DEPTH: bool = S::READS_DEPTH;
+
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
+        let surface = self.surface.varyings(primitive);
+        let fog = self.fog.map(|fog| {
+            let nothing = Given(Precise::<C>::of_rgb(Rgb888::BLACK));
+            nothing.in_fog(fog).varyings(primitive)
+        });
+        [0, 1, 2].map(|at| (surface[at], fog.map_or(Within([0]), |fog| fog[at].1)))
+    }
+
+    fn shade(&self, at: &Fragment, (inside, fog): Self::Varyings) -> Option<Self::Color> {
+        let color = self.surface.shade(at, inside)?;
+        match self.fog {
+            Some(far) => Some(
+                Given(color)
+                    .in_fog(far)
+                    .shade(at, ((), fog))?
+                    .map(|color| color),
+            ),
+            None => Some(color),
+        }
+    }
+}
+
 /// The color nearest to `color` that a canvas of color `C` can show at a pixel.
 pub fn on_canvas<C: Shown>(color: Rgb888, at: Point) -> Rgb888 {
     C::from_rgb(color, at).into()
@@ -215,12 +272,10 @@ fn rich<'a, C: Shown>(
     let fog = look.fog::<C>()?;
     /// Adds to a shader everything that follows the light: `touch` and fog.
     macro_rules! surface {
-        ($shader:expr) => {
-            match fog {
-                Some(fog) => Surface::new(Surface::Many, $shader.map(touch).in_fog(fog), C::into),
-                None => Surface::new(Surface::Many, $shader.map(touch), C::into),
-            }
-        };
+        ($shader:expr) => {{
+            let surface = $shader.map(touch);
+            Surface::new(Surface::Many, InAnyFog { surface, fog }, C::into)
+        }};
     }
     match (look.shade, has_colors) {
         (Some(Shade::Texture), false) => surface!(base),

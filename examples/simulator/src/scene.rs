@@ -17,7 +17,6 @@ use super::mode::{Mode, with_depth};
 use super::view::{AnyProjection, View, direction};
 use super::window::Orbit;
 use crate::args::{Args, DepthBuffer, SceneName, Shade};
-use crate::bands::bands;
 use crate::dump::{Record, Recorder, Recording};
 use crate::part::{Part, Piece};
 
@@ -36,19 +35,6 @@ impl Moment {
         }
     }
 }
-
-/// A band of a frame that is to be drawn.
-#[derive(Debug)]
-pub struct Band<'a> {
-    pub pixels: &'a mut [Rgb888],
-    pub depth: &'a mut [u16],
-    /// Width and height of the frame.
-    pub size: (u32, u32),
-    pub first_row: u32,
-}
-
-/// The result of drawing a band, and the time that the draw calls took.
-pub type Done = (Drawn, Duration);
 
 /// The motion of a scene: the pose and the view of each frame.
 #[derive(Clone, Copy, Debug)]
@@ -195,23 +181,39 @@ impl<'a> Scene<'a> {
             .sum()
     }
 
-    /// Draws a band of a frame.
-    pub fn draw(&self, band: Band<'_>, moment: Moment, style: &Style<'_>) -> Result<Done> {
+    /// Draws a frame in bands of `rows` rows, as a microcontroller with little memory does. Returns the pixels, and the
+    /// time that the draw calls took.
+    pub fn draw(
+        &self,
+        (width, height): (u32, u32),
+        rows: u32,
+        moment: Moment,
+        style: &Style<'_>,
+    ) -> Result<(Vec<Rgb888>, Drawn, Duration)> {
         let posed = Posed {
             pieces: &self.pieces,
             mvp: self.motion.mvp(moment)?,
             style,
         };
-        let (width, height) = band.size;
-        let canvas = Canvas::band(band.pixels, width, height, band.first_row)?;
-        with_depth!(self.depth, canvas, band.depth, |canvas| {
-            style.clear(canvas);
-            let start = Instant::now();
-            let drawn = posed.draw(canvas)?;
-            let time = start.elapsed();
-            style.finish(canvas);
-            Ok((drawn, time))
-        })
+        let band = (width * rows.min(height)) as usize;
+        let mut pixels = vec![Rgb888::default(); (width * height) as usize];
+        let mut depth = vec![0; band];
+        let (mut counts, mut time) = (Drawn::default(), Duration::ZERO);
+        for (pixels, first_row) in pixels
+            .chunks_mut(band)
+            .zip((0..).step_by(band / width as usize))
+        {
+            let depth = &mut depth[..pixels.len()];
+            let canvas = Canvas::band(pixels, width, height, first_row)?;
+            with_depth!(self.depth, canvas, depth, |canvas| {
+                style.clear(canvas);
+                let start = Instant::now();
+                counts += posed.draw(canvas)?;
+                time += start.elapsed();
+                style.finish(canvas);
+            });
+        }
+        Ok((pixels, counts, time))
     }
 
     /// Records the faces or the edges of a frame, in bands of `rows` rows. `cull` overrides the materials.
@@ -223,15 +225,15 @@ impl<'a> Scene<'a> {
         edges: bool,
         cull: Option<Cull>,
     ) -> Result<(Vec<Record>, Drawn)> {
-        let records = vec![Cell::default(); size.0 as usize * size.1 as usize];
+        let records = vec![Cell::default(); (size.0 * size.1) as usize];
         let recording = Recording {
             recorder: self.recorder,
             records: &records,
             width: size.0,
         };
         let style = Style::recording(self, recording, edges, cull)?;
-        let (_, (drawn, _)) = bands(size, rows, |band| self.draw(band, moment, &style))?;
+        let (_, counts, _) = self.draw(size, rows, moment, &style)?;
         drop(style);
-        Ok((records.into_iter().map(Cell::into_inner).collect(), drawn))
+        Ok((records.into_iter().map(Cell::into_inner).collect(), counts))
     }
 }

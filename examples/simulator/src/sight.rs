@@ -5,7 +5,6 @@ use fixel::{Cull, Drawn};
 
 use super::Result;
 use crate::args::{Args, Shade};
-use crate::bands::bands;
 use crate::draw::{Lines, Style};
 use crate::dump::Record;
 use crate::scene::{Moment, Scene};
@@ -152,9 +151,7 @@ fn turned_away(
 /// The library refuses the camera.
 pub fn colors(scene: &Scene<'_>, size: (u32, u32), style: &Style<'_>) -> Result<Vec<Rgb888>> {
     let size = small(size);
-    let (colors, _) = bands(size, u32::MAX, |band| {
-        scene.draw(band, Moment::default(), style)
-    })?;
+    let (colors, ..) = scene.draw(size, u32::MAX, Moment::default(), style)?;
     Ok(colors)
 }
 

@@ -110,18 +110,18 @@ struct Placed<S, C> {
 /// Converts a color to a color of 24 bits.
 pub type Screen<C> = fn(C) -> Rgb888;
 
-/// The tolerance of each number.
-fn tolerances<V: Varyings>() -> Vec<Tolerance> {
-    (0..V::Lanes::COUNT).map(V::tolerance).collect()
-}
-
-/// Gives each wanted number a place of its own among the offered numbers, with the same tolerance. `None` if there are
-/// too few places.
-fn places(wanted: &[Tolerance], offered: &[Tolerance]) -> Option<[usize; 8]> {
+/// Gives each of `count` wanted numbers a place of its own among the `offered` numbers, with the same tolerance. `None`
+/// if there are too few places.
+fn places(
+    (count, wanted): (usize, fn(usize) -> Tolerance),
+    (offered, tolerance): (usize, fn(usize) -> Tolerance),
+) -> Option<[usize; 8]> {
     let mut places = [0; 8];
-    let mut free: Vec<usize> = (0..offered.len()).collect();
-    for (place, wanted) in places.iter_mut().zip(wanted) {
-        let at = free.iter().position(|&at| offered[at] == *wanted)?;
+    let mut free: Vec<usize> = (0..offered).collect();
+    for (number, place) in places.iter_mut().enumerate().take(count) {
+        let at = free
+            .iter()
+            .position(|&at| tolerance(at) == wanted(number))?;
         *place = free.remove(at);
     }
     Some(places)
@@ -232,7 +232,13 @@ impl<'a> Surface<'a> {
         V: Varyings<Face: FaceValues>,
         S: ShaderFor<C, Varyings: Varyings<Face: FaceValues>> + 'a,
     {
-        let places = places(&tolerances::<S::Varyings>(), &tolerances::<V>());
+        let places = places(
+            (
+                <S::Varyings as Varyings>::Lanes::COUNT,
+                S::Varyings::tolerance,
+            ),
+            (V::Lanes::COUNT, V::tolerance),
+        );
         match places.filter(|_| S::Varyings::PAIRS == V::PAIRS) {
             Some(places) => Ok(layout(Any(Box::new(Placed {
                 shader,

@@ -9,8 +9,7 @@ use fixel::Drawn;
 
 use super::Result;
 use crate::args::{Args, Named, Shade};
-use crate::bands::bands;
-use crate::draw::{Style, add};
+use crate::draw::Style;
 use crate::dump;
 use crate::encoder::{self, Encoder, Format};
 use crate::output::{self, Output};
@@ -96,11 +95,7 @@ impl<'a> Targets<'a> {
         let rows = args.bands.unwrap_or(u32::MAX);
         let mut total = Total::default();
         let mut colors = Vec::new();
-        // Draws a frame. Returns the pixels, and the time that the draw calls took.
-        let draw = |moment| -> Result<(Vec<Rgb888>, Duration)> {
-            let (pixels, (_, time)) = bands(size, rows, |band| scene.draw(band, moment, style))?;
-            Ok((pixels, time))
-        };
+        let draw = |moment| scene.draw(size, rows, moment, style);
         if let Some((mut output, format)) = self.picture.take() {
             let progress = match args.frames {
                 1 => progress::step(args, scene.faces(), "drawing"),
@@ -110,7 +105,7 @@ impl<'a> Targets<'a> {
             let mut known = sight.map(|sight| (sight.records, sight.counts));
             for frame in 0..args.frames {
                 let moment = Moment::of(frame);
-                let (pixels, time) = draw(moment)?;
+                let (pixels, _, time) = draw(moment)?;
                 total.time += time;
                 // Count in one band, because in several bands, triangles would be counted several times.
                 let (records, counts) = match known.take() {
@@ -118,7 +113,7 @@ impl<'a> Targets<'a> {
                     None => scene.record(size, u32::MAX, moment, edges, None)?,
                 };
                 total.pixels += sight::covered(&records);
-                total.counts = add(total.counts, counts);
+                total.counts += counts;
                 encoder.frame(&pixels)?;
                 colors = pixels;
                 progress.set(frame as usize + 1, args.frames as usize, "frames");

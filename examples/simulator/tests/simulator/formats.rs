@@ -9,16 +9,14 @@ use image::{Rgb, RgbImage};
 use super::make;
 use super::program::{Bench, printed};
 
-/// The house in every format.
+/// The house in every format, except glTF.
 fn houses(bench: &Bench, colored: bool) -> Vec<&'static str> {
     bench.write("house.obj", make::obj(colored));
     bench.write("house.ply", make::ply_text(colored));
-    bench.write("house.glb", make::glb(colored));
-    if colored {
-        return vec!["house.obj", "house.ply", "house.glb"];
-    }
     bench.write("house.stl", make::stl_text());
-    vec!["house.obj", "house.ply", "house.glb", "house.stl"]
+    let files = ["house.obj", "house.ply", "house.stl"];
+    // STL files have no colors.
+    files[..if colored { 2 } else { 3 }].to_vec()
 }
 
 #[test]

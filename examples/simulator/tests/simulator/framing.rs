@@ -448,34 +448,21 @@ fn positions_that_no_face_uses_do_not_count() {
     assert_eq!(crc("t.obj"), crc("u.obj"));
 }
 
+/// The importer has further tests of this note.
 #[test]
 fn merging_positions_are_noted_with_a_scale_that_keeps_them() {
     let bench = Bench::new("merging");
-    // A fan of 100 points on a circle.
-    let fan = |radius: f64| {
-        let mut text = String::from("v 0 0 0\n");
-        for at in 0..100 {
-            let (sin, cos) = (f64::from(at) * 0.0628).sin_cos();
-            writeln!(text, "v {} {} 0", cos * radius, sin * radius).unwrap();
-        }
-        for at in 2..101 {
-            writeln!(text, "f 1 {at} {}", at + 1).unwrap();
-        }
-        bench.write("fan.obj", text);
-        bench.notes("fan.obj")
+    let notes = |scale: f64| {
+        write_box(&bench, "box.obj", |p| p.map(|x| x * scale));
+        bench.notes("box.obj")
     };
-    for radius in [1.0, 0.01, 1000.0] {
-        assert_eq!(fan(radius), "", "{radius}");
-    }
-    // Neighbors are 0.06 radii apart. With the first radius, this distance is about a third of a step, with the second
-    // about a thousandth.
-    for (radius, least) in [(8e-5, 3.0), (2.4e-7, 1000.0)] {
-        let note = fan(radius);
-        assert!(note.contains("positions become equal to others"), "{note}");
-        let scale: f64 = printed(&note, "scale =").parse().unwrap();
-        assert!((least / 4.0..least * 8.0).contains(&scale), "{note}");
-        assert_eq!(fan(radius * scale), "", "{radius}");
-    }
+    let note = notes(1e-6);
+    assert!(
+        note.contains("in include_mesh!") && note.contains("become equal to others"),
+        "{note}"
+    );
+    let scale: f64 = printed(&note, "scale =").parse().unwrap();
+    assert_eq!(notes(1e-6 * scale), "");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Makes the same model in every format that the simulator reads. (The importer has tests of each format.)
+//! Makes the same model in OBJ, STL and PLY. (The importer has tests of each format.)
 
 use std::fmt::Write;
 
@@ -85,69 +85,4 @@ pub fn ply_text(colored: bool) -> String {
         writeln!(text, "3 {a} {b} {c}").unwrap();
     }
     text
-}
-
-/// The binary part of a glTF file: positions, colors in linear light, and indices.
-fn buffer() -> Vec<u8> {
-    let mut bytes: Vec<u8> = POSITIONS
-        .into_iter()
-        .flatten()
-        .flat_map(f32::to_le_bytes)
-        .collect();
-    let linear = |component: u8| {
-        let c = f32::from(component) / 255.0;
-        if c <= 0.04045 {
-            c / 12.92
-        } else {
-            ((c + 0.055) / 1.055).powf(2.4)
-        }
-    };
-    for at in 0..POSITIONS.len() {
-        bytes.extend(color(at).into_iter().map(linear).flat_map(f32::to_le_bytes));
-    }
-    bytes.extend(FACES.into_iter().flatten().flat_map(u16::to_le_bytes));
-    bytes
-}
-
-/// A glTF scene with the house.
-fn gltf(colored: bool) -> String {
-    let color = if colored { r#", "COLOR_0": 1"# } else { "" };
-    let len = buffer().len();
-    format!(
-        r#"{{
-"asset": {{"version": "2.0"}},
-"scenes": [{{"nodes": [0]}}],
-"nodes": [{{"children": [1]}}, {{"mesh": 0}}],
-"meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0{color}}}, "indices": 2}}]}}],
-"buffers": [{{"byteLength": {len}}}],
-"bufferViews": [
-  {{"buffer": 0, "byteOffset": 0, "byteLength": 108}},
-  {{"buffer": 0, "byteOffset": 108, "byteLength": 108}},
-  {{"buffer": 0, "byteOffset": 216, "byteLength": 72}}
-],
-"accessors": [
-  {{"bufferView": 0, "componentType": 5126, "count": 9, "type": "VEC3", "min": [-1, 0, -1.5], "max": [1, 2, 1.5]}},
-  {{"bufferView": 1, "componentType": 5126, "count": 9, "type": "VEC3"}},
-  {{"bufferView": 2, "componentType": 5123, "count": 36, "type": "SCALAR"}}
-]
-}}"#
-    )
-}
-
-pub fn glb(colored: bool) -> Vec<u8> {
-    let chunk = |kind: &[u8; 4], mut bytes: Vec<u8>, fill: u8| {
-        bytes.resize(bytes.len().next_multiple_of(4), fill);
-        let len = u32::try_from(bytes.len()).unwrap().to_le_bytes();
-        [&len[..], kind, &bytes].concat()
-    };
-    let json = chunk(b"JSON", gltf(colored).into_bytes(), b' ');
-    let chunks = [json, chunk(b"BIN\0", buffer(), 0)].concat();
-    let len = u32::try_from(12 + chunks.len()).unwrap();
-    [
-        b"glTF",
-        &2_u32.to_le_bytes()[..],
-        &len.to_le_bytes(),
-        &chunks,
-    ]
-    .concat()
 }

@@ -107,7 +107,7 @@ fn each_ending_has_its_format() {
     ] {
         bench.good(format!("cow.obj --size 16x12 --out t.{ending}"));
         assert!(
-            bench.read(&format!("t.{ending}")).starts_with(start),
+            bench.read(format!("t.{ending}")).starts_with(start),
             "{ending}"
         );
     }
