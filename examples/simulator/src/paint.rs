@@ -151,16 +151,15 @@ where
         let tints = white.tinted().varyings(primitive);
         let lights = white.lit(self.light).varyings(primitive);
         let inner = self.surface.varyings(primitive);
-        [0, 1, 2].map(|corner| {
+        let corner = |corner: usize| {
             let (((), Within(tint)), ((), Within((light, ())))) = (tints[corner], lights[corner]);
-            let (tint, light) = (tint.all(), light.all());
+            let ([r, g, b], [x, y, z]) = (tint.all(), light.all());
             // Tint and light are at most 2^16 in each channel.
-            let product = [0, 1, 2].map(|at| {
-                let product = i64::from(tint[at]) * i64::from(light[at]);
-                (product >> 16) as i32
-            });
+            let times = |tint: i32, light: i32| (i64::from(tint) * i64::from(light) >> 16) as i32;
+            let product = [times(r, x), times(g, y), times(b, z)];
             (inner[corner], Within(Channels::first(product)))
-        })
+        };
+        [corner(0), corner(1), corner(2)]
     }
 
     fn shade(
@@ -211,12 +210,14 @@ where
     const READS_DEPTH: bool = S::READS_DEPTH;
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        let surface = self.surface.varyings(primitive);
-        let fog = self.fog.map(|fog| {
-            let nothing = Given(Precise::<C>::of_rgb(Rgb888::BLACK));
-            nothing.in_fog(fog).varyings(primitive)
-        });
-        [0, 1, 2].map(|at| (surface[at], fog.map_or(Within([0]), |fog| fog[at].1)))
+        let [a, b, c] = self.surface.varyings(primitive);
+        let [x, y, z] = match self.fog {
+            Some(fog) => Given(Precise::<C>::of_rgb(Rgb888::BLACK))
+                .in_fog(fog)
+                .varyings(primitive),
+            None => [((), Within([0])); 3],
+        };
+        [(a, x.1), (b, y.1), (c, z.1)]
     }
 
     fn shade(&self, at: &Fragment, (inside, fog): Self::Varyings) -> Option<Self::Color> {
