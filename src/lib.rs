@@ -8,7 +8,7 @@
     all(doc, feature = "assets"),
     doc = concat!(
         "<img alt=\"A garden at dusk, with an inn, lamps and a pond\" width=\"320\" height=\"240\" src=\"",
-        fixel_macros::picture_uri!("examples/assets/world.png"),
+        fixel_macros::picture_uri!("world.png"),
         "\">\n\n"
     )
 )]
@@ -225,7 +225,7 @@
 extern crate std;
 
 #[cfg(test)]
-#[path = "../tests/common/random.rs"]
+#[path = "../tests/support/random.rs"]
 mod random;
 
 /// Includes a diagram of the documentation. The diagram has the color of the text, so that it can be read in every
@@ -258,7 +258,7 @@ macro_rules! page_picture {
             "\" title=\"",
             $shows,
             "\" width=\"240\" height=\"160\" style=\"image-rendering: pixelated\" src=\"",
-            fixel_macros::picture_uri!("examples/assets/pages/" $name ".png"),
+            fixel_macros::picture_uri!("pages/" $name ".png"),
             "\">\n\n\n"
         )
     };

@@ -3,7 +3,6 @@
 // Not every example uses all modules.
 #![allow(dead_code)]
 
-pub mod gyroscope;
 pub mod lighthouse;
 pub mod scenes;
 /// Only microcontrollers without an operating system use this module.

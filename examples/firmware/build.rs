@@ -13,8 +13,5 @@ fn main() {
             println!("cargo::rustc-link-arg-bins=-Tmemory.x");
         }
         println!("cargo::rustc-link-arg-bins=-Tlink.x");
-        // The board with the OLED has 256 KiB of flash and 64 KiB of RAM.
-        println!("cargo::rustc-link-arg-bin=oled=--defsym=_flash_length=0x40000");
-        println!("cargo::rustc-link-arg-bin=oled=--defsym=_ram_length=0x10000");
     }
 }

@@ -29,7 +29,7 @@ macro_rules! picture {
             "\n\n![",
             $title,
             "](",
-            fixel_macros::picture_uri!("examples/assets/" $($name)+ ".png"),
+            fixel_macros::picture_uri!("" $($name)+ ".png"),
             ")\n\n"
         )
     };
@@ -151,7 +151,7 @@ pub mod displays;
     doc = concat!(
         "<img alt=\"Cost and error of each mode in two scenes, and a floor of two triangles: bent by Affine, straight ",
         "by Newton\" style=\"width: 830px; max-width: 100%\" src=\"",
-        fixel_macros::picture_uri!("examples/assets/trade.png"),
+        fixel_macros::picture_uri!("trade.png"),
         "\">\n"
     )
 )]

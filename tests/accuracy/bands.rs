@@ -1,16 +1,16 @@
 //! Helpers for the tests of lines and of sized points: drawing in bands with a shader that records its input, and
 //! random positions.
 
-use crate::common::random::{Random, within};
-use crate::common::recorder::{Probe, Recorder, Seen, record};
-use crate::reference::coverage::Bounds;
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::Drawn;
 use fixel::prelude::*;
 use rand::Rng;
+use support::random::{Random, within};
+use support::recorder::{Probe, Recorder, Seen, record};
+use support::reference::coverage::Bounds;
 
 /// The number of random inputs that a test checks.
-pub const CASES: u64 = 400;
+pub const CASES: u32 = 400;
 
 /// A position on the screen in 24.8 (1/256 pixel).
 pub type Point = [i32; 2];

@@ -14,8 +14,8 @@ use fixel::shade::{Output, Translucent};
 use fixel::view::Parallel;
 use rand::Rng;
 
-use crate::common::random::cases;
-use crate::reference::blending::{add, multiply, over};
+use support::random::cases;
+use support::reference::blending::{add, multiply, over};
 
 static SQUARE: Mesh = shape!(plane(1, 1));
 /// The side of the dither matrix, in pixels. Coarse colors are dithered.
@@ -104,6 +104,17 @@ where
     all
 }
 
+/// All modes blend pixels in the same way. `Compact` takes the compiler the least time.
+const OPTIONS: DrawOptions<Compact> = DrawOptions::new().with_mode(Compact);
+
+/// Draws a color with an opacity over another color, on a canvas with storage `O`.
+fn with_opacity<C: Parts, O: Storage<C>>(above: C, below: C, opacity: u8) -> Vec<Channels> {
+    let options = OPTIONS.with_blending(Opacity(opacity));
+    pixels::<C, O>(below, &|band| {
+        band.draw_with(&options, &SQUARE, &from_above(), &Even(above));
+    })
+}
+
 /// Two colors, and the pixels that result from every way to blend one color over the other color.
 struct Blended {
     above: Channels,
@@ -123,17 +134,8 @@ struct Blended {
 }
 
 impl Blended {
-    /// Blends on a canvas with storage `O`.
-    fn new<C: Parts, O: Storage<C>>(above: C, below: C, opacity: u8) -> Self {
-        let mvp = from_above();
-        // All modes blend pixels in the same way. `Compact` takes the compiler the least time.
-        let options = DrawOptions::new().with_mode(Compact);
-        let with_opacity = |opacity| {
-            let options = options.with_blending(Opacity(opacity));
-            pixels::<C, O>(below, &|band| {
-                band.draw_with(&options, &SQUARE, &mvp, &Even(above));
-            })
-        };
+    fn new<C: Parts>(above: C, below: C, opacity: u8) -> Self {
+        let (options, mvp) = (OPTIONS, from_above());
         let source = Translucent {
             color: above,
             opacity,
@@ -145,19 +147,19 @@ impl Blended {
             is_coarse: C::IS_COARSE,
             // The weight has an error of half of 2^-16. Colors of 15 and 16 bits keep only 32nds of the weight.
             weight: 0.5 / 65_536. + if is_short { 1. / 64. } else { 0. },
-            opacity: with_opacity(opacity),
-            alpha: pixels::<C, O>(below, &|band| {
+            opacity: with_opacity::<C, Native>(above, below, opacity),
+            alpha: pixels::<C, Native>(below, &|band| {
                 band.draw_with(&options, &SQUARE, &mvp, &Even(source));
             }),
-            sum: pixels::<C, O>(below, &|band| {
+            sum: pixels::<C, Native>(below, &|band| {
                 band.draw_with(&options.with_blending(Add), &SQUARE, &mvp, &Even(above));
             }),
-            product: pixels::<C, O>(below, &|band| {
+            product: pixels::<C, Native>(below, &|band| {
                 let options = options.with_blending(Multiply);
                 band.draw_with(&options, &SQUARE, &mvp, &Even(above));
             }),
-            none: with_opacity(0),
-            all: with_opacity(255),
+            none: with_opacity::<C, Native>(above, below, 0),
+            all: with_opacity::<C, Native>(above, below, 255),
         }
     }
 
@@ -232,9 +234,14 @@ where
 {
     let [above, below] = bits;
     let (above, below) = (color::<C>(above), color(below));
-    Blended::new::<C, Native>(above, below, opacity).check(opacity);
-    Blended::new::<C, BigEndian>(above, below, opacity).check(opacity);
-    Blended::new::<C, LittleEndian>(above, below, opacity).check(opacity);
+    let blended = Blended::new::<C>(above, below, opacity);
+    blended.check(opacity);
+    // Storage and blending do not depend on each other.
+    let bytes = [
+        with_opacity::<C, BigEndian>(above, below, opacity),
+        with_opacity::<C, LittleEndian>(above, below, opacity),
+    ];
+    assert_eq!(bytes, [(); 2].map(|()| blended.opacity.clone()));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::reference::scenes::Shape;
+use support::reference::scenes::Shape;
 
 /// The surface has 5,984 triangles in 68 columns and 45 rows. Texture coordinates run from 0 to 1 around the surface,
 /// and from its top to its bottom.

@@ -4,18 +4,18 @@ use std::array::from_fn;
 
 use fixel::prelude::*;
 
-use crate::bounds::{self, Bound};
-use crate::common::random::{Random, cases, within};
-use crate::common::recorder::Seen;
-use crate::drawing::Drawing;
-use crate::mode::Mode;
-use crate::moves::{exact, rounded};
-use crate::reference::coverage::center;
-use crate::reference::distance::to_triangle;
-use crate::reference::linear::IDENTITY;
-use crate::reference::projection::focal;
-use crate::reference::raster::{Mesh as ModelMesh, Piece, pieces};
-use crate::reference::view::{View, Viewport};
+use support::bounds::{self, Bound};
+use support::drawing::Drawing;
+use support::mode::Mode;
+use support::moves::{exact, rounded};
+use support::random::{Random, cases, within};
+use support::recorder::Seen;
+use support::reference::coverage::center;
+use support::reference::distance::to_triangle;
+use support::reference::linear::IDENTITY;
+use support::reference::projection::focal;
+use support::reference::raster::{Mesh as ModelMesh, Piece, pieces};
+use support::reference::view::{View, Viewport};
 
 const SIZE: (u32, u32) = (160, 96);
 

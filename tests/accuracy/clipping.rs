@@ -11,18 +11,18 @@
 use std::array::from_fn;
 use std::collections::HashMap;
 
-use crate::common::meshes::{Point, triangulation};
-use crate::common::random::{Random, cases, list, within};
-use crate::common::recorder::{Probe, Seen, record};
-use crate::common::{BOTH_SIDES, Counter};
-use crate::reference::coverage::{Bounds, center};
-use crate::reference::distance::to_segment;
-use crate::reference::linear::{self, IDENTITY};
-use crate::reference::silhouette::{Position, Silhouette};
-use crate::reference::{projection, raster, view};
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
 use rand::Rng;
+use support::counter::{BOTH_SIDES, Counter};
+use support::meshes::{Point, triangulation};
+use support::random::{Random, cases, list, within};
+use support::recorder::{Probe, Seen, record};
+use support::reference::coverage::{Bounds, center};
+use support::reference::distance::to_segment;
+use support::reference::linear::{self, IDENTITY};
+use support::reference::silhouette::{Position, Silhouette};
+use support::reference::{projection, raster, view};
 
 const SIZE: (u32, u32) = (48, 32);
 const NEAR: f64 = 0.25;

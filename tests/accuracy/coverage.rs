@@ -7,16 +7,16 @@
 use std::array::from_fn;
 use std::ops::Range;
 
-use crate::common::meshes::{Flat, Point, fan, grid, triangulation};
-use crate::common::random::{Random, cases, list, within};
-use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
-use crate::reference::coverage::{self, Bounds, Snapped, area2, center};
-use crate::reference::distance::to_segment;
-use crate::reference::view::unsnap;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;
 use rand::seq::IndexedRandom;
+use support::counter::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
+use support::meshes::{Flat, Point, fan, grid, triangulation};
+use support::random::{Random, cases, list, within};
+use support::reference::coverage::{self, Bounds, Snapped, area2, center};
+use support::reference::distance::to_segment;
+use support::reference::view::unsnap;
 
 /// Draws a mesh through the pixel projection. Checks the position of each vertex first.
 fn draw(mesh: &Flat, size: (u32, u32), options: &DrawOptions) -> Vec<u32> {

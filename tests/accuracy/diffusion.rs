@@ -6,8 +6,8 @@ use fixel::prelude::*;
 use fixel::shade::PixelFormat;
 use rand::Rng;
 
-use crate::common::random::{Random, cases};
-use crate::reference::diffusion::steps;
+use support::random::{Random, cases};
+use support::reference::diffusion::steps;
 
 /// Grays of a frame: noise, a slope, or areas of black, white and a third gray. Errors cannot cross black and white
 /// areas.

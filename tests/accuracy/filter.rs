@@ -3,8 +3,6 @@
 use std::array::from_fn;
 use std::fmt::Debug;
 
-use crate::common::random::{Random, cases};
-use crate::reference::texture::{Blended, Wrap, bilinear};
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::raw::RawData;
 use embedded_graphics::pixelcolor::{
@@ -15,6 +13,8 @@ use fixel::prelude::*;
 use fixel::shade::{ColorOf, Lanes, Output, Varyings};
 use fixel::texture::{Blend, Indexed};
 use rand::Rng;
+use support::random::{Random, cases};
+use support::reference::texture::{Blended, Wrap, bilinear};
 
 /// A color with access to its channels.
 trait Parts: Blend + PixelColor + Debug {

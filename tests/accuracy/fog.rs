@@ -5,8 +5,8 @@ use fixel::prelude::*;
 use fixel::texture::Blend;
 use rand::Rng;
 
-use crate::common::random::{cases, within};
-use crate::reference::fog::{exponential, linear};
+use support::random::{cases, within};
+use support::reference::fog::{exponential, linear};
 
 const SIZE: u32 = 48;
 /// The length in pixels of one unit at distance 1.

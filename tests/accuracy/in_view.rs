@@ -8,11 +8,11 @@ use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;
 
-use crate::common::random::{Random, cases, within};
-use crate::moves::{Move, exact, number, product, rounded};
-use crate::reference::linear::point;
-use crate::reference::projection::{self, Projection as ModelProjection};
-use crate::reference::view::{View, Viewport as ModelViewport};
+use support::moves::{Move, exact, number, product, rounded};
+use support::random::{Random, cases, within};
+use support::reference::linear::point;
+use support::reference::projection::{self, Projection as ModelProjection};
+use support::reference::view::{View, Viewport as ModelViewport};
 
 const SIZE: (u32, u32) = (64, 48);
 /// A box that is this many pixels outside the view must count as out of view. One pixel is for the border of one pixel
@@ -76,7 +76,7 @@ fn is_out(bounds: &Bounds, view: &View, [start, end]: [u32; 2]) -> bool {
     let (rows, all) = ([f64::from(start), f64::from(end)], f64::from(SIZE.0));
     let slack = |w: f64| PIXELS * w.abs().max(1.);
     // x · half is w times the distance from the middle to the right, in pixels; −y · half is w times the distance down.
-    let planes: [&dyn Fn(&crate::reference::view::Projected) -> bool; 6] = [
+    let planes: [&dyn Fn(&support::reference::view::Projected) -> bool; 6] = [
         &|p| p.clip[0] * half[0] < -half[0] * p.w - slack(p.w),
         &|p| p.clip[0] * half[0] > (all - half[0]) * p.w + slack(p.w),
         &|p| -p.clip[1] * half[1] < (rows[0] - half[1]) * p.w - slack(p.w),
@@ -171,7 +171,7 @@ fn check<K: ProjectionKind>(
 fn moves(random: &mut Random) -> [Move; 4] {
     let place = within(random, [-40.0..40., -30.0..30., -60.0..5.]);
     [
-        crate::moves::to(place),
+        support::moves::to(place),
         Move::X(Angle::from_bits(random.random())),
         Move::Y(Angle::from_bits(random.random())),
         Move::Scale(rounded([random.random_range(0.2..3.); 3])),
@@ -202,7 +202,7 @@ fn boxes_in_perspective_are_in_view_as_in_the_model() {
         let [near, far] = [random.random_range(1.0..5.), 50.].map(number);
         let aspect = f64::from(SIZE.0) / f64::from(SIZE.1);
         let model = projection::perspective(
-            crate::moves::radians(fov),
+            support::moves::radians(fov),
             aspect,
             f64::from(near),
             f64::from(far),

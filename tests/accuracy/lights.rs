@@ -9,10 +9,10 @@ use fixel::shade::{Amount as _, Falloff, SurfacePoint};
 use rand::Rng;
 use rand::seq::IndexedRandom;
 
-use crate::common::random::{Random, cases};
-use crate::recorder::record;
-use crate::reference::light::{self, Point, Source};
-use crate::reference::linear::{self, dot, length, normalized, subtract};
+use support::random::{Random, cases};
+use support::recorder::record;
+use support::reference::light::{self, Point, Source};
+use support::reference::linear::{self, dot, length, normalized, subtract};
 
 const UNIT: f64 = 65_536.;
 
@@ -103,7 +103,7 @@ fn compare_diffuse(
 }
 
 /// The number of random inputs that a test checks.
-const CASES: u64 = 4000;
+const CASES: u32 = 4000;
 
 /// The light is within [`LAMP_ERROR`] of the model's light, up to the range and beyond it.
 #[test]

@@ -2,19 +2,19 @@
 //! the f64 model.
 
 use crate::bands::{Point, point};
-use crate::common::random::{Random, cases, list, within};
-use crate::common::recorder::{Probe, Seen, record};
-use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
-use crate::reference::clip::{ClipVertex, DEPTH_PLANES};
-use crate::reference::coverage::{Bounds, picture};
-use crate::reference::linear::IDENTITY;
-use crate::reference::lines::Line;
-use crate::reference::{projection, view};
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::canvas::Add;
 use fixel::prelude::*;
 use fixel::view::{Perspective, ProjectionKind};
 use rand::Rng;
+use support::counter::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
+use support::random::{Random, cases, list, within};
+use support::recorder::{Probe, Seen, record};
+use support::reference::clip::{ClipVertex, DEPTH_PLANES};
+use support::reference::coverage::{Bounds, picture};
+use support::reference::linear::IDENTITY;
+use support::reference::lines::Line;
+use support::reference::{projection, view};
 
 /// The width is more than two spans of 64 pixels, because values are recomputed at the start of each span.
 const SIZE: (u32, u32) = (150, 28);

@@ -6,23 +6,13 @@
 // f64 holds every integer used here exactly, and no pixel lies left of or above the picture.
 #![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]
 
-#[path = "../common/mod.rs"]
-mod common;
-#[path = "../reference/mod.rs"]
-mod reference;
-
-use common::recorder;
-
 mod bands;
 mod blending;
-mod bounds;
 mod bumpy;
 mod clipped_values;
 mod clipping;
-mod comparison;
 mod coverage;
 mod diffusion;
-mod drawing;
 mod extremes;
 mod filter;
 mod float_depth;
@@ -32,8 +22,6 @@ mod in_view;
 mod lights;
 mod lines;
 mod mipmap;
-mod mode;
-mod moves;
 mod mvps;
 mod normals;
 mod outline;
@@ -45,7 +33,6 @@ mod scenes;
 mod sine;
 mod sized_points;
 mod sky;
-mod spread;
 mod sprites;
 mod stacks;
 mod triangle;

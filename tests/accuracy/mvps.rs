@@ -8,20 +8,20 @@ use fixel::prelude::*;
 use fixel::view::Perspective;
 use rand::Rng;
 
-use crate::common::random::{Random, cases, list, within};
-use crate::drawing::{Drawing, Spot};
-use crate::mode::Mode;
-use crate::moves::{Move, exact, number, product, radians, relative, rounded, size};
-use crate::reference::linear::{Matrix, point};
-use crate::reference::projection::{self, Projection as ModelProjection};
-use crate::reference::view::{View, Viewport as ModelViewport};
+use support::drawing::{Drawing, Spot};
+use support::mode::Mode;
+use support::moves::{Move, exact, number, product, radians, relative, rounded, size};
+use support::random::{Random, cases, list, within};
+use support::reference::linear::{Matrix, point};
+use support::reference::projection::{self, Projection as ModelProjection};
+use support::reference::view::{View, Viewport as ModelViewport};
 
 const SIZE: (u32, u32) = (320, 240);
 /// Half of the guard band's width, in pixels.
 const GUARD: f64 = 2048.;
 
 /// The number of random inputs that a test checks.
-const CASES: u64 = 3000;
+const CASES: u32 = 3000;
 
 fn position(random: &mut Random, range: f64) -> Vec3 {
     rounded(array::from_fn(|_| random.random_range(-range..range)))
@@ -45,7 +45,7 @@ fn step(random: &mut Random) -> Move {
 fn mvp(random: &mut Random) -> Vec<Move> {
     let mut moves = list(random, 0..4, step);
     let distance = random.random_range(0.0..60.);
-    moves.insert(0, crate::moves::to([0., 0., -distance]));
+    moves.insert(0, support::moves::to([0., 0., -distance]));
     moves
 }
 

@@ -6,8 +6,8 @@ use fixel::prelude::*;
 use rand::Rng;
 
 use crate::bumpy::bumpy;
-use crate::common::random::{Random, cases};
-use crate::reference::normals::{angle, around, of_triangle};
+use support::random::{Random, cases};
+use support::reference::normals::{angle, around, of_triangle};
 
 /// The relative error that the documentation states for an angle, 2⁻¹³. Actual errors are far smaller.
 const WEIGHT: f64 = 1. / 8192.;

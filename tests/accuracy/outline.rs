@@ -3,19 +3,19 @@
 use std::array;
 use std::collections::HashMap;
 
-use crate::common::random::{Random, cases, list};
-use crate::common::recorder::{Probe, record};
-use crate::common::{BOTH_SIDES, Counter};
-use crate::reference::clip::{ClipVertex, DEPTH_PLANES, polygon};
-use crate::reference::coverage::area2_f64;
-use crate::reference::linear::Vec3 as Vector;
-use crate::reference::outline::{Edge, edges, is_drawn};
-use crate::reference::{projection, view};
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
 use fixel::view::{Perspective, ProjectionKind};
 use rand::Rng;
 use rand::seq::IndexedRandom;
+use support::counter::{BOTH_SIDES, Counter};
+use support::random::{Random, cases, list};
+use support::recorder::{Probe, record};
+use support::reference::clip::{ClipVertex, DEPTH_PLANES, polygon};
+use support::reference::coverage::area2_f64;
+use support::reference::linear::Vec3 as Vector;
+use support::reference::outline::{Edge, edges, is_drawn};
+use support::reference::{projection, view};
 
 static BOX: Mesh = shape!(cuboid(vec3!(1, 0.7, 0.4)));
 static BALL: Mesh = shape!(sphere(12, 9));

@@ -5,9 +5,9 @@ use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;
 
-use crate::common::BOTH_SIDES;
-use crate::common::random::{Random, cases, list};
-use crate::common::recorder::{Recorder, record};
+use support::counter::BOTH_SIDES;
+use support::random::{Random, cases, list};
+use support::recorder::{Recorder, record};
 
 const SIZE: (u32, u32) = (40, 30);
 const NEAR: f64 = 1.;

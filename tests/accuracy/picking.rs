@@ -9,14 +9,14 @@ use fixel::view::ProjectionKind;
 use rand::Rng;
 use rand::seq::IndexedRandom;
 
-use crate::common::random::{Random, cases, list};
-use crate::drawing::Drawing;
-use crate::mode::Mode;
-use crate::moves::{self, Move, exact, product, rounded};
-use crate::reference::attributes::weights;
-use crate::reference::distance::to_segment;
-use crate::reference::projection::{self, Projection as ModelProjection};
-use crate::reference::view::{Projected, View, Viewport as ModelViewport};
+use support::drawing::Drawing;
+use support::mode::Mode;
+use support::moves::{self, Move, exact, product, rounded};
+use support::random::{Random, cases, list};
+use support::reference::attributes::weights;
+use support::reference::distance::to_segment;
+use support::reference::projection::{self, Projection as ModelProjection};
+use support::reference::view::{Projected, View, Viewport as ModelViewport};
 
 const SIZE: (u32, u32) = (40, 30);
 const LEFT: i32 = -7;
@@ -64,8 +64,8 @@ fn check_numbers(hit: &Hit, ray: Ray, corners: [Vec3; 3]) {
             "{hit:?}: {mix} along axis {axis}"
         );
     }
-    let along = crate::reference::linear::subtract(exact(hit.point), exact(ray.origin));
-    let distance = crate::reference::linear::length(along);
+    let along = support::reference::linear::subtract(exact(hit.point), exact(ray.origin));
+    let distance = support::reference::linear::length(along);
     assert!(
         (distance - f64::from(hit.distance)).abs() <= 2_f64.powi(-14),
         "{hit:?}: {distance}"

@@ -7,10 +7,10 @@ use fixel::prelude::*;
 use fixel::view::Perspective;
 use rand::Rng;
 
-use crate::bounds::{self, Bound};
-use crate::common::random::{Random, cases, within};
-use crate::mode::Mode;
 use crate::triangle::Triangle;
+use support::bounds::{self, Bound};
+use support::mode::Mode;
+use support::random::{Random, cases, sampled, within};
 
 const SIZE: (u32, u32) = (320, 240);
 const FOCAL: i16 = 200;
@@ -327,11 +327,11 @@ fn print(name: &str, worst: &[Worst; MODES]) {
 #[test]
 fn textured_triangles_keep_the_promises() {
     let mut worst = [Worst::default(); MODES];
-    cases(1200, |random| case(random).check(&mut worst));
+    cases(sampled(1200), |random| case(random).check(&mut worst));
     print("random triangles", &worst);
     for worst in worst {
         // The modes make a promise for nearly all values.
-        assert!(worst.pixels > 200_000, "{}", worst.pixels);
+        assert!(worst.pixels > 50_000, "{}", worst.pixels);
     }
 }
 
@@ -340,7 +340,7 @@ fn textured_triangles_keep_the_promises() {
 #[test]
 fn deep_triangles_keep_the_promises() {
     let mut worst = [Worst::default(); MODES];
-    cases(400, |random| {
+    cases(sampled(400), |random| {
         // The nearest corner is either far outside the picture, so that many pixels are far away, or in the picture.
         let (nearest, most): (_, f64) = if random.random() {
             let beyond = within(random, [-1500.0..1800., -1500.0..1700.]);
@@ -358,9 +358,9 @@ fn deep_triangles_keep_the_promises() {
     });
     print("deep triangles", &worst);
     let [exact, _, newton, ..] = worst;
-    // With ten other seeds, both numbers were 1.95 to 2.49 million.
+    // With ten other seeds and all triangles, both numbers were 1.95 to 2.49 million.
     for judged in [exact.deep, newton.unpromised] {
-        assert!(judged > 1_500_000, "{judged}");
+        assert!(judged > 375_000, "{judged}");
     }
 }
 

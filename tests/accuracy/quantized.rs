@@ -7,8 +7,8 @@ use fixel::mesh::flash::{Small, normals_of_8, quantized_8, quantized_16};
 use fixel::prelude::*;
 use rand::Rng;
 
-use crate::common::random::{Random, cases};
-use crate::common::recorder::Probe;
+use support::random::{Random, cases};
+use support::recorder::Probe;
 
 /// Three normals and three texture coordinates.
 type Attributes = ([Vec3; 3], [Vec2; 3]);

@@ -2,12 +2,13 @@
 
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_8};
 
-use crate::bounds;
 use crate::bumpy::bumpy;
-use crate::comparison::{Comparison, ROUNDING, Scene};
-use crate::mode::Mode;
-use crate::moves::{to, x, y};
-use crate::reference::scenes::{POSES, cube, floor, sphere};
+use support::bounds;
+use support::comparison::{Comparison, ROUNDING, Scene};
+use support::mode::Mode;
+use support::moves::{to, x, y};
+use support::random::sampled;
+use support::reference::scenes::{POSES, cube, floor, sphere};
 
 /// Checks a scene's picture in every mode against the bounds of the formats and the promise of the mode.
 fn check(name: &str, scene: &Scene, is_convex: bool) {
@@ -66,6 +67,11 @@ fn check_mode(name: &str, mode: Mode, picture: &Comparison) {
     );
 }
 
+/// The poses of a turning model.
+fn poses() -> impl Iterator<Item = u32> {
+    (0..POSES).step_by((POSES / sampled(POSES)) as usize)
+}
+
 #[test]
 fn the_floor_keeps_the_promises() {
     let (shape, _) = floor();
@@ -75,7 +81,7 @@ fn the_floor_keeps_the_promises() {
 
 #[test]
 fn the_cube_keeps_the_promises() {
-    for pose in 0..POSES {
+    for pose in poses() {
         let k = f64::from(pose);
         let moves = [
             to([0., 0., -3.133_832_458]),
@@ -89,7 +95,7 @@ fn the_cube_keeps_the_promises() {
 
 #[test]
 fn the_sphere_keeps_the_promises() {
-    for pose in 0..POSES {
+    for pose in poses() {
         let k = f64::from(pose);
         let moves = [
             to([0., 0., -2.256_239_223_7]),

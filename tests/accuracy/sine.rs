@@ -7,12 +7,13 @@ use fixel::prelude::*;
 use fixel::view::Perspective;
 use micromath::F32Ext;
 
-use crate::drawing::Drawing;
-use crate::mode::Mode;
-use crate::moves::{radians, rounded};
-use crate::reference::linear::{self, Matrix};
-use crate::reference::scenes::{SIZE, Shape, cube, sphere, view};
-use crate::spread::Spread;
+use support::drawing::Drawing;
+use support::mode::Mode;
+use support::moves::{radians, rounded};
+use support::random::sampled;
+use support::reference::linear::{self, Matrix};
+use support::reference::scenes::{SIZE, Shape, cube, sphere, view};
+use support::spread::Spread;
 
 /// The number of angles in a turn. This number is not a multiple of four, so that each quadrant has other angles.
 const ANGLES: u32 = 719;
@@ -79,7 +80,7 @@ impl Model {
             uv_faces: (0..shape.faces.len())
                 .map(|face| [0, 1, 2].map(|corner| index(3 * face + corner)))
                 .collect(),
-            place: crate::moves::exact(rounded([0., 0., -distance])),
+            place: support::moves::exact(rounded([0., 0., -distance])),
         }
     }
 
@@ -131,7 +132,7 @@ fn displaced(model: &Model) -> Displaced {
         approximation: Spread::default(),
         explained: Spread::default(),
     };
-    for step in 0..ANGLES {
+    for step in (0..ANGLES).step_by((ANGLES / sampled(ANGLES)) as usize) {
         let angles = angles(step);
         let exact = angles.map(radians);
         let view = view(model.eye(exact));
@@ -143,7 +144,7 @@ fn displaced(model: &Model) -> Displaced {
         let places = [polynomial, approximation]
             .map(|turn| model.drawing(turn(angles)).snapped(&model.positions));
         for (i, &position) in model.positions.iter().enumerate() {
-            let position = crate::moves::exact(position);
+            let position = support::moves::exact(position);
             let wanted = view.project(position).screen;
             let away = |place: Option<[i32; 2]>| {
                 let [x, y] = place.unwrap().map(|at| f64::from(at) / 256.);

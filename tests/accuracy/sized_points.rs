@@ -1,13 +1,13 @@
 //! Sized points. The pixels of a point are compared with exact integers, and sizes in world space with f64.
 
 use crate::bands::{CASES, Frame, SIZE, XRecorder, counts, drawn, modeled, point};
-use crate::common::random::{cases, within};
-use crate::common::{at_subpixel, pixel_projection};
-use crate::moves::number;
-use crate::reference::coverage::{Bounds, center, picture};
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
 use rand::Rng;
+use support::counter::{at_subpixel, pixel_projection};
+use support::moves::number;
+use support::random::{cases, within};
+use support::reference::coverage::{Bounds, center, picture};
 
 /// A square reaches half its size from the point in each direction. The square covers the centers inside it and on its
 /// right and lower sides, but not on its left and upper sides. A disc covers the centers within half its size, and the

@@ -7,10 +7,10 @@ use fixel::prelude::*;
 use fixel::shade::Gradient;
 use rand::Rng;
 
-use crate::common::random::{Random, cases, within};
-use crate::moves::exact;
-use crate::reference::linear::{self, cross, normalized, subtract};
-use crate::reference::ray::hit;
+use support::moves::exact;
+use support::random::{Random, cases, within};
+use support::reference::linear::{self, cross, normalized, subtract};
+use support::reference::ray::hit;
 
 const SIZE: u32 = 24;
 /// The length in pixels of one unit at distance 1.

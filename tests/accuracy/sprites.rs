@@ -7,12 +7,12 @@ use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;
 
-use crate::common::random::{Random, cases, within};
-use crate::moves::{self, Move, exact, number, product, relative, rounded, size};
-use crate::recorder::Probe;
-use crate::reference::linear::{Matrix, direction, inverse, length, point};
-use crate::reference::projection::{self, Projection as ModelProjection};
-use crate::reference::sprites::Sprite;
+use support::moves::{self, Move, exact, number, product, relative, rounded, size};
+use support::random::{Random, cases, within};
+use support::recorder::Probe;
+use support::reference::linear::{Matrix, direction, inverse, length, point};
+use support::reference::projection::{self, Projection as ModelProjection};
+use support::reference::sprites::Sprite;
 
 const SIZE: (u32, u32) = (64, 48);
 

@@ -18,9 +18,9 @@ use fixel::view::Parallel;
 
 use rand::Rng;
 
-use crate::common::random::{Random, cases};
-use crate::reference::blending::over;
-use crate::reference::fog::linear;
+use support::random::{Random, cases};
+use support::reference::blending::over;
+use support::reference::fog::linear;
 
 const SIDE: u32 = 8;
 static SQUARE: Mesh = shape!(plane(1, 1));

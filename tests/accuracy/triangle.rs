@@ -4,11 +4,10 @@ use fixel::canvas::DepthBuffer;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 
-use crate::drawing::{Drawing, Seen};
-use crate::mode::Mode;
-use crate::recorder::Few;
-use crate::reference::attributes::{interpolate, weights_snapped};
-use crate::reference::coverage::{Snapped, covered};
+use support::drawing::{Drawing, Seen};
+use support::mode::Mode;
+use support::reference::attributes::{interpolate, weights_snapped};
+use support::reference::coverage::{Snapped, covered};
 
 /// A triangle and all inputs of the model.
 #[derive(Clone, Copy)]
@@ -86,10 +85,7 @@ impl<K: ProjectionKind, const N: usize> Triangle<K, N> {
     }
 
     /// The pixels that the crate draws in a mode, row by row.
-    pub fn draw(&self, mode: Mode) -> Vec<Seen<N>>
-    where
-        [(); N]: Few<N>,
-    {
+    pub fn draw(&self, mode: Mode) -> Vec<Seen<N>> {
         let mut seen = self.drawing(mode).all(&|vertex| {
             let corner = self.positions.iter().position(|&p| p == vertex.position());
             self.values.map(|value| value[corner.unwrap()])

@@ -9,14 +9,14 @@ use fixel::view::{Perspective, ProjectionKind};
 use rand::Rng;
 use rand::seq::IndexedRandom;
 
-use crate::bounds::{self, Bound};
-use crate::common::random::{Random, cases, within};
-use crate::common::recorder::{Probe, record};
-use crate::common::{BOTH_SIDES, at_subpixel, pixel_projection};
-use crate::drawing::Seen;
-use crate::mode::Mode;
-use crate::reference::coverage::Snapped;
 use crate::triangle::Triangle;
+use support::bounds::{self, Bound};
+use support::counter::{BOTH_SIDES, at_subpixel, pixel_projection};
+use support::drawing::Seen;
+use support::mode::Mode;
+use support::random::{Random, cases, within};
+use support::recorder::{Probe, record};
+use support::reference::coverage::Snapped;
 
 /// The width is more than two spans of 64 pixels.
 const SIZE: (u32, u32) = (160, 48);

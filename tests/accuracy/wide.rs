@@ -1,13 +1,7 @@
 //! Wide lines. The pixels of a line are compared with exact integers, and the shares of anti-aliased lines with f64.
 
 use crate::bands::{CASES, Point, SIZE, counts, drawn, modeled, point};
-use crate::common::random::{Random, cases, within};
-use crate::common::recorder::Seen;
-use crate::common::{at_subpixel, pixel_projection};
 use crate::lines;
-use crate::reference::blending::over;
-use crate::reference::coverage::{Bounds, center, picture};
-use crate::reference::lines::share;
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
 use fixel::Thing;
 use fixel::canvas::{Add, Blending, Opacity, TestAndWrite};
@@ -16,6 +10,12 @@ use fixel::num::Subpixel;
 use fixel::prelude::*;
 use fixel::view::{AsMvp, Perspective};
 use rand::Rng;
+use support::counter::{at_subpixel, pixel_projection};
+use support::random::{Random, cases, within};
+use support::recorder::Seen;
+use support::reference::blending::over;
+use support::reference::coverage::{Bounds, center, picture};
+use support::reference::lines::share;
 
 /// The pixels of edges drawn in bands of `rows` rows.
 fn edges<B: Blending<Gray8>>(

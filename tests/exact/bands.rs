@@ -11,9 +11,9 @@ use fixel::shade::PerFace;
 use fixel::view::ProjectionKind;
 use rand::Rng;
 
-use crate::common;
-use crate::common::random::{Random, cases, list};
 use crate::examples::scenes::SPHERE;
+use support::counter;
+use support::random::{Random, cases, list};
 
 const WIDTH: u32 = 70;
 const HEIGHT: u32 = 37;
@@ -91,7 +91,7 @@ impl Scene {
     fn draw<I: Mode, K: ProjectionKind>(&self, mode: I, canvas: &mut Band<'_>, mvp: &Mvp<K>) {
         canvas.clear(Rgb888::new(1, 2, 3));
         let mesh = self.mesh();
-        canvas.draw_with(&common::BOTH_SIDES.with_mode(mode), &mesh, mvp, &Bits);
+        canvas.draw_with(&counter::BOTH_SIDES.with_mode(mode), &mesh, mvp, &Bits);
         canvas.draw_with(
             &DrawOptions::new().with_mode(mode),
             mesh.edges(LineStyle::HAIRLINE),
@@ -162,7 +162,7 @@ impl Scene {
         let window = Viewport::new(-9, 3, 64, 48).unwrap();
         let mut list: DrawList<12, 250> = DrawList::new();
         for options in [
-            common::BOTH_SIDES,
+            counter::BOTH_SIDES,
             DrawOptions::new().with_viewport(window),
             DrawOptions::new().with_cull(Cull::Front),
         ] {
@@ -238,7 +238,7 @@ fn windows_cover_the_pixels_of_the_frame() {
         let mut canvas = Canvas::new(&mut color, width, height).unwrap();
         let [left, top] = [x, y].map(|at| -at.cast_signed());
         let frame = Viewport::new(left, top, WIDTH, HEIGHT).unwrap();
-        let (mesh, options) = (scene.mesh(), common::BOTH_SIDES.with_viewport(frame));
+        let (mesh, options) = (scene.mesh(), counter::BOTH_SIDES.with_viewport(frame));
         canvas.draw_with(&options, &mesh, mvp, &Index);
         let white = Flat::new(Rgb888::new(255, 255, 255));
         canvas.draw_with(&options, mesh.edges(LineStyle::HAIRLINE), mvp, &white);
@@ -277,7 +277,7 @@ fn bands_equal_the_frame_in_floating_depth() {
         let model = Transform::translate(vec3!(0, 0, -4)) * turn;
         let (mesh, mvp) = (scene.mesh(), projection * model);
         let mut list: DrawList<12, 250> = DrawList::new();
-        let prepared = list.prepare(&common::BOTH_SIDES, (WIDTH, HEIGHT), &mesh, &mvp);
+        let prepared = list.prepare(&counter::BOTH_SIDES, (WIDTH, HEIGHT), &mesh, &mvp);
         let prepared = prepared.unwrap();
         let draw = |rows: u32, is_prepared: bool| {
             let (mut colors, mut depths) = (vec![], vec![]);
@@ -290,7 +290,7 @@ fn bands_equal_the_frame_in_floating_depth() {
                 if is_prepared {
                     band.draw_prepared(&prepared, &Bits).unwrap();
                 } else {
-                    band.draw_with(&common::BOTH_SIDES, &mesh, &mvp, &Bits);
+                    band.draw_with(&counter::BOTH_SIDES, &mesh, &mvp, &Bits);
                 }
                 colors.extend(color);
                 depths.extend(depth);
@@ -323,7 +323,7 @@ fn the_nearest_triangle_shows_in_any_order() {
             let canvas = Canvas::new(&mut color, WIDTH, HEIGHT).unwrap();
             let mesh = Mesh::new(&scene.positions, faces).unwrap();
             let mut canvas = canvas.with_depth(&mut depth).unwrap();
-            canvas.draw_with(&common::BOTH_SIDES, &mesh, &mvp, &Index);
+            canvas.draw_with(&counter::BOTH_SIDES, &mesh, &mvp, &Index);
             (color, depth)
         };
         let mut faces = scene.faces;
@@ -370,12 +370,12 @@ fn a_large_prepared_mesh_equals_the_frame() {
     // The near plane cuts the mesh.
     let mvp = projection * Transform::translate(vec3!(0, 0, -1.875));
     let mut list: DrawList<2100, 3500> = DrawList::new();
-    let ball = list.prepare(&common::BOTH_SIDES, (WIDTH, HEIGHT), &SPHERE, &mvp);
+    let ball = list.prepare(&counter::BOTH_SIDES, (WIDTH, HEIGHT), &SPHERE, &mvp);
     let ball = ball.unwrap();
     let mut clipped = 0;
     let frame = bands(HEIGHT, &mut |band| {
         clipped = band
-            .draw_with(&common::BOTH_SIDES, &SPHERE, &mvp, &Bits)
+            .draw_with(&counter::BOTH_SIDES, &SPHERE, &mvp, &Bits)
             .clipped;
     });
     assert!(clipped > 10, "{clipped}");

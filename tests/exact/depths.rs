@@ -1,22 +1,22 @@
 //! Depths do not depend on the shader. Depths do not depend on the mode either, except in mode `Compact`.
 
-use crate::common::BOTH_SIDES;
-use crate::common::random::cases;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::canvas::{Biased, DepthBuffer, DepthTest, FloatDepth, TestAndWrite};
-use fixel::mode::{Affine, Exact, Fast, Mode};
+use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use rand::Rng;
+use support::counter::BOTH_SIDES;
+use support::random::cases;
 
 const SIZE: (u32, u32) = (96, 64);
 
 static SKIN: [[Rgb565; 2]; 2] = [[Rgb565::WHITE, Rgb565::BLUE], [Rgb565::BLUE, Rgb565::WHITE]];
 
-fn depths<F: DepthBuffer, M: Mode, Z: DepthTest>(
+fn depths<F: DepthBuffer>(
     mesh: &Mesh<'_>,
-    (mode, test): (M, Z),
+    (mode, test): (impl Mode, impl DepthTest),
     mvp: &Mvp,
-    is_textured: bool,
+    shader: impl ShaderFor<Rgb565>,
 ) -> Vec<u16> {
     let (width, height) = SIZE;
     let mut color = vec![Rgb565::default(); (width * height) as usize];
@@ -24,23 +24,20 @@ fn depths<F: DepthBuffer, M: Mode, Z: DepthTest>(
     let canvas = Canvas::new(&mut color, width, height).unwrap();
     let mut canvas = canvas.with_depth_format::<F>(&mut depth).unwrap();
     let options = BOTH_SIDES.with_mode(mode).with_depth(test);
-    if is_textured {
-        canvas.draw_with(&options, mesh, mvp, &Textured::new(&SKIN));
-    } else {
-        canvas.draw_with(&options, mesh, mvp, &Flat::new(Rgb565::default()));
-    }
+    canvas.draw_with(&options, mesh, mvp, &shader);
     depth
 }
 
 /// Checks that all modes draw a shader with depths equal to the depths of a plain color.
 fn check<F: DepthBuffer, Z: DepthTest>(mesh: &Mesh<'_>, test: Z, mvp: &Mvp) {
-    let plain = depths::<F, _, _>(mesh, (fixel::mode::Newton, test), mvp, false);
+    let (plain, skin) = (Flat::new(Rgb565::default()), Textured::new(&SKIN));
+    let plain = depths::<F>(mesh, (Newton, test), mvp, plain);
     let all = [
-        depths::<F, _, _>(mesh, (fixel::mode::Newton, test), mvp, true),
-        depths::<F, _, _>(mesh, (Fast::NARROW, test), mvp, true),
-        depths::<F, _, _>(mesh, (Fast::within(fx!(4)), test), mvp, true),
-        depths::<F, _, _>(mesh, (Affine, test), mvp, true),
-        depths::<F, _, _>(mesh, (Exact, test), mvp, true),
+        depths::<F>(mesh, (Newton, test), mvp, skin),
+        depths::<F>(mesh, (Fast::NARROW, test), mvp, skin),
+        depths::<F>(mesh, (Fast::within(fx!(4)), test), mvp, skin),
+        depths::<F>(mesh, (Affine, test), mvp, skin),
+        depths::<F>(mesh, (Exact, test), mvp, skin),
     ];
     for (mode, depths) in all.iter().enumerate() {
         let differ = depths.iter().zip(&plain).filter(|(a, b)| a != b).count();

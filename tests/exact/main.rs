@@ -1,7 +1,5 @@
 //! Tests that need no reference model: two results must be equal bit for bit, or the test states the expected value.
 
-#[path = "../common/mod.rs"]
-mod common;
 #[path = "../../examples/common/mod.rs"]
 mod examples;
 

@@ -5,7 +5,7 @@ use fixel::canvas::Opacity;
 use fixel::prelude::*;
 use fixel::{Drawn, Prepared};
 
-use crate::common::{at_subpixel, pixel_projection};
+use support::counter::{at_subpixel, pixel_projection};
 
 const WIDTH: u32 = 48;
 const HEIGHT: u32 = 36;

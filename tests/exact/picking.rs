@@ -11,7 +11,7 @@ use fixel::num::Subpixel;
 use fixel::prelude::*;
 use rand::Rng;
 
-use crate::common::random::{cases, list};
+use support::random::{cases, list};
 
 static FLOOR: Mesh = shape!(plane(8, 8));
 static BALL: Mesh = shape!(sphere(16, 12));

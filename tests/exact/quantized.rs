@@ -5,7 +5,7 @@ use fixel::mesh::flash::{Small, UvGrid};
 use fixel::prelude::*;
 use rand::Rng;
 
-use crate::common::random::{Random, cases, list};
+use support::random::{Random, cases, list};
 
 const SIZE: (u32, u32) = (32, 24);
 const PIXELS: usize = 32 * 24;

@@ -2,11 +2,11 @@
 //!
 //! Corners are given in pixels and fractions of a pixel. The center of a pixel is at one half.
 
-use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::canvas::Add;
 use fixel::prelude::*;
 use fixel::view::Parallel;
+use support::counter::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
 
 const SIZE: (u32, u32) = (8, 6);
 const EMPTY: &str = "

@@ -8,8 +8,8 @@ use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;
 
-use crate::common::random::{Random, cases, list};
 use crate::examples::scenes::SPHERE;
+use support::random::{Random, cases, list};
 
 const SIZE: (u32, u32) = (64, 48);
 const PIXELS: usize = 64 * 48;

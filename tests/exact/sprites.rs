@@ -9,7 +9,7 @@ use fixel::prelude::*;
 use fixel::shade::Texels;
 use fixel::view::ProjectionKind;
 
-use crate::common::recorder::Probe;
+use support::recorder::Probe;
 
 const WIDTH: u32 = 80;
 const HEIGHT: u32 = 60;

@@ -6,7 +6,7 @@ use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;
 
-use crate::common::random::cases;
+use support::random::cases;
 
 const SIZE: (u32, u32) = (72, 64);
 const PIXELS: usize = (SIZE.0 * SIZE.1) as usize;

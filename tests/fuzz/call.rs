@@ -20,7 +20,7 @@ use fixel::view::ProjectionKind;
 
 use super::scene::{Attribute, Scene, What};
 use super::shaders::Bits;
-use crate::recorder::{Record, Seen, record};
+use support::recorder::{Record, Seen, record};
 
 /// A scene with numbers that the crate has accepted.
 #[derive(Clone, Copy, Debug)]

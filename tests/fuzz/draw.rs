@@ -11,8 +11,8 @@ use super::projection::Projected;
 use super::scene::{Room, Scene, What};
 use super::shaders::Bits;
 use super::shades::{self, Draw, Shade, Shine};
-use crate::mode::Mode;
-use crate::recorder::{Few, Record};
+use support::mode::Mode;
+use support::recorder::{Few, Record};
 
 /// Draws the scene that these bytes encode, if the constructors accept its numbers. Checks all invariants of the
 /// pictures.

@@ -2,10 +2,10 @@
 
 use fixel::prelude::*;
 
-use crate::moves::{Move, exact, product, relative, size};
-use crate::reference::clip::Plane;
-use crate::reference::projection::{Kind, Projection as ModelProjection};
-use crate::reference::view::{Projected, View, Viewport as ModelViewport};
+use support::moves::{Move, exact, product, relative, size};
+use support::reference::clip::Plane;
+use support::reference::projection::{Kind, Projection as ModelProjection};
+use support::reference::view::{Projected, View, Viewport as ModelViewport};
 
 /// Half of the guard band's width, in pixels.
 const GUARD: f64 = 2048.;

@@ -1,8 +1,8 @@
-//! Checks of draw calls made from arbitrary bytes. A check makes an input from the bytes, passes it to the crate, and
-//! checks the invariants of the result.
+//! Checks of draw calls, models and pictures made from arbitrary bytes. A check makes an input from the bytes, passes it
+//! to the crate or to its importer, and checks the invariants of the result.
 //!
-//! libFuzzer's target, `target.rs`, calls [`draw::check`] with arbitrary bytes. `replay.rs` calls it with the inputs
-//! that were kept. A check that fails panics.
+//! libFuzzer's targets, in `targets`, call [`draw::check`], [`import::model`] and [`import::picture`] with arbitrary
+//! bytes. `replay.rs` calls them with the inputs that were kept. A check that fails panics.
 //!
 //! | file | contents |
 //! |---|---|
@@ -16,27 +16,14 @@
 //! | `call` | draws a scene in bands, prepared, as bytes and twice |
 //! | `knowledge` | the f64 model's triangles, and bounds on the crate's deviation from them |
 //! | `model` | the comparison of pixels with the f64 model |
+//! | `import` | files of models and pictures |
 
 // f64 holds every integer used here, and no pixel lies left of or above the picture.
 #![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]
 
-// The accuracy tests use more items of the following modules.
-#[path = "../accuracy/bounds.rs"]
-#[allow(dead_code)]
-mod bounds;
-#[path = "../accuracy/mode.rs"]
-#[allow(dead_code)]
-mod mode;
-#[path = "../accuracy/moves.rs"]
-#[allow(dead_code)]
-mod moves;
-#[path = "../common/recorder.rs"]
-mod recorder;
-#[path = "../reference/mod.rs"]
-mod reference;
-
 mod call;
 pub mod draw;
+pub mod import;
 mod knowledge;
 mod model;
 mod numbers;

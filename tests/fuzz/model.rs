@@ -9,14 +9,14 @@ use fixel::prelude::{Canvas, Cull, DrawOptions, Vec3};
 
 use super::call::Call;
 use super::knowledge::Knowledge;
-use crate::bounds::{self, Bound};
-use crate::mode::Mode;
-use crate::moves::exact;
-use crate::recorder::{Record, Seen};
-use crate::reference::attributes::at_pixel_snapped;
-use crate::reference::coverage::{Bounds, Snapped, area2, center, covered_in, covers_f64};
-use crate::reference::distance::to_triangle;
-use crate::reference::raster::{Mesh, Piece, pieces_clipped};
+use support::bounds::{self, Bound};
+use support::mode::Mode;
+use support::moves::exact;
+use support::recorder::{Record, Seen};
+use support::reference::attributes::at_pixel_snapped;
+use support::reference::coverage::{Bounds, Snapped, area2, center, covered_in, covers_f64};
+use support::reference::distance::to_triangle;
+use support::reference::raster::{Mesh, Piece, pieces_clipped};
 
 /// The largest ratio of distances within a triangle for which the modes promise a largest error.
 const MOST_RATIO: f64 = 128.;

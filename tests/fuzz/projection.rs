@@ -5,8 +5,8 @@ use fixel::prelude::*;
 use fixel::view::{Parallel, Perspective};
 
 use super::numbers::{angle, scalar, size};
-use crate::moves::radians;
-use crate::reference::projection::{self, Projection as ModelProjection};
+use support::moves::radians;
+use support::reference::projection::{self, Projection as ModelProjection};
 
 /// A constructor of projections, with its arguments.
 #[derive(Clone, Copy, Debug)]

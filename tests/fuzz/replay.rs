@@ -23,5 +23,15 @@ fn inputs_that_once_failed_pass() {
 
 #[test]
 fn kept_draw_inputs_pass() {
-    replay(include_str!("kept.base64"), fuzz::draw::check);
+    replay(include_str!("kept_draw.base64"), fuzz::draw::check);
+}
+
+#[test]
+fn kept_models_pass() {
+    replay(include_str!("kept_model.base64"), fuzz::import::model);
+}
+
+#[test]
+fn kept_pictures_pass() {
+    replay(include_str!("kept_picture.base64"), fuzz::import::picture);
 }

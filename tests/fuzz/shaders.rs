@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::prelude::*;
 
-use crate::recorder::{Coordinates, Few};
+use support::recorder::{Coordinates, Few};
 
 /// A shader with colors that depend on every bit of up to three values. The shader discards some pixels.
 ///

@@ -4,7 +4,7 @@ use arbitrary::{Result, Unstructured};
 use fixel::prelude::*;
 
 use super::numbers::{angle, factors, few, scalar, vector};
-use crate::moves::Move;
+use support::moves::Move;
 
 /// A factor in a product of transforms.
 #[derive(Clone, Copy, Debug)]

@@ -52,18 +52,18 @@ pub fn picture(
 
 /// The folder of the documentation's pictures.
 #[must_use]
-pub fn assets() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets")
+pub fn pictures() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../src/assets/macros/pictures")
 }
 
 /// The picture of a program that drives a display.
 #[must_use]
 pub fn display(name: &str) -> PathBuf {
-    assets().join("displays").join(name).with_extension("png")
+    pictures().join("displays").join(name).with_extension("png")
 }
 
 /// The picture of a type's page.
 #[must_use]
 pub fn page(name: &str) -> PathBuf {
-    assets().join("pages").join(name).with_extension("png")
+    pictures().join("pages").join(name).with_extension("png")
 }

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use clap::Parser;
 use clap::builder::PossibleValuesParser;
 use cookbook::{
-    DISPLAYS, PAGE_SIZE, PAGES, SIZE, WORLD, all, assets, display, page, picture, world,
+    DISPLAYS, PAGE_SIZE, PAGES, SIZE, WORLD, all, display, page, picture, pictures, world,
 };
 use embedded_graphics::geometry::Size;
 use embedded_graphics_simulator::OutputSettings;
@@ -48,7 +48,11 @@ fn size(text: &str) -> Result<Size, String> {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let args = Args::parse();
-    let folder = if args.renew { assets() } else { PathBuf::new() };
+    let folder = if args.renew {
+        pictures()
+    } else {
+        PathBuf::new()
+    };
     let size = args.size.unwrap_or(SIZE);
     let is_wanted = |name| args.scenes.is_empty() || args.scenes.iter().any(|scene| scene == name);
     for (name, draw) in all() {

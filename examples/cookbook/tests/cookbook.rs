@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use cookbook::world::{FRAMES, LOOK, WALK, turn_of, viewer, walk};
-use cookbook::{PAGE_SIZE, PAGES, SCENES, SIZE, all, assets, page, picture};
+use cookbook::{PAGE_SIZE, PAGES, SCENES, SIZE, all, page, picture, pictures};
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics_simulator::SimulatorDisplay;
@@ -15,7 +15,7 @@ use fixel::prelude::*;
 #[test]
 fn pictures_are_those_of_the_documentation() {
     for (name, draw) in all() {
-        let path = assets().join(name).with_extension("png");
+        let path = pictures().join(name).with_extension("png");
         let found = picture(draw, SIZE).unwrap();
         let shown = SimulatorDisplay::load_png(&path).unwrap();
         assert!(found.diff(&shown).is_none(), "{name} has changed");

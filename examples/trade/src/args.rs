@@ -12,7 +12,7 @@ Examples:
                                                with the cost on two Cortex-M cores
   trade --firmware target/thumbv7em --sizes thumbv7em=target/sizes
                                                and the code that each mode takes
-  trade --summary examples/assets/trade.png    one picture from the figures that the project keeps";
+  trade --summary src/assets/macros/pictures/trade.png  one picture from the figures that the project keeps";
 
 /// Measures every interpolation mode: its error against a model in f64, and its cost.
 #[derive(Clone, Debug, Parser)]

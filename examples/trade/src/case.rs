@@ -4,10 +4,10 @@ use fixel::prelude::*;
 use fixel::view::Perspective;
 
 use super::Result;
-use super::reference::linear::{IDENTITY, Matrix};
-use super::reference::projection::focal;
-use super::reference::view::{View, Viewport};
 use super::surface::Surface;
+use support::reference::linear::{IDENTITY, Matrix};
+use support::reference::projection::focal;
+use support::reference::view::{View, Viewport};
 
 /// A case: a set of drawings that are measured together.
 pub struct Case {

@@ -40,8 +40,6 @@ mod modes;
 mod planes;
 mod plot;
 mod record;
-#[path = "../../../tests/reference/mod.rs"]
-mod reference;
 mod run;
 #[allow(dead_code)] // what programs that draw these scenes need
 #[path = "../../common/scenes.rs"]

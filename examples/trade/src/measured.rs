@@ -7,11 +7,11 @@ use fixel::view::Perspective;
 
 use super::Result;
 use super::case::{Case, FocalProjection, Shot};
-use super::reference::linear::{Matrix, multiply, product, rotate_x, rotate_y, translate};
 use super::scenes::{
     self, CUBE_AT, FLOOR_AT, FLOOR_PITCH, HEIGHT, POSES, SPHERE_AT, WIDTH, cube_turn, sphere_turn,
 };
 use super::surface::Surface;
+use support::reference::linear::{Matrix, multiply, product, rotate_x, rotate_y, translate};
 
 /// The projection of the scenes.
 const PROJECTION: FocalProjection = FocalProjection {

@@ -15,8 +15,8 @@ use rand_chacha::ChaCha8Rng;
 
 use super::Result;
 use super::case::{Case, Corner, FocalProjection, Shot, Triangles};
-use super::reference::coverage::area2_f64;
 use super::surface::{Side, Surface};
+use support::reference::coverage::area2_f64;
 
 const PROJECTION: FocalProjection = FocalProjection {
     focal: 200.,

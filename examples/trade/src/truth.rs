@@ -9,9 +9,9 @@ use fixel::prelude::*;
 use super::Result;
 use super::case::{Case, Shot};
 use super::record::{Recorded, Survey};
-use super::reference::coverage::{Bounds, covered_in};
-use super::reference::linear::Vec3 as Point;
-use super::reference::raster::{self, Piece, pieces};
+use support::reference::coverage::{Bounds, covered_in};
+use support::reference::linear::Vec3 as Point;
+use support::reference::raster::{self, Piece, pieces};
 
 /// The exact result of a drawing, computed by the model.
 pub struct Truth {

@@ -35,7 +35,7 @@ const READ: [&str; 7] = [
 /// An accessor without bytes, with values of 0, may have at most this many values. All nodes together may have at most
 /// this many vertices, or as many as the file has bytes. Without these limits, a short file could claim all memory,
 /// because nodes can share a mesh.
-const MOST: usize = 1 << 22;
+const MOST: usize = 1 << 20;
 
 /// Reads the triangles of a glTF file's default scene. Without a default scene, reads its first scene.
 pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {

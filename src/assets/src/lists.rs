@@ -341,7 +341,7 @@ impl Model {
             let rounded = |point: &Vector| point.map(|x| (x * steps).round() as i64);
             points.iter().map(rounded).collect::<HashSet<_>>().len()
         };
-        if fine <= scale || !fine.is_finite() {
+        if fine <= scale.abs() || !fine.is_finite() {
             return None;
         }
         let (apart, kept) = (distinct(fine), distinct(scale));
@@ -350,12 +350,12 @@ impl Model {
             return None;
         }
         let mut enough = 2.0 * scale;
-        while enough < fine && !are_kept(distinct(enough)) {
+        while enough.abs() < fine && !are_kept(distinct(enough)) {
             enough *= 2.0;
         }
         let farthest = largest(low).max(largest(high));
         // With the middle of the model at the origin, all positions fit at every scale up to `fine`.
-        let center = if farthest * enough < 32_767.0 {
+        let center = if farthest * enough.abs() < 32_767.0 {
             ""
         } else {
             "center, "

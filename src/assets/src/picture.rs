@@ -18,6 +18,9 @@ use zune_jpeg::JpegDecoder;
 /// The largest number of pixels that a picture may have: 16,384 x 16,384.
 const MOST: u64 = 1 << 28;
 
+/// Any file may have this many pixels: 256 x 256. Decoding them takes milliseconds.
+const FEW: u64 = 1 << 16;
+
 /// A picture: its pixels, row by row from the top, as red, green, blue and alpha.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
@@ -168,14 +171,19 @@ fn weights(from: u32, to: u32) -> Vec<Vec<(usize, f32)>> {
     (0..to).map(one).collect()
 }
 
-/// Refuses pictures without pixels, and pictures with more than [`MOST`] pixels.
-fn check(width: u64, height: u64) -> Result<(), String> {
-    match width * height {
-        1..=MOST => Ok(()),
-        _ => Err(format!(
-            "it is {width}x{height} pixels: 1 to {MOST} can be read"
-        )),
+/// Refuses pictures without pixels, and pictures that are too large: for any file ([`MOST`]), or for a file of this size,
+/// because a short file must not claim much memory and time. So this must come before the first loop over the pixels.
+/// `most` is the largest number of pixels that the format can store in the file's bytes. Pictures of up to [`FEW`] pixels
+/// are read even if they have more.
+fn check(bytes: &[u8], most: u64, width: u64, height: u64) -> Result<(), String> {
+    let most = most.clamp(FEW, MOST);
+    if (1..=most).contains(&(width * height)) {
+        return Ok(());
     }
+    let len = bytes.len();
+    Err(format!(
+        "it is {width}x{height} pixels: 1 to {most} can be read from a file of {len} bytes"
+    ))
 }
 
 /// A picture from samples of 1 to 4 channels: gray, gray and alpha, RGB or RGBA.
@@ -286,7 +294,10 @@ fn png(bytes: &[u8]) -> Result<Picture, String> {
     });
     let mut reader = decoder.read_info().map_err(text)?;
     let (width, height) = reader.info().size();
-    check(width.into(), height.into())?;
+    // Deflate stores at most 258 bytes in 2 bits: a match takes a bit for its length and a bit for its distance.
+    let bits = bytes.len() as u64 * 4 * 258 * 8;
+    let most = bits / reader.info().bits_per_pixel() as u64;
+    check(bytes, most, width.into(), height.into())?;
     let (width, height) = (width as usize, height as usize);
     let mut buffer = vec![0; reader.output_buffer_size().unwrap_or(0)];
     let frame = reader.next_frame(&mut buffer).map_err(text)?;
@@ -326,7 +337,11 @@ fn jpeg(bytes: &[u8]) -> Result<Picture, String> {
     let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
     decoder.decode_headers().map_err(text)?;
     let info = decoder.info().ok_or("it has no header")?;
-    check(info.width.into(), info.height.into())?;
+    // A block takes at least 1 bit, in a progressive file without details. It covers 8x8 pixels, or up to 32x32 pixels
+    // if its component has fewer samples. But at least one component has all columns, and at least one has all rows. If
+    // these are two components, each has 4 blocks per 32x32 pixels. So 8 bits hold at most 32x32 pixels.
+    let most = bytes.len() as u64 * 32 * 32;
+    check(bytes, most, info.width.into(), info.height.into())?;
     let samples = decoder.decode().map_err(text)?;
     picture(info.width.into(), info.height.into(), &samples, 3)
 }
@@ -336,10 +351,12 @@ fn gif(bytes: &[u8]) -> Result<Picture, String> {
     options.set_memory_limit(gif::MemoryLimit::Unlimited);
     let mut decoder = options.read_info(bytes).map_err(text)?;
     let (width, height) = (usize::from(decoder.width()), usize::from(decoder.height()));
-    check(width as u64, height as u64)?;
+    // A code of LZW has at most 12 bits, and stands for at most 4096 pixels. Shorter codes stand for fewer pixels a bit.
+    let most = bytes.len() as u64 * 4096 * 8 / 12;
+    check(bytes, most, width as u64, height as u64)?;
     let frame = decoder.next_frame_info().map_err(text)?;
     let frame = frame.ok_or("it has no picture")?;
-    check(frame.width.into(), frame.height.into())?;
+    check(bytes, most, frame.width.into(), frame.height.into())?;
     let frame = frame.clone();
     let mut indices = vec![0; decoder.buffer_size()];
     decoder.read_into_buffer(&mut indices).map_err(text)?;
@@ -373,7 +390,17 @@ fn gif(bytes: &[u8]) -> Result<Picture, String> {
 fn webp(bytes: &[u8]) -> Result<Picture, String> {
     let mut decoder = image_webp::WebPDecoder::new(Cursor::new(bytes)).map_err(text)?;
     let (width, height) = decoder.dimensions();
-    check(width.into(), height.into())?;
+    let len = bytes.len() as u64;
+    let most = if decoder.is_lossy() {
+        // 16x16 pixels take at least 1.67 bits: the first decision about how they are predicted takes at least
+        // log2(256/145) bits, and the first decision about how their colors are predicted log2(256/142) bits.
+        len * (16 * 16 * 8 * 100) / 167
+    } else {
+        // Areas of one color take no bits at all, so a picture of any size can have 34 bytes. Other areas of two colors
+        // take at least 11 bits per 8 * 4096 pixels: a match with the longest length.
+        (len * (8 * 8 * 4096) / 11).max(4096 * 4096)
+    };
+    check(bytes, most, width.into(), height.into())?;
     let len = decoder.output_buffer_size().ok_or("it is too large")?;
     let mut samples = vec![0; len];
     decoder.read_image(&mut samples).map_err(text)?;

@@ -286,10 +286,6 @@ fn bmp_with_run_lengths() {
     );
     let refusal = Picture::decode(&bmp(8, 1, &eight[..20]).file()).unwrap_err();
     assert_eq!(refusal, "it ends in row 2 of 3");
-    let mut huge = bmp(8, 1, &eight).file();
-    huge[20] = 200;
-    let refusal = Picture::decode(&huge).unwrap_err();
-    assert_eq!(refusal, "its 28 bytes are too few for 13107205x3 pixels");
 }
 
 #[test]
@@ -325,12 +321,8 @@ fn bmp_refusals_name_the_cause() {
         "it has 7 bits a pixel: 1, 2, 4, 8, 16, 24 or 32 can be read"
     );
     assert_eq!(
-        change(21, 64),
-        "it is 1073741829x3 pixels: 1 to 268435456 can be read"
-    );
-    assert_eq!(
         change(22, 0),
-        "it is 5x0 pixels: 1 to 268435456 can be read"
+        "it is 5x0 pixels: 1 to 65536 can be read from a file of 94 bytes"
     );
     assert_eq!(
         change(file.len() - 24, 9),

@@ -7,17 +7,18 @@
 use super::scene::{Corners, Random, TriangleView, worst};
 use super::table::{Cases, picture};
 use super::verdict::Verdict;
-use crate::moves::{to, y};
+use support::moves::{to, y};
+use support::random::sampled;
 
 /// Triangles as wide as the picture, and smaller triangles, at distances around four.
-fn triangles(view: &TriangleView, count: usize) -> Vec<Corners> {
+fn triangles(view: &TriangleView) -> Vec<Corners> {
     let mut random = Random(2);
     let corner = |random: &mut Random| {
         let at = [random.between(-120., 120.), random.between(-90., 90.)];
         let w = random.between(2., 8.);
         view.at(at, w)
     };
-    (0..count)
+    (0..sampled(40))
         .map(|_| [0; 3].map(|_| corner(&mut random)))
         .collect()
 }
@@ -29,7 +30,7 @@ fn placed(at: f64) -> Verdict {
         ..TriangleView::ROOM
     };
     let model = |[x, y, z]: [f64; 3]| [x + at, y - at, z + at];
-    let triangles = triangles(&view, 40).into_iter();
+    let triangles = triangles(&view).into_iter();
     worst(triangles.map(|corners| view.judge(corners.map(model))))
 }
 
@@ -48,7 +49,7 @@ fn turned(at: f64) -> Verdict {
             sin * x + cos * z - at / 4.,
         ]
     };
-    let triangles = triangles(&view, 40).into_iter();
+    let triangles = triangles(&view).into_iter();
     worst(triangles.map(|corners| view.judge(corners.map(model))))
 }
 
@@ -60,7 +61,7 @@ fn far_away(w: f64) -> Verdict {
         ..TriangleView::ROOM
     };
     let mut random = Random(3);
-    worst((0..40).map(|_| {
+    worst((0..sampled(40)).map(|_| {
         let mut corner = || {
             let at = [random.between(-120., 120.), random.between(-90., 90.)];
             view.at(at, w * random.between(0.5, 1.))
@@ -74,7 +75,7 @@ fn far_away(w: f64) -> Verdict {
 fn large(times: f64) -> Verdict {
     let view = TriangleView::ROOM;
     let mut random = Random(4);
-    worst((0..60).map(|_| {
+    worst((0..sampled(60)).map(|_| {
         let turn = random.between(0., std::f64::consts::TAU);
         let corner = |third: f64, random: &mut Random| {
             let (sin, cos) = (turn + third * std::f64::consts::TAU / 3.).sin_cos();

@@ -11,12 +11,13 @@ use fixel::view::Perspective;
 use super::scene::{Random, TriangleView, worst};
 use super::table::{Cases, figure, picture};
 use super::verdict::{Verdict, Worst};
-use crate::bounds;
-use crate::drawing::Drawing;
-use crate::mode::Mode;
-use crate::moves::{exact, rounded};
-use crate::reference::coverage::Bounds;
-use crate::reference::linear::{Vec3 as Vector, cross, dot, subtract};
+use support::bounds;
+use support::drawing::Drawing;
+use support::mode::Mode;
+use support::moves::{exact, rounded};
+use support::random::sampled;
+use support::reference::coverage::Bounds;
+use support::reference::linear::{Vec3 as Vector, cross, dot, subtract};
 
 /// Ratios of far to near, each with the distances of a near plane and a far plane.
 const RATIOS: [(&str, f64, f64); 6] = [
@@ -41,7 +42,7 @@ fn view(near: f64, far: f64) -> TriangleView {
 /// Triangles that reach from the near to the far plane.
 fn reaching(view: &TriangleView) -> Verdict {
     let mut random = Random(5);
-    worst((0..100).map(|_| {
+    worst((0..sampled(100)).map(|_| {
         let end = (view.far / view.near).ln() - 1e-3;
         let corner = |part: f64, random: &mut Random| {
             let w = view.near * (1e-3 + part * end).exp();

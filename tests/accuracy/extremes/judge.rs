@@ -15,16 +15,16 @@ use fixel::prelude::*;
 use super::parts::{gap, nearest, outline};
 use super::scene::Scene;
 use super::verdict::{MODES, Verdict, Worst};
-use crate::bounds::{self, Bound};
-use crate::drawing::{Drawing, Seen};
-use crate::mode::Mode;
-use crate::moves::exact;
-use crate::reference::attributes::{interpolate, weights};
-use crate::reference::clip::{FAR, NEAR};
-use crate::reference::coverage::{Bounds, center};
-use crate::reference::distance::to_segment;
-use crate::reference::raster::{self, Piece, pieces_clipped};
-use crate::reference::view;
+use support::bounds::{self, Bound};
+use support::drawing::{Drawing, Seen};
+use support::mode::Mode;
+use support::moves::exact;
+use support::reference::attributes::{interpolate, weights};
+use support::reference::clip::{FAR, NEAR};
+use support::reference::coverage::{Bounds, center};
+use support::reference::distance::to_segment;
+use support::reference::raster::{self, Piece, pieces_clipped};
+use support::reference::view;
 
 /// Units of a texture coordinate per texel.
 const TEXEL: f64 = 65536.;

@@ -8,7 +8,7 @@ use fixel::prelude::*;
 use fixel::texture::Sampler;
 use fixel::view::{Perspective, ProjectionKind};
 
-use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
+use support::counter::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
 
 const MAX_SIZE: u32 = Canvas::<Gray8>::MAX_SIZE;
 const MAX_TEXTURE: usize = Texture::<Gray8>::MAX_SIZE;

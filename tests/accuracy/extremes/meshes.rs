@@ -7,8 +7,8 @@ use fixel::prelude::*;
 use super::scene::{ONCE, Random, TriangleView};
 use super::table::{Cases, picture};
 use super::verdict::{Verdict, Worst};
-use crate::common::{BOTH_SIDES, Counter};
-use crate::moves::{exact, rounded};
+use support::counter::{BOTH_SIDES, Counter};
+use support::moves::{exact, rounded};
 
 /// Columns and rows of vertices. The second grid has the largest number of vertices, and the first grid has one vertex
 /// less.

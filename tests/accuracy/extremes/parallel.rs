@@ -12,13 +12,13 @@ use rand::Rng;
 
 use super::table::{Cases, figure};
 use super::verdict::Worst;
-use crate::common::random::{Random, cases, list, within};
-use crate::drawing::{Drawing, Spot};
-use crate::mode::Mode;
-use crate::moves::{Move, exact, number, product, radians, rounded, size};
-use crate::reference::linear::{Matrix, length, point};
-use crate::reference::projection::{self, Projection as ModelProjection};
-use crate::reference::view::{View as ModelView, Viewport as ModelViewport};
+use support::drawing::{Drawing, Spot};
+use support::mode::Mode;
+use support::moves::{Move, exact, number, product, radians, rounded, size};
+use support::random::{Random, cases, list, within};
+use support::reference::linear::{Matrix, length, point};
+use support::reference::projection::{self, Projection as ModelProjection};
+use support::reference::view::{View as ModelView, Viewport as ModelViewport};
 
 /// Half of the guard band's width, in pixels.
 const GUARD: f64 = 2048.;
@@ -152,7 +152,7 @@ impl View {
     /// - The viewport's scale rounds coefficients (1). The product with the view rounds coefficients to 29 bits (2). If
     ///   an offset is so large that coefficients keep fewer bits, they are rounded by 2⁻⁴⁴ of the offset, and
     ///   multiplied by up to 3 · 2¹⁵: 6 of the offset.
-    /// - Each move has its own errors (3): see [`relative`](crate::moves::relative).
+    /// - Each move has its own errors (3): see [`relative`](support::moves::relative).
     ///
     /// So an offset has an error of at most 15.4. A product with a coefficient has an error of 9.4 and 6. 16 is a bound
     /// of both. A coefficient has at most 40 fraction bits, in units of the guard band: half of the last bit is 2⁻³⁰

@@ -1,8 +1,8 @@
 //! The visible parts of a face, as polygons on the screen.
 
-use crate::reference::coverage::area2_f64;
-use crate::reference::distance::{to_segment, to_triangle};
-use crate::reference::raster::Piece;
+use support::reference::coverage::area2_f64;
+use support::reference::distance::{to_segment, to_triangle};
+use support::reference::raster::Piece;
 
 /// The part of a face that is nearest to a point, and its distance from the point.
 pub fn nearest<'a>(

@@ -10,7 +10,8 @@ use fixel::prelude::*;
 use super::scene::{ONCE, Random, TriangleView, worst};
 use super::table::{Cases, picture};
 use super::verdict::{MODES, Verdict};
-use crate::drawing::Drawing;
+use support::drawing::Drawing;
+use support::random::sampled;
 
 const NEAR: f64 = 0.25;
 
@@ -66,7 +67,7 @@ fn just_above_zero() -> Verdict {
         ..TriangleView::ROOM
     };
     let mut random = Random(1);
-    worst((0..200).map(|_| {
+    worst((0..sampled(200)).map(|_| {
         let mut corner = || {
             let w = (random.between(0., 100_f64.ln()).exp() + 0.5).floor() * unit;
             view.at(

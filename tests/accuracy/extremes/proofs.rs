@@ -2,8 +2,8 @@
 
 use fixel::prelude::*;
 
-use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
-use crate::reference::coverage::covers;
+use support::counter::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
+use support::reference::coverage::covers;
 
 /// The side of the picture, in pixels. The picture has as many pixels as a u64 has bits.
 const SIDE: u32 = 8;

@@ -10,8 +10,8 @@ use fixel::prelude::*;
 
 use super::table::{Cases, figure};
 use super::verdict::Worst;
-use crate::moves::radians;
-use crate::reference::linear::{self, Matrix};
+use support::moves::radians;
+use support::reference::linear::{self, Matrix};
 
 /// The number 1 in the units of a matrix's entries, 2⁻³⁰.
 const ONE: f64 = 1_073_741_824.;

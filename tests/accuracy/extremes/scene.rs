@@ -4,10 +4,10 @@ use fixel::prelude::*;
 use fixel::view::Perspective;
 
 use super::verdict::Verdict;
-use crate::common::BOTH_SIDES;
-use crate::moves::{Move, exact, number, product, rounded};
-use crate::reference::projection::focal;
-use crate::reference::view::{self, View};
+use support::counter::BOTH_SIDES;
+use support::moves::{Move, exact, number, product, rounded};
+use support::reference::projection::focal;
+use support::reference::view::{self, View};
 
 /// A triangle's corners.
 pub type Corners = [[f64; 3]; 3];

@@ -10,7 +10,7 @@ use fixel::prelude::*;
 use super::scene::{ONCE, Random, TriangleView, worst};
 use super::table::{Cases, picture};
 use super::verdict::Verdict;
-use crate::common::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
+use support::counter::{BOTH_SIDES, Counter, at_subpixel, pixel_projection};
 
 /// Triangles at every slope, 5 to 100 pixels long and `width` pixels wide at their middle.
 fn slivers(width: f64) -> Verdict {

@@ -8,13 +8,13 @@ use fixel::Drawn;
 use fixel::canvas::{DepthBuffer, FloatDepth, NoDepth, WideFloatDepth};
 use fixel::mode::{self, Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
-use fixel::shade::{Tolerance, Varyings};
 use fixel::view::ProjectionKind;
 use rand::Rng;
 use rand::seq::IndexedRandom;
 
-use crate::common::random::{Random, cases};
-use crate::mode::Mode;
+use support::drawing::Raw;
+use support::mode::Mode;
+use support::random::{Random, cases, sampled};
 
 /// Random bits. The ends and the middle of the format are frequent, and so are all magnitudes between them.
 fn bits(random: &mut Random) -> i32 {
@@ -158,53 +158,6 @@ fn scene(random: &mut Random) -> Scene {
     }
 }
 
-/// Varyings of three numbers, each with a tolerance.
-#[derive(Clone, Copy)]
-struct Rough([i32; 3]);
-
-impl Varyings for Rough {
-    type Lanes = [(); 3];
-    type Face = ();
-
-    fn tolerance(lane: usize) -> Tolerance {
-        [
-            Tolerance::Texels,
-            Tolerance::Units(1 << 20),
-            Tolerance::Units(u32::MAX),
-        ][lane]
-    }
-
-    fn split(self) -> ([i32; 3], ()) {
-        (self.0, ())
-    }
-
-    fn join(numbers: [i32; 3], (): ()) -> Self {
-        Self(numbers)
-    }
-}
-
-/// A shader with varyings of any magnitude. One varying jumps between the ends of its format.
-#[derive(Clone, Copy)]
-struct Raw;
-
-impl Shader for Raw {
-    type Color = Gray8;
-    type Varyings = Rough;
-
-    fn varyings(&self, primitive: &Primitive<'_>) -> [Rough; 3] {
-        primitive.corners(|corner| {
-            let [x, y, _] = corner.position().to_bits();
-            let end = if y & 1 == 0 { i32::MIN } else { i32::MAX };
-            Rough([x, corner.uv().x.to_bits(), end])
-        })
-    }
-
-    fn shade(&self, at: &Fragment, Rough([a, b, c]): Rough) -> Option<Gray8> {
-        let [mixed, ..] = (a ^ a >> 16 ^ b ^ c ^ i32::from(at.depth)).to_le_bytes();
-        Some(Gray8::new(mixed))
-    }
-}
-
 impl Scene {
     fn draw<K: ProjectionKind, D: DepthBuffer>(
         &self,
@@ -222,8 +175,9 @@ impl Scene {
             .unwrap();
         let options = &self.options;
         let drawn = match (self.what, self.mode) {
-            // Modes differ only in how they interpolate numbers, and `Raw` tests them with arbitrary numbers. So
-            // normals and light are drawn in one mode only, which saves seconds of compilation.
+            // Modes differ only in how they interpolate numbers, and `Raw` tests them with arbitrary numbers. So the
+            // other shaders are drawn in one mode only, which saves seconds of compilation.
+            (What::Depth, _) => canvas.draw_with(options, mesh, mvp, &DepthView::new()),
             (What::Normals, _) => canvas.draw_with(options, mesh, mvp, &NormalView::new()),
             (What::Lit, _) => {
                 let light = Light::new(vec3!(1, 2, 3), fx!(0.5), fx!(0.5)).unwrap();
@@ -255,8 +209,7 @@ impl Scene {
             What::Triangles => canvas.draw_with(options, mesh, mvp, &Raw),
             What::Edges => canvas.draw_with(options, mesh.edges(LineStyle::HAIRLINE), mvp, &Raw),
             What::Points => canvas.draw_with(options, mesh.points(PointStyle::PIXEL), mvp, &Raw),
-            What::Depth => canvas.draw_with(options, mesh, mvp, &DepthView::new()),
-            What::Normals | What::Lit => unreachable!("drawn in one mode"),
+            What::Depth | What::Normals | What::Lit => unreachable!("drawn in one mode"),
         }
     }
 
@@ -308,7 +261,7 @@ impl Scene {
 }
 
 /// The number of random inputs that a test checks.
-const CASES: u64 = 6000;
+const CASES: u32 = 6000;
 
 /// A window with random sides.
 fn window(random: &mut Random) -> Window {
@@ -323,7 +276,7 @@ fn window(random: &mut Random) -> Window {
 
 #[test]
 fn perspective_is_total() {
-    cases(CASES, |random| {
+    cases(sampled(CASES), |random| {
         let scene = scene(random);
         let fov: u32 = random.random_range(1..1 << 31);
         let fov = Angle::from_bits((fov >> random.random_range(0..16)).max(1));
@@ -334,7 +287,7 @@ fn perspective_is_total() {
 
 #[test]
 fn off_center_perspective_is_total() {
-    cases(CASES, |random| {
+    cases(sampled(CASES), |random| {
         let (near, far) = (scalar(random), scalar(random));
         scene(random).check(Projection::frustum(window(random), near, far));
     });
@@ -342,7 +295,7 @@ fn off_center_perspective_is_total() {
 
 #[test]
 fn parallel_projections_are_total() {
-    cases(CASES, |random| {
+    cases(sampled(CASES), |random| {
         let (scene, window) = (scene(random), window(random));
         let (near, far) = (scalar(random), scalar(random));
         scene.check(Projection::orthographic(window, near, far));

@@ -1,7 +1,7 @@
 //! The largest of many errors.
 
-use crate::mode::Mode;
 use fixel::fx;
+use support::mode::Mode;
 
 /// The modes that are measured.
 pub const MODES: [Mode; 3] = [Mode::Newton, Mode::Exact, Mode::Fast(fx!(0.25))];

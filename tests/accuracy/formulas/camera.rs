@@ -6,9 +6,9 @@ use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
 use rand::Rng;
 
-use crate::common::random::{Random, cases, within};
-use crate::moves::exact;
-use crate::reference::linear::{cross, dot, normalized, subtract};
+use support::moves::exact;
+use support::random::{Random, cases, within};
+use support::reference::linear::{cross, dot, normalized, subtract};
 
 use super::helpers::{STEP, all_close, close, float, vec};
 

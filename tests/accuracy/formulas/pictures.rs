@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::BinaryColor;
 use fixel::prelude::*;
 use fixel::view::Perspective;
 
-use crate::moves::exact;
+use support::moves::exact;
 
 const SIZE: u32 = 28;
 

@@ -8,8 +8,8 @@ use fixel::prelude::*;
 use fixel::view::{Parallel, Perspective};
 use rand::Rng;
 
-use crate::common::random::{cases, within};
-use crate::moves::{exact, number, rounded};
+use support::moves::{exact, number, rounded};
+use support::random::{cases, within};
 
 use super::helpers::{STEP, all_close, close, float, same_matrix, vec};
 

@@ -4,8 +4,8 @@ use fixel::prelude::*;
 use fixel::view::{Segment, speed};
 use rand::Rng;
 
-use crate::common::random::{cases, within};
-use crate::moves::{exact, number, rounded};
+use support::moves::{exact, number, rounded};
+use support::random::{cases, within};
 
 use super::helpers::{STEP, UNIT_STEP, close, float, unit, vec};
 

@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use fixel::prelude::*;
 use rand::Rng;
 
-use crate::common::random::{cases, list};
+use support::random::{cases, list};
 
 use super::helpers::close;
 

@@ -7,8 +7,8 @@ use fixel::mode::Exact;
 use fixel::prelude::*;
 use rand::Rng;
 
-use crate::common::random::cases;
-use crate::common::recorder::{Probe, record};
+use support::random::cases;
+use support::recorder::{Probe, record};
 
 const SIZE: u32 = 64;
 

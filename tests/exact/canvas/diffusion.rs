@@ -7,7 +7,7 @@ use fixel::prelude::*;
 use rand::rngs::SmallRng;
 use rand::{Rng, SeedableRng};
 
-use crate::common::random::cases;
+use support::random::cases;
 
 /// Diffusion keeps the sum of all grays; `errors` holds the part of the sum that is not shown. All grays are so far
 /// from black and white that no error moves a gray past black or white.

@@ -18,7 +18,7 @@ use fixel::prelude::*;
 use rand::Rng;
 
 use super::pictures::{self, HEIGHT, WIDTH};
-use crate::common::random::{Random, cases};
+use support::random::{Random, cases};
 
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 

@@ -13,7 +13,7 @@ use fixel::prelude::*;
 use rand::Rng;
 
 use super::pictures::{self, HEIGHT, WIDTH};
-use crate::common::random::cases;
+use support::random::cases;
 
 /// A target that keeps only the lowest bits of each color.
 struct Coarse<T>(T);

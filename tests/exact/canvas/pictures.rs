@@ -18,7 +18,7 @@ use embedded_graphics::primitives::{
 use embedded_graphics::text::{Alignment, Baseline, Text, TextStyleBuilder};
 use rand::Rng;
 
-use crate::common::random::{Random, list};
+use support::random::{Random, list};
 
 pub const WIDTH: u32 = 41;
 pub const HEIGHT: u32 = 31;

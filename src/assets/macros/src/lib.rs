@@ -36,14 +36,15 @@ pub fn assets(input: TokenStream) -> TokenStream {
 }
 
 /// A picture of `fixel`'s own documentation as a `data:` URI. The picture is part of the page because docs.rs serves no
-/// other files. The input is string literals, which together are the picture's path in the package.
+/// other files. The input is string literals, which together are the picture's path in the folder `pictures` of this
+/// package.
 #[doc(hidden)]
 #[proc_macro]
 pub fn picture_uri(input: TokenStream) -> TokenStream {
     let input = input.to_string();
     let parts = input.split('"').skip(1).step_by(2);
-    let root = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();
-    let path = Path::new(&root).join(parts.collect::<String>());
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/pictures"));
+    let path = folder.join(parts.collect::<String>());
     match std::fs::read(&path) {
         Ok(picture) => {
             let uri = format!("data:image/png;base64,{}", BASE64_STANDARD.encode(picture));

@@ -30,9 +30,17 @@ pub fn read(bytes: &[u8]) -> Result<Picture, String> {
     };
     // A negative height means that the top row comes first.
     let (from_bottom, height) = (rows > 0, rows.unsigned_abs() as usize);
-    check(width as u64, height as u64)?;
     let bits = (depth >> 16) as usize;
     let compression = if header < 20 { 0 } else { long(30)? };
+    // Without compression, a pixel takes at least 1 bit. A run of at most 255 pixels takes 2 bytes. (Jumps could skip
+    // more pixels than that, but programs do not write whole pictures as jumps.)
+    let len = bytes.len() as u64;
+    let most = if compression == 0 {
+        len * 8
+    } else {
+        len * 255 / 2
+    };
+    check(bytes, most, width as u64, height as u64)?;
     let is_os2 = header == 64;
     match (compression, bits) {
         (0, 1 | 2 | 4 | 8 | 16 | 24 | 32) | (1, 8) | (2, 4) => {}
@@ -113,13 +121,6 @@ fn rows_of(
 
 /// The indices of pixels that are stored as runs. Pixels that the runs skip have index 0.
 fn runs(mut data: &[u8], bits: usize, width: usize, height: usize) -> Result<Vec<u8>, String> {
-    // A run has at most 255 pixels. A jump can skip more pixels, but a short file must not claim much memory.
-    if width * height > 255 * (data.len() + (1 << 16)) {
-        let len = data.len();
-        return Err(format!(
-            "its {len} bytes are too few for {width}x{height} pixels"
-        ));
-    }
     let mut indices = vec![0; width * height];
     let (mut x, mut y) = (0, 0);
     while y < height {

@@ -23,7 +23,10 @@ pub fn read(bytes: &[u8]) -> Result<Picture, String> {
     let bytes_of = |bits: u8| usize::from(bits.div_ceil(8));
     let (kind, flags) = (header[2], header[17]);
     let (width, height) = (word(12), word(14));
-    check(width as u64, height as u64)?;
+    // Without compression, a pixel takes at least 1 byte. A run of at most 128 pixels takes at least 2 bytes.
+    let len = bytes.len() as u64;
+    let most = if kind & 8 == 0 { len } else { len * 128 / 2 };
+    check(bytes, most, width as u64, height as u64)?;
     let color = |raw: &[u8]| {
         let [r, g, b, alpha] = match (kind & 3, raw.len()) {
             (_, 1) => [0xff; 4],
