@@ -59,6 +59,45 @@ fn opacity_blends_from_back_to_front() {
     }
 }
 
+/// Faces that are sorted keep their texture coordinates. The front square comes first in the file, but is drawn last.
+#[test]
+fn sorted_faces_keep_their_texels() {
+    let bench = Bench::new("sorted");
+    let texel = |x, _| {
+        Rgba([
+            if x < 2 { 255 } else { 0 },
+            if x < 2 { 0 } else { 255 },
+            0,
+            255,
+        ])
+    };
+    let skin = RgbaImage::from_fn(4, 4, texel);
+    skin.save(bench.path("skin.png")).unwrap();
+    let (points, _) = SQUARES.split_once("vt").unwrap();
+    let faces = "vt 0.25 0\nvt 0.75 0\nusemtl skin\nf 1/1 2/1 3/1 4/1\nf 5/2 6/2 7/2 8/2\n";
+    bench.write("t.obj", format!("{points}{faces}"));
+    bench.write("m.mtl", "newmtl skin\nmap_Kd skin.png\nd 0.5\n");
+    let picture = bench.draw(format!("t.obj {VIEW}"));
+    near(
+        *picture.get_pixel(9, 9),
+        [128, 64, 64],
+        "red before green before blue",
+    );
+}
+
+#[test]
+fn colors_of_vertices_are_multiplied_by_the_material() {
+    let bench = Bench::new("tinted");
+    let points = ["0 0", "1 0", "1 1", "0 1"].map(|xy| format!("v {xy} 0 1 0.5 0\n"));
+    bench.write(
+        "t.obj",
+        format!("mtllib m.mtl\n{}usemtl half\nf 1 2 3 4\n", points.concat()),
+    );
+    bench.write("m.mtl", "newmtl half\nKd 0.5 1 1\n");
+    let picture = bench.draw(format!("t.obj {VIEW}"));
+    near(*picture.get_pixel(9, 9), [128, 128, 0], "tinted");
+}
+
 #[test]
 fn alpha_of_a_texture_is_a_hole() {
     let bench = Bench::new("holes");

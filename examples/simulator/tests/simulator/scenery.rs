@@ -217,12 +217,13 @@ fn edges_lie_over_the_surface() {
     }
 }
 
-/// A plate in the plane z = 0, with this many squares along each side.
-fn plate(squares: u32) -> String {
+/// A plate in the plane z = 0, with this many squares along each side. `fold` bends its halves away from the viewer.
+fn plate(squares: u32, fold: f64) -> String {
     let mut text = String::new();
     let at = |k: u32| f64::from(k) / f64::from(squares);
     for (y, x) in (0..=squares).flat_map(|y| (0..=squares).map(move |x| (y, x))) {
-        writeln!(text, "v {} {} 0", at(x), at(y)).unwrap();
+        let z = (at(x) - 0.5).abs() * -fold;
+        writeln!(text, "v {} {} {z}", at(x), at(y)).unwrap();
     }
     for (y, x) in (0..squares).flat_map(|y| (1..=squares).map(move |x| (y, x))) {
         let [a, b] = [y * (squares + 1) + x, (y + 1) * (squares + 1) + x];
@@ -234,7 +235,7 @@ fn plate(squares: u32) -> String {
 #[test]
 fn edges_that_would_fill_the_picture_become_an_outline() {
     let bench = Bench::new("dense");
-    bench.write("p.obj", plate(40));
+    bench.write("p.obj", plate(40, 0.0));
     for (size, is_dense) in [("64x48", true), ("640x480", false)] {
         let look = format!("p.obj --size {size} --shade wire --color mono");
         let notes = bench.notes(&look);
@@ -249,6 +250,33 @@ fn edges_that_would_fill_the_picture_become_an_outline() {
         // all edges are drawn.
         assert_eq!(white < 250, is_dense, "{size}: {white}");
         assert!(white > 100, "{size}: {white}");
+    }
+}
+
+/// Halves that meet at 90 degrees have a crease between them; the borders show from both sides.
+#[test]
+fn an_outline_has_creases_and_borders() {
+    let bench = Bench::new("outline");
+    for (fold, z, has_crease) in [(1.0, 3, true), (1.0, -3, true), (0.3, 3, false)] {
+        bench.write("p.obj", plate(40, fold));
+        let view = format!("--eye 0.5,0.5,{z} --look-at 0.5,0.5,0 --fov 25 --size 64x48");
+        let pixels = draw(&bench, format!("p.obj {view} --shade wire --color mono"));
+        let row: Vec<usize> = (0..64).filter(|x| pixels[24 * 64 + x][0] > 0).collect();
+        let is_crease = |x: &&usize| x.abs_diff(32) <= 2;
+        assert_eq!(
+            row.iter().filter(is_crease).count(),
+            usize::from(has_crease),
+            "{fold} {z}: {row:?}"
+        );
+        // The left and the right border.
+        assert!(
+            row[0] < 20 && row[row.len() - 1] > 44,
+            "{fold} {z}: {row:?}"
+        );
+        assert!(
+            row.len() <= 2 + usize::from(has_crease),
+            "{fold} {z}: {row:?}"
+        );
     }
 }
 
