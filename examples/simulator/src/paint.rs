@@ -155,7 +155,7 @@ where
             let (((), Within(tint)), ((), Within((light, ())))) = (tints[corner], lights[corner]);
             let ([r, g, b], [x, y, z]) = (tint.all(), light.all());
             // Tint and light are at most 2^16 in each channel.
-            let times = |tint: i32, light: i32| (i64::from(tint) * i64::from(light) >> 16) as i32;
+            let times = |tint: i32, light: i32| ((i64::from(tint) * i64::from(light)) >> 16) as i32;
             let product = [times(r, x), times(g, y), times(b, z)];
             (inner[corner], Within(Channels::first(product)))
         };
