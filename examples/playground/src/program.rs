@@ -67,7 +67,7 @@ fn head(scene: Scene) -> [&'static str; 3] {
         Scene::Sphere | Scene::SphereFlat => ["", SPHERE, ""],
         Scene::Lighthouse => [
             "",
-            "\nmod lighthouse; // examples/common/lighthouse.rs of fixel\n",
+            "\nmod lighthouse; // examples/common/lighthouse of fixel\n",
             "",
         ],
         Scene::Own => ["Rgb565", "", ""], // see `own`

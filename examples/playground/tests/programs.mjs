@@ -107,7 +107,7 @@ await dropped({ 'a "large" model.obj': OBJ, "scha\u0308del.bmp": bitmap(1024, 10
 add(OWN, {});
 
 writeFileSync(join(sources, "list.rs"), `programs! {\n${list.join("\n")}\n}\n`);
-for (const scene of ["scenes.rs", "lighthouse.rs", "world"])
+for (const scene of ["scenes.rs", "lighthouse", "world"])
   cpSync(join(root, "examples/common", scene), join(sources, scene), { recursive: true });
 cpSync(join(root, "examples/assets"), join(out, "assets"), { recursive: true });
 cpSync(join(root, "examples/playground/tests/programs/draw.rs"), join(sources, "main.rs"));

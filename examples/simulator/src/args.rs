@@ -1,281 +1,223 @@
 //! The command line's arguments, and the checks that do not need the library.
 
+use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 
-use clap::{Command, CommandFactory, Parser, ValueEnum};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use fixel_assets::Format;
+use lexopt::{Arg, Parser};
 
 use crate::look::{Haze, Lamp};
-use fixel_assets::Format;
 
-const EXAMPLES: &str = "\
-Examples (`cargo run --release -p simulator -- ` goes before the arguments):
-  simulator                                             the project's own scene, as lighthouse.png
-  simulator cow.obj --texture cow.png                   your own model, textured and lit
-  simulator part.stl --color mono --size 128x64         STL; PLY, glTF and GLB likewise
-  simulator teapot.obj --shade gouraud --frames 60 --out teapot.gif
-                                                        a turntable: 60 frames, one turn
-  simulator cow.obj --shade wire --size 128x64 --color mono
-                                                        as an OLED would show it
-  simulator cow.obj --eye 2,1,-2 --look-at 0,0,0 --fov 40
-                                                        from a place of your choice
-  simulator --scene floor --dump floor.csv --crc        a measured scene, pixel by pixel
+/// The text of `--help`. [`options`] finds the options in it: lines such as `--eye X,Y,Z`.
+pub const HELP: &str = include_str!("help.txt");
 
-Distances are in the model's own units, which may be of any size: the program scales and centers the model before it
-draws in fixed point. At the end, it prints the camera as options, for you to copy and change. A program for a
-microcontroller takes the model from the same file with the macro `fixel::include_mesh!`.";
-
-/// Draws a 3D model with integers only, as a microcontroller would, and saves the picture. Without a model, it draws
-/// the project's own scene. Without camera options, the model fills the picture.
+/// The arguments: see [`HELP`].
 #[allow(clippy::struct_excessive_bools)] // flags
-#[derive(Clone, Debug, Parser)]
-#[command(name = "simulator", version, after_help = EXAMPLES, max_term_width = 100)]
+#[derive(Clone, Debug, Default)]
 pub struct Args {
-    /// Model to draw: Wavefront OBJ with its MTL materials, STL, PLY or glTF (.glb or .gltf).
-    ///
-    /// A material has one color or one texture, and vertices can have colors. The program computes normals and texture
-    /// coordinates if they are missing. In STL files, z points up; in all others, y does. --up changes this.
-    #[arg(value_name = "MODEL")]
+    /// The names of the options that the user gave.
+    pub given: Vec<&'static str>,
     pub model: Option<PathBuf>,
-
-    /// Texture for the model: PNG, JPEG, BMP, TGA, GIF or WebP.
-    ///
-    /// The texture replaces the model's materials. Its sides are resampled to powers of two, at most 1024. [default:
-    /// the model's materials, or a checker]
-    #[arg(long, value_name = "FILE", help_heading = "Scene")]
     pub texture: Option<PathBuf>,
-
-    /// One of the four measured scenes instead of a model.
-    #[arg(long, value_enum, help_heading = "Scene")]
     pub scene: Option<SceneName>,
-
-    /// Position of the camera. [default: in front, a little to the right and above]
-    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true, help_heading = "Camera")]
     pub eye: Option<[f64; 3]>,
-
-    /// Point that the camera looks at. [default: the center of the model]
-    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true, help_heading = "Camera")]
     pub look_at: Option<[f64; 3]>,
-
-    /// Direction that points up in the picture, or the name of an axis, for example z for a model with z up. The
-    /// default view and the turntable follow it. [default: y, or z for STL]
-    #[arg(long, value_name = "X,Y,Z", value_parser = axis, allow_hyphen_values = true, help_heading = "Camera")]
     pub up: Option<[f64; 3]>,
-
-    /// Vertical field of view in degrees, above 0 and below 180. [default: 40; with --eye, wide enough for the whole
-    /// model, or 100 if the eye is inside it]
-    #[arg(long, value_name = "DEG", value_parser = field_of_view, allow_hyphen_values = true, help_heading = "Camera")]
     pub fov: Option<f64>,
-
-    /// Distance of the near plane, above 0. Nothing nearer is drawn. [default: just in front of the model]
-    #[arg(long, value_name = "N", value_parser = number, allow_hyphen_values = true, help_heading = "Camera")]
     pub near: Option<f64>,
-
-    /// Distance of the far plane, beyond the near plane. Nothing farther is drawn. [default: just behind the model]
-    #[arg(long, value_name = "F", value_parser = number, allow_hyphen_values = true, help_heading = "Camera")]
     pub far: Option<f64>,
-
-    /// Projection from space to the picture.
-    #[arg(
-        long,
-        value_enum,
-        default_value = "perspective",
-        help_heading = "Camera"
-    )]
     pub projection: Kind,
-
-    /// How the surface is colored. [default: lit if there are textures, texture coordinates, materials or colors; else
-    /// gouraud]
-    #[arg(long, value_enum, help_heading = "Look")]
     pub shade: Option<Shade>,
-
-    /// How a texture is magnified.
-    #[arg(long, value_enum, default_value = "nearest", help_heading = "Look")]
     pub filter: Filter,
-
-    /// How exactly textures and colors are interpolated: speed against accuracy.
-    #[arg(long, value_enum, default_value = "newton", help_heading = "Look")]
     pub mode: Mode,
-
-    /// Format of the depth buffer. A wider range keeps surfaces in order even if --far is much larger than --near.
-    #[arg(long, value_enum, default_value = "linear", help_heading = "Look")]
     pub depth: DepthBuffer,
-
-    /// Hide the backs of faces, as programs for microcontrollers do by default. Without this option, backs are hidden
-    /// only if the file calls the material one-sided.
-    #[arg(long, help_heading = "Look")]
     pub cull: bool,
-
-    /// Draw the model's edges over its surface.
-    #[arg(long, help_heading = "Look")]
     pub wire: bool,
-
-    /// Color behind the model. [default: a dark color, or a bright one behind a dark model]
-    #[arg(long, value_name = "RRGGBB", value_parser = color, help_heading = "Look")]
     pub background: Option<Rgb888>,
-
-    /// Direction to a light, and its color unless it is white. Repeat the option for more lights. [default: a white
-    /// light from over the viewer's left shoulder]
-    #[arg(long, value_name = "X,Y,Z[,RRGGBB]", value_parser = lamp, allow_hyphen_values = true, help_heading = "Look")]
     pub light: Vec<Lamp>,
-
-    /// Ambient light, which reaches every face, from 0 to 1. [default: 0.3]
-    #[arg(long, value_name = "PART", value_parser = part, allow_hyphen_values = true, help_heading = "Look")]
     pub ambient: Option<f64>,
-
-    /// Fog: clear up to the distance NEAR, opaque from FAR on. [default color: the background]
-    #[arg(long, value_name = "NEAR,FAR[,RRGGBB]", value_parser = haze, allow_hyphen_values = true,
-        help_heading = "Look")]
     pub fog: Option<Haze>,
-
-    /// Pixel format to draw in.
-    #[arg(long, value_enum, default_value = "rgb565", help_heading = "Look")]
     pub color: Color,
-
-    /// Picture size in pixels, up to 2048x2048.
-    #[arg(long, value_name = "WxH", value_parser = size, default_value = "320x240",
-        allow_hyphen_values = true, help_heading = "Picture")]
     pub size: (u32, u32),
-
-    /// Draw in bands of this many rows, as a microcontroller with little memory does. The picture stays the same.
-    #[arg(long, value_name = "ROWS", value_parser = clap::value_parser!(u32).range(1..), help_heading = "Picture")]
     pub bands: Option<u32>,
-
-    /// Number of frames of 40 ms in which the model turns once. Several frames are saved as .gif or .apng.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000),
-        default_value = "1", help_heading = "Animation")]
     pub frames: u32,
-
-    /// File for the picture: .png, .gif or .apng (an animated PNG), or - for standard output. [default: a .png or .gif
-    /// named after the model]
-    #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub out: Option<PathBuf>,
-
-    /// Also write a table of the last frame: x,y,u,v,w,depth of each pixel that the model covers.
-    ///
-    /// u and v are the texture coordinates, w is the distance from the eye along the view direction, and depth is in
-    /// linear steps. Numbers have all their digits. The file - is standard output.
-    #[arg(long, value_name = "FILE.csv", help_heading = "Output")]
     pub dump: Option<PathBuf>,
-
-    /// Print the CRC-32 of the last frame's pixels as big-endian RGB565, row by row from the top.
-    #[arg(long, help_heading = "Output")]
     pub crc: bool,
-
-    /// Print only errors and the result of --crc.
-    #[arg(long, short, help_heading = "Output")]
     pub quiet: bool,
-
-    /// Show the picture in a window; needs SDL2 and a build with --features sdl.
-    ///
-    /// Drag or press the arrow keys to turn the model. Turn the wheel or press + and - to zoom. Space returns to the
-    /// first view, and Escape closes the window.
-    #[arg(long, help_heading = "Output")]
     pub window: bool,
+    pub help: bool,
+    pub version: bool,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum SceneName {
-    /// A checkered floor to the horizon
-    Floor,
-    /// A checkered cube
-    Cube,
-    /// A sphere of 1,984 triangles, Gouraud
-    Sphere,
-    /// The same sphere, one color per triangle
-    SphereFlat,
+/// The possible values of an option.
+pub trait Named: Copy + PartialEq + 'static {
+    const VALUES: &'static [(Self, &'static str)];
+
+    /// The value's name, as the user writes it.
+    fn name(self) -> &'static str {
+        let value = Self::VALUES.iter().find(|(value, _)| *value == self);
+        value.map_or("", |(_, name)| name)
+    }
+
+    fn parse(text: &str) -> Result<Self, String> {
+        let value = Self::VALUES.iter().find(|(_, name)| *name == text);
+        value.map(|(value, _)| *value).ok_or_else(|| {
+            let names: Vec<_> = Self::VALUES.iter().map(|(_, name)| *name).collect();
+            format!("the possible values are {}", names.join(", "))
+        })
+    }
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Kind {
-    /// Distant objects look smaller
-    Perspective,
-    /// Parallel, straight ahead
-    Orthographic,
-    /// Parallel, depth drawn slanted at half its length
-    Cabinet,
-    /// Parallel, depth drawn slanted at its full length
-    Cavalier,
+/// An enum of possible values with their names. The first value is the default, if the option has one.
+macro_rules! choice {
+    ($name:ident: $first:ident $text:literal, $($other:ident $more:literal,)+) => {
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+        pub enum $name {
+            #[default]
+            $first,
+            $($other,)+
+        }
+
+        impl Named for $name {
+            const VALUES: &'static [(Self, &'static str)] =
+                &[(Self::$first, $text), $((Self::$other, $more),)+];
+        }
+    };
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Shade {
-    /// The model's textures and colors, without light; a checker if it has none
-    Texture,
-    /// The model's colors, or clay, without textures: lit at the vertices and interpolated between them
-    Gouraud,
-    /// Like gouraud, with one brightness for each triangle
-    Flat,
-    /// The model's textures and colors, lit
-    Lit,
-    /// Edges only; outlines and creases where edges would fill the picture
-    Wire,
-    /// Depth as gray: near white, far black
-    Depth,
-    /// Normals as colors: x red, y green, z blue
-    Normal,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Filter {
-    /// The nearest texel: squares where the texture is magnified
-    Nearest,
-    /// A blend of the four nearest texels: smooth
-    Bilinear,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Mode {
-    /// Exact at every pixel
-    Exact,
-    /// Within a thousandth of a texel: the library's default
-    Newton,
-    /// Straight pieces, within a quarter of a texel
-    Fast,
-    /// Without perspective within triangles
-    Affine,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum DepthBuffer {
-    /// Equal steps of 1/distance: finest near the eye
-    Linear,
-    /// Floating point: steps of 0.024 % of the distance, up to 65,536 times the near plane
-    Float,
-    /// Floating point over a wider range: steps of 0.049 % of the distance, however far
-    Wide,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Color {
-    /// 16-bit color
-    Rgb565,
-    /// 24-bit color
-    Rgb888,
-    /// 256 grays
-    Gray8,
-    /// 16 grays, dithered
-    Gray4,
-    /// Black and white, dithered
-    Mono,
-}
+choice!(SceneName: Floor "floor", Cube "cube", Sphere "sphere", SphereFlat "sphere-flat",);
+choice!(Kind: Perspective "perspective", Orthographic "orthographic", Cabinet "cabinet", Cavalier "cavalier",);
+choice!(Shade: Texture "texture", Gouraud "gouraud", Flat "flat", Lit "lit", Wire "wire", Depth "depth",
+    Normal "normal",);
+choice!(Filter: Nearest "nearest", Bilinear "bilinear",);
+choice!(Mode: Newton "newton", Exact "exact", Fast "fast", Affine "affine",);
+choice!(DepthBuffer: Linear "linear", Float "float", Wide "wide",);
+choice!(Color: Rgb565 "rgb565", Rgb888 "rgb888", Gray8 "gray8", Gray4 "gray4", Mono "mono",);
 
 /// The options that work without a model. The project's own scene and the measured scenes define all other settings.
 const WITHOUT_MODEL: &[&str] = &[
-    "model", "scene", "mode", "depth", "color", "size", "bands", "frames", "out", "dump", "crc",
-    "quiet", "window",
+    "scene", "mode", "depth", "color", "size", "bands", "frames", "out", "dump", "crc", "quiet",
+    "window",
 ];
 
-/// The command line.
-pub fn command() -> Command {
-    Args::command().mut_args(|arg| match arg.get_id().as_str() {
-        "model" | "size" => arg.conflicts_with("scene"),
-        id if WITHOUT_MODEL.contains(&id) => arg,
-        _ => arg.requires("model"),
+/// The options in [`HELP`]: the name of each, and whether a value follows.
+fn options() -> impl Iterator<Item = (&'static str, bool)> {
+    let lines = HELP.lines().filter_map(|line| line.strip_prefix("  --"));
+    lines.map(|line| match line.split_once(' ') {
+        None => (line, false),
+        Some((name, value)) => (name.trim_end_matches(','), !value.starts_with('-')),
     })
 }
 
 impl Args {
+    /// Parses the program's command line.
+    ///
+    /// # Errors
+    ///
+    /// The message names the argument and says what is possible.
+    pub fn parse() -> Result<Self, String> {
+        let mut parser = Parser::from_env();
+        let mut args = Self {
+            size: (320, 240),
+            frames: 1,
+            ..Self::default()
+        };
+        while let Some(arg) = parser.next().map_err(|error| error.to_string())? {
+            let wanted = match arg {
+                Arg::Long(name) => name.to_string(),
+                Arg::Short('q') => "quiet".into(),
+                Arg::Short('h') => "help".into(),
+                Arg::Short('V') => "version".into(),
+                Arg::Short(letter) => return Err(format!("there is no option -{letter}")),
+                Arg::Value(path) if args.model.is_none() => {
+                    args.model = Some(path.into());
+                    continue;
+                }
+                Arg::Value(word) => {
+                    return Err(format!("'{}': only one model can be drawn", word.display()));
+                }
+            };
+            let Some((name, has_value)) = options().find(|(name, _)| *name == wanted) else {
+                return Err(unknown(&wanted));
+            };
+            if args.given.contains(&name) && name != "light" {
+                return Err(format!("--{name} is given twice"));
+            }
+            args.given.push(name);
+            let value = if has_value {
+                parser.value().map_err(|error| error.to_string())?
+            } else {
+                OsString::new()
+            };
+            args.set(name, &value)
+                .map_err(|problem| format!("--{name} {}: {problem}", value.display()))?;
+        }
+        args.check()?;
+        Ok(args)
+    }
+
+    /// Sets an option. Flags have an empty value.
+    fn set(&mut self, name: &str, value: &OsStr) -> Result<(), String> {
+        let path = || Some(PathBuf::from(value));
+        let text = &*value.to_string_lossy();
+        match name {
+            "texture" => self.texture = path(),
+            "scene" => self.scene = Some(SceneName::parse(text)?),
+            "eye" => self.eye = Some(point(text)?),
+            "look-at" => self.look_at = Some(point(text)?),
+            "up" => self.up = Some(axis(text)?),
+            "fov" => self.fov = Some(field_of_view(text)?),
+            "near" => self.near = Some(number(text)?),
+            "far" => self.far = Some(number(text)?),
+            "projection" => self.projection = Kind::parse(text)?,
+            "shade" => self.shade = Some(Shade::parse(text)?),
+            "filter" => self.filter = Filter::parse(text)?,
+            "mode" => self.mode = Mode::parse(text)?,
+            "depth" => self.depth = DepthBuffer::parse(text)?,
+            "cull" => self.cull = true,
+            "wire" => self.wire = true,
+            "background" => self.background = Some(color(text)?),
+            "light" => self.light.push(lamp(text)?),
+            "ambient" => self.ambient = Some(part(text)?),
+            "fog" => self.fog = Some(haze(text)?),
+            "color" => self.color = Color::parse(text)?,
+            "size" => self.size = size(text)?,
+            "bands" => self.bands = Some(whole(text, u32::MAX)?),
+            "frames" => self.frames = whole(text, 10_000)?,
+            "out" => self.out = path(),
+            "dump" => self.dump = path(),
+            "crc" => self.crc = true,
+            "quiet" => self.quiet = true,
+            "window" => self.window = true,
+            "help" => self.help = true,
+            "version" => self.version = true,
+            _ => return Err("it is not implemented".into()),
+        }
+        Ok(())
+    }
+
+    /// Checks that the arguments fit each other.
+    fn check(&self) -> Result<(), String> {
+        if self.help || self.version {
+            return Ok(());
+        }
+        if self.scene.is_some() && self.model.is_some() {
+            return Err("--scene cannot be used with a model".into());
+        }
+        if self.scene.is_some() && self.given.contains(&"size") {
+            return Err(
+                "--scene cannot be used with --size: its pictures have 320x240 pixels".into(),
+            );
+        }
+        let needs_model = |name: &&&str| !WITHOUT_MODEL.contains(*name);
+        match self.given.iter().find(needs_model) {
+            Some(name) if self.model.is_none() => Err(format!("--{name} needs a model")),
+            _ => Ok(()),
+        }
+    }
+
     /// The direction that is up.
     pub fn up(&self) -> [f64; 3] {
         let is_stl = self.model.as_deref().and_then(Format::of) == Some(Format::Stl);
@@ -286,6 +228,19 @@ impl Args {
         };
         self.up.unwrap_or(up)
     }
+}
+
+/// The message about an option that does not exist. It names a similar option, if there is one.
+fn unknown(wanted: &str) -> String {
+    let distance = |name: &str| strsim::damerau_levenshtein(name, wanted);
+    let nearest = options()
+        .map(|(name, _)| name)
+        .min_by_key(|name| distance(name));
+    let similar = match nearest.filter(|name| distance(name) <= 2) {
+        Some(name) => format!(": did you mean --{name}?"),
+        None => String::new(),
+    };
+    format!("there is no option --{wanted}{similar}")
 }
 
 fn number(text: &str) -> Result<f64, String> {
@@ -325,6 +280,13 @@ fn axis(text: &str) -> Result<[f64; 3], String> {
         "y" => Ok([0.0, 1.0, 0.0]),
         "z" => Ok([0.0, 0.0, 1.0]),
         _ => point(text),
+    }
+}
+
+fn whole(text: &str, most: u32) -> Result<u32, String> {
+    match text.trim().parse() {
+        Ok(number) if (1..=most).contains(&number) => Ok(number),
+        _ => Err(format!("it must be a whole number from 1 to {most}")),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
-use embedded_graphics::pixelcolor::{Gray8, GrayColor, PixelColor, Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
 use embedded_graphics::primitives::{PointsIter, Rectangle};
 use fixel::canvas::{Biased, DepthBuffer, Replace, TestAndWrite, TestOnly};
 use fixel::mode::Newton;
@@ -20,10 +20,11 @@ use super::paint::{self, Shown, Skin};
 use super::scene::{Motion, Scene};
 use super::surface::{Any, Glass, Surface};
 use crate::args::{Args, Shade};
+use crate::dump::Recording;
 use crate::part::Piece;
 
 /// The simulator's canvas.
-pub type Board<'a, C, D> = Canvas<'a, C, Native, D>;
+pub type Board<'a, D> = Canvas<'a, Rgb888, Native, D>;
 
 /// The lines that are drawn for each piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,8 +44,11 @@ pub struct Style<'a> {
     /// For each piece, whether it is translucent.
     is_blended: Vec<bool>,
     lines: Lines,
-    /// The color of lines.
-    line: Rgb888,
+    /// The shader of lines.
+    line: Surface<'a>,
+    mode: Mode,
+    /// The faces that are culled. If present, it overrides the materials.
+    cull: Option<Cull>,
     /// The bias that moves the depths of faces behind the lines on these faces.
     bias: Biased,
     backdrop: Backdrop,
@@ -103,7 +107,9 @@ impl<'a> Style<'a> {
                 .map(|piece| is_blended(piece, look.shade))
                 .collect(),
             lines,
-            line: paint::on_canvas::<C>(line, Point::zero()),
+            line: Surface::of_rgb(Flat::new(paint::on_canvas::<C>(line, Point::zero())))?,
+            mode: scene.mode,
+            cull: None,
             bias,
             backdrop: look.backdrop,
             color: paint::on_canvas::<C>,
@@ -111,8 +117,36 @@ impl<'a> Style<'a> {
         })
     }
 
+    /// Makes the style of a recording of the scene's faces or edges.
+    ///
+    /// # Errors
+    ///
+    /// None.
+    pub fn recording(
+        scene: &Scene<'_>,
+        recording: Recording<'a>,
+        edges: bool,
+        cull: Option<Cull>,
+    ) -> Result<Self> {
+        let pieces = &scene.pieces;
+        let surfaces = pieces.iter().map(|_| Surface::of_rgb(recording));
+        Ok(Self {
+            surfaces: surfaces.collect::<Result<_>>()?,
+            has_faces: !edges,
+            is_blended: vec![false; pieces.len()],
+            lines: if edges { Lines::Edges } else { Lines::None },
+            line: Surface::of_rgb(recording)?,
+            mode: scene.recorded,
+            cull,
+            bias: Biased::new(TestAndWrite, 0, fx!(0)),
+            backdrop: Backdrop::Color(Rgb888::BLACK),
+            color: |color, _| color,
+            caption: None,
+        })
+    }
+
     /// Fills the canvas.
-    pub fn clear<D: DepthBuffer>(&self, canvas: &mut Board<'_, Rgb888, D>) {
+    pub fn clear<D: DepthBuffer>(&self, canvas: &mut Board<'_, D>) {
         canvas.clear(Rgb888::default());
         let height = canvas.frame_size().height;
         let area = area(canvas);
@@ -127,7 +161,7 @@ impl<'a> Style<'a> {
     }
 
     /// Converts blended colors to the canvas's color type. Writes the caption, if the picture has one.
-    pub fn finish<D: DepthBuffer>(&self, canvas: &mut Board<'_, Rgb888, D>) {
+    pub fn finish<D: DepthBuffer>(&self, canvas: &mut Board<'_, D>) {
         if self.is_blended.contains(&true) {
             let area = area(canvas);
             let colors: Vec<Rgb888> = (area.points().zip(canvas.pixels()))
@@ -143,7 +177,7 @@ impl<'a> Style<'a> {
 }
 
 /// The area of a canvas, which can be a band of the frame.
-fn area<D: DepthBuffer>(canvas: &Board<'_, Rgb888, D>) -> Rectangle {
+fn area<D: DepthBuffer>(canvas: &Board<'_, D>) -> Rectangle {
     let rows = canvas.rows().clone();
     let corner = Point::new(0, rows.start.cast_signed());
     Rectangle::new(
@@ -177,24 +211,29 @@ pub enum AnyMvp {
     Parallel(Mvp<Parallel>),
 }
 
+/// Evaluates an expression with the transform inside an [`AnyMvp`].
+macro_rules! either {
+    ($any:expr, |$mvp:ident| $value:expr) => {
+        match $any {
+            AnyMvp::Perspective($mvp) => $value,
+            AnyMvp::Parallel($mvp) => $value,
+        }
+    };
+}
+
 impl AnyMvp {
     /// The viewer's position.
     pub fn viewer(&self) -> Viewer {
-        match self {
-            Self::Perspective(mvp) => Viewer::of(mvp),
-            Self::Parallel(mvp) => Viewer::of(mvp),
-        }
+        either!(self, |mvp| Viewer::of(mvp))
     }
 }
 
-/// The pieces of a model, with their pose and view.
+/// The pieces of a model, with their pose, view and style.
 #[derive(Clone, Copy)]
 pub struct Posed<'a> {
     pub pieces: &'a [Piece<'a>],
     pub mvp: AnyMvp,
-    pub mode: Mode,
-    /// The faces that are culled. If present, it overrides the materials.
-    pub cull: Option<Cull>,
+    pub style: &'a Style<'a>,
 }
 
 /// The options of the simulator's draw calls.
@@ -204,7 +243,7 @@ type Options<Z = Biased, B = Replace> = DrawOptions<Newton, Z, B>;
 macro_rules! projected {
     ($posed:expr, $options:expr, |$with:ident, $mvp:ident| $draw:expr) => {
         match &$posed.mvp {
-            AnyMvp::Perspective($mvp) => in_mode!($posed.mode, $options, |$with| $draw),
+            AnyMvp::Perspective($mvp) => in_mode!($posed.style.mode, $options, |$with| $draw),
             AnyMvp::Parallel($mvp) => {
                 let $with = &$options;
                 $draw
@@ -215,102 +254,67 @@ macro_rules! projected {
 
 impl Posed<'_> {
     fn options(&self, piece: &Piece<'_>) -> DrawOptions {
-        DrawOptions::new().with_cull(self.cull.unwrap_or(piece.finish.cull))
+        DrawOptions::new().with_cull(self.style.cull.unwrap_or(piece.finish.cull))
     }
 
     /// Draws the faces of a piece.
-    fn draw_piece<C: PixelColor, D: DepthBuffer>(
+    fn draw_piece<D: DepthBuffer>(
         &self,
-        canvas: &mut Board<'_, C, D>,
+        canvas: &mut Board<'_, D>,
         piece: &Piece<'_>,
-        shader: &impl ShaderFor<C>,
-        bias: Biased,
+        shader: &impl ShaderFor<Rgb888>,
     ) -> Drawn {
-        let options: Options = self.options(piece).with_depth(bias);
+        let options: Options = self.options(piece).with_depth(self.style.bias);
         projected!(self, options, |options, mvp| {
             canvas.draw_with(options, &piece.mesh, mvp, shader)
         })
     }
 
-    /// Draws the faces of all pieces.
-    pub fn draw<C: PixelColor, D: DepthBuffer>(
-        &self,
-        canvas: &mut Board<'_, C, D>,
-        shader: &impl ShaderFor<C>,
-    ) -> Drawn {
-        let draw =
-            |piece| self.draw_piece(canvas, piece, shader, Biased::new(TestAndWrite, 0, fx!(0)));
-        self.pieces.iter().map(draw).fold(Drawn::default(), add)
-    }
-
-    /// Draws the edges as lines one pixel wide.
-    pub fn draw_edges<C: PixelColor, D: DepthBuffer>(
-        &self,
-        canvas: &mut Board<'_, C, D>,
-        shader: &impl ShaderFor<C>,
-    ) -> Drawn {
+    /// Draws the lines of the style, one pixel wide.
+    fn draw_lines<D: DepthBuffer>(&self, canvas: &mut Board<'_, D>) -> Drawn {
+        let Surface::Many(shader) = &self.style.line else {
+            return Drawn::default();
+        };
+        let (pen, edges) = (LineStyle::HAIRLINE, self.style.lines == Lines::Edges);
         let draw = |piece: &Piece<'_>| {
-            let options = &self.options(piece);
-            match &self.mvp {
-                AnyMvp::Perspective(mvp) => {
-                    canvas.draw_with(options, piece.mesh.edges(LineStyle::HAIRLINE), mvp, shader)
+            let (options, mesh) = (self.options(piece), &piece.mesh);
+            let in_front = &options.with_depth(Biased::in_front(TestAndWrite));
+            match &piece.outline {
+                _ if edges => {
+                    either!(&self.mvp, |mvp| canvas.draw_with(
+                        &options,
+                        mesh.edges(pen),
+                        mvp,
+                        &shader
+                    ))
                 }
-                AnyMvp::Parallel(mvp) => {
-                    canvas.draw_with(options, piece.mesh.edges(LineStyle::HAIRLINE), mvp, shader)
+                Some(outline) => {
+                    let outline = mesh.outline(outline, pen);
+                    either!(&self.mvp, |mvp| canvas
+                        .draw_with(in_front, outline, mvp, &shader))
                 }
+                None => Drawn::default(),
             }
         };
-        self.pieces.iter().map(draw).fold(Drawn::default(), add)
+        self.pieces
+            .iter()
+            .map(draw)
+            .fold(Drawn::default(), |mut sum, drawn| {
+                sum += drawn;
+                sum
+            })
     }
 
-    /// Draws the lines of `style`.
-    fn draw_lines<D: DepthBuffer>(
-        &self,
-        canvas: &mut Board<'_, Rgb888, D>,
-        style: &Style<'_>,
-    ) -> Drawn {
-        let shader = &Flat::new(style.line);
-        if style.lines == Lines::Edges {
-            return self.draw_edges(canvas, shader);
-        }
-        let draw = |piece: &Piece<'_>| {
-            let options = &self
-                .options(piece)
-                .with_depth(Biased::in_front(TestAndWrite));
-            let mesh = &piece.mesh;
-            match (&self.mvp, &piece.outline) {
-                (AnyMvp::Perspective(mvp), Some(outline)) => canvas.draw_with(
-                    options,
-                    mesh.outline(outline, LineStyle::HAIRLINE),
-                    mvp,
-                    shader,
-                ),
-                (AnyMvp::Parallel(mvp), Some(outline)) => canvas.draw_with(
-                    options,
-                    mesh.outline(outline, LineStyle::HAIRLINE),
-                    mvp,
-                    shader,
-                ),
-                _ => Drawn::default(),
-            }
-        };
-        self.pieces.iter().map(draw).fold(Drawn::default(), add)
-    }
-
-    /// Draws the surfaces and lines of `style`. Counts surfaces or, if there are none, lines.
+    /// Draws the surfaces and lines of the style. Counts surfaces or, if there are none, lines.
     ///
     /// # Errors
     ///
     /// None for the pieces of a model.
-    pub fn draw_in_style<D: DepthBuffer>(
-        &self,
-        canvas: &mut Board<'_, Rgb888, D>,
-        style: &Style<'_>,
-    ) -> Result<Drawn> {
+    pub fn draw<D: DepthBuffer>(&self, canvas: &mut Board<'_, D>) -> Result<Drawn> {
+        let style = self.style;
         if !style.has_faces {
-            return Ok(self.draw_lines(canvas, style));
+            return Ok(self.draw_lines(canvas));
         }
-        let bias = style.bias;
         let mut sum = Drawn::default();
         let mut blended = Vec::new();
         let pieces = self.pieces.iter().zip(&style.surfaces);
@@ -320,11 +324,11 @@ impl Posed<'_> {
                 continue;
             }
             let drawn = match surface {
-                Surface::Many(shader) => self.draw_piece(canvas, piece, &shader, bias),
-                Surface::Channels(shader) => self.draw_piece(canvas, piece, &shader, bias),
-                Surface::Pairs(shader) => self.draw_piece(canvas, piece, &shader, bias),
+                Surface::Many(shader) => self.draw_piece(canvas, piece, &shader),
+                Surface::Channels(shader) => self.draw_piece(canvas, piece, &shader),
+                Surface::Pairs(shader) => self.draw_piece(canvas, piece, &shader),
             };
-            sum = add(sum, drawn);
+            sum += drawn;
         }
         // Sort the translucent faces from back to front: first the pieces, then the faces of each piece.
         let mut sorted = Vec::new();
@@ -337,17 +341,17 @@ impl Posed<'_> {
         sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
         for (_, piece, shader, part) in &sorted {
             let piece = part.piece(piece.finish)?;
-            sum = add(sum, self.draw_glass(canvas, &piece, shader));
+            sum += self.draw_glass(canvas, &piece, shader);
         }
         if style.lines != Lines::None {
-            self.draw_lines(canvas, style);
+            self.draw_lines(canvas);
         }
         Ok(sum)
     }
 
     fn draw_glass<V: Varyings, D: DepthBuffer>(
         &self,
-        canvas: &mut Board<'_, Rgb888, D>,
+        canvas: &mut Board<'_, D>,
         piece: &Piece<'_>,
         shader: &Any<'_, V>,
     ) -> Drawn {
@@ -360,10 +364,7 @@ impl Posed<'_> {
 
     /// Returns the order of a piece's faces from back to front, and the distance of the middle of these faces.
     fn order(&self, piece: &Piece<'_>) -> (f64, Vec<usize>) {
-        let to_eye = match &self.mvp {
-            AnyMvp::Perspective(mvp) => mvp.model_view(),
-            AnyMvp::Parallel(mvp) => mvp.model_view(),
-        };
+        let to_eye = either!(&self.mvp, |mvp| mvp.model_view());
         // z points toward the eye.
         let z: Vec<f64> = (piece.mesh.positions().iter())
             .map(|p| f64::from(to_eye.point(p).to_bits()[2]))
@@ -378,13 +379,4 @@ impl Posed<'_> {
         let middle = keys.iter().sum::<f64>() / keys.len().max(1) as f64;
         (middle, order)
     }
-}
-
-/// The sum of two counts.
-pub fn add(a: Drawn, b: Drawn) -> Drawn {
-    let mut sum = a;
-    sum.submitted += b.submitted;
-    sum.drawn += b.drawn;
-    sum.clipped += b.clipped;
-    sum
 }

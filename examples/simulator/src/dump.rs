@@ -1,19 +1,21 @@
 //! Writes the interpolated values of each pixel as a table.
 
+use std::cell::Cell;
 use std::io::Write;
 
-use embedded_graphics::pixelcolor::PixelColor;
-use fixel::shade::Texels;
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use fixel::shade::{PerFace, Texels, Within};
 use fixel::{Fragment, Primitive, Shader, TexCoord};
 
 use super::Result;
 use crate::args::Mode;
 
-/// A "color" that holds the interpolated values of a pixel. The canvas stores it like a color, so the depth test keeps
-/// the visible values.
+/// The interpolated values of a pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Record {
     covered: bool,
+    /// Whether the pixel shows the back of a face.
+    is_back: bool,
     uv: [i32; 2],
     /// The number of fraction bits of `uv`.
     uv_bits: i32,
@@ -29,6 +31,11 @@ impl Record {
         self.covered
     }
 
+    /// Whether the back of a face is drawn at the pixel.
+    pub fn is_back(&self) -> bool {
+        self.is_back
+    }
+
     /// The distance from the eye along the direction of view, in the model's own units.
     pub fn distance(&self) -> f64 {
         f64::from(self.distance) * f64::from(-self.distance_bits).exp2()
@@ -42,12 +49,7 @@ impl Record {
     }
 }
 
-impl PixelColor for Record {
-    type Raw = ();
-}
-
-/// A shader that records the interpolated values. The recorded values have as many fraction bits as the size of the
-/// texture coordinates allows.
+/// The formats of recorded values. They have as many fraction bits as the size of the texture coordinates allows.
 #[derive(Clone, Copy, Debug)]
 pub struct Recorder {
     uv_bits: u32,
@@ -56,7 +58,7 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// Makes a shader for texture coordinates from −`largest` to `largest`. Distances are drawn at 2^`exponent` times
+    /// Returns the formats for texture coordinates from −`largest` to `largest`. Distances are drawn at 2^`exponent` times
     /// their own size.
     ///
     /// Texture coordinates have 24 fraction bits, or fewer if they are large. Mode fast interpolates numbers of more
@@ -83,34 +85,48 @@ impl Recorder {
     }
 }
 
-impl Shader for Recorder {
-    type Color = Record;
+/// A shader that records the values of the visible pixels.
+#[derive(Clone, Copy)]
+pub struct Recording<'a> {
+    pub recorder: Recorder,
+    /// The frame's pixels, in row order.
+    pub records: &'a [Cell<Record>],
+    pub width: u32,
+}
 
-    // All values get the tolerance of a texture coordinate.
-    type Varyings = (Texels, Texels);
+impl Shader for Recording<'_> {
+    type Color = Rgb888;
+    type Varyings = ((Texels, Within<64, [i32; 1]>), PerFace<[i32; 1]>);
 
-    fn varyings(&self, primitive: &Primitive<'_>) -> [(Texels, Texels); 3] {
-        let up = self.uv_bits - TexCoord::FRAC_BITS;
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
+        let up = self.recorder.uv_bits - TexCoord::FRAC_BITS;
         primitive.corners(|corner| {
             let uv = corner.uv().to_bits().map(|bits| bits << up);
-            let distance = corner.distance().to_bits() >> self.distance_shift;
-            (Texels(uv), Texels([distance, 0]))
+            let distance = corner.distance().to_bits() >> self.recorder.distance_shift;
+            let is_back = i32::from(!primitive.is_front());
+            ((Texels(uv), Within([distance])), PerFace([is_back]))
         })
     }
 
     fn shade(
         &self,
         at: &Fragment,
-        (Texels(uv), Texels([distance, _])): (Texels, Texels),
-    ) -> Option<Record> {
-        Some(Record {
-            covered: true,
-            uv,
-            uv_bits: self.uv_bits.cast_signed(),
-            distance,
-            distance_bits: self.distance_bits,
-            depth: at.depth,
-        })
+        ((Texels(uv), Within([distance])), PerFace([is_back])): Self::Varyings,
+    ) -> Option<Rgb888> {
+        let [x, y] = [at.point.x, at.point.y].map(i32::cast_unsigned);
+        // A nearer pixel that is drawn later replaces the record.
+        self.records
+            .get((y * self.width + x) as usize)?
+            .set(Record {
+                covered: true,
+                is_back: is_back != 0,
+                uv,
+                uv_bits: self.recorder.uv_bits.cast_signed(),
+                distance,
+                distance_bits: self.recorder.distance_bits,
+                depth: at.depth,
+            });
+        Some(Rgb888::WHITE)
     }
 }
 

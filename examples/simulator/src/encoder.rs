@@ -9,7 +9,7 @@ use gif::{AnyExtension, Repeat};
 use png::{BitDepth, ColorType};
 
 use super::Result;
-use crate::output::{self, Output};
+use crate::output;
 
 /// The time between frames of an animation, in milliseconds.
 pub const FRAME_MS: u64 = 40;
@@ -90,10 +90,10 @@ fn is_own(path: &Path) -> bool {
             .any(|bytes| bytes == MARK.as_bytes())
 }
 
-/// Writes the frames of a picture, or of an animation that repeats forever.
+/// Encodes the frames of a picture, or of an animation that repeats forever.
 pub enum Encoder<'a> {
-    Png(png::Writer<&'a mut Output>),
-    Gif(Box<gif::Encoder<&'a mut Output>>, (u16, u16)),
+    Png(png::Writer<&'a mut Vec<u8>>),
+    Gif(Box<gif::Encoder<&'a mut Vec<u8>>>, (u16, u16)),
 }
 
 impl<'a> Encoder<'a> {
@@ -101,22 +101,22 @@ impl<'a> Encoder<'a> {
     ///
     /// # Errors
     ///
-    /// The file cannot be written.
+    /// The encoder fails.
     pub fn new(
         format: Format,
-        output: &'a mut Output,
+        bytes: &'a mut Vec<u8>,
         (width, height): (u32, u32),
         frames: u32,
     ) -> Result<Self> {
         if format == Format::Gif {
             let size = (u16::try_from(width)?, u16::try_from(height)?);
-            let mut gif = gif::Encoder::new(output, size.0, size.1, &[])?;
+            let mut gif = gif::Encoder::new(bytes, size.0, size.1, &[])?;
             // The mark is a comment, which viewers do not show.
             gif.write_raw_extension(AnyExtension(0xfe), &[MARK.as_bytes()])?;
             gif.set_repeat(Repeat::Infinite)?;
             return Ok(Self::Gif(Box::new(gif), size));
         }
-        let mut png = png::Encoder::new(output, width, height);
+        let mut png = png::Encoder::new(bytes, width, height);
         png.set_color(ColorType::Rgb);
         png.set_depth(BitDepth::Eight);
         png.add_text_chunk("Software".into(), MARK.into())?;
@@ -131,16 +131,16 @@ impl<'a> Encoder<'a> {
     ///
     /// # Errors
     ///
-    /// The file cannot be written.
+    /// The encoder fails.
     pub fn frame(&mut self, pixels: &[Rgb888]) -> Result<()> {
-        let bytes: Vec<u8> = pixels
+        let pixels: Vec<u8> = pixels
             .iter()
             .flat_map(|color| [color.r(), color.g(), color.b()])
             .collect();
         match self {
-            Self::Png(png) => png.write_image_data(&bytes)?,
+            Self::Png(png) => png.write_image_data(&pixels)?,
             Self::Gif(gif, (width, height)) => {
-                let mut frame = gif::Frame::from_rgb_speed(*width, *height, &bytes, 10);
+                let mut frame = gif::Frame::from_rgb_speed(*width, *height, &pixels, 10);
                 // The delay is in hundredths of a second.
                 frame.delay = FRAME_MS as u16 / 10;
                 gif.write_frame(&frame)?;
@@ -153,7 +153,7 @@ impl<'a> Encoder<'a> {
     ///
     /// # Errors
     ///
-    /// The file cannot be written.
+    /// The encoder fails.
     pub fn finish(self) -> Result<()> {
         match self {
             Self::Png(png) => png.finish()?,

@@ -1,30 +1,16 @@
 //! Notes for the user about options without effect.
 
-use clap::parser::ValueSource;
-use clap::{ArgMatches, ValueEnum};
-
-use crate::args::{Args, Kind, SceneName, Shade};
-
-/// The name of an option's value, as the user writes it.
-pub fn name(value: &impl ValueEnum) -> String {
-    let value = value.to_possible_value();
-    value.map_or(String::new(), |value| value.get_name().into())
-}
+use crate::args::{Args, Kind, Named, SceneName, Shade};
 
 /// Returns a sentence for each option that was given, but has no effect on the picture. `shade` is `None` if the scene
 /// is not a model. `has_textures` says whether any face has a texture.
-pub fn options(
-    args: &Args,
-    matches: &ArgMatches,
-    shade: Option<Shade>,
-    has_textures: bool,
-) -> Vec<String> {
+pub fn options(args: &Args, shade: Option<Shade>, has_textures: bool) -> Vec<String> {
     use Shade::{Depth, Flat, Lit, Normal, Texture, Wire};
     let is = |wanted: &[Shade]| shade.is_some_and(|shade| wanted.contains(&shade));
     let shaded = shade.map_or(String::new(), |shade| {
-        format!("with --shade {}", name(&shade))
+        format!("with --shade {}", shade.name())
     });
-    let projected = format!("with --projection {}", name(&args.projection));
+    let projected = format!("with --projection {}", args.projection.name());
     let is_parallel = args.projection != Kind::Perspective;
     let unlit = is(&[Texture, Wire, Depth, Normal]);
     let untextured = !is(&[Texture, Lit]);
@@ -48,10 +34,9 @@ pub fn options(
         ("mode", flat_scene, "with --scene sphere-flat"),
         ("fov", is_parallel && args.eye.is_none(), &projected),
     ];
-    let is_given = |option: &str| matches.value_source(option) == Some(ValueSource::CommandLine);
     let mut notes = Vec::new();
     for (option, is_idle, why) in rows {
-        if is_idle && is_given(option) {
+        if is_idle && args.given.contains(&option) {
             notes.push(format!("--{option} has no effect {why}"));
         }
     }

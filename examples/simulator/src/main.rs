@@ -10,7 +10,7 @@
 //! 5. Look at it: [`sight`] checks that something will be visible, and [`advice`] what the user should know.
 //! 6. Choose shaders: [`look`] has light and fog, and [`paint`] a shader for each piece. [`surface`] hides their types,
 //!    and [`mode`] chooses the library's types at run time.
-//! 7. Draw: [`draw`] a frame or a band of it, and [`bands`] a frame of bands.
+//! 7. Draw: [`draw`].
 //! 8. Write: [`targets`] opens and fills all outputs: [`encoder`] writes pictures, and [`dump`] tables. [`output`]
 //!    makes sure that no file is lost.
 //! 9. Tell the user: [`report`] prints lines, [`progress`] shows long tasks, and [`window`] shows the picture.
@@ -19,8 +19,6 @@
 
 mod advice;
 mod args;
-mod bands;
-#[path = "../../common/mod.rs"]
 mod common;
 mod draw;
 mod dump;
@@ -49,23 +47,20 @@ use std::error::Error;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use clap::FromArgMatches;
-
 use args::Args;
 
 /// An error message for the user.
 type Result<T, E = Box<dyn Error>> = std::result::Result<T, E>;
 
 fn main() -> ExitCode {
-    let matches = args::command().get_matches();
-    let args = Args::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
-    let done = output::remove_on_interrupt().and_then(|()| run::run(&args, &matches));
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            // Not eprintln!, which panics if standard error is closed.
-            let _ = writeln!(io::stderr(), "error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    let (error, code) = match Args::parse() {
+        Err(error) => (format!("{error}\n\nFor more information, try '--help'."), 2),
+        Ok(args) => match run::run(&args) {
+            Err(error) => (error.to_string(), 1),
+            Ok(()) => return ExitCode::SUCCESS,
+        },
+    };
+    // Not eprintln!, which panics if standard error is closed.
+    let _ = writeln!(io::stderr(), "error: {error}");
+    ExitCode::from(code)
 }

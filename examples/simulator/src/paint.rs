@@ -151,16 +151,15 @@ where
         let tints = white.tinted().varyings(primitive);
         let lights = white.lit(self.light).varyings(primitive);
         let inner = self.surface.varyings(primitive);
-        [0, 1, 2].map(|corner| {
+        let corner = |corner: usize| {
             let (((), Within(tint)), ((), Within((light, ())))) = (tints[corner], lights[corner]);
-            let (tint, light) = (tint.all(), light.all());
+            let ([r, g, b], [x, y, z]) = (tint.all(), light.all());
             // Tint and light are at most 2^16 in each channel.
-            let product = [0, 1, 2].map(|at| {
-                let product = i64::from(tint[at]) * i64::from(light[at]);
-                (product >> 16) as i32
-            });
+            let times = |tint: i32, light: i32| ((i64::from(tint) * i64::from(light)) >> 16) as i32;
+            let product = [times(r, x), times(g, y), times(b, z)];
             (inner[corner], Within(Channels::first(product)))
-        })
+        };
+        [corner(0), corner(1), corner(2)]
     }
 
     fn shade(
@@ -173,6 +172,65 @@ where
             specular: (),
         };
         Some(self.surface.shade(at, inside)?.lit(light))
+    }
+}
+
+/// A surface in fog, or without fog. So a single type, and a single copy of the code, serves both.
+#[derive(Clone, Copy)]
+struct InAnyFog<S, C> {
+    surface: S,
+    fog: Option<Fog<C>>,
+}
+
+/// A shader of one output.
+#[derive(Clone, Copy)]
+struct Given<O>(O);
+
+impl<O: Output> Shader for Given<O> {
+    type Color = O;
+    type Varyings = ();
+
+    fn varyings(&self, _: &Primitive<'_>) -> [(); 3] {
+        [(); 3]
+    }
+
+    fn shade(&self, _: &Fragment, (): ()) -> Option<O> {
+        Some(self.0)
+    }
+}
+
+impl<S, C> Shader for InAnyFog<S, C>
+where
+    S: Shader<Color = Translucent<Precise<C>>>,
+    C: PixelFormat,
+{
+    type Color = Translucent<Precise<C>>;
+    type Varyings = (S::Varyings, Within<64, [i32; 1]>);
+
+    const READS_DEPTH: bool = S::READS_DEPTH;
+
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
+        let [a, b, c] = self.surface.varyings(primitive);
+        let [x, y, z] = match self.fog {
+            Some(fog) => Given(Precise::<C>::of_rgb(Rgb888::BLACK))
+                .in_fog(fog)
+                .varyings(primitive),
+            None => [((), Within([0])); 3],
+        };
+        [(a, x.1), (b, y.1), (c, z.1)]
+    }
+
+    fn shade(&self, at: &Fragment, (inside, fog): Self::Varyings) -> Option<Self::Color> {
+        let color = self.surface.shade(at, inside)?;
+        match self.fog {
+            Some(far) => Some(
+                Given(color)
+                    .in_fog(far)
+                    .shade(at, ((), fog))?
+                    .map(|color| color),
+            ),
+            None => Some(color),
+        }
     }
 }
 
@@ -215,12 +273,10 @@ fn rich<'a, C: Shown>(
     let fog = look.fog::<C>()?;
     /// Adds to a shader everything that follows the light: `touch` and fog.
     macro_rules! surface {
-        ($shader:expr) => {
-            match fog {
-                Some(fog) => Surface::new(Surface::Many, $shader.map(touch).in_fog(fog), C::into),
-                None => Surface::new(Surface::Many, $shader.map(touch), C::into),
-            }
-        };
+        ($shader:expr) => {{
+            let surface = $shader.map(touch);
+            Surface::new(Surface::Many, InAnyFog { surface, fog }, C::into)
+        }};
     }
     match (look.shade, has_colors) {
         (Some(Shade::Texture), false) => surface!(base),

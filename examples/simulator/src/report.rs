@@ -30,12 +30,22 @@ pub fn answer(args: &Args, line: impl Display) -> Result<()> {
         .into_iter()
         .flatten()
         .any(|path| output::is_stdout(path));
-    let (written, name) = if is_taken {
-        (writeln!(io::stderr(), "{line}"), "error")
+    if is_taken {
+        writeln!(io::stderr(), "{line}")
+            .map_err(|error| format!("cannot write to standard error: {error}").into())
     } else {
-        (writeln!(io::stdout(), "{line}"), "output")
-    };
-    written.map_err(|error| format!("cannot write to standard {name}: {error}").into())
+        print(line)
+    }
+}
+
+/// Prints a line to standard output.
+///
+/// # Errors
+///
+/// As for [`answer`].
+pub fn print(line: impl Display) -> Result<()> {
+    writeln!(io::stdout(), "{line}")
+        .map_err(|error| format!("cannot write to standard output: {error}").into())
 }
 
 /// Prints remarks to standard error.

@@ -1,6 +1,5 @@
 //! The whole run, from arguments to pictures, in each color.
 
-use clap::ArgMatches;
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{
     BinaryColor, Gray4, Gray8, GrayColor, Rgb565, Rgb888, RgbColor,
@@ -10,37 +9,44 @@ use fixel::shade::PixelFormat;
 
 use super::Result;
 use super::common::scenes;
-use crate::args::{Args, Color, Shade};
+use crate::args::{Args, Color, HELP, Shade};
 use crate::draw::{Lines, Style, is_blended};
 use crate::idle;
 use crate::look::{BRIGHT, Backdrop, DARK, Look};
 use crate::paint::Shown;
 use crate::progress;
 use crate::report;
-use crate::scene::Scene;
-use crate::sight;
+use crate::scene::{self, Scene};
+use crate::sight::{self, Sight};
 use crate::skin::{Skin, Texels};
 use crate::subject::Subject;
 use crate::targets::{self, Targets};
 
-/// Runs the program with `args`. `matches` says which arguments the user gave.
+/// Runs the program with `args`.
 ///
 /// # Errors
 ///
 /// Any problem with the arguments or with a file. The message is for the user.
-pub fn run(args: &Args, matches: &ArgMatches) -> Result<()> {
+pub fn run(args: &Args) -> Result<()> {
+    if args.help {
+        return report::print(HELP.trim_end());
+    }
+    if args.version {
+        return report::print(concat!("simulator ", env!("CARGO_PKG_VERSION")));
+    }
     targets::check_size(args)?;
     let Some(path) = &args.model else {
         let targets = Targets::open(args, &[])?;
+        let island = scene::island()?;
         let (scene, size) = match args.scene {
             Some(name) => (
                 Scene::measured(args, name)?,
                 (scenes::WIDTH, scenes::HEIGHT),
             ),
-            None => (Scene::own(args)?, args.size),
+            None => (Scene::own(args, &island)?, args.size),
         };
-        report::notes(args, idle::options(args, matches, None, true))?;
-        return picture(args, &scene, &[], 1.0, Lines::None, (targets, size));
+        report::notes(args, idle::options(args, None, true))?;
+        return picture(args, &scene, &[], 1.0, None, (targets, size));
     };
     let subject = Subject::load(args, path)?;
     let targets = Targets::open(args, &subject.inputs)?;
@@ -49,9 +55,9 @@ pub fn run(args: &Args, matches: &ArgMatches) -> Result<()> {
         .pieces
         .iter()
         .any(|piece| piece.finish.texture.is_some());
-    let mut notes = idle::options(args, matches, scene.shade, has_textures);
+    let mut notes = idle::options(args, scene.shade, has_textures);
     let step = progress::step(args, scene.faces(), "looking");
-    let lines = sight::check(&mut scene, args, &mut notes)?;
+    let sight = sight::check(&mut scene, args, &mut notes)?;
     drop(step);
     let is_coarse = matches!(args.color, Color::Gray4 | Color::Mono);
     let mut pieces = scene.pieces.iter();
@@ -65,7 +71,7 @@ pub fn run(args: &Args, matches: &ArgMatches) -> Result<()> {
         &scene,
         &subject.skins,
         scale,
-        lines,
+        Some(sight),
         (targets, args.size),
     )?;
     report::say(args, format_args!("camera {}", subject.framing.options()))
@@ -80,15 +86,15 @@ fn picture(
     scene: &Scene<'_>,
     skins: &[Skin],
     scale: f64,
-    lines: Lines,
+    sight: Option<Sight>,
     to: (Targets<'_>, (u32, u32)),
 ) -> Result<()> {
     match args.color {
-        Color::Rgb565 => picture_in::<Rgb565>(args, scene, skins, scale, lines, to),
-        Color::Rgb888 => picture_in::<Rgb888>(args, scene, skins, scale, lines, to),
-        Color::Gray8 => picture_in::<Gray8>(args, scene, skins, scale, lines, to),
-        Color::Gray4 => picture_in::<Gray4>(args, scene, skins, scale, lines, to),
-        Color::Mono => picture_in::<BinaryColor>(args, scene, skins, scale, lines, to),
+        Color::Rgb565 => picture_in::<Rgb565>(args, scene, skins, scale, sight, to),
+        Color::Rgb888 => picture_in::<Rgb888>(args, scene, skins, scale, sight, to),
+        Color::Gray8 => picture_in::<Gray8>(args, scene, skins, scale, sight, to),
+        Color::Gray4 => picture_in::<Gray4>(args, scene, skins, scale, sight, to),
+        Color::Mono => picture_in::<BinaryColor>(args, scene, skins, scale, sight, to),
     }
 }
 
@@ -97,7 +103,7 @@ fn picture_in<C: Shown>(
     scene: &Scene<'_>,
     skins: &[Skin],
     scale: f64,
-    lines: Lines,
+    sight: Option<Sight>,
     (targets, size): (Targets<'_>, (u32, u32)),
 ) -> Result<()> {
     let mut backdrop = Backdrop::of::<C>(args, scene);
@@ -106,7 +112,8 @@ fn picture_in<C: Shown>(
         scene.shade,
         None | Some(Shade::Wire | Shade::Depth | Shade::Normal)
     );
-    if args.model.is_some() && is_lit {
+    let is_needed = args.background.is_none() || args.color == Color::Mono;
+    if args.model.is_some() && is_lit && is_needed {
         let texels: Vec<_> = skins.iter().map(Skin::texels).collect();
         let textures: Vec<_> = texels.iter().map(Texels::texture).collect::<Result<_>>()?;
         let look = Look::new(args, scene, scale, Backdrop::Color(HOLE), None)?;
@@ -123,8 +130,9 @@ fn picture_in<C: Shown>(
     let texels: Vec<_> = skins.iter().map(Skin::texels).collect();
     let textures: Vec<_> = texels.iter().map(Texels::texture).collect::<Result<_>>()?;
     let look = Look::new(args, scene, scale, backdrop, contrast)?;
+    let lines = sight.as_ref().map_or(Lines::None, |sight| sight.lines);
     let style = Style::new::<C>(args, &look, scene, &textures, lines)?;
-    targets.fill(size, scene, &style)
+    targets.fill(size, scene, &style, sight)
 }
 
 /// Stretches the grays of `colors` from black to white, and returns the contrast. The darkest and the brightest

@@ -1,10 +1,14 @@
 //! The scene and its motion. The scene is drawn band by band.
 
+use std::cell::Cell;
+use std::io;
+use std::path::Path;
 use std::time::{Duration, Instant};
 
-use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
+use embedded_graphics::pixelcolor::Rgb888;
 use fixel::prelude::*;
 use fixel::{Cull, Drawn};
+use fixel_assets::Files;
 
 use super::Result;
 use super::common::{lighthouse, scenes};
@@ -13,8 +17,8 @@ use super::mode::{Mode, with_depth};
 use super::view::{AnyProjection, View, direction};
 use super::window::Orbit;
 use crate::args::{Args, DepthBuffer, SceneName, Shade};
-use crate::dump::{Record, Recorder};
-use crate::part::Piece;
+use crate::dump::{Record, Recorder, Recording};
+use crate::part::{Part, Piece};
 
 /// The number of an animation's frame, and how the user has turned the model in a window.
 #[derive(Clone, Copy, Debug, Default)]
@@ -29,27 +33,6 @@ impl Moment {
             frame,
             ..Self::default()
         }
-    }
-}
-
-/// A band of a frame that is to be drawn.
-#[derive(Debug)]
-pub struct Band<'a, C> {
-    pub pixels: &'a mut [C],
-    pub depth: &'a mut [u16],
-    /// Width and height of the frame.
-    pub size: (u32, u32),
-    pub first_row: u32,
-}
-
-/// The result of drawing a band, and the time that the draw calls took.
-pub type Done = (Drawn, Duration);
-
-impl<'a, C: PixelColor> Band<'a, C> {
-    fn canvas(self) -> Result<(Canvas<'a, C>, &'a mut [u16])> {
-        let (width, height) = self.size;
-        let canvas = Canvas::band(self.pixels, width, height, self.first_row)?;
-        Ok((canvas, self.depth))
     }
 }
 
@@ -108,13 +91,36 @@ pub struct Scene<'a> {
     pub recorder: Recorder,
 }
 
-impl Scene<'static> {
+/// The file of the island in the project's own scene.
+struct Island;
+
+impl Files for Island {
+    fn read(&self, _: &Path) -> io::Result<Vec<u8>> {
+        Ok(include_bytes!("../../assets/lighthouse.obj").into())
+    }
+
+    fn has(&self, _: &Path) -> bool {
+        true
+    }
+}
+
+/// Reads the island of the project's own scene. (A microcontroller has it in flash, put there by a macro. With the
+/// macro, Cargo would build the importer twice: for the simulator and for the compiler.)
+///
+/// # Errors
+///
+/// None: the file is part of the program.
+pub fn island() -> Result<Part> {
+    Part::whole(&fixel_assets::read(Path::new("lighthouse.obj"), &Island)?)
+}
+
+impl<'a> Scene<'a> {
     /// The project's own scene, as a microcontroller draws it.
     ///
     /// # Errors
     ///
     /// None: the scene's numbers are constant.
-    pub fn own(args: &Args) -> Result<Self> {
+    pub fn own(args: &Args, island: &'a Part) -> Result<Self> {
         let view = View {
             projection: AnyProjection::Perspective(lighthouse::projection(args.size)?),
             camera: lighthouse::camera()?,
@@ -125,8 +131,8 @@ impl Scene<'static> {
         let recorder = Recorder::new(20.0, 0, args.mode);
         Ok(Self {
             pieces: vec![
-                Piece::compiled(lighthouse::SEA, None),
-                Piece::compiled(lighthouse::ISLAND, Some(lighthouse::SILHOUETTES)),
+                Piece::own(lighthouse::SEA, None),
+                Piece::own(island.mesh()?, Some(island.outline()?)),
             ],
             motion: Motion::Turning {
                 view,
@@ -156,7 +162,7 @@ impl Scene<'static> {
         };
         let recorder = Recorder::new(1.0, 0, args.mode);
         Ok(Self {
-            pieces: vec![Piece::compiled(mesh, None)],
+            pieces: vec![Piece::own(mesh, None)],
             motion: Motion::Measured(name),
             mode: Mode::new(args.mode, 1.0)?,
             depth: args.depth,
@@ -167,9 +173,6 @@ impl Scene<'static> {
             recorder,
         })
     }
-}
-
-impl Scene<'_> {
     /// The number of faces.
     pub fn faces(&self) -> usize {
         self.pieces
@@ -178,51 +181,59 @@ impl Scene<'_> {
             .sum()
     }
 
-    fn posed(&self, moment: Moment) -> Result<Posed<'_>> {
-        Ok(Posed {
+    /// Draws a frame in bands of `rows` rows, as a microcontroller with little memory does. Returns the pixels, and the
+    /// time that the draw calls took.
+    pub fn draw(
+        &self,
+        (width, height): (u32, u32),
+        rows: u32,
+        moment: Moment,
+        style: &Style<'_>,
+    ) -> Result<(Vec<Rgb888>, Drawn, Duration)> {
+        let posed = Posed {
             pieces: &self.pieces,
             mvp: self.motion.mvp(moment)?,
-            mode: self.mode,
-            cull: None,
-        })
+            style,
+        };
+        let band = (width * rows.min(height)) as usize;
+        let mut pixels = vec![Rgb888::default(); (width * height) as usize];
+        let mut depth = vec![0; band];
+        let (mut counts, mut time) = (Drawn::default(), Duration::ZERO);
+        for (pixels, first_row) in pixels
+            .chunks_mut(band)
+            .zip((0..).step_by(band / width as usize))
+        {
+            let depth = &mut depth[..pixels.len()];
+            let canvas = Canvas::band(pixels, width, height, first_row)?;
+            with_depth!(self.depth, canvas, depth, |canvas| {
+                style.clear(canvas);
+                let start = Instant::now();
+                counts += posed.draw(canvas)?;
+                time += start.elapsed();
+                style.finish(canvas);
+            });
+        }
+        Ok((pixels, counts, time))
     }
 
-    /// Draws a band of a frame.
-    pub fn draw(&self, band: Band<'_, Rgb888>, moment: Moment, style: &Style<'_>) -> Result<Done> {
-        let posed = self.posed(moment)?;
-        let (canvas, depth) = band.canvas()?;
-        with_depth!(self.depth, canvas, depth, |canvas| {
-            style.clear(canvas);
-            let start = Instant::now();
-            let drawn = posed.draw_in_style(canvas, style)?;
-            let time = start.elapsed();
-            style.finish(canvas);
-            Ok((drawn, time))
-        })
-    }
-
-    /// Records a band of a frame: its faces or its edges.
+    /// Records the faces or the edges of a frame, in bands of `rows` rows. `cull` overrides the materials.
     pub fn record(
         &self,
-        band: Band<'_, Record>,
+        size: (u32, u32),
+        rows: u32,
         moment: Moment,
         edges: bool,
         cull: Option<Cull>,
-    ) -> Result<Done> {
-        let posed = Posed {
-            mode: self.recorded,
-            cull,
-            ..self.posed(moment)?
+    ) -> Result<(Vec<Record>, Drawn)> {
+        let records = vec![Cell::default(); (size.0 * size.1) as usize];
+        let recording = Recording {
+            recorder: self.recorder,
+            records: &records,
+            width: size.0,
         };
-        let (canvas, depth) = band.canvas()?;
-        with_depth!(self.depth, canvas, depth, |canvas| {
-            canvas.clear(Record::default());
-            let drawn = if edges {
-                posed.draw_edges(canvas, &self.recorder)
-            } else {
-                posed.draw(canvas, &self.recorder)
-            };
-            Ok((drawn, Duration::ZERO))
-        })
+        let style = Style::recording(self, recording, edges, cull)?;
+        let (_, counts, _) = self.draw(size, rows, moment, &style)?;
+        drop(style);
+        Ok((records.into_iter().map(Cell::into_inner).collect(), counts))
     }
 }

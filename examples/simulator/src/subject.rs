@@ -3,7 +3,6 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use embedded_graphics::pixelcolor::Rgb888;
 use fixel::Cull;
 use fixel_assets::vector::unit;
 use fixel_assets::{Alpha, Model};
@@ -14,7 +13,7 @@ use crate::args::{Args, Color, Shade};
 use crate::dump::Recorder;
 use crate::framing::{Framing, Point, Solid, turntable};
 use crate::mode::Mode;
-use crate::part::{self, Finish, Outlined, Part};
+use crate::part::{self, Finish, Part, rgb};
 use crate::progress::{self, Progress, Reading};
 use crate::report;
 use crate::scene::{Motion, Scene};
@@ -22,6 +21,9 @@ use crate::skin::Skin;
 use crate::units::Units;
 use crate::view::View;
 use crate::window::MOST_ZOOM;
+
+/// If two faces meet at a larger angle, in degrees, an outline has a line between them.
+const CREASE: f64 = 40.0;
 
 /// A model with everything that belongs to it.
 pub struct Subject {
@@ -80,23 +82,24 @@ impl Subject {
         let shade = args
             .shade
             .unwrap_or(if textured { Shade::Lit } else { Shade::Gouraud });
-        let outlined = match args.color {
-            _ if args.wire || shade == Shade::Wire => Outlined::Creases,
-            Color::Mono => Outlined::Silhouettes,
-            _ => Outlined::Nothing,
+        let crease = match args.color {
+            _ if args.wire || shade == Shade::Wire => Some(CREASE),
+            Color::Mono => Some(180.0),
+            _ => None,
         };
-        let parts = part::split(&model, outlined)?;
-        drop(line);
         let uvs = model.uvs.iter().flatten();
+        let largest_uv = uvs.fold(0.0, |all, x| x.abs().max(all));
+        let parts = part::split(model, crease)?;
+        drop(line);
         Ok(Self {
             parts,
             framing,
             units,
-            largest_uv: uvs.fold(0.0, |all, x| x.abs().max(all)),
-            inputs,
             finishes,
             skins,
+            largest_uv,
             shade,
+            inputs,
         })
     }
 
@@ -233,8 +236,4 @@ fn finishes(args: &Args, model: &mut Model, skin: Option<Skin>) -> (Vec<Finish>,
         ..Finish::plain(rgb([255; 3]))
     });
     (finishes, skins)
-}
-
-fn rgb([r, g, b]: [u8; 3]) -> Rgb888 {
-    Rgb888::new(r, g, b)
 }

@@ -110,18 +110,18 @@ struct Placed<S, C> {
 /// Converts a color to a color of 24 bits.
 pub type Screen<C> = fn(C) -> Rgb888;
 
-/// The tolerance of each number.
-fn tolerances<V: Varyings>() -> Vec<Tolerance> {
-    (0..V::Lanes::COUNT).map(V::tolerance).collect()
-}
-
-/// Gives each wanted number a place of its own among the offered numbers, with the same tolerance. `None` if there are
-/// too few places.
-fn places(wanted: &[Tolerance], offered: &[Tolerance]) -> Option<[usize; 8]> {
+/// Gives each of `count` wanted numbers a place of its own among the `offered` numbers, with the same tolerance. `None`
+/// if there are too few places.
+fn places(
+    (count, wanted): (usize, fn(usize) -> Tolerance),
+    (offered, tolerance): (usize, fn(usize) -> Tolerance),
+) -> Option<[usize; 8]> {
     let mut places = [0; 8];
-    let mut free: Vec<usize> = (0..offered.len()).collect();
-    for (place, wanted) in places.iter_mut().zip(wanted) {
-        let at = free.iter().position(|&at| offered[at] == *wanted)?;
+    let mut free: Vec<usize> = (0..offered).collect();
+    for (number, place) in places.iter_mut().enumerate().take(count) {
+        let at = free
+            .iter()
+            .position(|&at| tolerance(at) == wanted(number))?;
         *place = free.remove(at);
     }
     Some(places)
@@ -134,7 +134,7 @@ where
     V: Varyings<Face: FaceValues>,
 {
     fn varyings(&self, primitive: &Primitive<'_>) -> [V; 3] {
-        self.shader.varyings(primitive).map(|varyings| {
+        let place = |varyings: S::Varyings| {
             let (inner, values) = varyings.split();
             let mut numbers = V::Lanes::splat(0);
             for (number, &place) in inner.as_ref().iter().zip(&self.places) {
@@ -143,7 +143,10 @@ where
             let mut face = Face::default();
             values.put(&mut face);
             V::join(numbers, FaceValues::take(&face))
-        })
+        };
+        // Not `map`, which would add 7 % to the code that the compiler makes of this program.
+        let [a, b, c] = self.shader.varyings(primitive);
+        [place(a), place(b), place(c)]
     }
 
     fn shade(&self, at: &Fragment, varyings: V) -> Option<Translucent<Rgb888>> {
@@ -204,6 +207,18 @@ impl<V: Varyings> Shader for Glass<'_, '_, V> {
 }
 
 impl<'a> Surface<'a> {
+    /// Wraps a shader of 24-bit colors.
+    ///
+    /// # Errors
+    ///
+    /// As for [`new`](Self::new).
+    pub fn of_rgb<S>(shader: S) -> super::Result<Self>
+    where
+        S: ShaderFor<Rgb888, Varyings: Varyings<Face: FaceValues>> + 'a,
+    {
+        Self::new(Self::Many, shader, |color| color)
+    }
+
     /// Wraps a shader in a layout, for example in [`Surface::Many`]. The layout must have places for the shader's
     /// varyings.
     ///
@@ -220,7 +235,13 @@ impl<'a> Surface<'a> {
         V: Varyings<Face: FaceValues>,
         S: ShaderFor<C, Varyings: Varyings<Face: FaceValues>> + 'a,
     {
-        let places = places(&tolerances::<S::Varyings>(), &tolerances::<V>());
+        let places = places(
+            (
+                <S::Varyings as Varyings>::Lanes::COUNT,
+                S::Varyings::tolerance,
+            ),
+            (V::Lanes::COUNT, V::tolerance),
+        );
         match places.filter(|_| S::Varyings::PAIRS == V::PAIRS) {
             Some(places) => Ok(layout(Any(Box::new(Placed {
                 shader,

@@ -8,16 +8,15 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::Drawn;
 
 use super::Result;
-use crate::args::{Args, Shade};
-use crate::bands::bands;
-use crate::draw::{Style, add};
-use crate::dump::{self, Record};
+use crate::args::{Args, Named, Shade};
+use crate::draw::Style;
+use crate::dump;
 use crate::encoder::{self, Encoder, Format};
-use crate::idle::name;
 use crate::output::{self, Output};
 use crate::progress::{self, Progress};
 use crate::report;
-use crate::scene::{Band, Moment, Scene};
+use crate::scene::{Moment, Scene};
+use crate::sight::{self, Sight};
 use crate::window::{self, Screen};
 
 /// The output files.
@@ -44,7 +43,7 @@ impl<'a> Targets<'a> {
             (None, false) => {
                 let stem = match (&args.model, args.scene) {
                     (Some(model), _) => PathBuf::from(model.file_stem().unwrap_or_default()),
-                    (None, Some(scene)) => PathBuf::from(name(&scene)),
+                    (None, Some(scene)) => PathBuf::from(scene.name()),
                     (None, None) => "lighthouse".into(),
                 };
                 encoder::free_name(&stem, if several { ".gif" } else { ".png" }, inputs)?
@@ -78,47 +77,50 @@ impl<'a> Targets<'a> {
     }
 
     /// Draws all frames, writes the files, and prints a report.
-    pub fn fill(mut self, size: (u32, u32), scene: &Scene<'_>, style: &Style<'_>) -> Result<()> {
+    ///
+    /// `sight` is what the first frame shows, if it is known.
+    ///
+    /// # Errors
+    ///
+    /// A file cannot be written.
+    pub fn fill(
+        mut self,
+        size: (u32, u32),
+        scene: &Scene<'_>,
+        style: &Style<'_>,
+        sight: Option<Sight>,
+    ) -> Result<()> {
         let edges = scene.shade == Some(Shade::Wire);
-        let record = |band: Band<'_, Record>, moment| scene.record(band, moment, edges, None);
         let args = self.args;
         let rows = args.bands.unwrap_or(u32::MAX);
         let mut total = Total::default();
         let mut colors = Vec::new();
-        // Draws a frame. Returns the pixels, and the time that the draw calls took.
-        let draw = |moment| -> Result<(Vec<Rgb888>, Duration)> {
-            let (pixels, (_, time)) = bands(size, rows, |band| scene.draw(band, moment, style))?;
-            Ok((pixels, time))
-        };
+        let draw = |moment| scene.draw(size, rows, moment, style);
         if let Some((mut output, format)) = self.picture.take() {
-            let failed = output.failed();
             let progress = match args.frames {
                 1 => progress::step(args, scene.faces(), "drawing"),
                 _ => Progress::new(args, "drawing", true),
             };
-            let mut encoder =
-                Encoder::new(format, &mut output, size, args.frames).map_err(&failed)?;
+            let mut encoder = Encoder::new(format, &mut output.bytes, size, args.frames)?;
+            let mut known = sight.map(|sight| (sight.records, sight.counts));
             for frame in 0..args.frames {
                 let moment = Moment::of(frame);
-                let (pixels, first) = draw(moment)?;
-                // A single frame is drawn a few more times to measure the time, because the caches were cold at first.
-                let (mut least, mut spent) = (first, first);
-                while args.frames == 1 && spent < 10 * first && spent < REPEATED {
-                    let (_, time) = draw(moment)?;
-                    least = least.min(time);
-                    spent += time.max(Duration::from_micros(1));
-                }
-                total.time += least;
-                // Draw everything as one band, because in several bands, triangles would be counted several times.
-                let (records, (counts, _)) = bands(size, u32::MAX, |band| record(band, moment))?;
-                total.pixels += records.iter().filter(|at| at.is_covered()).count();
-                total.counts = add(total.counts, counts);
-                encoder.frame(&pixels).map_err(&failed)?;
+                // Count in one band, because in several bands, triangles would be counted several times. Counting comes
+                // first: it loads the model into the caches, so the time of the picture is more even.
+                let (records, counts) = match known.take() {
+                    Some(first) => first,
+                    None => scene.record(size, u32::MAX, moment, edges, None)?,
+                };
+                let (pixels, _, time) = draw(moment)?;
+                total.time += time;
+                total.pixels += sight::covered(&records);
+                total.counts += counts;
+                encoder.frame(&pixels)?;
                 colors = pixels;
                 progress.set(frame as usize + 1, args.frames as usize, "frames");
             }
             drop(progress);
-            encoder.finish().map_err(&failed)?;
+            encoder.finish()?;
             output.finish()?;
         }
         if let Some(screen) = &mut self.screen {
@@ -136,9 +138,8 @@ impl<'a> Targets<'a> {
         }
         if let Some(mut out) = self.dump.take() {
             let last = Moment::of(args.frames - 1);
-            let (records, _) = bands(size, rows, |band| record(band, last))?;
-            let failed = out.failed();
-            dump::write(&records, size.0 as usize, &mut out).map_err(failed)?;
+            let (records, _) = scene.record(size, rows, last, edges, None)?;
+            dump::write(&records, size.0 as usize, &mut out.bytes)?;
             out.finish()?;
         }
         self.say(size, &total, &colors)
@@ -188,9 +189,6 @@ impl<'a> Targets<'a> {
         Ok(())
     }
 }
-
-/// A single frame is drawn repeatedly for this time, to measure how long drawing takes.
-const REPEATED: Duration = Duration::from_millis(300);
 
 /// The sums over all frames.
 #[derive(Default)]

@@ -59,6 +59,7 @@ pub use files::{Disk, Files};
 pub use lists::{Lists, Options, Run};
 pub use material::{Alpha, Image, Material};
 pub use notes::Notes;
+pub use outline::outline;
 pub use picture::Picture;
 use polygon::Ears;
 pub use sniff::Format;

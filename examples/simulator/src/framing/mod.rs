@@ -7,8 +7,7 @@ mod fit;
 pub mod turntable;
 
 use crate::Result;
-use crate::args::{Args, DepthBuffer, Kind};
-use crate::idle::name;
+use crate::args::{Args, DepthBuffer, Kind, Named};
 use fit::range;
 use fixel_assets::vector::{along, cross, dot, largest, length, sub, unit};
 
@@ -515,7 +514,7 @@ impl Framing {
         let projection = if self.is_perspective() {
             String::new()
         } else {
-            format!(" --projection {}", name(&self.kind))
+            format!(" --projection {}", self.kind.name())
         };
         format!(
             "--eye {} --look-at {} --up {} --fov {} --near {} --far {}{projection}",

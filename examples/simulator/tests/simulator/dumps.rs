@@ -1,12 +1,10 @@
 //! The values in a dump, pixel by pixel. Bands give the same values as a frame.
 
-use std::fs;
-
-use super::program::{directory, good, printed};
+use super::program::Bench;
 
 #[test]
 fn bands_equal_the_frame() {
-    let directory = directory("bands");
+    let bench = Bench::new("bands");
     for scene in [
         "",
         "--scene floor",
@@ -14,21 +12,13 @@ fn bands_equal_the_frame() {
         "--scene sphere",
         "--scene sphere-flat",
     ] {
-        let whole = good(&directory, &format!("{scene} --crc --dump whole.csv"));
-        let dump = fs::read(directory.join("whole.csv")).unwrap();
+        let whole = bench.crc(format!("{scene} --dump whole.csv"));
         for rows in [1, 7, 16, 1000] {
-            let banded = good(
-                &directory,
-                &format!("{scene} --crc --dump bands.csv --bands {rows}"),
-            );
-            assert_eq!(
-                printed(&whole, "crc"),
-                printed(&banded, "crc"),
-                "{scene} {rows}"
-            );
-            let same = dump == fs::read(directory.join("bands.csv")).unwrap();
+            let banded = bench.crc(format!("{scene} --dump bands.csv --bands {rows}"));
+            assert_eq!(whole, banded, "{scene} {rows}");
+            let are_equal = bench.read("whole.csv") == bench.read("bands.csv");
             assert!(
-                same,
+                are_equal,
                 "dumps of {scene} whole and in bands of {rows} rows differ"
             );
         }
@@ -37,18 +27,13 @@ fn bands_equal_the_frame() {
 
 #[test]
 fn the_dump_is_exact_and_in_row_order() {
-    let directory = directory("dump");
+    let bench = Bench::new("dump");
     // A square straight ahead fills the frame, with u and v from 0 to 1.
-    fs::write(
-        directory.join("square.obj"),
-        "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n",
-    )
-    .unwrap();
-    good(
-        &directory,
-        "square.obj --size 4x4 --eye 0,0,1 --look-at 0,0,0 --fov 90 --near 0.5 --far 2 --dump d.csv",
+    bench.write("square.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n",
     );
-    let dump = fs::read_to_string(directory.join("d.csv")).unwrap();
+    bench.good("square.obj --size 4x4 --eye 0,0,1 --look-at 0,0,0 --fov 90 --near 0.5 --far 2 --dump d.csv",
+    );
+    let dump = bench.text("d.csv");
     let rows: Vec<&str> = dump.lines().collect();
     assert_eq!(rows.len(), 17);
     for (at, row) in rows[1..].iter().enumerate() {

@@ -1,46 +1,41 @@
-//! Shades, colors, filters and depths.
+//! Shades, colors, filters, depths, and options without effect.
 
-use std::fs;
+use image::{Rgb, RgbImage};
 
-use super::program::{TRIANGLE, directory, good, png_size, printed};
+use super::program::{Bench, TRIANGLE, printed};
 
 #[test]
 fn every_look_projection_and_color_gives_a_picture() {
-    let directory = directory("looks");
-    fs::write(
-        directory.join("cube.obj"),
+    let bench = Bench::new("looks");
+    bench.write(
+        "cube.obj",
         "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n\
          f 5 6 7 8\nf 2 1 4 3\nf 6 2 3 7\nf 1 5 8 4\nf 8 7 3 4\nf 1 2 6 5\n",
-    )
-    .unwrap();
+    );
     for shade in [
         "texture", "gouraud", "flat", "lit", "wire", "depth", "normal",
     ] {
         for color in ["rgb565", "rgb888", "gray8", "gray4", "mono"] {
             for projection in ["perspective", "cabinet"] {
-                let said = good(
-                    &directory,
-                    &format!(
-                        "cube.obj --size 64x48 --shade {shade} --color {color} --projection {projection}"
-                    ),
-                );
+                let look = format!("--shade {shade} --color {color} --projection {projection}");
+                let said = bench.good(format!("cube.obj --size 64x48 {look}"));
                 let pixels: u32 = printed(&said, "pixels").parse().unwrap();
-                assert!(pixels > 100, "{shade} {color} {projection}: {said}");
+                assert!(pixels > 100, "{look}: {said}");
             }
         }
     }
-    assert_eq!(png_size(&directory.join("cube.png")), (64, 48));
+    assert_eq!(bench.picture("cube.png").dimensions(), (64, 48));
 }
 
 #[test]
 fn a_filter_changes_only_colors() {
-    let directory = directory("filter");
-    fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
+    let bench = Bench::new("filter");
+    bench.write("t.obj", TRIANGLE);
     for shade in ["texture", "lit"] {
         for color in ["rgb565", "rgb888", "gray8", "gray4", "mono"] {
             let draw = |filter| {
                 let look = format!("--filter {filter} --shade {shade} --color {color}");
-                let said = good(&directory, &format!("t.obj --size 64x48 --crc {look}"));
+                let said = bench.good(format!("t.obj --size 64x48 --crc {look}"));
                 let word = |label| printed(&said, label).to_string();
                 [word("pixels"), word("crc")]
             };
@@ -55,23 +50,75 @@ fn a_filter_changes_only_colors() {
 /// linear steps, both plates have the same depth, so the last plate in the file shows.
 #[test]
 fn float_depth_keeps_the_order_of_distant_surfaces() {
-    let directory = directory("far");
+    let bench = Bench::new("far");
     let (front, back) = ("f 1//1 2//1 3//1 4//1\n", "f 5//2 6//2 7//2 8//2\n");
     let plates = "v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nv -9 -9 -6\nv 9 -9 -6\nv 9 9 -6\nv -9 9 -6\n\
                   vn 1 0 0\nvn 0 1 0\n";
-    fs::write(directory.join("a.obj"), format!("{plates}{front}{back}")).unwrap();
-    fs::write(directory.join("b.obj"), format!("{plates}{back}{front}")).unwrap();
-    let crc = |model: &str, depth: &str| {
-        let view = "--eye 0,0,600 --look-at 0,0,0 --fov 1 --near 0.01 --far 655 --size 32x24";
-        let said = good(
-            &directory,
-            &format!("{model} {view} --shade normal --crc --depth {depth}"),
-        );
-        printed(&said, "crc").to_string()
-    };
+    bench.write("a.obj", format!("{plates}{front}{back}"));
+    bench.write("b.obj", format!("{plates}{back}{front}"));
+    let view =
+        "--eye 0,0,600 --look-at 0,0,0 --fov 1 --near 0.01 --far 655 --size 32x24 --shade normal";
+    let crc = |model: &str, depth: &str| bench.crc(format!("{model} {view} --depth {depth}"));
     assert_eq!(crc("a.obj", "float"), crc("b.obj", "float"));
     assert_eq!(crc("a.obj", "wide"), crc("b.obj", "wide"));
     assert_eq!(crc("a.obj", "wide"), crc("b.obj", "float"));
     assert_ne!(crc("a.obj", "linear"), crc("b.obj", "linear"));
     assert_eq!(crc("b.obj", "linear"), crc("b.obj", "float"));
+}
+
+#[test]
+fn an_option_without_effect_is_named() {
+    let bench = Bench::new("idle");
+    bench.write("t.obj", TRIANGLE);
+    let colored = TRIANGLE
+        .replace("0\nv", "0 1 0.5 0\nv")
+        .replace("1 0\nf", "1 0 0 1 0\nf");
+    bench.write("colored.obj", colored);
+    let texture = RgbImage::from_pixel(4, 4, Rgb([9, 99, 200]));
+    texture.save(bench.path("t.png")).unwrap();
+    let shot = |arguments: &str| {
+        let (said, notes) = bench.outputs(format!("{arguments} --out out.gif --crc"));
+        (
+            printed(&String::from_utf8(said).unwrap(), "crc").to_string(),
+            notes,
+        )
+    };
+    // Each option, with the rest of its command line. Without the option, the result must be the same.
+    for (option, rest) in [
+        ("--mode affine", "t.obj --shade flat"),
+        ("--mode affine", "t.obj --shade wire"),
+        ("--mode fast", "t.obj --shade depth"),
+        ("--mode exact", "t.obj --projection cabinet"),
+        ("--mode affine", "--scene sphere-flat"),
+        ("--texture t.png", "t.obj --shade gouraud"),
+        ("--texture t.png", "t.obj --shade normal"),
+        ("--filter bilinear", "t.obj"),
+        ("--filter bilinear", "colored.obj"),
+        ("--filter bilinear", "t.obj --shade wire"),
+        ("--light 1,2,3", "t.obj --shade texture"),
+        ("--ambient 0.5", "t.obj --shade normal"),
+        ("--fog 1,9", "t.obj --shade depth"),
+        ("--wire", "t.obj --shade wire"),
+        ("--fov 60", "t.obj --projection orthographic --shade normal"),
+    ] {
+        let (with, notes) = shot(&format!("{rest} {option}"));
+        let (without, none) = shot(rest);
+        let name = option.split(' ').next().unwrap();
+        assert!(
+            notes.starts_with(&format!("note: {name}")) && notes.contains(" has no effect "),
+            "{rest} {option}: {notes}"
+        );
+        assert_eq!(none, "", "{rest}");
+        assert_eq!(with, without, "{rest} {option}");
+    }
+    for effective in [
+        "t.obj --mode affine --shade flat --dump d.csv",
+        "t.obj --texture t.png --filter bilinear",
+        "t.obj --cull",
+        "t.obj --fog 1,9 --ambient 0",
+        "t.obj --projection orthographic --eye 0.3,0.3,4 --fov 60",
+        "--mode affine",
+    ] {
+        assert_eq!(shot(effective).1, "", "{effective}");
+    }
 }

@@ -2,15 +2,12 @@
 #![cfg(not(target_os = "none"))]
 
 mod dumps;
-mod files;
-mod flags;
 mod formats;
 mod framing;
 mod looks;
 mod make;
 mod materials;
 mod models;
-mod mutated;
 mod output;
 mod program;
 mod random;

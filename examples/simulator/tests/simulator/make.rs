@@ -1,12 +1,10 @@
-//! Makes the same model in every format that the simulator reads.
+//! Makes the same model in OBJ, STL and PLY. (The importer has tests of each format.)
 
 use std::fmt::Write;
-use std::fs;
-use std::path::Path;
 
 /// A house without a floor. The house has eight wall triangles and four roof triangles, all different, and
 /// counter-clockwise seen from outside.
-pub const POSITIONS: [[f32; 3]; 9] = [
+const POSITIONS: [[f32; 3]; 9] = [
     [-1.0, 0.0, 1.5],
     [1.0, 0.0, 1.5],
     [1.0, 0.0, -1.5],
@@ -17,7 +15,7 @@ pub const POSITIONS: [[f32; 3]; 9] = [
     [-1.0, 1.0, -1.5],
     [0.25, 2.0, 0.0],
 ];
-pub const FACES: [[u16; 3]; 12] = [
+const FACES: [[u16; 3]; 12] = [
     [0, 1, 5],
     [0, 5, 4],
     [1, 2, 6],
@@ -66,21 +64,6 @@ pub fn stl_text() -> String {
     text + "endsolid\n"
 }
 
-pub fn stl_binary() -> Vec<u8> {
-    // Some programs write a binary header that begins like the text format.
-    let mut bytes = b"solid house".to_vec();
-    bytes.resize(80, b' ');
-    bytes.extend(12_u32.to_le_bytes());
-    for face in FACES {
-        bytes.extend([0; 12]);
-        for position in face.map(|index| POSITIONS[usize::from(index)]) {
-            bytes.extend(position.into_iter().flat_map(f32::to_le_bytes));
-        }
-        bytes.extend([0; 2]);
-    }
-    bytes
-}
-
 pub fn ply_text(colored: bool) -> String {
     let colors = if colored {
         "property uchar red\nproperty uchar green\nproperty uchar blue\n"
@@ -102,92 +85,4 @@ pub fn ply_text(colored: bool) -> String {
         writeln!(text, "3 {a} {b} {c}").unwrap();
     }
     text
-}
-
-pub fn ply_binary() -> Vec<u8> {
-    let mut bytes = b"ply\nformat binary_big_endian 1.0\nelement vertex 9\nproperty double x\nproperty float y\n\
-        property float z\nelement face 12\nproperty list uint8 uint16 vertex_index\nend_header\n"
-        .to_vec();
-    for [x, y, z] in POSITIONS {
-        bytes.extend(f64::from(x).to_be_bytes());
-        bytes.extend([y, z].into_iter().flat_map(f32::to_be_bytes));
-    }
-    for face in FACES {
-        bytes.push(3);
-        bytes.extend(face.into_iter().flat_map(u16::to_be_bytes));
-    }
-    bytes
-}
-
-/// The binary part of a glTF file: positions, colors in linear light, and indices.
-fn buffer() -> Vec<u8> {
-    let mut bytes: Vec<u8> = POSITIONS
-        .into_iter()
-        .flatten()
-        .flat_map(f32::to_le_bytes)
-        .collect();
-    let linear = |component: u8| {
-        let c = f32::from(component) / 255.0;
-        if c <= 0.04045 {
-            c / 12.92
-        } else {
-            ((c + 0.055) / 1.055).powf(2.4)
-        }
-    };
-    for at in 0..POSITIONS.len() {
-        bytes.extend(color(at).into_iter().map(linear).flat_map(f32::to_le_bytes));
-    }
-    bytes.extend(FACES.into_iter().flatten().flat_map(u16::to_le_bytes));
-    bytes
-}
-
-/// A glTF scene with the house. `node` has properties of the node, such as `"scale": [2, 2, 2]`. `uri` is the property
-/// that names the file of the buffer.
-pub fn gltf(colored: bool, node: &str, uri: &str) -> String {
-    let color = if colored { r#", "COLOR_0": 1"# } else { "" };
-    let len = buffer().len();
-    format!(
-        r#"{{
-"asset": {{"version": "2.0"}},
-"scenes": [{{"nodes": [0]}}],
-"nodes": [{{"children": [1]}}, {{"mesh": 0{node}}}],
-"meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0{color}}}, "indices": 2}}]}}],
-"buffers": [{{"byteLength": {len}{uri}}}],
-"bufferViews": [
-  {{"buffer": 0, "byteOffset": 0, "byteLength": 108}},
-  {{"buffer": 0, "byteOffset": 108, "byteLength": 108}},
-  {{"buffer": 0, "byteOffset": 216, "byteLength": 72}}
-],
-"accessors": [
-  {{"bufferView": 0, "componentType": 5126, "count": 9, "type": "VEC3", "min": [-1, 0, -1.5], "max": [1, 2, 1.5]}},
-  {{"bufferView": 1, "componentType": 5126, "count": 9, "type": "VEC3"}},
-  {{"bufferView": 2, "componentType": 5123, "count": 36, "type": "SCALAR"}}
-]
-}}"#
-    )
-}
-
-/// Writes a glTF file as text, and its buffer to a file beside it.
-pub fn write_gltf(directory: &Path, name: &str, colored: bool, node: &str) {
-    fs::write(directory.join("a house.bin"), buffer()).unwrap();
-    let text = gltf(colored, node, r#", "uri": "a%20house.bin""#);
-    fs::write(directory.join(name), text).unwrap();
-}
-
-pub fn glb(colored: bool, node: &str) -> Vec<u8> {
-    let chunk = |kind: &[u8; 4], mut bytes: Vec<u8>, fill: u8| {
-        bytes.resize(bytes.len().next_multiple_of(4), fill);
-        let len = u32::try_from(bytes.len()).unwrap().to_le_bytes();
-        [&len[..], kind, &bytes].concat()
-    };
-    let json = chunk(b"JSON", gltf(colored, node, "").into_bytes(), b' ');
-    let chunks = [json, chunk(b"BIN\0", buffer(), 0)].concat();
-    let len = u32::try_from(12 + chunks.len()).unwrap();
-    [
-        b"glTF",
-        &2_u32.to_le_bytes()[..],
-        &len.to_le_bytes(),
-        &chunks,
-    ]
-    .concat()
 }

@@ -1,11 +1,8 @@
 //! Properties of materials beyond colors and textures.
 
-use std::fs;
-use std::path::Path;
-
 use image::{Rgb, Rgba, RgbaImage};
 
-use super::program::{directory, good, printed, refused, run};
+use super::program::{Bench, printed};
 
 /// Two squares of one unit, with the material `front` in the plane z = 0 and `back` in z = -1. The texture repeats
 /// twice along each side.
@@ -17,11 +14,10 @@ const VIEW: &str = "--eye 0.5,0.5,2 --look-at 0.5,0.5,0 --fov 28.0725 --near 1 -
                     --size 32x32 --color rgb888 --shade texture --background 0000ff";
 
 /// Draws the squares with the materials of `mtl`. Returns the picture.
-fn draw(directory: &Path, mtl: &str, look: &str) -> image::RgbImage {
-    fs::write(directory.join("s.obj"), SQUARES).unwrap();
-    fs::write(directory.join("m.mtl"), mtl).unwrap();
-    good(directory, &format!("s.obj {VIEW} {look} --out o.png"));
-    image::open(directory.join("o.png")).unwrap().into_rgb8()
+fn draw(bench: &Bench, mtl: &str, look: &str) -> image::RgbImage {
+    bench.write("s.obj", SQUARES);
+    bench.write("m.mtl", mtl);
+    bench.draw(format!("s.obj {VIEW} {look}"))
 }
 
 fn near(found: Rgb<u8>, wanted: [u8; 3], what: &str) {
@@ -33,8 +29,8 @@ fn near(found: Rgb<u8>, wanted: [u8; 3], what: &str) {
 
 #[test]
 fn opacity_blends_from_back_to_front() {
-    let directory = directory("opacity");
-    let middle = |mtl: &str, look| *draw(&directory, mtl, look).get_pixel(9, 9);
+    let bench = Bench::new("opacity");
+    let middle = |mtl: &str, look| *draw(&bench, mtl, look).get_pixel(9, 9);
     let red = "newmtl back\nKd 1 0 0\n";
     near(
         middle(&format!("newmtl front\nKd 0 1 0\nd 0.25\n{red}"), ""),
@@ -44,20 +40,17 @@ fn opacity_blends_from_back_to_front() {
     // The order of the squares in the file does not matter.
     let two = "newmtl front\nKd 0 1 0\nd 0.5\nnewmtl back\nKd 1 0 0\nd 0.5\n";
     near(middle(two, ""), [64, 128, 64], "two");
-    let behind = "--eye 0.5,0.5,-3 --look-at 0.5,0.5,0";
-    fs::write(directory.join("m.mtl"), two).unwrap();
-    let view = VIEW.replace("--eye 0.5,0.5,2 --look-at 0.5,0.5,0", behind);
-    let view = view.replace("--fov 28.0725", "--fov 20");
-    good(&directory, &format!("s.obj {view} --out o.png"));
-    let picture = image::open(directory.join("o.png")).unwrap().into_rgb8();
+    let view = VIEW.replace("--eye 0.5,0.5,2", "--eye 0.5,0.5,-3");
+    let picture = bench.draw(format!(
+        "s.obj {}",
+        view.replace("--fov 28.0725", "--fov 20")
+    ));
     near(*picture.get_pixel(16, 16), [128, 64, 64], "from behind");
     // Every color of canvas and every look draws the squares.
     for color in ["rgb565", "gray8", "gray4", "mono"] {
         for shade in ["lit", "gouraud", "flat", "wire", "depth", "normal"] {
             let look = format!("s.obj --size 32x32 --color {color} --shade {shade}");
-            let output = run(&directory, &look);
-            let said = String::from_utf8(output.stderr).unwrap();
-            assert!(output.status.success(), "{look}: {said}");
+            let said = bench.notes(&look);
             let is_coarse = ["gray4", "mono"].contains(&color);
             let is_blended = ["lit", "gouraud", "flat"].contains(&shade);
             let is_told = said.contains("few colors show blended faces as patterns");
@@ -66,16 +59,55 @@ fn opacity_blends_from_back_to_front() {
     }
 }
 
+/// Faces that are sorted keep their texture coordinates. The front square comes first in the file, but is drawn last.
+#[test]
+fn sorted_faces_keep_their_texels() {
+    let bench = Bench::new("sorted");
+    let texel = |x, _| {
+        Rgba([
+            if x < 2 { 255 } else { 0 },
+            if x < 2 { 0 } else { 255 },
+            0,
+            255,
+        ])
+    };
+    let skin = RgbaImage::from_fn(4, 4, texel);
+    skin.save(bench.path("skin.png")).unwrap();
+    let (points, _) = SQUARES.split_once("vt").unwrap();
+    let faces = "vt 0.25 0\nvt 0.75 0\nusemtl skin\nf 1/1 2/1 3/1 4/1\nf 5/2 6/2 7/2 8/2\n";
+    bench.write("t.obj", format!("{points}{faces}"));
+    bench.write("m.mtl", "newmtl skin\nmap_Kd skin.png\nd 0.5\n");
+    let picture = bench.draw(format!("t.obj {VIEW}"));
+    near(
+        *picture.get_pixel(9, 9),
+        [128, 64, 64],
+        "red before green before blue",
+    );
+}
+
+#[test]
+fn colors_of_vertices_are_multiplied_by_the_material() {
+    let bench = Bench::new("tinted");
+    let points = ["0 0", "1 0", "1 1", "0 1"].map(|xy| format!("v {xy} 0 1 0.5 0\n"));
+    bench.write(
+        "t.obj",
+        format!("mtllib m.mtl\n{}usemtl half\nf 1 2 3 4\n", points.concat()),
+    );
+    bench.write("m.mtl", "newmtl half\nKd 0.5 1 1\n");
+    let picture = bench.draw(format!("t.obj {VIEW}"));
+    near(*picture.get_pixel(9, 9), [128, 128, 0], "tinted");
+}
+
 #[test]
 fn alpha_of_a_texture_is_a_hole() {
-    let directory = directory("holes");
+    let bench = Bench::new("holes");
     let texel = |x, _| Rgba([0, 255, 0, if x < 2 { 0 } else { 255 }]);
     let leaf = RgbaImage::from_fn(4, 4, texel);
-    leaf.save(directory.join("leaf.png")).unwrap();
+    leaf.save(bench.path("leaf.png")).unwrap();
     let mtl = "newmtl front\nmap_Kd leaf.png\nmap_d leaf.png\nnewmtl back\nKd 1 0 0\n";
     // A texel is four pixels wide. Each pixel is a hole or opaque, even if the texture is smooth.
     for filter in ["nearest", "bilinear"] {
-        let picture = draw(&directory, mtl, &format!("--filter {filter}"));
+        let picture = draw(&bench, mtl, &format!("--filter {filter}"));
         for x in 0..32 {
             let color = if x % 16 < 8 { [255, 0, 0] } else { [0, 255, 0] };
             assert_eq!(picture.get_pixel(x, 9).0, color, "{filter} {x}");
@@ -85,26 +117,25 @@ fn alpha_of_a_texture_is_a_hole() {
 
 #[test]
 fn emission_is_added_and_textures_clamped() {
-    let directory = directory("emission");
+    let bench = Bench::new("emission");
     let mtl = "newmtl front\nKd 0 0.5 0\nKe 1 0 0.2\nnewmtl back\n";
     near(
-        *draw(&directory, mtl, "").get_pixel(9, 9),
+        *draw(&bench, mtl, "").get_pixel(9, 9),
         [255, 128, 51],
         "texture",
     );
     // In the dark, only the emission is visible.
     let dark = "--shade lit --ambient 0 --light 0,0,-1 --cull";
     let look = VIEW.replace("--shade texture", dark);
-    good(&directory, &format!("s.obj {look} --out o.png"));
-    let picture = image::open(directory.join("o.png")).unwrap().into_rgb8();
+    let picture = bench.draw(format!("s.obj {look}"));
     near(*picture.get_pixel(9, 9), [255, 0, 51], "dark");
     let texel = |x, _| Rgba([if x < 8 { 200 } else { 100 }, 0, 0, 255]);
     RgbaImage::from_fn(16, 16, texel)
-        .save(directory.join("skin.png"))
+        .save(bench.path("skin.png"))
         .unwrap();
     for (clamp, last) in [("off", 200), ("on", 100)] {
         let mtl = format!("newmtl front\nmap_Kd -clamp {clamp} skin.png\nnewmtl back\n");
-        let picture = draw(&directory, &mtl, "");
+        let picture = draw(&bench, &mtl, "");
         let row = [4, 12, 20].map(|x| picture.get_pixel(x, 28).0[0]);
         assert_eq!(row, [200, 100, last], "{clamp}");
     }
@@ -113,17 +144,13 @@ fn emission_is_added_and_textures_clamped() {
 /// glTF calls the square one-sided. The test looks at the square from the front and from behind.
 #[test]
 fn one_sided_materials_hide_backs_but_not_the_whole_model() {
-    let directory = directory("one-sided");
+    let bench = Bench::new("one-sided");
     let numbers: [f32; 12] = [0., 0., 0., 1., 0., 0., 1., 1., 0., 0., 1., 0.];
     let bytes: Vec<u8> = numbers.into_iter().flat_map(f32::to_le_bytes).collect();
     let faces = [0_u16, 1, 2, 0, 2, 3]
         .into_iter()
         .flat_map(u16::to_le_bytes);
-    fs::write(
-        directory.join("b.bin"),
-        bytes.into_iter().chain(faces).collect::<Vec<_>>(),
-    )
-    .unwrap();
+    bench.write("b.bin", bytes.into_iter().chain(faces).collect::<Vec<_>>());
     let gltf = |two_sided: bool| {
         let text = format!(
             r#"{{"asset": {{"version": "2.0"}}, "scenes": [{{"nodes": [0]}}], "nodes": [{{"mesh": 0}}],
@@ -133,7 +160,7 @@ fn one_sided_materials_hide_backs_but_not_the_whole_model() {
 "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}},
 {{"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}}]}}"#
         );
-        fs::write(directory.join("s.gltf"), text).unwrap();
+        bench.write("s.gltf", text);
     };
     let view = "--eye 0.5,0.5,-3 --look-at 0.5,0.5,0 --size 32x32";
     let sentence = "their materials are one-sided";
@@ -141,16 +168,13 @@ fn one_sided_materials_hide_backs_but_not_the_whole_model() {
         [(true, view, false), (false, view, true), (false, "", false)]
     {
         gltf(two_sided);
-        let output = run(&directory, &format!("s.gltf {camera}"));
-        let said = String::from_utf8(output.stderr).unwrap();
-        assert!(output.status.success(), "{said}");
-        assert_eq!(said.contains(sentence), is_told, "{two_sided}: {said}");
-        let said = String::from_utf8(output.stdout).unwrap();
+        let (said, notes) = bench.outputs(format!("s.gltf {camera}"));
+        assert_eq!(notes.contains(sentence), is_told, "{two_sided}: {notes}");
+        let said = String::from_utf8(said).unwrap();
         assert_ne!(printed(&said, "pixels"), "0");
     }
-    refused(
-        &directory,
-        &format!("s.gltf {view} --cull"),
+    bench.refused(
+        format!("s.gltf {view} --cull"),
         &["--cull hides their backs"],
     );
 }

@@ -3,45 +3,38 @@
 use std::fmt::Write;
 use std::fs;
 
-use super::program::{TRIANGLE, directory, good, printed, refused};
+use super::program::{Bench, TRIANGLE, printed};
 
 #[test]
 fn models_that_cannot_be_read_are_refused() {
-    let directory = directory("models");
+    let bench = Bench::new("models");
     for model in ["v 0 0 0\nv 1 0 0\n", "", "\u{0}\u{1}binary"] {
-        fs::write(directory.join("bad.obj"), model).unwrap();
-        refused(&directory, "bad.obj", &["model bad.obj: "]);
+        bench.write("bad.obj", model);
+        bench.refused("bad.obj", &["model bad.obj: "]);
     }
-    refused(&directory, "none.obj", &["cannot read model none.obj"]);
-    fs::create_dir(directory.join("folder.obj")).unwrap();
-    refused(&directory, "folder.obj", &["cannot read model folder.obj"]);
+    bench.refused("none.obj", &["cannot read model none.obj"]);
+    fs::create_dir(bench.path("folder.obj")).unwrap();
+    bench.refused("folder.obj", &["cannot read model folder.obj"]);
 
-    fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
-    fs::write(directory.join("text.png"), "no picture").unwrap();
-    refused(
-        &directory,
-        "t.obj --texture text.png",
-        &["cannot read texture text.png"],
-    );
-    refused(
-        &directory,
-        "t.obj --texture none.png",
-        &["cannot read texture none.png"],
-    );
+    bench.write("t.obj", TRIANGLE);
+    bench.write("text.png", "no picture");
+    for name in ["text.png", "none.png"] {
+        let says = format!("cannot read texture {name}");
+        bench.refused(format!("t.obj --texture {name}"), &[&says]);
+    }
 }
 
 #[test]
 fn a_model_fills_the_picture() {
-    let directory = directory("fills");
+    let bench = Bench::new("fills");
     // A plate far from the origin, in a difficult dialect: CRLF, a quad, negative indices, and neither vt nor vn.
     let model = "v 100 -50 7\r\nv 104 -50 7\r\nv 104 -48 7\r\nv 100 -48 7\r\nf -4 -3 -2 -1\r\n";
-    fs::write(directory.join("quad.obj"), model).unwrap();
+    bench.write("quad.obj", model);
     for projection in ["perspective", "orthographic", "cabinet", "cavalier"] {
-        let said = good(
-            &directory,
-            &format!("quad.obj --size 160x80 --projection {projection} --dump d.csv"),
-        );
-        let dump = fs::read_to_string(directory.join("d.csv")).unwrap();
+        let said = bench.good(format!(
+            "quad.obj --size 160x80 --projection {projection} --dump d.csv"
+        ));
+        let dump = bench.text("d.csv");
         let mut rows = dump.lines();
         assert_eq!(rows.next(), Some("x,y,u,v,w,depth"));
         let places: Vec<[u32; 2]> = rows
@@ -60,29 +53,23 @@ fn a_model_fills_the_picture() {
         let ((left, right), (top, bottom)) = (range(0), range(1));
         let fills = right - left > 145 || bottom - top > 71;
         assert!(fills, "{projection}: {left}..{right}, {top}..{bottom}");
-        assert!(
-            (left + right).abs_diff(159) <= 3,
-            "{projection}: {left}..{right}"
-        );
-        assert!(
-            (top + bottom).abs_diff(79) <= 3,
-            "{projection}: {top}..{bottom}"
-        );
+        let is_central = (left + right).abs_diff(159) <= 3 && (top + bottom).abs_diff(79) <= 3;
+        assert!(is_central, "{projection}: {left}..{right}, {top}..{bottom}");
     }
 }
 
 #[test]
 fn the_widest_view_is_drawn() {
-    let directory = directory("wide");
-    fs::write(directory.join("t.obj"), TRIANGLE).unwrap();
+    let bench = Bench::new("wide");
+    bench.write("t.obj", TRIANGLE);
     // The chosen eye is next to the model, but not inside it.
-    let said = good(&directory, "t.obj --fov 170");
+    let said = bench.good("t.obj --fov 170");
     assert_ne!(printed(&said, "pixels"), "0");
 }
 
 #[test]
 fn a_model_of_many_points_is_drawn_in_parts() {
-    let directory = directory("many");
+    let bench = Bench::new("many");
     // 300 x 300 points are more than 16-bit indices can address.
     let mut model = String::new();
     for y in 0..300 {
@@ -96,9 +83,9 @@ fn a_model_of_many_points_is_drawn_in_parts() {
             writeln!(model, "f {at} {} {} {}", at + 1, at + 301, at + 300).unwrap();
         }
     }
-    fs::write(directory.join("grid.obj"), model).unwrap();
+    bench.write("grid.obj", model);
     let view = "--eye 149.5,149.5,400 --look-at 149.5,149.5,0 --size 100x100 --fov 40";
-    let said = good(&directory, &format!("grid.obj {view}"));
+    let said = bench.good(format!("grid.obj {view}"));
     // The view shows 2 · 400 · tan 20° = 291.2 of the plate's 299 units, so the plate covers every pixel exactly once.
     assert_eq!(printed(&said, "pixels"), "10000");
     assert_eq!(printed(&said, "triangles"), (299 * 299 * 2).to_string());

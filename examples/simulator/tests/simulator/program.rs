@@ -1,77 +1,123 @@
-//! Runs the program in its own directory.
+//! Runs the program in a directory of its own.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// Makes an empty directory for a test.
-pub fn directory(test: &str) -> PathBuf {
-    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("simulator-{test}"));
-    let _ = fs::remove_dir_all(&directory);
-    fs::create_dir_all(&directory).unwrap();
-    directory
-}
-
-pub fn run(directory: &Path, arguments: &str) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_simulator"))
-        .args(arguments.split_whitespace())
-        .current_dir(directory)
-        .output()
-        .unwrap()
-}
-
-/// Runs the program, which must succeed. Returns the text that the program printed.
-pub fn good(directory: &Path, arguments: &str) -> String {
-    let output = run(directory, arguments);
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{arguments}: {errors}");
-    String::from_utf8(output.stdout).unwrap()
-}
-
-pub fn files(directory: &Path) -> Vec<String> {
-    let mut names: Vec<String> = fs::read_dir(directory)
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .collect();
-    names.sort();
-    names
-}
-
-/// Runs the program, which must refuse its arguments with a message that contains all of `says`, and must leave no new
-/// file.
-pub fn refused(directory: &Path, arguments: &str, says: &[&str]) {
-    let before = files(directory);
-    let output = run(directory, arguments);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert!(
-        matches!(output.status.code(), Some(1 | 2)),
-        "{arguments}: {:?} {message}",
-        output.status
-    );
-    assert!(!message.contains("panicked"), "{arguments}: {message}");
-    for part in says {
-        assert!(
-            message.contains(part),
-            "{arguments}: no '{part}' in: {message}"
-        );
-    }
-    assert_eq!(files(directory), before, "{arguments}: left a file");
-}
+use image::RgbImage;
 
 pub const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-/// Returns the word after `label` in the simulator's output.
-pub fn printed<'a>(text: &'a str, label: &str) -> &'a str {
-    let (_, after) = text
-        .split_once(label)
-        .unwrap_or_else(|| panic!("no '{label}' in: {text}"));
-    after.split_whitespace().next().unwrap()
+/// The directory of a test.
+pub struct Bench(PathBuf);
+
+impl Bench {
+    /// Makes an empty directory.
+    pub fn new(test: &str) -> Self {
+        let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("simulator-{test}"));
+        let _ = fs::remove_dir_all(&directory);
+        fs::create_dir_all(&directory).unwrap();
+        Self(directory)
+    }
+
+    pub fn path(&self, name: impl AsRef<Path>) -> PathBuf {
+        self.0.join(name)
+    }
+
+    pub fn write(&self, name: impl AsRef<Path>, bytes: impl AsRef<[u8]>) {
+        fs::write(self.path(name), bytes).unwrap();
+    }
+
+    pub fn read(&self, name: impl AsRef<Path>) -> Vec<u8> {
+        fs::read(self.path(name)).unwrap()
+    }
+
+    pub fn text(&self, name: &str) -> String {
+        fs::read_to_string(self.path(name)).unwrap()
+    }
+
+    pub fn picture(&self, name: impl AsRef<Path>) -> RgbImage {
+        image::open(self.path(name)).unwrap().into_rgb8()
+    }
+
+    pub fn files(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.0).unwrap();
+        let name = |entry: std::io::Result<fs::DirEntry>| entry.unwrap().file_name();
+        let mut names: Vec<_> = entries
+            .map(|entry| name(entry).into_string().unwrap())
+            .collect();
+        names.sort();
+        names
+    }
+
+    pub fn command(&self, arguments: impl AsRef<str>) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_simulator"));
+        let words = arguments.as_ref().split_whitespace();
+        command.args(words).current_dir(&self.0);
+        command
+    }
+
+    pub fn run(&self, arguments: impl AsRef<str>) -> Output {
+        self.command(arguments).output().unwrap()
+    }
+
+    /// Runs the program, which must succeed. Returns what it wrote to standard output and to standard error.
+    pub fn outputs(&self, arguments: impl AsRef<str>) -> (Vec<u8>, String) {
+        let output = self.run(&arguments);
+        let notes = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.success(), "{}: {notes}", arguments.as_ref());
+        (output.stdout, notes)
+    }
+
+    /// Runs the program, which must succeed. Returns the text that the program printed.
+    pub fn good(&self, arguments: impl AsRef<str>) -> String {
+        String::from_utf8(self.outputs(arguments).0).unwrap()
+    }
+
+    /// Runs the program, which must succeed. Returns the notes.
+    pub fn notes(&self, arguments: impl AsRef<str>) -> String {
+        self.outputs(arguments).1
+    }
+
+    /// Runs the program, and returns the checksum of the picture.
+    pub fn crc(&self, arguments: impl AsRef<str>) -> String {
+        let said = self.good(format!("{} --crc", arguments.as_ref()));
+        printed(&said, "crc").into()
+    }
+
+    /// Runs the program, and returns its picture.
+    pub fn draw(&self, arguments: impl AsRef<str>) -> RgbImage {
+        self.good(format!("{} --out drawn.png", arguments.as_ref()));
+        self.picture("drawn.png")
+    }
+
+    /// Runs the program, which must refuse its arguments with a message that contains all of `says`, and must leave no
+    /// new file. Returns the message.
+    pub fn refused(&self, arguments: impl AsRef<str>, says: &[&str]) -> String {
+        let (arguments, before) = (arguments.as_ref(), self.files());
+        let output = self.run(arguments);
+        let message = String::from_utf8(output.stderr).unwrap();
+        let is_refusal = matches!(output.status.code(), Some(1 | 2));
+        assert!(is_refusal, "{arguments}: {:?} {message}", output.status);
+        assert!(
+            message.contains("error: ") && !message.contains("panicked"),
+            "{message}"
+        );
+        for part in says {
+            assert!(
+                message.contains(part),
+                "{arguments}: no '{part}' in: {message}"
+            );
+        }
+        assert_eq!(self.files(), before, "{arguments}: left a file");
+        message
+    }
 }
 
-/// Returns the width and height in the header of a PNG.
-pub fn png_size(path: &Path) -> (u32, u32) {
-    let bytes = fs::read(path).unwrap();
-    assert_eq!(&bytes[..8], b"\x89PNG\r\n\x1a\n");
-    let side = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().unwrap());
-    (side(16), side(20))
+/// Returns the word after `label` in the simulator's output.
+pub fn printed<'a>(text: &'a str, label: &str) -> &'a str {
+    let after = text
+        .split_once(label)
+        .and_then(|(_, after)| after.split_whitespace().next());
+    after.unwrap_or_else(|| panic!("no '{label}' in: {text}"))
 }

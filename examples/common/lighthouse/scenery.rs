@@ -1,6 +1,4 @@
-//! The project's own scene: a lighthouse on an island in the sea, and a line of text.
-//!
-//! `no_std`, and small enough for the flash of a microcontroller: 1,176 triangles, 40 KiB of textures.
+//! Everything around the island: sea, sky, textures, camera, light, shaders, and a line of text.
 
 use core::convert::Infallible;
 
@@ -11,17 +9,14 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Gray8, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Alignment, Text};
-use fixel::canvas::{Biased, Contrast, DepthBuffer, Storage, TestAndWrite};
-use fixel::mode::Mode;
+use fixel::Vec2;
+use fixel::canvas::{Contrast, DepthBuffer, Storage};
 use fixel::prelude::*;
-use fixel::shade::{Flat, Light, PixelFormat, Texels, Textured, Within};
-use fixel::view::{Aspect, Perspective, ProjectionKind};
-use fixel::{Drawn, Vec2};
+use fixel::shade::{Light, PixelFormat, Texels, Textured, Within};
+use fixel::view::{Aspect, Perspective};
 
-/// The island with the lighthouse. Its texture is [`SKIN`].
-pub static ISLAND: Mesh = include_mesh!("../assets/lighthouse.obj");
 /// The texture of the island.
-pub static SKIN: [[Rgb565; 128]; 128] = rows(include_bytes!("../assets/lighthouse.rgb565"));
+pub static SKIN: [[Rgb565; 128]; 128] = rows(include_bytes!("../../assets/lighthouse.rgb565"));
 
 /// Rows of colors from bytes. The high byte of a color comes first.
 const fn rows<const W: usize, const H: usize>(bytes: &[u8]) -> [[Rgb565; W]; H] {
@@ -80,7 +75,7 @@ static SEA_FACES: [[u16; 3]; SEA_SIDES] = {
     faces
 };
 /// The texture of the sea, which repeats.
-pub static WAVES: [[Rgb565; 64]; 64] = rows(include_bytes!("../assets/sea.rgb565"));
+pub static WAVES: [[Rgb565; 64]; 64] = rows(include_bytes!("../../assets/sea.rgb565"));
 
 /// A projection that shows the whole lighthouse.
 ///
@@ -169,39 +164,11 @@ pub fn skin<C: PixelFormat>() -> Result<impl ShaderFor<C, Varyings = LitTexels>,
     Ok(Textured::new(&SKIN).lit(sun()?).converted())
 }
 
-/// Draws the sea and the island. `mvp` transforms them to the picture.
-///
-/// # Errors
-///
-/// None: the light's numbers are constant.
-pub fn draw<C, I, K, O, D>(
-    canvas: &mut Canvas<'_, C, O, D>,
-    options: &DrawOptions<I>,
-    mvp: &Mvp<K>,
-) -> Result<[Drawn; 2], Error>
-where
-    C: PixelFormat,
-    I: Mode,
-    K: ProjectionKind,
-    O: Storage<C>,
-    D: DepthBuffer,
-{
-    if is_mono::<C>() {
-        return draw_mono(canvas, options, mvp);
-    }
-    let sea = canvas.draw_with(options, &SEA, mvp, &waves());
-    let island = canvas.draw_with(options, &ISLAND, mvp, &skin()?);
-    Ok([sea, island])
-}
-
 /// Whether the format has only black and white. In such a format, the scene is drawn at night, because a dithered sky
 /// and sea would be noise around the island.
 pub const fn is_mono<C: PixelFormat>() -> bool {
     C::MAX_STEPS[0] == 1
 }
-
-/// The outline of the island against sky and sea. No edge is a crease.
-pub static SILHOUETTES: Outline = include_outline!("../assets/lighthouse.obj", crease = 180);
 
 /// The shader of the sea at night: black water with crests of waves.
 pub fn crests<C: PixelFormat>() -> impl ShaderFor<C, Varyings = Texels> {
@@ -225,28 +192,6 @@ pub fn stretched<C: PixelFormat>() -> Result<impl ShaderFor<C, Varyings = LitTex
             Some(CONTRAST.stretch(gray))
         })
         .converted())
-}
-
-/// Draws the sea and the island at night, with white silhouettes.
-fn draw_mono<C, I, K, O, D>(
-    canvas: &mut Canvas<'_, C, O, D>,
-    options: &DrawOptions<I>,
-    mvp: &Mvp<K>,
-) -> Result<[Drawn; 2], Error>
-where
-    C: PixelFormat,
-    I: Mode,
-    K: ProjectionKind,
-    O: Storage<C>,
-    D: DepthBuffer,
-{
-    let sea = canvas.draw_with(options, &SEA, mvp, &crests());
-    let island = canvas.draw_with(options, &ISLAND, mvp, &stretched()?);
-    let white = Flat::new(C::from_rgb(Rgb888::WHITE, Point::zero()));
-    let in_front = options.with_depth(Biased::in_front(TestAndWrite));
-    let silhouettes = ISLAND.outline(&SILHOUETTES, LineStyle::HAIRLINE);
-    canvas.draw_with(&in_front, silhouettes, mvp, &white);
-    Ok([sea, island])
 }
 
 /// Writes the name of the project into the lower left corner. If the format has only black and white, the background of
