@@ -8,6 +8,7 @@ pub mod bounds;
 pub mod comparison;
 pub mod counter;
 pub mod drawing;
+pub mod erased;
 pub mod meshes;
 pub mod mode;
 pub mod moves;
