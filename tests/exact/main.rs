@@ -3,6 +3,8 @@
 #[path = "../../examples/common/mod.rs"]
 mod examples;
 
+use fixel::DrawList;
+
 mod assets;
 mod bands;
 mod canvas;
@@ -22,3 +24,6 @@ mod things;
 mod threads;
 mod traits;
 mod wireframe;
+
+/// A list with enough room for all tests, because each size is compiled.
+type List = DrawList<900, 1200>;

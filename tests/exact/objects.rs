@@ -5,6 +5,7 @@ use fixel::canvas::Opacity;
 use fixel::prelude::*;
 use fixel::{Drawn, Prepared};
 
+use crate::List;
 use support::counter::{at_subpixel, pixel_projection};
 
 const WIDTH: u32 = 48;
@@ -91,7 +92,7 @@ fn in_bands(scene: &Prepared<'_, Flat<Gray8>>, rows: u32, has_depth: bool) -> (V
 #[test]
 fn a_list_of_objects_draws_the_same_as_each_alone() {
     let expected = drawn();
-    let mut list: DrawList<300, 400> = DrawList::new();
+    let mut list: List = DrawList::new();
     let (options, mut objects) = (DrawOptions::new(), objects());
     let view = view();
     let scene = list.prepare(&options, SIZE, &mut objects, &view).unwrap();
@@ -142,7 +143,7 @@ fn a_list_without_room_for_all_objects_is_refused() {
 
 #[test]
 fn a_canvas_of_another_frame_is_refused() {
-    let mut list: DrawList<300, 400> = DrawList::new();
+    let mut list: List = DrawList::new();
     let (options, mut objects) = (DrawOptions::new(), objects());
     let scene = list.prepare(&options, SIZE, &mut objects, &view()).unwrap();
     let mut color = [Gray8::BLACK; PIXELS];
@@ -162,11 +163,11 @@ fn a_canvas_of_another_frame_is_refused() {
 
 #[test]
 fn one_meshs_list_refuses_a_canvas_of_another_frame() {
-    let mut list: DrawList<300, 400> = DrawList::new();
-    let mut lines: DrawList<300, 300> = DrawList::new();
+    let mut list: List = DrawList::new();
+    let mut lines: List = DrawList::new();
     let (options, white) = (DrawOptions::new(), Flat::new(Gray8::WHITE));
     let ball = list.prepare(&options, SIZE, &BALL, &view()).unwrap();
-    let mut smooth: DrawList<300, 300> = DrawList::new();
+    let mut smooth: List = DrawList::new();
     let width = LineStyle::wide(fx!(2)).unwrap();
     let edges = lines.prepare(&options, SIZE, BALL.edges(width), &view());
     let edges = edges.unwrap();
@@ -223,7 +224,7 @@ fn a_scene_of_edges_draws_outlines_or_all_edges() {
             counts.push(drawn);
         }
     }
-    let mut list: DrawList<900, 1200> = DrawList::new();
+    let mut list: List = DrawList::new();
     let scene = list.prepare(&options, SIZE, &mut objects, &view()).unwrap();
     for rows in [HEIGHT, 12, 1] {
         let mut frame = Vec::new();
@@ -268,7 +269,7 @@ fn a_scene_of_edges_draws_outlines_or_all_edges() {
 fn prepared_edges_in_bands_equal_the_frame() {
     let near = view() * Transform::translate(vec3!(0, 0.2, 2.3)) * Transform::scale(fx!(1.3));
     let (options, white) = (DrawOptions::new(), Flat::new(Gray8::WHITE));
-    let mut lines: DrawList<300, 600> = DrawList::new();
+    let mut lines: List = DrawList::new();
     let picture = |rows: u32, draw: &dyn Fn(&mut Canvas<'_, Gray8>) -> Drawn| {
         let mut color = [Gray8::BLACK; PIXELS];
         let mut drawn = Vec::new();
@@ -350,14 +351,14 @@ fn prepared_edges_count_in_the_bands_that_they_reach() {
         .collect();
     let mesh = Mesh::new(&positions, &[]).unwrap();
     let mesh = mesh.with_edges(&edges).unwrap();
-    let mut list: DrawList<100, 200> = DrawList::new();
+    let mut list: List = DrawList::new();
     let (options, mvp, pen) = (
         DrawOptions::new(),
         pixel_projection(size),
         Flat::new(Gray8::new(9)),
     );
     let thin = mesh.edges(LineStyle::HAIRLINE);
-    let mut wide: DrawList<100, 200> = DrawList::new();
+    let mut wide: List = DrawList::new();
     let width = LineStyle::wide(fx!(3)).unwrap();
     let wide = wide.prepare(&options, size, mesh.edges(width), &mvp);
     let wide = wide.unwrap();

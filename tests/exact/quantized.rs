@@ -5,6 +5,8 @@ use fixel::mesh::flash::{Small, UvGrid};
 use fixel::prelude::*;
 use rand::Rng;
 
+use crate::List;
+use support::erased::Padded;
 use support::random::{Random, cases, list};
 
 const SIZE: (u32, u32) = (32, 24);
@@ -46,7 +48,8 @@ fn model(random: &mut Random) -> Model {
 }
 
 /// The picture of a mesh, which must be the same in a frame, in bands, and prepared.
-fn drawn(mesh: &Mesh, shader: &impl ShaderFor<Rgb565>) -> Vec<Rgb565> {
+fn drawn(mesh: &Mesh, shader: &Padded<impl ShaderFor<Rgb565>>) -> Vec<Rgb565> {
+    let shader = &shader.erased();
     let projection = Projection::perspective(deg!(60), SIZE, fx!(0.1), fx!(100)).unwrap();
     let mvp = projection * Transform::translate(vec3!(0, 0, -4));
     let options = DrawOptions::new().with_cull(Cull::Nothing);
@@ -54,7 +57,7 @@ fn drawn(mesh: &Mesh, shader: &impl ShaderFor<Rgb565>) -> Vec<Rgb565> {
     let mut canvas = Canvas::new(&mut picture, SIZE.0, SIZE.1).unwrap();
     canvas.draw_with(&options, mesh, &mvp, shader);
 
-    let mut list: DrawList<16, 99> = DrawList::new();
+    let mut list: List = DrawList::new();
     let prepared = list.prepare(&options, SIZE, mesh, &mvp).unwrap();
     let mut bands = vec![Rgb565::BLACK; PIXELS];
     for (first, band) in (0..SIZE.1).step_by(8).zip(bands.chunks_mut(8 * 32)) {
@@ -97,7 +100,7 @@ fn pixels_equal_those_of_the_unquantized_mesh() {
         assert_eq!((of_8, of_16), (long, long));
 
         let sun = Light::new(vec3!(1, 2, 3), fx!(0.1), fx!(0.9)).unwrap();
-        let skin = Textured::new(&SKIN).lit(sun);
+        let skin = Padded::new(Textured::new(&SKIN).lit(sun));
         let picture = drawn(&long, &skin);
         assert!(drawn(&of_8, &skin) == picture, "{model:?}");
         assert!(drawn(&of_16, &skin) == picture, "{model:?}");
@@ -106,11 +109,11 @@ fn pixels_equal_those_of_the_unquantized_mesh() {
         assert!(drawn(&rest, &skin) == picture, "{part}.. of {model:?}");
 
         let faces = vec![Rgb565::RED; part];
-        let colors = FaceColors::new(&faces);
+        let colors = Padded::new(FaceColors::new(&faces));
         let picture = drawn(&long, &colors);
         assert!(drawn(&of_8, &colors) == picture, "{part} of {model:?}");
         let flat = of_8.without_normals().without_uvs();
-        let clay = Flat::rgb(Rgb888::new(236, 214, 190)).lit(sun);
+        let clay = Padded::new(Flat::<Rgb565>::rgb(Rgb888::new(236, 214, 190)).lit(sun));
         let picture = drawn(&bare, &clay);
         assert!(drawn(&flat, &clay) == picture, "{model:?}");
     });
@@ -127,7 +130,8 @@ fn attributes_that_a_mesh_lacks_are_reported() {
         let missing = canvas.draw(mesh, &mvp, shader).missing;
         [missing.uvs, missing.colors]
     }
-    let textured = Textured::new(&SKIN);
+    let textured = Padded::new(Textured::new(&SKIN));
+    let textured = textured.erased();
     assert_eq!(missing(&BALL, &textured), [false, false]);
     assert_eq!(missing(&BALL.without_uvs(), &textured), [true, false]);
     assert_eq!(missing(&BALL, &Gouraud::new()), [false, true]);

@@ -1,5 +1,7 @@
 //! Shaders that a program implements itself, and lists of models with different shaders.
 
+use std::cell::RefCell;
+
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb565, Rgb888, RgbColor};
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
@@ -7,8 +9,9 @@ use fixel::shade::{PerFace, Within};
 use fixel::view::Perspective;
 use rand::Rng;
 
+use crate::List;
+use support::erased::{Erased, Padded};
 use support::random::cases;
-use support::recorder::record;
 
 const WIDTH: u32 = 48;
 const HEIGHT: u32 = 36;
@@ -114,7 +117,7 @@ fn everything<S: ShaderFor<Rgb565>>(canvas: &mut Screen<'_>, mode: impl Mode, sh
         &(aside * Transform::scale(fx!(0.5))),
         shader,
     );
-    let mut list: DrawList<24, 64> = DrawList::new();
+    let mut list: List = DrawList::new();
     let behind = mvp * Transform::translate(vec3!(-2, 0, -1));
     let prepared = list
         .prepare(&options, (WIDTH, HEIGHT), &BOX, &behind)
@@ -122,10 +125,16 @@ fn everything<S: ShaderFor<Rgb565>>(canvas: &mut Screen<'_>, mode: impl Mode, sh
     canvas.draw_prepared(&prepared, shader).unwrap();
 }
 
+/// The picture of everything with a shader. All shaders share a rasterizer.
+fn padded(mode: impl Mode, shader: impl ShaderFor<Rgb565>) -> (Vec<Rgb565>, Vec<u16>) {
+    let padded = Padded::new(shader);
+    picture(&|canvas| everything(canvas, mode, &padded.erased()))
+}
+
 fn check_wrappers<S: ShaderFor<Rgb565>>(mode: impl Mode, shader: S) {
-    let expected = picture(&|canvas| everything(canvas, mode, &shader));
-    assert!(picture(&|canvas| everything(canvas, mode, &Same(shader))) == expected);
-    assert!(picture(&|canvas| everything(canvas, mode, &WithFace(shader))) == expected);
+    let expected = padded(mode, shader);
+    assert!(padded(mode, Same(shader)) == expected);
+    assert!(padded(mode, WithFace(shader)) == expected);
 }
 
 #[test]
@@ -142,8 +151,10 @@ fn a_wrapper_of_ten_lines_draws_the_same() {
     );
     // The wrapper also works in itself and inside another shader.
     let lit = picture(&|canvas| everything(canvas, Newton, &skin.lit(sun())));
-    assert!(picture(&|canvas| everything(canvas, Newton, &Same(skin).lit(sun()))) == lit);
-    assert!(picture(&|canvas| everything(canvas, Newton, &Same(Same(skin.lit(sun()))))) == lit);
+    assert!(padded(Newton, Same(skin).lit(sun())) == lit);
+    assert!(padded(Newton, Same(Same(skin.lit(sun())))) == lit);
+    // A rasterizer of its own draws the wrapper, too.
+    assert!(picture(&|canvas| everything(canvas, Newton, &Same(skin.lit(sun())))) == lit);
 }
 
 /// The colors of a surface reach a light in full precision through a wrapper.
@@ -152,7 +163,7 @@ fn a_wrapper_under_a_light_keeps_the_precision() {
     fn drawn(shader: impl ShaderFor<BinaryColor>) -> Vec<BinaryColor> {
         let mut pixels = vec![BinaryColor::Off; (WIDTH * HEIGHT) as usize];
         let mut canvas = Canvas::new(&mut pixels, WIDTH, HEIGHT).unwrap();
-        canvas.draw(&BALL, &(projection() * pose()), &shader);
+        canvas.draw(&BALL, &(projection() * pose()), &Erased::new(&shader));
         pixels
     }
     let gray = Flat::rgb(Rgb888::new(150, 150, 150));
@@ -194,12 +205,12 @@ fn a_list_holds_models_with_different_shaders() {
     let skin = Model {
         mesh: &BOX,
         place: at(0),
-        shader: Textured::new(&SKIN).lit_faces(sun()),
+        shader: Textured::new(&SKIN).lit(sun()),
     };
     let holes = Model {
         mesh: &BALL,
         place: at(3),
-        shader: NormalView::new()
+        shader: FaceColors::new(&[Rgb565::RED, Rgb565::BLUE])
             .map(|at, color| ((at.point.x + at.point.y) % 2 == 0).then_some(color)),
     };
     let scene: [&dyn Draw; 3] = [&plain, &skin, &holes];
@@ -230,26 +241,30 @@ fn a_shader_may_compute_fog_from_depth() {
     let fog = lit.map(|at, color| Some(fogged(at.depth, color.finish(at.point))));
     let mvp = projection() * pose();
     let (foggy, _) = picture(&|canvas| {
-        canvas.draw(&BOX, &mvp, &fog);
+        canvas.draw(&BOX, &mvp, &Erased::new(&fog));
     });
     // Compare with the surface without fog, pixel by pixel.
     let mut expected = vec![Rgb565::BLACK; foggy.len()];
     let mut nearest = vec![0; foggy.len()];
-    let clear = record::<_, 0>(lit, |recorder| {
-        picture(&|canvas| {
-            canvas.draw(&BOX, &mvp, recorder);
-        });
+    let seen = RefCell::new(Vec::new());
+    let clear = lit.map(|at, color| {
+        let color = color.finish(at.point);
+        seen.borrow_mut().push((*at, color));
+        Some(color)
     });
-    for seen in &clear.seen {
-        let [x, y] = seen.pixel.map(|at| usize::try_from(at).unwrap());
-        let at = y * WIDTH as usize + x;
-        if seen.depth >= nearest[at] {
-            nearest[at] = seen.depth;
-            expected[at] = fogged(seen.depth, seen.color.unwrap());
+    picture(&|canvas| {
+        canvas.draw(&BOX, &mvp, &Erased::new(&clear));
+    });
+    let seen = seen.into_inner();
+    for &(Fragment { point, depth }, color) in &seen {
+        let at = (point.y.cast_unsigned() * WIDTH + point.x.cast_unsigned()) as usize;
+        if depth >= nearest[at] {
+            nearest[at] = depth;
+            expected[at] = fogged(depth, color);
         }
     }
     assert_eq!(foggy, expected);
-    let depths = clear.seen.iter().map(|seen| seen.depth);
+    let depths = seen.iter().map(|(at, _)| at.depth);
     assert!(
         depths.clone().max().unwrap() > 2 * depths.min().unwrap(),
         "all pixels have the same distance"

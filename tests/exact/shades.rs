@@ -7,6 +7,8 @@ use fixel::prelude::*;
 use fixel::shade::PerFace;
 use fixel::{Object, ShadeList};
 
+use crate::List;
+
 const WIDTH: u32 = 48;
 const HEIGHT: u32 = 36;
 const SIZE: (u32, u32) = (WIDTH, HEIGHT);
@@ -66,7 +68,7 @@ impl Shader for Counting<'_> {
 
 macro_rules! check {
     ($thing:expr, $shader:expr) => {{
-        let (mut list, mut memory): (DrawList<400, 600>, _) = (DrawList::new(), ShadeList::new());
+        let (mut list, mut memory): (List, _) = (DrawList::new(), ShadeList::new());
         let memory: &mut ShadeList<_, 400> = &mut memory;
         let options = DrawOptions::new().with_cull(Cull::Nothing);
         for place in places() {
@@ -86,11 +88,10 @@ macro_rules! check {
 #[test]
 fn light_computed_once_draws_the_same_pixels() {
     let (white, asked) = (Flat::new(Gray8::WHITE), Cell::new(0));
-    let skin = [[Gray8::new(80)]];
     check!(&BALL, white.lit(sun()));
     check!(&BALL, white.lit_faces(sun()));
     check!(&RING.without_normals(), white.lit(sun()));
-    check!(&BALL.without_uvs(), Textured::new(&skin));
+    check!(&BALL.without_uvs(), Counting(&asked));
     check!(&BALL, Counting(&asked));
     check!(BALL.edges(LineStyle::HAIRLINE), Counting(&asked));
     let wide = LineStyle::wide(fx!(3)).unwrap();
@@ -99,7 +100,7 @@ fn light_computed_once_draws_the_same_pixels() {
 
 #[test]
 fn a_shader_is_asked_once_for_each_visible_triangle() {
-    let (asked, mut list) = (Cell::new(0), DrawList::<400, 600>::new());
+    let (asked, mut list) = (Cell::new(0), List::new());
     let (shader, mut memory) = (Counting(&asked), ShadeList::<_, 400>::new());
     let (options, mvp) = (DrawOptions::new(), view() * places()[1]);
     let ball = list.prepare(&options, SIZE, &BALL, &mvp).unwrap();
@@ -114,7 +115,7 @@ fn a_shader_is_asked_once_for_each_visible_triangle() {
     let before = asked.get();
     let (found, _) = frame(|band| band.draw(&BALL, &mvp, &shades.of(&shader)));
     assert!(found == expected && asked.get() > before);
-    let mut other = DrawList::<400, 600>::new();
+    let mut other = List::new();
     let mvp = view() * places()[0];
     let other = other.prepare(&options, SIZE, &BALL, &mvp).unwrap();
     let (found, _) = frame(|band| band.draw_prepared(&other, &shades.of(&shader)).unwrap());
@@ -139,7 +140,7 @@ fn the_objects_of_a_scene_are_shaded_by_their_materials() {
         Object::new(&RING, tilted, lit(120)),
         Object::new(&BALL, places()[0], lit(60)),
     ];
-    let (mut list, mut memory) = (DrawList::<600, 600>::new(), ShadeList::<_, 600>::new());
+    let (mut list, mut memory) = (List::new(), ShadeList::<_, 600>::new());
     let (options, view) = (DrawOptions::new(), view());
     let scene = list
         .prepare_back_to_front(&options, SIZE, &mut objects, &view)

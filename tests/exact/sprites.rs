@@ -9,6 +9,7 @@ use fixel::prelude::*;
 use fixel::shade::Texels;
 use fixel::view::ProjectionKind;
 
+use support::erased::Erased;
 use support::recorder::Probe;
 
 const WIDTH: u32 = 80;
@@ -64,7 +65,7 @@ fn corners<K: ProjectionKind>(
         color: None,
     };
     picture(HEIGHT, &|canvas| {
-        canvas.draw_with(options, sprites, mvp, &probe);
+        canvas.draw_with(options, sprites, mvp, &Erased::new(&probe));
     });
     found.into_inner()
 }
@@ -182,7 +183,13 @@ fn check<K: ProjectionKind>(
         (&mvp, &projection),
         &Gouraud::new().in_fog(fog),
     );
-    same_as_mesh(&both, &sprites, &mesh, (&mvp, &projection), &Bent);
+    same_as_mesh(
+        &both,
+        &sprites,
+        &mesh,
+        (&mvp, &projection),
+        &Erased::new(&Bent),
+    );
     // The two triangles of a sprite are two faces, each with a color.
     let colors: Vec<Rgb565> = (0..58).map(|i| Rgb565::new(i / 2, i, 31)).collect();
     same_as_mesh(

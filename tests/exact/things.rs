@@ -9,6 +9,8 @@ use fixel::prelude::*;
 use fixel::shade::PerFace;
 use fixel::{Object, ShadeList};
 
+use crate::List;
+
 const SIZE: (u32, u32) = (64, 48);
 const PIXELS: usize = (SIZE.0 * SIZE.1) as usize;
 
@@ -81,7 +83,7 @@ fn a_mirror_shows_the_mirror_image() {
                 })
             };
             let listed = |mvp: &Mvp| {
-                let mut list: DrawList<4, 12> = DrawList::new();
+                let mut list: List = DrawList::new();
                 picture(|canvas| {
                     let wedge = list.prepare(&options, SIZE, &WEDGE, mvp).unwrap();
                     canvas
@@ -166,7 +168,7 @@ fn only_an_odd_number_of_mirrors_turns_culling_around() {
         let mut canvas = Canvas::new(canvas_pixels, SIZE.0, SIZE.1).unwrap();
         let submitted = |canvas: &mut Canvas<'_, Gray8>, cull| {
             let options = DrawOptions::new().with_cull(cull);
-            let mut list: DrawList<1, 18> = DrawList::new();
+            let mut list: List = DrawList::new();
             let listed = list.prepare(&options, SIZE, &mesh, &mvp).unwrap();
             canvas
                 .draw_prepared(&listed, &Flat::new(Gray8::WHITE))
@@ -273,7 +275,7 @@ fn shaders_learn_which_face_or_edge_they_color() {
     assert_eq!(draw, [[None; 2]]);
 
     let listed = asked(&|canvas, shader| {
-        let mut list: DrawList<20, 40> = DrawList::new();
+        let mut list: List = DrawList::new();
         let listed = list.prepare(&both, SIZE, &part, &mvp).unwrap();
         canvas.draw_prepared(&listed, shader).unwrap();
         let listed = list.prepare(&both, SIZE, outline, &mvp).unwrap();
@@ -321,7 +323,7 @@ fn fronts_are_what_culling_leaves() {
             let expected = picture(|canvas| _ = canvas.draw(&WEDGE, &mvp, &white));
             let found = picture(|canvas| _ = canvas.draw_with(&all, &WEDGE, &mvp, &Fronts));
             assert!(found == expected, "{place:?} {mirror:?}");
-            let mut list = DrawList::<8, 64>::new();
+            let mut list = List::new();
             let listed = list.prepare(&all, SIZE, &WEDGE, &mvp).unwrap();
             let found = picture(|canvas| _ = canvas.draw_prepared(&listed, &Fronts).unwrap());
             assert!(found == expected, "{place:?} {mirror:?}, listed");

@@ -14,6 +14,7 @@ use fixel::view::{Parallel, Perspective};
 
 use crate::examples::lighthouse;
 use crate::examples::scenes::{self, HEIGHT, WIDTH};
+use crate::golden::draw_lighthouse;
 
 /// Values that both cores share must be `Sync`, and values that one core passes to the other must be `Send`. All types
 /// of the crate are both.
@@ -182,7 +183,7 @@ fn the_lighthouse_with_its_caption() {
     let mvp = projection * lighthouse::camera().unwrap() * Transform::IDENTITY;
     with_depth(|canvas| {
         lighthouse::sky(canvas);
-        lighthouse::draw(canvas, &DrawOptions::new(), &mvp).unwrap();
+        draw_lighthouse(canvas, &mvp);
         lighthouse::caption(canvas);
     });
 }

@@ -6,6 +6,7 @@ use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;
 
+use crate::List;
 use support::random::cases;
 
 const SIZE: (u32, u32) = (72, 64);
@@ -213,7 +214,7 @@ fn outlines_move_as_the_faces_beside_them_are_steep() {
             let mut colors = vec![Gray8::BLACK; PIXELS];
             let options = DrawOptions::new().with_cull(Cull::Nothing).with_depth(test);
             let lines = SHEET.outline(&BORDER, LineStyle::HAIRLINE);
-            let mut list: DrawList<8, 40> = DrawList::new();
+            let mut list: List = DrawList::new();
             let listed = list.prepare(&options, SIZE, lines, &mvp).unwrap();
             for first in (0..SIZE.1).step_by(band as usize) {
                 let pixels = (first * SIZE.0) as usize..((first + band) * SIZE.0) as usize;

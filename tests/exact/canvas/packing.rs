@@ -13,7 +13,7 @@ use fixel::prelude::*;
 use rand::Rng;
 
 use super::pictures::{self, HEIGHT, WIDTH};
-use support::random::cases;
+use support::random::{cases, sampled};
 
 /// A target that keeps only the lowest bits of each color.
 struct Coarse<T>(T);
@@ -73,7 +73,7 @@ macro_rules! shows_as_a_framebuffer {
             Framebuffer<$color, $raw, LittleEndian, { WIDTH as usize }, ROWS, BYTES>;
         const FRAME: usize = HEIGHT as usize;
         let blank = <$color>::from(<$raw>::from_u32(0));
-        cases(500, |random| {
+        cases(sampled(500), |random| {
             let mut theirs = Packed::<FRAME, { bytes(FRAME) }>::new();
             pictures::draw(&mut Coarse(&mut theirs), &mut random.clone(), false);
 

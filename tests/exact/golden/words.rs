@@ -15,6 +15,9 @@ use fixel::prelude::*;
 use fixel::shade::{DepthView, Gradient, NormalView, PartColors, Viewer};
 use fixel::texture::{Argb4444, Indexed, Mipmap, Raw};
 
+use crate::List;
+use support::erased::{Erased, Padded};
+
 const WIDTH: u32 = 80;
 const HEIGHT: u32 = 60;
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
@@ -57,6 +60,11 @@ fn sun() -> Result<Light, Error> {
 fn with<S: ShaderFor<Rgb888>>(canvas: &mut Picture<'_>, mesh: &Mesh, shader: &S) -> Drawn {
     canvas.draw(mesh, &view()?, shader);
     Ok(())
+}
+
+/// Draws like [`with`], but through the rasterizer that all shaders share: here, only the shader matters.
+fn surface(canvas: &mut Picture<'_>, mesh: &Mesh, shader: impl ShaderFor<Rgb888>) -> Drawn {
+    with(canvas, mesh, &Padded::new(shader).erased())
 }
 
 /// Draws two sheets so close to each other that the depth format decides where each sheet is in front.
@@ -102,55 +110,56 @@ const WORDS: &[Word] = &[
         let colors: Vec<_> = (0..RING.faces().len())
             .map(|at| SKIN[at % 8][at / 8 % 8])
             .collect();
-        with(c, &RING, &FaceColors::new(&colors))
+        surface(c, &RING, FaceColors::new(&colors))
     }),
     ("PartColors", 0x6c52_e659, |c| {
         let parts = [(0..200, ORANGE), (200..576, Rgb888::BLUE)];
         let parts = parts.map(|(faces, color)| Part::new(faces, Material::new(color)));
-        with(c, &RING, &PartColors::rgb(&parts))
+        surface(c, &RING, PartColors::rgb(&parts))
     }),
     ("Gouraud", 0x53bb_453d, |c| {
         let colors = colored(&CUBE);
-        with(c, &CUBE.with_colors(&colors, None)?, &Gouraud::new())
+        let gouraud = Gouraud::<Rgb888>::new();
+        with(c, &CUBE.with_colors(&colors, None)?, &Erased::new(&gouraud))
     }),
     ("tinted", 0xd282_30a8, |c| {
         let colors = colored(&BALL);
-        with(
+        surface(
             c,
             &BALL.with_colors(&colors, None)?,
-            &Textured::new(&SKIN).tinted(),
+            Textured::new(&SKIN).tinted(),
         )
     }),
     ("Gradient", 0x41d4_8339, |c| {
         let (low, high) = ((fx!(-0.6), ORANGE), (fx!(0.6), Rgb888::BLUE));
-        with(c, &BALL, &Gradient::new(low, high)?)
+        with(c, &BALL, &Erased::new(&Gradient::<Rgb888>::new(low, high)?))
     }),
     ("DepthView", 0xee16_379b, |c| {
-        with(c, &RING, &DepthView::between(1200, 3300))
+        surface(c, &RING, DepthView::between(1200, 3300))
     }),
     ("NormalView", 0x3857_812c, |c| {
-        with(c, &RING, &NormalView::new())
+        with(c, &RING, &Erased::new(&NormalView::<Rgb888>::new()))
     }),
     ("Textured", 0x3a8f_8d50, |c| {
         with(c, &CUBE, &Textured::new(&SKIN))
     }),
     ("clamped", 0x4e48_401a, |c| {
-        with(c, &CUBE, &Textured::new(&SKIN).clamped().bilinear())
+        surface(c, &CUBE, Textured::new(&SKIN).clamped().bilinear())
     }),
     ("bilinear", 0x9e52_ee32, |c| {
-        with(c, &CUBE, &Textured::new(&SKIN).bilinear())
+        surface(c, &CUBE, Textured::new(&SKIN).bilinear())
     }),
     ("cut_out", 0xfb13_c68c, |c| {
-        with(c, &CUBE, &Textured::new(&SKIN).cut_out(SKIN[0][1]))
+        surface(c, &CUBE, Textured::new(&SKIN).cut_out(SKIN[0][1]))
     }),
     ("Indexed", 0xe7f4_8d0f, |c| {
         let indices: [[u8; 8]; 8] =
             std::array::from_fn(|row| std::array::from_fn(|column| ((row ^ column) % 3) as u8));
         let colors = [ORANGE, Rgb888::BLUE, Rgb888::new(9, 200, 77)];
-        with(
+        surface(
             c,
             &CUBE,
-            &Textured::new(Indexed {
+            Textured::new(Indexed {
                 indices: &indices,
                 colors: &colors,
             }),
@@ -162,7 +171,7 @@ const WORDS: &[Word] = &[
             .iter()
             .flat_map(|color| color.to_be_bytes())
             .collect();
-        with(c, &CUBE, &Textured::new(Raw::<Rgb888>::new(&bytes, 8, 8)?))
+        surface(c, &CUBE, Textured::new(Raw::<Rgb888>::new(&bytes, 8, 8)?))
     }),
     ("Argb4444", 0x18b9_a80c, |c| {
         let texels = [[Argb4444::new(9, 15, 4, 2), Argb4444::new(3, 1, 14, 6)]];
@@ -177,8 +186,8 @@ const WORDS: &[Word] = &[
         let skin = Textured::new(Mipmap::build(&mut texels, 8, 8)?);
         let projection = Projection::perspective(deg!(43), (WIDTH, HEIGHT), fx!(0.1), fx!(100))?;
         let far = projection * Transform::translate(vec3!(0, -1, -9)) * Transform::scale(fx!(7));
-        let skin = skin.mipmapped(&projection, c.frame_size())?;
-        c.draw(&SHEET, &far, &skin);
+        let skin = Padded::new(skin.mipmapped(&projection, c.frame_size())?);
+        c.draw(&SHEET, &far, &skin.erased());
         Ok(())
     }),
     ("trilinear", 0xe5a5_7553, |c| {
@@ -188,62 +197,63 @@ const WORDS: &[Word] = &[
         let projection = Projection::perspective(deg!(43), (WIDTH, HEIGHT), fx!(0.1), fx!(100))?;
         let far = projection * Transform::translate(vec3!(0, -1, -9)) * Transform::scale(fx!(7));
         let skin = skin.mipmapped(&projection, c.frame_size())?;
-        c.draw(&SHEET, &far, &skin.trilinear());
+        c.draw(&SHEET, &far, &Padded::new(skin.trilinear()).erased());
         Ok(())
     }),
     ("Light", 0x9efc_2e07, |c| {
-        with(c, &RING, &Flat::new(ORANGE).lit(sun()?))
+        surface(c, &RING, Flat::new(ORANGE).lit(sun()?))
     }),
     ("lit_faces", 0x54c1_b743, |c| {
-        with(c, &BALL, &Flat::new(ORANGE).lit_faces(sun()?))
+        surface(c, &BALL, Flat::new(ORANGE).lit_faces(sun()?))
     }),
     ("lit texture", 0xce1f_7c04, |c| {
         with(c, &BALL, &Textured::new(&SKIN).lit(sun()?))
     }),
     ("PointLight", 0x7800_d04b, |c| {
-        with(
+        surface(
             c,
             &RING,
-            &Flat::new(ORANGE).lit(PointLight::new(vec3!(1, 1, 1), fx!(1), fx!(4))?),
+            Flat::new(ORANGE).lit(PointLight::new(vec3!(1, 1, 1), fx!(1), fx!(4))?),
         )
     }),
     ("SpotLight", 0xff46_66ff, |c| {
         let cone = (deg!(15), deg!(30));
         let lamp = SpotLight::new(vec3!(0, 3, 0), vec3!(0.1, -1, 0), cone, fx!(1), fx!(9))?;
-        with(c, &RING, &Flat::new(ORANGE).lit(lamp))
+        surface(c, &RING, Flat::new(ORANGE).lit(lamp))
     }),
     ("shiny", 0x4052_59b6, |c| {
         let light = sun()?.shiny(Viewer::of(&view()?), 20, fx!(0.8))?;
-        with(c, &BALL, &Flat::new(ORANGE).lit(light))
+        surface(c, &BALL, Flat::new(ORANGE).lit(light))
     }),
     ("colored", 0x13bf_26f6, |c| {
         let lights = (
             sun()?.colored(Rgb888::new(200, 99, 7)),
             PointLight::new(vec3!(2, 0, 2), fx!(1), fx!(4))?,
         );
-        with(c, &RING, &Textured::new(&SKIN).lit(lights))
+        surface(c, &RING, Textured::new(&SKIN).lit(lights))
     }),
     ("two_sided", 0x597c_ea93, |c| {
         let light = sun()?.two_sided(Viewer::of(&view()?));
         let options = DrawOptions::new().with_cull(Cull::Nothing);
         let below = view()? * Transform::rotate_x(deg!(160));
-        c.draw_with(&options, &SHEET, &below, &Flat::new(ORANGE).lit(light));
+        let surface = Padded::new(Flat::new(ORANGE).lit(light));
+        c.draw_with(&options, &SHEET, &below, &surface.erased());
         Ok(())
     }),
     ("linear fog", 0x2151_a275, |c| {
-        with(
+        surface(
             c,
             &RING,
-            &Flat::new(ORANGE)
+            Flat::new(ORANGE)
                 .lit(sun()?)
                 .in_fog(Fog::linear(Rgb888::BLUE, fx!(2.7), fx!(5))?),
         )
     }),
     ("exponential fog", 0x94a7_6c51, |c| {
-        with(
+        surface(
             c,
             &RING,
-            &Textured::new(&SKIN).in_fog(Fog::exponential(Rgb888::BLUE, fx!(0.2))?),
+            Textured::new(&SKIN).in_fog(Fog::exponential(Rgb888::BLUE, fx!(0.2))?),
         )
     }),
     ("Opacity", 0xbc05_d0c9, |c| {
@@ -275,13 +285,15 @@ const WORDS: &[Word] = &[
     }),
     ("dithered", 0x07ab_577e, |c| {
         coarse::<Rgb565>(c, |c| {
-            c.draw(&RING, &view()?, &Flat::rgb(ORANGE).lit(sun()?).dithered());
+            let dithered = Flat::<Rgb565>::rgb(ORANGE).lit(sun()?).dithered();
+            c.draw(&RING, &view()?, &Erased::new(&dithered));
             Ok(())
         })
     }),
     ("Rgb565", 0x5e14_f8c6, |c| {
         coarse::<Rgb565>(c, |c| {
-            c.draw(&RING, &view()?, &Flat::rgb(ORANGE).lit(sun()?));
+            let lit = Flat::<Rgb565>::rgb(ORANGE).lit(sun()?);
+            c.draw(&RING, &view()?, &Erased::new(&lit));
             Ok(())
         })
     }),
@@ -358,11 +370,8 @@ const WORDS: &[Word] = &[
         Ok(())
     }),
     ("points", 0x682f_1bbd, |c| {
-        c.draw(
-            RING.points(PointStyle::PIXEL),
-            &view()?,
-            &Flat::new(ORANGE).lit(sun()?),
-        );
+        let lit = Padded::new(Flat::new(ORANGE).lit(sun()?));
+        c.draw(RING.points(PointStyle::PIXEL), &view()?, &lit.erased());
         Ok(())
     }),
     ("square points", 0x0d22_a96c, |c| {
@@ -399,10 +408,10 @@ const WORDS: &[Word] = &[
     }),
     ("smooth normals", 0x7824_927e, |c| {
         let mut normals = vec![Vec3::ZERO; CUBE.positions().len()];
-        with(
+        surface(
             c,
             &CUBE.with_smooth_normals(&mut normals)?,
-            &Flat::new(ORANGE).lit(sun()?),
+            Flat::new(ORANGE).lit(sun()?),
         )
     }),
     ("Keyframes", 0x49f3_d703, |c| {
@@ -415,8 +424,7 @@ const WORDS: &[Word] = &[
         let frames = Keyframes::new(&BALL.without_normals().without_uvs(), &bent)?;
         let mut positions = vec![Vec3::ZERO; BALL.positions().len()];
         let mesh = frames.blend(fx!(0.37), &mut positions, &mut [])?;
-        c.draw(&mesh, &view()?, &Flat::new(ORANGE).lit_faces(sun()?));
-        Ok(())
+        surface(c, &mesh, Flat::new(ORANGE).lit_faces(sun()?))
     }),
     ("orthographic", 0x28a0_9cc9, |c| {
         let window = Window::centered(fx!(4), fx!(3));
@@ -459,13 +467,13 @@ const WORDS: &[Word] = &[
     ("FloatDepth", 0x4016_7d8b, in_format::<FloatDepth>),
     ("WideFloatDepth", 0x7811_6199, in_format::<WideFloatDepth>),
     ("DrawList", 0x2956_de48, |c| {
-        let mut list = Box::new(DrawList::<600, 700>::new());
+        let mut list = Box::new(List::new());
         let ring = list.prepare(&DrawOptions::new(), c.frame_size(), &RING, &view()?)?;
         c.draw_prepared(&ring, &Textured::new(&SKIN).lit(sun()?))?;
         Ok(())
     }),
     ("back to front", 0x178d_d878, |c| {
-        let mut list = Box::new(DrawList::<600, 700>::new());
+        let mut list = Box::new(List::new());
         let options = DrawOptions::new()
             .with_depth(NoTest)
             .with_cull(Cull::Nothing);
