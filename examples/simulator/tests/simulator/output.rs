@@ -25,6 +25,15 @@ fn without_arguments_it_draws_its_own_scene_and_says_where() {
     assert_eq!(bench.picture("lighthouse.png").dimensions(), (320, 240));
 }
 
+/// A change of these numbers is a change of the picture that every board shows.
+#[test]
+fn its_own_scene_is_the_picture_of_the_boards() {
+    let bench = Bench::new("own");
+    for (color, crc) in [("rgb565", "5544f710"), ("mono", "6ce937a9")] {
+        assert_eq!(bench.crc(format!("--color {color}")), crc, "{color}");
+    }
+}
+
 #[test]
 fn an_output_is_never_an_input() {
     let bench = cow("inputs");
