@@ -183,7 +183,8 @@ impl<C: Copy> Sampler for Mipmap<'_, C> {
 #[cfg(test)]
 mod tests {
     use super::super::cut_out::{CutOut, OrHole};
-    use super::super::{Bilinear, Filter, Indexed, Nearest, Repeat, Trilinear};
+    use super::super::{Addressing, Clamp, Repeat};
+    use super::super::{Bilinear, Filter, Indexed, Nearest, Trilinear};
     use super::*;
     use embedded_graphics::pixelcolor::Gray8;
     use std::vec::Vec;
@@ -196,6 +197,15 @@ mod tests {
     fn grays([width, height]: [u32; 2]) -> Vec<Gray8> {
         let count = Mipmap::<Gray8>::len(width as usize, height as usize);
         (0..count).map(|at| Gray8::new(at as u8)).collect()
+    }
+
+    /// The color of each filter at a point.
+    fn shown<A: Addressing>(mipmap: &Mipmap<'_, Gray8>, at: [i32; 2], level: i32) -> [Gray8; 3] {
+        [
+            Nearest::color::<_, A>(mipmap, at, level),
+            Bilinear::color::<_, A>(mipmap, at, level),
+            Trilinear::color::<_, A>(mipmap, at, level),
+        ]
     }
 
     /// The samplers that read a mipmap, and the filters at the center of a texel, show the texel that the slice has.
@@ -226,12 +236,11 @@ mod tests {
                         assert_eq!(cut.texel_at(level, x, y), OrHole(Some(gray)), "{at}");
                         let center = [x, y].map(|at| (2 * at + 1) << 15 << level);
                         let of = (level << 8).cast_signed();
-                        let shown = [
-                            Nearest::color::<_, Repeat>(&mipmap, center, of),
-                            Bilinear::color::<_, Repeat>(&mipmap, center, of),
-                            Trilinear::color::<_, Repeat>(&mipmap, center, of),
-                        ];
-                        assert_eq!(shown, [gray; 3], "{at}");
+                        assert_eq!(shown::<Repeat>(&mipmap, center, of), [gray; 3], "{at}");
+                        let [column, row] =
+                            [(x, width), (y, height)].map(|(at, size)| at.clamp(0, size - 1));
+                        let edge = mipmap.texel_at(level, column, row);
+                        assert_eq!(shown::<Clamp>(&mipmap, center, of), [edge; 3], "{at}");
                     }
                 }
             }
