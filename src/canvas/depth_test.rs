@@ -220,3 +220,121 @@ impl<Z: DepthTest> DepthTest for Biased<Z> {
             .cast_unsigned()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{FloatDepth, LinearDepth, TestAndWrite, WideFloatDepth};
+    use super::*;
+    use crate::fx;
+    use crate::random::cases;
+    use rand::Rng;
+
+    const TOP: u32 = 0xffff;
+
+    /// The depth of a test with a bias, in a primitive of this steepness.
+    fn moved<D: DepthBuffer>(
+        steps: i32,
+        slope: Scalar,
+        steepness: u32,
+        [q, down]: [u32; 2],
+    ) -> u32 {
+        let mut test = Biased::new(TestAndWrite, steps, slope);
+        test.triangle(steepness);
+        test.biased::<D>(q, down)
+    }
+
+    /// The near plane has the greatest depth, and infinity has the least, whatever the bias.
+    #[test]
+    fn depths_saturate_at_both_ends() {
+        fn check<D: DepthBuffer>(least: u32) {
+            let (near, far) = ([(1 << 31) - 1, 15], [0, 15]);
+            for steps in [0, 1, 2, 0x8000, 0xfffe, 0xffff, 0x1_0000, i32::MAX] {
+                assert_eq!(moved::<D>(steps, fx!(0), 0, near), TOP);
+                // Away from its end, each depth moves by as many steps as there are.
+                let most = steps.cast_unsigned().min(TOP);
+                assert_eq!(moved::<D>(-steps, fx!(0), 0, near), TOP - most);
+                assert_eq!(moved::<D>(steps, fx!(0), 0, far), TOP.min(least + most));
+                assert_eq!(
+                    moved::<D>(-steps, fx!(0), 0, far),
+                    least.saturating_sub(most)
+                );
+            }
+            assert_eq!(moved::<D>(i32::MIN, fx!(0), 0, near), 0);
+            for slope in [fx!(0.5), fx!(1), fx!(2), Scalar::MAX] {
+                for steepness in [1 << 16, 1 << 24, 1 << 30, u32::MAX] {
+                    assert_eq!(moved::<D>(0, slope, steepness, near), TOP);
+                    assert_eq!(moved::<D>(2, slope, steepness, near), TOP);
+                    assert_eq!(moved::<D>(0, -slope, steepness, far), least);
+                }
+            }
+            assert_eq!(moved::<D>(0, Scalar::MAX, u32::MAX, far), TOP);
+            assert_eq!(moved::<D>(0, Scalar::MIN, u32::MAX, near), least);
+        }
+        check::<LinearDepth>(0);
+        check::<FloatDepth>(0);
+        // With a shift of 14, which only a bias has, 0 is stored as 2^-15: the depth at 2^31 times the near plane's distance. No far plane is farther.
+        check::<WideFloatDepth>(1 << 11);
+    }
+
+    /// Compares with exact numbers. Halving `q` loses up to one unit of `q`, and so does the rounding of `added`, so a
+    /// depth may be rounded down as if it were up to two units less. Half of the sum has 31 bits.
+    #[test]
+    fn depths_move_by_the_slope_and_then_by_the_steps() {
+        cases(1 << 14, |random| {
+            let up = random.random_range(0..16_u32);
+            let down = random.random_range(15..32_u32);
+            let q = random.random_range(0..1_u32 << 31) >> up >> random.random_range(0..31_u32);
+            let slope = Scalar::from_bits(random.random::<i32>() >> random.random_range(0..32_u32));
+            let steepness = random.random::<u32>() >> random.random_range(0..32_u32);
+            let steps = random.random_range(-70..=70);
+
+            let code = moved::<LinearDepth>(steps, slope, steepness, [q, down]);
+            let sum = i64::from(q)
+                + (i64::from(slope.to_bits()) * i64::from(steepness)).div_euclid(1 << 16);
+            let exact = |sum: i64| {
+                let code = sum.clamp(0, (1 << 32) - 1) >> down;
+                (code + i64::from(steps)).clamp(0, TOP.into())
+            };
+            let range = exact(sum - 2)..=exact(sum);
+            assert!(
+                range.contains(&i64::from(code)),
+                "{code} is not in {range:?}"
+            );
+
+            let mut test = Biased::new(TestAndWrite, steps, slope);
+            test.triangle(steepness);
+            let shifted = test.shifted(up).biased::<LinearDepth>(q << up, down + up);
+            assert_eq!(shifted, code, "shifted left by {up}");
+        });
+    }
+
+    /// A square in the near plane, moved nearer, and moved as far away as possible.
+    #[test]
+    fn stored_depths_do_not_wrap() {
+        use crate::prelude::*;
+        use embedded_graphics::pixelcolor::Gray8;
+        static SQUARE: Mesh = shape!(plane(1, 1));
+        fn drawn<D: DepthBuffer>(test: Biased<WriteOnly>) -> [u16; 16] {
+            let window = Window::centered(fx!(1), fx!(1));
+            let projection = Projection::orthographic(window, fx!(1), fx!(2)).unwrap();
+            let view = projection * Camera::top(Vec3::ZERO, fx!(1));
+            let (mut pixels, mut depths) = ([Gray8::new(0); 16], [7; 16]);
+            let canvas = Canvas::new(&mut pixels, 4, 4).unwrap();
+            let mut canvas = canvas.with_depth_format::<D>(&mut depths).unwrap();
+            let options = DrawOptions::new().with_depth(test);
+            canvas.draw_with(&options, &SQUARE, &view, &Flat::new(Gray8::new(9)));
+            depths
+        }
+        fn check<D: DepthBuffer>() {
+            for (steps, slope) in [(2, fx!(1)), (0, fx!(4)), (i32::MAX, Scalar::MAX)] {
+                let near = drawn::<D>(Biased::new(WriteOnly, steps, slope));
+                assert_eq!(near, [0xffff; 16], "{steps} {slope}");
+                let far = drawn::<D>(Biased::new(WriteOnly, -(steps.max(0xffff)), -slope));
+                assert_eq!(far, [0; 16], "{steps} {slope}");
+            }
+        }
+        check::<LinearDepth>();
+        check::<FloatDepth>();
+        check::<WideFloatDepth>();
+    }
+}

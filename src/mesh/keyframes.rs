@@ -273,6 +273,53 @@ mod tests {
         });
     }
 
+    /// Before the first pose and after the last pose, fractions of a time change nothing.
+    #[test]
+    fn a_chain_stays_at_its_ends() {
+        let poses = [[vec3!(0, 0, 0)], [vec3!(0, 4, 8)], [vec3!(0, 2, -8)]];
+        let meshes = poses.each_ref().map(|at| Mesh::new(at, &[]).unwrap());
+        let chain = [[0, 1], [1, 2]].map(|[a, b]| Keyframes::new(&meshes[a], &meshes[b]).unwrap());
+        let at = |chain: &[Keyframes<'_>], time| {
+            let mut positions = [Vec3::X];
+            Keyframes::blend_chain(chain, time, &mut positions, &mut []).unwrap();
+            positions[0]
+        };
+        let [[first], [middle], [last]] = poses;
+        for bits in [
+            i32::MIN,
+            -0x1_8000,
+            -0x1_0001,
+            -0x1_0000,
+            -0xffff,
+            -0x8000,
+            -1,
+            0,
+        ] {
+            let time = Scalar::from_bits(bits);
+            assert_eq!(at(&chain, time), first, "{time}");
+            assert_eq!(at(&chain[1..], time), middle, "{time}");
+        }
+        for bits in [0x2_0000, 0x2_0001, 0x2_8000, 0x2_ffff, 0x3_0000, i32::MAX] {
+            let time = Scalar::from_bits(bits);
+            assert_eq!(at(&chain, time), last, "{time}");
+            assert_eq!(at(&chain[1..], time), last, "{time}");
+        }
+        for (time, between) in [
+            (fx!(0.25), vec3!(0, 1, 2)),
+            (fx!(0.75), vec3!(0, 3, 6)),
+            (fx!(1), middle),
+            (fx!(1.25), vec3!(0, 3.5, 4)),
+            (fx!(1.75), vec3!(0, 2.5, -4)),
+        ] {
+            assert_eq!(at(&chain, time), between, "{time}");
+        }
+        // The last unit of time before a pose belongs to the pair that ends there: 4 − 4 · 2^-16 and 8 − 8 · 2^-16.
+        assert_eq!(
+            at(&chain, Scalar::from_bits(0xffff)).to_bits(),
+            [0, (4 << 16) - 4, (8 << 16) - 8]
+        );
+    }
+
     #[test]
     fn normals_blend_only_if_both_meshes_have_them() {
         let plain = Mesh::new(&CORNERS, &FACES).unwrap();

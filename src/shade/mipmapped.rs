@@ -243,4 +243,36 @@ mod tests {
         }
         assert!(depth_log2(0) <= depth_log2(1));
     }
+    /// A rectangle that faces the eye, in frames with a pixel for each texel of level 0, 1 and 2. Each frame is a copy of
+    /// its level. The level has an error of at most 1/8, far from the half at which the nearest level changes.
+    #[test]
+    fn a_frame_with_a_pixel_for_each_texel_of_a_level_copies_the_level() {
+        use crate::texture::Mipmap;
+        use crate::{Canvas, Mesh, Scalar, fx, vec2};
+        use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+        let texels: [_; 84] = core::array::from_fn(|at| Gray8::new(at as u8 + 1));
+        let uvs = [vec2!(0, 1), vec2!(1, 1), vec2!(1, 0), vec2!(0, 0)];
+        for (size, x, y) in [([16, 4], fx!(4), fx!(1)), ([4, 16], fx!(1), fx!(4))] {
+            let (z, faces) = (fx!(-4), [[0, 1, 2], [0, 2, 3]]);
+            let corners = [(-x, -y), (x, -y), (x, y), (-x, y)].map(|(x, y)| Vec3::new(x, y, z));
+            let mesh = Mesh::new(&corners, &faces).unwrap();
+            let mesh = mesh.with_uvs(&uvs, None).unwrap();
+            let mipmap = Mipmap::new(&texels, size[0], size[1]).unwrap();
+            let mut rest = &texels[..];
+            for level in 0..3 {
+                let frame = (size[0] >> level, size[1] >> level);
+                let (shown, others) = rest.split_at((frame.0 * frame.1) as usize);
+                rest = others;
+                // A focal length of half the longer side shows 8 units at a distance of 4.
+                let focal = Scalar::from_bits(8 << 16 >> level);
+                let projection =
+                    Projection::from_focal_length(focal, frame, fx!(1), fx!(9)).unwrap();
+                let shader = Textured::new(mipmap).mipmapped(&projection, frame).unwrap();
+                let mut pixels = std::vec![Gray8::BLACK; shown.len()];
+                let mut canvas = Canvas::new(&mut pixels, frame.0, frame.1).unwrap();
+                canvas.draw(&mesh, &projection, &shader);
+                assert_eq!(pixels, shown, "{size:?}, level {level}");
+            }
+        }
+    }
 }

@@ -396,8 +396,11 @@ impl Policy for Fast {
 
 #[cfg(test)]
 mod tests {
+    use super::super::scale::{ONE, Scale, weigh};
+    use super::super::setup::Setup;
     use super::*;
     use crate::fx;
+    use crate::raster::DepthShift;
 
     /// Tests spans just inside and just outside of each limit.
     #[test]
@@ -435,5 +438,127 @@ mod tests {
         assert_eq!(quarter.length_at(1 << 30, 0, 1 << 18), Some(6));
         // The step of a sliver, however steep, must not wrap to a small step.
         assert_eq!(quarter.length_at(1 << 30, 1 << 31, 1 << 18), None);
+    }
+    fn span<L: Lanes>(dq: i32, dp: L::Of<i32>) -> Span<L> {
+        Span {
+            q: 1 << 29,
+            p: L::splat(1 << 28),
+            dq,
+            dp,
+            down: 15,
+            count: 64,
+        }
+    }
+
+    /// Tests rows just inside and just outside of each limit.
+    #[test]
+    fn level_rows_hardly_change() {
+        let one = |dq: i32, dp: i32| {
+            let level = is_level(&span::<[(); 1]>(dq, [dp]));
+            let same = [[dq, -dp], [-dq, dp], [-dq, -dp]]
+                .map(|[dq, dp]| is_level(&span::<[(); 1]>(dq, [dp])));
+            assert_eq!(same, [level; 3], "{dq} {dp}");
+            // Every attribute counts.
+            let two = [[dp, 0], [0, dp]].map(|dp| is_level(&span::<[(); 2]>(dq, dp)));
+            assert_eq!(two, [level; 2], "{dq} {dp}");
+            level
+        };
+        // (|p′| + |q′|) · |q′| is below 2^24.
+        for (dq, most) in [
+            (255, 65_793),
+            (254, 66_052),
+            (2, (1 << 23) - 1),
+            (1, (1 << 24) - 1),
+        ] {
+            assert!(one(dq, most - dq) && !one(dq, most - dq + 1), "{dq}");
+        }
+        assert!(one(0, 0) && one(0, (1 << 24) - 1) && one(255, 0));
+        assert!(is_level(&span::<[(); 0]>(255, [])));
+        // |q′| has at most 8 bits.
+        assert!(!one(256, 0) && !one(1 << 24, 0) && !one(i32::MAX, 0));
+        assert!(!is_level(&span::<[(); 0]>(256, [])));
+        // In 32 bits, these products would wrap to 0, and then be below the limit.
+        for (dq, dp) in [
+            (1 << 16, 0),
+            (1 << 20, 1 << 20),
+            (2, i32::MAX - 1),
+            (128, (1 << 25) - 128),
+        ] {
+            assert_eq!(dp.wrapping_add(dq).wrapping_mul(dq), 0);
+            assert!(!one(dq, dp), "{dq} {dp}");
+        }
+        assert!(!is_level(&span::<[(); 1]>(i32::MIN, [i32::MIN])));
+        assert!(!is_level(&span::<[(); 1]>(0, [i32::MIN])));
+    }
+
+    /// A scale of this many bits.
+    fn scale(bits: u32) -> Scale {
+        let scale = weigh(&mut [1 << 30 >> (32 - bits); 3], &[ONE; 3], 1);
+        assert_eq!(scale.bits(), bits);
+        scale
+    }
+
+    /// A triangle with this least 1/w and this change of 1/w per pixel, and attributes with scales of these bits.
+    fn triangle(least: u32, step: i32, bits: [u32; 2]) -> Planes<[(); 2]> {
+        let mut setup = Setup::new([false; 2], 28, DepthShift(15));
+        (setup.least, setup.q.step) = (least, step);
+        let attributes = bits.map(|bits| Attribute {
+            scale: scale(bits),
+            ..Attribute::UNSET
+        });
+        Planes { setup, attributes }
+    }
+
+    #[test]
+    fn triangles_beyond_a_limit_take_another_plan() {
+        let newton = |least, step, bits| Newton.of_triangle(&triangle(least, step, bits));
+        let shallow = SHALLOW + 1;
+        let step = (shallow >> 6).cast_signed();
+        assert_eq!(newton(shallow, step, [28, 28]), Plan::Newton);
+        assert_eq!(newton(shallow, -step, [28, 28]), Plan::Newton);
+        assert_eq!(newton(shallow, step + 1, [28, 28]), Plan::BySpan);
+        assert_eq!(newton(shallow, -step - 1, [28, 28]), Plan::BySpan);
+        assert_eq!(newton(SHALLOW, 0, [28, 28]), Plan::BySpan);
+        for (less, more) in [([27, 28], [29, 28]), ([28, 27], [28, 29])] {
+            assert_eq!(newton(shallow, 0, less), Plan::BySpan);
+            assert_eq!(newton(shallow, 0, more), Plan::Divide);
+        }
+
+        let exact = |least| Exact.of_triangle(&triangle(least, 0, [28, 28]));
+        assert_eq!([DEEP - 1, DEEP].map(exact), [Plan::Anew, Plan::Divide]);
+
+        let fast = |within, least, step, bits| {
+            Fast::within(within).of_triangle(&triangle(least, step, bits))
+        };
+        assert_eq!(fast(fx!(1), shallow, 0, [28, 28]), Plan::Pieces(6));
+        // δ times the number of pixels is at most 1/16.
+        let steep = |step| fast(fx!(32767), shallow, step, [28, 28]);
+        assert_eq!(
+            [1 << 19, (1 << 19) + 1].map(steep),
+            [6, 5].map(Plan::Pieces)
+        );
+        assert_eq!(
+            [1 << 24, (1 << 24) + 1].map(steep),
+            [Plan::Pieces(1), Plan::BySpan]
+        );
+        assert_eq!(fast(fx!(1), SHALLOW, 0, [28, 28]), Plan::BySpan);
+        assert_eq!(fast(fx!(0), shallow, 0, [28, 28]), Plan::BySpan);
+        for bits in [[29, 28], [28, 29]] {
+            assert_eq!(fast(fx!(1), shallow, 0, bits), Plan::BySpan);
+        }
+    }
+
+    /// Newton and Fast draw a triangle affinely within a tolerance; the other modes never do.
+    #[test]
+    fn only_modes_with_a_tolerance_leave_out_divisions() {
+        fn within<M: Policy>(mode: M) -> [u32; 2] {
+            [Tolerance::Texels, Tolerance::Units(5)].map(|of| mode.affine_within(of))
+        }
+        assert_eq!(within(Newton), [TEXEL_TOLERANCE, 5]);
+        assert_eq!(within(Fast::within(fx!(0.25))), [1 << 14, 5]);
+        assert_eq!(within(Fast::within(fx!(0))), [0, 0]);
+        assert_eq!(within(Fast::within(fx!(-1))), [0, 0]);
+        assert_eq!(within(Exact), [0, 0]);
+        assert_eq!(within(Compact), [0, 0]);
     }
 }

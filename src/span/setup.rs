@@ -341,4 +341,36 @@ mod tests {
         assert_eq!(bits([1 << 30, 1 << 30, SHALLOW + 1]), 28);
         assert_eq!(bits([1 << 30, 1 << 30, SHALLOW]), 9);
     }
+    /// The error is at most `change` · range / (4 · `least`), and must be below the tolerance.
+    #[test]
+    fn an_attribute_is_affine_below_its_tolerance() {
+        let with = |tolerance, range, change| {
+            let attribute = Attribute {
+                tolerance,
+                ..Attribute::UNSET
+            };
+            attribute.is_affine(range, 1 << 30, change)
+        };
+        // 2^20 · 2^16 / (4 · 2^30) is 16.
+        assert!(with(16, (1 << 16) - 1, 1 << 20) && with(17, 1 << 16, 1 << 20));
+        assert!(!with(16, 1 << 16, 1 << 20) && !with(0, 0, 0));
+        assert!(with(1, 1 << 27, 0) && !with(1, 1 << 27, 1 << 30));
+
+        let range = |corners| {
+            let attribute = Attribute {
+                corners,
+                ..Attribute::UNSET
+            };
+            attribute.affine_range()
+        };
+        let most = Scale::MOST_AFFINE;
+        assert_eq!(range([-most, 0, most]), Some(2 * most.cast_unsigned()));
+        for at in 0..3 {
+            for far in [most + 1, -most - 1] {
+                let mut corners = [0; 3];
+                corners[at] = far;
+                assert_eq!(range(corners), None, "{corners:?}");
+            }
+        }
+    }
 }

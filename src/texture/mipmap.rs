@@ -179,3 +179,93 @@ impl<C: Copy> Sampler for Mipmap<'_, C> {
         texel.copied().unwrap_or(self.first)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::cut_out::{CutOut, OrHole};
+    use super::super::{Addressing, Clamp, Repeat};
+    use super::super::{Bilinear, Filter, Indexed, Nearest, Trilinear};
+    use super::*;
+    use embedded_graphics::pixelcolor::Gray8;
+    use std::vec::Vec;
+
+    /// Wide, high and square textures with levels of several rows and columns. Each has fewer than 255 texels in all
+    /// levels, so each texel can have a gray of its own.
+    const SIZES: [[u32; 2]; 5] = [[16, 4], [4, 16], [32, 2], [1, 8], [8, 8]];
+
+    /// Each texel's gray is its index in the slice.
+    fn grays([width, height]: [u32; 2]) -> Vec<Gray8> {
+        let count = Mipmap::<Gray8>::len(width as usize, height as usize);
+        (0..count).map(|at| Gray8::new(at as u8)).collect()
+    }
+
+    /// The color of each filter at a point.
+    fn shown<A: Addressing>(mipmap: &Mipmap<'_, Gray8>, at: [i32; 2], level: i32) -> [Gray8; 3] {
+        [
+            Nearest::color::<_, A>(mipmap, at, level),
+            Bilinear::color::<_, A>(mipmap, at, level),
+            Trilinear::color::<_, A>(mipmap, at, level),
+        ]
+    }
+
+    /// The samplers that read a mipmap, and the filters at the center of a texel, show the texel that the slice has.
+    #[test]
+    fn every_level_has_rows_of_its_own_width() {
+        let numbers: [u32; 256] = core::array::from_fn(|at| at as u32);
+        for size in SIZES {
+            let texels = grays(size);
+            let mipmap = Mipmap::new(&texels, size[0], size[1]).unwrap();
+            let indexed = Indexed {
+                indices: mipmap,
+                colors: &numbers,
+            };
+            let cut = CutOut {
+                texture: mipmap,
+                key: Gray8::new(255),
+            };
+            let mut all = texels.iter().zip(0..);
+            for level in 0..=size[0].min(size[1]).ilog2() {
+                let [width, height] = size.map(|side| (side >> level).cast_signed());
+                for (v, u) in (0..height).flat_map(|v| (0..width).map(move |u| (v, u))) {
+                    let (&gray, number) = all.next().unwrap();
+                    let around = [(0, 0), (width, 0), (0, -height), (-width, 3 * height)];
+                    for (x, y) in around.map(|(x, y)| (u + x, v + y)) {
+                        let at = std::format!("{size:?}, level {level}, column {x}, row {y}");
+                        assert_eq!(mipmap.texel_at(level, x, y), gray, "{at}");
+                        assert_eq!(indexed.texel_at(level, x, y), number, "{at}");
+                        assert_eq!(cut.texel_at(level, x, y), OrHole(Some(gray)), "{at}");
+                        let center = [x, y].map(|at| (2 * at + 1) << 15 << level);
+                        let of = (level << 8).cast_signed();
+                        assert_eq!(shown::<Repeat>(&mipmap, center, of), [gray; 3], "{at}");
+                        let [column, row] =
+                            [(x, width), (y, height)].map(|(at, size)| at.clamp(0, size - 1));
+                        let edge = mipmap.texel_at(level, column, row);
+                        assert_eq!(shown::<Clamp>(&mipmap, center, of), [edge; 3], "{at}");
+                    }
+                }
+            }
+            assert_eq!(all.next(), None);
+        }
+    }
+
+    /// Halfway between two levels, the color is halfway between the colors of a bilinear filter in these levels.
+    #[test]
+    fn both_levels_of_a_blend_have_rows_of_their_own_width() {
+        for size in SIZES {
+            let texels = grays(size);
+            let mipmap = Mipmap::new(&texels, size[0], size[1]).unwrap();
+            for level in 0..size[0].min(size[1]).ilog2().cast_signed() {
+                for (v, u) in (0..16).flat_map(|v| (0..16).map(move |u| (v, u))) {
+                    // Sixteen columns and rows across the texture, none of them at a center of a texel.
+                    let at = [(u, size[0]), (v, size[1])]
+                        .map(|(part, side)| (3 * part + 1) * (side.cast_signed() << 16) / 48);
+                    let [fine, coarse] = [level, level + 1]
+                        .map(|level| Bilinear::color::<_, Repeat>(&mipmap, at, level << 8));
+                    let half = 1 << Gray8::WEIGHT_BITS >> 1;
+                    let shown = Trilinear::color::<_, Repeat>(&mipmap, at, (level << 8) + 128);
+                    assert_eq!(shown, fine.mix(coarse, half), "{size:?}, level {level}");
+                }
+            }
+        }
+    }
+}

@@ -211,4 +211,18 @@ mod tests {
         assert_eq!([texel(0, 0), texel(3, 1), texel(4, 2)], [0, 7, 0]);
         assert_eq!([texel(-1, -1), texel(i32::MIN, i32::MAX)], [7, 4]);
     }
+    /// A sampler without levels shows, for a texel of a level, the first of the texels that it replaces.
+    #[test]
+    fn levels_of_a_texture_are_its_own_texels() {
+        let rows: [[u32; 16]; 4] =
+            core::array::from_fn(|v| core::array::from_fn(|u| (v * 16 + u) as u32));
+        let (rows, texture) = (&rows, Texture::from_rows(&rows));
+        for (v, u) in (0..4).flat_map(|v| (0..16).map(move |u| (v, u))) {
+            for level in 0..=2 {
+                let first = (v << level) % 4 * 16 + (u << level) % 16;
+                let found = [rows.texel_at(level, u, v), texture.texel_at(level, u, v)];
+                assert_eq!(found.map(u32::cast_signed), [first; 2]);
+            }
+        }
+    }
 }

@@ -174,8 +174,8 @@ impl Camera {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fx;
     use crate::random::{Random, cases};
+    use crate::{fx, vec3};
     use rand::Rng;
 
     fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
@@ -262,6 +262,33 @@ mod tests {
         let expected = [1.0 - 0.5, 2.0, 3.0 - 0.75_f64.sqrt()].map(|v| v * 65_536.0);
         for (found, expected) in ahead.to_bits().into_iter().zip(expected) {
             assert!((f64::from(found) - expected).abs() <= 1.0, "{ahead:?}");
+        }
+    }
+
+    /// A sky has the camera's rotation and its mirror image, but not its place.
+    #[test]
+    fn a_sky_mirrors_as_its_camera_does() {
+        let place = Transform::translate(vec3!(7, -2, 9));
+        let turn =
+            Transform::rotate_y(Angle::from_degrees(30)) * Transform::rotate_x(Angle::QUARTER);
+        for factors in [
+            vec3!(1, 1, 1),
+            vec3!(-1, 1, 1),
+            vec3!(1, -1, 1),
+            vec3!(1, 1, -1),
+            vec3!(-1, -1, 1),
+            vec3!(-1, -1, -1),
+        ] {
+            let rotation = Transform::scale_axes(factors) * turn;
+            let is_mirror = (factors.x * factors.y * factors.z).to_bits() < 0;
+            assert_eq!(rotation.is_mirror, is_mirror);
+            let sky = Camera::from_view(rotation);
+            let camera = Camera::from_view(rotation * place);
+            assert_eq!(camera.sky(), sky, "{factors:?}");
+            assert_eq!(sky.sky(), sky, "{factors:?}");
+            let posed = Camera::at_pose(place * rotation.inverse_rigid());
+            assert_eq!(posed.sky(), sky, "{factors:?}");
+            assert_eq!(camera.pose().is_mirror, is_mirror, "{factors:?}");
         }
     }
 

@@ -307,6 +307,36 @@ fn rigid_inverses_undo() {
     });
 }
 
+/// The stored sign is the sign of the determinant, for products, for rigid inverses and for renormalized transforms.
+#[test]
+fn every_transform_knows_whether_it_mirrors() {
+    let determinant = |t: &Transform| {
+        let [[a, b, c, _], [d, e, f, _], [g, h, i, _]] = real(t);
+        a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+    };
+    cases(256, |random| {
+        let mirrors = list(random, 1..6, |random| (step(random), random.random::<u8>()));
+        let t = mirrors
+            .iter()
+            .fold(Transform::IDENTITY, |t, (step, signs)| {
+                let factors = [1, 2, 4].map(|bit| if signs & bit == 0 { 1 } else { -1 });
+                t * step.transform()
+                    * Transform::scale_axes(Vec3::from_bits(factors.map(|one: i32| one << 16)))
+            });
+        for t in [
+            t,
+            t.inverse_rigid(),
+            t.renormalized(),
+            t.inverse_rigid() * t * t,
+        ] {
+            // Rotations and mirrors have a determinant of 1 or −1.
+            let found = determinant(&t);
+            assert!((found.abs() - 1.).abs() < 1e-6, "{found}");
+            assert_eq!(t.is_mirror, found < 0., "{found}");
+        }
+    });
+}
+
 #[test]
 fn normals_stay_at_right_angles() {
     cases(256, |random| {
