@@ -15,6 +15,7 @@ use fixel::prelude::*;
 use fixel::shade::{DepthView, Gradient, NormalView, PartColors, Viewer};
 use fixel::texture::{Argb4444, Indexed, Mipmap, Raw};
 
+use super::kept;
 use crate::List;
 use support::erased::{Erased, Padded};
 
@@ -500,8 +501,8 @@ const WORDS: &[Word] = &[
 
 #[test]
 fn checksums_of_every_word() {
-    let mut wrong = Vec::new();
-    for (name, expected, draw) in WORDS {
+    let mut pictures = Vec::new();
+    for (name, stated, draw) in WORDS {
         let (mut pixels, mut depths) = (vec![Rgb888::BLACK; PIXELS], vec![0; PIXELS]);
         let canvas = Canvas::new(&mut pixels, WIDTH, HEIGHT).unwrap();
         let mut canvas = canvas.with_depth(&mut depths).unwrap();
@@ -510,11 +511,13 @@ fn checksums_of_every_word() {
         draw(&mut canvas).unwrap();
         let drawn = canvas.pixels().filter(|&color| color != background).count();
         assert!(drawn > 30, "{name} draws {drawn} pixels");
-        let bytes: Vec<_> = canvas.pixels().flat_map(ToBytes::to_be_bytes).collect();
-        let found = crc32fast::hash(&bytes);
-        if found != *expected {
-            wrong.push(format!("{name}: {found:#010x}, not {expected:#010x}"));
-        }
+        let rgb: Vec<_> = canvas.pixels().flat_map(ToBytes::to_be_bytes).collect();
+        pictures.push(kept::Picture {
+            name: (*name).to_string(),
+            stated: *stated,
+            checksum: crc32fast::hash(&rgb),
+            rgb,
+        });
     }
-    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    kept::check("words", WIDTH as usize, pictures.len(), &pictures);
 }
