@@ -1,0 +1,77 @@
+//! Mirrored views: a draw list and a draw call show the same sides of the same triangles.
+
+use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+use fixel::prelude::*;
+
+const SIZE: u32 = 32;
+
+static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
+static CREASES: Outline = outline!(BOX, deg!(30));
+
+/// A gray for each of the box's triangles, so that a picture shows which triangles it has.
+const GRAYS: [Gray8; 12] = {
+    let mut grays = [Gray8::BLACK; 12];
+    let mut at = 0;
+    while at < 12 {
+        grays[at] = Gray8::new(20 * (at as u8 + 1));
+        at += 1;
+    }
+    grays
+};
+
+/// The pictures of the box and of its outline in a view: drawn directly, and from a list.
+fn drawn(view: &Mvp, cull: Cull) -> [[Vec<Gray8>; 2]; 2] {
+    let options = DrawOptions::new().with_cull(cull);
+    let (faces, line) = (FaceColors::new(&GRAYS), Flat::new(Gray8::WHITE));
+    let outline = BOX.outline(&CREASES, LineStyle::HAIRLINE);
+    let picture = |draw: &dyn Fn(&mut Canvas<'_, Gray8>)| {
+        let mut pixels = vec![Gray8::BLACK; (SIZE * SIZE) as usize];
+        draw(&mut Canvas::new(&mut pixels, SIZE, SIZE).unwrap());
+        pixels
+    };
+    let mut list = DrawList::<100, 100>::new();
+    let solid = list.prepare(&options, (SIZE, SIZE), &BOX, view).unwrap();
+    let direct = picture(&|canvas| {
+        canvas.draw_with(&options, &BOX, view, &faces);
+    });
+    let listed = picture(&|canvas| {
+        canvas.draw_prepared(&solid, &faces).unwrap();
+    });
+    let mut list = DrawList::<100, 100>::new();
+    let lines = list.prepare(&options, (SIZE, SIZE), outline, view).unwrap();
+    let direct_lines = picture(&|canvas| {
+        canvas.draw_with(&options, outline, view, &line);
+    });
+    let listed_lines = picture(&|canvas| {
+        canvas.draw_prepared(&lines, &line).unwrap();
+    });
+    [[direct, listed], [direct_lines, listed_lines]]
+}
+
+#[test]
+fn a_list_culls_mirrored_things_as_a_draw_call_does() {
+    let projection = Projection::perspective(deg!(40), (SIZE, SIZE), fx!(1), fx!(9)).unwrap();
+    let turn = Transform::rotate_x(deg!(25)) * Transform::rotate_y(deg!(35));
+    let away = Transform::translate(vec3!(0, 0, -4));
+    let (same, mirror) = (vec3!(1, 1, 1), vec3!(-1, 1, 1));
+    for cull in [Cull::Back, Cull::Front, Cull::Nothing] {
+        let views = [
+            (same, same),
+            (mirror, same),
+            (same, mirror),
+            (mirror, mirror),
+        ];
+        let pictures = views.map(|(camera, model)| {
+            let camera = Camera::from_view(Transform::scale_axes(camera) * away);
+            let view = projection * camera * (turn * Transform::scale_axes(model));
+            let [[solid, listed], [lines, listed_lines]] = drawn(&view, cull);
+            assert!(solid == listed, "{cull:?}, {camera:?}");
+            assert!(lines == listed_lines, "{cull:?}, {camera:?}");
+            let count = |pixels: &[Gray8]| pixels.iter().filter(|gray| gray.luma() > 0).count();
+            assert!(count(&solid) > 50 && count(&lines) > 50, "{cull:?}");
+            solid
+        });
+        // A box is its own mirror image, but its triangles change places.
+        assert!(pictures[0] != pictures[1] && pictures[0] != pictures[2]);
+    }
+}
