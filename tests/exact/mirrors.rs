@@ -2,27 +2,36 @@
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use fixel::prelude::*;
+use fixel::shade::PerFace;
 
 const SIZE: u32 = 32;
 
 static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 static CREASES: Outline = outline!(BOX, deg!(30));
 
-/// A gray for each of the box's triangles, so that a picture shows which triangles it has.
-const GRAYS: [Gray8; 12] = {
-    let mut grays = [Gray8::BLACK; 12];
-    let mut at = 0;
-    while at < 12 {
-        grays[at] = Gray8::new(20 * (at as u8 + 1));
-        at += 1;
+/// Shows a gray for each of the box's twelve triangles and for each of their sides, so that a picture shows which
+/// triangles it has, and which sides they turn to the eye.
+#[derive(Clone, Copy)]
+struct Sides;
+
+impl Shader for Sides {
+    type Color = Gray8;
+    type Varyings = PerFace<u8>;
+
+    fn varyings(&self, primitive: &Primitive) -> [PerFace<u8>; 3] {
+        let face = primitive.face().unwrap_or(0) as u8;
+        [PerFace(10 * (face + 1) + u8::from(primitive.is_front())); 3]
     }
-    grays
-};
+
+    fn shade(&self, _: &Fragment, PerFace(gray): PerFace<u8>) -> Option<Gray8> {
+        Some(Gray8::new(gray))
+    }
+}
 
 /// The pictures of the box and of its outline in a view: drawn directly, and from a list.
 fn drawn(view: &Mvp, cull: Cull) -> [[Vec<Gray8>; 2]; 2] {
     let options = DrawOptions::new().with_cull(cull);
-    let (faces, line) = (FaceColors::new(&GRAYS), Flat::new(Gray8::WHITE));
+    let (faces, line) = (Sides, Flat::new(Gray8::WHITE));
     let outline = BOX.outline(&CREASES, LineStyle::HAIRLINE);
     let picture = |draw: &dyn Fn(&mut Canvas<'_, Gray8>)| {
         let mut pixels = vec![Gray8::BLACK; (SIZE * SIZE) as usize];
