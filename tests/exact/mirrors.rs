@@ -1,6 +1,7 @@
-//! Mirrored views: a draw list and a draw call show the same sides of the same triangles.
+//! Mirrored views: draw calls, draw lists, and values computed once for a list show the same sides of the same triangles.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+use fixel::ShadeList;
 use fixel::prelude::*;
 use fixel::shade::PerFace;
 
@@ -28,7 +29,8 @@ impl Shader for Sides {
     }
 }
 
-/// The pictures of the box and of its outline in a view: drawn directly, and from a list.
+/// The pictures of the box and of its outline in a view: drawn directly, and from a list. Values that a shader computes
+/// once give the same picture.
 fn drawn(view: &Mvp, cull: Cull) -> [[Vec<Gray8>; 2]; 2] {
     let options = DrawOptions::new().with_cull(cull);
     let (faces, line) = (Sides, Flat::new(Gray8::WHITE));
@@ -46,6 +48,12 @@ fn drawn(view: &Mvp, cull: Cull) -> [[Vec<Gray8>; 2]; 2] {
     let listed = picture(&|canvas| {
         canvas.draw_prepared(&solid, &faces).unwrap();
     });
+    let mut memory = ShadeList::<_, 100>::new();
+    let shades = solid.shade(&mut memory, |()| faces).unwrap();
+    let shaded = picture(&|canvas| {
+        canvas.draw_prepared(&solid, &shades.of(&faces)).unwrap();
+    });
+    assert!(shaded == listed, "{cull:?}");
     let mut list = DrawList::<100, 100>::new();
     let lines = list.prepare(&options, (SIZE, SIZE), outline, view).unwrap();
     let direct_lines = picture(&|canvas| {
