@@ -1,4 +1,4 @@
-//! Mirrored views: draw calls, draw lists, and values computed once for a list show the same sides of the same triangles.
+//! Mirrored views: draw calls, lists, and values computed once for a list show the same sides of the same triangles.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use fixel::ShadeList;
