@@ -1,5 +1,5 @@
 //! A sky compared with rays in f64. From all positions of the eye, a direction shows the same color, and the color
-//! depends only on the direction's height.
+//! depends only on the direction's height. Half of the cameras show a mirror image.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888};
 use fixel::canvas::NoTest;
@@ -66,6 +66,9 @@ fn a_sky_shows_the_height_of_each_direction() {
         )
         .unwrap();
         let camera = Camera::look_at(eye, target, Vec3::Y).unwrap();
+        let side = if random.random() { 1 } else { -1 };
+        let mirror = Transform::scale_axes(Vec3::from_ints(side, 1, 1));
+        let camera = Camera::from_view(mirror * camera.view());
         let mut pixels = [Gray8::BLACK; (SIZE * SIZE) as usize];
         let mut canvas = Canvas::new(&mut pixels, SIZE, SIZE).unwrap();
         let behind = DrawOptions::new().with_cull(Cull::Front).with_depth(NoTest);
@@ -82,6 +85,7 @@ fn a_sky_shows_the_height_of_each_direction() {
                 (x - f64::from(SIZE) / 2.) / FOCAL,
                 (f64::from(SIZE) / 2. - y) / FOCAL,
             ];
+            let u = f64::from(side) * u;
             let direction = std::array::from_fn(|i| ahead[i] + u * right[i] + v * up[i]);
             let found = triangles
                 .iter()

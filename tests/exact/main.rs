@@ -11,6 +11,7 @@ mod canvas;
 mod colors;
 mod depths;
 mod golden;
+mod mirrors;
 mod objects;
 mod picking;
 mod quantized;

@@ -307,7 +307,7 @@ fn rigid_inverses_undo() {
     });
 }
 
-/// The stored sign is the sign of the determinant, for products, for rigid inverses and for renormalized transforms.
+/// The stored sign is the sign of the determinant: for products, rigid inverses, renormalized transforms and matrices.
 #[test]
 fn every_transform_knows_whether_it_mirrors() {
     let determinant = |t: &Transform| {
@@ -323,15 +323,13 @@ fn every_transform_knows_whether_it_mirrors() {
                 t * step.transform()
                     * Transform::scale_axes(Vec3::from_bits(factors.map(|one: i32| one << 16)))
             });
-        for t in [
-            t,
-            t.inverse_rigid(),
-            t.renormalized(),
-            t.inverse_rigid() * t * t,
-        ] {
-            // Rotations and mirrors have a determinant of 1 or −1.
+        let from_matrix = Transform::try_from(t.to_matrix()).unwrap();
+        let inverse = t.inverse_rigid();
+        for t in [t, inverse, t.renormalized(), inverse * t * t, from_matrix] {
+            // Rotations and mirrors have a determinant of 1 or −1. The entries of a `Matrix4` are rounded to 2^-17 or less.
+            // Each of the nine entries changes the determinant by its rounding times a cofactor of at most 1.
             let found = determinant(&t);
-            assert!((found.abs() - 1.).abs() < 1e-6, "{found}");
+            assert!((found.abs() - 1.).abs() < 9. * power(-17) + 1e-6, "{found}");
             assert_eq!(t.is_mirror, found < 0., "{found}");
         }
     });
