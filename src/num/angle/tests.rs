@@ -164,20 +164,6 @@ fn arc_tangent_inverts() {
     assert_eq!(Angle::atan2_bits(i64::MAX, 0), Angle::QUARTER);
 }
 
-/// Two steps of [`Angle::atan2`] are enough, and one is not, because the first guess has an error of up to 3e-3 radians.
-#[test]
-fn the_first_guess_of_an_arc_tangent_is_within_3e_minus_3() {
-    let mut worst = 0_f32;
-    for bits in (0..=u32::MAX).step_by(77_777) {
-        let (sin, cos) = (radians(Angle::from_bits(bits)) as f32).sin_cos();
-        let error = (F32Ext::atan2(sin, cos) - sin.atan2(cos)).abs();
-        // At half a turn, one of the two angles may be a whole turn greater.
-        worst = worst.max(error.min((error - core::f32::consts::TAU).abs()));
-    }
-    // With an error of 2.5e-3, d³/6 is more than 2.4e-9.
-    assert!(worst < 3e-3 && worst > 2.5e-3, "{worst:e}");
-}
-
 /// The crate has its own sine because constructors of projections need more digits than `micromath` computes.
 #[test]
 fn micromath_is_only_a_guess() {
