@@ -10,10 +10,10 @@ use rand::Rng;
 
 use crate::triangle::Triangle;
 use support::bounds;
+use support::drawing::Raw;
 use support::mode::Mode;
 use support::moves::{number, rounded};
 use support::random::{Random, cases, sampled, within};
-use support::recorder::Probe;
 
 const SIZE: (u32, u32) = (64, 48);
 /// The length in pixels of one unit at distance 1.
@@ -55,17 +55,13 @@ fn wrong<D: DepthBuffer>(
     for (gray, scale) in [(1, 1.), (2, 1. + gap)] {
         let positions = wall(distances.map(|w| w * scale));
         let mesh = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 3]]).unwrap();
-        // The shader has varyings, so that each mode interpolates.
-        let shade = Probe {
-            values: &|_| [0],
-            color: Some(Gray8::new(gray)),
-        };
         mode.draw(
             &mut canvas,
             &DrawOptions::new(),
             &mesh,
             &projection.into(),
-            &shade,
+            // This shader has varyings, so each mode interpolates.
+            &Raw(Some(Gray8::new(gray))),
         );
     }
     assert!(canvas.pixels().all(|pixel| pixel != Gray8::new(0)));

@@ -106,7 +106,7 @@ impl<K: ProjectionKind> Drawing<'_, K> {
         let canvas = self.canvas(&mut pixels);
         let mut canvas = canvas.with_depth_format::<F>(&mut depth).unwrap();
         // This shader has varyings, so each mode interpolates.
-        self.draw(&mut canvas, &Raw);
+        self.draw(&mut canvas, &Raw(None));
         depth
     }
 
@@ -161,9 +161,10 @@ impl Varyings for Rough {
     }
 }
 
-/// A shader with varyings of any magnitude. One varying jumps between the ends of its format.
+/// A shader with varyings of any magnitude. One varying jumps between the ends of its format. Every pixel gets the given
+/// color, or without one a color that depends on all bits of the varyings.
 #[derive(Clone, Copy)]
-pub struct Raw;
+pub struct Raw(pub Option<Gray8>);
 
 impl Shader for Raw {
     type Color = Gray8;
@@ -179,6 +180,6 @@ impl Shader for Raw {
 
     fn shade(&self, at: &Fragment, Rough([a, b, c]): Rough) -> Option<Gray8> {
         let [mixed, ..] = (a ^ a >> 16 ^ b ^ c ^ i32::from(at.depth)).to_le_bytes();
-        Some(Gray8::new(mixed))
+        self.0.or(Some(Gray8::new(mixed)))
     }
 }

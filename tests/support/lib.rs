@@ -2,7 +2,7 @@
 //!
 //! | file | contents |
 //! |---|---|
-//! | `reference` | the f64 model of the whole pipeline, with its own tests |
+//! | `reference` | the f64 model of the whole pipeline, and the tests of the model |
 //! | `random` | random inputs, the same in each run; a search for a small input that fails |
 //! | `recorder` | shaders that record their input |
 //! | `drawing`, `comparison` | draw calls through a recorder, and their comparison with the model |

@@ -5,10 +5,10 @@ use std::ops::Range;
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb888};
 use fixel::Drawn;
-use fixel::canvas::{DepthBuffer, FloatDepth, NoDepth, WideFloatDepth};
+use fixel::canvas::{DepthBuffer, FloatDepth, WideFloatDepth};
 use fixel::mode::{self, Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
-use fixel::view::ProjectionKind;
+use fixel::view::{Parallel, ProjectionKind};
 use rand::Rng;
 use rand::seq::IndexedRandom;
 
@@ -205,19 +205,20 @@ impl Scene {
         mesh: &Mesh<'_>,
         mvp: &Mvp<K>,
     ) -> Drawn {
+        let raw = &Raw(None);
         match self.what {
-            What::Triangles => canvas.draw_with(options, mesh, mvp, &Raw),
-            What::Edges => canvas.draw_with(options, mesh.edges(LineStyle::HAIRLINE), mvp, &Raw),
-            What::Points => canvas.draw_with(options, mesh.points(PointStyle::PIXEL), mvp, &Raw),
+            What::Triangles => canvas.draw_with(options, mesh, mvp, raw),
+            What::Edges => canvas.draw_with(options, mesh.edges(LineStyle::HAIRLINE), mvp, raw),
+            What::Points => canvas.draw_with(options, mesh.points(PointStyle::PIXEL), mvp, raw),
             What::Depth | What::Normals | What::Lit => unreachable!("drawn in one mode"),
         }
     }
 
-    fn draw_with_depth<K: ProjectionKind>(
+    fn in_perspective(
         &self,
-        canvas: Canvas<'_, Gray8, Native, NoDepth>,
+        canvas: Canvas<'_, Gray8>,
         depths: &mut [u16],
-        projection: Projection<K>,
+        projection: Projection,
     ) {
         match self.depth {
             Format::Linear => self.draw(&mut canvas.with_depth(depths).unwrap(), projection),
@@ -232,8 +233,22 @@ impl Scene {
         }
     }
 
+    /// In parallel, all scenes have linear depth: how depths are stored does not depend on the projection.
+    fn in_parallel(
+        &self,
+        canvas: Canvas<'_, Gray8>,
+        depths: &mut [u16],
+        projection: Projection<Parallel>,
+    ) {
+        self.draw(&mut canvas.with_depth(depths).unwrap(), projection);
+    }
+
     /// Draws the frame at once and in bands, and compares all bits.
-    fn check<K: ProjectionKind>(&self, projection: Result<Projection<K>, Error>) {
+    fn check<K: ProjectionKind>(
+        &self,
+        projection: Result<Projection<K>, Error>,
+        draw: fn(&Self, Canvas<'_, Gray8>, &mut [u16], Projection<K>),
+    ) {
         let Ok(projection) = projection else {
             return;
         };
@@ -244,7 +259,7 @@ impl Scene {
         };
         let (mut colors, mut depths) = blank();
         let canvas = Canvas::new(&mut colors, width, height).unwrap();
-        self.draw_with_depth(canvas, &mut depths, projection);
+        draw(self, canvas, &mut depths, projection);
 
         let (mut band_colors, mut band_depths) = blank();
         let band = (width * self.rows) as usize;
@@ -253,7 +268,7 @@ impl Scene {
             .zip(band_depths.chunks_mut(band));
         for (first_row, (colors, depths)) in (0..height).step_by(self.rows as usize).zip(bands) {
             let canvas = Canvas::band(colors, width, height, first_row).unwrap();
-            self.draw_with_depth(canvas, depths, projection);
+            draw(self, canvas, depths, projection);
         }
         assert_eq!(colors, band_colors, "{self:?}, {projection:?}");
         assert_eq!(depths, band_depths, "{self:?}, {projection:?}");
@@ -281,7 +296,8 @@ fn perspective_is_total() {
         let fov: u32 = random.random_range(1..1 << 31);
         let fov = Angle::from_bits((fov >> random.random_range(0..16)).max(1));
         let (near, far) = (scalar(random), scalar(random));
-        scene.check(Projection::perspective(fov, scene.size, near, far));
+        let projection = Projection::perspective(fov, scene.size, near, far);
+        scene.check(projection, Scene::in_perspective);
     });
 }
 
@@ -289,7 +305,9 @@ fn perspective_is_total() {
 fn off_center_perspective_is_total() {
     cases(sampled(CASES), |random| {
         let (near, far) = (scalar(random), scalar(random));
-        scene(random).check(Projection::frustum(window(random), near, far));
+        let scene = scene(random);
+        let projection = Projection::frustum(window(random), near, far);
+        scene.check(projection, Scene::in_perspective);
     });
 }
 
@@ -298,8 +316,10 @@ fn parallel_projections_are_total() {
     cases(sampled(CASES), |random| {
         let (scene, window) = (scene(random), window(random));
         let (near, far) = (scalar(random), scalar(random));
-        scene.check(Projection::orthographic(window, near, far));
+        let projection = Projection::orthographic(window, near, far);
+        scene.check(projection, Scene::in_parallel);
         let angle = Angle::from_bits(random.random());
-        scene.check(Projection::cabinet(angle, window, near, far));
+        let projection = Projection::cabinet(angle, window, near, far);
+        scene.check(projection, Scene::in_parallel);
     });
 }

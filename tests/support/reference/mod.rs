@@ -60,7 +60,4 @@ pub mod scenes;
 pub mod silhouette;
 pub mod sprites;
 pub mod texture;
-// Only tests/accuracy runs the tests of the model, because other programs that include the model are not tests.
-#[cfg(test)]
-mod tests;
 pub mod view;
