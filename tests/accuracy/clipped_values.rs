@@ -8,7 +8,7 @@ use support::bounds::{self, Bound};
 use support::drawing::Drawing;
 use support::mode::Mode;
 use support::moves::{exact, rounded};
-use support::random::{Random, cases, within};
+use support::random::{Random, cases, sampled, within};
 use support::recorder::Seen;
 use support::reference::coverage::center;
 use support::reference::distance::to_triangle;
@@ -69,7 +69,7 @@ fn check_coverage(pieces: &[Piece<2>], seen: &[Seen<2>]) {
 
 #[test]
 fn values_of_clipped_triangles_are_the_models() {
-    cases(250, |random| {
+    cases(sampled(500), |random| {
         let positions: [Vec3; 3] = from_fn(|_| around(random));
         let values: [[i32; 3]; 2] =
             from_fn(|_| within(random, [-(4 << 24)..4 << 24, 0..256, 0..1 << 24]));

@@ -331,7 +331,7 @@ fn textured_triangles_keep_the_promises() {
     print("random triangles", &worst);
     for worst in worst {
         // The modes make a promise for nearly all values.
-        assert!(worst.pixels > 50_000, "{}", worst.pixels);
+        assert!(worst.pixels > sampled(200_000) as usize, "{}", worst.pixels);
     }
 }
 
@@ -360,7 +360,7 @@ fn deep_triangles_keep_the_promises() {
     let [exact, _, newton, ..] = worst;
     // With ten other seeds and all triangles, both numbers were 1.95 to 2.49 million.
     for judged in [exact.deep, newton.unpromised] {
-        assert!(judged > 375_000, "{judged}");
+        assert!(judged > sampled(1_500_000) as usize, "{judged}");
     }
 }
 
@@ -422,7 +422,7 @@ fn spans_of_every_length_keep_the_promises() {
     let mut worst = [Worst::default(); MODES];
     for length in 1..=SIZE.0 {
         let long = f64::from(length);
-        for slope in [
+        let slopes = [
             0.,
             1. / 1024.,
             1. / 320.,
@@ -431,7 +431,14 @@ fn spans_of_every_length_keep_the_promises() {
             1. / 32.,
             1. / 8.,
             2.,
-        ] {
+        ];
+        // Each length with some slopes, and each slope with some lengths.
+        let step = 8 / sampled(8) as usize;
+        for slope in slopes
+            .into_iter()
+            .skip(length as usize % step)
+            .step_by(step)
+        {
             for [left, right] in [[0., 2. * long], [2. * long, 0.]] {
                 let screen = [[0., 7.], [2. * long, 7.], [0.5 * long, 8.]];
                 // The corners are at the left end of the base, at its right end, and between them.
@@ -448,10 +455,13 @@ fn spans_of_every_length_keep_the_promises() {
         }
     }
     print("spans of every length", &worst);
-    // The inputs are always the same: there are 1,560,572 values. (For other values, which are too far away, there is
-    // no promise.)
+    // With all slopes, there are 1,560,572 values. (For other values, which are too far away, there is no promise.)
     for worst in worst {
-        assert!(worst.pixels > 1_500_000, "{}", worst.pixels);
+        assert!(
+            worst.pixels > sampled(1_500_000) as usize,
+            "{}",
+            worst.pixels
+        );
     }
 }
 
@@ -465,7 +475,7 @@ fn rows_at_the_ends_of_the_format_keep_the_promises() {
     let unit = 1. / 65536.;
     let mut worst = [Worst::default(); MODES];
     for first in -8..8 {
-        for second in (60..400).step_by(11) {
+        for second in (60..400).step_by(88 / sampled(8) as usize) {
             let ends = [first, second].map(f64::from);
             for flip in [false, true] {
                 for (corner, toward) in [(NEAREST + 3. * unit, -unit), (8. * NEAREST, unit)] {
@@ -485,8 +495,12 @@ fn rows_at_the_ends_of_the_format_keep_the_promises() {
         }
     }
     print("ends of the format", &worst);
-    // The inputs are always the same: there are 1,769,728 values.
+    // With all rows, there are 1,769,728 values.
     for worst in worst {
-        assert!(worst.pixels > 1_700_000, "{}", worst.pixels);
+        assert!(
+            worst.pixels > sampled(1_700_000) as usize,
+            "{}",
+            worst.pixels
+        );
     }
 }

@@ -14,7 +14,7 @@ use support::bounds::{self, Bound};
 use support::counter::{BOTH_SIDES, at_subpixel, pixel_projection};
 use support::drawing::Seen;
 use support::mode::Mode;
-use support::random::{Random, cases, within};
+use support::random::{Random, cases, sampled, within};
 use support::recorder::{Probe, record};
 use support::reference::coverage::Snapped;
 
@@ -150,7 +150,7 @@ fn point([x, y, z]: [f64; 3]) -> Option<Vec3> {
 
 #[test]
 fn values_in_perspective_are_within_the_bounds() {
-    cases(1500, |random| {
+    cases(sampled(4000), |random| {
         loop {
             let (shape, w, values) = (shape(random), distances(random), values(random));
             let corner = |i: usize| {
@@ -218,7 +218,7 @@ fn values_in_parallel_are_within_the_bounds() {
     for mode in Mode::PARALLEL {
         assert!(stated(mode, i32::MAX) <= 659.);
     }
-    cases(1500, |random| {
+    cases(sampled(4000), |random| {
         loop {
             let (shape, values) = (shape(random), values(random));
             let positions =

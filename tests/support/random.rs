@@ -36,14 +36,14 @@ impl RngCore for Random {
     }
 }
 
-/// The number of inputs for a test that takes seconds: a quarter of `all`. With the environment variable `FIXEL_ALL`,
+/// The number of inputs for a test that takes seconds: an eighth of `all`. With the environment variable `FIXEL_ALL`,
 /// which `.ci/nightly` sets, it is `all`.
 #[allow(dead_code)] // the library's unit tests are quick
 pub fn sampled(all: u32) -> u32 {
     if env::var_os("FIXEL_ALL").is_some() {
         all
     } else {
-        all.div_ceil(4)
+        all.div_ceil(8)
     }
 }
 
