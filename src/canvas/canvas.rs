@@ -9,8 +9,7 @@ use embedded_graphics::pixelcolor::{BinaryColor, PixelColor};
 use embedded_graphics::primitives::{PointsIter, Rectangle};
 
 use super::depth::{DepthBuffer, LinearDepth, NoDepth};
-
-use super::storage::{Cell, Memory, Native, Storage};
+use super::storage::{Cell, Cells, Memory, Native, Storage};
 use crate::Error;
 use crate::error::check_length;
 
@@ -426,6 +425,14 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
             first_row: self.rows.start,
             buffer: PhantomData,
         }
+    }
+
+    /// The pixels of a row in `columns`. Row and columns must lie within the canvas.
+    #[inline(always)]
+    #[allow(clippy::inline_always)] // kernels keep the pixels in registers
+    pub(crate) fn cells(&mut self, row: i32, columns: Range<i32>) -> Option<Cells<'_, C, O, D>> {
+        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
+        self.memory().cells(row.cast_unsigned(), columns)
     }
 }
 

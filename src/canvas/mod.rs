@@ -33,5 +33,5 @@ pub use depth::{DepthBuffer, FloatDepth, LinearDepth, NoDepth, WideFloatDepth};
 pub use depth_test::{Biased, DepthTest, NoTest, TestAndWrite, TestOnly, WriteOnly};
 pub use diffusion::ErrorDiffusion;
 pub use label::Label;
-pub(crate) use storage::{Cells, Memory};
+pub(crate) use storage::Cells;
 pub use storage::{Native, Storage, Words};

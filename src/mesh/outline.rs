@@ -279,7 +279,7 @@ const fn write(
         let entry = edges[at];
         if number_of(entry) != USED {
             let [a, b, c] = side(faces, number_of(entry) as usize);
-            let (d, is_crease) = match partner(mesh, [a, b], entry, edges, (at + 1, count)) {
+            let (d, is_crease) = match opposite_side(mesh, [a, b], entry, edges, (at + 1, count)) {
                 None => (a, false),
                 // No angle is above 180 degrees, so no edge is a crease. This limit is usual if only silhouettes are
                 // wanted.
@@ -353,7 +353,7 @@ const fn number_of([.., high, low]: [Index; 4]) -> u32 {
 
 /// Finds the opposite side, from `b` to `a`, among the entries with the same hash, and marks it as used. Returns the
 /// third corner of the opposite side's face; `None` if there is no opposite side.
-const fn partner(
+const fn opposite_side(
     mesh: &Mesh<'_>,
     [a, b]: [Index; 2],
     entry: [Index; 4],

@@ -44,7 +44,7 @@ impl Screen {
 }
 
 /// Where a draw call draws to: some rows of a frame.
-pub(super) type To<'s> = (&'s Screen, &'s Range<u32>);
+pub(super) type Region<'s> = (&'s Screen, &'s Range<u32>);
 
 /// The data that all primitives of a draw call share once they are on the screen.
 #[derive(Clone, Debug)]
@@ -82,7 +82,7 @@ impl<'m, K: ProjectionKind> Call<'m, K> {
     /// A draw call to `rows` of a frame.
     #[inline(never)]
     pub(super) fn new<V: AsMvp<Kind = K>>(
-        (screen, rows): To<'_>,
+        (screen, rows): Region<'_>,
         mesh: &'m Mesh<'m>,
         mvp: &'m V,
     ) -> Self {

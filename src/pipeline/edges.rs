@@ -3,7 +3,7 @@
 use super::Drawn;
 use super::assemble;
 use super::cache::VertexCache;
-use super::call::{Call, To};
+use super::call::{Call, Region};
 use super::run::Draw;
 use super::thing::{Paint, Pen, Thing};
 use crate::Vec3;
@@ -163,7 +163,7 @@ impl<C, const SMOOTH: bool> Thing<C> for Line<SMOOTH>
 where
     LineStyle<SMOOTH>: Pen<C>,
 {
-    fn draw<V: AsMvp>(self, to: To<'_>, mvp: &V, paint: impl Paint<C>) -> Drawn {
+    fn draw<V: AsMvp>(self, to: Region<'_>, mvp: &V, paint: impl Paint<C>) -> Drawn {
         let positions = Positions::long(&self.ends);
         let edges = (&[][..], &[[0, 1]][..]);
         let mesh = Mesh::of_lists(positions, edges, (&[], &[]), (&[], &[]), (&[], &[]));
@@ -178,7 +178,7 @@ impl<C, const SMOOTH: bool> Thing<C> for Edges<'_, SMOOTH>
 where
     LineStyle<SMOOTH>: Pen<C>,
 {
-    fn draw<V: AsMvp>(self, to: To<'_>, mvp: &V, paint: impl Paint<C>) -> Drawn {
+    fn draw<V: AsMvp>(self, to: Region<'_>, mvp: &V, paint: impl Paint<C>) -> Drawn {
         let Self { of, style } = self;
         let call = Call::new(to, of.mesh, mvp);
         let shift = call.projector.depth_shift();
@@ -207,7 +207,7 @@ fn draw<K: ProjectionKind>(
         let [a, b] = ends;
         // Most edges have no pixel in a band. For such edges, no shader is called.
         if draw.meets([a.vertex.screen[1], b.vertex.screen[1]], reach) {
-            draw.line((indices, beside), is_clipped, |raster| line(raster, ends));
+            draw.draw_thin((indices, beside), is_clipped, |raster| line(raster, ends));
         }
     });
     draw.drawn()

@@ -22,17 +22,18 @@ use super::assemble::Assembly;
 use super::cache;
 use super::call::{Call, Screen};
 use super::edges::Edges;
-use super::options::Options;
+use super::options::DrawOptions;
 use super::run;
 use super::thing::DrawLine;
 use crate::Error;
-use crate::canvas::check_size;
+use crate::canvas::{DepthTest, check_size};
 use crate::mesh::{Index, Indices, Mesh};
 use crate::raster::{
     Barycentric, Blitter, ClippedVertex, Cull, DepthShift, LineStyle, Polygon, Scissor,
     ScreenVertex, Triangle, first_center,
 };
 use crate::sealed::Sealed;
+use crate::span::Mode;
 use crate::view::{AsMvp, ProjectionKind};
 use prepared::{Objects, Placed, Run};
 
@@ -236,13 +237,13 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// [`Error::Full`], with the length that is needed, if the list is too short for the visible triangles or edges;
     /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](crate::Canvas::MAX_SIZE).
     #[allow(clippy::type_complexity)] // all of its parts are in the result
-    pub fn prepare<'a, S: Scene<'a>, O: Options, V: AsMvp>(
+    pub fn prepare<'a, S: Scene<'a>, V: AsMvp, M: Mode, Z: DepthTest, B: Copy>(
         &'a mut self,
-        options: &O,
+        options: &DrawOptions<M, Z, B>,
         frame: impl Into<Size>,
         thing: S,
         view: &V,
-    ) -> Result<Prepared<'a, S::Material, S::Thing, O, V::Kind>, Error> {
+    ) -> Result<Prepared<'a, S::Material, S::Thing, DrawOptions<M, Z, B>, V::Kind>, Error> {
         self.fill((*options, frame.into()), thing, view, |_, _, _| ())
     }
 
@@ -325,26 +326,26 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     ///
     /// The same as for [`prepare`](Self::prepare).
     #[allow(clippy::type_complexity)] // as above
-    pub fn prepare_back_to_front<'a, S: Scene<'a>, O: Options, V: AsMvp>(
+    pub fn prepare_back_to_front<'a, S: Scene<'a>, V: AsMvp, M: Mode, Z: DepthTest, B: Copy>(
         &'a mut self,
-        options: &O,
+        options: &DrawOptions<M, Z, B>,
         frame: impl Into<Size>,
         thing: S,
         view: &V,
-    ) -> Result<Prepared<'a, S::Material, S::Thing, O, V::Kind>, Error> {
+    ) -> Result<Prepared<'a, S::Material, S::Thing, DrawOptions<M, Z, B>, V::Kind>, Error> {
         self.fill((*options, frame.into()), thing, view, painter::sort)
     }
 
     /// Fills the list, and sorts it by `sort`.
     #[inline]
     #[allow(clippy::type_complexity)] // as above
-    fn fill<'a, S: Scene<'a>, O: Options, V: AsMvp>(
+    fn fill<'a, S: Scene<'a>, V: AsMvp, M: Mode, Z: DepthTest, B: Copy>(
         &'a mut self,
-        (options, frame): (O, Size),
+        (options, frame): (DrawOptions<M, Z, B>, Size),
         scene: S,
         view: &V,
         sort: impl FnOnce(&mut [Entry], &[ScreenVertex], &Objects<'_, S::Thing, S::Material>),
-    ) -> Result<Prepared<'a, S::Material, S::Thing, O, V::Kind>, Error> {
+    ) -> Result<Prepared<'a, S::Material, S::Thing, DrawOptions<M, Z, B>, V::Kind>, Error> {
         check_size(frame.width, frame.height)?;
         let screen = options.screen(frame);
         self.entries.clear();

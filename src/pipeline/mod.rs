@@ -34,7 +34,6 @@ use crate::mesh::Missing;
 use crate::shade::ShaderFor;
 use crate::span::Mode;
 use crate::view::AsMvp;
-use options::Options;
 
 /// The result of a draw call: how many triangles, edges or points there were, and how many were drawn.
 ///

@@ -3,10 +3,10 @@
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
-use super::options::Options;
+use super::options::DrawOptions;
 use super::vertex::Projector;
 use crate::Vec3;
-use crate::canvas::{Canvas, DepthBuffer, Label, Storage};
+use crate::canvas::{Canvas, DepthBuffer, DepthTest, Label, Storage};
 use crate::mesh::{Bounds, Positions};
 use crate::num::{Subpixel, block::BlockFloat};
 use crate::raster::ScreenVertex;
@@ -57,7 +57,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     #[must_use]
     pub fn project(
         &self,
-        options: &impl Options,
+        options: &DrawOptions<impl Copy, impl DepthTest, impl Copy>,
         mvp: &impl AsMvp,
         point: Vec3,
     ) -> Option<ScreenPoint> {
@@ -170,7 +170,12 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
-    pub fn is_in_view(&self, options: &impl Options, bounds: &Bounds, mvp: &impl AsMvp) -> bool {
+    pub fn is_in_view(
+        &self,
+        options: &DrawOptions<impl Copy, impl DepthTest, impl Copy>,
+        bounds: &Bounds,
+        mvp: &impl AsMvp,
+    ) -> bool {
         let screen = options.screen(self.frame_size());
         let projector = Projector::new(
             Positions::of_one(&Vec3::ZERO),
@@ -215,7 +220,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     #[must_use]
     pub fn size_on_screen<V: AsMvp>(
         &self,
-        options: &impl Options,
+        options: &DrawOptions<impl Copy, impl DepthTest, impl Copy>,
         bounds: &Bounds,
         mvp: &V,
     ) -> u32 {

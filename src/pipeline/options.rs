@@ -5,7 +5,6 @@ use embedded_graphics::geometry::Size;
 use super::call::Screen;
 use crate::canvas::{DepthTest, Replace, TestAndWrite};
 use crate::raster::Cull;
-use crate::sealed::Sealed;
 use crate::span::{Fast, Mode, Newton};
 use crate::view::Viewport;
 
@@ -37,18 +36,10 @@ pub struct DrawOptions<M = Newton, Z = TestAndWrite, B = Replace> {
     pub blending: B,
 }
 
-/// [`DrawOptions`] with any mode, depth test and blending.
-#[doc(hidden)]
-pub trait Options: Copy + Sealed {
+impl<M, Z: DepthTest, B> DrawOptions<M, Z, B> {
     /// The part of a frame of this size that is drawn to, the faces that are culled, and whether depths are biased.
-    fn screen(&self, frame: Size) -> Screen;
-}
-
-impl<M, Z, B> Sealed for DrawOptions<M, Z, B> {}
-
-impl<M: Copy, Z: DepthTest, B: Copy> Options for DrawOptions<M, Z, B> {
     #[inline]
-    fn screen(&self, frame: Size) -> Screen {
+    pub(super) fn screen(&self, frame: Size) -> Screen {
         Screen {
             frame,
             viewport: self.viewport.unwrap_or(Viewport::whole(frame)),

@@ -1,7 +1,7 @@
 //! Points: a mesh's positions, each one pixel, a square or a disc.
 
 use super::Drawn;
-use super::call::{Call, To};
+use super::call::{Call, Region};
 use super::run::Draw;
 use super::thing::{Paint, Thing};
 use crate::mesh::{Index, Indices, Mesh};
@@ -58,7 +58,7 @@ impl Sealed for Points<'_> {}
 
 #[allow(private_bounds)]
 impl<C> Thing<C> for Points<'_> {
-    fn draw<V: AsMvp>(self, to: To<'_>, mvp: &V, mut paint: impl Paint<C>) -> Drawn {
+    fn draw<V: AsMvp>(self, to: Region<'_>, mvp: &V, mut paint: impl Paint<C>) -> Drawn {
         let call = Call::new(to, self.mesh, mvp);
         paint.run::<V::Kind>(call.projector.depth_shift(), paint.shading(), |blitter| {
             if self.style.is_pixel() {
@@ -163,7 +163,7 @@ fn each_point<K: ProjectionKind>(
         }
         let (half, [_, y]) = (half_of(&at), at.screen);
         if draw.meets([y, y], (half >> 8) + 1) {
-            draw.line((Indices::of_point(index), 0), false, |raster| {
+            draw.draw_thin((Indices::of_point(index), 0), false, |raster| {
                 point(raster, &at, half);
             });
         }

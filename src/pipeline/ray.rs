@@ -2,8 +2,8 @@
 
 use embedded_graphics::geometry::Point;
 
-use super::options::Options;
-use crate::canvas::{Canvas, Storage};
+use super::options::DrawOptions;
+use crate::canvas::{Canvas, DepthTest, Storage};
 use crate::math::{Direction, NormalMatrix, Transform};
 use crate::mesh::Mesh;
 use crate::num::block::{self, BlockFloat};
@@ -344,7 +344,12 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
-    pub fn ray(&self, options: &impl Options, mvp: &impl AsMvp, pixel: Point) -> Option<Ray> {
+    pub fn ray(
+        &self,
+        options: &DrawOptions<impl Copy, impl DepthTest, impl Copy>,
+        mvp: &impl AsMvp,
+        pixel: Point,
+    ) -> Option<Ray> {
         let screen = options.screen(self.frame_size());
         let [columns, rows] = screen.viewport.pixels();
         if !columns.contains(&pixel.x) || !rows.contains(&pixel.y) {

@@ -108,7 +108,7 @@ fn rectangle<K: ProjectionKind>(
     );
     let is_plane = is_plane([&shared.primitive(one, area), &shared.primitive(other, area)]);
     if is_plane {
-        draw.raster.of(one, area).rectangle(half);
+        draw.raster.begin_primitive(one, area).rectangle(half);
         draw.drawn += 2;
     }
     is_plane
@@ -164,13 +164,16 @@ impl<'d> Draw<'d> {
 
     /// Draws an edge or a point by `line`. `beside` is how steep the faces beside an outline's edge are.
     #[inline]
-    pub(super) fn line(
+    pub(super) fn draw_thin(
         &mut self,
         (indices, beside): (Indices, u16),
         is_clipped: bool,
         line: impl FnOnce(&mut Rasterizer<'d>),
     ) {
-        line(self.raster.of(indices, i64::from(beside) << 32));
+        line(
+            self.raster
+                .begin_primitive(indices, i64::from(beside) << 32),
+        );
         self.drawn += 1;
         self.clipped += u32::from(is_clipped);
     }
@@ -181,7 +184,9 @@ impl Assembly for Draw<'_> {
     fn whole(&mut self, indices: Indices, corners: [&ScreenVertex; 3], area: i64) {
         // Borrowed, because a move would copy the triangle.
         if let Some(triangle) = &Triangle::new(corners, None, area, &self.shared.scissor) {
-            self.raster.of(indices, area).triangle(triangle, None);
+            self.raster
+                .begin_primitive(indices, area)
+                .triangle(triangle, None);
             self.drawn += 1;
         }
     }
@@ -189,7 +194,7 @@ impl Assembly for Draw<'_> {
     #[inline(never)]
     fn clipped(&mut self, indices: Indices, polygon: &[ClippedVertex]) {
         if let Some(polygon) = Polygon::new(polygon, self.shared.cull) {
-            let drawn = u32::from(polygon.draw(self.raster.of(indices, polygon.area)));
+            let drawn = u32::from(polygon.draw(self.raster.begin_primitive(indices, polygon.area)));
             self.drawn += drawn;
             self.clipped += drawn;
         }

@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::Drawn;
 use super::cache::{Slots, VertexCache};
-use super::call::{Call, Shared, To};
+use super::call::{Call, Region, Shared};
 use super::run::{self, IsPlane};
 use super::thing::{Paint, Thing};
 use super::vertex::Projector;
@@ -25,7 +25,7 @@ impl Sealed for &Sprites<'_> {}
 
 #[allow(private_bounds)]
 impl<C> Thing<C> for &Sprites<'_> {
-    fn draw<V: AsMvp>(self, to: To<'_>, mvp: &V, mut paint: impl Paint<C>) -> Drawn {
+    fn draw<V: AsMvp>(self, to: Region<'_>, mvp: &V, mut paint: impl Paint<C>) -> Drawn {
         let (screen, rows) = to;
         let scissor = screen.scissor(rows);
         let quads = Quads::new(self, mvp, &screen.viewport);

@@ -6,7 +6,7 @@ use core::cell::Cell;
 
 use embedded_graphics::pixelcolor::PixelColor;
 
-use super::call::{Call, To};
+use super::call::{Call, Region};
 use super::options::DrawOptions;
 use super::{Drawn, run};
 use crate::canvas::{Blending, Canvas, DepthBuffer, DepthTest, Storage};
@@ -26,7 +26,7 @@ use crate::view::{AsMvp, ProjectionKind};
 )]
 pub trait Thing<C>: Sealed {
     /// Draws the thing to some rows of a frame.
-    fn draw<V: AsMvp>(self, to: To<'_>, mvp: &V, paint: impl Paint<C>) -> Drawn;
+    fn draw<V: AsMvp>(self, to: Region<'_>, mvp: &V, paint: impl Paint<C>) -> Drawn;
 }
 
 /// The last part of a draw call, where pixels get their colors: a canvas, options and a shader.
@@ -73,7 +73,7 @@ where
         shading: impl Shading<Color = C>,
         stages: impl FnOnce(&mut dyn Blitter) -> Drawn,
     ) -> Drawn {
-        stages(&mut Blit::<_, _, K, _>::new(
+        stages(&mut Blit::<_, _, _, K, _>::new(
             self.1.mode,
             self.0,
             shading,
@@ -85,7 +85,7 @@ where
 impl Sealed for &Mesh<'_> {}
 
 impl<C> Thing<C> for &Mesh<'_> {
-    fn draw<V: AsMvp>(self, to: To<'_>, mvp: &V, mut paint: impl Paint<C>) -> Drawn {
+    fn draw<V: AsMvp>(self, to: Region<'_>, mvp: &V, mut paint: impl Paint<C>) -> Drawn {
         let call = Call::new(to, self, mvp);
         paint.run::<V::Kind>(call.projector.depth_shift(), paint.shading(), |blitter| {
             run::draw(&call, blitter)

@@ -22,7 +22,7 @@ pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
         draw_end(raster, last, steep, true);
     }
     let Some(Course {
-        laid,
+        blit,
         steep,
         start: [start, minor],
         end: [end, minor_end],
@@ -49,7 +49,7 @@ pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
                 } else {
                     (offset, first..step + 1)
                 };
-                laid.span(row, &columns);
+                blit.span(row, &columns);
             }
             (first, offset) = (step + 1, next);
         }
@@ -82,7 +82,7 @@ fn is_steep([from, to]: [&ClippedVertex; 2]) -> bool {
 
 /// A line from its left to its right end or, if it is steep, from its upper to its lower end.
 pub(super) struct Course<'r> {
-    pub(super) laid: &'r mut dyn Rows,
+    pub(super) blit: &'r mut dyn Rows,
     pub(super) steep: bool,
     /// The ends: the coordinate along the longer axis, then the coordinate across it.
     pub(super) start: [i32; 2],
@@ -94,7 +94,7 @@ pub(super) struct Course<'r> {
 }
 
 impl<'r> Course<'r> {
-    /// Lays the interpolants over a line; `None` if it passes no center within the scissor.
+    /// Sets up the interpolants over a line; `None` if it passes no center within the scissor.
     #[inline]
     pub(super) fn new(
         raster: &'r mut Rasterizer<'_>,
@@ -127,24 +127,24 @@ impl<'r> Course<'r> {
             screen: major_first(place),
             ..end.vertex
         };
-        let laid = if raster.varies {
+        let blit = if raster.varies {
             let [a, b, c] = [
                 at(from, [start, 128]),
                 at(to, [end, 128]),
                 at(to, [end, 129]),
             ];
             let length = end - start;
-            raster.lay(&Patch {
+            raster.set_up(&Patch {
                 vertices: [&a, &b, &c],
                 barycentric: Some(&[from.barycentric, to.barycentric, to.barycentric]),
                 size: major_first([length, 1]),
                 area: if steep { -length } else { length }.into(),
             })
         } else {
-            raster.lay(&Patch::EVEN)
+            raster.set_up(&Patch::EVEN)
         };
         Some(Self {
-            laid,
+            blit,
             steep,
             start: [start, minor],
             end: [end, minor_end],

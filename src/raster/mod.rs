@@ -68,18 +68,18 @@ pub(crate) type Columns = [i16; 2];
 /// program has a single copy of these stages, however many shaders and canvases there are. A call costs a few
 /// instructions.
 pub(crate) trait Blitter {
-    /// Whether the pixels of a primitive differ in more than their position. If they do not, [`lay`](Self::lay) ignores
+    /// Whether the pixels of a primitive differ in more than their position. If they do not, [`set_up`](Self::set_up) ignores
     /// its patch.
     fn varies(&self) -> bool;
 
     /// Whether colors are mixed with the colors below. Then it matters how often a pixel is drawn.
     fn blends(&self) -> bool;
 
-    /// Lays the interpolants of a triangle, edge or point over a patch: the whole primitive or a part of it.
-    fn lay(&mut self, primitive: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows;
+    /// Sets up the interpolants of a triangle, edge or point over a patch: the whole primitive or a part of it.
+    fn set_up(&mut self, primitive: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows;
 }
 
-/// What [`Blitter::lay`] returns: the blitter, now ready to draw rows of the patch.
+/// What [`Blitter::set_up`] returns: the blitter, now ready to draw rows of the patch.
 pub(crate) trait Rows {
     /// Draws the given columns of consecutive rows, the first of which is row `first`. All columns lie within the
     /// canvas; a row may be empty.

@@ -76,7 +76,7 @@ impl Blitter for Picture {
         self.blends
     }
 
-    fn lay(&mut self, _: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows {
+    fn set_up(&mut self, _: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows {
         self.screen = ScreenVertex::screens(patch.vertices);
         self
     }

@@ -15,27 +15,27 @@ pub(crate) fn point(
     let [x, y] = at.screen;
     let [x, y] = [x >> 8, y >> 8];
     if scissor.columns.contains(&x) && scissor.rows.contains(&y) {
-        lay(raster, at, [x, y], barycentric).span(y, &(x..x + 1));
+        set_up(raster, at, [x, y], barycentric).span(y, &(x..x + 1));
     }
 }
 
-/// Lays the interpolants over the pixel of a point. The interpolants have the point's values everywhere.
+/// Sets up the interpolants over the pixel of a point. The interpolants have the point's values everywhere.
 #[inline(always)]
 #[allow(clippy::inline_always)] // optimized for size, a call would take 19 instructions more
-pub(super) fn lay<'r>(
+pub(super) fn set_up<'r>(
     raster: &'r mut Rasterizer<'_>,
     at: &ScreenVertex,
     [x, y]: [i32; 2],
     barycentric: Option<&[Barycentric; 3]>,
 ) -> &'r mut dyn Rows {
     if !raster.varies {
-        return raster.lay(&Patch::EVEN);
+        return raster.set_up(&Patch::EVEN);
     }
     // All three vertices have the point's values, so any triangle that begins in the point's pixel will do.
     let [left, top] = [x << 8, y << 8];
     let [a, b, c] = [[left, top], [left + 256, top], [left, top + 1]]
         .map(|screen| ScreenVertex { screen, ..*at });
-    raster.lay(&Patch {
+    raster.set_up(&Patch {
         vertices: [&a, &b, &c],
         barycentric,
         size: [256, 1],

@@ -50,7 +50,9 @@ impl<'a> Polygon<'a> {
         for (_, area) in fan.triangles() {
             fan.area += area;
         }
-        fan.is_folded = fan.triangles().any(|(_, area)| area != 0 && !fan.has(area));
+        fan.is_folded = fan
+            .triangles()
+            .any(|(_, area)| area != 0 && !fan.winds_as(area));
         if cull.leaves_out(fan.area) {
             return None;
         }
@@ -89,7 +91,7 @@ impl<'a> Polygon<'a> {
 
     /// Whether a triangle with this area may have pixels. A triangle that has turned over has none.
     #[inline]
-    const fn has(&self, area: i64) -> bool {
+    const fn winds_as(&self, area: i64) -> bool {
         area != 0 && same_winding(self.area, area)
     }
 
@@ -97,7 +99,7 @@ impl<'a> Polygon<'a> {
     pub(crate) fn rows(&self, scissor: &Scissor) -> Option<Range<i32>> {
         let mut all: Option<Range<i32>> = None;
         for (corners, area) in self.triangles() {
-            if !self.has(area) {
+            if !self.winds_as(area) {
                 continue;
             }
             if let Some(triangle) = &Triangle::new(vertices(corners), None, area, scissor) {
@@ -113,7 +115,7 @@ impl<'a> Polygon<'a> {
     pub(crate) fn draw(&self, raster: &mut Rasterizer<'_>) -> bool {
         let mut is_drawn = false;
         for (at, (corners, area)) in self.triangles().enumerate() {
-            if !self.has(area) {
+            if !self.winds_as(area) {
                 continue;
             }
             let [a, b, c] = corners;
@@ -140,18 +142,18 @@ impl Part<'_> {
     /// Draws some rows of the triangle, but only the pixels that this triangle of the fan has to draw.
     #[cold]
     #[inline(never)]
-    pub(super) fn rows(&self, laid: &mut dyn Rows, first: i32, rows: &[Columns]) {
+    pub(super) fn rows(&self, blit: &mut dyn Rows, first: i32, rows: &[Columns]) {
         for (row, &[start, end]) in (first..).zip(rows) {
             for column in start..end {
-                if self.has([column.into(), row]) {
-                    laid.draw(row, &[[column, column + 1]]);
+                if self.owns_pixel([column.into(), row]) {
+                    blit.draw(row, &[[column, column + 1]]);
                 }
             }
         }
     }
 
     /// Whether this triangle has to draw a pixel.
-    fn has(&self, pixel: [i32; 2]) -> bool {
+    fn owns_pixel(&self, pixel: [i32; 2]) -> bool {
         let mut winding = 0;
         for (i, (corners, area)) in self.fan.triangles().enumerate() {
             if covers(vertices(corners), area, pixel) {

@@ -44,15 +44,15 @@ impl<'r> Rasterizer<'r> {
 
     /// Moves on to another triangle, edge or point of the mesh. `area` is twice its area on the screen.
     #[inline]
-    pub(crate) fn of(&mut self, indices: Indices, area: i64) -> &mut Self {
+    pub(crate) fn begin_primitive(&mut self, indices: Indices, area: i64) -> &mut Self {
         self.primitive.indices = indices;
         self.primitive.area = (area >> 32) as i32;
         self
     }
 
     #[inline]
-    pub(super) fn lay(&mut self, patch: &Patch<'_>) -> &mut dyn Rows {
-        self.blitter.lay(&self.primitive, patch)
+    pub(super) fn set_up(&mut self, patch: &Patch<'_>) -> &mut dyn Rows {
+        self.blitter.set_up(&self.primitive, patch)
     }
 
     /// Fills a triangle inside the scissor; with `part`, only the pixels that `part` selects.
@@ -63,7 +63,7 @@ impl<'r> Rasterizer<'r> {
         let block = &mut self.block;
         let Range { start, end } = triangle.rows;
         let (mut first, mut rows) = (start, scan_convert(block, start, triangle));
-        // Many slivers cover no pixel center. For such a sliver, no interpolant is laid.
+        // Many slivers cover no pixel center. For such a sliver, no interpolant is set up.
         while !rows.iter().copied().any(has_pixels) {
             first += ROWS;
             if first >= end {
@@ -71,11 +71,11 @@ impl<'r> Rasterizer<'r> {
             }
             rows = scan_convert(block, first, triangle);
         }
-        let laid = self.blitter.lay(&self.primitive, &triangle.patch);
+        let blit = self.blitter.set_up(&self.primitive, &triangle.patch);
         loop {
             match part {
-                None => laid.draw(first, rows),
-                Some(part) => part.rows(laid, first, rows),
+                None => blit.draw(first, rows),
+                Some(part) => part.rows(blit, first, rows),
             }
             first += ROWS;
             if first >= end {
@@ -86,14 +86,14 @@ impl<'r> Rasterizer<'r> {
     }
 
     /// Draws an upright rectangle inside the scissor. The triangle `half` is one half of the rectangle, but its
-    /// interpolants are laid over the whole rectangle. So at the fourth corner, no interpolant may have a value beyond
+    /// interpolants are set up over the whole rectangle. So at the fourth corner, no interpolant may have a value beyond
     /// its values at the other three corners.
     ///
     /// The rectangle has the pixels of both halves. An interpolant has the same greatest error as in a half, because
     /// this error depends only on the width and the height of the triangle.
     #[inline(never)]
     pub(crate) fn rectangle(&mut self, half: &Triangle<'_>) {
-        let laid = self.blitter.lay(&self.primitive, &half.patch);
+        let blit = self.blitter.set_up(&self.primitive, &half.patch);
         let [[ax, _], [bx, _], [cx, _]] = ScreenVertex::screens(half.patch.vertices);
         let [start, end] = [ax.min(bx).min(cx), ax.max(bx).max(cx)].map(first_center);
         let (columns, rows) = (&self.scissor.columns, &half.rows);
@@ -106,7 +106,7 @@ impl<'r> Rasterizer<'r> {
             for row in &mut *rows {
                 *row = columns;
             }
-            laid.draw(first, rows);
+            blit.draw(first, rows);
             first = next;
         }
     }

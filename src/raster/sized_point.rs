@@ -141,7 +141,7 @@ pub(crate) fn sized_point(
     if rows.is_empty() {
         return;
     }
-    let laid = point::lay(raster, at, [x >> 8, y >> 8], None);
+    let blit = point::set_up(raster, at, [x >> 8, y >> 8], None);
     for row in rows {
         let columns = if is_round {
             let away = (row << 8) + 128 - y;
@@ -161,7 +161,7 @@ pub(crate) fn sized_point(
         };
         let columns = meet(&columns, &scissor.columns);
         if !columns.is_empty() {
-            laid.span(row, &columns);
+            blit.span(row, &columns);
         }
     }
 }

@@ -136,14 +136,17 @@ pub(crate) fn smooth_line(
         if !part.is_empty() {
             let pixel = end.vertex.screen.map(|position| position >> 8);
             let places = [end.barycentric; 3];
-            strip.draw(point::lay(raster, &end.vertex, pixel, Some(&places)), &part);
+            strip.draw(
+                point::set_up(raster, &end.vertex, pixel, Some(&places)),
+                &part,
+            );
         }
     }
     let part = part(steps);
     if !part.is_empty()
         && let Some(course) = Course::new(raster, [low, high])
     {
-        strip.draw(course.laid, &part);
+        strip.draw(course.blit, &part);
     }
 }
 
@@ -189,7 +192,7 @@ impl Strip {
     }
 
     /// Draws a part of the bounding box.
-    fn draw(&self, laid: &mut dyn Rows, part: &Scissor) {
+    fn draw(&self, blit: &mut dyn Rows, part: &Scissor) {
         let [first, end] = [part.columns.start, part.columns.end].map(i64::from);
         let mut middle = self.middle + self.slope * i64::from(part.rows.start);
         for row in part.rows.clone() {
@@ -197,7 +200,7 @@ impl Strip {
             let column = |at: i64| ((at + (1 << 15)) >> 16).clamp(first, end) as i32;
             let columns = column(middle - self.extent)..column(middle + self.extent);
             if !columns.is_empty() {
-                laid.span(row, &columns);
+                blit.span(row, &columns);
             }
             middle += self.slope;
         }

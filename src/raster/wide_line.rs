@@ -8,7 +8,7 @@ use super::{ClippedVertex, Rasterizer};
 /// Draws a wide line; `half` is half its width, in units of 1/256 pixel.
 pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], half: i32) {
     let Some(Course {
-        laid,
+        blit,
         steep,
         start: [start, minor],
         end: [end, minor_end],
@@ -33,7 +33,7 @@ pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], 
         for row in steps {
             let columns = meet(&next(), &across);
             if !columns.is_empty() {
-                laid.span(row, &columns);
+                blit.span(row, &columns);
             }
         }
         return;
@@ -46,7 +46,7 @@ pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], 
         let following = next();
         if following != rows || column + 1 == steps.end {
             for row in meet(&rows, &across) {
-                laid.span(row, &(first..column + 1));
+                blit.span(row, &(first..column + 1));
             }
             (first, rows) = (column + 1, following);
         }

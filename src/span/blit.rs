@@ -7,20 +7,21 @@ use core::ops::Range;
 use embedded_graphics::geometry::Point;
 
 use super::interpolator::Interpolator;
-use super::pixels::{Count, FaceOf, Numbers, Pixels, Span, Target, rolled};
-use super::plan::{Plan, Policy};
+use super::mode::Mode;
+use super::pixels::{Count, FaceOf, Numbers, Pixels, Span, rolled};
+use super::plan::Plan;
 use super::scale::Scale;
 use super::setup::{Attribute, Planes, SPAN, unpaired};
 use super::shading::Shading;
-use crate::canvas::{DepthBuffer, DepthTest, WideFloatDepth};
+use crate::canvas::{Canvas, DepthBuffer, DepthTest, Storage, WideFloatDepth};
 use crate::mesh::Primitive;
 use crate::raster::{Blitter, Columns, DepthShift, Patch, Rows};
 use crate::shade::{Lanes, MOST_VARYINGS, Varyings};
 use crate::view::ProjectionKind;
 
-/// The [`Blitter`] of canvas `T` and shading `S` in mode `M` under a projection of kind `K`.
-pub(crate) struct Blit<'p, S: Shading, T, K, M> {
-    canvas: &'p mut T,
+/// The [`Blitter`] of a canvas with shading `S` in mode `M` under a projection of kind `K`.
+pub(crate) struct Blit<'b, 'c, S: Shading, O: Storage<S::Color>, D, K, M> {
+    canvas: &'b mut Canvas<'c, S::Color, O, D>,
     shading: S,
     test: S::Test,
     interpolator: Interpolator<Count<S>, K, M>,
@@ -28,20 +29,20 @@ pub(crate) struct Blit<'p, S: Shading, T, K, M> {
     face: FaceOf<S>,
 }
 
-impl<'p, S, T, K, M> Blit<'p, S, T, K, M>
+impl<'b, 'c, S, O, D, K, M> Blit<'b, 'c, S, O, D, K, M>
 where
-    S: Shading<Color = T::Color>,
-    T: Target,
+    S: Shading,
+    O: Storage<S::Color>,
+    D: DepthBuffer,
     K: ProjectionKind,
-    M: Policy,
+    M: Mode,
 {
     /// Whether the shader interpolates any numbers.
     const INTERPOLATES: bool = Count::<S>::COUNT > 0;
 
     /// The answer of [`Blitter::varies`].
-    const VARIES: bool = Self::INTERPOLATES
-        || T::Depth::IS_KEPT && (S::Test::TESTS || S::Test::WRITES)
-        || S::READS_DEPTH;
+    const VARIES: bool =
+        Self::INTERPOLATES || D::IS_KEPT && (S::Test::TESTS || S::Test::WRITES) || S::READS_DEPTH;
 
     /// Whether attributes are divided by w.
     const OVER_W: bool = Interpolator::<Count<S>, K, M>::OVER_W;
@@ -52,7 +53,12 @@ where
     const PAIRS: bool = S::Varyings::PAIRS && Self::HAS_SMALL;
 
     #[inline]
-    pub(crate) fn new(mode: M, canvas: &'p mut T, shading: S, shift: DepthShift) -> Self {
+    pub(crate) fn new(
+        mode: M,
+        canvas: &'b mut Canvas<'c, S::Color, O, D>,
+        shading: S,
+        shift: DepthShift,
+    ) -> Self {
         const {
             assert!(
                 Count::<S>::COUNT <= MOST_VARYINGS,
@@ -71,7 +77,7 @@ where
     /// The pixels of a row, from `column` on. [`Pixels`] starts one pixel before that column, because it moves on
     /// before it draws.
     #[inline(always)]
-    fn pixels(&self, row: i32, column: i32) -> Pixels<S, T> {
+    fn pixels(&self, row: i32, column: i32) -> Pixels<S, O, D> {
         Pixels {
             shading: self.shading,
             face: self.face,
@@ -79,7 +85,7 @@ where
             point: Point::new(column - 1, row),
             depth: 0,
             stored: 0,
-            target: PhantomData,
+            canvas: PhantomData,
         }
     }
 
@@ -171,7 +177,7 @@ where
         let at = [columns.start, row];
         // Borrowed, because a move would copy the span.
         let count = (columns.end - columns.start).cast_unsigned() as usize;
-        let (span, plan) = &self.interpolator.begin(at, count);
+        let (span, plan) = &self.interpolator.span_at(at, count);
         let mut pixels = self.pixels(row, columns.start);
         let Planes { setup, attributes } = &self.interpolator.planes;
         if S::Test::IS_BIASED {
@@ -184,18 +190,19 @@ where
         };
         // The right half of each pattern is matched with a constant. So the compiler leaves out each kernel that the
         // mode does not use under this projection.
-        match (*plan, Interpolator::<Count<S>, K, M>::BEST) {
-            _ if !Self::INTERPOLATES => pixels.straight(span.anew(), cells, Self::restored),
+        match (*plan, Interpolator::<Count<S>, K, M>::KERNEL) {
+            _ if !Self::INTERPOLATES => pixels.straight(span.reloaded(), cells, Self::restored),
             (Plan::Straight, _) if Interpolator::<Count<S>, K, M>::HAS_STRAIGHT => {
-                pixels.straight(span.anew(), cells, Self::restored);
+                pixels.straight(span.reloaded(), cells, Self::restored);
             }
             (_, Plan::Straight) => pixels.scaled(span, cells, scales),
             (Plan::Newton, Plan::Newton) => pixels.newton(span, cells),
             (Plan::Pieces(length), Plan::Pieces(_)) => pixels.pieces(span, cells, scales, length),
-            (Plan::Anew, Plan::Anew) => {
-                pixels.divide_anew(span, cells, scales, |pixel| interpolator.anew(pixel));
+            (Plan::PerPixel, Plan::PerPixel) => {
+                pixels
+                    .divide_per_pixel(span, cells, scales, |pixel| interpolator.recomputed(pixel));
             }
-            (_, Plan::Divide | Plan::Anew) => pixels.divide(span, cells, scales),
+            (_, Plan::Divide | Plan::PerPixel) => pixels.divide(span, cells, scales),
             _ => pixels.divide_apart(span, cells, scales),
         }
     }
@@ -224,12 +231,13 @@ where
     }
 }
 
-impl<S, T, K, M> Blitter for Blit<'_, S, T, K, M>
+impl<S, O, D, K, M> Blitter for Blit<'_, '_, S, O, D, K, M>
 where
-    S: Shading<Color = T::Color>,
-    T: Target,
+    S: Shading,
+    O: Storage<S::Color>,
+    D: DepthBuffer,
     K: ProjectionKind,
-    M: Policy,
+    M: Mode,
 {
     fn varies(&self) -> bool {
         Self::VARIES
@@ -239,12 +247,12 @@ where
         S::READS_COLOR
     }
 
-    fn lay(&mut self, primitive: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows {
+    fn set_up(&mut self, primitive: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows {
         let [a, b, c] = self.shading.varyings(primitive);
         let ((a, face), (b, _), (c, _)) = (a.split(), b.split(), c.split());
         self.face = face;
         if Self::VARIES {
-            self.interpolator.start([a, b, c]);
+            self.interpolator.set_corners([a, b, c]);
             self.interpolator.set_up(patch);
             if S::Test::IS_BIASED {
                 let setup = &self.interpolator.planes.setup;
@@ -256,12 +264,13 @@ where
     }
 }
 
-impl<S, T, K, M> Rows for Blit<'_, S, T, K, M>
+impl<S, O, D, K, M> Rows for Blit<'_, '_, S, O, D, K, M>
 where
-    S: Shading<Color = T::Color>,
-    T: Target,
+    S: Shading,
+    O: Storage<S::Color>,
+    D: DepthBuffer,
     K: ProjectionKind,
-    M: Policy,
+    M: Mode,
 {
     fn draw(&mut self, first: i32, rows: &[Columns]) {
         // The condition is a bare constant, without a negation, so that the branch that is not taken is not even

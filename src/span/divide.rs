@@ -2,17 +2,23 @@
 
 use embedded_graphics::geometry::Point;
 
-use super::pixels::{CellsOf, Count, Numbers, Pixels, Scales, Span, Target};
+use super::pixels::{Count, Numbers, Pixels, Scales, Span};
 use super::shading::Shading;
+use crate::canvas::{Cells, DepthBuffer, Storage};
 use crate::num::reciprocal;
 use crate::num::wide::product;
 use crate::shade::Lanes;
 
-impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
+impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
     /// Draws a span with a reciprocal at every pixel. An attribute is p / q · 2^bits, rounded down, where p and q are
     /// interpolants of the [`Span`], and 2^bits is the attribute's [`Scale`](super::scale::Scale).
     #[inline(always)]
-    pub(super) fn divide(self, span: &Span<Count<S>>, cells: CellsOf<'_, T>, scales: Scales<S>) {
+    pub(super) fn divide(
+        self,
+        span: &Span<Count<S>>,
+        cells: Cells<'_, S::Color, O, D>,
+        scales: Scales<S>,
+    ) {
         self.straight(span.clone(), cells, |_, q, p| quotients::<S>(q, p, &scales));
     }
 
@@ -22,7 +28,7 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
     pub(super) fn divide_apart(
         self,
         span: &Span<Count<S>>,
-        cells: CellsOf<'_, T>,
+        cells: Cells<'_, S::Color, O, D>,
         scales: Scales<S>,
     ) {
         self.divide(span, cells, scales);
@@ -33,10 +39,10 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
     /// all modes.
     #[cold]
     #[inline(never)]
-    pub(super) fn divide_anew(
+    pub(super) fn divide_per_pixel(
         self,
         span: &Span<Count<S>>,
-        cells: CellsOf<'_, T>,
+        cells: Cells<'_, S::Color, O, D>,
         scales: Scales<S>,
         at: impl Fn(Point) -> (u32, Numbers<S>),
     ) {

@@ -267,9 +267,9 @@ impl Basis {
         SmallPlane { step, row, start }
     }
 
-    /// Lays a plane through the values at the corners: a small plane if their range allows it, otherwise a wide plane.
+    /// Sets up a plane through the values at the corners: a small plane if their range allows it, otherwise a wide plane.
     #[inline]
-    pub(crate) fn lay(
+    pub(crate) fn set_up(
         &mut self,
         values: [i32; 3],
         range: u32,
@@ -280,14 +280,14 @@ impl Basis {
             gradient.set(self.small(values, 0));
         } else {
             self.start_wide(patch);
-            self.lay_wide(values, gradient);
+            self.set_up_wide(values, gradient);
         }
     }
 
-    /// Lays a wide plane through the values at the corners of any triangle. Call [`start_wide`](Self::start_wide)
+    /// Sets up a wide plane through the values at the corners of any triangle. Call [`start_wide`](Self::start_wide)
     /// first.
     #[inline(never)]
-    pub(crate) fn lay_wide(&self, values: [i32; 3], gradient: &mut Gradient) {
+    pub(crate) fn set_up_wide(&self, values: [i32; 3], gradient: &mut Gradient) {
         let [dx, dy] = self.gains(values);
         let [x, y] = self.to_center;
         // `moved` is the change from the corner to the center of the pixel that contains the corner.
@@ -341,7 +341,7 @@ impl WidePlane {
 
     /// The value at a pixel plus half a unit, in units of 2^-30.
     #[inline]
-    fn fine(&self, x: i32, y: i32) -> i64 {
+    fn value_30(&self, x: i32, y: i32) -> i64 {
         // Columns and rows of a canvas have 11 bits, so the masks change nothing. They tell the compiler that the
         // numbers have no sign: then it multiplies in fewer instructions.
         let row = self.start.wrapping_add(times_short(self.dy, y & 0x7fff));
@@ -351,12 +351,12 @@ impl WidePlane {
     /// The value at a pixel.
     #[inline]
     pub(crate) fn at(&self, x: i32, y: i32) -> i32 {
-        (self.fine(x, y) >> 30) as i32
+        (self.value_30(x, y) >> 30) as i32
     }
 
     /// 2^`up` times the value at a pixel, rounded to the nearest unit.
     pub(crate) fn precise(&self, [x, y]: [i32; 2], up: u32) -> i32 {
-        rounded(self.fine(x, y).wrapping_sub(HALF) << (up & 31))
+        rounded(self.value_30(x, y).wrapping_sub(HALF) << (up & 31))
     }
 }
 
@@ -419,9 +419,9 @@ mod tests {
         [*all.iter().min().unwrap(), *all.iter().max().unwrap()]
     }
 
-    /// Lays a plane through `values` at three places on the screen; with `is_coarse`, the plane may be coarse. `None`
+    /// Sets up a plane through `values` at three places on the screen; with `is_coarse`, the plane may be coarse. `None`
     /// if the places are in a line.
-    fn laid(screen: [[i32; 2]; 3], values: [i32; 3], is_coarse: bool) -> Option<Gradient> {
+    fn plane(screen: [[i32; 2]; 3], values: [i32; 3], is_coarse: bool) -> Option<Gradient> {
         let vertices = screen.map(vertex);
         let area = area(&screen);
         let patch = Patch {
@@ -439,7 +439,7 @@ mod tests {
             if is_coarse && basis.is_coarse(range.cast_unsigned()) {
                 gradient.set(basis.small(values, 0));
             } else {
-                basis.lay(values, range.cast_unsigned(), &patch, &mut gradient);
+                basis.set_up(values, range.cast_unsigned(), &patch, &mut gradient);
             }
         }
         (area != 0).then_some(gradient)
@@ -501,7 +501,7 @@ mod tests {
                 ]
             };
             let screen = [at, place(parts[0]), place(parts[1])];
-            let Some(gradient) = laid(screen, values, is_coarse) else {
+            let Some(gradient) = plane(screen, values, is_coarse) else {
                 return;
             };
             let most = match (gradient.is_small, is_coarse) {
@@ -532,8 +532,8 @@ mod tests {
     /// Tests shapes and ranges just inside and just outside of each limit.
     #[test]
     fn triangles_and_ranges_up_to_the_limits_have_small_planes() {
-        let is_small = |screen, values| laid(screen, values, false).unwrap().is_small;
-        let is_coarse = |screen, values| laid(screen, values, true).unwrap().is_small;
+        let is_small = |screen, values| plane(screen, values, false).unwrap().is_small;
+        let is_coarse = |screen, values| plane(screen, values, true).unwrap().is_small;
         let square = |side: i32| [[0, 0], [side, 0], [0, side]];
         // The width plus the height is 43 pixels, then a little more.
         assert!(is_small(square(SMALL / 2), [0, 1 << 29, 0]));

@@ -5,9 +5,10 @@ use core::marker::PhantomData;
 use embedded_graphics::geometry::Point;
 
 use super::gradient::Gradient;
+use super::mode::Mode;
 use super::newton::FRACTION;
 use super::pixels::Span;
-use super::plan::{Plan, Policy};
+use super::plan::Plan;
 use super::scale::WHOLE;
 use super::setup::{Attribute, Planes, Setup};
 use crate::raster::{DepthShift, Patch};
@@ -28,22 +29,22 @@ pub(super) struct Interpolator<L: Lanes, K, M> {
     kind: PhantomData<K>,
 }
 
-impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
+impl<L: Lanes, K: ProjectionKind, M: Mode> Interpolator<L, K, M> {
     /// Whether attributes are divided by w.
-    pub(super) const OVER_W: bool = K::PERSPECTIVE && !matches!(M::BEST, Plan::Straight);
+    pub(super) const OVER_W: bool = K::PERSPECTIVE && !matches!(M::KERNEL, Plan::Straight);
 
     /// The plan for attributes that are not linear on the screen.
-    pub(super) const BEST: Plan = if Self::OVER_W && L::COUNT > 0 {
-        M::BEST
+    pub(super) const KERNEL: Plan = if Self::OVER_W && L::COUNT > 0 {
+        M::KERNEL
     } else {
         Plan::Straight
     };
 
     /// Whether the mode uses wide planes only.
-    const IS_WIDE: bool = matches!(M::BEST, Plan::Divide);
+    const IS_WIDE: bool = matches!(M::KERNEL, Plan::Divide);
 
     /// Whether a mode takes the same path for all attributes, linear or not.
-    const IS_UNIFORM: bool = matches!(M::BEST, Plan::Divide | Plan::Anew);
+    const IS_UNIFORM: bool = matches!(M::KERNEL, Plan::Divide | Plan::PerPixel);
 
     /// Whether a plan may be [`Plan::Straight`].
     pub(super) const HAS_STRAIGHT: bool = L::COUNT == 0 || !Self::IS_UNIFORM;
@@ -51,7 +52,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
     /// Whether a plan may be [`Plan::Small`].
     pub(super) const HAS_SMALL: bool = Self::HAS_STRAIGHT && !Self::IS_WIDE;
 
-    const LEAST_BITS: u32 = match M::BEST {
+    const LEAST_BITS: u32 = match M::KERNEL {
         Plan::Newton if Self::OVER_W => FRACTION,
         _ if Self::OVER_W || Self::IS_UNIFORM => 1,
         _ => WHOLE,
@@ -79,14 +80,14 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
                     ..Attribute::UNSET
                 }),
             },
-            plan: Self::BEST,
+            plan: Self::KERNEL,
             kind: PhantomData,
         }
     }
 
     /// Sets the values of the attributes at a primitive's corners.
     #[inline]
-    pub(super) fn start(&mut self, [a, b, c]: [L::Of<i32>; 3]) {
+    pub(super) fn set_corners(&mut self, [a, b, c]: [L::Of<i32>; 3]) {
         let corners = L::zip(&L::zip(&a, &b, |a, b| [*a, *b]), &c, |[a, b], c| {
             [*a, *b, *c]
         });
@@ -96,24 +97,24 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
         }
     }
 
-    /// Lays the interpolants over a patch of the primitive.
+    /// Sets up the interpolants over a patch of the primitive.
     #[inline(never)]
     pub(super) fn set_up(&mut self, patch: &Patch<'_>) {
         let Planes { setup, attributes } = &mut self.planes;
         if Self::IS_WIDE {
-            setup.lay_wide(attributes.as_mut(), patch);
+            setup.set_up_wide(attributes.as_mut(), patch);
             return;
         }
-        self.plan = setup.lay(attributes.as_mut(), patch);
-        if Self::BEST == Plan::Straight || self.plan != Plan::BySpan {
+        self.plan = setup.set_up(attributes.as_mut(), patch);
+        if Self::KERNEL == Plan::Straight || self.plan != Plan::BySpan {
             return;
         }
         self.plan = self.mode.of_triangle(&self.planes);
-        if Self::BEST == Plan::Anew && self.plan == Plan::Anew {
+        if Self::KERNEL == Plan::PerPixel && self.plan == Plan::PerPixel {
             let Planes { setup, attributes } = &mut self.planes;
             // Depths keep the plane that they have in all modes but `Compact`.
             let mut q = setup.q;
-            setup.lay_wide(attributes.as_mut(), patch);
+            setup.set_up_wide(attributes.as_mut(), patch);
             q.wide = setup.q.wide;
             setup.q = q;
         }
@@ -121,7 +122,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
 
     /// The span that begins at a pixel, and its plan.
     #[inline(never)]
-    pub(super) fn begin(&self, [x, y]: [i32; 2], count: usize) -> (Span<L>, Plan) {
+    pub(super) fn span_at(&self, [x, y]: [i32; 2], count: usize) -> (Span<L>, Plan) {
         // A canvas has at most 2048 columns and rows, so the masks change nothing. With these two masks, the compiler
         // leaves out the same masks in each plane.
         let (x, y) = (x & 0x7fff, y & 0x7fff);
@@ -142,7 +143,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
             count,
         };
         let plan = match self.plan {
-            Plan::BySpan | Plan::Newton | Plan::Pieces(_) if Self::BEST != Plan::Straight => {
+            Plan::BySpan | Plan::Newton | Plan::Pieces(_) if Self::KERNEL != Plan::Straight => {
                 self.mode.of_span(self.plan, &self.planes, &mut span)
             }
             plan => plan,
@@ -151,7 +152,7 @@ impl<L: Lanes, K: ProjectionKind, M: Policy> Interpolator<L, K, M> {
     }
 
     /// The interpolants of a pixel, computed without steps from other pixels: q with 31 bits, and each p.
-    pub(super) fn anew(&self, Point { x, y }: Point) -> (u32, L::Of<i32>) {
+    pub(super) fn recomputed(&self, Point { x, y }: Point) -> (u32, L::Of<i32>) {
         let at = [x, y];
         let (q, up) = self.planes.setup.precise_q(at);
         let p = L::map(&self.planes.attributes, |p: &Attribute| {

@@ -1,10 +1,13 @@
 //! The modes: which [plan](super::plan) each mode chooses, and the inequalities behind the choice.
 
+#![allow(private_interfaces)] // of functions that only this crate calls
+
 use super::newton::{FRACTION, tangent};
 use super::pixels::Span;
-use super::plan::{Plan, Policy};
+use super::plan::Plan;
 use super::setup::{Attribute, Planes, SHALLOW};
 use crate::Scalar;
+use crate::sealed::{Sealed, sealed};
 use crate::shade::{Lanes, Tolerance};
 
 /// How attributes are interpolated between a triangle's corners. The modes differ in accuracy, speed and size of code.
@@ -38,15 +41,50 @@ use crate::shade::{Lanes, Tolerance};
 /// }
 /// let exact = options(Exact);
 /// ```
-#[allow(private_bounds)] // so that it is sealed
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not an interpolation mode",
     note = "a mode is `Newton`, `Fast`, `Exact`, `Affine` or `Compact`, from `fixel::mode`"
 )]
-pub trait Mode: Policy {}
+pub trait Mode: Copy + Sealed {
+    /// The plan for attributes that are not affine. Where this plan is not possible, the mode divides at each pixel.
+    /// For attributes that are not affine, a program contains code for these two cases only.
+    ///
+    /// With [`Straight`](Plan::Straight), nothing is ever divided. With [`Divide`](Plan::Divide) or
+    /// [`PerPixel`](Plan::PerPixel), all attributes are divided. With `Divide`, all triangles, even small ones, have wide
+    /// planes (see [`Gradient`](super::gradient::Gradient)) and are drawn in the same way.
+    #[doc(hidden)]
+    const KERNEL: Plan;
 
-#[diagnostic::do_not_recommend]
-impl<M: Policy> Mode for M {}
+    /// The greatest error that an attribute may have, in units of the attribute, if a triangle is drawn without
+    /// divisions. With 0, no triangle is drawn without divisions.
+    #[doc(hidden)]
+    #[inline]
+    fn affine_within(self, _tolerance: Tolerance) -> u32 {
+        0
+    }
+
+    /// The plan for a triangle that is not affine.
+    #[doc(hidden)]
+    #[inline]
+    fn of_triangle<L: Lanes>(self, _planes: &Planes<L>) -> Plan {
+        Self::KERNEL
+    }
+
+    /// The plan for a span, if the plan of its triangle is [`KERNEL`](Self::KERNEL) or [`BySpan`](Plan::BySpan). This
+    /// function may scale the span for its plan.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn of_span<L: Lanes>(
+        self,
+        of_triangle: Plan,
+        _planes: &Planes<L>,
+        _span: &mut Span<L>,
+    ) -> Plan {
+        of_triangle
+    }
+}
+
+sealed!(Exact, Compact, Affine, Newton, Fast);
 
 /// [`Newton`] steps, and pieces chosen for a single span, require δ ≤ 2^-6. (For the meaning of the letters, see
 /// [`plan`](super::plan).)
@@ -88,13 +126,13 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Exact;
 
-impl Policy for Exact {
-    const BEST: Plan = Plan::Anew;
+impl Mode for Exact {
+    const KERNEL: Plan = Plan::PerPixel;
 
     #[inline]
     fn of_triangle<L: Lanes>(self, planes: &Planes<L>) -> Plan {
         if planes.setup.least < DEEP {
-            Plan::Anew
+            Plan::PerPixel
         } else {
             Plan::Divide
         }
@@ -119,8 +157,8 @@ impl Policy for Exact {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Compact;
 
-impl Policy for Compact {
-    const BEST: Plan = Plan::Divide;
+impl Mode for Compact {
+    const KERNEL: Plan = Plan::Divide;
 }
 
 /// Attributes are linear on the screen. This is correct under a parallel projection.
@@ -139,8 +177,8 @@ impl Policy for Compact {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Affine;
 
-impl Policy for Affine {
-    const BEST: Plan = Plan::Straight;
+impl Mode for Affine {
+    const KERNEL: Plan = Plan::Straight;
 }
 
 /// The default mode: perspective-correct, with one Newton step per pixel. The step starts from a value that is
@@ -203,8 +241,8 @@ fn nearest(value: i32, down: u32) -> i32 {
     value.wrapping_add(1 << down >> 1) >> down
 }
 
-impl Policy for Newton {
-    const BEST: Plan = Plan::Newton;
+impl Mode for Newton {
+    const KERNEL: Plan = Plan::Newton;
 
     #[inline]
     fn affine_within(self, tolerance: Tolerance) -> u32 {
@@ -349,8 +387,8 @@ impl Fast {
     }
 }
 
-impl Policy for Fast {
-    const BEST: Plan = Plan::Pieces(0);
+impl Mode for Fast {
+    const KERNEL: Plan = Plan::Pieces(0);
 
     #[inline]
     fn affine_within(self, tolerance: Tolerance) -> u32 {
@@ -525,7 +563,7 @@ mod tests {
         }
 
         let exact = |least| Exact.of_triangle(&triangle(least, 0, [28, 28]));
-        assert_eq!([DEEP - 1, DEEP].map(exact), [Plan::Anew, Plan::Divide]);
+        assert_eq!([DEEP - 1, DEEP].map(exact), [Plan::PerPixel, Plan::Divide]);
 
         let fast = |within, least, step, bits| {
             Fast::within(within).of_triangle(&triangle(least, step, bits))
@@ -551,7 +589,7 @@ mod tests {
     /// Newton and Fast draw a triangle affinely within a tolerance; the other modes never do.
     #[test]
     fn only_modes_with_a_tolerance_leave_out_divisions() {
-        fn within<M: Policy>(mode: M) -> [u32; 2] {
+        fn within<M: Mode>(mode: M) -> [u32; 2] {
             [Tolerance::Texels, Tolerance::Units(5)].map(|of| mode.affine_within(of))
         }
         assert_eq!(within(Newton), [TEXEL_TOLERANCE, 5]);

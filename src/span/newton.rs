@@ -1,8 +1,9 @@
 //! The reciprocal of 1/w at a pixel, from the reciprocals at the two pixels before it.
 
-use super::pixels::{CellsOf, Count, Pixels, Span, Target, rolled};
+use super::pixels::{Count, Pixels, Span, rolled};
 use super::scale::Scale;
 use super::shading::Shading;
+use crate::canvas::{Cells, DepthBuffer, Storage};
 use crate::num::reciprocal;
 use crate::num::wide::{Word, high, newton_step, product, seldom};
 use crate::shade::Lanes;
@@ -10,14 +11,14 @@ use crate::shade::Lanes;
 /// The number of bits of every attribute's scale in this kernel: p / q is an attribute with this many fraction bits.
 pub(super) const FRACTION: u32 = Scale::AFFINE.bits();
 
-impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
+impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
     /// Draws a span with one Newton step per pixel; the initial guess is on the line through the last two reciprocals.
     ///
     /// The span must meet two conditions: 1/w is from 2^29 to 2^31 at all pixels and changes by at most 2^-6 of itself
     /// per pixel, and all scales have [`FRACTION`] bits.
     #[inline(always)]
-    pub(super) fn newton(mut self, span: &Span<Count<S>>, mut cells: CellsOf<'_, T>) {
-        let span = span.anew();
+    pub(super) fn newton(mut self, span: &Span<Count<S>>, mut cells: Cells<'_, S::Color, O, D>) {
+        let span = span.reloaded();
         let Span { dq, dp, down, .. } = span;
         // q is from 2^29 to 2^31, and so is r = 2^60 / q; p is the attribute times q · 2^-28.
         let first = inverse(span.q.cast_signed());
@@ -59,11 +60,11 @@ pub(super) fn tangent<L: Lanes>(span: &mut Span<L>) {
     let (r, dq) = (inverse(q), span.dq);
     // The attributes p / q in the middle of the span, in units of 2^-30.
     let values = L::zip(&span.p, &span.dp, |p, gain| {
-        fine(p.wrapping_add(gain.wrapping_mul(middle)), r)
+        multiply_30(p.wrapping_add(gain.wrapping_mul(middle)), r)
     });
     // f' = (p' - f · q') / q, where a prime marks a change per pixel.
     span.dp = L::zip(&span.dp, &values, |gain, value| {
-        fine(gain.wrapping_sub(fine(*value, dq)), r)
+        multiply_30(gain.wrapping_sub(multiply_30(*value, dq)), r)
     });
     span.p = L::zip(&values, &span.dp, |value, gain| {
         value.wrapping_sub(gain.wrapping_mul(middle))
@@ -72,7 +73,7 @@ pub(super) fn tangent<L: Lanes>(span: &mut Span<L>) {
 
 /// a · b / 2^30, rounded to nearest.
 #[inline]
-fn fine(a: i32, b: i32) -> i32 {
+fn multiply_30(a: i32, b: i32) -> i32 {
     ((product(a, b) + (1 << 29)) >> 30) as i32
 }
 

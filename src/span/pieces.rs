@@ -1,12 +1,13 @@
 //! Straight pieces. At their ends, attributes are correct in perspective.
 
-use super::pixels::{CellsOf, Count, Numbers, Pixels, Scales, Span, Target, rolled};
+use super::pixels::{Count, Numbers, Pixels, Scales, Span, rolled};
 use super::shading::Shading;
+use crate::canvas::{Cells, DepthBuffer, Storage};
 use crate::num::short_reciprocal;
 use crate::num::wide::{product, times_17_bits};
 use crate::shade::Lanes;
 
-impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
+impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
     /// Draws a span in straight pieces of 2^`length` pixels, where `length` is 1 to 6.
     ///
     /// 1/w must be from 2^29 to 2^31 at all pixels. The reciprocals at the ends of pieces have 16 bits; two Newton
@@ -15,7 +16,7 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
     pub(super) fn pieces(
         mut self,
         span: &Span<Count<S>>,
-        mut cells: CellsOf<'_, T>,
+        mut cells: Cells<'_, S::Color, O, D>,
         scales: Scales<S>,
         length: u32,
     ) {

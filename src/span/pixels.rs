@@ -2,13 +2,12 @@
 
 use core::hint::black_box;
 use core::marker::PhantomData;
-use core::ops::Range;
 
 use embedded_graphics::geometry::Point;
 
 use super::scale::Scale;
 use super::shading::Shading;
-use crate::canvas::{Canvas, Cells, DepthBuffer, DepthTest, LinearDepth, Memory, Storage};
+use crate::canvas::{DepthBuffer, DepthTest, LinearDepth, Storage};
 use crate::num::wide::at_least;
 use crate::shade::{Fragment, Lanes, Varyings};
 
@@ -47,7 +46,7 @@ impl<L: Lanes> Span<L> {
     /// A loop over pixels takes all registers of a small core. Without this copy, the compiler keeps earlier values in
     /// some of these registers, and loads steps from the stack at every pixel.
     #[inline(always)]
-    pub(super) fn anew(&self) -> Self {
+    pub(super) fn reloaded(&self) -> Self {
         black_box(self).clone()
     }
 }
@@ -61,46 +60,8 @@ pub(super) fn rolled() {
     black_box(());
 }
 
-/// The canvas of a draw call.
-pub(crate) trait Target {
-    type Color;
-    type Storage: Storage<Self::Color>;
-    type Depth: DepthBuffer;
-
-    fn memory(&mut self) -> Memory<'_, Self::Color, Self::Storage, Self::Depth>;
-
-    /// The pixels of a row in `columns`. Row and columns must lie within the canvas.
-    #[inline(always)]
-    fn cells(&mut self, row: i32, columns: Range<i32>) -> Option<CellsOf<'_, Self>> {
-        let columns = columns.start.cast_unsigned()..columns.end.cast_unsigned();
-        self.memory().cells(row.cast_unsigned(), columns)
-    }
-}
-
-impl<C, O: Storage<C>, D: DepthBuffer> Target for Canvas<'_, C, O, D> {
-    type Color = C;
-    type Storage = O;
-    type Depth = D;
-
-    #[inline]
-    fn memory(&mut self) -> Memory<'_, C, O, D> {
-        self.memory()
-    }
-}
-
-/// Pixels of a canvas.
-pub(super) type CellsOf<'c, T> =
-    Cells<'c, <T as Target>::Color, <T as Target>::Storage, <T as Target>::Depth>;
-
-/// A pixel's color in memory.
-pub(super) type ColorOf<'c, T> =
-    &'c mut <<T as Target>::Storage as Storage<<T as Target>::Color>>::Cell;
-
-/// A pixel in memory: its color, and its depth if there is a depth buffer.
-pub(super) type CellOf<'c, T> = (ColorOf<'c, T>, Option<&'c mut u16>);
-
 /// Tests and shades the pixels of a span, one by one.
-pub(super) struct Pixels<S: Shading, T> {
+pub(super) struct Pixels<S: Shading, O, D> {
     pub(super) shading: S,
     pub(super) face: FaceOf<S>,
     pub(super) test: S::Test,
@@ -109,19 +70,19 @@ pub(super) struct Pixels<S: Shading, T> {
     /// The current pixel's depth, in linear steps (`depth`) and in the format of the depth buffer (`stored`).
     pub(super) depth: u32,
     pub(super) stored: u32,
-    pub(super) target: PhantomData<T>,
+    pub(super) canvas: PhantomData<(O, D)>,
 }
 
-impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
+impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
     /// Moves to the next pixel, where 1/w is `q`, and returns whether this pixel is visible.
     #[inline]
     pub(super) fn visible(&mut self, depth: &Option<&mut u16>, q: u32, down: u32) -> bool {
         self.point.x += 1;
         self.depth = LinearDepth::encode(q, down);
-        if !T::Depth::IS_KEPT {
+        if !D::IS_KEPT {
             return true;
         }
-        self.stored = self.test.biased::<T::Depth>(q, down);
+        self.stored = self.test.biased::<D>(q, down);
         !S::Test::TESTS
             || depth
                 .as_deref()
@@ -130,15 +91,19 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
 
     /// Shades the current pixel, after [`visible`](Self::visible) returned `true`.
     #[inline]
-    pub(super) fn shade(&self, (color, depth): CellOf<'_, T>, numbers: Numbers<S>) {
+    pub(super) fn shade(
+        &self,
+        (color, depth): (&mut O::Cell, Option<&mut u16>),
+        numbers: Numbers<S>,
+    ) {
         let at = Fragment {
             point: self.point,
             depth: self.depth as u16,
         };
         let varyings = S::Varyings::join(numbers, self.face);
-        let below = || T::Storage::load(*color);
+        let below = || O::load(*color);
         if let Some(new) = self.shading.color(&at, varyings, below) {
-            *color = T::Storage::store(new);
+            *color = O::store(new);
             if S::Test::WRITES
                 && let Some(depth) = depth
             {

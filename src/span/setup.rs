@@ -164,20 +164,20 @@ impl Setup {
         }
     }
 
-    /// Lays all interpolants through the vertices of a patch, and returns their plan: [`Plan::BySpan`] if attributes
+    /// Sets up all interpolants through the vertices of a patch, and returns their plan: [`Plan::BySpan`] if attributes
     /// must be divided.
     ///
     /// One copy of this code serves any number of attributes, because a copy for each number would be most of a small
     /// program.
     #[inline(never)]
-    pub(super) fn lay(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) -> Plan {
+    pub(super) fn set_up(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) -> Plan {
         let (q, exponent) = ScreenVertex::weights(patch.vertices);
         self.down = self.shift.of(exponent);
         let [first, second, third] = q;
         self.least = first.min(second).min(third);
         let change = first.max(second).max(third) - self.least;
         let mut basis = Basis::new(patch, self.is_paired);
-        basis.lay(signed(q), change, patch, &mut self.q);
+        basis.set_up(signed(q), change, patch, &mut self.q);
         let affine = if self.is_linear && !self.is_paired {
             None
         } else {
@@ -209,7 +209,7 @@ impl Setup {
             }
             _ => {
                 let is_affine = affine.is_some() && !self.is_linear;
-                self.lay_attributes(attributes, &mut basis, (q, is_affine), patch)
+                self.set_up_attributes(attributes, &mut basis, (q, is_affine), patch)
             }
         }
     }
@@ -228,9 +228,9 @@ impl Setup {
         Some(widest)
     }
 
-    /// Lays any attributes through the vertices of a patch.
+    /// Sets up any attributes through the vertices of a patch.
     #[inline(never)]
-    fn lay_attributes(
+    fn set_up_attributes(
         &mut self,
         attributes: &mut [Attribute],
         basis: &mut Basis,
@@ -258,7 +258,7 @@ impl Setup {
             };
             let [a, b, c] = values;
             let range = a.max(b).max(c).wrapping_sub(a.min(b).min(c));
-            basis.lay(
+            basis.set_up(
                 values,
                 range.cast_unsigned(),
                 patch,
@@ -276,21 +276,21 @@ impl Setup {
         }
     }
 
-    /// Lays wide planes through 1/w and all attributes: for a mode that uses only wide planes, or for
+    /// Sets up wide planes through 1/w and all attributes: for a mode that uses only wide planes, or for
     /// [`precise_q`](Self::precise_q) and `WidePlane::precise`.
     #[cold]
     #[inline(never)]
-    pub(super) fn lay_wide(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
+    pub(super) fn set_up_wide(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
         let (q, exponent) = ScreenVertex::weights(patch.vertices);
         self.down = self.shift.of(exponent);
         let mut basis = Basis::without_weights(patch);
         basis.start_wide(patch);
-        basis.lay_wide(signed(q), &mut self.q);
+        basis.set_up_wide(signed(q), &mut self.q);
         let weights = if self.is_linear { [ONE; 3] } else { q };
         for attribute in attributes {
             let mut values = attribute.at(patch);
             attribute.scale = weigh(&mut values, &weights, 1);
-            basis.lay_wide(values, &mut attribute.gradient);
+            basis.set_up_wide(values, &mut attribute.gradient);
         }
     }
 
@@ -330,7 +330,7 @@ mod tests {
             ..Attribute::UNSET
         }];
         let mut setup = Setup::new([false; 2], 28, DepthShift(47));
-        assert_eq!(setup.lay(&mut attributes, &patch), Plan::BySpan);
+        assert_eq!(setup.set_up(&mut attributes, &patch), Plan::BySpan);
         attributes[0].scale.bits()
     }
 

@@ -2,18 +2,19 @@
 
 use embedded_graphics::geometry::Point;
 
-use super::pixels::{CellsOf, ColorOf, Count, Numbers, Pixels, Scales, Span, Target, rolled};
+use super::pixels::{Count, Numbers, Pixels, Scales, Span, rolled};
 use super::shading::Shading;
+use crate::canvas::{Cells, DepthBuffer, Storage};
 use crate::num::wide::seldom;
 use crate::shade::Lanes;
 
-impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
+impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
     /// Draws a span; `restore` turns a pixel's 1/w and interpolants into attributes.
     #[inline(always)]
     pub(super) fn straight(
         mut self,
         span: Span<Count<S>>,
-        mut cells: CellsOf<'_, T>,
+        mut cells: Cells<'_, S::Color, O, D>,
         restore: impl Fn(Point, u32, &Numbers<S>) -> Numbers<S>,
     ) {
         let (mut q, mut p) = (span.q, span.p);
@@ -34,15 +35,20 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
     /// The same as [`straight`](Self::straight), for attributes that are fractions in units of 2^-30, each with its own
     /// scale. It is out of line because it is rarely needed.
     #[inline(never)]
-    pub(super) fn scaled(self, span: &Span<Count<S>>, cells: CellsOf<'_, T>, scales: Scales<S>) {
-        self.straight(span.anew(), cells, |_, _, p| {
+    pub(super) fn scaled(
+        self,
+        span: &Span<Count<S>>,
+        cells: Cells<'_, S::Color, O, D>,
+        scales: Scales<S>,
+    ) {
+        self.straight(span.reloaded(), cells, |_, _, p| {
             Count::<S>::zip(p, &scales, |p, scale| scale.restore(*p))
         });
     }
 
     /// Draws a span of pixels that differ only in their position. Depths are neither tested nor stored.
     #[inline]
-    pub(super) fn solid(&mut self, mut cells: CellsOf<'_, T>, numbers: Numbers<S>) {
+    pub(super) fn solid(&mut self, mut cells: Cells<'_, S::Color, O, D>, numbers: Numbers<S>) {
         // Unrolled by hand, because the compiler unrolls no loop when it optimizes for size. Blending takes too many
         // registers for an unrolled loop.
         while !S::READS_COLOR && cells.len() >= 8 {
@@ -61,7 +67,7 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
 
     /// Draws the first four pixels of a span, if it has four.
     #[inline(always)] // otherwise, each pixel computes the values that all four share
-    fn four(&mut self, cells: &mut CellsOf<'_, T>, numbers: Numbers<S>) {
+    fn four(&mut self, cells: &mut Cells<'_, S::Color, O, D>, numbers: Numbers<S>) {
         if let Some([a, b, c, d]) = cells.colors() {
             self.one(a, numbers);
             self.one(b, numbers);
@@ -71,7 +77,7 @@ impl<S: Shading<Color = T::Color>, T: Target> Pixels<S, T> {
     }
 
     #[inline(always)]
-    fn one(&mut self, color: ColorOf<'_, T>, numbers: Numbers<S>) {
+    fn one(&mut self, color: &mut O::Cell, numbers: Numbers<S>) {
         if self.visible(&None, 0, 0) {
             self.shade((color, None), numbers);
         }

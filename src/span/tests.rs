@@ -8,9 +8,9 @@ use std::vec::Vec;
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 
-use super::pixels::{CellsOf, Pixels, Span};
+use super::pixels::{Pixels, Span};
 use super::scale::Scale;
-use crate::canvas::{Canvas, LinearDepth, Native, NoTest, Replace, TestAndWrite};
+use crate::canvas::{Canvas, Cells, LinearDepth, Native, NoDepth, NoTest, Replace, TestAndWrite};
 use crate::mesh::Primitive;
 use crate::shade::{Flat, Fragment, Shader};
 
@@ -33,8 +33,7 @@ impl Shader for Note<'_> {
     }
 }
 
-type Screen<'a> = Canvas<'a, Gray8>;
-type Row<'a> = CellsOf<'a, Screen<'a>>;
+type Row<'a> = Cells<'a, Gray8, Native, NoDepth>;
 
 /// The first column of spans.
 const FIRST: u32 = 3;
@@ -42,7 +41,7 @@ const FIRST: u32 = 3;
 /// The numbers that the shader receives in a span of `count` pixels. Checks that no other pixel is drawn.
 fn numbers(
     count: u32,
-    draw: impl FnOnce(Row<'_>, Pixels<(Note<'_>, Replace, NoTest), Screen<'_>>),
+    draw: impl FnOnce(Row<'_>, Pixels<(Note<'_>, Replace, NoTest), Native, NoDepth>),
 ) -> Vec<i32> {
     let (mut colors, seen) = ([Gray8::BLACK; 70], RefCell::new(Vec::new()));
     let mut canvas = Canvas::new(&mut colors, 70, 1).unwrap();
@@ -54,7 +53,7 @@ fn numbers(
         point: Point::new(FIRST.cast_signed() - 1, 0),
         depth: 0,
         stored: 0,
-        target: PhantomData,
+        canvas: PhantomData,
     };
     draw(canvas.memory().cells(0, columns.clone()).unwrap(), pixels);
     for (column, color) in (0..).zip(colors) {
@@ -154,7 +153,7 @@ fn divided_spans_are_exact_quotients() {
     }
 }
 
-/// Tests `Plan::Anew`, which computes the interpolants of each pixel from the planes, not from the span. The error is
+/// Tests `Plan::PerPixel`, which computes the interpolants of each pixel from the planes, not from the span. The error is
 /// the same.
 #[test]
 fn spans_divided_anew_are_exact_quotients() {
@@ -171,7 +170,7 @@ fn spans_divided_anew_are_exact_quotients() {
             ..span
         };
         let found = numbers(count, |cells, pixels| {
-            pixels.divide_anew(&steps, cells, [Scale::AFFINE], at);
+            pixels.divide_per_pixel(&steps, cells, [Scale::AFFINE], at);
         });
         lacks(&found, exact, -0.26..1.26);
     }
@@ -219,14 +218,14 @@ fn the_later_of_two_pixels_at_one_depth_shows() {
     let canvas = Canvas::new(&mut colors, 8, 1).unwrap();
     let mut canvas = canvas.with_depth(&mut depths).unwrap();
     let mut draw = |ink: u8, columns: core::ops::Range<u32>, q: u32| {
-        let pixels: Pixels<_, Canvas<'_, Gray8, Native, LinearDepth>> = Pixels {
+        let pixels: Pixels<_, Native, LinearDepth> = Pixels {
             shading: (Flat::new(Gray8::new(ink)), Replace, TestAndWrite),
             face: (),
             test: TestAndWrite,
             point: Point::new(columns.start.cast_signed() - 1, 0),
             depth: 0,
             stored: 0,
-            target: PhantomData,
+            canvas: PhantomData,
         };
         let span: Span<[(); 0]> = Span {
             q,

@@ -492,7 +492,7 @@ impl<'r> Run<'r> {
             };
             if let Some([from, to]) = &self.ends(corners) {
                 let edge = (indices, beside);
-                draw.line(edge, is_clipped, |raster| line(raster, [from, to]));
+                draw.draw_thin(edge, is_clipped, |raster| line(raster, [from, to]));
             }
         }
         draw.drawn()
