@@ -1,7 +1,7 @@
 //! Accuracy against speed: measures the error of every interpolation mode, beside its cost on a microcontroller.
 //!
-//! `cargo run --release -p trade` draws the measured scenes, and sets of random and adversarial planes, in every mode. It
-//! compares each pixel with a model in f64 that gets the same snapped vertices, and writes to target/trade/:
+//! `cargo run --release -p trade` draws the measured scenes, and sets of random and adversarial planes, in every mode.
+//! It compares each pixel with a model in f64 that gets the same snapped vertices, and writes to target/trade/:
 //!
 //! | file | contents |
 //! |---|---|

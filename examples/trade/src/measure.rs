@@ -83,13 +83,11 @@ impl Scene {
                         .map_err(|error| format!("{}: {error}", self.name))?,
                 ),
             };
-            let is_same =
-                drawn.seen.len() == model.len()
-                    && drawn.seen.iter().zip(&*model).all(|(seen, wanted)| {
-                        (seen.face, seen.pixel) == (wanted.face, wanted.pixel)
-                    });
-            if !is_same {
-                return Err(format!("{}: the crate draws other pixels", self.name).into());
+            let drawn_pixels = drawn.seen.iter().map(|seen| (seen.face, seen.pixel));
+            if !drawn_pixels.eq(model.iter().map(|wanted| (wanted.face, wanted.pixel))) {
+                return Err(
+                    format!("{}: the crate draws other pixels than the model", self.name).into(),
+                );
             }
             for (seen, wanted) in drawn.seen.iter().zip(model) {
                 let [column, row] = [0, 1]
@@ -122,10 +120,9 @@ fn drawn(mesh: &Mesh<'_>, mvp: &Mvp<Perspective>, mode: Mode) -> Result<Record<2
     let mut record = record(probe, |recorder| {
         mode.draw(&mut canvas, &DrawOptions::new(), mesh, mvp, recorder);
     });
-    let key = |face: usize, [x, y]: [i32; 2]| (face, y, x);
     record
         .seen
-        .sort_unstable_by_key(|seen| key(seen.face, seen.pixel));
+        .sort_unstable_by_key(|seen| (seen.face, seen.pixel[1], seen.pixel[0]));
     Ok(record)
 }
 

@@ -39,7 +39,7 @@ fn pixels(file: &Path) -> Vec<[u8; 3]> {
 /// The bound of the error of the modes that are exact in perspective, in texels.
 fn promised(scene: &str) -> f64 {
     if scene == "planes-deep" {
-        // At 1 : 1000, the farthest 1/w has 2^30 / 1000 units, with an error of up to 56.5 (tests/accuracy/bounds.rs).
+        // At 1 : 1000, the farthest 1/w has 2^30 / 1000 units, with an error of up to 56.5 (tests/support/bounds.rs).
         // Attributes of corners are below 2^24 and shifted by 26 bits, in units of 2^-16 texel.
         56.5 * 1000. / 2_f64.powi(30) * 2_f64.powi(26 - 16)
     } else {
