@@ -1,73 +1,83 @@
-//! Speed against accuracy: measures every interpolation mode.
+//! Accuracy against speed: measures the error of every interpolation mode, beside its cost on a microcontroller.
 //!
-//! `cargo run --release -p trade` draws the four measured scenes, and sets of random and adversarial planes, in every
-//! mode. The program compares each pixel with a model in f64 that gets the same snapped vertices, and measures the time
-//! of the draw calls. The program writes to target/trade/:
-//! | file | what |
+//! `cargo run --release -p trade` draws the measured scenes, and sets of random and adversarial planes, in every mode.
+//! It compares each pixel with a model in f64 that gets the same snapped vertices, and writes to target/trade/:
+//!
+//! | file | contents |
 //! |---|---|
-//! | trade.csv, trade.md | a row for each scene, mode and target: cost, texel error, PSNR, code |
-//! | trade.png, trade.svg | texel error against cost |
-//! | sweeps.csv, sweep-….png, sweep-….svg | error and cost against depth ratio, slope of 1/w, size of the texture, resolution |
-//!
-//! The cost on a Cortex-M comes from the output of the program `firmware`:
-//!
-//! ```sh
-//! cargo run --profile speed -p firmware --target thumbv7em-none-eabi > target/thumbv7em
-//! .ci/sizes --modes > target/sizes
-//! cargo run --release -p trade -- --firmware target/thumbv7em --sizes thumbv7em=target/sizes
-//! ```
-//!
-//! The size of the code is the size of the smallest firmware that draws textured triangles with a depth buffer in the
-//! mode, minus the size of a firmware that draws nothing, at opt-level "s". Instructions are counted at opt-level 3.
-//!
-//! With `--summary`, the program measures nothing. It draws the figures that the project keeps as one picture, for
-//! README.
+//! | trade.csv, trade.md | a row for each scene and mode: texel errors, and instructions on Cortex-M |
+//! | trade.png | the errors and costs of the floor and the cube, and what the floor looks like: README's picture |
 //!
 //! A texel error is the larger of the errors of column and row, on a texture of 256x256, whatever the scene's shader
-//! is. PSNR compares the RGB565 picture with the model's picture at the pixels that the scene covers. The background
-//! would only raise the PSNR.
+//! is. The instructions are from tests/instructions.csv: `.ci/firmware --renew` counts them.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg(not(target_os = "none"))]
 // f64 holds every integer used here exactly, and no pixel lies left of or above the picture.
 #![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]
 
-mod args;
-mod case;
-mod firmware;
 mod measure;
-mod measured;
-mod modes;
+mod picture;
 mod planes;
-mod plot;
-mod record;
-mod run;
+mod poses;
 #[allow(dead_code)] // what programs that draw these scenes need
 #[path = "../../common/scenes.rs"]
 mod scenes;
-mod spread;
-mod surface;
-mod sweep;
 mod table;
-mod texture;
-mod time;
-mod truth;
 
 use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Parser;
 
-use args::Args;
+use table::Table;
 
 /// An error message for the user.
 type Result<T, E = Box<dyn Error>> = std::result::Result<T, E>;
 
+/// Measures the error of every interpolation mode against a model in f64, and shows it beside the mode's cost on a
+/// Cortex-M. Writes trade.csv, trade.md and trade.png to target/trade/.
+#[derive(Debug, Parser)]
+#[command(name = "trade", version, max_term_width = 100)]
+struct Args {
+    /// Fewer planes: 20 in each set instead of 400.
+    #[arg(long)]
+    quick: bool,
+
+    /// Only draw the picture, and measure only what it shows.
+    #[arg(long, value_name = "PNG")]
+    picture: Option<PathBuf>,
+}
+
 fn main() -> ExitCode {
-    match run::run(&Args::parse()) {
+    match run(&Args::parse()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");
             ExitCode::FAILURE
         }
     }
+}
+
+fn run(args: &Args) -> Result<()> {
+    let mut table = Table::new()?;
+    table.add(&poses::floor()?);
+    table.add(&poses::cube()?);
+    if let Some(path) = &args.picture {
+        return picture::save(path, &table.rows);
+    }
+    table.add(&poses::sphere()?);
+    table.add(&planes::wall()?);
+    for scene in planes::sets(if args.quick { 20 } else { 400 }) {
+        table.add(&scene?);
+    }
+
+    let folder = Path::new("target/trade");
+    fs::create_dir_all(folder)?;
+    fs::write(folder.join("trade.csv"), table.csv())?;
+    fs::write(folder.join("trade.md"), table.markdown())?;
+    picture::save(&folder.join("trade.png"), &table.rows)?;
+    println!("{}\nsaved in {}", table.markdown(), folder.display());
+    Ok(())
 }

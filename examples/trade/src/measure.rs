@@ -1,192 +1,179 @@
-//! Measures the errors of a case in a mode: in texels, and as a picture.
+//! The errors of a scene in each mode, compared with the f64 model.
 
-use std::cell::RefCell;
-
-use crc32fast::Hasher;
-use embedded_graphics::pixelcolor::raw::ToBytes;
-use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use fixel::canvas::DepthBuffer;
-use fixel::mode::Mode;
+use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
+use fixel::shade::Texels;
+use fixel::view::Perspective;
 
 use super::Result;
-use super::case::{Case, Shot};
-use super::record::{Recorder, Seen};
-use super::spread::Spread;
-use super::surface::{Job, Target};
-use super::time::Times;
-use super::truth::{Expected, Truth, order};
+use support::mode::Mode;
+use support::moves::exact;
+use support::recorder::{Probe, Record, record};
+use support::reference::coverage::{Bounds, covered_in};
+use support::reference::raster::{self, pieces};
+use support::reference::scenes::SIZE;
+use support::reference::view::View;
 
-/// The measurements of one case in one mode.
-#[derive(Clone, Debug)]
-pub struct Figures {
-    pub mode: &'static str,
-    /// The number of pixels drawn, in all drawings.
-    pub pixels: usize,
-    /// The number of drawings.
-    pub frames: usize,
-    /// The texel errors; `None` if no attribute is interpolated.
-    pub error: Option<Spread>,
-    /// The PSNR of the covered pixels in dB. The PSNR is infinite if all these pixels are equal to the model's pixels.
-    pub psnr: f64,
-    /// The time of each drawing.
-    pub times: Times,
-    /// The CRC-32 of the first picture's pixels, row by row. The more significant byte comes first.
-    pub crc: u32,
+/// The modes, with their names in tables and in tests/instructions.csv. To measure another mode, add a line.
+pub const MODES: [(&str, Mode); 4] = [
+    ("exact", Mode::Exact),
+    ("newton", Mode::Newton),
+    ("fast", Mode::Fast(fx!(0.25))),
+    ("affine", Mode::Affine),
+];
+
+/// Fraction bits of a texel's column and row. With them, no bit of u and v is lost on a texture of 256x256.
+const FRACTION: u32 = 16;
+const TEXELS_LOG2: u32 = 8;
+
+/// A set of drawings, and the errors of all their pixels in each of the [`MODES`].
+pub struct Scene {
+    pub name: &'static str,
+    pub errors: [Errors; MODES.len()],
 }
 
-impl Figures {
-    pub fn ns_per_pixel(&self) -> f64 {
-        self.times.ns() / self.pixels as f64
-    }
-}
-
-/// A case, and the exact picture of each drawing in it.
-pub struct Subject<'a> {
-    case: &'a Case,
-    truths: Vec<Truth>,
-}
-
-impl<'a> Subject<'a> {
-    pub fn new(case: &'a Case) -> Result<Self> {
-        let truths = case.shots.iter().map(|shot| Truth::of(case, shot));
-        let truths = truths.collect::<Result<_>>()?;
-        Ok(Self { case, truths })
-    }
-
-    fn shots(&self) -> impl Iterator<Item = (&Shot, &Truth)> {
-        self.case.shots.iter().zip(&self.truths)
-    }
-
-    /// Measures everything about the case in a mode, except the time.
-    pub fn measure<I: Mode>(&self, name: &'static str, mode: I) -> Result<Figures> {
-        let options = DrawOptions::new().with_mode(mode);
-        let error = if self.case.interpolates {
-            Some(self.errors(&options)?)
-        } else {
-            None
-        };
-        let mut figures = Figures {
-            mode: name,
-            pixels: self.truths.iter().map(|truth| truth.pixels.len()).sum(),
-            frames: self.truths.len(),
-            error,
-            psnr: 0.,
-            times: Times::default(),
-            crc: 0,
-        };
-        let drawing = Drawing {
-            subject: self,
-            options: &options,
-            figures: &mut figures,
-        };
-        self.case.surface.give(self.case.size, drawing)?;
-        Ok(figures)
-    }
-
-    /// The texel errors at every pixel of every triangle.
-    fn errors<I: Mode>(&self, options: &DrawOptions<I>) -> Result<Spread> {
-        let Case {
-            name,
-            size: (width, height),
-            texels_log2,
-            ..
-        } = *self.case;
-        let mut colors = vec![Rgb565::default(); width as usize * height as usize];
-        let mut canvas = Canvas::new(&mut colors, width, height)?;
-        let texels = f64::from(1 << texels_log2);
-        let mut errors = Vec::new();
-        for (shot, truth) in self.shots() {
-            let seen = RefCell::new(Vec::with_capacity(truth.pixels.len()));
-            let recorder = Recorder {
-                seen: &seen,
-                texels_log2,
-            };
-            canvas.draw_with(options, &shot.mesh()?, &shot.mvp, &recorder);
-            let mut seen = seen.into_inner();
-            seen.sort_unstable_by_key(|seen| order(seen.face, seen.pixel));
-            let places = |(seen, wanted): (&Seen, &Expected)| {
-                (seen.face, seen.pixel) == (wanted.face, wanted.pixel)
-            };
-            if seen.len() != truth.pixels.len() || !seen.iter().zip(&truth.pixels).all(places) {
-                return Err(format!("{name}: the crate draws other pixels than the model").into());
-            }
-            errors.extend(seen.iter().zip(&truth.pixels).map(|(seen, wanted)| {
-                let off = |axis: usize| {
-                    (f64::from(seen.texel[axis]) / 65536. - wanted.uv[axis] * texels).abs()
-                };
-                off(0).max(off(1))
-            }));
-        }
-        Spread::of(errors)
-    }
-}
-
-/// A subject that is drawn in a mode, to compare its pictures.
-struct Drawing<'a, I> {
-    subject: &'a Subject<'a>,
-    options: &'a DrawOptions<I>,
-    figures: &'a mut Figures,
-}
-
-impl<I: Mode> Job for Drawing<'_, I> {
-    fn run<D: DepthBuffer, F: ShaderFor<Rgb565>>(
-        self,
-        canvas: &mut Target<'_, D>,
-        shader: &F,
-    ) -> Result<()> {
-        let Self {
-            subject,
-            options,
-            figures,
-        } = self;
-        let mut error = SquareError::default();
-        for (i, (shot, truth)) in subject.shots().enumerate() {
-            canvas.clear(Rgb565::BLACK);
-            canvas.draw_with(options, &shot.mesh()?, &shot.mvp, shader);
-            error.add(canvas.pixels(), &truth.picture);
-            if i == 0 {
-                figures.crc = crc(canvas.pixels());
-            }
-        }
-        figures.psnr = error.psnr();
-        Ok(())
-    }
-}
-
-/// The sum of the squared differences between pictures.
-#[derive(Default)]
-struct SquareError {
+/// Statistics of texel errors.
+#[derive(Clone, Copy, Default)]
+pub struct Errors {
+    pub max: f64,
     sum: f64,
     count: usize,
 }
 
-impl SquareError {
-    /// Adds the pixels that should be drawn. The difference of a channel is relative to the channel's range.
-    fn add(&mut self, drawn: impl Iterator<Item = Rgb565>, wanted: &[Option<Rgb565>]) {
-        let channels = |color: Rgb565| {
-            [(color.r(), 31.), (color.g(), 63.), (color.b(), 31.)]
-                .map(|(c, most)| f64::from(c) / most)
-        };
-        for (drawn, wanted) in drawn.zip(wanted) {
-            let Some(wanted) = wanted else { continue };
-            for (a, b) in channels(drawn).into_iter().zip(channels(*wanted)) {
-                self.sum += (a - b) * (a - b);
-                self.count += 1;
-            }
-        }
+impl Errors {
+    fn add(&mut self, error: f64) {
+        self.max = self.max.max(error);
+        self.sum += error;
+        self.count += 1;
     }
 
-    fn psnr(&self) -> f64 {
-        10. * (self.count as f64 / self.sum).log10()
+    pub fn mean(&self) -> f64 {
+        self.sum / self.count as f64
     }
 }
 
-/// Computes the checksum in the same way as the firmware does.
-fn crc(pixels: impl Iterator<Item = Rgb565>) -> u32 {
-    let mut crc = Hasher::new();
-    for pixel in pixels {
-        crc.update(&pixel.to_be_bytes());
+/// The exact column and row of the texture at a pixel of a triangle.
+struct Expected {
+    face: usize,
+    pixel: [i32; 2],
+    texel: [f64; 2],
+}
+
+impl Scene {
+    pub fn new(name: &'static str) -> Self {
+        Self {
+            name,
+            errors: Default::default(),
+        }
     }
-    crc.finalize()
+
+    /// Draws a mesh in each mode, and adds the errors at every pixel of every triangle, including hidden pixels.
+    ///
+    /// # Errors
+    ///
+    /// The crate clips the mesh, or draws other pixels than the model.
+    pub fn add(&mut self, mesh: &Mesh<'_>, mvp: &Mvp<Perspective>, view: &View) -> Result<()> {
+        let mut model = None;
+        for ((_, mode), errors) in MODES.into_iter().zip(&mut self.errors) {
+            let drawn = drawn(mesh, mvp, mode)?;
+            let model = match &mut model {
+                Some(model) => model,
+                none => none.insert(
+                    expected(mesh, mvp, view, &drawn)
+                        .map_err(|error| format!("{}: {error}", self.name))?,
+                ),
+            };
+            let drawn_pixels = drawn.seen.iter().map(|seen| (seen.face, seen.pixel));
+            if !drawn_pixels.eq(model.iter().map(|wanted| (wanted.face, wanted.pixel))) {
+                return Err(
+                    format!("{}: the crate draws other pixels than the model", self.name).into(),
+                );
+            }
+            for (seen, wanted) in drawn.seen.iter().zip(model) {
+                let [column, row] = [0, 1]
+                    .map(|axis: usize| (in_texels(seen.values[axis]) - wanted.texel[axis]).abs());
+                errors.add(column.max(row));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn in_texels(bits: i32) -> f64 {
+    f64::from(bits) / f64::from(1 << FRACTION)
+}
+
+/// A canvas's memory.
+fn blank() -> Vec<Gray8> {
+    vec![Gray8::new(0); SIZE.0 as usize * SIZE.1 as usize]
+}
+
+/// Draws a mesh, and records the texel at every pixel of every triangle, sorted by face, row and column.
+fn drawn(mesh: &Mesh<'_>, mvp: &Mvp<Perspective>, mode: Mode) -> Result<Record<2>> {
+    const UP: u32 = TEXELS_LOG2 + FRACTION - TexCoord::FRAC_BITS;
+    let mut pixels = blank();
+    let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1)?;
+    let probe = Probe {
+        values: &|corner| Texels(corner.uv().to_bits().map(|bits| bits << UP)),
+        color: None::<Gray8>,
+    };
+    let mut record = record(probe, |recorder| {
+        mode.draw(&mut canvas, &DrawOptions::new(), mesh, mvp, recorder);
+    });
+    record
+        .seen
+        .sort_unstable_by_key(|seen| (seen.face, seen.pixel[1], seen.pixel[0]));
+    Ok(record)
+}
+
+/// The exact texels at every pixel of the triangles that were drawn, sorted by face, row and column. The model gets the
+/// crate's texture coordinates and snapped corners.
+fn expected(
+    mesh: &Mesh<'_>,
+    mvp: &Mvp<Perspective>,
+    view: &View,
+    drawn: &Record<2>,
+) -> Result<Vec<Expected>> {
+    let mut pixels = blank();
+    let canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1)?;
+    let places: Vec<_> = mesh
+        .positions()
+        .iter()
+        .map(|point| {
+            let place = canvas.project(&DrawOptions::new(), mvp, point)?;
+            Some([place.x.to_bits(), place.y.to_bits()])
+        })
+        .collect();
+
+    let positions: Vec<_> = mesh.positions().iter().map(exact).collect();
+    let (faces, attributes): (Vec<_>, Vec<_>) = drawn
+        .corners
+        .iter()
+        .map(|(face, corners)| {
+            let texels = corners.map(|corner| corner.map(in_texels));
+            (mesh.faces()[*face].map(usize::from), texels)
+        })
+        .unzip();
+    let model = raster::Mesh {
+        positions: &positions,
+        faces: &faces,
+        attributes: &attributes,
+    };
+    let mut expected = Vec::with_capacity(drawn.seen.len());
+    for piece in pieces(&model, view) {
+        let corners = piece.sources.map(|source| places[source?]);
+        let [Some(a), Some(b), Some(c)] = corners else {
+            return Err("a triangle is clipped".into());
+        };
+        let (face, piece) = (drawn.corners[piece.face].0, piece.snapped_to([a, b, c]));
+        for pixel in covered_in([a, b, c], Bounds::new(SIZE.0, SIZE.1)) {
+            let value = piece.at(pixel).ok_or("a triangle has no area")?;
+            expected.push(Expected {
+                face,
+                pixel,
+                texel: value.attributes,
+            });
+        }
+    }
+    Ok(expected)
 }

@@ -1,4 +1,4 @@
-//! Random and adversarial planes. Each set of textured triangles is difficult for a mode in a different way.
+//! A wall, and random and adversarial planes. Each set of triangles is difficult for a mode in a different way.
 //!
 //! | set | triangles |
 //! |---|---|
@@ -10,51 +10,88 @@
 //! A generator with a fixed seed makes the triangles, so every run has the same triangles. A run with fewer triangles
 //! uses the first triangles of each set.
 
+use fixel::prelude::*;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::Result;
-use super::case::{Case, Corner, FocalProjection, Shot, Triangles};
-use super::surface::{Side, Surface};
+use super::measure::Scene;
+use support::moves::rounded;
 use support::reference::coverage::area2_f64;
+use support::reference::linear::IDENTITY;
+use support::reference::projection::focal;
+use support::reference::scenes::SIZE;
+use support::reference::view::{View, Viewport};
 
-const PROJECTION: FocalProjection = FocalProjection {
-    focal: 200.,
-    size: (320, 240),
-    near: 0.125,
-    far: 8000.,
-};
+/// A corner as it must appear: its position on the screen in pixels, its distance, and its u and v.
+#[derive(Clone, Copy, Debug)]
+struct Corner {
+    at: [f64; 2],
+    w: f64,
+    uv: [f64; 2],
+}
 
 /// A function that makes a triangle of a set.
 type Plane = fn(&mut Dice) -> [Corner; 3];
 
-/// The sets, with `count` triangles each.
-pub fn cases(count: u32) -> Result<Vec<Case>> {
+/// The wall of the guide's page of modes: it fills the picture, and its right end is twice as far away as its left end.
+pub fn wall() -> Result<Scene> {
+    let corner = |u: f64, v: f64| Corner {
+        at: [u * 320., v * 240.],
+        w: 1. + u,
+        uv: [u, v],
+    };
+    let [a, b, c, d] = [
+        corner(0., 0.),
+        corner(0., 1.),
+        corner(1., 1.),
+        corner(1., 0.),
+    ];
+    let mut scene = Scene::new("wall");
+    add(&mut scene, [a, b, c])?;
+    add(&mut scene, [a, c, d])?;
+    Ok(scene)
+}
+
+/// Measures the sets, with `count` triangles each.
+pub fn sets(count: u32) -> impl Iterator<Item = Result<Scene>> {
     let sets: [(&str, Plane); 4] = [
         ("planes-tilted", tilted),
         ("planes-grazing", grazing),
         ("planes-slivers", sliver),
         ("planes-deep", deep),
     ];
-    let mut cases = Vec::new();
-    for (name, plane) in sets {
+    sets.into_iter().map(move |(name, plane)| {
+        let mut scene = Scene::new(name);
         let mut dice = Dice(ChaCha8Rng::seed_from_u64(4));
-        let mut shots = Vec::new();
         for _ in 0..count {
-            let mut triangles = Triangles::default();
-            triangles.add(PROJECTION, &plane(&mut dice))?;
-            shots.push(Shot::of_triangles(triangles, PROJECTION)?);
+            add(&mut scene, plane(&mut dice))?;
         }
-        cases.push(Case {
-            name,
-            size: PROJECTION.size,
-            surface: Surface::Texture(Side::T64),
-            texels_log2: 8,
-            interpolates: true,
-            shots,
-        });
-    }
-    Ok(cases)
+        Ok(scene)
+    })
+}
+
+/// The point of eye space at a position on the screen and a distance `w`.
+fn point([x, y]: [f64; 2], w: f64) -> [f64; 3] {
+    [(x - 160.) * w / 200., (120. - y) * w / 200., -w]
+}
+
+/// Adds a triangle to a scene, rounded to the crate's numbers.
+fn add(scene: &mut Scene, corners: [Corner; 3]) -> Result<()> {
+    let positions = corners.map(|corner| rounded(point(corner.at, corner.w)));
+    let uv = |value| TexCoord::try_from(value).expect("u and v are from 0 to 1");
+    let uvs = corners.map(|corner| {
+        let [u, v] = corner.uv.map(uv);
+        Vec2::new(u, v)
+    });
+    let mesh = Mesh::new(&positions, &[[0, 1, 2]])?.with_uvs(&uvs, None)?;
+    let projection = Projection::from_focal_length(fx!(200), SIZE, fx!(0.125), fx!(8000))?;
+    let view = View {
+        eye: IDENTITY,
+        projection: focal(200., SIZE, 0.125, 8000.),
+        viewport: Viewport::new(SIZE.0, SIZE.1),
+    };
+    scene.add(&mesh, &projection.into(), &view)
 }
 
 struct Dice(ChaCha8Rng);
@@ -113,7 +150,7 @@ fn tilted(dice: &mut Dice) -> [Corner; 3] {
         }
         // The ray through (x, y, −1) meets the plane where 1/w = (cos tilt − sin tilt · (x, y) · way) / distance.
         let q = at.map(|at| {
-            let [x, y, _] = PROJECTION.point(at, 1.);
+            let [x, y, _] = point(at, 1.);
             tilt_cos - tilt_sin * (cos * x + sin * y)
         });
         let (near, far) = (

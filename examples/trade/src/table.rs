@@ -1,157 +1,114 @@
 //! The results as rows: as CSV for programs, and as Markdown for people.
 
+use std::collections::HashMap;
 use std::fmt::Write;
-use std::path::Path;
+use std::fs;
 
 use super::Result;
-use super::spread::Spread;
+use super::measure::{MODES, Scene};
 
-/// The name of the computer on which this program runs, as a target.
-pub const HOST: &str = "host";
+const COUNTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/instructions.csv");
+/// The targets of the costs.
+const TARGETS: [&str; 2] = ["thumbv7em-none-eabi", "thumbv6m-none-eabi"];
 
-/// A row: a scene in a mode on a target, and its figures.
-#[derive(Clone, Debug)]
+/// A scene in a mode.
 pub struct Row {
     pub scene: &'static str,
     pub mode: &'static str,
-    pub target: String,
-    /// The cost of a frame: in nanoseconds on the host, in instructions on other targets.
-    pub per_frame: f64,
-    pub per_pixel: f64,
-    pub error: Option<Spread>,
-    pub psnr: f64,
-    /// The number of bytes of code that is optimized for size.
-    pub code: Option<u64>,
+    /// The largest error, in texels.
+    pub max: f64,
+    mean: f64,
+    /// Instructions of a frame on each of the [`TARGETS`]; `None` if the scene is not drawn there.
+    costs: [Option<f64>; 2],
 }
 
 impl Row {
-    pub fn unit(&self) -> &'static str {
-        unit(&self.target)
+    /// Millions of instructions of a frame on a Cortex-M4.
+    pub fn cost(&self) -> Result<f64> {
+        let Self { scene, mode, .. } = self;
+        let count = self.costs[0].ok_or_else(|| format!("{COUNTS} lacks {scene} in {mode}"))?;
+        Ok(count / 1e6)
     }
 }
 
-/// Returns the unit of the cost on a target.
-pub fn unit(target: &str) -> &'static str {
-    if target == HOST { "ns" } else { "instructions" }
+/// All rows, and the counts of instructions that the project keeps.
+pub struct Table {
+    pub rows: Vec<Row>,
+    /// The number in the last column of tests/instructions.csv, by the text of the columns before it.
+    counts: HashMap<String, f64>,
 }
 
-/// Writes all rows, with a column for each figure. Missing figures are empty.
-pub fn write_csv(path: &Path, rows: &[Row]) -> Result<()> {
-    let mut out = csv::Writer::from_path(path)?;
-    out.write_record([
-        "scene",
-        "mode",
-        "target",
-        "unit",
-        "cost_per_frame",
-        "cost_per_pixel",
-        "texel_error_max",
-        "texel_error_p99",
-        "texel_error_mean",
-        "psnr_db",
-        "code_bytes",
-    ])?;
-    for row in rows {
-        let error = |figure: fn(&Spread) -> f64| {
-            row.error.as_ref().map(figure).map_or(String::new(), number)
+impl Table {
+    pub fn new() -> Result<Self> {
+        let text = fs::read_to_string(COUNTS).map_err(|error| format!("{COUNTS}: {error}"))?;
+        let count = |line: &str| {
+            let (names, count) = line.rsplit_once(',')?;
+            Some((names.to_owned(), count.parse().ok()?))
         };
-        out.write_record([
-            row.scene.to_owned(),
-            row.mode.to_owned(),
-            row.target.clone(),
-            row.unit().to_owned(),
-            format!("{:.0}", row.per_frame),
-            format!("{:.3}", row.per_pixel),
-            error(|error| error.max),
-            error(|error| error.p99),
-            error(|error| error.mean),
-            format!("{:.2}", row.psnr),
-            row.code.map_or(String::new(), |code| code.to_string()),
-        ])?;
+        Ok(Self {
+            rows: Vec::new(),
+            counts: text.lines().filter_map(count).collect(),
+        })
     }
-    Ok(out.flush()?)
-}
 
-/// Formats a number with four significant digits, without an exponent.
-pub fn number(value: f64) -> String {
-    if value == 0. {
-        return "0".into();
-    }
-    let digits = 3 - value.abs().log10().floor() as i32;
-    format!("{value:.*}", digits.clamp(0, 12) as usize)
-}
-
-/// A table with a row for each scene and mode, and a column with the cost on each target.
-pub fn markdown(rows: &[Row]) -> String {
-    let mut targets: Vec<&str> = rows.iter().map(|row| row.target.as_str()).collect();
-    let mut seen = std::collections::HashSet::new();
-    targets.retain(|target| seen.insert(*target));
-
-    let has_code = |target: &str| {
-        rows.iter()
-            .any(|row| row.target == target && row.code.is_some())
-    };
-
-    let mut head = String::from("| scene | mode | texel error: max | 99 % | mean | PSNR, dB |");
-    let mut rule = String::from("|---|---|---:|---:|---:|---:|");
-    for &target in &targets {
-        if target == HOST {
-            head += " host: ns per pixel |";
-            rule += "---:|";
-        } else {
-            // Writing to a string cannot fail.
-            let _ = write!(
-                head,
-                " {target}: million instructions a frame | per pixel |"
-            );
-            rule += "---:|---:|";
-        }
-        if has_code(target) {
-            let _ = write!(head, " {target}: bytes of code, for size |");
-            rule += "---:|";
-        }
-    }
-    let mut text = format!("{head}\n{rule}\n");
-    for row in rows.iter().filter(|row| row.target == HOST) {
-        let error =
-            |figure: fn(&Spread) -> f64| row.error.as_ref().map(figure).map_or("–".into(), short);
-        let _ = write!(
-            text,
-            "| {} | {} | {} | {} | {} | {} |",
-            row.scene,
-            row.mode,
-            error(|error| error.max),
-            error(|error| error.p99),
-            error(|error| error.mean),
-            if row.psnr.is_finite() {
-                format!("{:.1}", row.psnr)
-            } else {
-                "all alike".into()
-            },
-        );
-        for &target in &targets {
-            let here = rows.iter().find(|other| {
-                (other.scene, other.mode, other.target.as_str()) == (row.scene, row.mode, target)
+    /// Adds a row for each mode.
+    pub fn add(&mut self, scene: &Scene) {
+        for ((mode, _), errors) in MODES.into_iter().zip(&scene.errors) {
+            let name = scene.name;
+            let costs = TARGETS.map(|target| {
+                let key = format!("{target},3,{mode},{name},mean-of-poses");
+                self.counts.get(&key).copied()
             });
-            let cell = |text: Option<String>| format!(" {} |", text.unwrap_or_else(|| "–".into()));
-            if target != HOST {
-                text += &cell(here.map(|row| format!("{:.2}", row.per_frame / 1e6)));
-            }
-            text += &cell(here.map(|row| format!("{:.1}", row.per_pixel)));
-            if has_code(target) {
-                text += &cell(here.and_then(|row| row.code).map(|code| code.to_string()));
-            }
+            self.rows.push(Row {
+                scene: name,
+                mode,
+                max: errors.max,
+                mean: errors.mean(),
+                costs,
+            });
         }
-        text.push('\n');
     }
-    text
+
+    /// Missing figures are empty.
+    pub fn csv(&self) -> String {
+        let [m4, m0] = TARGETS;
+        let mut text = format!("scene,mode,texel_error_max,texel_error_mean,{m4},{m0}\n");
+        for row in &self.rows {
+            let [max, mean] = [row.max, row.mean].map(|error| digits(error, 4));
+            let [m4, m0] = row
+                .costs
+                .map(|cost| cost.map_or(String::new(), |count| count.to_string()));
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "{},{},{max},{mean},{m4},{m0}", row.scene, row.mode);
+        }
+        text
+    }
+
+    pub fn markdown(&self) -> String {
+        let mut text = String::from(
+            "| scene | mode | texel error: max | mean | Cortex-M4: million instructions a frame | Cortex-M0+ |\n\
+             |---|---|---:|---:|---:|---:|\n",
+        );
+        for row in &self.rows {
+            let [max, mean] = [row.max, row.mean].map(|error| digits(error, 2));
+            let [m4, m0] = row
+                .costs
+                .map(|cost| cost.map_or("–".into(), |count| format!("{:.2}", count / 1e6)));
+            let _ = writeln!(
+                text,
+                "| {} | {} | {max} | {mean} | {m4} | {m0} |",
+                row.scene, row.mode
+            );
+        }
+        text
+    }
 }
 
-/// Formats a number with two significant digits.
-fn short(value: f64) -> String {
+/// Formats a number with this many significant digits, or with all digits of a larger integer, without an exponent.
+pub fn digits(value: f64, significant: i32) -> String {
     if value == 0. {
         return "0".into();
     }
-    let digits = 1 - value.abs().log10().floor() as i32;
-    format!("{value:.*}", digits.clamp(0, 12) as usize)
+    let places = significant - 1 - value.abs().log10().floor() as i32;
+    format!("{value:.*}", places.clamp(0, 12) as usize)
 }
