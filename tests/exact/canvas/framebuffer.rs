@@ -1,7 +1,6 @@
 //! The canvas, as a target of embedded-graphics, shows the same picture as embedded-graphics' own framebuffer.
 
 use std::cell::Cell;
-use std::convert::Infallible;
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::framebuffer::{Framebuffer, buffer_size};
@@ -18,7 +17,7 @@ use fixel::prelude::*;
 use rand::Rng;
 
 use super::pictures::{self, HEIGHT, WIDTH};
-use support::random::{Random, cases, sampled};
+use support::random::{cases, sampled};
 
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 
@@ -36,44 +35,39 @@ type Theirs<O> = Framebuffer<
 /// framebuffer. Bands put together equal the frame.
 #[test]
 fn a_canvas_is_a_framebuffer() {
-    let mut in_bands = 0;
     cases(sampled(4000), |random| {
-        let (crops, band) = (random.random(), random.random_range(1..=HEIGHT) * WIDTH);
-        let draw = |target: &mut dyn Draw| target.draw(&mut random.clone(), crops);
+        let band = random.random_range(1..=HEIGHT) * WIDTH;
 
         let mut theirs = (Theirs::<BigEndian>::new(), Theirs::<LittleEndian>::new());
-        draw(&mut theirs.0);
-        draw(&mut theirs.1);
+        pictures::draw(&mut theirs.0, random.clone());
+        pictures::draw(&mut theirs.1, random.clone());
 
         let mut bytes = [[0; 2]; PIXELS];
         let mut canvas: Canvas<Rgb565, BigEndian> = Canvas::new(&mut bytes, WIDTH, HEIGHT).unwrap();
-        draw(&mut canvas);
+        pictures::draw(&mut canvas, random.clone());
         assert!(canvas.as_bytes() == theirs.0.data(), "big-endian");
 
         let mut bytes = [[0; 2]; PIXELS];
         let mut canvas: Canvas<Rgb565, LittleEndian> =
             Canvas::new(&mut bytes, WIDTH, HEIGHT).unwrap();
-        draw(&mut canvas);
+        pictures::draw(&mut canvas, random.clone());
         assert!(canvas.as_bytes() == theirs.1.data(), "little-endian");
 
         let mut words = [0_u16; PIXELS];
-        draw(&mut Canvas::<Rgb565, Words>::new(&mut words, WIDTH, HEIGHT).unwrap());
+        let mut canvas = Canvas::<Rgb565, Words>::new(&mut words, WIDTH, HEIGHT).unwrap();
+        pictures::draw(&mut canvas, random.clone());
         let wanted = theirs.0.data().chunks_exact(2);
         let wanted = wanted.map(|pair| u16::from_be_bytes([pair[0], pair[1]]));
         assert!(wanted.eq(words), "words");
 
         let mut colors = [Rgb565::BLACK; PIXELS];
-        draw(&mut Canvas::new(&mut colors, WIDTH, HEIGHT).unwrap());
+        let mut canvas = Canvas::new(&mut colors, WIDTH, HEIGHT).unwrap();
+        pictures::draw(&mut canvas, random.clone());
         let at = |i: u32| Point::new((i % WIDTH).cast_signed(), (i / WIDTH).cast_signed());
         let wanted = (0..WIDTH * HEIGHT).map(|i| theirs.0.pixel(at(i)).unwrap());
         assert!(wanted.eq(colors), "native");
 
-        if crops {
-            return;
-        }
-        in_bands += 1;
-        let mut native = [Rgb565::BLACK; PIXELS];
-        let mut bytes = [[0; 2]; PIXELS];
+        let (mut native, mut bytes) = ([Rgb565::BLACK; PIXELS], [[0; 2]; PIXELS]);
         let mut first = 0;
         for (native, bytes) in native
             .chunks_mut(band as usize)
@@ -86,27 +80,15 @@ fn a_canvas_is_a_framebuffer() {
                 canvas.bounding_box(),
                 Rectangle::new(place, Size::new(WIDTH, rows))
             );
-            draw(&mut canvas);
+            pictures::draw(&mut canvas, random.clone());
             let mut canvas: Canvas<Rgb565, BigEndian> =
                 Canvas::band(bytes, WIDTH, HEIGHT, first).unwrap();
-            draw(&mut canvas);
+            pictures::draw(&mut canvas, random.clone());
             first += rows;
         }
         assert!(native == colors, "native bands");
         assert!(bytes.as_flattened() == theirs.0.data(), "bands of bytes");
     });
-    assert!(in_bands > sampled(1000));
-}
-
-/// A drawing that can be drawn on targets of all types.
-trait Draw {
-    fn draw(&mut self, random: &mut Random, crops: bool);
-}
-
-impl<T: DrawTarget<Color = Rgb565, Error = Infallible>> Draw for T {
-    fn draw(&mut self, random: &mut Random, crops: bool) {
-        pictures::draw(self, random, crops);
-    }
 }
 
 /// Counts how often its drawable is drawn.
