@@ -33,25 +33,3 @@ pub fn read<T: AsRef<[u8]>>(files: &[(&str, T)]) -> Result<Model, String> {
 pub fn notes(model: &Model) -> Vec<String> {
     model.notes.iter().collect()
 }
-
-/// A copy of the bytes, with some bytes replaced, removed or repeated, differently for each `seed`.
-pub fn mutated(bytes: &[u8], seed: u64) -> Vec<u8> {
-    let mut state = seed;
-    let mut random = |most: usize| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005);
-        state = state.wrapping_add(1_442_695_040_888_963_407);
-        usize::try_from(state >> 33).unwrap() % most.max(1)
-    };
-    let mut bytes = bytes.to_vec();
-    for _ in 0..=random(8) {
-        let at = random(bytes.len());
-        let end = (at + random(20)).min(bytes.len());
-        match random(4) {
-            0 => bytes[at..end].fill(b"0#/-\n e.9\xff\0,"[random(12)]),
-            1 => drop(bytes.drain(at..end)),
-            2 => bytes.extend_from_within(at..end),
-            _ => bytes.truncate(end.max(bytes.len() / 2)),
-        }
-    }
-    bytes
-}
