@@ -5,7 +5,7 @@ use fixel::canvas::Opacity;
 use fixel::prelude::*;
 use fixel::{Drawn, Prepared};
 
-use crate::List;
+use crate::{List, Screen, picture};
 use support::counter::{at_subpixel, pixel_projection};
 
 const WIDTH: u32 = 48;
@@ -48,21 +48,12 @@ fn view() -> Mvp {
 
 /// The frame, drawn with a depth buffer and without a list.
 fn drawn() -> Vec<Gray8> {
-    let (mut color, mut depth) = (vec![Gray8::BLACK; PIXELS], vec![0; PIXELS]);
-    let mut canvas = Canvas::new(&mut color, WIDTH, HEIGHT)
-        .unwrap()
-        .with_depth(&mut depth)
-        .unwrap();
-    for Object {
-        thing,
-        model,
-        material,
-        ..
-    } in objects()
-    {
-        canvas.draw(thing, &(view() * model), &material);
-    }
-    color
+    let draw = &mut |canvas: &mut Screen<'_, Gray8>| {
+        for object in objects() {
+            canvas.draw(object.thing, &(view() * object.model), &object.material);
+        }
+    };
+    picture(SIZE, HEIGHT, (Gray8::BLACK, 0), draw).0
 }
 
 /// The frame, drawn in bands of `rows` rows, and the total number of parts in all bands.

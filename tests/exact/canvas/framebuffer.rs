@@ -12,7 +12,9 @@ use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
 use embedded_graphics::primitives::{Primitive, PrimitiveStyle, Rectangle};
 use embedded_graphics::text::Text;
 use embedded_graphics::{Drawable, Pixel};
+use fixel::ScreenPoint;
 use fixel::canvas::Words;
+use fixel::num::Subpixel;
 use fixel::prelude::*;
 use rand::Rng;
 
@@ -208,7 +210,8 @@ fn points_at_the_ends_of_i32_are_ignored() {
     assert_eq!(pixels.map(|pixel| pixel.luma()), [27, 28, 35, 36]);
 }
 
-/// Areas that begin or end beyond the range of `i32` are filled like all other areas, in a debug build, too.
+/// Areas that begin or end beyond the range of `i32` are filled like all other areas, in a debug build, too. A label's
+/// origin moves them, even if this moves a side out of the range.
 #[test]
 fn areas_beyond_the_range_of_i32_are_filled() {
     const WIDTH: u32 = 3;
@@ -242,38 +245,47 @@ fn areas_beyond_the_range_of_i32_are_filled() {
         u32::MAX - 1,
         u32::MAX,
     ];
-    // The pixel's place along one side of the area, or `None` if the area does not contain the pixel.
-    let along = |at: u32, start: i32, length: u32| {
-        let number = i64::from(at) - i64::from(start);
-        (0..i64::from(length))
-            .contains(&number)
-            .then_some(number.cast_unsigned())
-    };
     let sides = starts.map(|start| lengths.map(|length| (start, length)));
     let sides = sides.as_flattened();
-    for &(x, width) in sides {
-        for &(y, height) in sides {
-            let area = Rectangle::new(Point::new(x, y), Size::new(width, height));
-            let wanted = (FIRST..END).flat_map(|row| (0..WIDTH).map(move |column| (column, row)));
-            let wanted = wanted
-                .map(|(column, row)| Some((along(column, x, width)?, along(row, y, height)?)));
-            let wanted: Vec<_> = wanted.collect();
+    for origin in [-5, 0, 2] {
+        let at = Subpixel::from_bits(origin * 256);
+        let (x, y, depth) = (at, at, 0);
+        let place = ScreenPoint { x, y, depth };
+        // The pixel's place along one side of the area, or `None` if the area does not contain the pixel.
+        let along = |at: u32, start: i32, length: u32| {
+            let number = i64::from(at) - i64::from(origin) - i64::from(start);
+            (0..i64::from(length))
+                .contains(&number)
+                .then_some(number.cast_unsigned())
+        };
+        for &(x, width) in sides {
+            for &(y, height) in sides {
+                let area = Rectangle::new(Point::new(x, y), Size::new(width, height));
+                let wanted =
+                    (FIRST..END).flat_map(|row| (0..WIDTH).map(move |column| (column, row)));
+                let wanted = wanted
+                    .map(|(column, row)| Some((along(column, x, width)?, along(row, y, height)?)));
+                let wanted: Vec<_> = wanted.collect();
 
-            let mut pixels = [Gray8::BLACK; PIXELS];
-            let mut canvas = Canvas::band(&mut pixels, WIDTH, 4, FIRST).unwrap();
-            let Ok(()) = canvas.fill_solid(&area, Gray8::WHITE);
-            let solid = wanted
-                .iter()
-                .map(|at| at.map_or(Gray8::BLACK, |_| Gray8::WHITE));
-            assert!(solid.eq(pixels), "solid {area:?}: {pixels:?}");
+                let mut pixels = [Gray8::BLACK; PIXELS];
+                let mut canvas = Canvas::band(&mut pixels, WIDTH, 4, FIRST).unwrap();
+                let Ok(()) = canvas.label(place).fill_solid(&area, Gray8::WHITE);
+                let solid = wanted
+                    .iter()
+                    .map(|at| at.map_or(Gray8::BLACK, |_| Gray8::WHITE));
+                assert!(solid.eq(pixels), "solid {area:?} at {origin}: {pixels:?}");
 
-            let mut pixels = [Gray8::BLACK; PIXELS];
-            let mut canvas = Canvas::band(&mut pixels, WIDTH, 4, FIRST).unwrap();
-            let Ok(()) = canvas.fill_contiguous(&area, Colors(0));
-            // There are at most 2^31 + 2 rows of 2^32 - 1 pixels.
-            let number = |(column, row): (u64, u64)| color(row * u64::from(width) + column);
-            let contiguous = wanted.iter().map(|at| at.map_or(Gray8::BLACK, number));
-            assert!(contiguous.eq(pixels), "contiguous {area:?}: {pixels:?}");
+                let mut pixels = [Gray8::BLACK; PIXELS];
+                let mut canvas = Canvas::band(&mut pixels, WIDTH, 4, FIRST).unwrap();
+                let Ok(()) = canvas.label(place).fill_contiguous(&area, Colors(0));
+                // There are at most 2^31 + 2 rows of 2^32 - 1 pixels.
+                let number = |(column, row): (u64, u64)| color(row * u64::from(width) + column);
+                let contiguous = wanted.iter().map(|at| at.map_or(Gray8::BLACK, number));
+                assert!(
+                    contiguous.eq(pixels),
+                    "contiguous {area:?} at {origin}: {pixels:?}"
+                );
+            }
         }
     }
 }
