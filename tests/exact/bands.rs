@@ -140,11 +140,10 @@ impl Scene {
 
     fn check_mode<I: Mode, K: ProjectionKind>(&self, mode: I, mvp: &Mvp<K>) {
         let name = type_name::<I>();
-        let frame = bands(HEIGHT, &mut |band: &mut Band<'_>| {
-            self.draw(mode, band, mvp)
-        });
+        let draw = &mut |band: &mut Band<'_>| self.draw(mode, band, mvp);
+        let frame = bands(HEIGHT, draw);
         for rows in BANDS {
-            let bands = bands(rows, &mut |band: &mut Band<'_>| self.draw(mode, band, mvp));
+            let bands = bands(rows, draw);
             let differs =
                 (0..frame.0.len()).find(|&i| (frame.0[i], frame.1[i]) != (bands.0[i], bands.1[i]));
             assert!(

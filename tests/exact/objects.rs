@@ -260,7 +260,7 @@ fn a_scene_of_edges_draws_outlines_or_all_edges() {
 fn prepared_edges_in_bands_equal_the_frame() {
     let near = view() * Transform::translate(vec3!(0, 0.2, 2.3)) * Transform::scale(fx!(1.3));
     let (options, white) = (DrawOptions::new(), Flat::new(Gray8::WHITE));
-    let mut lines: List = DrawList::new();
+    let mut list: List = DrawList::new();
     let picture = |rows: u32, draw: &dyn Fn(&mut Canvas<'_, Gray8>) -> Drawn| {
         let mut color = [Gray8::BLACK; PIXELS];
         let mut drawn = Vec::new();
@@ -272,42 +272,40 @@ fn prepared_edges_in_bands_equal_the_frame() {
         }
         (color, drawn)
     };
+    /// Checks that lines from a list equal lines drawn directly. Returns the counts of the direct draw call, and of the
+    /// bands.
+    macro_rules! check {
+        ($lines:expr, $rows:expr, $options:expr) => {{
+            let (lines, options) = ($lines, $options);
+            let edges = list.prepare(&options, SIZE, lines, &near).unwrap();
+            let (direct, counts) = picture(HEIGHT, &|canvas| {
+                canvas.draw_with(&options, lines, &near, &white)
+            });
+            let (prepared, drawn) =
+                picture($rows, &|band| band.draw_prepared(&edges, &white).unwrap());
+            assert!(prepared == direct);
+            (counts, drawn)
+        }};
+    }
     for width in [fx!(1), fx!(3.5), fx!(20)] {
         let width = LineStyle::wide(width).unwrap();
-        let smooth = BALL.edges(width.smooth());
         for rows in [HEIGHT, 5, 1] {
-            let thin = BALL.edges(LineStyle::HAIRLINE);
-            let edges = lines.prepare(&options, SIZE, thin, &near).unwrap();
-            let (direct, counts) = picture(HEIGHT, &|canvas| canvas.draw(thin, &near, &white));
+            let (counts, drawn) = check!(BALL.edges(LineStyle::HAIRLINE), rows, options);
             assert!(counts[0].clipped > 5 && counts[0].drawn > 100, "{counts:?}");
-            let (prepared, drawn) =
-                picture(rows, &|band| band.draw_prepared(&edges, &white).unwrap());
-            assert!(prepared == direct && (rows < HEIGHT || drawn == counts));
+            assert!(rows < HEIGHT || drawn == counts);
             assert!(
                 rows > 1 || drawn.iter().any(|drawn| drawn.drawn < 40),
                 "{drawn:?}"
             );
-            let wide = BALL.edges(width);
-            let (direct, _) = picture(HEIGHT, &|canvas| canvas.draw(wide, &near, &white));
-            let wide = lines.prepare(&options, SIZE, wide, &near).unwrap();
-            let (prepared, _) = picture(rows, &|band| band.draw_prepared(&wide, &white).unwrap());
-            assert!(prepared == direct);
+            check!(BALL.edges(width), rows, options);
             // Blended edges must be equal, too.
-            let glass = options.with_blending(Opacity(99));
-            let (direct, _) = picture(HEIGHT, &|canvas| {
-                canvas.draw_with(&glass, smooth, &near, &white)
-            });
-            let edges = lines.prepare(&options, SIZE, smooth, &near).unwrap();
-            let glass = edges.with_blending(Opacity(99));
-            let (prepared, _) = picture(rows, &|band| band.draw_prepared(&glass, &white).unwrap());
-            assert!(prepared == direct);
-
-            let outline = BALL.outline(&OUTLINE, width);
-            let edges = lines.prepare(&options, SIZE, outline, &near).unwrap();
-            let (direct, counts) = picture(HEIGHT, &|canvas| canvas.draw(outline, &near, &white));
-            let (prepared, drawn) =
-                picture(rows, &|band| band.draw_prepared(&edges, &white).unwrap());
-            assert!(prepared == direct && (rows < HEIGHT || drawn == counts));
+            check!(
+                BALL.edges(width.smooth()),
+                rows,
+                options.with_blending(Opacity(99))
+            );
+            let (counts, drawn) = check!(BALL.outline(&OUTLINE, width), rows, options);
+            assert!(rows < HEIGHT || drawn == counts);
         }
     }
     let mut short: DrawList<8, 600> = DrawList::new();
