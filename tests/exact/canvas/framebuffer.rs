@@ -13,13 +13,13 @@ use embedded_graphics::primitives::{Primitive, PrimitiveStyle, Rectangle};
 use embedded_graphics::text::Text;
 use embedded_graphics::{Drawable, Pixel};
 use fixel::ScreenPoint;
-use fixel::canvas::Words;
+use fixel::canvas::{Storage, Words};
 use fixel::num::Subpixel;
 use fixel::prelude::*;
 use rand::Rng;
 
 use super::pictures::{self, HEIGHT, WIDTH};
-use support::random::{cases, sampled};
+use support::random::{Random, cases, sampled};
 
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 
@@ -38,59 +38,40 @@ type Theirs<O> = Framebuffer<
 #[test]
 fn a_canvas_is_a_framebuffer() {
     cases(sampled(4000), |random| {
-        let band = random.random_range(1..=HEIGHT) * WIDTH;
-
+        let rows = random.random_range(1..=HEIGHT);
         let mut theirs = (Theirs::<BigEndian>::new(), Theirs::<LittleEndian>::new());
         pictures::draw(&mut theirs.0, random.clone());
         pictures::draw(&mut theirs.1, random.clone());
 
-        let mut bytes = [[0; 2]; PIXELS];
-        let mut canvas: Canvas<Rgb565, BigEndian> = Canvas::new(&mut bytes, WIDTH, HEIGHT).unwrap();
-        pictures::draw(&mut canvas, random.clone());
-        assert!(canvas.as_bytes() == theirs.0.data(), "big-endian");
-
-        let mut bytes = [[0; 2]; PIXELS];
-        let mut canvas: Canvas<Rgb565, LittleEndian> =
-            Canvas::new(&mut bytes, WIDTH, HEIGHT).unwrap();
-        pictures::draw(&mut canvas, random.clone());
-        assert!(canvas.as_bytes() == theirs.1.data(), "little-endian");
-
-        let mut words = [0_u16; PIXELS];
-        let mut canvas = Canvas::<Rgb565, Words>::new(&mut words, WIDTH, HEIGHT).unwrap();
-        pictures::draw(&mut canvas, random.clone());
-        let wanted = theirs.0.data().chunks_exact(2);
-        let wanted = wanted.map(|pair| u16::from_be_bytes([pair[0], pair[1]]));
-        assert!(wanted.eq(words), "words");
-
-        let mut colors = [Rgb565::BLACK; PIXELS];
-        let mut canvas = Canvas::new(&mut colors, WIDTH, HEIGHT).unwrap();
-        pictures::draw(&mut canvas, random.clone());
+        let big = drawn::<BigEndian>(random, HEIGHT);
+        let little = drawn::<LittleEndian>(random, HEIGHT);
+        assert!(big.as_flattened() == theirs.0.data(), "big-endian");
+        assert!(little.as_flattened() == theirs.1.data(), "little-endian");
+        let wanted = big.iter().map(|&bytes| u16::from_be_bytes(bytes));
+        assert!(wanted.eq(drawn::<Words>(random, HEIGHT)), "words");
         let at = |i: u32| Point::new((i % WIDTH).cast_signed(), (i / WIDTH).cast_signed());
         let wanted = (0..WIDTH * HEIGHT).map(|i| theirs.0.pixel(at(i)).unwrap());
-        assert!(wanted.eq(colors), "native");
+        let colors = drawn::<Native>(random, HEIGHT);
+        assert!(wanted.eq(colors.iter().copied()), "native");
 
-        let (mut native, mut bytes) = ([Rgb565::BLACK; PIXELS], [[0; 2]; PIXELS]);
-        let mut first = 0;
-        for (native, bytes) in native
-            .chunks_mut(band as usize)
-            .zip(bytes.chunks_mut(band as usize))
-        {
-            let mut canvas = Canvas::band(native, WIDTH, HEIGHT, first).unwrap();
-            let rows = canvas.rows().len() as u32;
-            let place = Point::new(0, first.cast_signed());
-            assert_eq!(
-                canvas.bounding_box(),
-                Rectangle::new(place, Size::new(WIDTH, rows))
-            );
-            pictures::draw(&mut canvas, random.clone());
-            let mut canvas: Canvas<Rgb565, BigEndian> =
-                Canvas::band(bytes, WIDTH, HEIGHT, first).unwrap();
-            pictures::draw(&mut canvas, random.clone());
-            first += rows;
-        }
-        assert!(native == colors, "native bands");
-        assert!(bytes.as_flattened() == theirs.0.data(), "bands of bytes");
+        assert!(drawn::<Native>(random, rows) == colors, "native bands");
+        assert!(drawn::<BigEndian>(random, rows) == big, "bands of bytes");
     });
+}
+
+/// The cells of the picture that `random` describes, drawn in bands of `rows` rows.
+fn drawn<O: Storage<Rgb565>>(random: &Random, rows: u32) -> Vec<O::Cell> {
+    let mut cells = vec![O::store(Rgb565::BLACK); PIXELS];
+    let mut first = 0;
+    for cells in cells.chunks_mut((rows * WIDTH) as usize) {
+        let mut canvas = Canvas::<Rgb565, O>::band(cells, WIDTH, HEIGHT, first).unwrap();
+        let (place, rows) = (first.cast_signed(), canvas.rows().len() as u32);
+        let band = Rectangle::new(Point::new(0, place), Size::new(WIDTH, rows));
+        assert_eq!(canvas.bounding_box(), band);
+        pictures::draw(&mut canvas, random.clone());
+        first += rows;
+    }
+    cells
 }
 
 /// Counts how often its drawable is drawn.
