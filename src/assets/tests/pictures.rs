@@ -1,9 +1,12 @@
 //! Pictures in all formats have the right pixels and tables; damaged pictures are refused. The tests make the pictures
 //! byte by byte, or with the encoders of other crates.
 
+mod common;
+
 use std::fmt::Write;
 use std::io::Cursor;
 
+use common::{riff, vp8};
 use fixel_assets::Picture;
 use fixel_assets::picture::Table;
 use image::{DynamicImage, ImageFormat, RgbaImage};
@@ -772,27 +775,9 @@ fn gif_shows_its_first_frame() {
     assert_pixels(&gif([4, 2], [3, 2], None), &beyond, "beyond the border");
 }
 
-/// A file in the format RIFF.
-fn riff(chunks: &[(&[u8; 4], Vec<u8>)]) -> Vec<u8> {
-    let mut bytes = b"RIFF\0\0\0\0WEBP".to_vec();
-    for (name, data) in chunks {
-        bytes.extend(*name);
-        bytes.extend(u32::try_from(data.len()).unwrap().to_le_bytes());
-        bytes.extend(data);
-        bytes.resize(bytes.len().next_multiple_of(2), 0);
-    }
-    let len = u32::try_from(bytes.len() - 8).unwrap();
-    bytes[4..8].copy_from_slice(&len.to_le_bytes());
-    bytes
-}
-
-/// A lossy WebP of 8x8 gray pixels, with this alpha. A VP8 decoder reads bytes of 0 as the answer "no" to every
-/// question: there are no coefficients, and all pixels have the value that is predicted without them.
+/// A lossy WebP of 8x8 gray pixels, with this alpha.
 fn lossy(alpha: Option<u8>) -> Vec<u8> {
-    let first_part: u32 = 64;
-    let tag = ((first_part << 5) | 1 << 4).to_le_bytes();
-    let mut frame = [&tag[..3], &[0x9d, 0x01, 0x2a, 8, 0, 8, 0]].concat();
-    frame.resize(frame.len() + 128, 0);
+    let frame = vp8(8, 64, 128);
     match alpha {
         None => riff(&[(b"VP8 ", frame)]),
         Some(alpha) => riff(&[

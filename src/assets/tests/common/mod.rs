@@ -33,3 +33,26 @@ pub fn read<T: AsRef<[u8]>>(files: &[(&str, T)]) -> Result<Model, String> {
 pub fn notes(model: &Model) -> Vec<String> {
     model.notes.iter().collect()
 }
+
+/// A file in the format RIFF.
+pub fn riff(chunks: &[(&[u8; 4], Vec<u8>)]) -> Vec<u8> {
+    let mut bytes = b"RIFF\0\0\0\0WEBP".to_vec();
+    for (name, data) in chunks {
+        bytes.extend(*name);
+        bytes.extend(u32::try_from(data.len()).unwrap().to_le_bytes());
+        bytes.extend(data);
+        bytes.resize(bytes.len().next_multiple_of(2), 0);
+    }
+    let len = u32::try_from(bytes.len() - 8).unwrap();
+    bytes[4..8].copy_from_slice(&len.to_le_bytes());
+    bytes
+}
+
+/// The data of a WebP with loss, of `first` bytes in its first part and `data` in all. A decoder reads bytes of 0 as the
+/// answer "no" to every question: there are no details, and all pixels have the value that is predicted without them.
+pub fn vp8(side: u16, first: usize, data: usize) -> Vec<u8> {
+    let tag = (u32::try_from(first).unwrap() << 5 | 1 << 4).to_le_bytes();
+    let [low, high] = side.to_le_bytes();
+    let start = [&tag[..3], &[0x9d, 0x01, 0x2a, low, high, low, high]].concat();
+    [start, vec![0; data]].concat()
+}
