@@ -132,60 +132,41 @@ fn a_list_without_room_for_all_objects_is_refused() {
     );
 }
 
+/// A list of one mesh or of a scene refuses a wider frame, and a frame with one row less.
 #[test]
 fn a_canvas_of_another_frame_is_refused() {
-    let mut list: List = DrawList::new();
-    let (options, mut objects) = (DrawOptions::new(), objects());
-    let scene = list.prepare(&options, SIZE, &mut objects, &view()).unwrap();
+    let [mut of_faces, mut of_edges, mut of_smooth, mut of_scene] = [(); 4].map(|()| List::new());
+    let (options, white, view) = (DrawOptions::new(), Flat::new(Gray8::WHITE), view());
+    let (width, mut objects) = (LineStyle::wide(fx!(2)).unwrap(), objects());
+    let (lines, smooth) = (BALL.edges(width), BALL.edges(width.smooth()));
+    let ball = of_faces.prepare(&options, SIZE, &BALL, &view).unwrap();
+    let edges = of_edges.prepare(&options, SIZE, lines, &view).unwrap();
+    let smooth = of_smooth.prepare(&options, SIZE, smooth, &view).unwrap();
+    let scene = of_scene
+        .prepare(&options, SIZE, &mut objects, &view)
+        .unwrap();
     let mut color = [Gray8::BLACK; PIXELS];
     for (width, height) in [(WIDTH * 2, HEIGHT / 2), (WIDTH, HEIGHT - 1)] {
         let pixels = &mut color[..(width * height) as usize];
-        let canvas = Canvas::new(pixels, width, height).unwrap();
-        let error = scene.parts(&canvas).map(|_| ()).unwrap_err();
+        let mut canvas = Canvas::new(pixels, width, height).unwrap();
         let expected = format!(
             "canvas belongs to a frame of {width}x{height}: the list was prepared for 48x36"
         );
-        assert_eq!(error.to_string(), expected);
-    }
-    // A band of the same frame is accepted.
-    let band = Canvas::band(&mut color[..WIDTH as usize], WIDTH, HEIGHT, 7).unwrap();
-    assert!(scene.parts(&band).is_ok());
-}
-
-#[test]
-fn one_meshs_list_refuses_a_canvas_of_another_frame() {
-    let mut list: List = DrawList::new();
-    let mut lines: List = DrawList::new();
-    let (options, white) = (DrawOptions::new(), Flat::new(Gray8::WHITE));
-    let ball = list.prepare(&options, SIZE, &BALL, &view()).unwrap();
-    let mut smooth: List = DrawList::new();
-    let width = LineStyle::wide(fx!(2)).unwrap();
-    let edges = lines.prepare(&options, SIZE, BALL.edges(width), &view());
-    let edges = edges.unwrap();
-    let smooth = smooth.prepare(&options, SIZE, BALL.edges(width.smooth()), &view());
-    let smooth = smooth.unwrap();
-    let mut color = [Gray8::BLACK; PIXELS];
-    let mut band = Canvas::band(&mut color[..WIDTH as usize], WIDTH, HEIGHT, 7).unwrap();
-    assert!(band.draw_prepared(&ball, &white).is_ok());
-    assert!(band.draw_prepared(&edges, &white).is_ok());
-    // A wider frame, and a frame with one row less, are refused.
-    for (width_of_frame, height) in [(WIDTH * 2, HEIGHT / 2), (WIDTH, HEIGHT - 1)] {
-        color.fill(Gray8::BLACK);
-        let pixels = &mut color[..(width_of_frame * height) as usize];
-        let mut canvas = Canvas::new(pixels, width_of_frame, height).unwrap();
-        let expected = format!(
-            "canvas belongs to a frame of {width_of_frame}x{height}: the list was prepared for 48x36"
-        );
-        let all = [
-            canvas.draw_prepared(&ball, &white),
-            canvas.draw_prepared(&edges, &white),
-            canvas.draw_prepared(&smooth, &white),
-        ];
-        for refused in all {
-            assert_eq!(refused.unwrap_err().to_string(), expected);
+        for refused in [
+            canvas.draw_prepared(&ball, &white).err(),
+            canvas.draw_prepared(&edges, &white).err(),
+            canvas.draw_prepared(&smooth, &white).err(),
+            scene.parts(&canvas).err(),
+        ] {
+            assert_eq!(refused.unwrap().to_string(), expected);
         }
         assert!(color.iter().all(|&pixel| pixel == Gray8::BLACK));
     }
+    // A band of the same frame is accepted.
+    let mut band = Canvas::band(&mut color[..WIDTH as usize], WIDTH, HEIGHT, 7).unwrap();
+    assert!(band.draw_prepared(&ball, &white).is_ok());
+    assert!(band.draw_prepared(&edges, &white).is_ok());
+    assert!(scene.parts(&band).is_ok());
 }
 
 #[test]

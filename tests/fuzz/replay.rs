@@ -61,11 +61,11 @@ fn kept_draw_inputs_pass() {
 #[test]
 fn kept_models_pass_and_damaged_ones_do_no_harm() {
     let inputs = include_str!("kept_model.base64");
-    replay(inputs, fuzz::import::model, 2);
+    replay(inputs, fuzz::import::model, 8);
 }
 
 #[test]
 fn kept_pictures_pass_and_damaged_ones_do_no_harm() {
     let inputs = include_str!("kept_picture.base64");
-    replay(inputs, fuzz::import::picture, 4);
+    replay(inputs, fuzz::import::picture, 20);
 }
