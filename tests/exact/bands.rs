@@ -4,15 +4,15 @@
 use std::any::type_name;
 
 use embedded_graphics::pixelcolor::Rgb888;
-use fixel::canvas::FloatDepth;
+use fixel::canvas::{DepthBuffer, FloatDepth};
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::shade::PerFace;
 use fixel::view::{Parallel, ProjectionKind};
 use rand::Rng;
 
-use crate::List;
 use crate::examples::scenes::SPHERE;
+use crate::{List, Screen, picture};
 use support::counter;
 use support::random::{Random, cases, list, sampled};
 
@@ -109,23 +109,14 @@ impl Scene {
 }
 
 /// A band of a frame.
-type Band<'b> = Canvas<'b, Rgb888, fixel::canvas::Native, fixel::canvas::LinearDepth>;
+type Band<'b, D = LinearDepth> = Screen<'b, Rgb888, D>;
 
-/// Draws a frame in bands of `rows` rows; the last band has the remaining rows.
-///
-/// This function is not generic, so that it is compiled only once.
-fn bands(rows: u32, draw: &mut dyn FnMut(&mut Band<'_>)) -> (Vec<Rgb888>, Vec<u16>) {
-    let (mut colors, mut depths) = (vec![], vec![]);
-    for first in (0..HEIGHT).step_by(rows as usize) {
-        let pixels = (WIDTH * rows.min(HEIGHT - first)) as usize;
-        // The memory begins with arbitrary contents, which must not show.
-        let (mut color, mut depth) = (vec![Rgb888::new(9, 9, 9); pixels], vec![7; pixels]);
-        let band = Canvas::band(&mut color, WIDTH, HEIGHT, first).unwrap();
-        draw(&mut band.with_depth(&mut depth).unwrap());
-        colors.extend(color);
-        depths.extend(depth);
-    }
-    (colors, depths)
+/// Draws a frame in bands of `rows` rows. The memory begins with arbitrary contents, which must not show.
+fn bands<D: DepthBuffer>(
+    rows: u32,
+    draw: &mut dyn FnMut(&mut Band<'_, D>),
+) -> (Vec<Rgb888>, Vec<u16>) {
+    picture((WIDTH, HEIGHT), rows, (Rgb888::new(9, 9, 9), 7), draw)
 }
 
 impl Scene {
@@ -149,9 +140,10 @@ impl Scene {
 
     fn check_mode<I: Mode, K: ProjectionKind>(&self, mode: I, mvp: &Mvp<K>) {
         let name = type_name::<I>();
-        let frame = bands(HEIGHT, &mut |band| self.draw(mode, band, mvp));
+        let draw = &mut |band: &mut Band<'_>| self.draw(mode, band, mvp);
+        let frame = bands(HEIGHT, draw);
         for rows in BANDS {
-            let bands = bands(rows, &mut |band| self.draw(mode, band, mvp));
+            let bands = bands(rows, draw);
             let differs =
                 (0..frame.0.len()).find(|&i| (frame.0[i], frame.1[i]) != (bands.0[i], bands.1[i]));
             assert!(
@@ -177,11 +169,11 @@ impl Scene {
             let prepared = list.prepare(&options, (WIDTH, HEIGHT), &mesh, mvp).unwrap();
             for rows in [HEIGHT].into_iter().chain(BANDS) {
                 let mut counts = [vec![], vec![]];
-                let drawn = bands(rows, &mut |band| {
+                let drawn = bands(rows, &mut |band: &mut Band<'_>| {
                     band.clear(Rgb888::new(1, 2, 3));
                     counts[0].push(band.draw_prepared(&prepared, &Bits).unwrap());
                 });
-                let expected = bands(rows, &mut |band| {
+                let expected = bands(rows, &mut |band: &mut Band<'_>| {
                     band.clear(Rgb888::new(1, 2, 3));
                     counts[1].push(band.draw_with(&options, &mesh, mvp, &Bits));
                 });
@@ -287,22 +279,14 @@ fn bands_equal_the_frame_in_floating_depth() {
         let prepared = list.prepare(&counter::BOTH_SIDES, (WIDTH, HEIGHT), &mesh, &mvp);
         let prepared = prepared.unwrap();
         let draw = |rows: u32, is_prepared: bool| {
-            let (mut colors, mut depths) = (vec![], vec![]);
-            for first in (0..HEIGHT).step_by(rows as usize) {
-                let pixels = (WIDTH * rows.min(HEIGHT - first)) as usize;
-                let (mut color, mut depth) = (vec![Rgb888::new(9, 9, 9); pixels], vec![7; pixels]);
-                let band = Canvas::band(&mut color, WIDTH, HEIGHT, first).unwrap();
-                let mut band = band.with_depth_format::<FloatDepth>(&mut depth).unwrap();
+            bands(rows, &mut |band: &mut Band<'_, FloatDepth>| {
                 band.clear(Rgb888::new(1, 2, 3));
                 if is_prepared {
                     band.draw_prepared(&prepared, &Bits).unwrap();
                 } else {
                     band.draw_with(&counter::BOTH_SIDES, &mesh, &mvp, &Bits);
                 }
-                colors.extend(color);
-                depths.extend(depth);
-            }
-            (colors, depths)
+            })
         };
         let frame = draw(HEIGHT, false);
         for rows in [HEIGHT].into_iter().chain(BANDS) {
@@ -325,13 +309,13 @@ fn the_nearest_triangle_shows_in_any_order() {
         let projection = Projection::perspective(deg!(70), (WIDTH, HEIGHT), near, far).unwrap();
         let mvp = projection * Transform::translate(vec3!(0, 0, -4));
         let draw = |faces: &[[u16; 3]]| {
-            let pixels = (WIDTH * HEIGHT) as usize;
-            let (mut color, mut depth) = (vec![Rgb888::default(); pixels], vec![0; pixels]);
-            let canvas = Canvas::new(&mut color, WIDTH, HEIGHT).unwrap();
             let mesh = Mesh::new(&scene.positions, faces).unwrap();
-            let mut canvas = canvas.with_depth(&mut depth).unwrap();
-            canvas.draw_with(&counter::BOTH_SIDES, &mesh, &mvp, &Index);
-            (color, depth)
+            let before = (Rgb888::default(), 0);
+            picture((WIDTH, HEIGHT), HEIGHT, before, &mut |canvas: &mut Band<
+                '_,
+            >| {
+                canvas.draw_with(&counter::BOTH_SIDES, &mesh, &mvp, &Index);
+            })
         };
         let mut faces = scene.faces;
         let by = random.random_range(0..faces.len().max(1));
@@ -363,7 +347,7 @@ fn prepare<const TRIANGLES: usize, const VERTICES: usize>() -> Result<u32, Error
     let mut list: DrawList<TRIANGLES, VERTICES> = DrawList::new();
     let ball = list.prepare(&DrawOptions::new(), (WIDTH, HEIGHT), &BALL, &mvp)?;
     let mut drawn = 0;
-    bands(HEIGHT, &mut |band| {
+    bands(HEIGHT, &mut |band: &mut Band<'_>| {
         drawn = band.draw_prepared(&ball, &Bits).unwrap().drawn;
     });
     Ok(drawn)
@@ -380,13 +364,13 @@ fn a_large_prepared_mesh_equals_the_frame() {
     let ball = list.prepare(&counter::BOTH_SIDES, (WIDTH, HEIGHT), &SPHERE, &mvp);
     let ball = ball.unwrap();
     let mut clipped = 0;
-    let frame = bands(HEIGHT, &mut |band| {
+    let frame = bands(HEIGHT, &mut |band: &mut Band<'_>| {
         clipped = band
             .draw_with(&counter::BOTH_SIDES, &SPHERE, &mvp, &Bits)
             .clipped;
     });
     assert!(clipped > 10, "{clipped}");
-    let drawn = bands(5, &mut |band| {
+    let drawn = bands(5, &mut |band: &mut Band<'_>| {
         band.draw_prepared(&ball, &Bits).unwrap();
     });
     assert!(drawn == frame);

@@ -5,7 +5,7 @@ use fixel::canvas::Opacity;
 use fixel::prelude::*;
 use fixel::{Drawn, Prepared};
 
-use crate::List;
+use crate::{List, Screen, picture};
 use support::counter::{at_subpixel, pixel_projection};
 
 const WIDTH: u32 = 48;
@@ -48,21 +48,12 @@ fn view() -> Mvp {
 
 /// The frame, drawn with a depth buffer and without a list.
 fn drawn() -> Vec<Gray8> {
-    let (mut color, mut depth) = (vec![Gray8::BLACK; PIXELS], vec![0; PIXELS]);
-    let mut canvas = Canvas::new(&mut color, WIDTH, HEIGHT)
-        .unwrap()
-        .with_depth(&mut depth)
-        .unwrap();
-    for Object {
-        thing,
-        model,
-        material,
-        ..
-    } in objects()
-    {
-        canvas.draw(thing, &(view() * model), &material);
-    }
-    color
+    let draw = &mut |canvas: &mut Screen<'_, Gray8>| {
+        for object in objects() {
+            canvas.draw(object.thing, &(view() * object.model), &object.material);
+        }
+    };
+    picture(SIZE, HEIGHT, (Gray8::BLACK, 0), draw).0
 }
 
 /// The frame, drawn in bands of `rows` rows, and the total number of parts in all bands.
@@ -141,60 +132,41 @@ fn a_list_without_room_for_all_objects_is_refused() {
     );
 }
 
+/// A list of one mesh or of a scene refuses a wider frame, and a frame with one row less.
 #[test]
 fn a_canvas_of_another_frame_is_refused() {
-    let mut list: List = DrawList::new();
-    let (options, mut objects) = (DrawOptions::new(), objects());
-    let scene = list.prepare(&options, SIZE, &mut objects, &view()).unwrap();
+    let [mut of_faces, mut of_edges, mut of_smooth, mut of_scene] = [(); 4].map(|()| List::new());
+    let (options, white, view) = (DrawOptions::new(), Flat::new(Gray8::WHITE), view());
+    let (width, mut objects) = (LineStyle::wide(fx!(2)).unwrap(), objects());
+    let (lines, smooth) = (BALL.edges(width), BALL.edges(width.smooth()));
+    let ball = of_faces.prepare(&options, SIZE, &BALL, &view).unwrap();
+    let edges = of_edges.prepare(&options, SIZE, lines, &view).unwrap();
+    let smooth = of_smooth.prepare(&options, SIZE, smooth, &view).unwrap();
+    let scene = of_scene
+        .prepare(&options, SIZE, &mut objects, &view)
+        .unwrap();
     let mut color = [Gray8::BLACK; PIXELS];
     for (width, height) in [(WIDTH * 2, HEIGHT / 2), (WIDTH, HEIGHT - 1)] {
         let pixels = &mut color[..(width * height) as usize];
-        let canvas = Canvas::new(pixels, width, height).unwrap();
-        let error = scene.parts(&canvas).map(|_| ()).unwrap_err();
+        let mut canvas = Canvas::new(pixels, width, height).unwrap();
         let expected = format!(
             "canvas belongs to a frame of {width}x{height}: the list was prepared for 48x36"
         );
-        assert_eq!(error.to_string(), expected);
-    }
-    // A band of the same frame is accepted.
-    let band = Canvas::band(&mut color[..WIDTH as usize], WIDTH, HEIGHT, 7).unwrap();
-    assert!(scene.parts(&band).is_ok());
-}
-
-#[test]
-fn one_meshs_list_refuses_a_canvas_of_another_frame() {
-    let mut list: List = DrawList::new();
-    let mut lines: List = DrawList::new();
-    let (options, white) = (DrawOptions::new(), Flat::new(Gray8::WHITE));
-    let ball = list.prepare(&options, SIZE, &BALL, &view()).unwrap();
-    let mut smooth: List = DrawList::new();
-    let width = LineStyle::wide(fx!(2)).unwrap();
-    let edges = lines.prepare(&options, SIZE, BALL.edges(width), &view());
-    let edges = edges.unwrap();
-    let smooth = smooth.prepare(&options, SIZE, BALL.edges(width.smooth()), &view());
-    let smooth = smooth.unwrap();
-    let mut color = [Gray8::BLACK; PIXELS];
-    let mut band = Canvas::band(&mut color[..WIDTH as usize], WIDTH, HEIGHT, 7).unwrap();
-    assert!(band.draw_prepared(&ball, &white).is_ok());
-    assert!(band.draw_prepared(&edges, &white).is_ok());
-    // A wider frame, and a frame with one row less, are refused.
-    for (width_of_frame, height) in [(WIDTH * 2, HEIGHT / 2), (WIDTH, HEIGHT - 1)] {
-        color.fill(Gray8::BLACK);
-        let pixels = &mut color[..(width_of_frame * height) as usize];
-        let mut canvas = Canvas::new(pixels, width_of_frame, height).unwrap();
-        let expected = format!(
-            "canvas belongs to a frame of {width_of_frame}x{height}: the list was prepared for 48x36"
-        );
-        let all = [
-            canvas.draw_prepared(&ball, &white),
-            canvas.draw_prepared(&edges, &white),
-            canvas.draw_prepared(&smooth, &white),
-        ];
-        for refused in all {
-            assert_eq!(refused.unwrap_err().to_string(), expected);
+        for refused in [
+            canvas.draw_prepared(&ball, &white).err(),
+            canvas.draw_prepared(&edges, &white).err(),
+            canvas.draw_prepared(&smooth, &white).err(),
+            scene.parts(&canvas).err(),
+        ] {
+            assert_eq!(refused.unwrap().to_string(), expected);
         }
         assert!(color.iter().all(|&pixel| pixel == Gray8::BLACK));
     }
+    // A band of the same frame is accepted.
+    let mut band = Canvas::band(&mut color[..WIDTH as usize], WIDTH, HEIGHT, 7).unwrap();
+    assert!(band.draw_prepared(&ball, &white).is_ok());
+    assert!(band.draw_prepared(&edges, &white).is_ok());
+    assert!(scene.parts(&band).is_ok());
 }
 
 #[test]
@@ -269,7 +241,7 @@ fn a_scene_of_edges_draws_outlines_or_all_edges() {
 fn prepared_edges_in_bands_equal_the_frame() {
     let near = view() * Transform::translate(vec3!(0, 0.2, 2.3)) * Transform::scale(fx!(1.3));
     let (options, white) = (DrawOptions::new(), Flat::new(Gray8::WHITE));
-    let mut lines: List = DrawList::new();
+    let mut list: List = DrawList::new();
     let picture = |rows: u32, draw: &dyn Fn(&mut Canvas<'_, Gray8>) -> Drawn| {
         let mut color = [Gray8::BLACK; PIXELS];
         let mut drawn = Vec::new();
@@ -281,42 +253,40 @@ fn prepared_edges_in_bands_equal_the_frame() {
         }
         (color, drawn)
     };
+    /// Checks that lines from a list equal lines drawn directly. Returns the counts of the direct draw call, and of the
+    /// bands.
+    macro_rules! check {
+        ($lines:expr, $rows:expr, $options:expr) => {{
+            let (lines, options) = ($lines, $options);
+            let edges = list.prepare(&options, SIZE, lines, &near).unwrap();
+            let (direct, counts) = picture(HEIGHT, &|canvas| {
+                canvas.draw_with(&options, lines, &near, &white)
+            });
+            let (prepared, drawn) =
+                picture($rows, &|band| band.draw_prepared(&edges, &white).unwrap());
+            assert!(prepared == direct);
+            (counts, drawn)
+        }};
+    }
     for width in [fx!(1), fx!(3.5), fx!(20)] {
         let width = LineStyle::wide(width).unwrap();
-        let smooth = BALL.edges(width.smooth());
         for rows in [HEIGHT, 5, 1] {
-            let thin = BALL.edges(LineStyle::HAIRLINE);
-            let edges = lines.prepare(&options, SIZE, thin, &near).unwrap();
-            let (direct, counts) = picture(HEIGHT, &|canvas| canvas.draw(thin, &near, &white));
+            let (counts, drawn) = check!(BALL.edges(LineStyle::HAIRLINE), rows, options);
             assert!(counts[0].clipped > 5 && counts[0].drawn > 100, "{counts:?}");
-            let (prepared, drawn) =
-                picture(rows, &|band| band.draw_prepared(&edges, &white).unwrap());
-            assert!(prepared == direct && (rows < HEIGHT || drawn == counts));
+            assert!(rows < HEIGHT || drawn == counts);
             assert!(
                 rows > 1 || drawn.iter().any(|drawn| drawn.drawn < 40),
                 "{drawn:?}"
             );
-            let wide = BALL.edges(width);
-            let (direct, _) = picture(HEIGHT, &|canvas| canvas.draw(wide, &near, &white));
-            let wide = lines.prepare(&options, SIZE, wide, &near).unwrap();
-            let (prepared, _) = picture(rows, &|band| band.draw_prepared(&wide, &white).unwrap());
-            assert!(prepared == direct);
+            check!(BALL.edges(width), rows, options);
             // Blended edges must be equal, too.
-            let glass = options.with_blending(Opacity(99));
-            let (direct, _) = picture(HEIGHT, &|canvas| {
-                canvas.draw_with(&glass, smooth, &near, &white)
-            });
-            let edges = lines.prepare(&options, SIZE, smooth, &near).unwrap();
-            let glass = edges.with_blending(Opacity(99));
-            let (prepared, _) = picture(rows, &|band| band.draw_prepared(&glass, &white).unwrap());
-            assert!(prepared == direct);
-
-            let outline = BALL.outline(&OUTLINE, width);
-            let edges = lines.prepare(&options, SIZE, outline, &near).unwrap();
-            let (direct, counts) = picture(HEIGHT, &|canvas| canvas.draw(outline, &near, &white));
-            let (prepared, drawn) =
-                picture(rows, &|band| band.draw_prepared(&edges, &white).unwrap());
-            assert!(prepared == direct && (rows < HEIGHT || drawn == counts));
+            check!(
+                BALL.edges(width.smooth()),
+                rows,
+                options.with_blending(Opacity(99))
+            );
+            let (counts, drawn) = check!(BALL.outline(&OUTLINE, width), rows, options);
+            assert!(rows < HEIGHT || drawn == counts);
         }
     }
     let mut short: DrawList<8, 600> = DrawList::new();

@@ -92,30 +92,6 @@ fn the_long_edge_belongs_to_the_lower_half() {
     );
 }
 
-/// Both triangles together fill the square except for its right and bottom edges, and draw no pixel twice.
-#[test]
-fn two_halves_make_a_square() {
-    assert_picture(
-        &[
-            [1.5, 0.5],
-            [1.5, 4.5],
-            [5.5, 0.5],
-            [1.5, 4.5],
-            [5.5, 4.5],
-            [5.5, 0.5],
-        ],
-        &DrawOptions::new(),
-        "
-            .1111...
-            .1111...
-            .1111...
-            .1111...
-            ........
-            ........
-        ",
-    );
-}
-
 /// A horizontal edge on pixel centers: the row belongs to the triangle below the edge.
 #[test]
 fn a_horizontal_edge_on_centers() {

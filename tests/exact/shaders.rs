@@ -28,7 +28,7 @@ static SKIN: [[Rgb565; 4]; 2] = [
     ],
 ];
 
-type Screen<'c> = Canvas<'c, Rgb565, Native, LinearDepth>;
+type Screen<'c> = crate::Screen<'c, Rgb565>;
 
 fn sun() -> Light {
     Light::new(vec3!(1, 2, 3), fx!(0.2), fx!(0.8)).unwrap()
@@ -47,10 +47,9 @@ fn pose() -> Transform {
 
 /// The picture that `draw` draws, and its depths.
 fn picture(draw: &dyn Fn(&mut Screen<'_>)) -> (Vec<Rgb565>, Vec<u16>) {
-    let pixels = (WIDTH * HEIGHT) as usize;
-    let (mut colors, mut depths) = (vec![Rgb565::BLACK; pixels], vec![0; pixels]);
-    let canvas = Canvas::new(&mut colors, WIDTH, HEIGHT).unwrap();
-    draw(&mut canvas.with_depth(&mut depths).unwrap());
+    let before = (Rgb565::BLACK, 0);
+    let (colors, depths) =
+        crate::picture((WIDTH, HEIGHT), HEIGHT, before, &mut |canvas| draw(canvas));
     assert!(
         colors.iter().any(|color| *color != Rgb565::BLACK),
         "nothing is drawn"

@@ -25,22 +25,12 @@ fn positions() -> Vec<Vec3> {
         .collect()
 }
 
-type Screen<'c> = Canvas<'c, Rgb565, Native, LinearDepth>;
-
-type Picture = (Vec<Rgb565>, Vec<u16>);
+type Screen<'c> = crate::Screen<'c, Rgb565>;
 
 /// A picture drawn in bands of `rows` rows.
-fn picture(rows: u32, draw: &dyn Fn(&mut Screen<'_>)) -> Picture {
-    let mut colors = vec![Rgb565::new(1, 2, 3); (WIDTH * HEIGHT) as usize];
-    let mut depths = vec![0; colors.len()];
-    let bands = colors
-        .chunks_mut((WIDTH * rows) as usize)
-        .zip(depths.chunks_mut((WIDTH * rows) as usize));
-    for (band, (colors, depths)) in (0..).zip(bands) {
-        let canvas = Canvas::band(colors, WIDTH, HEIGHT, band * rows).unwrap();
-        draw(&mut canvas.with_depth(depths).unwrap());
-    }
-    (colors, depths)
+fn picture(rows: u32, draw: &dyn Fn(&mut Screen<'_>)) -> (Vec<Rgb565>, Vec<u16>) {
+    let before = (Rgb565::new(1, 2, 3), 0);
+    crate::picture((WIDTH, HEIGHT), rows, before, &mut |canvas| draw(canvas))
 }
 
 /// The corners of all quads in eye space, four each.

@@ -5,6 +5,7 @@ use core::fmt::{Debug, Display};
 use core::hash::Hash;
 
 use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 use fixel::canvas::{Add, Multiply, Opacity, Replace};
 use fixel::canvas::{
     Biased, ColorIndex, Contrast, ErrorDiffusion, FloatDepth, Label, NoDepth, NoTest,
@@ -61,6 +62,7 @@ all!(shared: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>> Prepared
 all!(shared: Object<u8> DrawList<1, 1>);
 all!(local: Corner<'static> Primitive<'static>);
 all!(any: Label<'static, Canvas<'static, Rgb565>>);
+all!(any: Canvas<'static, Rgb565, BigEndian> Canvas<'static, Rgb565, LittleEndian, LinearDepth>);
 all!(any: Buffers<'static> ErrorDiffusion<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, LinearDepth>);
 
 all!(default: Falloff Affine Compact Exact Newton TestAndWrite TestOnly WriteOnly NoTest LineStyle PointStyle);

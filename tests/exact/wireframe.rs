@@ -6,7 +6,7 @@ use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;
 
-use crate::List;
+use crate::{List, Screen};
 use support::random::cases;
 
 const SIZE: (u32, u32) = (72, 64);
@@ -53,17 +53,12 @@ fn visible_edges(
 
 /// Draws the shaded mesh, and then its edges over it.
 fn over<K: ProjectionKind>(mesh: &Mesh, mvp: &Mvp<K>, test: impl DepthTest) -> Vec<Gray8> {
-    let (mut colors, mut depths) = (vec![Gray8::BLACK; PIXELS], vec![0; PIXELS]);
-    let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
-    let mut canvas = canvas.with_depth(&mut depths).unwrap();
-    canvas.draw_with(
-        &DrawOptions::new().with_depth(test),
-        mesh,
-        mvp,
-        &Flat::new(SURFACE),
-    );
-    canvas.draw(mesh.edges(LineStyle::HAIRLINE), mvp, &Flat::new(EDGE));
-    colors
+    let options = DrawOptions::new().with_depth(test);
+    let draw = &mut |canvas: &mut Screen<'_, Gray8>| {
+        canvas.draw_with(&options, mesh, mvp, &Flat::new(SURFACE));
+        canvas.draw(mesh.edges(LineStyle::HAIRLINE), mvp, &Flat::new(EDGE));
+    };
+    crate::picture(SIZE, SIZE.1, (Gray8::BLACK, 0), draw).0
 }
 
 /// Draws only the edges, without depth. The edges are blended, so an edge lacks an end pixel if the edge does not pass
@@ -152,20 +147,16 @@ fn hidden_outlines(face: impl DepthTest, line: impl DepthTest) -> [usize; 2] {
         let projection = Projection::perspective(deg!(50), SIZE, fx!(1), fx!(20)).unwrap();
         let mvp = projection * pose(random.random(), distance);
         let [alone, over] = [false, true].map(|is_hidden| {
-            let (mut colors, mut depths) = ([Gray8::BLACK; PIXELS], [0; PIXELS]);
-            let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
-            let mut canvas = canvas.with_depth(&mut depths).unwrap();
-            if is_hidden {
-                let options = DrawOptions::new().with_depth(face);
-                canvas.draw_with(&options, mesh, &mvp, &Flat::new(SURFACE));
-            }
-            canvas.draw_with(
-                &DrawOptions::new().with_depth(line),
-                mesh.outline(&outline, LineStyle::HAIRLINE),
-                &mvp,
-                &Flat::new(EDGE),
-            );
-            colors
+            let draw = &mut |canvas: &mut Screen<'_, Gray8>| {
+                if is_hidden {
+                    let options = DrawOptions::new().with_depth(face);
+                    canvas.draw_with(&options, mesh, &mvp, &Flat::new(SURFACE));
+                }
+                let options = DrawOptions::new().with_depth(line);
+                let lines = mesh.outline(&outline, LineStyle::HAIRLINE);
+                canvas.draw_with(&options, lines, &mvp, &Flat::new(EDGE));
+            };
+            crate::picture(SIZE, SIZE.1, (Gray8::BLACK, 0), draw).0
         });
         for (sum, count) in sums.iter_mut().zip(missing(&over, &alone)) {
             *sum += count;
@@ -210,23 +201,18 @@ fn outlines_move_as_the_faces_beside_them_are_steep() {
             * Transform::translate(vec3!(1, 0, 1));
         let mvp = projection * model;
         let draw = |test: Biased<WriteOnly>, band: u32, is_listed: bool| {
-            let mut depths = vec![0; PIXELS];
-            let mut colors = vec![Gray8::BLACK; PIXELS];
             let options = DrawOptions::new().with_cull(Cull::Nothing).with_depth(test);
             let lines = SHEET.outline(&BORDER, LineStyle::HAIRLINE);
             let mut list: List = DrawList::new();
             let listed = list.prepare(&options, SIZE, lines, &mvp).unwrap();
-            for first in (0..SIZE.1).step_by(band as usize) {
-                let pixels = (first * SIZE.0) as usize..((first + band) * SIZE.0) as usize;
-                let canvas = Canvas::band(&mut colors[pixels.clone()], SIZE.0, SIZE.1, first);
-                let mut canvas = canvas.unwrap().with_depth(&mut depths[pixels]).unwrap();
+            let draw = &mut |canvas: &mut Screen<'_, Gray8>| {
                 if is_listed {
                     canvas.draw_prepared(&listed, &Flat::new(EDGE)).unwrap();
                 } else {
                     canvas.draw_with(&options, lines, &mvp, &Flat::new(EDGE));
                 }
-            }
-            depths
+            };
+            crate::picture(SIZE, band, (Gray8::BLACK, 0), draw).1
         };
         let plain = draw(Biased::new(WriteOnly, 0, fx!(0)), SIZE.1, false);
         let slope = Scalar::try_from(SLOPE).unwrap();

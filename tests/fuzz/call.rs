@@ -41,23 +41,50 @@ pub struct Picture {
 /// The color of every pixel before drawing.
 const BACKGROUND: Rgb565 = Rgb565::new(1, 2, 3);
 
-/// A list with room for two copies of all pieces that clipping makes of a scene's few triangles.
-type List = DrawList<32, 400>;
+/// A list with room for two copies of all edges of a scene's few triangles, and of all pieces that clipping makes.
+type List = DrawList<96, 400>;
+
+/// Draws a thing from a list, in a frame and in bands. Returns the frame, and the counts of its draw call.
+macro_rules! listed {
+    ($call:expr, $list:ident.$prepare:ident($options:expr, $thing:expr), $shader:expr) => {{
+        let call = $call;
+        let listed = $list.$prepare($options, call.scene.size, $thing, &call.mvp);
+        let listed = listed.unwrap();
+        let draw = &mut |canvas: &mut Frame<'_>| canvas.draw_prepared(&listed, $shader).unwrap();
+        let (frame, drawn) = call.frame(draw);
+        assert!(call.in_bands(draw) == frame, "bands of a list differ");
+        (frame, drawn)
+    }};
+}
+
+/// Draws a thing as two objects of a scene, in a frame and in bands. The objects' material is not the shader, because
+/// with the shader as material, scenes would be compiled for each shader.
+macro_rules! objects {
+    ($call:expr, $list:ident.$prepare:ident($options:expr, $thing:expr), $shader:expr) => {{
+        let call = $call;
+        let mut objects = [Object::new($thing, Transform::IDENTITY, ()); 2];
+        let scene = $list.$prepare($options, call.scene.size, &mut objects, &call.mvp);
+        let scene = scene.unwrap();
+        let draw = &mut |canvas: &mut Frame<'_>| {
+            let parts = scene.parts(canvas).unwrap();
+            let drawn = parts.map(|((), part)| canvas.draw_prepared(&part, $shader).unwrap());
+            drawn.last().unwrap_or_default()
+        };
+        assert!(
+            call.in_bands(draw) == call.frame(draw).0,
+            "bands of a scene differ"
+        );
+    }};
+}
 
 impl<K: ProjectionKind> Call<'_, K> {
     /// Draws the scene once.
-    fn draw<I, F, O, D>(
+    fn draw(
         &self,
-        canvas: &mut Canvas<'_, Rgb565, O, D>,
-        options: &DrawOptions<I>,
-        shader: &F,
-    ) -> Drawn
-    where
-        I: Mode,
-        F: ShaderFor<Rgb565>,
-        O: Storage<Rgb565>,
-        D: DepthBuffer,
-    {
+        canvas: &mut Canvas<'_, Rgb565, impl Storage<Rgb565>, impl DepthBuffer>,
+        options: &DrawOptions<impl Mode>,
+        shader: &impl ShaderFor<Rgb565>,
+    ) -> Drawn {
         let drawn = match self.scene.what {
             What::Triangles => canvas.draw_with(options, self.mesh, &self.mvp, shader),
             What::Edges if self.scene.style & 1 != 0 => {
@@ -95,8 +122,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     /// Picks at some pixels, and draws labels at the points that were hit and at some positions.
     pub fn check_picking(&self, options: &DrawOptions) {
         let (width, height) = self.scene.size;
-        let mut picture = self.blank();
-        self.on_frame(&mut picture, &mut |canvas| {
+        let (picture, _) = self.frame(&mut |canvas| {
             let label = |canvas: &mut Frame<'_>, point| {
                 if let Some(at) = canvas.project(options, &self.mvp, point) {
                     let area = Rectangle::new(Point::new(-2, -1), Size::new(4, 3));
@@ -136,10 +162,8 @@ impl<K: ProjectionKind> Call<'_, K> {
             parts.map(|(faces, level)| Part::new(faces, Material::new(Rgb888::new(level, 50, 99))));
 
         let colors = PartColors::rgb(&parts);
-        let mut whole = self.blank();
-        self.on_frame(&mut whole, &mut |canvas| {
-            canvas.draw_with(options, self.mesh, &self.mvp, &colors)
-        });
+        let (whole, _) =
+            self.frame(&mut |canvas| canvas.draw_with(options, self.mesh, &self.mvp, &colors));
         let one_by_one = &mut |canvas: &mut Frame<'_>| {
             let mut drawn = Drawn::default();
             for part in &parts {
@@ -148,9 +172,7 @@ impl<K: ProjectionKind> Call<'_, K> {
             }
             drawn
         };
-        let mut frame = self.blank();
-        self.on_frame(&mut frame, one_by_one);
-        assert!(frame == whole, "parts differ");
+        assert!(self.frame(one_by_one).0 == whole, "parts differ");
         assert!(self.in_bands(one_by_one) == whole, "bands of parts differ");
     }
 
@@ -185,8 +207,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     /// Checks that a mesh that is reported as out of view has no pixels, and that normals can be computed for every
     /// mesh.
     pub fn check_mesh(&self, options: &DrawOptions) {
-        let mut picture = self.blank();
-        self.on_frame(&mut picture, &mut |canvas| {
+        let (picture, _) = self.frame(&mut |canvas| {
             let bounds = self.mesh.bounds();
             let _ = canvas.size_on_screen(options, &bounds, &self.mvp);
             if canvas.is_in_view(options, &bounds, &self.mvp) {
@@ -234,15 +255,11 @@ impl<K: ProjectionKind> Call<'_, K> {
     }
 
     /// Draws without a depth buffer, and records every pixel for which the shader is asked.
-    pub fn record<I, F, const N: usize>(
+    pub fn record<I: Mode, F: ShaderFor<Rgb565>, const N: usize>(
         &self,
         options: &DrawOptions<I>,
         shader: F,
-    ) -> Record<N, Rgb565>
-    where
-        I: Mode,
-        F: ShaderFor<Rgb565>,
-    {
+    ) -> Record<N, Rgb565> {
         let mut colors = vec![BACKGROUND; self.scene.pixels()];
         let (width, height) = self.scene.size;
         let mut canvas = Canvas::new(&mut colors, width, height).unwrap();
@@ -293,15 +310,11 @@ impl<K: ProjectionKind> Call<'_, K> {
     }
 
     /// Draws in all ways, compares the pictures, and returns the recorded pixels.
-    pub fn check<I, F, const N: usize>(
+    pub fn check<I: Mode, F: ShaderFor<Rgb565>, const N: usize>(
         &self,
         options: &DrawOptions<I>,
         shader: &F,
-    ) -> Record<N, Rgb565>
-    where
-        I: Mode,
-        F: ShaderFor<Rgb565>,
-    {
+    ) -> Record<N, Rgb565> {
         let record = self.record(options, *shader);
         let expected = self.depth_test(options, *shader, &record.seen);
         let frame = self.check_frames(options, shader);
@@ -310,22 +323,21 @@ impl<K: ProjectionKind> Call<'_, K> {
     }
 
     /// Checks that a frame, bands and prepared triangles show the same picture. Returns the frame.
-    pub fn check_frames<I, F>(&self, options: &DrawOptions<I>, shader: &F) -> Picture
-    where
-        I: Mode,
-        F: ShaderFor<Rgb565>,
-    {
-        let mut frame = self.blank();
+    pub fn check_frames<I: Mode>(
+        &self,
+        options: &DrawOptions<I>,
+        shader: &impl ShaderFor<Rgb565>,
+    ) -> Picture {
         let draw = &mut |canvas: &mut Frame<'_>| self.draw(canvas, options, shader);
-        let drawn = self.on_frame(&mut frame, draw);
+        let (frame, drawn) = self.frame(draw);
         // Drawing again over the same picture changes nothing, because triangles at equal depths cover earlier ones.
         let mut again = frame.clone();
         assert_eq!(self.on_frame(&mut again, draw), drawn);
         assert!(again == frame, "drawn again, the picture differs");
         assert!(self.in_bands(draw) == frame, "bands differ");
         match self.scene.what {
-            What::Triangles => self.check_prepared(options, shader, &frame, drawn),
-            What::Edges => self.check_prepared_edges(options, shader, &frame),
+            What::Triangles => self.check_listed(options, shader, &frame, drawn),
+            What::Edges => self.check_listed_edges(options, shader, &frame),
             What::Points | What::Sprites(_) => {}
         }
         frame
@@ -333,16 +345,12 @@ impl<K: ProjectionKind> Call<'_, K> {
 
     /// Draws with a depth buffer. Of the pixels that were `seen` without a depth buffer, exactly the pixels that are
     /// not hidden must be drawn.
-    fn depth_test<I, F, const N: usize>(
+    fn depth_test<I: Mode, F: ShaderFor<Rgb565>, const N: usize>(
         &self,
         options: &DrawOptions<I>,
         shader: F,
         seen: &[Seen<N, Rgb565>],
-    ) -> Picture
-    where
-        I: Mode,
-        F: ShaderFor<Rgb565>,
-    {
+    ) -> Picture {
         let mut expected = self.blank();
         let mut visible = Vec::new();
         for seen in seen {
@@ -370,117 +378,53 @@ impl<K: ProjectionKind> Call<'_, K> {
         expected
     }
 
-    /// Draws prepared triangles, in a frame and in bands.
-    fn check_prepared<I, F>(
+    /// Draws listed triangles, in a frame and in bands.
+    fn check_listed<I: Mode>(
         &self,
         options: &DrawOptions<I>,
-        shader: &F,
+        shader: &impl ShaderFor<Rgb565>,
         expected: &Picture,
         drawn: Drawn,
-    ) where
-        I: Mode,
-        F: ShaderFor<Rgb565>,
-    {
+    ) {
         let mut list = List::new();
-        let prepared = list
-            .prepare(options, self.scene.size, self.mesh, &self.mvp)
-            .unwrap();
-        let mut frame = self.blank();
-        let counts = self.on_frame(&mut frame, &mut |canvas| {
-            canvas.draw_prepared(&prepared, shader).unwrap()
-        });
+        let (frame, counts) = listed!(self, list.prepare(options, self.mesh), shader);
         assert!(frame == *expected, "prepared triangles differ");
         // If clipping removes a triangle, only a direct draw call reports that the triangle lacks attributes.
         let missing = drawn.missing;
         assert_eq!(Drawn { missing, ..counts }, drawn);
-        let bands = self.in_bands(&mut |band| band.draw_prepared(&prepared, shader).unwrap());
-        assert!(bands == *expected, "bands of prepared triangles differ");
-
-        // In another order, other triangles can show. But the number of drawn triangles is the same, and bands equal
-        // the frame.
-        let sorted = list
-            .prepare_back_to_front(options, self.scene.size, self.mesh, &self.mvp)
-            .unwrap();
-        let mut frame = self.blank();
-        let counts = self.on_frame(&mut frame, &mut |canvas| {
-            canvas.draw_prepared(&sorted, shader).unwrap()
-        });
+        // In another order, other triangles can show. But the number of drawn triangles is the same.
+        let (_, counts) = listed!(self, list.prepare_back_to_front(options, self.mesh), shader);
         assert_eq!(Drawn { missing, ..counts }, drawn);
-        let bands = self.in_bands(&mut |band| band.draw_prepared(&sorted, shader).unwrap());
-        assert!(bands == frame, "bands of sorted triangles differ");
-
-        // Draw the mesh as two objects of a scene. The objects' material is not the shader, because with the shader as
-        // material, scenes would be compiled for each shader.
-        let mut objects = [Object::new(self.mesh, Transform::IDENTITY, ()); 2];
-        let scene = list
-            .prepare_back_to_front(options, self.scene.size, &mut objects, &self.mvp)
-            .unwrap();
-        let draw = &mut |canvas: &mut Frame<'_>| {
-            let mut drawn = Drawn::default();
-            for ((), triangles) in scene.parts(canvas).unwrap() {
-                drawn = canvas.draw_prepared(&triangles, shader).unwrap();
-            }
-            drawn
-        };
-        let mut frame = self.blank();
-        self.on_frame(&mut frame, draw);
-        assert!(self.in_bands(draw) == frame, "bands of a scene differ");
+        objects!(self, list.prepare_back_to_front(options, self.mesh), shader);
     }
 
-    /// Draws prepared edges in a frame and in bands. Compares smooth prepared edges with smooth edges that are drawn
+    /// Draws listed edges in a frame and in bands. Compares smooth listed edges with smooth edges that are drawn
     /// directly.
-    fn check_prepared_edges<I, F>(&self, options: &DrawOptions<I>, shader: &F, expected: &Picture)
-    where
-        I: Mode,
-        F: ShaderFor<Rgb565>,
-    {
-        let (mesh, size) = (self.mesh, self.scene.size);
-        let mut list: DrawList<96, 400> = DrawList::new();
+    fn check_listed_edges<I: Mode>(
+        &self,
+        options: &DrawOptions<I>,
+        shader: &impl ShaderFor<Rgb565>,
+        expected: &Picture,
+    ) {
+        let (mesh, mut list) = (self.mesh, List::new());
         let mut room = vec![[0; 4]; 3 * mesh.faces().len()];
         let outline = self.outline(&mut room);
         let lines = match &outline {
             Some(outline) => mesh.outline(outline, self.line()),
             None => mesh.edges(self.line()),
         };
-        let edges = list.prepare(options, size, lines, &self.mvp).unwrap();
-        let draw = &mut |canvas: &mut Frame<'_>| canvas.draw_prepared(&edges, shader).unwrap();
-        let mut frame = self.blank();
-        self.on_frame(&mut frame, draw);
+        let (frame, _) = listed!(self, list.prepare(options, lines), shader);
         assert!(frame == *expected, "prepared edges differ");
-        assert!(
-            self.in_bands(draw) == frame,
-            "bands of prepared edges differ"
-        );
 
         let lines = match &outline {
             Some(outline) => mesh.outline(outline, self.line().smooth()),
             None => mesh.edges(self.line().smooth()),
         };
-        let mut direct = self.blank();
-        self.on_frame(&mut direct, &mut |canvas| {
-            canvas.draw_with(options, lines, &self.mvp, shader)
-        });
-        let edges = list.prepare(options, size, lines, &self.mvp).unwrap();
-        let bands = self.in_bands(&mut |band| band.draw_prepared(&edges, shader).unwrap());
-        assert!(bands == direct, "bands of prepared smooth edges differ");
-
-        // Draw the edges as two objects of a scene.
-        let mut objects = [Object::new(lines, Transform::IDENTITY, ()); 2];
-        let scene = list.prepare(options, size, &mut objects, &self.mvp);
-        let scene = scene.unwrap();
-        let draw = &mut |canvas: &mut Frame<'_>| {
-            let mut drawn = Drawn::default();
-            for ((), edges) in scene.parts(canvas).unwrap() {
-                drawn = canvas.draw_prepared(&edges, shader).unwrap();
-            }
-            drawn
-        };
-        let mut frame = self.blank();
-        self.on_frame(&mut frame, draw);
-        assert!(
-            self.in_bands(draw) == frame,
-            "bands of a scene's edges differ"
-        );
+        let direct = |canvas: &mut Frame<'_>| canvas.draw_with(options, lines, &self.mvp, shader);
+        let (direct, _) = self.frame(&mut { direct });
+        let (frame, _) = listed!(self, list.prepare(options, lines), shader);
+        assert!(frame == direct, "prepared smooth edges differ");
+        objects!(self, list.prepare(options, lines), shader);
     }
 
     /// The mesh's outline; `None` for half of the styles.
@@ -490,7 +434,14 @@ impl<K: ProjectionKind> Call<'_, K> {
         has_outline.then(|| Outline::build(self.mesh, crease, room).unwrap())
     }
 
-    /// Draws into a whole picture.
+    /// Draws a frame.
+    fn frame(&self, draw: &mut Draw<'_>) -> (Picture, Drawn) {
+        let mut picture = self.blank();
+        let drawn = self.on_frame(&mut picture, draw);
+        (picture, drawn)
+    }
+
+    /// Draws over a whole picture.
     fn on_frame(&self, picture: &mut Picture, draw: &mut Draw<'_>) -> Drawn {
         let (width, height) = self.scene.size;
         let canvas = Canvas::new(&mut picture.colors, width, height).unwrap();
@@ -498,11 +449,7 @@ impl<K: ProjectionKind> Call<'_, K> {
     }
 
     /// Checks that a canvas of bytes, in either order and without depths, shows the same picture.
-    pub fn check_bytes<I, F>(&self, options: &DrawOptions<I>, shader: &F)
-    where
-        I: Mode,
-        F: ShaderFor<Rgb565>,
-    {
+    pub fn check_bytes<I: Mode>(&self, options: &DrawOptions<I>, shader: &impl ShaderFor<Rgb565>) {
         let (width, height) = self.scene.size;
         let mut colors = vec![BACKGROUND; self.scene.pixels()];
         let mut canvas = Canvas::new(&mut colors, width, height).unwrap();
@@ -562,11 +509,11 @@ impl<K: ProjectionKind> Call<'_, K> {
     }
 
     /// Checks that blending gives the same colors in frames and in bands.
-    pub fn check_blended<I, F>(&self, options: &DrawOptions<I>, shader: &F)
-    where
-        I: Mode,
-        F: ShaderFor<Rgb565>,
-    {
+    pub fn check_blended<I: Mode>(
+        &self,
+        options: &DrawOptions<I>,
+        shader: &impl ShaderFor<Rgb565>,
+    ) {
         self.check_blending(
             &options.with_blending(Opacity(self.scene.depths[0] as u8)),
             shader,
@@ -580,26 +527,23 @@ impl<K: ProjectionKind> Call<'_, K> {
         self.check_blending(&options.with_blending(fixel::canvas::Replace), &translucent);
     }
 
-    fn check_blending<I, B, F>(&self, options: &DrawOptions<I, TestAndWrite, B>, shader: &F)
-    where
-        I: Mode,
-        B: Blending<Rgb565>,
-        F: ShaderFor<Rgb565>,
-    {
+    fn check_blending(
+        &self,
+        options: &DrawOptions<impl Mode, TestAndWrite, impl Blending<Rgb565>>,
+        shader: &impl ShaderFor<Rgb565>,
+    ) {
         // Triangles are enough, because edges and points reach the pixels by the same code.
-        let mut frame = self.blank();
-        self.on_frame(&mut frame, &mut |canvas| {
-            canvas.draw_with(options, self.mesh, &self.mvp, shader)
-        });
-        let bands =
-            self.in_bands(&mut |band| band.draw_with(options, self.mesh, &self.mvp, shader));
-        assert!(bands == frame, "blended bands differ");
+        let draw =
+            &mut |canvas: &mut Frame<'_>| canvas.draw_with(options, self.mesh, &self.mvp, shader);
+        assert!(
+            self.in_bands(draw) == self.frame(draw).0,
+            "blended bands differ"
+        );
 
         let smooth = self.mesh.edges(self.line().smooth());
         let draw =
             &mut |canvas: &mut Frame<'_>| canvas.draw_with(options, smooth, &self.mvp, shader);
-        let mut frame = self.blank();
-        let drawn = self.on_frame(&mut frame, draw);
+        let (frame, drawn) = self.frame(draw);
         assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);
         assert!(self.in_bands(draw) == frame, "bands of smooth lines differ");
     }

@@ -12,7 +12,7 @@
 mod scenery;
 
 use embedded_graphics::geometry::Point;
-use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::{PixelColor, Rgb888, RgbColor};
 use fixel::Drawn;
 use fixel::canvas::{Biased, DepthBuffer, Storage, TestAndWrite};
 use fixel::mode::Mode;
@@ -27,49 +27,36 @@ pub static ISLAND: Mesh = include_mesh!("../../assets/lighthouse.obj");
 /// The outline of the island against sky and sea. No edge is a crease.
 pub static SILHOUETTES: Outline = include_outline!("../../assets/lighthouse.obj", crease = 180);
 
-/// Draws the sea and the island. `mvp` transforms them to the picture.
+/// Draws the sea and the island. `mvp` transforms them to the picture. If the format has only black and white, it is
+/// night, and the silhouettes are white.
 ///
 /// # Errors
 ///
 /// None: the light's numbers are constant.
-pub fn draw<C, I, K, O, D>(
-    canvas: &mut Canvas<'_, C, O, D>,
-    options: &DrawOptions<I>,
-    mvp: &Mvp<K>,
-) -> Result<[Drawn; 2], Error>
-where
-    C: PixelFormat,
-    I: Mode,
-    K: ProjectionKind,
-    O: Storage<C>,
-    D: DepthBuffer,
-{
-    if is_mono::<C>() {
-        return draw_mono(canvas, options, mvp);
+pub fn draw<C: PixelFormat>(
+    canvas: &mut Canvas<'_, C, impl Storage<C>, impl DepthBuffer>,
+    options: &DrawOptions<impl Mode>,
+    mvp: &Mvp<impl ProjectionKind>,
+) -> Result<[Drawn; 2], Error> {
+    if !is_mono::<C>() {
+        return Ok(surfaces(canvas, options, mvp, (&waves(), &skin()?)));
     }
-    let sea = canvas.draw_with(options, &SEA, mvp, &waves());
-    let island = canvas.draw_with(options, &ISLAND, mvp, &skin()?);
-    Ok([sea, island])
-}
-
-/// Draws the sea and the island at night, with white silhouettes.
-fn draw_mono<C, I, K, O, D>(
-    canvas: &mut Canvas<'_, C, O, D>,
-    options: &DrawOptions<I>,
-    mvp: &Mvp<K>,
-) -> Result<[Drawn; 2], Error>
-where
-    C: PixelFormat,
-    I: Mode,
-    K: ProjectionKind,
-    O: Storage<C>,
-    D: DepthBuffer,
-{
-    let sea = canvas.draw_with(options, &SEA, mvp, &crests());
-    let island = canvas.draw_with(options, &ISLAND, mvp, &stretched()?);
+    let drawn = surfaces(canvas, options, mvp, (&crests(), &stretched()?));
     let white = Flat::new(C::from_rgb(Rgb888::WHITE, Point::zero()));
     let in_front = options.with_depth(Biased::in_front(TestAndWrite));
     let silhouettes = ISLAND.outline(&SILHOUETTES, LineStyle::HAIRLINE);
     canvas.draw_with(&in_front, silhouettes, mvp, &white);
-    Ok([sea, island])
+    Ok(drawn)
+}
+
+/// Draws the sea and the island, each with its shader.
+#[inline]
+pub fn surfaces<C: PixelColor>(
+    canvas: &mut Canvas<'_, C, impl Storage<C>, impl DepthBuffer>,
+    options: &DrawOptions<impl Mode>,
+    mvp: &Mvp<impl ProjectionKind>,
+    (sea, island): (&impl ShaderFor<C>, &impl ShaderFor<C>),
+) -> [Drawn; 2] {
+    let sea = canvas.draw_with(options, &SEA, mvp, sea);
+    [sea, canvas.draw_with(options, &ISLAND, mvp, island)]
 }

@@ -113,12 +113,7 @@ pub fn sun() -> Result<Light, Error> {
 }
 
 /// Fills the canvas with a sky, blue above and pale toward the horizon. A canvas in black and white becomes black.
-pub fn sky<C, O, D>(canvas: &mut Canvas<'_, C, O, D>)
-where
-    C: PixelFormat,
-    O: Storage<C>,
-    D: DepthBuffer,
-{
+pub fn sky<C: PixelFormat>(canvas: &mut Canvas<'_, C, impl Storage<C>, impl DepthBuffer>) {
     canvas.clear(C::from_rgb(Rgb888::new(0, 0, 0), Point::zero()));
     if is_mono::<C>() {
         return;
@@ -196,12 +191,7 @@ pub fn stretched<C: PixelFormat>() -> Result<impl ShaderFor<C, Varyings = LitTex
 
 /// Writes the name of the project into the lower left corner. If the format has only black and white, the background of
 /// the text is black.
-pub fn caption<C, O, D>(canvas: &mut Canvas<'_, C, O, D>)
-where
-    C: PixelFormat,
-    O: Storage<C>,
-    D: DepthBuffer,
-{
+pub fn caption<C: PixelFormat>(canvas: &mut Canvas<'_, C, impl Storage<C>, impl DepthBuffer>) {
     let size = canvas.frame_size();
     caption_on(canvas, size, is_mono::<C>());
 }

@@ -109,16 +109,11 @@ pub fn viewer(turn: Angle) -> (Vec3, Vec3) {
 /// # Errors
 ///
 /// None: the numbers are constant.
-pub fn draw<O, D, M>(
-    canvas: &mut Canvas<'_, Rgb565, O, D>,
-    mode: M,
+pub fn draw(
+    canvas: &mut Canvas<'_, Rgb565, impl Storage<Rgb565>, impl DepthBuffer>,
+    mode: impl Mode,
     turn: Angle,
-) -> Result<(), Error>
-where
-    O: Storage<Rgb565>,
-    D: DepthBuffer,
-    M: Mode,
-{
+) -> Result<(), Error> {
     let (eye, target) = viewer(turn);
     let size = canvas.frame_size();
     let projection =
@@ -241,11 +236,11 @@ struct Scene<M> {
 
 impl<M: Mode> Scene<M> {
     /// Draws all solid surfaces.
-    fn draw<O, D>(&self, canvas: &mut Canvas<'_, Rgb565, O, D>, world: &World) -> Result<(), Error>
-    where
-        O: Storage<Rgb565>,
-        D: DepthBuffer,
-    {
+    fn draw(
+        &self,
+        canvas: &mut Canvas<'_, Rgb565, impl Storage<Rgb565>, impl DepthBuffer>,
+        world: &World,
+    ) -> Result<(), Error> {
         let (mvp, fog, options) = (self.view * world.model, self.fog, &self.options);
         let mut lamps = world.lamps.map(|(_, lamp)| lamp);
         let tile = |texture: &textures::Tile| {
@@ -326,18 +321,14 @@ impl<M: Mode> Scene<M> {
     }
 
     /// Draws plants of one kind. The plants turn about their stems to face the viewer.
-    fn plants<O, D, const W: usize, const H: usize>(
+    fn plants<const W: usize, const H: usize>(
         &self,
-        canvas: &mut Canvas<'_, Rgb565, O, D>,
+        canvas: &mut Canvas<'_, Rgb565, impl Storage<Rgb565>, impl DepthBuffer>,
         world: &World,
         places: &[Vec3],
         size: (Scalar, Scalar),
         texture: &[[Argb1555; W]; H],
-    ) -> Result<(), Error>
-    where
-        O: Storage<Rgb565>,
-        D: DepthBuffer,
-    {
+    ) -> Result<(), Error> {
         let plants = Sprites::new(places, size)?
             .with_axis(Vec3::Y)?
             .with_anchor(vec2!(0.5, 1));
@@ -350,11 +341,10 @@ impl<M: Mode> Scene<M> {
     }
 
     /// Draws the water's surface. The mirror image is visible through it.
-    fn water<O, D>(&self, canvas: &mut Canvas<'_, Rgb565, O, D>) -> Result<(), Error>
-    where
-        O: Storage<Rgb565>,
-        D: DepthBuffer,
-    {
+    fn water(
+        &self,
+        canvas: &mut Canvas<'_, Rgb565, impl Storage<Rgb565>, impl DepthBuffer>,
+    ) -> Result<(), Error> {
         let (least, most) = (POND.least, POND.most);
         let corners = [
             [least.x, most.z],
@@ -376,11 +366,11 @@ impl<M: Mode> Scene<M> {
     }
 
     /// Draws the light in the air around lamps, and on the water.
-    fn glows<O, D>(&self, canvas: &mut Canvas<'_, Rgb565, O, D>, world: &World) -> Result<(), Error>
-    where
-        O: Storage<Rgb565>,
-        D: DepthBuffer,
-    {
+    fn glows(
+        &self,
+        canvas: &mut Canvas<'_, Rgb565, impl Storage<Rgb565>, impl DepthBuffer>,
+        world: &World,
+    ) -> Result<(), Error> {
         let shine = self.options.with_depth(TestOnly).with_blending(Add);
         let glow = Textured::new(&textures::GLOW)
             .clamped()
@@ -408,11 +398,12 @@ impl<M: Mode> Scene<M> {
     }
 
     /// Writes a name at a point. Nearer surfaces hide it.
-    fn label<O, D>(&self, canvas: &mut Canvas<'_, Rgb565, O, D>, name: &str, point: Vec3)
-    where
-        O: Storage<Rgb565>,
-        D: DepthBuffer,
-    {
+    fn label(
+        &self,
+        canvas: &mut Canvas<'_, Rgb565, impl Storage<Rgb565>, impl DepthBuffer>,
+        name: &str,
+        point: Vec3,
+    ) {
         if let Some(at) = canvas.project(&self.options, &self.view, point) {
             for (offset, color) in [(1, Rgb565::BLACK), (0, Rgb565::new(31, 58, 24))] {
                 let style = MonoTextStyle::new(&FONT_6X10, color);

@@ -69,16 +69,11 @@ const MOON_AT: Vec3 = vec3!(9.5, 10.2, -26);
 
 /// Draws the sky behind everything, so it neither tests nor stores depths. The view is the view of a [camera in the
 /// middle of the sky](Camera::sky).
-pub fn draw<O, D, M>(
-    canvas: &mut Canvas<'_, Rgb565, O, D>,
-    options: &DrawOptions<M>,
+pub fn draw(
+    canvas: &mut Canvas<'_, Rgb565, impl Storage<Rgb565>, impl DepthBuffer>,
+    options: &DrawOptions<impl Mode>,
     view: &Mvp,
-) -> Result<(), Error>
-where
-    O: Storage<Rgb565>,
-    D: DepthBuffer,
-    M: Mode,
-{
+) -> Result<(), Error> {
     let behind = options.with_depth(NoTest).with_cull(Cull::Nothing);
     let dome = *view * Transform::scale(fx!(30));
     canvas.draw_with(&behind, &DOME, &dome, &Gouraud::new());

@@ -10,21 +10,28 @@ use fixel::texture::Sampler;
 use fixel_assets::{Files, Picture};
 use flash_model::{Board, Model, Panel, Problem, write};
 
-/// The house of tests/models, with a picture for its bricks.
-struct House;
-
-const HOUSE: &[u8] = include_bytes!("../../../tests/models/house.obj");
-const MATERIALS: &[u8] = include_bytes!("../../../tests/models/house.mtl");
 const BRICK: &[u8] = include_bytes!("../../../src/texture/samples/brick.tga");
+/// The house of tests/models, with a picture for its bricks.
+const HOUSE: [(&str, &[u8]); 3] = [
+    (
+        "house.obj",
+        include_bytes!("../../../tests/models/house.obj"),
+    ),
+    (
+        "house.mtl",
+        include_bytes!("../../../tests/models/house.mtl"),
+    ),
+    ("brick.tga", BRICK),
+];
 
-impl Files for House {
+/// Files in memory: names and contents.
+struct Memory<'a>(&'a [(&'a str, &'a [u8])]);
+
+impl Files for Memory<'_> {
     fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
-        match path.to_str() {
-            Some("house.obj") => Ok(HOUSE.into()),
-            Some("house.mtl") => Ok(MATERIALS.into()),
-            Some("brick.tga") => Ok(BRICK.into()),
-            _ => Err(io::ErrorKind::NotFound.into()),
-        }
+        let found = self.0.iter().find(|(name, _)| path == Path::new(name));
+        let bytes = found.map(|(_, bytes)| bytes.to_vec());
+        bytes.ok_or_else(|| io::ErrorKind::NotFound.into())
     }
 
     fn has(&self, path: &Path) -> bool {
@@ -32,17 +39,20 @@ impl Files for House {
     }
 }
 
-fn house() -> Vec<u32> {
+/// The words of the model in the first file, for an ILI9341, and the notes.
+fn written(
+    files: &[(&str, &[u8])],
+    spare: Option<&Picture>,
+    board: Board,
+) -> Result<(Vec<u32>, Vec<String>), String> {
     let mut notes = Vec::new();
-    let words = write(
-        "house.obj",
-        &House,
-        None,
-        Board::Pico,
-        Panel::Ili9341,
-        &mut notes,
-    )
-    .unwrap();
+    let (name, files) = (files[0].0, Memory(files));
+    let words = write(name, &files, spare, board, Panel::Ili9341, &mut notes)?;
+    Ok((words, notes))
+}
+
+fn house() -> Vec<u32> {
+    let (words, notes) = written(&HOUSE, None, Board::Pico).unwrap();
     assert_eq!(notes, Vec::<String>::new());
     words
 }
@@ -51,18 +61,9 @@ fn house() -> Vec<u32> {
 fn notes_tell_what_is_left_out() {
     let lantern = |lines: &str| {
         let obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
-        let files = Pair(obj.into(), format!("newmtl a\n{lines}\n"));
-        let mut notes = Vec::new();
-        write(
-            "a.obj",
-            &files,
-            None,
-            Board::Pico,
-            Panel::St7789,
-            &mut notes,
-        )
-        .unwrap();
-        notes
+        let mtl = format!("newmtl a\n{lines}\n");
+        let files = [("a.obj", obj.as_bytes()), ("a.mtl", mtl.as_bytes())];
+        written(&files, None, Board::Pico).unwrap().1
     };
     let opaque = ["all materials are opaque, and none sends out light"];
     assert_eq!(lantern("Kd 1 0 0"), [""; 0]);
@@ -75,23 +76,6 @@ fn notes_tell_what_is_left_out() {
         missing.starts_with("picture a.png cannot be read: "),
         "{missing}"
     );
-}
-
-/// A model and its materials.
-struct Pair(String, String);
-
-impl Files for Pair {
-    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
-        match path.to_str() {
-            Some("a.obj") => Ok(self.0.clone().into()),
-            Some("a.mtl") => Ok(self.1.clone().into()),
-            _ => Err(io::ErrorKind::NotFound.into()),
-        }
-    }
-
-    fn has(&self, path: &Path) -> bool {
-        self.read(path).is_ok()
-    }
 }
 
 /// Word numbers of the header.
@@ -172,7 +156,8 @@ fn attributes_belong_to_their_corners() {
         1.0 - MOST
     );
     let picture = Picture::decode(BRICK).unwrap();
-    let words = write_text(&obj, Some(&picture), Board::Pico, &mut Vec::new()).unwrap();
+    let files = [("a.obj", obj.as_bytes())];
+    let (words, _) = written(&files, Some(&picture), Board::Pico).unwrap();
     let model = Model::read(&words).unwrap();
     let mesh = model.mesh();
     let positions: Vec<_> = mesh.positions().iter().collect();
@@ -203,16 +188,8 @@ fn colors_tint_as_those_of_a_mesh() {
     for (name, text, colors, faces) in cases {
         let picture = Picture::decode(BRICK).unwrap();
         for spare in [None, Some(&picture)] {
-            let mut notes = Vec::new();
-            let words = write(
-                name,
-                &Text(text),
-                spare,
-                Board::Pico,
-                Panel::St7789,
-                &mut notes,
-            )
-            .unwrap();
+            let files = [(name, text.as_bytes())];
+            let (words, notes) = written(&files, spare, Board::Pico).unwrap();
             assert!(notes.is_empty(), "{notes:?}");
             if faces.is_some() {
                 let mut words = words.clone();
@@ -336,8 +313,14 @@ fn a_model_that_is_too_large_gets_smaller_pictures_or_is_refused() {
         pixels: vec![[255; 4]; 4096 * 4096],
         table: None,
     };
-    let mut notes = Vec::new();
-    let words = write_text(&triangles(1, 1), Some(&spare), Board::Pico, &mut notes).unwrap();
+    let large = |count, times, spare, board| {
+        written(
+            &[("a.obj", triangles(count, times).as_bytes())],
+            spare,
+            board,
+        )
+    };
+    let (words, notes) = large(1, 1, Some(&spare), Board::Pico).unwrap();
     assert!(notes.is_empty(), "{notes:?}");
     assert_eq!(
         Model::read(&words)
@@ -351,17 +334,16 @@ fn a_model_that_is_too_large_gets_smaller_pictures_or_is_refused() {
         [8; 2]
     );
     // These triangles take 1.8 MB.
-    write_text(&triangles(21_845, 4), Some(&spare), Board::Pico, &mut notes).unwrap();
+    let (_, notes) = large(21_845, 4, Some(&spare), Board::Pico).unwrap();
     assert_eq!(
         notes,
         ["pictures are at most 128 texels wide and high, to fit into flash"]
     );
-    let more = triangles(21_845, 6);
-    let error = write_text(&more, None, Board::Pico, &mut notes).unwrap_err();
+    let error = large(21_845, 6, None, Board::Pico).unwrap_err();
     assert!(error.ends_with("bytes of flash: 1835008 fit"), "{error}");
     // A Pico 2 has twice as much flash.
-    write_text(&more, None, Board::Pico2, &mut notes).unwrap();
-    let error = write_text(&triangles(21_846, 1), None, Board::Pico, &mut notes).unwrap_err();
+    large(21_845, 6, None, Board::Pico2).unwrap();
+    let error = large(21_846, 1, None, Board::Pico2).unwrap_err();
     assert!(error.contains("a mesh can have at most 65536"), "{error}");
 }
 
@@ -374,32 +356,4 @@ fn triangles(count: usize, times: usize) -> String {
         text += &"f -3 -2 -1\n".repeat(times);
     }
     text
-}
-
-struct Text<'a>(&'a str);
-
-impl Files for Text<'_> {
-    fn read(&self, _: &Path) -> io::Result<Vec<u8>> {
-        Ok(self.0.into())
-    }
-
-    fn has(&self, _: &Path) -> bool {
-        true
-    }
-}
-
-fn write_text(
-    text: &str,
-    spare: Option<&Picture>,
-    board: Board,
-    notes: &mut Vec<String>,
-) -> Result<Vec<u32>, String> {
-    write(
-        "triangles.obj",
-        &Text(text),
-        spare,
-        board,
-        Panel::St7789,
-        notes,
-    )
 }

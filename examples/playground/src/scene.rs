@@ -86,11 +86,11 @@ impl Scene {
                 canvas.draw_with(options, &scenes::SPHERE, mvp, &shaded)
             }
             Self::Lighthouse => {
-                let waves = C::shader(lighthouse::waves());
-                let sea = canvas.draw_with(options, &lighthouse::SEA, mvp, &waves);
-                let skin = C::shader(lighthouse::skin()?);
-                let island = canvas.draw_with(options, &lighthouse::ISLAND, mvp, &skin);
-                both([sea, island])
+                let (waves, skin) = (
+                    C::shader(lighthouse::waves()),
+                    C::shader(lighthouse::skin()?),
+                );
+                both(lighthouse::surfaces(canvas, options, mvp, (&waves, &skin)))
             }
             Self::Own => {
                 let sun = Light::new(vec3!(2, 3, 4), fx!(0.35), fx!(0.65))?;

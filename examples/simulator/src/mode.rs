@@ -37,23 +37,14 @@ impl Mode {
 /// Runs `$draw` with options in this mode.
 macro_rules! in_mode {
     ($mode:expr, $options:expr, |$in_mode:ident| $draw:expr) => {
+        $crate::mode::in_mode!($mode, $options, $in_mode, $draw, Exact Newton Fast Affine)
+    };
+    ($mode:expr, $options:expr, $in_mode:ident, $draw:expr, $($Mode:ident)+) => {
         match $mode {
-            $crate::mode::Mode::Exact(mode) => {
+            $($crate::mode::Mode::$Mode(mode) => {
                 let $in_mode = &$options.with_mode(mode);
                 $draw
-            }
-            $crate::mode::Mode::Newton(mode) => {
-                let $in_mode = &$options.with_mode(mode);
-                $draw
-            }
-            $crate::mode::Mode::Fast(mode) => {
-                let $in_mode = &$options.with_mode(mode);
-                $draw
-            }
-            $crate::mode::Mode::Affine(mode) => {
-                let $in_mode = &$options.with_mode(mode);
-                $draw
-            }
+            })+
         }
     };
 }
@@ -62,23 +53,20 @@ pub(crate) use in_mode;
 /// Runs `$draw` on `$canvas` with a depth buffer in `$format` over `$depth`.
 macro_rules! with_depth {
     ($format:expr, $canvas:expr, $depth:expr, |$with:ident| $draw:expr) => {
+        $crate::mode::with_depth!(
+            $format, $canvas, $depth, $with, $draw,
+            Linear LinearDepth, Float FloatDepth, Wide WideFloatDepth
+        )
+    };
+    (
+        $format:expr, $canvas:expr, $depth:expr, $with:ident, $draw:expr,
+        $($Choice:ident $Format:ident),+
+    ) => {
         match $format {
-            $crate::args::DepthBuffer::Linear => {
-                let mut canvas = $canvas.with_depth($depth)?;
-                let $with = &mut canvas;
+            $($crate::args::DepthBuffer::$Choice => {
+                let $with = &mut $canvas.with_depth_format::<fixel::canvas::$Format>($depth)?;
                 $draw
-            }
-            $crate::args::DepthBuffer::Float => {
-                let mut canvas = $canvas.with_depth_format::<fixel::canvas::FloatDepth>($depth)?;
-                let $with = &mut canvas;
-                $draw
-            }
-            $crate::args::DepthBuffer::Wide => {
-                let mut canvas =
-                    $canvas.with_depth_format::<fixel::canvas::WideFloatDepth>($depth)?;
-                let $with = &mut canvas;
-                $draw
-            }
+            })+
         }
     };
 }

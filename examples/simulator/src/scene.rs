@@ -128,25 +128,17 @@ impl<'a> Scene<'a> {
             up: Vec3::Y,
             depths: [0; 2],
         };
-        let recorder = Recorder::new(20.0, 0, args.mode);
-        Ok(Self {
-            pieces: vec![
-                Piece::own(lighthouse::SEA, None),
-                Piece::own(island.mesh()?, Some(island.outline()?)),
-            ],
-            motion: Motion::Turning {
-                view,
-                axis: [0.0, 1.0, 0.0],
-                frames: args.frames,
-            },
-            mode: Mode::new(args.mode, 1.0)?,
-            depth: args.depth,
-            shade: None,
-            is_own: true,
-            // The larger texture has 128 texels.
-            recorded: Mode::new(args.mode, recorder.repeat() / 128.0)?,
-            recorder,
-        })
+        let pieces = vec![
+            Piece::own(lighthouse::SEA, None),
+            Piece::own(island.mesh()?, Some(island.outline()?)),
+        ];
+        let motion = Motion::Turning {
+            view,
+            axis: [0.0, 1.0, 0.0],
+            frames: args.frames,
+        };
+        // The larger texture has 128 texels.
+        Self::constant(args, pieces, motion, (20.0, 128.0))
     }
 
     /// A measured scene.
@@ -160,19 +152,31 @@ impl<'a> Scene<'a> {
             SceneName::Cube => scenes::CUBE,
             SceneName::Sphere | SceneName::SphereFlat => scenes::SPHERE,
         };
-        let recorder = Recorder::new(1.0, 0, args.mode);
+        // The checker has 64 texels.
+        let pieces = vec![Piece::own(mesh, None)];
+        Self::constant(args, pieces, Motion::Measured(name), (1.0, 64.0))
+    }
+
+    /// A scene of constant numbers: the largest texture coordinate, and the texels of a texture.
+    fn constant(
+        args: &Args,
+        pieces: Vec<Piece<'a>>,
+        motion: Motion,
+        (largest, texels): (f64, f64),
+    ) -> Result<Self> {
+        let recorder = Recorder::new(largest, 0, args.mode);
         Ok(Self {
-            pieces: vec![Piece::own(mesh, None)],
-            motion: Motion::Measured(name),
+            pieces,
+            motion,
             mode: Mode::new(args.mode, 1.0)?,
             depth: args.depth,
             shade: None,
-            is_own: false,
-            // The checker has 64 texels.
-            recorded: Mode::new(args.mode, recorder.repeat() / 64.0)?,
+            is_own: matches!(motion, Motion::Turning { .. }),
+            recorded: Mode::new(args.mode, recorder.repeat() / texels)?,
             recorder,
         })
     }
+
     /// The number of faces.
     pub fn faces(&self) -> usize {
         self.pieces

@@ -6,7 +6,7 @@ mod common;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use common::{mutated, notes, read};
+use common::{notes, read};
 use fixel_assets::{Alpha, Image, Model};
 use serde_json::{Value, json};
 
@@ -542,20 +542,6 @@ fn refusals_and_notes_name_the_element() {
         notes(&model),
         ["mesh 0: a part is left out: accessor 7 does not exist: there are 3, counted from 0"]
     );
-}
-
-#[test]
-fn mutations_neither_panic_nor_hang() {
-    let mut document = Document::square();
-    document.texture();
-    let seeds = [document.text(), document.binary()];
-    for seed in 0..1000 {
-        let bytes = mutated(&seeds[usize::try_from(seed % 2).unwrap()], seed);
-        let _ = read(&[(
-            ["a.gltf", "a.glb"][usize::try_from(seed % 2).unwrap()],
-            bytes,
-        )]);
-    }
 }
 
 /// The file has 100 nodes that share a mesh of 131,072 vertices.

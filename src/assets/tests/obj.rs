@@ -6,7 +6,7 @@ mod common;
 
 use std::collections::HashSet;
 
-use common::{mutated, notes, read};
+use common::{notes, read};
 use fixel_assets::{Alpha, Material, Model, Options, Smoothing};
 
 /// A square of two triangles.
@@ -575,23 +575,4 @@ fn texture_coordinates_are_scaled_and_moved() {
     let far = with_mtl("newmtl a\nmap_Kd -o 5000 0 a.png\n");
     assert_eq!(uvs(&far), square);
     assert!(notes(&far)[0].contains("beyond 1024"));
-}
-
-#[test]
-fn damaged_files_do_no_harm() {
-    let obj = format!(
-        "mtllib a.mtl\n{SQUARE}v 0 0 1 255 0 9\nvt 0 0\nvt 1,5 0\nvn 0 0 1\nusemtl a\ns 1\nf 1/1/1 2/2/1 3//1 \\\n4\nl 1 2 3\n\
-         usemtl b#1\nf -1/-1 -2/-2 -3/-1\np 1\n"
-    );
-    let mtl = "newmtl a\nKd 1 0 0\nd -halo 0.5\nmap_Kd -s 2 2 -o 1 -clamp on a.png\nmap_d b.png\nnewmtl b#1\nKe 1 1 1\n";
-    for seed in 0..500 {
-        let files = [
-            ("a.obj", mutated(obj.as_bytes(), seed)),
-            ("a.mtl", mutated(mtl.as_bytes(), seed + 500)),
-        ];
-        if let Ok(mut model) = read(&files) {
-            model.complete();
-            let _ = model.lists(&fixel_assets::Options::default());
-        }
-    }
 }

@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{mutated, notes, read};
+use common::{notes, read};
 use fixel_assets::{Image, Model};
 
 const VERTICES: &str = "property float x\nproperty float y\nproperty float z\n";
@@ -240,9 +240,9 @@ fn refusals_say_what_the_file_is() {
     }
 }
 
-/// For example, a list that claims more elements than the file has bytes must not fill the memory.
+/// A list that claims more elements than the file has bytes must not fill the memory.
 #[test]
-fn mutations_neither_panic_nor_hang() {
+fn a_short_file_does_not_fill_the_memory() {
     let head = text("", SQUARE, "", "").replace("ascii", "binary_little_endian");
     let mut binary = head
         .replace("face 0", "face 1")
@@ -250,8 +250,4 @@ fn mutations_neither_panic_nor_hang() {
         .into_bytes();
     binary.extend([0xff; 12]);
     refused(&binary);
-    let seeds = [text("", SQUARE, "", "4 0 1 2 3\n").into_bytes(), binary];
-    for seed in 0..1000 {
-        let _ = read(&[("a.ply", mutated(&seeds[seed as usize % 2], seed))]);
-    }
 }

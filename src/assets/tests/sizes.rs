@@ -1,8 +1,11 @@
 //! A picture has at most as many pixels as its format can store in the bytes of its file. Pictures of one color, which
 //! compress best, are still read.
 
+mod common;
+
 use std::io::Cursor;
 
+use common::{riff, vp8};
 use fixel_assets::Picture;
 use image::{ImageFormat, RgbImage};
 use png::{BitDepth, ColorType};
@@ -76,33 +79,10 @@ fn gif(side: u16, frame: u16) -> Vec<u8> {
     bytes
 }
 
-/// A WebP with one chunk.
-fn webp(kind: &str, chunk: &[u8]) -> Vec<u8> {
-    let len = |len: usize| u32::try_from(len).unwrap().to_le_bytes();
-    let pad = &[0][..chunk.len() % 2];
-    let all = len(12 + chunk.len() + pad.len());
-    [
-        b"RIFF",
-        &all[..],
-        b"WEBP",
-        kind.as_bytes(),
-        &len(chunk.len()),
-        chunk,
-        pad,
-    ]
-    .concat()
-}
-
-/// A WebP with loss. A decoder reads bytes of 0 as the answer "no" to every question: there are no details. 12 bits
-/// suffice for 16x16 pixels: two fifths of them in the first part of the data, and the others in the second part.
+/// A WebP with loss and without details. 12 bits suffice for 16x16 pixels: two fifths of them in the first part of the
+/// data, and the others in the second part.
 fn lossy(side: u16, data: usize) -> Vec<u8> {
-    let [low, high] = side.to_le_bytes();
-    let first = u32::try_from(data * 2 / 5).unwrap();
-    let tag = (first << 5 | 1 << 4).to_le_bytes();
-    let start = [
-        tag[0], tag[1], tag[2], 0x9d, 0x01, 0x2a, low, high, low, high,
-    ];
-    webp("VP8 ", &[&start[..], &vec![0; data]].concat())
+    riff(&[(b"VP8 ", vp8(side, data * 2 / 5, data))])
 }
 
 /// A WebP without loss: each of the five codes has one symbol, so pixels take no bits.
@@ -115,7 +95,7 @@ fn lossless(side: u16) -> Vec<u8> {
         bits |= (0b101 | symbol << 3) << len;
         len += 11;
     }
-    webp("VP8L", &bits.to_le_bytes()[..13])
+    riff(&[(b"VP8L", bits.to_le_bytes()[..13].to_vec())])
 }
 
 /// Reads a picture of one color. Colors of a WebP with loss differ by at most 2, because borders predict other colors.

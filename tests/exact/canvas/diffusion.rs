@@ -9,6 +9,20 @@ use rand::{Rng, SeedableRng};
 
 use support::random::cases;
 
+/// The colors of a display that shows rows of grays, and the errors that are left.
+fn diffused<C>(grays: &mut [Gray8], width: u32) -> (Vec<C>, Vec<i16>)
+where
+    C: PixelFormat<Channels = [i32; 1]> + Default,
+{
+    let (mut errors, mut shown) = (vec![0; width as usize], vec![C::default(); grays.len()]);
+    let height = grays.len() as u32 / width;
+    let gray = Canvas::new(grays, width, height).unwrap();
+    let mut panel = Canvas::new(&mut shown, width, height).unwrap();
+    let mut diffusion = ErrorDiffusion::new(&mut errors);
+    let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);
+    (shown, errors)
+}
+
 /// Diffusion keeps the sum of all grays; `errors` holds the part of the sum that is not shown. All grays are so far
 /// from black and white that no error moves a gray past black or white.
 #[test]
@@ -19,26 +33,23 @@ fn diffusion_loses_no_brightness() {
         let mut gray = || Gray8::new(random.random_range(90..=165));
         let mut grays: Vec<Gray8> = (0..pixels).map(|_| gray()).collect();
         let sum: i32 = grays.iter().map(|gray| i32::from(gray.luma())).sum();
-        let gray = Canvas::new(&mut grays, width, height).unwrap();
+        let rest = |errors: &[i16]| errors.iter().map(|&error| i32::from(error)).sum::<i32>();
 
-        let (mut errors, mut shown) = (vec![0; width as usize], vec![BinaryColor::Off; pixels]);
-        let mut panel = Canvas::new(&mut shown, width, height).unwrap();
-        let mut diffusion = ErrorDiffusion::new(&mut errors);
-        let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);
-        let white: i32 = shown
-            .iter()
-            .map(|color| 255 * i32::from(color.is_on()))
-            .sum();
-        let lost: i32 = errors.iter().map(|&error| i32::from(error)).sum();
-        assert_eq!((sum - white) * 16, lost, "{width}x{height}");
+        let (shown, errors) = diffused::<BinaryColor>(&mut grays, width);
+        let white = shown.iter().map(|color| 255 * i32::from(color.is_on()));
+        assert_eq!(
+            (sum - white.sum::<i32>()) * 16,
+            rest(&errors),
+            "{width}x{height}"
+        );
 
-        let (mut errors, mut shown) = (vec![0; width as usize], vec![Gray4::new(0); pixels]);
-        let mut panel = Canvas::new(&mut shown, width, height).unwrap();
-        let mut diffusion = ErrorDiffusion::new(&mut errors);
-        let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);
-        let white: i32 = shown.iter().map(|color| 17 * i32::from(color.luma())).sum();
-        let lost: i32 = errors.iter().map(|&error| i32::from(error)).sum();
-        assert_eq!((sum - white) * 16, lost, "{width}x{height}");
+        let (shown, errors) = diffused::<Gray4>(&mut grays, width);
+        let white = shown.iter().map(|color| 17 * i32::from(color.luma()));
+        assert_eq!(
+            (sum - white.sum::<i32>()) * 16,
+            rest(&errors),
+            "{width}x{height}"
+        );
         // An error is at most half a step, 17 / 2, plus the rounding of three shares. Each share is rounded down by
         // less than 1/16.
         assert!(errors.iter().all(|error| error.abs() <= 9 * 16));
@@ -60,12 +71,7 @@ fn diffusion_keeps_the_brightness_of_every_window() {
     let mut grays: Vec<Gray8> = places
         .map(|(x, y)| Gray8::new((wave(x, y).round() as i32).cast_unsigned() as u8))
         .collect();
-    let gray = Canvas::new(&mut grays, SIZE.0, SIZE.1).unwrap();
-    let mut shown = vec![BinaryColor::Off; (SIZE.0 * SIZE.1) as usize];
-    let mut panel = Canvas::new(&mut shown, SIZE.0, SIZE.1).unwrap();
-    let mut errors = [0; SIZE.0 as usize];
-    let mut diffusion = ErrorDiffusion::new(&mut errors);
-    let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);
+    let (shown, _) = diffused::<BinaryColor>(&mut grays, SIZE.0);
     let mut widest: f64 = 0.;
     cases(500, |random| {
         let [width, height] = [random.random_range(1..100_u32), random.random_range(1..100)];
@@ -101,12 +107,7 @@ fn diffusion_does_not_whiten_darker_rows_below() {
         row[220..].fill(Gray8::new(255));
     }
     grays.extend(vec![Gray8::new(0); (WIDTH * 8) as usize]);
-    let gray = Canvas::new(&mut grays, WIDTH, 288).unwrap();
-    let mut shown = vec![BinaryColor::Off; (WIDTH * 288) as usize];
-    let mut panel = Canvas::new(&mut shown, WIDTH, 288).unwrap();
-    let mut errors = [0; WIDTH as usize];
-    let mut diffusion = ErrorDiffusion::new(&mut errors);
-    let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);
+    let (shown, _) = diffused::<BinaryColor>(&mut grays, WIDTH);
     // Half a step of error can make one pixel white.
     let stray = shown[(WIDTH * 280) as usize..].chunks(WIDTH as usize);
     let stray = stray.map(|row| row[200..].iter().filter(|color| color.is_on()).count());
@@ -137,26 +138,14 @@ fn diffusion_of_a_gray_ramp() {
 
     // Grays that the display can show do not change.
     let mut grays = [0, 85, 170, 255].map(Gray8::new);
-    let gray = Canvas::new(&mut grays, 4, 1).unwrap();
-    let mut shown = [Gray2::new(0); 4];
-    let mut panel = Canvas::new(&mut shown, 4, 1).unwrap();
-    let mut diffusion = ErrorDiffusion::new(&mut errors);
-    let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);
+    let (shown, _) = diffused::<Gray2>(&mut grays, 4);
     assert_eq!(shown, [0, 1, 2, 3].map(Gray2::new));
 }
 
 #[test]
 fn diffused_bands_equal_the_frame() {
     let mut grays: Vec<Gray8> = (0..=255).map(|i| Gray8::new(i / 2 + 50)).collect();
-    let whole = {
-        let gray = Canvas::new(&mut grays, 16, 16).unwrap();
-        let mut shown = [BinaryColor::Off; 256];
-        let mut panel = Canvas::new(&mut shown, 16, 16).unwrap();
-        let mut errors = [0; 16];
-        let mut diffusion = ErrorDiffusion::new(&mut errors);
-        let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);
-        shown
-    };
+    let (whole, _) = diffused::<BinaryColor>(&mut grays, 16);
     // Errors that the previous frame left have no effect.
     let (mut shown, mut errors) = ([BinaryColor::Off; 256], [i16::MAX; 16]);
     let mut panel = Canvas::new(&mut shown, 16, 16).unwrap();
@@ -165,7 +154,7 @@ fn diffused_bands_equal_the_frame() {
         let gray = Canvas::band(grays, 16, 16, first).unwrap();
         let Ok(()) = gray.show_diffused(&mut panel, Contrast::default(), &mut diffusion);
     }
-    assert_eq!(shown, whole);
+    assert_eq!(shown[..], whole);
 }
 
 /// The list of errors may have any length, and canvases of several widths may share it.

@@ -1,7 +1,6 @@
 //! The canvas, as a target of embedded-graphics, shows the same picture as embedded-graphics' own framebuffer.
 
 use std::cell::Cell;
-use std::convert::Infallible;
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::framebuffer::{Framebuffer, buffer_size};
@@ -13,7 +12,9 @@ use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
 use embedded_graphics::primitives::{Primitive, PrimitiveStyle, Rectangle};
 use embedded_graphics::text::Text;
 use embedded_graphics::{Drawable, Pixel};
-use fixel::canvas::Words;
+use fixel::ScreenPoint;
+use fixel::canvas::{Storage, Words};
+use fixel::num::Subpixel;
 use fixel::prelude::*;
 use rand::Rng;
 
@@ -36,77 +37,41 @@ type Theirs<O> = Framebuffer<
 /// framebuffer. Bands put together equal the frame.
 #[test]
 fn a_canvas_is_a_framebuffer() {
-    let mut in_bands = 0;
     cases(sampled(4000), |random| {
-        let (crops, band) = (random.random(), random.random_range(1..=HEIGHT) * WIDTH);
-        let draw = |target: &mut dyn Draw| target.draw(&mut random.clone(), crops);
-
+        let rows = random.random_range(1..=HEIGHT);
         let mut theirs = (Theirs::<BigEndian>::new(), Theirs::<LittleEndian>::new());
-        draw(&mut theirs.0);
-        draw(&mut theirs.1);
+        pictures::draw(&mut theirs.0, random.clone());
+        pictures::draw(&mut theirs.1, random.clone());
 
-        let mut bytes = [[0; 2]; PIXELS];
-        let mut canvas: Canvas<Rgb565, BigEndian> = Canvas::new(&mut bytes, WIDTH, HEIGHT).unwrap();
-        draw(&mut canvas);
-        assert!(canvas.as_bytes() == theirs.0.data(), "big-endian");
-
-        let mut bytes = [[0; 2]; PIXELS];
-        let mut canvas: Canvas<Rgb565, LittleEndian> =
-            Canvas::new(&mut bytes, WIDTH, HEIGHT).unwrap();
-        draw(&mut canvas);
-        assert!(canvas.as_bytes() == theirs.1.data(), "little-endian");
-
-        let mut words = [0_u16; PIXELS];
-        draw(&mut Canvas::<Rgb565, Words>::new(&mut words, WIDTH, HEIGHT).unwrap());
-        let wanted = theirs.0.data().chunks_exact(2);
-        let wanted = wanted.map(|pair| u16::from_be_bytes([pair[0], pair[1]]));
-        assert!(wanted.eq(words), "words");
-
-        let mut colors = [Rgb565::BLACK; PIXELS];
-        draw(&mut Canvas::new(&mut colors, WIDTH, HEIGHT).unwrap());
+        let big = drawn::<BigEndian>(random, HEIGHT);
+        let little = drawn::<LittleEndian>(random, HEIGHT);
+        assert!(big.as_flattened() == theirs.0.data(), "big-endian");
+        assert!(little.as_flattened() == theirs.1.data(), "little-endian");
+        let wanted = big.iter().map(|&bytes| u16::from_be_bytes(bytes));
+        assert!(wanted.eq(drawn::<Words>(random, HEIGHT)), "words");
         let at = |i: u32| Point::new((i % WIDTH).cast_signed(), (i / WIDTH).cast_signed());
         let wanted = (0..WIDTH * HEIGHT).map(|i| theirs.0.pixel(at(i)).unwrap());
-        assert!(wanted.eq(colors), "native");
+        let colors = drawn::<Native>(random, HEIGHT);
+        assert!(wanted.eq(colors.iter().copied()), "native");
 
-        if crops {
-            return;
-        }
-        in_bands += 1;
-        let mut native = [Rgb565::BLACK; PIXELS];
-        let mut bytes = [[0; 2]; PIXELS];
-        let mut first = 0;
-        for (native, bytes) in native
-            .chunks_mut(band as usize)
-            .zip(bytes.chunks_mut(band as usize))
-        {
-            let mut canvas = Canvas::band(native, WIDTH, HEIGHT, first).unwrap();
-            let rows = canvas.rows().len() as u32;
-            let place = Point::new(0, first.cast_signed());
-            assert_eq!(
-                canvas.bounding_box(),
-                Rectangle::new(place, Size::new(WIDTH, rows))
-            );
-            draw(&mut canvas);
-            let mut canvas: Canvas<Rgb565, BigEndian> =
-                Canvas::band(bytes, WIDTH, HEIGHT, first).unwrap();
-            draw(&mut canvas);
-            first += rows;
-        }
-        assert!(native == colors, "native bands");
-        assert!(bytes.as_flattened() == theirs.0.data(), "bands of bytes");
+        assert!(drawn::<Native>(random, rows) == colors, "native bands");
+        assert!(drawn::<BigEndian>(random, rows) == big, "bands of bytes");
     });
-    assert!(in_bands > sampled(1000));
 }
 
-/// A drawing that can be drawn on targets of all types.
-trait Draw {
-    fn draw(&mut self, random: &mut Random, crops: bool);
-}
-
-impl<T: DrawTarget<Color = Rgb565, Error = Infallible>> Draw for T {
-    fn draw(&mut self, random: &mut Random, crops: bool) {
-        pictures::draw(self, random, crops);
+/// The cells of the picture that `random` describes, drawn in bands of `rows` rows.
+fn drawn<O: Storage<Rgb565>>(random: &Random, rows: u32) -> Vec<O::Cell> {
+    let mut cells = vec![O::store(Rgb565::BLACK); PIXELS];
+    let mut first = 0;
+    for cells in cells.chunks_mut((rows * WIDTH) as usize) {
+        let mut canvas = Canvas::<Rgb565, O>::band(cells, WIDTH, HEIGHT, first).unwrap();
+        let (place, rows) = (first.cast_signed(), canvas.rows().len() as u32);
+        let band = Rectangle::new(Point::new(0, place), Size::new(WIDTH, rows));
+        assert_eq!(canvas.bounding_box(), band);
+        pictures::draw(&mut canvas, random.clone());
+        first += rows;
     }
+    cells
 }
 
 /// Counts how often its drawable is drawn.
@@ -226,7 +191,8 @@ fn points_at_the_ends_of_i32_are_ignored() {
     assert_eq!(pixels.map(|pixel| pixel.luma()), [27, 28, 35, 36]);
 }
 
-/// Areas that begin or end beyond the range of `i32` are filled like all other areas, in a debug build, too.
+/// Areas that begin or end beyond the range of `i32` are filled like all other areas, in a debug build, too. A label's
+/// origin moves them, even if this moves a side out of the range.
 #[test]
 fn areas_beyond_the_range_of_i32_are_filled() {
     const WIDTH: u32 = 3;
@@ -260,38 +226,47 @@ fn areas_beyond_the_range_of_i32_are_filled() {
         u32::MAX - 1,
         u32::MAX,
     ];
-    // The pixel's place along one side of the area, or `None` if the area does not contain the pixel.
-    let along = |at: u32, start: i32, length: u32| {
-        let number = i64::from(at) - i64::from(start);
-        (0..i64::from(length))
-            .contains(&number)
-            .then_some(number.cast_unsigned())
-    };
     let sides = starts.map(|start| lengths.map(|length| (start, length)));
     let sides = sides.as_flattened();
-    for &(x, width) in sides {
-        for &(y, height) in sides {
-            let area = Rectangle::new(Point::new(x, y), Size::new(width, height));
-            let wanted = (FIRST..END).flat_map(|row| (0..WIDTH).map(move |column| (column, row)));
-            let wanted = wanted
-                .map(|(column, row)| Some((along(column, x, width)?, along(row, y, height)?)));
-            let wanted: Vec<_> = wanted.collect();
+    for origin in [-5, 0, 2] {
+        let at = Subpixel::from_bits(origin * 256);
+        let (x, y, depth) = (at, at, 0);
+        let place = ScreenPoint { x, y, depth };
+        // The pixel's place along one side of the area, or `None` if the area does not contain the pixel.
+        let along = |at: u32, start: i32, length: u32| {
+            let number = i64::from(at) - i64::from(origin) - i64::from(start);
+            (0..i64::from(length))
+                .contains(&number)
+                .then_some(number.cast_unsigned())
+        };
+        for &(x, width) in sides {
+            for &(y, height) in sides {
+                let area = Rectangle::new(Point::new(x, y), Size::new(width, height));
+                let wanted =
+                    (FIRST..END).flat_map(|row| (0..WIDTH).map(move |column| (column, row)));
+                let wanted = wanted
+                    .map(|(column, row)| Some((along(column, x, width)?, along(row, y, height)?)));
+                let wanted: Vec<_> = wanted.collect();
 
-            let mut pixels = [Gray8::BLACK; PIXELS];
-            let mut canvas = Canvas::band(&mut pixels, WIDTH, 4, FIRST).unwrap();
-            let Ok(()) = canvas.fill_solid(&area, Gray8::WHITE);
-            let solid = wanted
-                .iter()
-                .map(|at| at.map_or(Gray8::BLACK, |_| Gray8::WHITE));
-            assert!(solid.eq(pixels), "solid {area:?}: {pixels:?}");
+                let mut pixels = [Gray8::BLACK; PIXELS];
+                let mut canvas = Canvas::band(&mut pixels, WIDTH, 4, FIRST).unwrap();
+                let Ok(()) = canvas.label(place).fill_solid(&area, Gray8::WHITE);
+                let solid = wanted
+                    .iter()
+                    .map(|at| at.map_or(Gray8::BLACK, |_| Gray8::WHITE));
+                assert!(solid.eq(pixels), "solid {area:?} at {origin}: {pixels:?}");
 
-            let mut pixels = [Gray8::BLACK; PIXELS];
-            let mut canvas = Canvas::band(&mut pixels, WIDTH, 4, FIRST).unwrap();
-            let Ok(()) = canvas.fill_contiguous(&area, Colors(0));
-            // There are at most 2^31 + 2 rows of 2^32 - 1 pixels.
-            let number = |(column, row): (u64, u64)| color(row * u64::from(width) + column);
-            let contiguous = wanted.iter().map(|at| at.map_or(Gray8::BLACK, number));
-            assert!(contiguous.eq(pixels), "contiguous {area:?}: {pixels:?}");
+                let mut pixels = [Gray8::BLACK; PIXELS];
+                let mut canvas = Canvas::band(&mut pixels, WIDTH, 4, FIRST).unwrap();
+                let Ok(()) = canvas.label(place).fill_contiguous(&area, Colors(0));
+                // There are at most 2^31 + 2 rows of 2^32 - 1 pixels.
+                let number = |(column, row): (u64, u64)| color(row * u64::from(width) + column);
+                let contiguous = wanted.iter().map(|at| at.map_or(Gray8::BLACK, number));
+                assert!(
+                    contiguous.eq(pixels),
+                    "contiguous {area:?} at {origin}: {pixels:?}"
+                );
+            }
         }
     }
 }

@@ -75,11 +75,11 @@ macro_rules! shows_as_a_framebuffer {
         let blank = <$color>::from(<$raw>::from_u32(0));
         cases(sampled(500), |random| {
             let mut theirs = Packed::<FRAME, { bytes(FRAME) }>::new();
-            pictures::draw(&mut Coarse(&mut theirs), &mut random.clone(), false);
+            pictures::draw(&mut Coarse(&mut theirs), random.clone());
 
             let mut pixels = [blank; (WIDTH * HEIGHT) as usize];
             let mut canvas = Canvas::new(&mut pixels, WIDTH, HEIGHT).unwrap();
-            pictures::draw(&mut Coarse(&mut canvas), &mut random.clone(), false);
+            pictures::draw(&mut Coarse(&mut canvas), random.clone());
             let mut ours = Packed::<FRAME, { bytes(FRAME) }>::new();
             let Ok(()) = canvas.show(&mut ours);
             assert!(ours.data() == theirs.data(), "frame");
@@ -90,7 +90,7 @@ macro_rules! shows_as_a_framebuffer {
                 let mut pixels = [blank; WIDTH as usize * ROWS];
                 let pixels = &mut pixels[..rows * WIDTH as usize];
                 let mut band = Canvas::band(pixels, WIDTH, HEIGHT, first).unwrap();
-                pictures::draw(&mut Coarse(&mut band), &mut random.clone(), false);
+                pictures::draw(&mut Coarse(&mut band), random.clone());
                 let mut packed = Packed::<ROWS, { bytes(ROWS) }>::new();
                 let up = Point::new(0, -first.cast_signed());
                 let Ok(()) = band.show(&mut packed.translated(up));

@@ -117,22 +117,22 @@ fn checksums_of_the_flat_sphere() {
     assert_eq!(pixels, 30_526);
 }
 
-/// Draws like [`lighthouse::draw`], which would also compile the night of displays without colors.
-pub fn draw_lighthouse(canvas: &mut Target<'_>, mvp: &Mvp) {
+/// Draws the lighthouse in color. (`lighthouse::draw` would also compile the night of displays without colors.)
+pub fn draw_lighthouse(canvas: &mut Target<'_>) {
+    let projection = lighthouse::projection((WIDTH, HEIGHT)).unwrap();
+    let mvp = projection * lighthouse::camera().unwrap() * Transform::IDENTITY;
     let waves = lighthouse::waves::<Rgb565>();
     let skin = lighthouse::skin::<Rgb565>().unwrap();
-    canvas.draw_with(&PASS, &lighthouse::SEA, mvp, &Erased::new(&waves));
-    canvas.draw_with(&PASS, &lighthouse::ISLAND, mvp, &Erased::new(&skin));
+    let shaders = (&Erased::new(&waves), &Erased::new(&skin));
+    lighthouse::sky(canvas);
+    lighthouse::surfaces(canvas, &PASS, &mvp, shaders);
+    lighthouse::caption(canvas);
 }
 
 #[test]
 fn checksum_of_the_lighthouse() {
     poses("lighthouse", &[0x3861_112a], &|_, canvas| {
-        let projection = lighthouse::projection((WIDTH, HEIGHT)).unwrap();
-        let mvp = projection * lighthouse::camera().unwrap() * Transform::IDENTITY;
-        lighthouse::sky(canvas);
-        draw_lighthouse(canvas, &mvp);
-        lighthouse::caption(canvas);
+        draw_lighthouse(canvas);
     });
 }
 

@@ -4,13 +4,17 @@
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::raw::ToBytes;
-use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::{
+    BinaryColor, Gray4, Gray8, PixelColor, Rgb565, Rgb888, RgbColor,
+};
 use embedded_graphics::{Drawable, geometry::Point, text::Text};
+use fixel::Thing;
 use fixel::canvas::{
-    Add, Biased, Contrast, DepthBuffer, ErrorDiffusion, FloatDepth, Multiply, NoTest, Opacity,
-    TestAndWrite, WideFloatDepth,
+    Add, Biased, Blending, Contrast, DepthBuffer, DepthTest, ErrorDiffusion, FloatDepth, Multiply,
+    NoTest, Opacity, TestAndWrite, WideFloatDepth,
 };
 use fixel::mesh::{Keyframes, Material, Part};
+use fixel::mode::Newton;
 use fixel::prelude::*;
 use fixel::shade::{DepthView, Gradient, NormalView, PartColors, Viewer};
 use fixel::texture::{Argb4444, Indexed, Mipmap, Raw};
@@ -23,7 +27,8 @@ const WIDTH: u32 = 80;
 const HEIGHT: u32 = 60;
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 
-type Picture<'c> = Canvas<'c, Rgb888, Native, LinearDepth>;
+type Screen<'c, C> = Canvas<'c, C, Native, LinearDepth>;
+type Picture<'c> = Screen<'c, Rgb888>;
 type Drawn = Result<(), Error>;
 
 static RING: Mesh = shape!(torus(fx!(0.45), 24, 12));
@@ -47,6 +52,10 @@ const SKIN: [[Rgb888; 8]; 8] = {
     texels
 };
 
+const OPTIONS: DrawOptions = DrawOptions::new();
+const PLAIN: Flat<Rgb888> = Flat::new(ORANGE);
+const SKINNED: Textured<&[[Rgb888; 8]; 8]> = Textured::new(&SKIN);
+
 fn view() -> Result<Mvp, Error> {
     let projection = Projection::perspective(deg!(43), (WIDTH, HEIGHT), fx!(0.1), fx!(100))?;
     let camera = Camera::look_at(vec3!(0.3, 2, 3.2), Vec3::ZERO, Vec3::Y)?;
@@ -58,8 +67,22 @@ fn sun() -> Result<Light, Error> {
 }
 
 /// Draws with a shader, on a background that is neither black nor white.
-fn with<S: ShaderFor<Rgb888>>(canvas: &mut Picture<'_>, mesh: &Mesh, shader: &S) -> Drawn {
-    canvas.draw(mesh, &view()?, shader);
+fn with<C: PixelColor>(
+    canvas: &mut Screen<'_, C>,
+    thing: impl Thing<C>,
+    shader: &impl ShaderFor<C>,
+) -> Drawn {
+    by(canvas, &OPTIONS, thing, shader)
+}
+
+/// Draws like [`with`], but with these options.
+fn by<C: PixelColor>(
+    canvas: &mut Screen<'_, C>,
+    options: &DrawOptions<Newton, impl DepthTest, impl Blending<C>>,
+    thing: impl Thing<C>,
+    shader: &impl ShaderFor<C>,
+) -> Drawn {
+    canvas.draw_with(options, thing, &view()?, shader);
     Ok(())
 }
 
@@ -73,27 +96,38 @@ fn in_format<D: DepthBuffer>(canvas: &mut Picture<'_>) -> Drawn {
     let (mut pixels, mut depths) = (vec![Rgb888::BLACK; PIXELS], vec![0; PIXELS]);
     let format = Canvas::new(&mut pixels, WIDTH, HEIGHT)?.with_depth_format::<D>(&mut depths);
     let mut format = format?;
-    format.draw(&SHEET, &view()?, &Textured::new(&SKIN));
+    format.draw(&SHEET, &view()?, &SKINNED);
     let lean = Transform::rotate_z(deg!(0.01)) * Transform::rotate_x(deg!(0.02));
-    format.draw(&SHEET, &(view()? * lean), &Flat::new(ORANGE));
+    format.draw(&SHEET, &(view()? * lean), &PLAIN);
     format.show(canvas)?;
     Ok(())
 }
 
-/// A mesh with a color at each corner.
-fn colored(mesh: &Mesh<'static>) -> Vec<Rgb888> {
-    (0..mesh.positions().len())
-        .map(|at| SKIN[at % 8][at / 8 % 8])
-        .collect()
+/// Draws a sheet with mipmaps far away.
+fn from_afar(canvas: &mut Picture<'_>, is_trilinear: bool) -> Drawn {
+    let mut texels = [Rgb888::BLACK; Mipmap::<Rgb888>::len(8, 8)];
+    texels[..64].copy_from_slice(SKIN.as_flattened());
+    let skin = Textured::new(Mipmap::build(&mut texels, 8, 8)?);
+    let projection = Projection::perspective(deg!(43), (WIDTH, HEIGHT), fx!(0.1), fx!(100))?;
+    let far = projection * Transform::translate(vec3!(0, -1, -9)) * Transform::scale(fx!(7));
+    let skin = skin.mipmapped(&projection, canvas.frame_size())?;
+    if is_trilinear {
+        canvas.draw(&SHEET, &far, &Padded::new(skin.trilinear()).erased());
+    } else {
+        canvas.draw(&SHEET, &far, &Padded::new(skin).erased());
+    }
+    Ok(())
+}
+
+/// As many colors as a mesh has corners or faces.
+fn colors(count: usize) -> Vec<Rgb888> {
+    (0..count).map(|at| SKIN[at % 8][at / 8 % 8]).collect()
 }
 
 /// Draws in a coarser color format, and converts the picture back to show it.
-fn coarse<C>(
-    canvas: &mut Picture<'_>,
-    draw: impl Fn(&mut Canvas<'_, C, Native, LinearDepth>) -> Drawn,
-) -> Drawn
+fn coarse<C>(canvas: &mut Picture<'_>, draw: impl Fn(&mut Screen<'_, C>) -> Drawn) -> Drawn
 where
-    C: embedded_graphics::pixelcolor::PixelColor + Default + Into<Rgb888>,
+    C: PixelColor + Default + Into<Rgb888>,
 {
     let (mut pixels, mut depths) = ([C::default(); PIXELS], [0; PIXELS]);
     let mut panel = Canvas::new(&mut pixels, WIDTH, HEIGHT)?.with_depth(&mut depths)?;
@@ -106,12 +140,9 @@ where
 type Word = (&'static str, u32, fn(&mut Picture<'_>) -> Drawn);
 
 const WORDS: &[Word] = &[
-    ("Flat", 0x93d3_ff40, |c| with(c, &RING, &Flat::new(ORANGE))),
+    ("Flat", 0x93d3_ff40, |c| with(c, &RING, &PLAIN)),
     ("FaceColors", 0x99b5_d3d7, |c| {
-        let colors: Vec<_> = (0..RING.faces().len())
-            .map(|at| SKIN[at % 8][at / 8 % 8])
-            .collect();
-        surface(c, &RING, FaceColors::new(&colors))
+        surface(c, &RING, FaceColors::new(&colors(RING.faces().len())))
     }),
     ("PartColors", 0x6c52_e659, |c| {
         let parts = [(0..200, ORANGE), (200..576, Rgb888::BLUE)];
@@ -119,17 +150,13 @@ const WORDS: &[Word] = &[
         surface(c, &RING, PartColors::rgb(&parts))
     }),
     ("Gouraud", 0x53bb_453d, |c| {
-        let colors = colored(&CUBE);
+        let colors = colors(CUBE.positions().len());
         let gouraud = Gouraud::<Rgb888>::new();
         with(c, &CUBE.with_colors(&colors, None)?, &Erased::new(&gouraud))
     }),
     ("tinted", 0xd282_30a8, |c| {
-        let colors = colored(&BALL);
-        surface(
-            c,
-            &BALL.with_colors(&colors, None)?,
-            Textured::new(&SKIN).tinted(),
-        )
+        let colors = colors(BALL.positions().len());
+        surface(c, &BALL.with_colors(&colors, None)?, SKINNED.tinted())
     }),
     ("Gradient", 0x41d4_8339, |c| {
         let (low, high) = ((fx!(-0.6), ORANGE), (fx!(0.6), Rgb888::BLUE));
@@ -141,17 +168,15 @@ const WORDS: &[Word] = &[
     ("NormalView", 0x3857_812c, |c| {
         with(c, &RING, &Erased::new(&NormalView::<Rgb888>::new()))
     }),
-    ("Textured", 0x3a8f_8d50, |c| {
-        with(c, &CUBE, &Textured::new(&SKIN))
-    }),
+    ("Textured", 0x3a8f_8d50, |c| with(c, &CUBE, &SKINNED)),
     ("clamped", 0x4e48_401a, |c| {
-        surface(c, &CUBE, Textured::new(&SKIN).clamped().bilinear())
+        surface(c, &CUBE, SKINNED.clamped().bilinear())
     }),
     ("bilinear", 0x9e52_ee32, |c| {
-        surface(c, &CUBE, Textured::new(&SKIN).bilinear())
+        surface(c, &CUBE, SKINNED.bilinear())
     }),
     ("cut_out", 0xfb13_c68c, |c| {
-        surface(c, &CUBE, Textured::new(&SKIN).cut_out(SKIN[0][1]))
+        surface(c, &CUBE, SKINNED.cut_out(SKIN[0][1]))
     }),
     ("Indexed", 0xe7f4_8d0f, |c| {
         let indices: [[u8; 8]; 8] =
@@ -176,68 +201,47 @@ const WORDS: &[Word] = &[
     }),
     ("Argb4444", 0x18b9_a80c, |c| {
         let texels = [[Argb4444::new(9, 15, 4, 2), Argb4444::new(3, 1, 14, 6)]];
-        coarse::<Rgb565>(c, |c| {
-            c.draw(&CUBE, &view()?, &Textured::new(&texels));
-            Ok(())
-        })
+        coarse::<Rgb565>(c, |c| with(c, &CUBE, &Textured::new(&texels)))
     }),
-    ("mipmapped", 0xb960_1a0b, |c| {
-        let mut texels = [Rgb888::BLACK; Mipmap::<Rgb888>::len(8, 8)];
-        texels[..64].copy_from_slice(SKIN.as_flattened());
-        let skin = Textured::new(Mipmap::build(&mut texels, 8, 8)?);
-        let projection = Projection::perspective(deg!(43), (WIDTH, HEIGHT), fx!(0.1), fx!(100))?;
-        let far = projection * Transform::translate(vec3!(0, -1, -9)) * Transform::scale(fx!(7));
-        let skin = Padded::new(skin.mipmapped(&projection, c.frame_size())?);
-        c.draw(&SHEET, &far, &skin.erased());
-        Ok(())
-    }),
-    ("trilinear", 0xe5a5_7553, |c| {
-        let mut texels = [Rgb888::BLACK; Mipmap::<Rgb888>::len(8, 8)];
-        texels[..64].copy_from_slice(SKIN.as_flattened());
-        let skin = Textured::new(Mipmap::build(&mut texels, 8, 8)?);
-        let projection = Projection::perspective(deg!(43), (WIDTH, HEIGHT), fx!(0.1), fx!(100))?;
-        let far = projection * Transform::translate(vec3!(0, -1, -9)) * Transform::scale(fx!(7));
-        let skin = skin.mipmapped(&projection, c.frame_size())?;
-        c.draw(&SHEET, &far, &Padded::new(skin.trilinear()).erased());
-        Ok(())
-    }),
+    ("mipmapped", 0xb960_1a0b, |c| from_afar(c, false)),
+    ("trilinear", 0xe5a5_7553, |c| from_afar(c, true)),
     ("Light", 0x9efc_2e07, |c| {
-        surface(c, &RING, Flat::new(ORANGE).lit(sun()?))
+        surface(c, &RING, PLAIN.lit(sun()?))
     }),
     ("lit_faces", 0x54c1_b743, |c| {
-        surface(c, &BALL, Flat::new(ORANGE).lit_faces(sun()?))
+        surface(c, &BALL, PLAIN.lit_faces(sun()?))
     }),
     ("lit texture", 0xce1f_7c04, |c| {
-        with(c, &BALL, &Textured::new(&SKIN).lit(sun()?))
+        with(c, &BALL, &SKINNED.lit(sun()?))
     }),
     ("PointLight", 0x7800_d04b, |c| {
         surface(
             c,
             &RING,
-            Flat::new(ORANGE).lit(PointLight::new(vec3!(1, 1, 1), fx!(1), fx!(4))?),
+            PLAIN.lit(PointLight::new(vec3!(1, 1, 1), fx!(1), fx!(4))?),
         )
     }),
     ("SpotLight", 0xff46_66ff, |c| {
         let cone = (deg!(15), deg!(30));
         let lamp = SpotLight::new(vec3!(0, 3, 0), vec3!(0.1, -1, 0), cone, fx!(1), fx!(9))?;
-        surface(c, &RING, Flat::new(ORANGE).lit(lamp))
+        surface(c, &RING, PLAIN.lit(lamp))
     }),
     ("shiny", 0x4052_59b6, |c| {
         let light = sun()?.shiny(Viewer::of(&view()?), 20, fx!(0.8))?;
-        surface(c, &BALL, Flat::new(ORANGE).lit(light))
+        surface(c, &BALL, PLAIN.lit(light))
     }),
     ("colored", 0x13bf_26f6, |c| {
         let lights = (
             sun()?.colored(Rgb888::new(200, 99, 7)),
             PointLight::new(vec3!(2, 0, 2), fx!(1), fx!(4))?,
         );
-        surface(c, &RING, Textured::new(&SKIN).lit(lights))
+        surface(c, &RING, SKINNED.lit(lights))
     }),
     ("two_sided", 0x597c_ea93, |c| {
         let light = sun()?.two_sided(Viewer::of(&view()?));
-        let options = DrawOptions::new().with_cull(Cull::Nothing);
+        let options = OPTIONS.with_cull(Cull::Nothing);
         let below = view()? * Transform::rotate_x(deg!(160));
-        let surface = Padded::new(Flat::new(ORANGE).lit(light));
+        let surface = Padded::new(PLAIN.lit(light));
         c.draw_with(&options, &SHEET, &below, &surface.erased());
         Ok(())
     }),
@@ -245,7 +249,7 @@ const WORDS: &[Word] = &[
         surface(
             c,
             &RING,
-            Flat::new(ORANGE)
+            PLAIN
                 .lit(sun()?)
                 .in_fog(Fog::linear(Rgb888::BLUE, fx!(2.7), fx!(5))?),
         )
@@ -254,165 +258,112 @@ const WORDS: &[Word] = &[
         surface(
             c,
             &RING,
-            Textured::new(&SKIN).in_fog(Fog::exponential(Rgb888::BLUE, fx!(0.2))?),
+            SKINNED.in_fog(Fog::exponential(Rgb888::BLUE, fx!(0.2))?),
         )
     }),
     ("Opacity", 0xbc05_d0c9, |c| {
-        c.draw_with(
-            &DrawOptions::new().with_blending(Opacity(99)),
+        by(
+            c,
+            &OPTIONS.with_blending(Opacity(99)),
             &RING,
-            &view()?,
-            &Flat::new(ORANGE).lit(sun()?),
-        );
-        Ok(())
+            &PLAIN.lit(sun()?),
+        )
     }),
     ("Add", 0x8d63_4db1, |c| {
-        c.draw_with(
-            &DrawOptions::new().with_blending(Add),
-            &RING,
-            &view()?,
-            &Flat::new(ORANGE).lit(sun()?),
-        );
-        Ok(())
+        by(c, &OPTIONS.with_blending(Add), &RING, &PLAIN.lit(sun()?))
     }),
     ("Multiply", 0x2a5e_d919, |c| {
-        c.draw_with(
-            &DrawOptions::new().with_blending(Multiply),
-            &RING,
-            &view()?,
-            &Textured::new(&SKIN),
-        );
-        Ok(())
+        by(c, &OPTIONS.with_blending(Multiply), &RING, &SKINNED)
     }),
     ("dithered", 0x07ab_577e, |c| {
         coarse::<Rgb565>(c, |c| {
             let dithered = Flat::<Rgb565>::rgb(ORANGE).lit(sun()?).dithered();
-            c.draw(&RING, &view()?, &Erased::new(&dithered));
-            Ok(())
+            with(c, &RING, &Erased::new(&dithered))
         })
     }),
     ("Rgb565", 0x5e14_f8c6, |c| {
         coarse::<Rgb565>(c, |c| {
             let lit = Flat::<Rgb565>::rgb(ORANGE).lit(sun()?);
-            c.draw(&RING, &view()?, &Erased::new(&lit));
-            Ok(())
+            with(c, &RING, &Erased::new(&lit))
         })
     }),
     ("Gray4", 0x7f88_7a0d, |c| {
-        coarse::<Gray4>(c, |c| {
-            c.draw(&RING, &view()?, &Flat::rgb(ORANGE).lit(sun()?));
-            Ok(())
-        })
+        coarse::<Gray4>(c, |c| with(c, &RING, &Flat::rgb(ORANGE).lit(sun()?)))
     }),
     ("BinaryColor", 0x855b_6cdf, |c| {
-        coarse::<BinaryColor>(c, |c| {
-            c.draw(&RING, &view()?, &Flat::rgb(ORANGE).lit(sun()?));
-            Ok(())
-        })
+        coarse::<BinaryColor>(c, |c| with(c, &RING, &Flat::rgb(ORANGE).lit(sun()?)))
     }),
     ("ErrorDiffusion", 0xd358_fc04, |c| {
         let (mut grays, mut depths) = ([Gray8::new(0); PIXELS], [0; PIXELS]);
         let mut gray = Canvas::new(&mut grays, WIDTH, HEIGHT)?.with_depth(&mut depths)?;
-        gray.draw(&RING, &view()?, &Flat::new(Gray8::new(200)).lit(sun()?));
+        with(&mut gray, &RING, &Flat::new(Gray8::new(200)).lit(sun()?))?;
         let mut errors = [0; WIDTH as usize];
-        let contrast = Contrast::of(&gray, 4);
-        coarse::<BinaryColor>(c, |c| {
-            gray.show_diffused(c, contrast, &mut ErrorDiffusion::new(&mut errors.clone()))?;
-            Ok(())
-        })?;
-        errors.fill(0);
+        let (contrast, mut diffusion) = (Contrast::of(&gray, 4), ErrorDiffusion::new(&mut errors));
+        let mut pixels = [BinaryColor::Off; PIXELS];
+        let mut panel = Canvas::new(&mut pixels, WIDTH, HEIGHT)?;
+        gray.show_diffused(&mut panel, contrast, &mut diffusion)?;
+        panel.show_with(c, |_, color| color.into())?;
         Ok(())
     }),
     ("edges", 0x674b_3f8a, |c| {
-        c.draw(
-            CUBE.edges(LineStyle::HAIRLINE),
-            &view()?,
-            &Flat::new(ORANGE),
-        );
-        Ok(())
+        with(c, CUBE.edges(LineStyle::HAIRLINE), &PLAIN)
     }),
     ("smooth lines", 0xd9f0_08ad, |c| {
-        c.draw(
-            BALL.edges(LineStyle::HAIRLINE.smooth()),
-            &view()?,
-            &Flat::new(ORANGE),
-        );
-        Ok(())
+        with(c, BALL.edges(LineStyle::HAIRLINE.smooth()), &PLAIN)
     }),
     ("wide lines", 0xcbd0_82d0, |c| {
-        c.draw(
-            CUBE.edges(LineStyle::wide(fx!(3.3))?),
-            &view()?,
-            &Textured::new(&SKIN),
-        );
-        Ok(())
+        with(c, CUBE.edges(LineStyle::wide(fx!(3.3))?), &SKINNED)
     }),
     ("smooth wide lines", 0x3478_5065, |c| {
-        c.draw(
-            CUBE.edges(LineStyle::wide(fx!(2.6))?.smooth()),
-            &view()?,
-            &Flat::new(ORANGE),
-        );
-        Ok(())
+        with(c, CUBE.edges(LineStyle::wide(fx!(2.6))?.smooth()), &PLAIN)
     }),
     ("creases", 0xedeb_411d, |c| {
-        let options = DrawOptions::new().with_depth(Biased::in_front(TestAndWrite));
-        c.draw(&CUBE, &view()?, &Flat::new(ORANGE));
+        let options = OPTIONS.with_depth(Biased::in_front(TestAndWrite));
+        c.draw(&CUBE, &view()?, &PLAIN);
         let outline = CUBE.outline(&EDGES_OF_CUBE, LineStyle::HAIRLINE);
-        c.draw_with(&options, outline, &view()?, &Flat::new(Rgb888::WHITE));
-        Ok(())
+        by(c, &options, outline, &Flat::new(Rgb888::WHITE))
     }),
     ("silhouettes", 0xb613_37d4, |c| {
-        c.draw(
+        with(
+            c,
             BALL.outline(&EDGES_OF_BALL, LineStyle::wide(fx!(2))?),
-            &view()?,
-            &Flat::new(ORANGE),
-        );
-        Ok(())
+            &PLAIN,
+        )
     }),
     ("points", 0x682f_1bbd, |c| {
-        let lit = Padded::new(Flat::new(ORANGE).lit(sun()?));
-        c.draw(RING.points(PointStyle::PIXEL), &view()?, &lit.erased());
-        Ok(())
+        let lit = Padded::new(PLAIN.lit(sun()?));
+        with(c, RING.points(PointStyle::PIXEL), &lit.erased())
     }),
     ("square points", 0x0d22_a96c, |c| {
-        c.draw(
-            CUBE.points(PointStyle::square(fx!(5.5))?),
-            &view()?,
-            &Flat::new(ORANGE),
-        );
-        Ok(())
+        with(c, CUBE.points(PointStyle::square(fx!(5.5))?), &PLAIN)
     }),
     ("round points", 0x6b74_7171, |c| {
-        c.draw(
+        with(
+            c,
             CUBE.points(PointStyle::round(fx!(0.31))?.attenuated()),
-            &view()?,
-            &Flat::new(ORANGE),
-        );
-        Ok(())
+            &PLAIN,
+        )
     }),
     ("Sprites", 0x4b60_aa26, |c| {
         let places = [vec3!(-1, 0, 0.3), vec3!(0.9, 0.4, -1)];
         let sprites = Sprites::new(&places, (fx!(1.1), fx!(0.9)))?.with_axis(Vec3::Y)?;
-        c.draw(&sprites, &view()?, &Textured::new(&SKIN));
-        Ok(())
+        with(c, &sprites, &SKINNED)
     }),
     ("Sprites in pixels", 0x84b2_8b68, |c| {
         let (places, scales) = ([vec3!(-1, 0, 0.3), vec3!(0.9, 0.4, -1)], [fx!(1), fx!(1.7)]);
         let sprites = Sprites::in_pixels(&places, (fx!(11), fx!(9.5)))?;
         let sprites = sprites.with_scales(&scales)?.with_anchor(vec2!(0.5, 1));
-        c.draw(&sprites, &view()?, &Textured::new(&SKIN));
-        Ok(())
+        with(c, &sprites, &SKINNED)
     }),
     ("quantized", 0xd988_58c2, |c| {
-        with(c, &SMALL_CUBE, &Textured::new(&SKIN).lit(sun()?))
+        with(c, &SMALL_CUBE, &SKINNED.lit(sun()?))
     }),
     ("smooth normals", 0x7824_927e, |c| {
         let mut normals = vec![Vec3::ZERO; CUBE.positions().len()];
         surface(
             c,
             &CUBE.with_smooth_normals(&mut normals)?,
-            Flat::new(ORANGE).lit(sun()?),
+            PLAIN.lit(sun()?),
         )
     }),
     ("Keyframes", 0x49f3_d703, |c| {
@@ -425,13 +376,13 @@ const WORDS: &[Word] = &[
         let frames = Keyframes::new(&BALL.without_normals().without_uvs(), &bent)?;
         let mut positions = vec![Vec3::ZERO; BALL.positions().len()];
         let mesh = frames.blend(fx!(0.37), &mut positions, &mut [])?;
-        surface(c, &mesh, Flat::new(ORANGE).lit_faces(sun()?))
+        surface(c, &mesh, PLAIN.lit_faces(sun()?))
     }),
     ("orthographic", 0x28a0_9cc9, |c| {
         let window = Window::centered(fx!(4), fx!(3));
         let turn = Transform::rotate_x(deg!(35.264)) * Transform::rotate_y(deg!(45));
         let view = Projection::orthographic(window, fx!(-9), fx!(9))? * turn;
-        c.draw(&CUBE, &view, &Textured::new(&SKIN).lit(sun()?));
+        c.draw(&CUBE, &view, &SKINNED.lit(sun()?));
         Ok(())
     }),
     ("cabinet", 0x1d3f_29ce, |c| {
@@ -440,52 +391,40 @@ const WORDS: &[Word] = &[
         c.draw(
             &CUBE,
             &(view * Transform::IDENTITY),
-            &Flat::new(ORANGE).lit_faces(sun()?),
+            &PLAIN.lit_faces(sun()?),
         );
         Ok(())
     }),
     ("viewport", 0x0a33_e320, |c| {
-        let options = DrawOptions::new().with_viewport(Viewport::new(-13, 7, 71, 48)?);
-        c.draw_with(&options, &RING, &view()?, &Textured::new(&SKIN));
-        Ok(())
+        let options = OPTIONS.with_viewport(Viewport::new(-13, 7, 71, 48)?);
+        by(c, &options, &RING, &SKINNED)
     }),
     ("Cull::Front", 0x8afc_3ffe, |c| {
-        c.draw_with(
-            &DrawOptions::new().with_cull(Cull::Front),
-            &CUBE,
-            &view()?,
-            &Textured::new(&SKIN),
-        );
-        Ok(())
+        by(c, &OPTIONS.with_cull(Cull::Front), &CUBE, &SKINNED)
     }),
     ("NoTest", 0xb188_1922, |c| {
-        let options = DrawOptions::new()
-            .with_depth(NoTest)
-            .with_cull(Cull::Nothing);
-        c.draw_with(&options, &RING, &view()?, &Textured::new(&SKIN));
-        Ok(())
+        let options = OPTIONS.with_depth(NoTest).with_cull(Cull::Nothing);
+        by(c, &options, &RING, &SKINNED)
     }),
     ("FloatDepth", 0x4016_7d8b, in_format::<FloatDepth>),
     ("WideFloatDepth", 0x7811_6199, in_format::<WideFloatDepth>),
     ("DrawList", 0x2956_de48, |c| {
         let mut list = Box::new(List::new());
-        let ring = list.prepare(&DrawOptions::new(), c.frame_size(), &RING, &view()?)?;
-        c.draw_prepared(&ring, &Textured::new(&SKIN).lit(sun()?))?;
+        let ring = list.prepare(&OPTIONS, c.frame_size(), &RING, &view()?)?;
+        c.draw_prepared(&ring, &SKINNED.lit(sun()?))?;
         Ok(())
     }),
     ("back to front", 0x178d_d878, |c| {
         let mut list = Box::new(List::new());
-        let options = DrawOptions::new()
-            .with_depth(NoTest)
-            .with_cull(Cull::Nothing);
+        let options = OPTIONS.with_depth(NoTest).with_cull(Cull::Nothing);
         let glass = options.with_blending(Opacity(120));
         let ring = list.prepare_back_to_front(&glass, c.frame_size(), &RING, &view()?)?;
-        c.draw_prepared(&ring, &Textured::new(&SKIN))?;
+        c.draw_prepared(&ring, &SKINNED)?;
         Ok(())
     }),
     ("label", 0xc2e0_33e7, |c| {
-        with(c, &RING, &Flat::new(ORANGE))?;
-        let options = DrawOptions::new();
+        with(c, &RING, &PLAIN)?;
+        let options = OPTIONS;
         if let Some(at) = c.project(&options, &view()?, vec3!(-0.9, 0.2, 0)) {
             let style = MonoTextStyle::new(&FONT_6X10, Rgb888::WHITE);
             Text::new("Label", Point::zero(), style).draw(&mut c.label(at))?;
@@ -494,7 +433,7 @@ const WORDS: &[Word] = &[
     }),
     ("mirror", 0x79e6_09cd, |c| {
         let mirrored = view()? * Transform::scale_axes(vec3!(-1, 1, 1));
-        c.draw(&CUBE, &mirrored, &Textured::new(&SKIN).lit(sun()?));
+        c.draw(&CUBE, &mirrored, &SKINNED.lit(sun()?));
         Ok(())
     }),
 ];

@@ -90,6 +90,13 @@ fn lay(
     }
 }
 
+/// A picture of one panel.
+fn one(size: Size, side: u32, pixels: impl IntoIterator<Item = Option<Rgb888>>) -> Picture {
+    let mut picture = table(1, size * side);
+    lay(&mut picture, 0, size, side, pixels);
+    picture
+}
+
 /// A driver with wires for its bus and its D/C line.
 pub type Driver<'b, M> = Display<SpiInterface<'b, Wires, Wires>, M, NoResetPin>;
 
@@ -190,23 +197,18 @@ pub fn run_oled() -> Result<Vec<bool>, Error> {
 }
 
 fn oled_picture() -> Result<Picture, Error> {
-    let mut picture = table(1, Size::new(384, 192));
-    let lit = run_oled()?.into_iter();
     let color = |is_lit| {
-        if is_lit {
+        Some(if is_lit {
             Rgb888::new(160, 235, 255)
         } else {
             Rgb888::BLACK
-        }
+        })
     };
-    lay(
-        &mut picture,
-        0,
+    Ok(one(
         Size::new(128, 64),
         3,
-        lit.map(color).map(Some),
-    );
-    Ok(picture)
+        run_oled()?.into_iter().map(color),
+    ))
 }
 
 /// Runs [`epaper`].
@@ -264,9 +266,7 @@ pub fn run_ili9488() -> Result<Ran, Error> {
 
 fn ili9488_picture() -> Result<Picture, Error> {
     let size = Size::new(ili9488::WIDTH, ili9488::HEIGHT);
-    let mut picture = table(1, size);
-    lay(&mut picture, 0, size, 1, run_ili9488()?.colors());
-    Ok(picture)
+    Ok(one(size, 1, run_ili9488()?.colors()))
 }
 
 /// Runs [`ili9341`].
@@ -284,9 +284,7 @@ pub fn run_ili9341() -> Result<Ran, Error> {
 
 fn ili9341_picture() -> Result<Picture, Error> {
     let size = Size::new(ili9341::WIDTH, ili9341::HEIGHT);
-    let mut picture = table(1, size);
-    lay(&mut picture, 0, size, 1, run_ili9341()?.colors());
-    Ok(picture)
+    Ok(one(size, 1, run_ili9341()?.colors()))
 }
 
 /// Runs [`frames`].
@@ -299,16 +297,8 @@ pub fn run_frames(turns: &[Angle]) -> Result<Ran, Error> {
 }
 
 fn frames_picture() -> Result<Picture, Error> {
-    let size = Size::new(240, 240);
-    let mut picture = table(1, size);
-    lay(
-        &mut picture,
-        0,
-        size,
-        1,
-        run_frames(&[deg!(20), deg!(50)])?.colors(),
-    );
-    Ok(picture)
+    let ran = run_frames(&[deg!(20), deg!(50)])?;
+    Ok(one(Size::new(240, 240), 1, ran.colors()))
 }
 
 /// Runs [`tearing`] on these wires, with this TE output.

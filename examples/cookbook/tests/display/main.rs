@@ -9,37 +9,24 @@ mod common;
 use std::collections::BTreeSet;
 
 use cookbook::bus::mipi::{Command, Panel};
-use cookbook::bus::{NoDelay, Wires, commands};
+use cookbook::bus::{Wires, commands};
 use cookbook::displays::{Driver, driver};
 use embedded_graphics::pixelcolor::raw::{BigEndian, RawData, RawU16};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_hal::spi::SpiDevice;
 use fixel::canvas::{DepthBuffer, Storage};
 use fixel::prelude::*;
-use mipidsi::Builder;
 use mipidsi::dcs::{InterfaceExt, SetColumnAddress, SetPageAddress, WriteMemoryStart};
 use mipidsi::interface::SpiInterface;
-use mipidsi::models::{ILI9341Rgb565, Model, ST7789};
-use mipidsi::options::{Orientation, Rotation};
+use mipidsi::models::ST7789;
 
-use common::{lighthouse, scenes};
+use common::lighthouse;
 
 /// A square panel of 240x240 pixels, not rotated.
 const SQUARE: (u32, u32) = (240, 240);
 
 fn square<'b>(wires: &Wires, buffer: &'b mut [u8]) -> Driver<'b, ST7789> {
     driver(ST7789, (240, 240), wires, buffer)
-}
-
-/// A panel of 240x320 pixels, rotated by a quarter turn.
-const WIDE: (u32, u32) = (scenes::WIDTH, scenes::HEIGHT);
-
-fn wide<'b>(wires: &Wires, buffer: &'b mut [u8]) -> Driver<'b, ILI9341Rgb565> {
-    let interface = SpiInterface::new(wires.clone(), wires.clone(), buffer);
-    Builder::new(ILI9341Rgb565, interface)
-        .orientation(Orientation::new().rotate(Rotation::Deg90))
-        .init(&mut NoDelay)
-        .unwrap()
 }
 
 /// Draws the lighthouse, with depth, textures and light, and text over it.
@@ -117,37 +104,6 @@ fn assert_same(shown: &[u32], expected: &[u32], width: u32) {
             "({x}, {y}) shows {:#06x}, not {:#06x}",
             shown[at], expected[at]
         );
-    }
-}
-
-#[test]
-fn the_panel_shows_a_frame_of_colors() {
-    fn check<M>(wires: &Wires, mut display: Driver<'_, M>, size: (u32, u32))
-    where
-        M: Model<ColorFormat = Rgb565>,
-    {
-        let frame = frame(size, |canvas| canvas.show(&mut display).unwrap());
-        assert_same(&shown(wires, size), &frame, size.0);
-    }
-    let wires = Wires::default();
-    // The driver's buffer is shorter than a row, and does not hold a whole number of pixels.
-    check(&wires, square(&wires, &mut [0; 101]), SQUARE);
-    let wires = Wires::default();
-    check(&wires, wide(&wires, &mut [0; 512]), WIDE);
-}
-
-#[test]
-fn the_panel_shows_bands() {
-    for rows in [16, 37] {
-        let (wires, mut buffer) = (Wires::default(), [0; 512]);
-        let mut display = square(&wires, &mut buffer);
-        in_bands(SQUARE, rows, |band| band.show(&mut display).unwrap());
-        assert_same(&shown(&wires, SQUARE), &frame(SQUARE, |_| ()), SQUARE.0);
-
-        let (wires, mut buffer) = (Wires::default(), [0; 512]);
-        let mut display = wide(&wires, &mut buffer);
-        in_bands(WIDE, rows, |band| band.show(&mut display).unwrap());
-        assert_same(&shown(&wires, WIDE), &frame(WIDE, |_| ()), WIDE.0);
     }
 }
 

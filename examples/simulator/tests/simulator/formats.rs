@@ -6,51 +6,20 @@ use std::time::{Duration, Instant};
 
 use image::{Rgb, RgbImage};
 
-use super::make;
 use super::program::{Bench, printed};
-
-/// The house in every format, except glTF.
-fn houses(bench: &Bench, colored: bool) -> Vec<&'static str> {
-    bench.write("house.obj", make::obj(colored));
-    bench.write("house.ply", make::ply_text(colored));
-    bench.write("house.stl", make::stl_text());
-    let files = ["house.obj", "house.ply", "house.stl"];
-    // STL files have no colors.
-    files[..if colored { 2 } else { 3 }].to_vec()
-}
-
-#[test]
-fn a_model_looks_the_same_in_every_format() {
-    let bench = Bench::new("formats");
-    let view = "--eye 4,3,5 --look-at 0,0.8,0 --up 0,1,0 --fov 35 --size 96x72";
-    for (colored, shades) in [
-        (false, ["normal", "flat", "wire"]),
-        (true, ["texture", "lit", "gouraud"]),
-    ] {
-        for (file, shade) in houses(&bench, colored)
-            .into_iter()
-            .flat_map(|file| shades.map(|shade| (file, shade)))
-        {
-            let expected = bench.crc(format!("house.obj {view} --shade {shade}"));
-            let found = bench.crc(format!("{file} {view} --shade {shade}"));
-            assert_eq!(found, expected, "{file} {shade}");
-        }
-    }
-    // Two colors of the picture: at the left front corner at the bottom, and at the top of the roof.
-    let picture = bench.draw(format!("house.obj {view} --shade texture --color rgb888"));
-    let has = |wanted: [u8; 3]| {
-        let near = |pixel: &Rgb<u8>| (0..3).all(|at| pixel.0[at].abs_diff(wanted[at]) <= 12);
-        picture.pixels().any(near)
-    };
-    assert!(has(make::color(0)) && has(make::color(8)) && has(make::color(2)));
-}
 
 #[test]
 fn z_is_up_in_stl_files() {
     let bench = Bench::new("up");
-    houses(&bench, false);
-    assert_eq!(bench.crc("house.stl"), bench.crc("house.obj --up 0,0,1"));
-    assert_eq!(bench.crc("house.stl --up 0,1,0"), bench.crc("house.obj"));
+    let corners = ["0 0 0", "1 0 0", "0 0.5 2"];
+    let lines = |word: &str| corners.map(|at| format!("{word} {at}\n")).concat();
+    bench.write("t.obj", lines("v") + "f 1 2 3\n");
+    bench.write(
+        "t.stl",
+        format!("solid\nfacet\n{}endsolid\n", lines("vertex")),
+    );
+    assert_eq!(bench.crc("t.stl"), bench.crc("t.obj --up 0,0,1"));
+    assert_eq!(bench.crc("t.stl --up 0,1,0"), bench.crc("t.obj"));
 }
 
 /// Saves an image of one color.
@@ -133,25 +102,6 @@ fn textures_of_a_model_are_not_overwritten() {
     assert_eq!(bench.read("green.png"), texture);
 }
 
-#[test]
-fn concave_polygons_are_filled_within() {
-    let bench = Bench::new("concave");
-    let points = "v 0 0 0\nv 4 0 0\nv 4 1 0\nv 1 1 0\nv 1 4 0\nv 0 4 0\n";
-    // The fans around the second and the fifth corner leave the L. The last polygon crosses itself.
-    for (at, polygon) in ["1 2 3 4 5 6", "2 3 4 5 6 1", "5 6 1 2 3 4", "3 4 5 6 1 2"]
-        .iter()
-        .enumerate()
-    {
-        bench.write(format!("{at}.obj"), format!("{points}f {polygon}\n"));
-    }
-    bench.write("pieces.obj", format!("{points}f 1 2 3 4\nf 1 4 5 6\n"));
-    let view = "--projection orthographic --eye 2,2,5 --look-at 2,2,0 --shade normal";
-    let expected = bench.crc(format!("pieces.obj {view}"));
-    for at in 0..4 {
-        assert_eq!(bench.crc(format!("{at}.obj {view}")), expected, "{at}");
-    }
-}
-
 /// The model is a cone of many triangles. Comparing every pair of triangles would take minutes.
 #[test]
 fn many_faces_around_a_point_take_linear_time() {
@@ -180,7 +130,7 @@ fn mistakes_in_models_are_reported_in_one_line() {
     for (name, text, says) in [
         (
             "a.obj",
-            make::stl_text(),
+            "solid\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n".into(),
             "it is an STL file, not an OBJ file: give it the ending .stl",
         ),
         (

@@ -5,7 +5,6 @@ mod dumps;
 mod formats;
 mod framing;
 mod looks;
-mod make;
 mod materials;
 mod models;
 mod output;

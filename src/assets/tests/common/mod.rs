@@ -34,24 +34,25 @@ pub fn notes(model: &Model) -> Vec<String> {
     model.notes.iter().collect()
 }
 
-/// A copy of the bytes, with some bytes replaced, removed or repeated, differently for each `seed`.
-pub fn mutated(bytes: &[u8], seed: u64) -> Vec<u8> {
-    let mut state = seed;
-    let mut random = |most: usize| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005);
-        state = state.wrapping_add(1_442_695_040_888_963_407);
-        usize::try_from(state >> 33).unwrap() % most.max(1)
-    };
-    let mut bytes = bytes.to_vec();
-    for _ in 0..=random(8) {
-        let at = random(bytes.len());
-        let end = (at + random(20)).min(bytes.len());
-        match random(4) {
-            0 => bytes[at..end].fill(b"0#/-\n e.9\xff\0,"[random(12)]),
-            1 => drop(bytes.drain(at..end)),
-            2 => bytes.extend_from_within(at..end),
-            _ => bytes.truncate(end.max(bytes.len() / 2)),
-        }
+/// A file in the format RIFF.
+pub fn riff(chunks: &[(&[u8; 4], Vec<u8>)]) -> Vec<u8> {
+    let mut bytes = b"RIFF\0\0\0\0WEBP".to_vec();
+    for (name, data) in chunks {
+        bytes.extend(*name);
+        bytes.extend(u32::try_from(data.len()).unwrap().to_le_bytes());
+        bytes.extend(data);
+        bytes.resize(bytes.len().next_multiple_of(2), 0);
     }
+    let len = u32::try_from(bytes.len() - 8).unwrap();
+    bytes[4..8].copy_from_slice(&len.to_le_bytes());
     bytes
+}
+
+/// The data of a WebP with loss, of `first` bytes in its first part and `data` in all. A decoder reads bytes of 0 as the
+/// answer "no" to every question: there are no details, and all pixels have the value that is predicted without them.
+pub fn vp8(side: u16, first: usize, data: usize) -> Vec<u8> {
+    let tag = (u32::try_from(first).unwrap() << 5 | 1 << 4).to_le_bytes();
+    let [low, high] = side.to_le_bytes();
+    let start = [&tag[..3], &[0x9d, 0x01, 0x2a, low, high, low, high]].concat();
+    [start, vec![0; data]].concat()
 }
