@@ -105,24 +105,13 @@ pub struct Primitive<'a> {
     pub(crate) indices: Indices,
     /// For a triangle: twice its area on the screen, the upper 32 of 64 bits; negative if the corners run
     /// counter-clockwise.
-    ///
-    /// For an outline's edge, if depths are biased: the greatest change of depth from one pixel to the next on the
-    /// faces beside the edge, in the format [`WideFloatDepth`](crate::canvas::WideFloatDepth). For other edges and for
-    /// points: 0.
     pub(crate) area: i32,
+    /// For an outline's edge, if depths are biased: the greatest change of depth from one pixel to the next on the
+    /// faces beside the edge, in the format [`WideFloatDepth`](crate::canvas::WideFloatDepth). Otherwise 0.
+    pub(crate) slope_beside: u16,
 }
 
 impl Primitive<'_> {
-    /// The change of depth on the faces beside an outline's edge: see `area`. The result is 0 for a triangle or a
-    /// point.
-    #[inline]
-    pub(crate) const fn beside(&self) -> u32 {
-        match self.indices.element {
-            Element::Edge(_) => self.area.cast_unsigned(),
-            Element::Face(_) | Element::Point => 0,
-        }
-    }
-
     /// Whether this is a triangle with its front toward the eye, by the same rule as for culling; an edge or a point
     /// has no front. With this function, a shader can give the two sides of a sheet different colors:
     ///
@@ -416,6 +405,7 @@ mod tests {
                 placement: &Placement::new(&Transform::IDENTITY, Transform::IDENTITY),
                 indices: Indices::of_face(0, [0, 1, 2]),
                 area: 0,
+                slope_beside: 0,
             };
             let [x, y, z] = primitive.world_middle().to_bits();
             let sum: i64 = corners.map(i64::from).iter().sum();

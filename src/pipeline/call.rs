@@ -64,6 +64,7 @@ impl Shared<'_> {
             placement: &self.placement,
             indices,
             area: (area >> 32) as i32,
+            slope_beside: 0,
         }
     }
 }

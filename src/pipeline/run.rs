@@ -162,18 +162,15 @@ impl<'d> Draw<'d> {
         (a.min(b) >> 8) - reach < rows.end && (a.max(b) >> 8) + reach >= rows.start
     }
 
-    /// Draws an edge or a point by `line`. `beside` is how steep the faces beside an outline's edge are.
+    /// Draws an edge or a point by `line`. `slope_beside` is how steep the faces beside an outline's edge are.
     #[inline]
     pub(super) fn draw_thin(
         &mut self,
-        (indices, beside): (Indices, u16),
+        (indices, slope_beside): (Indices, u16),
         is_clipped: bool,
         line: impl FnOnce(&mut Rasterizer<'d>),
     ) {
-        line(
-            self.raster
-                .begin_primitive(indices, i64::from(beside) << 32),
-        );
+        line(self.raster.begin_thin(indices, slope_beside));
         self.drawn += 1;
         self.clipped += u32::from(is_clipped);
     }

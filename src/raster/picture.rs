@@ -53,6 +53,7 @@ impl Picture {
             placement: &Placement::new(&Transform::IDENTITY, Transform::IDENTITY),
             indices: Indices::of_point(0),
             area: 0,
+            slope_beside: 0,
         };
         draw(&mut Rasterizer::new(self, primitive, scissor))
     }

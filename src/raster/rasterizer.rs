@@ -42,12 +42,20 @@ impl<'r> Rasterizer<'r> {
         }
     }
 
-    /// Moves on to another triangle, edge or point of the mesh. `area` is twice its area on the screen.
+    /// Moves on to another triangle of the mesh. `area` is twice its area on the screen.
     #[inline]
     pub(crate) fn begin_primitive(&mut self, indices: Indices, area: i64) -> &mut Self {
         self.primitive.indices = indices;
         self.primitive.area = (area >> 32) as i32;
         self
+    }
+
+    /// Moves on to another edge or point of the mesh. For an outline's edge, `slope_beside` is how steep the faces
+    /// beside it are.
+    #[inline]
+    pub(crate) fn begin_thin(&mut self, indices: Indices, slope_beside: u16) -> &mut Self {
+        self.primitive.slope_beside = slope_beside;
+        self.begin_primitive(indices, 0)
     }
 
     #[inline]

@@ -33,6 +33,7 @@ pub(super) fn face<S: Shader>(
         placement: &Placement::new(model, Transform::IDENTITY),
         indices: Indices::of_face(index, mesh.faces()[index]),
         area: 0,
+        slope_beside: 0,
     });
     (shader, corners)
 }
@@ -45,6 +46,7 @@ pub(super) fn edge<S: Shader>(shader: S, mesh: &Mesh<'_>, index: usize) -> [S::V
         placement: &Placement::new(&IDENTITY, Transform::IDENTITY),
         indices: Indices::of_edge(index, [a, b]),
         area: 0,
+        slope_beside: 0,
     });
     [start, end]
 }

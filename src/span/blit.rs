@@ -256,7 +256,7 @@ where
             self.interpolator.set_up(patch);
             if S::Test::IS_BIASED {
                 let setup = &self.interpolator.planes.setup;
-                let beside = WideFloatDepth::decode(primitive.beside(), setup.down);
+                let beside = WideFloatDepth::decode(primitive.slope_beside.into(), setup.down);
                 self.test.triangle(setup.steepness().max(beside));
             }
         }
