@@ -5,7 +5,6 @@ another user or another package manager, says in one line what is missing.
 install.py [PURPOSE or TARGET ...]     (default: everything that `run` needs)
 """
 import fcntl
-import functools
 import importlib.util
 import os
 import shutil
@@ -60,9 +59,9 @@ def install(*purposes):
             subprocess.run([*sudo, "apt-get", "update", "-qq"], check=True)
             subprocess.run([*sudo, "apt-get", "install", "-y", "-qq", "--no-install-recommends", *missing], check=True)
         if {"boards", "browser"} & set(purposes):
-            npm = functools.partial(subprocess.run, cwd="examples/boards/emulator")
-            if npm(["npm", "ls"], capture_output=True).returncode:
-                npm(["npm", "install", "--no-audit", "--no-fund", "--loglevel=error"], check=True)
+            npm = ["npm", "--prefix", "examples/boards/emulator", "--no-audit", "--no-fund", "--loglevel=error"]
+            if subprocess.run([*npm, "ls"], capture_output=True).returncode:
+                subprocess.run([*npm, "install"], check=True)
 
 
 if __name__ == "__main__":

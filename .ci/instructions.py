@@ -9,7 +9,6 @@ from cross import PINNED
 
 MOST = 1.02
 FILE = Path("tests/instructions.csv")
-HEAD = ["target", "optimization", "mode", "what", "per", "instructions"]
 # The ending of the name of a target's output, by opt-level; "plain" is without link-time optimization.
 OUTPUTS = {"3": "", "s": ".size", "3 plain": ".plain", "s plain": ".plain-size"}
 COUNTED = 1000  # costs of kernels are kept for this many pixels or triangles
@@ -61,7 +60,7 @@ def renew(folder, targets, release):
     with FILE.open("w", newline="") as file:
         file.write(f"# rustc {release}\n")
         out = csv.writer(file, lineterminator="\n")
-        out.writerow(HEAD)
+        out.writerow(["target", "optimization", "mode", "what", "per", "instructions"])
         for target in sorted(kept):
             out.writerows([target, *case, count] for case, count in kept[target].items())
     return []
