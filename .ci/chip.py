@@ -3,14 +3,17 @@
 A chip's program is run until its display has shown some frames. The model of DMA sends a band at the last moment, when
 the program waits for it. So a program that draws into a band that is being sent shows a wrong picture. The display
 follows the data sheets: CS selects it, and DC tells commands from data; CASET and RASET set a window, and RAMWR writes
-to it. Only Debian's own Python finds the packages python3-unicorn and python3-pyelftools.
+to it.
 """
 import collections
 import struct
 import sys
 
-from elftools.elf.elffile import ELFFile
-from unicorn import UC_HOOK_BLOCK, UcError
+try:
+    from elftools.elf.elffile import ELFFile
+    from unicorn import UC_HOOK_BLOCK, UcError
+except ImportError as error:
+    sys.exit(f"{error} (Debian: python3-unicorn python3-pyelftools; pip: unicorn pyelftools)")
 
 FRAMES = 10  # one clears the display, one begins with a black band; the last but one is shown once the last begins
 CYCLES = 1.5  # for an instruction, as these cores need them with their programs in flash

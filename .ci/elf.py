@@ -1,17 +1,7 @@
-#!/usr/bin/python3
-"""Reads sections and functions of programs. Only Debian's own Python finds the package python3-pyelftools.
-
-elf.py measure BASELINE PROBE       prints bytes of code, of compiler routines in it, and of constants (less baseline)
-elf.py functions BASELINE PROBE     prints functions by size, less the baseline's function of that name
-elf.py sources PROBE                prints the library's functions by size, inlined or not (needs llvm-symbolizer)
-elf.py names PROBE                  prints the names of all functions, one per line
-elf.py memory PROGRAM               prints bytes of flash and of RAM without the stack
-"""
+"""Reads sections and functions of programs."""
 import collections
 import re
-import signal
 import subprocess
-import sys
 
 from elftools.elf.elffile import ELFFile
 
@@ -40,13 +30,15 @@ def routines(path):
 
 
 def measure(baseline, probe):
+    """Returns bytes of code, of compiler routines in it, and of constants, each less the baseline's."""
     before, after = read(baseline)[0], read(probe)[0]
     # Initialized variables take as much flash as RAM; the library has none.
     constants = sum(after.get(s, 0) - before.get(s, 0) for s in (".rodata", ".data"))
-    print(after[".text"] - before[".text"], routines(probe) - routines(baseline), constants)
+    return after[".text"] - before[".text"], routines(probe) - routines(baseline), constants
 
 
 def memory(path):
+    """Returns bytes of flash, and of RAM without the stack."""
     sections = read(path)[0]
 
     def total(*names):
@@ -55,8 +47,8 @@ def memory(path):
     # The startup code copies these from flash to RAM: initialized variables, and an ESP32's code that must not wait
     # for flash.
     both = total(".data", ".trap", ".rwtext")
-    print(both + total(".vector_table", ".start_block", ".boot2", ".flash.appdesc", ".text", ".rodata"),
-          both + total(".bss", ".uninit", ".noinit"))
+    return (both + total(".vector_table", ".start_block", ".boot2", ".flash.appdesc", ".text", ".rodata"),
+            both + total(".bss", ".uninit", ".noinit"))
 
 
 def readable(text):
@@ -66,6 +58,7 @@ def readable(text):
 
 
 def functions(baseline, probe):
+    """Prints functions by size, less the baseline's function of that name."""
     def plain(name):  # without the parts that differ between probes
         return re.sub(r"Cs[0-9A-Za-z]+_|\d+size_[a-z]+|\.llvm\.\d+$", "", name)
 
@@ -84,7 +77,8 @@ def functions(baseline, probe):
 
 
 def sources(path):
-    """Counts every two bytes of code for the innermost function of this project from which they were inlined."""
+    """Prints the library's functions by size, inlined or not. Counts every two bytes of code for the innermost function
+    of this project from which they were inlined. Needs llvm-symbolizer."""
     ranges = ((at & ~1, size) for at, (size, _) in read(path)[1].items())
     addresses = sorted({at for start, size in ranges for at in range(start, start + size, 2)})
     command = ["llvm-symbolizer", "--obj=" + path, "--inlines", "--demangle"]
@@ -100,19 +94,3 @@ def sources(path):
         sizes[readable((own or [frames[0][0]])[0])] += 2
     for name, size in sizes.most_common():
         print(f"{size:6} {name}")
-
-
-if __name__ == "__main__":
-    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # so that `head` may leave early
-    if sys.argv[1:2] == ["measure"] and len(sys.argv) == 4:
-        measure(*sys.argv[2:])
-    elif sys.argv[1:2] == ["functions"] and len(sys.argv) == 4:
-        functions(*sys.argv[2:])
-    elif sys.argv[1:2] == ["sources"] and len(sys.argv) == 3:
-        sources(sys.argv[2])
-    elif sys.argv[1:2] == ["names"] and len(sys.argv) == 3:
-        print("\n".join(read(sys.argv[2])[2]))
-    elif sys.argv[1:2] == ["memory"] and len(sys.argv) == 3:
-        memory(sys.argv[2])
-    else:
-        sys.exit(__doc__)

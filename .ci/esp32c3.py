@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Runs the ESP32-C3's program on an emulated core, with a model of the registers that it needs, and of its display.
 
 esp32c3.py PROGRAM PICTURE.ppm
@@ -10,11 +10,11 @@ knows only RISC-V's standard registers: Espressif's own registers read as 0, and
 import struct
 import sys
 
+from chip import Chip  # first, because it says what is missing
+
 from unicorn import UC_ARCH_RISCV, UC_HOOK_CODE, UC_HOOK_INTR, UC_MODE_RISCV32, Uc
 from unicorn.riscv_const import (UC_RISCV_REG_A0, UC_RISCV_REG_A1, UC_RISCV_REG_A2, UC_RISCV_REG_A3, UC_RISCV_REG_PC,
                                  UC_RISCV_REG_SP, UC_RISCV_REG_X0)
-
-from chip import Chip
 
 ROM = 0x40000000
 # Functions in ROM that the program may call. Here they do nothing, and return their first argument.

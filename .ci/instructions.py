@@ -1,19 +1,14 @@
-#!/usr/bin/env python3
-"""Compares the instructions of programs on each target with tests/instructions.csv, and prints the changes.
-
-Arguments: `--renew`, to rewrite the targets' part of the file; a folder; the targets. For each target, the folder has
-a file with its output, and a file ending in .size with the output of programs optimized for size, if these were run.
-The file `rustc` has the compiler's release. Fails if a case takes over 2 % more instructions, or is not in
-tests/instructions.csv. The first line of tests/instructions.csv has the compiler's release for all counts. Counts of
-another release are compared, too: if one has grown, the message names both releases."""
+"""Compares the instructions of programs on each target with tests/instructions.csv, or writes them to this file. Its
+first line has the compiler's release for all counts. Counts of another release are compared, too: if one has grown, the
+message names both releases."""
 import csv
 import re
-import sys
 from pathlib import Path
+
+from cross import PINNED
 
 MOST = 1.02
 FILE = Path("tests/instructions.csv")
-HEAD = ["target", "optimization", "mode", "what", "per", "instructions"]
 # The ending of the name of a target's output, by opt-level; "plain" is without link-time optimization.
 OUTPUTS = {"3": "", "s": ".size", "3 plain": ".plain", "s plain": ".plain-size"}
 COUNTED = 1000  # costs of kernels are kept for this many pixels or triangles
@@ -47,81 +42,56 @@ def counts(text):
 
 
 def read():
-    """Returns the compiler's release, and instructions by target and case."""
+    """Returns instructions by target and case."""
     kept = {}
-    first, *lines = FILE.read_text().splitlines()
-    for target, *case, instructions in list(csv.reader(lines))[1:]:
+    for target, *case, instructions in list(csv.reader(FILE.read_text().splitlines()))[2:]:
         kept.setdefault(target, {})[tuple(case)] = int(instructions)
-    return first.removeprefix("# rustc "), kept
+    return kept
 
 
-def write(release, kept):
+def renew(folder, targets, release):
+    """Rewrites the targets' part of the file."""
+    kept = read()
+    if release != PINNED and kept.keys() - set(targets):
+        return [f"{FILE} has counts of rustc {PINNED}: renew those of all targets with {release}"]
+    for target in targets:
+        kept[target] = measured(folder, target)
+        print(f"{target}: {len(kept[target])} counts written to {FILE}")
     with FILE.open("w", newline="") as file:
         file.write(f"# rustc {release}\n")
         out = csv.writer(file, lineterminator="\n")
-        out.writerow(HEAD)
+        out.writerow(["target", "optimization", "mode", "what", "per", "instructions"])
         for target in sorted(kept):
             out.writerows([target, *case, count] for case, count in kept[target].items())
+    return []
 
 
-def compare(target, before, now):
-    """Returns the failures, and the number of cases that take fewer instructions."""
-    wrong, better = [], 0
-    for case in before.keys() | now.keys():
-        optimization, mode, what, per = case
-        name = f"{target} at {optimization}: {what} in mode {mode}, {per},"
-        if mode == "kernel":
-            name = f"{target} at {optimization}: kernel {what}, {per},"
-        if case not in now:
-            wrong.append(f"{name} is in the file and was not measured")
-        elif case not in before:
-            wrong.append(f"{name} is not in the file")
-        elif now[case] > before[case] * MOST:
-            wrong.append(f"{name} takes {now[case]} instructions, {more(before[case], now[case])} than {before[case]}")
-        better += case in now and case in before and now[case] * MOST < before[case]
-    return sorted(wrong), better
-
-
-def more(before, now):
-    return f"{(now / before - 1) * 100:.1f} % more" if before else "more"
-
-
-def main():
-    arguments = sys.argv[1:]
-    renew = "--renew" in arguments
-    folder, *targets = [argument for argument in arguments if argument != "--renew"]
-    pinned, kept = read()
-    release = Path(folder, "rustc").read_text().strip()
-    failed = False
-    if renew and release != pinned and kept.keys() - set(targets):
-        sys.exit(f"{FILE} has counts of rustc {pinned}: renew those of all targets with {release}")
+def compare(folder, targets, release):
+    """Returns what is wrong: cases that take over 2 % more instructions, or are not in the file. For each target, the
+    folder has a file with its output, and files with the output of programs with other settings, if these were run."""
+    kept, wrong = read(), []
     for target in targets:
-        now = measured(folder, target)
+        now, known = measured(folder, target), len(wrong)
+        run = {optimization for optimization, end in OUTPUTS.items() if Path(folder, target + end).exists()}
+        before = {case: count for case, count in kept.get(target, {}).items() if case[0] in run}
+        for case in sorted(before.keys() | now.keys()):
+            name = f"{target} at {', '.join(case)},"
+            if case not in now:
+                wrong.append(f"{name} is in the file and was not measured")
+            elif case not in before:
+                wrong.append(f"{name} is not in the file")
+            elif now[case] > before[case] * MOST:
+                more = f"{(now[case] / before[case] - 1) * 100:.1f} % more than" if before[case] else "more than"
+                wrong.append(f"{name} takes {now[case]} instructions, {more} {before[case]}")
         if not now:
-            failed = True
-            print(f"{target} printed no counts")
-        elif renew:
-            kept[target] = now
-            print(f"{target}: {len(now)} counts written to {FILE}")
-        elif target not in kept:
-            failed = True
-            print(f"{target} is not in {FILE}: .ci/firmware --renew {target}")
-        else:
-            run = {optimization for optimization, end in OUTPUTS.items() if Path(folder, target + end).exists()}
-            before = {case: count for case, count in kept[target].items() if case[0] in run}
-            wrong, better = compare(target, before, now)
-            failed |= bool(wrong)
-            print(*wrong, f"{target}: {len(now)} counts, {len(wrong)} wrong", sep="\n")
-            if better:
-                print(f"  over 2 % better: {better}; to keep that, .ci/firmware --renew {target}")
-    if renew:
-        write(release, kept)
-    elif failed and release != pinned:
-        print(f"The counts in {FILE} are from rustc {pinned}, these from {release}. Each release makes other code, so "
-              f"compare with the same: rustup toolchain install {pinned} --profile minimal --target {','.join(targets)}")
-    elif failed:
-        print("If the growth is intended, .ci/firmware --renew rewrites the file.")
-    sys.exit(failed)
-
-
-main()
+            wrong.append(f"{target} printed no counts")
+        print(f"{target}: {len(now)} counts, {len(wrong) - known} wrong")
+        if better := sum(now[case] * MOST < count for case, count in before.items() if case in now):
+            print(f"  over 2 % better: {better}; to keep that, .ci/firmware --renew {target}")
+    if wrong and release != PINNED:
+        wrong.append(f"The counts in {FILE} are from rustc {PINNED}, these from {release}. Each release makes other "
+                     f"code, so compare with the same: rustup toolchain install {PINNED} --profile minimal --target "
+                     f"{','.join(targets)}")
+    elif wrong:
+        wrong.append("If the growth is intended, .ci/firmware --renew rewrites the file.")
+    return wrong

@@ -1,5 +1,5 @@
 // Runs a program on an emulated RP2040, from the second-stage boot loader on, with a model of the panel on its pins:
-// examples/boards/emulator/pico.js. .ci/install installs rp2040js there.
+// examples/boards/emulator/pico.js. .ci/install.py installs rp2040js there.
 //
 //     rp2040.mjs PROGRAM PICTURE.ppm [--bus gaps|instant] [--fault NAME] [--profile FILE]
 //

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Runs a program of the Pico 2 on an emulated core, with a model of the registers that it needs, and of its display.
 
 rp2350.py PROGRAM PICTURE.ppm
@@ -10,10 +10,10 @@ program has the block that the boot ROM looks for. Only core 0 runs.
 import struct
 import sys
 
+from chip import Chip  # first, because it says what is missing
+
 from unicorn import UC_ARCH_ARM, UC_HOOK_CODE, UC_MODE_MCLASS, UC_MODE_THUMB, Uc
 from unicorn.arm_const import (UC_ARM_REG_LR, UC_ARM_REG_PC, UC_ARM_REG_PRIMASK, UC_ARM_REG_SP, UC_CPU_ARM_CORTEX_M33)
-
-from chip import Chip
 
 FLASH, FLASH_SIZE = 0x10000000, 0x400000
 RETURN = FLASH + FLASH_SIZE - 4  # the return address of interrupt handlers: flash that no program uses

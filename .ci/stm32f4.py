@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Runs the STM32F4's program on an emulated core, with a model of the registers that it needs, and of its display.
 
 stm32f4.py PROGRAM PICTURE.ppm
@@ -10,10 +10,10 @@ STM32F405's reference manual, RM0090.
 """
 import sys
 
+from chip import Chip  # first, because it says what is missing
+
 from unicorn import UC_ARCH_ARM, UC_HOOK_CODE, UC_MODE_MCLASS, UC_MODE_THUMB, Uc
 from unicorn.arm_const import (UC_ARM_REG_LR, UC_ARM_REG_PC, UC_ARM_REG_PRIMASK, UC_ARM_REG_SP, UC_CPU_ARM_CORTEX_M4)
-
-from chip import Chip
 
 FLASH = 0x08000000
 RETURN = 0x08080000  # the return address of interrupt handlers: flash that no program uses

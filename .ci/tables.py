@@ -117,7 +117,7 @@ def names(instructions, other):
     def mean(target, optimization, mode, *scenes):
         """The mean over a scene's eight poses."""
         key = target, optimization, mode
-        return cells(million, [instructions[*key, scene, "mean-of-poses"] for scene in scenes or SCENES])
+        return cells(million, [instructions[(*key, scene, "mean-of-poses")] for scene in scenes or SCENES])
 
     def others(who, *scenes):
         return cells(million, [OTHERS[who][SCENES.index(scene)] for scene in scenes or SCENES])
@@ -136,7 +136,7 @@ def names(instructions, other):
     def kernel(name, unit=None, less=None, on=BOTH, show=whole):
         """The cost of a kernel, or how far it exceeds the cost of the kernel `less`."""
         def cost(name, column, unit=None):
-            return instructions[*column, "kernel", name, unit or units[name]] / 1000
+            return instructions[(*column, "kernel", name, unit or units[name])] / 1000
 
         return cells(show, [cost(name, column, unit) - (cost(less, column) if less else 0) for column in on])
 
