@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::{
     Rgb888,
 };
 
-use super::include::{Convert, File, Table, texels};
+use super::include::{Convert, File, texels};
 use super::{Argb1555, Argb4444};
 use crate::message;
 
@@ -14,10 +14,8 @@ use crate::message;
 macro_rules! colors {
     ($([$($Color:ident)+] |$bytes:ident| $color:expr;)+) => {$($(
         impl<F: File, const N: usize, const K: usize> Convert<F, N, K> for $Color {
-            const TEXELS: &'static [Self; N] = &texels(<Self as Table<F, K>>::TABLE, F::PIXELS);
-        }
-
-        impl<F: File, const K: usize> Table<F, K> for $Color {
+            const TEXELS: &'static [Self; N] =
+                &texels(<Self as Convert<F, N, K>>::TABLE, F::PIXELS);
             const TABLE: &'static [Self; K] = &{
                 if F::COLORS.len() > K {
                     message::too_many_colors(F::PATH, F::COLORS.len(), K);
@@ -46,4 +44,19 @@ colors! {
     [Gray8] |of| Self::new(of[12]);
     [Argb1555] |of| Self::from_bits(u16::from_be_bytes([of[13], of[14]]));
     [Argb4444] |of| Self::from_bits(u16::from_be_bytes([of[15], of[16]]));
+}
+
+impl<F: File, const N: usize, const K: usize> Convert<F, N, K> for u8 {
+    const TEXELS: &'static [u8; N] = &texels(<u8 as Convert<F, N, K>>::TABLE, F::PIXELS);
+    const TABLE: &'static [u8; K] = &{
+        if F::COLORS.len() > 256 {
+            message::too_many_colors(F::PATH, F::COLORS.len(), 256);
+        }
+        let (mut table, mut at) = ([0; K], 0);
+        while at < K {
+            table[at] = at as u8;
+            at += 1;
+        }
+        table
+    };
 }

@@ -22,22 +22,18 @@ pub trait File {
     const PIXELS: &'static [u8];
 }
 
-/// A type of texel to which the `N` pixels of picture `F`, which has `K` colors, can be converted: a color, or `u8` for
-/// the index of a pixel's color.
+/// A type of texel that picture `F`, which has `N` pixels, converts to: a color, or `u8` for the index of a pixel's
+/// color.
 #[diagnostic::on_unimplemented(
     message = "a picture cannot become a texture of `{Self}`",
     label = "`{Self}` is not a color of embedded-graphics",
     note = "write a color of embedded-graphics, such as `Texture<Rgb565>` or `Texture<Gray8>`, or `Argb1555` or `Argb4444`"
 )]
 pub trait Convert<F: File, const N: usize, const K: usize>: Copy + 'static {
-    /// The pixels, row by row.
-    const TEXELS: &'static [Self; N];
-}
-
-/// A color to which the table of the colors of picture `F` can be converted.
-pub trait Table<F: File, const K: usize>: Copy + 'static {
-    /// The table of colors, which has at least as many colors as the picture.
+    /// The texels of the picture's colors. The table may be longer.
     const TABLE: &'static [Self; K];
+    /// The texels of the pixels, row by row.
+    const TEXELS: &'static [Self; N];
 }
 
 /// A texture that can be created from picture `F` with `N` pixels in `K` colors.
@@ -51,7 +47,7 @@ pub trait FromFile<F: File, const N: usize, const K: usize>: Sized {
     const VALUE: Self;
 }
 
-/// The colors of the pixels, from a table of colors and the pixels' indices.
+/// The texels of pixels, from a table and the pixels' indices.
 pub(super) const fn texels<C: Copy, const N: usize>(table: &[C], pixels: &[u8]) -> [C; N] {
     let (mut texels, mut at) = ([table[0]; N], 0);
     // The loop contains no call, because the compiler refuses constants that take two million calls and repetitions.
@@ -66,14 +62,6 @@ pub(super) const fn texels<C: Copy, const N: usize>(table: &[C], pixels: &[u8]) 
         at += 1;
     }
     texels
-}
-
-impl<F: File, const N: usize, const K: usize> Convert<F, N, K> for u8 {
-    const TEXELS: &'static [u8; N] = match F::PIXELS.first_chunk() {
-        // There is one byte for each pixel if there are at most 256 colors.
-        Some(indices) if F::PIXELS.len() == N => indices,
-        _ => message::too_many_colors(F::PATH, K, 256),
-    };
 }
 
 impl<F: File, C: Convert<F, N, K>, const N: usize, const K: usize> FromFile<F, N, K>
@@ -115,8 +103,14 @@ impl<F: File, C: Convert<F, N, K>, const N: usize, const K: usize> FromFile<F, N
     };
 }
 
-impl<F: File, S: FromFile<F, N, K>, C: Table<F, M>, const N: usize, const K: usize, const M: usize>
-    FromFile<F, N, K> for Indexed<'static, S, C, M>
+impl<
+    F: File,
+    S: FromFile<F, N, K>,
+    C: Convert<F, N, M>,
+    const N: usize,
+    const K: usize,
+    const M: usize,
+> FromFile<F, N, K> for Indexed<'static, S, C, M>
 {
     const VALUE: Self = Self {
         indices: S::VALUE,
