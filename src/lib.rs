@@ -201,9 +201,9 @@
 //!       └─ Draw::whole                inside the scissor?
 //!          └─ Rasterizer::triangle    in blocks of rows                      raster/
 //!             ├─ scan_convert         top-left rule, row by row
-//!             ├─ Blit::lay            once, if a row has pixels              span/
+//!             ├─ Blit::set_up         once, if a row has pixels              span/
 //!             │  ├─ Adapted::varyings what the shader wants interpolated     shade/
-//!             │  └─ Setup::lay        the gradient of 1/w; then those of the varyings
+//!             │  └─ Setup::set_up     the gradient of 1/w; then those of the varyings
 //!             └─ Blit::draw           row by row, in spans
 //!                ├─ Pixels::visible   depth test                             canvas/
 //!                └─ Pixels::shade
