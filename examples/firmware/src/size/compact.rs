@@ -1,10 +1,18 @@
 //! Size probe: textured triangles with a depth buffer, in mode `Compact`.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
-#[macro_use]
 mod probe;
 mod with_depth;
 
+use embedded_graphics::pixelcolor::Rgb565;
 use fixel::mode::Compact;
+use fixel::prelude::*;
 
-probe!(|pixels, depths, now_ms| with_depth::draw(pixels, depths, now_ms, Compact));
+fn draw(pixels: &mut [Rgb565], depths: &mut [u16], now_ms: u64) -> Result<(), Error> {
+    with_depth::draw(pixels, depths, now_ms, Compact)
+}
+
+#[cfg(not(target_os = "none"))]
+fn main() {
+    probe::host();
+}

@@ -1,10 +1,18 @@
 //! Size probe: every stage of the pipeline once, in the default mode.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
-#[macro_use]
 mod probe;
 mod whole;
 
+use embedded_graphics::pixelcolor::Rgb565;
 use fixel::mode::Newton;
+use fixel::prelude::*;
 
-probe!(|pixels, depths, now_ms| whole::draw(pixels, depths, now_ms, Newton));
+fn draw(pixels: &mut [Rgb565], depths: &mut [u16], now_ms: u64) -> Result<(), Error> {
+    whole::draw(pixels, depths, now_ms, Newton)
+}
+
+#[cfg(not(target_os = "none"))]
+fn main() {
+    probe::host();
+}

@@ -1,15 +1,18 @@
 //! Size probe: textured triangles with a depth buffer, in mode `Fast`.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
-#[macro_use]
 mod probe;
 mod with_depth;
 
+use embedded_graphics::pixelcolor::Rgb565;
 use fixel::mode::Fast;
+use fixel::prelude::*;
 
-probe!(|pixels, depths, now_ms| with_depth::draw(
-    pixels,
-    depths,
-    now_ms,
-    Fast::within(fixel::fx!(0.25))
-));
+fn draw(pixels: &mut [Rgb565], depths: &mut [u16], now_ms: u64) -> Result<(), Error> {
+    with_depth::draw(pixels, depths, now_ms, Fast::within(fx!(0.25)))
+}
+
+#[cfg(not(target_os = "none"))]
+fn main() {
+    probe::host();
+}

@@ -1,15 +1,22 @@
 //! Size probe: triangles of one color.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
-#[macro_use]
 mod probe;
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::prelude::*;
-use probe::MODEL;
+use probe::{HEIGHT, MODEL, PLACE, WIDTH, projection};
 
-probe!(
-    |pixels, _, now_ms| probe::draw(pixels, now_ms, |canvas, mvp| {
-        canvas.draw(&MODEL, mvp, &Flat::new(Rgb565::GREEN));
-    })
-);
+fn draw(pixels: &mut [Rgb565], _: &mut [u16], now_ms: u64) -> Result<(), Error> {
+    let spin = Transform::translate(PLACE) * Transform::rotate_y(probe::angle(now_ms));
+    let mvp = projection()? * spin;
+    let mut canvas = Canvas::new(pixels, WIDTH, HEIGHT)?;
+    canvas.clear(Rgb565::BLACK);
+    canvas.draw(&MODEL, &mvp, &Flat::new(Rgb565::GREEN));
+    Ok(())
+}
+
+#[cfg(not(target_os = "none"))]
+fn main() {
+    probe::host();
+}

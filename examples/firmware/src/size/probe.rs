@@ -44,44 +44,9 @@ pub fn projection() -> Result<Projection<fixel::view::Perspective>, Error> {
     Projection::perspective(Angle::from_degrees(60), (WIDTH, HEIGHT), fx!(1), fx!(100))
 }
 
-/// The transform at a time. A turn takes about 5 seconds.
-#[inline]
-pub fn mvp(now_ms: u64) -> Result<Mvp, Error> {
-    let angle = Angle::from_bits((now_ms as u32).wrapping_mul(858_993));
-    Ok(projection()? * (Transform::translate(PLACE) * Transform::rotate_y(angle)))
-}
-
-/// Calls `scene` with a cleared canvas without a depth buffer.
-#[inline]
-pub fn draw(
-    pixels: &mut [Rgb565],
-    now_ms: u64,
-    scene: impl FnOnce(&mut Canvas<'_, Rgb565>, &Mvp),
-) -> Result<(), Error> {
-    let mvp = mvp(now_ms)?;
-    let mut canvas = Canvas::new(pixels, WIDTH, HEIGHT)?;
-    canvas.clear(Rgb565::BLACK);
-    scene(&mut canvas, &mvp);
-    Ok(())
-}
-
-/// Makes a probe of an expression that draws a frame with pixels, depths and milliseconds.
-macro_rules! probe {
-    (|$pixels:pat_param, $depths:pat_param, $now_ms:pat_param| $draw:expr) => {
-        #[allow(clippy::unnecessary_wraps)] // the same signature in all probes
-        fn draw(
-            $pixels: &mut [embedded_graphics::pixelcolor::Rgb565],
-            $depths: &mut [u16],
-            $now_ms: u64,
-        ) -> Result<(), fixel::Error> {
-            $draw
-        }
-
-        #[cfg(not(target_os = "none"))]
-        fn main() {
-            probe::host();
-        }
-    };
+/// The angle at a time: about one turn in 5 seconds.
+pub fn angle(now_ms: u64) -> Angle {
+    Angle::from_bits((now_ms as u32).wrapping_mul(858_993))
 }
 
 /// Draws the frames of one second with the probe's `draw`, which gets pixels, depths and milliseconds.

@@ -3,16 +3,16 @@
 //! No firmware needs all shaders on one canvas. The probe shows an upper limit of their cost.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
-#[macro_use]
 mod probe;
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
-use probe::{HEIGHT, MODEL, SKIN, WIDTH};
+use probe::{HEIGHT, MODEL, PLACE, SKIN, WIDTH, projection};
 
-probe!(|pixels, depths, now_ms| {
+fn draw(pixels: &mut [Rgb565], depths: &mut [u16], now_ms: u64) -> Result<(), Error> {
     static COLORS: [Rgb565; 2] = [Rgb565::RED, Rgb565::GREEN];
-    let mvp = probe::mvp(now_ms)?;
+    let spin = Transform::translate(PLACE) * Transform::rotate_y(probe::angle(now_ms));
+    let mvp = projection()? * spin;
     let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?;
     let skin = Textured::new(&SKIN);
     let mut canvas = Canvas::new(pixels, WIDTH, HEIGHT)?.with_depth(depths)?;
@@ -31,4 +31,9 @@ probe!(|pixels, depths, now_ms| {
     canvas.draw(&MODEL, &mvp, &skin.lit(sun));
     canvas.draw(&MODEL, &mvp, &skin.tinted());
     Ok(())
-});
+}
+
+#[cfg(not(target_os = "none"))]
+fn main() {
+    probe::host();
+}

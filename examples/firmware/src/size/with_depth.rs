@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use fixel::mode::Mode;
 use fixel::prelude::*;
 
-use super::probe::{HEIGHT, MODEL, SKIN, WIDTH, mvp};
+use super::probe::{HEIGHT, MODEL, PLACE, SKIN, WIDTH, angle, projection};
 
 /// Draws the triangles in a mode.
 #[inline]
@@ -14,7 +14,8 @@ pub fn draw(
     now_ms: u64,
     mode: impl Mode,
 ) -> Result<(), Error> {
-    let mvp = mvp(now_ms)?;
+    let spin = Transform::translate(PLACE) * Transform::rotate_y(angle(now_ms));
+    let mvp = projection()? * spin;
     let mut canvas = Canvas::new(pixels, WIDTH, HEIGHT)?.with_depth(depths)?;
     canvas.clear(Rgb565::BLACK);
     let options = DrawOptions::new().with_mode(mode);
