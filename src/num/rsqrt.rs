@@ -19,9 +19,9 @@ const fn seeds() -> [u8; 96] {
 /// Returns the reciprocal square root of t = `value` / 2^32 in units of 2^-30, for a `value` of at least
 /// 2^30.
 ///
-/// The result is from 2^30 to 2^31, and its relative error is at most 2^-29. The seed has an error of 1.2e-2. A Newton
-/// step reduces the error to 2.1e-4, and a step of the third order reduces it to 2e-11. Rounding adds the rest of the
-/// error.
+/// The result is from 2^30 to 2^31, and its relative error is at most 2^-30 (for every value, found by trying all). The
+/// seed has an error of 1.2e-2. A Newton step reduces the error to 2.1e-4, and a step of the third order reduces it to
+/// 2e-11. Rounding adds the rest of the error.
 const fn reciprocal_root(value: u32) -> u32 {
     debug_assert!(value >= 1 << 30);
     // The top seven bits of t are 32 to 127. The comparison below proves this to the compiler.
@@ -191,14 +191,14 @@ mod tests {
     use crate::random::{cases, number};
 
     #[test]
-    fn reciprocal_root_has_29_bits() {
+    fn reciprocal_root_has_30_bits() {
         let mut worst = 0_f64;
         for x in (1_u32 << 30..=u32::MAX).step_by(9973).chain([u32::MAX]) {
             let expected = (f64::from(x) / 4_294_967_296.0).sqrt().recip();
             let found = f64::from(reciprocal_root(x)) / 1_073_741_824.0;
             worst = worst.max((found / expected - 1.0).abs());
         }
-        assert!(worst <= f64::from(-29).exp2(), "{worst:e}");
+        assert!(worst <= f64::from(-30).exp2(), "{worst:e}");
     }
 
     #[test]
@@ -253,7 +253,7 @@ mod tests {
                 None => assert_eq!(v, [0; 3]),
                 Some(unit) => {
                     for (u, x) in unit.into_iter().zip(real) {
-                        // The error comes from mantissas of 31 bits, a root of 29 bits, and rounding.
+                        // The error comes from mantissas of 31 bits, a root of 30 bits, and rounding.
                         let error = f64::from(u) / 1_073_741_824.0 - x / length;
                         assert!(error.abs() <= f64::from(-28).exp2(), "{error:e}");
                     }

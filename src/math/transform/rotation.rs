@@ -1,5 +1,7 @@
 //! Rotations: about an axis, and from Euler angles and quaternions.
 
+use micromath::Quaternion;
+
 use super::Transform;
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt as unit;
@@ -114,12 +116,15 @@ impl Transform {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn from_quaternion(quaternion: [Scalar; 4]) -> Result<Self, Error> {
-        if quaternion == [Scalar::ZERO; 4] {
+        Self::of_quaternion(&quaternion.map(|part| BlockFloat::new(part.to_bits().into(), 0)))
+    }
+
+    fn of_quaternion(parts: &[BlockFloat; 4]) -> Result<Self, Error> {
+        if parts.iter().all(|part| part.value == 0) {
             return Err(Error::ZeroQuaternion);
         }
-        let numbers = quaternion.map(|v| BlockFloat::new(v.to_bits().into(), 0));
         let mut mantissas = [0; 4];
-        block::normalize(&mut mantissas, &numbers);
+        block::normalize(&mut mantissas, parts);
         // Mantissas are below 2^30 and the largest is at least 2^29: squares are below 2^60 and the sum
         // of the four, the norm, is from 2^58 to 2^62. No entry is larger than the norm.
         let [x, y, z, w] = mantissas.map(i64::from);
@@ -149,6 +154,51 @@ impl Transform {
             ],
             30,
         ))
+    }
+}
+
+/// The rotation of a quaternion of any length, as [`from_quaternion`](Transform::from_quaternion) makes it. Firmware that
+/// fuses the readings of a motion sensor can compute the quaternion with the crate [`micromath`].
+///
+/// The floats are converted by their bits, without any calculation with floats.
+///
+/// # Errors
+///
+/// [`Error::NotFinite`] if a part is infinite or not a number; [`Error::ZeroQuaternion`] if all four parts are zero.
+///
+/// ```
+/// use fixel::prelude::*;
+/// use micromath::{Quaternion, vector::F32x3};
+/// // A turn by 90 degrees about y.
+/// let axis = F32x3 { x: 0.0, y: 1.0, z: 0.0 };
+/// let turn = Transform::try_from(Quaternion::axis_angle(axis, core::f32::consts::FRAC_PI_2))?;
+/// let ahead = turn.point(Vec3::Z);
+/// assert!(ahead.distance(Vec3::X) < fx!(0.01)); // micromath's sine has errors of 1e-3
+/// # Ok::<(), Error>(())
+/// ```
+impl TryFrom<Quaternion> for Transform {
+    type Error = Error;
+
+    fn try_from(quaternion: Quaternion) -> Result<Self, Error> {
+        let parts = [
+            quaternion.x(),
+            quaternion.y(),
+            quaternion.z(),
+            quaternion.w(),
+        ];
+        if parts.iter().any(|part| !part.is_finite()) {
+            return Err(Error::NotFinite);
+        }
+        // A float is a number of 24 bits times a power of two. The quaternion may have any unit: the power of the
+        // largest part.
+        let exponent = |part: f32| ((part.to_bits() >> 23) & 0xff).max(1).cast_signed();
+        let most = parts.into_iter().map(exponent).fold(1, i32::max);
+        Self::of_quaternion(&parts.map(|part| {
+            let fraction = i64::from(part.to_bits() & 0x7f_ffff);
+            let whole = i64::from(part.abs() >= f32::MIN_POSITIVE) << 23;
+            let sign = if part < 0.0 { -1 } else { 1 };
+            BlockFloat::new(sign * (whole | fraction), most - exponent(part))
+        }))
     }
 }
 
@@ -237,6 +287,28 @@ mod tests {
             let [linear, _] = errors(&real(&t), &expected);
             assert!(linear <= 9.0 * 2.6e-9 + 2.0 * power(-30), "{linear:e}");
         });
+    }
+
+    /// A float of 24 bits is exact at every exponent, so the rotations are equal to the last bit.
+    #[test]
+    #[allow(clippy::cast_precision_loss)] // 24 bits
+    fn quaternions_of_floats_are_those_of_integers_at_any_magnitude() {
+        cases(256, |random| {
+            let parts: [i32; 4] = [(); 4].map(|()| random.random::<i32>() >> 8);
+            let exact = Transform::from_quaternion(parts.map(Scalar::from_bits));
+            for exponent in [-120_i8, -40, 0, 100] {
+                let unit = f32::exp2(exponent.into());
+                let [x, y, z, w] = parts.map(|part| part as f32 * unit);
+                let found = Transform::try_from(Quaternion::new(w, x, y, z));
+                assert_eq!(found, exact, "{parts:?} times 2^{exponent}");
+            }
+        });
+        for bad in [f32::NAN, f32::INFINITY] {
+            let refused = Transform::try_from(Quaternion::new(1., 0., bad, 0.));
+            assert_eq!(refused, Err(Error::NotFinite));
+        }
+        let refused = Transform::try_from(Quaternion::new(0., 0., 0., 0.));
+        assert_eq!(refused, Err(Error::ZeroQuaternion));
     }
 
     #[test]
