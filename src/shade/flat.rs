@@ -1,8 +1,10 @@
 //! Surfaces with one color for all faces, one color for each face, or one color for each part of a mesh.
 
+use core::marker::PhantomData;
+
 use embedded_graphics::pixelcolor::{PixelColor, Rgb888, RgbColor};
 
-use super::{Converted, Fragment, PerFace, Shader};
+use super::{Fragment, Output, PerFace, PixelFormat, Precise, Shader};
 use crate::mesh::{Part, Primitive};
 
 /// A surface with one color for all pixels.
@@ -24,8 +26,8 @@ use crate::mesh::{Part, Primitive};
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Flat<C> {
-    color: C,
+pub struct Flat<O> {
+    color: O,
 }
 
 impl<C> Flat<C> {
@@ -40,10 +42,13 @@ impl<C> Flat<C> {
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
-    pub fn rgb(color: impl Into<Rgb888>) -> Converted<Flat<Rgb888>, C> {
-        Converted::new(Flat {
-            color: color.into(),
-        })
+    pub fn rgb(color: impl Into<Rgb888>) -> Flat<Precise<C>>
+    where
+        C: PixelFormat,
+    {
+        Flat {
+            color: Precise::from(color.into()).converted(),
+        }
     }
 }
 
@@ -55,8 +60,8 @@ impl<C: PixelColor> Flat<C> {
     }
 }
 
-impl<C: PixelColor> Shader for Flat<C> {
-    type Color = C;
+impl<O: Output> Shader for Flat<O> {
+    type Color = O;
     type Varyings = ();
 
     const READS_DEPTH: bool = false;
@@ -67,7 +72,7 @@ impl<C: PixelColor> Shader for Flat<C> {
     }
 
     #[inline]
-    fn shade(&self, _: &Fragment, (): ()) -> Option<C> {
+    fn shade(&self, _: &Fragment, (): ()) -> Option<O> {
         Some(self.color)
     }
 }
@@ -136,8 +141,9 @@ impl<C: PixelColor + Default> Shader for FaceColors<'_, C> {
 #[cfg_attr(doc, doc = page_picture!("part_colors", "A ring with red and white parts"))]
 /// Faces that belong to no part are white. Edges and points are white, too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct PartColors<'a> {
+pub struct PartColors<'a, C = Rgb888> {
     parts: &'a [Part<'a>],
+    color: PhantomData<C>,
 }
 
 impl<'a> PartColors<'a> {
@@ -160,10 +166,15 @@ impl<'a> PartColors<'a> {
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
-    pub const fn rgb<C>(parts: &'a [Part<'a>]) -> Converted<Self, C> {
-        Converted::new(Self { parts })
+    pub const fn rgb<C>(parts: &'a [Part<'a>]) -> PartColors<'a, C> {
+        PartColors {
+            parts,
+            color: PhantomData,
+        }
     }
+}
 
+impl<C> PartColors<'_, C> {
     /// The color of a face.
     fn color(&self, face: usize) -> Rgb888 {
         // The face belongs to the part before the first part that starts after the face, or to no part.
@@ -177,22 +188,22 @@ impl<'a> PartColors<'a> {
     }
 }
 
-impl Shader for PartColors<'_> {
-    type Color = Rgb888;
-    type Varyings = PerFace<Rgb888>;
+impl<C: PixelFormat> Shader for PartColors<'_, C> {
+    type Color = Precise<C>;
+    type Varyings = PerFace<Precise<C>>;
 
     const READS_DEPTH: bool = false;
 
     #[inline]
-    fn varyings(&self, primitive: &Primitive<'_>) -> [PerFace<Rgb888>; 3] {
+    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         let color = primitive
             .face()
             .map_or(Rgb888::WHITE, |face| self.color(face));
-        [PerFace(color); 3]
+        [PerFace(Precise::from(color).converted()); 3]
     }
 
     #[inline]
-    fn shade(&self, _: &Fragment, PerFace(color): PerFace<Rgb888>) -> Option<Rgb888> {
+    fn shade(&self, _: &Fragment, PerFace(color): Self::Varyings) -> Option<Precise<C>> {
         Some(color)
     }
 }
@@ -223,7 +234,7 @@ mod tests {
     #[test]
     fn faces_have_the_color_of_their_part() {
         let colors = |parts: &[Part<'_>]| {
-            let shader = PartColors { parts };
+            let shader = PartColors::rgb::<Gray8>(parts);
             [0, 1, 2, 3, 4, usize::MAX].map(|face| shader.color(face))
         };
         let (red, blue, white) = (Rgb888::RED, Rgb888::BLUE, Rgb888::WHITE);

@@ -36,6 +36,13 @@ pub struct Precise<C> {
     format: PhantomData<C>,
 }
 
+impl<C: PixelFormat> Default for Precise<C> {
+    /// Black.
+    fn default() -> Self {
+        Self::from_levels([0; 3])
+    }
+}
+
 /// Half a step.
 const HALF: i32 = 1 << 15;
 

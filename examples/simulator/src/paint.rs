@@ -63,7 +63,7 @@ type Sampled<'a, C, A, F> = Converted<Textured<Skin<'a, <C as Shown>::Texel>, A,
 /// A surface without light: one color, or a texture that is drawn in one of four ways.
 #[derive(Clone, Copy)]
 enum Base<'a, C: Shown> {
-    Plain(Converted<Flat<Rgb888>, C>),
+    Plain(Flat<Precise<C>>),
     Repeated(Sampled<'a, C, Repeat, Nearest>),
     Clamped(Sampled<'a, C, Clamp, Nearest>),
     RepeatedSmooth(Sampled<'a, C, Repeat, Bilinear>),
