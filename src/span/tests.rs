@@ -153,10 +153,10 @@ fn divided_spans_are_exact_quotients() {
     }
 }
 
-/// Tests `Plan::PerPixel`, which computes the interpolants of each pixel from the planes, not from the span. The error is
-/// the same.
+/// Tests `Plan::PerPixel`, which computes the interpolants of each pixel from the planes, not from the span. The error
+/// is the same.
 #[test]
-fn spans_divided_anew_are_exact_quotients() {
+fn spans_divided_per_pixel_are_exact_quotients() {
     for (count, span, _) in spans() {
         let ([q, dq], [p, dp]) = ([span.q.cast_signed(), span.dq], [span.p[0], span.dp[0]]);
         let exact = exact(&span);

@@ -6,8 +6,8 @@ use std::panic;
 
 use base64::prelude::{BASE64_STANDARD, Engine};
 
-/// Checks all inputs, one per line in base64. If `copies` is not 0, also checks so many damaged copies of each input, and
-/// the shortest of its beginnings. Panics with a list of the inputs that fail.
+/// Checks all inputs, one per line in base64. With `copies`, also checks this number of damaged copies of each input, and
+/// its shortest beginnings. Panics with a list of the inputs that fail.
 fn replay(inputs: &str, check: fn(&[u8]), copies: u64) {
     let fails = |(number, line): &(u64, &str)| {
         let input = BASE64_STANDARD.decode(line).unwrap();

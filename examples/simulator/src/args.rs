@@ -116,7 +116,7 @@ impl Args {
     ///
     /// # Errors
     ///
-    /// The message names the argument and says what is possible.
+    /// The first argument that is refused, and what may stand there.
     pub fn parse() -> Result<Self, String> {
         let mut parser = Parser::from_env();
         let mut args = Self {

@@ -104,8 +104,8 @@ impl Files for Island {
     }
 }
 
-/// Reads the island of the project's own scene. (A microcontroller has it in flash, put there by a macro. With the
-/// macro, Cargo would build the importer twice: for the simulator and for the compiler.)
+/// Reads the island of the project's own scene. (Firmware includes it by a macro. With this macro, Cargo would build the
+/// importer twice: for the simulator and for the compiler.)
 ///
 /// # Errors
 ///

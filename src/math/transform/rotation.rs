@@ -119,6 +119,7 @@ impl Transform {
         Self::of_quaternion(&quaternion.map(|part| BlockFloat::new(part.to_bits().into(), 0)))
     }
 
+    /// The rotation of a quaternion, given as `[x, y, z, w]`.
     fn of_quaternion(parts: &[BlockFloat; 4]) -> Result<Self, Error> {
         if parts.iter().all(|part| part.value == 0) {
             return Err(Error::ZeroQuaternion);
@@ -160,7 +161,7 @@ impl Transform {
 /// The rotation of a quaternion of any length, as [`from_quaternion`](Transform::from_quaternion) makes it. Firmware that
 /// fuses the readings of a motion sensor can compute the quaternion with the crate [`micromath`].
 ///
-/// The floats are converted by their bits, without any calculation with floats.
+/// The floats are converted exactly, by their bits: no float routine is linked.
 ///
 /// # Errors
 ///
@@ -180,25 +181,22 @@ impl TryFrom<Quaternion> for Transform {
     type Error = Error;
 
     fn try_from(quaternion: Quaternion) -> Result<Self, Error> {
-        let parts = [
-            quaternion.x(),
-            quaternion.y(),
-            quaternion.z(),
-            quaternion.w(),
-        ];
-        if parts.iter().any(|part| !part.is_finite()) {
+        let (w, x, y, z) = quaternion.into();
+        let bits = [x, y, z, w].map(f32::to_bits);
+        let exponents = bits.map(|bits| (bits >> 23 & 0xff).cast_signed());
+        let most = exponents.into_iter().fold(1, i32::max);
+        if most == 0xff {
             return Err(Error::NotFinite);
         }
         // A float is a number of 24 bits times a power of two. The quaternion may have any unit: the power of the
         // largest part.
-        let exponent = |part: f32| ((part.to_bits() >> 23) & 0xff).max(1).cast_signed();
-        let most = parts.into_iter().map(exponent).fold(1, i32::max);
-        Self::of_quaternion(&parts.map(|part| {
-            let fraction = i64::from(part.to_bits() & 0x7f_ffff);
-            let whole = i64::from(part.abs() >= f32::MIN_POSITIVE) << 23;
-            let sign = if part < 0.0 { -1 } else { 1 };
-            BlockFloat::new(sign * (whole | fraction), most - exponent(part))
-        }))
+        let mut parts = [BlockFloat::ZERO; 4];
+        for ((part, bits), exponent) in parts.iter_mut().zip(bits).zip(exponents) {
+            let magnitude = i64::from(bits & 0x7f_ffff | u32::from(exponent > 0) << 23);
+            let sign = if bits >> 31 == 0 { 1 } else { -1 };
+            *part = BlockFloat::new(sign * magnitude, most - exponent.max(1));
+        }
+        Self::of_quaternion(&parts)
     }
 }
 
@@ -303,6 +301,10 @@ mod tests {
                 assert_eq!(found, exact, "{parts:?} times 2^{exponent}");
             }
         });
+        // The least float, which has no leading bit.
+        let least = Quaternion::new(0., f32::from_bits(1), 0., -f32::from_bits(1));
+        let expected = Transform::from_quaternion([1, 0, -1, 0].map(Scalar::from_bits));
+        assert_eq!(Transform::try_from(least), expected);
         for bad in [f32::NAN, f32::INFINITY] {
             let refused = Transform::try_from(Quaternion::new(1., 0., bad, 0.));
             assert_eq!(refused, Err(Error::NotFinite));
