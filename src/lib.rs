@@ -195,11 +195,11 @@
 //! ```text
 //! Canvas::draw_with                   options, a thing, its Mvp, a shader    pipeline/
 //! └─ run::draw                        in code that exists once
-//!    └─ assemble::triangle            culled, whole, or clipped
+//!    └─ run::triangle                 culled, whole, or clipped
 //!       ├─ VertexCache::refresh       projected for a neighbor, or now
 //!       │  └─ Projector::project      model → clip space → screen
-//!       └─ Draw::whole                inside the scissor?
-//!          └─ Rasterizer::triangle    in blocks of rows                      raster/
+//!       └─ Rasterizer::whole          inside the scissor?                    raster/
+//!          └─ Rasterizer::triangle    in blocks of rows
 //!             ├─ scan_convert         top-left rule, row by row
 //!             ├─ Blit::set_up         once, if a row has pixels              span/
 //!             │  ├─ Adapted::varyings what the shader wants interpolated     shade/

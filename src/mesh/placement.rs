@@ -1,16 +1,18 @@
-//! What a draw call knows about a mesh besides its data: its transforms, and the attributes that it lacks.
+//! A mesh in a draw call: where it is placed, and which attributes it lacks.
 
 use core::cell::{Cell, OnceCell};
 use core::ops::AddAssign;
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
+use super::{Indices, Mesh, Primitive};
 use crate::math::{Direction, NormalMatrix, Transform};
 use crate::{Vec2, Vec3};
 
-/// Where a draw call places a model, and which attributes its shader asked for but the mesh lacks.
+/// A mesh, where a draw call places it, and which attributes the shader asked for but the mesh lacks.
 #[derive(Clone, Debug)]
 pub(crate) struct Placement<'a> {
+    pub(crate) mesh: &'a Mesh<'a>,
     /// The transform from model space to world space.
     pub(super) model: &'a Transform,
     /// The transform from model space to eye space.
@@ -18,8 +20,6 @@ pub(crate) struct Placement<'a> {
     /// The matrix for normals; computed when a shader first asks for a normal.
     normals: OnceCell<NormalMatrix>,
     pub(crate) missing: Cell<Missing>,
-    /// The address of the draw list's entry whose element is being drawn; 0 if the element does not come from a list.
-    pub(crate) entry: Cell<usize>,
 }
 
 /// The attributes that a shader asked for but the mesh lacks; a draw call returns this value.
@@ -60,13 +60,25 @@ impl AddAssign for Missing {
 
 impl<'a> Placement<'a> {
     #[inline]
-    pub(crate) fn new(model: &'a Transform, view: Transform) -> Self {
+    pub(crate) fn new(mesh: &'a Mesh<'a>, model: &'a Transform, view: Transform) -> Self {
         Self {
+            mesh,
             model,
             view,
             normals: OnceCell::new(),
             missing: Cell::default(),
-            entry: Cell::new(0),
+        }
+    }
+
+    /// A triangle, edge or point of the mesh, with twice its area on the screen.
+    #[inline]
+    pub(crate) const fn primitive(&self, indices: Indices, area: i64) -> Primitive<'_> {
+        Primitive {
+            placement: self,
+            indices,
+            area: (area >> 32) as i32,
+            slope_beside: 0,
+            entry: 0,
         }
     }
 

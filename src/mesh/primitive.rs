@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::{Index, Mesh, Placement};
+use super::{Index, Placement};
 use crate::math::Direction;
 use crate::num::wide::scaled_cross;
 use crate::{Scalar, Vec2, Vec3};
@@ -100,7 +100,6 @@ impl Indices {
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Primitive<'a> {
-    pub(crate) mesh: &'a Mesh<'a>,
     pub(crate) placement: &'a Placement<'a>,
     pub(crate) indices: Indices,
     /// For a triangle: twice its area on the screen, the upper 32 of 64 bits; negative if the corners run
@@ -109,6 +108,8 @@ pub struct Primitive<'a> {
     /// For an outline's edge, if depths are biased: the greatest change of depth from one pixel to the next on the
     /// faces beside the edge, in the format [`WideFloatDepth`](crate::canvas::WideFloatDepth). Otherwise 0.
     pub(crate) slope_beside: u16,
+    /// The address of the draw list's entry for this primitive; 0 if it does not come from a list.
+    pub(crate) entry: usize,
 }
 
 impl Primitive<'_> {
@@ -149,19 +150,19 @@ impl Primitive<'_> {
         self.indices.face().is_some() && (self.area < 0) != self.placement.view.is_mirror
     }
 
-    /// The index of the triangle among the mesh's [`faces`](Mesh::faces); `None` for an edge or a point. In a
-    /// [part](Mesh::part) of a mesh, triangles keep the indices that they have in the whole mesh.
+    /// The index of the triangle among the mesh's [`faces`](crate::Mesh::faces); `None` for an edge or a point. In a
+    /// [part](crate::Mesh::part) of a mesh, triangles keep the indices that they have in the whole mesh.
     #[must_use]
     #[inline]
     pub const fn face(&self) -> Option<usize> {
         match self.indices.face() {
             // The sum cannot wrap, because it is an index of a list in memory.
-            Some(face) => Some(self.mesh.first_face.wrapping_add(face)),
+            Some(face) => Some(self.placement.mesh.first_face.wrapping_add(face)),
             None => None,
         }
     }
 
-    /// The index of the edge among the mesh's [`edge_indices`](Mesh::edge_indices) or, if an outline is drawn, among
+    /// The index of the edge among the mesh's [`edge_indices`](crate::Mesh::edge_indices) or, if an outline is drawn, among
     /// the [outline's edges](super::Outline::edges); `None` for a triangle or a point.
     ///
     /// ```
@@ -225,7 +226,8 @@ impl Primitive<'_> {
     /// The positions of the three corners in model space.
     #[must_use]
     pub fn positions(&self) -> [Vec3; 3] {
-        self.indices.corners.map(|index| self.mesh.position(index))
+        let mesh = self.placement.mesh;
+        self.indices.corners.map(|index| mesh.position(index))
     }
 
     /// The positions of the three corners in eye space, rounded to nearest; they saturate to the range of [`Scalar`].
@@ -304,7 +306,7 @@ pub struct Corner<'a> {
 }
 
 impl Corner<'_> {
-    /// The index of the corner's position in the mesh's [`positions`](Mesh::positions). A [part](Mesh::part) keeps all
+    /// The index of the corner's position in the mesh's [`positions`](crate::Mesh::positions). A [part](crate::Mesh::part) keeps all
     /// positions of the whole mesh, so its indices are the same as in the whole mesh. Use the index to look up your own
     /// values, one per position.
     #[must_use]
@@ -319,7 +321,9 @@ impl Corner<'_> {
     #[inline]
     pub fn position(&self) -> Vec3 {
         let index = self.primitive.indices.corners.get(self.corner);
-        index.map_or(Vec3::ZERO, |&index| self.primitive.mesh.position(index))
+        index.map_or(Vec3::ZERO, |&index| {
+            self.primitive.placement.mesh.position(index)
+        })
     }
 
     /// The position in world space, where lights are, rounded to nearest; it saturates to the range of [`Scalar`].
@@ -341,17 +345,21 @@ impl Corner<'_> {
     #[must_use]
     #[inline]
     pub fn uv(&self) -> Vec2 {
-        let Primitive { mesh, indices, .. } = self.primitive;
-        let uv = mesh.uvs.at(*indices, self.corner);
-        uv.unwrap_or_else(|| self.primitive.placement.lacks_uvs())
+        let Primitive {
+            placement, indices, ..
+        } = self.primitive;
+        let uv = placement.mesh.uvs.at(*indices, self.corner);
+        uv.unwrap_or_else(|| placement.lacks_uvs())
     }
 
     /// The normal in model space, of any length; the triangle's own normal if the mesh has none at this corner.
     #[must_use]
     #[inline]
     pub fn normal(&self) -> Vec3 {
-        let Primitive { mesh, indices, .. } = self.primitive;
-        let normal = mesh.normals.at(*indices, self.corner);
+        let Primitive {
+            placement, indices, ..
+        } = self.primitive;
+        let normal = placement.mesh.normals.at(*indices, self.corner);
         normal.unwrap_or_else(|| self.primitive.normal())
     }
 
@@ -359,9 +367,11 @@ impl Corner<'_> {
     #[must_use]
     #[inline]
     pub fn color(&self) -> Rgb888 {
-        let Primitive { mesh, indices, .. } = self.primitive;
-        let color = mesh.colors.full_at(*indices, self.corner);
-        color.unwrap_or_else(|| self.primitive.placement.lacks_colors())
+        let Primitive {
+            placement, indices, ..
+        } = self.primitive;
+        let color = placement.mesh.colors.full_at(*indices, self.corner);
+        color.unwrap_or_else(|| placement.lacks_colors())
     }
 
     /// The direction of [`normal`](Self::normal) in world space, where lights are. The direction stays perpendicular to
@@ -383,7 +393,7 @@ impl Corner<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Transform;
+    use crate::{Mesh, Transform};
 
     /// The test includes corners at the ends of the range.
     #[test]
@@ -400,13 +410,8 @@ mod tests {
         ] {
             let positions = corners.map(|x| Vec3::from_bits([x, 0, x]));
             let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
-            let primitive = Primitive {
-                mesh: &mesh,
-                placement: &Placement::new(&Transform::IDENTITY, Transform::IDENTITY),
-                indices: Indices::of_face(0, [0, 1, 2]),
-                area: 0,
-                slope_beside: 0,
-            };
+            let placement = Placement::new(&mesh, &Transform::IDENTITY, Transform::IDENTITY);
+            let primitive = placement.primitive(Indices::of_face(0, [0, 1, 2]), 0);
             let [x, y, z] = primitive.world_middle().to_bits();
             let sum: i64 = corners.map(i64::from).iter().sum();
             // The result is within one unit of a third of the sum.

@@ -1,5 +1,4 @@
-//! Primitive assembly: from a mesh's indices to triangles and lines on the screen. Each triangle or line is passed on
-//! whole, clipped, or rejected.
+//! Edges: from a mesh's indices to lines on the screen, and what an outline asks about the triangles beside them.
 
 use super::cache::VertexCache;
 use super::call::Call;
@@ -10,45 +9,6 @@ use crate::num::reciprocal;
 use crate::num::wide::{product, unsigned_product};
 use crate::raster::{self, Barycentric, ClippedVertex, Polygon, ScreenVertex};
 use crate::view::ProjectionKind;
-
-/// Receives assembled triangles, to draw them or to list them.
-pub(super) trait Assembly {
-    /// Receives a triangle that is inside all planes and not culled, and twice its area.
-    fn whole(&mut self, indices: Indices, corners: [&ScreenVertex; 3], area: i64);
-
-    /// Receives the part of a triangle that is inside all planes; the part may be empty or face away.
-    fn clipped(&mut self, indices: Indices, polygon: &[ClippedVertex]);
-}
-
-/// Assembles one triangle of the mesh: rejects it, passes it on whole, or clips it.
-#[inline]
-pub(super) fn triangle<K: ProjectionKind>(
-    call: &Call<'_, K>,
-    vertices: &mut VertexCache,
-    (face, corners): (usize, &[Index; 3]),
-    to: &mut impl Assembly,
-) {
-    let copies;
-    let [a, b, c] = if let Some(vertices) = vertices.corners(&call.projector, *corners) {
-        vertices
-    } else {
-        copies = vertices.copies(&call.projector, *corners);
-        let [a, b, c] = &copies;
-        [a, b, c]
-    };
-    let outcode = a.outcode | b.outcode | c.outcode;
-    if outcode == 0 {
-        // Back faces, half of most meshes, are rejected here, before any attribute is read.
-        let area = raster::area(&[a.screen, b.screen, c.screen]);
-        if !call.shared.cull.leaves_out(area) {
-            to.whole(Indices::of_face(face, *corners), [a, b, c], area);
-        }
-    } else if a.outcode & b.outcode & c.outcode == 0 {
-        let mut polygon = ClippedPolygon::new();
-        clip(&call.projector, corners, outcode, &mut polygon);
-        to.clipped(Indices::of_face(face, *corners), &polygon);
-    }
-}
 
 /// Assembles one edge of the mesh. `each` receives the edge's indices, the two ends of the part that is inside all
 /// planes, whether the edge was clipped, and how steep the faces beside it are.

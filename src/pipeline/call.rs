@@ -7,8 +7,8 @@ use embedded_graphics::geometry::Size;
 use super::cache::Slots;
 use super::vertex::Projector;
 use crate::Error;
-use crate::mesh::{Indices, Mesh, Placement, Primitive};
-use crate::raster::{Cull, Scissor};
+use crate::mesh::{Mesh, Placement};
+use crate::raster::{Blitter, Cull, Rasterizer, Scissor};
 use crate::view::{AsMvp, ProjectionKind, Viewport};
 
 /// A frame, the part of it that is drawn to, and which faces are culled.
@@ -46,37 +46,16 @@ impl Screen {
 /// Where a draw call draws to: some rows of a frame.
 pub(super) type Region<'s> = (&'s Screen, &'s Range<u32>);
 
-/// The data that all primitives of a draw call share once they are on the screen.
-#[derive(Clone, Debug)]
-pub(super) struct Shared<'m> {
-    pub(super) mesh: &'m Mesh<'m>,
-    pub(super) placement: Placement<'m>,
-    pub(super) cull: Cull,
-    pub(super) scissor: Scissor,
-}
-
-impl Shared<'_> {
-    /// A triangle, edge or point in the form that shaders receive, with twice its area on the screen.
-    #[inline]
-    pub(super) fn primitive(&self, indices: Indices, area: i64) -> Primitive<'_> {
-        Primitive {
-            mesh: self.mesh,
-            placement: &self.placement,
-            indices,
-            area: (area >> 32) as i32,
-            slope_beside: 0,
-        }
-    }
-}
-
-/// A mesh, and the transform that takes it to the screen.
+/// A draw call: a mesh, where it is placed, and which of its triangles and pixels are left out.
 #[derive(Clone, Debug)]
 pub(super) struct Call<'m, K> {
+    pub(super) placement: Placement<'m>,
+    pub(super) projector: Projector<'m, K>,
     pub(super) slots: Slots,
+    pub(super) cull: Cull,
     /// Whether depths are [biased](crate::canvas::Biased).
     pub(super) is_biased: bool,
-    pub(super) shared: Shared<'m>,
-    pub(super) projector: Projector<'m, K>,
+    pub(super) scissor: Scissor,
 }
 
 impl<'m, K: ProjectionKind> Call<'m, K> {
@@ -92,13 +71,17 @@ impl<'m, K: ProjectionKind> Call<'m, K> {
         Self {
             slots: Slots::new(mesh.faces()),
             is_biased: screen.is_biased,
+            scissor: screen.scissor(rows),
             projector: Projector::new(mesh.positions(), mvp.projection_of(), &view, viewport),
-            shared: Shared {
-                mesh,
-                cull: screen.cull.mirrored(view.is_mirror),
-                placement: Placement::new(mvp.model_of(), view),
-                scissor: screen.scissor(rows),
-            },
+            cull: screen.cull.mirrored(view.is_mirror),
+            placement: Placement::new(mesh, mvp.model_of(), view),
         }
+    }
+
+    /// The second half of the call: what draws primitives once they are on the screen.
+    #[inline]
+    pub(super) fn rasterizer<'c>(&'c self, blitter: &'c mut dyn Blitter) -> Rasterizer<'c> {
+        let shift = self.projector.depth_shift();
+        Rasterizer::new(blitter, shift, &self.placement, &self.scissor)
     }
 }

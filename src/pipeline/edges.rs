@@ -1,15 +1,19 @@
 //! Edges: all edges of a mesh, or the edges of its outline.
 
+use core::cell::Cell;
+
 use super::Drawn;
 use super::assemble;
 use super::cache::VertexCache;
-use super::call::{Call, Region};
-use super::run::Draw;
-use super::thing::{Paint, Pen, Thing};
+use super::call::Call;
+use super::thing::{Target, Thing};
 use crate::Vec3;
+use crate::canvas::{Blending, DepthTest};
 use crate::mesh::{Index, Indices, Mesh, Outline, Positions};
-use crate::raster::{self, Blitter, ClippedVertex, LineStyle, Rasterizer};
+use crate::raster::{self, Blitter, ClippedVertex, Coverage, LineStyle, Rasterizer};
 use crate::sealed::Sealed;
+use crate::shade::{PixelFormat, ShaderFor};
+use crate::span::{Shading, Smooth};
 use crate::view::{AsMvp, ProjectionKind};
 
 /// Edges of a mesh, to be drawn as lines.
@@ -158,37 +162,87 @@ impl<const SMOOTH: bool> LineStyle<SMOOTH> {
 
 impl<const SMOOTH: bool> Sealed for Line<SMOOTH> {}
 
-#[allow(private_bounds)]
 impl<C, const SMOOTH: bool> Thing<C> for Line<SMOOTH>
 where
-    LineStyle<SMOOTH>: Pen<C>,
+    Edges<'static, SMOOTH>: Thing<C>,
 {
-    fn draw<V: AsMvp>(self, to: Region<'_>, mvp: &V, paint: impl Paint<C>) -> Drawn {
+    type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest> =
+        <Edges<'static, SMOOTH> as Thing<C>>::Shading<'c, S, B, Z>;
+
+    #[inline]
+    fn shading<S: ShaderFor<C>, B: Blending<C>, Z: DepthTest>(
+        plain: (S, B, Z),
+        coverage: &Cell<Coverage>,
+    ) -> Self::Shading<'_, S, B, Z> {
+        Edges::shading(plain, coverage)
+    }
+
+    #[inline]
+    fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn {
         let positions = Positions::long(&self.ends);
         let edges = (&[][..], &[[0, 1]][..]);
         let mesh = Mesh::of_lists(positions, edges, (&[], &[]), (&[], &[]), (&[], &[]));
-        mesh.edges(self.style).draw(to, mvp, paint)
+        mesh.edges(self.style)
+            .draw_lines(&Call::new(to.region, &mesh, mvp), to)
     }
 }
 
 impl<const SMOOTH: bool> Sealed for Edges<'_, SMOOTH> {}
 
-#[allow(private_bounds)]
-impl<C, const SMOOTH: bool> Thing<C> for Edges<'_, SMOOTH>
-where
-    LineStyle<SMOOTH>: Pen<C>,
-{
-    fn draw<V: AsMvp>(self, to: Region<'_>, mvp: &V, paint: impl Paint<C>) -> Drawn {
-        let Self { of, style } = self;
-        let call = Call::new(to, of.mesh, mvp);
-        let shift = call.projector.depth_shift();
-        style.paint::<V::Kind>(paint, shift, |line, blitter| {
+impl<C> Thing<C> for Edges<'_> {
+    type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest> = (S, B, Z);
+
+    #[inline]
+    fn shading<S: ShaderFor<C>, B: Blending<C>, Z: DepthTest>(
+        plain: (S, B, Z),
+        _: &Cell<Coverage>,
+    ) -> (S, B, Z) {
+        plain
+    }
+
+    #[inline]
+    fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn {
+        self.draw_lines(&Call::new(to.region, self.of.mesh, mvp), to)
+    }
+}
+
+impl<C: PixelFormat> Thing<C> for Edges<'_, true> {
+    type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest> = Smooth<'c, S, B, Z>;
+
+    #[inline]
+    fn shading<S: ShaderFor<C>, B: Blending<C>, Z: DepthTest>(
+        (shader, blending, test): (S, B, Z),
+        coverage: &Cell<Coverage>,
+    ) -> Smooth<'_, S, B, Z> {
+        Smooth {
+            shader,
+            blending,
+            test,
+            coverage,
+        }
+    }
+
+    #[inline]
+    fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn {
+        self.draw_lines(&Call::new(to.region, self.of.mesh, mvp), to)
+    }
+}
+
+impl<const SMOOTH: bool> Edges<'_, SMOOTH> {
+    #[inline]
+    fn draw_lines<K: ProjectionKind>(
+        self,
+        call: &Call<'_, K>,
+        to: Target<'_, impl Shading>,
+    ) -> Drawn {
+        let (Self { of, style }, blitter) = (self, to.blitter);
+        style.with_line(to.coverage, |line| {
             // The line is drawn by a direct call, not through a `DrawLine`. So a program that draws only hairlines is
             // smaller.
             if of.outline.is_none() && style.is_hairline() {
-                draw(&call, of, (raster::line, 0), blitter)
+                draw(call, of, (raster::line, 0), blitter)
             } else {
-                draw(&call, of, (line, style.reach()), blitter)
+                draw(call, of, (line, style.reach()), blitter)
             }
         })
     }
@@ -202,15 +256,15 @@ fn draw<K: ProjectionKind>(
     (line, reach): (impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]), i32),
     blitter: &mut dyn Blitter,
 ) -> Drawn {
-    let mut draw = Draw::new(blitter, &call.shared, edges.count());
+    let mut raster = call.rasterizer(blitter);
     edges.assemble(call, |indices, ends, is_clipped, beside| {
         let [a, b] = ends;
         // Most edges have no pixel in a band. For such edges, no shader is called.
-        if draw.meets([a.vertex.screen[1], b.vertex.screen[1]], reach) {
-            draw.draw_thin((indices, beside), is_clipped, |raster| line(raster, ends));
+        if raster.meets([a.vertex.screen[1], b.vertex.screen[1]], reach) {
+            raster.thin((indices, beside), is_clipped, |raster| line(raster, ends));
         }
     });
-    draw.drawn()
+    Drawn::new(edges.count(), &raster)
 }
 
 impl EdgesOf<'_> {
@@ -274,7 +328,7 @@ fn drawn_beside<K: ProjectionKind>(
     [a, b, c, d]: [Index; 4],
     is_crease: bool,
 ) -> Option<u16> {
-    let cull = call.shared.cull;
+    let cull = call.cull;
     let (left, right) = ([a, b, c], [b, a, d]);
     let left_area = assemble::area(call, vertices, left);
     // A border has no second face. It counts as a face without area.

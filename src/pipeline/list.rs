@@ -12,25 +12,24 @@ mod shades;
 pub use prepared::{Object, Prepared};
 pub use shades::{ShadeList, Shades};
 
+use core::cell::Cell;
 use core::marker::PhantomData;
 
 use embedded_graphics::geometry::Size;
 use heapless::{Vec, VecView};
 
 use super::Drawn;
-use super::assemble::Assembly;
-use super::cache;
+use super::cache::{self, VertexCache};
 use super::call::{Call, Screen};
 use super::edges::Edges;
 use super::options::DrawOptions;
-use super::run;
-use super::thing::DrawLine;
+use super::run::{self, OnScreen};
 use crate::Error;
 use crate::canvas::{DepthTest, check_size};
 use crate::mesh::{Index, Indices, Mesh};
 use crate::raster::{
-    Barycentric, Blitter, ClippedVertex, Cull, DepthShift, LineStyle, Polygon, Scissor,
-    ScreenVertex, Triangle, first_center,
+    Blitter, ClippedVertex, Coverage, Cull, DepthShift, Polygon, Scissor, ScreenVertex, Triangle,
+    first_center,
 };
 use crate::sealed::Sealed;
 use crate::span::Mode;
@@ -146,11 +145,19 @@ pub struct DrawList<const ELEMENTS: usize, const VERTICES: usize> {
 pub(super) struct Entry {
     /// The element's index, counted through the triangles or edges of all objects.
     element: u32,
-    /// The rows in which the element may have pixels: the first row, and the row after the last. They may be above or
-    /// below the frame, and take 14 bits and a sign. (While the list is sorted, this field holds the element's
-    /// nearness.)
-    rows: [i16; 2],
+    /// See [`rows`](Self::rows). While a list is sorted, the element's nearness takes the place of its rows, so that an
+    /// entry needs no more memory.
+    rows_or_nearness: [i16; 2],
     corners: Corners,
+}
+
+impl Entry {
+    /// The rows in which the element may have pixels: the first row, and the row after the last. They may be above or
+    /// below the frame, and take 14 bits and a sign.
+    #[inline]
+    const fn rows(&self) -> [i16; 2] {
+        self.rows_or_nearness
+    }
 }
 
 /// The numbers of an element's corners in the list of vertices, counted from 1.
@@ -354,7 +361,6 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
             entries: self.entries.as_mut_view(),
             vertices: self.vertices.as_mut_view(),
             screen: &screen,
-            cull: screen.cull,
             scissor: screen.scissor(&(0..frame.height)),
             element: 0,
             needed: [0; 2],
@@ -403,8 +409,6 @@ pub struct Filling<'l> {
     entries: &'l mut VecView<Entry>,
     vertices: &'l mut VecView<ScreenVertex>,
     screen: &'l Screen,
-    /// Which faces of the present thing are culled, by their winding on the screen.
-    cull: Cull,
     scissor: Scissor,
     /// How many triangles or edges the things before the present thing have.
     element: u32,
@@ -424,7 +428,6 @@ impl Filling<'_> {
     fn thing<G: Listed, V: AsMvp>(&mut self, thing: &G, mvp: &V) -> Listing {
         let rows = 0..self.screen.frame.height;
         let call = Call::new((self.screen, &rows), thing.mesh(), mvp);
-        self.cull = call.shared.cull;
         self.rows = NO_ROWS;
         self.numbers = [(0, 0); cache::SIZE];
         self.numbered = call.slots;
@@ -446,7 +449,7 @@ impl Filling<'_> {
         // If there is no room, the list will not be used.
         let _ = self.entries.push(Entry {
             element: self.element.wrapping_add(element as u32),
-            rows,
+            rows_or_nearness: rows,
             corners,
         });
     }
@@ -475,11 +478,7 @@ impl Filling<'_> {
         let first = (self.needed[1] as u16).wrapping_add(1);
         for corner in corners {
             self.add_vertex(&corner.vertex);
-            let Barycentric(screen) = corner.barycentric;
-            self.add_vertex(&ScreenVertex {
-                screen,
-                ..ScreenVertex::UNSET
-            });
+            self.add_vertex(&corner.barycentric.stored());
         }
         // There are at most nine corners.
         let count = corners.len() as u16;
@@ -489,24 +488,23 @@ impl Filling<'_> {
             beside,
         }
     }
-}
 
-impl Assembly for Filling<'_> {
-    fn whole(&mut self, indices: Indices, corners: [&ScreenVertex; 3], area: i64) {
+    /// Adds a triangle that is inside all planes, if it may have pixels.
+    fn whole(&mut self, face: usize, corners: [&ScreenVertex; 3], area: i64) {
         if let Some(triangle) = &Triangle::new(corners, None, area, &self.scissor) {
             // Rows of a frame are 0 to 2048.
             let rows = [triangle.rows.start as i16, triangle.rows.end as i16];
             let numbers = corners.map(|corner| self.number(corner));
-            self.add(indices.number(), rows, Corners::Whole(numbers));
+            self.add(face, rows, Corners::Whole(numbers));
         }
     }
 
-    fn clipped(&mut self, indices: Indices, polygon: &[ClippedVertex]) {
-        let part = Polygon::new(polygon, self.cull);
-        if let Some(rows) = part.and_then(|part| part.rows(&self.scissor)) {
-            let corners = self.corners(polygon, 0);
-            let rows = [rows.start as i16, rows.end as i16];
-            self.add(indices.number(), rows, corners);
+    /// Adds what clipping left of a triangle, if it is not culled and may have pixels.
+    fn clipped(&mut self, face: usize, outline: &[ClippedVertex], cull: Cull) {
+        let polygon = Polygon::new(outline, cull);
+        if let Some(rows) = polygon.and_then(|polygon| polygon.rows(&self.scissor)) {
+            let corners = self.corners(outline, 0);
+            self.add(face, [rows.start as i16, rows.end as i16], corners);
         }
     }
 }
@@ -518,16 +516,11 @@ impl Assembly for Filling<'_> {
     note = "a list takes `&mesh`, `mesh.edges(style)`, `mesh.outline(&outline, style)` or `&mut objects`"
 )]
 pub trait Listed: Copy + Sealed {
-    /// How the thing's lines are drawn.
-    type Style;
-
     /// The name of the thing's elements, for error messages.
     const ELEMENTS: &'static str;
 
     /// The most rows that an element may reach beyond the rows in its entry.
     const REACH: i32;
-
-    fn style(&self) -> Self::Style;
 
     fn mesh(&self) -> &Mesh<'_>;
 
@@ -545,19 +538,17 @@ pub trait Listed: Copy + Sealed {
     fn rows(least: i32, most: i32) -> [i16; 2];
 
     /// Draws elements of a list.
-    fn draw(&self, run: &Run<'_>, line: DrawLine<'_>, blitter: &mut dyn Blitter) -> Drawn;
+    fn draw_listed(
+        &self,
+        run: &Run<'_>,
+        blitter: &mut dyn Blitter,
+        coverage: &Cell<Coverage>,
+    ) -> Drawn;
 }
 
 impl Listed for &Mesh<'_> {
-    type Style = LineStyle;
-
     const ELEMENTS: &'static str = "triangles";
     const REACH: i32 = 0;
-
-    #[inline]
-    fn style(&self) -> LineStyle {
-        LineStyle::HAIRLINE // triangles have no lines, so any style will do
-    }
 
     #[inline]
     fn mesh(&self) -> &Mesh<'_> {
@@ -576,7 +567,13 @@ impl Listed for &Mesh<'_> {
 
     #[inline]
     fn fill<K: ProjectionKind>(&self, call: &Call<'_, K>, filling: &mut Filling<'_>) {
-        run::triangles(call, filling);
+        let mut vertices = VertexCache::new(call.slots);
+        for (face, corners) in self.faces().iter().enumerate() {
+            run::triangle(call, &mut vertices, corners, |triangle| match triangle {
+                OnScreen::Whole(corners, area) => filling.whole(face, corners, area),
+                OnScreen::Clipped(outline) => filling.clipped(face, outline, call.cull),
+            });
+        }
     }
 
     #[inline]
@@ -585,21 +582,14 @@ impl Listed for &Mesh<'_> {
     }
 
     #[inline]
-    fn draw(&self, run: &Run<'_>, _: DrawLine<'_>, blitter: &mut dyn Blitter) -> Drawn {
+    fn draw_listed(&self, run: &Run<'_>, blitter: &mut dyn Blitter, _: &Cell<Coverage>) -> Drawn {
         run.draw_triangles(blitter)
     }
 }
 
 impl<const SMOOTH: bool> Listed for Edges<'_, SMOOTH> {
-    type Style = LineStyle<SMOOTH>;
-
     const ELEMENTS: &'static str = "edges";
     const REACH: i32 = 32;
-
-    #[inline]
-    fn style(&self) -> LineStyle<SMOOTH> {
-        self.style
-    }
 
     #[inline]
     fn mesh(&self) -> &Mesh<'_> {
@@ -638,8 +628,15 @@ impl<const SMOOTH: bool> Listed for Edges<'_, SMOOTH> {
     }
 
     #[inline]
-    fn draw(&self, run: &Run<'_>, line: DrawLine<'_>, blitter: &mut dyn Blitter) -> Drawn {
-        run.draw_edges(self.of, self.style.reach(), line, blitter)
+    fn draw_listed(
+        &self,
+        run: &Run<'_>,
+        blitter: &mut dyn Blitter,
+        coverage: &Cell<Coverage>,
+    ) -> Drawn {
+        self.style.with_line(coverage, |line| {
+            run.draw_edges(self.of, self.style.reach(), line, blitter)
+        })
     }
 }
 

@@ -1,7 +1,7 @@
 //! The draw call: a mesh through its stages onto a canvas.
 //!
-//! [`run`] has the stages in order. This file has the canvas's methods that start the stages. Two files have methods of
-//! the canvas that draw nothing: [`on_screen`] tells where a point or a mesh is on the screen, and [`ray`] tells what
+//! [`Canvas::draw_with`] in this file starts the stages, and [`run`] has them in order. Two files have methods of the
+//! canvas that draw nothing: [`on_screen`] tells where a point or a mesh is on the screen, and [`ray`] tells what
 //! is seen at a pixel.
 
 mod assemble;
@@ -25,15 +25,18 @@ pub use options::DrawOptions;
 pub use ray::{Hit, Ray};
 pub use thing::Thing;
 
+use core::cell::Cell;
 use core::ops::AddAssign;
 
 use embedded_graphics::pixelcolor::PixelColor;
 
 use crate::canvas::{Blending, Canvas, DepthBuffer, DepthTest, Storage};
 use crate::mesh::Missing;
+use crate::raster::Rasterizer;
 use crate::shade::ShaderFor;
-use crate::span::Mode;
+use crate::span::{Blit, Mode};
 use crate::view::AsMvp;
+use thing::Target;
 
 /// The result of a draw call: how many triangles, edges or points there were, and how many were drawn.
 ///
@@ -64,6 +67,19 @@ pub struct Drawn {
     pub clipped: u32,
     /// The attributes that the shader asked for and the mesh lacks.
     pub missing: Missing,
+}
+
+impl Drawn {
+    /// The result of a draw call that had this number of triangles, edges or points.
+    #[inline]
+    fn new(submitted: usize, raster: &Rasterizer<'_>) -> Self {
+        Self {
+            submitted: submitted as u32,
+            drawn: raster.drawn,
+            clipped: raster.clipped,
+            missing: raster.primitive.placement.missing.get(),
+        }
+    }
 }
 
 impl AddAssign for Drawn {
@@ -102,14 +118,22 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     }
 
     /// Draws a thing like [`draw`](Self::draw), with options.
-    pub fn draw_with<M: Mode, Z: DepthTest, B: Blending<C>>(
+    pub fn draw_with<T: Thing<C>, M: Mode, Z: DepthTest, B: Blending<C>, V: AsMvp>(
         &mut self,
         options: &DrawOptions<M, Z, B>,
-        thing: impl Thing<C>,
-        mvp: &impl AsMvp,
+        thing: T,
+        mvp: &V,
         shader: &impl ShaderFor<C>,
     ) -> Drawn {
-        let (screen, rows) = (options.screen(self.frame_size()), self.rows().clone());
-        thing.draw((&screen, &rows), mvp, (self, options, *shader))
+        let region = (&options.screen(self.frame_size()), &self.rows().clone());
+        let coverage = Cell::default();
+        let shading = T::shading((*shader, options.blending, options.depth), &coverage);
+        let target = Target {
+            region,
+            shading: &shading,
+            coverage: &coverage,
+            blitter: &mut Blit::<_, _, _, V::Kind, _>::new(options.mode, self, shading),
+        };
+        thing.draw(mvp, target)
     }
 }

@@ -1,14 +1,18 @@
 //! Points: a mesh's positions, each one pixel, a square or a disc.
 
+use core::cell::Cell;
+
 use super::Drawn;
-use super::call::{Call, Region};
-use super::run::Draw;
-use super::thing::{Paint, Thing};
+use super::call::Call;
+use super::thing::{Target, Thing};
+use crate::canvas::{Blending, DepthTest};
 use crate::mesh::{Index, Indices, Mesh};
 use crate::num::block::{self, BlockFloat};
 use crate::num::wide::product;
-use crate::raster::{self, Blitter, PointStyle, Rasterizer, ScreenVertex};
+use crate::raster::{self, Blitter, Coverage, PointStyle, Rasterizer, ScreenVertex};
 use crate::sealed::Sealed;
+use crate::shade::ShaderFor;
+use crate::span::Shading;
 use crate::view::{AsMvp, Projection, ProjectionKind, Viewport};
 
 /// The positions of a mesh, to be drawn as points.
@@ -56,18 +60,26 @@ impl Mesh<'_> {
 
 impl Sealed for Points<'_> {}
 
-#[allow(private_bounds)]
 impl<C> Thing<C> for Points<'_> {
-    fn draw<V: AsMvp>(self, to: Region<'_>, mvp: &V, mut paint: impl Paint<C>) -> Drawn {
-        let call = Call::new(to, self.mesh, mvp);
-        paint.run::<V::Kind>(call.projector.depth_shift(), paint.shading(), |blitter| {
-            if self.style.is_pixel() {
-                pixels(&call, blitter)
-            } else {
-                let half = HalfSize::new(self.style, mvp.projection_of(), &to.0.viewport);
-                sized_points(&call, &half, self.style.is_round(), blitter)
-            }
-        })
+    type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest> = (S, B, Z);
+
+    #[inline]
+    fn shading<S: ShaderFor<C>, B: Blending<C>, Z: DepthTest>(
+        plain: (S, B, Z),
+        _: &Cell<Coverage>,
+    ) -> (S, B, Z) {
+        plain
+    }
+
+    #[inline]
+    fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn {
+        let call = Call::new(to.region, self.mesh, mvp);
+        if self.style.is_pixel() {
+            pixels(&call, to.blitter)
+        } else {
+            let half = HalfSize::new(self.style, mvp.projection_of(), &to.region.0.viewport);
+            sized_points(&call, &half, self.style.is_round(), to.blitter)
+        }
     }
 }
 
@@ -151,8 +163,8 @@ fn each_point<K: ProjectionKind>(
     half_of: impl Fn(&ScreenVertex) -> i32,
     point: impl Fn(&mut Rasterizer<'_>, &ScreenVertex, i32),
 ) -> Drawn {
-    let count = call.shared.mesh.positions().len();
-    let mut draw = Draw::new(blitter, &call.shared, count);
+    let count = call.placement.mesh.positions().len();
+    let mut raster = call.rasterizer(blitter);
     for index in 0..count as u32 {
         // A mesh has at most 65,536 positions.
         let index = index as Index;
@@ -162,11 +174,11 @@ fn each_point<K: ProjectionKind>(
             continue;
         }
         let (half, [_, y]) = (half_of(&at), at.screen);
-        if draw.meets([y, y], (half >> 8) + 1) {
-            draw.draw_thin((Indices::of_point(index), 0), false, |raster| {
+        if raster.meets([y, y], (half >> 8) + 1) {
+            raster.thin((Indices::of_point(index), 0), false, |raster| {
                 point(raster, &at, half);
             });
         }
     }
-    draw.drawn()
+    Drawn::new(count, &raster)
 }

@@ -1,49 +1,95 @@
-//! The stages of a draw call, in order.
+//! The stages of a draw call, in order. Each is a call to a function of its own folder or file:
 //!
-//! ```text
-//! mesh ─▶ vertex ─▶ assemble ─▶ raster ─▶ blit ─▶ canvas
-//! ```
-//!
-//! Vertices are projected once and kept for neighboring triangles ([`vertex`](super::vertex), [`VertexCache`]).
-//! Triangles are culled and clipped ([`assemble`]). The remaining triangles become spans of pixels ([`raster`]), and
-//! the spans become colors ([`Blitter`]).
+//! | | stage | |
+//! |---|---|---|
+//! | 1 | vertices: projected once, and kept for neighboring triangles | [`VertexCache`], [`Projector`](super::vertex::Projector) |
+//! | 2 | rejection of triangles outside of one plane | the outcodes of a [`ScreenVertex`] |
+//! | 3 | clipping of triangles that cross a plane | [`clip`](super::clip) |
+//! | 4 | culling | [`Cull`](crate::Cull) |
+//! | 5 | rows | [`Triangle`], [`Rasterizer`] |
+//! | 6 | set-up of interpolants, if a row has pixels | [`Blitter::set_up`] |
+//! | 7 | pixels | [`Rows::draw`](crate::raster::Rows::draw) |
 
 use super::Drawn;
-use super::assemble::{self, Assembly};
 use super::cache::VertexCache;
-use super::call::{Call, Shared};
+use super::call::Call;
+use super::clip::{ClippedPolygon, clip};
 use crate::mesh::{Index, Indices, Primitive};
-use crate::raster::{self, Blitter, ClippedVertex, Polygon, Rasterizer, ScreenVertex, Triangle};
+use crate::raster::{self, Blitter, ClippedVertex, Rasterizer, ScreenVertex, Triangle};
 use crate::view::ProjectionKind;
-
-/// Runs all triangles of a mesh through the vertex and assembly stages; `to` draws them or keeps them in a list.
-#[inline]
-pub(super) fn triangles<K: ProjectionKind>(call: &Call<'_, K>, to: &mut impl Assembly) {
-    // The cache is made before the faces are found, because this takes fewer registers on Cortex-M0+.
-    let mut vertices = VertexCache::new(call.slots);
-    triangles_from(call, (0, call.shared.mesh.faces()), &mut vertices, to);
-}
-
-/// Runs triangles through the stages, with the caller's cache. `first` is the index of the first triangle. (This is a
-/// function of its own, because otherwise each triangle takes a call in programs that also draw quads.)
-#[inline]
-fn triangles_from<K: ProjectionKind>(
-    call: &Call<'_, K>,
-    (first, faces): (usize, &[[Index; 3]]),
-    vertices: &mut VertexCache,
-    to: &mut impl Assembly,
-) {
-    for (face, indices) in (first..).zip(faces) {
-        assemble::triangle(call, vertices, (face, indices), to);
-    }
-}
 
 /// Draws all triangles of a mesh, in code that exists once for all shaders and canvases.
 #[inline(never)]
 pub(super) fn draw<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
-    let mut draw = Draw::new(blitter, &call.shared, call.shared.mesh.faces().len());
-    triangles(call, &mut draw);
-    draw.drawn()
+    let mut raster = call.rasterizer(blitter);
+    // The cache is made before the faces are found, because this takes fewer registers on Cortex-M0+.
+    let mut vertices = VertexCache::new(call.slots);
+    let faces = call.placement.mesh.faces();
+    draw_faces(call, (0, faces), &mut vertices, &mut raster);
+    Drawn::new(faces.len(), &raster)
+}
+
+/// Draws triangles with the caller's cache. `first` is the index of the first triangle. (This is a function of its own,
+/// because otherwise each triangle takes a call in programs that also draw quads.)
+#[inline]
+fn draw_faces<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    (first, faces): (usize, &[[Index; 3]]),
+    vertices: &mut VertexCache,
+    raster: &mut Rasterizer<'_>,
+) {
+    for (face, corners) in (first..).zip(faces) {
+        triangle(call, vertices, corners, |triangle| {
+            let indices = Indices::of_face(face, *corners);
+            // 5 to 7. Rows, set-up, pixels.
+            match triangle {
+                OnScreen::Whole(corners, area) => raster.whole(indices, corners, area),
+                OnScreen::Clipped(outline) => raster.clipped(indices, outline, call.cull),
+            }
+        });
+    }
+}
+
+/// A triangle on the screen, inside all planes.
+pub(super) enum OnScreen<'v> {
+    /// A triangle that is neither clipped nor culled: its corners, and twice its area.
+    Whole([&'v ScreenVertex; 3], i64),
+    /// The outline that clipping left of a triangle. It may be empty or face away.
+    Clipped(&'v [ClippedVertex]),
+}
+
+/// Runs a triangle through stages 1 to 4. `then` receives what is left of it, to draw it or to list it.
+#[inline]
+#[allow(clippy::trivially_copy_pass_by_ref)] // by value, the corners would be loaded before most of them are needed
+pub(super) fn triangle<K: ProjectionKind>(
+    call: &Call<'_, K>,
+    vertices: &mut VertexCache,
+    corners: &[Index; 3],
+    mut then: impl FnMut(OnScreen<'_>),
+) {
+    // 1. Vertices.
+    let copies;
+    let [a, b, c] = if let Some(vertices) = vertices.corners(&call.projector, *corners) {
+        vertices
+    } else {
+        copies = vertices.copies(&call.projector, *corners);
+        let [a, b, c] = &copies;
+        [a, b, c]
+    };
+    // 2. Rejection.
+    let outcode = a.outcode | b.outcode | c.outcode;
+    if outcode == 0 {
+        // 4. Culling. Back faces, half of most meshes, go here, before any attribute is read.
+        let area = raster::area(&[a.screen, b.screen, c.screen]);
+        if !call.cull.leaves_out(area) {
+            then(OnScreen::Whole([a, b, c], area));
+        }
+    } else if a.outcode & b.outcode & c.outcode == 0 {
+        // 3. Clipping. The rasterizer culls what is left, because it adds up the area.
+        let mut outline = ClippedPolygon::new();
+        clip(&call.projector, corners, outcode, &mut outline);
+        then(OnScreen::Clipped(&outline));
+    }
 }
 
 /// Whether one plane goes through the varyings of both triangles of a rectangle.
@@ -60,17 +106,17 @@ pub(super) fn quads<K: ProjectionKind>(
     is_plane: Option<IsPlane<'_>>,
     blitter: &mut dyn Blitter,
 ) -> Drawn {
-    let faces = call.shared.mesh.faces();
-    let mut draw = Draw::new(blitter, &call.shared, faces.len());
+    let mut raster = call.rasterizer(blitter);
+    let faces = call.placement.mesh.faces();
     let pairs = faces.chunks_exact(2);
     for (at, pair) in (first..).step_by(2).zip(pairs) {
         let is_done =
-            is_plane.is_some_and(|is_plane| rectangle(call, (at, pair), is_plane, &mut draw));
+            is_plane.is_some_and(|is_plane| rectangle(call, (at, pair), is_plane, &mut raster));
         if !is_done {
-            triangles_from(call, (at, pair), vertices, &mut draw);
+            draw_faces(call, (at, pair), vertices, &mut raster);
         }
     }
-    draw.drawn()
+    Drawn::new(faces.len(), &raster)
 }
 
 /// Fast path for two triangles that form an axis-aligned rectangle at one depth. The rectangle reaches from the first
@@ -81,7 +127,7 @@ fn rectangle<K: ProjectionKind>(
     call: &Call<'_, K>,
     (first, faces): (usize, &[[Index; 3]]),
     is_plane: IsPlane<'_>,
-    draw: &mut Draw<'_>,
+    raster: &mut Rasterizer<'_>,
 ) -> bool {
     let &[one, other] = faces else {
         return false;
@@ -98,102 +144,18 @@ fn rectangle<K: ProjectionKind>(
     let corner = |screen| ScreenVertex { screen, ..from };
     let (b, c) = (corner([right, bottom]), corner([left, top]));
     let area = raster::area(&[from.screen, b.screen, c.screen]);
-    let Some(half) = &Triangle::new([&from, &b, &c], None, area, &call.shared.scissor) else {
+    let Some(half) = &Triangle::new([&from, &b, &c], None, area, &call.scissor) else {
         return true;
     };
-    let shared = &call.shared;
-    let (one, other) = (
-        Indices::of_face(first, one),
-        Indices::of_face(first + 1, other),
-    );
-    let is_plane = is_plane([&shared.primitive(one, area), &shared.primitive(other, area)]);
+    let one = Indices::of_face(first, one);
+    let other = Indices::of_face(first + 1, other);
+    let placement = &call.placement;
+    let is_plane = is_plane([
+        &placement.primitive(one, area),
+        &placement.primitive(other, area),
+    ]);
     if is_plane {
-        draw.raster.begin_primitive(one, area).rectangle(half);
-        draw.drawn += 2;
+        raster.rectangle(one, half);
     }
     is_plane
-}
-
-/// Draws assembled triangles.
-pub(super) struct Draw<'d> {
-    raster: Rasterizer<'d>,
-    shared: &'d Shared<'d>,
-    submitted: usize,
-    drawn: u32,
-    clipped: u32,
-}
-
-impl<'d> Draw<'d> {
-    #[inline]
-    pub(super) fn new(
-        blitter: &'d mut dyn Blitter,
-        shared: &'d Shared<'d>,
-        submitted: usize,
-    ) -> Self {
-        Self {
-            raster: Rasterizer::new(
-                blitter,
-                shared.primitive(Indices::of_point(0), 0),
-                &shared.scissor,
-            ),
-            shared,
-            submitted,
-            drawn: 0,
-            clipped: 0,
-        }
-    }
-
-    /// The result of the draw call.
-    #[inline]
-    pub(super) fn drawn(self) -> Drawn {
-        Drawn {
-            submitted: self.submitted as u32,
-            drawn: self.drawn,
-            clipped: self.clipped,
-            missing: self.shared.placement.missing.get(),
-        }
-    }
-
-    /// Whether a line or point may have pixels in the scissor. The line or point lies between the positions a and b, in
-    /// units of 1/256 row, and reaches up to `reach` rows beyond them.
-    #[inline]
-    pub(super) fn meets(&self, [a, b]: [i32; 2], reach: i32) -> bool {
-        let rows = &self.shared.scissor.rows;
-        (a.min(b) >> 8) - reach < rows.end && (a.max(b) >> 8) + reach >= rows.start
-    }
-
-    /// Draws an edge or a point by `line`. `slope_beside` is how steep the faces beside an outline's edge are.
-    #[inline]
-    pub(super) fn draw_thin(
-        &mut self,
-        (indices, slope_beside): (Indices, u16),
-        is_clipped: bool,
-        line: impl FnOnce(&mut Rasterizer<'d>),
-    ) {
-        line(self.raster.begin_thin(indices, slope_beside));
-        self.drawn += 1;
-        self.clipped += u32::from(is_clipped);
-    }
-}
-
-impl Assembly for Draw<'_> {
-    #[cfg_attr(not(for_size), inline(never))] // so that the loop over faces, half of them rejected, has its registers
-    fn whole(&mut self, indices: Indices, corners: [&ScreenVertex; 3], area: i64) {
-        // Borrowed, because a move would copy the triangle.
-        if let Some(triangle) = &Triangle::new(corners, None, area, &self.shared.scissor) {
-            self.raster
-                .begin_primitive(indices, area)
-                .triangle(triangle, None);
-            self.drawn += 1;
-        }
-    }
-
-    #[inline(never)]
-    fn clipped(&mut self, indices: Indices, polygon: &[ClippedVertex]) {
-        if let Some(polygon) = Polygon::new(polygon, self.shared.cull) {
-            let drawn = u32::from(polygon.draw(self.raster.begin_primitive(indices, polygon.area)));
-            self.drawn += drawn;
-            self.clipped += drawn;
-        }
-    }
 }

@@ -1,38 +1,52 @@
 //! Sprites: quads in eye space. They are drawn as meshes of eight quads each. Sprites that face the camera are
 //! rectangles on the screen; a rectangle is drawn as one primitive if its varyings allow it.
 
+use core::cell::Cell;
+
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::Drawn;
 use super::cache::{Slots, VertexCache};
-use super::call::{Call, Region, Shared};
+use super::call::Call;
 use super::run::{self, IsPlane};
-use super::thing::{Paint, Thing};
+use super::thing::{Target, Thing};
 use super::vertex::Projector;
+use crate::canvas::{Blending, DepthTest};
 use crate::math::Transform;
 use crate::mesh::{Index, Mesh, Placement, Positions, Sprites};
 use crate::num::TexCoord;
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt::unit;
 use crate::num::wide::{dot, product};
-use crate::raster::{Blitter, Cull, Scissor};
+use crate::raster::{Blitter, Coverage, Cull, Scissor};
 use crate::sealed::Sealed;
-use crate::span::is_plane;
+use crate::shade::ShaderFor;
+use crate::span::{Shading, is_plane};
 use crate::view::{AsMvp, Projection, ProjectionKind, Viewport};
 use crate::{Scalar, Vec2, Vec3};
 
 impl Sealed for &Sprites<'_> {}
 
-#[allow(private_bounds)]
 impl<C> Thing<C> for &Sprites<'_> {
-    fn draw<V: AsMvp>(self, to: Region<'_>, mvp: &V, mut paint: impl Paint<C>) -> Drawn {
-        let (screen, rows) = to;
-        let scissor = screen.scissor(rows);
+    type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest> = (S, B, Z);
+
+    #[inline]
+    fn shading<S: ShaderFor<C>, B: Blending<C>, Z: DepthTest>(
+        plain: (S, B, Z),
+        _: &Cell<Coverage>,
+    ) -> (S, B, Z) {
+        plain
+    }
+
+    #[inline]
+    fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn {
+        let (screen, rows) = to.region;
         let quads = Quads::new(self, mvp, &screen.viewport);
-        let shading = paint.shading();
-        paint.run::<V::Kind>(quads.projector.depth_shift(), shading, |blitter| {
-            quads.draw(&scissor, &|halves| is_plane(&shading, halves), blitter)
-        })
+        quads.draw(
+            &screen.scissor(rows),
+            &|halves| is_plane(to.shading, halves),
+            to.blitter,
+        )
     }
 }
 
@@ -222,12 +236,9 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
                 is_biased: false,
                 slots: Slots::new(&[]),
                 projector: self.projector.with_positions(mesh.positions()),
-                shared: Shared {
-                    mesh: &mesh,
-                    placement: Placement::new(&self.pose, Transform::IDENTITY),
-                    cull: Cull::Nothing,
-                    scissor: scissor.clone(),
-                },
+                placement: Placement::new(&mesh, &self.pose, Transform::IDENTITY),
+                cull: Cull::Nothing,
+                scissor: scissor.clone(),
             };
             vertices.forget(4 * BATCH);
             drawn += run::quads(&call, 2 * first, &mut vertices, is_plane, blitter);

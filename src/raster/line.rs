@@ -10,7 +10,7 @@ use super::{ClippedVertex, Patch, Rasterizer, Rows, ScreenVertex};
 /// Draws a hairline: in each step along the longer axis, the one pixel that contains the line there.
 #[inline(never)]
 pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
-    if !raster.blends {
+    if !raster.coloring.blends {
         let steep = is_steep(ends);
         let [from, to] = ends;
         let (first, last) = if along(to, steep) < along(from, steep) {
@@ -127,7 +127,7 @@ impl<'r> Course<'r> {
             screen: major_first(place),
             ..end.vertex
         };
-        let blit = if raster.varies {
+        let blit = if raster.coloring.varies {
             let [a, b, c] = [
                 at(from, [start, 128]),
                 at(to, [end, 128]),

@@ -68,15 +68,21 @@ pub(crate) type Columns = [i16; 2];
 /// program has a single copy of these stages, however many shaders and canvases there are. A call costs a few
 /// instructions.
 pub(crate) trait Blitter {
-    /// Whether the pixels of a primitive differ in more than their position. If they do not, [`set_up`](Self::set_up) ignores
-    /// its patch.
-    fn varies(&self) -> bool;
-
-    /// Whether colors are mixed with the colors below. Then it matters how often a pixel is drawn.
-    fn blends(&self) -> bool;
+    /// Begins a draw call. `shift` turns the call's 1/w into depths.
+    fn begin(&mut self, shift: DepthShift) -> Coloring;
 
     /// Sets up the interpolants of a triangle, edge or point over a patch: the whole primitive or a part of it.
     fn set_up(&mut self, primitive: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows;
+}
+
+/// How the pixels of a draw call are colored.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Coloring {
+    /// Whether the pixels of a primitive differ in more than their position. If they do not, [`Blitter::set_up`]
+    /// ignores its patch.
+    pub(crate) varies: bool,
+    /// Whether colors are mixed with the colors below. Then it matters how often a pixel is drawn.
+    pub(crate) blends: bool,
 }
 
 /// What [`Blitter::set_up`] returns: the blitter, now ready to draw rows of the patch.

@@ -5,10 +5,11 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::{
-    Barycentric, Blitter, ClippedVertex, Columns, Patch, Rasterizer, Rows, Scissor, ScreenVertex,
+    Barycentric, Blitter, ClippedVertex, Coloring, Columns, DepthShift, Patch, Rasterizer, Rows,
+    Scissor, ScreenVertex,
 };
 use crate::Transform;
-use crate::mesh::{Indices, Mesh, Placement, Primitive};
+use crate::mesh::{Mesh, Placement, Primitive};
 
 /// Rows of characters: `.` where nothing was drawn, `!` where something was drawn twice.
 pub(crate) struct Picture {
@@ -48,14 +49,14 @@ impl Picture {
         scissor: &Scissor,
         draw: impl FnOnce(&mut Rasterizer<'_>) -> R,
     ) -> R {
-        let primitive = Primitive {
-            mesh: &Mesh::new(&[], &[]).unwrap(),
-            placement: &Placement::new(&Transform::IDENTITY, Transform::IDENTITY),
-            indices: Indices::of_point(0),
-            area: 0,
-            slope_beside: 0,
-        };
-        draw(&mut Rasterizer::new(self, primitive, scissor))
+        let mesh = Mesh::new(&[], &[]).unwrap();
+        let placement = Placement::new(&mesh, &Transform::IDENTITY, Transform::IDENTITY);
+        draw(&mut Rasterizer::new(
+            self,
+            DepthShift(15),
+            &placement,
+            scissor,
+        ))
     }
 
     pub(crate) fn text(&self) -> Vec<String> {
@@ -69,12 +70,11 @@ impl Picture {
 }
 
 impl Blitter for Picture {
-    fn varies(&self) -> bool {
-        true
-    }
-
-    fn blends(&self) -> bool {
-        self.blends
+    fn begin(&mut self, _: DepthShift) -> Coloring {
+        Coloring {
+            varies: true,
+            blends: self.blends,
+        }
     }
 
     fn set_up(&mut self, _: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows {

@@ -28,7 +28,7 @@ pub(super) fn set_up<'r>(
     [x, y]: [i32; 2],
     barycentric: Option<&[Barycentric; 3]>,
 ) -> &'r mut dyn Rows {
-    if !raster.varies {
+    if !raster.coloring.varies {
         return raster.set_up(&Patch::EVEN);
     }
     // All three vertices have the point's values, so any triangle that begins in the point's pixel will do.

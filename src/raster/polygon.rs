@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use super::triangle::{Triangle, area, covers};
-use super::{ClippedVertex, Columns, Cull, Rasterizer, Rows, Scissor, ScreenVertex};
+use super::{ClippedVertex, Columns, Cull, Rows, Scissor, ScreenVertex};
 
 /// A clipped triangle as a fan of triangles. All triangles of the fan share the first corner of the outline. For
 /// example, the corners 0 to 4 make the triangles 0 1 2, 0 2 3 and 0 3 4.
@@ -16,11 +16,11 @@ use super::{ClippedVertex, Columns, Cull, Rasterizer, Rows, Scissor, ScreenVerte
 pub(crate) struct Polygon<'a> {
     outline: &'a [ClippedVertex],
     /// Twice the area of the outline, positive if it runs clockwise on the screen.
-    pub(crate) area: i64,
+    pub(super) area: i64,
     /// Whether a triangle of the fan has turned over, even a triangle outside the scissor. In a folded fan, every pixel
     /// is a span of its own. If a band ignored triangles outside the band, it might not see that the fan is folded, and
     /// draw longer spans. Values in longer spans might differ by a unit from the values in the whole frame.
-    is_folded: bool,
+    pub(super) is_folded: bool,
 }
 
 /// Whether an area has the sign, and so the winding, of `whole`.
@@ -30,7 +30,7 @@ const fn same_winding(whole: i64, area: i64) -> bool {
 
 // Destructured by hand, because a `map` over references compiles to arrays and loops (see `ScreenVertex::screens`).
 
-fn vertices([a, b, c]: [&ClippedVertex; 3]) -> [&ScreenVertex; 3] {
+pub(super) fn vertices([a, b, c]: [&ClippedVertex; 3]) -> [&ScreenVertex; 3] {
     [&a.vertex, &b.vertex, &c.vertex]
 }
 
@@ -75,7 +75,9 @@ impl<'a> Polygon<'a> {
 
     /// The triangles of the fan, each with twice its area.
     #[inline]
-    fn triangles(&self) -> impl Iterator<Item = ([&'a ClippedVertex; 3], i64)> + use<'a> {
+    pub(super) fn triangles(
+        &self,
+    ) -> impl Iterator<Item = ([&'a ClippedVertex; 3], i64)> + use<'a> {
         let (first, rest) = match self.outline {
             [first, rest @ ..] => (Some(first), rest),
             [] => (None, self.outline),
@@ -91,7 +93,7 @@ impl<'a> Polygon<'a> {
 
     /// Whether a triangle with this area may have pixels. A triangle that has turned over has none.
     #[inline]
-    const fn winds_as(&self, area: i64) -> bool {
+    pub(super) const fn winds_as(&self, area: i64) -> bool {
         area != 0 && same_winding(self.area, area)
     }
 
@@ -110,32 +112,13 @@ impl<'a> Polygon<'a> {
         }
         all
     }
-
-    /// Draws the part of the fan in the scissor; returns false if there can be no pixel.
-    pub(crate) fn draw(&self, raster: &mut Rasterizer<'_>) -> bool {
-        let mut is_drawn = false;
-        for (at, (corners, area)) in self.triangles().enumerate() {
-            if !self.winds_as(area) {
-                continue;
-            }
-            let [a, b, c] = corners;
-            let places = [a.barycentric, b.barycentric, c.barycentric];
-            let triangle = Triangle::new(vertices(corners), Some(&places), area, raster.scissor);
-            if let Some(triangle) = &triangle {
-                let part = Part { fan: self, at };
-                raster.triangle(triangle, self.is_folded.then_some(&part));
-                is_drawn = true;
-            }
-        }
-        is_drawn
-    }
 }
 
 /// One triangle of a folded fan.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Part<'a> {
-    fan: &'a Polygon<'a>,
-    at: usize,
+    pub(super) fan: &'a Polygon<'a>,
+    pub(super) at: usize,
 }
 
 impl Part<'_> {
@@ -174,6 +157,7 @@ impl Part<'_> {
 mod tests {
     use super::super::picture::{Picture, clipped};
     use super::*;
+    use crate::mesh::Indices;
     use std::vec::Vec;
 
     /// Draws an outline with its corners in quarters of a pixel.
@@ -184,8 +168,10 @@ mod tests {
             .collect();
         let mut picture = Picture::new(9, 7);
         let scissor = picture.scissor();
-        let polygon = Polygon::new(&outline, Cull::Nothing).unwrap();
-        assert!(picture.draw(&scissor, |raster| polygon.draw(raster)));
+        picture.draw(&scissor, |raster| {
+            raster.clipped(Indices::of_point(0), &outline, Cull::Nothing);
+            assert_eq!(raster.drawn, 1);
+        });
         picture
     }
 

@@ -30,7 +30,7 @@ use crate::num::wide::product;
 /// cut to 2⁻¹⁰ pixel: together, this is an error of (1 + √2) · 2⁻¹⁰. Near the ends, `along` has an error of 2⁻¹¹ more.
 /// Rounding the share to 256ths adds 2⁻⁹. In all, the error is at most 1.3/256.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Coverage {
+pub struct Coverage {
     /// The vector of length one from a toward b, in units of 2⁻²⁵.
     direction: [i32; 2],
     /// The distance from the line at the center of pixel (0, 0), in units of 2⁻²⁵ pixel, modulo 128 pixels. A pixel

@@ -1,11 +1,11 @@
 //! Triangles: which way they face and which pixels they cover.
 
+use core::hint::black_box;
 use core::ops::Range;
 
-use super::edge::first_center;
-use super::rasterizer::scan_convert;
+use super::edge::{Edge, ShortEdge, first_center};
 use super::scissor::meet;
-use super::{Barycentric, Patch, Scissor, ScreenVertex};
+use super::{Barycentric, Columns, Patch, Scissor, ScreenVertex};
 use crate::num::wide::cross;
 
 /// A triangle on the screen.
@@ -72,6 +72,100 @@ impl<'a> Triangle<'a> {
             rows,
             cut: (inside != columns).then_some(scissor),
         })
+    }
+}
+
+/// Finds, for each row of a block, the columns in the scissor whose centers lie between the edges of a triangle.
+///
+/// ```text
+///      a ●
+///       ╱ ╲         a is the highest corner, c the lowest. The edge from a to c bounds rows on one
+///      ╱   ● b      side. The edges from a to b and from b to c bound rows on the other side.
+///     ╱ ╱
+///  c ●
+/// ```
+#[inline(never)]
+pub(super) fn scan_convert<'b, 't>(
+    block: &'b mut [Columns],
+    first: i32,
+    triangle: &Triangle<'t>,
+) -> &'b [Columns] {
+    let Patch {
+        vertices: [mut a, mut b, mut c],
+        size: [width, height],
+        area,
+        ..
+    } = triangle.patch;
+    let rows_to = |row: i32| (row - first).max(0).cast_unsigned() as usize;
+    let count = rows_to(triangle.rows.end).min(block.len());
+    let rows = block.get_mut(..count).unwrap_or_default();
+    // If abc runs clockwise, the edge from a to c is on the left: side 0. An exchange of two corners turns the winding
+    // around.
+    let mut sign = (area >> 32) as i32;
+    let mut sort = |a: &'t ScreenVertex, b: &'t ScreenVertex| {
+        if a.screen[1] <= b.screen[1] {
+            (a, b)
+        } else {
+            sign = !sign;
+            (b, a)
+        }
+    };
+    (a, b) = sort(a, b);
+    (b, c) = sort(b, c);
+    (a, b) = sort(a, b);
+    // All rows are between a and c.
+    let middle = rows_to(first_center(b.screen[1])).min(count);
+    let side = usize::from(sign < 0);
+    let is_short = ShortEdge::fits(width, height);
+    edge(rows, side, [a, c], first, is_short);
+    if let Some((upper, lower)) = rows.split_at_mut_checked(middle) {
+        edge(upper, 1 - side, [a, b], first, is_short);
+        let first = first + (middle as u32).cast_signed();
+        edge(lower, 1 - side, [b, c], first, is_short);
+    }
+    if let Some(scissor) = triangle.cut {
+        cut(rows, &scissor.columns);
+    }
+    rows
+}
+
+/// Sets one side of the rows to the columns of an edge from a corner down to another corner. The first row is `row`.
+#[cfg_attr(for_size, inline(never))]
+fn edge(rows: &mut [Columns], side: usize, ends: [&ScreenVertex; 2], row: i32, is_short: bool) {
+    if !is_short {
+        long_edge(rows, side, ends, row);
+        return;
+    }
+    let [top, bottom] = ends;
+    if let Some(mut edge) = ShortEdge::new(top.screen, bottom.screen, row) {
+        // Most edges pass few rows, so an empty statement keeps the compiler from unrolling the loops.
+        for columns in rows {
+            black_box(());
+            columns[side & 1] = edge.next();
+        }
+    }
+}
+
+#[inline(never)]
+fn long_edge(rows: &mut [Columns], side: usize, [top, bottom]: [&ScreenVertex; 2], row: i32) {
+    if rows.is_empty() {
+        return;
+    }
+    let mut edge = Edge::new(top.screen, bottom.screen, row);
+    for columns in rows {
+        black_box(());
+        columns[side & 1] = edge.next() as i16;
+    }
+}
+
+/// Limits rows to the scissor. Out of line, because most triangles are inside the scissor.
+#[cold]
+#[inline(never)]
+fn cut(rows: &mut [Columns], scissor: &Range<i32>) {
+    let (first, last) = (scissor.start as i16, scissor.end as i16);
+    for [start, end] in rows {
+        *start = (*start).max(first);
+        *end = (*end).min(last);
     }
 }
 

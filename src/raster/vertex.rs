@@ -69,6 +69,21 @@ impl Barycentric {
     /// The corners themselves.
     pub(crate) const CORNERS: [Self; 3] = [Self([0, 0]), Self([1 << 30, 0]), Self([0, 1 << 30])];
 
+    /// The weights in the memory of a vertex, so that a list of vertices can hold them.
+    #[inline]
+    pub(crate) const fn stored(self) -> ScreenVertex {
+        ScreenVertex {
+            screen: self.0,
+            ..ScreenVertex::UNSET
+        }
+    }
+
+    /// The weights that were [`stored`](Self::stored).
+    #[inline]
+    pub(crate) const fn from_stored(vertex: &ScreenVertex) -> Self {
+        Self(vertex.screen)
+    }
+
     /// The value, at this point, of a varying that has these values at the corners. The result is rounded to the
     /// nearest unit. The weights are rounded, too.
     #[inline(never)]

@@ -5,7 +5,7 @@ use embedded_graphics::geometry::Point;
 use super::{ColorOf, Fragment, Lanes, Output, Shader, Varyings};
 use crate::Mesh;
 use crate::math::Transform;
-use crate::mesh::{Indices, Placement, Primitive};
+use crate::mesh::{Indices, Placement};
 
 /// The identity transform.
 pub(super) const IDENTITY: Transform = scale([1 << 29; 3]);
@@ -28,26 +28,16 @@ pub(super) fn face<S: Shader>(
     mesh: &Mesh<'_>,
     index: usize,
 ) -> (S, [S::Varyings; 3]) {
-    let corners = shader.varyings(&Primitive {
-        mesh,
-        placement: &Placement::new(model, Transform::IDENTITY),
-        indices: Indices::of_face(index, mesh.faces()[index]),
-        area: 0,
-        slope_beside: 0,
-    });
-    (shader, corners)
+    let placement = Placement::new(mesh, model, Transform::IDENTITY);
+    let face = Indices::of_face(index, mesh.faces()[index]);
+    (shader, shader.varyings(&placement.primitive(face, 0)))
 }
 
 /// The varyings at the ends of an edge.
 pub(super) fn edge<S: Shader>(shader: S, mesh: &Mesh<'_>, index: usize) -> [S::Varyings; 2] {
-    let [a, b] = mesh.edge_indices()[index];
-    let [start, end, _] = shader.varyings(&Primitive {
-        mesh,
-        placement: &Placement::new(&IDENTITY, Transform::IDENTITY),
-        indices: Indices::of_edge(index, [a, b]),
-        area: 0,
-        slope_beside: 0,
-    });
+    let placement = Placement::new(mesh, &IDENTITY, Transform::IDENTITY);
+    let edge = Indices::of_edge(index, mesh.edge_indices()[index]);
+    let [start, end, _] = shader.varyings(&placement.primitive(edge, 0));
     [start, end]
 }
 

@@ -15,7 +15,7 @@ use super::setup::{Attribute, Planes, SPAN, unpaired};
 use super::shading::Shading;
 use crate::canvas::{Canvas, DepthBuffer, DepthTest, Storage, WideFloatDepth};
 use crate::mesh::Primitive;
-use crate::raster::{Blitter, Columns, DepthShift, Patch, Rows};
+use crate::raster::{Blitter, Coloring, Columns, DepthShift, Patch, Rows};
 use crate::shade::{Lanes, MOST_VARYINGS, Varyings};
 use crate::view::ProjectionKind;
 
@@ -40,7 +40,7 @@ where
     /// Whether the shader interpolates any numbers.
     const INTERPOLATES: bool = Count::<S>::COUNT > 0;
 
-    /// The answer of [`Blitter::varies`].
+    /// Whether pixels differ in more than their position.
     const VARIES: bool =
         Self::INTERPOLATES || D::IS_KEPT && (S::Test::TESTS || S::Test::WRITES) || S::READS_DEPTH;
 
@@ -53,12 +53,7 @@ where
     const PAIRS: bool = S::Varyings::PAIRS && Self::HAS_SMALL;
 
     #[inline]
-    pub(crate) fn new(
-        mode: M,
-        canvas: &'b mut Canvas<'c, S::Color, O, D>,
-        shading: S,
-        shift: DepthShift,
-    ) -> Self {
+    pub(crate) fn new(mode: M, canvas: &'b mut Canvas<'c, S::Color, O, D>, shading: S) -> Self {
         const {
             assert!(
                 Count::<S>::COUNT <= MOST_VARYINGS,
@@ -69,7 +64,7 @@ where
             canvas,
             shading,
             test: shading.test(),
-            interpolator: Interpolator::new(mode, S::Varyings::tolerance, Self::PAIRS, shift),
+            interpolator: Interpolator::new(mode, S::Varyings::tolerance, Self::PAIRS),
             face: FaceOf::<S>::default(),
         }
     }
@@ -239,12 +234,12 @@ where
     K: ProjectionKind,
     M: Mode,
 {
-    fn varies(&self) -> bool {
-        Self::VARIES
-    }
-
-    fn blends(&self) -> bool {
-        S::READS_COLOR
+    fn begin(&mut self, shift: DepthShift) -> Coloring {
+        self.interpolator.planes.setup.shift = shift;
+        Coloring {
+            varies: Self::VARIES,
+            blends: S::READS_COLOR,
+        }
     }
 
     fn set_up(&mut self, primitive: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows {

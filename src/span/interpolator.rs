@@ -11,7 +11,7 @@ use super::pixels::Span;
 use super::plan::Plan;
 use super::scale::WHOLE;
 use super::setup::{Attribute, Planes, Setup};
-use crate::raster::{DepthShift, Patch};
+use crate::raster::Patch;
 use crate::shade::{Lanes, Tolerance};
 use crate::view::ProjectionKind;
 
@@ -59,12 +59,7 @@ impl<L: Lanes, K: ProjectionKind, M: Mode> Interpolator<L, K, M> {
     };
 
     #[inline(never)]
-    pub(super) fn new(
-        mode: M,
-        tolerance: fn(usize) -> Tolerance,
-        pairs: bool,
-        shift: DepthShift,
-    ) -> Self {
+    pub(super) fn new(mode: M, tolerance: fn(usize) -> Tolerance, pairs: bool) -> Self {
         let mut lanes = L::splat(0);
         for (lane, number) in lanes.as_mut().iter_mut().enumerate() {
             *number = lane;
@@ -72,7 +67,7 @@ impl<L: Lanes, K: ProjectionKind, M: Mode> Interpolator<L, K, M> {
         Self {
             mode,
             planes: Planes {
-                setup: Setup::new([!Self::OVER_W, pairs], Self::LEAST_BITS, shift),
+                setup: Setup::new([!Self::OVER_W, pairs], Self::LEAST_BITS),
                 // The attributes are built in place. If a loop built them, they would be copied into `planes`
                 // afterwards.
                 attributes: L::map(&lanes, |&lane| Attribute {

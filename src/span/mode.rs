@@ -438,7 +438,6 @@ mod tests {
     use super::super::setup::Setup;
     use super::*;
     use crate::fx;
-    use crate::raster::DepthShift;
 
     /// Tests spans just inside and just outside of each limit.
     #[test]
@@ -538,7 +537,7 @@ mod tests {
 
     /// A triangle with this least 1/w and this change of 1/w per pixel, and attributes with scales of these bits.
     fn triangle(least: u32, step: i32, bits: [u32; 2]) -> Planes<[(); 2]> {
-        let mut setup = Setup::new([false; 2], 28, DepthShift(15));
+        let mut setup = Setup::new([false; 2], 28);
         (setup.least, setup.q.step) = (least, step);
         let attributes = bits.map(|bits| Attribute {
             scale: scale(bits),

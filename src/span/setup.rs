@@ -136,6 +136,7 @@ pub(crate) struct Setup {
     /// interpolant's unit is 2^(b − 30) units of the attribute. If a scale has more bits than its attribute needs,
     /// accuracy is lost, but interpolants need no scaling later.
     pub(super) least_bits: u32,
+    /// Set when a draw call begins.
     pub(super) shift: DepthShift,
     /// 1/w (or depth).
     pub(super) q: Gradient,
@@ -148,16 +149,12 @@ pub(crate) struct Setup {
 impl Setup {
     /// The set-up for a draw call, before the first patch.
     #[inline]
-    pub(super) const fn new(
-        [is_linear, is_paired]: [bool; 2],
-        least_bits: u32,
-        shift: DepthShift,
-    ) -> Self {
+    pub(super) const fn new([is_linear, is_paired]: [bool; 2], least_bits: u32) -> Self {
         Self {
             is_linear,
             is_paired,
             least_bits,
-            shift,
+            shift: DepthShift(15),
             q: Gradient::NONE,
             least: 0,
             down: 0,
@@ -329,7 +326,7 @@ mod tests {
             corners: [0, 100, 200],
             ..Attribute::UNSET
         }];
-        let mut setup = Setup::new([false; 2], 28, DepthShift(47));
+        let mut setup = Setup::new([false; 2], 28);
         assert_eq!(setup.set_up(&mut attributes, &patch), Plan::BySpan);
         attributes[0].scale.bits()
     }

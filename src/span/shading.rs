@@ -9,7 +9,7 @@ use crate::shade::{ColorOf, Fragment, Output, PixelFormat, Shader, Varyings};
 
 /// The source of the colors of a draw call's pixels: a [`Shader`], a [`Blending`], a [`DepthTest`] and, for [`Smooth`]
 /// lines, their coverage.
-pub(crate) trait Shading: Copy {
+pub trait Shading: Copy {
     /// The color of the canvas.
     type Color;
 
@@ -91,7 +91,7 @@ pub(crate) fn is_plane<P: Shading>(shading: &P, halves: [&Primitive<'_>; 2]) -> 
 
 /// A shader and a blending, applied to each pixel in proportion to the share of the pixel that the current line covers.
 #[derive(Clone, Copy)]
-pub(crate) struct Smooth<'l, S, B, Z> {
+pub struct Smooth<'l, S, B, Z> {
     pub(crate) shader: S,
     pub(crate) blending: B,
     pub(crate) test: Z,

@@ -21,7 +21,7 @@ use support::reference::lines::share;
 fn edges<B: Blending<Gray8>>(
     rows: u32,
     options: &DrawOptions<Newton, TestAndWrite, B>,
-    edges: impl Thing<Gray8> + Copy,
+    edges: impl Thing<Gray8>,
     mvp: &impl AsMvp,
 ) -> Vec<Seen<1>> {
     drawn(rows, &|frame, recorder| {

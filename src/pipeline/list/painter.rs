@@ -20,9 +20,9 @@ pub(super) fn sort<G: Listed, T>(
         if let Some(listing) = objects.listing(entry.element) {
             let corners = corners(entry.corners, vertices);
             let farthest = corners.map(|corner| nearness(corner, listing.depth_shift));
+            // The rows are found again below.
             let nearness = farthest.min().unwrap_or_default();
-            // The nearness replaces the rows, so that an entry needs no more memory. The rows are found again below.
-            entry.rows = [(nearness >> 16) as i16, nearness as i16];
+            entry.rows_or_nearness = [(nearness >> 16) as i16, nearness as i16];
         }
     }
     heap_sort(entries);
@@ -32,7 +32,7 @@ pub(super) fn sort<G: Listed, T>(
         for &ScreenVertex { screen: [_, y], .. } in corners(entry.corners, vertices) {
             (least, most) = (least.min(y), most.max(y));
         }
-        entry.rows = G::rows(least, most);
+        entry.rows_or_nearness = G::rows(least, most);
     }
 }
 
@@ -59,7 +59,9 @@ fn corners(corners: Corners, vertices: &[ScreenVertex]) -> impl Iterator<Item = 
 impl Entry {
     /// The entry's rank in the order: the [`nearness`] of its farthest corner, then its index.
     fn rank(&self) -> u64 {
-        let [high, low] = self.rows.map(|bits| u64::from(bits.cast_unsigned()));
+        let [high, low] = self
+            .rows_or_nearness
+            .map(|bits| u64::from(bits.cast_unsigned()));
         high << 48 | low << 32 | u64::from(self.element)
     }
 }

@@ -2,6 +2,7 @@
 
 #![allow(private_interfaces)] // of traits that only this crate calls
 
+use core::cell::Cell;
 use core::iter;
 use core::marker::PhantomData;
 use core::ops::Range;
@@ -12,19 +13,18 @@ use embedded_graphics::pixelcolor::PixelColor;
 use super::{Corners, Entry, Filling, Listed, Listing, NO_ROWS, Scene};
 use crate::canvas::{Blending, Canvas, DepthBuffer, DepthTest, Storage};
 use crate::mesh::{Indices, Mesh, Placement};
-use crate::pipeline::assemble::Assembly;
-use crate::pipeline::call::{Screen, Shared};
+use crate::pipeline::call::{Region, Screen};
 use crate::pipeline::clip::ClippedPolygon;
 use crate::pipeline::edges::EdgesOf;
-use crate::pipeline::run::Draw;
-use crate::pipeline::thing::{DrawLine, Pen};
+use crate::pipeline::thing::{DrawLine, Thing};
 use crate::pipeline::{DrawOptions, Drawn};
 use crate::raster::{
-    self, Barycentric, Blitter, ClippedVertex, Cull, DepthShift, Polygon, ScreenVertex,
+    self, Barycentric, Blitter, ClippedVertex, Cull, DepthShift, Polygon, Rasterizer, Scissor,
+    ScreenVertex,
 };
 use crate::sealed::Sealed;
 use crate::shade::ShaderFor;
-use crate::span::Mode;
+use crate::span::{Blit, Mode};
 use crate::view::{AsMvp, Mvp, Perspective, ProjectionKind};
 use crate::{Error, Transform};
 
@@ -120,13 +120,21 @@ pub struct Placed<G> {
 }
 
 impl<G: Listed> Placed<G> {
+    /// A draw call of some elements of the thing.
     #[inline]
-    pub(super) fn shared(&self, screen: &Screen, rows: &Range<u32>) -> Shared<'_> {
-        Shared {
-            mesh: self.thing.mesh(),
+    pub(super) fn run<'r>(
+        &'r self,
+        (screen, rows): Region<'_>,
+        entries: &'r [Entry],
+        vertices: &'r [ScreenVertex],
+    ) -> Run<'r> {
+        Run {
+            placement: Placement::new(self.thing.mesh(), &self.model, self.view),
             cull: screen.cull.mirrored(self.view.is_mirror),
-            placement: Placement::new(&self.model, self.view),
             scissor: screen.scissor(rows),
+            entries,
+            vertices,
+            listing: &self.listing,
         }
     }
 }
@@ -220,8 +228,7 @@ pub struct Prepared<'a, T = (), G = &'a Mesh<'a>, O = DrawOptions, K = Perspecti
     pub(super) vertices: &'a [ScreenVertex],
     /// The frame that the list was prepared for.
     pub(super) screen: Screen,
-    /// The options with which the list is drawn.
-    pub options: O,
+    pub(super) options: O,
     pub(super) kind: PhantomData<K>,
 }
 
@@ -254,6 +261,12 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
             Objects::One(..) => &[],
             Objects::Many { objects, .. } => objects,
         }
+    }
+
+    /// The options with which the list was prepared, and is drawn.
+    #[must_use]
+    pub const fn options(&self) -> &O {
+        &self.options
     }
 
     /// The parts of the list to draw in a canvas's rows, in drawing order, each with its object's material. In a sorted
@@ -307,7 +320,7 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
                 let entries = rest?;
                 let start = entries
                     .iter()
-                    .position(|entry| meets(entry.rows, G::REACH, &rows))?;
+                    .position(|entry| meets(entry.rows(), G::REACH, &rows))?;
                 let entries = entries.get(start..)?;
                 let at = object_of(objects, entries.first()?.element);
                 let next = objects.get(at.wrapping_add(1));
@@ -383,7 +396,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         shader: &impl ShaderFor<C>,
     ) -> Result<Drawn, Error>
     where
-        G: Listed<Style: Pen<C>>,
+        G: Listed + Thing<C>,
         M: Mode,
         Z: DepthTest,
         B: Blending<C>,
@@ -392,24 +405,19 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         let screen = &prepared.screen;
         screen.check(self.frame_size())?;
         let rows = self.rows().clone();
+        let region = (screen, &rows);
+        let coverage = Cell::default();
+        let options = &prepared.options;
+        let shading = G::shading((*shader, options.blending, options.depth), &coverage);
         let mut drawn = Drawn::default();
         for (_, placed, entries) in prepared.runs(&rows) {
-            let Placed { thing, listing, .. } = &placed;
-            let shared = placed.shared(screen, &rows);
-            let is_missed = !meets(listing.rows, G::REACH, &shared.scissor.rows);
-            let run = Run {
-                shared: &shared,
-                // A band that the thing misses costs one test.
-                entries: if is_missed { &[] } else { entries },
-                vertices: prepared.vertices,
-                first: listing.first,
-            };
-            let paint = (&mut *self, &prepared.options, *shader);
-            drawn += thing
-                .style()
-                .paint::<K>(paint, listing.depth_shift, |line, blitter| {
-                    thing.draw(&run, line, blitter)
-                });
+            let mut run = placed.run(region, entries, prepared.vertices);
+            // A band that the thing misses costs one test.
+            if !meets(placed.listing.rows, G::REACH, &run.scissor.rows) {
+                run.entries = &[];
+            }
+            let mut blit = Blit::<_, _, _, K, _>::new(options.mode, self, shading);
+            drawn += placed.thing.draw_listed(&run, &mut blit, &coverage);
         }
         Ok(drawn)
     }
@@ -422,53 +430,58 @@ fn meets([start, end]: [i16; 2], reach: i32, rows: &Range<i32>) -> bool {
     i32::from(start) - reach < rows.end && rows.start < i32::from(end) + reach
 }
 
-/// Elements of one thing, and the rows to draw.
+/// A draw call of elements of one thing.
 pub struct Run<'r> {
-    pub(super) shared: &'r Shared<'r>,
-    pub(super) entries: &'r [Entry],
-    pub(super) vertices: &'r [ScreenVertex],
-    /// The number of the thing's first element.
-    pub(super) first: u32,
+    pub(super) placement: Placement<'r>,
+    cull: Cull,
+    scissor: Scissor,
+    entries: &'r [Entry],
+    vertices: &'r [ScreenVertex],
+    listing: &'r Listing,
 }
 
 impl<'r> Run<'r> {
-    /// The elements within `reach` rows of the rows to draw: for each element, its index in the thing, and its corners.
     #[inline]
-    fn elements(&self, reach: i32) -> impl Iterator<Item = (usize, Corners)> + use<'r> {
-        let (shared, first) = (self.shared, self.first);
+    fn rasterizer<'b>(&'b self, blitter: &'b mut dyn Blitter) -> Rasterizer<'b> {
+        let shift = self.listing.depth_shift;
+        Rasterizer::new(blitter, shift, &self.placement, &self.scissor)
+    }
+
+    /// The elements within `reach` rows of the rows to draw. Each comes with its index in the thing.
+    #[inline]
+    fn elements(&self, reach: i32) -> impl Iterator<Item = (usize, &'r Entry)> + use<'r> {
+        let (rows, first) = (self.scissor.rows.clone(), self.listing.first);
         let entries = self.entries.iter();
-        let met = entries.filter(move |entry| meets(entry.rows, reach, &shared.scissor.rows));
-        met.map(move |entry| {
-            shared.placement.entry.set(ptr::from_ref(entry).addr());
-            (entry.element.wrapping_sub(first) as usize, entry.corners)
-        })
+        let met = entries.filter(move |entry| meets(entry.rows(), reach, &rows));
+        met.map(move |entry| (entry.element.wrapping_sub(first) as usize, entry))
     }
 
     #[inline(never)]
     pub(super) fn draw_triangles(&self, blitter: &mut dyn Blitter) -> Drawn {
-        let faces = self.shared.mesh.faces();
-        let mut draw = Draw::new(blitter, self.shared, faces.len());
-        for (face, corners) in self.elements(0) {
+        let faces = self.placement.mesh.faces();
+        let mut raster = self.rasterizer(blitter);
+        for (face, entry) in self.elements(0) {
             let Some(&indices) = faces.get(face) else {
                 continue;
             };
+            raster.begin_entry(ptr::from_ref(entry).addr());
             let indices = Indices::of_face(face, indices);
-            match corners {
+            match entry.corners {
                 Corners::Whole([a, b, c]) => {
                     let corners = (self.vertex(a), self.vertex(b), self.vertex(c));
                     if let (Some(a), Some(b), Some(c)) = corners {
                         let corners = [a, b, c];
                         let area = raster::area(&ScreenVertex::screens(corners));
-                        draw.whole(indices, corners, area);
+                        raster.whole(indices, corners, area);
                     }
                 }
                 Corners::Edge { .. } => {}
                 Corners::Clipped { first, count, .. } => {
-                    draw.clipped(indices, &self.polygon(first, count));
+                    raster.clipped(indices, &self.polygon(first, count), self.cull);
                 }
             }
         }
-        draw.drawn()
+        Drawn::new(faces.len(), &raster)
     }
 
     /// Draws edges, each by `line`. A line reaches up to `reach` rows beyond the rows of its ends.
@@ -480,9 +493,9 @@ impl<'r> Run<'r> {
         line: DrawLine<'_>,
         blitter: &mut dyn Blitter,
     ) -> Drawn {
-        let mut draw = Draw::new(blitter, self.shared, edges.count());
-        for (edge, corners) in self.elements(reach) {
-            let (is_clipped, beside) = match corners {
+        let mut raster = self.rasterizer(blitter);
+        for (edge, entry) in self.elements(reach) {
+            let (is_clipped, beside) = match entry.corners {
                 Corners::Whole(_) => continue,
                 Corners::Edge { beside, .. } => (false, beside),
                 Corners::Clipped { beside, .. } => (true, beside),
@@ -490,18 +503,19 @@ impl<'r> Run<'r> {
             let Some(indices) = edges.at(edge) else {
                 continue;
             };
-            if let Some([from, to]) = &self.ends(corners) {
+            if let Some([from, to]) = &self.ends(entry.corners) {
+                raster.begin_entry(ptr::from_ref(entry).addr());
                 let edge = (indices, beside);
-                draw.draw_thin(edge, is_clipped, |raster| line(raster, [from, to]));
+                raster.thin(edge, is_clipped, |raster| line(raster, [from, to]));
             }
         }
-        draw.drawn()
+        Drawn::new(edges.count(), &raster)
     }
 
     /// Twice the area of a triangle on the screen; 0 for an edge. If culling has left only areas of one sign, the
     /// result is 1 or -1, with this sign.
     pub(super) fn area(&self, corners: Corners) -> i64 {
-        match (self.shared.cull, corners) {
+        match (self.cull, corners) {
             (_, Corners::Edge { .. }) => 0,
             (Cull::Back, _) => -1,
             (Cull::Front, _) => 1,
@@ -549,11 +563,11 @@ impl<'r> Run<'r> {
             .get(start..start.wrapping_add(usize::from(2 * count)));
         let mut polygon = ClippedPolygon::new();
         for pair in corners.unwrap_or_default().chunks_exact(2) {
-            if let &[vertex, ScreenVertex { screen, .. }] = pair {
+            if let [vertex, stored] = pair {
                 // There is room, because clipping made no more corners than fit.
                 let _ = polygon.push(ClippedVertex {
-                    vertex,
-                    barycentric: Barycentric(screen),
+                    vertex: *vertex,
+                    barycentric: Barycentric::from_stored(stored),
                 });
             }
         }

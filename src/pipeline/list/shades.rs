@@ -5,7 +5,6 @@ use core::ptr;
 
 use heapless::Vec;
 
-use super::prepared::Run;
 use super::{Entry, Listed, Prepared};
 use crate::Error;
 use crate::mesh::{Missing, Primitive};
@@ -107,24 +106,19 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
         let mut missing = Missing::default();
         let frame = 0..self.screen.frame.height;
         for (material, placed, entries) in self.runs(&frame) {
-            let (shader, shared) = (shader_of(material), placed.shared(&self.screen, &frame));
-            let run = Run {
-                shared: &shared,
-                entries,
-                vertices: self.vertices,
-                first: placed.listing.first,
-            };
+            let shader = shader_of(material);
+            let run = placed.run((&self.screen, &frame), entries, self.vertices);
             for entry in entries {
-                let element = entry.element.wrapping_sub(run.first) as usize;
+                let element = entry.element.wrapping_sub(placed.listing.first) as usize;
                 let values = values.get_mut(index(ptr::from_ref(entry).addr(), first));
                 if let (Some(indices), Some(values)) = (placed.thing.indices(element), values) {
-                    let primitive = shared.primitive(indices, run.area(entry.corners));
+                    let primitive = run.placement.primitive(indices, run.area(entry.corners));
                     let corners = shader.varyings(&primitive);
                     let [(a, face), (b, _), (c, _)] = corners.map(Varyings::split);
                     *values = ([a, b, c], face);
                 }
             }
-            missing += shared.placement.missing.get();
+            missing += run.placement.missing.get();
         }
         Ok(Shades {
             first,
@@ -186,10 +180,9 @@ impl<S: Shader> Shader for Shaded<'_, S> {
             values,
             missing,
         } = self.shades;
-        let placement = primitive.placement;
-        match values.get(index(placement.entry.get(), first)) {
+        match values.get(index(primitive.entry, first)) {
             Some(&(numbers, face)) => {
-                placement.miss(missing);
+                primitive.placement.miss(missing);
                 numbers.map(|corner| Varyings::join(corner, face))
             }
             None => self.shader.varyings(primitive),
