@@ -172,7 +172,7 @@
 //!
 //! # Speed against accuracy
 //!
-//! A [`Mode`](mode::Mode) is a type that decides how colors, texture coordinates and other attributes are interpolated.
+//! A [`Mode`](mode::Mode) is a type that decides how colors, texture coordinates and other varyings are interpolated.
 //! You choose the mode for each draw call. The [guide to modes](guide::modes) says which mode suits which scene and
 //! core, and derives the error bounds of the modes. The [benchmarks](guide::benchmarks) say what drawing costs. The
 //! [cookbook](guide::cookbook) contains small scenes that each show one idea.
@@ -203,7 +203,7 @@
 //!             ├─ scan_convert         top-left rule, row by row
 //!             ├─ Blit::set_up         once, if a row has pixels              span/
 //!             │  ├─ Adapted::varyings what the shader wants interpolated     shade/
-//!             │  └─ Setup::set_up     the gradient of 1/w; then those of the varyings
+//!             │  └─ Setup::set_up     the plane of 1/w; then the planes of the varyings
 //!             └─ Blit::draw           row by row, in spans
 //!                ├─ Pixels::visible   depth test                             canvas/
 //!                └─ Pixels::shade
@@ -289,7 +289,7 @@ mod sealed;
 pub mod shade;
 mod span;
 
-/// How attributes are interpolated: the trait [`Mode`](mode::Mode) and its five implementations.
+/// How varyings are interpolated: the trait [`Mode`](mode::Mode) and its five implementations.
 ///
 /// [Mathematics](crate::guide::mathematics#a-triangle) explains why each pixel needs the reciprocal of 1/w, and how the
 /// faster modes avoid a division at every pixel.

@@ -61,7 +61,7 @@ use crate::{Error, Scalar};
 /// 1.3/256. Blending rounds like [`Opacity`](crate::canvas::Opacity), and dithers coarse colors. On 1-bit panels,
 /// hairlines look better.
 ///
-/// Depth and attributes vary along the longer axis, as on a hairline; beyond an end, they have the values of the end.
+/// Depth and varyings change along the longer axis, as on a hairline; beyond an end, they have the values of the end.
 /// So a pixel may have the depth of a place on the line that is up to √2 · (width + 1)/2 pixels away. If a mesh hides
 /// the lines on it, draw the mesh [`Biased`](crate::canvas::Biased) by this number of pixels, as in the example below.
 /// Or draw the outline of the mesh `Biased` toward the eye by the same number. Draw smooth lines last, with

@@ -16,7 +16,7 @@ use crate::{Error, Scalar};
 /// contains the point, even if that pixel's center lies outside.
 ///
 /// Points are drawn with a size of at least 1 and at most 255 pixels. All pixels of a square or disc have the depth and
-/// the attributes of its position.
+/// the varyings of its position.
 ///
 /// ```
 /// use fixel::prelude::*;

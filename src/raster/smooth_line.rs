@@ -113,7 +113,7 @@ pub(crate) fn smooth_line(
         rows: meet(&strip.bounds.rows, &raster.scissor.rows),
     };
 
-    // Along the longer axis, attributes and depth keep the values of an end beyond that end.
+    // Along the longer axis, varyings and depth keep the values of an end beyond that end.
     let is_steep = ax.abs_diff(bx) < ay.abs_diff(by);
     let major = |end: &ClippedVertex| {
         let [x, y] = end.vertex.screen;

@@ -4,7 +4,7 @@ use crate::mesh::Index;
 use crate::num::wide::dot;
 
 /// The least 1/w: smaller numbers are clamped to it. The rounding error in a span (at most 40 units) is below 1/32 of
-/// this number, and the scales of attributes leave room for an error of 1/32.
+/// this number, and the scales of varyings leave room for an error of 1/32.
 ///
 /// The clamp changes only corners that are more than half a million times as far away as the nearest corner.
 pub(crate) const LEAST_WEIGHT: u32 = 1 << 11;

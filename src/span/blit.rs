@@ -11,7 +11,7 @@ use super::mode::Mode;
 use super::pixels::{Count, FaceOf, Numbers, Pixels, Span, rolled};
 use super::plan::Plan;
 use super::scale::Scale;
-use super::setup::{Attribute, Planes, SPAN, unpaired};
+use super::setup::{Planes, SPAN, Varying, unpaired};
 use super::shading::Shading;
 use crate::canvas::{Canvas, DepthBuffer, DepthTest, Storage, WideFloatDepth};
 use crate::mesh::Primitive;
@@ -44,12 +44,12 @@ where
     const VARIES: bool =
         Self::INTERPOLATES || D::IS_KEPT && (S::Test::TESTS || S::Test::WRITES) || S::READS_DEPTH;
 
-    /// Whether attributes are divided by w.
+    /// Whether varyings are divided by w.
     const OVER_W: bool = Interpolator::<Count<S>, K, M>::OVER_W;
 
     const HAS_SMALL: bool = Interpolator::<Count<S>, K, M>::HAS_SMALL;
 
-    /// Whether small triangles carry two attributes in one number.
+    /// Whether small triangles carry two varyings in one number.
     const PAIRS: bool = S::Varyings::PAIRS && Self::HAS_SMALL;
 
     #[inline]
@@ -102,7 +102,7 @@ where
         }
     }
 
-    /// Draws rows of a small triangle with linear attributes.
+    /// Draws rows of a small triangle with linear varyings.
     #[inline(always)]
     fn small_rows(&mut self, first: i32, rows: &[Columns]) {
         let mut rest = (self, first, rows.iter());
@@ -124,7 +124,7 @@ where
             }
             let (x, y) = (columns.start, row);
             let pixels = blit.pixels(row, x);
-            let Planes { setup, attributes } = &blit.interpolator.planes;
+            let Planes { setup, varyings } = &blit.interpolator.planes;
             let mut span = Span::<Count<S>> {
                 q: if Self::PAIRS {
                     setup.q.at(x, y)
@@ -132,14 +132,14 @@ where
                     setup.q.small_at(x, y)
                 }
                 .cast_unsigned(),
-                p: Count::<S>::map(attributes, |p: &Attribute| p.gradient.small_at(x, y)),
+                p: Count::<S>::map(varyings, |p: &Varying| p.interpolant.small_at(x, y)),
                 dq: setup.q.step,
-                dp: Count::<S>::map(attributes, |p: &Attribute| p.gradient.step),
+                dp: Count::<S>::map(varyings, |p: &Varying| p.interpolant.step),
                 down: setup.down,
                 count: columns.len(),
             };
             match (span.p.as_mut(), span.dp.as_mut()) {
-                // The first number also holds the third attribute, so the third number is not used. If it is 0, the
+                // The first number also holds the third varying, so the third number is not used. If it is 0, the
                 // compiler drops it.
                 ([.., p], [.., dp]) if Self::PAIRS => (*p, *dp) = (0, 0),
                 _ => {}
@@ -174,11 +174,11 @@ where
         let count = (columns.end - columns.start).cast_unsigned() as usize;
         let (span, plan) = &self.interpolator.span_at(at, count);
         let mut pixels = self.pixels(row, columns.start);
-        let Planes { setup, attributes } = &self.interpolator.planes;
+        let Planes { setup, varyings } = &self.interpolator.planes;
         if S::Test::IS_BIASED {
             pixels.test = pixels.test.shifted(span.down.wrapping_sub(setup.down));
         }
-        let scales = Count::<S>::map(attributes, |p: &Attribute| p.scale);
+        let scales = Count::<S>::map(varyings, |p: &Varying| p.scale);
         let interpolator = &self.interpolator;
         let Some(cells) = self.canvas.cells(row, columns) else {
             return;
@@ -202,7 +202,7 @@ where
         }
     }
 
-    /// Turns the interpolants of a small triangle into attributes, without a division.
+    /// Turns the interpolants of a small triangle into varyings, without a division.
     #[inline(always)]
     fn restored_small(at: Point, q: u32, p: &Numbers<S>) -> Numbers<S> {
         let mut numbers = *p;
@@ -215,7 +215,7 @@ where
         }
     }
 
-    /// Turns interpolants into attributes, without a division.
+    /// Turns interpolants into varyings, without a division.
     #[inline(always)]
     fn restored(_: Point, _: u32, p: &Numbers<S>) -> Numbers<S> {
         if Self::OVER_W {

@@ -10,8 +10,8 @@ use crate::num::wide::product;
 use crate::shade::Lanes;
 
 impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
-    /// Draws a span with a reciprocal at every pixel. An attribute is p / q · 2^bits, rounded down, where p and q are
-    /// interpolants of the [`Span`], and 2^bits is the attribute's [`Scale`](super::scale::Scale).
+    /// Draws a span with a reciprocal at every pixel. A varying is p / q · 2^bits, rounded down, where p and q are
+    /// interpolants of the [`Span`], and 2^bits is the varying's [`Scale`](super::scale::Scale).
     #[inline(always)]
     pub(super) fn divide(
         self,

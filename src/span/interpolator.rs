@@ -4,18 +4,18 @@ use core::marker::PhantomData;
 
 use embedded_graphics::geometry::Point;
 
-use super::gradient::Gradient;
+use super::interpolant::Interpolant;
 use super::mode::Mode;
 use super::newton::FRACTION;
 use super::pixels::Span;
 use super::plan::Plan;
 use super::scale::WHOLE;
-use super::setup::{Attribute, Planes, Setup};
+use super::setup::{Planes, Setup, Varying};
 use crate::raster::Patch;
 use crate::shade::{Lanes, Tolerance};
 use crate::view::ProjectionKind;
 
-/// Tolerances are clamped to this number, so that four times a tolerance takes 31 bits. No attribute that is drawn
+/// Tolerances are clamped to this number, so that four times a tolerance takes 31 bits. No varying that is drawn
 /// affinely is as great as this number.
 const MOST_TOLERANCE: u32 = (1 << 29) - 1;
 const _: () = assert!(4 * MOST_TOLERANCE <= i32::MAX.cast_unsigned());
@@ -30,10 +30,10 @@ pub(super) struct Interpolator<L: Lanes, K, M> {
 }
 
 impl<L: Lanes, K: ProjectionKind, M: Mode> Interpolator<L, K, M> {
-    /// Whether attributes are divided by w.
+    /// Whether varyings are divided by w.
     pub(super) const OVER_W: bool = K::PERSPECTIVE && !matches!(M::KERNEL, Plan::Straight);
 
-    /// The plan for attributes that are not linear on the screen.
+    /// The plan for varyings that are not linear on the screen.
     pub(super) const KERNEL: Plan = if Self::OVER_W && L::COUNT > 0 {
         M::KERNEL
     } else {
@@ -41,16 +41,16 @@ impl<L: Lanes, K: ProjectionKind, M: Mode> Interpolator<L, K, M> {
     };
 
     /// Whether the mode uses wide planes only.
-    const IS_WIDE: bool = matches!(M::KERNEL, Plan::Divide);
+    const ONLY_WIDE: bool = matches!(M::KERNEL, Plan::Divide);
 
-    /// Whether a mode takes the same path for all attributes, linear or not.
+    /// Whether a mode takes the same path for all varyings, linear or not.
     const IS_UNIFORM: bool = matches!(M::KERNEL, Plan::Divide | Plan::PerPixel);
 
     /// Whether a plan may be [`Plan::Straight`].
     pub(super) const HAS_STRAIGHT: bool = L::COUNT == 0 || !Self::IS_UNIFORM;
 
     /// Whether a plan may be [`Plan::Small`].
-    pub(super) const HAS_SMALL: bool = Self::HAS_STRAIGHT && !Self::IS_WIDE;
+    pub(super) const HAS_SMALL: bool = Self::HAS_STRAIGHT && !Self::ONLY_WIDE;
 
     const LEAST_BITS: u32 = match M::KERNEL {
         Plan::Newton if Self::OVER_W => FRACTION,
@@ -68,11 +68,10 @@ impl<L: Lanes, K: ProjectionKind, M: Mode> Interpolator<L, K, M> {
             mode,
             planes: Planes {
                 setup: Setup::new([!Self::OVER_W, pairs], Self::LEAST_BITS),
-                // The attributes are built in place. If a loop built them, they would be copied into `planes`
-                // afterwards.
-                attributes: L::map(&lanes, |&lane| Attribute {
+                // The varyings are built in place. If a loop built them, they would be copied into `planes` afterwards.
+                varyings: L::map(&lanes, |&lane| Varying {
                     tolerance: mode.affine_within(tolerance(lane)).min(MOST_TOLERANCE),
-                    ..Attribute::UNSET
+                    ..Varying::UNSET
                 }),
             },
             plan: Self::KERNEL,
@@ -80,36 +79,36 @@ impl<L: Lanes, K: ProjectionKind, M: Mode> Interpolator<L, K, M> {
         }
     }
 
-    /// Sets the values of the attributes at a primitive's corners.
+    /// Sets the values of the varyings at a primitive's corners.
     #[inline]
     pub(super) fn set_corners(&mut self, [a, b, c]: [L::Of<i32>; 3]) {
         let corners = L::zip(&L::zip(&a, &b, |a, b| [*a, *b]), &c, |[a, b], c| {
             [*a, *b, *c]
         });
-        let attributes = self.planes.attributes.as_mut().iter_mut();
-        for (attribute, corners) in attributes.zip(corners.as_ref()) {
-            attribute.corners = *corners;
+        let varyings = self.planes.varyings.as_mut().iter_mut();
+        for (varying, corners) in varyings.zip(corners.as_ref()) {
+            varying.corners = *corners;
         }
     }
 
     /// Sets up the interpolants over a patch of the primitive.
     #[inline(never)]
     pub(super) fn set_up(&mut self, patch: &Patch<'_>) {
-        let Planes { setup, attributes } = &mut self.planes;
-        if Self::IS_WIDE {
-            setup.set_up_wide(attributes.as_mut(), patch);
+        let Planes { setup, varyings } = &mut self.planes;
+        if Self::ONLY_WIDE {
+            setup.set_up_wide(varyings.as_mut(), patch);
             return;
         }
-        self.plan = setup.set_up(attributes.as_mut(), patch);
+        self.plan = setup.set_up(varyings.as_mut(), patch);
         if Self::KERNEL == Plan::Straight || self.plan != Plan::BySpan {
             return;
         }
         self.plan = self.mode.of_triangle(&self.planes);
         if Self::KERNEL == Plan::PerPixel && self.plan == Plan::PerPixel {
-            let Planes { setup, attributes } = &mut self.planes;
+            let Planes { setup, varyings } = &mut self.planes;
             // Depths keep the plane that they have in all modes but `Compact`.
             let mut q = setup.q;
-            setup.set_up_wide(attributes.as_mut(), patch);
+            setup.set_up_wide(varyings.as_mut(), patch);
             q.wide = setup.q.wide;
             setup.q = q;
         }
@@ -121,19 +120,19 @@ impl<L: Lanes, K: ProjectionKind, M: Mode> Interpolator<L, K, M> {
         // A canvas has at most 2048 columns and rows, so the masks change nothing. With these two masks, the compiler
         // leaves out the same masks in each plane.
         let (x, y) = (x & 0x7fff, y & 0x7fff);
-        let at = |gradient: &Gradient| {
-            if Self::IS_WIDE {
-                gradient.wide.at(x, y)
+        let at = |interpolant: &Interpolant| {
+            if Self::ONLY_WIDE {
+                interpolant.wide.at(x, y)
             } else {
-                gradient.at(x, y)
+                interpolant.at(x, y)
             }
         };
-        let Planes { setup, attributes } = &self.planes;
+        let Planes { setup, varyings } = &self.planes;
         let mut span = Span {
             q: at(&setup.q).cast_unsigned(),
-            p: L::map(attributes, |p: &Attribute| at(&p.gradient)),
+            p: L::map(varyings, |p: &Varying| at(&p.interpolant)),
             dq: setup.q.step,
-            dp: L::map(attributes, |p: &Attribute| p.gradient.step),
+            dp: L::map(varyings, |p: &Varying| p.interpolant.step),
             down: setup.down,
             count,
         };
@@ -150,8 +149,8 @@ impl<L: Lanes, K: ProjectionKind, M: Mode> Interpolator<L, K, M> {
     pub(super) fn recomputed(&self, Point { x, y }: Point) -> (u32, L::Of<i32>) {
         let at = [x, y];
         let (q, up) = self.planes.setup.precise_q(at);
-        let p = L::map(&self.planes.attributes, |p: &Attribute| {
-            p.gradient.wide.precise(at, up)
+        let p = L::map(&self.planes.varyings, |p: &Varying| {
+            p.interpolant.wide.precise(at, up)
         });
         (q, p)
     }

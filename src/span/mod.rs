@@ -14,7 +14,7 @@
 
 mod blit;
 mod divide;
-mod gradient;
+mod interpolant;
 mod interpolator;
 mod mode;
 mod newton;

@@ -5,12 +5,13 @@
 use super::newton::{FRACTION, tangent};
 use super::pixels::Span;
 use super::plan::Plan;
-use super::setup::{Attribute, Planes, SHALLOW};
+use super::setup::{Planes, SHALLOW, Varying};
 use crate::Scalar;
 use crate::sealed::{Sealed, sealed};
 use crate::shade::{Lanes, Tolerance};
 
-/// How attributes are interpolated between a triangle's corners. The modes differ in accuracy, speed and size of code.
+/// How varyings (colors, texture coordinates, and other numbers of a shader) are interpolated between a triangle's
+/// corners. The modes differ in accuracy, speed and size of code.
 ///
 #[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
 /// [`DrawOptions::with_mode`](crate::DrawOptions::with_mode) chooses the mode of a draw call. A program links only the
@@ -25,8 +26,8 @@ use crate::shade::{Lanes, Tolerance};
 /// | [`Affine`] | no bound | additions | surfaces that face the eye or are small |
 /// | [`Compact`] | 0.001 | a 31-bit reciprocal | programs that must be small |
 ///
-/// Under a parallel projection, attributes are linear on the screen, so every mode needs only additions. Each mode
-/// draws the same pixels in bands and in whole frames, and on every target. All modes except `Compact` compute the same
+/// Under a parallel projection, varyings are linear on the screen, so every mode needs only additions. Each mode draws
+/// the same pixels in bands and in whole frames, and on every target. All modes except `Compact` compute the same
 /// depths.
 ///
 /// A span is up to 64 consecutive pixels of a row. For each span, a mode chooses one of four loops over pixels (the
@@ -46,17 +47,17 @@ use crate::shade::{Lanes, Tolerance};
     note = "a mode is `Newton`, `Fast`, `Exact`, `Affine` or `Compact`, from `fixel::mode`"
 )]
 pub trait Mode: Copy + Sealed {
-    /// The plan for attributes that are not affine. Where this plan is not possible, the mode divides at each pixel.
-    /// For attributes that are not affine, a program contains code for these two cases only.
+    /// The plan for varyings that are not affine. Where this plan is not possible, the mode divides at each pixel. For
+    /// varyings that are not affine, a program contains code for these two cases only.
     ///
     /// With [`Straight`](Plan::Straight), nothing is ever divided. With [`Divide`](Plan::Divide) or
-    /// [`PerPixel`](Plan::PerPixel), all attributes are divided. With `Divide`, all triangles, even small ones, have wide
-    /// planes (see [`Gradient`](super::gradient::Gradient)) and are drawn in the same way.
+    /// [`PerPixel`](Plan::PerPixel), all varyings are divided. With `Divide`, all triangles, even small ones, have wide
+    /// planes (see [`Interpolant`](super::interpolant::Interpolant)) and are drawn in the same way.
     #[doc(hidden)]
     const KERNEL: Plan;
 
-    /// The greatest error that an attribute may have, in units of the attribute, if a triangle is drawn without
-    /// divisions. With 0, no triangle is drawn without divisions.
+    /// The greatest error that a varying may have, in units of the varying, if a triangle is drawn without divisions.
+    /// With 0, no triangle is drawn without divisions.
     #[doc(hidden)]
     #[inline]
     fn affine_within(self, _tolerance: Tolerance) -> u32 {
@@ -92,8 +93,8 @@ const STEEPEST: u32 = 6;
 
 /// A corner with a q below this number is more than 8 to 16 times as far away as the nearest corner, because the
 /// nearest corner has a q from 2^30 to 2^31. In the scale of the nearest corner, interpolants are rounded to half a
-/// unit, and the steps of a span add an error of up to 32 units. In all, an attribute has an error of up to 56½ units.
-/// A coordinate of up to 256 texels has a [`Scale`](super::scale::Scale) of 26 bits, so a unit at the nearest corner is
+/// unit, and the steps of a span add an error of up to 32 units. In all, a varying has an error of up to 56½ units. A
+/// coordinate of up to 256 texels has a [`Scale`](super::scale::Scale) of 26 bits, so a unit at the nearest corner is
 /// at most 2^-4 · 2^-16 texel. A unit grows with the distance: at 16 times the distance, the error is at most 56½ ·
 /// 2^-16 texel. (0.001 texel is 65½ · 2^-16 texel.)
 const DEEP: u32 = 1 << 27;
@@ -112,11 +113,11 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
 
 /// Perspective-correct, with the exact [`reciprocal`](crate::num::reciprocal) of 1/w at every pixel.
 ///
-/// No pixel depends on the pixels before it. An attribute is computed from the span's interpolants (1/w, and the
-/// attributes divided by w), and rounded down to its unit; the reciprocal adds a relative error below 2⁻³⁰. If a
-/// triangle's farthest corner is many times as far away as its nearest corner, the interpolants of each pixel are
-/// computed anew, in 64 bits. (The limit depends on the triangle: it is 8 to 16 times.) So the error stays within a
-/// thousandth of a texel, for a texture of 256 texels and depth ratios of up to 1,000 within a triangle.
+/// No pixel depends on the pixels before it. A varying is computed from the span's interpolants (1/w, and the varyings
+/// divided by w), and rounded down to its unit; the reciprocal adds a relative error below 2⁻³⁰. If a triangle's
+/// farthest corner is many times as far away as its nearest corner, the interpolants of each pixel are computed anew,
+/// in 64 bits. (The limit depends on the triangle: it is 8 to 16 times.) So the error stays within a thousandth of a
+/// texel, for a texture of 256 texels and depth ratios of up to 1,000 within a triangle.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Exact};
@@ -161,12 +162,12 @@ impl Mode for Compact {
     const KERNEL: Plan = Plan::Divide;
 }
 
-/// Attributes are linear on the screen. This is correct under a parallel projection.
+/// Varyings are linear on the screen. This is correct under a parallel projection.
 ///
 #[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
 /// Under perspective, `Affine` bends textures; no other mode does. Use it for surfaces that face the eye, are small, or
-/// are far away relative to their size. Rounding adds an error of up to 37 units to an attribute (for a texture
-/// coordinate, a two-thousandth of a texel). If the attribute exceeds 2²⁸ units (4096 texels) in the triangle, the
+/// are far away relative to their size. Rounding adds an error of up to 37 units to a varying (for a texture
+/// coordinate, a two-thousandth of a texel). If the varying exceeds 2²⁸ units (4096 texels) in the triangle, the
 /// rounding error is up to four times as large.
 ///
 /// ```
@@ -187,7 +188,7 @@ impl Mode for Affine {
 /// Let δ be the relative change of 1/w from one pixel to the next. Linear extrapolation from the reciprocals of 1/w at
 /// two pixels has a relative error of 2δ² at the third pixel; one Newton step squares this error. This path requires δ
 /// ≤ 2⁻⁶, so the reciprocal has a relative error of at most 2⁻²¹. A span with a greater δ is drawn with a reciprocal at
-/// every pixel, as in [`Compact`]. Rounding adds an error of up to 57 units to an attribute (for a texture coordinate,
+/// every pixel, as in [`Compact`]. Rounding adds an error of up to 57 units to a varying (for a texture coordinate,
 /// less than 0.0008 texels). The error of [`Compact`] comes on top of both errors.
 ///
 /// Where division makes no visible difference, this mode does not divide:
@@ -219,7 +220,7 @@ const TEXEL_TOLERANCE: u32 = 16;
 /// The most bits that |q′| may have in a row along which 1/w hardly changes.
 const LEVEL: u32 = 8;
 
-/// Whether 1/w changes so little along a row that attributes are linear to within 2^-12 texel, which is 2^4 units.
+/// Whether 1/w changes so little along a row that varyings are linear to within 2^-12 texel, which is 2^4 units.
 ///
 /// Take the tangent to f in the middle of 64 pixels. At the ends, 32 pixels away, f deviates from the tangent by |f′| ·
 /// δ · 32². As a fraction of 2^28 units, |f| is at most half, so f′ = (p′ − f · q′) / q is at most (|p′| + |q′|) / q.
@@ -254,13 +255,13 @@ impl Mode for Newton {
 
     #[inline]
     fn of_triangle<L: Lanes>(self, planes: &Planes<L>) -> Plan {
-        let Planes { setup, attributes } = planes;
-        if !L::all(attributes, |p: &Attribute| p.scale.bits() <= FRACTION) {
+        let Planes { setup, varyings } = planes;
+        if !L::all(varyings, |p: &Varying| p.scale.bits() <= FRACTION) {
             return Plan::Divide;
         }
         let is_gentle = setup.least > SHALLOW
             && setup.q.step.unsigned_abs() <= setup.least >> STEEPEST
-            && L::all(attributes, |p: &Attribute| p.scale.bits() == FRACTION);
+            && L::all(varyings, |p: &Varying| p.scale.bits() == FRACTION);
         if is_gentle {
             Plan::Newton
         } else {
@@ -276,12 +277,12 @@ impl Mode for Newton {
             };
             (span.q, span.dq) = (span.q << up, span.dq << up);
             span.down = span.down.saturating_add(up);
-            let scaled = |p: &i32, attribute: &Attribute| {
-                let (left, right) = attribute.scale.to(FRACTION, up);
+            let scaled = |p: &i32, varying: &Varying| {
+                let (left, right) = varying.scale.to(FRACTION, up);
                 nearest(*p << left, right)
             };
-            span.p = L::zip(&span.p, &planes.attributes, scaled);
-            span.dp = L::zip(&span.dp, &planes.attributes, scaled);
+            span.p = L::zip(&span.p, &planes.varyings, scaled);
+            span.dp = L::zip(&span.dp, &planes.varyings, scaled);
         }
         if is_level(span) {
             tangent(span);
@@ -295,9 +296,9 @@ impl Mode for Newton {
 /// Perspective-correct at the ends of straight pieces, and linear between the ends. Pieces are as long as a tolerance
 /// allows.
 ///
-/// In a piece of L pixels, let f′ be the change of an attribute per pixel, and δ the relative change of 1/w per pixel.
-/// The straight line has an error of |f′| · δ · L² / 4. Pieces have 64, 32, 16, 8, 4 or 2 pixels: the greatest length
-/// that keeps this error within the tolerance everywhere in the triangle, and δ · L at or below 1/16.
+/// In a piece of L pixels, let f′ be the change of a varying per pixel, and δ the relative change of 1/w per pixel. The
+/// straight line has an error of |f′| · δ · L² / 4. Pieces have 64, 32, 16, 8, 4 or 2 pixels: the greatest length that
+/// keeps this error within the tolerance everywhere in the triangle, and δ · L at or below 1/16.
 ///
 /// The reciprocals at the ends have 16 bits, and two Newton steps compute each reciprocal from the one before. So a
 /// piece needs no division and no 64-bit product. This makes `Fast` the mode for cores on which these operations are
@@ -307,14 +308,14 @@ impl Mode for Newton {
 ///
 /// For a texture coordinate, the tolerance is in texels, for a texture of any size. For a color, the tolerance is in
 /// steps of a channel (a channel of an [`Rgb565`](embedded_graphics::pixelcolor::Rgb565) has 32 or 64 values). For
-/// other varyings, the tolerance is in multiples of 2^16. In addition, an attribute has an error of up to 2^-13 of its
+/// other varyings, the tolerance is in multiples of 2^16. In addition, a varying has an error of up to 2^-13 of its
 /// greatest value in the triangle: 1/32 texel if a texture of 256 texels is seen once, more if it repeats.
 ///
 /// A triangle that hardly changes in depth is a single piece if two conditions hold: the error of texture coordinates
 /// is within the tolerance, and the error of other varyings is within the shader's own tolerance
 /// ([`Varyings`](crate::shade::Varyings)).
 ///
-/// Pieces end within the triangle, so only rounding moves an attribute beyond the values at the corners.
+/// Pieces end within the triangle, so only rounding moves a varying beyond the values at the corners.
 ///
 /// ```
 /// use fixel::mode::Fast;
@@ -328,7 +329,7 @@ pub struct Fast {
     tolerance: u32,
 }
 
-/// The most bits of an attribute's scale in pieces.
+/// The most bits of a varying's scale in pieces.
 const MOST_BITS: u32 = 28;
 
 impl Fast {
@@ -347,20 +348,20 @@ impl Fast {
     }
 
     /// The plan for the longest pieces that the tolerance allows; `None` if even two pixels are too many, or if
-    /// attributes have too many bits. `least` is the least q. It is given before the shift by `up` that the caller will
+    /// varyings have too many bits. `least` is the least q. It is given before the shift by `up` that the caller will
     /// apply to all values.
     #[inline]
     fn pieces<L: Lanes>(self, least: u32, planes: &Planes<L>, up: u32) -> Option<Plan> {
-        let Planes { setup, attributes } = planes;
-        if self.tolerance == 0 || !L::all(attributes, |p: &Attribute| p.scale.bits() <= MOST_BITS) {
+        let Planes { setup, varyings } = planes;
+        if self.tolerance == 0 || !L::all(varyings, |p: &Varying| p.scale.bits() <= MOST_BITS) {
             return None;
         }
         let step = setup.q.step.unsigned_abs();
         let mut most = 0;
-        L::map(attributes, |p: &Attribute| {
+        L::map(varyings, |p: &Varying| {
             // |f′| = |p′ − f · q′| / q. As a fraction of 2^bits units, |f| is at most half, so |f′| is at most `gain` /
-            // q. `most` is the greatest |f′| of all attributes, in units of 2^28 / q.
-            let gain = p.gradient.step.unsigned_abs().saturating_add(step >> 1);
+            // q. `most` is the greatest |f′| of all varyings, in units of 2^28 / q.
+            let gain = p.interpolant.step.unsigned_abs().saturating_add(step >> 1);
             most = most.max((gain >> (MOST_BITS.wrapping_sub(p.scale.bits()) & 31)) + 1);
         });
         let shifted = |value: u32| value << up.min(value.leading_zeros());
@@ -371,8 +372,8 @@ impl Fast {
     /// The length of pieces as the exponent of a power of two, 1 to 6; `None` if even two pixels are too many.
     #[inline(never)]
     fn length_at(self, least: u32, step: u32, gain: u32) -> Option<u32> {
-        // `slope` is δ in units of 2^-16, and `gain` is f′ in units of the attribute; both are rounded up. `least` has
-        // 30 or 31 bits.
+        // `slope` is δ in units of 2^-16, and `gain` is f′ in units of the varying; both are rounded up. `least` has 30
+        // or 31 bits.
         let divisor = (least >> 15).max(1 << 14);
         let slope = u64::from(step.div_ceil(divisor >> 1));
         let gain = u64::from(gain / divisor + 1) << (MOST_BITS - 15);
@@ -495,7 +496,7 @@ mod tests {
             let same = [[dq, -dp], [-dq, dp], [-dq, -dp]]
                 .map(|[dq, dp]| is_level(&span::<[(); 1]>(dq, [dp])));
             assert_eq!(same, [level; 3], "{dq} {dp}");
-            // Every attribute counts.
+            // Every varying counts.
             let two = [[dp, 0], [0, dp]].map(|dp| is_level(&span::<[(); 2]>(dq, dp)));
             assert_eq!(two, [level; 2], "{dq} {dp}");
             level
@@ -535,15 +536,15 @@ mod tests {
         scale
     }
 
-    /// A triangle with this least 1/w and this change of 1/w per pixel, and attributes with scales of these bits.
+    /// A triangle with this least 1/w and this change of 1/w per pixel, and varyings with scales of these bits.
     fn triangle(least: u32, step: i32, bits: [u32; 2]) -> Planes<[(); 2]> {
         let mut setup = Setup::new([false; 2], 28);
         (setup.least, setup.q.step) = (least, step);
-        let attributes = bits.map(|bits| Attribute {
+        let varyings = bits.map(|bits| Varying {
             scale: scale(bits),
-            ..Attribute::UNSET
+            ..Varying::UNSET
         });
-        Planes { setup, attributes }
+        Planes { setup, varyings }
     }
 
     #[test]

@@ -8,7 +8,7 @@ use crate::num::reciprocal;
 use crate::num::wide::{Word, high, newton_step, product, seldom};
 use crate::shade::Lanes;
 
-/// The number of bits of every attribute's scale in this kernel: p / q is an attribute with this many fraction bits.
+/// The number of bits of every varying's scale in this kernel: p / q is a varying with this many fraction bits.
 pub(super) const FRACTION: u32 = Scale::AFFINE.bits();
 
 impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
@@ -20,7 +20,7 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
     pub(super) fn newton(mut self, span: &Span<Count<S>>, mut cells: Cells<'_, S::Color, O, D>) {
         let span = span.reloaded();
         let Span { dq, dp, down, .. } = span;
-        // q is from 2^29 to 2^31, and so is r = 2^60 / q; p is the attribute times q · 2^-28.
+        // q is from 2^29 to 2^31, and so is r = 2^60 / q; p is the varying times q · 2^-28.
         let first = inverse(span.q.cast_signed());
         let wide = |n: &i32| Word::from(*n);
         let (mut q, mut p) = (wide(&span.q.cast_signed()), Count::<S>::map(&span.p, wide));
@@ -47,9 +47,9 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
     }
 }
 
-/// Makes a span linear: replaces each p by four times the attribute at the first pixel, and each step of p by four
-/// times the attribute's change per pixel. The linear values are the tangent to the exact attribute in the middle of
-/// the span. Rounding adds an error of up to 12½ units to an attribute.
+/// Makes a span linear: replaces each p by four times the varying at the first pixel, and each step of p by four times
+/// the varying's change per pixel. The linear values are the tangent to the exact varying in the middle of the span.
+/// Rounding adds an error of up to 12½ units to a varying.
 #[inline(always)]
 pub(super) fn tangent<L: Lanes>(span: &mut Span<L>) {
     let middle = (span.count as u32 >> 1).cast_signed();
@@ -58,7 +58,7 @@ pub(super) fn tangent<L: Lanes>(span: &mut Span<L>) {
         .cast_signed()
         .wrapping_add(span.dq.wrapping_mul(middle));
     let (r, dq) = (inverse(q), span.dq);
-    // The attributes p / q in the middle of the span, in units of 2^-30.
+    // The varyings p / q in the middle of the span, in units of 2^-30.
     let values = L::zip(&span.p, &span.dp, |p, gain| {
         multiply_30(p.wrapping_add(gain.wrapping_mul(middle)), r)
     });
@@ -106,7 +106,7 @@ mod tests {
             let (pixels, middle) = (64, 32);
             // 1/w is at least 2^29 at all pixels.
             let q = (1 << 29) + (64 << 8) + (rest & ((1 << size) - 1));
-            // Attributes over w stay within half of 1/w.
+            // Varyings over w stay within half of 1/w.
             let most = ((1 << 24) / dq.abs().max(1)).min(1 << 22) - dq.abs() - 1;
             let step = if gain == 0 { rest % most } else { gain * most };
             let mut span: Span<[(); 1]> = Span {

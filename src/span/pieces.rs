@@ -1,4 +1,4 @@
-//! Straight pieces. At their ends, attributes are correct in perspective.
+//! Straight pieces. At their ends, varyings are correct in perspective.
 
 use super::pixels::{Count, Numbers, Pixels, Scales, Span, rolled};
 use super::shading::Shading;
@@ -27,10 +27,10 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
         let (dq, dp, down) = (span.dq, span.dp, span.down);
         let (mut q, mut p, mut left) = (span.q, span.p, span.count as u32);
         let mut inverse = short_reciprocal(q >> 15);
-        let mut values = attributes::<S>(&p, &scales, inverse);
+        let mut values = varyings::<S>(&p, &scales, inverse);
         loop {
-            // A piece ends where the next piece begins. The last piece ends at the span's last pixel, because
-            // attributes may have any value beyond the span.
+            // A piece ends where the next piece begins. The last piece ends at the span's last pixel, because varyings
+            // may have any value beyond the span.
             let count = 1 << length;
             let is_last = left <= count;
             let pixels_on = if is_last { left.wrapping_sub(1) } else { count };
@@ -39,7 +39,7 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
             let p_end =
                 Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(step.wrapping_mul(ahead)));
             inverse = refined(q_end, inverse);
-            let at_end = attributes::<S>(&p_end, &scales, inverse);
+            let at_end = varyings::<S>(&p_end, &scales, inverse);
             let gains = Count::<S>::zip(&at_end, &values, |end, value| {
                 let change = end.wrapping_sub(*value);
                 if is_last {
@@ -100,9 +100,9 @@ fn divided(change: i32, n: u32) -> i32 {
     (product(change, RECIPROCALS[(n & 63) as usize]) >> 30) as i32
 }
 
-/// The attributes at a pixel, where `inverse` is the reciprocal of 1/w.
+/// The varyings at a pixel, where `inverse` is the reciprocal of 1/w.
 #[inline]
-fn attributes<S: Shading>(p: &Numbers<S>, scales: &Scales<S>, inverse: u32) -> Numbers<S> {
+fn varyings<S: Shading>(p: &Numbers<S>, scales: &Scales<S>, inverse: u32) -> Numbers<S> {
     Count::<S>::zip(p, scales, |p, scale| {
         // `inverse` is 2^46 / q, and p is already divided by 4, so the product is p / q in units of 2^-44.
         times_17_bits(*p, inverse) >> (30u32.wrapping_sub(scale.bits()) & 31)

@@ -26,7 +26,7 @@ pub(super) type FaceOf<S> = <<S as Shading>::Varyings as Varyings>::Face;
 /// Interpolants at the first pixel of a span, and their change from one pixel to the next.
 ///
 /// `q` is 1/w (or depth under a parallel projection), scaled so that the greatest `q` in the primitive has bit 30 set.
-/// Each `p` is attribute · q · 2^-bits (see [`Scale`]), so |p| is at most q/2, apart from rounding.
+/// Each `p` is varying · q · 2^-bits (see [`Scale`]), so |p| is at most q/2, apart from rounding.
 #[derive(Clone)]
 pub(crate) struct Span<L: Lanes> {
     pub q: u32,

@@ -1,6 +1,6 @@
 //! How the pixels of a triangle or a span are computed, and how a draw call decides it.
 //!
-//! Notation, for values along a row of pixels: f is an attribute, q is 1/w, and p is f · q. f′, q′ and p′ are their
+//! Notation, for values along a row of pixels: f is a varying, q is 1/w, and p is f · q. f′, q′ and p′ are their
 //! changes from one pixel to the next, and δ = |q′| / q. q is scaled so that its greatest value in a triangle has bit
 //! 30 set.
 //!
@@ -8,20 +8,20 @@
 //!
 //! 1. Under a parallel projection and in mode [`Affine`](super::Affine), nothing is divided: the triangle's spans are
 //!    straight.
-//! 2. If the triangle's attributes are affine (linear on the screen) within the mode's tolerance
+//! 2. If the triangle's varyings are affine (linear on the screen) within the mode's tolerance
 //!    ([`Mode::affine_within`](super::Mode::affine_within)), the triangle's spans are straight, too. The inequality stands at
-//!    `Attribute::is_affine` in setup.rs.
+//!    `Varying::is_affine` in setup.rs.
 //! 3. The mode chooses ([`Mode::of_triangle`](super::Mode::of_triangle)), and may choose again for each span ([`Mode::of_span`](super::Mode::of_span)).
 
 /// How the pixels of a triangle or a span are computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Plan {
-    /// For a triangle with small planes: attributes are linear, and a row is a single span.
+    /// For a triangle with small planes: varyings are linear, and a row is a single span.
     Small,
-    /// Attributes are linear along the span. In a draw call that may divide attributes by w elsewhere, the attributes
-    /// along this span are interpolated multiplied by 4.
+    /// Varyings are linear along the span. In a draw call that may divide varyings by w elsewhere, the varyings along
+    /// this span are interpolated multiplied by 4.
     Straight,
-    /// Attributes are linear along the span, but each attribute has its own scale, which is undone at each pixel.
+    /// Varyings are linear along the span, but each varying has its own scale, which is undone at each pixel.
     Scaled,
     /// For triangles only: each span of the triangle has its own plan.
     BySpan,

@@ -1,10 +1,10 @@
-//! Attributes as fractions of a power of two, the form in which they are interpolated.
+//! Varyings as fractions of a power of two, the form in which they are interpolated.
 
 use crate::num::wide::product;
 
-/// The power of two, 2^bits, by which an attribute is divided to become a fraction. `bits` is 1 to 32.
+/// The power of two, 2^bits, by which a varying is divided to become a fraction. `bits` is 1 to 32.
 ///
-/// |attribute| · 17/16 < 2^(bits − 1), so the fraction attribute · 2^-bits is below 1/2, even after interpolation has
+/// |varying| · 17/16 < 2^(bits − 1), so the fraction varying · 2^-bits is below 1/2, even after interpolation has
 /// added its rounding errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Scale {
@@ -12,20 +12,20 @@ pub(crate) struct Scale {
 }
 
 impl Scale {
-    /// All bits 0: the scale of an attribute before its first triangle.
+    /// All bits 0: the scale of a varying before its first triangle.
     pub(crate) const UNSET: Self = Self { bits: 0 };
 
-    /// The scale of all attributes of a triangle that is drawn affinely in a mode that divides.
+    /// The scale of all varyings of a triangle that is drawn affinely in a mode that divides.
     pub(crate) const AFFINE: Self = Self { bits: 28 };
 
-    /// The left shift of the attributes of an affine triangle, so that interpolation rounds only fractions of their
+    /// The left shift of the varyings of an affine triangle, so that interpolation rounds only fractions of their
     /// units.
     pub(crate) const AFFINE_UP: u32 = 30 - Self::AFFINE.bits;
 
     /// The greatest magnitude that fits [`AFFINE`](Self::AFFINE), or a little less.
     pub(crate) const MOST_AFFINE: i32 = (1 << (Self::AFFINE.bits - 1)) / 17 * 16;
 
-    /// The scale, of at least `least_bits`, for an attribute with the greatest magnitude `most`.
+    /// The scale, of at least `least_bits`, for a varying with the greatest magnitude `most`.
     #[inline]
     fn of(most: u32, least_bits: u32) -> Self {
         let bits = 33 - (most + (most >> 4)).leading_zeros();
@@ -34,7 +34,7 @@ impl Scale {
         }
     }
 
-    /// The number of bits of the attribute, 1 to 32: its magnitude is below 2^(bits − 1).
+    /// The number of bits of the varying, 1 to 32: its magnitude is below 2^(bits − 1).
     #[inline]
     #[must_use]
     pub(crate) const fn bits(self) -> u32 {
@@ -52,9 +52,9 @@ impl Scale {
         )
     }
 
-    /// Turns a fraction in units of 2^-30 back into the attribute, rounded down.
+    /// Turns a fraction in units of 2^-30 back into the varying, rounded down.
     ///
-    /// Interpolants have 30 bits, so the left shift for an attribute of more bits loses nothing.
+    /// Interpolants have 30 bits, so the left shift for a varying of more bits loses nothing.
     #[inline]
     #[must_use]
     pub(crate) const fn restore(self, fraction: i32) -> i32 {
@@ -66,14 +66,14 @@ impl Scale {
     }
 }
 
-/// The number of bits of the scale with which an interpolant has the same unit as its attribute.
+/// The number of bits of the scale with which an interpolant has the same unit as its varying.
 pub(crate) const WHOLE: u32 = 30;
 
-/// The weight of an attribute that is not divided by w.
+/// The weight of a varying that is not divided by w.
 pub(crate) const ONE: u32 = 1 << 30;
 
-/// Replaces an attribute's values at the corners by attribute · weight · 2^-bits, rounded to nearest, and returns the
-/// scale 2^bits. Weights are below 2³¹.
+/// Replaces a varying's values at the corners by varying · weight · 2^-bits, rounded to nearest, and returns the scale
+/// 2^bits. Weights are below 2³¹.
 #[inline]
 pub(crate) fn weigh(values: &mut [i32; 3], weights: &[u32; 3], least_bits: u32) -> Scale {
     let [a, b, c] = values.map(i32::unsigned_abs);

@@ -1,6 +1,6 @@
-//! The set-up of a primitive: the gradients on the screen of 1/w, and of the attributes divided by w.
+//! The set-up of a primitive: the planes of 1/w, and of the varyings divided by w.
 
-use super::gradient::{Basis, Gradient};
+use super::interpolant::{Basis, Interpolant};
 use super::plan::Plan;
 use super::scale::{ONE, Scale, WHOLE, weigh};
 use crate::num::wide::product;
@@ -17,28 +17,28 @@ pub(super) const SPAN: i32 = 64;
 /// nearest corner's 1/w lies between 2^30 and 2^31. (The value is 2^29 plus the rounding error at a pixel.)
 pub(super) const SHALLOW: u32 = (1 << 29) + 64;
 
-/// An attribute that is interpolated over a primitive.
+/// A number that a shader interpolates over a primitive.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Attribute {
-    /// The attribute's values at the corners of the mesh's triangle.
+pub(crate) struct Varying {
+    /// The varying's values at the corners of the mesh's triangle.
     pub(super) corners: [i32; 3],
-    /// The greatest error that the attribute may have if the triangle is drawn affinely.
+    /// The greatest error that the varying may have if the triangle is drawn affinely.
     pub(super) tolerance: u32,
-    /// The attribute over w, or the attribute itself.
-    pub(super) gradient: Gradient,
+    /// The varying over w, or the varying itself.
+    pub(super) interpolant: Interpolant,
     pub(super) scale: Scale,
 }
 
-impl Attribute {
-    /// All bits 0: an attribute before the first triangle.
+impl Varying {
+    /// All bits 0: a varying before the first triangle.
     pub(super) const UNSET: Self = Self {
         corners: [0; 3],
         tolerance: 0,
-        gradient: Gradient::NONE,
+        interpolant: Interpolant::NONE,
         scale: Scale::UNSET,
     };
 
-    /// The attribute's values at the vertices of a patch.
+    /// The varying's values at the vertices of a patch.
     #[inline]
     fn at(&self, patch: &Patch<'_>) -> [i32; 3] {
         match patch.barycentric {
@@ -57,7 +57,7 @@ impl Attribute {
         ]
     }
 
-    /// The range of the attribute's values; `None` if they are too large for [`Scale::AFFINE`].
+    /// The range of the varying's values; `None` if they are too large for [`Scale::AFFINE`].
     #[inline]
     fn affine_range(&self) -> Option<u32> {
         let [a, b, c] = self.corners;
@@ -66,11 +66,11 @@ impl Attribute {
         fits.then(|| (high - low).cast_unsigned())
     }
 
-    /// Whether the attribute may be interpolated without regard to 1/w. `range` is the attribute's range, `least` is
-    /// the least 1/w, and `change` is the range of 1/w.
+    /// Whether the varying may be interpolated without regard to 1/w. `range` is the varying's range, `least` is the
+    /// least 1/w, and `change` is the range of 1/w.
     ///
-    /// Let q be 1/w and f the attribute, both at the corners, and λ the barycentric weights of a pixel, which add up
-    /// to 1. The affine value is Σλf, the exact value is Σλqf / Σλq. Their difference is the covariance of q and f,
+    /// Let q be 1/w and f the varying, both at the corners, and λ the barycentric weights of a pixel, which add up to
+    /// 1. The affine value is Σλf, the exact value is Σλqf / Σλq. Their difference is the covariance of q and f,
     /// weighted by λ, divided by the mean Σλq. The covariance is at most a quarter of the product of the ranges of q
     /// and f, and the mean is at least `least`. So the error is at most `change` · range of f / (4 · `least`), which
     /// must be below the tolerance.
@@ -81,7 +81,7 @@ impl Attribute {
     }
 }
 
-/// The plan for attributes that are linear.
+/// The plan for varyings that are linear.
 const fn straight(is_small: bool) -> Plan {
     if is_small {
         Plan::Small
@@ -98,15 +98,15 @@ const fn signed([a, b, c]: [u32; 3]) -> [i32; 3] {
 /// The right shift that turns a level, of 5 bits and 16 fraction bits, into half of a pair.
 const PAIR_DOWN: u32 = 5;
 
-/// The three attributes at a pixel, from `pair` (the first and the third attribute) and `second` (the second attribute,
+/// The three varyings at a pixel, from `pair` (the first and the third varying) and `second` (the second varying,
 /// [shifted left](Scale::AFFINE_UP)).
 ///
-/// The first attribute is the lower half of the pair, because its five bits of whole steps are then the bits in which
+/// The first varying is the lower half of the pair, because its five bits of whole steps are then the bits in which
 /// RGB565 has red.
 ///
-/// The first and the third attribute are levels raised by half a step: from ½ to 31½ steps. The unit of a half is 2^-11
-/// step. A coarse plane has an error of [67½ units](super::gradient), and the bits that are cut add one unit. Together,
-/// this is a thirtieth of a step, so a half stays between 0 and 2^16.
+/// The first and the third varying are levels raised by half a step: from ½ to 31½ steps. The unit of a half is 2^-11
+/// step. A coarse plane has an error of [67½ units](super::interpolant), and the bits that are cut add one unit.
+/// Together, this is a thirtieth of a step, so a half stays between 0 and 2^16.
 #[inline]
 pub(super) const fn unpaired(pair: i32, second: i32) -> [i32; 3] {
     let upper = (pair.cast_unsigned() >> 16).cast_signed();
@@ -120,26 +120,26 @@ pub(super) const fn unpaired(pair: i32, second: i32) -> [i32; 3] {
 /// The interpolants of a primitive.
 pub(crate) struct Planes<L: Lanes> {
     pub(super) setup: Setup,
-    pub(super) attributes: L::Of<Attribute>,
+    pub(super) varyings: L::Of<Varying>,
 }
 
-/// The values that all attributes of a primitive share, and the interpolant of 1/w (or depth).
+/// The values that all varyings of a primitive share, and the interpolant of 1/w (or depth).
 #[derive(Debug)]
 pub(crate) struct Setup {
-    /// Whether attributes are interpolated directly, as fractions in units of 2⁻³⁰; otherwise, attributes over w are
+    /// Whether varyings are interpolated directly, as fractions in units of 2⁻³⁰; otherwise, varyings over w are
     /// interpolated.
     pub(super) is_linear: bool,
-    /// Whether there are three attributes, and the first and the third are [paired](unpaired) in triangles that are not
+    /// Whether there are three varyings, and the first and the third are [paired](unpaired) in triangles that are not
     /// large.
     pub(super) is_paired: bool,
     /// The least number of bits of a [`Scale`] in triangles where 1/w changes less than fourfold. With b bits, an
-    /// interpolant's unit is 2^(b − 30) units of the attribute. If a scale has more bits than its attribute needs,
-    /// accuracy is lost, but interpolants need no scaling later.
+    /// interpolant's unit is 2^(b − 30) units of the varying. If a scale has more bits than its varying needs, accuracy
+    /// is lost, but interpolants need no scaling later.
     pub(super) least_bits: u32,
     /// Set when a draw call begins.
     pub(super) shift: DepthShift,
     /// 1/w (or depth).
-    pub(super) q: Gradient,
+    pub(super) q: Interpolant,
     /// The least 1/w of the corners. The greatest 1/w has bit 30 set.
     pub(super) least: u32,
     /// Right shift that turns an interpolant of 1/w into a depth: 15 to 47.
@@ -155,19 +155,19 @@ impl Setup {
             is_paired,
             least_bits,
             shift: DepthShift(15),
-            q: Gradient::NONE,
+            q: Interpolant::NONE,
             least: 0,
             down: 0,
         }
     }
 
-    /// Sets up all interpolants through the vertices of a patch, and returns their plan: [`Plan::BySpan`] if attributes
+    /// Sets up all interpolants through the vertices of a patch, and returns their plan: [`Plan::BySpan`] if varyings
     /// must be divided.
     ///
-    /// One copy of this code serves any number of attributes, because a copy for each number would be most of a small
+    /// One copy of this code serves any number of varyings, because a copy for each number would be most of a small
     /// program.
     #[inline(never)]
-    pub(super) fn set_up(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) -> Plan {
+    pub(super) fn set_up(&mut self, varyings: &mut [Varying], patch: &Patch<'_>) -> Plan {
         let (q, exponent) = ScreenVertex::weights(patch.vertices);
         self.down = self.shift.of(exponent);
         let [first, second, third] = q;
@@ -178,10 +178,10 @@ impl Setup {
         let affine = if self.is_linear && !self.is_paired {
             None
         } else {
-            self.affine_range(attributes, change)
+            self.affine_range(varyings, change)
         };
         let affine = affine.map(|range| range << Scale::AFFINE_UP);
-        match (affine, &mut *attributes) {
+        match (affine, &mut *varyings) {
             (Some(range), [first, second, third])
                 if self.is_paired
                     && basis.is_coarse(range)
@@ -190,34 +190,34 @@ impl Setup {
             {
                 let cut = |[a, b, c]: [i32; 3]| [a >> PAIR_DOWN, b >> PAIR_DOWN, c >> PAIR_DOWN];
                 let plane = basis.small(second.corners, Scale::AFFINE_UP);
-                second.gradient.set(plane);
+                second.interpolant.set(plane);
                 let (lower, upper) = (cut(first.corners), cut(third.corners));
                 let plane = basis.small(lower, 0).paired(basis.small(upper, 0));
-                first.gradient.set(plane);
+                first.interpolant.set(plane);
                 Plan::Small
             }
-            (Some(range), attributes) if basis.is_small(range) && patch.barycentric.is_none() => {
-                for attribute in attributes {
-                    attribute.scale = Scale::AFFINE;
-                    let plane = basis.small(attribute.corners, Scale::AFFINE_UP);
-                    attribute.gradient.set(plane);
+            (Some(range), varyings) if basis.is_small(range) && patch.barycentric.is_none() => {
+                for varying in varyings {
+                    varying.scale = Scale::AFFINE;
+                    let plane = basis.small(varying.corners, Scale::AFFINE_UP);
+                    varying.interpolant.set(plane);
                 }
                 straight(self.q.is_small)
             }
             _ => {
                 let is_affine = affine.is_some() && !self.is_linear;
-                self.set_up_attributes(attributes, &mut basis, (q, is_affine), patch)
+                self.set_up_varyings(varyings, &mut basis, (q, is_affine), patch)
             }
         }
     }
 
-    /// The widest range of the attributes, if all may be interpolated without regard to 1/w.
+    /// The widest range of the varyings, if all may be interpolated without regard to 1/w.
     #[inline]
-    fn affine_range(&self, attributes: &[Attribute], change: u32) -> Option<u32> {
+    fn affine_range(&self, varyings: &[Varying], change: u32) -> Option<u32> {
         let mut widest = 0;
-        for attribute in attributes {
-            let range = attribute.affine_range()?;
-            if !self.is_linear && !attribute.is_affine(range, self.least, change) {
+        for varying in varyings {
+            let range = varying.affine_range()?;
+            if !self.is_linear && !varying.is_affine(range, self.least, change) {
                 return None;
             }
             widest = range.max(widest);
@@ -225,11 +225,11 @@ impl Setup {
         Some(widest)
     }
 
-    /// Sets up any attributes through the vertices of a patch.
+    /// Sets up any varyings through the vertices of a patch.
     #[inline(never)]
-    fn set_up_attributes(
+    fn set_up_varyings(
         &mut self,
-        attributes: &mut [Attribute],
+        varyings: &mut [Varying],
         basis: &mut Basis,
         (q, is_affine): ([u32; 3], bool),
         patch: &Patch<'_>,
@@ -241,11 +241,11 @@ impl Setup {
         } else {
             (q, 1)
         };
-        // With `is_paired`, `Plan::Small` is only for attributes that are paired.
+        // With `is_paired`, `Plan::Small` is only for varyings that are paired.
         let mut is_small = self.q.is_small && !self.is_paired;
-        for attribute in &mut *attributes {
-            let mut values = attribute.at(patch);
-            attribute.scale = if is_affine {
+        for varying in &mut *varyings {
+            let mut values = varying.at(patch);
+            varying.scale = if is_affine {
                 let [a, b, c] = values;
                 let up = Scale::AFFINE_UP;
                 values = [a << up, b << up, c << up];
@@ -259,12 +259,12 @@ impl Setup {
                 values,
                 range.cast_unsigned(),
                 patch,
-                &mut attribute.gradient,
+                &mut varying.interpolant,
             );
-            is_small &= attribute.gradient.is_small;
+            is_small &= varying.interpolant.is_small;
         }
-        let is_whole = |attribute: &Attribute| attribute.scale.bits() == WHOLE;
-        if is_affine || self.is_linear && attributes.iter().all(is_whole) {
+        let is_whole = |varying: &Varying| varying.scale.bits() == WHOLE;
+        if is_affine || self.is_linear && varyings.iter().all(is_whole) {
             straight(is_small)
         } else if self.is_linear {
             Plan::Scaled
@@ -273,21 +273,21 @@ impl Setup {
         }
     }
 
-    /// Sets up wide planes through 1/w and all attributes: for a mode that uses only wide planes, or for
+    /// Sets up wide planes through 1/w and all varyings: for a mode that uses only wide planes, or for
     /// [`precise_q`](Self::precise_q) and `WidePlane::precise`.
     #[cold]
     #[inline(never)]
-    pub(super) fn set_up_wide(&mut self, attributes: &mut [Attribute], patch: &Patch<'_>) {
+    pub(super) fn set_up_wide(&mut self, varyings: &mut [Varying], patch: &Patch<'_>) {
         let (q, exponent) = ScreenVertex::weights(patch.vertices);
         self.down = self.shift.of(exponent);
         let mut basis = Basis::without_weights(patch);
         basis.start_wide(patch);
         basis.set_up_wide(signed(q), &mut self.q);
         let weights = if self.is_linear { [ONE; 3] } else { q };
-        for attribute in attributes {
-            let mut values = attribute.at(patch);
-            attribute.scale = weigh(&mut values, &weights, 1);
-            basis.set_up_wide(values, &mut attribute.gradient);
+        for varying in varyings {
+            let mut values = varying.at(patch);
+            varying.scale = weigh(&mut values, &weights, 1);
+            basis.set_up_wide(values, &mut varying.interpolant);
         }
     }
 
@@ -311,7 +311,7 @@ mod tests {
     use crate::raster::area;
     use crate::raster::picture::vertex;
 
-    /// The number of bits of an attribute's scale in a triangle with corners of these 1/w.
+    /// The number of bits of a varying's scale in a triangle with corners of these 1/w.
     fn bits(q: [u32; 3]) -> u32 {
         let screens = [[0, 0], [9000, 500], [300, 9900]];
         let [mut a, mut b, mut c] = screens.map(vertex);
@@ -322,13 +322,13 @@ mod tests {
             size: [9000, 9900],
             area: area(&screens),
         };
-        let mut attributes = [Attribute {
+        let mut varyings = [Varying {
             corners: [0, 100, 200],
-            ..Attribute::UNSET
+            ..Varying::UNSET
         }];
         let mut setup = Setup::new([false; 2], 28);
-        assert_eq!(setup.set_up(&mut attributes, &patch), Plan::BySpan);
-        attributes[0].scale.bits()
+        assert_eq!(setup.set_up(&mut varyings, &patch), Plan::BySpan);
+        varyings[0].scale.bits()
     }
 
     /// A scale has the bits that a mode asks for if 1/w changes less than fourfold. Otherwise, it has the 9 bits that
@@ -342,11 +342,11 @@ mod tests {
     #[test]
     fn an_attribute_is_affine_below_its_tolerance() {
         let with = |tolerance, range, change| {
-            let attribute = Attribute {
+            let varying = Varying {
                 tolerance,
-                ..Attribute::UNSET
+                ..Varying::UNSET
             };
-            attribute.is_affine(range, 1 << 30, change)
+            varying.is_affine(range, 1 << 30, change)
         };
         // 2^20 · 2^16 / (4 · 2^30) is 16.
         assert!(with(16, (1 << 16) - 1, 1 << 20) && with(17, 1 << 16, 1 << 20));
@@ -354,11 +354,11 @@ mod tests {
         assert!(with(1, 1 << 27, 0) && !with(1, 1 << 27, 1 << 30));
 
         let range = |corners| {
-            let attribute = Attribute {
+            let varying = Varying {
                 corners,
-                ..Attribute::UNSET
+                ..Varying::UNSET
             };
-            attribute.affine_range()
+            varying.affine_range()
         };
         let most = Scale::MOST_AFFINE;
         assert_eq!(range([-most, 0, most]), Some(2 * most.cast_unsigned()));

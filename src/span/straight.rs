@@ -9,7 +9,7 @@ use crate::num::wide::seldom;
 use crate::shade::Lanes;
 
 impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
-    /// Draws a span; `restore` turns a pixel's 1/w and interpolants into attributes.
+    /// Draws a span; `restore` turns a pixel's 1/w and interpolants into varyings.
     #[inline(always)]
     pub(super) fn straight(
         mut self,
@@ -32,7 +32,7 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
         }
     }
 
-    /// The same as [`straight`](Self::straight), for attributes that are fractions in units of 2^-30, each with its own
+    /// The same as [`straight`](Self::straight), for varyings that are fractions in units of 2^-30, each with its own
     /// scale. It is out of line because it is rarely needed.
     #[inline(never)]
     pub(super) fn scaled(

@@ -33,7 +33,7 @@ impl Shader for Note<'_> {
     }
 }
 
-type Row<'a> = Cells<'a, Gray8, Native, NoDepth>;
+type RowCells<'a> = Cells<'a, Gray8, Native, NoDepth>;
 
 /// The first column of spans.
 const FIRST: u32 = 3;
@@ -41,7 +41,7 @@ const FIRST: u32 = 3;
 /// The numbers that the shader receives in a span of `count` pixels. Checks that no other pixel is drawn.
 fn numbers(
     count: u32,
-    draw: impl FnOnce(Row<'_>, Pixels<(Note<'_>, Replace, NoTest), Native, NoDepth>),
+    draw: impl FnOnce(RowCells<'_>, Pixels<(Note<'_>, Replace, NoTest), Native, NoDepth>),
 ) -> Vec<i32> {
     let (mut colors, seen) = ([Gray8::BLACK; 70], RefCell::new(Vec::new()));
     let mut canvas = Canvas::new(&mut colors, 70, 1).unwrap();
@@ -64,10 +64,10 @@ fn numbers(
     numbers
 }
 
-/// Spans of every length, with the relative change of 1/w per pixel. Along a span, 1/w and the attribute over w rise,
+/// Spans of every length, with the relative change of 1/w per pixel. Along a span, 1/w and the varying over w rise,
 /// fall or stay.
 fn spans() -> impl Iterator<Item = (u32, Span<[(); 1]>, f64)> {
-    // Each start is a 1/w, from 2^29 to 2^31, and an attribute over w, at most half of 1/w.
+    // Each start is a 1/w, from 2^29 to 2^31, and a varying over w, at most half of 1/w.
     let starts = [(1 << 30, 1 << 28), ((1 << 31) - (1 << 27), -(1 << 28))];
     let steps = [0, 1, -250, 40_000, -(1 << 20), 1 << 20];
     let gains = [0, 7, -100_000, 1 << 21];
@@ -90,7 +90,7 @@ fn spans() -> impl Iterator<Item = (u32, Span<[(); 1]>, f64)> {
     })
 }
 
-/// The exact attribute at each pixel of a span, in units of 2^-28.
+/// The exact varying at each pixel of a span, in units of 2^-28.
 fn exact(span: &Span<[(); 1]>) -> impl Fn(u32) -> f64 + use<> {
     let [q, p, dq, dp] = [
         f64::from(span.q),
@@ -141,7 +141,7 @@ fn solid_spans_have_one_number() {
     }
 }
 
-/// Attributes are rounded down. The reciprocal's last bits add an error of 2^-30 of an attribute below 2^27.
+/// Varyings are rounded down. The reciprocal's last bits add an error of 2^-30 of a varying below 2^27.
 #[test]
 fn divided_spans_are_exact_quotients() {
     for (count, span, _) in spans() {
@@ -176,8 +176,8 @@ fn spans_divided_per_pixel_are_exact_quotients() {
     }
 }
 
-/// An attribute is below 2^27. A guess has a relative error of up to 2.1 δ², so a reciprocal has a relative error of
-/// less than 12 δ⁴, plus 2^-26 from rounding. The attribute is rounded down.
+/// A varying is below 2^27. A guess has a relative error of up to 2.1 δ², so a reciprocal has a relative error of less
+/// than 12 δ⁴, plus 2^-26 from rounding. The varying is rounded down.
 #[test]
 fn newton_spans_are_quotients_to_a_few_units() {
     for (count, span, delta) in spans() {
@@ -189,7 +189,7 @@ fn newton_spans_are_quotients_to_a_few_units() {
 }
 
 /// A line of L pixels has an error of |f′| δ L² / 4, and its ends have an error of 2^-13 of the greatest possible
-/// attribute.
+/// varying.
 #[test]
 fn pieces_are_quotients_to_their_tolerance() {
     for length in 1..=6 {

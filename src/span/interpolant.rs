@@ -4,14 +4,15 @@ use crate::num::reciprocal;
 use crate::num::wide::{DIVIDES, product, times_short, unsigned_product};
 use crate::raster::{Patch, ScreenVertex};
 
-/// An interpolant over a triangle: a plane that gives the interpolant's value at every pixel center. The error is at
-/// most 33¾ units in a small plane, 67½ units in a [coarse](Basis::is_coarse) plane, and 2½ units in a wide plane.
+/// A number that is linear on the screen, such as 1/w or a varying over w: a plane over a triangle, which gives the
+/// number's value at every pixel center. The error is at most 33¾ units in a small plane, 67½ units in a
+/// [coarse](Basis::is_coarse) plane, and 2½ units in a wide plane.
 ///
 /// Small triangles have small planes, of 32 bits: a value is `start` plus a number of steps. In large triangles and
 /// thin slivers, too many rounding errors would add up from step to step. So these triangles have wide planes, with 30
 /// bits more.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Gradient {
+pub(crate) struct Interpolant {
     /// Change from one column to the next, rounded to the nearest unit.
     pub(crate) step: i32,
     /// Change from one row to the next, rounded to the nearest unit; small planes only.
@@ -54,7 +55,7 @@ impl SmallPlane {
     }
 }
 
-impl Gradient {
+impl Interpolant {
     /// An interpolant before the first triangle: 0 everywhere.
     pub(crate) const NONE: Self = Self {
         step: 0,
@@ -274,20 +275,20 @@ impl Basis {
         values: [i32; 3],
         range: u32,
         patch: &Patch<'_>,
-        gradient: &mut Gradient,
+        interpolant: &mut Interpolant,
     ) {
         if self.is_small(range) {
-            gradient.set(self.small(values, 0));
+            interpolant.set(self.small(values, 0));
         } else {
             self.start_wide(patch);
-            self.set_up_wide(values, gradient);
+            self.set_up_wide(values, interpolant);
         }
     }
 
     /// Sets up a wide plane through the values at the corners of any triangle. Call [`start_wide`](Self::start_wide)
     /// first.
     #[inline(never)]
-    pub(crate) fn set_up_wide(&self, values: [i32; 3], gradient: &mut Gradient) {
+    pub(crate) fn set_up_wide(&self, values: [i32; 3], interpolant: &mut Interpolant) {
         let [dx, dy] = self.gains(values);
         let [x, y] = self.to_center;
         // `moved` is the change from the corner to the center of the pixel that contains the corner.
@@ -298,9 +299,9 @@ impl Basis {
         let [columns, rows] = [x, y].map(|way| (way + 127) >> 8);
         let rest = times_short(dx, columns).wrapping_add(times_short(dy, rows));
         let [corner, ..] = values;
-        gradient.is_small = false;
-        gradient.step = rounded(dx);
-        gradient.wide = WidePlane {
+        interpolant.is_small = false;
+        interpolant.step = rounded(dx);
+        interpolant.wide = WidePlane {
             start: (i64::from(corner) << 30)
                 .wrapping_add(HALF)
                 .wrapping_add(moved)
@@ -421,7 +422,7 @@ mod tests {
 
     /// Sets up a plane through `values` at three places on the screen; with `is_coarse`, the plane may be coarse. `None`
     /// if the places are in a line.
-    fn plane(screen: [[i32; 2]; 3], values: [i32; 3], is_coarse: bool) -> Option<Gradient> {
+    fn plane(screen: [[i32; 2]; 3], values: [i32; 3], is_coarse: bool) -> Option<Interpolant> {
         let vertices = screen.map(vertex);
         let area = area(&screen);
         let patch = Patch {
@@ -433,16 +434,16 @@ mod tests {
             }),
             area,
         };
-        let (mut basis, mut gradient) = (Basis::new(&patch, is_coarse), Gradient::NONE);
+        let (mut basis, mut interpolant) = (Basis::new(&patch, is_coarse), Interpolant::NONE);
         if area != 0 {
             let range = values.iter().max().unwrap() - values.iter().min().unwrap();
             if is_coarse && basis.is_coarse(range.cast_unsigned()) {
-                gradient.set(basis.small(values, 0));
+                interpolant.set(basis.small(values, 0));
             } else {
-                basis.set_up(values, range.cast_unsigned(), &patch, &mut gradient);
+                basis.set_up(values, range.cast_unsigned(), &patch, &mut interpolant);
             }
         }
-        (area != 0).then_some(gradient)
+        (area != 0).then_some(interpolant)
     }
 
     /// The value of the plane through `values` at the center of a pixel, in hundredths of a unit.
@@ -501,29 +502,29 @@ mod tests {
                 ]
             };
             let screen = [at, place(parts[0]), place(parts[1])];
-            let Some(gradient) = plane(screen, values, is_coarse) else {
+            let Some(interpolant) = plane(screen, values, is_coarse) else {
                 return;
             };
-            let most = match (gradient.is_small, is_coarse) {
+            let most = match (interpolant.is_small, is_coarse) {
                 (false, _) => 250,
                 (true, false) => 3375,
                 (true, true) => 6750,
             };
             for [x, y] in pixels(screen) {
-                let value = if gradient.is_small {
-                    gradient.small_at(x, y)
+                let value = if interpolant.is_small {
+                    interpolant.small_at(x, y)
                 } else {
-                    let fine = gradient
+                    let fine = interpolant
                         .wide
                         .start
-                        .wrapping_add(gradient.wide.dx.wrapping_mul(x.into()))
-                        .wrapping_add(gradient.wide.dy.wrapping_mul(y.into()));
+                        .wrapping_add(interpolant.wide.dx.wrapping_mul(x.into()))
+                        .wrapping_add(interpolant.wide.dy.wrapping_mul(y.into()));
                     (fine >> 30) as i32
                 };
                 let error = 100 * i128::from(value) - hundredths(screen, values, [x, y]);
                 assert!(
                     error.abs() <= most,
-                    "{error} / 100 at {x}, {y}: {gradient:?}"
+                    "{error} / 100 at {x}, {y}: {interpolant:?}"
                 );
             }
         });
