@@ -22,7 +22,7 @@ struct ClipVertex {
     barycentric: Barycentric,
 }
 
-type Polygon = Vec<ClipVertex, MOST_CORNERS>;
+type ClipPolygon = Vec<ClipVertex, MOST_CORNERS>;
 
 /// Clips a line between two positions, or a triangle of three positions, to the inside of the planes in `outcode`. This
 /// mask has a bit for each plane outside of which a corner lies. Adds the corners of the result to `clipped`: no corner
@@ -38,7 +38,7 @@ pub(crate) fn clip<K: ProjectionKind>(
     outcode: u8,
     clipped: &mut ClippedPolygon,
 ) {
-    let (mut polygon, mut inside) = (&mut Polygon::new(), &mut Polygon::new());
+    let (mut polygon, mut inside) = (&mut ClipPolygon::new(), &mut ClipPolygon::new());
     for (&index, &barycentric) in corners.iter().zip(&Barycentric::CORNERS) {
         let position = projector.clip_position(index);
         add(
@@ -73,7 +73,7 @@ fn clip_to_plane<K: ProjectionKind>(
     projector: &Projector<'_, K>,
     plane: u32,
     polygon: &[ClipVertex],
-    inside: &mut Polygon,
+    inside: &mut ClipPolygon,
 ) {
     let is_outside = |corner: &ClipVertex| projector.is_outside(&corner.position, plane);
     // A polygon's last corner is joined to its first. Two corners are a line, or the rest of a polygon without area:
@@ -98,7 +98,7 @@ fn clip_to_plane<K: ProjectionKind>(
 
 /// Adds a corner. There is always room, because a plane cuts the outline of a convex polygon twice.
 #[inline(never)]
-fn add(polygon: &mut Polygon, corner: &ClipVertex) {
+fn add(polygon: &mut ClipPolygon, corner: &ClipVertex) {
     let _ = polygon.push(*corner);
 }
 

@@ -70,12 +70,12 @@ const fn faces() -> [[Index; 3]; 2 * BATCH] {
 }
 
 /// A sprite's corners, relative to its position in eye space, at scale 1: mantissas · 2^-exp.
-struct Shape {
+struct UnitQuad {
     corners: [[i32; 3]; 4],
     exp: i32,
 }
 
-impl Shape {
+impl UnitQuad {
     /// The corners of sprites that `view` transforms to eye space. `pixel` is the size of a pixel in eye space, at a
     /// distance of 1 in perspective.
     fn new(sprites: &Sprites<'_>, view: &Transform, pixel: [BlockFloat; 2]) -> Self {
@@ -165,7 +165,7 @@ struct Quads<'s, K> {
     pose: Transform,
     /// From eye space to the screen.
     projector: Projector<'static, K>,
-    shape: Shape,
+    quad: UnitQuad,
     /// Whether the size of a sprite is proportional to its distance.
     grows: bool,
 }
@@ -175,7 +175,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
     fn new(sprites: &'s Sprites<'s>, mvp: &impl AsMvp<Kind = K>, viewport: &Viewport) -> Self {
         let (projection, view): (&Projection<K>, _) = (mvp.projection_of(), mvp.model_view_of());
         Self {
-            shape: Shape::new(sprites, &view, projection.pixel(viewport)),
+            quad: UnitQuad::new(sprites, &view, projection.pixel(viewport)),
             sprites,
             view,
             pose: mvp.camera_of().inverse_rigid(),
@@ -258,7 +258,7 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
             scale = BlockFloat::new(scale.value * i64::from(distance), 32);
         }
         if last.0 != scale {
-            let corners = self.shape.scaled(scale);
+            let corners = self.quad.scaled(scale);
             *last = (scale, corners, corners.into_iter().all(is_inside));
         }
         let &mut (_, [a, b, c, d], corners_are_inside) = last;

@@ -9,7 +9,7 @@ use crate::num::block::{self, BlockFloat};
 use crate::num::reciprocal;
 use crate::num::wide::{self, SHIFTS_LATER, product};
 use crate::raster::{DepthShift, LEAST_WEIGHT, MOST_WEIGHT, Scissor, ScreenVertex};
-use crate::view::{Projection, ProjectionKind, Row, Viewport};
+use crate::view::{Projection, ProjectionKind, ProjectionRow, Viewport};
 
 /// Half the width and height of the guard band, in pixels. The guard band is the area around the viewport's center in
 /// which screen coordinates are exact, and to which triangles are clipped.
@@ -55,7 +55,7 @@ pub(crate) struct Projector<'m, K> {
 
 /// `row` times `unit` and `size`. `size` counts units of 2^-12, because the guard band is 2^12 pixels wide.
 #[inline(never)]
-fn scaled(row: &Row, unit: &BlockFloat, size: i32) -> AffineRow {
+fn scaled(row: &ProjectionRow, unit: &BlockFloat, size: i32) -> AffineRow {
     let (factor, exp) = unit.times(BlockFloat::new(size.into(), 12)).rounded();
     // A factor has bit 29 set, so mantissas keep their bits and take at most one more.
     let [x, y, z, offset] = row.m;
@@ -456,7 +456,7 @@ mod tests {
         cases(2000, |random| {
             let unit = BlockFloat::new(random.random_range(1..1 << 40), random.random_range(0..40));
             let size = random.random_range(1..4096);
-            let row = Row {
+            let row = ProjectionRow {
                 m: [(); 4].map(|()| random.random_range(-(1 << 30) + 1..1 << 30)),
                 exp: random.random_range(-20..60),
                 offset_exp: random.random_range(-20..60),

@@ -116,12 +116,12 @@ impl<'a> Polygon<'a> {
 
 /// One triangle of a folded fan.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Part<'a> {
+pub(crate) struct FanTriangle<'a> {
     pub(super) fan: &'a Polygon<'a>,
     pub(super) at: usize,
 }
 
-impl Part<'_> {
+impl FanTriangle<'_> {
     /// Draws some rows of the triangle, but only the pixels that this triangle of the fan has to draw.
     #[cold]
     #[inline(never)]

@@ -4,8 +4,7 @@ use core::hint::black_box;
 use core::ops::Range;
 
 use super::edge::first_center;
-
-use super::polygon::{Part, Polygon, vertices};
+use super::polygon::{FanTriangle, Polygon, vertices};
 use super::triangle::scan_convert;
 use super::{
     Blitter, ClippedVertex, Coloring, Columns, Cull, DepthShift, Patch, Rows, Scissor,
@@ -91,7 +90,7 @@ impl<'r> Rasterizer<'r> {
             let places = [a.barycentric, b.barycentric, c.barycentric];
             let triangle = Triangle::new(vertices(corners), Some(&places), area, self.scissor);
             if let Some(triangle) = &triangle {
-                let part = Part { fan: polygon, at };
+                let part = FanTriangle { fan: polygon, at };
                 self.triangle(triangle, polygon.is_folded.then_some(&part));
                 is_drawn = true;
             }
@@ -132,7 +131,7 @@ impl<'r> Rasterizer<'r> {
     ///
     /// A center on a left or top edge belongs to the triangle. A center on a right or bottom edge does not.
     #[cfg_attr(for_size, inline(never))]
-    pub(super) fn triangle(&mut self, triangle: &Triangle<'_>, part: Option<&Part<'_>>) {
+    pub(super) fn triangle(&mut self, triangle: &Triangle<'_>, part: Option<&FanTriangle<'_>>) {
         let block = &mut self.block;
         let Range { start, end } = triangle.rows;
         let (mut first, mut rows) = (start, scan_convert(block, start, triangle));

@@ -19,11 +19,11 @@ pub struct ByVertex<L>(pub(super) L);
 type LightOf<L> = Illumination<<L as Lighting>::Diffuse, <L as Lighting>::Specular>;
 
 /// The varyings of a light `L` on a surface of color `C`.
-type Packed<L, C> = light::Packed<<L as Lighting>::Diffuse, <L as Lighting>::Specular, C>;
+type PackedOf<L, C> = light::Packed<<L as Lighting>::Diffuse, <L as Lighting>::Specular, C>;
 
 impl<O: Output<Color: PixelFormat>, L: Lighting> Effect<O> for ByVertex<L> {
     type Color = O::With<O::Color>;
-    type Varyings = Within<FRACTION, Packed<L, O::Color>>;
+    type Varyings = Within<FRACTION, PackedOf<L, O::Color>>;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
@@ -57,7 +57,7 @@ pub struct ByFace<L>(pub(super) L);
 
 impl<O: Output<Color: PixelFormat>, L: Lighting> Effect<O> for ByFace<L> {
     type Color = O::With<O::Color>;
-    type Varyings = PerFace<Packed<L, O::Color>>;
+    type Varyings = PerFace<PackedOf<L, O::Color>>;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {

@@ -39,12 +39,12 @@ pub struct Indexed<'a, S, C, const COLORS: usize = 256> {
     pub colors: &'a [C; COLORS],
 }
 
-/// A number of at most eight bits.
-pub trait Index: Copy {
+/// A texel that is an index into a table of colors: a number of at most eight bits.
+pub trait PaletteIndex: Copy {
     fn index(self) -> u8;
 }
 
-impl Index for u8 {
+impl PaletteIndex for u8 {
     #[inline]
     fn index(self) -> u8 {
         self
@@ -53,7 +53,7 @@ impl Index for u8 {
 
 macro_rules! grays {
     ($($Gray:ident)+) => {$(
-        impl Index for $Gray {
+        impl PaletteIndex for $Gray {
             #[inline]
             fn index(self) -> u8 {
                 self.luma()
@@ -63,7 +63,9 @@ macro_rules! grays {
 }
 grays!(Gray2 Gray4 Gray8);
 
-impl<S: Sampler<Color: Index>, C: Copy, const COLORS: usize> Sampler for Indexed<'_, S, C, COLORS> {
+impl<S: Sampler<Color: PaletteIndex>, C: Copy, const COLORS: usize> Sampler
+    for Indexed<'_, S, C, COLORS>
+{
     type Color = C;
 
     #[inline]

@@ -18,4 +18,4 @@ pub use segment::{Segment, speed};
 pub use viewport::Viewport;
 pub use window::Window;
 
-pub(crate) use projection::Row;
+pub(crate) use projection::ProjectionRow;

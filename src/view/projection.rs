@@ -64,7 +64,7 @@ impl ProjectionKind for Parallel {
 
 /// A row of a projection matrix: coefficients of eye space's x, y, z and 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct Row {
+pub(crate) struct ProjectionRow {
     /// The mantissas of the coefficients, below 2^30 in magnitude.
     pub(crate) m: [i32; 4],
     /// The exponent of the first three coefficients, which are mantissas · 2^-exp.
@@ -74,7 +74,7 @@ pub(crate) struct Row {
     pub(crate) offset_exp: i32,
 }
 
-impl Row {
+impl ProjectionRow {
     /// Makes a row from its coefficients, each rounded once.
     fn new(entries: [BlockFloat; 3], offset: BlockFloat) -> Self {
         let mut linear = [0; 3];
@@ -118,7 +118,7 @@ impl Row {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Projection<K = Perspective> {
     /// The rows for x and y of normalized device coordinates, times w. In perspective, w is −z; otherwise, w is 1.
-    pub(crate) rows: [Row; 2],
+    pub(crate) rows: [ProjectionRow; 2],
     pub(crate) near: Scalar,
     pub(crate) far: Scalar,
     kind: PhantomData<K>,
@@ -143,8 +143,8 @@ impl<K: ProjectionKind> Projection<K> {
         let [[x, x_slope, x_offset], [y, y_slope, y_offset]] = axes;
         Self {
             rows: [
-                Row::new([x, BlockFloat::ZERO, x_slope], x_offset),
-                Row::new([BlockFloat::ZERO, y, y_slope], y_offset),
+                ProjectionRow::new([x, BlockFloat::ZERO, x_slope], x_offset),
+                ProjectionRow::new([BlockFloat::ZERO, y, y_slope], y_offset),
             ],
             near,
             far,

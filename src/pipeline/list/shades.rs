@@ -48,11 +48,11 @@ use crate::shade::{Fragment, Lanes, Shader, Varyings};
 /// ```
 #[derive(Clone)]
 pub struct ShadeList<S: Shader, const ELEMENTS: usize> {
-    values: Vec<Values<S>, ELEMENTS>,
+    values: Vec<Shade<S>, ELEMENTS>,
 }
 
 /// The numbers at three corners, and the values of the face.
-type Values<S> = (
+type Shade<S> = (
     [<<<S as Shader>::Varyings as Varyings>::Lanes as Lanes>::Of<i32>; 3],
     <<S as Shader>::Varyings as Varyings>::Face,
 );
@@ -142,7 +142,7 @@ pub struct Shades<'a, S: Shader> {
     /// The address of the list's first entry. The list cannot change while these values exist, so the address of an
     /// entry tells its index, and whether it belongs to this list.
     first: usize,
-    values: &'a [Values<S>],
+    values: &'a [Shade<S>],
     /// The attributes that the shaders asked for and the meshes lack.
     missing: Missing,
 }

@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::{Perspective, Projection, Row, bits};
+use super::{Perspective, Projection, ProjectionRow, bits};
 use crate::error::{check_extent, check_order};
 use crate::num::block::{self, BlockFloat};
 use crate::view::{Aspect, Window};
@@ -16,9 +16,9 @@ fn check_planes(near: Scalar, far: Scalar) -> Result<(), Error> {
 
 impl Projection<Perspective> {
     fn from_scales(x: BlockFloat, y: BlockFloat, near: Scalar, far: Scalar) -> Self {
-        // The rows are written out, because `Row::new` would make a program with a perspective projection 100 bytes
-        // larger.
-        let row = |m, exp| Row {
+        // The rows are written out, because `ProjectionRow::new` would make a program with a perspective projection 100
+        // bytes larger.
+        let row = |m, exp| ProjectionRow {
             m,
             exp,
             offset_exp: 0,

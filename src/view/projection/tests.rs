@@ -7,7 +7,7 @@ use crate::{Angle, Vec3};
 use core::f64::consts::TAU;
 use rand::Rng;
 
-fn real(row: &Row) -> [f64; 4] {
+fn real(row: &ProjectionRow) -> [f64; 4] {
     let value = |(m, exp): (i32, i32)| f64::from(m) * f64::from(-exp).exp2();
     let [x, y, z, offset] = row.m;
     [
@@ -25,7 +25,7 @@ fn float(value: Scalar) -> f64 {
 
 /// Whether each coefficient of a row has an error of at most 2^-28 of the largest coefficient, and is exactly zero
 /// where zero is expected.
-fn close(row: &Row, expected: [f64; 4]) -> bool {
+fn close(row: &ProjectionRow, expected: [f64; 4]) -> bool {
     let size = expected.iter().fold(0.0, |max: f64, v| max.max(v.abs()));
     let mut both = real(row).into_iter().zip(expected);
     both.all(|(found, expected)| {
@@ -148,7 +148,7 @@ fn oblique_has_28_bits() {
         let slack = |scale: f64, middle: f64| {
             f64::from(-28).exp2() * (scale + middle.abs() + scale * k.abs() * (1.0 + pf.abs()))
         };
-        let check = |row: &Row, expected: [f64; 4], slack: f64| {
+        let check = |row: &ProjectionRow, expected: [f64; 4], slack: f64| {
             real(row)
                 .into_iter()
                 .zip(expected)
