@@ -1,5 +1,6 @@
-//! The build script. It tells `num/wide.rs` which multiplications the target's core has. It also sets `for_size` if the
-//! program is optimized for size. Functions that are otherwise copied into their callers for speed are then not copied.
+//! The build script. It tells the folder `num/wide` which multiplications the target's core has. It also sets
+//! `for_size` if the program is optimized for size. Functions that are otherwise copied into their callers for speed
+//! are then not copied.
 //!
 //! This file is not a module of the library. Stable Rust has no `cfg` that tells Cortex-M23 from Cortex-M33, or
 //! Cortex-M3 from Cortex-M4; only the target's name does.

@@ -531,8 +531,8 @@
 //! [Choosing a mode](crate::guide::modes#the-interpolants-and-their-rounding) adds up the rounding errors of each
 //! mode.
 //!
-//! Tests, beside the code: exact reciprocals in `src/num/reciprocal.rs`, a Newton step in `src/num/wide.rs`, pieces in
-//! `src/span/pieces.rs`. All modes are compared with a model in `f64` in `accuracy/promises.rs`.
+//! Tests, beside the code: exact reciprocals in `src/num/reciprocal.rs`, a Newton step in `src/num/wide/divide.rs`,
+//! pieces in `src/span/pieces.rs`. All modes are compared with a model in `f64` in `accuracy/promises.rs`.
 //!
 //! # A camera
 //!
