@@ -3,12 +3,8 @@
 use core::hash::{Hash, Hasher};
 use core::ops::Range;
 
-use embedded_graphics::pixelcolor::Rgb888;
-
-use super::mesh::check;
-use super::{Index, Indices, Mesh};
-use crate::error::{check_length, ok};
-use crate::{Error, Vec2, Vec3};
+use super::index::{Index, Indices};
+use crate::{Vec2, Vec3};
 
 /// The values of one attribute. Without `faces` of its own, an attribute is indexed like the positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -63,126 +59,6 @@ impl<'a, T: Copy> Attribute<'a, T> {
             Values::Full(values) => values.get(self.index(indices, corner)?).copied(),
             Values::Small(_) => None,
         }
-    }
-}
-
-/// Adds, removes and finds attributes.
-impl<'a> Mesh<'a> {
-    /// Adds texture coordinates: one per position, or any number if `faces` gives three indices per triangle.
-    ///
-    /// # Errors
-    ///
-    /// Without `faces`: [`Error::Length`] unless there is one value per position. With `faces`: [`Error::Length`]
-    /// unless `faces` has one element per triangle; [`Error::Index`] if an index names a value that does not exist.
-    pub const fn with_uvs(
-        self,
-        values: &'a [Vec2],
-        faces: Option<&'a [[Index; 3]]>,
-    ) -> Result<Self, Error> {
-        let uvs = ok!(self.attribute(values, faces));
-        Ok(Self { uvs, ..self })
-    }
-
-    /// Adds normals: one per position, or any number if `faces` gives three indices per triangle. A normal is a
-    /// direction in model space; the vector may have any length.
-    ///
-    /// # Errors
-    ///
-    /// The same as for [`with_uvs`](Self::with_uvs).
-    pub const fn with_normals(
-        self,
-        values: &'a [Vec3],
-        faces: Option<&'a [[Index; 3]]>,
-    ) -> Result<Self, Error> {
-        let normals = ok!(self.attribute(values, faces));
-        Ok(Self { normals, ..self })
-    }
-
-    /// Adds colors: one per position, or any number if `faces` gives three indices per triangle.
-    ///
-    /// # Errors
-    ///
-    /// The same as for [`with_uvs`](Self::with_uvs).
-    pub const fn with_colors(
-        self,
-        values: &'a [Rgb888],
-        faces: Option<&'a [[Index; 3]]>,
-    ) -> Result<Self, Error> {
-        let colors = ok!(self.attribute(values, faces));
-        Ok(Self { colors, ..self })
-    }
-
-    /// The mesh without its texture coordinates. [`without_edges`](Self::without_edges) says how this saves flash.
-    #[must_use]
-    pub const fn without_uvs(self) -> Self {
-        let uvs = Attribute::NONE;
-        Self { uvs, ..self }
-    }
-
-    /// The mesh without its normals. [`without_edges`](Self::without_edges) says how this saves flash. Lighting then
-    /// uses the normals of the triangles.
-    #[must_use]
-    pub const fn without_normals(self) -> Self {
-        let normals = Attribute::NONE;
-        Self { normals, ..self }
-    }
-
-    /// The mesh without its colors. [`without_edges`](Self::without_edges) says how this saves flash.
-    #[must_use]
-    pub const fn without_colors(self) -> Self {
-        let colors = Attribute::NONE;
-        Self { colors, ..self }
-    }
-
-    /// The mesh with normals and texture coordinates in fewer bits. The lists must fit the mesh, because they are not
-    /// checked. Lists of faces may be empty.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn quantized(
-        self,
-        (normals, normal_faces): (&'a Small<'a, Vec3>, &'a [[Index; 3]]),
-        (uvs, uv_faces): (&'a Small<'a, Vec2>, &'a [[Index; 3]]),
-    ) -> Self {
-        Self {
-            normals: Attribute::of((Values::small(normals), normal_faces)),
-            uvs: Attribute::of((Values::small(uvs), uv_faces)),
-            ..self
-        }
-    }
-
-    /// Whether the mesh has texture coordinates.
-    #[must_use]
-    pub const fn has_uvs(&self) -> bool {
-        self.uvs.values.len() > 0
-    }
-
-    /// Whether the mesh has normals.
-    #[must_use]
-    pub const fn has_normals(&self) -> bool {
-        self.normals.values.len() > 0
-    }
-
-    /// Whether the mesh has colors.
-    #[must_use]
-    pub const fn has_colors(&self) -> bool {
-        self.colors.values.len() > 0
-    }
-
-    const fn attribute<T: Copy>(
-        &self,
-        values: &'a [T],
-        faces: Option<&'a [[Index; 3]]>,
-    ) -> Result<Attribute<'a, T>, Error> {
-        let (given, needed) = match faces {
-            None => (values.len(), self.positions.len()),
-            Some(faces) => (faces.len(), self.faces.len()),
-        };
-        ok!(check_length(given, needed));
-        if let Some(faces) = faces {
-            ok!(check(faces, values.len(), Some(Self::NO_VALUE)));
-        }
-        let values = Values::Full(values);
-        Ok(Attribute { values, faces })
     }
 }
 

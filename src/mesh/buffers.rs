@@ -1,38 +1,8 @@
 //! Memory for generated meshes.
 
-use super::{Index, Mesh, Positions};
+use super::{Counts, Index, Mesh, Positions};
 use crate::error::{check_count, ok};
 use crate::{Error, Vec2, Vec3};
-
-/// How many elements each list of a mesh has. [`Buffers`] need room for these elements.
-///
-/// ```
-/// use fixel::mesh::Shape;
-/// let cube = Shape::cuboid(fixel::vec3!(1, 1, 1))?.counts();
-/// assert_eq!((cube.positions, cube.faces, cube.edges), (24, 12, 12));
-/// # Ok::<(), fixel::Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Counts {
-    /// Positions.
-    pub positions: usize,
-    /// Triangles.
-    pub faces: usize,
-    /// Edges.
-    pub edges: usize,
-    /// Texture coordinates.
-    pub uvs: usize,
-    /// Triangles in the list of indices of texture coordinates; 0 if texture coordinates are indexed like the
-    /// positions.
-    pub uv_faces: usize,
-    /// Normals.
-    pub normals: usize,
-    /// Triangles in the list of indices of normals; 0 if normals are indexed like the positions.
-    pub normal_faces: usize,
-    /// Colors.
-    pub colors: usize,
-}
 
 /// Memory for a shape that is built at run time: one slice per list, each at least as long as [`Counts`] says.
 ///

@@ -1,7 +1,6 @@
 //! Poses of a mesh, and the meshes between two poses.
 
-use super::attribute::Attribute;
-use super::attribute::Values;
+use super::attribute::{Attribute, Values};
 use super::buffers::room;
 use super::{Index, Mesh, Positions};
 use crate::error::{check_length, ok};

@@ -2,20 +2,11 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::attribute::Attribute;
-use super::buffers::Counts;
+use super::attribute::{Attribute, Small, Values};
+use super::index::{Index, check};
 use super::positions::Positions;
-use crate::error::{check_count, ok};
+use crate::error::{check_count, check_length, ok};
 use crate::{Error, Vec2, Vec3, message};
-
-/// An index into a mesh's positions or attributes. A triangle is stored as three indices, and an edge as two.
-///
-/// ```
-/// use fixel::{Index, Mesh, Vec3};
-/// let last: Index = 65_535;
-/// assert!(Mesh::new(&[Vec3::ZERO; 65_536], &[[last, 0, 1]]).is_ok());
-/// ```
-pub type Index = u16;
 
 /// A triangle mesh that borrows slices of the caller: positions and faces, and optionally texture coordinates, normals,
 /// colors and edges.
@@ -47,32 +38,6 @@ pub struct Mesh<'a> {
     pub(super) uvs: Attribute<'a, Vec2>,
     pub(super) normals: Attribute<'a, Vec3>,
     pub(super) colors: Attribute<'a, Rgb888>,
-}
-
-/// Checks that every index of `lists` is below `len` or equal to `exception`.
-pub(super) const fn check<const K: usize>(
-    lists: &[[Index; K]],
-    len: usize,
-    exception: Option<Index>,
-) -> Result<(), Error> {
-    // The loop uses a pattern, because at compile time, a call of `len` takes as long as several comparisons.
-    let mut rest = lists;
-    while let [list, others @ ..] = rest {
-        let mut corner = 0;
-        while corner < K {
-            let index = list[corner];
-            if index as usize >= len && !matches!(exception, Some(except) if index == except) {
-                return Err(Error::Index {
-                    at: lists.len() - rest.len(),
-                    index: index as u32,
-                    len,
-                });
-            }
-            corner += 1;
-        }
-        rest = others;
-    }
-    Ok(())
 }
 
 impl<'a> Mesh<'a> {
@@ -211,27 +176,6 @@ impl<'a> Mesh<'a> {
         Self { edges: &[], ..self }
     }
 
-    /// How many elements each list has.
-    #[must_use]
-    pub const fn counts(&self) -> Counts {
-        const fn own(faces: Option<&[[Index; 3]]>) -> usize {
-            match faces {
-                Some(faces) => faces.len(),
-                None => 0,
-            }
-        }
-        Counts {
-            positions: self.positions.len(),
-            faces: self.faces.len(),
-            edges: self.edges.len(),
-            uvs: self.uvs.values.len(),
-            uv_faces: own(self.uvs.faces),
-            normals: self.normals.values.len(),
-            normal_faces: own(self.normals.faces),
-            colors: self.colors.values.len(),
-        }
-    }
-
     /// The positions, in model space.
     #[must_use]
     pub const fn positions(&self) -> Positions<'a> {
@@ -254,5 +198,146 @@ impl<'a> Mesh<'a> {
     #[inline]
     pub(crate) fn position(&self, index: Index) -> Vec3 {
         self.positions.at(index)
+    }
+
+    /// The mesh's positions rounded to the nearest 16-bit components, and their number of fraction bits, for
+    /// [`short`](Self::short). The number of fraction bits is the greatest that the largest component permits, at most
+    /// 16.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let positions = [vec3!(0, 0, 0), vec3!(1.7, 0, 0), vec3!(0, -1, 0)];
+    /// let mesh = Mesh::new(&positions, &[[0, 1, 2]])?;
+    /// let (short, fraction) = mesh.shortened::<3>()?;
+    /// assert_eq!((short[2], fraction), ([0, -1 << 14, 0], 14));
+    /// assert!(Mesh::short(&short, fraction, mesh.faces()).is_ok());
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless the mesh has exactly `N` positions.
+    pub const fn shortened<const N: usize>(&self) -> Result<([[i16; 3]; N], u32), Error> {
+        self.positions.shortened()
+    }
+}
+
+/// Adds, removes and finds attributes.
+impl<'a> Mesh<'a> {
+    /// Adds texture coordinates: one per position, or any number if `faces` gives three indices per triangle.
+    ///
+    /// # Errors
+    ///
+    /// Without `faces`: [`Error::Length`] unless there is one value per position. With `faces`: [`Error::Length`]
+    /// unless `faces` has one element per triangle; [`Error::Index`] if an index names a value that does not exist.
+    pub const fn with_uvs(
+        self,
+        values: &'a [Vec2],
+        faces: Option<&'a [[Index; 3]]>,
+    ) -> Result<Self, Error> {
+        let uvs = ok!(self.attribute(values, faces));
+        Ok(Self { uvs, ..self })
+    }
+
+    /// Adds normals: one per position, or any number if `faces` gives three indices per triangle. A normal is a
+    /// direction in model space; the vector may have any length.
+    ///
+    /// # Errors
+    ///
+    /// The same as for [`with_uvs`](Self::with_uvs).
+    pub const fn with_normals(
+        self,
+        values: &'a [Vec3],
+        faces: Option<&'a [[Index; 3]]>,
+    ) -> Result<Self, Error> {
+        let normals = ok!(self.attribute(values, faces));
+        Ok(Self { normals, ..self })
+    }
+
+    /// Adds colors: one per position, or any number if `faces` gives three indices per triangle.
+    ///
+    /// # Errors
+    ///
+    /// The same as for [`with_uvs`](Self::with_uvs).
+    pub const fn with_colors(
+        self,
+        values: &'a [Rgb888],
+        faces: Option<&'a [[Index; 3]]>,
+    ) -> Result<Self, Error> {
+        let colors = ok!(self.attribute(values, faces));
+        Ok(Self { colors, ..self })
+    }
+
+    /// The mesh without its texture coordinates. [`without_edges`](Self::without_edges) says how this saves flash.
+    #[must_use]
+    pub const fn without_uvs(self) -> Self {
+        let uvs = Attribute::NONE;
+        Self { uvs, ..self }
+    }
+
+    /// The mesh without its normals. [`without_edges`](Self::without_edges) says how this saves flash. Lighting then
+    /// uses the normals of the triangles.
+    #[must_use]
+    pub const fn without_normals(self) -> Self {
+        let normals = Attribute::NONE;
+        Self { normals, ..self }
+    }
+
+    /// The mesh without its colors. [`without_edges`](Self::without_edges) says how this saves flash.
+    #[must_use]
+    pub const fn without_colors(self) -> Self {
+        let colors = Attribute::NONE;
+        Self { colors, ..self }
+    }
+
+    /// The mesh with normals and texture coordinates in fewer bits. The lists must fit the mesh, because they are not
+    /// checked. Lists of faces may be empty.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn quantized(
+        self,
+        (normals, normal_faces): (&'a Small<'a, Vec3>, &'a [[Index; 3]]),
+        (uvs, uv_faces): (&'a Small<'a, Vec2>, &'a [[Index; 3]]),
+    ) -> Self {
+        Self {
+            normals: Attribute::of((Values::small(normals), normal_faces)),
+            uvs: Attribute::of((Values::small(uvs), uv_faces)),
+            ..self
+        }
+    }
+
+    /// Whether the mesh has texture coordinates.
+    #[must_use]
+    pub const fn has_uvs(&self) -> bool {
+        self.uvs.values.len() > 0
+    }
+
+    /// Whether the mesh has normals.
+    #[must_use]
+    pub const fn has_normals(&self) -> bool {
+        self.normals.values.len() > 0
+    }
+
+    /// Whether the mesh has colors.
+    #[must_use]
+    pub const fn has_colors(&self) -> bool {
+        self.colors.values.len() > 0
+    }
+
+    const fn attribute<T: Copy>(
+        &self,
+        values: &'a [T],
+        faces: Option<&'a [[Index; 3]]>,
+    ) -> Result<Attribute<'a, T>, Error> {
+        let (given, needed) = match faces {
+            None => (values.len(), self.positions.len()),
+            Some(faces) => (faces.len(), self.faces.len()),
+        };
+        ok!(check_length(given, needed));
+        if let Some(faces) = faces {
+            ok!(check(faces, values.len(), Some(Self::NO_VALUE)));
+        }
+        let values = Values::Full(values);
+        Ok(Attribute { values, faces })
     }
 }

@@ -43,8 +43,10 @@
 mod attribute;
 mod bounds;
 mod buffers;
+mod counts;
 #[doc(hidden)]
 pub mod flash;
+mod index;
 mod keyframes;
 #[allow(clippy::module_inception)] // one type, one file
 mod mesh;
@@ -58,16 +60,18 @@ mod shapes;
 mod sprites;
 
 pub use bounds::Bounds;
-pub use buffers::{Buffers, Counts};
+pub use buffers::Buffers;
+pub use counts::Counts;
+pub use index::Index;
+pub(crate) use index::Indices;
 pub use keyframes::Keyframes;
-pub use mesh::{Index, Mesh};
+pub use mesh::Mesh;
 pub use outline::Outline;
 pub use part::{Material, Part, TextureAlpha};
 pub use placement::Missing;
 pub(crate) use placement::Placement;
 pub use positions::Positions;
 pub(crate) use positions::StoredPosition;
-pub(crate) use primitive::Indices;
 pub use primitive::{Corner, Primitive};
 pub use shapes::Shape;
 pub use sprites::Sprites;

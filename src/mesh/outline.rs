@@ -1,6 +1,7 @@
 //! The edges of a mesh with their two faces, for silhouettes and creases.
 
-use super::{Index, Mesh, Positions};
+use super::index::{Index, check};
+use super::{Mesh, Positions};
 use crate::Error;
 use crate::error::{check_count, check_crease, ok};
 use crate::num::Angle;
@@ -65,7 +66,7 @@ impl<'a> Outline<'a> {
         creases: usize,
     ) -> Result<Self, Error> {
         ok!(check_count(creases, edges.len()));
-        ok!(super::mesh::check(edges, mesh.positions().len(), None));
+        ok!(check(edges, mesh.positions().len(), None));
         Ok(Self::of(edges, creases))
     }
 

@@ -2,7 +2,7 @@
 
 use core::hash::{Hash, Hasher};
 
-use super::{Index, Mesh};
+use super::index::Index;
 use crate::error::{check_length, check_parts, ok};
 use crate::{Error, Vec3};
 
@@ -128,6 +128,24 @@ impl<'a> Positions<'a> {
     pub(crate) fn at(&self, index: Index) -> Vec3 {
         Vec3::from_bits(self.stored(index).to_bits())
     }
+
+    /// See [`Mesh::shortened`](crate::Mesh::shortened).
+    pub(super) const fn shortened<const N: usize>(&self) -> Result<([[i16; 3]; N], u32), Error> {
+        ok!(check_length(N, self.len()));
+        let fraction = finest(*self);
+        let mut short = [[0; 3]; N];
+        let mut at = 0;
+        while let Some(position) = self.get(at) {
+            let [x, y, z] = position.to_bits();
+            short[at] = [
+                rounded(x, fraction),
+                rounded(y, fraction),
+                rounded(z, fraction),
+            ];
+            at += 1;
+        }
+        Ok((short, fraction))
+    }
 }
 
 impl Eq for Positions<'_> {}
@@ -201,41 +219,5 @@ const fn rounded(bits: i32, fraction: u32) -> i16 {
     } else {
         // Components are at least −32768, so no component lies below the range.
         units as i16
-    }
-}
-
-impl Mesh<'_> {
-    /// The mesh's positions rounded to the nearest 16-bit components, and their number of fraction bits, for
-    /// [`short`](Self::short). The number of fraction bits is the greatest that the largest component permits, at most
-    /// 16.
-    ///
-    /// ```
-    /// use fixel::prelude::*;
-    /// let positions = [vec3!(0, 0, 0), vec3!(1.7, 0, 0), vec3!(0, -1, 0)];
-    /// let mesh = Mesh::new(&positions, &[[0, 1, 2]])?;
-    /// let (short, fraction) = mesh.shortened::<3>()?;
-    /// assert_eq!((short[2], fraction), ([0, -1 << 14, 0], 14));
-    /// assert!(Mesh::short(&short, fraction, mesh.faces()).is_ok());
-    /// # Ok::<(), Error>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Length`] unless the mesh has exactly `N` positions.
-    pub const fn shortened<const N: usize>(&self) -> Result<([[i16; 3]; N], u32), Error> {
-        ok!(check_length(N, self.positions.len()));
-        let fraction = finest(self.positions);
-        let mut short = [[0; 3]; N];
-        let mut at = 0;
-        while let Some(position) = self.positions.get(at) {
-            let [x, y, z] = position.to_bits();
-            short[at] = [
-                rounded(x, fraction),
-                rounded(y, fraction),
-                rounded(z, fraction),
-            ];
-            at += 1;
-        }
-        Ok((short, fraction))
     }
 }

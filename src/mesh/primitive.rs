@@ -2,67 +2,11 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use super::{Index, Placement};
+use super::Placement;
+use super::index::{Element, Index, Indices};
 use crate::math::Direction;
 use crate::num::wide::scaled_cross;
 use crate::{Scalar, Vec2, Vec3};
-
-/// The indices of a primitive's data in its mesh.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Indices {
-    pub(crate) element: Element,
-    /// The indices of the primitive's three positions. An edge repeats its second position; a point repeats its
-    /// position twice.
-    pub(crate) corners: [Index; 3],
-}
-
-/// A triangle with its number among the mesh's faces, an edge with its number among the edges of the mesh or of an
-/// outline, or a point.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Element {
-    Face(usize),
-    Edge(usize),
-    Point,
-}
-
-impl Indices {
-    #[inline]
-    pub(crate) const fn of_face(face: usize, corners: [Index; 3]) -> Self {
-        let element = Element::Face(face);
-        Self { element, corners }
-    }
-
-    #[inline]
-    pub(crate) const fn of_edge(edge: usize, [a, b]: [Index; 2]) -> Self {
-        let (element, corners) = (Element::Edge(edge), [a, b, b]);
-        Self { element, corners }
-    }
-
-    #[inline]
-    pub(crate) const fn of_point(index: Index) -> Self {
-        let (element, corners) = (Element::Point, [index; 3]);
-        Self { element, corners }
-    }
-
-    /// The number of the triangle among the faces, or of the edge among the edges; 0 for a point.
-    #[inline]
-    pub(crate) const fn number(&self) -> usize {
-        match self.element {
-            Element::Face(number) | Element::Edge(number) => number,
-            Element::Point => 0,
-        }
-    }
-
-    /// The number of the triangle among the faces. An edge or a point has no such number, so it has no value in
-    /// attributes with faces of their own.
-    #[inline]
-    pub(super) const fn face(&self) -> Option<usize> {
-        match self.element {
-            Element::Face(face) => Some(face),
-            Element::Edge(_) | Element::Point => None,
-        }
-    }
-}
 
 /// A triangle, edge or point of a mesh that is about to be drawn.
 ///

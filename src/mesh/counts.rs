@@ -1,0 +1,56 @@
+//! The lengths of a mesh's lists.
+
+use super::{Index, Mesh};
+
+/// How many elements each list of a mesh has. [`Buffers`](super::Buffers) need room for these elements.
+///
+/// ```
+/// use fixel::mesh::Shape;
+/// let cube = Shape::cuboid(fixel::vec3!(1, 1, 1))?.counts();
+/// assert_eq!((cube.positions, cube.faces, cube.edges), (24, 12, 12));
+/// # Ok::<(), fixel::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Counts {
+    /// Positions.
+    pub positions: usize,
+    /// Triangles.
+    pub faces: usize,
+    /// Edges.
+    pub edges: usize,
+    /// Texture coordinates.
+    pub uvs: usize,
+    /// Triangles in the list of indices of texture coordinates; 0 if texture coordinates are indexed like the
+    /// positions.
+    pub uv_faces: usize,
+    /// Normals.
+    pub normals: usize,
+    /// Triangles in the list of indices of normals; 0 if normals are indexed like the positions.
+    pub normal_faces: usize,
+    /// Colors.
+    pub colors: usize,
+}
+
+impl Mesh<'_> {
+    /// How many elements each list has.
+    #[must_use]
+    pub const fn counts(&self) -> Counts {
+        const fn own(faces: Option<&[[Index; 3]]>) -> usize {
+            match faces {
+                Some(faces) => faces.len(),
+                None => 0,
+            }
+        }
+        Counts {
+            positions: self.positions.len(),
+            faces: self.faces.len(),
+            edges: self.edges.len(),
+            uvs: self.uvs.values.len(),
+            uv_faces: own(self.uvs.faces),
+            normals: self.normals.values.len(),
+            normal_faces: own(self.normals.faces),
+            colors: self.colors.values.len(),
+        }
+    }
+}
