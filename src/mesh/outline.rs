@@ -80,13 +80,13 @@ impl<'a> Outline<'a> {
     /// Finds the outline of a mesh. Edges at which the normals of the faces differ by more than `crease` are creases.
     /// At 0 degrees, all edges of polygons are creases; at 180 degrees, there are no creases.
     ///
-    /// `edges` needs room for the three sides of every face. About half of this room is used.
+    /// `edges` needs room for the three sides of every face. A closed mesh uses half of this room.
     ///
     /// The sides of two faces form one edge if their ends have the same positions, even if the indices differ.
     /// Therefore, a seam of texture coordinates is not a border. Faces without area are ignored. An angle of at most
     /// 2⁻¹⁰ radians (0.056 degrees) between two faces counts as flat, so the diagonals of a flat polygon are never
-    /// creases. If two faces run along an edge in the same direction, each face has a border at that edge. Lines of an
-    /// OBJ file that belong to no face are left out.
+    /// creases. Two faces that run along an edge in the same direction do not share it: each has a border there, unless
+    /// another face runs the other way. Only sides of faces count, so lines of an OBJ file are left out.
     ///
     /// ```
     /// use fixel::mesh::Outline;

@@ -80,8 +80,9 @@ impl<O: Output> Shader for Flat<O> {
 /// One color per triangle, in the order of the mesh's faces.
 ///
 #[cfg_attr(doc, doc = page_picture!("face_colors", "A coarse ball whose triangles have different colors"))]
-/// Triangles beyond the end of the list have the list's last color; if the list is empty, all triangles are black (the
-/// color's default). Edges and points have the first color.
+/// If edges are drawn, an edge has the color at [its index](crate::Primitive::edge). Triangles and edges beyond the end
+/// of the list have the list's last color, and so have points. If the list is empty, everything is black (the color's
+/// default).
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
@@ -109,7 +110,7 @@ pub struct FaceColors<'a, C> {
 }
 
 impl<'a, C: PixelColor + Default> FaceColors<'a, C> {
-    /// A shader that gives each triangle the color at the triangle's index in `colors`.
+    /// A shader that gives each triangle or edge the color at its index in `colors`.
     #[must_use]
     pub const fn new(colors: &'a [C]) -> Self {
         Self { colors }
@@ -210,14 +211,14 @@ impl<C: PixelFormat> Shader for PartColors<'_, C> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::fixture::{IDENTITY, face, shade};
+    use super::super::fixture::{IDENTITY, edge, face, shade};
     use super::*;
     use crate::mesh::Material;
     use crate::{Mesh, Vec3};
     use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 
     #[test]
-    fn each_face_has_its_own_color() {
+    fn each_face_or_edge_has_its_own_color() {
         let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
         let mesh = Mesh::new(&positions, &[[0, 1, 2]; 4]).unwrap();
         let colors = [Gray8::new(10), Gray8::new(20), Gray8::new(30)];
@@ -229,6 +230,13 @@ mod tests {
         };
         assert_eq!(shown(&colors), [10, 20, 30, 30]);
         assert_eq!(shown(&[]), [0; 4]);
+
+        let mesh = mesh.with_edges(&[[0, 1], [1, 2], [2, 0], [0, 2]]).unwrap();
+        let shown = |i| edge(FaceColors::new(&colors), &mesh, i).map(|PerFace(color)| color.luma());
+        assert_eq!(
+            [0, 1, 2, 3].map(shown),
+            [[10; 2], [20; 2], [30; 2], [30; 2]]
+        );
     }
 
     #[test]

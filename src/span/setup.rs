@@ -69,11 +69,11 @@ impl Varying {
     /// Whether the varying may be interpolated without regard to 1/w. `range` is the varying's range, `least` is the
     /// least 1/w, and `change` is the range of 1/w.
     ///
-    /// Let q be 1/w and f the varying, both at the corners, and λ the barycentric weights of a pixel, which add up to
-    /// 1. The affine value is Σλf, the exact value is Σλqf / Σλq. Their difference is the covariance of q and f,
-    /// weighted by λ, divided by the mean Σλq. The covariance is at most a quarter of the product of the ranges of q
-    /// and f, and the mean is at least `least`. So the error is at most `change` · range of f / (4 · `least`), which
-    /// must be below the tolerance.
+    /// Let q be 1/w and f the varying, both at the corners, and λ the barycentric weights of a pixel; their sum is 1.
+    /// The affine value is Σλf, the exact value is Σλqf / Σλq. Their difference is the covariance of q and f, weighted
+    /// by λ, divided by the mean Σλq. The covariance is at most a quarter of the product of the ranges of q and f, and
+    /// the mean is at least `least`. So the error is at most `change` · range of f / (4 · `least`), which must be below
+    /// the tolerance.
     #[inline]
     fn is_affine(&self, range: u32, least: u32, change: u32) -> bool {
         product(range.cast_signed(), change.cast_signed())

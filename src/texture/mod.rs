@@ -12,13 +12,6 @@
 //! shader [`Textured`](crate::Textured) draws all of these, and your own [`Sampler`]s. Texels of [`Argb4444`] have an
 //! opacity, and texels of [`Argb1555`] may be holes.
 
-// Files are read at compile time, where `From` is not const; offsets lie within a file.
-#![allow(
-    clippy::cast_lossless,
-    clippy::cast_possible_wrap,
-    clippy::cast_sign_loss
-)]
-
 mod addressing;
 mod argb;
 mod blend;
