@@ -225,6 +225,8 @@
 extern crate std;
 
 #[cfg(test)]
+mod fixtures;
+#[cfg(test)]
 #[path = "../tests/support/random.rs"]
 mod random;
 

@@ -147,9 +147,9 @@ fn fraction(inner: i64, outer: i64) -> i32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fixtures::picture::Picture;
     use crate::math::{Transform, Vec3};
     use crate::mesh::Indices;
-    use crate::raster::picture::Picture;
     use crate::raster::{Cull, area};
     use crate::view::{Parallel, Projection, Viewport, Window};
     use crate::{Mesh, Scalar, fx};

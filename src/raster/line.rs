@@ -157,8 +157,8 @@ impl<'r> Course<'r> {
 #[cfg(test)]
 mod tests {
     use super::super::Scissor;
-    use super::super::picture::{Picture, clipped};
     use super::*;
+    use crate::fixtures::picture::{Picture, clipped};
 
     /// Draws a line between two places in quarters of a pixel.
     fn draw(picture: &mut Picture, scissor: &Scissor, ends: [[i32; 2]; 2]) {

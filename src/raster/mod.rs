@@ -4,8 +4,6 @@ mod cull;
 mod edge;
 mod line;
 mod line_style;
-#[cfg(test)]
-pub(crate) mod picture;
 mod point;
 mod polygon;
 mod rasterizer;

@@ -46,8 +46,8 @@ pub(super) fn set_up<'r>(
 #[cfg(test)]
 mod tests {
     use super::super::Scissor;
-    use super::super::picture::{Picture, vertex};
     use super::*;
+    use crate::fixtures::picture::{Picture, vertex};
 
     /// Draws points, each over the points before it.
     fn drawn(places: &[[i32; 2]], scissor: &Scissor) -> Picture {

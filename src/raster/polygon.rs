@@ -155,8 +155,8 @@ impl FanTriangle<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::picture::{Picture, clipped};
     use super::*;
+    use crate::fixtures::picture::{Picture, clipped};
     use crate::mesh::Indices;
     use std::vec::Vec;
 

@@ -168,8 +168,8 @@ pub(crate) fn sized_point(
 
 #[cfg(test)]
 mod tests {
-    use super::super::picture::{Picture, vertex};
     use super::*;
+    use crate::fixtures::picture::{Picture, vertex};
 
     /// Draws a point. The place and the size of the point are in quarters of a pixel.
     fn draw(picture: &mut Picture, place: [i32; 2], size: i64, is_round: bool) {

@@ -209,8 +209,8 @@ impl Strip {
 
 #[cfg(test)]
 mod tests {
-    use super::super::picture::{Picture, clipped};
     use super::*;
+    use crate::fixtures::picture::{Picture, clipped};
     use crate::{LineStyle, Scalar, fx};
 
     /// The share of each pixel that a line covers, in sixteenths, as a hexadecimal digit; f also means a whole pixel. A

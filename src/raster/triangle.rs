@@ -171,8 +171,8 @@ fn cut(rows: &mut [Columns], scissor: &Range<i32>) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::picture::{Picture, vertex};
     use super::*;
+    use crate::fixtures::picture::{Picture, vertex};
 
     /// Draws a triangle with its corners in quarters of a pixel; returns false if its bounds show that it has no pixel.
     fn draw(picture: &mut Picture, scissor: &Scissor, corners: [[i32; 2]; 3]) -> bool {

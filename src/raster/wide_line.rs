@@ -55,8 +55,8 @@ pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], 
 
 #[cfg(test)]
 mod tests {
-    use super::super::picture::{Picture, clipped};
     use super::*;
+    use crate::fixtures::picture::{Picture, clipped};
     use crate::{LineStyle, Scalar, fx};
 
     /// Draws a line between two places in quarters of a pixel.

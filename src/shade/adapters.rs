@@ -160,9 +160,9 @@ impl<S: Shader<Color: Output<Color: PixelFormat>>> Shader for Dithered<S> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::fixture::{IDENTITY, count, face, fragment, shade};
     use super::super::{FaceColors, Flat, Textured, Varyings};
     use super::*;
+    use crate::fixtures::shader::{IDENTITY, count, face, fragment, shade};
     use crate::{Mesh, Vec3, vec2};
     use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888, RgbColor};
 

@@ -211,8 +211,8 @@ impl<C: PixelFormat> Shader for PartColors<'_, C> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::fixture::{IDENTITY, edge, face, shade};
     use super::*;
+    use crate::fixtures::shader::{IDENTITY, edge, face, shade};
     use crate::mesh::Material;
     use crate::{Mesh, Vec3};
     use embedded_graphics::pixelcolor::{Gray8, GrayColor};

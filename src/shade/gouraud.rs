@@ -63,8 +63,8 @@ impl<C: PixelFormat> Shader for Gouraud<C> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::fixture::{IDENTITY, count, face, shade};
     use super::*;
+    use crate::fixtures::shader::{IDENTITY, count, face, shade};
     use crate::{Mesh, Vec3};
     use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888, RgbColor};
 

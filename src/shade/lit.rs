@@ -82,9 +82,9 @@ impl<O: Output<Color: PixelFormat>, L: Lighting> Effect<O> for ByFace<L> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::fixture::{IDENTITY, count, face, scale, shade};
     use super::super::{Flat, Gouraud, Shader, Texels, Textured, Varyings};
     use super::*;
+    use crate::fixtures::shader::{IDENTITY, count, face, scale, shade};
     use crate::{Mesh, Vec3, fx, vec2, vec3};
     use embedded_graphics::pixelcolor::{Gray8, Rgb565, Rgb888, RgbColor};
 

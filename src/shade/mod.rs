@@ -47,9 +47,6 @@ mod textured;
 mod varyings;
 mod views;
 
-#[cfg(test)]
-mod fixture;
-
 #[doc(hidden)]
 pub use adapters::{Adapted, Converted, Dithered, Effect, Map, Tint, Tinted};
 pub use flat::{FaceColors, Flat, PartColors};

@@ -319,8 +319,8 @@ impl<S: Sampler<Color: PixelColor>, M: Sampler<Color: GrayColor>> Sampler for Ma
 
 #[cfg(test)]
 mod tests {
-    use super::super::fixture::{IDENTITY, edge, face, shade};
     use super::*;
+    use crate::fixtures::shader::{IDENTITY, edge, face, shade};
     use crate::{Mesh, Vec2, Vec3, vec2};
     use embedded_graphics::pixelcolor::{Gray4, Gray8, GrayColor, Rgb565};
 

@@ -160,8 +160,8 @@ impl<C: PixelFormat> Shader for NormalView<C> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::fixture::{IDENTITY, face, scale, shade};
     use super::*;
+    use crate::fixtures::shader::{IDENTITY, face, scale, shade};
     use crate::{Mesh, Vec3, vec3};
     use embedded_graphics::geometry::Point;
     use embedded_graphics::pixelcolor::{BinaryColor, Gray8, GrayColor};

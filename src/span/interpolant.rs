@@ -388,8 +388,8 @@ const fn moved([step, row]: [i32; 2], [x, y]: [i32; 2]) -> i32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fixtures::picture::vertex;
     use crate::random::{Random, cases, number};
-    use crate::raster::picture::vertex;
     use crate::raster::{area, first_center};
     use rand::Rng;
 

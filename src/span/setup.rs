@@ -308,8 +308,8 @@ impl Setup {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fixtures::picture::vertex;
     use crate::raster::area;
-    use crate::raster::picture::vertex;
 
     /// The number of bits of a varying's scale in a triangle with corners of these 1/w.
     fn bits(q: [u32; 3]) -> u32 {

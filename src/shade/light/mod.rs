@@ -205,7 +205,7 @@ pub trait Lighting: Copy {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shade::fixture::{IDENTITY, face};
+    use crate::fixtures::shader::{IDENTITY, face};
     use crate::shade::{FaceLit, Flat, Shader};
     use crate::{Angle, Mesh, fx, vec3};
     use embedded_graphics::pixelcolor::Gray8;

@@ -116,7 +116,7 @@ impl Lamp for Light {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shade::fixture::scale;
+    use crate::fixtures::shader::scale;
     use crate::{fx, vec3};
 
     /// Brightness is rounded to 2⁻¹⁶; the error of directions is 2⁻²⁸.
