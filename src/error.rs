@@ -3,8 +3,9 @@
 use core::convert::Infallible;
 use core::fmt;
 
+use crate::math::Vec3;
 use crate::message::{Message, Piece};
-use crate::{Angle, Scalar, Vec3};
+use crate::num::{Angle, Scalar};
 
 /// Takes the value of a result, or returns the error, like `?`, but also in a const fn.
 macro_rules! ok {

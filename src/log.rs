@@ -2,12 +2,13 @@
 
 use defmt::{Debug2Format, Display2Format, Format, Formatter};
 
+use crate::error::Error;
+use crate::math::{Matrix4, Vec2, Vec3};
 use crate::mesh::Shape;
-use crate::num::Subpixel;
+use crate::num::{Angle, Fraction, Scalar, Subpixel, TexCoord};
+use crate::pipeline::{Hit, ScreenPoint};
+use crate::raster::PointStyle;
 use crate::view::{Projection, ProjectionKind, Segment, Window};
-use crate::{
-    Angle, Error, Fraction, Hit, Matrix4, PointStyle, Scalar, ScreenPoint, TexCoord, Vec2, Vec3,
-};
 
 macro_rules! format {
     ($adapter:ident: $($({$K:ident: $bound:path})? $Type:ty),+) => {$(

@@ -3,7 +3,8 @@
 
 #![allow(clippy::cast_possible_wrap)] // counts
 
-use crate::{Angle, Error};
+use crate::error::Error;
+use crate::num::Angle;
 
 /// Longest message, in bytes; the rest is cut off.
 const ROOM: usize = 512;
@@ -14,7 +15,7 @@ pub(crate) enum Piece<'a> {
     Text(&'a str),
     Number(i64),
     Thousandths(i64),
-    Scalar(crate::Scalar),
+    Scalar(crate::num::Scalar),
     Degrees(Angle),
 }
 use Piece::{Degrees, Number, Scalar, Text, Thousandths};

@@ -10,7 +10,7 @@ use embedded_graphics::primitives::{PointsIter, Rectangle};
 
 use super::depth::{DepthBuffer, LinearDepth, NoDepth};
 use super::storage::{Cell, Cells, Memory, Native, Storage};
-use crate::Error;
+use crate::error::Error;
 use crate::error::check_length;
 
 /// Largest width and height of a frame, in pixels.

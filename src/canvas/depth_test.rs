@@ -1,7 +1,7 @@
 //! How a draw call uses the depth buffer.
 
 use super::depth::DepthBuffer;
-use crate::Scalar;
+use crate::num::Scalar;
 use crate::sealed::Sealed;
 
 /// How a draw call uses the canvas's depth buffer.

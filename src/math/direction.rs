@@ -1,9 +1,10 @@
 //! Directions in world space, and the matrix that takes a model's normals to world space.
 
+use crate::error::Error;
+use crate::math::Vec3;
 use crate::num::Fraction;
 use crate::num::rsqrt::{measure, unit};
 use crate::num::wide::dot;
-use crate::{Error, Vec3};
 
 /// A vector of length one, or of length zero where there is no direction.
 ///

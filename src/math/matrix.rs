@@ -3,7 +3,7 @@
 use core::ops::Mul;
 
 use super::Vec3;
-use crate::Scalar;
+use crate::num::Scalar;
 use crate::num::{block, number::multiply};
 
 /// A 4×4 matrix of [`Scalar`]s by rows, for column vectors.

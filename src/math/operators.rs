@@ -5,9 +5,9 @@ use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use super::{Vec2, Vec3};
-use crate::num::block;
+use crate::error::Error;
 use crate::num::number::operators;
-use crate::{Error, Scalar, TexCoord};
+use crate::num::{Scalar, TexCoord, block};
 
 /// `from + (to − from) · t`, rounded to nearest (half up) once; saturates.
 fn interpolate(from: i32, to: i32, t: Scalar) -> i32 {

@@ -3,7 +3,7 @@
 use core::ops::Mul;
 
 use super::{NormalMatrix, Vec3};
-use crate::Scalar;
+use crate::num::Scalar;
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt as unit;
 use crate::num::wide::{dot, product};

@@ -1,6 +1,6 @@
 //! Texture coordinates.
 
-use crate::TexCoord;
+use crate::num::TexCoord;
 
 /// A texture coordinate: two [`TexCoord`]s, up to 2048 repeats of the texture in each direction.
 ///

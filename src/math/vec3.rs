@@ -1,6 +1,6 @@
 //! Points and directions in space.
 
-use crate::Scalar;
+use crate::num::Scalar;
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt::{measure, unit};
 

@@ -4,7 +4,7 @@ use core::hash::{Hash, Hasher};
 use core::ops::Range;
 
 use super::index::{Index, Indices};
-use crate::{Vec2, Vec3};
+use crate::math::{Vec2, Vec3};
 
 /// The values of one attribute. Without `faces` of its own, an attribute is indexed like the positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,7 +1,7 @@
 //! The box around a mesh.
 
 use super::Mesh;
-use crate::Vec3;
+use crate::math::Vec3;
 
 /// A box with sides parallel to the axes of model space, such as the smallest box of this kind around a mesh.
 ///

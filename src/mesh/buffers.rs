@@ -1,8 +1,8 @@
 //! Memory for generated meshes.
 
 use super::{Counts, Index, Mesh, Positions};
-use crate::error::{check_count, ok};
-use crate::{Error, Vec2, Vec3};
+use crate::error::{Error, check_count, ok};
+use crate::math::{Vec2, Vec3};
 
 /// Memory for a shape that is built at run time: one slice per list, each at least as long as [`Counts`] says.
 ///

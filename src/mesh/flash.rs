@@ -4,8 +4,8 @@ pub use embedded_graphics::pixelcolor::Rgb888;
 
 pub use super::attribute::{Small, UvGrid, short_normal};
 use super::{Buffers, Index, Mesh};
+use crate::math::{Vec2, Vec3};
 pub use crate::message::checked;
-use crate::{Vec2, Vec3};
 
 /// Lists with room for `N` elements each.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,6 @@
 //! Indices of positions and attributes, and the indices of a primitive.
 
-use crate::Error;
+use crate::error::Error;
 
 /// An index into a mesh's positions or attributes. A triangle is stored as three indices, and an edge as two.
 ///

@@ -3,9 +3,11 @@
 use super::attribute::{Attribute, Values};
 use super::buffers::room;
 use super::{Index, Mesh, Positions};
-use crate::error::{check_length, ok};
+use crate::error::{Error, check_length, ok};
+use crate::math::Vec3;
+use crate::message;
+use crate::num::Scalar;
 use crate::num::wide::product;
-use crate::{Error, Scalar, Vec3, message};
 
 /// Two poses of one mesh that can be blended: their positions, and their normals if both poses have normals.
 ///

@@ -5,8 +5,9 @@ use embedded_graphics::pixelcolor::Rgb888;
 use super::attribute::{Attribute, Small, Values};
 use super::index::{Index, check};
 use super::positions::Positions;
-use crate::error::{check_count, check_length, ok};
-use crate::{Error, Vec2, Vec3, message};
+use crate::error::{Error, check_count, check_length, ok};
+use crate::math::{Vec2, Vec3};
+use crate::message;
 
 /// A triangle mesh that borrows slices of the caller: positions and faces, and optionally texture coordinates, normals,
 /// colors and edges.

@@ -2,10 +2,10 @@
 
 use super::buffers::room;
 use super::{Index, Mesh};
-use crate::error::check_crease;
-use crate::math::Direction;
+use crate::error::{Error, check_crease};
+use crate::math::{Direction, Vec3};
+use crate::num::Angle;
 use crate::num::rsqrt::unit;
-use crate::{Angle, Error, Vec3};
 
 /// Fraction bits of an angle in radians. The sum at one position saturates at 512 radians.
 const FRACTION: u32 = 22;

@@ -2,7 +2,7 @@
 
 use super::index::{Index, check};
 use super::{Mesh, Positions};
-use crate::Error;
+use crate::error::Error;
 use crate::error::{check_count, check_crease, ok};
 use crate::num::Angle;
 

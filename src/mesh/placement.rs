@@ -6,8 +6,7 @@ use core::ops::AddAssign;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::{Indices, Mesh, Primitive};
-use crate::math::{Direction, NormalMatrix, Transform};
-use crate::{Vec2, Vec3};
+use crate::math::{Direction, NormalMatrix, Transform, Vec2, Vec3};
 
 /// A mesh, where a draw call places it, and which attributes the shader asked for but the mesh lacks.
 #[derive(Clone, Debug)]

@@ -3,8 +3,8 @@
 use core::hash::{Hash, Hasher};
 
 use super::index::Index;
-use crate::error::{check_length, check_parts, ok};
-use crate::{Error, Vec3};
+use crate::error::{Error, check_length, check_parts, ok};
+use crate::math::Vec3;
 
 /// The positions of a mesh, with 32-bit or 16-bit components; [`Mesh::positions`](crate::Mesh::positions) returns
 /// them.

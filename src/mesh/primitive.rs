@@ -4,9 +4,9 @@ use embedded_graphics::pixelcolor::Rgb888;
 
 use super::Placement;
 use super::index::{Element, Index, Indices};
-use crate::math::Direction;
+use crate::math::{Direction, Vec2, Vec3};
+use crate::num::Scalar;
 use crate::num::wide::scaled_cross;
-use crate::{Scalar, Vec2, Vec3};
 
 /// A triangle, edge or point of a mesh that is about to be drawn.
 ///

@@ -2,9 +2,9 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use crate::error::{check_extent, check_length, check_parts, ok};
-use crate::num::TexCoord;
-use crate::{Error, Scalar, Vec2, Vec3};
+use crate::error::{Error, check_extent, check_length, check_parts, ok};
+use crate::math::{Vec2, Vec3};
+use crate::num::{Scalar, TexCoord};
 
 /// Sprites, also called billboards: a rectangle at each position of a list, parallel to the image plane.
 /// [`Canvas::draw`](crate::Canvas::draw) draws all sprites of the list, for example particles, in one call.

@@ -3,13 +3,13 @@
 use core::fmt;
 use core::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
+use crate::error::Error;
 use crate::message::{Message, Piece};
-use crate::num::Fraction;
 use crate::num::convert::HALF;
 use crate::num::number::operators;
 use crate::num::rsqrt as unit;
 use crate::num::wide::product;
-use crate::{Error, Scalar};
+use crate::num::{Fraction, Scalar};
 
 /// An angle in units of 2⁻³² of a turn: 8.4e-8 degrees, 1.5e-9 radians.
 ///

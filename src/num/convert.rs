@@ -1,7 +1,7 @@
 //! Conversions of floats and integers to fixed-point numbers, and back.
 
 use super::{Fraction, Scalar, Subpixel, TexCoord};
-use crate::Error;
+use crate::error::Error;
 use crate::error::ok;
 
 /// The greatest `f64` below a half. It is added to a float before the float is cut to an integer. A half itself would

@@ -1,6 +1,6 @@
 //! Speeds of rotation: from turns per minute and milliseconds to an angle.
 
-use crate::Angle;
+use crate::num::Angle;
 
 /// A speed of rotation.
 ///

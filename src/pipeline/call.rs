@@ -6,7 +6,7 @@ use embedded_graphics::geometry::Size;
 
 use super::cache::Slots;
 use super::vertex::Projector;
-use crate::Error;
+use crate::error::Error;
 use crate::mesh::{Mesh, Placement};
 use crate::raster::{Blitter, Cull, Rasterizer, Scissor};
 use crate::view::{AsMvp, ProjectionKind, Viewport};

@@ -24,8 +24,8 @@ use super::call::{Call, Screen};
 use super::edges::Edges;
 use super::options::DrawOptions;
 use super::run::{self, OnScreen};
-use crate::Error;
 use crate::canvas::{DepthTest, check_size};
+use crate::error::Error;
 use crate::mesh::{Index, Indices, Mesh};
 use crate::raster::{
     Blitter, ClippedVertex, Coverage, Cull, DepthShift, Polygon, Scissor, ScreenVertex, Triangle,

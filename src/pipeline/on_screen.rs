@@ -5,8 +5,8 @@ use embedded_graphics::pixelcolor::PixelColor;
 
 use super::options::DrawOptions;
 use super::vertex::Projector;
-use crate::Vec3;
 use crate::canvas::{Canvas, DepthBuffer, DepthTest, Label, Storage};
+use crate::math::Vec3;
 use crate::mesh::{Bounds, Positions};
 use crate::num::{Subpixel, block::BlockFloat};
 use crate::raster::ScreenVertex;

@@ -4,14 +4,15 @@ use embedded_graphics::geometry::Point;
 
 use super::options::DrawOptions;
 use crate::canvas::{Canvas, DepthTest, Storage};
-use crate::math::{Direction, NormalMatrix, Transform};
+use crate::error::Error;
+use crate::math::{Direction, NormalMatrix, Transform, Vec3};
 use crate::mesh::Mesh;
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt::unit;
 use crate::num::wide::{dot, product};
+use crate::num::{Fraction, Scalar};
 use crate::raster::Cull;
 use crate::view::AsMvp;
-use crate::{Error, Fraction, Scalar, Vec3};
 
 /// A half-line: the points that are seen at a pixel, or the path of a shot.
 ///

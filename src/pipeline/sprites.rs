@@ -12,18 +12,17 @@ use super::run::{self, IsPlane};
 use super::thing::{Target, Thing};
 use super::vertex::Projector;
 use crate::canvas::{Blending, DepthTest};
-use crate::math::Transform;
+use crate::math::{Transform, Vec2, Vec3};
 use crate::mesh::{Index, Mesh, Placement, Positions, Sprites};
-use crate::num::TexCoord;
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt::unit;
 use crate::num::wide::{dot, product};
+use crate::num::{Scalar, TexCoord};
 use crate::raster::{Blitter, Coverage, Cull, Scissor};
 use crate::sealed::Sealed;
 use crate::shade::ShaderFor;
 use crate::span::{Shading, is_plane};
 use crate::view::{AsMvp, Projection, ProjectionKind, Viewport};
-use crate::{Scalar, Vec2, Vec3};
 
 impl Sealed for &Sprites<'_> {}
 

@@ -2,12 +2,11 @@
 
 use core::marker::PhantomData;
 
-use crate::Scalar;
 use crate::math::{AffineRow, Transform, compose};
 use crate::mesh::{Bounds, Index, Positions, StoredPosition};
 use crate::num::block::{self, BlockFloat};
-use crate::num::reciprocal;
 use crate::num::wide::{self, SHIFTS_LATER, product};
+use crate::num::{Scalar, reciprocal};
 use crate::raster::{DepthShift, LEAST_WEIGHT, MOST_WEIGHT, Scissor, ScreenVertex};
 use crate::view::{Projection, ProjectionKind, ProjectionRow, Viewport};
 

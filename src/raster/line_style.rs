@@ -1,7 +1,7 @@
 //! Styles of lines: how wide they are, and whether they are anti-aliased.
 
-use crate::error::{check_range, ok};
-use crate::{Error, Scalar};
+use crate::error::{Error, check_range, ok};
+use crate::num::Scalar;
 
 /// How wide lines are, and whether they are anti-aliased: for [`Mesh::edges`](crate::Mesh::edges) and
 /// [`Mesh::outline`](crate::Mesh::outline).

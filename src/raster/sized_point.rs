@@ -2,8 +2,8 @@
 
 use super::scissor::meet;
 use super::{Rasterizer, ScreenVertex, point};
-use crate::error::{check_extent, ok};
-use crate::{Error, Scalar};
+use crate::error::{Error, check_extent, ok};
+use crate::num::Scalar;
 
 /// The size and the shape of points, for [`Mesh::points`](crate::Mesh::points).
 ///

@@ -6,11 +6,11 @@ use embedded_graphics::geometry::Point;
 
 use super::ramp::Ramp;
 use super::{Adapted, Effect, Output, PixelFormat, Precise, Within};
-use crate::error::{check_order, check_range, ok};
+use crate::error::{Error, check_order, check_range, ok};
 use crate::mesh::Primitive;
+use crate::num::Scalar;
 use crate::num::wide::clamp_negative;
 use crate::sealed::{Sealed, sealed};
-use crate::{Error, Scalar};
 
 /// Fog that hides distant surfaces. It has a color, and a density that says how much of a surface remains visible at
 /// each distance; see [`Shader::in_fog`](super::Shader::in_fog).

@@ -4,9 +4,9 @@ use embedded_graphics::pixelcolor::Rgb888;
 
 use super::ramp::Ramp;
 use super::{Fragment, PixelFormat, Precise, Shader};
-use crate::error::check_order;
+use crate::error::{Error, check_order};
 use crate::mesh::Primitive;
-use crate::{Error, Scalar};
+use crate::num::Scalar;
 
 /// A height is converted to a share of the way from bottom to top, with this many fraction bits.
 const BITS: u32 = 12;

@@ -3,10 +3,12 @@
 use embedded_graphics::geometry::Size;
 
 use super::{Fragment, PerFace, Shader, Texel, Texels, Textured};
+use crate::error::Error;
+use crate::math::Vec3;
 use crate::mesh::Primitive;
 use crate::num::log2;
 use crate::texture::{Addressing, Blend, Filter, Nearest, Sampler, Trilinear};
-use crate::{Error, Projection, Vec3, Viewport};
+use crate::view::{Projection, Viewport};
 
 /// The density of edges and points: less than the density of any triangle, so that edges and points have level 0.
 const FINEST: i32 = -(1 << 20);

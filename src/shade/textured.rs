@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use embedded_graphics::pixelcolor::{GrayColor, PixelColor};
 
 use super::{Fragment, Shader, Texel, Texels, Translucent};
-use crate::Error;
+use crate::error::Error;
 use crate::mesh::Primitive;
 use crate::texture::{
     Addressing, Bilinear, Blend, Clamp, CutOut, Filter, Nearest, Repeat, Sampler, origin, texels,

@@ -6,7 +6,7 @@ use super::newton::{FRACTION, tangent};
 use super::pixels::Span;
 use super::plan::Plan;
 use super::setup::{Planes, SHALLOW, Varying};
-use crate::Scalar;
+use crate::num::Scalar;
 use crate::sealed::{Sealed, sealed};
 use crate::shade::{Lanes, Tolerance};
 

@@ -1,6 +1,6 @@
 //! What a texture shows beyond its edges.
 
-use crate::TexCoord;
+use crate::num::TexCoord;
 use crate::sealed::{Sealed, sealed};
 
 /// What a texture shows beyond its edges: [`Repeat`] or [`Clamp`].

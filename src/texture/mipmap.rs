@@ -3,7 +3,7 @@
 use super::filter::size_at;
 use super::sampler::{exponents, size_log2};
 use super::{Blend, Sampler};
-use crate::Error;
+use crate::error::Error;
 use crate::error::{check_length, ok};
 
 /// A texture with its mipmap levels: the texture itself, and smaller copies of it for triangles that are far away.

@@ -8,8 +8,8 @@ use embedded_graphics::pixelcolor::raw::{BigEndian, RawData, RawU16};
 
 use super::sampler::exponents;
 use super::{Argb1555, Argb4444, Sampler};
-use crate::error::{check_length, check_parts, ok};
-use crate::{Error, message};
+use crate::error::{Error, check_length, check_parts, ok};
+use crate::message;
 
 /// A texture of raw bytes, usually from `include_bytes!`, in the format of embedded-graphics' `ImageRaw`.
 ///

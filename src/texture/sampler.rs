@@ -1,6 +1,6 @@
 //! The interface between a texture and its shader: texels by column and row.
 
-use crate::Error;
+use crate::error::Error;
 use crate::error::ok;
 use crate::message;
 

@@ -5,7 +5,7 @@ use core::slice;
 
 use super::Sampler;
 use super::sampler::{self, exponents, size_log2};
-use crate::Error;
+use crate::error::Error;
 use crate::error::{check_length, ok};
 
 /// A texture that borrows its texels; its size is known at run time.

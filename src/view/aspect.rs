@@ -2,8 +2,9 @@
 
 use embedded_graphics::geometry::Size;
 
+use crate::error::Error;
+use crate::num::Scalar;
 use crate::num::block::saturated;
-use crate::{Error, Scalar};
 
 /// The width of a picture relative to its height.
 ///

@@ -1,8 +1,10 @@
 //! Cameras: the position of the eye and its direction of view.
 
+use crate::error::Error;
+use crate::math::{Transform, Vec3};
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt as unit;
-use crate::{Angle, Error, Scalar, Transform, Vec3};
+use crate::num::{Angle, Scalar};
 
 /// A camera: the rigid transform from world space to eye space.
 ///

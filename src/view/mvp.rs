@@ -3,7 +3,7 @@
 use core::ops::Mul;
 
 use super::{Camera, Perspective, Projection, ProjectionKind};
-use crate::Transform;
+use crate::math::Transform;
 use crate::sealed::Sealed;
 
 /// A model-view-projection: a projection, a camera and the transform of a model, applied from right to

@@ -3,9 +3,10 @@
 use core::marker::PhantomData;
 
 use super::{Viewport, Window};
+use crate::math::{Matrix4, Vec3};
+use crate::num::Scalar;
 use crate::num::block::{self, BlockFloat};
 use crate::sealed::{Sealed, sealed};
-use crate::{Matrix4, Scalar, Vec3};
 
 mod parallel;
 mod perspective;

@@ -1,7 +1,7 @@
 //! A segment in perspective: fractions of its picture, and fractions of the segment itself.
 
-use crate::num::Fraction;
-use crate::{Scalar, Vec3};
+use crate::math::Vec3;
+use crate::num::{Fraction, Scalar};
 
 /// A segment in space, given by the distances of its two ends ahead of the eye.
 ///

@@ -5,7 +5,7 @@ use core::ops::Range;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::primitives::Rectangle;
 
-use crate::Error;
+use crate::error::Error;
 
 /// A rectangle of pixels to which normalized device coordinates are mapped.
 ///

@@ -1,6 +1,6 @@
 //! The rectangle that a projection shows.
 
-use crate::Scalar;
+use crate::num::Scalar;
 
 /// The edges of the rectangle in eye space that fills the picture.
 ///

@@ -3,9 +3,11 @@
 use micromath::Quaternion;
 
 use super::Transform;
+use crate::error::Error;
+use crate::math::Vec3;
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt as unit;
-use crate::{Angle, Error, Scalar, Vec3};
+use crate::num::{Angle, Scalar};
 
 /// One, in units of 2^-29.
 const ONE: i32 = 1 << 29;

@@ -1,10 +1,12 @@
 //! Transforms from matrices and back.
 
 use super::Transform;
+use crate::error::Error;
+use crate::math::{Matrix4, Vec3};
+use crate::num::Scalar;
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt::cross;
 use crate::num::wide::product;
-use crate::{Error, Matrix4, Scalar, Vec3};
 
 /// Whether a matrix of mantissas has a negative determinant.
 fn is_mirror(&[x, y, z]: &[[i32; 3]; 3]) -> bool {

@@ -6,9 +6,9 @@ mod tests;
 mod writer;
 
 use super::{Buffers, Counts, Mesh};
-use crate::error::{check_count, check_extent, check_parts, ok};
+use crate::error::{Error, check_count, check_extent, check_parts, ok};
+use crate::math::Vec3;
 use crate::num::Scalar;
-use crate::{Error, Vec3};
 use surface::Surface;
 use writer::MeshWriter;
 

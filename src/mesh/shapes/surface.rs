@@ -2,7 +2,8 @@
 
 use super::Shape;
 use super::writer::{MeshWriter, ONE};
-use crate::{Angle, Scalar, TexCoord, Vec3};
+use crate::math::Vec3;
+use crate::num::{Angle, Scalar, TexCoord};
 
 const ZERO: TexCoord = TexCoord::ZERO;
 const UNIT: TexCoord = TexCoord::ONE;

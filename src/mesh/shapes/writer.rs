@@ -1,8 +1,9 @@
 //! Writes the vertices, triangles and edges of a shape one after the other.
 
-use crate::error::ok;
+use crate::error::{Error, ok};
+use crate::math::{Vec2, Vec3};
 use crate::mesh::{Buffers, Counts, Index};
-use crate::{Error, TexCoord, Vec2, Vec3};
+use crate::num::TexCoord;
 
 /// The number 1 with the 30 fraction bits of a `Fraction`.
 pub(super) const ONE: i64 = 1 << 30;

@@ -12,6 +12,8 @@ use embedded_graphics::pixelcolor::PixelColor;
 
 use super::{Corners, Entry, Filling, Listed, Listing, NO_ROWS, Scene};
 use crate::canvas::{Blending, Canvas, DepthBuffer, DepthTest, Storage};
+use crate::error::Error;
+use crate::math::Transform;
 use crate::mesh::{Indices, Mesh, Placement};
 use crate::pipeline::call::{Region, Screen};
 use crate::pipeline::clip::ClippedPolygon;
@@ -26,7 +28,6 @@ use crate::sealed::Sealed;
 use crate::shade::ShaderFor;
 use crate::span::{Blit, Mode};
 use crate::view::{AsMvp, Mvp, Perspective, ProjectionKind};
-use crate::{Error, Transform};
 
 /// An object of a scene: a mesh or edges, its model transform, and its material.
 ///

@@ -6,7 +6,7 @@ use core::ptr;
 use heapless::Vec;
 
 use super::{Entry, Listed, Prepared};
-use crate::Error;
+use crate::error::Error;
 use crate::mesh::{Missing, Primitive};
 use crate::shade::{Fragment, Lanes, Shader, Varyings};
 

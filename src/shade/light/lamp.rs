@@ -4,8 +4,9 @@ use super::adapters::share;
 use super::{
     Illumination, Lighting, PointLight, Shiny, SpotLight, SurfacePoint, Viewer, brightness,
 };
+use crate::error::Error;
 use crate::math::Direction;
-use crate::{Error, Scalar};
+use crate::num::Scalar;
 
 /// A light from one place or direction: [`Light`](super::Light), [`PointLight`] or [`SpotLight`]. A lamp can make
 /// highlights.

@@ -24,10 +24,10 @@ pub use viewer::Viewer;
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use crate::error::{check_range, ok};
-use crate::math::Direction;
+use crate::error::{Error, check_range, ok};
+use crate::math::{Direction, Vec3};
+use crate::num::Scalar;
 use crate::shade::format::fractions;
-use crate::{Error, Scalar, Vec3};
 
 /// Full brightness.
 pub(super) const FULL: i32 = 1 << 16;

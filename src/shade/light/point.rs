@@ -1,12 +1,11 @@
 //! Light from a point.
 
 use super::{Lamp, SurfacePoint, brightness};
-use crate::error::{check_extent, ok};
-use crate::math::Direction;
-use crate::num::reciprocal;
+use crate::error::{Error, check_extent, ok};
+use crate::math::{Direction, Vec3};
 use crate::num::rsqrt::{measure, short_root};
 use crate::num::wide::{cold, times_half};
-use crate::{Error, Scalar, Vec3};
+use crate::num::{Scalar, reciprocal};
 
 /// How the light of a lamp falls off with the distance d, up to the lamp's range r.
 ///

@@ -2,9 +2,10 @@
 
 use super::adapters::share;
 use super::{Falloff, Lamp, PointLight, SurfacePoint};
-use crate::math::Direction;
+use crate::error::Error;
+use crate::math::{Direction, Vec3};
+use crate::num::{Angle, Scalar};
 use crate::shade::ramp::Ramp;
-use crate::{Angle, Error, Scalar, Vec3};
 
 /// White light from a point in world space, in a cone: a lamp like [`PointLight`] that shines in one direction.
 ///

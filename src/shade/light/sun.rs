@@ -1,10 +1,10 @@
 //! Directional and ambient light.
 
 use super::{FULL, Illumination, Lamp, Lighting, SurfacePoint, brightness};
-use crate::error::ok;
-use crate::math::Direction;
+use crate::error::{Error, ok};
+use crate::math::{Direction, Vec3};
+use crate::num::Scalar;
 use crate::num::wide::dot;
-use crate::{Error, Scalar, Vec3};
 
 /// White light from all sides (ambient) and, like sunlight, from one direction in world space (diffuse).
 ///

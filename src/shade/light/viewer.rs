@@ -1,11 +1,10 @@
 //! Where a picture is seen from.
 
-use crate::error::ok;
-use crate::math::Direction;
+use crate::error::{Error, ok};
+use crate::math::{Direction, Vec3};
 use crate::num::rsqrt::unit;
 use crate::num::wide::dot;
 use crate::view::AsMvp;
-use crate::{Error, Vec3};
 
 /// The place from which a picture is seen, in world space: a point under a perspective projection, a direction under a
 /// parallel projection.

@@ -1,11 +1,10 @@
 //! Parallel projections: distant objects keep their size.
 
 use super::{Parallel, Projection, bits, number};
-use crate::error::check_order;
-use crate::num::Fraction;
+use crate::error::{Error, check_order};
 use crate::num::block::BlockFloat;
+use crate::num::{Angle, Fraction, Scalar};
 use crate::view::Window;
-use crate::{Angle, Error, Scalar};
 
 impl Projection<Parallel> {
     /// Makes a parallel projection of a box, along −z.

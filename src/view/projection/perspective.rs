@@ -3,10 +3,11 @@
 use core::marker::PhantomData;
 
 use super::{Perspective, Projection, ProjectionRow, bits};
-use crate::error::{check_extent, check_order};
+use crate::error::{Error, check_extent, check_order};
+use crate::math::Vec3;
 use crate::num::block::{self, BlockFloat};
+use crate::num::{Angle, Scalar};
 use crate::view::{Aspect, Window};
-use crate::{Angle, Error, Scalar, Vec3};
 
 fn check_planes(near: Scalar, far: Scalar) -> Result<(), Error> {
     check_extent("distance of the near plane", near, Scalar::MAX)?;
