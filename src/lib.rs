@@ -217,7 +217,8 @@
 //! straight, pieces, Newton or divide. The [mode] chooses the kernel for each span.
 //!
 //! Each folder depends only on the folders before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`,
-//! `canvas`, `raster`, `span`, `pipeline`.
+//! `canvas`, `raster`, `span`, `pipeline`. Inside the crate, an import names the folder that owns an item
+//! (`crate::num::Scalar`, not `crate::Scalar`), so the imports show this order.
 #![no_std]
 #![forbid(unsafe_code)]
 
