@@ -294,8 +294,8 @@ mod span;
 
 /// How varyings are interpolated: the trait [`Mode`](mode::Mode) and its five implementations.
 ///
-/// [Mathematics](crate::guide::mathematics#a-triangle) explains why each pixel needs the reciprocal of 1/w, and how the
-/// faster modes avoid a division at every pixel.
+/// [Mathematics](crate::guide::mathematics::pixels#a-triangle) explains why each pixel needs the reciprocal of 1/w, and
+/// how the faster modes avoid a division at every pixel.
 ///
 #[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
 pub mod mode {

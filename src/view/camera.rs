@@ -10,8 +10,8 @@ use crate::num::{Angle, Scalar};
 ///
 #[cfg_attr(doc, doc = diagram!("look_at"))]
 /// In eye space, the eye is at the origin and looks down −z; x points to the right, and y points up. In the diagram,
-/// these axes are *i*, *j* and *k*. [Mathematics](crate::guide::mathematics#a-camera) derives this transform and its
-/// inverse.
+/// these axes are *i*, *j* and *k*. [Mathematics](crate::guide::mathematics::views#a-camera) derives this transform and
+/// its inverse.
 ///
 /// ```
 /// use fixel::prelude::*;

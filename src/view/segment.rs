@@ -8,7 +8,7 @@ use crate::num::{Fraction, Scalar};
 #[cfg_attr(doc, doc = diagram!("foreshortening"))]
 /// A distance is −z in eye space, or the homogeneous coordinate w. Halfway along the picture is not halfway along the
 /// segment, because 1/w and every attribute divided by w are linear on the screen.
-/// [Mathematics](crate::guide::mathematics#a-segment) derives the formulas below.
+/// [Mathematics](crate::guide::mathematics::lines#a-segment) derives the formulas below.
 ///
 /// Use a segment for preparation, tests and learning; drawing computes the same numbers in a faster way. Fractions run
 /// from 0 at the start to 1 at the end. Results are rounded to nearest, half away from zero.
