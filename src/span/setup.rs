@@ -340,7 +340,7 @@ mod tests {
     }
     /// The error is at most `change` · range / (4 · `least`), and must be below the tolerance.
     #[test]
-    fn an_attribute_is_affine_below_its_tolerance() {
+    fn a_varying_is_affine_below_its_tolerance() {
         let with = |tolerance, range, change| {
             let varying = Varying {
                 tolerance,
