@@ -314,7 +314,8 @@ pub use error::Error;
 #[doc(hidden)]
 pub use pipeline::Thing;
 pub use pipeline::{
-    DrawList, DrawOptions, Drawn, Hit, Object, Prepared, Ray, ScreenPoint, ShadeList, Shades,
+    DrawList, DrawOptions, Drawn, FacesOrEdges, Hit, Object, Prepared, Ray, ScreenPoint, ShadeList,
+    Shades,
 };
 pub use raster::{Cull, LineStyle, PointStyle};
 

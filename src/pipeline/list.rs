@@ -5,10 +5,12 @@
 
 #![allow(private_interfaces)] // of traits that only this crate calls
 
+mod faces_or_edges;
 mod painter;
 mod prepared;
 mod shades;
 
+pub use faces_or_edges::FacesOrEdges;
 pub use prepared::{Object, Prepared};
 pub use shades::{ShadeList, Shades};
 
@@ -513,7 +515,7 @@ impl Filling<'_> {
 #[doc(hidden)]
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be listed",
-    note = "a list takes `&mesh`, `mesh.edges(style)`, `mesh.outline(&outline, style)` or `&mut objects`"
+    note = "a list takes `&mesh`, `mesh.edges(style)`, `mesh.outline(&outline, style)`, `FacesOrEdges` or `&mut objects`"
 )]
 pub trait Listed: Copy + Sealed {
     /// The name of the thing's elements, for error messages.

@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use fixel::canvas::Opacity;
 use fixel::prelude::*;
-use fixel::{Drawn, Prepared};
+use fixel::{Drawn, FacesOrEdges, Prepared};
 
 use crate::{List, Screen, picture};
 use support::counter::{at_subpixel, pixel_projection};
@@ -16,6 +16,7 @@ const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 static BALL: Mesh = shape!(sphere(12, 8));
 static OUTLINE: Outline = outline!(BALL, deg!(30));
 static RING: Mesh = shape!(torus(fx!(0.3), 16, 8));
+static RING_OUTLINE: Outline = outline!(RING, deg!(60));
 static EMPTY: Mesh = Mesh::checked(Mesh::new(&[], &[]));
 
 /// A ball within a ring, a ball across the near plane and the frame's left edge, and an object behind the eye.
@@ -356,4 +357,52 @@ fn prepared_edges_count_in_the_bands_that_they_reach() {
     });
     let reached = middles.iter().filter(|&y| (0..2).contains(&(y >> 8)));
     assert_eq!(counts, [0, reached.count() as u32]);
+}
+
+/// Faces and edges of one list, drawn in the order of the slice, equal the draw calls of the mesh and of its edges. The
+/// ball crosses the near plane and the frame's left edge, and wide lines reach into bands that their ends do not touch.
+#[test]
+fn faces_and_edges_share_a_list() {
+    let flat = |gray| Flat::new(Gray8::new(gray));
+    let near = Transform::translate(vec3!(-1.5, -0.8, 2.5));
+    let wide = BALL.edges(LineStyle::wide(fx!(5)).unwrap());
+    let outline = RING.outline(&RING_OUTLINE, LineStyle::HAIRLINE);
+    let mut objects = [
+        Object::new(FacesOrEdges::from(&BALL), near, flat(60)),
+        Object::new(FacesOrEdges::from(wide), near, flat(120)),
+        Object::new((&RING).into(), Transform::IDENTITY, flat(180)),
+        Object::new(outline.into(), Transform::IDENTITY, flat(250)),
+    ];
+    let (options, view) = (DrawOptions::new(), view());
+    let mut expected = [Gray8::BLACK; PIXELS];
+    let mut frame = Canvas::new(&mut expected, WIDTH, HEIGHT).unwrap();
+    for object in &objects {
+        let (mvp, shader) = (view * object.model, &object.material);
+        let drawn = match object.thing {
+            FacesOrEdges::Faces(mesh) => frame.draw(mesh, &mvp, shader),
+            FacesOrEdges::Edges(edges) => frame.draw(edges, &mvp, shader),
+        };
+        assert!(drawn.drawn > 4);
+        let mut same = [Gray8::BLACK; PIXELS];
+        let mut canvas = Canvas::new(&mut same, WIDTH, HEIGHT).unwrap();
+        assert_eq!(canvas.draw(object.thing, &mvp, shader), drawn);
+    }
+    let mut list: List = DrawList::new();
+    let scene = list.prepare(&options, SIZE, &mut objects, &view).unwrap();
+    for rows in [HEIGHT, 5, 1] {
+        let mut found = Vec::new();
+        for first in (0..HEIGHT).step_by(rows as usize) {
+            let mut color = vec![Gray8::BLACK; (WIDTH * rows.min(HEIGHT - first)) as usize];
+            let mut band = Canvas::band(&mut color, WIDTH, HEIGHT, first).unwrap();
+            for (shader, part) in scene.parts(&band).unwrap() {
+                band.draw_prepared(&part, shader).unwrap();
+            }
+            found.extend(color);
+        }
+        assert!(found == expected, "{rows} rows");
+    }
+    let mut short: DrawList<30, 600> = DrawList::new();
+    let error = short.prepare(&options, SIZE, &mut objects, &view);
+    let of = "triangles and edges";
+    assert!(matches!(error, Err(Error::Full { of: found, .. }) if found == of));
 }

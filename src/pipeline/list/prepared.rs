@@ -35,7 +35,8 @@ use crate::view::{AsMvp, Mvp, Perspective, ProjectionKind};
 /// shader.
 ///
 /// [`DrawList::prepare`](crate::DrawList::prepare) prepares a slice of objects, and stores in each object which
-/// triangles or edges of the list belong to it. So the triangles and the edges of one frame need two separate slices.
+/// triangles or edges of the list belong to it. For triangles and edges in one list, see
+/// [`FacesOrEdges`](crate::FacesOrEdges).
 ///
 /// ```
 /// use fixel::prelude::*;
