@@ -114,7 +114,7 @@ pub(super) fn steepness<K: ProjectionKind>(
     let [g, a] =
         [gain << (z & 63), area.unsigned_abs() << (y & 63)].map(|number| (number >> 32) as u32);
     let change = (unsigned_product(g, reciprocal(a >> 1)) >> 32) as u32;
-    let shift = call.projector.depth_shift().of(exponent);
+    let shift = call.projector.depth_shift().right_shift(exponent);
     // A change that is shifted by 15 bits or less is greater than any depth.
     let steepness = WideFloatDepth::encode(change, (shift + 22 + z).saturating_sub(y).max(15));
     let most = WideFloatDepth::encode(range, shift - u32::from(!is_crease));

@@ -48,7 +48,7 @@ impl Slots {
 
     /// The slot of an index. Of the first 54 indices, only index 0 has slot 0.
     #[inline]
-    pub(super) fn of(self, index: Index) -> usize {
+    pub(super) fn slot(self, index: Index) -> usize {
         // The remainder is below `SIZE`, so the compiler adds no bounds check.
         ((u32::from(index) * self.step) >> 10) as usize % SIZE
     }
@@ -85,7 +85,7 @@ impl VertexCache {
         projector: &Projector<'_, K>,
         index: Index,
     ) -> &ScreenVertex {
-        let entry = &mut self.entries[self.slots.of(index)];
+        let entry = &mut self.entries[self.slots.slot(index)];
         if entry.index != index {
             projector.project(index, None, entry);
         }
@@ -95,7 +95,7 @@ impl VertexCache {
     /// Projects a vertex if it is not in its slot. Returns whether it was projected.
     #[inline]
     fn refresh<K: ProjectionKind>(&mut self, projector: &Projector<'_, K>, index: Index) -> bool {
-        let entry = &mut self.entries[self.slots.of(index)];
+        let entry = &mut self.entries[self.slots.slot(index)];
         let is_new = entry.index != index;
         if is_new {
             projector.project(index, None, entry);
@@ -113,18 +113,18 @@ impl VertexCache {
     ) -> Option<[&ScreenVertex; 3]> {
         // Only a vertex that is projected now can take the slot of another vertex.
         self.refresh(projector, a);
-        if self.refresh(projector, b) && self.slots.of(b) == self.slots.of(a) {
+        if self.refresh(projector, b) && self.slots.slot(b) == self.slots.slot(a) {
             return None;
         }
         if self.refresh(projector, c) {
-            let slot = self.slots.of(c);
-            if slot == self.slots.of(a) || slot == self.slots.of(b) {
+            let slot = self.slots.slot(c);
+            if slot == self.slots.slot(a) || slot == self.slots.slot(b) {
                 return None;
             }
         }
         // Destructured by hand, because a `map` over references compiles to arrays and loops.
         let (entries, slots) = (&self.entries, self.slots);
-        let entry = |index| &entries[slots.of(index)];
+        let entry = |index| &entries[slots.slot(index)];
         Some([entry(a), entry(b), entry(c)])
     }
 
@@ -174,7 +174,7 @@ mod tests {
         let slots = Slots::new(faces);
         let (mut entries, mut projected, mut shared) = ([None; SIZE], 0, 0);
         for corners in faces {
-            let of = corners.map(|index| slots.of(index));
+            let of = corners.map(|index| slots.slot(index));
             let is_shared = of[0] == of[1] || of[1] == of[2] || of[2] == of[0];
             // `corners` looks up the three vertices. If a slot is shared, `copies` looks them up again.
             for _ in 0..=usize::from(is_shared) {
@@ -213,7 +213,7 @@ mod tests {
     fn index_0_alone_of_the_first_has_slot_0() {
         for length in [9, 64] {
             let slots = Slots::new(&grid(length, 0));
-            let in_slot_0: Vec<_> = (0..54).filter(|&index| slots.of(index) == 0).collect();
+            let in_slot_0: Vec<_> = (0..54).filter(|&index| slots.slot(index) == 0).collect();
             assert_eq!(in_slot_0, [0]);
         }
     }

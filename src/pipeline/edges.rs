@@ -278,7 +278,7 @@ impl EdgesOf<'_> {
 
     /// The edge with this index among the edges to choose from.
     #[inline]
-    pub(super) fn at(self, edge: usize) -> Option<Indices> {
+    pub(super) fn indices(self, edge: usize) -> Option<Indices> {
         let [a, b] = match self.outline {
             None => *self.mesh.edge_indices().get(edge)?,
             Some(outline) => {

@@ -465,7 +465,7 @@ impl Filling<'_> {
 
     /// The number of a vertex. Adds the vertex, unless it was added recently.
     fn number(&mut self, vertex: &ScreenVertex) -> u16 {
-        let slot = self.numbered.of(vertex.index);
+        let slot = self.numbered.slot(vertex.index);
         let (index, number) = self.numbers[slot];
         if number != 0 && index == vertex.index {
             return number;
@@ -605,7 +605,7 @@ impl<const SMOOTH: bool> Listed for Edges<'_, SMOOTH> {
 
     #[inline]
     fn indices(&self, edge: usize) -> Option<Indices> {
-        self.of.at(edge)
+        self.of.indices(edge)
     }
 
     #[inline]

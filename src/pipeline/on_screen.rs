@@ -77,7 +77,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         Some(ScreenPoint {
             x,
             y,
-            depth: D::encode(at.q, projector.depth_shift().of(at.exponent)) as u16,
+            depth: D::encode(at.q, projector.depth_shift().right_shift(at.exponent)) as u16,
         })
     }
 

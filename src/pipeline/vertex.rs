@@ -512,7 +512,7 @@ mod tests {
                 vertex
             });
             assert_eq!(inside.outcode, 0, "{projection:?} {positions:?}");
-            let shift = projector.depth_shift().of(inside.exponent);
+            let shift = projector.depth_shift().right_shift(inside.exponent);
             let depth = inside.q >> shift;
             assert!(
                 (65_534..=65_535).contains(&depth),

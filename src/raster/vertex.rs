@@ -113,7 +113,7 @@ impl DepthShift {
     /// A shift of 47 turns even the largest interpolant, below 2^31, into a depth below 2^-16. No format can tell this
     /// depth from 0.
     #[inline]
-    pub(crate) fn of(self, exponent: u8) -> u32 {
+    pub(crate) fn right_shift(self, exponent: u8) -> u32 {
         (self.0 - i32::from(exponent)).clamp(15, 47).cast_unsigned()
     }
 }

@@ -169,7 +169,7 @@ impl Setup {
     #[inline(never)]
     pub(super) fn set_up(&mut self, varyings: &mut [Varying], patch: &Patch<'_>) -> Plan {
         let (q, exponent) = ScreenVertex::weights(patch.vertices);
-        self.down = self.shift.of(exponent);
+        self.down = self.shift.right_shift(exponent);
         let [first, second, third] = q;
         self.least = first.min(second).min(third);
         let change = first.max(second).max(third) - self.least;
@@ -279,7 +279,7 @@ impl Setup {
     #[inline(never)]
     pub(super) fn set_up_wide(&mut self, varyings: &mut [Varying], patch: &Patch<'_>) {
         let (q, exponent) = ScreenVertex::weights(patch.vertices);
-        self.down = self.shift.of(exponent);
+        self.down = self.shift.right_shift(exponent);
         let mut basis = Basis::without_weights(patch);
         basis.start_wide(patch);
         basis.set_up_wide(signed(q), &mut self.q);

@@ -41,7 +41,7 @@ pub(super) fn sort<G: Listed, T>(
 fn nearness(corner: &ScreenVertex, shift: DepthShift) -> u32 {
     // A depth is q shifted right by 15 to 47. In perspective, all q have the same top bit, so that the shift decides
     // first; under a parallel projection, all shifts are equal.
-    (47 - shift.of(corner.exponent)) << 26 | corner.q >> 5
+    (47 - shift.right_shift(corner.exponent)) << 26 | corner.q >> 5
 }
 
 /// The corners of a triangle or edge, which may be clipped.

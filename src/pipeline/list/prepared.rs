@@ -502,7 +502,7 @@ impl<'r> Run<'r> {
                 Corners::Edge { beside, .. } => (false, beside),
                 Corners::Clipped { beside, .. } => (true, beside),
             };
-            let Some(indices) = edges.at(edge) else {
+            let Some(indices) = edges.indices(edge) else {
                 continue;
             };
             if let Some([from, to]) = &self.ends(entry.corners) {
