@@ -1,7 +1,5 @@
 //! Edges: all edges of a mesh, or the edges of its outline.
 
-use core::cell::Cell;
-
 use super::Drawn;
 use super::assemble;
 use super::cache::VertexCache;
@@ -10,10 +8,10 @@ use super::thing::{Target, Thing};
 use crate::canvas::{Blending, DepthTest};
 use crate::math::Vec3;
 use crate::mesh::{Index, Indices, Mesh, Outline, Positions};
-use crate::raster::{self, Blitter, ClippedVertex, Coverage, LineStyle, Rasterizer};
+use crate::raster::{self, Blitter, ClippedVertex, LineStyle, Rasterizer};
 use crate::sealed::Sealed;
 use crate::shade::{PixelFormat, ShaderFor};
-use crate::span::{Shading, Smooth};
+use crate::span::{Plain, Shading, Smooth};
 use crate::view::{AsMvp, ProjectionKind};
 
 /// Edges of a mesh, to be drawn as lines.
@@ -170,14 +168,6 @@ where
         <Edges<'static, SMOOTH> as Thing<C>>::Shading<'c, S, B, Z>;
 
     #[inline]
-    fn shading<S: ShaderFor<C>, B: Blending<C>, Z: DepthTest>(
-        plain: (S, B, Z),
-        coverage: &Cell<Coverage>,
-    ) -> Self::Shading<'_, S, B, Z> {
-        Edges::shading(plain, coverage)
-    }
-
-    #[inline]
     fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn {
         let positions = Positions::long(&self.ends);
         let edges = (&[][..], &[[0, 1]][..]);
@@ -190,15 +180,7 @@ where
 impl<const SMOOTH: bool> Sealed for Edges<'_, SMOOTH> {}
 
 impl<C> Thing<C> for Edges<'_> {
-    type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest> = (S, B, Z);
-
-    #[inline]
-    fn shading<S: ShaderFor<C>, B: Blending<C>, Z: DepthTest>(
-        plain: (S, B, Z),
-        _: &Cell<Coverage>,
-    ) -> (S, B, Z) {
-        plain
-    }
+    type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest> = Plain<S, B, Z>;
 
     #[inline]
     fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn {
@@ -208,19 +190,6 @@ impl<C> Thing<C> for Edges<'_> {
 
 impl<C: PixelFormat> Thing<C> for Edges<'_, true> {
     type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest> = Smooth<'c, S, B, Z>;
-
-    #[inline]
-    fn shading<S: ShaderFor<C>, B: Blending<C>, Z: DepthTest>(
-        (shader, blending, test): (S, B, Z),
-        coverage: &Cell<Coverage>,
-    ) -> Smooth<'_, S, B, Z> {
-        Smooth {
-            shader,
-            blending,
-            test,
-            coverage,
-        }
-    }
 
     #[inline]
     fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn {

@@ -127,7 +127,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ) -> Drawn {
         let region = (&options.screen(self.frame_size()), &self.rows().clone());
         let coverage = Cell::default();
-        let shading = T::shading((*shader, options.blending, options.depth), &coverage);
+        let shading = T::Shading::from((options.shading(*shader), &coverage));
         let target = Target {
             region,
             shading: &shading,

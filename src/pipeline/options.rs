@@ -5,7 +5,7 @@ use embedded_graphics::geometry::Size;
 use super::call::Screen;
 use crate::canvas::{DepthTest, Replace, TestAndWrite};
 use crate::raster::Cull;
-use crate::span::{Fast, Mode, Newton};
+use crate::span::{Fast, Mode, Newton, Plain};
 use crate::view::Viewport;
 
 /// The options of a draw call: which faces are culled, which part of the frame is drawn to, the interpolation mode, the
@@ -45,6 +45,18 @@ impl<M, Z: DepthTest, B> DrawOptions<M, Z, B> {
             viewport: self.viewport.unwrap_or(Viewport::whole(frame)),
             cull: self.cull,
             is_biased: Z::IS_BIASED,
+        }
+    }
+}
+
+impl<M, Z: Copy, B: Copy> DrawOptions<M, Z, B> {
+    /// What colors a pixel with these options.
+    #[inline]
+    pub(super) const fn shading<S>(&self, shader: S) -> Plain<S, B, Z> {
+        Plain {
+            shader,
+            blending: self.blending,
+            test: self.depth,
         }
     }
 }

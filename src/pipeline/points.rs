@@ -1,7 +1,5 @@
 //! Points: a mesh's positions, each one pixel, a square or a disc.
 
-use core::cell::Cell;
-
 use super::Drawn;
 use super::call::Call;
 use super::thing::{Target, Thing};
@@ -9,10 +7,10 @@ use crate::canvas::{Blending, DepthTest};
 use crate::mesh::{Index, Indices, Mesh};
 use crate::num::block::{self, BlockFloat};
 use crate::num::wide::product;
-use crate::raster::{self, Blitter, Coverage, PointStyle, Rasterizer, ScreenVertex};
+use crate::raster::{self, Blitter, PointStyle, Rasterizer, ScreenVertex};
 use crate::sealed::Sealed;
 use crate::shade::ShaderFor;
-use crate::span::Shading;
+use crate::span::{Plain, Shading};
 use crate::view::{AsMvp, Projection, ProjectionKind, Viewport};
 
 /// The positions of a mesh, to be drawn as points.
@@ -61,15 +59,7 @@ impl Mesh<'_> {
 impl Sealed for Points<'_> {}
 
 impl<C> Thing<C> for Points<'_> {
-    type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest> = (S, B, Z);
-
-    #[inline]
-    fn shading<S: ShaderFor<C>, B: Blending<C>, Z: DepthTest>(
-        plain: (S, B, Z),
-        _: &Cell<Coverage>,
-    ) -> (S, B, Z) {
-        plain
-    }
+    type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest> = Plain<S, B, Z>;
 
     #[inline]
     fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn {

@@ -1,8 +1,6 @@
 //! Sprites: quads in eye space. They are drawn as meshes of eight quads each. Sprites that face the camera are
 //! rectangles on the screen; a rectangle is drawn as one primitive if its varyings allow it.
 
-use core::cell::Cell;
-
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::Drawn;
@@ -18,24 +16,16 @@ use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt::unit;
 use crate::num::wide::{dot, product};
 use crate::num::{Scalar, TexCoord};
-use crate::raster::{Blitter, Coverage, Cull, Scissor};
+use crate::raster::{Blitter, Cull, Scissor};
 use crate::sealed::Sealed;
 use crate::shade::ShaderFor;
-use crate::span::{Shading, is_plane};
+use crate::span::{Plain, Shading, is_plane};
 use crate::view::{AsMvp, Projection, ProjectionKind, Viewport};
 
 impl Sealed for &Sprites<'_> {}
 
 impl<C> Thing<C> for &Sprites<'_> {
-    type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest> = (S, B, Z);
-
-    #[inline]
-    fn shading<S: ShaderFor<C>, B: Blending<C>, Z: DepthTest>(
-        plain: (S, B, Z),
-        _: &Cell<Coverage>,
-    ) -> (S, B, Z) {
-        plain
-    }
+    type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest> = Plain<S, B, Z>;
 
     #[inline]
     fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn {

@@ -11,7 +11,7 @@ use crate::mesh::Mesh;
 use crate::raster::{self, Blitter, ClippedVertex, Coverage, LineStyle, Rasterizer};
 use crate::sealed::Sealed;
 use crate::shade::ShaderFor;
-use crate::span::Shading;
+use crate::span::{Plain, Shading};
 use crate::view::AsMvp;
 
 /// A thing that can be drawn on a canvas of color `C`.
@@ -23,14 +23,9 @@ use crate::view::AsMvp;
             implements `PixelFormat`"
 )]
 pub trait Thing<C>: Copy + Sealed {
-    /// What colors the thing's pixels: shader, blending and depth test or, for anti-aliased lines, these three and how
-    /// much of a pixel the line covers.
-    type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest>: Shading<Color = C>;
-
-    fn shading<S: ShaderFor<C>, B: Blending<C>, Z: DepthTest>(
-        plain: (S, B, Z),
-        coverage: &Cell<Coverage>,
-    ) -> Self::Shading<'_, S, B, Z>;
+    /// What colors the thing's pixels: [`Plain`] or, for anti-aliased lines, [`Smooth`](crate::span::Smooth).
+    type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest>: Shading<Color = C>
+        + From<(Plain<S, B, Z>, &'c Cell<Coverage>)>;
 
     /// Runs the stages of a draw call.
     fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn;
@@ -40,7 +35,7 @@ pub trait Thing<C>: Copy + Sealed {
 pub struct Target<'t, P> {
     pub(super) region: Region<'t>,
     pub(super) shading: &'t P,
-    /// The cell of [`Thing::shading`].
+    /// The cell of [`Thing::Shading`].
     pub(super) coverage: &'t Cell<Coverage>,
     pub(super) blitter: &'t mut dyn Blitter,
 }
@@ -48,15 +43,7 @@ pub struct Target<'t, P> {
 impl Sealed for &Mesh<'_> {}
 
 impl<C> Thing<C> for &Mesh<'_> {
-    type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest> = (S, B, Z);
-
-    #[inline]
-    fn shading<S: ShaderFor<C>, B: Blending<C>, Z: DepthTest>(
-        plain: (S, B, Z),
-        _: &Cell<Coverage>,
-    ) -> (S, B, Z) {
-        plain
-    }
+    type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest> = Plain<S, B, Z>;
 
     #[inline]
     fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn {

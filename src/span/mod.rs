@@ -30,4 +30,4 @@ mod tests;
 
 pub(crate) use blit::Blit;
 pub use mode::{Affine, Compact, Exact, Fast, Mode, Newton};
-pub(crate) use shading::{Shading, Smooth, is_plane};
+pub(crate) use shading::{Plain, Shading, Smooth, is_plane};

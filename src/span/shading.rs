@@ -38,7 +38,22 @@ pub trait Shading: Copy {
     ) -> Option<Self::Color>;
 }
 
-impl<S: Shader, B: Blending<ColorOf<S>>, Z: DepthTest> Shading for (S, B, Z) {
+/// A shader, a blending and a depth test.
+#[derive(Clone, Copy)]
+pub struct Plain<S, B, Z> {
+    pub(crate) shader: S,
+    pub(crate) blending: B,
+    pub(crate) test: Z,
+}
+
+impl<S, B, Z> From<(Self, &Cell<Coverage>)> for Plain<S, B, Z> {
+    #[inline]
+    fn from((plain, _): (Self, &Cell<Coverage>)) -> Self {
+        plain
+    }
+}
+
+impl<S: Shader, B: Blending<ColorOf<S>>, Z: DepthTest> Shading for Plain<S, B, Z> {
     type Color = ColorOf<S>;
     type Varyings = S::Varyings;
     type Test = Z;
@@ -48,12 +63,12 @@ impl<S: Shader, B: Blending<ColorOf<S>>, Z: DepthTest> Shading for (S, B, Z) {
 
     #[inline]
     fn test(&self) -> Z {
-        self.2
+        self.test
     }
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [S::Varyings; 3] {
-        self.0.varyings(primitive)
+        self.shader.varyings(primitive)
     }
 
     #[inline]
@@ -63,9 +78,8 @@ impl<S: Shader, B: Blending<ColorOf<S>>, Z: DepthTest> Shading for (S, B, Z) {
         varyings: S::Varyings,
         below: impl FnOnce() -> ColorOf<S>,
     ) -> Option<ColorOf<S>> {
-        let (shader, blending, _) = self;
-        let source = shader.shade(at, varyings)?;
-        Some(blending.blend(source, below, at.point))
+        let source = self.shader.shade(at, varyings)?;
+        Some(self.blending.blend(source, below, at.point))
     }
 }
 
@@ -89,14 +103,19 @@ pub(crate) fn is_plane<P: Shading>(shading: &P, halves: [&Primitive<'_>; 2]) -> 
     })
 }
 
-/// A shader and a blending, applied to each pixel in proportion to the share of the pixel that the current line covers.
+/// The same three, applied to each pixel in proportion to the share of the pixel that the current line covers.
 #[derive(Clone, Copy)]
 pub struct Smooth<'l, S, B, Z> {
-    pub(crate) shader: S,
-    pub(crate) blending: B,
-    pub(crate) test: Z,
+    plain: Plain<S, B, Z>,
     /// The rasterizer sets the coverage for each line.
-    pub(crate) coverage: &'l Cell<Coverage>,
+    coverage: &'l Cell<Coverage>,
+}
+
+impl<'l, S, B, Z> From<(Plain<S, B, Z>, &'l Cell<Coverage>)> for Smooth<'l, S, B, Z> {
+    #[inline]
+    fn from((plain, coverage): (Plain<S, B, Z>, &'l Cell<Coverage>)) -> Self {
+        Self { plain, coverage }
+    }
 }
 
 impl<S, B, Z> Shading for Smooth<'_, S, B, Z>
@@ -115,12 +134,12 @@ where
 
     #[inline]
     fn test(&self) -> Z {
-        self.test
+        self.plain.test
     }
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [S::Varyings; 3] {
-        self.shader.varyings(primitive)
+        self.plain.shader.varyings(primitive)
     }
 
     #[inline]
@@ -134,9 +153,9 @@ where
         if coverage == 0 {
             return None;
         }
-        let source = self.shader.shade(at, varyings)?;
+        let source = self.plain.shader.shade(at, varyings)?;
         let below = below();
-        let color = self.blending.blend(source, || below, at.point);
+        let color = self.plain.blending.blend(source, || below, at.point);
         Some(below.covered(color, (coverage << 8).cast_signed(), at.point))
     }
 }

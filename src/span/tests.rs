@@ -10,6 +10,7 @@ use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 
 use super::pixels::{Pixels, Span};
 use super::scale::Scale;
+use super::shading::Plain;
 use crate::canvas::{Canvas, Cells, LinearDepth, Native, NoDepth, NoTest, Replace, TestAndWrite};
 use crate::mesh::Primitive;
 use crate::shade::{Flat, Fragment, Shader};
@@ -41,13 +42,17 @@ const FIRST: u32 = 3;
 /// The numbers that the shader receives in a span of `count` pixels. Checks that no other pixel is drawn.
 fn numbers(
     count: u32,
-    draw: impl FnOnce(RowCells<'_>, Pixels<(Note<'_>, Replace, NoTest), Native, NoDepth>),
+    draw: impl FnOnce(RowCells<'_>, Pixels<Plain<Note<'_>, Replace, NoTest>, Native, NoDepth>),
 ) -> Vec<i32> {
     let (mut colors, seen) = ([Gray8::BLACK; 70], RefCell::new(Vec::new()));
     let mut canvas = Canvas::new(&mut colors, 70, 1).unwrap();
     let columns = FIRST..FIRST + count;
     let pixels = Pixels {
-        shading: (Note(&seen), Replace, NoTest),
+        shading: Plain {
+            shader: Note(&seen),
+            blending: Replace,
+            test: NoTest,
+        },
         face: (),
         test: NoTest,
         point: Point::new(FIRST.cast_signed() - 1, 0),
@@ -219,7 +224,11 @@ fn the_later_of_two_pixels_at_one_depth_shows() {
     let mut canvas = canvas.with_depth(&mut depths).unwrap();
     let mut draw = |ink: u8, columns: core::ops::Range<u32>, q: u32| {
         let pixels: Pixels<_, Native, LinearDepth> = Pixels {
-            shading: (Flat::new(Gray8::new(ink)), Replace, TestAndWrite),
+            shading: Plain {
+                shader: Flat::new(Gray8::new(ink)),
+                blending: Replace,
+                test: TestAndWrite,
+            },
             face: (),
             test: TestAndWrite,
             point: Point::new(columns.start.cast_signed() - 1, 0),

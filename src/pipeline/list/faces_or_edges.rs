@@ -15,7 +15,7 @@ use crate::pipeline::thing::{Target, Thing};
 use crate::raster::{Blitter, Coverage};
 use crate::sealed::Sealed;
 use crate::shade::ShaderFor;
-use crate::span::Shading;
+use crate::span::{Plain, Shading};
 use crate::view::{AsMvp, ProjectionKind};
 
 /// The faces of a mesh, or edges of a mesh: a thing for a list that holds both.
@@ -102,15 +102,7 @@ impl<'m> From<Edges<'m>> for FacesOrEdges<'m> {
 impl Sealed for FacesOrEdges<'_> {}
 
 impl<C> Thing<C> for FacesOrEdges<'_> {
-    type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest> = (S, B, Z);
-
-    #[inline]
-    fn shading<S: ShaderFor<C>, B: Blending<C>, Z: DepthTest>(
-        plain: (S, B, Z),
-        _: &Cell<Coverage>,
-    ) -> (S, B, Z) {
-        plain
-    }
+    type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest> = Plain<S, B, Z>;
 
     #[inline]
     fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn {

@@ -410,7 +410,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         let region = (screen, &rows);
         let coverage = Cell::default();
         let options = &prepared.options;
-        let shading = G::shading((*shader, options.blending, options.depth), &coverage);
+        let shading = G::Shading::from((options.shading(*shader), &coverage));
         let mut drawn = Drawn::default();
         for (_, placed, entries) in prepared.runs(&rows) {
             let mut run = placed.run(region, entries, prepared.vertices);
