@@ -58,7 +58,7 @@ impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
     /// # Errors
     ///
     /// The display's own errors.
-    pub fn show_diffused<T: DrawTarget<Color: PixelFormat<Channels = [i32; 1]>>>(
+    pub fn show_diffused<T: DrawTarget<Color: PixelFormat<Channels = i32>>>(
         &self,
         display: &mut T,
         contrast: Contrast,
@@ -88,7 +88,7 @@ impl<'e> ErrorDiffusion<'e> {
     }
 
     /// The color that the display shows for the next pixel. `last` is the last column of each row.
-    fn color<C: PixelFormat<Channels = [i32; 1]>>(&mut self, gray: Gray8, last: usize) -> C {
+    fn color<C: PixelFormat<Channels = i32>>(&mut self, gray: Gray8, last: usize) -> C {
         /// White, in 16ths of a step of [`Gray8`].
         const WHITE: i32 = 255 * 16;
         let [most, ..] = C::MAX_STEPS;
@@ -156,7 +156,7 @@ mod tests {
 
     impl<const MOST: i32> PixelFormat for Gray<MOST> {
         const MAX_STEPS: [i32; 3] = [MOST; 3];
-        type Channels = [i32; 1];
+        type Channels = i32;
 
         fn steps(self) -> [i32; 3] {
             [self.0; 3]

@@ -64,12 +64,12 @@ impl<O: Output<Color: PixelFormat>> Effect<O> for Tint {
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        primitive.corners(|corner| Within(Channels::first(fractions::<O::Color>(corner.color()))))
+        primitive.corners(|corner| Within(Channels::of(fractions::<O::Color>(corner.color()))))
     }
 
     #[inline]
     fn apply(&self, output: O, Within(tint): Self::Varyings) -> Self::Color {
-        let (diffuse, specular) = (tint.all(), ());
+        let (diffuse, specular) = (tint.rgb(), ());
         output.lit(Illumination { diffuse, specular })
     }
 }
@@ -202,7 +202,7 @@ mod tests {
         let skin = [[Gray8::new(200)]];
         let shader = Textured::new(&skin).clamped().tinted();
         assert_eq!(count(&shader), 3);
-        let (texels, one) = (super::super::Texels([0, 0]), Within([1 << 15]));
+        let (texels, one) = (super::super::Texels([0, 0]), Within(1 << 15));
         assert_eq!(shade(&shader, (texels, one)), Gray8::new(100));
     }
 

@@ -193,15 +193,15 @@ pub type InFog<S, C, D = LinearFog> = Adapted<S, Fog<C, D>>;
 
 impl<O: Output<Color = C>, C: PixelFormat, D: Density> Effect<O> for Fog<C, D> {
     type Color = Fogged<O, D>;
-    type Varyings = Within<UNSEEN, [i32; 1]>;
+    type Varyings = Within<UNSEEN, i32>;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        primitive.corners(|corner| Within([self.density.varying(corner.distance())]))
+        primitive.corners(|corner| Within(self.density.varying(corner.distance())))
     }
 
     #[inline]
-    fn apply(&self, output: O, Within([x]): Self::Varyings) -> Self::Color {
+    fn apply(&self, output: O, Within(x): Self::Varyings) -> Self::Color {
         Fogged {
             output,
             fog: self.color,

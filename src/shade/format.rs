@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::{
 };
 
 use super::{Precise, Varyings};
-use crate::sealed::{Sealed, sealed};
+use crate::sealed::Sealed;
 use crate::texture::Blend;
 
 /// A color whose channels can be interpolated, lit, tinted, blended, and rounded or dithered.
@@ -45,7 +45,7 @@ pub trait PixelFormat: PixelColor {
     /// Whether the format is so coarse that it is dithered.
     const IS_DITHERED: bool = Self::MAX_STEPS[0] < 1 << 4;
 
-    /// The channels that are interpolated: `[i32; 3]`, or `[i32; 1]` for gray.
+    /// The channels that are interpolated: `[i32; 3]`, or `i32` for gray.
     type Channels: Channels;
 
     /// The channels in whole steps, 0 to [`MAX_STEPS`](Self::MAX_STEPS).
@@ -175,7 +175,7 @@ macro_rules! rgb {
 macro_rules! gray {
     ($($color:ident $white:literal $step:ident |$steps:ident| $from:expr;)+) => {$(
         impl PixelFormat for $color {
-            type Channels = [i32; 1];
+            type Channels = i32;
 
             const MAX_STEPS: [i32; 3] = [$white; 3];
 
@@ -201,56 +201,91 @@ gray! {
     BinaryColor 1 is_on |steps| Self::from(steps & 1 != 0);
 }
 
-/// The channels of a color that are interpolated: three, or one for gray, because the three channels of a gray color
-/// are equal.
+/// The channels of a color or of light that are computed and interpolated: `[i32; 3]` for red, green and blue; `i32` if
+/// all three are equal, as in gray and in white light; `()` for no light.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, Rgb565};
 /// use fixel::shade::{Channels, PixelFormat};
-/// let gray = <Gray8 as PixelFormat>::Channels::first([7, 7, 7]);
-/// let color = <Rgb565 as PixelFormat>::Channels::first([1, 2, 3]);
-/// assert_eq!((gray, color), ([7], [1, 2, 3]));
+/// let gray = <Gray8 as PixelFormat>::Channels::of([7, 7, 7]);
+/// let color = <Rgb565 as PixelFormat>::Channels::of([1, 2, 3]);
+/// assert_eq!((gray, color), (7, [1, 2, 3]));
 /// ```
 #[doc(hidden)]
 pub trait Channels: Varyings + Default + Sealed {
+    /// The channels of the sum of this light and another light.
+    type Or<E: Channels>: Channels;
+
+    /// The channels of the sum of this light and a white light.
+    type OrWhite: Channels;
+
+    /// The channels of this light on a canvas of color `C`.
+    type On<C: PixelFormat>: Channels;
+
     /// Whether all channels are equal.
-    #[doc(hidden)]
-    const IS_GRAY: bool;
-
-    /// Of all three channels, selects the channels that are interpolated.
-    fn first(channels: [i32; 3]) -> Self;
-
-    /// All three channels; channels that are not used are 0.
-    fn all(self) -> [i32; 3];
-}
-
-sealed!([i32; 3], [i32; 1]);
-
-impl Channels for [i32; 3] {
     const IS_GRAY: bool = false;
 
+    const IS_NONE: bool = false;
+
+    /// Selects these channels from red, green and blue.
+    fn of(rgb: [i32; 3]) -> Self;
+
+    /// Red, green and blue.
+    fn rgb(self) -> [i32; 3];
+}
+
+impl Sealed for [i32; 3] {}
+impl Sealed for i32 {}
+impl Sealed for () {}
+
+impl Channels for [i32; 3] {
+    type Or<E: Channels> = Self;
+    type OrWhite = Self;
+    type On<C: PixelFormat> = C::Channels;
+
     #[inline]
-    fn first(channels: [i32; 3]) -> Self {
-        channels
+    fn of(rgb: Self) -> Self {
+        rgb
     }
 
     #[inline]
-    fn all(self) -> [i32; 3] {
+    fn rgb(self) -> Self {
         self
     }
 }
 
-impl Channels for [i32; 1] {
+impl Channels for i32 {
+    type Or<E: Channels> = E::OrWhite;
+    type OrWhite = Self;
+    type On<C: PixelFormat> = Self;
+
     const IS_GRAY: bool = true;
 
     #[inline]
-    fn first([channel, ..]: [i32; 3]) -> Self {
-        [channel]
+    fn of([channel, ..]: [i32; 3]) -> Self {
+        channel
     }
 
     #[inline]
-    fn all(self) -> [i32; 3] {
-        [self[0], 0, 0]
+    fn rgb(self) -> [i32; 3] {
+        // In a build for size, `[self; 3]` becomes a loop over memory.
+        [self, self, self]
+    }
+}
+
+impl Channels for () {
+    type Or<E: Channels> = E;
+    type OrWhite = i32;
+    type On<C: PixelFormat> = ();
+
+    const IS_NONE: bool = true;
+
+    #[inline]
+    fn of(_: [i32; 3]) -> Self {}
+
+    #[inline]
+    fn rgb(self) -> [i32; 3] {
+        [0; 3]
     }
 }
 

@@ -1,8 +1,8 @@
 //! Surfaces under a light.
 
 use super::format::FRACTION;
-use super::light::{self, Amount as _, FULL, Illumination, Light, Lighting, SurfacePoint};
-use super::{Adapted, Effect, Output, PerFace, PixelFormat, Within};
+use super::light::{self, FULL, Illumination, Light, Lighting, SurfacePoint};
+use super::{Adapted, Channels, Effect, Output, PerFace, PixelFormat, Within};
 use crate::math::Direction;
 use crate::mesh::Primitive;
 
@@ -106,7 +106,7 @@ mod tests {
         index: usize,
     ) -> [i32; 3] {
         let (_, corners) = face(lit, &IDENTITY, mesh, index);
-        corners.map(|(_, Within(([light], ())))| light)
+        corners.map(|(_, Within((light, ())))| light)
     }
 
     #[test]
@@ -140,7 +140,7 @@ mod tests {
         assert_eq!(shown(&IDENTITY, 1), Rgb565::new(8, 16, 8));
         let mirrored = scale([1 << 29, 1 << 29, -(1 << 29)]);
         assert_eq!(shown(&mirrored, 0), Rgb565::new(8, 16, 8));
-        assert_eq!(shade(&lit, ((), PerFace(([FULL], ())))), Rgb565::WHITE);
+        assert_eq!(shade(&lit, ((), PerFace((FULL, ())))), Rgb565::WHITE);
     }
 
     #[test]

@@ -60,7 +60,7 @@ pub use gradient::Gradient;
 pub use lanes::Lanes;
 pub(crate) use lanes::MOST as MOST_VARYINGS;
 pub use light::{
-    Amount, Colored, Falloff, Illumination, Lamp, Light, Lighting, PointLight, Shiny, SpotLight,
+    Colored, Falloff, Illumination, Lamp, Light, Lighting, PointLight, Shiny, SpotLight,
     SurfacePoint, TwoSided, Viewer,
 };
 #[doc(hidden)]

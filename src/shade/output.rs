@@ -4,7 +4,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
 use super::format::fraction;
-use super::{Amount, Illumination, PixelFormat, Precise, Shader};
+use super::{Channels, Illumination, PixelFormat, Precise, Shader};
 
 /// The output of a [`Shader`] for a pixel: a color of the canvas, a [`Precise`] color, or either of these with an
 /// opacity ([`Translucent`]).
@@ -38,7 +38,7 @@ pub trait Output: Copy {
     /// This output under a light.
     #[must_use]
     #[inline]
-    fn lit<D: Amount, S: Amount>(self, light: Illumination<D, S>) -> Self::With<Self::Color>
+    fn lit<D: Channels, S: Channels>(self, light: Illumination<D, S>) -> Self::With<Self::Color>
     where
         Self::Color: PixelFormat,
     {
@@ -109,7 +109,7 @@ impl<C: PixelColor> Output for C {
     const IS_PLAIN: bool = true;
 
     #[inline]
-    fn lit<D: Amount, S: Amount>(self, light: Illumination<D, S>) -> Precise<C>
+    fn lit<D: Channels, S: Channels>(self, light: Illumination<D, S>) -> Precise<C>
     where
         C: PixelFormat,
     {
@@ -244,7 +244,7 @@ impl<O: Output<Color: PixelFormat>> Output for Translucent<O> {
     const IS_OPAQUE: bool = false;
 
     #[inline]
-    fn lit<D: Amount, S: Amount>(self, light: Illumination<D, S>) -> Self::With<O::Color> {
+    fn lit<D: Channels, S: Channels>(self, light: Illumination<D, S>) -> Self::With<O::Color> {
         Translucent {
             color: self.color.lit(light),
             opacity: self.opacity,

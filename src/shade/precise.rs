@@ -6,7 +6,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::format::{each, fractions, luma, threshold, whole, zip};
-use super::{Amount, Channels, Illumination, Lanes, PixelFormat, Tolerance, Varyings};
+use super::{Channels, Illumination, Lanes, PixelFormat, Tolerance, Varyings};
 
 /// A color of format `C`, with channels that keep 16 fraction bits.
 ///
@@ -212,13 +212,13 @@ impl<C: PixelFormat> Precise<C> {
 
     /// The color under a light.
     #[inline]
-    pub(super) fn lit<D: Amount, S: Amount>(self, light: Illumination<D, S>) -> Self {
+    pub(super) fn lit<D: Channels, S: Channels>(self, light: Illumination<D, S>) -> Self {
         self.times(light.diffuse.rgb()).glossed(light.specular)
     }
 
     /// The color with a highlight.
     #[inline]
-    pub(super) fn glossed<S: Amount>(self, specular: S) -> Self {
+    pub(super) fn glossed<S: Channels>(self, specular: S) -> Self {
         if S::IS_NONE {
             return self;
         }
@@ -281,11 +281,11 @@ impl<C: PixelFormat> Varyings for Precise<C> {
 
     #[inline]
     fn split(self) -> (<Self::Lanes as Lanes>::Of<i32>, Self::Face) {
-        C::Channels::first(self.raised).split()
+        C::Channels::of(self.raised).split()
     }
 
     #[inline]
     fn join(numbers: <Self::Lanes as Lanes>::Of<i32>, face: Self::Face) -> Self {
-        Self::of_raised(C::Channels::join(numbers, face).all())
+        Self::of_raised(C::Channels::join(numbers, face).rgb())
     }
 }

@@ -46,13 +46,13 @@ pub struct Fragment {
 ///
 /// impl Shader for Stripes {
 ///     type Color = Rgb565;
-///     type Varyings = [i32; 1];
+///     type Varyings = i32;
 ///
-///     fn varyings(&self, primitive: &Primitive) -> [[i32; 1]; 3] {
-///         primitive.corners(|corner| [corner.uv().x.to_bits()]) // 2^20 is 1
+///     fn varyings(&self, primitive: &Primitive) -> [i32; 3] {
+///         primitive.corners(|corner| corner.uv().x.to_bits()) // 2^20 is 1
 ///     }
 ///
-///     fn shade(&self, _: &Fragment, [u]: [i32; 1]) -> Option<Rgb565> {
+///     fn shade(&self, _: &Fragment, u: i32) -> Option<Rgb565> {
 ///         Some(if u & 0x4_0000 == 0 { Rgb565::WHITE } else { Rgb565::RED })
 ///     }
 /// }
@@ -109,13 +109,13 @@ pub struct Fragment {
 ///
 /// impl Shader for Heat {
 ///     type Color = Gray8;
-///     type Varyings = [i32; 1];
+///     type Varyings = i32;
 ///
-///     fn varyings(&self, primitive: &Primitive) -> [[i32; 1]; 3] {
-///         primitive.corners(|corner| [i32::from(self.0[usize::from(corner.index())]) << 16])
+///     fn varyings(&self, primitive: &Primitive) -> [i32; 3] {
+///         primitive.corners(|corner| i32::from(self.0[usize::from(corner.index())]) << 16)
 ///     }
 ///
-///     fn shade(&self, _: &Fragment, [heat]: [i32; 1]) -> Option<Gray8> {
+///     fn shade(&self, _: &Fragment, heat: i32) -> Option<Gray8> {
 ///         Some(Gray8::new((heat >> 16) as u8))
 ///     }
 /// }

@@ -12,8 +12,8 @@ use super::lanes::{Lanes, MOST};
 /// ```
 /// use fixel::shade::{Texels, Tolerance, Varyings, Within};
 /// assert_eq!(Texels::tolerance(0), Tolerance::Texels);
-/// assert_eq!(Within::<64, [i32; 1]>::tolerance(0), Tolerance::Units(64));
-/// assert_eq!(<[i32; 1]>::tolerance(0), Tolerance::Units(0));
+/// assert_eq!(Within::<64, i32>::tolerance(0), Tolerance::Units(64));
+/// assert_eq!(i32::tolerance(0), Tolerance::Units(0));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -29,7 +29,7 @@ pub enum Tolerance {
 ///
 /// | type | value at a pixel |
 /// |---|---|
-/// | `[i32; N]`, N up to 8 | interpolated in perspective |
+/// | `i32`, or `[i32; N]`, N up to 8 | interpolated in perspective |
 /// | [`Within<UNITS, V>`](Within) | like `V`, but a triangle that hardly changes in depth may be interpolated linearly if the error is at most `UNITS` |
 /// | [`Texels`] | two texture coordinates, as exact as the [mode](crate::mode) promises |
 /// | [`PerFace<T>`](PerFace) | the value of the first corner, of any type; nothing is interpolated |
@@ -57,15 +57,15 @@ pub enum Tolerance {
 /// ```
 /// use fixel::shade::{PerFace, Texels, Varyings, Within};
 /// // A texture, its brightness to within 64/65,536, and a color for the whole face.
-/// type Mine = ((Texels, Within<64, [i32; 1]>), PerFace<u8>);
-/// let corner: Mine = ((Texels([1 << 16, 0]), Within([65_536])), PerFace(7));
+/// type Mine = ((Texels, Within<64, i32>), PerFace<u8>);
+/// let corner: Mine = ((Texels([1 << 16, 0]), Within(65_536)), PerFace(7));
 /// let (numbers, face) = corner.split();
 /// assert_eq!(numbers, [1 << 16, 0, 65_536]);
 /// assert_eq!(Mine::join(numbers, face), corner);
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be interpolated",
-    note = "varyings are `[i32; N]` with N up to 8, `Texels`, `Within<UNITS, V>`, `PerFace<T>`, `()` or a pair of these"
+    note = "varyings are `i32`, `[i32; N]` with N up to 8, `Texels`, `Within<UNITS, V>`, `PerFace<T>`, `()` or a pair of these"
 )]
 pub trait Varyings: Copy {
     /// The number of interpolated numbers, as a type.
@@ -109,6 +109,21 @@ where
     #[inline]
     fn join(numbers: Self, (): ()) -> Self {
         numbers
+    }
+}
+
+impl Varyings for i32 {
+    type Lanes = [(); 1];
+    type Face = ();
+
+    #[inline]
+    fn split(self) -> ([Self; 1], ()) {
+        ([self], ())
+    }
+
+    #[inline]
+    fn join([number]: [Self; 1], (): ()) -> Self {
+        number
     }
 }
 

@@ -28,7 +28,7 @@ fn frame(random: &mut Random, width: usize, height: usize) -> Vec<Vec<u8>> {
 /// multiples of 1/16, so f64 represents them exactly, and the results must be equal. Returns the number of pixels.
 fn compare<C>(random: &mut Random, most: i32, step: impl Fn(C) -> i32) -> usize
 where
-    C: PixelFormat<Channels = [i32; 1]> + PixelColor + Default,
+    C: PixelFormat<Channels = i32> + PixelColor + Default,
 {
     let (width, height) = (
         random.random_range(1..40_usize),

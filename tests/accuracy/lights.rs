@@ -5,7 +5,7 @@ use std::array;
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
 use fixel::math::Direction;
 use fixel::prelude::*;
-use fixel::shade::{Amount as _, Falloff, SurfacePoint};
+use fixel::shade::{Channels as _, Falloff, SurfacePoint};
 use rand::Rng;
 use rand::seq::IndexedRandom;
 

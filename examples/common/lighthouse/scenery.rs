@@ -143,7 +143,7 @@ pub fn sky_color(y: u32, height: u32) -> Rgb888 {
 }
 
 /// The varyings of a lit texture.
-pub type LitTexels = (Texels, Within<64, ([i32; 1], ())>);
+pub type LitTexels = (Texels, Within<64, (i32, ())>);
 
 /// The shader of the sea.
 pub fn waves<C: PixelFormat>() -> impl ShaderFor<C, Varyings = Texels> {

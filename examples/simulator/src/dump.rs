@@ -96,7 +96,7 @@ pub struct Recording<'a> {
 
 impl Shader for Recording<'_> {
     type Color = Rgb888;
-    type Varyings = ((Texels, Within<64, [i32; 1]>), PerFace<[i32; 1]>);
+    type Varyings = ((Texels, Within<64, i32>), PerFace<i32>);
 
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         let up = self.recorder.uv_bits - TexCoord::FRAC_BITS;
@@ -104,14 +104,14 @@ impl Shader for Recording<'_> {
             let uv = corner.uv().to_bits().map(|bits| bits << up);
             let distance = corner.distance().to_bits() >> self.recorder.distance_shift;
             let is_back = i32::from(!primitive.is_front());
-            ((Texels(uv), Within([distance])), PerFace([is_back]))
+            ((Texels(uv), Within(distance)), PerFace(is_back))
         })
     }
 
     fn shade(
         &self,
         at: &Fragment,
-        ((Texels(uv), Within([distance])), PerFace([is_back])): Self::Varyings,
+        ((Texels(uv), Within(distance)), PerFace(is_back)): Self::Varyings,
     ) -> Option<Rgb888> {
         let [x, y] = [at.point.x, at.point.y].map(i32::cast_unsigned);
         // A nearer pixel that is drawn later replaces the record.

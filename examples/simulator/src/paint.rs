@@ -153,11 +153,11 @@ where
         let inner = self.surface.varyings(primitive);
         let corner = |corner: usize| {
             let (((), Within(tint)), ((), Within((light, ())))) = (tints[corner], lights[corner]);
-            let ([r, g, b], [x, y, z]) = (tint.all(), light.all());
+            let ([r, g, b], [x, y, z]) = (tint.rgb(), light.rgb());
             // Tint and light are at most 2^16 in each channel.
             let times = |tint: i32, light: i32| ((i64::from(tint) * i64::from(light)) >> 16) as i32;
             let product = [times(r, x), times(g, y), times(b, z)];
-            (inner[corner], Within(Channels::first(product)))
+            (inner[corner], Within(Channels::of(product)))
         };
         [corner(0), corner(1), corner(2)]
     }
@@ -168,7 +168,7 @@ where
         (inside, Within(light)): Self::Varyings,
     ) -> Option<PreciseOf<S>> {
         let light = Illumination {
-            diffuse: light.all(),
+            diffuse: light.rgb(),
             specular: (),
         };
         Some(self.surface.shade(at, inside)?.lit(light))
@@ -205,7 +205,7 @@ where
     C: PixelFormat,
 {
     type Color = Translucent<Precise<C>>;
-    type Varyings = (S::Varyings, Within<64, [i32; 1]>);
+    type Varyings = (S::Varyings, Within<64, i32>);
 
     const READS_DEPTH: bool = S::READS_DEPTH;
 
@@ -215,7 +215,7 @@ where
             Some(fog) => Given(Precise::<C>::of_rgb(Rgb888::BLACK))
                 .in_fog(fog)
                 .varyings(primitive),
-            None => [((), Within([0])); 3],
+            None => [((), Within(0)); 3],
         };
         [(a, x.1), (b, y.1), (c, z.1)]
     }

@@ -46,6 +46,18 @@ impl<const N: usize> FaceValues for [i32; N] {
     }
 }
 
+impl FaceValues for i32 {
+    const COUNT: usize = 1;
+
+    fn put(self, numbers: &mut [i32]) {
+        numbers[0] = self;
+    }
+
+    fn take(numbers: &[i32]) -> Self {
+        numbers[0]
+    }
+}
+
 impl FaceValues for Rgb565 {
     const COUNT: usize = 1;
 

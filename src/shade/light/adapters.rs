@@ -1,7 +1,8 @@
 //! Adapters of lights: a color, highlights, and light on both sides of a sheet.
 
-use super::{Amount, Illumination, Lamp, Lighting, SurfacePoint, Viewer};
+use super::{Illumination, Lamp, Lighting, SurfacePoint, Viewer};
 use crate::math::Direction;
+use crate::shade::Channels;
 use crate::shade::format::zip;
 
 /// A light in a color; see [`Lighting::colored`].

@@ -1,9 +1,8 @@
 //! An amount of light, and which parts of it are interpolated.
 
 use super::FULL;
-use crate::sealed::{Sealed, sealed};
 use crate::shade::format::{each, luma, zip};
-use crate::shade::{Channels, PixelFormat, Varyings};
+use crate::shade::{Channels, PixelFormat};
 
 /// The light at a point of a surface, in units of 2⁻¹⁶ of full brightness.
 ///
@@ -38,11 +37,11 @@ impl Illumination {
     }
 }
 
-impl<D: Amount, S: Amount> Illumination<D, S> {
+impl<D: Channels, S: Channels> Illumination<D, S> {
     /// The sum of two amounts of light, which saturates.
     #[must_use]
     #[inline]
-    pub fn plus<E: Amount, T: Amount>(
+    pub fn plus<E: Channels, T: Channels>(
         self,
         other: Illumination<E, T>,
     ) -> Illumination<D::Or<E>, S::Or<T>> {
@@ -64,134 +63,35 @@ impl<D: Amount, S: Amount> Illumination<D, S> {
     /// The varyings on a canvas of color `C`.
     #[inline]
     pub(in crate::shade) fn pack<C: PixelFormat>(self) -> Packed<D, S, C> {
-        (self.diffuse.pack::<C>(), self.specular.pack::<C>())
+        (packed::<D, C>(self.diffuse), packed::<S, C>(self.specular))
     }
 
     /// The light, from varyings that [`pack`](Self::pack) made.
     #[inline]
     pub(in crate::shade) fn unpack<C: PixelFormat>((diffuse, specular): Packed<D, S, C>) -> Self {
         Self {
-            diffuse: D::unpack::<C>(diffuse),
-            specular: S::unpack::<C>(specular),
+            diffuse: D::of(diffuse.rgb()),
+            specular: S::of(specular.rgb()),
         }
     }
 }
 
 /// The varyings of a light: one brightness for all channels, or one for each channel; and one more number for
 /// highlights.
-pub(in crate::shade) type Packed<D, S, C> =
-    (<D as Amount>::Channels<C>, <S as Amount>::Channels<C>);
+pub(in crate::shade) type Packed<D, S, C> = (<D as Channels>::On<C>, <S as Channels>::On<C>);
 
 #[inline]
-fn sum<A: Amount, B: Amount, R: Amount>(a: A, b: B) -> R {
+fn sum<A: Channels, B: Channels, R: Channels>(a: A, b: B) -> R {
     R::of(zip(a.rgb(), b.rgb(), i32::saturating_add))
 }
 
-/// The light, limited to the range from darkness to full brightness.
+/// The varyings of light on a canvas of color `C`, limited to the range from darkness to full brightness.
 #[inline]
-fn limited(light: i32) -> i32 {
-    light.clamp(0, FULL)
-}
-
-/// An amount of light: white, or red, green and blue, or `()` for none.
-///
-/// White light takes one varying; colored light takes one for each channel of the canvas.
-#[doc(hidden)]
-pub trait Amount: Copy + Default + Sealed {
-    /// The type of the sum of this light and another light.
-    type Or<E: Amount>: Amount;
-
-    /// The type of the sum of this light and a white light.
-    type OrWhite: Amount;
-
-    /// The varyings on a canvas of color `C`.
-    type Channels<C: PixelFormat>: Varyings + Default;
-
-    const IS_NONE: bool = false;
-
-    fn of(rgb: [i32; 3]) -> Self;
-    fn rgb(self) -> [i32; 3];
-    fn pack<C: PixelFormat>(self) -> Self::Channels<C>;
-    fn unpack<C: PixelFormat>(channels: Self::Channels<C>) -> Self;
-}
-
-sealed!(i32, ()); // [i32; 3] is sealed as channels
-
-impl Amount for () {
-    type Or<E: Amount> = E;
-    type OrWhite = i32;
-    type Channels<C: PixelFormat> = ();
-
-    const IS_NONE: bool = true;
-
-    #[inline]
-    fn of(_: [i32; 3]) -> Self {}
-
-    #[inline]
-    fn rgb(self) -> [i32; 3] {
-        [0; 3]
-    }
-
-    #[inline]
-    fn pack<C: PixelFormat>(self) {}
-
-    #[inline]
-    fn unpack<C: PixelFormat>((): ()) {}
-}
-
-impl Amount for i32 {
-    type Or<E: Amount> = E::OrWhite;
-    type OrWhite = Self;
-    type Channels<C: PixelFormat> = [Self; 1];
-
-    #[inline]
-    fn of([light, ..]: [i32; 3]) -> Self {
+fn packed<A: Channels, C: PixelFormat>(light: A) -> A::On<C> {
+    let light = each(light.rgb(), |light| light.clamp(0, FULL));
+    A::On::<C>::of(if A::On::<C>::IS_GRAY && !A::IS_GRAY {
+        [luma(light); 3]
+    } else {
         light
-    }
-
-    #[inline]
-    fn rgb(self) -> [i32; 3] {
-        [self; 3]
-    }
-
-    #[inline]
-    fn pack<C: PixelFormat>(self) -> [Self; 1] {
-        [limited(self)]
-    }
-
-    #[inline]
-    fn unpack<C: PixelFormat>([light]: [Self; 1]) -> Self {
-        light
-    }
-}
-
-impl Amount for [i32; 3] {
-    type Or<E: Amount> = Self;
-    type OrWhite = Self;
-    type Channels<C: PixelFormat> = C::Channels;
-
-    #[inline]
-    fn of(rgb: Self) -> Self {
-        rgb
-    }
-
-    #[inline]
-    fn rgb(self) -> Self {
-        self
-    }
-
-    #[inline]
-    fn pack<C: PixelFormat>(self) -> C::Channels {
-        let limited = each(self, limited);
-        C::Channels::first(if C::Channels::IS_GRAY {
-            [luma(limited); 3]
-        } else {
-            limited
-        })
-    }
-
-    #[inline]
-    fn unpack<C: PixelFormat>(channels: C::Channels) -> Self {
-        channels.all()
-    }
+    })
 }

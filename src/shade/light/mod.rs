@@ -14,8 +14,8 @@ mod together;
 mod viewer;
 
 pub use adapters::{Colored, Shiny, TwoSided};
+pub use illumination::Illumination;
 pub(super) use illumination::Packed;
-pub use illumination::{Amount, Illumination};
 pub use lamp::Lamp;
 pub use point::{Falloff, PointLight};
 pub use spot::SpotLight;
@@ -27,6 +27,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use crate::error::{Error, check_range, ok};
 use crate::math::{Direction, Vec3};
 use crate::num::Scalar;
+use crate::shade::Channels;
 use crate::shade::format::fractions;
 
 /// Full brightness.
@@ -129,10 +130,10 @@ impl SurfacePoint {
 )]
 pub trait Lighting: Copy {
     /// The type of [`Illumination::diffuse`]: `i32` for white light, `[i32; 3]` for light in a color.
-    type Diffuse: Amount;
+    type Diffuse: Channels;
 
     /// The type of [`Illumination::specular`]: `i32` for a light that makes highlights, else `()`.
-    type Specular: Amount;
+    type Specular: Channels;
 
     /// Whether [`at`](Self::at) reads [`SurfacePoint::position`]. If this is `false`, the corners' positions in world
     /// space are not computed.
@@ -231,9 +232,9 @@ mod tests {
             let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
             let white = Flat::new(Gray8::new(255));
             let (_, corners) = face(white.lit_faces(BrightAsX), &IDENTITY, &mesh, 0);
-            assert_eq!(corners.map(|((), light)| light.0.0), [[mean]; 3], "{xs:?}");
+            assert_eq!(corners.map(|((), light)| light.0.0), [mean; 3], "{xs:?}");
             let (_, corners) = face(white.lit(BrightAsX), &IDENTITY, &mesh, 0);
-            assert_eq!(corners.map(|((), light)| light.0.0), xs.map(|x| [x]));
+            assert_eq!(corners.map(|((), light)| light.0.0), xs);
         }
     }
 
@@ -264,7 +265,7 @@ mod tests {
         let mesh = Mesh::new(&ground, &[[0, 1, 2]]).unwrap();
         let shader: FaceLit<_, _> = Flat::new(Gray8::new(200)).lit_faces(bright);
         let (_, [((), light), ..]) = face(shader, &IDENTITY, &mesh, 0);
-        assert_eq!(light.0.0, [FULL]);
+        assert_eq!(light.0.0, FULL);
     }
 
     /// At a distance of one or two units, a lamp with the longest range still has its full brightness.

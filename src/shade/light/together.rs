@@ -1,6 +1,7 @@
 //! Several lights at once.
 
-use super::{Amount, Illumination, Lighting, SurfacePoint};
+use super::{Illumination, Lighting, SurfacePoint};
+use crate::shade::Channels;
 
 /// The sum of all lights of an array.
 impl<L: Lighting, const N: usize> Lighting for [L; N] {
@@ -56,7 +57,7 @@ macro_rules! tuples {
     };
     (type $Part:ident $Last:ident) => { $Last::$Part };
     (type $Part:ident $First:ident $($Rest:ident)+) => {
-        <$First::$Part as Amount>::Or<tuples!(type $Part $($Rest)+)>
+        <$First::$Part as Channels>::Or<tuples!(type $Part $($Rest)+)>
     };
 }
 

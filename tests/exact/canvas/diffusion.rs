@@ -12,7 +12,7 @@ use support::random::cases;
 /// The colors of a display that shows rows of grays, and the errors that are left.
 fn diffused<C>(grays: &mut [Gray8], width: u32) -> (Vec<C>, Vec<i16>)
 where
-    C: PixelFormat<Channels = [i32; 1]> + Default,
+    C: PixelFormat<Channels = i32> + Default,
 {
     let (mut errors, mut shown) = (vec![0; width as usize], vec![C::default(); grays.len()]);
     let height = grays.len() as u32 / width;

@@ -4,7 +4,7 @@ use core::hint::black_box;
 
 use fixel::math::Direction;
 use fixel::prelude::*;
-use fixel::shade::{Amount as _, SurfacePoint};
+use fixel::shade::{Channels as _, SurfacePoint};
 
 use super::ticks::Stopwatch;
 
