@@ -4,47 +4,42 @@ use super::{Indexed, Mipmap, Texture};
 use crate::message;
 
 /// A picture that [`include_texture!`](crate::include_texture) has read.
-///
-/// A trait's functions cannot run at compile time, but its constants can depend on types. So the macro declares a type
-/// for the picture, the compiler infers the color's type from the place of the macro, and a constant that depends on
-/// both types holds the converted pixels.
-pub trait File {
+#[derive(Clone, Copy, Debug)]
+pub struct Picture {
     /// The file's name, for errors.
-    const PATH: &'static str;
+    pub path: &'static str,
     /// The numbers of columns and rows. A texture may have this size.
-    const SIZE: [u32; 2];
+    pub size: [u32; 2],
     /// The colors that occur in the picture, at least one. The bytes of a color are: red, green and blue with 5 bits
     /// each, then with 6 bits each, then with 8 bits each; luma with 1, 2, 4 and 8 bits; and the bits of `Argb1555` and
     /// of `Argb4444`, the high byte first.
-    const COLORS: &'static [[u8; 17]];
+    pub colors: &'static [[u8; 17]],
     /// The pixels, row by row, as indices of colors; for a mipmap, the pixels of all levels. An index has one byte or,
     /// if there are more than 256 colors, three bytes, the low byte first.
-    const PIXELS: &'static [u8];
+    pub pixels: &'static [u8],
 }
 
-/// A type of texel that picture `F`, which has `N` pixels, converts to: a color, or `u8` for the index of a pixel's
-/// color.
-#[diagnostic::on_unimplemented(
-    message = "a picture cannot become a texture of `{Self}`",
-    label = "`{Self}` is not a color of embedded-graphics",
-    note = "write a color of embedded-graphics, such as `Texture<Rgb565>` or `Texture<Gray8>`, or `Argb1555` or `Argb4444`"
-)]
-pub trait Convert<F: File, const N: usize, const K: usize>: Copy + 'static {
-    /// The texels of the picture's colors. The table may be longer.
-    const TABLE: &'static [Self; K];
-    /// The texels of the pixels, row by row.
-    const TEXELS: &'static [Self; N];
-}
-
-/// A texture that can be created from picture `F` with `N` pixels in `K` colors.
+/// A value that can be made of file `F`, which has `N` pixels in `K` colors: its [`Picture`], the texels of a type, or
+/// a texture.
+///
+/// A trait's functions cannot run at compile time, but its constants can depend on types. So the macro declares a type
+/// for the file, and implements this trait for [`Picture`]. The compiler infers the type of the texture from the place
+/// of the macro.
 #[diagnostic::on_unimplemented(
     message = "a picture cannot become a `{Self}`",
     label = "expected a texture in a color of embedded-graphics",
-    note = "write the type as `Texture<Rgb565>`, `[[Rgb565; WIDTH]; HEIGHT]`, `Indexed<Texture<u8>, Rgb565>` or `Mipmap<Rgb565>`"
+    note = "write the type as `Texture<Rgb565>`, `[[Rgb565; WIDTH]; HEIGHT]`, `Indexed<Texture<u8>, Rgb565>` or `Mipmap<Rgb565>`",
+    note = "the color can be any color of embedded-graphics, `Argb1555` or `Argb4444`"
 )]
-pub trait FromFile<F: File, const N: usize, const K: usize>: Sized {
-    /// The texture.
+pub trait FromFile<F, const N: usize, const K: usize>: Sized {
+    /// The value.
     const VALUE: Self;
+}
+
+/// The texels of a picture's colors. The table may be longer.
+#[derive(Clone, Copy, Debug)]
+pub struct Table<C: 'static, const K: usize> {
+    pub(super) texels: &'static [C; K],
 }
 
 /// The texels of pixels, from a table and the pixels' indices.
@@ -64,57 +59,71 @@ pub(super) const fn texels<C: Copy, const N: usize>(table: &[C], pixels: &[u8]) 
     texels
 }
 
-impl<F: File, C: Convert<F, N, K>, const N: usize, const K: usize> FromFile<F, N, K>
-    for &'static [C]
+impl<F, C, const N: usize, const K: usize> FromFile<F, N, K> for &'static [C]
+where
+    &'static [C; N]: FromFile<F, N, K>,
 {
-    const VALUE: Self = C::TEXELS;
+    const VALUE: Self = <&[C; N]>::VALUE;
 }
 
-impl<F: File, C: Convert<F, N, K>, const N: usize, const K: usize, const W: usize, const H: usize>
-    FromFile<F, N, K> for &'static [[C; W]; H]
-{
-    const VALUE: Self = match C::TEXELS.as_chunks().0.first_chunk() {
-        Some(rows) if F::SIZE[0] as usize == W && F::SIZE[1] as usize == H => rows,
-        _ => message::wrong_size(F::PATH, F::SIZE, [W, H]),
-    };
-}
-
-impl<F: File, C: Convert<F, N, K>, const N: usize, const K: usize, const W: usize, const H: usize>
-    FromFile<F, N, K> for [[C; W]; H]
-{
-    const VALUE: Self = *<&[[C; W]; H] as FromFile<F, N, K>>::VALUE;
-}
-
-impl<F: File, C: Convert<F, N, K>, const N: usize, const K: usize> FromFile<F, N, K>
-    for Texture<'static, C>
+impl<F, C, const N: usize, const K: usize, const W: usize, const H: usize> FromFile<F, N, K>
+    for &'static [[C; W]; H]
+where
+    Picture: FromFile<F, N, K>,
+    &'static [C; N]: FromFile<F, N, K>,
 {
     const VALUE: Self = {
-        let [width, height] = F::SIZE;
-        message::checked(Texture::new(C::TEXELS, width, height), F::PATH)
+        let Picture { path, size, .. } = Picture::VALUE;
+        match <&[C; N]>::VALUE.as_chunks().0.first_chunk() {
+            Some(rows) if size[0] as usize == W && size[1] as usize == H => rows,
+            _ => message::wrong_size(path, size, [W, H]),
+        }
     };
 }
 
-impl<F: File, C: Convert<F, N, K>, const N: usize, const K: usize> FromFile<F, N, K>
-    for Mipmap<'static, C>
+impl<F, C, const N: usize, const K: usize, const W: usize, const H: usize> FromFile<F, N, K>
+    for [[C; W]; H]
+where
+    C: Copy + 'static,
+    &'static [[C; W]; H]: FromFile<F, N, K>,
+{
+    const VALUE: Self = *<&[[C; W]; H]>::VALUE;
+}
+
+impl<F, C, const N: usize, const K: usize> FromFile<F, N, K> for Texture<'static, C>
+where
+    C: Copy,
+    Picture: FromFile<F, N, K>,
+    &'static [C; N]: FromFile<F, N, K>,
 {
     const VALUE: Self = {
-        let [width, height] = F::SIZE;
-        message::checked(Mipmap::new(C::TEXELS, width, height), F::PATH)
+        let Picture { path, size, .. } = Picture::VALUE;
+        message::checked(Texture::new(<&[C; N]>::VALUE, size[0], size[1]), path)
     };
 }
 
-impl<
-    F: File,
+impl<F, C, const N: usize, const K: usize> FromFile<F, N, K> for Mipmap<'static, C>
+where
+    C: Copy,
+    Picture: FromFile<F, N, K>,
+    &'static [C; N]: FromFile<F, N, K>,
+{
+    const VALUE: Self = {
+        let Picture { path, size, .. } = Picture::VALUE;
+        message::checked(Mipmap::new(<&[C; N]>::VALUE, size[0], size[1]), path)
+    };
+}
+
+impl<F, S, C, const N: usize, const K: usize, const M: usize> FromFile<F, N, K>
+    for Indexed<'static, S, C, M>
+where
     S: FromFile<F, N, K>,
-    C: Convert<F, N, M>,
-    const N: usize,
-    const K: usize,
-    const M: usize,
-> FromFile<F, N, K> for Indexed<'static, S, C, M>
+    C: Copy,
+    Table<C, M>: FromFile<F, N, M>,
 {
     const VALUE: Self = Self {
         indices: S::VALUE,
-        colors: C::TABLE,
+        colors: Table::<C, M>::VALUE.texels,
     };
 }
 

@@ -103,13 +103,16 @@ pub fn texture(arguments: &Arguments) -> Result<Expansion, String> {
     let path = &arguments.path.value;
     out.push(&format!(
         "enum Asset {{}}
-         impl fixel::texture::include::File for Asset {{
-             const PATH: &'static str = {path:?};
-             const SIZE: [u32; 2] = [{width}, {height}];
-             const COLORS: &'static [[u8; 17]] = {colors}.as_chunks().0;
-             const PIXELS: &'static [u8] = {indices};
+         use fixel::texture::include::{{FromFile, Picture}};
+         impl<const N: usize, const K: usize> FromFile<Asset, N, K> for Picture {{
+             const VALUE: Self = Self {{
+                 path: {path:?},
+                 size: [{width}, {height}],
+                 colors: {colors}.as_chunks().0,
+                 pixels: {indices},
+             }};
          }}
-         <_ as fixel::texture::include::FromFile<Asset, {pixels}, {count}>>::VALUE"
+         <_ as FromFile<Asset, {pixels}, {count}>>::VALUE"
     ));
     Ok(out)
 }
@@ -136,7 +139,7 @@ fn steps(fraction: u32, bits: u32) -> u32 {
     (fraction * ((1 << bits) - 1) + (1 << 15)) >> 16
 }
 
-/// A color in the formats that `fixel::texture::include::File` lists.
+/// A color in the formats that `fixel::texture::include::Picture` lists.
 fn formats(pixel: [u8; 4]) -> Vec<u8> {
     let [r, g, b, alpha] = pixel.map(fraction);
     // The weights add up to 2^14.
