@@ -30,7 +30,7 @@ mod tests {
     use crate::mesh::{Counts, Missing};
     use crate::mode::{Affine, Compact, Exact, Fast, Newton};
     use crate::shade::{Colored, PerFace, Shiny, Texels, Tolerance, TwoSided, Within};
-    use crate::texture::{Bilinear, Clamp, Nearest, Repeat};
+    use crate::texture::{Bilinear, Nearest};
     use crate::{Camera, Cull, DrawOptions, Drawn, Fragment, Light, Mvp, Rate, Spin};
     use crate::{LineStyle, Transform, Viewport, math::Direction, view::Aspect};
 
@@ -47,6 +47,6 @@ mod tests {
         all!(Colored<Light> Shiny<Light> TwoSided<Light> LineStyle LineStyle<true> PointStyle);
         all!(Drawn DrawOptions ScreenPoint Cull Exact Affine Newton Fast Compact);
         all!(ColorIndex Contrast NoTest TestAndWrite TestOnly WriteOnly Biased);
-        all!(Repeat Clamp Nearest Bilinear Aspect Camera Mvp Projection Segment Viewport Window);
+        all!(Nearest Bilinear Aspect Camera Mvp Projection Segment Viewport Window);
     }
 }

@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::math::Vec3;
 use crate::mesh::Primitive;
 use crate::num::log2;
-use crate::texture::{Addressing, Blend, Filter, Nearest, Sampler, Trilinear};
+use crate::texture::{Blend, Filter, Nearest, Sampler, Trilinear};
 use crate::view::{Projection, Viewport};
 
 /// The density of edges and points: less than the density of any triangle, so that edges and points have level 0.
@@ -21,7 +21,7 @@ pub struct Mipmapped {
     scale: i32,
 }
 
-impl<S: Sampler, A, F> Textured<S, A, F> {
+impl<S: Sampler, const CLAMPED: bool, F> Textured<S, CLAMPED, F> {
     /// Shows at each pixel the level of a [`Mipmap`](crate::texture::Mipmap) that suits the pixel's distance, so that
     /// the texture does not flicker far away. `projection` is the projection of the draw call. `frame` is the size of
     /// the frame in pixels. For a draw call with a viewport, pass the size of the viewport instead.
@@ -115,7 +115,7 @@ impl<S: Sampler, A, F> Textured<S, A, F> {
         self,
         projection: &Projection,
         frame: impl Into<Size>,
-    ) -> Result<Textured<S, A, F, Mipmapped>, Error> {
+    ) -> Result<Textured<S, CLAMPED, F, Mipmapped>, Error> {
         let Size { width, height } = frame.into();
         let [x, y] = projection
             .pixel(&Viewport::new(0, 0, width, height)?)
@@ -126,20 +126,20 @@ impl<S: Sampler, A, F> Textured<S, A, F> {
     }
 }
 
-impl<S: Sampler<Color: Blend>, A> Textured<S, A, Nearest, Mipmapped> {
+impl<S: Sampler<Color: Blend>, const CLAMPED: bool> Textured<S, CLAMPED, Nearest, Mipmapped> {
     /// Blends the four texels around each pixel in each of the two levels nearest to the pixel's level, then blends the
     /// two results, so that no edge is visible where a level ends.
     ///
     /// Each blend is rounded as described for [`bilinear`](Self::bilinear). The position between two levels is rounded
     /// down to 1/32 or 1/256 of a level, the unit of that method.
     #[must_use]
-    pub const fn trilinear(self) -> Textured<S, A, Trilinear, Mipmapped> {
+    pub const fn trilinear(self) -> Textured<S, CLAMPED, Trilinear, Mipmapped> {
         Textured::of(self.texture, self.detail)
     }
 }
 
-impl<S: Sampler<Color: Texel>, A: Addressing, F: Filter<S::Color>> Shader
-    for Textured<S, A, F, Mipmapped>
+impl<S: Sampler<Color: Texel>, const CLAMPED: bool, F: Filter<S::Color>> Shader
+    for Textured<S, CLAMPED, F, Mipmapped>
 {
     type Color = <S::Color as Texel>::Source;
     type Varyings = (Texels, PerFace<i32>);

@@ -7,9 +7,7 @@ use embedded_graphics::pixelcolor::{GrayColor, PixelColor};
 use super::{Fragment, Shader, Texel, Texels, Translucent};
 use crate::error::Error;
 use crate::mesh::Primitive;
-use crate::texture::{
-    Addressing, Bilinear, Blend, Clamp, CutOut, Filter, Nearest, Repeat, Sampler, origin, texels,
-};
+use crate::texture::{Bilinear, Blend, CutOut, Filter, Nearest, Sampler, origin, texels};
 
 /// A texture: each pixel shows the texel nearest to its center, or a blend of the four texels around its center
 /// ([`bilinear`](Self::bilinear)).
@@ -44,23 +42,23 @@ use crate::texture::{
 /// # The type
 ///
 /// The methods choose the type's parameters, which have defaults. A program that keeps a shader in a `struct` must name
-/// the parameters: the addressing is `Repeat` or `Clamp`; the filter is `Nearest`, `Bilinear` or `Trilinear`; the last
-/// parameter is `Mipmapped` for a mipmapped texture.
+/// the parameters: after the texture's type, `true` for a clamped texture; then the filter, which is `Nearest`,
+/// `Bilinear` or `Trilinear`; and, for a mipmapped texture, `Mipmapped`.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
-/// use fixel::{Texture, Textured, texture::{Bilinear, Clamp}};
+/// use fixel::{Texture, Textured, texture::Bilinear};
 /// struct Wall {
-///     skin: Textured<Texture<'static, Rgb565>, Clamp, Bilinear>,
+///     skin: Textured<Texture<'static, Rgb565>, true, Bilinear>,
 /// }
 /// # fn wall(texture: Texture<'static, Rgb565>) -> Wall {
 /// Wall { skin: Textured::new(texture).clamped().bilinear() }
 /// # }
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Textured<S, A = Repeat, F = Nearest, D = ()> {
+pub struct Textured<S, const CLAMPED: bool = false, F = Nearest, D = ()> {
     pub(super) texture: S,
-    pub(super) filter: PhantomData<(A, F)>,
+    pub(super) filter: PhantomData<F>,
     /// How the level of a pixel is found.
     pub(super) detail: D,
 }
@@ -74,7 +72,7 @@ impl<S: Sampler> Textured<S> {
     }
 }
 
-impl<S, A, F, D> Textured<S, A, F, D> {
+impl<S, const CLAMPED: bool, F, D> Textured<S, CLAMPED, F, D> {
     pub(super) const fn of(texture: S, detail: D) -> Self {
         Self {
             texture,
@@ -84,7 +82,7 @@ impl<S, A, F, D> Textured<S, A, F, D> {
     }
 }
 
-impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
+impl<S: Sampler, const CLAMPED: bool, F: Copy, D: Copy> Textured<S, CLAMPED, F, D> {
     /// Clamps the texture to its edge instead of repeating it.
     ///
     /// ```
@@ -100,7 +98,7 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     /// assert_eq!(colors, [10, 10, 20, 20, 20].map(|luma| Some(Gray8::new(luma))));
     /// ```
     #[must_use]
-    pub const fn clamped(self) -> Textured<S, Clamp, F, D> {
+    pub const fn clamped(self) -> Textured<S, true, F, D> {
         Textured::of(self.texture, self.detail)
     }
 
@@ -154,7 +152,7 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     /// | Rgb888 | 60 to 65 | 97 to 111 | 164 | 200 |
     /// | Gray8 | 32 to 33 | 41 to 47 | 76 | 88 |
     #[must_use]
-    pub const fn bilinear(self) -> Textured<S, A, Bilinear, D>
+    pub const fn bilinear(self) -> Textured<S, CLAMPED, Bilinear, D>
     where
         S::Color: Blend,
     {
@@ -184,7 +182,7 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
-    pub const fn cut_out(self, key: S::Color) -> Textured<CutOut<S, S::Color>, A, F, D>
+    pub const fn cut_out(self, key: S::Color) -> Textured<CutOut<S, S::Color>, CLAMPED, F, D>
     where
         S::Color: PartialEq,
     {
@@ -219,7 +217,7 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     pub fn masked<M: Sampler<Color: GrayColor>>(
         self,
         mask: M,
-    ) -> Result<Textured<Masked<S, M>, A, F, D>, Error>
+    ) -> Result<Textured<Masked<S, M>, CLAMPED, F, D>, Error>
     where
         S::Color: PixelColor,
     {
@@ -237,14 +235,20 @@ impl<S: Sampler, A: Copy, F: Copy, D: Copy> Textured<S, A, F, D> {
     }
 }
 
-impl<S: Sampler<Color: Texel>, A: Addressing, F: Filter<S::Color>, D> Textured<S, A, F, D> {
+impl<S: Sampler<Color: Texel>, const CLAMPED: bool, F: Filter<S::Color>, D>
+    Textured<S, CLAMPED, F, D>
+{
     /// The columns and rows of the texture at a primitive's corners.
     #[inline]
     pub(super) fn corners(&self, primitive: &Primitive<'_>) -> [Texels; 3] {
         let [a, b, c] = primitive.corners(|corner| corner.uv().to_bits());
         let coordinates = |bits: [i32; 3], log2| {
             let is_face = primitive.face().is_some();
-            texels(bits, if is_face { origin::<A>(bits) } else { 0 }, log2)
+            texels(
+                bits,
+                if is_face { origin::<CLAMPED>(bits) } else { 0 },
+                log2,
+            )
         };
         let [width, height] = self.texture.size_log2();
         let us = coordinates([a[0], b[0], c[0]], width);
@@ -263,11 +267,13 @@ impl<S: Sampler<Color: Texel>, A: Addressing, F: Filter<S::Color>, D> Textured<S
         Texels(at): Texels,
         level: i32,
     ) -> Option<<S::Color as Texel>::Source> {
-        F::color::<S, A>(&self.texture, at, level).source()
+        F::color::<CLAMPED>(&self.texture, at, level).source()
     }
 }
 
-impl<S: Sampler<Color: Texel>, A: Addressing, F: Filter<S::Color>> Shader for Textured<S, A, F> {
+impl<S: Sampler<Color: Texel>, const CLAMPED: bool, F: Filter<S::Color>> Shader
+    for Textured<S, CLAMPED, F>
+{
     type Color = <S::Color as Texel>::Source;
     type Varyings = Texels;
 
@@ -343,8 +349,8 @@ mod tests {
             .unwrap()
     }
 
-    fn corners<S: Sampler<Color: Texel>, A: Addressing>(
-        skin: Textured<S, A>,
+    fn corners<S: Sampler<Color: Texel>, const CLAMPED: bool>(
+        skin: Textured<S, CLAMPED>,
         uvs: [Vec2; 3],
     ) -> [[i32; 2]; 3] {
         face(skin, &IDENTITY, &mesh(&uvs), 0).1.map(|Texels(at)| at)

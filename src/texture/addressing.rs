@@ -1,28 +1,6 @@
-//! What a texture shows beyond its edges.
+//! What a texture shows beyond its edges: it begins again or, if it is clamped, continues with the texels of its edge.
 
 use crate::num::TexCoord;
-use crate::sealed::{Sealed, sealed};
-
-/// What a texture shows beyond its edges: [`Repeat`] or [`Clamp`].
-#[doc(hidden)]
-pub trait Addressing: Copy + Sealed {
-    /// Whether the texture, beyond its edge, continues with the texels of the edge.
-    const CLAMPS: bool;
-}
-
-sealed!(Repeat, Clamp);
-
-/// Beyond its edge, a texture begins again.
-#[doc(hidden)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Repeat;
-
-/// Beyond its edge, a texture continues with the texels of the edge.
-#[doc(hidden)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Clamp;
 
 /// The number of fraction bits that a texture coordinate has beyond the 16 of a position in texels.
 const FINER: u32 = TexCoord::FRAC_BITS - 16;
@@ -42,20 +20,12 @@ pub(crate) fn texels(bits: [i32; 3], origin: i32, log2: u32) -> [i32; 3] {
     })
 }
 
-impl Addressing for Repeat {
-    const CLAMPS: bool = false;
-}
-
-impl Addressing for Clamp {
-    const CLAMPS: bool = true;
-}
-
 /// The origin from which a triangle's texture coordinates are counted, in bits. If the texture repeats, the origin is
 /// the start of the repeat that contains the least of the three coordinates. The least coordinate then lies in the
 /// first repeat.
 #[inline]
-pub(crate) fn origin<A: Addressing>([a, b, c]: [i32; 3]) -> i32 {
-    if A::CLAMPS {
+pub(crate) fn origin<const CLAMPED: bool>([a, b, c]: [i32; 3]) -> i32 {
+    if CLAMPED {
         return 0;
     }
     a.min(b).min(c) >> TexCoord::FRAC_BITS << TexCoord::FRAC_BITS
@@ -64,8 +34,8 @@ pub(crate) fn origin<A: Addressing>([a, b, c]: [i32; 3]) -> i32 {
 /// The column or row of a texel that may lie beyond the edges. If the texture is clamped, the number is limited to the
 /// edges. If it repeats, the number stays, because samplers already wrap.
 #[inline]
-pub(super) fn index<A: Addressing>(texel: i32, log2: u32) -> i32 {
-    if A::CLAMPS {
+pub(super) fn index<const CLAMPED: bool>(texel: i32, log2: u32) -> i32 {
+    if CLAMPED {
         texel.max(0).min(1_i32.wrapping_shl(log2) - 1)
     } else {
         texel
@@ -75,8 +45,8 @@ pub(super) fn index<A: Addressing>(texel: i32, log2: u32) -> i32 {
 /// `texels` minus `little`, both with 16 fraction bits. If the texture repeats, the difference may wrap: then it is
 /// wrong only by a whole number of repeats.
 #[inline]
-pub(super) fn back<A: Addressing>(texels: i32, little: i32) -> i32 {
-    if A::CLAMPS {
+pub(super) fn back<const CLAMPED: bool>(texels: i32, little: i32) -> i32 {
+    if CLAMPED {
         texels.saturating_sub(little)
     } else {
         texels.wrapping_sub(little)
@@ -105,7 +75,7 @@ mod tests {
         assert_eq!(texels([low, 0, high], high, 15), [low, low, 0]);
         assert_eq!(texels([low, 0, high], low, 15), [0, high, high]);
         // The corners of this triangle are as far apart as possible.
-        let repeated = |bits, log2| texels(bits, origin::<Repeat>(bits), log2);
+        let repeated = |bits, log2| texels(bits, origin::<false>(bits), log2);
         assert_eq!(repeated([low, high, 0], 0), [0, 1 << 28, 1 << 27]);
         assert_eq!(
             repeated([-1, (1 << 20) - 1, 1 << 20], 2),

@@ -51,7 +51,7 @@ impl<C: Blend> Blend for OrHole<C> {
 #[cfg(test)]
 mod tests {
     use super::super::filter::around;
-    use super::super::{Bilinear, Filter, Nearest, Repeat};
+    use super::super::{Bilinear, Filter, Nearest};
     use super::*;
     use crate::random::cases;
     use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -82,11 +82,11 @@ mod tests {
                 key: KEY,
             };
             let at = at.map(|at| at >> 10);
-            let nearest = Nearest::color::<_, Repeat>(&skin, at, 0);
-            let cut = Nearest::color::<_, Repeat>(&holed, at, 0);
+            let nearest = Nearest::color::<false>(&skin, at, 0);
+            let cut = Nearest::color::<false>(&holed, at, 0);
             assert_eq!(cut, OrHole((nearest != KEY).then_some(nearest)));
 
-            let OrHole(smooth) = Bilinear::color::<_, Repeat>(&holed, at, 0);
+            let OrHole(smooth) = Bilinear::color::<false>(&holed, at, 0);
             if let Some(color) = smooth {
                 assert!(
                     color.r() == color.g() && color.g() == color.b(),
@@ -101,9 +101,9 @@ mod tests {
             {
                 assert_eq!(smooth.is_none(), nearest == KEY);
             }
-            let (texels, _) = around::<_, Repeat>(&skin, at, 0);
+            let (texels, _) = around::<_, false>(&skin, at, 0);
             if !texels.as_flattened().contains(&KEY) {
-                assert_eq!(smooth, Some(Bilinear::color::<_, Repeat>(&whole, at, 0)));
+                assert_eq!(smooth, Some(Bilinear::color::<false>(&whole, at, 0)));
             }
         });
     }

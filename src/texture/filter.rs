@@ -1,15 +1,16 @@
 //! Filters: the color at a point between texels, and between levels of a mipmap.
 
 use super::addressing::{back, index};
-use super::{Addressing, Blend, Sampler};
+use super::{Blend, Sampler};
 use crate::sealed::{Sealed, sealed};
 
 /// The color of a texture between the centers of its texels: [`Nearest`], [`Bilinear`] or [`Trilinear`].
 #[doc(hidden)]
 pub trait Filter<C>: Copy + Sealed {
-    /// The color at a column, a row and a level. Columns and rows are distances from the first texel's corner, in
-    /// texels of level 0 with 16 fraction bits. The level has 8 fraction bits.
-    fn color<S: Sampler<Color = C>, A: Addressing>(sampler: &S, at: [i32; 2], level: i32) -> C;
+    /// The color of a texture, which may be clamped, at a column, a row and a level. Columns and rows are distances from
+    /// the first texel's corner, in texels of level 0 with 16 fraction bits. The level has 8 fraction bits.
+    fn color<const CLAMPED: bool>(sampler: &impl Sampler<Color = C>, at: [i32; 2], level: i32)
+    -> C;
 }
 
 sealed!(Nearest, Bilinear, Trilinear);
@@ -56,40 +57,52 @@ pub(super) const fn size_at(level: u32, [width, height]: [u32; 2]) -> [u32; 2] {
 
 impl<C: Copy> Filter<C> for Nearest {
     #[inline]
-    fn color<S: Sampler<Color = C>, A: Addressing>(sampler: &S, [u, v]: [i32; 2], level: i32) -> C {
+    fn color<const CLAMPED: bool>(
+        sampler: &impl Sampler<Color = C>,
+        [u, v]: [i32; 2],
+        level: i32,
+    ) -> C {
         let level = nearest(level, sampler);
         let [width, height] = size_at(level, sampler.size_log2());
-        let place = |at: i32, log2| index::<A>(at >> level >> 16, log2);
+        let place = |at: i32, log2| index::<CLAMPED>(at >> level >> 16, log2);
         sampler.texel_at(level, place(u, width), place(v, height))
     }
 }
 
 impl<C: Blend> Filter<C> for Bilinear {
     #[inline]
-    fn color<S: Sampler<Color = C>, A: Addressing>(sampler: &S, at: [i32; 2], level: i32) -> C {
-        let (texels, weights) = around::<S, A>(sampler, at, nearest(level, sampler));
+    fn color<const CLAMPED: bool>(
+        sampler: &impl Sampler<Color = C>,
+        at: [i32; 2],
+        level: i32,
+    ) -> C {
+        let (texels, weights) = around::<_, CLAMPED>(sampler, at, nearest(level, sampler));
         C::blend(texels, weights)
     }
 }
 
 impl<C: Blend> Filter<C> for Trilinear {
     #[inline]
-    fn color<S: Sampler<Color = C>, A: Addressing>(sampler: &S, at: [i32; 2], level: i32) -> C {
+    fn color<const CLAMPED: bool>(
+        sampler: &impl Sampler<Color = C>,
+        at: [i32; 2],
+        level: i32,
+    ) -> C {
         let level = clamped(level, sampler);
         let (whole, weight) = (level >> 8, (level & 0xff) << C::WEIGHT_BITS >> 8);
-        let (texels, weights) = around::<S, A>(sampler, at, whole);
+        let (texels, weights) = around::<_, CLAMPED>(sampler, at, whole);
         let fine = C::blend(texels, weights);
         if weight == 0 {
             return fine;
         }
-        let (texels, weights) = around::<S, A>(sampler, at, whole + 1);
+        let (texels, weights) = around::<_, CLAMPED>(sampler, at, whole + 1);
         fine.mix(C::blend(texels, weights), weight)
     }
 }
 
 /// The four texels around a point in a level, and the weights of the right and of the lower texels.
 #[inline]
-pub(super) fn around<S: Sampler<Color: Blend>, A: Addressing>(
+pub(super) fn around<S: Sampler<Color: Blend>, const CLAMPED: bool>(
     sampler: &S,
     [u, v]: [i32; 2],
     level: u32,
@@ -100,8 +113,8 @@ pub(super) fn around<S: Sampler<Color: Blend>, A: Addressing>(
         bits
     };
     let [width, height] = size_at(level, sampler.size_log2());
-    let ([left, right], x) = between::<A>(u >> level, width, bits);
-    let ([upper, lower], y) = between::<A>(v >> level, height, bits);
+    let ([left, right], x) = between::<CLAMPED>(u >> level, width, bits);
+    let ([upper, lower], y) = between::<CLAMPED>(v >> level, height, bits);
     let row = |v| {
         let texel = |u| sampler.texel_at(level, u, v);
         [texel(left), texel(right)]
@@ -112,13 +125,16 @@ pub(super) fn around<S: Sampler<Color: Blend>, A: Addressing>(
 /// The two columns or rows with `at` between their centers, and the weight of the second: the distance of `at` from the
 /// first center.
 #[inline]
-fn between<A: Addressing>(at: i32, log2: u32, weight_bits: u32) -> ([i32; 2], u32) {
+fn between<const CLAMPED: bool>(at: i32, log2: u32, weight_bits: u32) -> ([i32; 2], u32) {
     // A texel's center is half a texel from its corner, so half a texel is subtracted. Half a unit of the weight is
     // added, so that the shift below rounds to nearest.
-    let at = back::<A>(at, (1 << 15) - (1 << (15 - weight_bits)));
+    let at = back::<CLAMPED>(at, (1 << 15) - (1 << (15 - weight_bits)));
     let first = at >> 16;
     let weight = (at.cast_unsigned() & 0xffff) >> (16 - weight_bits);
     // `first` has 16 bits, so adding 1 cannot overflow.
-    let both = [index::<A>(first, log2), index::<A>(first + 1, log2)];
+    let both = [
+        index::<CLAMPED>(first, log2),
+        index::<CLAMPED>(first + 1, log2),
+    ];
     (both, weight)
 }

@@ -27,7 +27,6 @@ mod sampler;
 #[allow(clippy::module_inception)] // one type, one file
 mod texture;
 
-pub use addressing::{Addressing, Clamp, Repeat};
 pub(crate) use addressing::{origin, texels};
 pub use argb::{Argb1555, Argb4444};
 pub use blend::Blend;

@@ -21,7 +21,7 @@ use fixel::shade::{
 use fixel::shade::{Converted, FaceLit, Lit, Map, PartColors, PerFace, Texels, Tinted};
 use fixel::shade::{Gradient, Masked, Mipmapped, Tolerance, Translucent, Within};
 use fixel::texture::{Argb1555, Argb4444, Indexed, Mipmap, OrHole, Raw, Trilinear};
-use fixel::texture::{Bilinear, Clamp, CutOut, Nearest, Repeat};
+use fixel::texture::{Bilinear, CutOut, Nearest};
 use fixel::view::{Aspect, Parallel, Perspective, Segment};
 use fixel::{Hit, Index, Matrix4, Prepared, ScreenPoint, Spin};
 
@@ -56,7 +56,7 @@ all!(value: Part<'static> PartColors<'static>);
 all!(value: PerFace<u8> Texels Tolerance Within<1, Texels>);
 all!(value: Biased FloatDepth LinearDepth Native NoDepth NoTest TestAndWrite TestOnly WideFloatDepth WriteOnly);
 all!(value: ColorIndex Contrast);
-all!(value: Bilinear Clamp CutOut<u8, Rgb565> Nearest Repeat);
+all!(value: Bilinear CutOut<u8, Rgb565> Nearest);
 all!(value: Keyframes<'static> Mesh<'static> Outline<'static> Positions<'static> Sprites<'static>);
 all!(shared: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>> Prepared<'static> Prepared<'static, u8>);
 all!(shared: Object<u8> DrawList<1, 1>);
@@ -67,7 +67,7 @@ all!(any: Buffers<'static> ErrorDiffusion<'static> Canvas<'static, Rgb565> Canva
 
 all!(default: Falloff Affine Compact Exact Newton TestAndWrite TestOnly WriteOnly NoTest LineStyle PointStyle);
 all!(default: Biased Biased<NoTest> Add Multiply Replace Parallel Perspective PerFace<u8> Texels Within<1, Texels>);
-all!(default: Bilinear Clamp ColorIndex Contrast Nearest Repeat Trilinear);
+all!(default: Bilinear ColorIndex Contrast Nearest Trilinear);
 all!(default: Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);
 all!(default: Drawn Missing Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> DrawList<1, 1>);
 all!(shown: Error Scalar Angle Vec2 Vec3);

@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888, R
 use fixel::mesh::{Material, Part};
 use fixel::prelude::*;
 use fixel::shade::{Falloff, Gradient, Mipmapped, Output, PartColors, Translucent};
-use fixel::texture::{Argb1555, Argb4444, Indexed, Mipmap, Nearest, Repeat};
+use fixel::texture::{Argb1555, Argb4444, Indexed, Mipmap, Nearest};
 
 use super::numbers::{option, scalar, vector};
 
@@ -241,7 +241,7 @@ static LEVELS: [Rgb565; Mipmap::<Rgb565>::len(32, 8)] = all_levels();
 fn levels(
     near: Scalar,
     far: Scalar,
-) -> Textured<Mipmap<'static, Rgb565>, Repeat, Nearest, Mipmapped> {
+) -> Textured<Mipmap<'static, Rgb565>, false, Nearest, Mipmapped> {
     let near = near.max(Scalar::DELTA);
     let far = far.max(near + Scalar::DELTA);
     let projection = Projection::perspective(deg!(75), (3, 2), near, far).unwrap();

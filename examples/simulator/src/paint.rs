@@ -8,7 +8,7 @@ use fixel::shade::{
     NormalView, Output, PixelFormat, Precise, PreciseOf, Texels, Textured, Translucent, Varyings,
     Within,
 };
-use fixel::texture::{Bilinear, Blend, Clamp, Nearest, Repeat};
+use fixel::texture::{Bilinear, Blend, Nearest};
 use fixel::{Fragment, Primitive};
 use fixel_assets::Alpha;
 
@@ -58,16 +58,17 @@ impl Shown for BinaryColor {
 /// A texture of colors and opacities.
 pub type Skin<'a, T> = Texture<'a, Translucent<T>>;
 
-type Sampled<'a, C, A, F> = Converted<Textured<Skin<'a, <C as Shown>::Texel>, A, F>, C>;
+type Sampled<'a, C, const CLAMPED: bool, F> =
+    Converted<Textured<Skin<'a, <C as Shown>::Texel>, CLAMPED, F>, C>;
 
 /// A surface without light: one color, or a texture that is drawn in one of four ways.
 #[derive(Clone, Copy)]
 enum Base<'a, C: Shown> {
     Plain(Flat<Precise<C>>),
-    Repeated(Sampled<'a, C, Repeat, Nearest>),
-    Clamped(Sampled<'a, C, Clamp, Nearest>),
-    RepeatedSmooth(Sampled<'a, C, Repeat, Bilinear>),
-    ClampedSmooth(Sampled<'a, C, Clamp, Bilinear>),
+    Repeated(Sampled<'a, C, false, Nearest>),
+    Clamped(Sampled<'a, C, true, Nearest>),
+    RepeatedSmooth(Sampled<'a, C, false, Bilinear>),
+    ClampedSmooth(Sampled<'a, C, true, Bilinear>),
 }
 
 impl<'a, C: Shown> Base<'a, C> {
