@@ -6,8 +6,8 @@ use crate::sealed::Sealed;
 
 /// How a draw call uses the canvas's depth buffer.
 ///
-/// Five types are depth tests: [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], and [`Biased`] around another
-/// depth test. [`DrawOptions::with_depth`](crate::DrawOptions::with_depth) chooses the depth test.
+/// Five types are depth tests: [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], and [`Biased`] around one of
+/// these. [`DrawOptions::with_depth`](crate::DrawOptions::with_depth) chooses the depth test.
 ///
 /// ```
 /// use fixel::{prelude::*, canvas::TestOnly};
@@ -26,26 +26,31 @@ pub trait DepthTest: Copy + Sealed {
     #[doc(hidden)]
     const IS_BIASED: bool = false;
 
-    /// Starts a triangle in which 1/w changes by at most `steepness` per pixel.
+    /// How the depths of a primitive are moved; `()` if they are not.
+    #[doc(hidden)]
+    type Bias: Copy + Default;
+
+    /// The bias of a primitive in which 1/w changes by at most `steepness` per pixel.
     #[doc(hidden)]
     #[inline]
-    fn triangle(&mut self, steepness: u32) {
+    fn bias(&self, steepness: u32) -> Self::Bias {
         let _ = steepness;
+        Self::Bias::default()
     }
 
-    /// The same test for a span with interpolants that are shifted left by `up`.
+    /// The same bias for a span with interpolants that are shifted left by `up`.
     #[doc(hidden)]
     #[inline]
-    #[must_use]
-    fn shifted(self, up: u32) -> Self {
+    fn shifted(bias: Self::Bias, up: u32) -> Self::Bias {
         let _ = up;
-        self
+        bias
     }
 
     /// The depth to test and store, from an interpolant `q` · 2^-`down`.
     #[doc(hidden)]
     #[inline]
-    fn biased<D: DepthBuffer>(&self, q: u32, down: u32) -> u32 {
+    fn depth<D: DepthBuffer>(bias: Self::Bias, q: u32, down: u32) -> u32 {
+        let _ = bias;
         D::encode(q, down)
     }
 }
@@ -62,6 +67,7 @@ macro_rules! depth_tests {
         impl DepthTest for $name {
             const TESTS: bool = $tests;
             const WRITES: bool = $writes;
+            type Bias = ();
         }
     )+};
 }
@@ -130,10 +136,17 @@ pub struct Biased<Z = super::TestAndWrite> {
     pub steps: i32,
     /// How far depths also move toward the eye, in multiples of the depth difference between neighboring pixels.
     pub slope: Scalar,
-    /// The number that is added to half of 1/w because of the slope: half of `slope` times the greatest change of 1/w
-    /// per pixel in the current primitive.
+}
+
+/// The bias of a primitive.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Bias {
+    /// See [`Biased::steps`].
+    steps: i32,
+    /// The number that is added to half of 1/w because of the slope: half of [`Biased::slope`] times the greatest
+    /// change of 1/w per pixel.
     added: i32,
-    /// By how many bits the current span's 1/w is shifted left.
+    /// By how many bits a span's 1/w is shifted left.
     up: u32,
 }
 
@@ -150,13 +163,7 @@ impl<Z> Biased<Z> {
     /// which is farther away.
     #[must_use]
     pub const fn new(test: Z, steps: i32, slope: Scalar) -> Self {
-        Self {
-            test,
-            steps,
-            slope,
-            added: 0,
-            up: 0,
-        }
+        Self { test, steps, slope }
     }
 
     /// `test` with depths moved away by two units of the stored depth and by the depth difference between neighboring
@@ -187,35 +194,39 @@ impl<Z> Biased<Z> {
 
 impl<Z> Sealed for Biased<Z> {}
 
-impl<Z: DepthTest> DepthTest for Biased<Z> {
+impl<Z: DepthTest<Bias = ()>> DepthTest for Biased<Z> {
     const TESTS: bool = Z::TESTS;
     const WRITES: bool = Z::WRITES;
     const IS_BIASED: bool = true;
+    type Bias = Bias;
 
     #[inline]
-    fn triangle(&mut self, steepness: u32) {
-        self.test.triangle(steepness);
+    fn bias(&self, steepness: u32) -> Bias {
         // The product of 32 bits and 32 bits fits in 64 bits. The clamp changes no depth, because the sum of `added`
         // and 1/w saturates anyway.
         let added = (i64::from(self.slope.to_bits()) * i64::from(steepness)) >> 17;
-        self.added = added.clamp(i32::MIN.into(), i32::MAX.into()) as i32;
+        Bias {
+            steps: self.steps,
+            added: added.clamp(i32::MIN.into(), i32::MAX.into()) as i32,
+            up: 0,
+        }
     }
 
     #[inline]
-    fn shifted(self, up: u32) -> Self {
-        Self { up, ..self }
+    fn shifted(bias: Bias, up: u32) -> Bias {
+        Bias { up, ..bias }
     }
 
     #[inline]
-    fn biased<D: DepthBuffer>(&self, q: u32, down: u32) -> u32 {
+    fn depth<D: DepthBuffer>(bias: Bias, q: u32, down: u32) -> u32 {
         // This undoes the span's left shift, which loses no bit, and halves `q`. Without halving, the sum might exceed
         // the 31 bits of 1/w, because a bias can move a line nearer than the primitive's nearest corner.
-        let up = self.up.wrapping_add(1);
+        let up = bias.up.wrapping_add(1);
         let (q, down) = (q >> (up & 31), down.wrapping_sub(up));
-        let sum = q.cast_signed().saturating_add(self.added);
+        let sum = q.cast_signed().saturating_add(bias.added);
         let q = sum.max(0).cast_unsigned();
-        let code = self.test.biased::<D>(q, down).cast_signed();
-        code.saturating_add(self.steps)
+        let code = D::encode(q, down).cast_signed();
+        code.saturating_add(bias.steps)
             .clamp(0, 0xffff)
             .cast_unsigned()
     }
@@ -238,9 +249,8 @@ mod tests {
         steepness: u32,
         [q, down]: [u32; 2],
     ) -> u32 {
-        let mut test = Biased::new(TestAndWrite, steps, slope);
-        test.triangle(steepness);
-        test.biased::<D>(q, down)
+        let bias = Biased::new(TestAndWrite, steps, slope).bias(steepness);
+        <Biased>::depth::<D>(bias, q, down)
     }
 
     /// The near plane has the greatest depth, and infinity has the least, whatever the bias.
@@ -301,9 +311,9 @@ mod tests {
                 "{code} is not in {range:?}"
             );
 
-            let mut test = Biased::new(TestAndWrite, steps, slope);
-            test.triangle(steepness);
-            let shifted = test.shifted(up).biased::<LinearDepth>(q << up, down + up);
+            let bias = Biased::new(TestAndWrite, steps, slope).bias(steepness);
+            let bias = <Biased>::shifted(bias, up);
+            let shifted = <Biased>::depth::<LinearDepth>(bias, q << up, down + up);
             assert_eq!(shifted, code, "shifted left by {up}");
         });
     }

@@ -8,7 +8,7 @@ use embedded_graphics::geometry::Point;
 
 use super::interpolator::Interpolator;
 use super::mode::Mode;
-use super::pixels::{Count, FaceOf, Numbers, Pixels, Span, rolled};
+use super::pixels::{BiasOf, Count, FaceOf, Numbers, Pixels, Span, rolled};
 use super::plan::Plan;
 use super::scale::Scale;
 use super::setup::{Planes, SPAN, Varying, unpaired};
@@ -23,7 +23,7 @@ use crate::view::ProjectionKind;
 pub(crate) struct Blit<'b, 'c, S: Shading, O: Storage<S::Color>, D, K, M> {
     canvas: &'b mut Canvas<'c, S::Color, O, D>,
     shading: S,
-    test: S::Test,
+    bias: BiasOf<S>,
     interpolator: Interpolator<Count<S>, K, M>,
     /// The values of the shader that are the same at all pixels of the current primitive.
     face: FaceOf<S>,
@@ -63,7 +63,7 @@ where
         Self {
             canvas,
             shading,
-            test: shading.test(),
+            bias: BiasOf::<S>::default(),
             interpolator: Interpolator::new(mode, S::Varyings::tolerance, Self::PAIRS),
             face: FaceOf::<S>::default(),
         }
@@ -76,7 +76,7 @@ where
         Pixels {
             shading: self.shading,
             face: self.face,
-            test: self.test.shifted(0),
+            bias: self.bias,
             point: Point::new(column - 1, row),
             depth: 0,
             stored: 0,
@@ -176,7 +176,7 @@ where
         let mut pixels = self.pixels(row, columns.start);
         let Planes { setup, varyings } = &self.interpolator.planes;
         if S::Test::IS_BIASED {
-            pixels.test = pixels.test.shifted(span.down.wrapping_sub(setup.down));
+            pixels.bias = S::Test::shifted(self.bias, span.down.wrapping_sub(setup.down));
         }
         let scales = Count::<S>::map(varyings, |p: &Varying| p.scale);
         let interpolator = &self.interpolator;
@@ -252,7 +252,7 @@ where
             if S::Test::IS_BIASED {
                 let setup = &self.interpolator.planes.setup;
                 let beside = WideFloatDepth::decode(primitive.slope_beside.into(), setup.down);
-                self.test.triangle(setup.steepness().max(beside));
+                self.bias = self.shading.test().bias(setup.steepness().max(beside));
             }
         }
         self

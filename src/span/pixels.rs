@@ -23,6 +23,9 @@ pub(super) type Count<S> = <<S as Shading>::Varyings as Varyings>::Lanes;
 /// The values of a shader that are the same at all pixels of a primitive.
 pub(super) type FaceOf<S> = <<S as Shading>::Varyings as Varyings>::Face;
 
+/// How the depths of a primitive are moved.
+pub(super) type BiasOf<S> = <<S as Shading>::Test as DepthTest>::Bias;
+
 /// Interpolants at the first pixel of a span, and their change from one pixel to the next.
 ///
 /// `q` is 1/w (or depth under a parallel projection), scaled so that the greatest `q` in the primitive has bit 30 set.
@@ -64,7 +67,7 @@ pub(super) fn rolled() {
 pub(super) struct Pixels<S: Shading, O, D> {
     pub(super) shading: S,
     pub(super) face: FaceOf<S>,
-    pub(super) test: S::Test,
+    pub(super) bias: BiasOf<S>,
     /// The current pixel; at first, the pixel before the span.
     pub(super) point: Point,
     /// The current pixel's depth, in linear steps (`depth`) and in the format of the depth buffer (`stored`).
@@ -82,7 +85,7 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
         if !D::IS_KEPT {
             return true;
         }
-        self.stored = self.test.biased::<D>(q, down);
+        self.stored = S::Test::depth::<D>(self.bias, q, down);
         !S::Test::TESTS
             || depth
                 .as_deref()
