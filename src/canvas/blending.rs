@@ -3,7 +3,7 @@
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
 
-use crate::sealed::{Sealed, sealed};
+use crate::sealed::Sealed;
 use crate::shade::{Output, PixelFormat, Precise, fraction};
 
 /// How the colors of a draw call are blended with the colors on a canvas of color `C`: [`Replace`], [`Opacity`],
@@ -37,7 +37,10 @@ pub trait Blending<C>: Copy + Sealed {
     fn blend<O: Output<Color = C>>(self, output: O, below: impl FnOnce() -> C, at: Point) -> C;
 }
 
-sealed!(Replace, Opacity, Add, Multiply);
+impl Sealed for Replace {}
+impl Sealed for Opacity {}
+impl Sealed for Add {}
+impl Sealed for Multiply {}
 
 /// A [`Blending`]: the new color replaces the color on the canvas. The default.
 ///

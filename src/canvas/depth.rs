@@ -1,7 +1,7 @@
 //! The depth buffer, or its absence, and how it encodes a depth in 16 bits.
 
 use crate::num::wide::normalize;
-use crate::sealed::{Sealed, sealed};
+use crate::sealed::Sealed;
 
 /// A canvas's depth buffer: [`NoDepth`], or 16 bits per pixel in the format [`LinearDepth`], [`FloatDepth`] or
 /// [`WideFloatDepth`]. Sealed.
@@ -138,7 +138,10 @@ pub enum FloatDepth {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum WideFloatDepth {}
 
-sealed!(NoDepth, LinearDepth, FloatDepth, WideFloatDepth);
+impl Sealed for NoDepth {}
+impl Sealed for LinearDepth {}
+impl Sealed for FloatDepth {}
+impl Sealed for WideFloatDepth {}
 
 impl DepthBuffer for NoDepth {
     const IS_KEPT: bool = false;

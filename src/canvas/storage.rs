@@ -9,7 +9,7 @@ use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, RawData, ToByt
 use embedded_graphics::pixelcolor::{IntoStorage, PixelColor};
 
 use super::depth::DepthBuffer;
-use crate::sealed::{Sealed, sealed};
+use crate::sealed::Sealed;
 
 /// How a canvas stores colors of type `C`. Sealed: four types implement it.
 ///
@@ -83,7 +83,10 @@ pub enum Native {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Words {}
 
-sealed!(Native, Words, BigEndian, LittleEndian);
+impl Sealed for Native {}
+impl Sealed for Words {}
+impl Sealed for BigEndian {}
+impl Sealed for LittleEndian {}
 
 impl<C: PixelColor> Storage<C> for Native {
     type Cell = C;
@@ -122,34 +125,42 @@ impl<C> Cell<C, Words> for u8 {}
 impl<C> Cell<C, Words> for u16 {}
 impl<C> Cell<C, Words> for u32 {}
 
-/// Implements [`Storage`] for an order of bytes: `$store` makes a color's bytes, and `$end`, if given, reverses them so
-/// that the most significant byte is read first.
-macro_rules! bytes {
-    ($($Order:ident $store:ident $(from $end:ident)?;)+) => {$(
-        impl<C, const N: usize> Storage<C> for $Order
-        where
-            C: PixelColor + ToBytes<Bytes = [u8; N]> + From<C::Raw>,
-        {
-            type Cell = [u8; N];
+impl<C, const N: usize> Storage<C> for BigEndian
+where
+    C: PixelColor + ToBytes<Bytes = [u8; N]> + From<C::Raw>,
+{
+    type Cell = [u8; N];
 
-            #[inline]
-            fn store(color: C) -> [u8; N] {
-                color.$store()
-            }
+    #[inline]
+    fn store(color: C) -> [u8; N] {
+        color.to_be_bytes()
+    }
 
-            #[inline]
-            fn load(cell: [u8; N]) -> C {
-                C::Raw::from_u32(number(cell.iter()$(.$end())?)).into()
-            }
-        }
-
-        impl<C: ToBytes<Bytes = [u8; N]>, const N: usize> Cell<C, $Order> for [u8; N] {}
-    )+};
+    #[inline]
+    fn load(cell: [u8; N]) -> C {
+        C::Raw::from_u32(number(cell.iter())).into()
+    }
 }
-bytes! {
-    BigEndian to_be_bytes;
-    LittleEndian to_le_bytes from rev;
+
+impl<C, const N: usize> Storage<C> for LittleEndian
+where
+    C: PixelColor + ToBytes<Bytes = [u8; N]> + From<C::Raw>,
+{
+    type Cell = [u8; N];
+
+    #[inline]
+    fn store(color: C) -> [u8; N] {
+        color.to_le_bytes()
+    }
+
+    #[inline]
+    fn load(cell: [u8; N]) -> C {
+        C::Raw::from_u32(number(cell.iter().rev())).into()
+    }
 }
+
+impl<C: ToBytes<Bytes = [u8; N]>, const N: usize> Cell<C, BigEndian> for [u8; N] {}
+impl<C: ToBytes<Bytes = [u8; N]>, const N: usize> Cell<C, LittleEndian> for [u8; N] {}
 
 /// The number with these bytes, the most significant byte first.
 #[inline]

@@ -134,33 +134,26 @@ macro_rules! lists {
             list
         }
     )+};
-}
-
-/// An integer of two bytes.
-macro_rules! two {
+    // An integer of two bytes, and a signed integer of four bytes.
     ($a:ident $b:ident) => {
         $a as u16 | ($b as u16) << 8
     };
-}
-
-/// A signed integer of four bytes.
-macro_rules! four {
     ($a:ident $b:ident $c:ident $d:ident) => {
         ($a as u32 | ($b as u32) << 8 | ($c as u32) << 16 | ($d as u32) << 24) as i32
     };
 }
 
 lists! {
-    edges: [[Index; 2]] = [0; 2], [a b c d] => [two!(a b), two!(c d)];
-    faces: [[Index; 3]] = [0; 3], [a b c d e f] => [two!(a b), two!(c d), two!(e f)];
+    edges: [[Index; 2]] = [0; 2], [a b c d] => [lists!(a b), lists!(c d)];
+    faces: [[Index; 3]] = [0; 3], [a b c d e f] => [lists!(a b), lists!(c d), lists!(e f)];
     outline_edges: [[Index; 4]] = [0; 4], [a b c d e f g h] =>
-        [two!(a b), two!(c d), two!(e f), two!(g h)];
+        [lists!(a b), lists!(c d), lists!(e f), lists!(g h)];
     shorts: [[i16; 3]] = [0; 3], [a b c d e f] =>
-        [(two!(a b)) as i16, (two!(c d)) as i16, (two!(e f)) as i16];
+        [(lists!(a b)) as i16, (lists!(c d)) as i16, (lists!(e f)) as i16];
     vec3s: [Vec3] = Vec3::ZERO, [a b c d e f g h i j k l] =>
-        Vec3::from_bits([four!(a b c d), four!(e f g h), four!(i j k l)]);
+        Vec3::from_bits([lists!(a b c d), lists!(e f g h), lists!(i j k l)]);
     vec2s: [Vec2] = Vec2::ZERO, [a b c d e f g h] =>
-        Vec2::from_bits([four!(a b c d), four!(e f g h)]);
+        Vec2::from_bits([lists!(a b c d), lists!(e f g h)]);
     colors: [Rgb888] = Rgb888::new(0, 0, 0), [r g b] => Rgb888::new(r, g, b);
 }
 

@@ -10,7 +10,7 @@ use crate::error::{Error, check_order, check_range, ok};
 use crate::mesh::Primitive;
 use crate::num::Scalar;
 use crate::num::wide::clamp_negative;
-use crate::sealed::{Sealed, sealed};
+use crate::sealed::Sealed;
 
 /// Fog that hides distant surfaces. It has a color, and a density that says how much of a surface remains visible at
 /// each distance; see [`Shader::in_fog`](super::Shader::in_fog).
@@ -60,7 +60,8 @@ pub trait Density: Copy + Sealed {
     fn left_32(varying: i32) -> u32;
 }
 
-sealed!(LinearFog, ExponentialFog);
+impl Sealed for LinearFog {}
+impl Sealed for ExponentialFog {}
 
 /// The density of linear fog. Up to a first distance, a surface is wholly visible; beyond a second distance, it is
 /// hidden. Between these distances, its visible share falls linearly.

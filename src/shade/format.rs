@@ -143,15 +143,17 @@ pub(super) fn whole(level: i32) -> u8 {
     (level >> 16).cast_unsigned() as u8
 }
 
-macro_rules! rgb {
-    ($($color:ident)+) => {$(
-        impl PixelFormat for $color {
+/// Implements [`PixelFormat`] for colors of three channels, or for grays with their white, the method that returns their
+/// step, and the function that makes a gray of `$steps`.
+macro_rules! formats {
+    ($($Color:ident)+) => {$(
+        impl PixelFormat for $Color {
             type Channels = [i32; 3];
 
             const MAX_STEPS: [i32; 3] = [
-                $color::MAX_R as i32,
-                $color::MAX_G as i32,
-                $color::MAX_B as i32,
+                $Color::MAX_R as i32,
+                $Color::MAX_G as i32,
+                $Color::MAX_B as i32,
             ];
 
             #[inline]
@@ -170,11 +172,8 @@ macro_rules! rgb {
             }
         }
     )+};
-}
-
-macro_rules! gray {
-    ($($color:ident $white:literal $step:ident |$steps:ident| $from:expr;)+) => {$(
-        impl PixelFormat for $color {
+    ($($Gray:ident $white:literal $step:ident |$steps:ident| $from:expr;)+) => {$(
+        impl PixelFormat for $Gray {
             type Channels = i32;
 
             const MAX_STEPS: [i32; 3] = [$white; 3];
@@ -191,10 +190,8 @@ macro_rules! gray {
         }
     )+};
 }
-
-rgb!(Rgb555 Bgr555 Rgb565 Bgr565 Rgb666 Bgr666 Rgb888 Bgr888);
-
-gray! {
+formats!(Rgb555 Bgr555 Rgb565 Bgr565 Rgb666 Bgr666 Rgb888 Bgr888);
+formats! {
     Gray2 3 luma |steps| Self::new(steps);
     Gray4 15 luma |steps| Self::new(steps);
     Gray8 255 luma |steps| Self::new(steps);

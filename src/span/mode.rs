@@ -7,7 +7,7 @@ use super::pixels::Span;
 use super::plan::Plan;
 use super::setup::{Planes, SHALLOW, Varying};
 use crate::num::Scalar;
-use crate::sealed::{Sealed, sealed};
+use crate::sealed::Sealed;
 use crate::shade::{Lanes, Tolerance};
 
 /// How varyings (colors, texture coordinates, and other numbers of a shader) are interpolated between a triangle's
@@ -85,7 +85,11 @@ pub trait Mode: Copy + Sealed {
     }
 }
 
-sealed!(Exact, Compact, Affine, Newton, Fast);
+impl Sealed for Exact {}
+impl Sealed for Compact {}
+impl Sealed for Affine {}
+impl Sealed for Newton {}
+impl Sealed for Fast {}
 
 /// [`Newton`] steps, and pieces chosen for a single span, require δ ≤ 2^-6. (For the meaning of the letters, see
 /// [`plan`](super::plan).)

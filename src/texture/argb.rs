@@ -110,8 +110,8 @@ impl Argb1555 {
 
 blend! {
     // Each channel gets four unused bits above it.
-    Argb4444 4: |texel| texel.0.into(), [0x0f0f_0f0f |bits| (bits | bits << 12)],
-        |[lanes]| Self((lanes | lanes >> 12) as u16);
+    [Argb4444] (4, |texel| texel.0.into(), [0x0f0f_0f0f |bits| (bits | bits << 12)],
+        |[lanes]| Self((lanes | lanes >> 12) as u16))
 }
 
 impl Blend for Argb1555 {

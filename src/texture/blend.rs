@@ -138,8 +138,11 @@ pub(super) fn mean<const MASK: u32>([[a, b], [c, d]]: [[u32; 2]; 2]) -> u32 {
 /// Implements [`Blend`] for colors with weights of `$bits` bits. `$raw` returns the bits of a color, `$lanes` spreads
 /// these bits to the lanes of a mask, and `$of` makes a color from the blended words.
 macro_rules! blend {
-    ($($Color:ident $bits:literal: |$color:ident| $raw:expr,
-        [$($mask:literal |$bit:ident| $lanes:expr),+], |$words:pat_param| $of:expr;)+) => {$(
+    ($([$($Color:ident)+] $rule:tt)+) => {
+        $($(blend! { $Color $rule })+)+
+    };
+    ($Color:ident ($bits:literal, |$color:ident| $raw:expr,
+        [$($mask:literal |$bit:ident| $lanes:expr),+], |$words:pat_param| $of:expr)) => {
         impl Blend for $Color {
             const WEIGHT_BITS: u32 = $bits;
 
@@ -170,49 +173,24 @@ macro_rules! blend {
                 $of
             }
         }
-    )+};
+    };
 }
 pub(super) use blend;
 
-/// Implements [`Blend`] for colors of 16 bits. Their channels fit into one word with five unused bits above each
-/// channel, if the middle channel is in the upper half.
-macro_rules! one_word {
-    ($($Color:ident $mask:literal)+) => {
-        blend! {$(
-            $Color 5: |color| color.into_storage().into(), [$mask |raw| (raw | raw << 16)],
-                |[lanes]| RawU16::new((lanes | lanes >> 16) as u16).into();
-        )+}
-    };
-}
-
-/// Implements [`Blend`] for colors with more bits. The first and the third channel are in one word, 16 bits apart, and
-/// the middle channel is in another word.
-macro_rules! two_words {
-    ($($Color:ident $bits:literal $outer:literal $middle:literal)+) => {
-        blend! {$(
-            $Color 8: |color| color.into_storage(),
-                [$outer |raw| (raw << (16 - 2 * $bits) & !0xffff | raw & 0xffff), $middle |raw| raw >> $bits],
-                |[outer, middle]| RawU24::new(
-                    outer >> 16 << (2 * $bits) | middle << $bits | outer & $middle
-                ).into();
-        )+}
-    };
-}
-
-one_word! {
-    Rgb565 0x07e0_f81f
-    Bgr565 0x07e0_f81f
-    Rgb555 0x03e0_7c1f
-    Bgr555 0x03e0_7c1f
-}
-two_words! {
-    Rgb666 6 0x003f_003f 0x3f
-    Bgr666 6 0x003f_003f 0x3f
-    Rgb888 8 0x00ff_00ff 0xff
-    Bgr888 8 0x00ff_00ff 0xff
-}
+// 15 or 16 bits fit into one word with five unused bits above each channel, if the middle channel is in the upper half.
+// More bits need two words: the first and the third channel are in one word, 16 bits apart, and the middle channel is
+// in the other word.
 blend! {
-    Gray8 8: |gray| gray.luma().into(), [0xff |luma| luma], |[luma]| Self::new(luma as u8);
+    [Rgb565 Bgr565] (5, |color| color.into_storage().into(), [0x07e0_f81f |raw| (raw | raw << 16)],
+        |[lanes]| RawU16::new((lanes | lanes >> 16) as u16).into())
+    [Rgb555 Bgr555] (5, |color| color.into_storage().into(), [0x03e0_7c1f |raw| (raw | raw << 16)],
+        |[lanes]| RawU16::new((lanes | lanes >> 16) as u16).into())
+    [Rgb666 Bgr666] (8, |color| color.into_storage(),
+        [0x003f_003f |raw| (raw << 4 & !0xffff | raw & 0xffff), 0x3f |raw| raw >> 6],
+        |[outer, middle]| RawU24::new(outer >> 16 << 12 | middle << 6 | outer & 0x3f).into())
+    [Rgb888 Bgr888] (8, |color| color.into_storage(), [0x00ff_00ff |raw| raw, 0xff |raw| raw >> 8],
+        |[outer, middle]| RawU24::new(outer | middle << 8).into())
+    [Gray8] (8, |gray| gray.luma().into(), [0xff |luma| luma], |[luma]| Self::new(luma as u8))
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::addressing::{back, index};
 use super::{Blend, Sampler};
-use crate::sealed::{Sealed, sealed};
+use crate::sealed::Sealed;
 
 /// The color of a texture between the centers of its texels: [`Nearest`], [`Bilinear`] or [`Trilinear`].
 #[doc(hidden)]
@@ -13,7 +13,9 @@ pub trait Filter<C>: Copy + Sealed {
     -> C;
 }
 
-sealed!(Nearest, Bilinear, Trilinear);
+impl Sealed for Nearest {}
+impl Sealed for Bilinear {}
+impl Sealed for Trilinear {}
 
 /// Takes the texel with the nearest center.
 #[doc(hidden)]

@@ -51,17 +51,26 @@ impl PaletteIndex for u8 {
     }
 }
 
-macro_rules! grays {
-    ($($Gray:ident)+) => {$(
-        impl PaletteIndex for $Gray {
-            #[inline]
-            fn index(self) -> u8 {
-                self.luma()
-            }
-        }
-    )+};
+impl PaletteIndex for Gray2 {
+    #[inline]
+    fn index(self) -> u8 {
+        self.luma()
+    }
 }
-grays!(Gray2 Gray4 Gray8);
+
+impl PaletteIndex for Gray4 {
+    #[inline]
+    fn index(self) -> u8 {
+        self.luma()
+    }
+}
+
+impl PaletteIndex for Gray8 {
+    #[inline]
+    fn index(self) -> u8 {
+        self.luma()
+    }
+}
 
 impl<S: Sampler<Color: PaletteIndex>, C: Copy, const COLORS: usize> Sampler
     for Indexed<'_, S, C, COLORS>

@@ -62,19 +62,23 @@ impl<C: PixelColor + From<C::Raw>> FromRaw for C {
     }
 }
 
-macro_rules! argb {
-    ($($Color:ident)+) => {$(
-        impl FromRaw for $Color {
-            type Raw = RawU16;
+impl FromRaw for Argb1555 {
+    type Raw = RawU16;
 
-            #[inline]
-            fn from_raw(raw: RawU16) -> Self {
-                Self::from_bits(raw.into_inner())
-            }
-        }
-    )+};
+    #[inline]
+    fn from_raw(raw: RawU16) -> Self {
+        Self::from_bits(raw.into_inner())
+    }
 }
-argb!(Argb1555 Argb4444);
+
+impl FromRaw for Argb4444 {
+    type Raw = RawU16;
+
+    #[inline]
+    fn from_raw(raw: RawU16) -> Self {
+        Self::from_bits(raw.into_inner())
+    }
+}
 
 impl<'a, C: FromRaw, O: Copy> Raw<'a, C, O>
 where

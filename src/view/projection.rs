@@ -6,7 +6,7 @@ use super::{Viewport, Window};
 use crate::math::{Matrix4, Vec3};
 use crate::num::Scalar;
 use crate::num::block::{self, BlockFloat};
-use crate::sealed::{Sealed, sealed};
+use crate::sealed::Sealed;
 
 mod parallel;
 mod perspective;
@@ -53,7 +53,8 @@ pub struct Perspective;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Parallel;
 
-sealed!(Perspective, Parallel);
+impl Sealed for Perspective {}
+impl Sealed for Parallel {}
 
 impl ProjectionKind for Perspective {
     const PERSPECTIVE: bool = true;

@@ -1,14 +1,13 @@
 //! Lights that come from one place or direction.
 
 use super::adapters::share;
-use super::{
-    Illumination, Lighting, PointLight, Shiny, SpotLight, SurfacePoint, Viewer, brightness,
-};
+use super::{Lighting, Shiny, SurfacePoint, Viewer, brightness};
 use crate::error::Error;
 use crate::math::Direction;
 use crate::num::Scalar;
 
-/// A light from one place or direction: [`Light`](super::Light), [`PointLight`] or [`SpotLight`]. A lamp can make
+/// A light from one place or direction: [`Light`](super::Light),
+/// [`PointLight`](super::PointLight) or [`SpotLight`](super::SpotLight). A lamp can make
 /// highlights.
 pub trait Lamp: Lighting {
     /// The direction from a point toward the light, and the strength of the light at the point: 65,536 is full
@@ -81,21 +80,3 @@ pub trait Lamp: Lighting {
         })
     }
 }
-
-/// Implements [`Lighting`] for lamps that shine from a point: the light on a matte surface.
-macro_rules! lighting {
-    ($($Lamp:ident)+) => {$(
-        impl Lighting for $Lamp {
-            type Diffuse = i32;
-            type Specular = ();
-
-            const READS_FACE: bool = false;
-
-            fn at(&self, point: &SurfacePoint) -> Illumination {
-                Illumination::white(self.diffuse(point))
-            }
-        }
-    )+};
-}
-
-lighting!(PointLight SpotLight);

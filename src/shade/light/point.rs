@@ -1,6 +1,6 @@
 //! Light from a point.
 
-use super::{Lamp, SurfacePoint, brightness};
+use super::{Illumination, Lamp, Lighting, SurfacePoint, brightness};
 use crate::error::{Error, check_extent, ok};
 use crate::math::{Direction, Vec3};
 use crate::num::rsqrt::{measure, short_root};
@@ -126,6 +126,17 @@ const SATURATED: i32 = 4;
 
 /// Full brightness, in units of 2⁻¹⁶.
 const FULL: u32 = super::FULL.cast_unsigned();
+
+impl Lighting for PointLight {
+    type Diffuse = i32;
+    type Specular = ();
+
+    const READS_FACE: bool = false;
+
+    fn at(&self, point: &SurfacePoint) -> Illumination {
+        Illumination::white(self.diffuse(point))
+    }
+}
 
 impl Lamp for PointLight {
     fn ray(&self, point: &SurfacePoint) -> (Direction, i32) {

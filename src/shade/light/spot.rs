@@ -1,7 +1,7 @@
 //! Light in a cone.
 
 use super::adapters::share;
-use super::{Falloff, Lamp, PointLight, SurfacePoint};
+use super::{Falloff, Illumination, Lamp, Lighting, PointLight, SurfacePoint};
 use crate::error::Error;
 use crate::math::{Direction, Vec3};
 use crate::num::{Angle, Scalar};
@@ -93,6 +93,17 @@ impl SpotLight {
             lamp: self.lamp.with_falloff(falloff),
             ..self
         }
+    }
+}
+
+impl Lighting for SpotLight {
+    type Diffuse = i32;
+    type Specular = ();
+
+    const READS_FACE: bool = false;
+
+    fn at(&self, point: &SurfacePoint) -> Illumination {
+        Illumination::white(self.diffuse(point))
     }
 }
 
