@@ -12,7 +12,8 @@
         "\">\n\n"
     )
 )]
-#![cfg_attr(doc, doc = diagram!("pipeline"))]
+#![cfg_attr(doc, doc = include_str!("guide/diagrams/pipeline.svg"))]
+//!
 //! The [guide] leads from [concepts](guide::concepts) to [firmware](guide::firmware). If you know OpenGL, tgx,
 //! embedded-3dgfx or small3dlib, begin with [what differs from them](guide::coming_from). If you know linear algebra
 //! but no graphics, begin with the [mathematics](guide::mathematics). To work on the crate itself, begin with [the path
@@ -231,29 +232,22 @@ mod fixtures;
 #[path = "../tests/support/random.rs"]
 mod random;
 
-/// Includes a diagram of the documentation. The diagram has the color of the text, so that it can be read in every
-/// theme.
-#[cfg(any(doc, doctest))]
-macro_rules! diagram {
-    ($name:literal) => {
+/// Embeds a picture in the documentation: under the title after `#`, or on an item's page, so that the picture is shown
+/// wherever the page is. `cargo run -p cookbook -- --renew` draws the picture of a page at the size of a small display,
+/// and browsers show each of its pixels as a square.
+#[cfg(all(any(doc, doctest), feature = "assets"))]
+macro_rules! page_picture {
+    (# $title:literal, $($name:literal),+) => {
         concat!(
-            "\n\n",
-            include_str!(concat!(
-                env!("CARGO_MANIFEST_DIR"),
-                "/src/guide/diagrams/",
-                $name,
-                ".svg"
-            )),
-            "\n\n"
+            "# ",
+            $title,
+            "\n\n![",
+            $title,
+            "](",
+            fixel_macros::picture_uri!("" $($name)+ ".png"),
+            ")\n\n"
         )
     };
-}
-
-/// Embeds the picture of an item's page, so that the picture is shown wherever the page is.
-/// `cargo run -p cookbook -- --renew` draws the picture at the size of a small display, and browsers show each of its
-/// pixels as a square.
-#[cfg(all(doc, feature = "assets"))]
-macro_rules! page_picture {
     ($name:literal, $shows:literal) => {
         concat!(
             "\n\n<img alt=\"",
@@ -268,8 +262,11 @@ macro_rules! page_picture {
 }
 
 /// Without the feature `assets`, the documentation has no pictures.
-#[cfg(all(doc, not(feature = "assets")))]
+#[cfg(all(any(doc, doctest), not(feature = "assets")))]
 macro_rules! page_picture {
+    (# $title:literal, $($name:literal),+) => {
+        concat!("# ", $title, "\n\n")
+    };
     ($name:literal, $shows:literal) => {
         ""
     };

@@ -18,7 +18,8 @@ const MAX_SIZE: u32 = 2048;
 
 /// The pixels of a frame, or of a horizontal band of a frame, in memory that belongs to the caller.
 ///
-#[cfg_attr(doc, doc = diagram!("band"))]
+#[cfg_attr(doc, doc = include_str!("../guide/diagrams/band.svg"))]
+///
 /// Column 0, row 0 is the frame's top left pixel. A band knows the size of its frame, and which rows of the frame it
 /// holds. Draw everything in the frame's coordinates; the band skips the pixels outside its rows. Put together, the
 /// bands of a frame equal the whole frame, bit for bit.

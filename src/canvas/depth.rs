@@ -9,7 +9,8 @@ use crate::sealed::Sealed;
 /// A fragment is drawn if it is at least as near as the stored depth. Therefore, if two fragments have the same depth,
 /// the later fragment is visible. A depth of 65535 is the near plane, and a depth of 0 is infinitely far.
 ///
-#[cfg_attr(doc, doc = diagram!("depth"))]
+#[cfg_attr(doc, doc = include_str!("../guide/diagrams/depth.svg"))]
+///
 /// Depths have one of three formats. In every format, a nearer depth is a greater number, so the depth test is the same
 /// comparison in all of them. The formats differ in cost, and in the ratio far/near that they resolve. A step is the
 /// distance in space between two surfaces with consecutive stored depths. The table lists the greatest step at the far

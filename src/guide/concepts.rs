@@ -14,7 +14,7 @@
 //!
 //! # The parts of a program
 //!
-#![doc = diagram!("pipeline")]
+#![doc = include_str!("diagrams/pipeline.svg")]
 //!
 //! A draw call takes a mesh (the shape), a model-view-projection (the places of the shape and of the eye, and the angle
 //! of view) and a shader (the colors). It writes pixels to a canvas (your memory). Mesh, model-view-projection, shader
@@ -111,14 +111,14 @@
 //!
 //! The order of a triangle's corners determines which side is its front:
 //!
-#![doc = diagram!("winding")]
+#![doc = include_str!("diagrams/winding.svg")]
 //!
 //! If you see the inside of a model, the corners of its triangles are in clockwise order, seen from outside. Swap two
 //! corners of each triangle, or draw with [`Cull::Front`](crate::Cull::Front).
 //!
 //! # Transform, camera, projection
 //!
-#![doc = diagram!("axes")]
+#![doc = include_str!("diagrams/axes.svg")]
 //!
 //! - A [`Transform`](crate::Transform) places a model in the world. `a * b` applies `b` first.
 //! - A [`Camera`](crate::Camera) says where the eye is and where the eye looks. The camera moves and turns the world so
@@ -127,7 +127,7 @@
 //!   draw call draws only surfaces between these planes. [`perspective`](crate::Projection::perspective) takes the
 //!   vertical angle of view, from the bottom of the picture to its top.
 //!
-#![doc = diagram!("eye")]
+#![doc = include_str!("diagrams/eye.svg")]
 //!
 //! The product of projection, camera and model transform is the [`Mvp`](crate::Mvp), the model-view-projection. Read
 //! this product from right to left, in the order in which its factors transform a point: `projection * camera * model`.
@@ -218,7 +218,7 @@
 //! With a depth buffer, triangles can be drawn in any order: at each pixel, you see the nearest triangle. For each
 //! pixel, the buffer stores in two bytes how near the visible surface is:
 //!
-#![doc = diagram!("depth")]
+#![doc = include_str!("diagrams/depth.svg")]
 //!
 //! `clear` sets all depths to 0, which means infinitely far. Half of the 65,536 possible depths stand for distances
 //! between the near plane and twice the near plane's distance. So put the near plane as far away as the scene allows.
@@ -233,7 +233,7 @@
 //! A frame of 320x240 pixels takes 300 KiB with depth. If that is too much, draw the frame in bands, a few rows at a
 //! time:
 //!
-#![doc = diagram!("band")]
+#![doc = include_str!("diagrams/band.svg")]
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Rgb565, RgbColor, raw::BigEndian};

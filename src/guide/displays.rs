@@ -17,7 +17,7 @@
 //!
 //! [Firmware](crate::guide::firmware) covers the whole chip: DMA, two cores, and Embassy and RTIC.
 //!
-#![doc = display_picture!("A window of the frame", "window")]
+#![doc = page_picture!(# "A window of the frame", "displays/", "window")]
 //! Most of a dashboard does not move. If you know where an object moves, draw and send only a window around the object.
 //! In the picture, the window is yellow, and has a ninth of the frame's pixels.
 //!
@@ -31,16 +31,20 @@
 //! goes to its place on the display. The window must contain both the old and the new position of the moving object.
 //! [`Canvas::project`](crate::Canvas::project) gives the position of a point of the scene in the frame.
 //!
-#![doc = display_program!("window")]
+//! ```ignore
+#![doc = include_str!("../../examples/cookbook/src/displays/window.rs")]
+//! ```
 //!
-#![doc = display_picture!("A round panel", "round")]
+#![doc = page_picture!(# "A round panel", "displays/", "round")]
 //! A round panel does not show the corners of the frame, which are a fifth of the frame. With bands of 16 rows, each as
 //! wide as the circle in these rows (on the right in the picture), 15 % of the pixels are neither drawn nor sent. Bands
 //! of fewer rows leave out more pixels, but transform the mesh more often.
 //!
-#![doc = display_program!("round")]
+//! ```ignore
+#![doc = include_str!("../../examples/cookbook/src/displays/round.rs")]
+//! ```
 //!
-#![doc = display_picture!("Electronic paper", "epaper")]
+#![doc = page_picture!(# "Electronic paper", "displays/", "epaper")]
 //! A full refresh of electronic paper flashes, and takes seconds. A quick refresh takes a third of a second, and drives
 //! only the pixels that differ from the previous picture. On the right, a quick refresh drove the red pixels to black
 //! and the blue pixels to white. So two consecutive pictures should differ only where something moved. Ordered
@@ -49,29 +53,37 @@
 //! Electronic paper also needs a full refresh now and then, to remove the traces of old pictures that quick refreshes
 //! leave. The panel's data sheet says how often.
 //!
-#![doc = display_program!("epaper")]
+//! ```ignore
+#![doc = include_str!("../../examples/cookbook/src/displays/epaper.rs")]
+//! ```
 //!
-#![doc = display_picture!("An OLED without a second buffer", "oled")]
+#![doc = page_picture!(# "An OLED without a second buffer", "displays/", "oled")]
 //! In its buffered mode, the driver keeps a frame of 1 KiB, and the canvas would have to be copied into this frame. In
 //! its basic mode, the driver accepts bytes in the panel's own format. [`Canvas::pages`](crate::Canvas::pages) makes
 //! these bytes: one byte for 8 rows of a column.
 //!
-#![doc = display_program!("oled")]
+//! ```ignore
+#![doc = include_str!("../../examples/cookbook/src/displays/oled.rs")]
+//! ```
 //!
-#![doc = display_picture!("18 bits a pixel", "ili9488")]
+#![doc = page_picture!(# "18 bits a pixel", "displays/", "ili9488")]
 //! On SPI, an ILI9488 does not accept 16 bits per pixel. A canvas of `Rgb888` in `BigEndian` bytes stores the three
 //! bytes per pixel that the panel expects, so a DMA channel can send them unchanged. The driver sets the panel up, and
 //! selects the area to write.
 //!
-#![doc = display_program!("ili9488")]
+//! ```ignore
+#![doc = include_str!("../../examples/cookbook/src/displays/ili9488.rs")]
+//! ```
 //!
-#![doc = display_picture!("Words of 16 bits", "ili9341")]
+#![doc = page_picture!(# "Words of 16 bits", "displays/", "ili9341")]
 //! Some drivers and buses accept words of 16 bits. A canvas in [`Words`](crate::canvas::Words) stores pixels as a slice
 //! of `u16`, which these drivers can send without conversion.
 //!
-#![doc = display_program!("ili9341")]
+//! ```ignore
+#![doc = include_str!("../../examples/cookbook/src/displays/ili9341.rs")]
+//! ```
 //!
-#![doc = display_picture!("No tearing", "tearing")]
+#![doc = page_picture!(# "No tearing", "displays/", "tearing")]
 //! The panel reads its memory 60 times a second. If a frame arrives while the panel reads, the panel shows the upper
 //! part of one frame and the lower part of another: a tear (left). The panel's output TE is low while the panel reads,
 //! and high until the next reading begins.
@@ -82,14 +94,18 @@
 //! The whole frame must be in memory, because drawing between bands would delay the frame. Panels read in the direction
 //! of their longer side, so this method does not prevent tearing on a rotated panel.
 //!
-#![doc = display_program!("tearing")]
+//! ```ignore
+#![doc = include_str!("../../examples/cookbook/src/displays/tearing.rs")]
+//! ```
 //!
-#![doc = display_picture!("Two frames", "frames")]
+#![doc = page_picture!(# "Two frames", "displays/", "frames")]
 //! While one buffer is sent, the next frame is drawn into the other buffer. Two frames of 240x240 pixels take 225 KiB.
 //! A Pico has too little RAM for two frames and everything else, but two frames fit into the PSRAM on many boards with
 //! an RP2350. Keep the depth buffer in fast memory, because drawing reads and writes each depth several times.
 //!
-#![doc = display_program!("frames")]
+//! ```ignore
+#![doc = include_str!("../../examples/cookbook/src/displays/frames.rs")]
+//! ```
 //!
 //! On a board with PSRAM, such as a Pimoroni Pico Plus 2, embassy-rp 0.10 provides the memory for the two frames:
 //!

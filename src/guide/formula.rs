@@ -1,22 +1,15 @@
 //! Formulas of the guide in MathML, which browsers show without a script.
 
 /// Writes formulas next to each other, or below each other if the page is narrow. Each formula is in braces:
-/// `formula!({x^2 = frac(1)(w[0])} {…})`.
+/// `formula!({x^2 = frac(1)(w[0])} {…})`. They have the style of a separate line, in which fractions have their full
+/// size.
 macro_rules! formula {
-    ({ $($first:tt)+ } $({ $($other:tt)+ })*) => {
+    ($({ $($math:tt)+ })+) => {
         concat!(
             "\n\n<div style=\"margin: 0 0 .75em 1.5em\">",
-            one_formula!($($first)+),
-            $("&emsp; ", one_formula!($($other)+),)*
+            $("<math displaystyle=\"true\" style=\"padding: .2em 0\">", math!($($math)+), "</math>&emsp; ",)+
             "</div>\n\n"
         )
-    };
-}
-
-/// Writes one formula in the style of a separate line, in which fractions have their full size.
-macro_rules! one_formula {
-    ($($math:tt)+) => {
-        concat!("<math displaystyle=\"true\" style=\"padding: .2em 0\">", math!($($math)+), "</math>")
     };
 }
 

@@ -19,63 +19,18 @@
 //! 9. **[Benchmarks](benchmarks)**: what drawing costs, compared with other libraries.
 #![cfg_attr(doc, doc = page_picture!("shaders", "Balls in eight shaders"))]
 
-/// Writes a title, and the picture of a scene of the cookbook.
-#[cfg(feature = "assets")]
-macro_rules! picture {
-    ($title:literal, $($name:literal),+) => {
-        concat!(
-            "# ",
-            $title,
-            "\n\n![",
-            $title,
-            "](",
-            fixel_macros::picture_uri!("" $($name)+ ".png"),
-            ")\n\n"
-        )
-    };
-}
-#[cfg(not(feature = "assets"))]
-macro_rules! picture {
-    ($title:literal, $($name:literal),+) => {
-        concat!("# ", $title, "\n\n")
-    };
-}
-
 /// Writes a scene of the cookbook: its title, its picture and its program. The tests compile the program unchanged,
 /// inside a hidden module. Without the module, the program would begin with `//!`. Rustdoc would then compile the
 /// program separately, which takes longer than together with the other programs.
 macro_rules! recipe {
     ($title:literal, $name:literal $(, $attribute:literal)?) => {
         concat!(
-            picture!($title, $name),
+            page_picture!(# $title, $name),
             "```",
             $($attribute,)?
             "\n# mod scene {\n",
             include_str!(concat!("../../examples/cookbook/src/scenes/", $name, ".rs")),
             "# }\n```\n"
-        )
-    };
-}
-
-/// Writes the title and the picture of a program that drives a display.
-macro_rules! display_picture {
-    ($title:literal, $name:literal) => {
-        picture!($title, "displays/", $name)
-    };
-}
-
-/// Writes a program that drives a display. The cookbook's tests compile this program with the display's driver, and run
-/// it.
-macro_rules! display_program {
-    ($name:literal) => {
-        concat!(
-            "```ignore\n",
-            include_str!(concat!(
-                "../../examples/cookbook/src/displays/",
-                $name,
-                ".rs"
-            )),
-            "```\n"
         )
     };
 }
@@ -89,7 +44,8 @@ pub mod mathematics;
 /// If you know OpenGL, tgx, embedded-3dgfx or small3dlib, this page gives fixel's name for each term of that library,
 /// and says what fixel does differently.
 ///
-#[cfg_attr(doc, doc = diagram!("axes"))]
+#[cfg_attr(doc, doc = include_str!("diagrams/axes.svg"))]
+///
 #[doc = include_str!("coming_from.md")]
 pub mod coming_from {}
 
@@ -124,7 +80,7 @@ pub mod coming_from {}
 #[doc = recipe!("Picking", "picking")]
 #[doc = recipe!("Instruments", "instruments")]
 #[doc = recipe!("A drone's display", "drone")]
-#[doc = picture!("A little world", "world")]
+#[doc = page_picture!(# "A little world", "world")]
 /// A walk through a garden at dusk uses most of the techniques on this page. Walls, grass and water have mipmaps. The
 /// trees and the glow around each lamp are sprites. The lamps light the walls near them. The scene also has fog, a sky
 /// with stars and a moon, and a mirror image under translucent water. Labels, a compass, gauges and a map are drawn
@@ -169,7 +125,8 @@ pub mod benchmarks {}
 /// For each quantity (coordinates, distances, sizes, angles), this page gives the range in which accuracy is promised,
 /// the behavior beyond this range, and the errors measured at the ends of the range.
 ///
-#[cfg_attr(doc, doc = diagram!("eye"))]
+#[cfg_attr(doc, doc = include_str!("diagrams/eye.svg"))]
+///
 #[doc = include_str!("limits.md")]
 #[doc = include_str!("extremes.md")]
 pub mod limits {}

@@ -12,7 +12,8 @@ use crate::message;
 /// A triangle mesh that borrows slices of the caller: positions and faces, and optionally texture coordinates, normals,
 /// colors and edges.
 ///
-#[cfg_attr(doc, doc = diagram!("winding"))]
+#[cfg_attr(doc, doc = include_str!("../guide/diagrams/winding.svg"))]
+///
 /// Texture coordinates, normals and colors are attributes. An attribute uses the indices of the positions, unless the
 /// attribute has `faces` (three indices per triangle) of its own. With its own `faces`, a position may have a different
 /// value in each triangle, as in an OBJ file; a corner without a value has the index [`NO_VALUE`](Self::NO_VALUE). The

@@ -1,6 +1,6 @@
 //! From the world to the picture: camera, projection and viewport.
 //!
-#![cfg_attr(doc, doc = diagram!("eye"))]
+#![cfg_attr(doc, doc = include_str!("../guide/diagrams/eye.svg"))]
 
 mod aspect;
 mod camera;

@@ -9,7 +9,8 @@ use crate::sealed::Sealed;
 /// A model-view-projection: a projection, a camera and the transform of a model, applied from right to
 /// left.
 ///
-#[cfg_attr(doc, doc = diagram!("pipeline"))]
+#[cfg_attr(doc, doc = include_str!("../guide/diagrams/pipeline.svg"))]
+///
 /// Write an `Mvp` as a product, `projection * camera * model`. The viewport transform would come leftmost, but it is
 /// not part of the product: [`DrawOptions::with_viewport`](crate::DrawOptions::with_viewport) sets the viewport. The
 /// camera and the model transform are stored separately, because lights are in world space, between model space and eye

@@ -99,7 +99,8 @@ impl ProjectionRow {
 
 /// The part of eye space that is visible, and how it maps to the picture.
 ///
-#[cfg_attr(doc, doc = diagram!("eye"))]
+#[cfg_attr(doc, doc = include_str!("../guide/diagrams/eye.svg"))]
+///
 /// Eye space is right-handed: x points to the right, y points up, and the eye looks down −z. `near` and `far` are
 /// distances ahead of the eye. A projection maps its frustum or box to normalized device coordinates, ±1 from edge to
 /// edge.

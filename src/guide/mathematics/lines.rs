@@ -46,7 +46,7 @@
     {= -n frac(v[x] P[z] - P[x] v[z])((P[z] + t v[z])^2)}
 )]
 //!
-#![doc = diagram!("rails")]
+#![doc = include_str!("../diagrams/rails.svg")]
 //!
 //! The rails have the direction −z. The sleepers are parallel to x and stay level.
 //!
@@ -62,7 +62,7 @@
 //! **A box has one vanishing point for each of its axes that is not parallel to the picture**: one if it faces the eye,
 //! two if it is turned, and three if it is also tilted. This is what one-, two- and three-point perspective means.
 //!
-#![doc = diagram!("vanishing_points")]
+#![doc = include_str!("../diagrams/vanishing_points.svg")]
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -88,7 +88,7 @@
 //! the segment's ends ahead of the eye. Here *w* is −*z*; books with a *z* axis that points ahead write *z* in place of
 //! *w*. Let *t* be the fraction of the way along the segment, and *q* the fraction of the way along its picture.
 //!
-#![doc = diagram!("foreshortening")]
+#![doc = include_str!("../diagrams/foreshortening.svg")]
 //!
 //! The point at *t* is a mean of the segment's ends, with the weights 1 − *t* and *t*. The point's distance *w* is the
 //! same mean of *w*₀ and *w*₁. The point's image is *nx*/*w*, and at the ends *nx* = *wx*′:

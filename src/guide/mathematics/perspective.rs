@@ -8,7 +8,7 @@
 //!
 #![doc = formula!({prime(x) = -frac(n x)(z)} {prime(y) = -frac(n y)(z)})]
 //!
-#![doc = diagram!("similar_triangles")]
+#![doc = include_str!("../diagrams/similar_triangles.svg")]
 //!
 //! The eye, the point and its image lie on one straight line. The small triangle and the large one share the angle at
 //! the eye, and both have a right angle. Their sides are in proportion: *y*′ is to *n* as *y* is to −*z*. The same
@@ -21,7 +21,7 @@
 //! For practice, let *n* = 2, and take a cube whose corners have *x* = ±1, *y* = ±1, and *z* = −3 (front) or −5 (back).
 //! The images of the front corners are at ±2/3, and the images of the back corners are at ±2/5:
 //!
-#![doc = diagram!("practice_cube")]
+#![doc = include_str!("../diagrams/practice_cube.svg")]
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -80,7 +80,7 @@
 //! ([A segment](crate::guide::mathematics::lines#a-segment)). A depth buffer of fixel stores 65535 *n*/*w*, which is also linear in 1/*w*, and needs no far
 //! plane.
 //!
-#![doc = diagram!("pseudo_depth")]
+#![doc = include_str!("../diagrams/pseudo_depth.svg")]
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -167,7 +167,7 @@
 //!
 #![doc = formula!({aspect = frac(r - l)(t - b)} {fov = 2 fun atan frac(t - b)(2 n)})]
 //!
-#![doc = diagram!("field_of_view")]
+#![doc = include_str!("../diagrams/field_of_view.svg")]
 //!
 //! In the right triangle between the eye, the middle of the window and its upper edge, the side opposite half the field
 //! of view is *t*, and the adjacent side is *n*. The second line of formulas solves the first line for the aspect ratio

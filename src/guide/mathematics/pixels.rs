@@ -25,7 +25,7 @@
     (var "α" / w[0] + var "β" / w[1] + var "γ" / w[2])
 })]
 //!
-#![doc = diagram!("weights")]
+#![doc = include_str!("../diagrams/weights.svg")]
 //!
 //! Along a row of pixels, a linear function changes by the same amount from pixel to pixel. A renderer adds this amount
 //! to 1/*w* and to each *a*/*w*. **One reciprocal per pixel** then serves all attributes.
@@ -120,7 +120,7 @@
 //! The error of a chord over *L* pixels is at most |*ȧ*| δ *L*²/4, an eighth of *L*² times the second derivative. The
 //! mode [`Fast`](crate::mode::Fast) uses the longest pieces that keep this error below your tolerance.
 //!
-#![doc = diagram!("pieces")]
+#![doc = include_str!("../diagrams/pieces.svg")]
 //!
 //! ```
 //! use fixel::{Fraction, fx, view::Segment};

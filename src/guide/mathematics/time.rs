@@ -9,7 +9,7 @@
 //!
 //! radians per millisecond: 0.00105 for ten turns per minute.
 //!
-#![doc = diagram!("sine")]
+#![doc = include_str!("../diagrams/sine.svg")]
 //!
 //! An [`Angle`](crate::Angle) counts units of 2⁻³² of a turn in 32 bits, which wrap at a whole turn. A program can
 //! compute an angle from the time since the start (absolute), or add a step for each frame (incremental). If the

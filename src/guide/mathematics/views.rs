@@ -13,7 +13,7 @@
     {j = k times i}
 )]
 //!
-#![doc = diagram!("look_at")]
+#![doc = include_str!("../diagrams/look_at.svg")]
 //!
 //! The vector *k* points backward, because the eye looks along −z. The vector *i* is orthogonal to *up* and *k*, and
 //! *j* lies in the plane of *up* and *k*, on the side of *up*. The part of *up* along *k* drops out of the cross
@@ -147,7 +147,7 @@
 //! An edge of length one that points straight back has an image of length ρ: 1 in a cavalier projection, ½ in a cabinet
 //! projection.
 //!
-#![doc = diagram!("parallel")]
+#![doc = include_str!("../diagrams/parallel.svg")]
 //!
 //! ```
 //! use fixel::prelude::*;
