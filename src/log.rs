@@ -39,14 +39,46 @@ mod tests {
     /// Compiles only if every type that a program may want to log implements `Format`.
     #[test]
     fn values_can_be_logged() {
-        macro_rules! all {
-            ($($Type:ty)+) => { $(logs::<$Type>();)+ };
-        }
-        all!(Error Scalar TexCoord Subpixel Fraction Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform);
-        all!(Counts Missing Shape Fragment Light Tolerance Texels Within<8, Texels> PerFace<u8>);
-        all!(Colored<Light> Shiny<Light> TwoSided<Light> LineStyle LineStyle<true> PointStyle);
-        all!(Drawn DrawOptions ScreenPoint Cull Exact Affine Newton Fast Compact);
-        all!(ColorIndex Contrast NoTest TestAndWrite TestOnly WriteOnly Biased);
-        all!(Nearest Bilinear Aspect Camera Mvp Projection Segment Viewport Window);
+        logs::<(
+            Error,
+            Scalar,
+            TexCoord,
+            Subpixel,
+            Fraction,
+            Angle,
+            Rate,
+            Spin,
+        )>();
+        logs::<(Vec2, Vec3, Direction, Matrix4, Transform, Counts, Missing)>();
+        logs::<(
+            Shape,
+            Fragment,
+            Light,
+            Tolerance,
+            Texels,
+            Within<8, Texels>,
+            PerFace<u8>,
+        )>();
+        logs::<(Colored<Light>, Shiny<Light>, TwoSided<Light>)>();
+        logs::<(
+            LineStyle,
+            LineStyle<true>,
+            PointStyle,
+            Drawn,
+            DrawOptions,
+            ScreenPoint,
+            Cull,
+        )>();
+        logs::<(Exact, Affine, Newton, Fast, Compact, ColorIndex, Contrast)>();
+        logs::<(
+            NoTest,
+            TestAndWrite,
+            TestOnly,
+            WriteOnly,
+            Biased,
+            Nearest,
+            Bilinear,
+        )>();
+        logs::<(Aspect, Camera, Mvp, Projection, Segment, Viewport, Window)>();
     }
 }

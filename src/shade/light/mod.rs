@@ -88,7 +88,7 @@ impl SurfacePoint {
 }
 
 /// Light that falls on a surface: a [`Light`], [`PointLight`] or [`SpotLight`], or several lights in an array, a slice
-/// or a tuple of up to four.
+/// or a tuple of two to four.
 ///
 #[cfg_attr(doc, doc = page_picture!("colored", "A ball between a red and a blue lamp"))]
 /// [`Shader::lit`](crate::Shader::lit) and [`Shader::lit_faces`](crate::Shader::lit_faces) put a surface under a light.

@@ -34,36 +34,48 @@ impl<L: Lighting> Lighting for &[L] {
     }
 }
 
-macro_rules! tuples {
-    ($($($Light:ident $light:ident)+;)+) => {$(
-        /// The sum of all lights of a tuple. The lights may have different types.
-        impl<$($Light: Lighting),+> Lighting for ($($Light,)+) {
-            type Diffuse = tuples!(type Diffuse $($Light)+);
-            type Specular = tuples!(type Specular $($Light)+);
+/// The sum of both lights, which may have different types.
+impl<A: Lighting, B: Lighting> Lighting for (A, B) {
+    type Diffuse = <A::Diffuse as Channels>::Or<B::Diffuse>;
+    type Specular = <A::Specular as Channels>::Or<B::Specular>;
 
-            const READS_POSITION: bool = $($Light::READS_POSITION)||+;
-            const READS_FACE: bool = $($Light::READS_FACE)||+;
+    const READS_POSITION: bool = A::READS_POSITION || B::READS_POSITION;
+    const READS_FACE: bool = A::READS_FACE || B::READS_FACE;
 
-            #[inline]
-            fn at(&self, point: &SurfacePoint) -> Illumination<Self::Diffuse, Self::Specular> {
-                let ($($light,)+) = self;
-                tuples!(sum point $($light)+)
-            }
-        }
-    )+};
-    (sum $point:ident $last:ident) => { $last.at($point) };
-    (sum $point:ident $first:ident $($rest:ident)+) => {
-        $first.at($point).plus(tuples!(sum $point $($rest)+))
-    };
-    (type $Part:ident $Last:ident) => { $Last::$Part };
-    (type $Part:ident $First:ident $($Rest:ident)+) => {
-        <$First::$Part as Channels>::Or<tuples!(type $Part $($Rest)+)>
-    };
+    #[inline]
+    fn at(&self, point: &SurfacePoint) -> Illumination<Self::Diffuse, Self::Specular> {
+        let (a, b) = self;
+        a.at(point).plus(b.at(point))
+    }
 }
 
-tuples! {
-    A a;
-    A a B b;
-    A a B b C c;
-    A a B b C c D d;
+/// The sum of all three lights.
+impl<A: Lighting, B: Lighting, C: Lighting> Lighting for (A, B, C) {
+    type Diffuse = <((A, B), C) as Lighting>::Diffuse;
+    type Specular = <((A, B), C) as Lighting>::Specular;
+
+    const READS_POSITION: bool = <((A, B), C)>::READS_POSITION;
+    const READS_FACE: bool = <((A, B), C)>::READS_FACE;
+
+    #[inline]
+    fn at(&self, point: &SurfacePoint) -> Illumination<Self::Diffuse, Self::Specular> {
+        let (a, b, c) = self;
+        a.at(point).plus(b.at(point)).plus(c.at(point))
+    }
+}
+
+/// The sum of all four lights.
+impl<A: Lighting, B: Lighting, C: Lighting, D: Lighting> Lighting for (A, B, C, D) {
+    type Diffuse = <((A, B, C), D) as Lighting>::Diffuse;
+    type Specular = <((A, B, C), D) as Lighting>::Specular;
+
+    const READS_POSITION: bool = <((A, B, C), D)>::READS_POSITION;
+    const READS_FACE: bool = <((A, B, C), D)>::READS_FACE;
+
+    #[inline]
+    fn at(&self, point: &SurfacePoint) -> Illumination<Self::Diffuse, Self::Specular> {
+        let (a, b, c, d) = self;
+        let three = a.at(point).plus(b.at(point)).plus(c.at(point));
+        three.plus(d.at(point))
+    }
 }
