@@ -130,6 +130,23 @@ mod tests {
     }
 
     #[test]
+    fn a_gray_canvas_shows_the_luma_of_colored_light() {
+        let white = Light::new(vec3!(0, 0, 1), fx!(0), fx!(1)).unwrap();
+        for (color, weight) in [
+            (Rgb888::RED, 0.299),
+            (Rgb888::GREEN, 0.587),
+            (Rgb888::BLUE, 0.114),
+        ] {
+            let lit = Flat::new(Gray8::new(255)).lit(white.colored(color));
+            let (_, corners) = face(lit, &IDENTITY, &mesh(), 0);
+            for (_, Within((light, ()))) in corners {
+                // The weight is off by up to 2^-15, which is 2 units; the light by 1 unit; the luma is rounded by half.
+                assert!((f64::from(light) - weight * 65_536.0).abs() <= 3.5);
+            }
+        }
+    }
+
+    #[test]
     fn faces_are_lit_evenly_in_world_space() {
         let lit = Flat::<Rgb565>::rgb(Rgb565::WHITE).lit_faces(sun());
         let shown = |model, index| {
