@@ -158,8 +158,8 @@ lists! {
 }
 
 /// Makes a mesh of the first elements of each list in `$room`; `$counts` has their numbers. The lists of the mesh are
-/// statics of exactly these lengths. With `short`, positions have 16 bits per component; with `quantized_16` or
-/// `quantized_8`, attributes have fewer bits, too.
+/// statics of exactly these lengths. With `short`, positions have 16 bits per component; with `quantized_8`,
+/// attributes have fewer bits, too.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __mesh {
@@ -179,18 +179,12 @@ macro_rules! __mesh {
         );
         $crate::__mesh!($room, $counts, @ SHORTENED)
     }};
-    ($room:expr, $counts:expr, quantized_8) => {
-        $crate::__mesh!($room, $counts, quantized_8 uvs_of_8 u8)
-    };
-    ($room:expr, $counts:expr, quantized_16) => {
-        $crate::__mesh!($room, $counts, quantized_16 uvs_of_16 u16)
-    };
-    ($room:expr, $counts:expr, $quantized:ident $small:ident $step:ty) => {{
+    ($room:expr, $counts:expr, quantized_8) => {{
         use $crate::mesh::flash::{self, Small, UvGrid};
         #[allow(long_running_const_eval)]
-        const STORED: ([[$step; 2]; $counts.uvs], UvGrid) = flash::$quantized(&$room.uvs);
-        static UVS: [[$step; 2]; $counts.uvs] = STORED.0;
-        static SMALL_UVS: Small<'static, $crate::Vec2> = Small::$small(&UVS, STORED.1);
+        const STORED: ([[u8; 2]; $counts.uvs], UvGrid) = flash::quantized_8(&$room.uvs);
+        static UVS: [[u8; 2]; $counts.uvs] = STORED.0;
+        static SMALL_UVS: Small<'static, $crate::Vec2> = Small::uvs_of_8(&UVS, STORED.1);
         #[allow(long_running_const_eval)]
         static NORMALS: [[i8; 3]; $counts.normals] = flash::normals_of_8(&$room.normals);
         static SMALL_NORMALS: Small<'static, $crate::Vec3> = Small::normals(&NORMALS);
@@ -200,9 +194,7 @@ macro_rules! __mesh {
             .quantized((&SMALL_NORMALS, &[]), (&SMALL_UVS, &[]))
     }};
     ($room:expr, $counts:expr, $other:ident) => {
-        ::core::compile_error!(
-            "the last argument must be `short`, `quantized_16`, `quantized_8` or nothing"
-        )
+        ::core::compile_error!("the last argument must be `short`, `quantized_8` or nothing")
     };
     ($room:expr, $counts:expr, @ $positions:expr) => {{
         use $crate::mesh::flash::first;

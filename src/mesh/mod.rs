@@ -15,8 +15,8 @@
 //! # Less flash
 //!
 //! [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) can store a mesh in fewer bits. The argument
-//! `short` reduces only the positions. The arguments `quantized_16` and `quantized_8` reduce positions, normals and
-//! texture coordinates. The number in the name is the number of bits for u, and for v:
+//! `short` reduces only the positions. The arguments `quantized_8` and, for the textures of files, `quantized_16` reduce
+//! positions, normals and texture coordinates. The number in the name is the number of bits for u, and for v:
 //!
 //! | list | bytes per element | bytes in fewer bits | largest error |
 //! |---|---|---|---|

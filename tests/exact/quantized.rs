@@ -121,7 +121,7 @@ fn pixels_equal_those_of_the_unquantized_mesh() {
 
 #[test]
 fn attributes_that_a_mesh_lacks_are_reported() {
-    static BALL: Mesh = shape!(sphere(8, 6), quantized_16).without_edges();
+    static HOUSE: Mesh = include_mesh!("../models/house.obj", quantized_16).without_edges();
     fn missing(mesh: &Mesh<'_>, shader: &impl ShaderFor<Rgb565>) -> [bool; 2] {
         let projection = Projection::perspective(deg!(60), SIZE, fx!(0.1), fx!(100)).unwrap();
         let mvp = projection * Transform::translate(vec3!(0, 0, -4));
@@ -132,8 +132,8 @@ fn attributes_that_a_mesh_lacks_are_reported() {
     }
     let textured = Padded::new(Textured::new(&SKIN));
     let textured = textured.erased();
-    assert_eq!(missing(&BALL, &textured), [false, false]);
-    assert_eq!(missing(&BALL.without_uvs(), &textured), [true, false]);
-    assert_eq!(missing(&BALL, &Gouraud::new()), [false, true]);
-    assert!(BALL.edge_indices().is_empty());
+    assert_eq!(missing(&HOUSE, &textured), [false, false]);
+    assert_eq!(missing(&HOUSE.without_uvs(), &textured), [true, false]);
+    assert_eq!(missing(&HOUSE, &Gouraud::new()), [false, true]);
+    assert!(HOUSE.edge_indices().is_empty());
 }

@@ -208,7 +208,7 @@ impl Shape {
 /// ```
 ///
 /// A second argument, `short`, stores 16-bit positions, which take half the flash; see
-/// [`Mesh::short`](crate::Mesh::short). With `quantized_16` or `quantized_8`, [attributes take less
+/// [`Mesh::short`](crate::Mesh::short). With `quantized_8`, [attributes take less
 /// flash](crate::mesh#less-flash), too.
 ///
 /// ```
