@@ -14,8 +14,8 @@ use crate::num::wide::product;
 /// Both meshes need the same faces. Texture coordinates, colors and edges come from the first mesh. If keyframes are a
 /// `static`, they are checked at compile time. Of the second mesh, the flash then holds only the positions and normals.
 ///
-/// An animation of many poses is an array of `Keyframes`, with one element for each step from a pose to the next: see
-/// [`blend_chain`](Self::blend_chain).
+/// An animation of many poses is an array of `Keyframes`, with one element for each step from a pose to the next: at a
+/// time of 3.25 steps, `STEPS[3].blend(fx!(0.25), …)`.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -127,52 +127,6 @@ impl<'a> Keyframes<'a> {
         message::checked(result, "keyframes")
     }
 
-    /// The mesh at a time along a chain of poses. Each pair must begin with the pose that ends the pair before it. The
-    /// mesh is the first pose at time 0, the second pose at time 1, and the middle between the second and the third
-    /// pose at time 1.5. Before time 0, the mesh is the first pose; after the time of the last pose, it is the last
-    /// pose.
-    ///
-    /// ```
-    /// use fixel::mesh::Keyframes;
-    /// use fixel::prelude::*;
-    /// let heights = [[vec3!(0, 0, 0)], [vec3!(0, 4, 0)], [vec3!(0, 2, 0)]];
-    /// let [low, high, middle] = heights.each_ref().map(|positions| Mesh::new(positions, &[]).unwrap());
-    /// let jump = [Keyframes::new(&low, &high)?, Keyframes::new(&high, &middle)?];
-    /// let mut positions = [Vec3::ZERO];
-    /// for (time, height) in [(fx!(0.5), fx!(2)), (fx!(1.5), fx!(3)), (fx!(9), fx!(2)), (fx!(-1), fx!(0))] {
-    ///     let mesh = Keyframes::blend_chain(&jump, time, &mut positions, &mut [])?;
-    ///     assert_eq!(mesh.positions().get(0), Some(Vec3::new(fx!(0), height, fx!(0))));
-    /// }
-    /// # Ok::<(), Error>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Length`] if the chain is empty; otherwise the errors of [`blend`](Self::blend).
-    pub fn blend_chain<'m>(
-        chain: &[Self],
-        time: Scalar,
-        positions: &'m mut [Vec3],
-        normals: &'m mut [Vec3],
-    ) -> Result<Mesh<'m>, Error>
-    where
-        'a: 'm,
-    {
-        let time = time.to_bits();
-        let pair = (time >> 16).max(0).cast_unsigned() as usize;
-        let (frames, t) = match (chain.get(pair), chain.last()) {
-            (Some(frames), _) => (frames, time.max(0) & 0xffff),
-            (None, Some(last)) => (last, 1 << 16),
-            (None, None) => {
-                return Err(Error::Length {
-                    given: 0,
-                    needed: 1,
-                });
-            }
-        };
-        frames.blend(Scalar::from_bits(t), positions, normals)
-    }
-
     /// The mesh between the two poses, in the caller's memory: the first pose at `t` = 0, the second at `t` = 1; other
     /// values of `t` extrapolate.
     ///
@@ -272,53 +226,6 @@ mod tests {
                 assert_eq!(between(a, b, t), a.lerp(b, t), "{t}");
             }
         });
-    }
-
-    /// Before the first pose and after the last pose, fractions of a time change nothing.
-    #[test]
-    fn a_chain_stays_at_its_ends() {
-        let poses = [[vec3!(0, 0, 0)], [vec3!(0, 4, 8)], [vec3!(0, 2, -8)]];
-        let meshes = poses.each_ref().map(|at| Mesh::new(at, &[]).unwrap());
-        let chain = [[0, 1], [1, 2]].map(|[a, b]| Keyframes::new(&meshes[a], &meshes[b]).unwrap());
-        let at = |chain: &[Keyframes<'_>], time| {
-            let mut positions = [Vec3::X];
-            Keyframes::blend_chain(chain, time, &mut positions, &mut []).unwrap();
-            positions[0]
-        };
-        let [[first], [middle], [last]] = poses;
-        for bits in [
-            i32::MIN,
-            -0x1_8000,
-            -0x1_0001,
-            -0x1_0000,
-            -0xffff,
-            -0x8000,
-            -1,
-            0,
-        ] {
-            let time = Scalar::from_bits(bits);
-            assert_eq!(at(&chain, time), first, "{time}");
-            assert_eq!(at(&chain[1..], time), middle, "{time}");
-        }
-        for bits in [0x2_0000, 0x2_0001, 0x2_8000, 0x2_ffff, 0x3_0000, i32::MAX] {
-            let time = Scalar::from_bits(bits);
-            assert_eq!(at(&chain, time), last, "{time}");
-            assert_eq!(at(&chain[1..], time), last, "{time}");
-        }
-        for (time, between) in [
-            (fx!(0.25), vec3!(0, 1, 2)),
-            (fx!(0.75), vec3!(0, 3, 6)),
-            (fx!(1), middle),
-            (fx!(1.25), vec3!(0, 3.5, 4)),
-            (fx!(1.75), vec3!(0, 2.5, -4)),
-        ] {
-            assert_eq!(at(&chain, time), between, "{time}");
-        }
-        // The last unit of time before a pose belongs to the pair that ends there: 4 − 4 · 2^-16 and 8 − 8 · 2^-16.
-        assert_eq!(
-            at(&chain, Scalar::from_bits(0xffff)).to_bits(),
-            [0, (4 << 16) - 4, (8 << 16) - 8]
-        );
     }
 
     #[test]

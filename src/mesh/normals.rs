@@ -2,9 +2,8 @@
 
 use super::buffers::room;
 use super::{Index, Mesh};
-use crate::error::{Error, check_crease};
+use crate::error::Error;
 use crate::math::{Direction, Vec3};
-use crate::num::Angle;
 use crate::num::rsqrt::unit;
 
 /// Fraction bits of an angle in radians. The sum at one position saturates at 512 radians.
@@ -83,6 +82,8 @@ impl<'a> Mesh<'a> {
     /// the weighted normals add up to zero, the position gets the zero vector.
     ///
     /// The time grows in proportion to the number of triangles, so a mesh that moves can get new normals in each frame.
+    /// For a file, the option `normals` of [`include_mesh!`](crate::include_mesh) computes normals on the host, and keeps
+    /// sharp edges sharp.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -120,96 +121,6 @@ impl<'a> Mesh<'a> {
         self.with_normals(normals, None)
     }
 
-    /// Adds computed normals, so that light changes smoothly across edges whose triangles meet at an angle of at most
-    /// `crease`, and changes abruptly at sharper edges. At 0 degrees, only flat polygons are smooth; at 180 degrees,
-    /// everything is smooth.
-    ///
-    /// The normal at a corner of a triangle is the mean of the normals of some triangles around that position: the
-    /// normals that are within `crease` of the normal of the corner's own triangle. The triangles are weighted as in
-    /// [`with_smooth_normals`](Self::with_smooth_normals). Equal normals are stored once, so a box needs 6 normals. The
-    /// mesh gets at most three normals per triangle; their indices are written to `faces`.
-    ///
-    /// The time grows with the square of the number of triangles, so call this function once, not for each frame.
-    ///
-    /// ```
-    /// use fixel::prelude::*;
-    /// let positions = [
-    ///     vec3!(-1, 0, 1), vec3!(0, 1, 1), vec3!(1, 0, 1),
-    ///     vec3!(-1, 0, -1), vec3!(0, 1, -1), vec3!(1, 0, -1),
-    /// ];
-    /// let roof = [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4]];
-    /// let (mut normals, mut faces) = ([Vec3::ZERO; 12], [[0; 3]; 4]); // your memory
-    /// let mesh = Mesh::new(&positions, &roof)?
-    ///     .with_creased_normals(deg!(60), &mut normals, &mut faces)?;
-    /// // The sides meet at 90 degrees, so each side has one normal.
-    /// assert_eq!(mesh.counts().normals, 2);
-    /// assert_eq!(faces, [[0; 3], [0; 3], [1; 3], [1; 3]]);
-    /// # Ok::<(), Error>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// [`Error::CreaseAngle`] if `crease` is above 180 degrees; [`Error::TooMany`] if `faces` has fewer elements than
-    /// the mesh has triangles, or if the number of different normals is above the length of `normals` or above 65,535.
-    pub fn with_creased_normals(
-        self,
-        crease: Angle,
-        normals: &'a mut [Vec3],
-        faces: &'a mut [[Index; 3]],
-    ) -> Result<Self, Error> {
-        check_crease(crease)?;
-        // The cosine is lowered by four units for the error of each of the two normals, so that triangles in one plane
-        // are always within the crease.
-        let least = crease.cos().to_bits().saturating_sub(8);
-        let faces = room(faces, self.faces().len())?;
-        let mut count = 0;
-        for (indices, face) in faces.iter_mut().zip(self.faces()) {
-            *indices = [Self::NO_VALUE; 3];
-            let Some((own, _)) = self.measured(*face) else {
-                continue;
-            };
-            for (to, &position) in indices.iter_mut().zip(face) {
-                let normal = self.normal_around(position, own, least);
-                let known = normals.get(..count).unwrap_or_default();
-                let at = if let Some(at) = known.iter().position(|&other| other == normal) {
-                    at
-                } else {
-                    let max = normals.len().min(Self::NO_VALUE.into());
-                    let given = count + 1;
-                    let free = normals.get_mut(count).filter(|_| count < max);
-                    *free.ok_or(Error::TooMany { given, max })? = normal;
-                    count = given;
-                    count - 1
-                };
-                *to = at as Index; // below `NO_VALUE`
-            }
-        }
-        self.with_normals(normals.get(..count).unwrap_or_default(), Some(faces))
-    }
-
-    /// The mean normal at a position, over the triangles with normals near `own`: the cosine of the angle between such
-    /// a normal and `own` is at least `least`, in units of 2⁻³⁰.
-    fn normal_around(&self, position: Index, own: Direction, least: i32) -> Vec3 {
-        let mut sum = Vec3::ZERO;
-        for face in self.faces() {
-            if !face.contains(&position) {
-                continue;
-            }
-            let Some((normal, angles)) = self.measured(*face) else {
-                continue;
-            };
-            if normal.dot(own).to_bits() < least {
-                continue;
-            }
-            for (&index, angle) in face.iter().zip(angles) {
-                if index == position {
-                    sum += weighted(normal, angle);
-                }
-            }
-        }
-        sum.normalized().unwrap_or_default()
-    }
-
     fn measured(&self, face: [Index; 3]) -> Option<(Direction, [i32; 3])> {
         measured(face.map(|index| self.position(index)))
     }
@@ -218,7 +129,7 @@ impl<'a> Mesh<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Scalar, deg, fx, vec3};
+    use crate::{Scalar, fx, vec3};
 
     const CORNERS: [Vec3; 8] = [
         vec3!(-1, -1, -1),
@@ -259,18 +170,6 @@ mod tests {
         assert_eq!(normals[8], Vec3::ZERO);
     }
 
-    #[test]
-    fn sides_of_a_box_share_normals_within_the_crease() {
-        let mesh = Mesh::new(&CORNERS, &SIDES).unwrap();
-        for (crease, count) in [(deg!(0), 6), (deg!(89.9), 6), (deg!(90), 8), (deg!(180), 8)] {
-            let (mut normals, mut faces) = ([Vec3::ZERO; 8], [[0; 3]; 12]);
-            let mesh = mesh
-                .with_creased_normals(crease, &mut normals, &mut faces)
-                .unwrap();
-            assert_eq!(mesh.counts().normals, count, "{crease}");
-        }
-    }
-
     /// An angle of 1e-7 radians counts as zero, so there is no normal.
     #[test]
     fn normals_at_sharp_corners_are_accurate() {
@@ -306,37 +205,12 @@ mod tests {
         assert_eq!(normals[0], Vec3::ZERO);
     }
 
-    /// Without the check, 270 degrees would count as 90 degrees, because the cosines are equal.
-    #[test]
-    fn creases_above_180_degrees_are_refused() {
-        let mesh = Mesh::new(&CORNERS, &SIDES).unwrap();
-        for angle in [Angle::from_bits((1 << 31) + 1), deg!(270), deg!(-1)] {
-            let (mut normals, mut faces) = ([Vec3::ZERO; 8], [[0; 3]; 12]);
-            let refused = mesh.with_creased_normals(angle, &mut normals, &mut faces);
-            assert_eq!(refused, Err(Error::CreaseAngle { angle }));
-        }
-    }
-
     #[test]
     fn normals_without_room_are_refused() {
         let mesh = Mesh::new(&CORNERS, &SIDES).unwrap();
-        let (mut few, mut normals) = ([Vec3::ZERO; 7], [Vec3::ZERO; 5]);
+        let mut few = [Vec3::ZERO; 7];
         let error = mesh.with_smooth_normals(&mut few).unwrap_err();
         assert_eq!(error, Error::TooMany { given: 8, max: 7 });
-        let mut faces = [[0; 3]; 12];
-        let error = mesh
-            .with_creased_normals(deg!(0), &mut normals, &mut faces)
-            .unwrap_err();
-        assert_eq!(error, Error::TooMany { given: 6, max: 5 });
-        let angle = deg!(-30);
-        let error = mesh
-            .with_creased_normals(angle, &mut few, &mut faces)
-            .unwrap_err();
-        assert_eq!(error, Error::CreaseAngle { angle });
-        let error = mesh
-            .with_creased_normals(deg!(0), &mut few, &mut faces[1..])
-            .unwrap_err();
-        assert_eq!(error, Error::TooMany { given: 12, max: 11 });
     }
 
     #[test]
@@ -350,12 +224,9 @@ mod tests {
         ];
         let faces = [[0, 1, 2], [3, 3, 0], [3, 3, 3]];
         let mesh = Mesh::new(&positions, &faces).unwrap();
-        let (mut normals, mut indices) = ([Vec3::X; 4], [[0; 3]; 3]);
+        let mut normals = [Vec3::X; 4];
         mesh.with_smooth_normals(&mut normals).unwrap();
         assert_eq!(Some(normals[0]), vec3!(1, 1, 1).normalized());
         assert_eq!(normals[3], Vec3::ZERO);
-        mesh.with_creased_normals(deg!(60), &mut normals, &mut indices)
-            .unwrap();
-        assert_eq!(indices[1..], [[Mesh::NO_VALUE; 3]; 2]);
     }
 }

@@ -217,17 +217,9 @@ impl<K: ProjectionKind> Call<'_, K> {
         });
         assert!(picture == self.blank(), "a mesh out of view has pixels");
 
-        let corners = 3 * self.mesh.faces().len();
-        let mut normals = vec![Vec3::ZERO; self.mesh.positions().len().max(corners)];
-        let mut faces = vec![[0; 3]; self.mesh.faces().len()];
+        let mut normals = vec![Vec3::ZERO; self.mesh.positions().len()];
         let smooth = self.mesh.with_smooth_normals(&mut normals);
         assert!(smooth.is_ok(), "{smooth:?}");
-        for crease in [deg!(0), deg!(50), deg!(180)] {
-            let creased = self
-                .mesh
-                .with_creased_normals(crease, &mut normals, &mut faces);
-            assert!(creased.is_ok(), "{creased:?}");
-        }
     }
 
     /// A line style 1 to 63 pixels wide.

@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use fixel::mesh::Keyframes;
 use fixel::prelude::*;
 
-use super::numbers::{angle, bits, few, list, option, scalar, size, tex_coords, vector};
+use super::numbers::{bits, few, list, option, scalar, size, tex_coords, vector};
 use super::projection::ProjectionArguments;
 use super::shades::Shade;
 use super::steps::{Eye, Steps};
@@ -138,7 +138,7 @@ impl Billboard {
 #[derive(Clone, Debug)]
 pub struct Changes {
     keyframe: Option<Keyframe>,
-    normals: Option<Crease>,
+    has_smooth_normals: bool,
 }
 
 /// A second keyframe, and a position between the first and the second.
@@ -149,17 +149,10 @@ struct Keyframe {
     t: Scalar,
 }
 
-/// The edges that computed normals keep sharp.
-#[derive(Clone, Copy, Debug)]
-enum Crease {
-    None,
-    Above(Angle),
-}
-
 impl Changes {
     const NONE: Self = Self {
         keyframe: None,
-        normals: None,
+        has_smooth_normals: false,
     };
 
     fn arbitrary(
@@ -178,14 +171,7 @@ impl Changes {
                     },
                 })
             })?,
-            normals: option(u, |u| {
-                Ok(match option(u, angle)? {
-                    None => Crease::None,
-                    // Use an angle of at most half a turn.
-                    Some(angle) if angle.to_bits() > 1 << 31 => Crease::Above(-angle),
-                    Some(angle) => Crease::Above(angle),
-                })
-            })?,
+            has_smooth_normals: option(u, |_| Ok(()))?.is_some(),
         })
     }
 }
@@ -198,14 +184,12 @@ pub type Rooms = [Room; 2];
 pub struct Room {
     positions: [Vec3; MOST],
     normals: [Vec3; 3 * MOST],
-    faces: [[u16; 3]; MOST],
 }
 
 impl Room {
     pub const EMPTY: Self = Self {
         positions: [Vec3::ZERO; MOST],
         normals: [Vec3::ZERO; 3 * MOST],
-        faces: [[0; 3]; MOST],
     };
 }
 
@@ -344,12 +328,10 @@ impl Scene {
             assert_eq!(end.positions(), second.positions());
             mesh = frames.blend(keyframe.t, &mut room.positions, &mut room.normals)?;
         }
-        let Room { normals, faces, .. } = of_normals;
-        match self.changes.normals {
-            None => Ok(mesh),
-            Some(Crease::None) => mesh.with_smooth_normals(normals),
-            Some(Crease::Above(angle)) => mesh.with_creased_normals(angle, normals, faces),
+        if self.changes.has_smooth_normals {
+            mesh = mesh.with_smooth_normals(&mut of_normals.normals)?;
         }
+        Ok(mesh)
     }
 
     /// The draw options in the default mode, if the crate accepts the viewport.

@@ -8,22 +8,16 @@ pub fn angle(a: Vec3, b: Vec3) -> f64 {
 }
 
 /// The unit normal of a triangle.
-pub fn of_triangle([a, b, c]: [Vec3; 3]) -> Vec3 {
+fn of_triangle([a, b, c]: [Vec3; 3]) -> Vec3 {
     normalized(cross(subtract(b, a), subtract(c, a)))
 }
 
-/// The sum of the weighted normals of the triangles around a position, and the sum of the weights. Only normals for
-/// which `accepted` is true count.
-pub fn around(
-    position: usize,
-    positions: &[Vec3],
-    faces: &[[usize; 3]],
-    accepted: &dyn Fn(Vec3) -> bool,
-) -> (Vec3, f64) {
+/// The sum of the weighted normals of the triangles around a position, and the sum of the weights.
+pub fn around(position: usize, positions: &[Vec3], faces: &[[usize; 3]]) -> (Vec3, f64) {
     let (mut sum, mut weights) = ([0.; 3], 0.);
     for face in faces {
         let normal = of_triangle(face.map(|i| positions[i]));
-        if normal[0].is_nan() || !accepted(normal) {
+        if normal[0].is_nan() {
             continue;
         }
         for corner in (0..3).filter(|&corner| face[corner] == position) {

@@ -8,6 +8,8 @@ use fixel::prelude::*;
 
 /// The front and the back are concave polygons of 32 corners. The macro cuts the polygons into triangles.
 static CLOVER: Mesh = include_mesh!("../../../assets/clover.obj");
+/// The compiler computes the normals, and stores them in flash.
+static CREASED: Mesh = include_mesh!("../../../assets/clover.obj", normals);
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let size = canvas.frame_size();
@@ -24,12 +26,10 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     // Light is computed once per triangle. No normals are stored.
     canvas.draw(&CLOVER, &at(fx!(-2.5)), &jade.lit_faces(sun));
 
-    // Light is computed once per corner. Edges that turn by more than 40 degrees stay sharp.
-    let (mut normals, mut faces) = ([Vec3::ZERO; 100], [[0; 3]; 124]);
-    let creased = CLOVER.with_creased_normals(deg!(40), &mut normals, &mut faces)?;
-    canvas.draw(&creased, &at(fx!(0)), &jade.lit(sun));
+    // Light is computed once per corner. Edges that turn by more than 60 degrees stay sharp.
+    canvas.draw(&CREASED, &at(fx!(0)), &jade.lit(sun));
 
-    // Light is computed once per corner. No edge looks sharp.
+    // Light is computed once per corner. No edge looks sharp. These normals are computed when the program runs.
     let mut normals = [Vec3::ZERO; 64];
     let smooth = CLOVER.with_smooth_normals(&mut normals)?;
     canvas.draw(&smooth, &at(fx!(2.5)), &jade.lit(sun));

@@ -100,13 +100,6 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     watch.print("keyframe", "vertex", points, ticks);
     let ticks = watch.time(|| BALL.with_smooth_normals(&mut normals).map(|_| ()))?;
     watch.print("smooth-normals", "triangle", triangles, ticks);
-    let (mut creased, mut faces) = ([Vec3::ZERO; 3 * 384], [[0; 3]; 384]);
-    let crease = black_box(deg!(30));
-    let ticks = watch.time(|| {
-        BALL.with_creased_normals(crease, &mut creased, &mut faces)
-            .map(|_| ())
-    })?;
-    watch.print("creased-normals", "triangle", triangles, ticks);
 
     // The first mesh has attributes of 32 bits, the second of 8 bits.
     let sun = black_box(Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?);
