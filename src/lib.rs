@@ -288,6 +288,7 @@ mod raster;
 mod sealed;
 pub mod shade;
 mod span;
+pub mod textbook;
 
 /// How varyings are interpolated: the trait [`Mode`](mode::Mode) and its five implementations.
 ///

@@ -8,7 +8,8 @@ use crate::mesh::Shape;
 use crate::num::{Angle, Fraction, Scalar, Subpixel, TexCoord};
 use crate::pipeline::{Hit, ScreenPoint};
 use crate::raster::PointStyle;
-use crate::view::{Projection, ProjectionKind, Segment, Window};
+use crate::textbook::Segment;
+use crate::view::{Projection, ProjectionKind, Window};
 
 macro_rules! format {
     ($adapter:ident: $($({$K:ident: $bound:path})? $Type:ty),+) => {$(

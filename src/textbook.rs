@@ -1,6 +1,15 @@
-//! A segment in perspective: fractions of its picture, and fractions of the segment itself.
+//! Formulas of perspective as textbooks write them, for learning, tests and preparation.
+//!
+//! Drawing does not use this module: it computes the same numbers in a faster way, and a program that names nothing
+//! here does not contain it. [Mathematics](crate::guide::mathematics) derives the formulas.
+//!
+//! | formula | in the guide |
+//! |---|---|
+//! | [`Segment`]: depth, fractions and attributes along a segment in perspective | [a segment](crate::guide::mathematics::lines#a-segment) |
+//! | [`perspective_transform`]: the part of a projection's matrix that divides | [a matrix](crate::guide::mathematics::perspective#a-matrix) |
+//! | [`speed`]: how fast the picture of a moving point moves | [lines](crate::guide::mathematics::lines) |
 
-use crate::math::Vec3;
+use crate::math::{Matrix4, Vec3};
 use crate::num::{Fraction, Scalar};
 
 /// A segment in space, given by the distances of its two ends ahead of the eye.
@@ -11,11 +20,10 @@ use crate::num::{Fraction, Scalar};
 /// segment, because 1/w and every attribute divided by w are linear on the screen.
 /// [Mathematics](crate::guide::mathematics::lines#a-segment) derives the formulas below.
 ///
-/// Use a segment for preparation, tests and learning; drawing computes the same numbers in a faster way. Fractions run
-/// from 0 at the start to 1 at the end. Results are rounded to nearest, half away from zero.
+/// Fractions run from 0 at the start to 1 at the end. Results are rounded to nearest, half away from zero.
 ///
 /// ```
-/// use fixel::view::Segment;
+/// use fixel::textbook::Segment;
 /// use fixel::{fx, Fraction};
 /// let segment = Segment::new(fx!(1), fx!(4)).unwrap();
 /// let half = Fraction::ONE / 2;
@@ -116,7 +124,7 @@ impl Segment {
 /// if the point is not ahead of the eye at time t, or if a component is out of range.
 ///
 /// ```
-/// use fixel::view::speed;
+/// use fixel::textbook::speed;
 /// use fixel::{fx, vec3, Vec3};
 /// // A train on a track below the eye, on its way into the distance.
 /// let (track, ahead) = (vec3!(0, -1, -1), -Vec3::Z);
@@ -138,6 +146,30 @@ pub fn speed(near: Scalar, point: Vec3, velocity: Vec3, t: Scalar) -> Option<[Sc
         divide(top << 32, z * z).map(Scalar::from_bits)
     };
     Some([part(point.x, velocity.x)?, part(point.y, velocity.y)?])
+}
+
+/// Returns the perspective transform onto the near plane, which maps (x, y, z) to (−n·x/z, −n·y/z, −(n + f) − n·f/z),
+/// with n = `near` and f = `far`.
+///
+/// The transform maps a frustum to a box as wide and high as the frustum's window on the near plane; the near and far
+/// planes stay at −n and −f. Scaling and moving that box to ±1 completes the frustum's matrix. The product n·f is
+/// rounded to nearest; the product and the sum n + f saturate.
+///
+/// ```
+/// use fixel::textbook::perspective_transform;
+/// use fixel::{fx, vec3};
+/// let transform = perspective_transform(fx!(2), fx!(10));
+/// assert_eq!(transform.project(vec3!(1, 1, -5)), Some(vec3!(0.4, 0.4, -8))); // 12 − 20/5
+/// ```
+#[must_use]
+pub fn perspective_transform(near: Scalar, far: Scalar) -> Matrix4 {
+    let (zero, one) = (Scalar::ZERO, Scalar::ONE);
+    Matrix4::new([
+        [near, zero, zero, zero],
+        [zero, near, zero, zero],
+        [zero, zero, near + far, near * far],
+        [zero, zero, -one, zero],
+    ])
 }
 
 #[cfg(test)]

@@ -3,8 +3,7 @@
 use core::ops::Mul;
 
 use super::Vec3;
-use crate::num::Scalar;
-use crate::num::{block, number::multiply};
+use crate::num::{Scalar, block};
 
 /// A 4×4 matrix of [`Scalar`]s by rows, for column vectors.
 ///
@@ -63,28 +62,6 @@ impl Matrix4 {
             [O, factors.y, O, O],
             [O, O, factors.z, O],
             [O, O, O, I],
-        ])
-    }
-
-    /// Makes the perspective transform onto the near plane, which maps (x, y, z) to (−n·x/z, −n·y/z, −(n + f) − n·f/z),
-    /// with n = `near` and f = `far`.
-    ///
-    /// The transform maps a frustum to a box as wide and high as the frustum's window on the near plane; the near and
-    /// far planes stay at −n and −f. Scaling and moving that box to ±1 completes the frustum's matrix. The product n·f
-    /// is rounded to nearest; the product and the sum n + f saturate.
-    #[must_use]
-    pub const fn perspective_transform(near: Scalar, far: Scalar) -> Self {
-        let product = multiply(near.to_bits(), far.to_bits(), 16);
-        Self::new([
-            [near, O, O, O],
-            [O, near, O, O],
-            [
-                O,
-                O,
-                Scalar::from_bits(near.to_bits().saturating_add(far.to_bits())),
-                Scalar::from_bits(product),
-            ],
-            [O, O, Scalar::from_bits(-I.to_bits()), O],
         ])
     }
 

@@ -192,16 +192,7 @@ impl Angle {
         Self::nearest(radians.into(), core::f64::consts::TAU)
     }
 
-    /// Makes an angle from a float in turns, rounded to the nearest unit. Whole turns are dropped.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::NotFinite`] if `turns` is infinite or not a number.
-    pub fn try_from_turns(turns: impl Into<f64>) -> Result<Self, Error> {
-        Self::nearest(turns.into(), 1.0)
-    }
-
-    const fn nearest(value: f64, turn: f64) -> Result<Self, Error> {
+    pub(super) const fn nearest(value: f64, turn: f64) -> Result<Self, Error> {
         if !value.is_finite() {
             return Err(Error::NotFinite);
         }

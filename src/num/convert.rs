@@ -129,7 +129,7 @@ mod tests {
                 for value in [value, -value] {
                     let found = Scalar::try_from(value / 65_536.0).unwrap();
                     assert_eq!(i64::from(found.to_bits()), nearest_of(value));
-                    let found = Angle::try_from_turns(value / 4_294_967_296.0).unwrap();
+                    let found = Angle::nearest(value, 4_294_967_296.0).unwrap();
                     assert_eq!(i64::from(found.to_bits().cast_signed()), nearest_of(value));
                 }
             }

@@ -6,14 +6,14 @@
 //! | texture coordinates | [`TexCoord`] (`I12F20` repeats) | ±2048 | 9.5e-7 |
 //! | sine, cosine, unit vectors, parts of a whole | [`Fraction`] (`I2F30`) | ±2 | 9.3e-10 |
 //! | angle | `u32` fraction of a turn ([`Angle`]) | one turn, wraps | 8.4e-8 degrees |
-//! | speed of rotation | `i64` thousandths of a turn per minute ([`Rate`]) | ±2.1 billion turns per minute or per second; ±2.1 million from thousandths | 1/1000 turn per minute |
+//! | speed of rotation | `i64` thousandths of a turn per minute ([`Rate`]) | ±2.1 billion turns per minute or per second; ±2.1 million per second from thousandths | 1 turn per minute, or 1/1000 turn per second |
 //! | time | `u64` milliseconds | 584 million years | 1 ms |
 //! | transform, projection | 30 bits and a sign, with a shared exponent ([`Transform`](crate::Transform)) | ±2^62 | 2^-30 of the largest |
 //! | clip space | `i64` with a binary point per draw call | every [`Scalar`] under every transform | 2^-16 of a model's unit or finer |
 //! | screen | [`Subpixel`] (`I24F8` pixels) | 2048 around the viewport's center; triangles are clipped beyond | 1/256 pixel |
 //! | 1/w, or depth under a parallel projection | `u32`, 31 bits at the nearest corner of a primitive | 2^19 to 1 in a primitive | 2^-31 of the largest |
 //! | attribute/w | `i32`, scaled in the same way | at most half of 1/w | 2^-30 of the attribute's largest value |
-//! | reciprocal of 1/w | 31 bits ([`reciprocal`]) | | exact, rounded down |
+//! | reciprocal of 1/w | 31 bits | | exact, rounded down |
 //! | stored depth | `u16`, floor(65535 · near / w) | 65535 at the near plane, 0 infinitely far | 1/65535 of near/w |
 //! | stored depth in [floating point](crate::canvas::FloatDepth) | `u16`: 4 bits of exponent, 12 of mantissa | 65535 at the near plane, 0 from 65,536 times as far | 2^-12 of the distance |
 //! | stored depth over a [wider range](crate::canvas::WideFloatDepth) | `u16`: 5 bits of exponent, 11 of mantissa | 65535 at the near plane, 0 from 2^32 times as far | 2^-11 of the distance |
@@ -63,8 +63,7 @@ pub use crate::message::checked;
 pub use angle::Angle;
 pub(crate) use log2::log2;
 pub use number::{Fraction, Scalar, Subpixel, TexCoord};
-pub use reciprocal::reciprocal;
-pub(crate) use reciprocal::short_reciprocal;
+pub(crate) use reciprocal::{reciprocal, short_reciprocal};
 pub use time::{Rate, Spin};
 
 #[cfg(test)]

@@ -8,14 +8,8 @@ use crate::num::wide::{DIVIDES, IS_WIDE, product, unsigned_product};
 /// take the first 17 bits from a 32-bit divider or, without one, from a table of 32 bytes and two short Newton steps;
 /// one more Newton step doubles the number of correct bits, and the remainder corrects the last bit. For any other `q`
 /// the result has no meaning, but there is no panic.
-///
-/// ```
-/// use fixel::num::reciprocal;
-/// assert_eq!(reciprocal(3 << 29), 0x5555_5555); // 2^61 / (3 · 2^29)
-/// ```
 #[inline]
-#[must_use]
-pub const fn reciprocal(q: u32) -> u32 {
+pub(crate) const fn reciprocal(q: u32) -> u32 {
     if IS_WIDE {
         by_division(q)
     } else if DIVIDES {

@@ -29,18 +29,6 @@ impl Rate {
         Self(turns as i64 * 1_000)
     }
 
-    /// Makes a rate from thousandths of a turn per minute.
-    ///
-    /// ```
-    /// use fixel::{Angle, Rate};
-    /// // A record player: 33⅓ turns per minute, with a relative error of 1e-5.
-    /// assert_eq!(Rate::milli_rpm(33_333).angle_at(60_000_000), Angle::ZERO);
-    /// ```
-    #[must_use]
-    pub const fn milli_rpm(thousandths: i32) -> Self {
-        Self(thousandths as i64)
-    }
-
     /// Makes a rate from turns per second.
     #[must_use]
     pub const fn hertz(turns: i32) -> Self {
@@ -173,7 +161,7 @@ mod tests {
     #[test]
     fn units_of_rates_agree() {
         assert_eq!(Rate::rpm(60), Rate::hertz(1));
-        assert_eq!(Rate::milli_rpm(60_000), Rate::millihertz(1_000));
+        assert_eq!(Rate::hertz(1), Rate::millihertz(1_000));
         assert_eq!(Rate::rpm(1).angle_at(15_000), Angle::QUARTER);
         assert_eq!(Rate::rpm(-1).angle_at(15_000), -Angle::QUARTER);
         assert_eq!(Rate::hertz(i32::MIN).angle_at(u64::MAX).to_bits(), {
@@ -187,7 +175,7 @@ mod tests {
         cases(256, |random| {
             let (milli, ms) = random.random();
             assert_eq!(
-                Rate::milli_rpm(milli).angle_at(ms).to_bits(),
+                Rate(i64::from(milli)).angle_at(ms).to_bits(),
                 exact(milli, ms)
             );
         });
@@ -196,7 +184,7 @@ mod tests {
     #[test]
     fn frames_do_not_drift() {
         cases(256, |random| {
-            let rate = Rate::milli_rpm(random.random());
+            let rate = Rate(random.random::<i32>().into());
             let frames = list(random, 0..200, |random| {
                 if random.random() {
                     random.random_range(0..100)

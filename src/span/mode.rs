@@ -115,7 +115,7 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
     is_gentle.then(|| most.leading_zeros().wrapping_sub(1) & 31)
 }
 
-/// Perspective-correct, with the exact [`reciprocal`](crate::num::reciprocal) of 1/w at every pixel.
+/// Perspective-correct, with the reciprocal of 1/w, exact to 31 bits, at every pixel.
 ///
 /// No pixel depends on the pixels before it. A varying is computed from the span's interpolants (1/w, and the varyings
 /// divided by w), and rounded down to its unit; the reciprocal adds a relative error below 2⁻³⁰. If a triangle's

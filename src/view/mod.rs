@@ -6,7 +6,6 @@ mod aspect;
 mod camera;
 mod mvp;
 mod projection;
-mod segment;
 mod viewport;
 mod window;
 
@@ -14,7 +13,6 @@ pub use aspect::Aspect;
 pub use camera::Camera;
 pub use mvp::{AsMvp, Mvp};
 pub use projection::{Parallel, Perspective, Projection, ProjectionKind};
-pub use segment::{Segment, speed};
 pub use viewport::Viewport;
 pub use window::Window;
 

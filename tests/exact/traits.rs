@@ -15,14 +15,13 @@ use fixel::math::Direction;
 use fixel::mesh::{Bounds, Buffers, Counts, Keyframes, Missing, Part, Positions, Shape};
 use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
-use fixel::shade::{
-    Colored, ExponentialFog, Falloff, Illumination, InFog, Shiny, SurfacePoint, TwoSided,
-};
+use fixel::shade::{Colored, ExponentialFog, Illumination, InFog, Shiny, SurfacePoint, TwoSided};
 use fixel::shade::{Converted, FaceLit, Lit, Map, PartColors, PerFace, Texels, Tinted};
 use fixel::shade::{Gradient, Masked, Mipmapped, Tolerance, Translucent, Within};
+use fixel::textbook::Segment;
 use fixel::texture::{Argb1555, Argb4444, Indexed, Mipmap, OrHole, Raw, Trilinear};
 use fixel::texture::{Bilinear, CutOut, Nearest};
-use fixel::view::{Aspect, Parallel, Perspective, Segment};
+use fixel::view::{Aspect, Parallel, Perspective};
 use fixel::{Hit, Index, Matrix4, Prepared, ScreenPoint, Spin};
 
 const fn any<T: Debug + Send + Sync + Unpin>() {}
@@ -48,7 +47,7 @@ all!(value: Affine Compact Exact Fast Newton Cull DrawOptions DrawOptions<Fast, 
 all!(value: Hit Ray);
 all!(value: Flat<Rgb565> Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> Fragment Light);
 all!(value: Converted<Flat<Rgb565>, Rgb565> FaceLit<Flat<Rgb565>> Lit<Flat<Rgb565>> Tinted<Flat<Rgb565>>);
-all!(value: Colored<Light> Falloff Illumination PointLight Shiny<Light> SpotLight SurfacePoint TwoSided<Light> Viewer);
+all!(value: Colored<Light> Illumination PointLight Shiny<Light> SpotLight SurfacePoint TwoSided<Light> Viewer);
 all!(value: Fog<Rgb565> Fog<Rgb565, ExponentialFog> InFog<Flat<Rgb565>, Rgb565>);
 all!(value: Textured<Texture<'static, Rgb565>> FaceColors<'static, Rgb565>);
 all!(value: Mipmap<'static, Rgb565> Mipmapped Trilinear);
@@ -65,7 +64,7 @@ all!(any: Label<'static, Canvas<'static, Rgb565>>);
 all!(any: Canvas<'static, Rgb565, BigEndian> Canvas<'static, Rgb565, LittleEndian, LinearDepth>);
 all!(any: Buffers<'static> ErrorDiffusion<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, LinearDepth>);
 
-all!(default: Falloff Affine Compact Exact Newton TestAndWrite TestOnly WriteOnly NoTest LineStyle PointStyle);
+all!(default: Affine Compact Exact Newton TestAndWrite TestOnly WriteOnly NoTest LineStyle PointStyle);
 all!(default: Biased Biased<NoTest> Add Multiply Replace Parallel Perspective PerFace<u8> Texels Within<1, Texels>);
 all!(default: Bilinear ColorIndex Contrast Nearest Trilinear);
 all!(default: Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);

@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::{BinaryColor, IntoStorage, Rgb565, RgbColor};
 use fixel::canvas::NoDepth;
 use fixel::mode::{Mode, Newton};
 use fixel::prelude::*;
-use fixel::view::Segment;
+use fixel::textbook::Segment;
 use fixel::{Drawn, Fraction};
 
 use super::common::lighthouse;

@@ -51,7 +51,7 @@
 //! The rails have the direction −z. The sleepers are parallel to x and stay level.
 //!
 //! ```
-//! use fixel::{fx, vec3, view::speed};
+//! use fixel::{fx, textbook::speed, vec3};
 //!
 //! // A train on these rails: at four times the distance, a sixteenth of the speed.
 //! let (track, ahead) = (vec3!(0, -1, -1), vec3!(0, 0, -1));
@@ -130,10 +130,10 @@
 //!
 #![doc = formula!({g = frac(f)(fun lerp (w[1] / w[0], 1, f))} {a = fun lerp (a[0], a[1], g)})]
 //!
-//! [`Segment`](crate::view::Segment) computes all of these values:
+//! [`Segment`](crate::textbook::Segment) computes all of these values:
 //!
 //! ```
-//! use fixel::{Fraction, fx, view::Segment};
+//! use fixel::{Fraction, fx, textbook::Segment};
 //!
 //! let segment = Segment::new(fx!(1), fx!(4)).unwrap();
 //! let (half, fifth) = (Fraction::ONE / 2, Fraction::ONE / 5);

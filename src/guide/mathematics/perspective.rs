@@ -123,9 +123,9 @@
 //! the first number, because the last row of *P* has −1 in the third column. The results are *A* and *B*.
 //!
 //! ```
-//! use fixel::{Matrix4, prelude::*};
+//! use fixel::{Matrix4, prelude::*, textbook::perspective_transform};
 //!
-//! let inner = Matrix4::perspective_transform(fx!(2), fx!(10));
+//! let inner = perspective_transform(fx!(2), fx!(10));
 //! assert_eq!(inner.project(vec3!(1, 1, -5)), Some(vec3!(0.4, 0.4, -8))); // 12 − 20/5
 //! for z in [-2, -10] {
 //!     let depth = inner.project(Vec3::from_ints(0, 0, z)).unwrap().z;

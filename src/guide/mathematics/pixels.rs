@@ -97,12 +97,10 @@
 //! has an error of about 2δ², and the step reduces the error to 4δ⁴.
 //!
 //! ```
-//! use fixel::num::reciprocal;
-//!
 //! // 1/w at two pixels; δ is 1/64. Reciprocals are in units of 2⁻⁶¹.
-//! let (last, q) = (3 << 29, (3 << 29) + (3 << 23));
+//! let (last, q) = (3_u32 << 29, (3_u32 << 29) + (3 << 23));
 //! let error = |r: f64| 1.0 - f64::from(q) * r / 2_f64.powi(61);
-//! let guess = f64::from(reciprocal(last));
+//! let guess = (2_f64.powi(61) / f64::from(last)).floor();
 //! let step = guess * (1.0 + error(guess));
 //! assert!((error(guess) + 1.0 / 64.0).abs() < 1e-9);
 //! assert!((error(step) - 1.0 / 4096.0).abs() < 1e-9);
@@ -123,7 +121,7 @@
 #![doc = include_str!("../diagrams/pieces.svg")]
 //!
 //! ```
-//! use fixel::{Fraction, fx, view::Segment};
+//! use fixel::{Fraction, fx, textbook::Segment};
 //!
 //! // A wall from distance 1 to 2 shows 256 texels on 320 pixels. The last 16 pixels are one piece.
 //! let wall = Segment::new(fx!(1), fx!(2)).unwrap();

@@ -5,6 +5,7 @@ use core::f64::consts::TAU;
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::Matrix4;
 use fixel::prelude::*;
+use fixel::textbook::perspective_transform;
 use fixel::view::{Parallel, Perspective};
 use rand::Rng;
 
@@ -149,7 +150,7 @@ fn a_frustums_matrix_is_a_product() {
 
         // The box behind the window, with z from −n to −f, is scaled and then moved to ±1.
         let [l, r, b, t, n, f] = edges;
-        let perspective = Matrix4::perspective_transform(near, far);
+        let perspective = perspective_transform(near, far);
         let scale = Matrix4::scale(vec(2.0 / (r - l), 2.0 / (t - b), -2.0 / (f - n)));
         let middle = vec(-(r + l) / (r - l), -(t + b) / (t - b), -(f + n) / (f - n));
         let middle = Matrix4::translate(middle);
@@ -164,7 +165,7 @@ fn depths_of_the_perspective_transform_follow_their_formula() {
     let (n, f) = (2.0, 10.0);
     // In the formula, z is positive ahead of the eye. In the transform, z and the depth are negative there.
     let depth = |z: f64| {
-        let matrix = Matrix4::perspective_transform(number(n), number(f));
+        let matrix = perspective_transform(number(n), number(f));
         -float(matrix.project(vec(0.0, 0.0, -z)).unwrap().z)
     };
     close(depth(n), n, 0.0);

@@ -1,7 +1,7 @@
 //! Depth, fractions, values and speed along a projected segment.
 
 use fixel::prelude::*;
-use fixel::view::{Segment, speed};
+use fixel::textbook::{Segment, speed};
 use rand::Rng;
 
 use support::moves::{exact, number, rounded};
