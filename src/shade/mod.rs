@@ -60,8 +60,8 @@ pub use gradient::Gradient;
 pub use lanes::Lanes;
 pub(crate) use lanes::MOST as MOST_VARYINGS;
 pub use light::{
-    Colored, Falloff, Illumination, Lamp, Light, Lighting, PointLight, Shiny, SpotLight,
-    SurfacePoint, TwoSided, Viewer,
+    Colored, Illumination, Lamp, Light, Lighting, PointLight, Shiny, SpotLight, SurfacePoint,
+    TwoSided, Viewer,
 };
 #[doc(hidden)]
 pub use lit::{ByFace, ByVertex, FaceLit, Lit};

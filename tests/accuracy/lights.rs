@@ -5,13 +5,13 @@ use std::array;
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
 use fixel::math::Direction;
 use fixel::prelude::*;
-use fixel::shade::{Channels as _, Falloff, SurfacePoint};
+use fixel::shade::{Channels as _, SurfacePoint};
 use rand::Rng;
 use rand::seq::IndexedRandom;
 
 use support::random::{Random, cases};
 use support::recorder::record;
-use support::reference::light::{self, Point, Source};
+use support::reference::light::{Point, Source};
 use support::reference::linear::{self, dot, length, normalized, subtract};
 
 const UNIT: f64 = 65_536.;
@@ -25,22 +25,14 @@ const HALF_STEP: f64 = UNIT / 510.;
 /// two vectors by up to √3 · 2^-14, which is 1.06e-4. The reciprocal root adds 2.3e-4, so the cosine has an error of
 /// 4.4e-4.
 ///
-/// A smooth falloff uses s, the square of the distance divided by the range. The truncated vector adds an error of
+/// The falloff uses s, the square of the distance divided by the range. The truncated vector adds an error of
 /// 2.1e-4 to s, and the 13 bits of the square and of the reciprocal add 1.85e-4. Both errors are relative to s. The
 /// formula (1 - s)² turns their sum of 4e-4 into an error of at most half as much. Two factors of 15 bits add 6.1e-5.
 /// The product of these factors with the brightness keeps 14 bits, and adds 6.1e-5.
 ///
-/// A linear falloff uses the length of the truncated vector, which has an error of 1.06e-4. The square of the length
-/// loses 6.1e-5, the reciprocal of the range 6.1e-5, and two products and the result 9.1e-5. The error of the root
-/// counts once, because it changes the cosine and the light in opposite directions.
-///
 /// The light keeps 13 bits, which adds 1.22e-4. The rounding of the brightness adds 1.5e-5, and the rounding of the
-/// result 1.5e-5. The total is 9.2e-4 for a smooth falloff and 9.2e-4 for a linear falloff: 60 units.
+/// result 1.5e-5. The total is 9.2e-4: 60 units.
 const LAMP_ERROR: f64 = 60.;
-
-/// The largest distance between the place where a lamp's light ends and the lamp's range, as a fraction of the range:
-/// half the error of the square, which is 4e-4, and half of the four units of light that a lamp leaves out.
-const RANGE_ERROR: f64 = 1. / 4000.;
 
 fn f64s(v: Vec3) -> [f64; 3] {
     v.to_bits().map(|bits| f64::from(bits) / UNIT)
@@ -70,15 +62,6 @@ fn surface(normal: Vec3, position: Vec3) -> Option<(SurfacePoint, Point)> {
         position,
     };
     (normal != Direction::NONE).then_some((found, point))
-}
-
-/// A random falloff, for the crate and for the model.
-fn falloff(random: &mut Random) -> (Falloff, light::Falloff) {
-    match random.random_range(0..3) {
-        0 => (Falloff::Smooth, light::Falloff::Smooth),
-        1 => (Falloff::Linear, light::Falloff::Linear),
-        _ => (Falloff::Constant, light::Falloff::Constant),
-    }
 }
 
 fn diffuse(light: &impl Lighting, point: &SurfacePoint) -> f64 {
@@ -113,12 +96,9 @@ fn lamps_follow_lambert_and_their_falloff() {
             let (normal, position, way) = (vector(random), vector(random), vector(random));
             let reach = random.random_range(0.2..30.);
             let brightness = scalar(random, 0., 1.);
-            let (falloff, model) = falloff(random);
             let range =
                 Scalar::try_from((length(f64s(way)) * reach).max(1. / 256.)).unwrap_or(Scalar::MAX);
-            let lamp = PointLight::new(position + way, brightness, range)
-                .unwrap()
-                .with_falloff(falloff);
+            let lamp = PointLight::new(position + way, brightness, range).unwrap();
             if way == Vec3::ZERO {
                 continue;
             }
@@ -129,14 +109,8 @@ fn lamps_follow_lambert_and_their_falloff() {
                 at: f64s(position + way),
                 brightness: f64::from(brightness),
                 range: f64::from(range),
-                falloff: model,
                 cone: None,
             };
-            // Skip points near the lamp's range, because a constant light ends abruptly there.
-            let part = length(subtract(f64s(position + way), exact.at)) / f64::from(range);
-            if (part - 1.).abs() <= RANGE_ERROR {
-                continue;
-            }
             compare_diffuse(&lamp, &source, (&point, exact), LAMP_ERROR);
             break;
         }
@@ -160,10 +134,7 @@ fn lamps_light_nothing_beyond_the_longest_range() {
                 random.random_range(i32::MAX / 4..=i32::MAX)
             };
             let range = Scalar::from_bits(range);
-            let (falloff, model) = falloff(random);
-            let lamp = PointLight::new(at, fx!(1), range)
-                .unwrap()
-                .with_falloff(falloff);
+            let lamp = PointLight::new(at, fx!(1), range).unwrap();
             // Most normals point roughly at the lamp.
             let way = subtract(f64s(at), f64s(position));
             let toward: [f64; 3] = array::from_fn(|i| way[i] / length(way).max(1.) * 20.);
@@ -175,12 +146,8 @@ fn lamps_light_nothing_beyond_the_longest_range() {
                 at: f64s(at),
                 brightness: 1.,
                 range: f64::from(range),
-                falloff: model,
                 cone: None,
             };
-            if (length(way) / f64::from(range) - 1.).abs() <= RANGE_ERROR {
-                continue;
-            }
             compare_diffuse(&lamp, &source, (&point, exact), LAMP_ERROR);
             break;
         }
@@ -224,7 +191,6 @@ fn spots_end_softly() {
                 at: f64s(lamp),
                 brightness: f64::from(brightness),
                 range: f64::from(range),
-                falloff: light::Falloff::Smooth,
                 cone: Some((f64s(axis), cosines)),
             };
             let edge = 1.5 * UNIT * 8. / 2_f64.powi(30) / (cosines[0] - cosines[1]);
@@ -398,7 +364,6 @@ fn corners_and_faces_are_lit_in_world_space() {
                     at: f64s(lamp),
                     brightness: 0.5,
                     range: 6.,
-                    falloff: light::Falloff::Smooth,
                     cone: None,
                 }
                 .diffuse(point);

@@ -4,7 +4,7 @@ use arbitrary::{Result, Unstructured};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888, RgbColor};
 use fixel::mesh::{Material, Part};
 use fixel::prelude::*;
-use fixel::shade::{Falloff, Gradient, Mipmapped, Output, PartColors, Translucent};
+use fixel::shade::{Gradient, Mipmapped, Output, PartColors, Translucent};
 use fixel::texture::{Argb1555, Argb4444, Indexed, Mipmap, Nearest};
 
 use super::numbers::{option, scalar, vector};
@@ -93,11 +93,10 @@ impl Shine {
             Angle::from_bits(ambient.to_bits().cast_unsigned() << 13),
             deg!(75),
         );
-        let spot = SpotLight::new(direction, -direction, cone, diffuse, range)?;
         Ok(Lights {
             sun,
             lamp,
-            spot: spot.with_falloff(Falloff::Linear),
+            spot: SpotLight::new(direction, -direction, cone, diffuse, range)?,
             exponent,
         })
     }

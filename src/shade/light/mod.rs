@@ -17,7 +17,7 @@ pub use adapters::{Colored, Shiny, TwoSided};
 pub use illumination::Illumination;
 pub(super) use illumination::Packed;
 pub use lamp::Lamp;
-pub use point::{Falloff, PointLight};
+pub use point::PointLight;
 pub use spot::SpotLight;
 pub use sun::Light;
 pub use viewer::Viewer;
@@ -247,15 +247,14 @@ mod tests {
             position: Vec3::ZERO,
         };
         let sun = |diffuse| Light::new(Vec3::Y, fx!(0.125), diffuse).unwrap();
-        let lamp = PointLight::new(vec3!(0, 4, 0), fx!(0.5), fx!(8)).unwrap();
-        let linear = lamp.with_falloff(Falloff::Linear);
+        let near = PointLight::new(vec3!(0, 4, 0), fx!(0.5), fx!(8)).unwrap();
         let (quarter, three) = (sun(fx!(0.25)), [sun(fx!(0.25)), sun(fx!(0.5)), sun(fx!(0))]);
         let none: [Light; 0] = [];
         let diffuse = |light: Illumination| light.diffuse;
-        let lamp = diffuse(linear.at(&point));
-        // The brightness is half of a half, with an error of at most 8e-4.
-        assert!(lamp.abs_diff(16_384) <= 52, "{lamp}");
-        assert_eq!(diffuse((quarter, linear).at(&point)), 24_576 + lamp);
+        let lamp = diffuse(near.at(&point));
+        // The brightness is (1 − ¼)² of a half, with an error of at most 9.2e-4.
+        assert!(lamp.abs_diff(18_432) <= 60, "{lamp}");
+        assert_eq!(diffuse((quarter, near).at(&point)), 24_576 + lamp);
         assert_eq!(diffuse(three.at(&point)), 3 * 8_192 + 49_152);
         assert_eq!(diffuse((&three[1..]).at(&point)), 2 * 8_192 + 32_768);
         assert_eq!(diffuse(none.at(&point)), 0);
@@ -308,13 +307,10 @@ mod tests {
                 })
             );
         }
-        let spot = |axis, inner, outer| {
-            SpotLight::new(Vec3::ZERO, axis, (inner, outer), fx!(1), fx!(1))
-                .map(|spot| spot.with_falloff(Falloff::Linear))
-        };
+        let spot =
+            |axis, inner, outer| SpotLight::new(Vec3::ZERO, axis, (inner, outer), fx!(1), fx!(1));
         let degrees = Angle::from_degrees;
-        let widest = spot(Vec3::X, degrees(0), degrees(90));
-        assert!(widest.is_ok_and(|spot| spot.with_falloff(Falloff::Smooth) != spot));
+        assert!(spot(Vec3::X, degrees(0), degrees(90)).is_ok());
         assert_eq!(
             spot(Vec3::ZERO, degrees(0), degrees(9)),
             Err(Error::ZeroDirection)

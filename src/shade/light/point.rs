@@ -4,38 +4,17 @@ use super::{Illumination, Lamp, Lighting, SurfacePoint, brightness};
 use crate::error::{Error, check_extent, ok};
 use crate::math::{Direction, Vec3};
 use crate::num::rsqrt::{measure, short_root};
-use crate::num::wide::{cold, times_half};
+use crate::num::wide::times_half;
 use crate::num::{Scalar, reciprocal};
-
-/// How the light of a lamp falls off with the distance d, up to the lamp's range r.
-///
-/// ```
-/// use fixel::prelude::*;
-/// use fixel::shade::{Falloff, PointLight};
-/// let lamp = PointLight::new(Vec3::ZERO, fx!(1), fx!(8))?;
-/// assert_eq!(lamp.falloff, Falloff::Smooth);
-/// # Ok::<(), Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum Falloff {
-    /// (1 − d²/r²)²: bright around the lamp, and without a visible edge at the range. This is the default.
-    #[default]
-    Smooth,
-    /// 1 − d/r.
-    Linear,
-    /// 1 within the range, 0 beyond it. The range is accurate to 1/4000.
-    Constant,
-}
 
 /// White light from a point in world space, up to a range.
 ///
 #[cfg_attr(doc, doc = page_picture!("point_light", "A floor and a ball beside a lamp"))]
-/// A surface with unit normal n at the distance d has the brightness b · f(d) · max(0, n·l): b is the lamp's
-/// brightness, f is its [`Falloff`], and l is the unit vector toward the lamp. The error is at most 9.2e-4, a quarter
-/// of a step of an 8-bit channel. Very near the lamp, the direction is less accurate because positions are in steps of
-/// 2⁻¹⁶; at the lamp itself, the brightness is 0.
+/// A surface with unit normal n at the distance d has the brightness b · (1 − d²/r²)² · max(0, n·l): b is the lamp's
+/// brightness, r is its range, and l is the unit vector toward the lamp. So the light is bright around the lamp, and
+/// has no visible edge at the range. The error is at most 9.2e-4, a quarter of a step of an 8-bit channel. Very near
+/// the lamp, the direction is less accurate because positions are in steps of 2⁻¹⁶; at the lamp itself, the brightness
+/// is 0.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -67,8 +46,6 @@ pub struct PointLight {
     /// The negative brightness in units of 2⁻¹⁵.
     short_brightness: i16,
     up: u8,
-    /// How the light decreases with distance.
-    pub falloff: Falloff,
 }
 
 impl PointLight {
@@ -93,36 +70,17 @@ impl PointLight {
             inverse_square: ((square + (square >> 14) + (1 << 15)) >> 16) as u16,
             short_brightness: (-brightness >> 1) as i16,
             up: up as u8,
-            falloff: Falloff::Smooth,
         })
     }
 
-    /// The same lamp with another falloff.
-    #[must_use]
-    pub const fn with_falloff(self, falloff: Falloff) -> Self {
-        Self { falloff, ..self }
-    }
-
-    /// The light at a distance of `part` times the range; `square` is the square of `part`. All three numbers are in
-    /// units of 2⁻¹⁶.
+    /// The light at a distance whose square, divided by the square of the range, is `square`. Both numbers are in units
+    /// of 2⁻¹⁶.
     #[inline]
-    fn light(&self, square: u32, part: impl FnOnce() -> u32) -> u32 {
-        let Some(rest) = FULL.checked_sub(square) else {
-            return 0;
-        };
-        let left = match self.falloff {
-            Falloff::Smooth => times(rest, rest),
-            Falloff::Linear => FULL.saturating_sub(part()),
-            Falloff::Constant if rest > SATURATED.cast_unsigned() => FULL,
-            Falloff::Constant => 0,
-        };
-        times(self.brightness, left)
+    fn light(&self, square: u32) -> u32 {
+        let rest = FULL.saturating_sub(square);
+        times(self.brightness, times(rest, rest))
     }
 }
-
-/// The greatest value of 1 − d²/r², in units of 2⁻¹⁶, if a component of the distance saturates. A saturated component
-/// counts as at least (1 − 2⁻¹⁵) · r, even if r is the longest possible range.
-const SATURATED: i32 = 4;
 
 /// Full brightness, in units of 2⁻¹⁶.
 const FULL: u32 = super::FULL.cast_unsigned();
@@ -154,13 +112,14 @@ impl Lamp for PointLight {
         let square = (part * part) >> 16;
         (
             Direction::from_bits(of.unit()),
-            self.light(square as u32, || part as u32).cast_signed(),
+            self.light(square as u32).cast_signed(),
         )
     }
 
     /// Uses only products that take one instruction on Cortex-M4; tests/accuracy/lights.rs derives the error.
     fn diffuse(&self, point: &SurfacePoint) -> i32 {
-        // A difference may saturate, but no range reaches so far: see `SATURATED`.
+        // A difference may saturate. It then counts as at least 1 − 2^-15 of the longest range, where (1 − d²/r²)² is at
+        // most 2^-28, and the light is 0.
         let [x, y, z] = (point.position - self.position).to_bits();
         // A bit of the result is set where a bit and its lower neighbor differ. So the leading zeros of the result are
         // the bits that only repeat the sign.
@@ -187,30 +146,12 @@ impl Lamp for PointLight {
         let share = (square >> 15) * u32::from(self.inverse_square);
         let rest = ((1 << 27) - (share >> shorter >> shorter).cast_signed()).max(0);
         let brightness = i32::from(self.short_brightness);
-        let light = if self.falloff == Falloff::Smooth {
-            // `rest` is now in units of 2^-15. As an `i16`, 1 wraps to −1, which has the same square.
-            let rest = i32::from((rest >> 12) as i16);
-            ((rest * brightness) >> 16) * rest
-        } else {
-            cold();
-            let left = if self.falloff == Falloff::Linear {
-                // `distance` is 2√`square` and has 17 bits; the upper half of `inverse` has 15 bits.
-                let distance = ((square >> 14) * (root >> 16).cast_unsigned()) >> 14;
-                let part = (distance * (self.inverse >> 16)) >> 15 >> shorter;
-                (MOST - part.cast_signed()).max(0)
-            } else if rest > SATURATED << 11 {
-                MOST
-            } else {
-                0
-            };
-            (left * brightness) >> 1
-        };
+        // `rest` is now in units of 2^-15. As an `i16`, 1 wraps to −1, which has the same square.
+        let rest = i32::from((rest >> 12) as i16);
+        let light = ((rest * brightness) >> 16) * rest;
         times_half(cosine, light >> 16) >> 8
     }
 }
-
-/// The number 1 in units of 2⁻¹⁵, less one unit.
-const MOST: i32 = (1 << 15) - 1;
 
 /// The product of numbers from 0 to 1 in units of 2⁻¹⁶.
 #[inline]

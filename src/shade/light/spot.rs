@@ -1,7 +1,7 @@
 //! Light in a cone.
 
 use super::adapters::share;
-use super::{Falloff, Illumination, Lamp, Lighting, PointLight, SurfacePoint};
+use super::{Illumination, Lamp, Lighting, PointLight, SurfacePoint};
 use crate::error::Error;
 use crate::math::{Direction, Vec3};
 use crate::num::{Angle, Scalar};
@@ -84,15 +84,6 @@ impl SpotLight {
             edge,
             ramp: Ramp::new(edge.into(), 16),
         })
-    }
-
-    /// The same lamp with another falloff.
-    #[must_use]
-    pub const fn with_falloff(self, falloff: Falloff) -> Self {
-        Self {
-            lamp: self.lamp.with_falloff(falloff),
-            ..self
-        }
     }
 }
 

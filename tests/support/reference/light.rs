@@ -9,25 +9,9 @@ pub struct Point {
     pub normal: Vec3,
 }
 
-/// How light decreases with `part`, the distance divided by the range.
-#[derive(Clone, Copy, Debug)]
-pub enum Falloff {
-    Smooth,
-    Linear,
-    Constant,
-}
-
-impl Falloff {
-    pub fn left(self, part: f64) -> f64 {
-        if part >= 1. {
-            return 0.;
-        }
-        match self {
-            Self::Smooth => (1. - part * part).powi(2),
-            Self::Linear => 1. - part,
-            Self::Constant => 1.,
-        }
-    }
+/// How much of a lamp's light is left at a distance of `part` times its range.
+fn left(part: f64) -> f64 {
+    (1. - part * part).max(0.).powi(2)
 }
 
 /// A light source.
@@ -41,7 +25,6 @@ pub enum Source {
         at: Vec3,
         brightness: f64,
         range: f64,
-        falloff: Falloff,
         /// For a spotlight: the axis of its cone, and the cosines of the inner and the outer angle.
         cone: Option<(Vec3, [f64; 2])>,
     },
@@ -56,7 +39,6 @@ impl Source {
                 at: lamp,
                 brightness,
                 range,
-                falloff,
                 cone,
             } => {
                 let way = subtract(lamp, at);
@@ -66,10 +48,7 @@ impl Source {
                     let t = ((cosine - outer) / (inner - outer)).clamp(0., 1.);
                     t * t * (3. - 2. * t)
                 });
-                (
-                    toward,
-                    brightness * falloff.left(length(way) / range) * part,
-                )
+                (toward, brightness * left(length(way) / range) * part)
             }
         }
     }
