@@ -101,6 +101,15 @@ pub(crate) const fn check_crease(angle: Angle) -> Result<(), Error> {
     Ok(())
 }
 
+impl Error {
+    /// A zero vector where a direction is needed.
+    pub(crate) const ZERO_DIRECTION: Self = Self::NoDirection {
+        of: "direction",
+        given: Vec3::ZERO,
+        needed: "at least one component must not be 0",
+    };
+}
+
 /// Declares [`Error`]: each variant, its message, and the values that replace the braces in the message.
 macro_rules! errors {
     ($(#[$about:meta])+ pub enum Error; $(
@@ -194,18 +203,17 @@ errors! {
         /// Largest number allowed.
         max: Scalar,
     } = "{} is {}: it must lie between {} and {}", Text(of), Scalar(given), Scalar(min), Scalar(max);
-    /// A camera with its eye at its target.
-    EyeAtTarget {
-        /// The position of the eye and of the target.
-        eye: Vec3,
-    } = "eye and target are both at ({}, {}, {}): they must differ, to give the camera a direction to look in",
-        Scalar(eye.x), Scalar(eye.y), Scalar(eye.z);
-    /// An up direction that is zero or along the line of sight.
-    UpAlongView {
-        /// The refused direction.
-        up: Vec3,
-    } = "up is ({}, {}, {}), which is zero or parallel to the line of sight: it must not be zero or along that line",
-        Scalar(up.x), Scalar(up.y), Scalar(up.z);
+    /// A vector that gives no direction where one is needed: a zero vector, an up direction along the line of sight, or
+    /// the position of an eye that equals its target.
+    NoDirection {
+        /// The name of the vector.
+        of: &'static str,
+        /// The refused vector.
+        given: Vec3,
+        /// The condition that the vector does not meet.
+        needed: &'static str,
+    } = "{} is ({}, {}, {}): {}",
+        Text(of), Scalar(given.x), Scalar(given.y), Scalar(given.z), Text(needed);
     /// A matrix with a last row that is not 0 0 0 1, where an affine transform is needed.
     NotAffine {
         /// The refused row.
@@ -347,8 +355,6 @@ errors! {
     without fields:
     /// A float that is infinite or not a number, where only finite numbers can be represented.
     NotFinite = "number is infinite or not a number: it must be finite";
-    /// A zero vector where a direction is needed.
-    ZeroDirection = "direction is (0, 0, 0): at least one component must not be 0";
     /// A zero quaternion where a rotation is needed.
     ZeroQuaternion = "quaternion is (0, 0, 0, 0): at least one component must not be 0";
 }

@@ -36,7 +36,7 @@ impl Direction {
     /// Like [`of`](Self::of), but the zero vector is an error.
     pub(crate) const fn checked(vector: Vec3) -> Result<Self, Error> {
         match Self::of(vector) {
-            Self::NONE => Err(Error::ZeroDirection),
+            Self::NONE => Err(Error::ZERO_DIRECTION),
             direction => Ok(direction),
         }
     }

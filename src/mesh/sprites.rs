@@ -206,10 +206,10 @@ impl<'a> Sprites<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::ZeroDirection`] if the axis is zero.
+    /// [`Error::NoDirection`] if the axis is zero.
     pub const fn with_axis(self, axis: Vec3) -> Result<Self, Error> {
         if let [0, 0, 0] = axis.to_bits() {
-            return Err(Error::ZeroDirection);
+            return Err(Error::ZERO_DIRECTION);
         }
         Ok(Self {
             axis: Some(axis),
@@ -445,7 +445,7 @@ mod tests {
             ));
         }
         let sprites = Sprites::new(&[Vec3::ZERO], size).unwrap();
-        assert_eq!(sprites.with_axis(Vec3::ZERO), Err(Error::ZeroDirection));
+        assert_eq!(sprites.with_axis(Vec3::ZERO), Err(Error::ZERO_DIRECTION));
         assert!(sprites.with_axis(vec3!(0, 0, 0.0001)).is_ok());
         let length = Error::Length {
             given: 2,

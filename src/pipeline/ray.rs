@@ -68,10 +68,10 @@ impl Ray {
     ///
     /// # Errors
     ///
-    /// [`Error::ZeroDirection`] if the direction is zero.
+    /// [`Error::NoDirection`] if the direction is zero.
     pub const fn new(origin: Vec3, direction: Vec3) -> Result<Self, Error> {
         if let [0, 0, 0] = direction.to_bits() {
-            return Err(Error::ZeroDirection);
+            return Err(Error::ZERO_DIRECTION);
         }
         Ok(Self {
             origin,

@@ -42,7 +42,7 @@ impl Camera {
     ///
     /// # Errors
     ///
-    /// [`Error::EyeAtTarget`] if eye and target are equal; [`Error::UpAlongView`] if `up` is zero, or so nearly
+    /// [`Error::NoDirection`] if eye and target are equal, or if `up` is zero, or so nearly
     /// parallel to the view direction that the roll would be noise. If the angle between `up` and the view direction is
     /// below 1.9e-7 radians (0.04 seconds of arc), `up` is always refused; if the angle is above 8e-6 radians, `up` is
     /// never refused.
@@ -52,7 +52,16 @@ impl Camera {
         /// is at most 2^-19 of this product.
         const PARALLEL: i64 = 1 << 39;
         let back = target.way_to(eye);
-        let k = unit::unit(back).ok_or(Error::EyeAtTarget { eye })?;
+        let k = unit::unit(back).ok_or(Error::NoDirection {
+            of: "eye",
+            given: eye,
+            needed: "it must differ from the target, to give the camera a direction to look in",
+        })?;
+        let roll = Error::NoDirection {
+            of: "up",
+            given: up,
+            needed: "it must not be zero or parallel to the line of sight",
+        };
         let mantissas = |v: [i64; 3]| {
             let mut mantissas = [0; 3];
             block::normalize(&mut mantissas, &v.map(|v| BlockFloat::new(v, 0)));
@@ -60,9 +69,9 @@ impl Camera {
         };
         let side = unit::cross(mantissas(up.to_bits().map(i64::from)), mantissas(back));
         if side.iter().all(|v| v.abs() < PARALLEL) {
-            return Err(Error::UpAlongView { up });
+            return Err(roll);
         }
-        let i = unit::unit(side).ok_or(Error::UpAlongView { up })?;
+        let i = unit::unit(side).ok_or(roll)?;
         let j = unit::cross(k, i).map(|v| (v + (1 << 29)) >> 30);
         let rotation = Transform::from_linear(&[i.map(i64::from), j, k.map(i64::from)], 30);
         Ok(Self {
@@ -206,6 +215,11 @@ mod tests {
         random.random::<[i32; 3]>().map(|v| v >> cut)
     }
 
+    /// Whether an error refuses this vector by this name.
+    fn refuses(error: Error, name: &str, vector: Vec3) -> bool {
+        matches!(error, Error::NoDirection { of, given, .. } if of == name && given == vector)
+    }
+
     #[test]
     fn look_at_is_good_to_28_bits() {
         cases(256, |random| {
@@ -218,9 +232,9 @@ mod tests {
             let back = sub(e, real(target));
             let sine = length(cross(u, back)) / (length(u) * length(back));
             match camera {
-                Err(Error::EyeAtTarget { .. }) => assert_eq!(eye, target),
+                Err(Error::NoDirection { of: "eye", .. }) => assert_eq!(eye, target),
                 Err(error) => {
-                    assert_eq!(error, Error::UpAlongView { up: above });
+                    assert!(refuses(error, "up", above), "{error}");
                     // The cross product is shorter than √3 · 2^39, and the product of the lengths is at least 2^58.
                     // Rounding adds an error.
                     assert!(up == [0; 3] || sine < 8e-6, "{sine}");
@@ -298,15 +312,14 @@ mod tests {
     #[test]
     fn useless_cameras_are_refused() {
         let (eye, target) = (Vec3::from_ints(1, 2, 3), Vec3::from_ints(4, 6, 8));
+        let error = Camera::look_at(eye, eye, Vec3::Y).unwrap_err();
         assert_eq!(
-            Camera::look_at(eye, eye, Vec3::Y),
-            Err(Error::EyeAtTarget { eye })
+            std::format!("{error}"),
+            "eye is (1, 2, 3): it must differ from the target, to give the camera a direction to look in"
         );
         for up in [Vec3::ZERO, target - eye, (eye - target) * fx!(0.3)] {
-            assert_eq!(
-                Camera::look_at(eye, target, up),
-                Err(Error::UpAlongView { up })
-            );
+            let error = Camera::look_at(eye, target, up).unwrap_err();
+            assert!(refuses(error, "up", up), "{error}");
         }
         // The angles between the vectors are 6e-8 and 1.5e-5 radians.
         let ahead = Vec3::from_bits([0, 0, -(1 << 30)]);

@@ -51,7 +51,7 @@ impl Transform {
     ///
     /// # Errors
     ///
-    /// [`Error::ZeroDirection`] if the axis is zero.
+    /// [`Error::NoDirection`] if the axis is zero.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -60,7 +60,7 @@ impl Transform {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn rotate(axis: Vec3, angle: Angle) -> Result<Self, Error> {
-        let u = unit::unit(axis.to_bits().map(i64::from)).ok_or(Error::ZeroDirection)?;
+        let u = unit::unit(axis.to_bits().map(i64::from)).ok_or(Error::ZERO_DIRECTION)?;
         let u = u.map(i64::from);
         let (sin, cos) = angle.sin_cos();
         let (s, c) = (i64::from(sin.to_bits()), i64::from(cos.to_bits()));

@@ -158,7 +158,7 @@ fn rotations_are_counter_clockwise() {
     assert_eq!(about_z, Transform::rotate_z(quarter));
     assert_eq!(
         Transform::rotate(Vec3::ZERO, quarter),
-        Err(Error::ZeroDirection)
+        Err(Error::ZERO_DIRECTION)
     );
 }
 

@@ -313,7 +313,7 @@ mod tests {
         assert!(spot(Vec3::X, degrees(0), degrees(90)).is_ok());
         assert_eq!(
             spot(Vec3::ZERO, degrees(0), degrees(9)),
-            Err(Error::ZeroDirection)
+            Err(Error::ZERO_DIRECTION)
         );
         for (inner, outer) in [(9, 9), (10, 9), (0, 91), (-1, 9)] {
             let [inner, outer] = [inner, outer].map(degrees);
@@ -325,6 +325,6 @@ mod tests {
         let sun = Light::new(Vec3::X, fx!(0), fx!(1)).unwrap();
         let viewer = Viewer::at(Vec3::Z);
         assert_eq!(sun.shiny(viewer, 3, value), Err(too_bright));
-        assert_eq!(Viewer::toward(Vec3::ZERO), Err(Error::ZeroDirection));
+        assert_eq!(Viewer::toward(Vec3::ZERO), Err(Error::ZERO_DIRECTION));
     }
 }

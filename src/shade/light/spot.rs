@@ -60,7 +60,7 @@ impl SpotLight {
     ///
     /// # Errors
     ///
-    /// The errors of [`PointLight::new`]; [`Error::ZeroDirection`] if `axis` is zero; [`Error::Cone`] unless 0 ≤ inner
+    /// The errors of [`PointLight::new`]; [`Error::NoDirection`] if `axis` is zero; [`Error::Cone`] unless 0 ≤ inner
     /// < outer ≤ 90 degrees.
     pub fn new(
         position: Vec3,

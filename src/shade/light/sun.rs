@@ -54,7 +54,7 @@ impl Light {
     ///
     /// # Errors
     ///
-    /// [`Error::ZeroDirection`] if `direction` is zero; [`Error::OutOfRange`] if `ambient` or `diffuse` is not
+    /// [`Error::NoDirection`] if `direction` is zero; [`Error::OutOfRange`] if `ambient` or `diffuse` is not
     /// between 0 and 1.
     pub const fn new(direction: Vec3, ambient: Scalar, diffuse: Scalar) -> Result<Self, Error> {
         let ambient = ok!(brightness(ambient));
@@ -179,7 +179,7 @@ mod tests {
         let half = fx!(0.5);
         assert_eq!(
             Light::new(Vec3::ZERO, half, half),
-            Err(Error::ZeroDirection)
+            Err(Error::ZERO_DIRECTION)
         );
         for value in [fx!(-0.1), fx!(1.5)] {
             let error = Err(Error::OutOfRange {

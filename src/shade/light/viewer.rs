@@ -41,7 +41,7 @@ impl Viewer {
     ///
     /// # Errors
     ///
-    /// [`Error::ZeroDirection`] if `direction` is zero.
+    /// [`Error::NoDirection`] if `direction` is zero.
     pub const fn toward(direction: Vec3) -> Result<Self, Error> {
         Ok(Self(Position::Toward(ok!(Direction::checked(direction)))))
     }
