@@ -18,39 +18,30 @@ macro_rules! ok {
 }
 pub(crate) use ok;
 
-/// Returns an error unless a slice has as many elements as needed.
-pub(crate) const fn check_length(given: usize, needed: usize) -> Result<(), Error> {
-    if given == needed {
-        Ok(())
-    } else {
-        Err(Error::Length { given, needed })
-    }
-}
-
-/// Returns an error if there are more elements than `max`: than indices can address, or than memory has room for.
-pub(crate) const fn check_count(given: usize, max: usize) -> Result<(), Error> {
-    if given <= max {
-        Ok(())
-    } else {
-        Err(Error::TooMany { given, max })
-    }
-}
-
-/// Returns an error unless the number of parts is in range; `of` names the parts.
-pub(crate) const fn check_parts(
+/// Returns an error unless a count is in range; `of` names the count.
+pub(crate) const fn check_count(
     of: &'static str,
-    given: u32,
-    [min, max]: [u32; 2],
+    given: usize,
+    [min, max]: [usize; 2],
 ) -> Result<(), Error> {
     if min <= given && given <= max {
         return Ok(());
     }
-    Err(Error::Parts {
+    Err(Error::Count {
         of,
         given,
         min,
         max,
     })
+}
+
+/// Returns an error unless a list has exactly as many elements as needed.
+pub(crate) const fn check_length(
+    of: &'static str,
+    given: usize,
+    needed: usize,
+) -> Result<(), Error> {
+    check_count(of, given, [needed; 2])
 }
 
 /// Returns an error unless this length is above 0 and at most `max`.
@@ -270,13 +261,17 @@ errors! {
         max: u32,
     } = "viewport is at ({}, {}): both coordinates must lie between -{} and {}",
         Number(x), Number(y), Number(max), Number(max);
-    /// A slice of the wrong length.
-    Length {
-        /// Number of elements in the slice.
+    /// Too few or too many elements: of a slice, of a mesh, of the memory for one, of a shape's parts.
+    Count {
+        /// The name of the count.
+        of: &'static str,
+        /// The refused count.
         given: usize,
-        /// Number of elements needed.
-        needed: usize,
-    } = "slice has {} elements: exactly {} are needed", Number(given), Number(needed);
+        /// Lowest count allowed.
+        min: usize,
+        /// Highest count allowed; `min` if only one count is allowed.
+        max: usize,
+    } = "number of {} is {}: it must be {}", Text(of), Number(given), Counts([min, max]);
     /// A band without rows, or with rows outside its frame.
     Rows {
         /// First row of the band.
@@ -313,13 +308,6 @@ errors! {
         /// The index of the first face that differs.
         at: usize,
     } = "face {} differs: both meshes must have the same faces", Number(at);
-    /// More elements than indices can address, or than the caller's memory has room for.
-    TooMany {
-        /// The refused number of elements.
-        given: usize,
-        /// Largest number allowed.
-        max: usize,
-    } = "{} elements are too many: at most {} are allowed", Number(given), Number(max);
     /// A list that is too short for the visible part of a mesh.
     Full {
         /// The kind of element in the list.
@@ -330,17 +318,6 @@ errors! {
         room: usize,
     } = "{} {} are visible: the list must have room for all, and has room for {}",
         Number(needed), Text(of), Number(room);
-    /// Too few or too many parts of a shape, frames of a sprite's texture, or fraction bits of short positions.
-    Parts {
-        /// The kind of part.
-        of: &'static str,
-        /// The refused number of parts.
-        given: u32,
-        /// Lowest number allowed.
-        min: u32,
-        /// Highest number allowed.
-        max: u32,
-    } = "number of {} is {}: it must lie between {} and {}", Text(of), Number(given), Number(min), Number(max);
     /// A length that is not positive or is too large: a dimension of a shape, a sprite or a point, the distance of a
     /// near plane, or the range of a light.
     Extent {

@@ -17,8 +17,10 @@ pub(crate) enum Piece<'a> {
     Thousandths(i64),
     Scalar(crate::num::Scalar),
     Degrees(Angle),
+    /// The lowest and the highest count allowed.
+    Counts([usize; 2]),
 }
-use Piece::{Degrees, Number, Scalar, Text, Thousandths};
+use Piece::{Counts, Degrees, Number, Scalar, Text, Thousandths};
 
 /// A template with values in place of its braces.
 pub(crate) struct Message {
@@ -62,14 +64,28 @@ impl Message {
         }
     }
 
+    const fn append(&mut self, text: &str) {
+        let mut i = 0;
+        while i < text.len() {
+            self.byte(text.as_bytes()[i]);
+            i += 1;
+        }
+    }
+
     const fn piece(&mut self, piece: Piece<'_>) {
         match piece {
-            Text(text) => {
-                let mut i = 0;
-                while i < text.len() {
-                    self.byte(text.as_bytes()[i]);
-                    i += 1;
+            Text(text) => self.append(text),
+            Counts([min, max]) => {
+                if min == max {
+                    self.append("exactly ");
+                } else if min == 0 {
+                    self.append("at most ");
+                } else {
+                    self.append("at least ");
+                    self.decimal(min as i64, 1);
+                    self.append(" and at most ");
                 }
+                self.decimal(max as i64, 1);
             }
             Number(number) => self.decimal(number, 1),
             Thousandths(number) => self.decimal(number, 1000),

@@ -107,14 +107,14 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     ///
     /// # Errors
     ///
-    /// [`Error::Size`] if a side is 0 or above [`MAX_SIZE`](Self::MAX_SIZE); [`Error::Length`] if `pixels` does
+    /// [`Error::Size`] if a side is 0 or above [`MAX_SIZE`](Self::MAX_SIZE); [`Error::Count`] if `pixels` does
     /// not have exactly one element per pixel.
     pub fn new<P: Cell<C, O>>(pixels: &'a mut [P], width: u32, height: u32) -> Result<Self, Error>
     where
         O: Storage<C, Cell = P>,
     {
         check_size(width, height)?;
-        check_length(pixels.len(), (width * height) as usize)?;
+        check_length("pixels", pixels.len(), (width * height) as usize)?;
         // `new` does not call `band`. So if the size is a constant, the compiler knows the first and the last row.
         Ok(Self {
             cells: pixels,
@@ -130,7 +130,7 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     ///
     /// # Errors
     ///
-    /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](Self::MAX_SIZE); [`Error::Length`] if `pixels`
+    /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](Self::MAX_SIZE); [`Error::Count`] if `pixels`
     /// is not a whole number of rows; [`Error::Rows`] if the band has no row, or has a row outside the frame.
     pub fn band<P: Cell<C, O>>(
         pixels: &'a mut [P],
@@ -147,7 +147,7 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
         let rows = u32::try_from(pixels.len() / width as usize).unwrap_or(u32::MAX);
         match first_row.checked_add(rows) {
             Some(end) if rows > 0 && end <= height => {
-                check_length(pixels.len(), (width * rows) as usize)?;
+                check_length("pixels", pixels.len(), (width * rows) as usize)?;
                 Ok(Self {
                     cells: pixels,
                     depths: &mut [],
@@ -172,7 +172,7 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if `depth` does not have exactly one element per pixel.
+    /// [`Error::Count`] if `depth` does not have exactly one element per pixel.
     pub fn with_depth(self, depth: &'a mut [u16]) -> Result<Canvas<'a, C, O, LinearDepth>, Error> {
         self.with_depth_format::<LinearDepth>(depth)
     }
@@ -196,7 +196,11 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
         self,
         depth: &'a mut [u16],
     ) -> Result<Canvas<'a, C, O, D>, Error> {
-        check_length(depth.len(), (self.width * self.row_count()) as usize)?;
+        check_length(
+            "depths",
+            depth.len(),
+            (self.width * self.row_count()) as usize,
+        )?;
         Ok(Canvas {
             cells: self.cells,
             depths: depth,

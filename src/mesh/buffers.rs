@@ -47,19 +47,27 @@ impl<'a> Buffers<'a> {
     /// Returns `counts`, but with 0 for each optional list that has an empty slice; an error if any other slice is too
     /// short.
     pub(super) const fn wanted(&self, counts: Counts) -> Result<Counts, Error> {
-        ok!(check_count(counts.positions, self.positions.len()));
-        ok!(check_count(counts.faces, self.faces.len()));
+        ok!(check_count(
+            "positions",
+            counts.positions,
+            [0, self.positions.len()]
+        ));
+        ok!(check_count("faces", counts.faces, [0, self.faces.len()]));
         Ok(Counts {
-            edges: ok!(optional(counts.edges, self.edges.len())),
-            uvs: ok!(optional(counts.uvs, self.uvs.len())),
-            normals: ok!(optional(counts.normals, self.normals.len())),
+            edges: ok!(optional("edges", counts.edges, self.edges.len())),
+            uvs: ok!(optional("texture coordinates", counts.uvs, self.uvs.len())),
+            normals: ok!(optional("normals", counts.normals, self.normals.len())),
             ..counts
         })
     }
 
     /// Makes a mesh of the first elements of each slice; `counts` has their numbers.
     pub(super) const fn mesh(self, counts: Counts) -> Result<Mesh<'a>, Error> {
-        ok!(check_count(counts.positions, Mesh::MAX_POSITIONS));
+        ok!(check_count(
+            "positions",
+            counts.positions,
+            [0, Mesh::MAX_POSITIONS]
+        ));
         Ok(Mesh::of_lists(
             Positions::long(first(self.positions, counts.positions)),
             (
@@ -75,11 +83,11 @@ impl<'a> Buffers<'a> {
 
 /// The number of elements to write to an optional list: `needed`, or 0 if the caller gives no room. An error if there
 /// is less room than needed.
-const fn optional(needed: usize, room: usize) -> Result<usize, Error> {
+const fn optional(of: &'static str, needed: usize, room: usize) -> Result<usize, Error> {
     if room == 0 {
         return Ok(0);
     }
-    ok!(check_count(needed, room));
+    ok!(check_count(of, needed, [0, room]));
     Ok(needed)
 }
 
@@ -92,7 +100,11 @@ const fn first<T>(list: &[T], count: usize) -> &[T] {
 }
 
 /// The first `needed` elements of a list, or an error if the list is shorter.
-pub(super) const fn room<T>(list: &mut [T], needed: usize) -> Result<&mut [T], Error> {
-    ok!(check_count(needed, list.len()));
+pub(super) const fn room<'l, T>(
+    of: &'static str,
+    list: &'l mut [T],
+    needed: usize,
+) -> Result<&'l mut [T], Error> {
+    ok!(check_count(of, needed, [0, list.len()]));
     Ok(list.split_at_mut(needed).0)
 }

@@ -55,7 +55,7 @@ pub struct Keyframes<'a> {
 
 /// Checks that two lists of faces are equal.
 const fn same(first: &[[Index; 3]], second: &[[Index; 3]]) -> Result<(), Error> {
-    ok!(check_length(second.len(), first.len()));
+    ok!(check_length("faces", second.len(), first.len()));
     let mut at = 0;
     while at < first.len() {
         let ([a, b, c], [x, y, z]) = (first[at], second[at]);
@@ -93,13 +93,17 @@ impl<'a> Keyframes<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if the meshes differ in how many positions, faces or normals they have. [`Error::FacesDiffer`]
+    /// [`Error::Count`] if the meshes differ in how many positions, faces or normals they have. [`Error::FacesDiffer`]
     /// if a face of the first mesh differs from the same face of the second mesh in its position indices or, if both
     /// meshes have normals, in its normal indices. If the normals of two files do not match, drop them with
     /// [`Mesh::without_normals`].
     pub const fn new(first: &Mesh<'a>, second: &Mesh<'a>) -> Result<Self, Error> {
         let positions = second.positions();
-        ok!(check_length(positions.len(), first.positions().len()));
+        ok!(check_length(
+            "positions",
+            positions.len(),
+            first.positions().len()
+        ));
         ok!(same(first.faces(), second.faces()));
         let mut frames = Self {
             first: *first,
@@ -109,6 +113,7 @@ impl<'a> Keyframes<'a> {
         if first.has_normals() && second.has_normals() {
             frames.normals = second.normals.values;
             ok!(check_length(
+                "normals",
                 frames.normals.len(),
                 first.normals.values.len()
             ));
@@ -138,7 +143,7 @@ impl<'a> Keyframes<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::TooMany`] if a slice is shorter than the corresponding list of the first mesh; an empty slice for
+    /// [`Error::Count`] if a slice is shorter than the corresponding list of the first mesh; an empty slice for
     /// normals is accepted.
     pub fn blend<'m>(
         &self,
@@ -150,7 +155,7 @@ impl<'a> Keyframes<'a> {
         'a: 'm,
     {
         let all = self.first.positions();
-        let positions = room(positions, all.len())?;
+        let positions = room("positions", positions, all.len())?;
         for ((to, a), b) in positions
             .iter_mut()
             .zip(all.iter())
@@ -160,7 +165,7 @@ impl<'a> Keyframes<'a> {
         }
         let mut blended: Mesh<'m> = self.first.without_normals();
         if !normals.is_empty() && self.normals.len() > 0 {
-            let normals = room(normals, self.normals.len())?;
+            let normals = room("normals", normals, self.normals.len())?;
             let Attribute { values, faces } = self.first.normals;
             for ((to, a), b) in normals
                 .iter_mut()
@@ -261,16 +266,20 @@ mod tests {
         let refused = |second: Mesh<'_>| Keyframes::new(&first, &second).unwrap_err();
         assert_eq!(
             refused(Mesh::new(&CORNERS[..3], &FACES[..1]).unwrap()),
-            Error::Length {
+            Error::Count {
+                of: "positions",
                 given: 3,
-                needed: 4
+                min: 4,
+                max: 4
             }
         );
         assert_eq!(
             refused(Mesh::new(&CORNERS, &FACES[..1]).unwrap()),
-            Error::Length {
+            Error::Count {
+                of: "faces",
                 given: 1,
-                needed: 2
+                min: 2,
+                max: 2
             }
         );
         let other = [FACES[0], [0, 3, 2]];
@@ -287,12 +296,20 @@ mod tests {
 
         let frames = Keyframes::new(&smooth, &smooth).unwrap();
         let mut few = [Vec3::ZERO; 3];
-        let full = Error::TooMany { given: 4, max: 3 };
-        assert_eq!(frames.blend(fx!(0), &mut few, &mut []).unwrap_err(), full);
+        let full = |of| Error::Count {
+            of,
+            given: 4,
+            min: 0,
+            max: 3,
+        };
+        assert_eq!(
+            frames.blend(fx!(0), &mut few, &mut []).unwrap_err(),
+            full("positions")
+        );
         let mut enough = [Vec3::ZERO; 4];
         assert_eq!(
             frames.blend(fx!(0), &mut enough, &mut few).unwrap_err(),
-            full
+            full("normals")
         );
     }
 }

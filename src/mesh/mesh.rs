@@ -55,7 +55,7 @@ impl<'a> Mesh<'a> {
     /// use fixel::{Error, Mesh, Vec3};
     /// let positions = vec![Vec3::ZERO; Mesh::MAX_POSITIONS + 1];
     /// let error = Mesh::new(&positions, &[]).unwrap_err();
-    /// assert!(matches!(error, Error::TooMany { given: 65_537, max: Mesh::MAX_POSITIONS, .. }));
+    /// assert!(matches!(error, Error::Count { given: 65_537, max: Mesh::MAX_POSITIONS, .. }));
     /// ```
     pub const MAX_POSITIONS: usize = Index::MAX as usize + 1;
 
@@ -63,7 +63,7 @@ impl<'a> Mesh<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Index`] if a face names a position that does not exist; [`Error::TooMany`] if there are more than
+    /// [`Error::Index`] if a face names a position that does not exist; [`Error::Count`] if there are more than
     /// [`MAX_POSITIONS`](Self::MAX_POSITIONS) positions.
     pub const fn new(positions: &'a [Vec3], faces: &'a [[Index; 3]]) -> Result<Self, Error> {
         Self::of(Positions::long(positions), faces)
@@ -99,7 +99,7 @@ impl<'a> Mesh<'a> {
     ///
     /// # Errors
     ///
-    /// The errors of [`new`](Self::new); [`Error::Parts`] if there are more than 16 fraction bits.
+    /// The errors of [`new`](Self::new); [`Error::Count`] if there are more than 16 fraction bits.
     pub const fn short(
         positions: &'a [[i16; 3]],
         fraction: u32,
@@ -110,7 +110,11 @@ impl<'a> Mesh<'a> {
     }
 
     const fn of(positions: Positions<'a>, faces: &'a [[Index; 3]]) -> Result<Self, Error> {
-        ok!(check_count(positions.len(), Self::MAX_POSITIONS));
+        ok!(check_count(
+            "positions",
+            positions.len(),
+            [0, Self::MAX_POSITIONS]
+        ));
         ok!(check(faces, positions.len(), None));
         Ok(Self::of_lists(
             positions,
@@ -218,7 +222,7 @@ impl<'a> Mesh<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless the mesh has exactly `N` positions.
+    /// [`Error::Count`] unless the mesh has exactly `N` positions.
     pub const fn shortened<const N: usize>(&self) -> Result<([[i16; 3]; N], u32), Error> {
         self.positions.shortened()
     }
@@ -230,7 +234,7 @@ impl<'a> Mesh<'a> {
     ///
     /// # Errors
     ///
-    /// Without `faces`: [`Error::Length`] unless there is one value per position. With `faces`: [`Error::Length`]
+    /// Without `faces`: [`Error::Count`] unless there is one value per position. With `faces`: [`Error::Count`]
     /// unless `faces` has one element per triangle; [`Error::Index`] if an index names a value that does not exist.
     pub const fn with_uvs(
         self,
@@ -331,11 +335,11 @@ impl<'a> Mesh<'a> {
         values: &'a [T],
         faces: Option<&'a [[Index; 3]]>,
     ) -> Result<Attribute<'a, T>, Error> {
-        let (given, needed) = match faces {
-            None => (values.len(), self.positions.len()),
-            Some(faces) => (faces.len(), self.faces.len()),
+        let (of, given, needed) = match faces {
+            None => ("values", values.len(), self.positions.len()),
+            Some(faces) => ("faces", faces.len(), self.faces.len()),
         };
-        ok!(check_length(given, needed));
+        ok!(check_length(of, given, needed));
         if let Some(faces) = faces {
             ok!(check(faces, values.len(), Some(Self::NO_VALUE)));
         }

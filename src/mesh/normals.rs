@@ -101,9 +101,9 @@ impl<'a> Mesh<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::TooMany`] if `normals` has fewer elements than the mesh has positions.
+    /// [`Error::Count`] if `normals` has fewer elements than the mesh has positions.
     pub fn with_smooth_normals(self, normals: &'a mut [Vec3]) -> Result<Self, Error> {
-        let normals = room(normals, self.positions().len())?;
+        let normals = room("normals", normals, self.positions().len())?;
         normals.fill(Vec3::ZERO);
         for face in self.faces() {
             let Some((normal, angles)) = self.measured(*face) else {
@@ -210,7 +210,15 @@ mod tests {
         let mesh = Mesh::new(&CORNERS, &SIDES).unwrap();
         let mut few = [Vec3::ZERO; 7];
         let error = mesh.with_smooth_normals(&mut few).unwrap_err();
-        assert_eq!(error, Error::TooMany { given: 8, max: 7 });
+        assert_eq!(
+            error,
+            Error::Count {
+                of: "normals",
+                given: 8,
+                min: 0,
+                max: 7
+            }
+        );
     }
 
     #[test]

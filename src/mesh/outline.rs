@@ -58,14 +58,14 @@ impl<'a> Outline<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Index`] if an edge names a position that does not exist; [`Error::TooMany`] if there are fewer edges
+    /// [`Error::Index`] if an edge names a position that does not exist; [`Error::Count`] if there are fewer edges
     /// than `creases`.
     pub const fn new(
         mesh: &Mesh<'_>,
         edges: &'a [[Index; 4]],
         creases: usize,
     ) -> Result<Self, Error> {
-        ok!(check_count(creases, edges.len()));
+        ok!(check_count("creases", creases, [0, edges.len()]));
         ok!(check(edges, mesh.positions().len(), None));
         Ok(Self::of(edges, creases))
     }
@@ -101,7 +101,7 @@ impl<'a> Outline<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::CreaseAngle`] if `crease` is above 180 degrees; [`Error::TooMany`] if `edges` is too short.
+    /// [`Error::CreaseAngle`] if `crease` is above 180 degrees; [`Error::Count`] if `edges` is too short.
     pub const fn build(
         mesh: &Mesh<'_>,
         crease: Angle,
@@ -241,7 +241,7 @@ const fn write(
     } else {
         USED as usize
     };
-    ok!(check_count(sides, max));
+    ok!(check_count("sides", sides, [0, max]));
     // Each entry has a hash of a side's ends, and the side's number. The sides of one edge have the same hash, so they
     // become neighbors when the entries are sorted.
     let mut count = 0;

@@ -3,7 +3,7 @@
 use core::hash::{Hash, Hasher};
 
 use super::index::Index;
-use crate::error::{Error, check_length, check_parts, ok};
+use crate::error::{Error, check_count, check_length, ok};
 use crate::math::Vec3;
 
 /// The positions of a mesh, with 32-bit or 16-bit components; [`Mesh::positions`](crate::Mesh::positions) returns
@@ -56,7 +56,11 @@ impl<'a> Positions<'a> {
     /// Positions in units of 2^-`fraction`.
     #[doc(hidden)]
     pub const fn short(positions: &'a [[i16; 3]], fraction: u32) -> Result<Self, Error> {
-        ok!(check_parts("fraction bits", fraction, [0, FRACTION]));
+        ok!(check_count(
+            "fraction bits",
+            fraction as usize,
+            [0, FRACTION as usize]
+        ));
         let up = FRACTION - fraction;
         Ok(Self {
             list: List::Short { positions, up },
@@ -131,7 +135,7 @@ impl<'a> Positions<'a> {
 
     /// See [`Mesh::shortened`](crate::Mesh::shortened).
     pub(super) const fn shortened<const N: usize>(&self) -> Result<([[i16; 3]; N], u32), Error> {
-        ok!(check_length(N, self.len()));
+        ok!(check_length("positions", N, self.len()));
         let fraction = finest(*self);
         let mut short = [[0; 3]; N];
         let mut at = 0;

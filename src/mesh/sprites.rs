@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use crate::error::{Error, check_extent, check_length, check_parts, ok};
+use crate::error::{Error, check_count, check_extent, check_length, ok};
 use crate::math::{Vec2, Vec3};
 use crate::num::{Scalar, TexCoord};
 
@@ -231,9 +231,9 @@ impl<'a> Sprites<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless there is one scale for each position.
+    /// [`Error::Count`] unless there is one scale for each position.
     pub const fn with_scales(self, scales: &'a [Scalar]) -> Result<Self, Error> {
-        ok!(check_length(scales.len(), self.positions.len()));
+        ok!(check_length("scales", scales.len(), self.positions.len()));
         Ok(Self { scales, ..self })
     }
 
@@ -242,9 +242,9 @@ impl<'a> Sprites<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless there is one color for each position.
+    /// [`Error::Count`] unless there is one color for each position.
     pub const fn with_colors(self, colors: &'a [Rgb888]) -> Result<Self, Error> {
-        ok!(check_length(colors.len(), self.positions.len()));
+        ok!(check_length("colors", colors.len(), self.positions.len()));
         Ok(Self { colors, ..self })
     }
 
@@ -254,17 +254,21 @@ impl<'a> Sprites<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Parts`] unless there are from 1 to [`MAX_FRAMES`](Self::MAX_FRAMES) columns and rows;
-    /// [`Error::Length`] unless there is one frame for each position.
+    /// [`Error::Count`] unless there are from 1 to [`MAX_FRAMES`](Self::MAX_FRAMES) columns and rows;
+    /// [`Error::Count`] unless there is one frame for each position.
     pub const fn with_frames(self, grid: (u16, u16), frames: &'a [u16]) -> Result<Self, Error> {
         let (columns, rows) = grid;
-        ok!(check_parts(
+        ok!(check_count(
             "columns",
-            columns as u32,
-            [1, Self::MAX_FRAMES]
+            columns as usize,
+            [1, Self::MAX_FRAMES as usize]
         ));
-        ok!(check_parts("rows", rows as u32, [1, Self::MAX_FRAMES]));
-        ok!(check_length(frames.len(), self.positions.len()));
+        ok!(check_count(
+            "rows",
+            rows as usize,
+            [1, Self::MAX_FRAMES as usize]
+        ));
+        ok!(check_length("frames", frames.len(), self.positions.len()));
         Ok(Self {
             frames,
             grid: [columns, rows],
@@ -447,16 +451,18 @@ mod tests {
         let sprites = Sprites::new(&[Vec3::ZERO], size).unwrap();
         assert_eq!(sprites.with_axis(Vec3::ZERO), Err(Error::ZERO_DIRECTION));
         assert!(sprites.with_axis(vec3!(0, 0, 0.0001)).is_ok());
-        let length = Error::Length {
+        let length = |of| Error::Count {
+            of,
             given: 2,
-            needed: 1,
+            min: 1,
+            max: 1,
         };
-        assert_eq!(sprites.with_scales(&[fx!(1); 2]), Err(length));
-        assert_eq!(sprites.with_frames((1, 1), &[0; 2]), Err(length));
+        assert_eq!(sprites.with_scales(&[fx!(1); 2]), Err(length("scales")));
+        assert_eq!(sprites.with_frames((1, 1), &[0; 2]), Err(length("frames")));
         for grid in [(0, 1), (1, 0), (1025, 1), (1, 1025)] {
             assert!(matches!(
                 sprites.with_frames(grid, &[0]),
-                Err(Error::Parts { .. })
+                Err(Error::Count { .. })
             ));
         }
     }

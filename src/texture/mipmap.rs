@@ -75,11 +75,11 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     ///
     /// # Errors
     ///
-    /// [`Error::PowerOfTwo`] if the width or the height is not a power of two or is too large; [`Error::Length`] unless
+    /// [`Error::PowerOfTwo`] if the width or the height is not a power of two or is too large; [`Error::Count`] unless
     /// there are exactly as many texels as all levels need.
     pub const fn new(texels: &'a [C], width: u32, height: u32) -> Result<Self, Error> {
         let size = ok!(exponents(width, height));
-        ok!(check_length(texels.len(), len_of(size)));
+        ok!(check_length("texels", texels.len(), len_of(size)));
         Ok(Self {
             texels,
             first: texels[0],

@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::raw::{BigEndian, RawData, RawU16};
 
 use super::sampler::exponents;
 use super::{Argb1555, Argb4444, Sampler};
-use crate::error::{Error, check_length, check_parts, ok};
+use crate::error::{Error, check_count, check_length, ok};
 use crate::message;
 
 /// A texture of raw bytes, usually from `include_bytes!`, in the format of embedded-graphics' `ImageRaw`.
@@ -36,7 +36,7 @@ use crate::message;
 /// assert_eq!(DROP.texel(0, 1), Gray4::new(10));
 ///
 /// let error = Raw::<Gray4>::new(&[0; 3], 4, 2).unwrap_err();
-/// assert_eq!(error.to_string(), "slice has 3 elements: exactly 4 are needed");
+/// assert_eq!(error.to_string(), "number of bytes is 3: it must be exactly 4");
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -88,18 +88,19 @@ where
     ///
     /// # Errors
     ///
-    /// [`Error::PowerOfTwo`] if the width or the height is not a power of two or is too large; [`Error::Parts`] if a
-    /// row does not fill whole bytes; [`Error::Length`] unless there are exactly as many bytes as the texels need.
+    /// [`Error::PowerOfTwo`] if the width or the height is not a power of two or is too large; [`Error::Count`] if a
+    /// row does not fill whole bytes; [`Error::Count`] unless there are exactly as many bytes as the texels need.
     pub const fn new(bytes: &'a [u8], width: u32, height: u32) -> Result<Self, Error> {
         let size = ok!(exponents(width, height));
         let bits = C::Raw::BITS_PER_PIXEL as u32;
-        ok!(check_parts(
+        ok!(check_count(
             "columns",
-            width,
-            [8_u32.div_ceil(bits), 1 << 15]
+            width as usize,
+            [8_u32.div_ceil(bits) as usize, 1 << 15]
         ));
         let row = (width * bits / 8) as usize;
         ok!(check_length(
+            "bytes",
             bytes.len(),
             row.saturating_mul(height as usize)
         ));
@@ -157,6 +158,15 @@ mod tests {
     use embedded_graphics::prelude::*;
     use std::string::ToString;
 
+    fn length(given: usize, needed: usize) -> Error {
+        Error::Count {
+            of: "bytes",
+            given,
+            min: needed,
+            max: needed,
+        }
+    }
+
     #[test]
     fn texels_equal_those_of_embedded_graphics() {
         let bytes: [u8; 96] =
@@ -173,7 +183,7 @@ mod tests {
                 }
                 let (given, needed) = (bytes.len() - 1, bytes.len());
                 let short = Raw::<$color, $order>::new(&bytes[1..], 8, 4);
-                assert_eq!(short.err(), Some(Error::Length { given, needed }));
+                assert_eq!(short.err(), Some(length(given, needed)));
             })+};
         }
         same! {
@@ -209,7 +219,7 @@ mod tests {
         assert_eq!(new(4, 4), Ok(()));
         assert_eq!(
             new(1, 16).unwrap_err().to_string(),
-            "number of columns is 1: it must lie between 2 and 32768"
+            "number of columns is 1: it must be at least 2 and at most 32768"
         );
         for (width, height) in [(3, 4), (0, 4), (4, 3), (1 << 16, 1)] {
             let error = new(width, height).unwrap_err();
@@ -219,10 +229,10 @@ mod tests {
             );
         }
         let (given, needed) = (8, 4);
-        assert_eq!(new(4, 2), Err(Error::Length { given, needed }));
+        assert_eq!(new(4, 2), Err(length(given, needed)));
         let needed = 1 << 32;
         let large = Raw::<Argb8888>::new(&[0; 8], 1 << 15, 1 << 15).map(|_| ());
-        assert_eq!(large, Err(Error::Length { given, needed }));
+        assert_eq!(large, Err(length(given, needed)));
     }
 
     /// A color of four bytes.

@@ -67,7 +67,7 @@ impl<'a, C: Copy> Texture<'a, C> {
     /// let skin = Texture::new(&texels, 16, 4)?;
     /// assert_eq!((skin.width(), skin.height()), (16, 4));
     /// let error = Texture::new(&texels, 16, 8).unwrap_err();
-    /// assert_eq!(error.to_string(), "slice has 64 elements: exactly 128 are needed");
+    /// assert_eq!(error.to_string(), "number of texels is 64: it must be exactly 128");
     /// let error = Texture::new(&texels, 64, 0).unwrap_err();
     /// assert_eq!(error.to_string(), "height is 0: it must be a power of two, at most 32768, such as 1");
     /// # Ok::<(), Error>(())
@@ -75,11 +75,11 @@ impl<'a, C: Copy> Texture<'a, C> {
     ///
     /// # Errors
     ///
-    /// [`Error::PowerOfTwo`] if the width or the height is not a power of two or is too large; [`Error::Length`] if the
+    /// [`Error::PowerOfTwo`] if the width or the height is not a power of two or is too large; [`Error::Count`] if the
     /// number of texels is not width times height.
     pub const fn new(texels: &'a [C], width: u32, height: u32) -> Result<Self, Error> {
         let [width, height] = ok!(exponents(width, height));
-        ok!(check_length(texels.len(), 1 << (width + height)));
+        ok!(check_length("texels", texels.len(), 1 << (width + height)));
         Ok(Self::of(texels, [width, height]))
     }
 
@@ -153,12 +153,18 @@ mod tests {
     #[test]
     fn sizes_are_powers_of_two_and_lengths_fit() {
         let texels = [7; 200];
+        let length = |given, needed| Error::Count {
+            of: "texels",
+            given,
+            min: needed,
+            max: needed,
+        };
         let new = |count, width, height| Texture::new(&texels[..count], width, height).map(|_| ());
         for (width, height) in [(1, 1), (64, 2), (2, 64), (1, 128)] {
             assert_eq!(new((width * height) as usize, width, height), Ok(()));
             let given = (width * height) as usize + 1;
             let needed = given - 1;
-            let error = Error::Length { given, needed };
+            let error = length(given, needed);
             assert_eq!(new(given, width, height), Err(error));
         }
         let error = new(200, 100, 2).unwrap_err();
@@ -173,8 +179,7 @@ mod tests {
             let of = other;
             assert_eq!(new(1, 1, given), Err(Error::PowerOfTwo { of, given, max }));
         }
-        let (given, needed) = (1, 1 << 30);
-        assert_eq!(new(1, max, max), Err(Error::Length { given, needed }));
+        assert_eq!(new(1, max, max), Err(length(1, 1 << 30)));
     }
 
     /// Compares each texel of the texture with the same texel of the rows, even far beyond the edges.

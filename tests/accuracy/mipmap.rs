@@ -325,7 +325,7 @@ fn a_mipmap_of_another_length_is_refused() {
     let error = Mipmap::new(&texels[..20], 4, 4).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "slice has 20 elements: exactly 21 are needed"
+        "number of texels is 20: it must be exactly 21"
     );
     let error = Mipmap::build(&mut texels, 4, 5).unwrap_err();
     assert_eq!(

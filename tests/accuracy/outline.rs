@@ -127,7 +127,7 @@ fn an_outline_of_wrong_numbers_is_refused() {
     let error = Outline::build(&BOX, deg!(35), &mut room[1..]).unwrap_err();
     assert!(matches!(
         error,
-        Error::TooMany {
+        Error::Count {
             given: 36,
             max: 35,
             ..

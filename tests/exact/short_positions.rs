@@ -225,7 +225,7 @@ fn numbers_that_do_not_fit_are_refused() {
     let error = Mesh::short(&positions, 17, &[]).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "number of fraction bits is 17: it must lie between 0 and 16"
+        "number of fraction bits is 17: it must be at most 16"
     );
     assert!(matches!(
         Mesh::short(&positions, 3, &[[0, 1, 2]]),
@@ -233,14 +233,14 @@ fn numbers_that_do_not_fit_are_refused() {
     ));
     assert!(matches!(
         Mesh::short(&vec![[0; 3]; 65_537], 3, &[]),
-        Err(Error::TooMany { given: 65_537, .. })
+        Err(Error::Count { given: 65_537, .. })
     ));
     let mesh = Mesh::short(&positions, 3, &[]).unwrap();
     assert!(matches!(
         mesh.shortened::<3>(),
-        Err(Error::Length {
+        Err(Error::Count {
             given: 3,
-            needed: 2,
+            max: 2,
             ..
         })
     ));
@@ -249,7 +249,7 @@ fn numbers_that_do_not_fit_are_refused() {
 }
 
 #[test]
-#[should_panic(expected = "mesh: number of fraction bits is 17: it must lie between 0 and 16")]
+#[should_panic(expected = "mesh: number of fraction bits is 17: it must be at most 16")]
 fn compile_time_refusals_say_why() {
     let _ = Mesh::checked(Mesh::short(&[], 17, &[]));
 }

@@ -6,7 +6,7 @@ mod tests;
 mod writer;
 
 use super::{Buffers, Counts, Mesh};
-use crate::error::{Error, check_count, check_extent, check_parts, ok};
+use crate::error::{Error, check_count, check_extent, ok};
 use crate::math::Vec3;
 use crate::num::Scalar;
 use surface::Surface;
@@ -41,8 +41,8 @@ pub struct Shape {
     rows: u32,
 }
 
-const fn parts(of: &'static str, given: u32, min: u32) -> Result<(), Error> {
-    check_parts(of, given, [min, Shape::MAX_PARTS])
+const fn parts(of: &'static str, given: u32, min: usize) -> Result<(), Error> {
+    check_count(of, given as usize, [min, Shape::MAX_PARTS as usize])
 }
 
 impl Shape {
@@ -76,7 +76,7 @@ impl Shape {
     ///
     /// # Errors
     ///
-    /// [`Error::Parts`] if there are fewer than 3 slices or 2 stacks; [`Error::TooMany`] if the (`slices` + 1)(`stacks`
+    /// [`Error::Count`] if there are fewer than 3 slices or 2 stacks; [`Error::Count`] if the (`slices` + 1)(`stacks`
     /// + 1) positions are more than 65,536.
     pub const fn sphere(slices: u32, stacks: u32) -> Result<Self, Error> {
         let checks = [parts("slices", slices, 3), parts("stacks", stacks, 2)];
@@ -90,8 +90,8 @@ impl Shape {
     ///
     /// # Errors
     ///
-    /// [`Error::Parts`] if there are fewer than 3 slices or sides; [`Error::Extent`] unless 0 < `tube` < 1;
-    /// [`Error::TooMany`] if the (`slices` + 1)(`sides` + 1) positions are more than 65,536.
+    /// [`Error::Count`] if there are fewer than 3 slices or sides; [`Error::Extent`] unless 0 < `tube` < 1;
+    /// [`Error::Count`] if the (`slices` + 1)(`sides` + 1) positions are more than 65,536.
     pub const fn torus(tube: Scalar, slices: u32, sides: u32) -> Result<Self, Error> {
         let max = Scalar::from_bits(Scalar::ONE.to_bits() - 1);
         let checks = [
@@ -107,7 +107,7 @@ impl Shape {
     ///
     /// # Errors
     ///
-    /// [`Error::Parts`] if there is no column or no row; [`Error::TooMany`] if the (`columns` + 1)(`rows` + 1)
+    /// [`Error::Count`] if there is no column or no row; [`Error::Count`] if the (`columns` + 1)(`rows` + 1)
     /// positions are more than 65,536.
     pub const fn plane(columns: u32, rows: u32) -> Result<Self, Error> {
         let checks = [parts("columns", columns, 1), parts("rows", rows, 1)];
@@ -120,7 +120,7 @@ impl Shape {
     ///
     /// # Errors
     ///
-    /// [`Error::Parts`] if there are fewer than 3 slices; [`Error::TooMany`] if the 4(`slices` + 1) positions are more
+    /// [`Error::Count`] if there are fewer than 3 slices; [`Error::Count`] if the 4(`slices` + 1) positions are more
     /// than 65,536.
     pub const fn cylinder(slices: u32) -> Result<Self, Error> {
         Self::of(
@@ -145,7 +145,11 @@ impl Shape {
             columns,
             rows,
         };
-        ok!(check_count(shape.counts().positions, Mesh::MAX_POSITIONS));
+        ok!(check_count(
+            "positions",
+            shape.counts().positions,
+            [0, Mesh::MAX_POSITIONS]
+        ));
         Ok(shape)
     }
 
@@ -184,7 +188,7 @@ impl Shape {
     ///
     /// # Errors
     ///
-    /// [`Error::TooMany`] if the slice for positions or for faces is shorter than [`counts`](Self::counts) says, or
+    /// [`Error::Count`] if the slice for positions or for faces is shorter than [`counts`](Self::counts) says, or
     /// if another slice is shorter but not empty.
     pub const fn build(self, buffers: Buffers<'_>) -> Result<Mesh<'_>, Error> {
         let mut writer = ok!(MeshWriter::new(buffers, self.counts()));

@@ -207,7 +207,7 @@ fn counts_are_exact() {
         assert!(!mesh.has_uvs() && !mesh.has_normals());
         let mut positions = std::vec![Vec3::ZERO; counts.positions - 1];
         let short = shape.build(Buffers::new(&mut positions, &mut faces));
-        assert!(matches!(short, Err(Error::TooMany { .. })));
+        assert!(matches!(short, Err(Error::Count { .. })));
     }
 }
 
@@ -216,15 +216,15 @@ fn bad_arguments_are_refused() {
     let message = |shape: Result<Shape, Error>| std::format!("{}", shape.unwrap_err());
     assert_eq!(
         message(Shape::sphere(2, 8)),
-        "number of slices is 2: it must lie between 3 and 16384"
+        "number of slices is 2: it must be at least 3 and at most 16384"
     );
     assert_eq!(
         message(Shape::sphere(3, 1)),
-        "number of stacks is 1: it must lie between 2 and 16384"
+        "number of stacks is 1: it must be at least 2 and at most 16384"
     );
     assert_eq!(
         message(Shape::sphere(256, 255)),
-        "65792 elements are too many: at most 65536 are allowed"
+        "number of positions is 65792: it must be at most 65536"
     );
     assert!(Shape::sphere(255, 255).is_ok() && Shape::cylinder(16_383).is_ok());
     let most = Shape::MAX_PARTS;

@@ -187,7 +187,7 @@ fn constructors_infer_types_from_memory() {
 /// The numbers in an error about lengths: the number of elements given, and the number needed.
 fn length(error: Option<Error>) -> (usize, usize) {
     match error {
-        Some(Error::Length { given, needed, .. }) => (given, needed),
+        Some(Error::Count { given, max, .. }) => (given, max),
         other => panic!("{other:?} is not an error about a length"),
     }
 }
