@@ -52,15 +52,12 @@ impl Camera {
         /// is at most 2^-19 of this product.
         const PARALLEL: i64 = 1 << 39;
         let back = target.way_to(eye);
-        let k = unit::unit(back).ok_or(Error::NoDirection {
-            of: "eye",
-            given: eye,
-            needed: "it must differ from the target, to give the camera a direction to look in",
-        })?;
-        let roll = Error::NoDirection {
-            of: "up",
-            given: up,
-            needed: "it must not be zero or parallel to the line of sight",
+        let Some(k) = unit::unit(back) else {
+            return Err(Error::NoDirection {
+                of: "eye",
+                given: eye,
+                needed: "it must differ from the target, to give the camera a direction to look in",
+            });
         };
         let mantissas = |v: [i64; 3]| {
             let mut mantissas = [0; 3];
@@ -68,10 +65,14 @@ impl Camera {
             mantissas
         };
         let side = unit::cross(mantissas(up.to_bits().map(i64::from)), mantissas(back));
-        if side.iter().all(|v| v.abs() < PARALLEL) {
-            return Err(roll);
-        }
-        let i = unit::unit(side).ok_or(roll)?;
+        let is_parallel = side.iter().all(|v| v.abs() < PARALLEL);
+        let (false, Some(i)) = (is_parallel, unit::unit(side)) else {
+            return Err(Error::NoDirection {
+                of: "up",
+                given: up,
+                needed: "it must not be zero or parallel to the line of sight",
+            });
+        };
         let j = unit::cross(k, i).map(|v| (v + (1 << 29)) >> 30);
         let rotation = Transform::from_linear(&[i.map(i64::from), j, k.map(i64::from)], 30);
         Ok(Self {
