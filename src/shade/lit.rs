@@ -139,7 +139,7 @@ mod tests {
         ] {
             let lit = Flat::new(Gray8::new(255)).lit(white.colored(color));
             let (_, corners) = face(lit, &IDENTITY, &mesh(), 0);
-            for (_, Within((light, ()))) in corners {
+            for ((), Within((light, ()))) in corners {
                 // The weight is off by up to 2^-15, which is 2 units; the light by 1 unit; the luma is rounded by half.
                 assert!((f64::from(light) - weight * 65_536.0).abs() <= 3.5);
             }
