@@ -87,7 +87,11 @@ pub(crate) const fn check_order(of: &'static str, low: Scalar, high: Scalar) -> 
 /// Returns an error if an angle is above 180 degrees, which two faces cannot form.
 pub(crate) const fn check_crease(angle: Angle) -> Result<(), Error> {
     if angle.to_bits() > Angle::HALF.to_bits() {
-        return Err(Error::CreaseAngle { angle });
+        return Err(Error::Angle {
+            of: "crease angle",
+            given: angle,
+            needed: "lie between 0 and 180 degrees",
+        });
     }
     Ok(())
 }
@@ -161,11 +165,16 @@ errors! {
         limit: u32,
     } = "{} cannot be represented: it must lie between -{} and {}.99999",
         Thousandths(thousandths), Number(limit), Number(limit - 1);
-    /// A field of view of zero, or of half a turn or more.
-    FieldOfView {
+    /// An angle outside its range: a field of view of zero, or of half a turn or more; a crease angle above 180 degrees,
+    /// which two faces cannot form.
+    Angle {
+        /// The name of the angle.
+        of: &'static str,
         /// The refused angle.
-        angle: Angle,
-    } = "field of view is {} degrees: it must be above 0 and below 180 degrees", Degrees(angle);
+        given: Angle,
+        /// The range that the angle is not in.
+        needed: &'static str,
+    } = "{} is {} degrees: it must {}", Text(of), Degrees(given), Text(needed);
     /// An aspect ratio or a size that is not positive.
     Aspect {
         /// The refused width.
@@ -219,11 +228,6 @@ errors! {
         outer: Angle,
     } = "cone reaches from {} degrees to {} degrees: the outer angle must be above the inner one, and at most 90 degrees",
         Degrees(inner), Degrees(outer);
-    /// A crease angle above 180 degrees, which two faces cannot form.
-    CreaseAngle {
-        /// The refused angle.
-        angle: Angle,
-    } = "crease angle is {} degrees: it must lie between 0 and 180 degrees", Degrees(angle);
     /// A frame or viewport with a width or a height that is zero or too large.
     Size {
         /// The refused width in pixels.
@@ -243,14 +247,19 @@ errors! {
         max: u32,
     } = "{} is {}: it must be a power of two, at most {}, such as {}",
         Text(of), Number(given), Number(max), Number(nearest(given, max));
-    /// A mask with another size than its texture.
-    MaskSize {
-        /// Columns and rows of the refused mask.
+    /// A picture with another size than the picture it belongs to: a mask, or the frame of a canvas on which a prepared
+    /// list is drawn.
+    SizeDiffers {
+        /// The name of the picture.
+        of: &'static str,
+        /// The refused width and height.
         given: [u32; 2],
-        /// Columns and rows of the texture.
-        texture: [u32; 2],
-    } = "mask has {}x{} texels: it must have {}x{}, like its texture",
-        Number(given[0]), Number(given[1]), Number(texture[0]), Number(texture[1]);
+        /// The width and height of the other picture.
+        needed: [u32; 2],
+        /// The name of the other picture.
+        like: &'static str,
+    } = "size of {} is {}x{}: it must be {}x{}, like {}",
+        Text(of), Number(given[0]), Number(given[1]), Number(needed[0]), Number(needed[1]), Text(like);
     /// A viewport too far from the top left corner of its frame.
     Offset {
         /// The refused column of the left edge.
@@ -282,18 +291,6 @@ errors! {
         height: u32,
     } = "band has {} rows from row {}: it must have at least one and lie within the {} rows of the frame",
         Number(rows), Number(first), Number(height);
-    /// A canvas with a frame of another size than the frame for which a list was prepared.
-    Frame {
-        /// Number of columns of the canvas's frame.
-        width: u32,
-        /// Number of rows of the canvas's frame.
-        height: u32,
-        /// Number of columns of the prepared frame.
-        needed_width: u32,
-        /// Number of rows of the prepared frame.
-        needed_height: u32,
-    } = "canvas belongs to a frame of {}x{}: the list was prepared for {}x{}",
-        Number(width), Number(height), Number(needed_width), Number(needed_height);
     /// An index that is out of range.
     Index {
         /// The position, in its own list, of the face, edge or other element that holds the refused index.

@@ -181,7 +181,7 @@ mod tests {
     #[should_panic(expected = "outline: crease angle is 200.025 degrees: it must lie between 0")]
     fn angles_have_four_decimals() {
         let angle = deg!(200.025);
-        checked::<()>(Err(Error::CreaseAngle { angle }), "outline");
+        checked(crate::error::check_crease(angle), "outline");
     }
 
     #[test]

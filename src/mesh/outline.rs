@@ -101,7 +101,7 @@ impl<'a> Outline<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::CreaseAngle`] if `crease` is above 180 degrees; [`Error::Count`] if `edges` is too short.
+    /// [`Error::Angle`] if `crease` is above 180 degrees; [`Error::Count`] if `edges` is too short.
     pub const fn build(
         mesh: &Mesh<'_>,
         crease: Angle,

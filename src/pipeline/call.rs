@@ -34,11 +34,11 @@ impl Screen {
         if given == needed {
             return Ok(());
         }
-        Err(Error::Frame {
-            width: given.width,
-            height: given.height,
-            needed_width: needed.width,
-            needed_height: needed.height,
+        Err(Error::SizeDiffers {
+            of: "the canvas's frame",
+            given: [given.width, given.height],
+            needed: [needed.width, needed.height],
+            like: "the frame of the list",
         })
     }
 }

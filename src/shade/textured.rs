@@ -213,7 +213,7 @@ impl<S: Sampler, const CLAMPED: bool, F: Copy, D: Copy> Textured<S, CLAMPED, F, 
     ///
     /// # Errors
     ///
-    /// [`Error::MaskSize`] if the sizes differ.
+    /// [`Error::SizeDiffers`] if the sizes differ.
     pub fn masked<M: Sampler<Color: GrayColor>>(
         self,
         mask: M,
@@ -225,9 +225,11 @@ impl<S: Sampler, const CLAMPED: bool, F: Copy, D: Copy> Textured<S, CLAMPED, F, 
         if size != given {
             // Widths and heights are at most 2^15, so the masks change nothing.
             let pixels = |[width, height]: [u32; 2]| [1 << (width & 15), 1 << (height & 15)];
-            return Err(Error::MaskSize {
+            return Err(Error::SizeDiffers {
+                of: "the mask",
                 given: pixels(given),
-                texture: pixels(size),
+                needed: pixels(size),
+                like: "its texture",
             });
         }
         let texture = self.texture;
@@ -430,7 +432,7 @@ mod tests {
         let error = Textured::new(&skin).masked(&mask).unwrap_err();
         assert_eq!(
             std::format!("{error}"),
-            "mask has 2x4 texels: it must have 4x2, like its texture"
+            "size of the mask is 2x4: it must be 4x2, like its texture"
         );
     }
 }

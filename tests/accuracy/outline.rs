@@ -134,7 +134,7 @@ fn an_outline_of_wrong_numbers_is_refused() {
         }
     ));
     let error = Outline::build(&BOX, Angle::from_bits((1 << 31) + 1), &mut room).unwrap_err();
-    assert!(matches!(error, Error::CreaseAngle { .. }));
+    assert!(matches!(error, Error::Angle { .. }));
     assert!(Outline::new(&BOX, &[[0, 1, 2, 24]], 0).is_err());
     assert!(Outline::new(&BOX, &[[0, 1, 2, 23]], 2).is_err());
 }

@@ -151,7 +151,7 @@ fn a_canvas_of_another_frame_is_refused() {
         let pixels = &mut color[..(width * height) as usize];
         let mut canvas = Canvas::new(pixels, width, height).unwrap();
         let expected = format!(
-            "canvas belongs to a frame of {width}x{height}: the list was prepared for 48x36"
+            "size of the canvas's frame is {width}x{height}: it must be 48x36, like the frame of the list"
         );
         for refused in [
             canvas.draw_prepared(&ball, &white).err(),
@@ -221,7 +221,7 @@ fn a_scene_of_edges_draws_outlines_or_all_edges() {
     let other = Canvas::new(&mut color, HEIGHT, WIDTH).unwrap();
     assert!(matches!(
         scene.parts(&other).map(|_| ()),
-        Err(Error::Frame { .. })
+        Err(Error::SizeDiffers { .. })
     ));
     let mut short: DrawList<99, 500> = DrawList::new();
     let refused = short.prepare(&options, SIZE, &mut objects, &view());

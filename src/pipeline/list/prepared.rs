@@ -277,7 +277,7 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     ///
     /// # Errors
     ///
-    /// [`Error::Frame`] if the canvas's frame differs in size from the frame that the list was prepared for.
+    /// [`Error::SizeDiffers`] if the canvas's frame differs in size from the frame that the list was prepared for.
     #[allow(clippy::type_complexity)] // it is written here alone
     pub fn parts<'s, C, S: Storage<C>, D>(
         &'s self,
@@ -391,7 +391,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ///
     /// # Errors
     ///
-    /// [`Error::Frame`] if the canvas's frame differs in size from the frame that the list was prepared for.
+    /// [`Error::SizeDiffers`] if the canvas's frame differs in size from the frame that the list was prepared for.
     pub fn draw_prepared<G, M, Z, B, K>(
         &mut self,
         prepared: &Prepared<'_, impl Sized, G, DrawOptions<M, Z, B>, K>,

@@ -42,7 +42,7 @@ impl Projection<Perspective> {
     ///
     /// # Errors
     ///
-    /// [`Error::FieldOfView`] unless 0 < `fov` < 180°; [`Error::Aspect`] unless width and height
+    /// [`Error::Angle`] unless 0 < `fov` < 180°; [`Error::Aspect`] unless width and height
     /// are above 0; [`Error::Extent`] unless 0 < `near`; [`Error::Empty`] unless `near` < `far`.
     pub fn perspective(
         fov: Angle,
@@ -51,7 +51,11 @@ impl Projection<Perspective> {
         far: Scalar,
     ) -> Result<Self, Error> {
         if fov == Angle::ZERO || fov.to_bits() >= Angle::HALF.to_bits() {
-            return Err(Error::FieldOfView { angle: fov });
+            return Err(Error::Angle {
+                of: "field of view",
+                given: fov,
+                needed: "be above 0 and below 180 degrees",
+            });
         }
         let (width, height) = aspect.into().checked()?;
         check_planes(near, far)?;
