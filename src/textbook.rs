@@ -14,7 +14,7 @@ use crate::num::{Fraction, Scalar};
 
 /// A segment in space, given by the distances of its two ends ahead of the eye.
 ///
-#[cfg_attr(doc, doc = include_str!("../guide/diagrams/foreshortening.svg"))]
+#[cfg_attr(doc, doc = include_str!("guide/diagrams/foreshortening.svg"))]
 ///
 /// A distance is −z in eye space, or the homogeneous coordinate w. Halfway along the picture is not halfway along the
 /// segment, because 1/w and every attribute divided by w are linear on the screen.
