@@ -195,25 +195,24 @@
 //!
 //! ```text
 //! Canvas::draw_with                   options, a thing, its Mvp, a shader    pipeline/
-//! └─ run::draw                        in code that exists once
-//!    └─ run::triangle                 culled, whole, or clipped
-//!       ├─ VertexCache::refresh       projected for a neighbor, or now
-//!       │  └─ Projector::project      model → clip space → screen
-//!       └─ Rasterizer::whole          inside the scissor?                    raster/
-//!          └─ Rasterizer::triangle    in blocks of rows
-//!             ├─ scan_convert         top-left rule, row by row
+//! └─ run::draw                        in code that exists once               pipeline/
+//!    └─ run::triangle                 culled, whole, or clipped              pipeline/
+//!       ├─ VertexCache::refresh       projected for a neighbor, or now       pipeline/
+//!       │  └─ Projector::project      model → clip space → screen            pipeline/
+//!       └─ Rasterizer::draw_whole     inside the scissor?                    raster/
+//!          └─ Rasterizer::triangle    in blocks of rows                      raster/
+//!             ├─ scan_convert         top-left rule, row by row              raster/
 //!             ├─ Blit::set_up         once, if a row has pixels              span/
 //!             │  ├─ Adapted::varyings what the shader wants interpolated     shade/
-//!             │  └─ Setup::set_up     the plane of 1/w; then the planes of the varyings
-//!             └─ Blit::draw           row by row, in spans
-//!                ├─ Pixels::visible   depth test                             canvas/
-//!                └─ Pixels::shade
+//!             │  └─ Setup::set_up     the planes of 1/w and of the varyings  span/
+//!             └─ Blit::draw           row by row, in spans                   span/
+//!                ├─ Pixels::visible   depth test                             span/
+//!                └─ Pixels::shade     color, blending, store                 span/
 //!                   ├─ Adapted::shade varyings → color                       shade/
 //!                   └─ Native::store  as a color; others as bytes            canvas/
 //! ```
 //!
-//! The column on the right names the folder; a line without a folder name belongs to the last folder named above it.
-//! Two types are only examples: `Adapted`, which `.lit(light)` makes, represents any shader, and `Native` represents
+//! The column on the right names the folder. Two types are only examples: `Adapted`, which `.lit(light)` makes, represents any shader, and `Native` represents
 //! any storage. Between `Blit::draw` and its pixels runs one of four kernels, the loops over the pixels of a span:
 //! straight, pieces, Newton or divide. The [mode] chooses the kernel for each span.
 //!

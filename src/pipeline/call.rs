@@ -17,7 +17,7 @@ pub struct Screen {
     pub(super) frame: Size,
     pub(super) viewport: Viewport,
     pub(super) cull: Cull,
-    /// Whether depths are [biased](crate::canvas::Biased).
+    /// Whether depths are [biased](crate::canvas::Biased): then the edges of an outline need a slope.
     pub(super) is_biased: bool,
 }
 
@@ -53,7 +53,7 @@ pub(super) struct Call<'m, K> {
     pub(super) projector: Projector<'m, K>,
     pub(super) slots: Slots,
     pub(super) cull: Cull,
-    /// Whether depths are [biased](crate::canvas::Biased).
+    /// Whether depths are [biased](crate::canvas::Biased): then the edges of an outline need a slope.
     pub(super) is_biased: bool,
     pub(super) scissor: Scissor,
 }
@@ -78,7 +78,7 @@ impl<'m, K: ProjectionKind> Call<'m, K> {
         }
     }
 
-    /// The second half of the call: what draws primitives once they are on the screen.
+    /// The rasterizer of this call, which draws primitives once they are on the screen.
     #[inline]
     pub(super) fn rasterizer<'c>(&'c self, blitter: &'c mut dyn Blitter) -> Rasterizer<'c> {
         let shift = self.projector.depth_shift();

@@ -240,7 +240,7 @@ mod tests {
             let mut picture = Picture::new(12, 8);
             let scissor = picture.scissor();
             picture.draw(&scissor, |raster| {
-                raster.clipped(Indices::of_point(0), &polygon, Cull::Nothing);
+                raster.draw_clipped(Indices::of_point(0), &polygon, Cull::Nothing);
             });
             picture.assert(&expected);
         }

@@ -1,4 +1,4 @@
-//! The draw call: a mesh through its stages onto a canvas.
+//! The draw call: a thing through its stages onto a canvas.
 //!
 //! [`Canvas::draw_with`] in this file starts the stages, and [`run`] has them in order. Two files have methods of the
 //! canvas that draw nothing: [`on_screen`] tells where a point or a mesh is on the screen, and [`ray`] tells what
@@ -126,11 +126,12 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         shader: &impl ShaderFor<C>,
     ) -> Drawn {
         let region = (&options.screen(self.frame_size()), &self.rows().clone());
+        // Anti-aliased lines change the coverage with each line; other things ignore it.
         let coverage = Cell::default();
         let shading = T::Shading::from((options.shading(*shader), &coverage));
         let target = Target {
             region,
-            shading: &shading,
+            shading: &shading, // sprites ask it whether a quad is one plane
             coverage: &coverage,
             blitter: &mut Blit::<_, _, _, V::Kind, _>::new(options.mode, self, shading),
         };

@@ -50,7 +50,7 @@ impl<M, Z: DepthTest, B> DrawOptions<M, Z, B> {
 }
 
 impl<M, Z: Copy, B: Copy> DrawOptions<M, Z, B> {
-    /// What colors a pixel with these options.
+    /// The shading of pixels with these options.
     #[inline]
     pub(super) const fn shading<S>(&self, shader: S) -> Plain<S, B, Z> {
         Plain {

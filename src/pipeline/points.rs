@@ -165,7 +165,7 @@ fn each_point<K: ProjectionKind>(
         }
         let (half, [_, y]) = (half_of(&at), at.screen);
         if raster.meets([y, y], (half >> 8) + 1) {
-            raster.thin((Indices::of_point(index), 0), false, |raster| {
+            raster.draw_thin((Indices::of_point(index), 0), false, |raster| {
                 point(raster, &at, half);
             });
         }

@@ -1,4 +1,4 @@
-//! The stages of a draw call, in order. Each is a call to a function of its own folder or file:
+//! The stages of a draw call:
 //!
 //! | | stage | |
 //! |---|---|---|
@@ -22,15 +22,15 @@ use crate::view::ProjectionKind;
 #[inline(never)]
 pub(super) fn draw<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
     let mut raster = call.rasterizer(blitter);
-    // The cache is made before the faces are found, because this takes fewer registers on Cortex-M0+.
+    // If the cache were made after the faces are found, Cortex-M0+ would need more registers.
     let mut vertices = VertexCache::new(call.slots);
     let faces = call.placement.mesh.faces();
     draw_faces(call, (0, faces), &mut vertices, &mut raster);
     Drawn::new(faces.len(), &raster)
 }
 
-/// Draws triangles with the caller's cache. `first` is the index of the first triangle. (This is a function of its own,
-/// because otherwise each triangle takes a call in programs that also draw quads.)
+/// Draws triangles with the caller's cache. `first` is the index of the first triangle. (If [`draw`] had this loop, each
+/// triangle would take a call in programs that also draw quads.)
 #[inline]
 fn draw_faces<K: ProjectionKind>(
     call: &Call<'_, K>,
@@ -39,12 +39,12 @@ fn draw_faces<K: ProjectionKind>(
     raster: &mut Rasterizer<'_>,
 ) {
     for (face, corners) in (first..).zip(faces) {
-        triangle(call, vertices, corners, |triangle| {
+        triangle(call, vertices, corners, |on_screen| {
             let indices = Indices::of_face(face, *corners);
             // 5 to 7. Rows, set-up, pixels.
-            match triangle {
-                OnScreen::Whole(corners, area) => raster.whole(indices, corners, area),
-                OnScreen::Clipped(outline) => raster.clipped(indices, outline, call.cull),
+            match on_screen {
+                OnScreen::Whole(corners, area) => raster.draw_whole(indices, corners, area),
+                OnScreen::Clipped(outline) => raster.draw_clipped(indices, outline, call.cull),
             }
         });
     }
@@ -54,11 +54,11 @@ fn draw_faces<K: ProjectionKind>(
 pub(super) enum OnScreen<'v> {
     /// A triangle that is neither clipped nor culled: its corners, and twice its area.
     Whole([&'v ScreenVertex; 3], i64),
-    /// The outline that clipping left of a triangle. It may be empty or face away.
+    /// What remains of a triangle after clipping. It may be empty or face away.
     Clipped(&'v [ClippedVertex]),
 }
 
-/// Runs a triangle through stages 1 to 4. `then` receives what is left of it, to draw it or to list it.
+/// Runs a triangle through stages 1 to 4; a triangle that needs no clipping skips stage 3. `then` receives what is left of it, to draw it or to list it.
 #[inline]
 #[allow(clippy::trivially_copy_pass_by_ref)] // by value, the corners would be loaded before most of them are needed
 pub(super) fn triangle<K: ProjectionKind>(
@@ -67,7 +67,7 @@ pub(super) fn triangle<K: ProjectionKind>(
     corners: &[Index; 3],
     mut then: impl FnMut(OnScreen<'_>),
 ) {
-    // 1. Vertices.
+    // 1. Vertices. If two corners share a slot of the cache, they are copied.
     let copies;
     let [a, b, c] = if let Some(vertices) = vertices.corners(&call.projector, *corners) {
         vertices
@@ -136,10 +136,11 @@ fn rectangle<K: ProjectionKind>(
     let [mut from, mut to] = [ScreenVertex::UNSET; 2];
     call.projector.project(a, None, &mut from);
     call.projector.project(d, None, &mut to);
-    // The other two corners have the same coordinates as these two.
     if from.outcode | to.outcode != 0 {
+        // Either the rectangle is outside of one plane and done, or its triangles must be clipped.
         return from.outcode & to.outcode != 0;
     }
+    // Each of the other two corners has x from one of these corners and y from the other.
     let ([left, bottom], [right, top]) = (from.screen, to.screen);
     let corner = |screen| ScreenVertex { screen, ..from };
     let (b, c) = (corner([right, bottom]), corner([left, top]));
@@ -155,7 +156,7 @@ fn rectangle<K: ProjectionKind>(
         &placement.primitive(other, area),
     ]);
     if is_plane {
-        raster.rectangle(one, half);
+        raster.draw_rectangle(one, half);
     }
     is_plane
 }

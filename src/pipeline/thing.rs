@@ -23,7 +23,7 @@ use crate::view::AsMvp;
             implements `PixelFormat`"
 )]
 pub trait Thing<C>: Copy + Sealed {
-    /// What colors the thing's pixels: [`Plain`] or, for anti-aliased lines, [`Smooth`](crate::span::Smooth).
+    /// The shading of the thing's pixels: [`Plain`] or, for anti-aliased lines, [`Smooth`](crate::span::Smooth).
     type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest>: Shading<Color = C>
         + From<(Plain<S, B, Z>, &'c Cell<Coverage>)>;
 
@@ -35,7 +35,7 @@ pub trait Thing<C>: Copy + Sealed {
 pub struct Target<'t, P> {
     pub(super) region: Region<'t>,
     pub(super) shading: &'t P,
-    /// The cell of [`Thing::Shading`].
+    /// Where the rasterizer puts how much of each pixel an anti-aliased line covers.
     pub(super) coverage: &'t Cell<Coverage>,
     pub(super) blitter: &'t mut dyn Blitter,
 }
@@ -55,7 +55,7 @@ impl<C> Thing<C> for &Mesh<'_> {
 pub(super) type DrawLine<'l> = &'l dyn Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]);
 
 impl<const SMOOTH: bool> LineStyle<SMOOTH> {
-    /// Calls `stages` with what draws a line in this style.
+    /// Passes `stages` the function that draws a line in this style.
     #[inline]
     pub(super) fn with_line(
         self,

@@ -169,7 +169,7 @@ mod tests {
         let mut picture = Picture::new(9, 7);
         let scissor = picture.scissor();
         picture.draw(&scissor, |raster| {
-            raster.clipped(Indices::of_point(0), &outline, Cull::Nothing);
+            raster.draw_clipped(Indices::of_point(0), &outline, Cull::Nothing);
             assert_eq!(raster.drawn, 1);
         });
         picture

@@ -32,6 +32,7 @@ pub(crate) struct Rasterizer<'r> {
 }
 
 impl<'r> Rasterizer<'r> {
+    /// Begins a draw call. The first primitive is a placeholder, until [`next_primitive`](Self::next_primitive).
     #[inline]
     pub(crate) fn new(
         blitter: &'r mut dyn Blitter,
@@ -52,35 +53,38 @@ impl<'r> Rasterizer<'r> {
 
     /// The next primitive comes from the draw list's entry at this address.
     #[inline]
-    pub(crate) const fn begin_entry(&mut self, entry: usize) {
+    pub(crate) const fn next_entry(&mut self, entry: usize) {
         self.primitive.entry = entry;
     }
 
-    /// Moves on to another triangle of the mesh. `area` is twice its area on the screen.
+    /// Moves on to another primitive of the mesh. `area` is twice its area on the screen; shaders ask for its sign.
     #[inline]
-    const fn begin(&mut self, indices: Indices, area: i64) {
+    const fn next_primitive(&mut self, indices: Indices, area: i64) {
         self.primitive.indices = indices;
         self.primitive.area = (area >> 32) as i32;
     }
 
     /// Draws a triangle that is inside all planes; `area` is twice its area on the screen.
     #[cfg_attr(not(for_size), inline(never))] // so that the loop over faces, half of them rejected, has its registers
-    pub(crate) fn whole(&mut self, indices: Indices, corners: [&ScreenVertex; 3], area: i64) {
+    pub(crate) fn draw_whole(&mut self, indices: Indices, corners: [&ScreenVertex; 3], area: i64) {
         // Borrowed, because a move would copy the triangle.
         if let Some(triangle) = &Triangle::new(corners, None, area, self.scissor) {
-            self.begin(indices, area);
+            self.next_primitive(indices, area);
             self.triangle(triangle, None);
             self.drawn += 1;
         }
     }
 
-    /// Draws what clipping left of a triangle, unless it is culled.
+    /// Draws what remains of a triangle after clipping, unless it is culled.
+    ///
+    /// The outline is drawn as a fan of triangles. Rounding may fold the fan. Triangles that turned over are left out
+    /// then, and of each other triangle only the pixels that no triangle before it has: see [`Polygon`].
     #[inline(never)]
-    pub(crate) fn clipped(&mut self, indices: Indices, outline: &[ClippedVertex], cull: Cull) {
+    pub(crate) fn draw_clipped(&mut self, indices: Indices, outline: &[ClippedVertex], cull: Cull) {
         let Some(polygon) = &Polygon::new(outline, cull) else {
             return;
         };
-        self.begin(indices, polygon.area);
+        self.next_primitive(indices, polygon.area);
         let mut is_drawn = false;
         for (at, (corners, area)) in polygon.triangles().enumerate() {
             if !polygon.winds_as(area) {
@@ -101,14 +105,14 @@ impl<'r> Rasterizer<'r> {
 
     /// Draws an edge or a point by `line`. For an outline's edge, `slope_beside` is how steep the faces beside it are.
     #[inline]
-    pub(crate) fn thin(
+    pub(crate) fn draw_thin(
         &mut self,
         (indices, slope_beside): (Indices, u16),
         is_clipped: bool,
         line: impl FnOnce(&mut Self),
     ) {
         self.primitive.slope_beside = slope_beside;
-        self.begin(indices, 0);
+        self.next_primitive(indices, 0);
         line(self);
         self.drawn += 1;
         self.clipped += u32::from(is_clipped);
@@ -122,6 +126,7 @@ impl<'r> Rasterizer<'r> {
         (a.min(b) >> 8) - reach < rows.end && (a.max(b) >> 8) + reach >= rows.start
     }
 
+    /// Sets up the interpolants of the present primitive over a patch.
     #[inline]
     pub(super) fn set_up(&mut self, patch: &Patch<'_>) -> &mut dyn Rows {
         self.blitter.set_up(&self.primitive, patch)
@@ -158,30 +163,30 @@ impl<'r> Rasterizer<'r> {
     }
 
     /// Draws two triangles that form an upright rectangle inside the scissor. The triangle `half` is the first of them,
-    /// but its interpolants are set up over the whole rectangle. So at the fourth corner, no interpolant may have a value beyond
-    /// its values at the other three corners.
+    /// but its interpolants are set up over the whole rectangle. So at the fourth corner, no interpolant may have a
+    /// value beyond its values at the other three corners.
     ///
     /// The rectangle has the pixels of both halves. An interpolant has the same greatest error as in a half, because
     /// this error depends only on the width and the height of the triangle.
     #[inline(never)]
-    pub(crate) fn rectangle(&mut self, first: Indices, half: &Triangle<'_>) {
-        self.begin(first, half.patch.area);
+    pub(crate) fn draw_rectangle(&mut self, indices: Indices, half: &Triangle<'_>) {
+        self.next_primitive(indices, half.patch.area);
         self.drawn += 2;
         let blit = self.blitter.set_up(&self.primitive, &half.patch);
         let [[ax, _], [bx, _], [cx, _]] = ScreenVertex::screens(half.patch.vertices);
         let [start, end] = [ax.min(bx).min(cx), ax.max(bx).max(cx)].map(first_center);
-        let (columns, rows) = (&self.scissor.columns, &half.rows);
-        let columns = [start.max(columns.start) as i16, end.min(columns.end) as i16];
-        let mut first = rows.start;
-        while first < rows.end {
-            let next = rows.end.min(first + ROWS);
-            let count = (next - first).cast_unsigned() as usize;
-            let rows = self.block.get_mut(..count).unwrap_or_default();
-            for row in &mut *rows {
-                *row = columns;
+        let scissor = &self.scissor.columns;
+        let columns = [start.max(scissor.start) as i16, end.min(scissor.end) as i16];
+        let mut row = half.rows.start;
+        while row < half.rows.end {
+            let next = half.rows.end.min(row + ROWS);
+            let count = (next - row).cast_unsigned() as usize;
+            let block = self.block.get_mut(..count).unwrap_or_default();
+            for of_row in &mut *block {
+                *of_row = columns;
             }
-            blit.draw(first, rows);
-            first = next;
+            blit.draw(row, block);
+            row = next;
         }
     }
 }

@@ -79,7 +79,7 @@ where
             bias: self.bias,
             point: Point::new(column - 1, row),
             depth: 0,
-            stored: 0,
+            code: 0,
             canvas: PhantomData,
         }
     }

@@ -70,9 +70,10 @@ pub(super) struct Pixels<S: Shading, O, D> {
     pub(super) bias: BiasOf<S>,
     /// The current pixel; at first, the pixel before the span.
     pub(super) point: Point,
-    /// The current pixel's depth, in linear steps (`depth`) and in the format of the depth buffer (`stored`).
+    /// The current pixel's depth, in linear steps.
     pub(super) depth: u32,
-    pub(super) stored: u32,
+    /// The current pixel's depth in the format of the depth buffer.
+    pub(super) code: u32,
     pub(super) canvas: PhantomData<(O, D)>,
 }
 
@@ -85,11 +86,11 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
         if !D::IS_KEPT {
             return true;
         }
-        self.stored = S::Test::depth::<D>(self.bias, q, down);
+        self.code = S::Test::depth::<D>(self.bias, q, down);
         !S::Test::TESTS
             || depth
                 .as_deref()
-                .is_none_or(|stored| at_least(self.stored, *stored))
+                .is_none_or(|stored| at_least(self.code, *stored))
     }
 
     /// Shades the current pixel, after [`visible`](Self::visible) returned `true`.
@@ -110,7 +111,7 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
             if S::Test::WRITES
                 && let Some(depth) = depth
             {
-                *depth = self.stored as u16;
+                *depth = self.code as u16;
             }
         }
     }

@@ -57,7 +57,7 @@ fn numbers(
         bias: (),
         point: Point::new(FIRST.cast_signed() - 1, 0),
         depth: 0,
-        stored: 0,
+        code: 0,
         canvas: PhantomData,
     };
     draw(canvas.memory().cells(0, columns.clone()).unwrap(), pixels);
@@ -233,7 +233,7 @@ fn the_later_of_two_pixels_at_one_depth_shows() {
             bias: (),
             point: Point::new(columns.start.cast_signed() - 1, 0),
             depth: 0,
-            stored: 0,
+            code: 0,
             canvas: PhantomData,
         };
         let span: Span<[(); 0]> = Span {

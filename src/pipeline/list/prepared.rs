@@ -466,7 +466,7 @@ impl<'r> Run<'r> {
             let Some(&indices) = faces.get(face) else {
                 continue;
             };
-            raster.begin_entry(ptr::from_ref(entry).addr());
+            raster.next_entry(ptr::from_ref(entry).addr());
             let indices = Indices::of_face(face, indices);
             match entry.corners {
                 Corners::Whole([a, b, c]) => {
@@ -474,12 +474,12 @@ impl<'r> Run<'r> {
                     if let (Some(a), Some(b), Some(c)) = corners {
                         let corners = [a, b, c];
                         let area = raster::area(&ScreenVertex::screens(corners));
-                        raster.whole(indices, corners, area);
+                        raster.draw_whole(indices, corners, area);
                     }
                 }
                 Corners::Edge { .. } => {}
                 Corners::Clipped { first, count, .. } => {
-                    raster.clipped(indices, &self.polygon(first, count), self.cull);
+                    raster.draw_clipped(indices, &self.polygon(first, count), self.cull);
                 }
             }
         }
@@ -506,9 +506,9 @@ impl<'r> Run<'r> {
                 continue;
             };
             if let Some([from, to]) = &self.ends(entry.corners) {
-                raster.begin_entry(ptr::from_ref(entry).addr());
+                raster.next_entry(ptr::from_ref(entry).addr());
                 let edge = (indices, beside);
-                raster.thin(edge, is_clipped, |raster| line(raster, [from, to]));
+                raster.draw_thin(edge, is_clipped, |raster| line(raster, [from, to]));
             }
         }
         Drawn::new(edges.count(), &raster)
