@@ -230,7 +230,8 @@ fn draw<K: ProjectionKind>(
         let [a, b] = ends;
         // Most edges have no pixel in a band. For such edges, no shader is called.
         if raster.meets([a.vertex.screen[1], b.vertex.screen[1]], reach) {
-            raster.draw_thin((indices, beside), is_clipped, |raster| line(raster, ends));
+            raster.next_thin(indices, beside, is_clipped);
+            line(&mut raster, ends);
         }
     });
     Drawn::new(edges.count(), &raster)

@@ -165,9 +165,8 @@ fn each_point<K: ProjectionKind>(
         }
         let (half, [_, y]) = (half_of(&at), at.screen);
         if raster.meets([y, y], (half >> 8) + 1) {
-            raster.draw_thin((Indices::of_point(index), 0), false, |raster| {
-                point(raster, &at, half);
-            });
+            raster.next_thin(Indices::of_point(index), 0, false);
+            point(&mut raster, &at, half);
         }
     }
     Drawn::new(count, &raster)

@@ -103,17 +103,12 @@ impl<'r> Rasterizer<'r> {
         self.clipped += u32::from(is_drawn);
     }
 
-    /// Draws an edge or a point by `line`. For an outline's edge, `slope_beside` is how steep the faces beside it are.
+    /// Moves on to an edge or a point that will be drawn, and counts it. For an outline's edge, `slope_beside` is how
+    /// steep the faces beside it are.
     #[inline]
-    pub(crate) fn draw_thin(
-        &mut self,
-        (indices, slope_beside): (Indices, u16),
-        is_clipped: bool,
-        line: impl FnOnce(&mut Self),
-    ) {
+    pub(crate) fn next_thin(&mut self, indices: Indices, slope_beside: u16, is_clipped: bool) {
         self.primitive.slope_beside = slope_beside;
         self.next_primitive(indices, 0);
-        line(self);
         self.drawn += 1;
         self.clipped += u32::from(is_clipped);
     }

@@ -507,8 +507,8 @@ impl<'r> Run<'r> {
             };
             if let Some([from, to]) = &self.ends(entry.corners) {
                 raster.next_entry(ptr::from_ref(entry).addr());
-                let edge = (indices, beside);
-                raster.draw_thin(edge, is_clipped, |raster| line(raster, [from, to]));
+                raster.next_thin(indices, beside, is_clipped);
+                line(&mut raster, [from, to]);
             }
         }
         Drawn::new(edges.count(), &raster)
