@@ -58,7 +58,8 @@ pub(super) enum OnScreen<'v> {
     Clipped(&'v [ClippedVertex]),
 }
 
-/// Runs a triangle through stages 1 to 4; a triangle that needs no clipping skips stage 3. `then` receives what is left of it, to draw it or to list it.
+/// Runs a triangle through stages 1 to 4, and calls `then` unless the triangle is rejected or culled. A triangle that is
+/// inside all planes is not clipped.
 #[inline]
 #[allow(clippy::trivially_copy_pass_by_ref)] // by value, the corners would be loaded before most of them are needed
 pub(super) fn triangle<K: ProjectionKind>(
@@ -85,7 +86,7 @@ pub(super) fn triangle<K: ProjectionKind>(
             then(OnScreen::Whole([a, b, c], area));
         }
     } else if a.outcode & b.outcode & c.outcode == 0 {
-        // 3. Clipping. The rasterizer culls what is left, because it adds up the area.
+        // 3. Clipping. `then` culls the result, because its area is only known when the fan is made.
         let mut outline = ClippedPolygon::new();
         clip(&call.projector, corners, outcode, &mut outline);
         then(OnScreen::Clipped(&outline));

@@ -119,8 +119,8 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
 ///
 /// No pixel depends on the pixels before it. A varying is computed from the span's interpolants (1/w, and the varyings
 /// divided by w), and rounded down to its unit; the reciprocal adds a relative error below 2⁻³⁰. If a triangle's
-/// farthest corner is many times as far away as its nearest corner, the interpolants of each pixel are computed anew,
-/// in 64 bits. (The limit depends on the triangle: it is 8 to 16 times.) So the error stays within a thousandth of a
+/// farthest corner is many times as far away as its nearest corner, each pixel computes its own interpolants, in 64
+/// bits. (The limit depends on the triangle: it is 8 to 16 times.) So the error stays within a thousandth of a
 /// texel, for a texture of 256 texels and depth ratios of up to 1,000 within a triangle.
 ///
 /// ```

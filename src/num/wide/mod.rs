@@ -57,7 +57,7 @@ pub(crate) const SHIFTS_LATER: bool = IS_NARROW;
 /// Marks a branch that is seldom taken, so that the other branches need no jump around it.
 #[cold]
 #[inline]
-pub(crate) const fn cold() {}
+const fn cold() {}
 
 /// Marks a branch that is seldom taken, but only where registers have 64 bits.
 #[inline]
