@@ -293,8 +293,8 @@ pub mod textbook;
 
 /// How varyings are interpolated: the trait [`Mode`](mode::Mode) and its five implementations.
 ///
-/// [Mathematics](crate::guide::mathematics::pixels#an-attribute) explains why each pixel needs the reciprocal of 1/w, and
-/// how the faster modes avoid a division at every pixel.
+/// Mathematics explains [why each pixel needs the reciprocal of 1/w](crate::guide::mathematics::pixels#an-attribute),
+/// and [how the faster modes avoid a division](crate::guide::mathematics::fixed_point#fixed-point) at every pixel.
 ///
 #[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
 pub mod mode {
