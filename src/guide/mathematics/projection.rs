@@ -143,7 +143,7 @@
 //! **Clipping after the division.** The point (1, 1, 3) lies behind the eye. Its *w* is −3, and a division would put it
 //! at (−⅔, −⅔), inside the window. A triangle with such a corner would reach to the mirrored point, across the wrong
 //! part of the picture. No test of screen positions can detect this. Clip first, while *w* still has its sign, then
-//! divide. Draw calls work in this order.
+//! divide ([A clip](crate::guide::mathematics::clipping#a-clip)). Draw calls work in this order.
 //!
 //! ```
 //! use fixel::prelude::*;
