@@ -111,7 +111,9 @@
 //! 3. **No panics.** No accepted value can cause a panic or a write outside the canvas. Constructors refuse values that
 //!    cannot be drawn, with an [`Error`] that names the value and the bound. [`guide::limits`] gives the ranges in
 //!    which accuracy is promised, and says what happens beyond them.
-//! 4. **Watertight.** Triangles that share an edge cover each pixel center exactly once, even if they are clipped.
+//! 4. **Watertight.** Triangles that share an edge cover each pixel center exactly once, even if they are clipped. A
+//!    center exactly on the edge belongs to the triangle on the right of the edge or, if the edge is level, to the
+//!    triangle below it: [the top-left rule](guide::mathematics::triangles#a-shared-edge).
 //! 5. **Bands equal frames.** A frame drawn in bands equals the frame drawn whole, bit for bit.
 //! 6. **Pay for what you use.** Depth, storage, color, shading and interpolation mode are type parameters. Parts that
 //!    your program does not use add no code. The feature `assets`, on by default, provides the macros that read files.
@@ -291,8 +293,8 @@ pub mod textbook;
 
 /// How varyings are interpolated: the trait [`Mode`](mode::Mode) and its five implementations.
 ///
-/// [Mathematics](crate::guide::mathematics::pixels#a-triangle) explains why each pixel needs the reciprocal of 1/w, and
-/// how the faster modes avoid a division at every pixel.
+/// Mathematics explains [why each pixel needs the reciprocal of 1/w](crate::guide::mathematics::pixels#an-attribute),
+/// and [how the faster modes avoid a division](crate::guide::mathematics::fixed_point#fixed-point) at every pixel.
 ///
 #[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
 pub mod mode {

@@ -150,9 +150,11 @@ mod tests {
     use crate::fixtures::picture::Picture;
     use crate::math::{Transform, Vec3};
     use crate::mesh::Indices;
+    use crate::random::{cases, within};
     use crate::raster::{Cull, area};
-    use crate::view::{Parallel, Projection, Viewport, Window};
-    use crate::{Mesh, Scalar, fx};
+    use crate::view::{Parallel, Perspective, Projection, Viewport, Window};
+    use crate::{Mesh, Scalar, deg, fx};
+    use rand::Rng;
 
     /// Clips a triangle with corners in pixels and depths. Depths from -1 to 1 are inside.
     fn clip_triangle(corners: [[Scalar; 3]; 3]) -> ClippedPolygon {
@@ -282,6 +284,50 @@ mod tests {
             // 16,000 pixels.
             assert!((found - exact).abs() < 64., "{found} is not {exact}");
         }
+    }
+
+    /// Two triangles on both sides of an edge walk it in opposite directions. The edge reaches from a few units ahead of
+    /// the eye to anywhere. Its new corners have the same bits in both triangles.
+    #[test]
+    fn a_shared_edge_has_the_same_corners_in_both_triangles() {
+        let projection = Projection::perspective(deg!(90), (1, 1), fx!(1), fx!(10_000)).unwrap();
+        let viewport = Viewport::new(0, 0, 64, 64).unwrap();
+        let view = Transform::IDENTITY;
+        let mut cuts = 0;
+        cases(1_000, |random| {
+            let inside = within(
+                random,
+                [-1 << 16..1 << 16, -1 << 16..1 << 16, -4 << 16..-2 << 16],
+            );
+            let [outside, c, d] = [(); 3].map(|()| Vec3::from_bits(random.random()));
+            let positions = [Vec3::from_bits(inside), outside, c, d];
+            let mesh = Mesh::new(&positions, &[]).unwrap();
+            let projector =
+                Projector::<Perspective>::new(mesh.positions(), &projection, &view, &viewport);
+            let outcodes = [0, 1, 2, 3].map(|index| {
+                let mut vertex = ScreenVertex::UNSET;
+                projector.project(index, None, &mut vertex);
+                vertex.outcode
+            });
+            let [first, second] = [[0, 1, 2], [1, 0, 3]].map(|corners: [Index; 3]| {
+                let outcode = corners
+                    .iter()
+                    .fold(0, |all, &at| all | outcodes[usize::from(at)]);
+                let mut clipped = ClippedPolygon::new();
+                clip(&projector, &corners, outcode, &mut clipped);
+                // On the shared edge, the third corner has no weight.
+                let shared = clipped.iter().filter(|corner| corner.barycentric.0[1] == 0);
+                let mut bits: std::vec::Vec<_> = shared
+                    .map(|ClippedVertex { vertex, .. }| (vertex.screen, vertex.q, vertex.exponent))
+                    .collect();
+                bits.sort_unstable();
+                bits
+            });
+            assert_eq!(first, second, "{positions:?}");
+            assert_eq!(first.len(), 2);
+            cuts += usize::from(outcodes[1] != 0);
+        });
+        assert!(cuts > 500, "{cuts}");
     }
 
     #[test]

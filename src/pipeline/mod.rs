@@ -108,6 +108,10 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ///
     /// `mvp` is a [`Projection`](crate::Projection) times a camera and a model transform (an [`Mvp`](crate::Mvp)), or
     /// a projection alone. Drawing cannot fail: parts outside the view are clipped away.
+    ///
+    /// A triangle has the pixels whose centers it covers. A center exactly on an edge belongs to the triangle if the
+    /// edge is a left edge, or a level edge at the top. So triangles that share an edge draw each pixel once
+    /// ([the top-left rule](crate::guide::mathematics::triangles#a-shared-edge)).
     pub fn draw(
         &mut self,
         thing: impl Thing<C>,

@@ -11,7 +11,7 @@ use crate::num::{Angle, Scalar};
 #[cfg_attr(doc, doc = include_str!("../guide/diagrams/look_at.svg"))]
 ///
 /// In eye space, the eye is at the origin and looks down −z; x points to the right, and y points up. In the diagram,
-/// these axes are *i*, *j* and *k*. [Mathematics](crate::guide::mathematics::views#a-camera) derives this transform and
+/// these axes are *i*, *j* and *k*. [Mathematics](crate::guide::mathematics::camera#a-camera) derives this transform and
 /// its inverse.
 ///
 /// ```

@@ -105,7 +105,7 @@ impl ProjectionRow {
 /// distances ahead of the eye. A projection maps its frustum or box to normalized device coordinates, ±1 from edge to
 /// edge.
 ///
-/// [Mathematics](crate::guide::mathematics::perspective#a-matrix) derives the matrix from similar triangles.
+/// [Mathematics](crate::guide::mathematics::projection#a-matrix) derives the matrix from similar triangles.
 ///
 /// The matrix's coefficients have 30 significant bits, whatever their size. Exception: if a coordinate of the picture
 /// depends on x (or y) and on z, only the larger of the two coefficients has 30 significant bits, and the smaller one

@@ -4,8 +4,8 @@
 //!
 //! # Lines
 //!
-//! **The image of a line is a line.** The eye and a line that does not pass through it span a plane. All lines of
-//! sight to the line lie in that plane, and the plane cuts the near plane in a line.
+//! **The image of a line is a line.** The eye and a line that does not pass through it span a plane. All lines of sight
+//! to the line lie in that plane, and the plane cuts the near plane in a line.
 //!
 //! For what follows, a line is *P* + *t* *v*, with a point *P*, a direction *v* and a number *t*.
 //!
@@ -157,3 +157,5 @@
 //! </div>
 //!
 //! Tests: `accuracy/formulas/segment.rs`.
+//!
+//! Next page: [An edge](crate::guide::mathematics::triangles#an-edge).

@@ -1,28 +1,48 @@
-//! From similar triangles to the pixel: the mathematics of a picture in perspective.
+//! From a vertex to its pixels: the mathematics of a picture in perspective.
 //!
-//! With these pages you can work out by hand where a point of your scene lands on the screen, where parallel lines meet,
-//! and why a texture bends if depth is interpolated the wrong way. You can also say where the errors of fixed point
-//! come from, and how large they are. You need to know vectors and matrices, but nothing about graphics. Each step
-//! states a claim, derives it, and checks numbers with the call that computes them.
+//! With these pages you can work out by hand where a point of your scene lands on the screen, which triangle draws a
+//! pixel on a shared edge, how bright the pixel is, and why a texture bends if depth is interpolated the wrong way. You
+//! can also say where the errors of fixed point come from, and how large they are. You need to know vectors and
+//! matrices, but nothing about graphics. Each step states a claim, derives it, and checks numbers with the call that
+//! computes them.
 //!
-//! 1. [A point](perspective#a-point): similar triangles
-//! 2. [A matrix](perspective#a-matrix): homogeneous coordinates and pseudo-depth
-//! 3. [A window](perspective#a-window): field of view, aspect ratio, pixels
-//! 4. [Lines](lines#lines): slopes, vanishing points, speed
-//! 5. [A segment](lines#a-segment): foreshortening
-//! 6. [A triangle](pixels#a-triangle): one reciprocal per pixel
-//! 7. [Fixed point](pixels#fixed-point): formats and errors
-//! 8. [A camera](views#a-camera): look-at, the inverse, the order of transforms
-//! 9. [Parallel views](views#parallel-views): orthographic, axonometric, oblique
-//! 10. [Time](time#time): turns that do not drift
+//! Read the pages from top to bottom. They follow a vertex until it is a pixel:
+//!
+//! 1. [A turn](rotation#a-turn): Rodrigues' formula. The model is placed in the world
+//! 2. [A quaternion](rotation#a-quaternion): a turn in four numbers, and one turn after another
+//! 3. [Time](rotation#time): turns that do not drift
+//! 4. [A camera](camera#a-camera): look-at, the inverse, a camera placed by moves
+//! 5. [A point](projection#a-point): similar triangles, the practice cube
+//! 6. [A matrix](projection#a-matrix): homogeneous coordinates, pseudo-depth, the perspective transform
+//! 7. [A window](projection#a-window): field of view, aspect ratio, frustum, pixels
+//! 8. [Parallel views](projection#parallel-views): orthographic, axonometric, oblique
+//! 9. [A chain](projection#a-chain): the order of transforms
+//! 10. [A clip](clipping#a-clip): where an edge meets the near plane
+//! 11. [A shared cut](clipping#a-shared-cut): why clipped neighbors leave no crack
+//! 12. [Lines](lines#lines): slopes, vanishing points, speed, one-, two- and three-point perspective
+//! 13. [A segment](lines#a-segment): foreshortening, and why 1/*w* is linear on the screen
+//! 14. [An edge](triangles#an-edge): on which side of an edge a pixel lies
+//! 15. [An area](triangles#an-area): its sign, and barycentric coordinates
+//! 16. [A shared edge](triangles#a-shared-edge): the top-left rule, by which each pixel is drawn once
+//! 17. [A normal](light#a-normal): the transpose of the inverse
+//! 18. [Matte surfaces](light#matte-surfaces): Lambert's cosine
+//! 19. [Highlights](light#highlights): Phong's mirror and Blinn's halfway direction
+//! 20. [An attribute](pixels#an-attribute): one reciprocal per pixel
+//! 21. [A depth step](pixels#a-depth-step): how far apart surfaces must be
+//! 22. [A mip level](pixels#a-mip-level): how many texels a pixel covers
+//! 23. [Fixed point](fixed_point#fixed-point): formats and errors
 //!
 //! The axes are right-handed: x points to the right, and y points up. The eye is at the origin and looks along −z. The
 //! numbers *n* and *f* are the distances of the near and the far plane, both above zero. Each step ends with the names
 //! of the tests that check its claim, mostly with random numbers. The files of these tests are in the repository's
 //! folder `tests`.
 
+pub mod camera;
+pub mod clipping;
+pub mod fixed_point;
+pub mod light;
 pub mod lines;
-pub mod perspective;
 pub mod pixels;
-pub mod time;
-pub mod views;
+pub mod projection;
+pub mod rotation;
+pub mod triangles;

@@ -1,8 +1,8 @@
-//! From a triangle to its pixels: one reciprocal per pixel, and the errors of fixed point.
+//! Pixels: attributes with one reciprocal per pixel, the depth that a pixel stores, and the mip level that it shows.
 //!
 //! The [first page](crate::guide::mathematics) names the axes and the letters *n* and *f*.
 //!
-//! # A triangle
+//! # An attribute
 //!
 //! **Across a triangle, too, 1/*w* and *a*/*w* are linear on the screen.** This holds for every attribute *a* that is
 //! linear across the triangle in space: position, texture coordinates, color, normal, light.
@@ -18,7 +18,7 @@
 //!
 //! The value of a linear function at a point is the mean of its values at the corners, weighted with the point's
 //! barycentric coordinates on the screen. These coordinates are proportional to the areas of the triangles opposite the
-//! corners, and *α* + *β* + *γ* = 1. Hence
+//! corners, and *α* + *β* + *γ* = 1 ([An area](crate::guide::mathematics::triangles#an-area)). Hence
 //!
 #![doc = formula!({a = frac
     (var "α" a[0] / w[0] + var "β" a[1] / w[1] + var "γ" a[2] / w[2])
@@ -27,13 +27,20 @@
 //!
 #![doc = include_str!("../diagrams/weights.svg")]
 //!
-//! Along a row of pixels, a linear function changes by the same amount from pixel to pixel. A renderer adds this amount
-//! to 1/*w* and to each *a*/*w*. **One reciprocal per pixel** then serves all attributes.
+//! **A pixel needs one division.** Along a row of pixels, a linear function changes by the same amount from pixel to
+//! pixel. A renderer adds this amount to *Q* = 1/*w* and to each *P* = *a*/*w*. But the quotient *P*/*Q* does not
+//! change by the same amount: if *Q* falls evenly from 1 over ¾ and ½ to ¼, then *w* grows from 1 over 1⅓ and 2 to 4.
+//! Additions alone follow only straight lines. A small processor takes far longer for a division than for a product. So
+//! divide once, *r* = 1/*Q*, and multiply each *P* by *r*: one reciprocal per pixel serves all attributes.
+//!
+//! **Additions repeat their rounding error.** The step from pixel to pixel is rounded once. After 300 pixels, this
+//! error has been added 300 times. So *P* and *Q* need about 9 more bits than the result, because 2⁹ is 512. fixel
+//! computes the steps of large triangles in 64 bits.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
 //! use fixel::mode::{Affine, Mode, Newton};
-//! use fixel::prelude::*;
+//! use fixel::{Fraction, prelude::*, textbook::Segment};
 //!
 //! // At distances 1, 2 and 4. The images (−½, −½), (½, −½) and (0, 1) have the mean (0, 0).
 //! let corners = [vec3!(-0.5, -0.5, -1), vec3!(1, -1, -2), vec3!(0, 4, -4)];
@@ -51,92 +58,97 @@
 //! // At (0, 0), all weights are ⅓: (252/4) / (1 + ½ + ¼) = 36. Without w it would be 252/3.
 //! assert_eq!(middle(Newton, &mesh, &projection)?, 36);
 //! assert_eq!(middle(Affine, &mesh, &projection)?, 84);
+//!
+//! // Q at thirds of the way is 1, ¾, ½ and ¼.
+//! let segment = Segment::new(fx!(1), fx!(4)).unwrap();
+//! let w = |thirds| segment.distance(Fraction::ONE / 3 * thirds).unwrap();
+//! assert_eq!([0, 1, 2, 3].map(w), [fx!(1), fx!(1.333333), fx!(2), fx!(4)]);
 //! # Ok::<(), Error>(())
 //! ```
 //!
 //! Tests: `accuracy/formulas/triangle.rs`; other attributes, and triangles of all shapes, in `accuracy/varyings.rs`.
 //!
-//! # Fixed point
+//! # A depth step
 //!
-//! **A fixed-point number is an integer whose unit is a power of two.** The unit bounds the rounding error, and the
-//! number of bits bounds the range. Each quantity has the format that its range needs; [`num`](crate::num) lists all of
-//! them:
+//! **At the distance *w*, a depth buffer of 16 bits tells two surfaces apart if they are *w*²/(65535 *n*) apart.** The
+//! buffer stores the depth *D* = 65535 *n*/*w*, rounded down. Its derivative says how much *D* changes when *w* changes
+//! by a small Δ*w*. Set the change of *D* to one step:
 //!
-//! | quantity | bits | unit |
-//! |---|---|---|
-//! | coordinates, distances | 32 | 2⁻¹⁶ |
-//! | position on the screen | 32 | 2⁻⁸ pixel |
-//! | matrix of a transform | 30 and a sign each | 2 to a power that its nine entries share |
-//! | *Q* = 1/*w* in a triangle | 31 | at most 2⁻³⁰ of its value at the nearest corner |
-//! | *P* = *a*/*w* in a triangle | 30 and a sign | a power of two for which \|*P*\| ≤ *Q*/2 |
+#![doc = formula!({D = frac(65535 n)(w)} {frac(d D)(d w) = -frac(65535 n)(w^2)} {var "Δ" w = frac(w^2)(65535 n)})]
 //!
-//! **The entries of a matrix share an exponent** (block floating point): they differ in size from scene to scene, but
-//! not much within a scene. A product of two mantissas has 60 bits, and 64 bits hold the sum of three products. The
-//! example rotates a point by a thousandth of a degree: first by a matrix whose entries share an exponent, then by one
-//! whose entries have the fixed unit 2⁻¹⁶:
+//! So a step grows with the **square** of the distance. Relative to the distance, it is *w*/(65535 *n*): 1 % at 655
+//! times the near plane's distance.
+//!
+//! By hand, with *n* = 1 and *w* = 1000: *D* = 65.535, so the buffer stores 65. The formula gives a step of
+//! 1,000,000/65,535 = 15.3. The exact ends of the step are 65535/66 = 993.0 and 65535/65 = 1008.2. Two surfaces at the
+//! distances 995 and 1005 have the same stored depth. With *n* = 2, their depths are 131 and 130. **Twice the near
+//! plane's distance makes all steps half as large.**
+//!
+//! | distance *w* | stored depth | nearest | farthest with this depth | *w*²/65535 |
+//! |---:|---:|---:|---:|---:|
+//! | 10 | 6553 | 9.9992 | 10.0008 | 0.0015 |
+//! | 100 | 655 | 99.9 | 100.1 | 0.15 |
+//! | 300 | 218 | 299.2 | 300.6 | 1.4 |
+//! | 1000 | 65 | 993.0 | 1008.2 | 15.3 |
 //!
 //! ```
+//! use embedded_graphics::pixelcolor::Gray8;
 //! use fixel::prelude::*;
 //!
-//! let turn = Transform::rotate_z(deg!(0.001));
-//! let y = turn.point(vec3!(10000, 0, 0)).y;
-//! assert_eq!(format!("{y:.4}"), "0.1745"); // 10000 · sin 0.001°
-//! // The same in units of 2⁻¹⁶: the sine is rounded to one unit.
-//! let [_, y, ..] = turn.to_matrix().homogeneous(vec3!(10000, 0, 0));
-//! assert_eq!(format!("{y:.4}"), "0.1526");
-//! ```
-//!
-//! **A Newton step squares the error of a reciprocal.** Let *r* be a guess for 1/*Q*, and *e* = 1 − *Qr* its relative
-//! error. Then
-//!
-#![doc = formula!({prime(r) = r (2 - Q r) = r (1 + e)} {1 - Q prime(r) = 1 - (1 - e) (1 + e) = e^2})]
-//!
-//! From one pixel to the next, *Q* changes by a small fraction δ of its value. The reciprocal of the last pixel is a
-//! guess with an error of δ, and one step (two products) reduces the error to δ². The mode
-//! [`Newton`](crate::mode::Newton) takes its guess from the line through the last two reciprocals instead. This guess
-//! has an error of about 2δ², and the step reduces the error to 4δ⁴.
-//!
-//! ```
-//! // 1/w at two pixels; δ is 1/64. Reciprocals are in units of 2⁻⁶¹.
-//! let (last, q) = (3_u32 << 29, (3_u32 << 29) + (3 << 23));
-//! let error = |r: f64| 1.0 - f64::from(q) * r / 2_f64.powi(61);
-//! let guess = (2_f64.powi(61) / f64::from(last)).floor();
-//! let step = guess * (1.0 + error(guess));
-//! assert!((error(guess) + 1.0 / 64.0).abs() < 1e-9);
-//! assert!((error(step) - 1.0 / 4096.0).abs() < 1e-9);
-//! ```
-//!
-//! **A straight piece needs a reciprocal only at its ends.** Let *a* = *P*/*Q* along a row, where *P* and *Q* are
-//! linear, and let a dot over a letter mean its change per pixel. Differentiate *aQ* = *P* twice:
-//!
-#![doc = formula!(
-    {dotted(a) Q + a dotted(Q) = dotted(P)}
-    {twice_dotted(a) Q + 2 dotted(a) dotted(Q) = 0}
-    {|twice_dotted(a)| = 2 |dotted(a)| var "δ"}
-)]
-//!
-//! The error of a chord over *L* pixels is at most |*ȧ*| δ *L*²/4, an eighth of *L*² times the second derivative. The
-//! mode [`Fast`](crate::mode::Fast) uses the longest pieces that keep this error below your tolerance.
-//!
-#![doc = include_str!("../diagrams/pieces.svg")]
-//!
-//! ```
-//! use fixel::{Fraction, fx, textbook::Segment};
-//!
-//! // A wall from distance 1 to 2 shows 256 texels on 320 pixels. The last 16 pixels are one piece.
-//! let wall = Segment::new(fx!(1), fx!(2)).unwrap();
-//! let texel = |pixel: f64| {
-//!     let there = wall.in_space(Fraction::try_from(pixel / 320.0).unwrap());
-//!     256.0 * f64::from(there.unwrap())
+//! let mut pixels = [Gray8::new(0); 4];
+//! let canvas = Canvas::new(&mut pixels, 2, 2)?;
+//! let depths = |near| -> Result<_, Error> {
+//!     let projection = Projection::perspective(deg!(90), (1, 1), near, fx!(2000))?;
+//!     let at = |z| canvas.project(&DrawOptions::new(), &projection, Vec3::from_ints(0, 0, z));
+//!     Ok([-995, -1005].map(|z| at(z).unwrap().depth))
 //! };
-//! let error = (texel(304.0) + texel(320.0)) / 2.0 - texel(312.0);
-//! // At the far end, 1/w falls by 1/320 of itself a pixel, and the texture advances 1.6 texels.
-//! let bound = 1.6 / 320.0 * 16.0 * 16.0 / 4.0;
-//! assert!(0.9 * bound < error && error < bound, "{error} of {bound}");
+//! assert_eq!(depths(fx!(1))?, [65, 65]);
+//! assert_eq!(depths(fx!(2))?, [131, 130]);
+//! # Ok::<(), Error>(())
 //! ```
 //!
-//! [Choosing a mode](crate::guide::modes#the-interpolants-and-their-rounding) adds up the rounding errors of each
-//! mode.
+//! [`FloatDepth`](crate::canvas::FloatDepth) has steps of about the same part of the distance everywhere.
 //!
-//! Tests, beside the code: exact reciprocals in `src/num/reciprocal.rs`, a Newton step in `src/num/wide/divide.rs`,
-//! pieces in `src/span/pieces.rs`. All modes are compared with a model in `f64` in `accuracy/promises.rs`.
+//! Tests: `accuracy/formulas/pixel.rs`; depths in whole scenes in `accuracy/promises.rs`.
+//!
+//! # A mip level
+//!
+//! **Level *k* of a mipmap suits a pixel that covers 2<sup>*k*</sup> texels.** A texel of level *k* is the mean of
+//! 2<sup>*k*</sup>x2<sup>*k*</sup> texels of level 0. So the level is the logarithm, with base 2, of the texels that
+//! lie between two neighboring pixels.
+//!
+//! Take a floor at the height *h* below the eye, and let *F* be the focal length in pixels. By similar triangles, the
+//! floor at the distance *w* is seen *y* = *Fh*/*w* rows below the horizon. From column to column, the floor advances
+//! by *w*/*F*. From row to row, it advances by the derivative of *w* = *Fh*/*y*, which is negative because *w* falls as
+//! *y* grows:
+//!
+#![doc = formula!({-frac(d w)(d y) = frac(F h)(y^2) = frac(w^2)(F h) = frac(w)(F) dot frac(w)(h)})]
+//!
+//! The first factor is the pixel's size. The second factor is the stretch along the line of sight. With *m* texels per
+//! unit of length:
+//!
+#![doc = formula!({level = log[2] (m dot frac(w)(F) dot frac(w)(h))})]
+//!
+//! For another plane, *h* is the distance of the eye from the plane. This is the level for the direction in which the
+//! texture is foreshortened most. Across, *w*/*F* would do, so the picture is softer than necessary in that direction.
+//!
+//! By hand: *m* = 64, *F* = 160, *h* = 1. The distance 5 is seen 160/5 = 32 rows below the horizon. Across, a pixel
+//! covers 64 · 5/160 = 2 texels. Along the line of sight, it covers five times as many, 10 texels. The level is log₂ 10
+//! = 3.32, and the nearest level is 3, with a mean of 8x8 texels. The table continues:
+//!
+//! | rows below the horizon | distance | texels across | texels along | level | nearest level |
+//! |---:|---:|---:|---:|---:|---:|
+//! | 80 | 2 | 0.8 | 1.6 | 0.68 | 1 |
+//! | 64 | 2.5 | 1.0 | 2.5 | 1.32 | 1 |
+//! | 32 | 5 | 2.0 | 10.0 | 3.32 | 3 |
+//! | 16 | 10 | 4.0 | 40.0 | 5.32 | 5 |
+//!
+//! Without mipmaps, the pixels at the distance 10 would show one of 40 texels by chance, and another one in the next
+//! frame: the floor flickers. With mipmaps, they show a mean:
+//!
+#![cfg_attr(doc, doc = page_picture!("mipmapped", "A tiled floor: the left half without mipmaps flickers in the distance, the right half is even"))]
+//! [`Textured::mipmapped`](crate::Textured::mipmapped) gives the accuracy and the cost.
+//!
+//! Tests: `accuracy/formulas/pixel.rs`; pictures with mipmaps in `accuracy/mipmap.rs`.
+//!
+//! Next page: [Fixed point](crate::guide::mathematics::fixed_point#fixed-point).

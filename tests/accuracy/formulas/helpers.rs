@@ -1,4 +1,5 @@
-//! Helpers for the tests of formulas: conversions between the crate's formats and f64, and the steps of the formats.
+//! Helpers for the tests of formulas: conversions between the crate's formats and f64, the steps of the formats, and
+//! rows of tables in the guide.
 
 use fixel::{Fraction, Matrix4, Scalar, Vec3};
 
@@ -37,4 +38,16 @@ pub fn same_matrix(found: &Matrix4, expected: [[f64; 4]; 4], tolerance: f64) {
     for (found, expected) in found.rows().iter().zip(expected) {
         all_close(found.map(float), expected, tolerance);
     }
+}
+
+/// A number as the guide writes it, with a minus sign that is as wide as a digit.
+pub fn digits(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    text.replace('-', "−")
+}
+
+/// Checks that a page of the guide has a table with this row.
+pub fn assert_row(page: &str, cells: &[String]) {
+    let row = format!("//! | {} |\n", cells.join(" | "));
+    assert!(page.contains(&row), "the page has no row {row}");
 }

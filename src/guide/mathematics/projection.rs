@@ -1,4 +1,4 @@
-//! Perspective: where a point of the scene lands on the screen, by similar triangles, by a matrix, and in pixels.
+//! Projection: where a point of the scene lands on the screen, by similar triangles, by a matrix, and in pixels.
 //!
 //! The [first page](crate::guide::mathematics) names the axes and the letters *n* and *f*.
 //!
@@ -45,8 +45,8 @@
 //!
 //! A matrix cannot divide by *z*, but it can put the divisor into a fourth coordinate. Four numbers (*x*, *y*, *z*,
 //! *w*) with *w* > 0 stand for the point (*x*/*w*, *y*/*w*, *z*/*w*); they are called homogeneous coordinates. A point
-//! of eye space has *w* = 1. If the last row of the matrix is (0 0 −1 0), the result has *w* = −*z*, the distance
-//! ahead of the eye.
+//! of eye space has *w* = 1. If the last row of the matrix is (0 0 −1 0), the result has *w* = −*z*, the distance ahead
+//! of the eye.
 //!
 //! The visible part of the near plane is a window, from *l* to *r* in x and from *b* to *t* in y. In normalized device
 //! coordinates (ndc), the window reaches from −1 to 1 along both axes. The image above is *x*′ = *nx*/*w*, so *nx* =
@@ -76,9 +76,9 @@
 //!
 //! The depth is −*A* + *B*/*w*. It is called pseudo-depth, because it keeps the order of distances but not their
 //! proportions: with *n* = 2 and *f* = 10, half of its range is used up at a distance of 3⅓. The distance itself is not
-//! suitable as a depth, because along a line on the screen, 1/*w* changes evenly, but *w* does not
-//! ([A segment](crate::guide::mathematics::lines#a-segment)). A depth buffer of fixel stores 65535 *n*/*w*, which is also linear in 1/*w*, and needs no far
-//! plane.
+//! suitable as a depth, because along a line on the screen, 1/*w* changes evenly, but *w* does not ([A
+//! segment](crate::guide::mathematics::lines#a-segment)). A depth buffer of fixel stores 65535 *n*/*w*, which is also
+//! linear in 1/*w*, and needs no far plane.
 //!
 #![doc = include_str!("../diagrams/pseudo_depth.svg")]
 //!
@@ -143,7 +143,7 @@
 //! **Clipping after the division.** The point (1, 1, 3) lies behind the eye. Its *w* is −3, and a division would put it
 //! at (−⅔, −⅔), inside the window. A triangle with such a corner would reach to the mirrored point, across the wrong
 //! part of the picture. No test of screen positions can detect this. Clip first, while *w* still has its sign, then
-//! divide. Draw calls work in this order.
+//! divide ([A clip](crate::guide::mathematics::clipping#a-clip)). Draw calls work in this order.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -217,3 +217,104 @@
 //! </div>
 //!
 //! Tests: `accuracy/formulas/projection.rs`; viewports in `accuracy/formulas/camera.rs`.
+//!
+//! # Parallel views
+//!
+//! **An orthographic projection only scales and moves.** It maps a box to −1…1 along each axis and leaves *w* at 1, so
+//! parallel lines stay parallel. It is translate · scale, the product of [A matrix](#a-matrix) without *P*:
+//!
+#![doc = formula!({matrix(
+    [frac(2)(r - l)] [0]              [0]               [-frac(r + l)(r - l)];
+    [0]              [frac(2)(t - b)] [0]               [-frac(t + b)(t - b)];
+    [0]              [0]              [-frac(2)(f - n)] [-frac(f + n)(f - n)];
+    [0]              [0]              [0]               [1]
+)})]
+//!
+//! ```
+//! use fixel::prelude::*;
+//!
+//! let window = Window { left: fx!(-3), right: fx!(5), bottom: fx!(-1), top: fx!(1) };
+//! let plan = Projection::orthographic(window, fx!(2), fx!(10))?.to_matrix();
+//! assert_eq!(plan.project(vec3!(-3, -1, -2)), Some(vec3!(-1, -1, -1)));
+//! assert_eq!(plan.project(vec3!(5, 1, -10)), Some(vec3!(1, 1, 1)));
+//! # Ok::<(), Error>(())
+//! ```
+//!
+//! **An axonometric view is orthographic, from a direction that shows three sides of a box.** A unit vector along an
+//! axis of the world has the components *i*, *j* and *k* in the axes of the camera, and the picture shows the first
+//! two. The squares of the three components add up to 1, so the image of the vector has the
+//!
+#![doc = formula!({length = sqrt(i^2 + j^2) = sqrt(1 - k^2)})]
+//!
+//! In an isometric view, the images of all three axes have the same length, so the axes have the same *k*. The three
+//! numbers *k* are the components of the camera's back axis, a unit vector. So each is 1/√3, and each length is √(2/3),
+//! about 0.816. The camera is turned by 45° and raised by 35.26°, the angle with the sine 1/√3. In a dimetric view, two
+//! of the three lengths are equal. In a trimetric view, all three lengths differ. A view along an axis shows the front,
+//! a side or the top.
+//!
+//! ```
+//! use fixel::prelude::*;
+//!
+//! let isometric = Camera::isometric(Vec3::ZERO, fx!(10));
+//! for axis in [Vec3::X, Vec3::Y, Vec3::Z] {
+//!     let [x, y, _] = isometric.view().direction(axis).to_bits().map(|v| f64::from(v) / 65536.0);
+//!     assert!((x.hypot(y) - (2.0_f64 / 3.0).sqrt()).abs() < 1e-5);
+//! }
+//! ```
+//!
+//! **An oblique view leaves the front undistorted.** A point at a depth *d* behind the front moves by ρ*d* in the
+//! direction of an angle φ:
+//!
+#![doc = formula!({prime(x) = x + var "ρ" d fun cos var "φ"} {prime(y) = y + var "ρ" d fun sin var "φ"})]
+//!
+//! An edge of length one that points straight back has an image of length ρ: 1 in a cavalier projection, ½ in a cabinet
+//! projection.
+//!
+#![doc = include_str!("../diagrams/parallel.svg")]
+//!
+//! ```
+//! use fixel::prelude::*;
+//!
+//! // The window is ±1, like normalized device coordinates. Depth runs at 30° to the right.
+//! let window = Window::centered(fx!(2), fx!(2));
+//! let edge = |projection: Projection<fixel::view::Parallel>| {
+//!     let at = |z| projection.to_matrix().project(Vec3::new(fx!(0), fx!(0), z)).unwrap();
+//!     let edge = at(fx!(-2)) - at(fx!(-1));
+//!     f64::from(edge.x).hypot(edge.y.into())
+//! };
+//! assert!((edge(Projection::cavalier(deg!(30), window, fx!(1), fx!(9))?) - 1.0).abs() < 1e-4);
+//! assert!((edge(Projection::cabinet(deg!(30), window, fx!(1), fx!(9))?) - 0.5).abs() < 1e-4);
+//! # Ok::<(), Error>(())
+//! ```
+//!
+//! Tests: axonometric views in `accuracy/formulas/camera.rs`, other parallel views in
+//! `accuracy/formulas/projection.rs`.
+//!
+//! # A chain
+//!
+//! **A chain of transforms is read from right to left**: viewport · projection · camera · model · point. Factors do not
+//! commute: a model that is turned and then moved is not in the same place as a model that is moved and then turned.
+//!
+//! ```
+//! use embedded_graphics::pixelcolor::Gray8;
+//! use fixel::prelude::*;
+//!
+//! // (1, 0, 0) is turned to (0, 1, 0), moved to (2, 1, 0), and seen at (2, 1, −5).
+//! let camera = Camera::look_at(vec3!(0, 0, 5), Vec3::ZERO, Vec3::Y)?;
+//! let projection = Projection::frustum(Window::centered(fx!(2), fx!(2)), fx!(2), fx!(10))?;
+//! let [turn, shift] = [Transform::rotate_z(deg!(90)), Transform::translate(vec3!(2, 0, 0))];
+//! let mut pixels = vec![Gray8::new(0); 240 * 240];
+//! let canvas = Canvas::new(&mut pixels, 240, 240)?;
+//! let place = |model| {
+//!     let mvp = projection * camera * model;
+//!     let at = canvas.project(&DrawOptions::new(), &mvp, Vec3::X).unwrap();
+//!     [at.x, at.y].map(f64::from)
+//! };
+//! assert_eq!(place(shift * turn), [216.0, 72.0]); // 120 · (1 + ⅘) and 120 · (1 − ⅖)
+//! assert_eq!(place(turn * shift), [120.0, -24.0]); // at (0, 3, 0): above the picture
+//! # Ok::<(), Error>(())
+//! ```
+//!
+//! Tests: `accuracy/formulas/camera.rs`.
+//!
+//! Next page: [A clip](crate::guide::mathematics::clipping#a-clip).
