@@ -11,8 +11,8 @@
 //! | transform, projection | 30 bits and a sign, with a shared exponent ([`Transform`](crate::Transform)) | ±2^62 | 2^-30 of the largest |
 //! | clip space | `i64` with a binary point per draw call | every [`Scalar`] under every transform | 2^-16 of a model's unit or finer |
 //! | screen | [`Subpixel`] (`I24F8` pixels) | 2048 around the viewport's center; triangles are clipped beyond | 1/256 pixel |
-//! | 1/w, or depth under a parallel projection | `u32`, 31 bits at the nearest corner of a primitive | 2^19 to 1 in a primitive | 2^-31 of the largest |
-//! | attribute/w | `i32`, scaled in the same way | at most half of 1/w | 2^-30 of the attribute's largest value |
+//! | 1/w, or depth under a parallel projection | `u32`, 31 bits at the nearest corner of a primitive | 2^19 to 1 in a primitive | at most 2^-30 of the largest |
+//! | attribute/w | `i32`, scaled in the same way | at most half of 1/w | at most 4¼ · 2^-30 of the attribute's largest value |
 //! | reciprocal of 1/w | 31 bits | | exact, rounded down |
 //! | stored depth | `u16`, floor(65535 · near / w) | 65535 at the near plane, 0 infinitely far | 1/65535 of near/w |
 //! | stored depth in [floating point](crate::canvas::FloatDepth) | `u16`: 4 bits of exponent, 12 of mantissa | 65535 at the near plane, 0 from 65,536 times as far | 2^-12 of the distance |

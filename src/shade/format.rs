@@ -19,9 +19,10 @@ use crate::texture::Blend;
 /// bits.
 ///
 /// Colors with 5 or more bits per channel are rounded to nearest. [`Gray4`], [`Gray2`] and [`BinaryColor`] (on is
-/// white) are dithered by an 8x8 ordered matrix that is fixed to the frame. If 8x8 pixels have the same value before
-/// dithering, the mean of their dithered values differs from this value by at most 1/128 step. Black stays black, and
-/// white stays white.
+/// white) are dithered by an 8x8 ordered matrix that is fixed to the frame. If the pixels of a tile
+/// have the same value before dithering, the mean of their dithered values differs from this value by at most 1/128 step
+/// for any tile of 8x8 pixels, 7/128 for a tile of 4x4 and 31/128 for a tile of 2x2 whose corner is at a multiple of its
+/// size in the frame. Black stays black, and white stays white.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{BinaryColor, Rgb565, Rgb888}, prelude::*};
@@ -384,6 +385,19 @@ mod tests {
             // A step of the sum is 1/64 step of the mean. The sum has an error of at most half a step.
             let error = (sum << 16) - level * 64;
             assert!(error.abs() <= 1 << 15, "level {level}: sum {sum}");
+            // The thresholds of a smaller tile are 1/16 step apart (4x4) or 1/4 step (2x2). Its lowest threshold is at
+            // least 1/128 step, and its highest at most 1 − 1/128 step.
+            for (size, worst) in [(4, 7), (2, 31)] {
+                for tile in 0..64 / (size * size) {
+                    let (x, y) = (tile * size % 8, tile * size / 8 * size);
+                    let at = |i| Point::new(x + i % size, y + i / size);
+                    let dithered = |i| step(Precise::<C>::from_levels([level; 3]).finish(at(i)));
+                    let sum: i32 = (0..size * size).map(dithered).sum();
+                    let error = (sum << 16) - level * size * size;
+                    let allowed = worst * size * size * (1 << 16) / 128;
+                    assert!(error.abs() <= allowed, "level {level}, {size}: sum {sum}");
+                }
+            }
         }
         for at in pixels() {
             for error in [-511, -2, 0, 2, 511] {

@@ -454,8 +454,9 @@ pub trait Shader: Copy {
         Converted::new(self)
     }
 
-    /// Dithers this surface, whatever its format: the mean of 8x8 pixels then differs from the exact color by at most
-    /// 1/128 step. Formats with fewer than 5 bits per channel are dithered anyway. In formats of 15 and 16 bits,
+    /// Dithers this surface, whatever its format: the mean of 8x8 pixels then differs from the surface's [full-precision
+    /// color](super::Precise) by at most 1/128 step. That color has errors of its own: at most 1/250 step for each light,
+    /// tint or fog, and 1/8 step for interpolated colors. Formats with fewer than 5 bits per channel are dithered anyway. In formats of 15 and 16 bits,
     /// dithering hides the bands of soft light and fog. Call this method last.
     ///
     /// ```

@@ -110,8 +110,10 @@
 //!
 //! A product of quaternions takes 16 multiplications, and a product of matrices takes 27. To turn many points, make the
 //! matrix first: a point then takes 9 multiplications. Rounding makes a quaternion longer or shorter, and a division by
-//! its length repairs it. A matrix that is multiplied again and again also loses its right angles;
-//! [`Transform::renormalized`](crate::Transform::renormalized) repairs them.
+//! its length repairs it. [`Transform::rotate`](crate::Transform::rotate) also makes its matrix from a quaternion, (|*a*|
+//! *c*, *s* *a*) for an axis *a* of any length, so that no rounded axis of length one can stretch a model. A matrix that
+//! is multiplied again and again loses its right angles; [`Transform::renormalized`](crate::Transform::renormalized)
+//! repairs them.
 //!
 //! Tests: `accuracy/formulas/rotation.rs`.
 //!

@@ -1,8 +1,8 @@
 //! Coordinates and offsets up to the ends of the format, and triangles far larger than the screen.
 //!
-//! The bounds are the same as in [`planes`](super::planes). Clip space keeps 30 bits of the largest term of a sum. So
-//! if coordinates and offsets add up to S, rounding moves a point at distance w by up to S/w · 2⁻¹⁶ · 0.15 pixels
-//! (`Scene::moved`), and its texels in proportion.
+//! The bounds are the same as in [`planes`](super::planes). Clip space keeps 30 bits of the largest term of a sum. Let S
+//! be the sum of the magnitudes of all coordinates and offsets. Then rounding moves a point at distance w by up to S/w ·
+//! 2⁻¹⁶ · 0.15 pixels (`Scene::moved`), and its texels in proportion.
 
 use super::scene::{Corners, Random, TriangleView, worst};
 use super::table::{Cases, picture};
