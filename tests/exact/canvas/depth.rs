@@ -8,8 +8,11 @@ use embedded_graphics::mono_font::MonoTextStyle;
 use embedded_graphics::mono_font::ascii::FONT_6X10;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, GrayColor, PixelColor};
 use embedded_graphics::text::Text;
-use fixel::canvas::{DepthBuffer, FloatDepth, WideFloatDepth};
+use fixel::canvas::{DepthBuffer, FloatDepth, WideFloatDepth, WriteOnly};
 use fixel::prelude::*;
+use rand::Rng as _;
+use support::moves::rounded;
+use support::random::{Random, cases, sampled};
 
 /// Draws a triangle that covers the pixels below the diagonal of an 8x8 canvas.
 fn triangle<C: PixelColor, D: DepthBuffer>(
@@ -101,6 +104,49 @@ fn a_pixels_depth_is_that_of_the_point_drawn_there() {
     drawn_depth::<LinearDepth>();
     drawn_depth::<FloatDepth>();
     drawn_depth::<WideFloatDepth>();
+}
+
+/// Draws triangles with corners in the near or the far plane, or between them. The depths of the pixels must be between
+/// the depths of the corners, up to a unit of rounding at either end.
+fn depths_between_corners<F: DepthBuffer>(random: &mut Random) {
+    const SIZE: u32 = 40;
+    let window = Window::centered(fx!(40), fx!(40));
+    let projection = Projection::orthographic(window, fx!(1), fx!(11)).unwrap();
+    let positions = [(); 3].map(|()| {
+        let depth = [-11., -11., -1., random.random_range(-11.0..-1.)];
+        let depth = depth[random.random_range(0..4)];
+        let [x, y] = [(); 2].map(|()| random.random_range(-30.0..30.));
+        rounded([x, y, depth])
+    });
+    let mesh = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 1]]).unwrap();
+    let (mut pixels, mut depths) = ([Gray8::BLACK; 1600], [0; 1600]);
+    let canvas = Canvas::new(&mut pixels, SIZE, SIZE).unwrap();
+    let mut canvas = canvas.with_depth_format::<F>(&mut depths).unwrap();
+    let options = DrawOptions::new().with_depth(WriteOnly);
+    canvas.draw_with(&options, &mesh, &projection, &Flat::new(Gray8::WHITE));
+    // The depth of a corner outside the canvas is asked for at its foot on the middle axis.
+    let corners = positions.map(|Vec3 { z, .. }| {
+        let foot = Vec3::new(fx!(0), fx!(0), z);
+        canvas.project(&options, &projection, foot).unwrap().depth
+    });
+    let [least, most] = [corners.iter().min(), corners.iter().max()].map(|at| *at.unwrap());
+    let between = least.saturating_sub(1)..=most.saturating_add(1);
+    for (pixel, depth) in pixels.iter().zip(&depths) {
+        assert!(
+            *pixel == Gray8::BLACK || between.contains(depth),
+            "{depth} is not in {between:?}: {positions:?}"
+        );
+    }
+}
+
+/// At the far plane, 1/w is so small that a rounding error could make it negative.
+#[test]
+fn depths_do_not_wrap_at_the_far_plane() {
+    cases(sampled(4_000), |random| {
+        depths_between_corners::<LinearDepth>(random);
+        depths_between_corners::<FloatDepth>(random);
+        depths_between_corners::<WideFloatDepth>(random);
+    });
 }
 
 /// Draws a near triangle, calls `between`, and draws a farther one. Returns how many pixels show the near triangle
