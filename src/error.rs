@@ -2,10 +2,14 @@
 
 use core::convert::Infallible;
 use core::fmt;
+use core::ops::Bound::{self, Excluded, Included, Unbounded};
 
 use crate::math::Vec3;
 use crate::message::{Message, Piece};
 use crate::num::{Angle, Scalar};
+
+#[cfg(test)]
+mod tests;
 
 /// Takes the value of a result, or returns the error, like `?`, but also in a const fn.
 macro_rules! ok {
@@ -44,54 +48,56 @@ pub(crate) const fn check_length(
     check_count(of, given, [needed; 2])
 }
 
-/// Returns an error unless this length is above 0 and at most `max`.
-pub(crate) const fn check_extent(
-    of: &'static str,
-    given: Scalar,
-    max: Scalar,
-) -> Result<(), Error> {
-    if given.to_bits() > 0 && given.to_bits() <= max.to_bits() {
-        Ok(())
-    } else {
-        Err(Error::Extent { of, given, max })
-    }
-}
-
-/// Returns an error unless this number lies between two others.
+/// Returns an error unless a number lies in a range; `of` names the number.
 pub(crate) const fn check_range(
     of: &'static str,
     given: Scalar,
-    [min, max]: [Scalar; 2],
+    range: (Bound<Scalar>, Bound<Scalar>),
 ) -> Result<(), Error> {
-    if min.to_bits() <= given.to_bits() && given.to_bits() <= max.to_bits() {
-        return Ok(());
+    let is_low = match range.0 {
+        Included(low) => given.to_bits() < low.to_bits(),
+        Excluded(low) => given.to_bits() <= low.to_bits(),
+        Unbounded => false,
+    };
+    let is_high = match range.1 {
+        Included(high) => given.to_bits() > high.to_bits(),
+        Excluded(high) => given.to_bits() >= high.to_bits(),
+        Unbounded => false,
+    };
+    if is_low || is_high {
+        return Err(Error::OutOfRange { of, given, range });
     }
-    Err(Error::OutOfRange {
-        of,
-        given,
-        min,
-        max,
-    })
+    Ok(())
 }
 
-/// Returns `high` − `low` in units of 2^-16, or an error unless `high` is above `low`.
-pub(crate) const fn check_order(of: &'static str, low: Scalar, high: Scalar) -> Result<i64, Error> {
-    let length = high.to_bits() as i64 - low.to_bits() as i64;
-    if length > 0 {
-        Ok(length)
-    } else {
-        Err(Error::Empty { of, low, high })
-    }
+/// Returns `given` − `low` in units of 2^-16, or an error unless `given` is above `low`.
+pub(crate) const fn check_above(
+    of: &'static str,
+    given: Scalar,
+    low: Scalar,
+) -> Result<i64, Error> {
+    ok!(check_range(of, given, (Excluded(low), Unbounded)));
+    Ok(given.to_bits() as i64 - low.to_bits() as i64)
 }
 
-/// Returns an error if an angle is above 180 degrees, which two faces cannot form.
-pub(crate) const fn check_crease(angle: Angle) -> Result<(), Error> {
-    if angle.to_bits() > Angle::HALF.to_bits() {
-        return Err(Error::Angle {
-            of: "crease angle",
-            given: angle,
-            needed: "lie between 0 and 180 degrees",
-        });
+/// Returns an error unless an angle lies in a range; `of` names the angle.
+pub(crate) const fn check_angle(
+    of: &'static str,
+    given: Angle,
+    range: (Bound<Angle>, Bound<Angle>),
+) -> Result<(), Error> {
+    let is_low = match range.0 {
+        Included(low) => given.to_bits() < low.to_bits(),
+        Excluded(low) => given.to_bits() <= low.to_bits(),
+        Unbounded => false,
+    };
+    let is_high = match range.1 {
+        Included(high) => given.to_bits() > high.to_bits(),
+        Excluded(high) => given.to_bits() >= high.to_bits(),
+        Unbounded => false,
+    };
+    if is_low || is_high {
+        return Err(Error::Angle { of, given, range });
     }
     Ok(())
 }
@@ -122,6 +128,10 @@ macro_rules! errors {
             $($(#[$doc])+ #[non_exhaustive] $Variant { $($(#[$field_doc])+ $field: $Type,)+ },)+
             $($(#[$unit_doc])+ $Unit,)+
         }
+
+        /// The names of all variants.
+        #[cfg(test)]
+        const VARIANTS: &[&str] = &[$(stringify!($Variant),)+ $(stringify!($Unit),)+];
 
         impl Error {
             #[allow(clippy::cast_lossless, clippy::cast_possible_wrap)] // counts
@@ -165,44 +175,26 @@ errors! {
         limit: u32,
     } = "{} cannot be represented: it must lie between -{} and {}.99999",
         Thousandths(thousandths), Number(limit), Number(limit - 1);
-    /// An angle outside its range: a field of view of zero, or of half a turn or more; a crease angle above 180 degrees,
-    /// which two faces cannot form.
+    /// An angle that is too small or too large: a field of view of 0 or 180 degrees, a crease angle above 180 degrees
+    /// (which two faces cannot form), or an angle of a cone of light.
     Angle {
         /// The name of the angle.
         of: &'static str,
         /// The refused angle.
         given: Angle,
-        /// The range that the angle is not in.
-        needed: &'static str,
-    } = "{} is {} degrees: it must {}", Text(of), Degrees(given), Text(needed);
-    /// An aspect ratio or a size that is not positive.
-    Aspect {
-        /// The refused width.
-        width: Scalar,
-        /// The refused height.
-        height: Scalar,
-    } = "aspect ratio is {} to {}: both must be above 0", Scalar(width), Scalar(height);
-    /// A range with an upper end that is not above its lower end: the depths from the near to the far plane, or the
-    /// range of a window, a fog or a gradient.
-    Empty {
-        /// The name of the quantity that has the range.
-        of: &'static str,
-        /// The lower end.
-        low: Scalar,
-        /// The upper end, which is refused.
-        high: Scalar,
-    } = "{} from {} to {} is empty: the second number must be above the first", Text(of), Scalar(low), Scalar(high);
-    /// A number that is too low or too high, such as a brightness above 1.
+        /// The angles allowed.
+        range: (Bound<Angle>, Bound<Angle>),
+    } = "{} is {} degrees: it must {} degrees", Text(of), Degrees(given), Angles(range);
+    /// A number that is too low or too high: a brightness above 1, a size of 0, or a far plane that is not beyond the
+    /// near plane.
     OutOfRange {
         /// The name of the quantity.
         of: &'static str,
         /// The refused number.
         given: Scalar,
-        /// Lowest number allowed.
-        min: Scalar,
-        /// Largest number allowed.
-        max: Scalar,
-    } = "{} is {}: it must lie between {} and {}", Text(of), Scalar(given), Scalar(min), Scalar(max);
+        /// The numbers allowed. An end can be another argument: a far plane must be beyond the near plane.
+        range: (Bound<Scalar>, Bound<Scalar>),
+    } = "{} is {}: it must {}", Text(of), Scalar(given), Scalars(range);
     /// A vector that gives no direction where one is needed: a zero vector, an up direction along the line of sight, or
     /// the position of an eye that equals its target.
     NoDirection {
@@ -220,23 +212,6 @@ errors! {
         last_row: [Scalar; 4],
     } = "last row is ({}, {}, {}, {}): it must be (0, 0, 0, 1) in an affine matrix",
         Scalar(last_row[0]), Scalar(last_row[1]), Scalar(last_row[2]), Scalar(last_row[3]);
-    /// A cone of light with an inner angle that is not below its outer angle, or with an outer angle above 90 degrees.
-    Cone {
-        /// The refused inner angle.
-        inner: Angle,
-        /// The refused outer angle.
-        outer: Angle,
-    } = "cone reaches from {} degrees to {} degrees: the outer angle must be above the inner one, and at most 90 degrees",
-        Degrees(inner), Degrees(outer);
-    /// A frame or viewport with a width or a height that is zero or too large.
-    Size {
-        /// The refused width in pixels.
-        width: u32,
-        /// The refused height in pixels.
-        height: u32,
-        /// Largest width and height allowed, in pixels.
-        max: u32,
-    } = "size is {}x{}: width and height must lie between 1 and {}", Number(width), Number(height), Number(max);
     /// A width or height of a texture that is not a power of two, or is too large.
     PowerOfTwo {
         /// The name of the side: width or height.
@@ -270,7 +245,8 @@ errors! {
         max: u32,
     } = "viewport is at ({}, {}): both coordinates must lie between -{} and {}",
         Number(x), Number(y), Number(max), Number(max);
-    /// Too few or too many elements: of a slice, of a mesh, of the memory for one, of a shape's parts.
+    /// Too few or too many elements: of a slice, of a mesh, of the memory for one, of a shape's parts, of the rows and
+    /// columns of a frame.
     Count {
         /// The name of the count.
         of: &'static str,
@@ -281,16 +257,6 @@ errors! {
         /// Highest count allowed; `min` if only one count is allowed.
         max: usize,
     } = "number of {} is {}: it must be {}", Text(of), Number(given), Counts([min, max]);
-    /// A band without rows, or with rows outside its frame.
-    Rows {
-        /// First row of the band.
-        first: u32,
-        /// Number of rows of the band.
-        rows: u32,
-        /// Number of rows of the frame.
-        height: u32,
-    } = "band has {} rows from row {}: it must have at least one and lie within the {} rows of the frame",
-        Number(rows), Number(first), Number(height);
     /// An index that is out of range.
     Index {
         /// The position, in its own list, of the face, edge or other element that holds the refused index.
@@ -315,16 +281,6 @@ errors! {
         room: usize,
     } = "{} {} are visible: the list must have room for all, and has room for {}",
         Number(needed), Text(of), Number(room);
-    /// A length that is not positive or is too large: a dimension of a shape, a sprite or a point, the distance of a
-    /// near plane, or the range of a light.
-    Extent {
-        /// The name of the dimension.
-        of: &'static str,
-        /// The refused length.
-        given: Scalar,
-        /// Largest length allowed.
-        max: Scalar,
-    } = "{} is {}: it must be above 0 and at most {}", Text(of), Scalar(given), Scalar(max);
 
     without fields:
     /// A float that is infinite or not a number, where only finite numbers can be represented.

@@ -3,6 +3,8 @@
 
 #![allow(clippy::cast_possible_wrap)] // counts
 
+use core::ops::Bound::{self, Excluded, Included, Unbounded};
+
 use crate::error::Error;
 use crate::num::Angle;
 
@@ -17,10 +19,13 @@ pub(crate) enum Piece<'a> {
     Thousandths(i64),
     Scalar(crate::num::Scalar),
     Degrees(Angle),
+    /// The words of a range after "it must".
+    Scalars((Bound<crate::num::Scalar>, Bound<crate::num::Scalar>)),
+    Angles((Bound<Angle>, Bound<Angle>)),
     /// The lowest and the highest count allowed.
     Counts([usize; 2]),
 }
-use Piece::{Counts, Degrees, Number, Scalar, Text, Thousandths};
+use Piece::{Angles, Counts, Degrees, Number, Scalar, Scalars, Text, Thousandths};
 
 /// A template with values in place of its braces.
 pub(crate) struct Message {
@@ -98,6 +103,28 @@ impl Message {
                 self.decimal(rounded(bits * unit, 1 << 16), unit);
             }
             Degrees(angle) => self.decimal(angle.ten_thousandths(), 10_000),
+            Scalars((low, high)) => {
+                let [before_low, before_high] = words((low, high));
+                self.append(before_low);
+                if let Included(low) | Excluded(low) = low {
+                    self.piece(Scalar(low));
+                }
+                self.append(before_high);
+                if let Included(high) | Excluded(high) = high {
+                    self.piece(Scalar(high));
+                }
+            }
+            Angles((low, high)) => {
+                let [before_low, before_high] = words((low, high));
+                self.append(before_low);
+                if let Included(low) | Excluded(low) = low {
+                    self.piece(Degrees(low));
+                }
+                self.append(before_high);
+                if let Included(high) | Excluded(high) = high {
+                    self.piece(Degrees(high));
+                }
+            }
         }
     }
 
@@ -119,6 +146,20 @@ impl Message {
             rest %= place;
             place /= 10;
         }
+    }
+}
+
+/// Returns the words before each end of a range.
+const fn words<T: Copy>(range: (Bound<T>, Bound<T>)) -> [&'static str; 2] {
+    match range {
+        (Included(_), Included(_)) => ["lie between ", " and "],
+        (Included(_), Excluded(_)) => ["be at least ", " and below "],
+        (Included(_), Unbounded) => ["be at least ", ""],
+        (Excluded(_), Included(_)) => ["be above ", " and at most "],
+        (Excluded(_), Excluded(_)) => ["be above ", " and below "],
+        (Excluded(_), Unbounded) => ["be above ", ""],
+        (Unbounded, Included(_)) => ["be at most ", ""],
+        (Unbounded, _) => ["be below ", ""],
     }
 }
 
@@ -181,7 +222,11 @@ mod tests {
     #[should_panic(expected = "outline: crease angle is 200.025 degrees: it must lie between 0")]
     fn angles_have_four_decimals() {
         let angle = deg!(200.025);
-        checked(crate::error::check_crease(angle), "outline");
+        let range = (Included(Angle::ZERO), Included(Angle::HALF));
+        checked(
+            crate::error::check_angle("crease angle", angle, range),
+            "outline",
+        );
     }
 
     #[test]

@@ -11,7 +11,7 @@ use embedded_graphics::primitives::{PointsIter, Rectangle};
 use super::depth::{DepthBuffer, LinearDepth, NoDepth};
 use super::storage::{Cell, Cells, Memory, Native, Storage};
 use crate::error::Error;
-use crate::error::check_length;
+use crate::error::{check_count, check_length, ok};
 
 /// Largest width and height of a frame, in pixels.
 const MAX_SIZE: u32 = 2048;
@@ -107,7 +107,7 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     ///
     /// # Errors
     ///
-    /// [`Error::Size`] if a side is 0 or above [`MAX_SIZE`](Self::MAX_SIZE); [`Error::Count`] if `pixels` does
+    /// [`Error::Count`] if a side is 0 or above [`MAX_SIZE`](Self::MAX_SIZE); [`Error::Count`] if `pixels` does
     /// not have exactly one element per pixel.
     pub fn new<P: Cell<C, O>>(pixels: &'a mut [P], width: u32, height: u32) -> Result<Self, Error>
     where
@@ -130,8 +130,8 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     ///
     /// # Errors
     ///
-    /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](Self::MAX_SIZE); [`Error::Count`] if `pixels`
-    /// is not a whole number of rows; [`Error::Rows`] if the band has no row, or has a row outside the frame.
+    /// [`Error::Count`] if a side of the frame is 0 or above [`MAX_SIZE`](Self::MAX_SIZE), if the band has no row or has
+    /// a row outside the frame, or if `pixels` is not a whole number of rows.
     pub fn band<P: Cell<C, O>>(
         pixels: &'a mut [P],
         width: u32,
@@ -142,27 +142,20 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
         O: Storage<C, Cell = P>,
     {
         check_size(width, height)?;
-        // A slice with 2^32 rows or more counts as `u32::MAX` rows. The check below refuses it, because no frame has so
-        // many rows.
-        let rows = u32::try_from(pixels.len() / width as usize).unwrap_or(u32::MAX);
-        match first_row.checked_add(rows) {
-            Some(end) if rows > 0 && end <= height => {
-                check_length("pixels", pixels.len(), (width * rows) as usize)?;
-                Ok(Self {
-                    cells: pixels,
-                    depths: &mut [],
-                    buffer: PhantomData,
-                    width,
-                    height,
-                    rows: first_row..end,
-                })
-            }
-            _ => Err(Error::Rows {
-                first: first_row,
-                rows,
-                height,
-            }),
-        }
+        let above = [0, height as usize - 1];
+        check_count("rows above the band", first_row as usize, above)?;
+        let rows = pixels.len() / width as usize;
+        let room = (height - first_row) as usize;
+        check_count("rows of the band", rows, [1, room])?;
+        check_length("pixels", pixels.len(), width as usize * rows)?;
+        Ok(Self {
+            cells: pixels,
+            depths: &mut [],
+            buffer: PhantomData,
+            width,
+            height,
+            rows: first_row..first_row + rows as u32,
+        })
     }
 
     /// Adds a depth buffer in [`LinearDepth`] format: one `u16` per pixel.
@@ -452,12 +445,7 @@ impl<C, O: Storage<C>, D> Dimensions for Canvas<'_, C, O, D> {
 }
 
 pub(crate) const fn check_size(width: u32, height: u32) -> Result<(), Error> {
-    if width == 0 || height == 0 || width > MAX_SIZE || height > MAX_SIZE {
-        return Err(Error::Size {
-            width,
-            height,
-            max: MAX_SIZE,
-        });
-    }
-    Ok(())
+    let sides = [1, MAX_SIZE as usize];
+    ok!(check_count("columns of the frame", width as usize, sides));
+    check_count("rows of the frame", height as usize, sides)
 }

@@ -1,9 +1,10 @@
 //! The edges of a mesh with their two faces, for silhouettes and creases.
 
+use core::ops::Bound::Included;
+
 use super::index::{Index, check};
 use super::{Mesh, Positions};
-use crate::error::Error;
-use crate::error::{check_count, check_crease, ok};
+use crate::error::{Error, check_angle, check_count, ok};
 use crate::num::Angle;
 
 /// The edges of a mesh that may be part of its outline, each with its two faces.
@@ -107,7 +108,12 @@ impl<'a> Outline<'a> {
         crease: Angle,
         edges: &'a mut [[Index; 4]],
     ) -> Result<Self, Error> {
-        ok!(check_crease(crease));
+        // Two faces cannot form an angle above 180 degrees.
+        ok!(check_angle(
+            "crease angle",
+            crease,
+            (Included(Angle::ZERO), Included(Angle::HALF))
+        ));
         let [edge_count, creases] = ok!(write(mesh, crease, edges));
         let (edges, _) = edges.split_at(edge_count);
         Ok(Self::of(edges, creases))

@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 
-use crate::error::{Error, check_count, check_extent, check_length, ok};
+use crate::error::{Error, check_above, check_count, check_length, ok};
 use crate::math::{Vec2, Vec3};
 use crate::num::{Scalar, TexCoord};
 
@@ -141,11 +141,11 @@ impl<'a> Sprites<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Extent`] unless width and height are above 0.
+    /// [`Error::OutOfRange`] unless width and height are above 0.
     pub const fn new(positions: &'a [Vec3], size: (Scalar, Scalar)) -> Result<Self, Error> {
         let (width, height) = size;
-        ok!(check_extent("width", width, Scalar::MAX));
-        ok!(check_extent("height", height, Scalar::MAX));
+        ok!(check_above("width of a sprite", width, Scalar::ZERO));
+        ok!(check_above("height of a sprite", height, Scalar::ZERO));
         Ok(Self {
             positions,
             size: [width, height],
@@ -446,7 +446,7 @@ mod tests {
         for (width, height) in [(fx!(0), fx!(1)), (fx!(1), fx!(-1))] {
             assert!(matches!(
                 Sprites::in_pixels(&[], (width, height)),
-                Err(Error::Extent { .. })
+                Err(Error::OutOfRange { .. })
             ));
         }
         let sprites = Sprites::new(&[Vec3::ZERO], size).unwrap();

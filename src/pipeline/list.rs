@@ -244,7 +244,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// # Errors
     ///
     /// [`Error::Full`], with the length that is needed, if the list is too short for the visible triangles or edges;
-    /// [`Error::Size`] if a side of the frame is 0 or above [`MAX_SIZE`](crate::Canvas::MAX_SIZE).
+    /// [`Error::Count`] if a side of the frame is 0 or above [`MAX_SIZE`](crate::Canvas::MAX_SIZE).
     #[allow(clippy::type_complexity)] // all of its parts are in the result
     pub fn prepare<'a, S: Scene<'a>, V: AsMvp, M: Mode, Z: DepthTest, B: Copy>(
         &'a mut self,

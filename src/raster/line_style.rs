@@ -1,5 +1,7 @@
 //! Styles of lines: how wide they are, and whether they are anti-aliased.
 
+use core::ops::Bound::Included;
+
 use crate::error::{Error, check_range, ok};
 use crate::num::Scalar;
 
@@ -124,7 +126,7 @@ impl LineStyle {
         ok!(check_range(
             "line width",
             pixels,
-            [Scalar::ONE, Self::MAX_WIDTH]
+            (Included(Scalar::ONE), Included(Self::MAX_WIDTH))
         ));
         Ok(Self {
             half: (pixels.to_bits() + (1 << 8)) >> 9,

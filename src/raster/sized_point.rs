@@ -2,7 +2,7 @@
 
 use super::scissor::meet;
 use super::{Rasterizer, ScreenVertex, point};
-use crate::error::{Error, check_extent, ok};
+use crate::error::{Error, check_above, ok};
 use crate::num::Scalar;
 
 /// The size and the shape of points, for [`Mesh::points`](crate::Mesh::points).
@@ -50,9 +50,9 @@ impl PointStyle {
     ///
     /// # Errors
     ///
-    /// [`Error::Extent`] unless `size` is above 0.
+    /// [`Error::OutOfRange`] unless `size` is above 0.
     pub const fn square(size: Scalar) -> Result<Self, Error> {
-        ok!(check_extent("point size", size, Scalar::MAX));
+        ok!(check_above("point size", size, Scalar::ZERO));
         Ok(Self {
             size,
             is_round: false,

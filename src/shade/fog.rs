@@ -1,12 +1,13 @@
 //! Fog: surfaces fade to a color with their distance.
 
 use core::marker::PhantomData;
+use core::ops::Bound::{Included, Unbounded};
 
 use embedded_graphics::geometry::Point;
 
 use super::ramp::Ramp;
 use super::{Adapted, Effect, Output, PixelFormat, Precise, Within};
-use crate::error::{Error, check_order, check_range, ok};
+use crate::error::{Error, check_above, check_range, ok};
 use crate::mesh::Primitive;
 use crate::num::Scalar;
 use crate::num::wide::clamp_negative;
@@ -154,9 +155,9 @@ impl<C: PixelFormat> Fog<C> {
     ///
     /// # Errors
     ///
-    /// [`Error::Empty`] if `far` is not beyond `near`.
+    /// [`Error::OutOfRange`] if `far` is not beyond `near`.
     pub const fn linear(color: C, near: Scalar, far: Scalar) -> Result<Self, Error> {
-        let range = Ramp::new(ok!(check_order("fog", near, far)), BITS);
+        let range = Ramp::new(ok!(check_above("far end of the fog", far, near)), BITS);
         let far = far.to_bits();
         Ok(Self {
             color,
@@ -176,7 +177,7 @@ impl<C: PixelFormat> Fog<C, ExponentialFog> {
         ok!(check_range(
             "density of the fog",
             density,
-            [Scalar::ZERO, Scalar::MAX]
+            (Included(Scalar::ZERO), Unbounded)
         ));
         Ok(Self {
             color,
@@ -266,14 +267,20 @@ impl<O: Output<Color: PixelFormat>, D: Density> Output for Fogged<O, D> {
 mod tests {
     use super::*;
     use crate::fx;
+    use core::ops::Bound::Excluded;
     use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 
     #[test]
     fn bad_fog_is_refused() {
         let white = Gray8::WHITE;
         for (low, high) in [(fx!(2), fx!(2)), (fx!(3), fx!(2))] {
-            let (of, refused) = ("fog", Fog::linear(white, low, high));
-            assert_eq!(refused, Err(Error::Empty { of, low, high }));
+            let refused = Fog::linear(white, low, high);
+            let error = Error::OutOfRange {
+                of: "far end of the fog",
+                given: high,
+                range: (Excluded(low), Unbounded),
+            };
+            assert_eq!(refused, Err(error));
         }
         let refused = Fog::exponential(white, fx!(-0.1));
         assert!(matches!(refused, Err(Error::OutOfRange { .. })));

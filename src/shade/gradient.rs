@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 
 use super::ramp::Ramp;
 use super::{Fragment, PixelFormat, Precise, Shader};
-use crate::error::{Error, check_order};
+use crate::error::{Error, check_above};
 use crate::mesh::Primitive;
 use crate::num::Scalar;
 
@@ -59,12 +59,12 @@ impl<C: PixelFormat> Gradient<C> {
     ///
     /// # Errors
     ///
-    /// [`Error::Empty`] if `top` is not above `bottom`.
+    /// [`Error::OutOfRange`] if `top` is not above `bottom`.
     pub fn new(
         (bottom, low): (Scalar, Rgb888),
         (top, high): (Scalar, Rgb888),
     ) -> Result<Self, Error> {
-        let ramp = Ramp::new(check_order("gradient", bottom, top)?, BITS);
+        let ramp = Ramp::new(check_above("top of the gradient", top, bottom)?, BITS);
         let (low, [r, g, b]) = (
             Precise::<C>::of_rgb(low).levels(),
             Precise::<C>::of_rgb(high).levels(),
@@ -112,6 +112,7 @@ mod tests {
     use super::*;
     use crate::fx;
     use crate::random::cases;
+    use core::ops::Bound::{Excluded, Unbounded};
     use embedded_graphics::pixelcolor::{Gray8, Rgb565, RgbColor};
     use rand::Rng;
 
@@ -163,8 +164,13 @@ mod tests {
 
     #[test]
     fn heights_in_the_wrong_order_are_refused() {
-        let (of, low, high) = ("gradient", fx!(2), fx!(2));
+        let (low, high) = (fx!(2), fx!(2));
         let made = Gradient::<Rgb565>::new((low, Rgb888::RED), (high, Rgb888::BLUE));
-        assert_eq!(made, Err(Error::Empty { of, low, high }));
+        let error = Error::OutOfRange {
+            of: "top of the gradient",
+            given: high,
+            range: (Excluded(low), Unbounded),
+        };
+        assert_eq!(made, Err(error));
     }
 }

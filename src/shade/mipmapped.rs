@@ -55,7 +55,7 @@ impl<S: Sampler, const CLAMPED: bool, F> Textured<S, CLAMPED, F> {
     ///
     /// # Errors
     ///
-    /// [`Error::Size`] unless width and height are from 1 to [`Viewport::MAX`].
+    /// [`Error::Count`] unless width and height are from 1 to [`Viewport::MAX`].
     ///
     /// # The level
     ///

@@ -2,7 +2,7 @@
 
 use embedded_graphics::geometry::Size;
 
-use crate::error::Error;
+use crate::error::{Error, check_above};
 use crate::num::Scalar;
 use crate::num::block::saturated;
 
@@ -25,17 +25,14 @@ impl Aspect {
     ///
     /// # Errors
     ///
-    /// [`Error::Aspect`] if the width or the height is not above zero.
+    /// [`Error::OutOfRange`] if the width or the height is not above zero.
     pub(super) fn checked(self) -> Result<(i64, i64), Error> {
         let Self { width, height } = self;
-        if width > 0 && height > 0 {
-            return Ok((width, height));
-        }
         // A size in pixels can be beyond the range of a `Scalar`.
-        Err(Error::Aspect {
-            width: Scalar::from_bits(saturated(width)),
-            height: Scalar::from_bits(saturated(height)),
-        })
+        let scalar = |side| Scalar::from_bits(saturated(side));
+        check_above("width of the aspect ratio", scalar(width), Scalar::ZERO)?;
+        check_above("height of the aspect ratio", scalar(height), Scalar::ZERO)?;
+        Ok((width, height))
     }
 }
 

@@ -5,7 +5,7 @@ use core::ops::Range;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::primitives::Rectangle;
 
-use crate::error::Error;
+use crate::error::{Error, check_count, ok};
 
 /// A rectangle of pixels to which normalized device coordinates are mapped.
 ///
@@ -39,13 +39,17 @@ impl Viewport {
     ///
     /// # Errors
     ///
-    /// [`Error::Size`] unless width and height are from 1 to [`MAX`](Self::MAX); [`Error::Offset`]
-    /// unless x and y are within ±[`MAX`](Self::MAX).
+    /// [`Error::Count`] unless width and height are from 1 to [`MAX`](Self::MAX); [`Error::Offset`] unless x and y are
+    /// within ±[`MAX`](Self::MAX).
     pub const fn new(x: i32, y: i32, width: u32, height: u32) -> Result<Self, Error> {
         let max = Self::MAX;
-        if width == 0 || height == 0 || width > max || height > max {
-            return Err(Error::Size { width, height, max });
-        }
+        let sides = [1, max as usize];
+        ok!(check_count(
+            "columns of the viewport",
+            width as usize,
+            sides
+        ));
+        ok!(check_count("rows of the viewport", height as usize, sides));
         if x.unsigned_abs() > max || y.unsigned_abs() > max {
             return Err(Error::Offset { x, y, max });
         }

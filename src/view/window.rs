@@ -1,5 +1,6 @@
 //! The rectangle that a projection shows.
 
+use crate::error::{Error, check_above};
 use crate::num::Scalar;
 
 /// The edges of the rectangle in eye space that fills the picture.
@@ -47,6 +48,17 @@ impl Window {
             bottom: Scalar::from_bits(-y),
             top: Scalar::from_bits(y),
         }
+    }
+
+    /// Returns width and height in units of 2^-16, both above zero.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::OutOfRange`] unless `left` < `right` and `bottom` < `top`.
+    pub(super) fn checked(&self) -> Result<(i64, i64), Error> {
+        let width = check_above("right edge of the window", self.right, self.left)?;
+        let height = check_above("top edge of the window", self.top, self.bottom)?;
+        Ok((width, height))
     }
 }
 

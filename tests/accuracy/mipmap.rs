@@ -338,6 +338,6 @@ fn a_mipmap_of_another_length_is_refused() {
         .unwrap_err();
     assert_eq!(
         error.to_string(),
-        "size is 0x9: width and height must lie between 1 and 4096"
+        "number of columns of the viewport is 0: it must be at least 1 and at most 4096"
     );
 }

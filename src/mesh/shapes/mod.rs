@@ -5,8 +5,10 @@ mod surface;
 mod tests;
 mod writer;
 
+use core::ops::Bound::{Excluded, Unbounded};
+
 use super::{Buffers, Counts, Mesh};
-use crate::error::{Error, check_count, check_extent, ok};
+use crate::error::{Error, check_count, check_range, ok};
 use crate::math::Vec3;
 use crate::num::Scalar;
 use surface::Surface;
@@ -59,12 +61,13 @@ impl Shape {
     ///
     /// # Errors
     ///
-    /// [`Error::Extent`] if a component of `corner` is not above 0.
+    /// [`Error::OutOfRange`] if a component of `corner` is not above 0.
     pub const fn cuboid(corner: Vec3) -> Result<Self, Error> {
+        let above_0 = (Excluded(Scalar::ZERO), Unbounded);
         let checks = [
-            check_extent("half the width", corner.x, Scalar::MAX),
-            check_extent("half the height", corner.y, Scalar::MAX),
-            check_extent("half the depth", corner.z, Scalar::MAX),
+            check_range("half the width of the box", corner.x, above_0),
+            check_range("half the height of the box", corner.y, above_0),
+            check_range("half the depth of the box", corner.z, above_0),
         ];
         Self::of(Surface::Cuboid(corner), [0; 2], &checks)
     }
@@ -90,12 +93,12 @@ impl Shape {
     ///
     /// # Errors
     ///
-    /// [`Error::Count`] if there are fewer than 3 slices or sides; [`Error::Extent`] unless 0 < `tube` < 1;
+    /// [`Error::Count`] if there are fewer than 3 slices or sides; [`Error::OutOfRange`] unless 0 < `tube` < 1;
     /// [`Error::Count`] if the (`slices` + 1)(`sides` + 1) positions are more than 65,536.
     pub const fn torus(tube: Scalar, slices: u32, sides: u32) -> Result<Self, Error> {
-        let max = Scalar::from_bits(Scalar::ONE.to_bits() - 1);
+        let radii = (Excluded(Scalar::ZERO), Excluded(Scalar::ONE));
         let checks = [
-            check_extent("tube radius", tube, max),
+            check_range("tube radius", tube, radii),
             parts("slices", slices, 3),
             parts("sides", sides, 3),
         ];

@@ -239,7 +239,7 @@ fn bad_arguments_are_refused() {
     assert!(Shape::torus(Scalar::ZERO, 3, 3).is_err());
     assert_eq!(
         message(Shape::torus(fx!(1), 3, 3)),
-        "tube radius is 1: it must be above 0 and at most 0.99998"
+        "tube radius is 1: it must be above 0 and below 1"
     );
     assert!(Shape::cuboid(vec3!(1, -1, 1)).is_err());
 }

@@ -22,6 +22,8 @@ pub use spot::SpotLight;
 pub use sun::Light;
 pub use viewer::Viewer;
 
+use core::ops::Bound::Included;
+
 use embedded_graphics::pixelcolor::Rgb888;
 
 use crate::error::{Error, check_range, ok};
@@ -38,7 +40,7 @@ const fn brightness(value: Scalar) -> Result<i32, Error> {
     ok!(check_range(
         "brightness",
         value,
-        [Scalar::ZERO, Scalar::ONE]
+        (Included(Scalar::ZERO), Included(Scalar::ONE))
     ));
     Ok(value.to_bits())
 }
@@ -209,6 +211,7 @@ mod tests {
     use crate::fixtures::shader::{IDENTITY, face};
     use crate::shade::{FaceLit, Flat, Shader};
     use crate::{Angle, Mesh, fx, vec3};
+    use core::ops::Bound::{Excluded, Unbounded};
     use embedded_graphics::pixelcolor::Gray8;
 
     /// A light that is as bright as the position's x coordinate, in units of 2⁻¹⁶.
@@ -293,17 +296,16 @@ mod tests {
         let too_bright = Error::OutOfRange {
             of: "brightness",
             given: value,
-            min: fx!(0),
-            max: fx!(1),
+            range: (Included(fx!(0)), Included(fx!(1))),
         };
         assert_eq!(lamp(value, fx!(1)), Err(too_bright));
         for range in [fx!(0), fx!(-1)] {
             assert_eq!(
                 lamp(fx!(1), range),
-                Err(Error::Extent {
+                Err(Error::OutOfRange {
                     of: "range of the light",
                     given: range,
-                    max: Scalar::MAX
+                    range: (Excluded(fx!(0)), Unbounded),
                 })
             );
         }
@@ -315,12 +317,23 @@ mod tests {
             spot(Vec3::ZERO, degrees(0), degrees(9)),
             Err(Error::ZERO_DIRECTION)
         );
-        for (inner, outer) in [(9, 9), (10, 9), (0, 91), (-1, 9)] {
+        for (inner, outer) in [(9, 9), (10, 9), (0, 91)] {
             let [inner, outer] = [inner, outer].map(degrees);
-            assert_eq!(
-                spot(Vec3::X, inner, outer),
-                Err(Error::Cone { inner, outer })
-            );
+            let error = Error::Angle {
+                of: "outer angle of the cone",
+                given: outer,
+                range: (Excluded(inner), Included(degrees(90))),
+            };
+            assert_eq!(spot(Vec3::X, inner, outer), Err(error));
+        }
+        for (inner, outer) in [(-1, 9), (90, 90), (95, 99)] {
+            let [inner, outer] = [inner, outer].map(degrees);
+            let error = Error::Angle {
+                of: "inner angle of the cone",
+                given: inner,
+                range: (Included(degrees(0)), Excluded(degrees(90))),
+            };
+            assert_eq!(spot(Vec3::X, inner, outer), Err(error));
         }
         let sun = Light::new(Vec3::X, fx!(0), fx!(1)).unwrap();
         let viewer = Viewer::at(Vec3::Z);

@@ -1,7 +1,7 @@
 //! Light from a point.
 
 use super::{Illumination, Lamp, Lighting, SurfacePoint, brightness};
-use crate::error::{Error, check_extent, ok};
+use crate::error::{Error, check_above, ok};
 use crate::math::{Direction, Vec3};
 use crate::num::rsqrt::{measure, short_root};
 use crate::num::wide::times_half;
@@ -53,10 +53,10 @@ impl PointLight {
     ///
     /// # Errors
     ///
-    /// [`Error::OutOfRange`] if `brightness` is not between 0 and 1; [`Error::Extent`] if `range` is not above 0.
+    /// [`Error::OutOfRange`] if `brightness` is not between 0 and 1, or if `range` is not above 0.
     pub const fn new(position: Vec3, brightness: Scalar, range: Scalar) -> Result<Self, Error> {
         let brightness = ok!(self::brightness(brightness));
-        ok!(check_extent("range of the light", range, Scalar::MAX));
+        ok!(check_above("range of the light", range, Scalar::ZERO));
         let bits = range.to_bits().cast_unsigned();
         let up = bits.leading_zeros() - 1;
         let inverse = reciprocal(bits << up);

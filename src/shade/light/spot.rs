@@ -1,8 +1,10 @@
 //! Light in a cone.
 
+use core::ops::Bound::{Excluded, Included};
+
 use super::adapters::share;
 use super::{Illumination, Lamp, Lighting, PointLight, SurfacePoint};
-use crate::error::Error;
+use crate::error::{Error, check_angle};
 use crate::math::{Direction, Vec3};
 use crate::num::{Angle, Scalar};
 use crate::shade::ramp::Ramp;
@@ -60,7 +62,7 @@ impl SpotLight {
     ///
     /// # Errors
     ///
-    /// The errors of [`PointLight::new`]; [`Error::NoDirection`] if `axis` is zero; [`Error::Cone`] unless 0 ≤ inner
+    /// The errors of [`PointLight::new`]; [`Error::NoDirection`] if `axis` is zero; [`Error::Angle`] unless 0 ≤ inner
     /// < outer ≤ 90 degrees.
     pub fn new(
         position: Vec3,
@@ -71,9 +73,10 @@ impl SpotLight {
     ) -> Result<Self, Error> {
         let lamp = PointLight::new(position, brightness, range)?;
         let axis = Direction::checked(axis)?;
-        if inner.to_bits() >= outer.to_bits() || outer.to_bits() > Angle::QUARTER.to_bits() {
-            return Err(Error::Cone { inner, outer });
-        }
+        let inner_range = (Included(Angle::ZERO), Excluded(Angle::QUARTER));
+        check_angle("inner angle of the cone", inner, inner_range)?;
+        let outer_range = (Excluded(inner), Included(Angle::QUARTER));
+        check_angle("outer angle of the cone", outer, outer_range)?;
         let [most, least] = [inner, outer].map(|angle| angle.cos().to_bits());
         // If the angles differ by little, their cosines may be equal, but `edge` must not be 0.
         let edge = (most - least).max(1);

@@ -118,6 +118,7 @@ mod tests {
     use super::*;
     use crate::fixtures::shader::scale;
     use crate::{fx, vec3};
+    use core::ops::Bound::Included;
 
     /// Brightness is rounded to 2⁻¹⁶; the error of directions is 2⁻²⁸.
     fn close(light: &Light, normal: Vec3, expected: f64) {
@@ -185,8 +186,7 @@ mod tests {
             let error = Err(Error::OutOfRange {
                 of: "brightness",
                 given: value,
-                min: fx!(0),
-                max: fx!(1),
+                range: (Included(fx!(0)), Included(fx!(1))),
             });
             assert_eq!(Light::new(Vec3::X, value, half), error);
             assert_eq!(Light::new(Vec3::X, half, value), error);

@@ -1,7 +1,7 @@
 //! Parallel projections: distant objects keep their size.
 
 use super::{Parallel, Projection, bits, number};
-use crate::error::{Error, check_order};
+use crate::error::{Error, check_above};
 use crate::num::block::BlockFloat;
 use crate::num::{Angle, Fraction, Scalar};
 use crate::view::Window;
@@ -13,7 +13,7 @@ impl Projection<Parallel> {
     ///
     /// # Errors
     ///
-    /// [`Error::Empty`] unless `near` < `far` and the window's left < right and bottom < top.
+    /// [`Error::OutOfRange`] unless `near` < `far` and the window's left < right and bottom < top.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -91,18 +91,19 @@ impl Projection<Parallel> {
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, Error> {
-        check_order("view", near, far)?;
-        let row = |low, high, shear: BlockFloat| -> Result<_, Error> {
-            let size = BlockFloat::new(check_order("window", low, high)?, 16);
+        check_above("distance of the far plane", far, near)?;
+        let (width, height) = window.checked()?;
+        let row = |low, high, size, shear: BlockFloat| {
+            let size = BlockFloat::new(size, 16);
             let scale = BlockFloat::new(2, 0).over(size);
             let slope = scale.times(shear).negated();
             let offset = BlockFloat::new(-(bits(low) + bits(high)), 16)
                 .over(size)
                 .plus(slope.times(number(plane)));
-            Ok([scale, slope, offset])
+            [scale, slope, offset]
         };
-        let x = row(window.left, window.right, shear[0])?;
-        let y = row(window.bottom, window.top, shear[1])?;
+        let x = row(window.left, window.right, width, shear[0]);
+        let y = row(window.bottom, window.top, height, shear[1]);
         Ok(Self::of_axes([x, y], near, far))
     }
 }

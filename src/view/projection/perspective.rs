@@ -1,17 +1,18 @@
 //! Perspective projections: distant objects look smaller.
 
 use core::marker::PhantomData;
+use core::ops::Bound::Excluded;
 
 use super::{Perspective, Projection, ProjectionRow, bits};
-use crate::error::{Error, check_extent, check_order};
+use crate::error::{Error, check_above, check_angle};
 use crate::math::Vec3;
 use crate::num::block::{self, BlockFloat};
 use crate::num::{Angle, Scalar};
 use crate::view::{Aspect, Window};
 
 fn check_planes(near: Scalar, far: Scalar) -> Result<(), Error> {
-    check_extent("distance of the near plane", near, Scalar::MAX)?;
-    check_order("view", near, far)?;
+    check_above("distance of the near plane", near, Scalar::ZERO)?;
+    check_above("distance of the far plane", far, near)?;
     Ok(())
 }
 
@@ -42,21 +43,16 @@ impl Projection<Perspective> {
     ///
     /// # Errors
     ///
-    /// [`Error::Angle`] unless 0 < `fov` < 180°; [`Error::Aspect`] unless width and height
-    /// are above 0; [`Error::Extent`] unless 0 < `near`; [`Error::Empty`] unless `near` < `far`.
+    /// [`Error::Angle`] unless 0 < `fov` < 180°; [`Error::OutOfRange`] unless width and height are above 0 and
+    /// 0 < `near` < `far`.
     pub fn perspective(
         fov: Angle,
         aspect: impl Into<Aspect>,
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, Error> {
-        if fov == Angle::ZERO || fov.to_bits() >= Angle::HALF.to_bits() {
-            return Err(Error::Angle {
-                of: "field of view",
-                given: fov,
-                needed: "be above 0 and below 180 degrees",
-            });
-        }
+        let range = (Excluded(Angle::ZERO), Excluded(Angle::HALF));
+        check_angle("field of view", fov, range)?;
         let (width, height) = aspect.into().checked()?;
         check_planes(near, far)?;
         let (sine, cosine) = fov.half_wide();
@@ -72,8 +68,7 @@ impl Projection<Perspective> {
     ///
     /// # Errors
     ///
-    /// [`Error::Extent`] unless 0 < `pixels` and 0 < `near`; [`Error::Aspect`] unless width and height are
-    /// above 0; [`Error::Empty`] unless `near` < `far`.
+    /// [`Error::OutOfRange`] unless `pixels`, width and height are above 0 and 0 < `near` < `far`.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -87,7 +82,7 @@ impl Projection<Perspective> {
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, Error> {
-        check_extent("focal length", pixels, Scalar::MAX)?;
+        check_above("focal length", pixels, Scalar::ZERO)?;
         let (width, height) = Aspect::from(size).checked()?;
         check_planes(near, far)?;
         let scale = |size| BlockFloat::new(2 * bits(pixels), 0).over(BlockFloat::new(size, 0));
@@ -98,8 +93,7 @@ impl Projection<Perspective> {
     ///
     /// # Errors
     ///
-    /// [`Error::Extent`] unless 0 < `near`; [`Error::Empty`] unless `near` < `far` and the window's left < right and
-    /// bottom < top.
+    /// [`Error::OutOfRange`] unless 0 < `near` < `far` and the window's left < right and bottom < top.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -111,14 +105,15 @@ impl Projection<Perspective> {
     /// ```
     pub fn frustum(window: Window, near: Scalar, far: Scalar) -> Result<Self, Error> {
         check_planes(near, far)?;
-        let axis = |low, high| -> Result<_, Error> {
-            let size = BlockFloat::new(check_order("window", low, high)?, 0);
+        let (width, height) = window.checked()?;
+        let axis = |low, high, size| {
+            let size = BlockFloat::new(size, 0);
             let [double, middle] = [2 * bits(near), bits(low) + bits(high)]
                 .map(|number| BlockFloat::new(number, 0).over(size));
-            Ok([double, middle, BlockFloat::ZERO])
+            [double, middle, BlockFloat::ZERO]
         };
-        let x = axis(window.left, window.right)?;
-        let y = axis(window.bottom, window.top)?;
+        let x = axis(window.left, window.right, width);
+        let y = axis(window.bottom, window.top, height);
         Ok(Self::of_axes([x, y], near, far))
     }
 

@@ -3,8 +3,10 @@
 use super::*;
 use crate::Error;
 use crate::random::{Random, cases, within};
+use crate::view::Aspect;
 use crate::{Angle, Vec3};
 use core::f64::consts::TAU;
+use core::ops::Bound::{Excluded, Unbounded};
 use rand::Rng;
 
 fn real(row: &ProjectionRow) -> [f64; 4] {
@@ -258,17 +260,23 @@ fn focal_length_is_exact() {
 
 #[test]
 fn invalid_arguments_are_refused() {
-    let empty = |of, low, high| Error::Empty { of, low, high };
+    let not_above = |of, given, low| Error::OutOfRange {
+        of,
+        given,
+        range: (Excluded(low), Unbounded),
+    };
     let (zero, low, high) = (Scalar::ZERO, one(1.0), one(2.0));
     let fov = Angle::from_degrees(60);
     let square = Window::centered(high, high);
     for degrees in [0, 180, 181, 270, -1] {
         let angle = Angle::from_degrees(degrees);
         let refused = Projection::perspective(angle, (4, 3), low, high);
-        let of = "field of view";
-        assert!(
-            matches!(refused, Err(Error::Angle { of: found, given, .. }) if found == of && given == angle)
-        );
+        let error = Error::Angle {
+            of: "field of view",
+            given: angle,
+            range: (Excluded(Angle::ZERO), Excluded(Angle::HALF)),
+        };
+        assert_eq!(refused, Err(error));
     }
     for near in [zero, -low] {
         let refused = [
@@ -276,14 +284,8 @@ fn invalid_arguments_are_refused() {
             Projection::from_focal_length(low, (4, 3), near, high),
             Projection::frustum(square, near, high),
         ];
-        assert_eq!(
-            refused,
-            [Err(Error::Extent {
-                of: "distance of the near plane",
-                given: near,
-                max: Scalar::MAX,
-            }); 3]
-        );
+        let error = not_above("distance of the near plane", near, zero);
+        assert_eq!(refused, [Err(error); 3]);
     }
     for far in [low, high] {
         let refused = [
@@ -291,74 +293,47 @@ fn invalid_arguments_are_refused() {
             Projection::from_focal_length(low, (4, 3), high, far),
             Projection::frustum(square, high, far),
         ];
-        assert_eq!(refused, [Err(empty("view", high, far)); 3]);
+        let error = not_above("distance of the far plane", far, high);
+        assert_eq!(refused, [Err(error); 3]);
         let refused = Projection::orthographic(square, high, far);
-        assert_eq!(refused, Err(empty("view", high, far)));
+        assert_eq!(refused, Err(error));
     }
-    let backward = empty("window", high, low);
-    for [left, right, bottom, top] in [[high, low, low, high], [low, high, high, low]] {
-        let window = Window {
-            left,
-            right,
-            bottom,
-            top,
+    for given in [low, zero] {
+        let good = Window {
+            left: low,
+            right: high,
+            bottom: low,
+            top: high,
         };
-        assert_eq!(Projection::frustum(window, low, high), Err(backward));
-        assert_eq!(Projection::orthographic(window, low, high), Err(backward));
-        let refused = Projection::cabinet(fov, window, low, high);
-        assert_eq!(refused, Err(backward));
+        let narrow = Window {
+            right: given,
+            ..good
+        };
+        let flat = Window { top: given, ..good };
+        for (window, of) in [
+            (narrow, "right edge of the window"),
+            (flat, "top edge of the window"),
+        ] {
+            let error = not_above(of, given, low);
+            assert_eq!(Projection::frustum(window, low, high), Err(error));
+            assert_eq!(Projection::orthographic(window, low, high), Err(error));
+            assert_eq!(Projection::cabinet(fov, window, low, high), Err(error));
+        }
     }
-    let thin = empty("window", low, low);
-    assert_eq!(
-        Projection::frustum(
-            Window {
-                left: low,
-                right: low,
-                bottom: low,
-                top: high
-            },
-            low,
-            high
-        ),
-        Err(thin)
-    );
-    let flat = Error::Aspect {
-        width: one(4.0),
-        height: zero,
-    };
-    assert_eq!(Projection::perspective(fov, (4, 0), low, high), Err(flat));
-    let mirrored = Error::Aspect {
-        width: -low,
-        height: low,
-    };
-    assert_eq!(Projection::perspective(fov, -low, low, high), Err(mirrored));
-    // The error contains the refused ratio with its fraction. A size in pixels saturates in the error.
-    let mirrored = Error::Aspect {
-        width: one(-0.25),
-        height: one(1.0),
-    };
-    assert_eq!(
-        Projection::perspective(fov, one(-0.25), low, high),
-        Err(mirrored)
-    );
-    let flat = Error::Aspect {
-        width: zero,
-        height: Scalar::MAX,
-    };
-    assert_eq!(
-        Projection::perspective(fov, (0, u32::MAX), low, high),
-        Err(flat)
-    );
-    let pixels = zero;
-    let refused = Projection::from_focal_length(pixels, (4, 3), low, high);
-    assert_eq!(
-        refused,
-        Err(Error::Extent {
-            of: "focal length",
-            given: pixels,
-            max: Scalar::MAX,
-        })
-    );
+    let (width, height) = ("width of the aspect ratio", "height of the aspect ratio");
+    let perspective = |aspect: Aspect| Projection::perspective(fov, aspect, low, high);
+    // The error contains the refused ratio with its fraction.
+    for (aspect, of, given) in [
+        ((4, 0).into(), height, zero),
+        ((0, u32::MAX).into(), width, zero),
+        ((u32::MAX, 0).into(), height, zero),
+        (Aspect::from(-low), width, -low),
+        (one(-0.25).into(), width, one(-0.25)),
+    ] {
+        assert_eq!(perspective(aspect), Err(not_above(of, given, zero)));
+    }
+    let refused = Projection::from_focal_length(zero, (4, 3), low, high);
+    assert_eq!(refused, Err(not_above("focal length", zero, zero)));
 }
 
 #[test]

@@ -19,13 +19,8 @@ fn canvases_beyond_their_limits_are_refused() {
         let mut pixels = vec![Gray8::new(0); width as usize * height as usize];
         Canvas::new(&mut pixels, width, height).map(|_| ())
     };
-    let refuses = |width, height| match new(width, height) {
-        Err(Error::Size {
-            width: w,
-            height: h,
-            max,
-            ..
-        }) => (w, h, max) == (width, height, MAX_SIZE),
+    let refuses = |side, width, height| match new(width, height) {
+        Err(Error::Count { given, max, .. }) => (given, max) == (side as usize, MAX_SIZE as usize),
         _ => false,
     };
     for side in [1, 2, MAX_SIZE - 1, MAX_SIZE] {
@@ -33,7 +28,7 @@ fn canvases_beyond_their_limits_are_refused() {
         assert_eq!(new(1, side), Ok(()));
     }
     for side in [0, MAX_SIZE + 1] {
-        assert!(refuses(side, 1) && refuses(1, side), "{side}");
+        assert!(refuses(side, side, 1) && refuses(side, 1, side), "{side}");
     }
     assert_eq!(new(MAX_SIZE, MAX_SIZE), Ok(()));
 }

@@ -184,24 +184,17 @@ fn constructors_infer_types_from_memory() {
     assert_eq!(canvas.as_cells(), [[0xff, 0, 0]; 4]);
 }
 
-/// The numbers in an error about lengths: the number of elements given, and the number needed.
-fn length(error: Option<Error>) -> (usize, usize) {
+/// An error about a count: what was counted, the number given, the lowest and the highest number allowed.
+fn count(error: Option<Error>) -> (&'static str, usize, usize, usize) {
     match error {
-        Some(Error::Count { given, max, .. }) => (given, max),
-        other => panic!("{other:?} is not an error about a length"),
-    }
-}
-
-/// The numbers in an error about rows: the band's first row, its number of rows, and the frame's number of rows.
-fn rows(error: Option<Error>) -> (u32, u32, u32) {
-    match error {
-        Some(Error::Rows {
-            first,
-            rows,
-            height,
+        Some(Error::Count {
+            of,
+            given,
+            min,
+            max,
             ..
-        }) => (first, rows, height),
-        other => panic!("{other:?} is not an error about rows"),
+        }) => (of, given, min, max),
+        other => panic!("{other:?} is not an error about a count"),
     }
 }
 
@@ -213,41 +206,37 @@ fn errors_name_the_numbers() {
     let band =
         |count, width, height, first| Canvas::band(&mut pixels(count), width, height, first).err();
 
-    for (width, height) in [
-        (0, 4),
-        (4, 0),
-        (0, 0),
-        (MAX_SIZE + 1, 1),
-        (1, MAX_SIZE + 1),
-        (u32::MAX, u32::MAX),
+    let (columns, rows) = ("columns of the frame", "rows of the frame");
+    for (width, height, of, given) in [
+        (0, 4, columns, 0),
+        (4, 0, rows, 0),
+        (0, 0, columns, 0),
+        (MAX_SIZE + 1, 1, columns, MAX_SIZE + 1),
+        (1, MAX_SIZE + 1, rows, MAX_SIZE + 1),
+        (u32::MAX, u32::MAX, columns, u32::MAX),
     ] {
         for error in [new(4, width, height), band(4, width, height, 0)] {
-            let Some(Error::Size {
-                width: w,
-                height: h,
-                max,
-                ..
-            }) = error
-            else {
-                panic!("{width}x{height} gave {error:?}");
-            };
-            assert_eq!((w, h, max), (width, height, MAX_SIZE));
+            let expected = (of, given as usize, 1, MAX_SIZE as usize);
+            assert_eq!(count(error), expected, "{width}x{height}");
         }
     }
     assert_eq!(new(MAX_SIZE as usize, MAX_SIZE, 1), None);
 
     for given in [0, 11, 13] {
-        assert_eq!(length(new(given, 4, 3)), (given, 12));
+        assert_eq!(count(new(given, 4, 3)), ("pixels", given, 12, 12));
     }
     assert_eq!(new(12, 4, 3), None);
 
-    assert_eq!(rows(band(0, 4, 3, 0)), (0, 0, 3));
-    assert_eq!(rows(band(3, 4, 3, 0)), (0, 0, 3), "less than a row");
-    assert_eq!(rows(band(8, 4, 3, 2)), (2, 2, 3));
-    assert_eq!(rows(band(16, 4, 3, 0)), (0, 4, 3));
-    assert_eq!(rows(band(4, 4, 3, 3)), (3, 1, 3));
-    assert_eq!(rows(band(4, 4, 3, u32::MAX)), (u32::MAX, 1, 3));
-    assert_eq!(length(band(9, 4, 3, 1)), (9, 8));
+    let rows = "rows of the band";
+    assert_eq!(count(band(0, 4, 3, 0)), (rows, 0, 1, 3));
+    assert_eq!(count(band(3, 4, 3, 0)), (rows, 0, 1, 3), "less than a row");
+    assert_eq!(count(band(8, 4, 3, 2)), (rows, 2, 1, 1));
+    assert_eq!(count(band(16, 4, 3, 0)), (rows, 4, 1, 3));
+    let above = "rows above the band";
+    for first in [3, u32::MAX] {
+        assert_eq!(count(band(4, 4, 3, first)), (above, first as usize, 0, 2));
+    }
+    assert_eq!(count(band(9, 4, 3, 1)), ("pixels", 9, 8, 8));
     assert_eq!(
         (band(4, 4, 3, 2), band(8, 4, 3, 1), band(12, 4, 3, 0)),
         (None, None, None)
@@ -259,15 +248,15 @@ fn errors_name_the_numbers() {
         band.with_depth(&mut vec![0; given]).err()
     };
     assert_eq!(
-        length(with_depth(12, 1)),
-        (12, 8),
+        count(with_depth(12, 1)),
+        ("depths", 12, 8, 8),
         "of the band, not the frame"
     );
     assert_eq!(with_depth(8, 1), None);
 
     let mut cells = [[0; 2]; 5];
     let error = Canvas::<Rgb565, BigEndian>::new(&mut cells, 2, 2).err();
-    assert_eq!(length(error), (5, 4));
+    assert_eq!(count(error), ("pixels", 5, 4, 4));
     let error = Canvas::<Rgb565, LittleEndian>::band(&mut cells, 5, 2, 2).err();
-    assert_eq!(rows(error), (2, 1, 2));
+    assert_eq!(count(error), (above, 2, 0, 1));
 }
