@@ -114,7 +114,7 @@ fn each_message_names_the_value_and_what_it_must_be() {
         ),
         (
             Fog::exponential(Gray8::new(9), fx!(-0.5)).err(),
-            "density of the fog is -0.5: it must be at least 0",
+            "density of the fog is -0.5: it must lie between 0 and 5",
         ),
         (
             Gradient::<Gray8>::new((fx!(5), red), (fx!(2), red)).err(),

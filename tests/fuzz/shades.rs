@@ -169,7 +169,7 @@ pub fn draw(which: u8, lights: Lights, color: Rgb888, between: [u16; 2], then: i
     let [least, most] = between.map(|depth| Scalar::from_bits(i32::from(depth) << 4));
     let (near, beyond) = (least.min(most), least.max(most) + Scalar::DELTA);
     let linear = Fog::linear(Rgb565::from(color), near, beyond).unwrap();
-    let thick = Fog::exponential(Rgb565::from(color), least).unwrap();
+    let thick = Fog::exponential(Rgb565::from(color), least.min(fx!(5))).unwrap();
     let [far, near] = between;
     let viewer = Viewer::at(vec3!(0, 0, 3));
     let glossy = spot.shiny(viewer, exponent, fx!(1)).unwrap();

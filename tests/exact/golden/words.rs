@@ -254,7 +254,7 @@ const WORDS: &[Word] = &[
                 .in_fog(Fog::linear(Rgb888::BLUE, fx!(2.7), fx!(5))?),
         )
     }),
-    ("exponential fog", 0x94a7_6c51, |c| {
+    ("exponential fog", 0x05dc_7598, |c| {
         surface(
             c,
             &RING,
