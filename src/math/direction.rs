@@ -100,3 +100,21 @@ impl NormalMatrix {
         Direction(components.unwrap_or_default())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::cases;
+    use rand::Rng;
+
+    #[test]
+    fn a_dot_product_is_rounded_to_nearest() {
+        cases(256, |random| {
+            let [a, b] = [(); 2].map(|()| Direction::of(Vec3::from_bits(random.random())));
+            let products = a.to_bits().into_iter().zip(b.to_bits());
+            let exact: i64 = products.map(|(a, b)| i64::from(a) * i64::from(b)).sum();
+            let found = i64::from(a.dot(b).to_bits()) << 30;
+            assert!((found - exact).abs() <= 1 << 29, "{a:?} · {b:?}");
+        });
+    }
+}

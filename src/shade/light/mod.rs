@@ -289,6 +289,30 @@ mod tests {
         }
     }
 
+    /// At 256 times the range, the square of the distance has its lowest 32 bits 0, as at no distance.
+    #[test]
+    fn beyond_its_range_a_lamp_is_dark() {
+        for (range, times) in [
+            (fx!(1), 1),
+            (fx!(1), 2),
+            (fx!(1), 256),
+            (fx!(0.125), 65_536),
+        ] {
+            let lamp = PointLight::new(Vec3::ZERO, fx!(1), range).unwrap();
+            let far = range * times;
+            for position in [Vec3::X * far, Vec3::Y * -far, Vec3::new(far, far, -far)] {
+                let toward = Direction::of(-position);
+                let point = SurfacePoint {
+                    normal: toward,
+                    face: toward,
+                    position,
+                };
+                let lights = [lamp.at(&point).diffuse, lamp.ray(&point).1];
+                assert_eq!(lights, [0; 2], "{position:?}, {range}");
+            }
+        }
+    }
+
     #[test]
     fn bad_lamps_are_refused() {
         let lamp = |brightness, range| PointLight::new(Vec3::ZERO, brightness, range);
