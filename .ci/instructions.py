@@ -36,7 +36,7 @@ def counts(text):
         if "scene" in fields:
             found[fields["mode"], fields["scene"], fields["layout"]] = round(instructions / int(fields.get("frames", 1)))
         else:
-            per = f"{COUNTED} {fields['unit']}s"
+            per = f"{COUNTED} {fields['unit']}s".replace("vertexs", "vertices")
             found["kernel", fields["kernel"], per] = round(instructions * COUNTED / int(fields["units"]))
     return found
 

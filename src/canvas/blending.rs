@@ -22,7 +22,7 @@ use crate::shade::{Output, PixelFormat, Precise, fraction};
 /// use fixel::prelude::*;
 /// use fixel::canvas::{Blending, TestOnly};
 /// fn ghostly<B: Blending<Rgb565>>(blending: B) -> DrawOptions<fixel::mode::Newton, TestOnly, B> {
-///     DrawOptions::new().with_depth(TestOnly).with_blending(blending)
+///     DrawOptions::new().with_depth_test(TestOnly).with_blending(blending)
 /// }
 /// ghostly(fixel::canvas::Add);
 /// ```

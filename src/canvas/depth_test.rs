@@ -7,11 +7,11 @@ use crate::sealed::Sealed;
 /// How a draw call uses the canvas's depth buffer.
 ///
 /// Five types are depth tests: [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], and [`Biased`] around one of
-/// these. [`DrawOptions::with_depth`](crate::DrawOptions::with_depth) chooses the depth test.
+/// these. [`DrawOptions::with_depth_test`](crate::DrawOptions::with_depth_test) chooses the depth test.
 ///
 /// ```
 /// use fixel::{prelude::*, canvas::TestOnly};
-/// let glass = DrawOptions::new().with_depth(TestOnly);
+/// let glass = DrawOptions::new().with_depth_test(TestOnly);
 /// ```
 pub trait DepthTest: Copy + Sealed {
     /// Whether a pixel behind the stored depth is skipped.
@@ -77,7 +77,7 @@ depth_tests! {
         ///
         /// ```
         /// use fixel::{prelude::*, canvas::TestAndWrite};
-        /// assert_eq!(DrawOptions::new(), DrawOptions::new().with_depth(TestAndWrite));
+        /// assert_eq!(DrawOptions::new(), DrawOptions::new().with_depth_test(TestAndWrite));
         /// ```
         TestAndWrite true true;
         /// Draws a pixel if it is at least as near as the stored depth, and keeps the stored depth: for glass and other
@@ -85,21 +85,21 @@ depth_tests! {
         ///
         /// ```
         /// use fixel::{prelude::*, canvas::TestOnly};
-        /// let glass = DrawOptions::new().with_depth(TestOnly);
+        /// let glass = DrawOptions::new().with_depth_test(TestOnly);
         /// ```
         TestOnly true false;
         /// Draws every pixel and stores its depth.
         ///
         /// ```
         /// use fixel::{prelude::*, canvas::WriteOnly};
-        /// let first_in_the_frame = DrawOptions::new().with_depth(WriteOnly);
+        /// let first_in_the_frame = DrawOptions::new().with_depth_test(WriteOnly);
         /// ```
         WriteOnly false true;
         /// Draws every pixel and keeps the stored depths: for a sky, or an overlay.
         ///
         /// ```
         /// use fixel::{prelude::*, canvas::NoTest};
-        /// let sky = DrawOptions::new().with_cull(Cull::Nothing).with_depth(NoTest);
+        /// let sky = DrawOptions::new().with_cull(Cull::Nothing).with_depth_test(NoTest);
         /// ```
         NoTest false false;
 }
@@ -121,7 +121,7 @@ depth_tests! {
 /// let (mut color, mut depth) = ([BinaryColor::Off; 24 * 24], [0; 24 * 24]);
 /// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
 /// canvas.clear(BinaryColor::Off);
-/// let behind = DrawOptions::new().with_depth(Biased::behind(TestAndWrite));
+/// let behind = DrawOptions::new().with_depth_test(Biased::behind(TestAndWrite));
 /// assert_eq!((behind.depth.steps, behind.depth.slope), (-2, fx!(-1)));
 /// canvas.draw_with(&behind, &BOX, &mvp, &Flat::new(BinaryColor::Off));
 /// canvas.draw(BOX.edges(LineStyle::HAIRLINE), &mvp, &Flat::new(BinaryColor::On));
@@ -331,7 +331,7 @@ mod tests {
             let (mut pixels, mut depths) = ([Gray8::new(0); 16], [7; 16]);
             let canvas = Canvas::new(&mut pixels, 4, 4).unwrap();
             let mut canvas = canvas.with_depth_format::<D>(&mut depths).unwrap();
-            let options = DrawOptions::new().with_depth(test);
+            let options = DrawOptions::new().with_depth_test(test);
             canvas.draw_with(&options, &SQUARE, &view, &Flat::new(Gray8::new(9)));
             depths
         }

@@ -189,7 +189,7 @@
 //!
 //! let glass = DrawOptions::new()
 //!     .with_cull(Cull::Nothing) // both sides
-//!     .with_depth(TestOnly) // hides nothing that is drawn later
+//!     .with_depth_test(TestOnly) // hides nothing that is drawn later
 //!     .with_blending(Opacity(96)); // of 255
 //! // On a Cortex-M0+: faster, with an error of about a quarter of a texel.
 //! let walls = DrawOptions::new().with_mode(Fast::within(fx!(0.25)));

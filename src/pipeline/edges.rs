@@ -75,7 +75,7 @@ impl Mesh<'_> {
     /// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
     /// canvas.clear(BinaryColor::Off);
     /// canvas.draw(&CAN, &mvp, &Flat::new(BinaryColor::Off));
-    /// let in_front = DrawOptions::new().with_depth(Biased::in_front(TestAndWrite));
+    /// let in_front = DrawOptions::new().with_depth_test(Biased::in_front(TestAndWrite));
     /// let rims = CAN.outline(&RIMS, LineStyle::HAIRLINE);
     /// canvas.draw_with(&in_front, rims, &mvp, &Flat::new(BinaryColor::On));
     /// let mut display = MockDisplay::new();

@@ -31,7 +31,7 @@ pub struct DrawOptions<M = Newton, Z = TestAndWrite, B = Replace> {
     /// How attributes are interpolated.
     pub mode: M,
     /// How depths are tested and stored.
-    pub depth: Z,
+    pub depth_test: Z,
     /// How colors are blended with the colors on the canvas.
     pub blending: B,
 }
@@ -56,7 +56,7 @@ impl<M, Z: Copy, B: Copy> DrawOptions<M, Z, B> {
         Plain {
             shader,
             blending: self.blending,
-            test: self.depth,
+            test: self.depth_test,
         }
     }
 }
@@ -75,7 +75,7 @@ impl DrawOptions {
             cull: Cull::Back,
             viewport: None,
             mode: Newton,
-            depth: TestAndWrite,
+            depth_test: TestAndWrite,
             blending: Replace,
         }
     }
@@ -114,28 +114,28 @@ impl<M: Copy, Z: Copy, B: Copy> DrawOptions<M, Z, B> {
     /// Sets the interpolation mode.
     #[must_use]
     pub const fn with_mode<N: Mode>(self, mode: N) -> DrawOptions<N, Z, B> {
-        self.with(mode, self.depth, self.blending)
+        self.with(mode, self.depth_test, self.blending)
     }
 
     /// Sets how depths are tested and stored. On a canvas without a depth buffer, this setting has no effect.
     #[must_use]
-    pub const fn with_depth<Y: DepthTest>(self, depth: Y) -> DrawOptions<M, Y, B> {
-        self.with(self.mode, depth, self.blending)
+    pub const fn with_depth_test<Y: DepthTest>(self, depth_test: Y) -> DrawOptions<M, Y, B> {
+        self.with(self.mode, depth_test, self.blending)
     }
 
     /// Sets how colors are blended with the colors on the canvas.
     #[must_use]
     pub const fn with_blending<A: Copy>(self, blending: A) -> DrawOptions<M, Z, A> {
-        self.with(self.mode, self.depth, blending)
+        self.with(self.mode, self.depth_test, blending)
     }
 
     /// The same options with another mode, depth test and blending, which may have other types.
-    const fn with<N, Y, A>(self, mode: N, depth: Y, blending: A) -> DrawOptions<N, Y, A> {
+    const fn with<N, Y, A>(self, mode: N, depth_test: Y, blending: A) -> DrawOptions<N, Y, A> {
         DrawOptions {
             cull: self.cull,
             viewport: self.viewport,
             mode,
-            depth,
+            depth_test,
             blending,
         }
     }

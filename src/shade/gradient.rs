@@ -31,7 +31,7 @@ const BITS: u32 = 12;
 /// let mut pixels = [Gray4::BLACK; 8 * 12];
 /// let mut canvas = Canvas::new(&mut pixels, 8, 12)?;
 /// let sky = Gradient::new((fx!(0), Rgb888::WHITE), (fx!(0.6), Rgb888::new(68, 68, 68)))?;
-/// let behind = DrawOptions::new().with_cull(Cull::Front).with_depth(NoTest);
+/// let behind = DrawOptions::new().with_cull(Cull::Front).with_depth_test(NoTest);
 /// let far = Transform::scale(fx!(10));
 /// canvas.draw_with(&behind, &DOME, &(projection * camera.sky() * far), &sky);
 /// let mut display = MockDisplay::new();

@@ -27,6 +27,18 @@
 //! | [`.map(effect)`](Shader::map) | a function of the surface's color | 0 |
 //! | [`.dithered()`](Shader::dithered) | the surface, dithered even if its format has many bits | 0 |
 //! | [`.converted()`](Shader::converted) | the surface in another color format, dithered if that format has fewer than 5 bits per channel | 0 |
+//!
+//! A light is what [`.lit(light)`](Shader::lit) and [`.lit_faces(light)`](Shader::lit_faces) take. Arrays, slices and
+//! tuples of lights are lights, too; so is a type of yours that implements [`Lighting`].
+//!
+//! | light | |
+//! |---|---|
+//! | [`Light`] | the sun and the sky: parallel rays, and light from all sides |
+//! | [`PointLight`] | a lamp that shines in all directions, up to a range |
+//! | [`SpotLight`] | a lamp that shines in a cone |
+//! | [`.colored(color)`](Lighting::colored) | any light, in a color |
+//! | [`.two_sided(viewer)`](Lighting::two_sided) | any light, also on the backs of triangles |
+//! | [`.shiny(viewer, exponent, strength)`](Lamp::shiny) | one of the first three, with highlights |
 
 mod adapters;
 mod flat;

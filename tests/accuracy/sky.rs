@@ -71,7 +71,9 @@ fn a_sky_shows_the_height_of_each_direction() {
         let camera = Camera::from_view(mirror * camera.view());
         let mut pixels = [Gray8::BLACK; (SIZE * SIZE) as usize];
         let mut canvas = Canvas::new(&mut pixels, SIZE, SIZE).unwrap();
-        let behind = DrawOptions::new().with_cull(Cull::Front).with_depth(NoTest);
+        let behind = DrawOptions::new()
+            .with_cull(Cull::Front)
+            .with_depth_test(NoTest);
         let mvp = projection * camera.sky() * Transform::scale(fx!(10));
         canvas.draw_with(&behind, &DOME, &mvp, &sky);
 

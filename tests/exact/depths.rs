@@ -26,7 +26,7 @@ fn depths<F: DepthBuffer>(
     let mut depth = vec![0; color.len()];
     let canvas = Canvas::new(&mut color, width, height).unwrap();
     let mut canvas = canvas.with_depth_format::<F>(&mut depth).unwrap();
-    let options = BOTH_SIDES.with_mode(mode).with_depth(test);
+    let options = BOTH_SIDES.with_mode(mode).with_depth_test(test);
     canvas.draw_with(&options, mesh, mvp, shader);
     depth
 }

@@ -53,7 +53,7 @@ fn visible_edges(
 
 /// Draws the shaded mesh, and then its edges over it.
 fn over<K: ProjectionKind>(mesh: &Mesh, mvp: &Mvp<K>, test: impl DepthTest) -> Vec<Gray8> {
-    let options = DrawOptions::new().with_depth(test);
+    let options = DrawOptions::new().with_depth_test(test);
     let draw = &mut |canvas: &mut Screen<'_, Gray8>| {
         canvas.draw_with(&options, mesh, mvp, &Flat::new(SURFACE));
         canvas.draw(mesh.edges(LineStyle::HAIRLINE), mvp, &Flat::new(EDGE));
@@ -149,10 +149,10 @@ fn hidden_outlines(face: impl DepthTest, line: impl DepthTest) -> [usize; 2] {
         let [alone, over] = [false, true].map(|is_hidden| {
             let draw = &mut |canvas: &mut Screen<'_, Gray8>| {
                 if is_hidden {
-                    let options = DrawOptions::new().with_depth(face);
+                    let options = DrawOptions::new().with_depth_test(face);
                     canvas.draw_with(&options, mesh, &mvp, &Flat::new(SURFACE));
                 }
-                let options = DrawOptions::new().with_depth(line);
+                let options = DrawOptions::new().with_depth_test(line);
                 let lines = mesh.outline(&outline, LineStyle::HAIRLINE);
                 canvas.draw_with(&options, lines, &mvp, &Flat::new(EDGE));
             };
@@ -201,7 +201,9 @@ fn outlines_move_as_the_faces_beside_them_are_steep() {
             * Transform::translate(vec3!(1, 0, 1));
         let mvp = projection * model;
         let draw = |test: Biased<WriteOnly>, band: u32, is_listed: bool| {
-            let options = DrawOptions::new().with_cull(Cull::Nothing).with_depth(test);
+            let options = DrawOptions::new()
+                .with_cull(Cull::Nothing)
+                .with_depth_test(test);
             let lines = SHEET.outline(&BORDER, LineStyle::HAIRLINE);
             let mut list: List = DrawList::new();
             let listed = list.prepare(&options, SIZE, lines, &mvp).unwrap();

@@ -43,7 +43,7 @@ pub fn draw<C: PixelFormat>(
     }
     let drawn = surfaces(canvas, options, mvp, (&crests(), &stretched()?));
     let white = Flat::new(C::from_rgb(Rgb888::WHITE, Point::zero()));
-    let in_front = options.with_depth(Biased::in_front(TestAndWrite));
+    let in_front = options.with_depth_test(Biased::in_front(TestAndWrite));
     let silhouettes = ISLAND.outline(&SILHOUETTES, LineStyle::HAIRLINE);
     canvas.draw_with(&in_front, silhouettes, mvp, &white);
     Ok(drawn)

@@ -360,7 +360,10 @@ impl<M: Mode> Scene<M> {
         let mesh = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 3]])?.with_uvs(&uvs, None)?;
         let waves = Textured::new(textures::WATER).bilinear();
         let waves = waves.mipmapped(&self.projection, self.size)?;
-        let options = self.options.with_depth(TestOnly).with_blending(Opacity(92));
+        let options = self
+            .options
+            .with_depth_test(TestOnly)
+            .with_blending(Opacity(92));
         canvas.draw_with(&options, &mesh, &self.view, &waves.in_fog(self.fog));
         Ok(())
     }
@@ -371,7 +374,7 @@ impl<M: Mode> Scene<M> {
         canvas: &mut Canvas<'_, Rgb565, impl Storage<Rgb565>, impl DepthBuffer>,
         world: &World,
     ) -> Result<(), Error> {
-        let shine = self.options.with_depth(TestOnly).with_blending(Add);
+        let shine = self.options.with_depth_test(TestOnly).with_blending(Add);
         let glow = Textured::new(&textures::GLOW)
             .clamped()
             .bilinear()

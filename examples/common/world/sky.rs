@@ -74,7 +74,7 @@ pub fn draw(
     options: &DrawOptions<impl Mode>,
     view: &Mvp,
 ) -> Result<(), Error> {
-    let behind = options.with_depth(NoTest).with_cull(Cull::Nothing);
+    let behind = options.with_depth_test(NoTest).with_cull(Cull::Nothing);
     let dome = *view * Transform::scale(fx!(30));
     canvas.draw_with(&behind, &DOME, &dome, &Gouraud::new());
 

@@ -264,7 +264,7 @@ impl Posed<'_> {
         piece: &Piece<'_>,
         shader: &impl ShaderFor<Rgb888>,
     ) -> Drawn {
-        let options: Options = self.options(piece).with_depth(self.style.bias);
+        let options: Options = self.options(piece).with_depth_test(self.style.bias);
         projected!(self, options, |options, mvp| {
             canvas.draw_with(options, &piece.mesh, mvp, shader)
         })
@@ -278,7 +278,7 @@ impl Posed<'_> {
         let (pen, edges) = (LineStyle::HAIRLINE, self.style.lines == Lines::Edges);
         let draw = |piece: &Piece<'_>| {
             let (options, mesh) = (self.options(piece), &piece.mesh);
-            let in_front = &options.with_depth(Biased::in_front(TestAndWrite));
+            let in_front = &options.with_depth_test(Biased::in_front(TestAndWrite));
             match &piece.outline {
                 _ if edges => {
                     either!(&self.mvp, |mvp| canvas.draw_with(
@@ -356,7 +356,7 @@ impl Posed<'_> {
         shader: &Any<'_, V>,
     ) -> Drawn {
         let shader = &Glass(shader);
-        let options: Options<TestOnly> = self.options(piece).with_depth(TestOnly);
+        let options: Options<TestOnly> = self.options(piece).with_depth_test(TestOnly);
         projected!(self, options, |options, mvp| {
             canvas.draw_with(options, &piece.mesh, mvp, shader)
         })

@@ -122,7 +122,7 @@ fn depths_between_corners<F: DepthBuffer>(random: &mut Random) {
     let (mut pixels, mut depths) = ([Gray8::BLACK; 1600], [0; 1600]);
     let canvas = Canvas::new(&mut pixels, SIZE, SIZE).unwrap();
     let mut canvas = canvas.with_depth_format::<F>(&mut depths).unwrap();
-    let options = DrawOptions::new().with_depth(WriteOnly);
+    let options = DrawOptions::new().with_depth_test(WriteOnly);
     canvas.draw_with(&options, &mesh, &projection, &Flat::new(Gray8::WHITE));
     // The depth of a corner outside the canvas is asked for at its foot on the middle axis.
     let corners = positions.map(|Vec3 { z, .. }| {

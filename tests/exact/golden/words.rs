@@ -318,7 +318,7 @@ const WORDS: &[Word] = &[
         with(c, CUBE.edges(LineStyle::wide(fx!(2.6))?.smooth()), &PLAIN)
     }),
     ("creases", 0xedeb_411d, |c| {
-        let options = OPTIONS.with_depth(Biased::in_front(TestAndWrite));
+        let options = OPTIONS.with_depth_test(Biased::in_front(TestAndWrite));
         c.draw(&CUBE, &view()?, &PLAIN);
         let outline = CUBE.outline(&EDGES_OF_CUBE, LineStyle::HAIRLINE);
         by(c, &options, outline, &Flat::new(Rgb888::WHITE))
@@ -403,7 +403,7 @@ const WORDS: &[Word] = &[
         by(c, &OPTIONS.with_cull(Cull::Front), &CUBE, &SKINNED)
     }),
     ("NoTest", 0xb188_1922, |c| {
-        let options = OPTIONS.with_depth(NoTest).with_cull(Cull::Nothing);
+        let options = OPTIONS.with_depth_test(NoTest).with_cull(Cull::Nothing);
         by(c, &options, &RING, &SKINNED)
     }),
     ("FloatDepth", 0x4016_7d8b, in_format::<FloatDepth>),
@@ -416,7 +416,7 @@ const WORDS: &[Word] = &[
     }),
     ("back to front", 0x178d_d878, |c| {
         let mut list = Box::new(List::new());
-        let options = OPTIONS.with_depth(NoTest).with_cull(Cull::Nothing);
+        let options = OPTIONS.with_depth_test(NoTest).with_cull(Cull::Nothing);
         let glass = options.with_blending(Opacity(120));
         let ring = list.prepare_back_to_front(&glass, c.frame_size(), &RING, &view()?)?;
         c.draw_prepared(&ring, &SKINNED)?;

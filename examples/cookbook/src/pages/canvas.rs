@@ -52,7 +52,7 @@ pub(super) fn blending(canvas: &mut Frame<'_>) -> Drawn {
             * Camera::top(Vec3::ZERO, fx!(2))
             * Transform::translate(Vec3::new(fx!(-1.1) + fx!(0.73) * at, fx!(0), fx!(0)));
         let options = DrawOptions::new()
-            .with_depth(TestOnly)
+            .with_depth_test(TestOnly)
             .with_blending(blending);
         let shader = Flat::new(Rgb565::new(28, 30, 8));
         canvas.draw_with(

@@ -33,7 +33,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     canvas.draw(&BALL, &at(vec3!(-0.2, 0.8, -0.5), fx!(0.8)), &red);
 
     // Blended surfaces follow, from back to front. Blended surfaces write no depths.
-    let seen = DrawOptions::new().with_depth(TestOnly);
+    let seen = DrawOptions::new().with_depth_test(TestOnly);
     let shadow = at(vec3!(0.3, 0.02, -1.1), fx!(1)) * Transform::scale_axes(vec3!(1, 0.01, 0.8));
     let dark = Flat::new(Rgb565::new(14, 28, 16));
     canvas.draw_with(&seen.with_blending(Multiply), &BALL, &shadow, &dark);

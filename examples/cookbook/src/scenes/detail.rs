@@ -20,7 +20,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let fog = Fog::exponential(haze, fx!(0.025))?;
     let options = DrawOptions::new();
     let lines = options.with_blending(Opacity(90));
-    let behind = options.with_depth(Biased::behind(TestAndWrite));
+    let behind = options.with_depth_test(Biased::behind(TestAndWrite));
 
     canvas.clear(haze);
     let grass = Flat::rgb(Rgb888::new(105, 150, 75)).in_fog(fog);

@@ -34,7 +34,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
         canvas.draw(&BALL, &planet, &Flat::rgb(color).lit(lights));
     }
     // Anti-aliased lines do not write depths, because they must not hide one another where they meet.
-    let behind = options.with_depth(TestOnly);
+    let behind = options.with_depth_test(TestOnly);
     let line = RING.outline(&ORBIT, LineStyle::HAIRLINE.smooth());
     for &(_, distance, ..) in &PLANETS {
         let orbit = view * Transform::scale(distance);

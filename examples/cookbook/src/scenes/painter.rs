@@ -31,7 +31,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
 
     // Sort once a frame, for all of its bands. On a microcontroller, the list is a static.
     let mut list = List::new();
-    let options = DrawOptions::new().with_depth(NoTest);
+    let options = DrawOptions::new().with_depth_test(NoTest);
     let scene = list.prepare_back_to_front(&options, frame, &mut objects, &view)?;
 
     canvas.clear(Rgb565::new(2, 5, 5));

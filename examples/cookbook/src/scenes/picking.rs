@@ -19,7 +19,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let blue = Flat::rgb(Rgb888::new(90, 140, 200));
     let options = DrawOptions::new();
     canvas.clear(Rgb565::new(2, 5, 4));
-    let behind = options.with_depth(Biased::behind(TestAndWrite));
+    let behind = options.with_depth_test(Biased::behind(TestAndWrite));
     canvas.draw_with(&behind, &RING, &mvp, &blue.lit_faces(sun));
     let gray = Flat::new(Rgb565::new(6, 16, 12));
     canvas.draw(RING.edges(LineStyle::HAIRLINE), &mvp, &gray);

@@ -27,7 +27,9 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
 
     // The camera stays in the center of the sky. Nothing is behind the sky, so depths are not needed.
     let around = projection * camera.sky();
-    let behind = DrawOptions::new().with_depth(NoTest).with_cull(Cull::Front);
+    let behind = DrawOptions::new()
+        .with_depth_test(NoTest)
+        .with_cull(Cull::Front);
     let horizon = Rgb888::new(255, 170, 90);
     let evening = Gradient::new((fx!(0), horizon), (fx!(0.7), Rgb888::new(30, 50, 120)))?;
     let dome = around * Transform::scale(fx!(100));

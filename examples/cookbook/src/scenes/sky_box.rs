@@ -29,7 +29,9 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let camera = Camera::look_at(vec3!(2, 1, 6), Vec3::ZERO, Vec3::Y)?;
     // The cube is mirrored, so that a viewer inside sees its sides the right way round.
     let around = projection * camera.sky() * Transform::scale_axes(vec3!(-10, 10, 10));
-    let behind = DrawOptions::new().with_depth(NoTest).with_cull(Cull::Front);
+    let behind = DrawOptions::new()
+        .with_depth_test(NoTest)
+        .with_cull(Cull::Front);
     for side in 0..6 {
         let turn = match side {
             0..4 => Transform::rotate_y([deg!(0), deg!(-90), deg!(180), deg!(90)][side]),

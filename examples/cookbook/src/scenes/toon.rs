@@ -38,7 +38,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let view = projection * Camera::look_at(vec3!(1.5, 2.4, 6), vec3!(0.1, 0.55, 0), Vec3::Y)?;
     let sun = Light::new(vec3!(1, 3, 2), fx!(0), fx!(1))?;
     let width = LineStyle::wide(fx!(1) + Scalar::try_from(size.height)? / 120)?;
-    let in_front = DrawOptions::new().with_depth(Biased::in_front(TestAndWrite));
+    let in_front = DrawOptions::new().with_depth_test(Biased::in_front(TestAndWrite));
     canvas.clear(Rgb565::new(10, 45, 29));
     for radius in [fx!(1.7), fx!(2.3), fx!(3)] {
         let ripple = view * Transform::translate(vec3!(0, -0.35, 0)) * Transform::scale(radius);

@@ -21,7 +21,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     // within half a pixel.
     canvas.draw(&ISLAND, &view, &Flat::rgb(paper));
     let lines = ISLAND.outline(&OUTLINE, LineStyle::HAIRLINE.smooth());
-    let in_front = DrawOptions::new().with_depth(Biased::new(TestOnly, 2, fx!(0.5)));
+    let in_front = DrawOptions::new().with_depth_test(Biased::new(TestOnly, 2, fx!(0.5)));
     canvas.draw_with(&in_front, lines, &view, &Flat::rgb(ink));
     Ok(())
 }
