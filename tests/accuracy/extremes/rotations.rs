@@ -161,6 +161,9 @@ fn least_rigid(seeds: u32, rotation: impl Fn([i32; 4]) -> Option<Transform>) -> 
     worst
 }
 
+/// Makes a rotation from four numbers, if they can make one.
+type Make<'a> = &'a dyn Fn([i32; 4]) -> Option<Transform>;
+
 /// Each way to make a rotation has its own bound. The worst rotation found is then multiplied a million times.
 #[test]
 fn every_rotation_is_rigid_and_stays_rigid() {
@@ -180,7 +183,6 @@ fn every_rotation_is_rigid_and_stays_rigid() {
         Some(Transform::from_euler(angle(yaw), angle(pitch), angle(roll)))
     };
     let three = 3. * ABOUT_X + 4. * ROUNDED;
-    type Make<'a> = &'a dyn Fn([i32; 4]) -> Option<Transform>;
     let kinds: [(&str, Make<'_>, f64); 4] = [
         ("x, y, z", &about_axes, ABOUT_X),
         ("axis", &about_axis, ABOUT_AXIS),
