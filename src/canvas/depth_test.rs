@@ -2,25 +2,38 @@
 
 use super::depth::DepthBuffer;
 use crate::num::Scalar;
+use crate::num::wide::at_least;
 use crate::sealed::Sealed;
 
 /// How a draw call uses the canvas's depth buffer.
+/// [`DrawOptions::with_depth_test`](crate::DrawOptions::with_depth_test) chooses one of these types, or [`Biased`] around
+/// one of them:
 ///
-/// Five types are depth tests: [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], and [`Biased`] around one of
-/// these. [`DrawOptions::with_depth_test`](crate::DrawOptions::with_depth_test) chooses the depth test.
+/// | depth test | draws a pixel if | stores its depth | for |
+/// |---|---|---|---|
+/// | [`TestAndWrite`] | it is at least as near as the stored depth | yes | opaque surfaces: the default |
+/// | [`TestOnly`] | it is at least as near | no | glass |
+/// | [`TestNearer`] | it is clearly nearer | yes | shadows that darken each pixel once |
+/// | [`TestBehind`] | it is farther | no | what is hidden: X-ray silhouettes, dimmed lines |
+/// | [`WriteOnly`] | always | yes | the first surface of a frame |
+/// | [`NoTest`] | always | no | a sky, an overlay |
 ///
 /// ```
 /// use fixel::{prelude::*, canvas::TestOnly};
 /// let glass = DrawOptions::new().with_depth_test(TestOnly);
 /// ```
 pub trait DepthTest: Copy + Sealed {
-    /// Whether a pixel behind the stored depth is skipped.
+    /// Whether a pixel is drawn only if its depth [passes](Self::passes).
     #[doc(hidden)]
     const TESTS: bool;
 
     /// Whether the depths of drawn pixels are stored.
     #[doc(hidden)]
     const WRITES: bool;
+
+    /// Whether a pixel with this depth is drawn over a stored depth.
+    #[doc(hidden)]
+    fn passes(depth: u32, stored: u16) -> bool;
 
     /// Whether depths are moved before they are tested and stored.
     #[doc(hidden)]
@@ -55,8 +68,28 @@ pub trait DepthTest: Copy + Sealed {
     }
 }
 
+/// How much nearer a pixel must be for [`TestNearer`], in units of the stored depth.
+const MARGIN: u32 = 3;
+
+#[inline]
+fn nearer(depth: u32, stored: u16) -> bool {
+    depth > u32::from(stored) + MARGIN
+}
+
+#[inline]
+fn farther(depth: u32, stored: u16) -> bool {
+    !at_least(depth, stored)
+}
+
+#[inline]
+fn always(_: u32, _: u16) -> bool {
+    true
+}
+
+/// Declares depth tests: the condition under which a pixel is drawn, whether depths are tested, and whether they are
+/// stored.
 macro_rules! depth_tests {
-    ($($(#[$doc:meta])+ $name:ident $tests:literal $writes:literal;)+) => {$(
+    ($($(#[$doc:meta])+ $name:ident $passes:ident $tests:literal $writes:literal;)+) => {$(
         $(#[$doc])+
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -68,6 +101,11 @@ macro_rules! depth_tests {
             const TESTS: bool = $tests;
             const WRITES: bool = $writes;
             type Bias = ();
+
+            #[inline]
+            fn passes(depth: u32, stored: u16) -> bool {
+                $passes(depth, stored)
+            }
         }
     )+};
 }
@@ -79,7 +117,7 @@ depth_tests! {
         /// use fixel::{prelude::*, canvas::TestAndWrite};
         /// assert_eq!(DrawOptions::new(), DrawOptions::new().with_depth_test(TestAndWrite));
         /// ```
-        TestAndWrite true true;
+        TestAndWrite at_least true true;
         /// Draws a pixel if it is at least as near as the stored depth, and keeps the stored depth: for glass and other
         /// surfaces that must not hide later surfaces.
         ///
@@ -87,21 +125,68 @@ depth_tests! {
         /// use fixel::{prelude::*, canvas::TestOnly};
         /// let glass = DrawOptions::new().with_depth_test(TestOnly);
         /// ```
-        TestOnly true false;
+        TestOnly at_least true false;
+        /// Draws a pixel if it is nearer than the stored depth by more than three units, and stores its depth.
+        ///
+        /// Of several faces in one plane, only the first is drawn at each pixel. So a shadow of many faces, drawn with
+        /// [`Multiply`](super::Multiply) or [`Opacity`](super::Opacity), darkens each pixel once. The units are those of the
+        /// stored depth. Depths in one plane differ by up to three units where the depth changes by at most 256 units
+        /// from pixel to pixel: a corner is rounded by 1/512 pixel along each axis, which moves depths by one unit, and
+        /// depths are rounded down. [`Biased::coplanar`] moves the shadow in front of the ground.
+        ///
+        /// ```
+        /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
+        /// use fixel::{prelude::*, canvas::{Biased, Multiply, TestNearer}};
+        /// static RING: Mesh = shape!(torus(fx!(0.4), 16, 8));
+        /// static GROUND: Mesh = shape!(plane(1, 1));
+        /// let projection = Projection::orthographic(Window::centered(fx!(4), fx!(4)), fx!(0), fx!(8))?;
+        /// let view = projection * Camera::top(Vec3::ZERO, fx!(4));
+        /// let (mut pixels, mut depths) = ([Gray4::BLACK; 256], [0; 256]);
+        /// let mut canvas = Canvas::new(&mut pixels, 16, 16)?.with_depth(&mut depths)?;
+        /// canvas.clear(Gray4::BLACK);
+        /// canvas.draw(&GROUND, &(view * Transform::scale(fx!(4))), &Flat::new(Gray4::WHITE));
+        ///
+        /// let onto_ground = view * Transform::scale_axes(vec3!(1, 0, 1));
+        /// let once = DrawOptions::new().with_depth_test(Biased::coplanar(TestNearer));
+        /// let shadow = once.with_blending(Multiply).with_cull(Cull::Nothing);
+        /// canvas.draw_with(&shadow, &RING, &onto_ground, &Flat::new(Gray4::new(6)));
+        /// let mut display = MockDisplay::new();
+        /// canvas.show(&mut display)?;
+        /// display.assert_pattern(&[
+        ///     "FFFFFFFFFFFFFFFF", "FFFFFFFFFFFFFFFF",
+        ///     "FFFFFFF66FFFFFFF", "FFFFF666666FFFFF",
+        ///     "FFFF66666666FFFF", "FFF6666666666FFF",
+        ///     "FFF666FFFF666FFF", "FF6666FFFF6666FF",
+        ///     "FF6666FFFF6666FF", "FFF666FFFF666FFF",
+        ///     "FFF6666666666FFF", "FFFF66666666FFFF",
+        ///     "FFFFF666666FFFFF", "FFFFFFF66FFFFFFF",
+        ///     "FFFFFFFFFFFFFFFF", "FFFFFFFFFFFFFFFF",
+        /// ]);
+        /// # Ok::<(), Error>(())
+        /// ```
+        TestNearer nearer true true;
+        /// Draws a pixel if it is farther than the stored depth, and keeps the stored depth: for what other surfaces hide,
+        /// such as the silhouette of a figure behind a wall.
+        ///
+        /// ```
+        /// use fixel::{prelude::*, canvas::{Opacity, TestBehind}};
+        /// let hidden = DrawOptions::new().with_depth_test(TestBehind).with_blending(Opacity(90));
+        /// ```
+        TestBehind farther true false;
         /// Draws every pixel and stores its depth.
         ///
         /// ```
         /// use fixel::{prelude::*, canvas::WriteOnly};
         /// let first_in_the_frame = DrawOptions::new().with_depth_test(WriteOnly);
         /// ```
-        WriteOnly false true;
+        WriteOnly always false true;
         /// Draws every pixel and keeps the stored depths: for a sky, or an overlay.
         ///
         /// ```
         /// use fixel::{prelude::*, canvas::NoTest};
         /// let sky = DrawOptions::new().with_cull(Cull::Nothing).with_depth_test(NoTest);
         /// ```
-        NoTest false false;
+        NoTest always false false;
 }
 
 /// A depth test with depths that are moved before they are tested and stored.
@@ -122,7 +207,7 @@ depth_tests! {
 /// let mut canvas = Canvas::new(&mut color, 24, 24)?.with_depth(&mut depth)?;
 /// canvas.clear(BinaryColor::Off);
 /// let behind = DrawOptions::new().with_depth_test(Biased::behind(TestAndWrite));
-/// assert_eq!((behind.depth.steps, behind.depth.slope), (-2, fx!(-1)));
+/// assert_eq!((behind.depth_test.steps, behind.depth_test.slope), (-2, fx!(-1)));
 /// canvas.draw_with(&behind, &BOX, &mvp, &Flat::new(BinaryColor::Off));
 /// canvas.draw(BOX.edges(LineStyle::HAIRLINE), &mvp, &Flat::new(BinaryColor::On));
 /// # Ok::<(), Error>(())
@@ -179,6 +264,16 @@ impl<Z> Biased<Z> {
         Self::new(test, -2, crate::fx!(-1))
     }
 
+    /// `test` with depths moved nearer by seven units of the stored depth, for a surface in the plane of a surface that is
+    /// already drawn: a shadow on the ground, a sign on a wall. With [`TestNearer`], each of its pixels is drawn once.
+    ///
+    /// If the depth changes by at most 256 units from pixel to pixel, no pixel is missing. The surface also shows in front
+    /// of things that are nearer by up to seven units. A unit is w² / (65,535 · near) long at the distance w.
+    #[must_use]
+    pub const fn coplanar(test: Z) -> Self {
+        Self::new(test, 7, Scalar::ZERO)
+    }
+
     /// `test` with depths moved nearer by two units of the stored depth and by the depth difference between neighboring
     /// pixels, for [outlines](crate::Mesh::outline) over a mesh that is drawn without a bias.
     ///
@@ -199,6 +294,11 @@ impl<Z: DepthTest<Bias = ()>> DepthTest for Biased<Z> {
     const WRITES: bool = Z::WRITES;
     const IS_BIASED: bool = true;
     type Bias = Bias;
+
+    #[inline]
+    fn passes(depth: u32, stored: u16) -> bool {
+        Z::passes(depth, stored)
+    }
 
     #[inline]
     fn bias(&self, steepness: u32) -> Bias {

@@ -10,7 +10,7 @@
 //! |---|---|
 //! | storage of a color | [`Native`], [`Words`], or embedded-graphics' `BigEndian` and `LittleEndian` for bytes |
 //! | depth buffer | [`NoDepth`], [`LinearDepth`], [`FloatDepth`] or [`WideFloatDepth`] |
-//! | depth test of a draw call | [`TestAndWrite`], [`TestOnly`], [`WriteOnly`], [`NoTest`], or [`Biased`] around one of these |
+//! | depth test of a draw call | [`TestAndWrite`], [`TestOnly`], [`TestNearer`], [`TestBehind`], [`WriteOnly`], [`NoTest`], or [`Biased`] around one of these |
 //! | blending of a draw call | [`Replace`], [`Opacity`], [`Add`] or [`Multiply`] |
 
 mod blending;
@@ -30,7 +30,9 @@ pub(crate) use canvas::check_size;
 pub use color_index::ColorIndex;
 pub use contrast::Contrast;
 pub use depth::{DepthBuffer, FloatDepth, LinearDepth, NoDepth, WideFloatDepth};
-pub use depth_test::{Biased, DepthTest, NoTest, TestAndWrite, TestOnly, WriteOnly};
+pub use depth_test::{
+    Biased, DepthTest, NoTest, TestAndWrite, TestBehind, TestNearer, TestOnly, WriteOnly,
+};
 pub use diffusion::ErrorDiffusion;
 pub use label::Label;
 pub(crate) use storage::Cells;

@@ -8,7 +8,6 @@ use embedded_graphics::geometry::Point;
 use super::scale::Scale;
 use super::shading::Shading;
 use crate::canvas::{DepthBuffer, DepthTest, LinearDepth, Storage};
-use crate::num::wide::at_least;
 use crate::shade::{Fragment, Lanes, Varyings};
 
 /// The interpolated numbers of a shader, one `i32` in each lane.
@@ -90,7 +89,7 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
         !S::Test::TESTS
             || depth
                 .as_deref()
-                .is_none_or(|stored| at_least(self.code, *stored))
+                .is_none_or(|stored| S::Test::passes(self.code, *stored))
     }
 
     /// Shades the current pixel, after [`visible`](Self::visible) returned `true`.

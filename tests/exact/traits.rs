@@ -10,7 +10,7 @@ use fixel::canvas::{Add, Multiply, Opacity, Replace};
 use fixel::canvas::{
     Biased, ColorIndex, Contrast, ErrorDiffusion, FloatDepth, Label, NoDepth, NoTest,
 };
-use fixel::canvas::{TestAndWrite, TestOnly, WideFloatDepth, WriteOnly};
+use fixel::canvas::{TestAndWrite, TestBehind, TestNearer, TestOnly, WideFloatDepth, WriteOnly};
 use fixel::math::Direction;
 use fixel::mesh::{Bounds, Buffers, Counts, Keyframes, Missing, Part, Positions, Shape};
 use fixel::mode::{Affine, Compact, Exact, Fast, Newton};
@@ -53,7 +53,7 @@ all!(value: Textured<Texture<'static, Rgb565>> FaceColors<'static, Rgb565>);
 all!(value: Mipmap<'static, Rgb565> Mipmapped Trilinear);
 all!(value: Part<'static> PartColors<'static>);
 all!(value: PerFace<u8> Texels Tolerance Within<1, Texels>);
-all!(value: Biased FloatDepth LinearDepth Native NoDepth NoTest TestAndWrite TestOnly WideFloatDepth WriteOnly);
+all!(value: Biased FloatDepth LinearDepth Native NoDepth NoTest TestAndWrite TestBehind TestNearer TestOnly WideFloatDepth WriteOnly);
 all!(value: ColorIndex Contrast);
 all!(value: Bilinear CutOut<u8, Rgb565> Nearest);
 all!(value: Keyframes<'static> Mesh<'static> Outline<'static> Positions<'static> Sprites<'static>);
@@ -64,7 +64,7 @@ all!(any: Label<'static, Canvas<'static, Rgb565>>);
 all!(any: Canvas<'static, Rgb565, BigEndian> Canvas<'static, Rgb565, LittleEndian, LinearDepth>);
 all!(any: Buffers<'static> ErrorDiffusion<'static> Canvas<'static, Rgb565> Canvas<'static, Rgb565, Native, LinearDepth>);
 
-all!(default: Affine Compact Exact Newton TestAndWrite TestOnly WriteOnly NoTest LineStyle PointStyle);
+all!(default: Affine Compact Exact Newton TestAndWrite TestBehind TestNearer TestOnly WriteOnly NoTest LineStyle PointStyle);
 all!(default: Biased Biased<NoTest> Add Multiply Replace Parallel Perspective PerFace<u8> Texels Within<1, Texels>);
 all!(default: Bilinear ColorIndex Contrast Nearest Trilinear);
 all!(default: Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);

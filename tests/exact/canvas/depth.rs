@@ -8,7 +8,10 @@ use embedded_graphics::mono_font::MonoTextStyle;
 use embedded_graphics::mono_font::ascii::FONT_6X10;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, GrayColor, PixelColor};
 use embedded_graphics::text::Text;
-use fixel::canvas::{DepthBuffer, FloatDepth, WideFloatDepth, WriteOnly};
+use fixel::canvas::{
+    Add, Biased, DepthBuffer, FloatDepth, NoTest, TestBehind, TestNearer, TestOnly, WideFloatDepth,
+    WriteOnly,
+};
 use fixel::prelude::*;
 use rand::Rng as _;
 use support::moves::rounded;
@@ -146,6 +149,107 @@ fn depths_do_not_wrap_at_the_far_plane() {
         depths_between_corners::<LinearDepth>(random);
         depths_between_corners::<FloatDepth>(random);
         depths_between_corners::<WideFloatDepth>(random);
+    });
+}
+
+const VIEW: (u32, u32) = (64, 48);
+
+/// What is in a picture with a depth buffer: the pixels and the depths.
+type Seen = (Vec<u8>, Vec<u16>);
+
+/// Draws on a cleared canvas, and returns its pixels and its depths.
+fn seen<F: DepthBuffer>(draw: impl FnOnce(&mut Canvas<'_, Gray8, Native, F>)) -> Seen {
+    let pixels = (VIEW.0 * VIEW.1) as usize;
+    let (mut colors, mut depths) = (vec![Gray8::BLACK; pixels], vec![0; pixels]);
+    let canvas = Canvas::new(&mut colors, VIEW.0, VIEW.1).unwrap();
+    let mut canvas = canvas.with_depth_format::<F>(&mut depths).unwrap();
+    canvas.clear(Gray8::BLACK);
+    draw(&mut canvas);
+    (colors.iter().map(|color| color.luma()).collect(), depths)
+}
+
+/// A view of a square with sides of 4 at a distance of 5 to 9, tilted by up to 65 degrees. At the nearest point, w is 3,
+/// and a unit of depth is 1/730. A pixel is 1/27 there, so the depth changes by at most 27 · tan 65° · 2 = 120 units.
+fn tilted(random: &mut Random) -> Mvp {
+    let [turn, tilt, roll] = [180., 65., 180.].map(|most: f64| random.random_range(-most..most));
+    let angle = |degrees: f64| Angle::try_from_degrees(degrees).unwrap();
+    let ahead = rounded([0., 0., -random.random_range(5.0..9.)]);
+    Projection::perspective(deg!(60), VIEW, fx!(0.1), fx!(100)).unwrap()
+        * Transform::translate(ahead)
+        * Transform::rotate_z(angle(roll))
+        * Transform::rotate_x(angle(90. + tilt))
+        * Transform::rotate_y(angle(turn))
+}
+
+static SQUARE: Mesh = shape!(plane(1, 1));
+static RING: Mesh = shape!(torus(fx!(0.45), 24, 12));
+
+/// Presses a turned ring flat onto a square, as a planar shadow is, and draws it with [`Add`]. Every pixel of the ring
+/// must be added exactly once.
+fn shadow_once<F: DepthBuffer>(random: &mut Random) {
+    let view = tilted(random);
+    let square = view * Transform::scale(fx!(2));
+    let [a, b] = random.random::<[u32; 2]>().map(Angle::from_bits);
+    let flat = Transform::scale_axes(vec3!(1, 0, 1));
+    let flat = view * (flat * Transform::rotate_x(a) * Transform::rotate_z(b));
+    let both_sides = DrawOptions::new().with_cull(Cull::Nothing);
+    let ground = |canvas: &mut Canvas<'_, Gray8, Native, F>| {
+        canvas.draw_with(&both_sides, &SQUARE, &square, &Flat::new(Gray8::new(1)));
+    };
+    let (found, _) = seen::<F>(|canvas| {
+        ground(canvas);
+        let once = both_sides
+            .with_depth_test(Biased::coplanar(TestNearer))
+            .with_blending(Add);
+        canvas.draw_with(&once, &RING, &flat, &Flat::new(Gray8::new(50)));
+    });
+    let (expected, _) = seen::<F>(|canvas| {
+        ground(canvas);
+        let over = both_sides.with_depth_test(NoTest);
+        canvas.draw_with(&over, &RING, &flat, &Flat::new(Gray8::new(51)));
+    });
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn a_shadow_on_a_plane_darkens_each_pixel_once() {
+    cases(sampled(400), |random| {
+        shadow_once::<LinearDepth>(random);
+        shadow_once::<FloatDepth>(random);
+        shadow_once::<WideFloatDepth>(random);
+    });
+}
+
+/// What `TestBehind` draws and what `TestOnly` draws are together what `NoTest` draws, and nothing is drawn by both. All
+/// three keep the depths.
+#[test]
+fn what_is_hidden_is_the_rest_of_what_is_seen() {
+    cases(sampled(200), |random| {
+        let (view, wall) = (tilted(random), tilted(random));
+        let drawn = |test: &dyn Fn(&mut Canvas<'_, Gray8, Native, LinearDepth>, &Mvp)| {
+            seen::<LinearDepth>(|canvas| {
+                let both_sides = DrawOptions::new().with_cull(Cull::Nothing);
+                canvas.draw_with(&both_sides, &SQUARE, &wall, &Flat::new(Gray8::BLACK));
+                test(canvas, &view);
+            })
+        };
+        macro_rules! square {
+            ($test:ident) => {
+                drawn(&|canvas, view| {
+                    // A square has one face at each pixel, so a pixel is either hidden or not.
+                    let options = DrawOptions::new()
+                        .with_cull(Cull::Nothing)
+                        .with_depth_test($test);
+                    canvas.draw_with(&options, &SQUARE, view, &Flat::new(Gray8::WHITE));
+                })
+            };
+        }
+        let [hidden, shown, all] = [square!(TestBehind), square!(TestOnly), square!(NoTest)];
+        for (at, &all) in all.0.iter().enumerate() {
+            let parts = [hidden.0[at], shown.0[at]].map(u32::from);
+            assert_eq!(parts[0] + parts[1], u32::from(all), "{at}");
+        }
+        assert!(hidden.1 == all.1 && shown.1 == all.1);
     });
 }
 
