@@ -64,6 +64,8 @@ pub mod coming_from {}
 #[doc = recipe!("Modes", "corridor")]
 #[doc = recipe!("Cut-out textures", "cut_out")]
 #[doc = recipe!("Blending", "blending")]
+#[doc = recipe!("What is hidden", "hidden")]
+#[doc = recipe!("Windows and stencils", "stencil")]
 #[doc = recipe!("Painter's order", "painter")]
 #[doc = recipe!("Wireframe", "wireframe", "ignore")]
 #[doc = recipe!("Points", "points")]

@@ -10,6 +10,7 @@ mod drone;
 mod files;
 mod fog;
 mod hello;
+mod hidden;
 #[cfg(not(target_os = "none"))]
 mod instruments;
 mod keyframes;
@@ -28,6 +29,7 @@ mod quantized;
 mod sky;
 mod sky_box;
 mod sprites;
+mod stencil;
 mod terrain;
 mod toon;
 #[cfg(not(target_os = "none"))]
@@ -55,6 +57,7 @@ pub const SCENES: &[(&str, Draw)] = &[
     ("files", files::draw),
     ("fog", fog::draw),
     ("hello", hello::draw),
+    ("hidden", hidden::draw),
     #[cfg(not(target_os = "none"))] // draws arcs of embedded-graphics, which need floats
     ("instruments", instruments::draw),
     ("keyframes", keyframes::draw),
@@ -73,6 +76,7 @@ pub const SCENES: &[(&str, Draw)] = &[
     ("sky", sky::draw),
     ("sky_box", sky_box::draw),
     ("sprites", sprites::draw),
+    ("stencil", stencil::draw),
     ("terrain", terrain::draw),
     ("toon", toon::draw),
     #[cfg(not(target_os = "none"))] // starts a thread
