@@ -148,6 +148,7 @@ impl Transform {
     }
 
     /// Makes the transform that scales each axis by its own factor about the origin; a negative factor mirrors.
+    /// A mirrored mesh still shows its outside: [culling](crate::Cull) needs no change.
     ///
     /// Each factor is accurate to 2⁻³⁰ of the largest factor.
     #[must_use]
