@@ -16,6 +16,7 @@ mod depths;
 mod golden;
 mod mirrors;
 mod objects;
+mod order;
 mod picking;
 mod quantized;
 mod raster;
