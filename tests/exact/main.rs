@@ -21,6 +21,7 @@ mod picking;
 mod quantized;
 mod raster;
 mod readme;
+mod rotations;
 mod shaders;
 mod shades;
 mod short_positions;
