@@ -4,6 +4,7 @@
 #![allow(dead_code)]
 
 pub mod lighthouse;
+pub mod rotations;
 pub mod scenes;
 /// Only microcontrollers without an operating system use this module.
 #[cfg(target_os = "none")]

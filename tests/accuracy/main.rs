@@ -11,6 +11,7 @@ mod blending;
 mod bumpy;
 mod clipped_values;
 mod clipping;
+mod closed;
 mod coverage;
 mod diffusion;
 mod extremes;

@@ -3,12 +3,13 @@
 use crate::bands::{CASES, Point, SIZE, counts, drawn, modeled, point};
 use crate::lines;
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
-use fixel::Thing;
 use fixel::canvas::{Add, Blending, Opacity, TestAndWrite};
 use fixel::mode::Newton;
 use fixel::num::Subpixel;
 use fixel::prelude::*;
+use fixel::shade::Translucent;
 use fixel::view::{AsMvp, Perspective};
+use fixel::{Drawn, Thing};
 use rand::Rng;
 use support::counter::{at_subpixel, pixel_projection};
 use support::random::{Random, cases, within};
@@ -356,38 +357,67 @@ fn wide_outlines_widen_the_thin_outline() {
     );
 }
 
-/// A smooth line mixes the background with the blended color by the share of each pixel.
+/// Draws lines in a way of its own.
+type Draw<'d> = &'d dyn Fn(&mut Canvas<'_, Gray8>) -> Drawn;
+
+/// A smooth line mixes the background with the blended color by the share of each pixel. The color may have an opacity,
+/// and the draw call, too.
 #[test]
 fn blended_lines_are_the_models() {
-    let ends = [[1500, 1200], [9000, 4700]];
-    let positions = ends.map(at_subpixel);
-    let mesh = line(&positions, &[[0, 1]]);
-    let width = LineStyle::wide(fx!(2.5)).unwrap();
-    let glass = DrawOptions::new().with_blending(Opacity(100));
-    let mut colors = vec![Gray8::new(60); (SIZE.0 * SIZE.1) as usize];
-    let mut canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
-    let gray = Flat::new(Gray8::new(240));
-    canvas.draw_with(
-        &glass,
-        mesh.edges(width.smooth()),
-        &pixel_projection(SIZE),
-        &gray,
-    );
-    let screen = ends.map(|end: Point| end.map(|at| f64::from(at) / 256.));
     let mut partly = 0;
-    for (pixel, color) in Bounds::new(SIZE.0, SIZE.1).pixels().zip(&colors) {
-        let share = share(screen, 2.5, center(pixel));
-        let exact = over(over(240., 60., 100. / 255.), 60., share);
-        // The opacity has an error of 1/512, and the share has an error of 1.3/256. Both errors are multiplied by 180
-        // steps. Two roundings add a step.
-        let room = 180. * (1. / 512. + 1.3 / 256.) + 1.;
-        assert!(
-            (f64::from(color.luma()) - exact).abs() <= room,
-            "{pixel:?}: {color:?} instead of {exact}"
+    cases(CASES, |random| {
+        let (ends, half) = ([point(random, SIZE), point(random, SIZE)], half(random));
+        let [above, below, opacity, second]: [u8; 4] = random.random();
+        let positions = ends.map(at_subpixel);
+        let (mesh, width) = (line(&positions, &[[0, 1]]), width(half));
+        let (screen, pixels) = (
+            ends.map(|end: Point| end.map(|at| f64::from(at) / 256.)),
+            f64::from(half) / 128.,
         );
-        partly += u32::from(share > 0. && share < 1.);
-    }
-    assert!(partly > 30);
+        let plain = Flat::new(Gray8::new(above));
+        let glass = plain.map(|_, color| Some(Translucent { color, opacity }));
+        let options = DrawOptions::new();
+        let by_call = options.with_blending(Opacity(second));
+        let lines = mesh.edges(width.smooth());
+        let mvp = pixel_projection(SIZE);
+        let [first, second] = [opacity, second].map(|opacity| f64::from(opacity) / 255.);
+        let drawings: [(&str, Draw<'_>, f64); 3] = [
+            (
+                "a draw call's opacity",
+                &|canvas| canvas.draw_with(&by_call, lines, &mvp, &plain),
+                second,
+            ),
+            (
+                "a color's opacity",
+                &|canvas| canvas.draw_with(&options, lines, &mvp, &glass),
+                first,
+            ),
+            (
+                "both opacities",
+                &|canvas| canvas.draw_with(&by_call, lines, &mvp, &glass),
+                first * second,
+            ),
+        ];
+        for (what, draw, opacity) in drawings {
+            let mut colors = vec![Gray8::new(below); (SIZE.0 * SIZE.1) as usize];
+            let mut canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
+            draw(&mut canvas);
+            for (pixel, color) in Bounds::new(SIZE.0, SIZE.1).pixels().zip(&colors) {
+                let share = share(screen, pixels, center(pixel));
+                let [above, below] = [above, below].map(f64::from);
+                let exact = over(over(above, below, opacity), below, share);
+                // The product of both opacities has an error of 4 · 2^-16, and the share has an error of 1.3/256. Both
+                // errors are multiplied by the difference of the colors. Two roundings add a step.
+                let room = (above - below).abs() * (4. / 65_536. + 1.3 / 256.) + 1.;
+                assert!(
+                    (f64::from(color.luma()) - exact).abs() <= room,
+                    "{what}, {pixel:?}: {color:?} instead of {exact}"
+                );
+                partly += u32::from(share > 0. && share < 1.);
+            }
+        }
+    });
+    assert!(partly > 30 * CASES, "{partly}");
 }
 
 /// A line beside the canvas can have pixels in the canvas. If it has pixels there, the bounds of its mesh, widened by

@@ -1,5 +1,4 @@
-//! Bands put together equal the frame, bit for bit, in every mode. With a depth buffer, the picture does not depend on
-//! the order of the triangles.
+//! Bands put together equal the frame, bit for bit, in every mode.
 
 use std::any::type_name;
 
@@ -16,8 +15,8 @@ use crate::{List, Screen, picture};
 use support::counter;
 use support::random::{Random, cases, list, sampled};
 
-const WIDTH: u32 = 70;
-const HEIGHT: u32 = 37;
+pub const WIDTH: u32 = 70;
+pub const HEIGHT: u32 = 37;
 /// Heights of the bands, in rows.
 const BANDS: [u32; 3] = [1, 7, 16];
 
@@ -58,7 +57,7 @@ impl Shader for Bits {
 
 /// A shader that shows the index of a triangle in the mesh as a color.
 #[derive(Clone, Copy)]
-struct Index;
+pub struct Index;
 
 impl Shader for Index {
     type Color = Rgb888;
@@ -75,9 +74,9 @@ impl Shader for Index {
 
 /// A mesh around the origin that fills the view or extends beyond it.
 #[derive(Debug)]
-struct Scene {
-    positions: Vec<Vec3>,
-    faces: Vec<[u16; 3]>,
+pub struct Scene {
+    pub positions: Vec<Vec3>,
+    pub faces: Vec<[u16; 3]>,
     edges: Vec<[u16; 2]>,
 }
 
@@ -109,7 +108,7 @@ impl Scene {
 }
 
 /// A band of a frame.
-type Band<'b, D = LinearDepth> = Screen<'b, Rgb888, D>;
+pub type Band<'b, D = LinearDepth> = Screen<'b, Rgb888, D>;
 
 /// Draws a frame in bands of `rows` rows. The memory begins with arbitrary contents, which must not show.
 fn bands<D: DepthBuffer>(
@@ -187,7 +186,7 @@ impl Scene {
 /// The number 1, in units of 2⁻¹⁶.
 const UNIT: i32 = 1 << 16;
 
-fn scene(random: &mut Random) -> Scene {
+pub fn scene(random: &mut Random) -> Scene {
     let positions = list(random, 3..12, |random| {
         let reach = UNIT * [3, 3, 3, 40, 3000][random.random_range(0..5)];
         Vec3::from_bits([(); 3].map(|()| random.random_range(-reach..reach)))
@@ -295,45 +294,6 @@ fn bands_equal_the_frame_in_floating_depth() {
                 draw(rows, true) == frame,
                 "prepared bands of {rows} rows differ"
             );
-        }
-    });
-}
-
-/// The test draws each triangle separately to find its depths. In every order of drawing, the nearest triangle must
-/// show at each pixel. Of triangles at equal depths, the last one drawn must show.
-#[test]
-fn the_nearest_triangle_shows_in_any_order() {
-    cases(sampled(256), |random| {
-        let scene = scene(random);
-        let (near, far) = (fx!(0.1), fx!(50));
-        let projection = Projection::perspective(deg!(70), (WIDTH, HEIGHT), near, far).unwrap();
-        let mvp = projection * Transform::translate(vec3!(0, 0, -4));
-        let draw = |faces: &[[u16; 3]]| {
-            let mesh = Mesh::new(&scene.positions, faces).unwrap();
-            let before = (Rgb888::default(), 0);
-            picture((WIDTH, HEIGHT), HEIGHT, before, &mut |canvas: &mut Band<
-                '_,
-            >| {
-                canvas.draw_with(&counter::BOTH_SIDES, &mesh, &mvp, &Index);
-            })
-        };
-        let mut faces = scene.faces;
-        let by = random.random_range(0..faces.len().max(1));
-        for _ in 0..2 {
-            let alone: Vec<_> = faces.iter().map(|&face| draw(&[face])).collect();
-            let (color, depth) = draw(&faces);
-            for pixel in 0..depth.len() {
-                let mut shown = (Rgb888::default(), 0);
-                for (index, (alone, depths)) in (0..).zip(&alone) {
-                    if alone[pixel] != Rgb888::default() && depths[pixel] >= shown.1 {
-                        shown = (Rgb888::new(255, 0, index), depths[pixel]);
-                    }
-                }
-                let found = (color[pixel], depth[pixel]);
-                assert_eq!(found, shown, "{pixel} of {faces:?}, {:?}", scene.positions);
-            }
-            faces.reverse();
-            faces.rotate_left(by);
         }
     });
 }

@@ -39,12 +39,17 @@ pub struct Drawing<'a, K> {
 impl<K: ProjectionKind> Drawing<'_, K> {
     /// Every pixel of every triangle, in drawing order, including hidden pixels.
     pub fn all<const N: usize>(&self, values: Values<'_, N>) -> Vec<Seen<N>> {
-        self.record(values, false)
+        self.record(values, false, self.size.1)
+    }
+
+    /// The same pixels, drawn in bands of `rows` rows.
+    pub fn all_in_bands<const N: usize>(&self, rows: u32, values: Values<'_, N>) -> Vec<Seen<N>> {
+        self.record(values, false, rows)
     }
 
     /// Every pixel that passes the depth test, in drawing order. At each position, the last of these pixels is visible.
     pub fn shown<const N: usize>(&self, values: Values<'_, N>) -> Vec<Seen<N>> {
-        self.record(values, true)
+        self.record(values, true, self.size.1)
     }
 
     /// The visible face at each pixel, row by row. Draws in the default mode, because all modes except `Compact` show
@@ -63,20 +68,33 @@ impl<K: ProjectionKind> Drawing<'_, K> {
         faces
     }
 
-    fn record<const N: usize>(&self, values: Values<'_, N>, draws: bool) -> Vec<Seen<N>> {
+    fn record<const N: usize>(
+        &self,
+        values: Values<'_, N>,
+        draws: bool,
+        rows: u32,
+    ) -> Vec<Seen<N>> {
         let (mut pixels, mut depth) = self.blank();
-        let mut canvas = self.canvas(&mut pixels).with_depth(&mut depth).unwrap();
         const { assert!(N <= 3) };
         // All tests interpolate three numbers, so that each mode is compiled only once.
         let probe = Probe {
             values: &|corner| Coordinates::<3>(first(values(corner))),
             color: draws.then_some(Gray8::new(255)),
         };
-        let record = record::<_, 3>(probe, |recorder| {
-            self.draw(&mut canvas, recorder);
-        });
-        let seen = record.seen.into_iter();
-        seen.map(|seen| seen.with_values(first(seen.values)))
+        let (width, height) = self.size;
+        let length = (width * rows) as usize;
+        let bands = pixels.chunks_mut(length).zip(depth.chunks_mut(length));
+        let mut all = Vec::new();
+        for (top, (pixels, depth)) in (0..).step_by(rows as usize).zip(bands) {
+            let band = Canvas::band(pixels, width, height, top).unwrap();
+            let mut band = band.with_depth(depth).unwrap();
+            let record = record::<_, 3>(probe, |recorder| {
+                self.draw(&mut band, recorder);
+            });
+            all.extend(record.seen);
+        }
+        let all = all.into_iter();
+        all.map(|seen| seen.with_values(first(seen.values)))
             .collect()
     }
 

@@ -10,7 +10,8 @@
 //! --mode MODE --scene NAME --crc` prints the host's checksum. Mode fast has a tolerance of a quarter of a texel.
 //!
 //! For some of the scenes, the program then prints checksums of pictures that must be the same (`same`): in bands of
-//! any height, drawn twice with or without clearing, and with the triangles in reverse order.
+//! any height, drawn twice with or without clearing, and with the triangles in reverse order. At the end, the program
+//! checks the bits of rotations, which must be the host's.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -34,12 +35,14 @@ fn main() {
 
 #[cfg(target_os = "none")]
 mod firmware {
+    use crc32fast::Hasher;
     use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
     use fixel::prelude::*;
     use semihosting::println;
 
     use super::bench::{Bench, Figures, Layout};
     use super::board::{self, Clock};
+    use super::common::rotations;
     use super::same::Way;
     use super::scene::Scene;
 
@@ -58,6 +61,11 @@ mod firmware {
             let (name, crc) = (way.scene.name(), bench.checksum(way)?);
             println!("same scene={name} mode=newton way={way} crc={crc:08x}");
         }
+        let mut bits = Hasher::new();
+        for entry in rotations::entries() {
+            bits.update(&entry.to_le_bytes());
+        }
+        assert_eq!(bits.finalize(), rotations::CRC, "the bits of rotations");
         Ok(())
     }
 

@@ -108,6 +108,66 @@ fn a_canvas_is_packed_by_a_framebuffer() {
     shows_as_a_framebuffer!(Gray4, RawU4);
 }
 
+/// The pixel in a row of packed pixels of `bits` bits each. The first pixel is in the high bits of the first byte.
+fn packed_pixel(row: &[u8], bits: usize, column: usize) -> u8 {
+    let first = column * bits;
+    let down = 8 - bits - first % 8;
+    (row[first / 8] >> down) & ((1 << bits) - 1)
+}
+
+/// Shows a canvas of `WIDTH` columns on a packed framebuffer of `BYTES` bytes, whole and in bands, and compares the bits
+/// of each pixel. The last byte of a row has bits that belong to no pixel. These bits must be 0.
+fn rows_are_packed<C, const WIDTH: usize, const BYTES: usize>()
+where
+    C: PixelFormat<Raw: RawData<Storage = u8>> + From<C::Raw> + Into<C::Raw>,
+    Framebuffer<C, C::Raw, LittleEndian, WIDTH, 11, BYTES>:
+        DrawTarget<Color = C, Error = Infallible>,
+{
+    const HEIGHT: usize = 11;
+    let bits = C::Raw::BITS_PER_PIXEL;
+    let stride = (WIDTH * bits).div_ceil(8);
+    assert_ne!(WIDTH * bits % 8, 0, "rows fill bytes");
+    cases(50, |random| {
+        let mut pixels: Vec<C> = (0..WIDTH * HEIGHT)
+            .map(|_| C::Raw::from_u32(random.random()).into())
+            .collect();
+        let wanted = pixels.clone();
+        let rows = random.random_range(1..=HEIGHT);
+        let mut panel = Framebuffer::<C, C::Raw, LittleEndian, WIDTH, 11, BYTES>::new();
+        for (first, pixels) in (0..).step_by(rows).zip(pixels.chunks_mut(WIDTH * rows)) {
+            let [width, height] = [WIDTH, HEIGHT].map(|size| size as u32);
+            let band = Canvas::band(pixels, width, height, first).unwrap();
+            let Ok(()) = band.show(&mut panel);
+        }
+        assert_eq!(panel.data().len(), stride * HEIGHT);
+        for (y, (row, wanted)) in panel
+            .data()
+            .chunks(stride)
+            .zip(wanted.chunks(WIDTH))
+            .enumerate()
+        {
+            for (x, &wanted) in wanted.iter().enumerate() {
+                let wanted: C::Raw = wanted.into();
+                assert_eq!(packed_pixel(row, bits, x), wanted.into_inner(), "{x}, {y}");
+            }
+            let rest = row[stride - 1] << (WIDTH * bits % 8);
+            assert_eq!(rest, 0, "bits beside row {y}");
+        }
+    });
+}
+
+#[test]
+fn rows_that_do_not_fill_bytes_are_packed() {
+    macro_rules! widths {
+        ($color:ty: $($width:literal)+) => {$(
+            rows_are_packed::<$color, $width, { buffer_size_bpp($width, 11, <$color as PixelColor>::Raw::BITS_PER_PIXEL) }>();
+        )+};
+    }
+    widths!(BinaryColor: 1 3 7 9 13 122);
+    widths!(Gray2: 1 3 7 9 13 122);
+    widths!(Gray4: 1 3 7 9 13);
+}
+
 /// In a page, bit n of a byte is the pixel in row n. Rows below the canvas are 0.
 #[test]
 fn pages_are_the_pixels_one_below_the_other() {
