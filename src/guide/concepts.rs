@@ -79,6 +79,7 @@
 //! // Angles wrap at a whole turn.
 //! assert_eq!(deg!(350) + deg!(20), deg!(10));
 //! assert_eq!(Angle::from_turns(fx!(0.25)), deg!(90));
+//! assert_eq!(deg!(225) - deg!(270) * fx!(0.5), deg!(90)); // the needle of a gauge, at half of its scale
 //! assert_eq!(Angle::from_radians(fx!(1)).to_string(), "57.2958 degrees");
 //!
 //! // An angle computed from the time is exact, even after years: errors do not add up.

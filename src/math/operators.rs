@@ -107,16 +107,15 @@ macro_rules! vector {
             ///
             /// A component divided by zero saturates by its sign; 0/0 is 0.
             Div div, DivAssign div_assign: |a: $Vector, k: Scalar| Self::new($(a.$part / k),+);
+            /// Multiplies each component; each component saturates.
+            Mul mul, MulAssign mul_assign: |a: $Vector, k: i32| Self::new($(a.$part * k),+);
+            /// Divides each component, rounds to nearest (half away from zero) and saturates.
+            ///
+            /// A component divided by zero saturates by its sign; 0/0 is 0.
+            Div div, DivAssign div_assign: |a: $Vector, k: i32| Self::new($(a.$part / k),+);
         }
 
-        impl Mul<$Vector> for Scalar {
-            type Output = $Vector;
-
-            /// Multiplies each component, rounds to nearest (half up) and saturates.
-            fn mul(self, vector: $Vector) -> $Vector {
-                vector * self
-            }
-        }
+        operators!(Scalar * $Vector, i32 * $Vector);
 
         impl Sum for $Vector {
             /// Adds all vectors; each partial sum saturates.
@@ -182,9 +181,9 @@ mod tests {
         [(); 3].map(|()| numbers(random))
     }
 
-    /// Returns value · 2^16 / divisor, computed in integers and rounded to nearest, half away from zero.
-    fn quotient(value: i32, divisor: i32) -> i32 {
-        let top = i128::from(value) << 16;
+    /// Returns value · 2^fraction / divisor, computed in integers and rounded to nearest, half away from zero.
+    fn quotient(value: i32, divisor: i32, fraction: u32) -> i32 {
+        let top = i128::from(value) << fraction;
         if divisor == 0 {
             return saturated(top.signum() << 40);
         }
@@ -225,6 +224,11 @@ mod tests {
             let uv = Vec2::from_bits([a[0], a[1]]);
             assert_eq!((uv * k).to_bits(), [expected[0], expected[1]]);
             assert_eq!(k * uv, uv * k);
+            let n = numbers(random);
+            let expected = a.map(|v| saturated(i128::from(v) * i128::from(n)));
+            assert_eq!((v * n).to_bits(), expected);
+            assert_eq!(n * v, v * n);
+            assert_eq!((n * uv).to_bits(), [expected[0], expected[1]]);
         });
     }
 
@@ -233,11 +237,13 @@ mod tests {
         cases(256, |random| {
             let a = vectors(random);
             let k = numbers(random);
-            let expected = a.map(|v| quotient(v, k));
+            let (expected, whole) = (a.map(|v| quotient(v, k, 16)), a.map(|v| quotient(v, k, 0)));
+            let (v, uv) = (Vec3::from_bits(a), Vec2::from_bits([a[0], a[1]]));
+            assert_eq!((v / k).to_bits(), whole);
+            assert_eq!((uv / k).to_bits(), [whole[0], whole[1]]);
             let k = Scalar::from_bits(k);
-            assert_eq!((Vec3::from_bits(a) / k).to_bits(), expected);
-            let uv = Vec2::from_bits([a[0], a[1]]) / k;
-            assert_eq!(uv.to_bits(), [expected[0], expected[1]]);
+            assert_eq!((v / k).to_bits(), expected);
+            assert_eq!((uv / k).to_bits(), [expected[0], expected[1]]);
         });
     }
 
@@ -264,7 +270,12 @@ mod tests {
             let a = vectors(random);
             let b = vectors(random);
             let k = numbers(random);
+            let n = k;
             let (u, v, k) = (Vec3::from_bits(a), Vec3::from_bits(b), Scalar::from_bits(k));
+            let [mut multiple, mut part] = [u; 2];
+            multiple *= n;
+            part /= n;
+            assert_eq!([multiple, part], [u * n, u / n]);
             let [mut sum, mut difference, mut product, mut quotient] = [u; 4];
             sum += v;
             difference -= v;

@@ -8,7 +8,7 @@ use crate::num::TexCoord;
 /// downward, in the order of the stored rows.
 ///
 /// `Vec2` has the operators of [`Vec3`](crate::Vec3), with the same rounding and saturation; none of them panics. The
-/// factor or divisor is a [`Scalar`](crate::Scalar).
+/// factor or divisor is a [`Scalar`](crate::Scalar) or an `i32`.
 ///
 /// ```
 /// use fixel::{Vec2, fx, vec2};
@@ -44,7 +44,12 @@ impl Vec2 {
 #[macro_export]
 macro_rules! vec2 {
     (@ $value:expr) => {
-        $crate::__rounded!(TexCoord::nearest, "TexCoord::try_from(x)?", $value)
+        $crate::__rounded!(
+            TexCoord::nearest,
+            "expected two literals, such as vec2!(0.5, 1); for TexCoords write Vec2::new(x, y), and for other numbers \
+             Vec2::try_from([x, y])?",
+            $value
+        )
     };
     ($x:expr, $y:expr $(,)?) => {
         $crate::Vec2::new($crate::vec2!(@ $x), $crate::vec2!(@ $y))

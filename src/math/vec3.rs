@@ -10,9 +10,9 @@ use crate::num::rsqrt::{measure, unit};
 ///
 /// | operation | rounding |
 /// |---|---|
-/// | `a + b`, `a - b`, `-a`, `+=`, `-=`, `sum()` | exact |
+/// | `a + b`, `a - b`, `-a`, `+=`, `-=`, `sum()`, `a * n` with an `i32` | exact |
 /// | `a * k`, `k * a`, `a *= k` | to nearest, halves up |
-/// | `a / k`, `a /= k` | to nearest, halves away from zero |
+/// | `a / k`, `a /= k`, `a / n` with an `i32` | to nearest, halves away from zero |
 ///
 /// Division by zero saturates each component by its sign; 0/0 is 0.
 ///
@@ -20,7 +20,7 @@ use crate::num::rsqrt::{measure, unit};
 /// use fixel::{Vec3, fx, vec3};
 /// let eye = vec3!(0, 1.5, -2);
 /// assert_eq!(eye - Vec3::Y, vec3!(0, 0.5, -2));
-/// assert_eq!(fx!(2) * eye / fx!(3), vec3!(0, 1, -1.33333));
+/// assert_eq!(fx!(2.5) * eye / 3, vec3!(0, 1.25, -1.66667));
 /// assert_eq!(Vec3::try_from([0.0, 1.5, -2.0]), Ok(eye));
 /// assert_eq!(Vec3::from([fx!(0), fx!(1.5), fx!(-2)]), eye);
 /// ```
@@ -53,7 +53,8 @@ impl Vec3 {
 
 /// A [`Vec3`] from three literals, each rounded to the nearest [`Scalar`] at compile time.
 ///
-/// A literal out of range does not compile. For components that are not literals, use [`Vec3::new`].
+/// A literal out of range does not compile. For components that are not literals, use [`Vec3::new`]. Literals near 0
+/// lose digits like those of [`fx!`](crate::fx).
 ///
 /// ```
 /// use fixel::{Vec3, vec3};
@@ -62,12 +63,20 @@ impl Vec3 {
 /// ```
 /// ```compile_fail
 /// let x = 0.5;
-/// let _ = fixel::vec3!(-x, 0, 0); // error: expected a literal, such as 0.5; …
+/// let _ = fixel::vec3!(-x, 0, 0); // error: expected three literals, such as vec3!(0, 1.5, -2); …
 /// ```
 #[macro_export]
 macro_rules! vec3 {
+    (@ $value:expr) => {
+        $crate::__rounded!(
+            Scalar::nearest,
+            "expected three literals, such as vec3!(0, 1.5, -2); for Scalars write Vec3::new(x, y, z), and for other \
+             numbers Vec3::try_from([x, y, z])?",
+            $value
+        )
+    };
     ($x:expr, $y:expr, $z:expr $(,)?) => {
-        $crate::Vec3::new($crate::fx!($x), $crate::fx!($y), $crate::fx!($z))
+        $crate::Vec3::new($crate::vec3!(@ $x), $crate::vec3!(@ $y), $crate::vec3!(@ $z))
     };
 }
 

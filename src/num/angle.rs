@@ -16,6 +16,20 @@ use crate::num::{Fraction, Scalar};
 /// Arithmetic wraps at a whole turn: −90° and 270° are the same angle. [`deg!`](crate::deg) makes an angle from a
 /// literal in degrees.
 ///
+/// A [`Scalar`] or a [`Fraction`] multiplies the angle as a number from 0 to below 360°. The product is rounded to the
+/// nearest unit, halves up, and whole turns are dropped. A gauge can sweep more than half a turn:
+///
+/// ```
+/// use fixel::prelude::*;
+/// // The needle turns clockwise by up to 270 degrees.
+/// let needle = |value: Scalar| deg!(225) - deg!(270) * value;
+/// assert_eq!(needle(fx!(0.5)), deg!(90));
+/// assert_eq!(needle(fx!(1)), deg!(-45));
+/// ```
+///
+/// Half of −90° is therefore half of 270°, 135°. For a negative sweep, subtract the product, or multiply by a negative
+/// number. A sweep of a whole turn is `Angle::from_turns(value)`, because `deg!(360)` is 0.
+///
 /// ```
 /// use fixel::prelude::*;
 /// use fixel::Fraction;
@@ -83,6 +97,15 @@ const fn polynomial(coefficients: &[(i32, u32)], x: i32) -> i32 {
     sum
 }
 
+/// `units` · `factor` / 2^`fraction`, rounded to nearest (half up). Whole turns are dropped.
+///
+/// The magnitude of `units` must be below 2^32.
+const fn times(units: i64, factor: i32, fraction: u32) -> u32 {
+    // The product and a half are less than 2^63.
+    let product = (units * factor as i64 + (1 << fraction >> 1)) >> fraction;
+    product.cast_unsigned() as u32
+}
+
 impl Angle {
     /// Zero degrees.
     pub const ZERO: Self = Self(0);
@@ -124,6 +147,25 @@ impl Angle {
     pub const fn from_turns(turns: Scalar) -> Self {
         #[allow(clippy::cast_sign_loss)] // whole turns drop out
         Self((turns.to_bits() as u32) << 16)
+    }
+
+    /// Interpolates along the shorter way: the result is `self` at `t` = 0 and `other` at `t` = 1. If `t` is below 0 or
+    /// above 1, the result is extrapolated.
+    ///
+    /// The result is rounded to the nearest unit, halves up. Between opposite angles, it turns clockwise. To turn
+    /// counter-clockwise however far `b` is, write `a + (b - a) * t`; clockwise, `a - (a - b) * t`.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let (a, b) = (deg!(315), deg!(45));
+    /// assert_eq!(a.lerp(b, fx!(0.5)), deg!(0));
+    /// assert_eq!(a - (a - b) * fx!(0.5), deg!(180));
+    /// ```
+    #[must_use]
+    pub const fn lerp(self, other: Self, t: Scalar) -> Self {
+        let way = other.0.wrapping_sub(self.0).cast_signed();
+        let part = times(way as i64, t.to_bits(), Scalar::FRAC_BITS);
+        Self(self.0.wrapping_add(part))
     }
 
     /// Makes an angle from radians, accurate to one unit. Whole turns are dropped.
@@ -314,7 +356,13 @@ operators! {
     Sub sub, SubAssign sub_assign: |a: Angle, b: Angle| Self(a.0.wrapping_sub(b.0));
     // Whole turns are dropped.
     Mul mul, MulAssign mul_assign: |a: Angle, b: i32| Self(a.0.wrapping_mul(b.cast_unsigned()));
+    /// Multiplies an angle from 0 to below 360°; rounds to nearest, halves up. Whole turns are dropped.
+    Mul mul, MulAssign mul_assign: |a: Angle, b: Scalar| Self(times(a.0.into(), b.to_bits(), Scalar::FRAC_BITS));
+    /// Multiplies an angle from 0 to below 360°; rounds to nearest, halves up. Whole turns are dropped.
+    Mul mul, MulAssign mul_assign: |a: Angle, b: Fraction| Self(times(a.0.into(), b.to_bits(), Fraction::FRAC_BITS));
 }
+
+operators!(i32 * Angle, Scalar * Angle, Fraction * Angle);
 
 impl Neg for Angle {
     type Output = Self;

@@ -61,7 +61,9 @@ macro_rules! conversions {
             }
         }
 
-        $(impl From<$Small> for $Number {
+        // `try_from` of a wrong type would otherwise be answered by this short list, not by the list of `TryFrom`.
+        $(#[diagnostic::do_not_recommend]
+        impl From<$Small> for $Number {
             /// Converts without rounding.
             #[inline]
             fn from(value: $Small) -> Self {
@@ -84,6 +86,22 @@ macro_rules! conversions {
             }
         })+
     };
+    (@scalar $($Number:ident)+) => {$(
+        impl TryFrom<Scalar> for $Number {
+            type Error = Error;
+
+            /// Converts without rounding.
+            ///
+            /// # Errors
+            ///
+            /// [`Error::NotRepresentable`] if `value` is out of range.
+            fn try_from(value: Scalar) -> Result<Self, Error> {
+                let (bits, from, to) = (value.to_bits(), Scalar::FRAC_BITS, Self::FRAC_BITS);
+                let error = not_representable(i64::from(bits) * 1000 / (1 << from), to);
+                bits.checked_mul(1 << (to - from)).map(Self::from_bits).ok_or(error)
+            }
+        }
+    )+};
     (@float $Number:ident: $($Float:ident)+) => {$(
         impl TryFrom<$Float> for $Number {
             type Error = Error;
@@ -101,16 +119,17 @@ macro_rules! conversions {
     )+};
 }
 
-conversions!(Scalar: From i8 u8 i16; TryFrom u16 i32 u32 usize);
-conversions!(TexCoord: From i8 u8; TryFrom i16 u16 i32 u32 usize);
-conversions!(Subpixel: From i8 u8 i16 u16; TryFrom i32 u32 usize);
+conversions!(Scalar: From i8 u8 i16; TryFrom u16 i32 u32 i64 u64 usize);
+conversions!(TexCoord: From i8 u8; TryFrom i16 u16 i32 u32 i64 u64 usize);
+conversions!(Subpixel: From i8 u8 i16 u16; TryFrom i32 u32 i64 u64 usize);
 conversions!(Fraction: From; TryFrom i32);
+conversions!(@scalar TexCoord Fraction);
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::Angle;
-    use crate::random::cases;
+    use crate::random::{cases, number};
     use rand::Rng;
 
     /// The nearest integer to a number; halves are rounded away from zero.
@@ -167,5 +186,29 @@ mod tests {
         assert!(TexCoord::try_from(2048_u32).is_err() && Scalar::try_from(usize::MAX).is_err());
         assert_eq!(Fraction::try_from(-2), Ok(Fraction::MIN));
         assert!(Fraction::try_from(2).is_err());
+        assert_eq!(Scalar::try_from(-32_768_i64), Ok(Scalar::MIN));
+        assert!(Scalar::try_from(i64::MIN).is_err() && Scalar::try_from(u64::MAX).is_err());
+    }
+
+    #[test]
+    fn scalars_are_exact_or_refused() {
+        let check = |bits| {
+            let scalar = Scalar::from_bits(bits);
+            assert_eq!(
+                TexCoord::try_from(scalar),
+                TexCoord::try_from(f64::from(scalar))
+            );
+            assert_eq!(
+                Fraction::try_from(scalar),
+                Fraction::try_from(f64::from(scalar))
+            );
+        };
+        // The ends of `TexCoord` and of `Fraction`.
+        for end in [1 << 27, 1 << 17] {
+            for bits in [-end - 1, -end, end - 1, end] {
+                check(bits);
+            }
+        }
+        cases(256, |random| check(number(random)));
     }
 }

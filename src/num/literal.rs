@@ -1,24 +1,21 @@
 //! Literals, rounded at compile time.
 
-/// Rounds a literal or, after `const`, a constant expression by the function `$nearest` of the type `$Number`.
+/// Rounds a literal or, after `const`, a constant expression by the function `$nearest` of the type `$Number`. `$help`
+/// answers any other expression.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __rounded {
-    ($Number:ident::$nearest:ident, $run_time:literal, const $value:expr) => {
+    ($Number:ident::$nearest:ident, $help:literal, const $value:expr) => {
         const {
             #[allow(clippy::cast_lossless, clippy::unnecessary_cast)]
             $crate::num::checked($crate::$Number::$nearest($value as f64), "literal")
         }
     };
-    ($Number:ident::$nearest:ident, $run_time:literal, $value:literal) => {
-        $crate::__rounded!($Number::$nearest, $run_time, const $value)
+    ($Number:ident::$nearest:ident, $help:literal, $value:literal) => {
+        $crate::__rounded!($Number::$nearest, $help, const $value)
     };
-    ($Number:ident::$nearest:ident, $run_time:literal, $other:expr) => {
-        ::core::compile_error!(::core::concat!(
-            "expected a literal, such as 0.5; for a constant X write fx!(const X) or deg!(const X), and for a number \
-             x known at run time ",
-            $run_time
-        ))
+    ($Number:ident::$nearest:ident, $help:literal, $other:expr) => {
+        ::core::compile_error!($help)
     };
 }
 
@@ -32,6 +29,19 @@ macro_rules! __rounded {
 /// const WIDTH: u32 = 320;
 /// assert_eq!(fx!(0.25) + fx!(2), fx!(2.25));
 /// assert_eq!(fx!(const WIDTH / 2), fx!(160));
+/// ```
+///
+/// The literal is rounded to a multiple of 1/65536, by at most 7.6e-6. Below 0.0076 this can be more than 0.1 %. To keep
+/// the digits, divide by the reciprocal, multiply by a [`Fraction`](crate::Fraction), or choose a smaller unit of
+/// length: millimeters in place of meters.
+///
+/// ```
+/// use fixel::{Fraction, fx};
+/// let tiny = fx!(0.003125); // 1/320
+/// assert_eq!(tiny.to_bits(), 205); // 205/65536 = 0.003128: 0.1 % too large
+/// assert_eq!(fx!(8000) * tiny, fx!(25.02441));
+/// assert_eq!(fx!(8000) / 320, fx!(25));
+/// assert_eq!(fx!(8000) * (Fraction::ONE / 320), fx!(25));
 /// ```
 /// ```compile_fail
 /// let _ = fixel::fx!(40000); // error: literal: 40000 cannot be represented: it must lie …
@@ -48,7 +58,12 @@ macro_rules! fx {
     // This pattern accepts any expression. A pattern for a literal would accept the minus of `-x`, and the compiler
     // would then stop at `x` with a message of its own.
     ($value:expr) => {
-        $crate::__rounded!(Scalar::nearest, "Scalar::try_from(x)?", $value)
+        $crate::__rounded!(
+            Scalar::nearest,
+            "expected a literal, such as 0.5; for a constant X write fx!(const X), and for a number x known at run \
+             time Scalar::try_from(x)?",
+            $value
+        )
     };
 }
 
@@ -69,7 +84,7 @@ macro_rules! fx {
 /// ```
 /// ```compile_fail
 /// let x = 0.5;
-/// let _ = fixel::deg!(-x); // error: expected a literal, such as 0.5; …
+/// let _ = fixel::deg!(-x); // error: expected a literal, such as 62.5; …
 /// ```
 #[macro_export]
 macro_rules! deg {
@@ -77,7 +92,12 @@ macro_rules! deg {
         $crate::__rounded!(Angle::nearest_degrees, "", const $value)
     };
     ($value:expr) => {
-        $crate::__rounded!(Angle::nearest_degrees, "Angle::try_from_degrees(x)?", $value)
+        $crate::__rounded!(
+            Angle::nearest_degrees,
+            "expected a literal, such as 62.5; for a constant X write deg!(const X), and for degrees x known at run \
+             time Angle::try_from_degrees(x)?",
+            $value
+        )
     };
 }
 

@@ -38,6 +38,16 @@
 //! Division by zero saturates by the sign of the dividend; 0/0 is 0. Sums of products accumulate in 64 bits and are
 //! rounded once, to nearest; a function that rounds differently says so.
 //!
+//! A product or a quotient has the type of its value. A factor can be on either side.
+//!
+//! | value | factors | divisors |
+//! |---|---|---|
+//! | [`Scalar`] | `i32`, `Scalar`, [`Fraction`] | `i32`, `Scalar` |
+//! | [`TexCoord`] | `i32`, `TexCoord`, `Scalar` | the same |
+//! | [`Fraction`], [`Subpixel`] | `i32`, a number of the same type | the same |
+//! | [`Vec3`](crate::Vec3), [`Vec2`](crate::Vec2) | `i32`, `Scalar` | the same |
+//! | [`Angle`] | `i32`, `Scalar`, `Fraction` | – |
+//!
 //! ```
 //! use fixel::{Scalar, fx, vec3};
 //! assert_eq!(fx!(2) * fx!(0.25), fx!(0.5));

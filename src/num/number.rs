@@ -6,7 +6,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 use super::block;
 
-/// Implements operators such as `+`, and assignments such as `+=`.
+/// Implements operators such as `+`, and assignments such as `+=`; or a product in the other order.
 macro_rules! operators {
     ($($(#[$about:meta])* $Trait:ident $method:ident, $Assign:ident $assign:ident:
         |$a:ident: $A:ty, $b:ident: $B:ty| $result:expr;)+) => {$(
@@ -24,6 +24,17 @@ macro_rules! operators {
             $(#[$about])*
             fn $assign(&mut self, other: $B) {
                 *self = $Trait::$method(*self, other);
+            }
+        }
+    )+};
+    ($($Factor:ident * $A:ident),+) => {$(
+        impl Mul<$A> for $Factor {
+            type Output = $A;
+
+            /// The same as the product in the other order.
+            #[inline]
+            fn mul(self, value: $A) -> $A {
+                value * self
             }
         }
     )+};
@@ -124,6 +135,8 @@ macro_rules! number {
             }
         }
 
+        // Without this attribute, the compiler's messages would name the parameters of `fixed` in place of a number.
+        #[diagnostic::do_not_recommend]
         impl From<fixed::types::$Fixed> for $Number {
             #[inline]
             fn from(number: fixed::types::$Fixed) -> Self {
@@ -162,14 +175,7 @@ macro_rules! number {
             Div div, DivAssign div_assign: |a: $Number, b: i32| Self(divide(a.0, b, 0));
         }
 
-        impl Mul<$Number> for i32 {
-            type Output = $Number;
-
-            #[inline]
-            fn mul(self, number: $Number) -> $Number {
-                number * self
-            }
-        }
+        operators!(i32 * $Number);
 
         impl Sum for $Number {
             /// Adds all numbers; each partial sum saturates.
@@ -226,10 +232,12 @@ number! {
     /// The range is −2048 to 2048 − 2⁻²⁰, and the resolution is 2⁻²⁰ ≈ 9.5e-7. Rounding to this resolution moves a
     /// texture of 256 texels by at most 1.2e-4 texel; rounding to a [`Scalar`] would move it by up to 2e-3 texel.
     /// [`vec2!`](crate::vec2) writes a pair of literals. `TexCoord` has the same operators and conversions as
-    /// [`Scalar`].
+    /// [`Scalar`]. `try_from` also converts a `Scalar`, and a `Scalar` multiplies or divides a `TexCoord`.
     ///
     /// ```
-    /// use fixel::{Error, TexCoord, Vec2, vec2};
+    /// use fixel::{Error, TexCoord, Vec2, fx, vec2};
+    /// let repeats = TexCoord::try_from(fx!(2.5))?;
+    /// assert_eq!(Vec2::new(repeats, repeats * fx!(0.5)), vec2!(2.5, 1.25));
     /// let [u, v]: [f32; 2] = [0.5, 0.25];
     /// assert_eq!(Vec2::new(u.try_into()?, v.try_into()?), vec2!(0.5, 0.25));
     /// let error = TexCoord::try_from(3000_i32).unwrap_err();
@@ -265,8 +273,8 @@ number! {
 number! {
     /// Sines, cosines, components of unit vectors and parts of a whole: signed, 2 integer and 30 fraction bits.
     ///
-    /// The range is from −2 to 2, and results beyond it saturate. A [`Scalar`] times a fraction is a [`Scalar`]: write
-    /// `fx!(3) * angle.sin()`, not `angle.sin() * 3`.
+    /// The range is from −2 to 2, and results beyond it saturate. A [`Scalar`] times a fraction is a [`Scalar`], in
+    /// either order: write `fx!(3) * angle.sin()`, not `angle.sin() * 3`.
     ///
     /// ```
     /// use fixel::{Fraction, deg, fx};
@@ -288,3 +296,5 @@ operators! {
     #[inline]
     Div div, DivAssign div_assign: |a: TexCoord, b: Scalar| Self(divide(a.0, b.0, Scalar::FRAC_BITS));
 }
+
+operators!(Scalar * TexCoord, Fraction * Scalar);

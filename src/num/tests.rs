@@ -88,6 +88,10 @@ fn a_fraction_scales() {
             (TexCoord::from_bits(a) / Scalar::from_bits(b)).to_bits(),
             quotient(i128::from(a) << 16, b.into())
         );
+        let (number, factor) = (Scalar::from_bits(a), Fraction::from_bits(b));
+        assert_eq!(factor * number, number * factor);
+        let (number, factor) = (TexCoord::from_bits(a), Scalar::from_bits(b));
+        assert_eq!(factor * number, number * factor);
     });
 }
 

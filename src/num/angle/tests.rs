@@ -1,6 +1,8 @@
 //! Angles and their sines, compared with f64.
 
 use super::*;
+use crate::random::{cases, number};
+use rand::Rng;
 use std::string::ToString;
 
 #[allow(clippy::cast_precision_loss)]
@@ -172,6 +174,84 @@ fn assignments_are_the_operators() {
     assert_eq!(difference, Angle::from_degrees(-90));
     difference -= Angle::from_bits(3);
     assert_eq!(difference.to_bits(), (3 << 30) - 3);
+}
+
+/// Checks an angle against a number of turns.
+///
+/// The angle is rounded by at most half a unit, 2^-33 turns. Below 2^15 turns, each of at most three roundings of f64
+/// is at most 2^-39; they add 5 %.
+fn assert_turns(angle: Angle, turns: f64) {
+    let error = f64::from(angle.to_bits()) / TURN - turns;
+    let error = (error - error.round()).abs();
+    assert!(
+        error <= 1.05 / (2.0 * TURN),
+        "{angle:?}, {turns}: {error:e}"
+    );
+}
+
+#[test]
+fn products_are_of_angles_from_0_to_below_a_turn() {
+    cases(1024, |random| {
+        let (angle, bits) = (Angle::from_bits(random.random()), number(random));
+        let turns = f64::from(angle.to_bits()) / TURN;
+        let (scalar, fraction) = (Scalar::from_bits(bits), Fraction::from_bits(bits));
+        assert_turns(angle * scalar, turns * f64::from(scalar));
+        assert_turns(angle * fraction, turns * f64::from(fraction));
+        let whole: i16 = random.random();
+        assert_eq!(angle * Scalar::from(whole), angle * i32::from(whole));
+        assert_eq!(scalar * angle, angle * scalar);
+        assert_eq!(fraction * angle, angle * fraction);
+        assert_eq!(bits * angle, angle * bits);
+        let mut products = [angle; 3];
+        products[0] *= scalar;
+        products[1] *= fraction;
+        products[2] *= bits;
+        assert_eq!(products, [angle * scalar, angle * fraction, angle * bits]);
+    });
+}
+
+/// The products of these factors are the largest. Halves are rounded up.
+#[test]
+fn products_at_the_ends_of_the_formats() {
+    let most = Angle::from_bits(u32::MAX);
+    // (2^32 − 1)(2^31 − 1) / 2^16 = 2^47 − 2^16 − 2^15 + 2^-16.
+    assert_eq!(
+        (most * Scalar::MAX).to_bits(),
+        0_u32.wrapping_sub((1 << 16) + (1 << 15))
+    );
+    // (2^32 − 1) · −2^31 / 2^16 = −2^47 + 2^15.
+    assert_eq!((most * Scalar::MIN).to_bits(), 1 << 15);
+    // (2^32 − 1)(2^31 − 1) / 2^30 = 2^33 − 4 − 2 + 2^-30.
+    assert_eq!((most * Fraction::MAX).to_bits(), 0_u32.wrapping_sub(6));
+    assert_eq!((most * Fraction::MIN).to_bits(), 2);
+    let unit = Angle::from_bits(1);
+    assert_eq!(
+        [unit * (Scalar::ONE / 2), unit * (-Scalar::ONE / 2)],
+        [unit, Angle::ZERO]
+    );
+    assert_eq!(
+        [unit * (Fraction::ONE / 2), unit * (-Fraction::ONE / 2)],
+        [unit, Angle::ZERO]
+    );
+}
+
+#[test]
+fn interpolation_takes_the_shorter_way() {
+    // Opposite angles: clockwise.
+    const BETWEEN: Angle = Angle::ZERO.lerp(Angle::HALF, Scalar::from_bits(1 << 15));
+    assert_eq!(BETWEEN, -Angle::QUARTER);
+    cases(1024, |random| {
+        let [a, b] = [(); 2].map(|()| Angle::from_bits(random.random()));
+        let t = Scalar::from_bits(number(random));
+        let [from, to] = [a, b].map(|angle| f64::from(angle.to_bits()) / TURN);
+        // `random` makes no opposite angles. For others, the nearest whole number of turns tells the shorter way.
+        let way = to - from;
+        let way = way - way.round();
+        assert_turns(a.lerp(b, t), from + way * f64::from(t));
+        assert_eq!(a.lerp(b, Scalar::ZERO), a);
+        assert_eq!(a.lerp(b, Scalar::ONE), b);
+        assert_eq!(a.lerp(a, t), a);
+    });
 }
 
 /// Compares the angle of points of all magnitudes with f64. The largest error of 40 million points was 2.006e-9.

@@ -24,8 +24,8 @@ pub fn draw(frame: &mut Canvas<'_, Rgb565>, passed: Scalar) -> Result<(), Error>
     let sun = Light::new(vec3!(-2, 2, 3), fx!(0.3), fx!(0.7))?;
     frame.clear(Rgb565::new(4, 12, 12));
     let stone = Flat::rgb(Rgb888::new(240, 200, 150)).lit_faces(sun);
-    for column in -2..=4_i16 {
-        let place = Transform::translate(vec3!(1.3, 0, 0) * Scalar::from(column));
+    for column in -2..=4 {
+        let place = Transform::translate(vec3!(1.3, 0, 0) * column);
         let size = Transform::scale_axes(vec3!(0.35, 2.6, 0.35));
         frame.draw(&COLUMN, &(view * place * size), &stone);
     }

@@ -47,8 +47,8 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
         canvas.draw_with(&both_sides, &BALL, &crown, &leaves);
     }
     let fence: [[Argb1555; 8]; 32] = from_fn(|y| from_fn(|x| picket(y, x)));
-    for step in -16..=20_i16 {
-        let place = vec3!(0, 0.8, 1) + vec3!(0.5, 0, 0) * Scalar::from(step);
+    for step in -16..=20 {
+        let place = vec3!(0, 0.8, 1) + vec3!(0.5, 0, 0) * step;
         let upright = at(place, vec3!(0.25, 0.8, 1)) * Transform::rotate_x(deg!(90));
         canvas.draw(&SQUARE, &upright, &Textured::new(&fence).clamped());
     }

@@ -46,9 +46,9 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     canvas.clear(Rgb565::new(9, 30, 22));
     let text = MonoTextStyle::new(&FONT_6X10, Rgb565::WHITE);
     let mut positions = [Vec3::ZERO; UP.len()]; // one bird at a time
-    for (i, share) in (0..5_i16).zip(["0", "1/4", "1/2", "3/4", "1"]) {
-        let bird = STROKE.blend(Scalar::from(i) / 4, &mut positions, &mut [])?;
-        let place = vec3!(-2.2, 0, 2) + vec3!(1.3, 0.2, -1.7) * Scalar::from(i);
+    for (i, share) in (0..5).zip(["0", "1/4", "1/2", "3/4", "1"]) {
+        let bird = STROKE.blend(fx!(0.25) * i, &mut positions, &mut [])?;
+        let place = vec3!(-2.2, 0, 2) + vec3!(1.3, 0.2, -1.7) * i;
         let mvp = view * Transform::translate(place) * Transform::rotate_y(deg!(140));
         canvas.draw_with(&both_sides, &bird, &mvp, &white);
         if let Some(at) = canvas.project(&both_sides, &view, place - vec3!(-0.75, 1.7, 0)) {

@@ -14,10 +14,10 @@ static ROD: Mesh = shape!(cylinder(8));
 fn helix(band: &mut Canvas<'_, Rgb565, Native, LinearDepth>, view: Mvp, sun: Light) {
     let color = |(red, green, blue)| Flat::rgb(Rgb888::new(red, green, blue)).lit(sun);
     let [rose, blue, gray] = [(255, 90, 110), (80, 160, 255), (220, 220, 210)].map(color);
-    for step in -11..=11_i16 {
+    for step in -11..=11 {
         let place = view
-            * Transform::translate(vec3!(0.42, 0, 0) * Scalar::from(step))
-            * Transform::rotate_x(Angle::from_degrees(28 * i32::from(step)));
+            * Transform::translate(vec3!(0.42, 0, 0) * step)
+            * Transform::rotate_x(Angle::from_degrees(28 * step));
         for (end, color) in [(Vec3::Y, &rose), (-Vec3::Y, &blue)] {
             let end = Transform::translate(end) * Transform::scale(fx!(0.24));
             band.draw(&BALL, &(place * end), color);
