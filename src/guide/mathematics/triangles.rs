@@ -11,10 +11,10 @@
 //!
 //! This is the cross product of *b* − *a* and *p* − *a*: the length of the edge times the distance of *p* from the
 //! line, with a sign. On the line it is zero. It is positive on the right-hand side of someone who walks from *a* to
-//! *b*. Turn around, and left and right are exchanged: *E*<sub>ba</sub> = −*E*<sub>ab</sub>.
+//! *b*. Turn around, and left and right are exchanged: from *b* to *a*, the function has the opposite sign.
 //!
-//! An edge function is linear in *p*. One column to the right, it grows by *a*<sub>y</sub> − *b*<sub>y</sub>; one row
-//! down, it grows by *b*<sub>x</sub> − *a*<sub>x</sub>.
+//! An edge function is linear in *p*: one column to the right, it grows by the y of *a* minus the y of *b*; one row
+//! down, it grows by the x of *b* minus the x of *a*.
 //!
 //! # An area
 //!
