@@ -11,6 +11,9 @@ use crate::num::rsqrt as unit;
 use crate::num::wide::product;
 use crate::num::{Fraction, Scalar};
 
+mod floats;
+use floats::{Real, Unit};
+
 /// An angle in units of 2⁻³² of a turn: 8.4e-8 degrees, 1.5e-9 radians.
 ///
 /// Arithmetic wraps at a whole turn: −90° and 270° are the same angle. [`deg!`](crate::deg) makes an angle from a
@@ -187,7 +190,10 @@ impl Angle {
         Self(units.cast_unsigned() as u32)
     }
 
-    /// Makes an angle from a float or an integer in degrees, rounded to the nearest unit. Whole turns are dropped.
+    /// Makes an angle from a float or an integer in degrees, rounded to the nearest unit, halves away from zero. Whole
+    /// turns are dropped.
+    ///
+    /// The conversion of an `f32` uses integers only: a core without a floating point unit links no float routine for it.
     ///
     /// # Errors
     ///
@@ -199,20 +205,21 @@ impl Angle {
     /// assert_eq!(Angle::try_from_degrees(sensor)?, deg!(62.5));
     /// # Ok::<(), Error>(())
     /// ```
-    pub fn try_from_degrees(degrees: impl Into<f64>) -> Result<Self, Error> {
-        Self::nearest_degrees(degrees.into())
+    pub fn try_from_degrees(degrees: impl Real) -> Result<Self, Error> {
+        degrees.angle(&Unit::DEGREES)
     }
 
     /// Does what [`try_from_degrees`](Self::try_from_degrees) does, also in constants.
     #[doc(hidden)]
     pub const fn nearest_degrees(degrees: f64) -> Result<Self, Error> {
-        Self::nearest(degrees, 360.0)
+        Self::nearest(degrees, Unit::DEGREES.turn)
     }
 
-    /// Makes an angle from a float in radians. Whole turns are dropped.
+    /// Makes an angle from a float or an integer in radians, rounded to the nearest unit. Whole turns are dropped.
     ///
-    /// A turn counts as the `f64` nearest to 2π radians. This adds an error of 4e-17 times the float, so the angle is
-    /// accurate to one unit for up to ten million radians.
+    /// The conversion of an `f32` uses integers only, and is accurate to one unit for every float. For an `f64`, a turn
+    /// counts as the `f64` nearest to 2π radians. This adds an error of 4e-17 times the float, so the angle is accurate to
+    /// one unit for up to ten million radians.
     ///
     /// A program without the standard library can compute with floats by the crate [`micromath`], if errors of 1e-3 are
     /// small enough. The library itself computes with integers.
@@ -230,18 +237,8 @@ impl Angle {
     /// # Errors
     ///
     /// [`Error::NotFinite`] if `radians` is infinite or not a number.
-    pub fn try_from_radians(radians: impl Into<f64>) -> Result<Self, Error> {
-        Self::nearest(radians.into(), core::f64::consts::TAU)
-    }
-
-    pub(super) const fn nearest(value: f64, turn: f64) -> Result<Self, Error> {
-        if !value.is_finite() {
-            return Err(Error::NotFinite);
-        }
-        let units = value % turn / turn * TURN;
-        let half = if units < 0.0 { -HALF } else { HALF };
-        // Whole turns are dropped.
-        Ok(Self(((units + half) as i64).cast_unsigned() as u32))
+    pub fn try_from_radians(radians: impl Real) -> Result<Self, Error> {
+        radians.angle(&Unit::RADIANS)
     }
 
     /// Returns the angle from the x axis to the point (x, y), counter-clockwise; 0 for the origin.

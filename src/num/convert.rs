@@ -1,5 +1,6 @@
 //! Conversions of floats and integers to fixed-point numbers, and back.
 
+use super::float::{Parts, float};
 use super::{Fraction, Scalar, Subpixel, TexCoord};
 use crate::error::Error;
 use crate::error::ok;
@@ -29,6 +30,15 @@ const fn nearest(value: f64, fraction: u32) -> Result<i32, Error> {
     }
 }
 
+/// Returns [`nearest`] for a float of 32 bits, by integers.
+fn nearest_f32(value: f32, fraction: u32) -> Result<i32, Error> {
+    let parts = Parts::of(value)?;
+    match parts.nearest(fraction) {
+        Some(bits) => Ok(bits),
+        None => Err(not_representable(parts.thousandths(), fraction)),
+    }
+}
+
 /// The error for a number beyond the range of the format with `fraction` fraction bits.
 const fn not_representable(thousandths: i64, fraction: u32) -> Error {
     let limit = 1 << (31 - fraction);
@@ -52,12 +62,46 @@ macro_rules! conversions {
             }
         }
 
-        conversions!(@float $Number: f64 f32);
+        impl TryFrom<f64> for $Number {
+            type Error = Error;
+
+            /// Rounds to nearest, halves away from zero.
+            ///
+            /// # Errors
+            ///
+            /// [`Error::NotRepresentable`] if `value`, rounded, is out of range; [`Error::NotFinite`] if it is
+            /// infinite or not a number.
+            fn try_from(value: f64) -> Result<Self, Error> {
+                Self::nearest(value)
+            }
+        }
+
+        impl TryFrom<f32> for $Number {
+            type Error = Error;
+
+            /// Rounds to nearest, halves away from zero. The conversion uses integers only: a core without a floating
+            /// point unit links no float routine for it.
+            ///
+            /// # Errors
+            ///
+            /// [`Error::NotRepresentable`] if `value`, rounded, is out of range; [`Error::NotFinite`] if it is
+            /// infinite or not a number.
+            fn try_from(value: f32) -> Result<Self, Error> {
+                nearest_f32(value, Self::FRAC_BITS).map(Self::from_bits)
+            }
+        }
 
         impl From<$Number> for f64 {
             /// Converts without rounding.
             fn from(number: $Number) -> Self {
                 f64::from(number.to_bits()) / f64::from(1_u32 << $Number::FRAC_BITS)
+            }
+        }
+
+        impl From<$Number> for f32 {
+            /// Rounds to the nearest float, halves to even: a float keeps 24 bits. The conversion uses integers only.
+            fn from(number: $Number) -> Self {
+                float(number.to_bits(), $Number::FRAC_BITS)
             }
         }
 
@@ -99,21 +143,6 @@ macro_rules! conversions {
                 let (bits, from, to) = (value.to_bits(), Scalar::FRAC_BITS, Self::FRAC_BITS);
                 let error = not_representable(i64::from(bits) * 1000 / (1 << from), to);
                 bits.checked_mul(1 << (to - from)).map(Self::from_bits).ok_or(error)
-            }
-        }
-    )+};
-    (@float $Number:ident: $($Float:ident)+) => {$(
-        impl TryFrom<$Float> for $Number {
-            type Error = Error;
-
-            /// Rounds to nearest, halves away from zero.
-            ///
-            /// # Errors
-            ///
-            /// [`Error::NotRepresentable`] if `value`, rounded, is out of range; [`Error::NotFinite`] if it is
-            /// infinite or not a number.
-            fn try_from(value: $Float) -> Result<Self, Error> {
-                Self::nearest(f64::from(value))
             }
         }
     )+};

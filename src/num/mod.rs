@@ -60,6 +60,7 @@
 mod angle;
 pub(crate) mod block;
 mod convert;
+pub(crate) mod float;
 mod literal;
 mod log2;
 pub(crate) mod number;

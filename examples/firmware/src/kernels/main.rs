@@ -40,6 +40,8 @@ mod host;
 mod lights;
 #[cfg(target_os = "none")]
 mod mono;
+#[cfg(target_os = "none")]
+mod numbers;
 #[cfg(not(target_os = "none"))]
 mod painter;
 #[cfg(target_os = "none")]
@@ -78,6 +80,7 @@ mod firmware {
     use super::frames::Frame;
     use super::lights;
     use super::mono;
+    use super::numbers;
     use super::pieces;
     use super::rows;
     use super::setup::{self, Kind};
@@ -107,6 +110,7 @@ mod firmware {
 
         let (tests, ticks) = bounds::measure(&mut watch)?;
         watch.print("in-view", "test", tests, ticks);
+        numbers::measure(&mut watch)?;
         lights::measure(&mut watch)?;
         words::measure(&mut watch)?;
         mono::measure(&mut watch)?;
