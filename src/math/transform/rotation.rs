@@ -6,8 +6,10 @@ use super::Transform;
 use crate::error::Error;
 use crate::math::Vec3;
 use crate::num::block::{self, BlockFloat};
+use crate::num::float::Parts;
 use crate::num::rsqrt::measure;
-use crate::num::{Angle, Fraction, Scalar};
+use crate::num::wide::product;
+use crate::num::{Angle, Fraction, Scalar, reciprocal};
 
 /// One, in units of 2^-29.
 const ONE: i32 = 1 << 29;
@@ -69,7 +71,9 @@ impl Transform {
         let part = |a: i64, b: Fraction| BlockFloat::new(a * i64::from(b.to_bits()), 0);
         let [x, y, z] = axis.mantissas.map(|mantissa| part(mantissa.into(), sin));
         let length = axis.length(axis.up.cast_unsigned()).cast_signed();
-        Self::of_quaternion(&[x, y, z, part(length, cos)])
+        let mut parts = [0; 4];
+        block::normalize(&mut parts, &[x, y, z, part(length, cos)]);
+        Self::of_quaternion(parts)
     }
 
     /// Makes the rotation by yaw, pitch and roll, in the order YXZ. It is the product
@@ -111,46 +115,85 @@ impl Transform {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn from_quaternion(quaternion: [Scalar; 4]) -> Result<Self, Error> {
-        Self::of_quaternion(&quaternion.map(|part| BlockFloat::new(part.to_bits().into(), 0)))
+        let mut parts = [0; 4];
+        let numbers = quaternion.map(|part| BlockFloat::new(part.to_bits().into(), 0));
+        block::normalize(&mut parts, &numbers);
+        Self::of_quaternion(parts)
     }
 
-    /// The rotation of a quaternion, given as `[x, y, z, w]`.
-    fn of_quaternion(parts: &[BlockFloat; 4]) -> Result<Self, Error> {
-        if parts.iter().all(|part| part.value == 0) {
+    /// The rotation of a quaternion, given as mantissas `[x, y, z, w]`. All are below 2^30, and the largest is at least
+    /// 2^29.
+    ///
+    /// The error of an entry is at most 2^-33 before it is rounded: the sum of two terms, each with a factor that is cut to
+    /// 37 bits, and of a reciprocal with an error of 2^-37. Entries are rounded to 2^-30, and if one of them is 1, once
+    /// more to 2^-29: by 1.5 · 2^-30 together.
+    #[inline(never)]
+    fn of_quaternion(parts: [i32; 4]) -> Result<Self, Error> {
+        let mut norm = parts.iter().fold(0, |sum, &part| sum + product(part, part));
+        if norm == 0 {
             return Err(Error::ZeroQuaternion);
         }
-        let mut mantissas = [0; 4];
-        block::normalize(&mut mantissas, parts);
-        // Mantissas are below 2^30 and the largest is at least 2^29: squares are below 2^60 and the sum
-        // of the four, the norm, is from 2^58 to 2^62. No entry is larger than the norm.
-        let [x, y, z, w] = mantissas.map(i64::from);
-        let norm = BlockFloat::new(x * x + y * y + z * z + w * w, 0);
-        // In units of 2^-33, so that `from_linear` is the first to round. Dividing magnitudes makes ±norm / norm exactly ±1.
-        let entry = |numerator: i64| {
-            let magnitude = BlockFloat::new(numerator.abs(), 0).over(norm).at(33);
-            numerator.signum() * magnitude
+        // The norm is from 2^58 to 2^62.
+        let mut up = 0;
+        for by in [2, 1] {
+            if norm < 1 << (62 - by) {
+                norm <<= by;
+                up += by;
+            }
+        }
+        let inverse = inverse(norm);
+        // 2^59 · part / norm, which is at most 2^30, with eight more bits.
+        let scaled = |part: i32| {
+            let scaled = times(part, inverse) << up;
+            ((scaled >> 33) as i32, (scaled >> 25) as i32 & 0xff)
         };
-        Ok(Self::from_linear(
-            &[
-                [
-                    entry(w * w + x * x - y * y - z * z),
-                    entry(2 * (x * y - w * z)),
-                    entry(2 * (x * z + w * y)),
-                ],
-                [
-                    entry(2 * (x * y + w * z)),
-                    entry(w * w - x * x + y * y - z * z),
-                    entry(2 * (y * z - w * x)),
-                ],
-                [
-                    entry(2 * (x * z - w * y)),
-                    entry(2 * (y * z + w * x)),
-                    entry(w * w - x * x - y * y + z * z),
-                ],
-            ],
-            33,
-        ))
+        let [x, y, z, w] = parts;
+        let [by_x, by_y, by_z] = [scaled(x), scaled(y), scaled(z)];
+        // The terms of the entries are twice these products, in units of 2^-59.
+        let [xx, yy, zz] = [times(x, by_x), times(y, by_y), times(z, by_z)];
+        let [xy, xz, yz] = [times(x, by_y), times(x, by_z), times(y, by_z)];
+        let [wx, wy, wz] = [times(w, by_x), times(w, by_y), times(w, by_z)];
+        let rounded = |half: i64| ((half + (1 << 27)) >> 28) as i32;
+        let one_less = |a: i64, b: i64| rounded((1 << 58) - a - b);
+        let mut turn = Self::from_rotation_rows([
+            [one_less(yy, zz), rounded(xy - wz), rounded(xz + wy)],
+            [rounded(xy + wz), one_less(xx, zz), rounded(yz - wx)],
+            [rounded(xz - wy), rounded(yz + wx), one_less(xx, yy)],
+        ]);
+        let entries = turn.linear.as_flattened_mut();
+        // A mantissa has 30 bits.
+        if entries
+            .iter()
+            .all(|entry| (1 - (1 << 30)..1 << 30).contains(entry))
+        {
+            turn.linear_exp = 30;
+        } else {
+            entries
+                .iter_mut()
+                .for_each(|entry| *entry = (*entry + 1) >> 1);
+        }
+        Ok(turn)
     }
+}
+
+/// Multiplies by a factor, given as its whole part and its fraction in units of 2^-8. The product is exact to 2^8.
+#[inline]
+fn times(part: i32, (whole, fraction): (i32, i32)) -> i64 {
+    product(part, whole) + i64::from((part >> 8) * fraction)
+}
+
+/// Returns 2^92 / `norm`, the whole part and the fraction in units of 2^-8, for a norm from 2^61 to 2^62. The error is
+/// at most 2 units of the fraction.
+#[inline]
+fn inverse(norm: i64) -> (i32, i32) {
+    let (upper, lower) = ((norm >> 31) as i32, norm as i32 & i32::MAX);
+    let whole = reciprocal(upper.cast_unsigned()).cast_signed();
+    // What is left of 2^92 after the whole part times the norm, in units of 2^31. Whole times upper is 2^61 less at most
+    // upper. The fraction is what is left divided by upper, and needs only the upper halves of these numbers.
+    let half = whole >> 16;
+    let left = whole.wrapping_mul(upper).wrapping_neg() - ((half * (lower >> 16)) << 1);
+    let fraction = ((left >> 16) * half) >> 21;
+    (whole + (fraction >> 8), fraction & 0xff)
 }
 
 /// The rotation of a quaternion of any length, as [`from_quaternion`](Transform::from_quaternion) makes it. Firmware that
@@ -177,21 +220,28 @@ impl TryFrom<Quaternion> for Transform {
 
     fn try_from(quaternion: Quaternion) -> Result<Self, Error> {
         let (w, x, y, z) = quaternion.into();
-        let bits = [x, y, z, w].map(f32::to_bits);
-        let exponents = bits.map(|bits| (bits >> 23 & 0xff).cast_signed());
-        let most = exponents.into_iter().fold(1, i32::max);
-        if most == 0xff {
-            return Err(Error::NotFinite);
+        let mut parts = [x, y, z, w].map(|_| 0);
+        let floats = [Parts::of(x)?, Parts::of(y)?, Parts::of(z)?, Parts::of(w)?];
+        // The quaternion may have any unit: the largest part takes 30 bits.
+        let most = floats
+            .iter()
+            .fold(1, |most, float| float.exponent.max(most));
+        let mut size = 0;
+        for (part, float) in parts.iter_mut().zip(&floats) {
+            let down = (most - float.exponent).cast_unsigned().min(31);
+            let magnitude = ((float.mantissa << 7 >> down) + 1) >> 1;
+            size |= magnitude;
+            *part = magnitude.cast_signed();
+            if float.is_negative {
+                *part = -*part;
+            }
         }
-        // A float is a number of 24 bits times a power of two. The quaternion may have any unit: the power of the
-        // largest part.
-        let mut parts = [BlockFloat::ZERO; 4];
-        for ((part, bits), exponent) in parts.iter_mut().zip(bits).zip(exponents) {
-            let magnitude = i64::from(bits & 0x7f_ffff | u32::from(exponent > 0) << 23);
-            let sign = if bits >> 31 == 0 { 1 } else { -1 };
-            *part = BlockFloat::new(sign * magnitude, most - exponent.max(1));
+        // The largest float has no top bit if it is below 2^-126.
+        while size != 0 && size >> 29 == 0 {
+            size <<= 1;
+            parts = parts.map(|part| part << 1);
         }
-        Self::of_quaternion(&parts)
+        Self::of_quaternion(parts)
     }
 }
 
@@ -256,12 +306,50 @@ mod tests {
                 }
                 Ok(t) => {
                     // Rounding the parts to 30 bits moves the quaternion by up to 2^-29 of its length, and entries by
-                    // twice as much. Quotients add 1.3 · 2^-30, and the last rounding adds 2^-30.
+                    // twice as much. The terms add 2^-33, and rounding the entries adds 1.5 · 2^-30.
                     let [linear, moved] = errors(&real(&t), &rotation(quaternion));
-                    assert!(linear <= power(-28) + 2.3 * power(-30), "{linear:e}");
+                    assert!(
+                        linear <= power(-28) + 1.5 * power(-30) + power(-33),
+                        "{linear:e}"
+                    );
                     assert!(moved <= 0.0);
                 }
             }
+        });
+    }
+
+    /// Without the rounding of the parts, only the rounding of the entries is left. The parts are 30 bits themselves.
+    #[test]
+    fn quaternions_of_30_bits_are_rounded_twice_at_most() {
+        cases(1024, |random| {
+            let size = random.random_range(0..30);
+            let mut parts =
+                [(); 4].map(|()| random.random_range(-(1_i32 << 30) + 1..1 << 30) >> size);
+            parts[random.random_range(0..4)] = random.random_range(1 << 29..1 << 30);
+            let t = Transform::of_quaternion(parts).unwrap();
+            let [linear, _] = errors(&real(&t), &rotation(parts));
+            // An entry of 1 makes the last bit 2^-29.
+            let rounding = if t.linear_exp == 29 { 1.5 } else { 0.5 };
+            assert!(
+                linear <= rounding * power(-30) + power(-33),
+                "{parts:?}: {linear:e}"
+            );
+        });
+    }
+
+    #[test]
+    fn inverses_are_exact_to_two_units() {
+        cases(1024, |random| {
+            let ends = [1 << 61, (1 << 61) + 1, (1 << 62) - 1];
+            let norm = match random.random_range(0..8) {
+                end @ 0..3 => ends[end],
+                _ => random.random_range(1_i64 << 61..1 << 62),
+            };
+            let (whole, fraction) = inverse(norm);
+            let found = i128::from(whole) << 8 | i128::from(fraction);
+            assert!((0..256).contains(&fraction));
+            let exact = (1_i128 << 100) / i128::from(norm);
+            assert!((found - exact).abs() <= 2, "{norm}: {found} {exact}");
         });
     }
 

@@ -37,12 +37,12 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
     })?;
     each("transform-from-quaternion", || {
         let turn = Quaternion::new(0.182_57, -0.365_15, 0.547_72, 0.730_3);
-        black_box(Transform::try_from(black_box(turn))?);
+        black_box(&Transform::try_from(black_box(turn))?);
         Ok(())
     })?;
     each("transform-rotate", || {
         let (axis, angle) = black_box((vec3!(1, 2, 3), deg!(40)));
-        black_box(Transform::rotate(axis, angle)?);
+        black_box(&Transform::rotate(axis, angle)?);
         Ok(())
     })
 }
