@@ -105,7 +105,8 @@
 //! # Promises
 //!
 //! 1. **No floating point, no allocation, no `unsafe`.** Floats appear only in constructors that accept them for
-//!    convenience: [`Angle::try_from_radians`] shows the way from a sensor's floats to an angle.
+//!    convenience, and an `f32` is converted by integers: [`Angle::try_from_radians`] shows the way from a sensor's
+//!    floats to an angle.
 //! 2. **Same bits everywhere.** Results do not depend on the target's word length or instructions: the host and the
 //!    board draw the same picture.
 //! 3. **No panics.** No accepted value can cause a panic or a write outside the canvas. Constructors refuse values that

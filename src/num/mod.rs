@@ -34,6 +34,7 @@
 //! | `a * b` | to nearest, halves up |
 //! | `a / b`, `a / n` with an `i32` | to nearest, halves away from zero |
 //! | conversion from a float | to nearest, halves away from zero |
+//! | conversion to an `f32` | to nearest, halves to even |
 //!
 //! Division by zero saturates by the sign of the dividend; 0/0 is 0. Sums of products accumulate in 64 bits and are
 //! rounded once, to nearest; a function that rounds differently says so.

@@ -190,7 +190,8 @@ number! {
     /// Coordinates and distances: signed, 16 integer and 16 fraction bits.
     ///
     /// The range is −32768 to 32768 − 2⁻¹⁶, and the resolution is 2⁻¹⁶ ≈ 1.5e-5. [`fx!`](crate::fx) writes a literal;
-    /// `From` and `TryFrom` convert floats and integers at run time. Operators never panic; [`num`](crate::num) says
+    /// `From` and `TryFrom` convert floats and integers at run time. A conversion from or to an `f32` uses integers only, so a
+    /// core without a floating point unit links no float routine for it. Operators never panic; [`num`](crate::num) says
     /// how they round and saturate.
     ///
     /// ```
@@ -203,6 +204,7 @@ number! {
     /// assert_eq!(Scalar::try_from(count)?, fx!(-3));
     /// assert_eq!(Scalar::from(200_u8).floor(), 200);
     /// assert_eq!(f64::from(fx!(0.5)), 0.5);
+    /// assert_eq!(f32::from(Scalar::MAX), 32_768.0); // a float keeps 24 bits
     /// # Ok::<(), Error>(())
     /// ```
     ///

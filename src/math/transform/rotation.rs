@@ -388,6 +388,11 @@ mod tests {
         let least = Quaternion::new(0., f32::from_bits(1), 0., -f32::from_bits(1));
         let expected = Transform::from_quaternion([1, 0, -1, 0].map(Scalar::from_bits));
         assert_eq!(Transform::try_from(least), expected);
+        // A part with a leading bit, and half of it, which has none.
+        let [one, half] = [1 << 23, 1 << 22].map(f32::from_bits);
+        let expected = Transform::from_quaternion([0, 1, 0, 2].map(Scalar::from_bits));
+        let mixed = Quaternion::new(one, 0., half, 0.);
+        assert_eq!(Transform::try_from(mixed), expected);
         for bad in [f32::NAN, f32::INFINITY] {
             let refused = Transform::try_from(Quaternion::new(1., 0., bad, 0.));
             assert_eq!(refused, Err(Error::NotFinite));

@@ -31,6 +31,7 @@ impl Unit {
             words
         },
     };
+    /// The bits of 1 / 2π are a quarter of those of 2 / π, which begin with a2f9836e in hexadecimal digits.
     pub(super) const RADIANS: Self = Self {
         turn: core::f64::consts::TAU,
         reciprocal: [
@@ -139,7 +140,8 @@ mod tests {
         }
     }
 
-    /// Degrees in integers: a float of at least 2^-25 is a multiple of 2^-49, and whole turns drop out.
+    /// The nearest angle, computed exactly: a float of at least 2^-26 is a multiple of 2^-49 degrees, and smaller floats
+    /// are less than half a unit.
     fn exact_degrees(value: f32) -> u32 {
         let parts = Parts::of(value).unwrap();
         // The float, mod 360, in units of 2^-49.
@@ -148,7 +150,6 @@ mod tests {
             up @ 0.. => (0..up).for_each(|_| units = 2 * units % (360 << 49)),
             down => units >>= -down.max(-127),
         }
-        // Halves of units of the angle are multiples of 360 · 2^-33.
         let angle = ((units << 32) + (180 << 49)) / (360 << 49);
         let angle = angle as u32;
         if parts.is_negative {
@@ -163,7 +164,7 @@ mod tests {
         floats(|value| {
             let found = Angle::try_from_degrees(value).unwrap();
             assert_eq!(found.to_bits(), exact_degrees(value), "{value:e}");
-            // An `f64` is divided with an error below 2^-20 units, and no float is so close to a half without being one.
+            // No float is so close to a half that the errors of `f64` arithmetic change the result.
             assert_eq!(
                 Ok(found),
                 Angle::try_from_degrees(f64::from(value)),
@@ -198,8 +199,36 @@ mod tests {
         });
     }
 
-    /// Up to ten turns, where the `f64` nearest to 2π is wrong by less than 2^-20 units, `f64` arithmetic gives the same
-    /// bits, except next to a half.
+    /// Of all floats of their exponents, these are closest to a half of a unit: the seventh is closest of all, 5e-10 above.
+    /// The angles were computed with 200 digits.
+    #[test]
+    fn radians_closest_to_a_half_are_rounded_to_nearest() {
+        for (float, angle) in [
+            (0x3049_0fdb, 0x0000_0001),
+            (0x3f8f_fd14, 0x2dd5_3ede),
+            (0x405b_d32f, 0x8bf1_e503),
+            (0x4ffc_8720, 0x0a52_0a42),
+            (0x5064_112c, 0xda9e_cad3),
+            (0x5f68_2b9c, 0xc5dd_a5f7),
+            (0x5ff9_be45, 0xf28f_dd4b),
+            (0x600a_3cc8, 0xc84d_1b8e),
+            (0x6205_82ef, 0xf14a_f036),
+            (0x6ffe_2485, 0x8db8_81ec),
+            (0x700e_5a38, 0xf109_753a),
+            (0x763c_4bad, 0xe8c0_b527),
+            (0x7b79_0866, 0x42a4_f126),
+            (0x7e17_9009, 0x859a_e557),
+            (0x7e93_e9ab, 0xbc54_2366),
+            (0x7f31_dc3d, 0xa090_a99c),
+        ] {
+            let (value, angle) = (f32::from_bits(float), Angle::from_bits(angle));
+            assert_eq!(Angle::try_from_radians(value), Ok(angle), "{value:e}");
+            assert_eq!(Angle::try_from_radians(-value), Ok(-angle), "{value:e}");
+        }
+    }
+
+    /// Up to ten turns, the `f64` nearest to 2π adds an error below 2^-18 units: 64 · 4e-17 · 2^32 / 2π is 2^-19.1. So `f64`
+    /// arithmetic gives the same bits, except next to a half.
     #[test]
     fn radians_are_those_of_f64() {
         cases(4096, |random| {
