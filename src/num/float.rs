@@ -205,7 +205,7 @@ mod tests {
             check(bits);
         }
         cases(1024, |random| {
-            check(random.random::<i32>() >> random.random_range(0..31))
+            check(random.random::<i32>() >> random.random_range(0..31));
         });
     }
 

@@ -168,9 +168,9 @@ impl Transform {
         {
             turn.linear_exp = 30;
         } else {
-            entries
-                .iter_mut()
-                .for_each(|entry| *entry = (*entry + 1) >> 1);
+            for entry in entries {
+                *entry = (*entry + 1) >> 1;
+            }
         }
         Ok(turn)
     }

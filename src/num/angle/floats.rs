@@ -131,11 +131,14 @@ mod tests {
         for exponent in 0..0xff_u32 {
             let of = |mantissa: u32| f32::from_bits(exponent << 23 | mantissa);
             let ends = [0, 1, 0x3f_ffff, 0x40_0000, 0x7f_ffff].map(of);
-            ends.into_iter()
-                .for_each(|value| [value, -value].into_iter().for_each(&check));
+            for value in ends {
+                check(value);
+                check(-value);
+            }
             cases(64, |random| {
                 let value = of(random.random_range(0..1 << 23));
-                [value, -value].into_iter().for_each(&check);
+                check(value);
+                check(-value);
             });
         }
     }
@@ -174,6 +177,7 @@ mod tests {
     }
 
     #[test]
+    #[allow(clippy::cast_precision_loss)] // of 23 bits
     fn halves_of_a_unit_are_rounded_away_from_zero() {
         // An odd number of 45 · 2^-30 degrees is a half.
         cases(256, |random| {
