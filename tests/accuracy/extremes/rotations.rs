@@ -5,11 +5,11 @@
 //! multiplied adds its own error. (Rotations carry earlier errors along, and change no length.) A rotation's own error is
 //!
 //! - about x, y or z: |s² + c² − 1| for a sine and a cosine with errors of 2.6·10⁻⁹, at most 2 · √2 · 2.6·10⁻⁹;
-//! - about an axis and from a quaternion: 6 · 2⁻³⁰ from the rounding of the nine entries, and 2 · √3 · 1.3 · 2⁻³⁰ from
-//!   the quotients, whose relative error is 1.3 · 2⁻³⁰;
+//! - about an axis and from a quaternion: 9 · 2⁻³⁰ from the rounding of the nine entries, by 1.5 · 2⁻³⁰ each, and
+//!   2 · √3 · 2⁻³³ from the error of an entry before it is rounded;
 //! - from Euler angles: three rotations and two products.
 //!
-//! So a million rotations add at most 10⁶ · (9.8·10⁻⁹ + 5.6·10⁻⁹) = 1.6 %, where Euler angles count as three. After
+//! So a million rotations add at most 10⁶ · (8.8·10⁻⁹ + 5.6·10⁻⁹) = 1.5 %, where Euler angles count as three. After
 //! renormalization, each entry has an error of at most a unit of 2⁻²⁹, and each sum of products of two rows has an
 //! error of at most 4·10⁻⁹, however large the error was before.
 
@@ -30,7 +30,7 @@ const ROUNDED: f64 = 3. / ONE;
 /// The own error of a rotation about x, y or z, as an error of R·Rᵀ − I.
 const ABOUT_X: f64 = 2. * std::f64::consts::SQRT_2 * 2.6e-9;
 /// The own error of a rotation about an axis or from a quaternion.
-const ABOUT_AXIS: f64 = 2. * ROUNDED + 2. * 1.732_051 * 1.3 / ONE;
+const ABOUT_AXIS: f64 = 3. * ROUNDED + 2. * 1.732_051 / 8. / ONE;
 /// The largest error of an entry of R·Rᵀ − I after renormalization.
 const RIGID: f64 = 4e-9;
 
