@@ -3,7 +3,7 @@
 use fixel::prelude::*;
 
 /// The checksum of [`entries`]: the CRC-32 of all entries, each with its low byte first.
-pub const CRC: u32 = 0xb4e0_3306;
+pub const CRC: u32 = 0xcc2e_e873;
 
 /// The number of rotations of each kind.
 const COUNT: u32 = 400;
