@@ -107,8 +107,8 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     ///
     /// # Errors
     ///
-    /// [`Error::Count`] if a side is 0 or above [`MAX_SIZE`](Self::MAX_SIZE); [`Error::Count`] if `pixels` does
-    /// not have exactly one element per pixel.
+    /// [`Error::Count`] if a side is 0 or above [`MAX_SIZE`](Self::MAX_SIZE), or if `pixels` does not have exactly one
+    /// element per pixel.
     pub fn new<P: Cell<C, O>>(pixels: &'a mut [P], width: u32, height: u32) -> Result<Self, Error>
     where
         O: Storage<C, Cell = P>,

@@ -14,7 +14,7 @@ use crate::sealed::Sealed;
 /// | [`TestAndWrite`] | it is at least as near as the stored depth | yes | opaque surfaces: the default |
 /// | [`TestOnly`] | it is at least as near | no | glass |
 /// | [`TestNearer`] | it is clearly nearer | yes | shadows that darken each pixel once |
-/// | [`TestBehind`] | it is farther | no | what is hidden: X-ray silhouettes, dimmed lines |
+/// | [`TestBehind`] | it is farther | no | hidden parts, drawn in another color or dimmed |
 /// | [`WriteOnly`] | always | yes | the first surface of a frame |
 /// | [`NoTest`] | always | no | a sky, an overlay |
 ///

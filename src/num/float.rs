@@ -146,7 +146,7 @@ mod tests {
 
     #[test]
     fn floats_of_every_exponent_are_rounded_to_nearest() {
-        // The lowest exponent has zero and the numbers without a top bit, the highest infinity and what is no number.
+        // The lowest exponent has zero and the subnormal floats; the highest has infinity and NaN.
         for exponent in 0..=0xff {
             let of = |mantissa: u32| f32::from_bits(exponent << 23 | mantissa);
             // A half and its neighbors, at every place of the binary point.

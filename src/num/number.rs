@@ -190,9 +190,9 @@ number! {
     /// Coordinates and distances: signed, 16 integer and 16 fraction bits.
     ///
     /// The range is −32768 to 32768 − 2⁻¹⁶, and the resolution is 2⁻¹⁶ ≈ 1.5e-5. [`fx!`](crate::fx) writes a literal;
-    /// `From` and `TryFrom` convert floats and integers at run time. A conversion from or to an `f32` uses integers only, so a
-    /// core without a floating point unit links no float routine for it. Operators never panic; [`num`](crate::num) says
-    /// how they round and saturate.
+    /// `From` and `TryFrom` convert floats and integers at run time. A conversion from or to an `f32` uses integers only,
+    /// so a core without a floating point unit links no float routine for it. Operators never panic; [`num`](crate::num)
+    /// says how they round and saturate.
     ///
     /// ```
     /// use fixel::{Error, Scalar, fx};

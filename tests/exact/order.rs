@@ -163,7 +163,7 @@ impl Call {
     }
 }
 
-/// A few triangles, each drawn by one or more draw calls of different colors. So many draw calls have equal depths.
+/// A few triangles, each drawn by one or more draw calls of different colors. This way, many draw calls have equal depths.
 fn calls(random: &mut Random, scene: &Scene, rules: &[Rule]) -> Vec<Call> {
     (1..=random.random_range(2..20))
         .filter_map(|number| {

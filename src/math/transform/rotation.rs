@@ -188,8 +188,8 @@ fn times(part: i32, (whole, fraction): (i32, i32)) -> i64 {
 fn inverse(norm: i64) -> (i32, i32) {
     let (upper, lower) = ((norm >> 31) as i32, norm as i32 & i32::MAX);
     let whole = reciprocal(upper.cast_unsigned()).cast_signed();
-    // What is left of 2^92 after the whole part times the norm, in units of 2^31. Whole times upper is 2^61 less at most
-    // upper. The fraction is what is left divided by upper, and needs only the upper halves of these numbers.
+    // The remainder 2^92 - whole · norm, in units of 2^31. The product whole · upper is at most 2^61, and below it by at
+    // most upper. The fraction is remainder / upper, and needs only the upper halves of these numbers.
     let half = whole >> 16;
     let left = whole.wrapping_mul(upper).wrapping_neg() - ((half * (lower >> 16)) << 1);
     let fraction = ((left >> 16) * half) >> 21;

@@ -158,7 +158,7 @@ fn depths_do_not_wrap_at_the_far_plane() {
 
 const VIEW: (u32, u32) = (64, 48);
 
-/// What is in a picture with a depth buffer: the pixels and the depths.
+/// The pixels of a picture, and its depths.
 type Seen = (Vec<u8>, Vec<u16>);
 
 /// Draws on a cleared canvas, and returns its pixels and its depths.

@@ -1,4 +1,4 @@
-//! What is hidden: a silhouette behind a wall, dimmed lines, and a shadow that darkens each pixel once.
+//! A ring is seen through a wall, a box shows its hidden lines, and a shadow darkens each pixel once.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::canvas::{Biased, Multiply, Opacity, TestAndWrite, TestBehind, TestNearer};

@@ -1,4 +1,4 @@
-//! Windows into another world: panes that change only depths, and what is drawn only behind them.
+//! Windows into another world: invisible panes store depths, and a planet is drawn only behind them.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::canvas::{Biased, Opacity, TestAndWrite, TestBehind};
@@ -26,7 +26,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
         canvas.draw_with(&only_depth, &SQUARE, pane, &Flat::new(Rgb565::BLACK));
     }
     // Elsewhere, the stored depth is infinitely far, and nothing is behind it. So the planet is seen
-    // only through the panes. `TestBehind` stores no depths, so draw what is farther first.
+    // only through the panes. `TestBehind` stores no depths: draw the farthest things first.
     let behind = options.with_depth_test(TestBehind);
     let planet = Flat::rgb(Rgb888::new(120, 190, 255)).lit(sun);
     let far = view * Transform::translate(vec3!(0, 1.3, -2.5)) * Transform::scale(fx!(2));
