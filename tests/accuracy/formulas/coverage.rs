@@ -63,7 +63,7 @@ fn edge_functions_add_up_to_twice_the_area() {
     });
 }
 
-/// Corners are centers or lie between centers, so many centers are on edges and on corners.
+/// Corners are pixel centers or lie halfway between two, so many centers are exactly on edges and corners.
 #[test]
 fn the_top_left_rule_moves_centers_to_the_right_and_down() {
     cases(2_048, |random| {
