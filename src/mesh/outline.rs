@@ -300,10 +300,22 @@ const fn write(
             // A crease takes the place of the first edge that is not a crease, and that edge moves to the end.
             edges[kept] = edges[creases];
             let place = if is_crease { creases } else { kept };
-            edges[place] = [a, b, c, d];
+            edges[place] = [entry[2], entry[3], d, 0];
             creases += is_crease as usize;
             kept += 1;
         }
+        at += 1;
+    }
+    // Edges in the order of the mesh find their vertices in the cache. So far, an edge begins with the number of its
+    // first side.
+    let bits = 64 - ((sides as u64) << 32).leading_zeros() as usize;
+    sort(edges, (0, creases), bits);
+    sort(edges, (creases, kept), bits);
+    let mut at = 0;
+    while at < kept {
+        let [high, low, d, _] = edges[at];
+        let [a, b, c] = side(faces, number_of([0, 0, high, low]) as usize);
+        edges[at] = [a, b, c, d];
         at += 1;
     }
     Ok([kept, creases])

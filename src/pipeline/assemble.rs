@@ -6,7 +6,7 @@ use super::clip::{ClippedPolygon, clip};
 use crate::canvas::{DepthBuffer, WideFloatDepth};
 use crate::mesh::{Index, Indices};
 use crate::num::reciprocal;
-use crate::num::wide::{product, unsigned_product};
+use crate::num::wide::{cross, product, unsigned_product};
 use crate::raster::{self, Barycentric, ClippedVertex, Polygon, ScreenVertex};
 use crate::view::ProjectionKind;
 
@@ -14,9 +14,9 @@ use crate::view::ProjectionKind;
 /// planes, whether the edge was clipped, and how steep the faces beside it are.
 #[inline(always)]
 #[allow(clippy::inline_always)] // a call takes 30 to 40 instructions, and the compiler's choice depends on the build's path
-pub(super) fn edge<K: ProjectionKind>(
+pub(super) fn edge<K: ProjectionKind, const N: usize>(
     call: &Call<'_, K>,
-    vertices: &mut VertexCache,
+    vertices: &mut VertexCache<N>,
     (indices, beside): (Indices, u16),
     each: &mut impl FnMut(Indices, [&ClippedVertex; 2], bool, u16),
 ) {
@@ -43,29 +43,56 @@ pub(super) fn edge<K: ProjectionKind>(
     each(indices, ends, any != 0, beside);
 }
 
-/// Twice the area of the part of a triangle that is inside all planes; 0 if no part is inside. Drawn triangles are
-/// culled by the sign of the same area.
-#[inline(never)]
-pub(super) fn area<K: ProjectionKind>(
+/// Twice the areas on the screen of the two faces beside an outline's edge, where they are inside all planes: of a b c
+/// and, with the opposite sign, of b a d. A border has no second face; then d equals a, and the second area is 0. Drawn
+/// triangles are culled by the signs of the same areas.
+#[inline(always)]
+#[allow(clippy::inline_always)] // a call takes as long as the rest of the function
+pub(super) fn areas<K: ProjectionKind, const N: usize>(
     call: &Call<'_, K>,
-    vertices: &mut VertexCache,
-    indices: [Index; 3],
-) -> i64 {
-    let (mut any, mut all) = (0, !0);
-    let screens = indices.map(|index| {
+    vertices: &mut VertexCache<N>,
+    &[a, b, c, d]: &[Index; 4],
+) -> [i64; 2] {
+    let mut any = 0;
+    let mut screen = |index| {
         let vertex = vertices.vertex(&call.projector, index);
         any |= vertex.outcode;
-        all &= vertex.outcode;
         vertex.screen
-    });
+    };
+    let from = screen(a);
+    let mut to = |index| {
+        let [x, y] = screen(index);
+        [x - from[0], y - from[1]]
+    };
+    let along = to(b);
+    let areas = [cross(along, to(c)), cross(along, to(d))];
     if any == 0 {
-        return raster::area(&screens);
+        return areas;
     }
-    if all != 0 {
+    let area = |face| clipped_area(call, vertices, &face);
+    let [left, right] = [[a, b, c], [b, a, d]].map(area);
+    [left, -right]
+}
+
+/// Twice the area of the part of a triangle that is inside all planes; 0 if no part is inside.
+#[cold]
+#[inline(never)]
+fn clipped_area<K: ProjectionKind, const N: usize>(
+    call: &Call<'_, K>,
+    vertices: &mut VertexCache<N>,
+    indices: &[Index; 3],
+) -> i64 {
+    let corners = vertices.copies(&call.projector, *indices);
+    let [a, b, c] = &corners;
+    let any = a.outcode | b.outcode | c.outcode;
+    if any == 0 {
+        return raster::area(&ScreenVertex::screens([a, b, c]));
+    }
+    if a.outcode & b.outcode & c.outcode != 0 {
         return 0;
     }
     let mut polygon = ClippedPolygon::new();
-    clip(&call.projector, &indices, any, &mut polygon);
+    clip(&call.projector, indices, any, &mut polygon);
     Polygon::area(&polygon)
 }
 
@@ -74,9 +101,9 @@ pub(super) fn area<K: ProjectionKind>(
 /// of depths. If the edge is no crease, the limit is twice this range, because on a round body the pixels of a
 /// silhouette may lie over the next triangle.
 #[inline(never)]
-pub(super) fn steepness<K: ProjectionKind>(
+pub(super) fn steepness<K: ProjectionKind, const N: usize>(
     call: &Call<'_, K>,
-    vertices: &mut VertexCache,
+    vertices: &mut VertexCache<N>,
     indices: [Index; 3],
     is_crease: bool,
 ) -> u16 {

@@ -9,15 +9,19 @@ use crate::view::ProjectionKind;
 ///
 /// A vertex of a grid is projected once if the rows have up to 60 vertices. In longer rows, it is overwritten before
 /// the next row needs it, and is projected twice.
-pub(super) struct VertexCache {
-    entries: [ScreenVertex; SIZE],
+pub(super) struct VertexCache<const N: usize = SIZE> {
+    entries: [ScreenVertex; N],
     slots: Slots,
 }
 
 /// The number of slots, a power of two.
 pub(super) const SIZE: usize = 64;
 
-/// Which of [`SIZE`] slots a vertex has.
+/// The number of slots for the vertices of an outline, twice as many, because an edge has the vertices of two faces,
+/// from three rows of a grid.
+pub(super) const OUTLINE_SIZE: usize = 2 * SIZE;
+
+/// Which of the slots a vertex has.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slots {
     /// The distance between the slots of neighboring indices, in units of 2^-10.
@@ -46,21 +50,21 @@ impl Slots {
         Self { step }
     }
 
-    /// The slot of an index. Of the first 54 indices, only index 0 has slot 0.
+    /// The slot of an index among `N` slots. Of the first 54 indices, only index 0 has slot 0.
     #[inline]
-    pub(super) fn slot(self, index: Index) -> usize {
-        // The remainder is below `SIZE`, so the compiler adds no bounds check.
-        ((u32::from(index) * self.step) >> 10) as usize % SIZE
+    pub(super) fn slot<const N: usize>(self, index: Index) -> usize {
+        // The remainder is below `N`, so the compiler adds no bounds check.
+        ((u32::from(index) * self.step) >> 10) as usize % N
     }
 }
 
-impl VertexCache {
+impl<const N: usize> VertexCache<N> {
     #[inline]
     pub(super) const fn new(slots: Slots) -> Self {
         // The array starts with all bits 0, and a single bit is then set in place. An array with any other bits would
         // be built twice on the stack, and copied.
         let mut cache = Self {
-            entries: [ScreenVertex::UNSET; SIZE],
+            entries: [ScreenVertex::UNSET; N],
             slots,
         };
         // Index 1 never maps to slot 0, so index 1 marks slot 0 as empty. Index 0 marks the other slots as empty.
@@ -85,7 +89,7 @@ impl VertexCache {
         projector: &Projector<'_, K>,
         index: Index,
     ) -> &ScreenVertex {
-        let entry = &mut self.entries[self.slots.slot(index)];
+        let entry = &mut self.entries[self.slots.slot::<N>(index)];
         if entry.index != index {
             projector.project(index, None, entry);
         }
@@ -95,7 +99,7 @@ impl VertexCache {
     /// Projects a vertex if it is not in its slot. Returns whether it was projected.
     #[inline]
     fn refresh<K: ProjectionKind>(&mut self, projector: &Projector<'_, K>, index: Index) -> bool {
-        let entry = &mut self.entries[self.slots.slot(index)];
+        let entry = &mut self.entries[self.slots.slot::<N>(index)];
         let is_new = entry.index != index;
         if is_new {
             projector.project(index, None, entry);
@@ -113,18 +117,18 @@ impl VertexCache {
     ) -> Option<[&ScreenVertex; 3]> {
         // Only a vertex that is projected now can take the slot of another vertex.
         self.refresh(projector, a);
-        if self.refresh(projector, b) && self.slots.slot(b) == self.slots.slot(a) {
+        if self.refresh(projector, b) && self.slots.slot::<N>(b) == self.slots.slot::<N>(a) {
             return None;
         }
         if self.refresh(projector, c) {
-            let slot = self.slots.slot(c);
-            if slot == self.slots.slot(a) || slot == self.slots.slot(b) {
+            let slot = self.slots.slot::<N>(c);
+            if slot == self.slots.slot::<N>(a) || slot == self.slots.slot::<N>(b) {
                 return None;
             }
         }
         // Destructured by hand, because a `map` over references compiles to arrays and loops.
         let (entries, slots) = (&self.entries, self.slots);
-        let entry = |index| &entries[slots.slot(index)];
+        let entry = |index| &entries[slots.slot::<N>(index)];
         Some([entry(a), entry(b), entry(c)])
     }
 
@@ -174,7 +178,7 @@ mod tests {
         let slots = Slots::new(faces);
         let (mut entries, mut projected, mut shared) = ([None; SIZE], 0, 0);
         for corners in faces {
-            let of = corners.map(|index| slots.slot(index));
+            let of = corners.map(|index| slots.slot::<SIZE>(index));
             let is_shared = of[0] == of[1] || of[1] == of[2] || of[2] == of[0];
             // `corners` looks up the three vertices. If a slot is shared, `copies` looks them up again.
             for _ in 0..=usize::from(is_shared) {
@@ -213,7 +217,9 @@ mod tests {
     fn index_0_alone_of_the_first_has_slot_0() {
         for length in [9, 64] {
             let slots = Slots::new(&grid(length, 0));
-            let in_slot_0: Vec<_> = (0..54).filter(|&index| slots.slot(index) == 0).collect();
+            let in_slot_0: Vec<_> = (0..54)
+                .filter(|&index| slots.slot::<SIZE>(index) == 0)
+                .collect();
             assert_eq!(in_slot_0, [0]);
         }
     }

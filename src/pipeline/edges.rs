@@ -2,7 +2,7 @@
 
 use super::Drawn;
 use super::assemble;
-use super::cache::VertexCache;
+use super::cache::{OUTLINE_SIZE, VertexCache};
 use super::call::Call;
 use super::thing::{Target, Thing};
 use crate::canvas::{Blending, DepthTest};
@@ -114,8 +114,7 @@ impl Mesh<'_> {
         outline: &'m Outline<'m>,
         style: LineStyle<SMOOTH>,
     ) -> Edges<'m, SMOOTH> {
-        let (mesh, outline) = (self, Some(outline));
-        let of = EdgesOf { mesh, outline };
+        let of = EdgesOf::outline(self, outline);
         Edges { of, style }
     }
 }
@@ -219,7 +218,7 @@ impl<const SMOOTH: bool> Edges<'_, SMOOTH> {
 
 /// Draws the chosen edges, each by `line`. A line reaches up to `reach` rows beyond the rows of its ends.
 #[inline(never)]
-fn draw<K: ProjectionKind>(
+pub(super) fn draw<K: ProjectionKind>(
     call: &Call<'_, K>,
     edges: EdgesOf<'_>,
     (line, reach): (impl Fn(&mut Rasterizer<'_>, [&ClippedVertex; 2]), i32),
@@ -237,7 +236,12 @@ fn draw<K: ProjectionKind>(
     Drawn::new(edges.count(), &raster)
 }
 
-impl EdgesOf<'_> {
+impl<'m> EdgesOf<'m> {
+    pub(super) const fn outline(mesh: &'m Mesh<'m>, outline: &'m Outline<'m>) -> Self {
+        let outline = Some(outline);
+        Self { mesh, outline }
+    }
+
     /// How many edges there are to choose from.
     pub(super) const fn count(self) -> usize {
         match self.outline {
@@ -268,55 +272,55 @@ impl EdgesOf<'_> {
         call: &Call<'_, K>,
         mut each: impl FnMut(Indices, [&ClippedVertex; 2], bool, u16),
     ) {
-        let mut vertices = VertexCache::new(call.slots);
         match self.outline {
             None => {
+                let mut vertices = <VertexCache>::new(call.slots);
                 for (edge, &ends) in self.mesh.edge_indices().iter().enumerate() {
                     let indices = Indices::of_edge(edge, ends);
                     assemble::edge(call, &mut vertices, (indices, 0), &mut each);
                 }
             }
             Some(outline) => {
-                for (edge, &faces) in outline.edges().iter().enumerate() {
+                let mut vertices = VertexCache::<OUTLINE_SIZE>::new(call.slots);
+                for (edge, faces) in outline.edges().iter().enumerate() {
+                    let [left, right] = assemble::areas(call, &mut vertices, faces);
                     let is_crease = edge < outline.creases();
-                    if let Some(beside) = drawn_beside(call, &mut vertices, faces, is_crease) {
-                        let [a, b, ..] = faces;
-                        let indices = Indices::of_edge(edge, [a, b]);
-                        assemble::edge(call, &mut vertices, (indices, beside), &mut each);
+                    // Most edges lie between two faces that are turned the same way.
+                    let is_inner = (left ^ right) < 0 && left != 0 && right != 0;
+                    if is_inner && !is_crease {
+                        continue;
                     }
+                    let hides = [left, -right].map(|area| call.cull.leaves_out(area));
+                    if left == 0 && right == 0 || hides == [true; 2] {
+                        continue;
+                    }
+                    let beside = if call.is_biased {
+                        steepness_beside(call, &mut vertices, *faces, (hides, is_crease))
+                    } else {
+                        0
+                    };
+                    let &[a, b, ..] = faces;
+                    let indices = Indices::of_edge(edge, [a, b]);
+                    assemble::edge(call, &mut vertices, (indices, beside), &mut each);
                 }
             }
         }
     }
 }
 
-/// How steep the faces beside an edge of an outline are; `None` if the faces are turned so that the edge is not drawn.
-#[inline]
-fn drawn_beside<K: ProjectionKind>(
+/// How steep the faces beside an edge of an outline are; a face that is hidden does not count.
+#[inline(never)]
+fn steepness_beside<K: ProjectionKind>(
     call: &Call<'_, K>,
-    vertices: &mut VertexCache,
+    vertices: &mut VertexCache<OUTLINE_SIZE>,
     [a, b, c, d]: [Index; 4],
-    is_crease: bool,
-) -> Option<u16> {
-    let cull = call.cull;
-    let (left, right) = ([a, b, c], [b, a, d]);
-    let left_area = assemble::area(call, vertices, left);
-    // A border has no second face. It counts as a face without area.
-    let right_area = if d == a {
-        0
-    } else {
-        assemble::area(call, vertices, right)
-    };
-    let is_silhouette = left_area.signum() != right_area.signum();
-    let [hides_left, hides_right] = [left_area, right_area].map(|area| cull.leaves_out(area));
-    if !(is_crease || is_silhouette) || hides_left && hides_right {
-        return None;
-    }
+    (hides, is_crease): ([bool; 2], bool),
+) -> u16 {
     let mut beside = 0;
-    for (face, is_hidden) in [(left, hides_left), (right, hides_right)] {
-        if call.is_biased && !is_hidden {
+    for (face, is_hidden) in [[a, b, c], [b, a, d]].into_iter().zip(hides) {
+        if !is_hidden {
             beside = beside.max(assemble::steepness(call, vertices, face, is_crease));
         }
     }
-    Some(beside)
+    beside
 }

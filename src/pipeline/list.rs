@@ -465,7 +465,7 @@ impl Filling<'_> {
 
     /// The number of a vertex. Adds the vertex, unless it was added recently.
     fn number(&mut self, vertex: &ScreenVertex) -> u16 {
-        let slot = self.numbered.slot(vertex.index);
+        let slot = self.numbered.slot::<{ cache::SIZE }>(vertex.index);
         let (index, number) = self.numbers[slot];
         if number != 0 && index == vertex.index {
             return number;
