@@ -190,11 +190,11 @@ impl<C: PixelColor> Cell<C, Native> for C {}
 
 /// The colors and depths of a canvas. If a `Memory` is in registers, finding a row does not read the canvas again.
 pub(crate) struct Memory<'a, C, O: Storage<C>, D> {
-    pub(super) colors: &'a mut [O::Cell],
+    pub(crate) colors: &'a mut [O::Cell],
     /// Empty if there is no depth buffer.
-    pub(super) depths: &'a mut [u16],
+    pub(crate) depths: &'a mut [u16],
     pub(crate) width: u32,
-    pub(super) first_row: u32,
+    pub(crate) first_row: u32,
     pub(super) buffer: PhantomData<D>,
 }
 

@@ -66,6 +66,7 @@ pub mod coming_from {}
 #[doc = recipe!("Blending", "blending")]
 #[doc = recipe!("What is hidden", "hidden")]
 #[doc = recipe!("Windows and stencils", "stencil")]
+#[doc = recipe!("Smooth edges", "smooth")]
 #[doc = recipe!("Painter's order", "painter")]
 #[doc = recipe!("Wireframe", "wireframe", "ignore")]
 #[doc = recipe!("Points", "points")]

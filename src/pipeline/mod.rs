@@ -15,6 +15,7 @@ mod options;
 mod points;
 mod ray;
 mod run;
+mod smooth_edges;
 mod sprites;
 mod thing;
 mod vertex;

@@ -95,6 +95,14 @@ impl Edge {
         }
         self.column
     }
+
+    /// Does the same as [`next`](Self::next). Also returns how far the column's center is from the edge, in 256ths of a
+    /// pixel, rounded down: 0 to 256. `share` is 2^30 divided by the edge's height, rounded down.
+    #[inline]
+    pub(super) fn next_with_distance(&mut self, share: i32) -> (i32, i32) {
+        let column = self.next();
+        (column, (-self.part * share) >> 22)
+    }
 }
 
 /// An [`Edge`] of less than 128 columns and rows, in fixed point, for cores that divide fast. A row takes 6

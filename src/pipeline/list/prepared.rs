@@ -8,6 +8,7 @@ use core::marker::PhantomData;
 use core::ops::Range;
 use core::ptr;
 
+use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::PixelColor;
 
 use super::{Corners, Entry, Filling, Listed, Listing, NO_ROWS, Scene};
@@ -303,6 +304,26 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
         }))
     }
 
+    /// Calls `draw` for the elements of each thing that may have pixels in `rows` of a canvas's frame.
+    #[inline]
+    pub(in crate::pipeline) fn each_run(
+        &self,
+        frame: Size,
+        rows: &Range<u32>,
+        mut draw: impl FnMut(&G, &Run<'_>),
+    ) -> Result<(), Error> {
+        self.screen.check(frame)?;
+        for (_, placed, entries) in self.runs(rows) {
+            let mut run = placed.run((&self.screen, rows), entries, self.vertices);
+            // A band that the thing misses costs one test.
+            if !meets(placed.listing.rows, G::REACH, &run.scissor.rows) {
+                run.entries = &[];
+            }
+            draw(&placed.thing, &run);
+        }
+        Ok(())
+    }
+
     /// Runs of consecutive elements of one thing. Each run of an object begins with an element that may have pixels in
     /// `rows`. A thing that was prepared alone is a single run.
     #[inline]
@@ -404,23 +425,15 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         B: Blending<C>,
         K: ProjectionKind,
     {
-        let screen = &prepared.screen;
-        screen.check(self.frame_size())?;
         let rows = self.rows().clone();
-        let region = (screen, &rows);
         let coverage = Cell::default();
         let options = &prepared.options;
         let shading = G::Shading::from((options.shading(*shader), &coverage));
         let mut drawn = Drawn::default();
-        for (_, placed, entries) in prepared.runs(&rows) {
-            let mut run = placed.run(region, entries, prepared.vertices);
-            // A band that the thing misses costs one test.
-            if !meets(placed.listing.rows, G::REACH, &run.scissor.rows) {
-                run.entries = &[];
-            }
+        prepared.each_run(self.frame_size(), &rows, |thing, run| {
             let mut blit = Blit::<_, _, _, K, _>::new(options.mode, self, shading);
-            drawn += placed.thing.draw_listed(&run, &mut blit, &coverage);
-        }
+            drawn += thing.draw_listed(run, &mut blit, &coverage);
+        })?;
         Ok(drawn)
     }
 }
@@ -436,7 +449,7 @@ fn meets([start, end]: [i16; 2], reach: i32, rows: &Range<i32>) -> bool {
 pub struct Run<'r> {
     pub(super) placement: Placement<'r>,
     cull: Cull,
-    scissor: Scissor,
+    pub(in crate::pipeline) scissor: Scissor,
     entries: &'r [Entry],
     vertices: &'r [ScreenVertex],
     listing: &'r Listing,
@@ -488,7 +501,7 @@ impl<'r> Run<'r> {
 
     /// Draws edges, each by `line`. A line reaches up to `reach` rows beyond the rows of its ends.
     #[inline(never)]
-    pub(super) fn draw_edges(
+    pub(in crate::pipeline) fn draw_edges(
         &self,
         edges: EdgesOf<'_>,
         reach: i32,

@@ -2,15 +2,15 @@
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
-use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Rgb565, RgbColor};
+use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
 use fixel::canvas::{Add, Blending, Multiply, Opacity, Replace, TestOnly};
 use fixel::mode::Affine;
 use fixel::prelude::*;
 
 use super::{
-    BALL, CHECKERS, COARSE_RING, Drawn, ORANGE, RING, SHEET, SIZE, SLATE, benchmarks, shown_in,
-    sun, view,
+    BALL, CHECKERS, COARSE_RING, CUBE, Drawn, ORANGE, RING, SHEET, SIZE, SLATE, benchmarks,
+    shown_in, sun, view,
 };
 use crate::scenes::Frame;
 
@@ -40,6 +40,33 @@ pub(super) fn options(canvas: &mut Frame<'_>) -> Drawn {
         &orange,
     );
     canvas.draw_with(&part(1, 1)?, RING.points(PointStyle::PIXEL), &ring, &orange);
+    Ok(())
+}
+
+/// A ring and a cube with stairs, and smoothed. Each pixel of the canvas has four pixels of the picture.
+pub(super) fn smooth_edges(canvas: &mut Frame<'_>) -> Drawn {
+    static SILHOUETTE: Outline = outline!(RING, deg!(180));
+    static CREASES: Outline = outline!(CUBE, deg!(30));
+    const SIDES: (u32, u32) = (60, 80);
+    let mut colors = [SLATE; 60 * 80];
+    let mut depths = [0; 60 * 80];
+    let mut small = Canvas::new(&mut colors, SIDES.0, SIDES.1)?.with_depth(&mut depths)?;
+    let projection = Projection::perspective(deg!(58), SIDES, fx!(1), fx!(50))?;
+    let view = projection * Camera::look_at(vec3!(0, 2, 3.2), Vec3::ZERO, Vec3::Y)?;
+    let ring = view * Transform::rotate_z(deg!(25));
+    let cube = view * Transform::rotate_y(deg!(35)) * Transform::scale(fx!(0.3));
+    let options = DrawOptions::new();
+    small.draw(&RING, &ring, &Flat::rgb(ORANGE).lit(sun()?));
+    small.draw(&CUBE, &cube, &Flat::rgb(Rgb888::WHITE).lit_faces(sun()?));
+    for left in [0, 1] {
+        let cells = (0..).zip(small.pixels());
+        for (at, color) in cells {
+            let corner = Point::new(left * 120 + at % 60 * 2, at / 60 * 2);
+            canvas.fill_solid(&Rectangle::new(corner, Size::new(2, 2)), color)?;
+        }
+        small.smooth_edges(&options, &RING, &SILHOUETTE, &ring);
+        small.smooth_edges(&options, &CUBE, &CREASES, &cube);
+    }
     Ok(())
 }
 

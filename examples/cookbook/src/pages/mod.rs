@@ -45,6 +45,7 @@ pub const PAGES: &[(&str, Draw)] = &[
     ("colored", lights::colored),
     ("two_sided", lights::two_sided),
     ("options", canvas::options),
+    ("smooth_edges", canvas::smooth_edges),
     ("blending", canvas::blending),
     ("modes", canvas::modes),
     ("formats", canvas::formats),

@@ -28,6 +28,7 @@ mod points;
 mod quantized;
 mod sky;
 mod sky_box;
+mod smooth;
 mod sprites;
 mod stencil;
 mod terrain;
@@ -77,6 +78,7 @@ pub const SCENES: &[(&str, Draw)] = &[
     ("sky_box", sky_box::draw),
     ("sprites", sprites::draw),
     ("stencil", stencil::draw),
+    ("smooth", smooth::draw),
     ("terrain", terrain::draw),
     ("toon", toon::draw),
     #[cfg(not(target_os = "none"))] // starts a thread

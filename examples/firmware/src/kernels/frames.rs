@@ -38,6 +38,14 @@ impl Frame {
         Ok(canvas)
     }
 
+    /// A black canvas with a depth buffer.
+    pub fn canvas_with_depth(&mut self) -> Result<Canvas<'_, Rgb565, Native, LinearDepth>, Error> {
+        let canvas = Canvas::new(&mut *self.colors, WIDTH, HEIGHT)?;
+        let mut canvas = canvas.with_depth(&mut *self.depths)?;
+        canvas.clear(Rgb565::BLACK);
+        Ok(canvas)
+    }
+
     /// Draws all poses of all scenes, and prints the ticks of the draw calls.
     pub fn measure<M: Mode>(
         &mut self,

@@ -51,6 +51,8 @@ mod rows;
 #[cfg(target_os = "none")]
 mod setup;
 #[cfg(target_os = "none")]
+mod silhouettes;
+#[cfg(target_os = "none")]
 mod skins;
 #[cfg(target_os = "none")]
 mod ticks;
@@ -84,6 +86,7 @@ mod firmware {
     use super::pieces;
     use super::rows;
     use super::setup::{self, Kind};
+    use super::silhouettes;
     use super::skins;
     use super::ticks::Stopwatch;
 
@@ -116,6 +119,7 @@ mod firmware {
         mono::measure(&mut watch)?;
 
         let mut frame = Frame::take();
+        silhouettes::measure(&mut watch, &mut frame)?;
         rows::measure(&mut watch, &mut frame)?;
         frame.measure(&mut watch, "exact", Exact)?;
         frame.measure(&mut watch, "newton", Newton)?;

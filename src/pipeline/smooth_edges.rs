@@ -1,0 +1,269 @@
+//! Anti-aliasing of edges, after the picture is drawn.
+
+use embedded_graphics::geometry::Point;
+
+use super::Drawn;
+use super::call::{Call, Screen};
+use super::edges::{self, Edges, EdgesOf};
+use super::list::Prepared;
+use super::options::DrawOptions;
+use crate::canvas::{
+    Biased, Canvas, DepthBuffer, DepthTest, Storage, TestAndWrite, WideFloatDepth,
+};
+use crate::error::Error;
+use crate::mesh::{Mesh, Outline, Primitive};
+use crate::raster::{
+    self, Blitter, Coloring, Columns, DepthShift, Patch, Rows, Scissor, ScreenVertex, Straddle,
+};
+use crate::shade::PixelFormat;
+use crate::view::{AsMvp, ProjectionKind};
+
+impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
+    /// Smooths the silhouette of a mesh, and its creases, in a picture that is already drawn. Call it last, once for each
+    /// mesh, with the `options` and the `mvp` that drew the mesh.
+    ///
+    #[cfg_attr(doc, doc = page_picture!("smooth_edges", "A ring and a cube with stairs, and smoothed"))]
+    /// Where an edge of the outline passes between the centers of two neighboring pixels, each of the two colors is mixed
+    /// with the other, by the [share of the pixel](crate::guide::mathematics::coverage) that lies on the other side of the
+    /// edge. So the shape neither grows nor shrinks. Shaders are not called again: what is on the canvas is mixed,
+    /// whatever drew it. Edges behind other surfaces are left out if the canvas has a depth buffer.
+    ///
+    /// An outline with creases above 180 degrees has silhouettes only. Add creases if the faces of a mesh differ in color
+    /// where they meet, such as the sides of a lit box.
+    ///
+    /// Where two colors meet along a long edge, the result is within 3/256 of the exact share. Compared with a mean of
+    /// 64 or 256 samples a pixel, the error along silhouettes falls by 70 to 90 %. On a Cortex-M4, smoothing adds a
+    /// tenth to two fifths to the instructions of a lit mesh. Formats with at most 4 bits per channel are dithered.
+    ///
+    /// Each pixel is mixed once. To mark it, its depth becomes the nearest one, so draw nothing with a depth test after
+    /// it, except after [`clear_depth`](Self::clear_depth). Without a depth buffer, a pixel at a corner may be mixed
+    /// twice.
+    ///
+    /// A pixel needs its neighbors. So at the top and bottom row of a [band](Self::band), level edges keep their stairs,
+    /// unless bands overlap: let each band reach one row further up and down than the rows that are shown. Then bands
+    /// have the same bits as the whole frame, if the canvas has a depth buffer. For many bands,
+    /// [`smooth_prepared`](Self::smooth_prepared) finds the outline only once a frame.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
+    /// use fixel::prelude::*;
+    /// static CAN: Mesh = shape!(cylinder(24));
+    /// static SILHOUETTE: Outline = outline!(CAN, deg!(180));
+    /// let camera = Camera::look_at(vec3!(0, 3, 5), Vec3::ZERO, Vec3::Y)?;
+    /// let mvp = Projection::perspective(deg!(30), (1, 1), fx!(1), fx!(9))? * camera;
+    /// let (mut color, mut depth) = ([Gray4::BLACK; 16 * 16], [0; 16 * 16]);
+    /// let mut canvas = Canvas::new(&mut color, 16, 16)?.with_depth(&mut depth)?;
+    /// canvas.clear(Gray4::BLACK);
+    /// canvas.draw(&CAN, &mvp, &Flat::new(Gray4::WHITE));
+    /// canvas.smooth_edges(&DrawOptions::new(), &CAN, &SILHOUETTE, &mvp);
+    /// let mut display = MockDisplay::new();
+    /// canvas.show(&mut display)?;
+    /// display.assert_pattern(&[
+    ///     "0000000000000000",
+    ///     "0000369998720000",
+    ///     "000CFFFFFFFFC000",
+    ///     "00AFFFFFFFFFFA00",
+    ///     "008FFFFFFFFFF900",
+    ///     "008FFFFFFFFFF700",
+    ///     "005FFFFFFFFFF600",
+    ///     "004FFFFFFFFFF400",
+    ///     "002FFFFFFFFFF300",
+    ///     "001FFFFFFFFFF100",
+    ///     "000EFFFFFFFFE000",
+    ///     "000DFFFFFFFFD000",
+    ///     "000BFFFFFFFFB000",
+    ///     "0006FFFFFFFF7000",
+    ///     "00007FFFFFE70000",
+    ///     "0000005674100000",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn smooth_edges(
+        &mut self,
+        options: &DrawOptions<impl Copy, impl DepthTest, impl Copy>,
+        mesh: &Mesh<'_>,
+        outline: &Outline<'_>,
+        mvp: &impl AsMvp,
+    ) -> Drawn {
+        let screen = Screen {
+            is_biased: D::IS_KEPT,
+            ..options.screen(self.frame_size())
+        };
+        let call = Call::new((&screen, &self.rows().clone()), mesh, mvp);
+        let mut smoother = Smoother::new(self, call.scissor.clone());
+        let edges = EdgesOf::outline(mesh, outline);
+        edges::draw(&call, edges, (raster::smooth_edge, 1), &mut smoother)
+    }
+
+    /// Does the same as [`smooth_edges`](Self::smooth_edges) for outlines that were [prepared](crate::DrawList::prepare)
+    /// once for all bands of a frame, with the depth test [`Biased::in_front`].
+    ///
+    /// ```
+    /// use embedded_graphics::geometry::{Point, Size};
+    /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+    /// use embedded_graphics::{draw_target::DrawTargetExt, mock_display::MockDisplay, primitives::Rectangle};
+    /// use fixel::{prelude::*, canvas::{Biased, TestAndWrite}};
+    /// static BALL: Mesh = shape!(sphere(16, 12));
+    /// static SILHOUETTE: Outline = outline!(BALL, deg!(180));
+    /// const SIZE: (u32, u32) = (32, 24);
+    /// let mvp = Projection::perspective(deg!(45), SIZE, fx!(1), fx!(9))? * Transform::translate(vec3!(0, 0, -3));
+    /// let options = DrawOptions::new();
+    /// let (mut faces, mut edges) = (DrawList::<400, 250>::new(), DrawList::<64, 64>::new());
+    /// let ball = faces.prepare(&options, SIZE, &BALL, &mvp)?;
+    /// let in_front = options.with_depth_test(Biased::in_front(TestAndWrite));
+    /// let silhouette = BALL.outline(&SILHOUETTE, LineStyle::HAIRLINE);
+    /// let silhouette = edges.prepare(&in_front, SIZE, silhouette, &mvp)?;
+    ///
+    /// let mut display = MockDisplay::new();
+    /// let (mut color, mut depth) = ([Rgb565::BLACK; 32 * 10], [0; 32 * 10]);
+    /// for shown in (0..24).step_by(8) {
+    ///     // Eight rows are shown. The band reaches one row further where there is one.
+    ///     let (first, end) = (u32::max(shown, 1) - 1, u32::min(shown + 9, 24));
+    ///     let pixels = 32 * (end - first) as usize;
+    ///     let band = Canvas::band(&mut color[..pixels], 32, 24, first)?;
+    ///     let mut band = band.with_depth(&mut depth[..pixels])?;
+    ///     band.clear(Rgb565::BLACK);
+    ///     band.draw_prepared(&ball, &Flat::new(Rgb565::WHITE))?;
+    ///     band.smooth_prepared(&silhouette)?;
+    ///     let rows = Rectangle::new(Point::new(0, shown as i32), Size::new(32, 8));
+    ///     band.show(&mut display.clipped(&rows))?;
+    /// }
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::SizeDiffers`] if the canvas's frame differs in size from the frame that the list was prepared for.
+    pub fn smooth_prepared<M, Z, B, K: ProjectionKind>(
+        &mut self,
+        prepared: &Prepared<'_, impl Sized, Edges<'_>, DrawOptions<M, Biased<Z>, B>, K>,
+    ) -> Result<Drawn, Error> {
+        let rows = self.rows().clone();
+        let mut drawn = Drawn::default();
+        prepared.each_run(self.frame_size(), &rows, |edges, run| {
+            let mut smoother = Smoother::new(self, run.scissor.clone());
+            drawn += run.draw_edges(edges.of, 1, &raster::smooth_edge, &mut smoother);
+        })?;
+        Ok(drawn)
+    }
+}
+
+/// The depth of a pixel that is done. It is nearer than every edge, so no other edge changes the pixel.
+const DONE: u16 = u16::MAX;
+
+/// Smooths edges: mixes the pixels on either side of each edge.
+struct Smoother<'s, 'c, C, O: Storage<C>, D> {
+    canvas: &'s mut Canvas<'c, C, O, D>,
+    scissor: Scissor,
+    shift: DepthShift,
+}
+
+impl<'s, 'c, C: PixelFormat, O: Storage<C>, D: DepthBuffer> Smoother<'s, 'c, C, O, D> {
+    const fn new(canvas: &'s mut Canvas<'c, C, O, D>, scissor: Scissor) -> Self {
+        Self {
+            canvas,
+            scissor,
+            shift: DepthShift(0),
+        }
+    }
+
+    /// Smooths an edge; `beside` is how steep the faces beside it are.
+    ///
+    /// A pixel is mixed once, with the color that its neighbor had before. So the result at a pixel depends only on the
+    /// colors and depths of this pixel and of its four neighbors, and bands that overlap by a row are smoothed like the
+    /// whole frame. A pixel is mixed by the first edge that passes it and is not hidden there.
+    fn edge(&mut self, [a, b]: [&ScreenVertex; 2], beside: u16) {
+        let Some(mut straddle) = Straddle::new(&self.scissor, [a, b]) else {
+            return;
+        };
+        let ([from, to, _], exponent) = ScreenVertex::weights([a, b, b]);
+        let [from, to] = [from, to].map(u32::cast_signed);
+        let change = to - from;
+        let down = self.shift.right_shift(exponent);
+        let [mut q, per_pixel] = straddle.linear(from, change);
+        let steepness = per_pixel
+            .unsigned_abs()
+            .max(WideFloatDepth::decode(beside.into(), down));
+        let bias = Biased::in_front(TestAndWrite).bias(steepness);
+        let memory = self.canvas.memory();
+        let (width, first_row) = (memory.width.cast_signed(), memory.first_row.cast_signed());
+        let start = straddle.steps.start;
+        // The index of the pixel with the number 0 across the edge, and how far it moves from step to step.
+        let (across, stride, mut base, next) = if straddle.is_steep {
+            (&self.scissor.columns, 1, (start - first_row) * width, width)
+        } else {
+            (&self.scissor.rows, width, start - first_row * width, 1)
+        };
+        for step in straddle.steps.clone() {
+            let pair = straddle.next();
+            let depth = Biased::<TestAndWrite>::depth::<D>(bias, q.max(0).cast_unsigned(), down);
+            // An edge at the near plane must not pass pixels that are done.
+            let depth = depth.min(u32::from(DONE) - 1);
+            q = q.wrapping_add(per_pixel);
+            let at = [0, 1].map(|i| {
+                let number = pair.first + i;
+                if across.contains(&number) {
+                    (base + number * stride) as usize
+                } else {
+                    usize::MAX
+                }
+            });
+            base += next;
+            let mut is_done = [false; 2];
+            let mut is_passed = pair.beyond.map(|share| share > 0);
+            if D::IS_KEPT {
+                for i in [0, 1] {
+                    if let Some(stored) = memory.depths.get_mut(at[i]) {
+                        is_done[i] = *stored == DONE;
+                        is_passed[i] &= depth >= u32::from(*stored);
+                        if is_passed[i] {
+                            *stored = DONE;
+                        }
+                    }
+                }
+            }
+            is_passed = [is_passed[0] && !is_done[1], is_passed[1] && !is_done[0]];
+            if is_passed == [false; 2] {
+                continue;
+            }
+            let [Some(&first), Some(&second)] = at.map(|at| memory.colors.get(at)) else {
+                continue;
+            };
+            let (first, second) = (O::load(first), O::load(second));
+            for (i, own, other) in [(0, first, second), (1, second, first)] {
+                if is_passed[i]
+                    && let Some(cell) = memory.colors.get_mut(at[i])
+                {
+                    let number = pair.first + i as i32;
+                    let point = if straddle.is_steep {
+                        Point::new(number, step)
+                    } else {
+                        Point::new(step, number)
+                    };
+                    *cell = O::store(own.covered(other, pair.beyond[i] << 8, point));
+                }
+            }
+        }
+    }
+}
+
+impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Blitter for Smoother<'_, '_, C, O, D> {
+    fn begin(&mut self, shift: DepthShift) -> Coloring {
+        self.shift = shift;
+        Coloring {
+            varies: true,
+            blends: true,
+        }
+    }
+
+    fn set_up(&mut self, primitive: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows {
+        let [a, b, _] = patch.vertices;
+        self.edge([a, b], primitive.slope_beside);
+        self
+    }
+}
+
+impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Rows for Smoother<'_, '_, C, O, D> {
+    /// An edge is done when it is set up.
+    fn draw(&mut self, _: i32, _: &[Columns]) {}
+}

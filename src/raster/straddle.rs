@@ -1,0 +1,146 @@
+//! The pixels that an edge divides: how much of each lies on either side of the edge.
+
+use core::ops::Range;
+
+use super::edge::{Edge, first_center};
+use super::scissor::meet;
+use super::{ClippedVertex, Patch, Rasterizer, Scissor, ScreenVertex};
+
+/// Passes an edge on to a blitter that smooths edges: the ends are the first two vertices of the patch.
+pub(crate) fn smooth_edge(raster: &mut Rasterizer<'_>, [a, b]: [&ClippedVertex; 2]) {
+    raster.set_up(&Patch {
+        vertices: [&a.vertex, &b.vertex, &b.vertex],
+        ..Patch::EVEN
+    });
+}
+
+/// The pixels whose centers lie on either side of an edge: for each column that the edge passes, a pixel and the pixel
+/// below it, or, for each row that a steep edge passes, a pixel and the pixel on its right.
+///
+/// The centers on one side of the edge are exactly those that a triangle on this side covers.
+pub(crate) struct Straddle {
+    pub(crate) is_steep: bool,
+    /// The columns or, of a steep edge, the rows in the scissor whose centers the edge passes.
+    pub(crate) steps: Range<i32>,
+    edge: Edge,
+    /// Whether the edge steps through a picture that is turned upside down.
+    is_mirrored: bool,
+    /// Where the edge starts, in units of 1/256 pixel, along the axis of its steps.
+    start: i32,
+    /// Whether it starts at b.
+    is_turned: bool,
+    /// 2^30 divided by the edge's length along this axis.
+    share: i32,
+    /// The edge's slope, from 0 (along the axis of its steps) to 256 (diagonal), rounded down.
+    slope: i32,
+    /// 2^16 / `slope`.
+    inverse: i32,
+}
+
+/// Two neighboring pixels with an edge between their centers.
+pub(crate) struct Pair {
+    /// The row of the upper pixel or, of a steep edge, the column of the left pixel; the other pixel has the next number.
+    pub(crate) first: i32,
+    /// The share of each pixel that lies on the other pixel's side of the edge, in 256ths: 0 to 128.
+    pub(crate) beyond: [i32; 2],
+}
+
+impl Straddle {
+    /// The pixels of an edge from a to b; `None` if there are none in the scissor.
+    #[inline]
+    pub(crate) fn new(scissor: &Scissor, [a, b]: [&ScreenVertex; 2]) -> Option<Self> {
+        let ([ax, ay], [bx, by]) = (a.screen, b.screen);
+        let is_steep = ax.abs_diff(bx) < ay.abs_diff(by);
+        let (mut from, mut to, along) = if is_steep {
+            ([ax, ay], [bx, by], &scissor.rows)
+        } else {
+            ([ay, ax], [by, bx], &scissor.columns)
+        };
+        let is_turned = to[1] < from[1];
+        if is_turned {
+            (from, to) = (to, from);
+        }
+        let ([minor, start], [minor_end, end]) = (from, to);
+        let steps = meet(&(first_center(start)..first_center(end)), along);
+        if steps.is_empty() {
+            return None;
+        }
+        // A center exactly on an edge belongs to the triangle on its right. If the edge falls from left to right, its
+        // right is above it. An `Edge` counts such a center to the pixels after it, so the picture is turned over.
+        let is_mirrored = !is_steep && minor_end > minor;
+        let mirrored = |at: i32| if is_mirrored { -at } else { at };
+        // A center lies between the ends, so they differ, and by at most 2^20.
+        let length = (end - start).max(1);
+        let slope = (((minor_end - minor).abs()) << 8) / length;
+        Some(Self {
+            is_steep,
+            edge: Edge::new(
+                [mirrored(minor), start],
+                [mirrored(minor_end), end],
+                steps.start,
+            ),
+            steps,
+            is_mirrored,
+            start,
+            is_turned,
+            share: (1 << 30) / length,
+            slope,
+            inverse: (1 << 16) / slope.max(1),
+        })
+    }
+
+    /// A value of 31 bits that is linear along the edge: at the first step, and its change from step to step. At a, it is
+    /// `at_a`, and up to b, it changes by `change`. On an edge of less than a pixel, the change per step is `change`.
+    ///
+    /// The reciprocal of a length of n pixels has an error of up to 2^8 · n/2^30 of its own. So the value has an error of
+    /// up to n²/2^22 changes per step: less than one of them, as n is at most 2^11.
+    #[inline]
+    pub(crate) fn linear(&self, at_a: i32, change: i32) -> [i32; 2] {
+        let part = |of_length: i32| ((i64::from(change) * i64::from(of_length)) >> 30) as i32;
+        let before = ((self.steps.start << 8) + 128 - self.start) * self.share;
+        let step = self.share.min(1 << 22) << 8;
+        if self.is_turned {
+            [at_a + part((1 << 30) - before), -part(step)]
+        } else {
+            [at_a + part(before), part(step)]
+        }
+    }
+
+    /// The pixels of the next step.
+    #[inline]
+    pub(crate) fn next(&mut self) -> Pair {
+        let (after, distance) = self.edge.next_with_distance(self.share);
+        let beyond = [self.beyond(256 - distance), self.beyond(distance)];
+        Pair {
+            // Turned over, the center 256n + 128 of pixel n becomes the center of pixel −n − 1.
+            first: if self.is_mirrored { !after } else { after - 1 },
+            beyond: if self.is_mirrored {
+                [beyond[1], beyond[0]]
+            } else {
+                beyond
+            },
+        }
+    }
+
+    /// The share of a pixel on the far side of the edge, by the distance from the pixel's center to the edge across its
+    /// steps. Both are in 256ths, and the distance is at least 0.
+    ///
+    /// With the distance d and the slope s, across the pixel the edge is from d − s/2 to d + s/2 away from its middle:
+    ///
+    /// - d ≤ (1 − s)/2: the edge cuts both sides of the pixel, and leaves a trapezoid of area 1/2 − d;
+    /// - d < (1 + s)/2: the edge cuts off a triangle of height u = (1 + s)/2 − d and area u²/(2s);
+    /// - otherwise, the edge misses the pixel.
+    #[inline]
+    fn beyond(&self, distance: i32) -> i32 {
+        // In units of 1/512: 1 + s − 2d.
+        let u = 256 + self.slope - 2 * distance;
+        if u >= 2 * self.slope {
+            128 - distance
+        } else if u > 0 {
+            // u is below 2s, so u² / s is below 4 · 2^16. The area is 256 · (u/512)² / (2s/256) = u² / (8s).
+            (u * u * self.inverse) >> 19
+        } else {
+            0
+        }
+    }
+}
