@@ -8,6 +8,8 @@ use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt as unit;
 use crate::num::wide::{dot, product};
 
+mod inverse;
+mod plane;
 mod rotation;
 mod rows;
 #[cfg(test)]
@@ -41,11 +43,6 @@ pub struct Transform {
     pub(crate) translation_exp: i32,
     /// Whether the determinant is negative. This is stored, because computing it from the matrix is slow.
     pub(crate) is_mirror: bool,
-}
-
-fn transpose([x, y, z]: [[i32; 3]; 3]) -> [[i32; 3]; 3] {
-    // The indices are constants, because in a build for size, a loop would keep its bounds checks.
-    [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]]
 }
 
 /// A row of an affine transform: three mantissas of up to 31 bits that share an exponent, and an offset.
@@ -148,7 +145,8 @@ impl Transform {
     }
 
     /// Makes the transform that scales each axis by its own factor about the origin; a negative factor mirrors.
-    /// A mirrored mesh still shows its outside: [culling](crate::Cull) needs no change.
+    /// A mirrored mesh still shows its outside: [culling](crate::Cull) needs no change. For what a mirror shows, see
+    /// [`Camera::mirrored`](crate::Camera::mirrored).
     ///
     /// Each factor is accurate to 2⁻³⁰ of the largest factor.
     #[must_use]
@@ -208,27 +206,6 @@ impl Transform {
     fn times_linear(&self, v: Vec3) -> [i64; 3] {
         let v = v.to_bits();
         self.linear.map(|row| dot(&row, &v))
-    }
-
-    /// Inverts a rigid transform (a product of rotations and translations): the result applies the opposite
-    /// translation, then the transposed rotation.
-    ///
-    /// For a transform that scales, mirrors or shears, the result is not the inverse.
-    ///
-    /// ```
-    /// use fixel::prelude::*;
-    /// let turn = Transform::rotate_y(Angle::from_degrees(30));
-    /// let pose = Transform::translate(vec3!(1, 2, 3)) * turn;
-    /// assert_eq!((pose.inverse_rigid() * pose).point(vec3!(4, 5, 6)), vec3!(4, 5, 6));
-    /// ```
-    #[must_use]
-    pub fn inverse_rigid(&self) -> Self {
-        let linear = transpose(self.linear);
-        let exp = self.linear_exp + self.translation_exp;
-        let moved = linear.map(|row| BlockFloat::new(-dot(&row, &self.translation), exp));
-        let mut inverse = Self { linear, ..*self };
-        inverse.translation_exp = block::normalize(&mut inverse.translation, &moved);
-        inverse
     }
 
     /// Makes a transform rigid again after many multiplications: the rows of its matrix become

@@ -6,7 +6,7 @@ use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt as unit;
 use crate::num::{Angle, Scalar};
 
-/// A camera: the rigid transform from world space to eye space.
+/// A camera: the rigid transform from world space to eye space, or a [mirrored](Camera::mirrored) one.
 ///
 #[cfg_attr(doc, doc = include_str!("../guide/diagrams/look_at.svg"))]
 ///
@@ -83,7 +83,7 @@ impl Camera {
     /// Makes a camera that `pose` places in the world, as it would place a model.
     ///
     /// `pose` must be rigid, that is, a product of rotations and translations; any other transform distorts the
-    /// picture.
+    /// picture. For a pose that also scales, write `Camera::from_view(pose.inverse()?)`.
     #[must_use]
     pub fn at_pose(pose: Transform) -> Self {
         Self::from_view(pose.inverse_rigid())
@@ -128,6 +128,32 @@ impl Camera {
         (view.linear, view.linear_exp) = (self.view.linear, self.view.linear_exp);
         view.is_mirror = self.view.is_mirror;
         Self { view }
+    }
+
+    /// Returns the camera that shows what a mirror shows: the mirror image of the world, in the plane through `point` at
+    /// right angles to `normal`.
+    ///
+    /// Draw the scene twice, from this camera inside the mirror and from the camera itself; the
+    /// [cookbook](crate::guide::cookbook#a-mirror) shows how. Nothing else changes. Faces keep their outsides, so leave
+    /// [culling](crate::Cull) as it is. Lights shine on the mirror image as on the world, because the world itself does
+    /// not move, and highlights are where [this camera](crate::Viewer::of) sees them. Things behind the mirror would
+    /// appear in front of it, so leave them out.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NoDirection`] if `normal` is zero.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// let camera = Camera::look_at(vec3!(0, 3, 5), Vec3::ZERO, Vec3::Y)?;
+    /// let below = camera.mirrored(vec3!(0, 1, 0), Vec3::Y)?; // in water at a height of 1
+    /// assert_eq!(below.view().point(vec3!(7, 4, 2)), camera.view().point(vec3!(7, -2, 2)));
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn mirrored(&self, point: Vec3, normal: Vec3) -> Result<Self, Error> {
+        Ok(Self {
+            view: self.view * Transform::mirror(point, normal)?,
+        })
     }
 
     /// Makes a camera that looks at `target` from a `distance`. The camera starts in front of the target, on the side

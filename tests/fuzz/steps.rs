@@ -13,7 +13,7 @@ pub enum Step {
     Move(Move),
     Uniform(Scalar),
     Rotate(Vec3, Angle),
-    /// The inverse of the product of all previous steps.
+    /// The inverse of the product of all previous steps, if there is one.
     Inverse,
     Renormalized,
 }
@@ -42,7 +42,7 @@ impl Step {
                 Ok(rotation) => before * rotation,
                 Err(_) => before,
             },
-            Self::Inverse => before.inverse_rigid(),
+            Self::Inverse => before.inverse().unwrap_or(before),
             Self::Renormalized => before.renormalized(),
         }
     }

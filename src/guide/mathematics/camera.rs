@@ -54,10 +54,11 @@
 //! let turn = Angle::atan2(fx!(3), fx!(4));
 //! let pose = Transform::translate(eye) * Transform::rotate_y(turn);
 //! let undone = Transform::rotate_y(-turn) * Transform::translate(-eye);
-//! for view in [Camera::at_pose(pose).view(), pose.inverse_rigid(), undone] {
+//! let inverse = pose.inverse().unwrap(); // of any transform that has one
+//! for view in [Camera::at_pose(pose).view(), inverse, undone] {
 //!     assert_eq!(view.point(Vec3::ZERO), vec3!(0, 0, -5));
 //! }
-//! assert_eq!((pose * pose.inverse_rigid()).point(vec3!(7, 8, 9)), vec3!(7, 8, 9));
+//! assert_eq!((pose * inverse).point(vec3!(7, 8, 9)), vec3!(7, 8, 9));
 //! assert_eq!(Camera::from_view(pose).view().point(Vec3::ZERO), eye); // not inverted
 //! ```
 //!
@@ -70,6 +71,43 @@
 //!
 //! </div>
 //!
-//! Tests: `accuracy/formulas/camera.rs`.
+//! # A mirror
+//!
+//! **A shadow moves a point along the light until it is on a plane. A mirror moves it across the plane, twice as far.**
+//! The plane goes through the point *q*, and has the normal *n*, of any length. A step of *t* times a direction *d* changes
+//! *n* · (*p* − *q*) by *t* (*n* · *d*). On the plane, this number is 0, so *t* = −*n* · (*p* − *q*) / (*n* · *d*). For the
+//! shadow, *d* is the direction *l* to the light; for the mirror image, *d* is *n* itself:
+//!
+#![doc = formula!(
+    {shadow = p - frac(n dot (p - q))(n dot l) l}
+    {image = p - 2 frac(n dot (p - q))(n dot n) n}
+)]
+//!
+//! Both are affine. The matrices are 1 − *l* *n*<sup>T</sup> / (*n* · *l*), with the determinant 0, and 1 − 2 *n*
+//! *n*<sup>T</sup> / (*n* · *n*), with the determinant −1. So a shadow has no inverse, and a mirror is its own.
+//!
+//! By hand: the ground has *q* = 0 and *n* = (0, 1, 0), and the sun is in the direction *l* = (1, 2, 0). For *p* = (5, 3, 7),
+//! *n* · *p* is 3, and *n* · *l* is 2. The shadow is (5, 3, 7) − 1.5 (1, 2, 0) = (3.5, 0, 7), and the mirror image is (5,
+//! −3, 7).
+//!
+//! ```
+//! use fixel::prelude::*;
+//!
+//! let p = vec3!(5, 3, 7);
+//! let shadow = Transform::shadow(Vec3::ZERO, Vec3::Y, vec3!(1, 2, 0))?;
+//! assert_eq!(shadow.point(p), vec3!(3.5, 0, 7));
+//! assert_eq!(shadow.inverse(), None);
+//! let camera = Camera::look_at(vec3!(0, 2, 9), Vec3::ZERO, Vec3::Y)?;
+//! let mirrored = camera.mirrored(Vec3::ZERO, Vec3::Y)?;
+//! assert_eq!(mirrored.view().point(p), camera.view().point(vec3!(5, -3, 7)));
+//! assert_eq!(mirrored.pose().point(Vec3::ZERO), vec3!(0, -2, 9)); // the mirror image of the eye
+//! # Ok::<(), Error>(())
+//! ```
+//!
+//! **Mirror the camera, not the model.** Both put the points at the same place on the screen. But light is computed where
+//! the points are in the world. A mirrored model is below the ground, and the sun lights the wrong side of it.
+//! [`Camera::mirrored`](crate::Camera::mirrored) leaves the world as it is.
+//!
+//! Tests: `accuracy/formulas/camera.rs`, `accuracy/formulas/plane.rs` and `exact/mirrors.rs`.
 //!
 //! Next page: [A point](crate::guide::mathematics::projection#a-point).

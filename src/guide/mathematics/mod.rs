@@ -12,25 +12,26 @@
 //! 2. [A quaternion](rotation#a-quaternion): a turn in four numbers, and one turn after another
 //! 3. [Time](rotation#time): turns that do not drift
 //! 4. [A camera](camera#a-camera): look-at, the inverse, a camera placed by moves
-//! 5. [A point](projection#a-point): similar triangles, the practice cube
-//! 6. [A matrix](projection#a-matrix): homogeneous coordinates, pseudo-depth, the perspective transform
-//! 7. [A window](projection#a-window): field of view, aspect ratio, frustum, pixels
-//! 8. [Parallel views](projection#parallel-views): orthographic, axonometric, oblique
-//! 9. [A chain](projection#a-chain): the order of transforms
-//! 10. [A clip](clipping#a-clip): where an edge meets the near plane
-//! 11. [A shared cut](clipping#a-shared-cut): why clipped neighbors leave no crack
-//! 12. [Lines](lines#lines): slopes, vanishing points, speed, one-, two- and three-point perspective
-//! 13. [A segment](lines#a-segment): foreshortening, and why 1/*w* is linear on the screen
-//! 14. [An edge](triangles#an-edge): on which side of an edge a pixel lies
-//! 15. [An area](triangles#an-area): its sign, and barycentric coordinates
-//! 16. [A shared edge](triangles#a-shared-edge): the top-left rule, by which each pixel is drawn once
-//! 17. [A normal](light#a-normal): the transpose of the inverse
-//! 18. [Matte surfaces](light#matte-surfaces): Lambert's cosine
-//! 19. [Highlights](light#highlights): Phong's mirror and Blinn's halfway direction
-//! 20. [An attribute](pixels#an-attribute): one reciprocal per pixel
-//! 21. [A depth step](pixels#a-depth-step): how far apart surfaces must be
-//! 22. [A mip level](pixels#a-mip-level): how many texels a pixel covers
-//! 23. [Fixed point](fixed_point#fixed-point): formats and errors
+//! 5. [A mirror](camera#a-mirror): mirror images, and shadows on a plane
+//! 6. [A point](projection#a-point): similar triangles, the practice cube
+//! 7. [A matrix](projection#a-matrix): homogeneous coordinates, pseudo-depth, the perspective transform
+//! 8. [A window](projection#a-window): field of view, aspect ratio, frustum, pixels
+//! 9. [Parallel views](projection#parallel-views): orthographic, axonometric, oblique
+//! 10. [A chain](projection#a-chain): the order of transforms
+//! 11. [A clip](clipping#a-clip): where an edge meets the near plane
+//! 12. [A shared cut](clipping#a-shared-cut): why clipped neighbors leave no crack
+//! 13. [Lines](lines#lines): slopes, vanishing points, speed, one-, two- and three-point perspective
+//! 14. [A segment](lines#a-segment): foreshortening, and why 1/*w* is linear on the screen
+//! 15. [An edge](triangles#an-edge): on which side of an edge a pixel lies
+//! 16. [An area](triangles#an-area): its sign, and barycentric coordinates
+//! 17. [A shared edge](triangles#a-shared-edge): the top-left rule, by which each pixel is drawn once
+//! 18. [A normal](light#a-normal): the transpose of the inverse
+//! 19. [Matte surfaces](light#matte-surfaces): Lambert's cosine
+//! 20. [Highlights](light#highlights): Phong's mirror and Blinn's halfway direction
+//! 21. [An attribute](pixels#an-attribute): one reciprocal per pixel
+//! 22. [A depth step](pixels#a-depth-step): how far apart surfaces must be
+//! 23. [A mip level](pixels#a-mip-level): how many texels a pixel covers
+//! 24. [Fixed point](fixed_point#fixed-point): formats and errors
 //!
 //! The axes are right-handed: x points to the right, and y points up. The eye is at the origin and looks along −z. The
 //! numbers *n* and *f* are the distances of the near and the far plane, both above zero. Each step ends with the names

@@ -1,24 +1,11 @@
 //! Transforms from matrices and back.
 
 use super::Transform;
+use super::inverse::determinant;
 use crate::error::Error;
 use crate::math::{Matrix4, Vec3};
 use crate::num::Scalar;
 use crate::num::block::{self, BlockFloat};
-use crate::num::rsqrt::cross;
-use crate::num::wide::product;
-
-/// Whether a matrix of mantissas has a negative determinant.
-fn is_mirror(&[x, y, z]: &[[i32; 3]; 3]) -> bool {
-    // The exact determinant, in two parts: each part is the sum of three products of 30 by 31 bits. The determinant
-    // must be exact, because the sign of a small determinant counts as well.
-    let (mut high, mut low) = (0, 0);
-    for (&x, cofactor) in x.iter().zip(cross(y, z)) {
-        high += product(x, (cofactor >> 31) as i32);
-        low += product(x, (cofactor & 0x7fff_ffff) as i32);
-    }
-    high + (low >> 31) < 0
-}
 
 impl Transform {
     /// Makes a transform from the rows of its 3×3 matrix, for column vectors, and its translation.
@@ -43,7 +30,7 @@ impl Transform {
         }
         let transform = Self::from_block_floats(&numbers);
         Self {
-            is_mirror: is_mirror(&transform.linear),
+            is_mirror: determinant(&transform.linear)[0] < 0,
             ..transform
         }
     }

@@ -3,7 +3,7 @@
 
 use super::*;
 use crate::random::{Random, cases, list};
-use crate::{Angle, Error, Scalar, vec3};
+use crate::{Angle, Error, Scalar, fx, vec3};
 use core::f64::consts::TAU;
 use rand::Rng;
 use std::vec::Vec;
@@ -265,6 +265,7 @@ fn composing_never_panics() {
             assert!(admissible(t));
             let _ = (t.point(p), t.direction(p), t.to_matrix(), t.normal_matrix());
             assert!(admissible(&t.inverse_rigid()) && admissible(&t.renormalized()));
+            assert!(t.inverse().is_none_or(|inverse| admissible(&inverse)));
         }
     });
 }
@@ -307,6 +308,102 @@ fn rigid_inverses_undo() {
     });
 }
 
+/// The determinant of a matrix of mantissas, and the inverse times this determinant.
+fn adjugate(m: &[[i32; 3]; 3]) -> (i128, [[i128; 3]; 3]) {
+    let m = m.map(|row| row.map(i128::from));
+    let adjugate = [0, 1, 2].map(|i| {
+        [0, 1, 2].map(|j| {
+            let (a, b, c, d) = ((j + 1) % 3, (j + 2) % 3, (i + 1) % 3, (i + 2) % 3);
+            m[a][c] * m[b][d] - m[a][d] * m[b][c]
+        })
+    });
+    let determinant = (0..3).map(|k| m[0][k] * adjugate[k][0]).sum();
+    (determinant, adjugate)
+}
+
+/// Transforms with random entries, and transforms with rows that are nearly parallel, by as little as a unit.
+#[test]
+fn inverses_are_good_to_28_bits() {
+    /// Each of nine cofactors loses less than 4 units in its quarter, and the determinant less than 4 in its quarter.
+    const CUT: i128 = 10 * 4;
+    let mut refused = 0;
+    cases(1024, |random| {
+        let mut t = transform(random);
+        if random.random() {
+            let down = random.random_range(0..31);
+            for i in 0..3 {
+                let noise = (mantissas(random)[0] >> down) / 2;
+                t.linear[2][i] = i32::midpoint(t.linear[0][i], t.linear[1][i]) / 2 + noise;
+            }
+        }
+        let (determinant, adjugate) = adjugate(&t.linear);
+        let doubt: i128 = adjugate.as_flattened().iter().map(|v| v.abs()).sum();
+        let Some(inverse) = t.inverse() else {
+            assert!(2 * determinant.abs() <= doubt + CUT, "{t:?}");
+            refused += 1;
+            return;
+        };
+        assert!(2 * determinant.abs() >= doubt - CUT, "{t:?}");
+        assert!(admissible(&inverse));
+        assert_eq!(inverse.is_mirror, t.is_mirror);
+        #[allow(clippy::cast_precision_loss)]
+        let expected: Real = core::array::from_fn(|i| {
+            let entry = |j: usize| adjugate[i][j] as f64 / determinant as f64 * power(t.linear_exp);
+            [entry(0), entry(1), entry(2), 0.0]
+        });
+        let found = real(&inverse);
+        let largest = sizes(&expected)[0];
+        // The greatest mantissa is that of the largest number, up to 2^62, and the least unit is 2^-62.
+        if largest < power(62) {
+            // A quotient of two numbers of 31 bits, and the rounding to 30 bits.
+            let slack = (1.3 + 1.0) * power(-30) * largest + 0.5 * power(-62);
+            let error = errors(&found, &expected)[0];
+            assert!(error <= slack, "{error:e} of {largest:e}");
+        }
+        // The translation is computed from the inverse's own matrix, and rounded once.
+        for (row, moved) in found.iter().zip(inverse.translation) {
+            let exact: f64 = (0..3).map(|k| -row[k] * real(&t)[k][3]).sum();
+            let size: f64 = (0..3).map(|k| (row[k] * real(&t)[k][3]).abs()).sum();
+            if exact.abs() < power(62) {
+                let slack = 0.501 * power(-inverse.translation_exp) + size * power(-50);
+                let found = f64::from(moved) * power(-inverse.translation_exp);
+                assert!((found - exact).abs() <= slack, "{found:e} {exact:e}");
+            }
+        }
+    });
+    assert!(refused > 10, "{refused}");
+}
+
+/// Factors that are far apart, down to 2^-28 of each other, are no reason to refuse.
+#[test]
+fn only_flat_transforms_have_no_inverse() {
+    let one = Scalar::ONE;
+    for small in [one, Scalar::DELTA, Scalar::DELTA * 3] {
+        for (at, [x, y, z]) in [[small, one, one], [one, -small, one], [small, one, small]]
+            .into_iter()
+            .enumerate()
+        {
+            let t = Transform::scale_axes(Vec3::new(x, y, z) * fx!(8));
+            let turn = Transform::rotate(vec3!(1, 2, 3), Angle::from_degrees(40)).unwrap();
+            for t in [t, turn * t] {
+                let inverse = t.inverse().unwrap();
+                assert_eq!(inverse.is_mirror, at == 1);
+                let [there, _] = errors(&real(&(inverse * t)), &real(&Transform::IDENTITY));
+                // The rounding of the matrix is magnified by the ratio of the factors.
+                assert!(there <= power(-26) / f64::from(small), "{there:e}");
+            }
+        }
+    }
+    for flat in [
+        Transform::scale(Scalar::ZERO),
+        Transform::scale_axes(vec3!(1, 0, 1)),
+        Transform::shadow(vec3!(0, 1, 0), Vec3::Y, vec3!(1, 2, 3)).unwrap(),
+        Transform::shadow(vec3!(1, 2, 3), vec3!(3, 1, -2), vec3!(2, 1, 1)).unwrap(),
+    ] {
+        assert_eq!(flat.inverse(), None);
+    }
+}
+
 /// The stored sign is the sign of the determinant: for products, rigid inverses, renormalized transforms and matrices.
 #[test]
 fn every_transform_knows_whether_it_mirrors() {
@@ -325,7 +422,15 @@ fn every_transform_knows_whether_it_mirrors() {
             });
         let from_matrix = Transform::try_from(t.to_matrix()).unwrap();
         let inverse = t.inverse_rigid();
-        for t in [t, inverse, t.renormalized(), inverse * t * t, from_matrix] {
+        let general = t.inverse().unwrap();
+        for t in [
+            t,
+            inverse,
+            general,
+            t.renormalized(),
+            inverse * t * t,
+            from_matrix,
+        ] {
             // Rotations and mirrors have a determinant of 1 or −1. The entries of a `Matrix4` are rounded to 2^-17 or less.
             // Each of the nine entries changes the determinant by its rounding times a cofactor of at most 1.
             let found = determinant(&t);

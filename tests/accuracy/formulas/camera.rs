@@ -104,7 +104,9 @@ fn the_inverse_undoes_a_rigid_transform() {
         let turns = Transform::rotate_y(b) * Transform::rotate_z(c);
         let pose = Transform::rotate_x(a) * Transform::translate(point(random)) * turns;
         let p = point(random);
-        for both in [pose * pose.inverse_rigid(), pose.inverse_rigid() * pose] {
+        let camera = Camera::at_pose(pose).view();
+        let inverse = pose.inverse().unwrap();
+        for both in [pose * camera, camera * pose, pose * inverse, inverse * pose] {
             let identity = both.to_matrix();
             for (i, row) in identity.rows().iter().enumerate() {
                 for (j, &entry) in row.iter().enumerate() {

@@ -11,6 +11,7 @@ mod helpers;
 mod light;
 mod pictures;
 mod pixel;
+mod plane;
 mod projection;
 mod rotation;
 mod segment;
