@@ -67,6 +67,7 @@ pub mod coming_from {}
 #[doc = recipe!("What is hidden", "hidden")]
 #[doc = recipe!("Windows and stencils", "stencil")]
 #[doc = recipe!("Smooth edges", "smooth")]
+#[doc = recipe!("A mirror", "mirror")]
 #[doc = recipe!("Painter's order", "painter")]
 #[doc = recipe!("Wireframe", "wireframe", "ignore")]
 #[doc = recipe!("Points", "points")]

@@ -4,7 +4,8 @@
 ///
 /// A triangle shows its front if its corners run counter-clockwise on the screen. If a transform mirrors the mesh (its
 /// matrix has a negative determinant), the corners of a front run clockwise instead. So a mirrored mesh also shows the
-/// outside of its faces: do not change the culling for a mirror, as programs for OpenGL do.
+/// outside of its faces: do not change the culling for a mirror, as programs for OpenGL do. The same is true of a
+/// [mirrored camera](crate::Camera::mirrored), and of the [shadow](crate::Transform::shadow) of a closed mesh.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

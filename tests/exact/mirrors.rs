@@ -1,4 +1,5 @@
-//! Mirrored views: draw calls, lists, and values computed once for a list show the same sides of the same triangles.
+//! Mirrored views: draw calls, lists, and values computed once for a list show the same sides of the same triangles. Also
+//! what mirrors and shadows promise about lights and culling.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use fixel::ShadeList;
@@ -90,5 +91,70 @@ fn a_list_culls_mirrored_things_as_a_draw_call_does() {
         });
         // A box is its own mirror image, but its triangles change places.
         assert!(pictures[0] != pictures[1] && pictures[0] != pictures[2]);
+    }
+}
+
+static RING: Mesh = shape!(torus(fx!(0.4), 24, 12));
+
+fn picture(mesh: &Mesh, view: &Mvp, cull: Cull, shader: &impl ShaderFor<Gray8>) -> Vec<u8> {
+    let mut pixels = [Gray8::BLACK; (SIZE * SIZE) as usize];
+    let mut depths = [0; (SIZE * SIZE) as usize];
+    let canvas = Canvas::new(&mut pixels, SIZE, SIZE).unwrap();
+    let mut canvas = canvas.with_depth(&mut depths).unwrap();
+    canvas.draw_with(&DrawOptions::new().with_cull(cull), mesh, view, shader);
+    pixels.map(|gray| gray.luma()).to_vec()
+}
+
+/// The other way to draw a mirror image: the world is turned upside down, and its lights with it.
+#[test]
+fn a_mirrored_camera_shows_the_light_of_the_world() {
+    let projection = Projection::perspective(deg!(40), (SIZE, SIZE), fx!(1), fx!(20)).unwrap();
+    let camera = Camera::look_at(vec3!(1, 1, 6), vec3!(0, -1, 0), Vec3::Y).unwrap();
+    let mirrored = camera.mirrored(vec3!(3, -1, 2), vec3!(0, 2, 0)).unwrap();
+    let down = Transform::translate(vec3!(0, -2, 0)) * Transform::scale_axes(vec3!(1, -1, 1));
+    let ring = Transform::rotate_x(deg!(25)) * Transform::rotate_z(deg!(20));
+    let lamp = |to_lamp, viewer| {
+        let sun = Light::new(to_lamp, fx!(0.25), fx!(0.5)).unwrap();
+        sun.shiny(viewer, 20, fx!(0.25)).unwrap()
+    };
+    let to_sun = vec3!(1, 3, 2);
+    let (inside, before) = (projection * mirrored, projection * camera);
+    let white = Flat::new(Gray8::WHITE);
+    let found = white.lit(lamp(to_sun, Viewer::of(&inside)));
+    let expected = white.lit(lamp(down.direction(to_sun), Viewer::of(&before)));
+    let [found, expected] = [
+        picture(&RING, &(inside * ring), Cull::Back, &found),
+        picture(&RING, &(before * down * ring), Cull::Back, &expected),
+    ];
+    // A sum of light and highlight is rounded to 255ths, from values with errors of less than 2^-12.
+    let differs = |(a, b): (&u8, &u8)| a.abs_diff(*b) > 1;
+    assert!(!found.iter().zip(&expected).any(differs));
+    // The ring is lit from above, so the upper half of its mirror image is dark.
+    let lit = |rows: &[u8]| rows.iter().filter(|gray| **gray > 100).count();
+    let (above, below) = found.split_at(found.len() / 2);
+    assert!(lit(above) * 4 < lit(below), "{} {}", lit(above), lit(below));
+}
+
+/// Where the shadow of a closed mesh covers a pixel, as many faces show their fronts as their backs.
+#[test]
+fn the_shadow_of_a_closed_mesh_needs_no_other_culling() {
+    let projection = Projection::perspective(deg!(40), (SIZE, SIZE), fx!(1), fx!(20)).unwrap();
+    let camera = Camera::look_at(vec3!(1, 5, 6), Vec3::ZERO, Vec3::Y).unwrap();
+    let (ground, normal) = (vec3!(0, -1, 0), vec3!(1, 5, 1));
+    let white = Flat::new(Gray8::WHITE);
+    for to_sun in [vec3!(0, 1, 0), vec3!(1, 2, 0), vec3!(-2, 1, -1)] {
+        let shadow = Transform::shadow(ground, normal, to_sun).unwrap();
+        for turn in [0, 30, 75, 90].map(Angle::from_degrees) {
+            let model = shadow * Transform::rotate_x(turn) * Transform::rotate_z(turn);
+            for camera in [camera, camera.mirrored(Vec3::X, Vec3::X).unwrap()] {
+                let view = projection * camera * model;
+                for mesh in [&RING, &BOX] {
+                    let [fronts, all] =
+                        [Cull::Back, Cull::Nothing].map(|cull| picture(mesh, &view, cull, &white));
+                    assert!(all.iter().filter(|gray| **gray > 0).count() > 20);
+                    assert!(fronts == all, "{to_sun:?}, {turn:?}");
+                }
+            }
+        }
     }
 }

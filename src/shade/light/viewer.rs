@@ -46,8 +46,8 @@ impl Viewer {
         Ok(Self(Position::Toward(ok!(Direction::checked(direction)))))
     }
 
-    /// The viewer of a picture that is drawn with this model-view-projection. The camera must be a rigid transform. A
-    /// [`Camera`](crate::Camera) is rigid, except if you make it from a transform that is not rigid.
+    /// The viewer of a picture that is drawn with this model-view-projection. The camera must be a rigid transform, or
+    /// [mirrored](crate::Camera::mirrored). A [`Camera`](crate::Camera) is, unless you make it from another transform.
     #[must_use]
     pub fn of(picture: &impl AsMvp) -> Self {
         let from_eye = picture.camera_of().inverse_rigid();

@@ -13,27 +13,21 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let view = projection * Camera::look_at(vec3!(0, 4.4, 9), vec3!(0, 0.9, 0), Vec3::Y)?;
     let at = |place| view * Transform::translate(place);
     let upright = Transform::rotate_x(deg!(90));
-    let sun = Light::new(vec3!(-2, 3, 1), fx!(0.3), fx!(0.7))?;
+    let to_sun = vec3!(-2, 3, 1);
+    let sun = Light::new(to_sun, fx!(0.3), fx!(0.7))?;
     let paint = |red, green, blue| Flat::new(Rgb565::new(red, green, blue));
     canvas.clear(Rgb565::new(6, 16, 12));
 
-    // A shadow is the ring, pressed flat onto the ground along the rays of the sun: x gains two
-    // thirds of y, and z loses a third. Each pixel of the shadow is darkened once.
+    // A shadow is the ring, pressed flat onto the ground along the rays of the sun. Each pixel of the
+    // shadow is darkened once.
     let floor = at(Vec3::ZERO) * Transform::scale(fx!(6));
     canvas.draw(&SQUARE, &floor, &paint(15, 30, 12));
     let turn = Transform::rotate_y(deg!(-25)) * upright;
     let ring = Transform::translate(vec3!(-2.7, 1.5, -0.6)) * turn;
-    let [x, z] = [vec3!(1, 0.66667, 0), vec3!(0, -0.33333, 1)];
-    let rows = [x, Vec3::ZERO, z].map(|row| [row.x, row.y, row.z]);
-    let shadow = view * Transform::from_rows(rows, Vec3::ZERO) * ring;
-    let both_sides = DrawOptions::new().with_cull(Cull::Nothing);
-    let once = both_sides.with_depth_test(Biased::coplanar(TestNearer));
-    canvas.draw_with(
-        &once.with_blending(Multiply),
-        &RING,
-        &shadow,
-        &paint(14, 28, 18),
-    );
+    let shadow = view * Transform::shadow(Vec3::ZERO, Vec3::Y, to_sun)? * ring;
+    let once = DrawOptions::new().with_depth_test(Biased::coplanar(TestNearer));
+    let dark = once.with_blending(Multiply);
+    canvas.draw_with(&dark, &RING, &shadow, &paint(14, 28, 18));
 
     // A wall hides the ring. Behind the wall, the ring is drawn in one color.
     let wall = at(vec3!(-2.9, 0.7, 1)) * upright * Transform::scale_axes(vec3!(0.9, 1, 0.7));

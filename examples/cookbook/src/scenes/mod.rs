@@ -18,6 +18,7 @@ mod labels;
 mod lights;
 mod materials;
 mod mipmaps;
+mod mirror;
 mod normals;
 mod packed;
 mod painter;
@@ -66,6 +67,7 @@ pub const SCENES: &[(&str, Draw)] = &[
     ("lights", lights::draw),
     ("materials", materials::draw),
     ("mipmaps", mipmaps::draw),
+    ("mirror", mirror::draw),
     ("normals", normals::draw),
     ("packed", packed::draw),
     ("painter", painter::draw),
