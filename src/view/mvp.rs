@@ -71,6 +71,12 @@ use crate::sealed::Sealed;
 ///     canvas.draw(mesh, &camera, &Flat::new(Gray8::new(9)));
 /// }
 /// ```
+/// ```compile_fail
+/// use fixel::prelude::*;
+/// let spin = Transform::rotate_y(deg!(30));
+/// // error: a `Camera` times a `Transform` lacks a projection; note: write `projection * camera * model`, …
+/// let _ = Camera::default() * spin;
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Mvp<K = Perspective> {
@@ -182,6 +188,24 @@ impl<K: ProjectionKind> Mul<Camera> for Projection<K> {
             camera: camera.view(),
             ..self.into()
         }
+    }
+}
+
+/// What can be multiplied by a camera without a projection: nothing. The compiler says so in the words below.
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "a `Camera` times a `{Self}` lacks a projection",
+    label = "the projection comes first",
+    note = "write `projection * camera * model`, or keep `let view = projection * camera` for several models"
+)]
+pub trait InView: Sealed {}
+
+#[doc(hidden)]
+impl<T: InView> Mul<T> for Camera {
+    type Output = Self;
+
+    fn mul(self, _: T) -> Self {
+        self
     }
 }
 
