@@ -20,7 +20,7 @@ static RING_OUTLINE: Outline = outline!(RING, deg!(60));
 static EMPTY: Mesh = Mesh::checked(Mesh::new(&[], &[]));
 
 /// A ball within a ring, a ball across the near plane and the frame's left edge, and an object behind the eye.
-fn objects() -> [Object<Flat<Gray8>>; 5] {
+fn objects() -> [Object<'static, Flat<Gray8>>; 5] {
     let flat = |gray| Flat::new(Gray8::new(gray));
     let tilted = Transform::translate(vec3!(0.5, 0, 0)) * Transform::rotate_x(deg!(70));
     [

@@ -47,6 +47,20 @@ use crate::view::{AsMvp, Mvp, Perspective, ProjectionKind};
 /// assert_eq!(crate_.material, "wood");
 /// ```
 ///
+/// The lifetime is the mesh's: `'static` for a mesh in flash, and another for a mesh that is made at run time.
+///
+/// ```
+/// use fixel::prelude::*;
+/// struct Scene<'a> {
+///     objects: [Object<'a, &'static str>; 1],
+/// }
+/// let (positions, faces) = ([Vec3::X, Vec3::Y, Vec3::Z], [[0, 1, 2]]);
+/// let leaf = Mesh::new(&positions, &faces)?;
+/// let scene = Scene { objects: [Object::new(&leaf, Transform::IDENTITY, "paper")] };
+/// # assert_eq!(scene.objects[0].material, "paper");
+/// # Ok::<(), Error>(())
+/// ```
+///
 /// All objects of a slice have the same type of material. For different shaders, make the material a trait object
 /// (`&dyn`) of a trait of your own. The example uses the default options. In mode `Fast`, the type of the triangles
 /// would be `Prepared<(), &Mesh, DrawOptions<Fast>>`.
@@ -83,7 +97,7 @@ use crate::view::{AsMvp, Mvp, Perspective, ProjectionKind};
 /// ];
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Object<T, G = &'static Mesh<'static>> {
+pub struct Object<'a, T, G = &'a Mesh<'a>> {
     /// A mesh, or edges of a mesh.
     pub thing: G,
     /// From model to world space.
@@ -91,9 +105,11 @@ pub struct Object<T, G = &'static Mesh<'static>> {
     /// How the object is drawn.
     pub material: T,
     listing: Listing,
+    /// The lifetime of the mesh, if `G` is not written.
+    mesh: PhantomData<&'a Mesh<'a>>,
 }
 
-impl<T, G> Object<T, G> {
+impl<T, G> Object<'_, T, G> {
     /// An object that `model` places in the world: a mesh, [`mesh.edges(style)`](Mesh::edges) or
     /// [`mesh.outline(&outline, style)`](Mesh::outline).
     #[must_use]
@@ -107,6 +123,7 @@ impl<T, G> Object<T, G> {
                 rows: NO_ROWS,
                 depth_shift: DepthShift(0),
             },
+            mesh: PhantomData,
         }
     }
 }
@@ -147,7 +164,7 @@ impl<G: Listed> Placed<G> {
 pub enum Objects<'a, G, T> {
     One(Placed<G>, T),
     Many {
-        objects: &'a [Object<T, G>],
+        objects: &'a [Object<'a, T, G>],
         /// The transform that is applied after each object's own transform.
         world: Transform,
         camera: Transform,
@@ -165,17 +182,17 @@ impl<G, T> Objects<'_, G, T> {
 }
 
 /// The index of the object to which an element belongs.
-fn object_of<T, G>(objects: &[Object<T, G>], element: u32) -> usize {
+fn object_of<T, G>(objects: &[Object<'_, T, G>], element: u32) -> usize {
     // The last object that does not begin after the element. An object without elements begins at the same index as the
     // next object.
     let after = objects.partition_point(|object| object.listing.first <= element);
     after.wrapping_sub(1)
 }
 
-impl<T, G> Sealed for &mut [Object<T, G>] {}
-impl<T, G, const COUNT: usize> Sealed for &mut [Object<T, G>; COUNT] {}
+impl<T, G> Sealed for &mut [Object<'_, T, G>] {}
+impl<T, G, const COUNT: usize> Sealed for &mut [Object<'_, T, G>; COUNT] {}
 
-impl<'a, T, G: Listed> Scene<'a> for &'a mut [Object<T, G>] {
+impl<'a, T, G: Listed> Scene<'a> for &'a mut [Object<'_, T, G>] {
     type Thing = G;
     type Material = T;
 
@@ -200,7 +217,7 @@ impl<'a, T, G: Listed> Scene<'a> for &'a mut [Object<T, G>] {
     }
 }
 
-impl<'a, T, G: Listed, const COUNT: usize> Scene<'a> for &'a mut [Object<T, G>; COUNT] {
+impl<'a, T, G: Listed, const COUNT: usize> Scene<'a> for &'a mut [Object<'_, T, G>; COUNT] {
     type Thing = G;
     type Material = T;
 
@@ -259,7 +276,7 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
-    pub const fn objects(&self) -> &'a [Object<T, G>] {
+    pub const fn objects(&self) -> &'a [Object<'a, T, G>] {
         match &self.objects {
             Objects::One(..) => &[],
             Objects::Many { objects, .. } => objects,

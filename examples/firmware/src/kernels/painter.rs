@@ -25,7 +25,7 @@ enum Material {
 /// The objects of a scene in one pose, and their view.
 struct Scene {
     view: Mvp,
-    objects: Vec<Object<Material>>,
+    objects: Vec<Object<'static, Material>>,
     /// The number of objects that are drawn first, unsorted.
     ground: usize,
 }
