@@ -38,7 +38,7 @@ pub(super) fn share(light: i32, part: i32) -> i32 {
     ((i64::from(light) * i64::from(part)) >> 16) as i32
 }
 
-/// A light that makes highlights; see [`Lamp::shiny`].
+/// A light that makes highlights; see [`Lighting::shiny`].
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -48,6 +48,58 @@ pub struct Shiny<L> {
     pub(super) exponent: u8,
     /// The brightness of the highlight, in units of 2⁻¹⁶.
     pub(super) strength: i32,
+}
+
+/// A light that can make highlights: a lamp, also in a color or on both sides of a sheet. See [`Lighting::shiny`].
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a single lamp",
+    note = "make each `Light`, `PointLight` and `SpotLight` shiny before you put them together"
+)]
+pub trait Shine: Lighting {
+    /// The light with highlights.
+    type Shiny: Lighting;
+
+    fn shine(self, viewer: Viewer, exponent: u8, strength: i32) -> Self::Shiny;
+}
+
+impl<L: Lamp> Shine for L {
+    type Shiny = Shiny<L>;
+
+    #[inline]
+    fn shine(self, viewer: Viewer, exponent: u8, strength: i32) -> Shiny<L> {
+        Shiny {
+            lamp: self,
+            viewer,
+            exponent,
+            strength,
+        }
+    }
+}
+
+impl<L: Shine> Shine for Colored<L> {
+    type Shiny = Colored<L::Shiny>;
+
+    #[inline]
+    fn shine(self, viewer: Viewer, exponent: u8, strength: i32) -> Self::Shiny {
+        let Self { light, color } = self;
+        Colored {
+            light: light.shine(viewer, exponent, strength),
+            color,
+        }
+    }
+}
+
+impl<L: Shine> Shine for TwoSided<L> {
+    type Shiny = TwoSided<L::Shiny>;
+
+    #[inline]
+    fn shine(self, viewer: Viewer, exponent: u8, strength: i32) -> Self::Shiny {
+        TwoSided {
+            light: self.light.shine(viewer, exponent, strength),
+            viewer: self.viewer,
+        }
+    }
 }
 
 impl<L: Lamp> Lighting for Shiny<L> {
@@ -124,9 +176,10 @@ mod tests {
     use super::*;
     use crate::math::Direction;
     use crate::{Vec3, fx};
+    use embedded_graphics::pixelcolor::Rgb888;
 
     /// A user's lamp, with the greatest brightness that an `i32` holds.
-    #[derive(Clone, Copy)]
+    #[derive(Clone, Copy, Debug, PartialEq)]
     struct Brightest;
 
     impl Lighting for Brightest {
@@ -148,6 +201,22 @@ mod tests {
         }
     }
 
+    /// The types are equal as well: otherwise this test does not compile.
+    #[test]
+    fn adapters_of_a_lamp_come_in_any_order() {
+        let color = Rgb888::new(255, 128, 0);
+        let [eye, other] = [Vec3::Y, Vec3::Z].map(Viewer::at);
+        let shiny = Brightest.shiny(eye, 8, fx!(0.5)).unwrap();
+        let found = Brightest.colored(color).shiny(eye, 8, fx!(0.5));
+        assert_eq!(found, Ok(shiny.colored(color)));
+        let found = Brightest.two_sided(other).shiny(eye, 8, fx!(0.5));
+        assert_eq!(found, Ok(shiny.two_sided(other)));
+        let found = Brightest.two_sided(other).colored(color);
+        let expected = shiny.two_sided(other).colored(color);
+        assert_eq!(found.shiny(eye, 8, fx!(0.5)), Ok(expected));
+        assert!(found.shiny(eye, 8, fx!(1.5)).is_err());
+    }
+
     #[test]
     fn the_brightest_lamp_saturates() {
         let normal = Direction::of(Vec3::Y);
@@ -160,10 +229,7 @@ mod tests {
         let shiny = Brightest.shiny(viewer, 8, fx!(1)).unwrap();
         assert_eq!(shiny.at(&point).diffuse, i32::MAX);
         assert_eq!(
-            shiny
-                .colored(embedded_graphics::pixelcolor::Rgb888::new(255, 0, 0))
-                .at(&point)
-                .diffuse,
+            shiny.colored(Rgb888::new(255, 0, 0)).at(&point).diffuse,
             [i32::MAX, 0, 0]
         );
     }

@@ -13,7 +13,7 @@ mod sun;
 mod together;
 mod viewer;
 
-pub use adapters::{Colored, Shiny, TwoSided};
+pub use adapters::{Colored, Shine, Shiny, TwoSided};
 pub use illumination::Illumination;
 pub(super) use illumination::Packed;
 pub use lamp::Lamp;
@@ -202,6 +202,72 @@ pub trait Lighting: Copy {
             light: self,
             viewer,
         }
+    }
+
+    /// Adds a white highlight (Blinn–Phong) as the `viewer` sees it. The highlight's brightness is `strength` ·
+    /// (n·h)^`exponent` times the strength of the light at the point, where n is the normal, and h is the direction
+    /// halfway between the directions toward the light and toward the viewer.
+    ///
+    /// An exponent of 8 makes a wide highlight; an exponent of 100 makes a small one. Highlights are computed at the
+    /// corners and interpolated, so a mesh must be fine enough to show them. Highlights take one of the eight
+    /// [varyings](crate::shade::Varyings) that a shader may have.
+    ///
+    /// Only a [`Lamp`] can be shiny. [`colored`](Self::colored) and [`two_sided`](Self::two_sided) may come before or
+    /// after. Of several lights, make each one shiny before you put them together.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::OutOfRange`] if `strength` is not between 0 and 1.
+    ///
+    #[cfg_attr(doc, doc = page_picture!("shiny", "A ring with highlights"))]
+    /// ```
+    /// use embedded_graphics::mock_display::MockDisplay;
+    /// use embedded_graphics::pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor};
+    /// use fixel::prelude::*;
+    /// static BALL: Mesh = shape!(sphere(24, 16));
+    /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
+    /// let mvp = projection * Camera::front(Vec3::ZERO, fx!(1));
+    /// let sun = Light::new(vec3!(1, 1, 2), fx!(0.2), fx!(0.4))?;
+    /// let sun = sun.shiny(Viewer::of(&mvp), 30, fx!(0.8))?;
+    /// let mut pixels = [Gray4::BLACK; 144];
+    /// let mut canvas = Canvas::new(&mut pixels, 12, 12)?;
+    /// canvas.draw(&BALL, &mvp, &Flat::rgb(Rgb888::WHITE).lit(sun));
+    /// let mut display = MockDisplay::new();
+    /// canvas.show(&mut display)?;
+    /// display.assert_pattern(&[
+    ///     "000067780000",
+    ///     "005678989700",
+    ///     "045779899970",
+    ///     "056789BBA990",
+    ///     "35677ABDA987",
+    ///     "346789BCB997",
+    ///     "3456788A9977",
+    ///     "345577888876",
+    ///     "034556676760",
+    ///     "033455666550",
+    ///     "003334454400",
+    ///     "000033330000",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    /// ```compile_fail
+    /// use fixel::prelude::*;
+    /// fn both(sun: Light, moon: Light, viewer: Viewer) {
+    ///     // error: `[Light; 2]` is not a single lamp; note: make each `Light`, … shiny before …
+    ///     let _ = [sun, moon].shiny(viewer, 30, fx!(0.5));
+    /// }
+    /// ```
+    #[inline]
+    fn shiny(
+        self,
+        viewer: Viewer,
+        exponent: u8,
+        strength: Scalar,
+    ) -> Result<<Self as Shine>::Shiny, Error>
+    where
+        Self: Shine,
+    {
+        Ok(self.shine(viewer, exponent, brightness(strength)?))
     }
 }
 
