@@ -38,7 +38,71 @@
 //! | [`SpotLight`] | a lamp that shines in a cone |
 //! | [`.colored(color)`](Lighting::colored) | any light, in a color |
 //! | [`.two_sided(viewer)`](Lighting::two_sided) | any light, also on the backs of triangles |
-//! | [`.shiny(viewer, exponent, strength)`](Lamp::shiny) | one of the first three, with highlights |
+//! | [`.shiny(viewer, exponent, strength)`](Lighting::shiny) | one of the first three, with highlights |
+//!
+//! # A shader in a struct
+//!
+//! Keep the parts of a shader in your struct: textures, lights, fog. A method puts the parts together when you draw,
+//! which takes only a few instructions. Then you never write the type of a shader:
+//!
+//! ```
+//! use embedded_graphics::pixelcolor::Rgb565;
+//! use fixel::prelude::*;
+//!
+//! static WALL: Mesh = shape!(cuboid(vec3!(4, 2, 0.5)));
+//!
+//! struct Scene {
+//!     bricks: Texture<'static, Rgb565>,
+//!     sun: Light,
+//!     fog: Fog<Rgb565>,
+//! }
+//!
+//! impl Scene {
+//!     fn wall(&self) -> impl ShaderFor<Rgb565> {
+//!         Textured::new(self.bricks).bilinear().lit(self.sun).in_fog(self.fog)
+//!     }
+//!
+//!     fn draw(&self, canvas: &mut Canvas<Rgb565, Native, LinearDepth>, view: &Mvp) {
+//!         canvas.draw(&WALL, view, &self.wall());
+//!     }
+//! }
+//! ```
+//!
+//! A struct may also have a type parameter, `struct Model<S> { shader: S }`; the page of [`Shader`] has an example. Only a
+//! `static`, or a resource of RTIC, needs the type itself. The types are in this module. Here, `S` is the surface's type,
+//! `L` the light's, and `C` the color's:
+//!
+//! | made by | type |
+//! |---|---|
+//! | `surface.lit(light)`, `surface.lit_faces(light)` | `Lit<S, L>`, `FaceLit<S, L>` |
+//! | `surface.tinted()` | `Tinted<S>` |
+//! | `surface.in_fog(fog)` | `InFog<S, C>`, or `InFog<S, C, ExponentialFog>` |
+//! | `surface.map(effect)` | `Map<S, F>`; as `F`, write `fn(&Fragment, C) -> Option<C>` |
+//! | `surface.dithered()`, `surface.converted()` | `Dithered<S>`, `Converted<S, C>` |
+//! | `light.colored(color)`, `light.shiny(…)`, `light.two_sided(viewer)` | `Colored<L>`, `Shiny<L>`, `TwoSided<L>` |
+//! | [`Fog::linear`], [`Fog::exponential`] | `Fog<C>`, `Fog<C, ExponentialFog>` |
+//! | methods of `Textured` | see [`Textured`](Textured#the-type) |
+//!
+//! ```
+//! use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+//! use fixel::prelude::*;
+//! use fixel::shade::{Colored, Converted, Dithered, ExponentialFog, FaceLit, InFog, Lit, Map, Shiny, Tinted, TwoSided};
+//!
+//! struct Shaders {
+//!     lit: Lit<Flat<Rgb565>, Colored<Shiny<Light>>>,
+//!     hazy: InFog<FaceLit<Tinted<Flat<Rgb565>>, TwoSided<Light>>, Rgb565, ExponentialFog>,
+//!     gray: Dithered<Converted<Flat<Rgb565>, Rgb565>>,
+//!     inverted: Map<Flat<Rgb565>, fn(&Fragment, Rgb565) -> Option<Rgb565>>,
+//! }
+//! # fn shaders(red: Flat<Rgb565>, sun: Light, eye: Viewer, haze: Fog<Rgb565, ExponentialFog>) -> Result<Shaders, Error> {
+//! # Ok(Shaders {
+//! #     lit: red.lit(sun.shiny(eye, 8, fx!(1))?.colored(RgbColor::WHITE)),
+//! #     hazy: red.tinted().lit_faces(sun.two_sided(eye)).in_fog(haze),
+//! #     gray: red.converted().dithered(),
+//! #     inverted: red.map(|_, color| Some(Rgb565::new(31 - color.r(), 63 - color.g(), 31 - color.b()))),
+//! # })
+//! # }
+//! ```
 
 mod adapters;
 mod flat;

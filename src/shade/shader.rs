@@ -129,7 +129,8 @@ pub struct Fragment {
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// Each stack of shaders is a type of its own. There is no `dyn Shader`, because a call for each pixel would take
+/// Each stack of shaders is a type of its own; the module says [how a struct keeps a
+/// shader](crate::shade#a-shader-in-a-struct). There is no `dyn Shader`, because a call for each pixel would take
 /// longer than most shaders. To keep objects with different shaders in one list, choose the shader once for each draw
 /// call: by an enum, or by a trait of your own with a method that draws the object. (For a
 /// [`DrawList`](crate::DrawList), see [`Object`](crate::Object).)

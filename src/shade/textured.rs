@@ -41,18 +41,33 @@ use crate::texture::{Bilinear, Blend, CutOut, Filter, Nearest, Sampler, origin, 
 ///
 /// # The type
 ///
-/// The methods choose the type's parameters, which have defaults. A program that keeps a shader in a `struct` must name
-/// the parameters: after the texture's type, `true` for a clamped texture; then the filter, which is `Nearest`,
-/// `Bilinear` or `Trilinear`; and, for a mipmapped texture, `Mipmapped`.
+/// The methods choose the type's parameters, which have defaults. A program [that writes the
+/// type](crate::shade#a-shader-in-a-struct) must name the parameters: the texture's type; `true` for a clamped texture; the
+/// filter, which is `Nearest`, `Bilinear` or `Trilinear` (of the module [`texture`](crate::texture)); and
+/// `shade::Mipmapped` for a mipmapped texture. [`cut_out`](Self::cut_out) makes of a texture `S` a `texture::CutOut<S, C>`,
+/// where `C` is the color, and [`masked`](Self::masked) a `shade::Masked<S, M>`, where `M` is the mask.
 ///
 /// ```
-/// use embedded_graphics::pixelcolor::Rgb565;
-/// use fixel::{Texture, Textured, texture::Bilinear};
-/// struct Wall {
-///     skin: Textured<Texture<'static, Rgb565>, true, Bilinear>,
+/// use embedded_graphics::pixelcolor::{Gray4, Rgb565};
+/// use fixel::shade::{Masked, Mipmapped};
+/// use fixel::texture::{Bilinear, CutOut, Mipmap, Raw, Trilinear};
+/// use fixel::{Texture, Textured};
+/// struct Garden {
+///     wall: Textured<Texture<'static, Rgb565>, true, Bilinear>,
+///     fence: Textured<CutOut<Texture<'static, Rgb565>, Rgb565>>,
+///     pane: Textured<Masked<Texture<'static, Rgb565>, Raw<'static, Gray4>>>,
+///     lawn: Textured<Mipmap<'static, Rgb565>, false, Trilinear, Mipmapped>,
 /// }
-/// # fn wall(texture: Texture<'static, Rgb565>) -> Wall {
-/// Wall { skin: Textured::new(texture).clamped().bilinear() }
+/// # use fixel::{Error, Projection};
+/// # fn garden(t: Texture<'static, Rgb565>, mask: Raw<'static, Gray4>, mipmap: Mipmap<'static, Rgb565>, key: Rgb565,
+/// #     projection: &Projection) -> Result<Garden, Error> {
+/// # let (texture, mipmap) = (Textured::new(t), Textured::new(mipmap));
+/// # Ok(Garden {
+/// #     wall: texture.clamped().bilinear(),
+/// #     fence: texture.cut_out(key),
+/// #     pane: texture.masked(mask)?,
+/// #     lawn: mipmap.mipmapped(projection, (4, 3))?.trilinear(),
+/// # })
 /// # }
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
