@@ -77,7 +77,7 @@
 //! | part | made by | used as |
 //! |---|---|---|
 //! | [`Mesh`] | [`include_mesh!`], [`shape!`], [`mesh::Shape`], slices of your own | first argument of [`Canvas::draw`] |
-//! | [`Outline`]: edges with their faces, for silhouettes and creases | [`outline!`], [`Outline::build`] | argument of [`Mesh::outline`] |
+//! | [`Outline`]: edges with their faces, for silhouettes and creases | [`outline!`], [`Outline::build`] | argument of [`Mesh::outline`], which draws lines, and of [`Canvas::smooth_edges`], which removes stairs |
 //! | [`Mvp`], the model-view-projection | `projection * camera * spin` of a [`Projection`], a [`Camera`] and [`Transform`]s | second argument |
 //! | [`Shader`] | [`shade`], or ten lines of your own | third argument |
 //! | [`DrawOptions`]: culling, viewport, interpolation mode, depth test, blending | [`DrawOptions::new`] | first argument of [`Canvas::draw_with`] |

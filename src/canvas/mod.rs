@@ -35,5 +35,5 @@ pub use depth_test::{
 };
 pub use diffusion::ErrorDiffusion;
 pub use label::Label;
-pub(crate) use storage::Cells;
+pub(crate) use storage::{Cells, Memory};
 pub use storage::{Native, Storage, Words};

@@ -284,6 +284,7 @@
 //! | a mirror image is lit from the wrong side | mirror the camera, not the model: [`Camera::mirrored`](crate::Camera::mirrored) |
 //! | a spot or a highlight has jagged edges, or is missing | light is computed at the corners of triangles: make the mesh finer |
 //! | distant surfaces flicker through each other | move the near plane away from the eye: see [Depth](#depth) |
+//! | edges of surfaces have stairs | call [`Canvas::smooth_edges`](crate::Canvas::smooth_edges) after drawing |
 //! | lines on a surface are broken | draw the surface with [`Biased::behind`](crate::canvas::Biased::behind), slightly behind its true depth; or draw its [outline](crate::Mesh::outline) with [`Biased::in_front`](crate::canvas::Biased::in_front) |
 //!
 //! [Firmware](crate::guide::firmware#when-the-picture-is-wrong) has a similar table for displays.

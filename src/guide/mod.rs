@@ -11,7 +11,7 @@
 //! 4. **[Firmware](firmware)**: from `cargo new` to a panel on SPI, with bands and DMA.
 //! 5. **[Displays](displays)**: programs for round panels, electronic paper, OLEDs, and panels with 18 bits per pixel;
 //!    how to send only a window of the frame, how to avoid tearing, and how to keep two frames in memory.
-//! 6. **[Mathematics](mathematics)**: nine pages, from a vertex to its pixels. Every formula is derived, and a
+//! 6. **[Mathematics](mathematics)**: ten pages, from a vertex to its pixels. Every formula is derived, and a
 //!    program checks it.
 //! 7. **[Choosing a mode](modes)**: the speed and the error of each mode of interpolation, and how the bound of each
 //!    error is derived.

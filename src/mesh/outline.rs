@@ -9,7 +9,8 @@ use crate::num::Angle;
 
 /// The edges of a mesh that may be part of its outline, each with its two faces.
 ///
-/// [`Mesh::outline`] draws the edges that show the shape, as seen from the eye:
+/// [`Mesh::outline`] draws the edges that show the shape, as seen from the eye, and
+/// [`Canvas::smooth_edges`](crate::Canvas::smooth_edges) removes the stairs along them:
 ///
 /// - *creases*, where two faces meet at an angle above a limit;
 /// - *silhouettes*, where a front face meets a back face, and borders, which have only one face.
@@ -119,7 +120,7 @@ impl<'a> Outline<'a> {
         Ok(Self::of(edges, creases))
     }
 
-    /// The edges, creases first: see [`new`](Self::new).
+    /// The edges: creases first, then the others, each in the order of the mesh's faces. See [`new`](Self::new).
     #[must_use]
     pub const fn edges(&self) -> &'a [[Index; 4]] {
         self.edges

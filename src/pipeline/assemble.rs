@@ -69,7 +69,7 @@ pub(super) fn areas<K: ProjectionKind, const N: usize>(
     if any == 0 {
         return areas;
     }
-    let area = |face| clipped_area(call, vertices, &face);
+    let area = |face| clipped_area(call, vertices, face);
     let [left, right] = [[a, b, c], [b, a, d]].map(area);
     [left, -right]
 }
@@ -80,9 +80,9 @@ pub(super) fn areas<K: ProjectionKind, const N: usize>(
 fn clipped_area<K: ProjectionKind, const N: usize>(
     call: &Call<'_, K>,
     vertices: &mut VertexCache<N>,
-    indices: &[Index; 3],
+    indices: [Index; 3],
 ) -> i64 {
-    let corners = vertices.copies(&call.projector, *indices);
+    let corners = vertices.copies(&call.projector, indices);
     let [a, b, c] = &corners;
     let any = a.outcode | b.outcode | c.outcode;
     if any == 0 {
@@ -92,7 +92,7 @@ fn clipped_area<K: ProjectionKind, const N: usize>(
         return 0;
     }
     let mut polygon = ClippedPolygon::new();
-    clip(&call.projector, indices, any, &mut polygon);
+    clip(&call.projector, &indices, any, &mut polygon);
     Polygon::area(&polygon)
 }
 

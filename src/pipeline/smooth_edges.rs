@@ -8,12 +8,13 @@ use super::edges::{self, Edges, EdgesOf};
 use super::list::Prepared;
 use super::options::DrawOptions;
 use crate::canvas::{
-    Biased, Canvas, DepthBuffer, DepthTest, Storage, TestAndWrite, WideFloatDepth,
+    Biased, Canvas, DepthBuffer, DepthTest, Memory, Storage, TestAndWrite, WideFloatDepth,
 };
 use crate::error::Error;
 use crate::mesh::{Mesh, Outline, Primitive};
 use crate::raster::{
-    self, Blitter, Coloring, Columns, DepthShift, Patch, Rows, Scissor, ScreenVertex, Straddle,
+    self, Blitter, Coloring, Columns, DepthShift, Pair, Patch, Rows, Scissor, ScreenVertex,
+    Straddle,
 };
 use crate::shade::PixelFormat;
 use crate::view::{AsMvp, ProjectionKind};
@@ -168,81 +169,99 @@ impl<'s, 'c, C: PixelFormat, O: Storage<C>, D: DepthBuffer> Smoother<'s, 'c, C, 
     }
 
     /// Smooths an edge; `beside` is how steep the faces beside it are.
-    ///
-    /// A pixel is mixed once, with the color that its neighbor had before. So the result at a pixel depends only on the
-    /// colors and depths of this pixel and of its four neighbors, and bands that overlap by a row are smoothed like the
-    /// whole frame. A pixel is mixed by the first edge that passes it and is not hidden there.
     fn edge(&mut self, [a, b]: [&ScreenVertex; 2], beside: u16) {
         let Some(mut straddle) = Straddle::new(&self.scissor, [a, b]) else {
             return;
         };
         let ([from, to, _], exponent) = ScreenVertex::weights([a, b, b]);
         let [from, to] = [from, to].map(u32::cast_signed);
-        let change = to - from;
+        let [mut q, per_step] = straddle.linear(from, to - from);
         let down = self.shift.right_shift(exponent);
-        let [mut q, per_pixel] = straddle.linear(from, change);
-        let steepness = per_pixel
+        let steepness = per_step
             .unsigned_abs()
             .max(WideFloatDepth::decode(beside.into(), down));
         let bias = Biased::in_front(TestAndWrite).bias(steepness);
-        let memory = self.canvas.memory();
-        let (width, first_row) = (memory.width.cast_signed(), memory.first_row.cast_signed());
+
+        let is_steep = straddle.is_steep;
+        let mut memory = self.canvas.memory();
+        let width = memory.width.cast_signed();
         let start = straddle.steps.start;
-        // The index of the pixel with the number 0 across the edge, and how far it moves from step to step.
-        let (across, stride, mut base, next) = if straddle.is_steep {
-            (&self.scissor.columns, 1, (start - first_row) * width, width)
+        let [row, column] = if is_steep { [start, 0] } else { [0, start] };
+        // The index of the pixel with the number 0 across the edge; it moves by `next` from step to step.
+        let mut base = (row - memory.first_row.cast_signed()) * width + column;
+        let (across, stride, next) = if is_steep {
+            (&self.scissor.columns, 1, width)
         } else {
-            (&self.scissor.rows, width, start - first_row * width, 1)
+            (&self.scissor.rows, width, 1)
         };
         for step in straddle.steps.clone() {
-            let pair = straddle.next();
+            let Pair { first, beyond } = straddle.next();
             let depth = Biased::<TestAndWrite>::depth::<D>(bias, q.max(0).cast_unsigned(), down);
-            // An edge at the near plane must not pass pixels that are done.
-            let depth = depth.min(u32::from(DONE) - 1);
-            q = q.wrapping_add(per_pixel);
-            let at = [0, 1].map(|i| {
-                let number = pair.first + i;
+            let numbers = [first, first + 1];
+            let places = numbers.map(|number| {
                 if across.contains(&number) {
-                    (base + number * stride) as usize
+                    (base + number * stride).cast_unsigned() as usize
                 } else {
                     usize::MAX
                 }
             });
+            let points = numbers.map(|number| {
+                if is_steep {
+                    Point::new(number, step)
+                } else {
+                    Point::new(step, number)
+                }
+            });
+            mix(&mut memory, (places, points), beyond, depth);
+            q = q.wrapping_add(per_step);
             base += next;
-            let mut is_done = [false; 2];
-            let mut is_passed = pair.beyond.map(|share| share > 0);
-            if D::IS_KEPT {
-                for i in [0, 1] {
-                    if let Some(stored) = memory.depths.get_mut(at[i]) {
-                        is_done[i] = *stored == DONE;
-                        is_passed[i] &= depth >= u32::from(*stored);
-                        if is_passed[i] {
-                            *stored = DONE;
-                        }
-                    }
-                }
+        }
+    }
+}
+
+/// Mixes the two pixels of a pair, each with the color that the other has, if the edge is not hidden there. Each pixel is
+/// given by its index in memory and its point of the frame, and by the share that lies beyond the edge; `depth` is the
+/// edge's depth.
+///
+/// A pixel is mixed once, with the color that its neighbor had before it was mixed itself. So the result at a pixel
+/// depends only on the colors and depths of this pixel and of its four neighbors, and bands that overlap by a row have
+/// the bits of the whole frame. If the neighbor is missing or was mixed by another edge, the pixel is marked all the
+/// same, because in another band, the neighbor may be there.
+#[inline(always)]
+#[allow(clippy::inline_always)] // a call would keep the loop's numbers in memory
+fn mix<C: PixelFormat, O: Storage<C>, D: DepthBuffer>(
+    memory: &mut Memory<'_, C, O, D>,
+    (places, points): ([usize; 2], [Point; 2]),
+    beyond: [i32; 2],
+    depth: u32,
+) {
+    // An edge at the near plane must not pass pixels that are done.
+    let depth = depth.min(u32::from(DONE) - 1);
+    let mut is_done = [false; 2];
+    let mut is_passed = beyond.map(|share| share > 0);
+    for i in [0, 1] {
+        // Without a depth buffer, there is no depth.
+        if let Some(stored) = memory.depths.get_mut(places[i]) {
+            is_done[i] = *stored == DONE;
+            is_passed[i] &= depth >= u32::from(*stored);
+            if is_passed[i] {
+                *stored = DONE;
             }
-            is_passed = [is_passed[0] && !is_done[1], is_passed[1] && !is_done[0]];
-            if is_passed == [false; 2] {
-                continue;
-            }
-            let [Some(&first), Some(&second)] = at.map(|at| memory.colors.get(at)) else {
-                continue;
-            };
-            let (first, second) = (O::load(first), O::load(second));
-            for (i, own, other) in [(0, first, second), (1, second, first)] {
-                if is_passed[i]
-                    && let Some(cell) = memory.colors.get_mut(at[i])
-                {
-                    let number = pair.first + i as i32;
-                    let point = if straddle.is_steep {
-                        Point::new(number, step)
-                    } else {
-                        Point::new(step, number)
-                    };
-                    *cell = O::store(own.covered(other, pair.beyond[i] << 8, point));
-                }
-            }
+        }
+    }
+    let is_mixed = [is_passed[0] && !is_done[1], is_passed[1] && !is_done[0]];
+    if is_mixed == [false; 2] {
+        return;
+    }
+    let [Some(&first), Some(&second)] = places.map(|place| memory.colors.get(place)) else {
+        return;
+    };
+    let (first, second) = (O::load(first), O::load(second));
+    for (i, own, other) in [(0, first, second), (1, second, first)] {
+        if is_mixed[i]
+            && let Some(cell) = memory.colors.get_mut(places[i])
+        {
+            *cell = O::store(own.covered(other, beyond[i] << 8, points[i]));
         }
     }
 }

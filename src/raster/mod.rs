@@ -30,7 +30,7 @@ pub(crate) use scissor::Scissor;
 pub use sized_point::PointStyle;
 pub(crate) use sized_point::{half_size, sized_point};
 pub(crate) use smooth_line::{Coverage, smooth_line};
-pub(crate) use straddle::{Straddle, smooth_edge};
+pub(crate) use straddle::{Pair, Straddle, smooth_edge};
 pub(crate) use triangle::{Triangle, area};
 pub(crate) use vertex::{
     Barycentric, ClippedVertex, DepthShift, LEAST_WEIGHT, MOST_WEIGHT, ScreenVertex,

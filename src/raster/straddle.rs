@@ -14,6 +14,11 @@ pub(crate) fn smooth_edge(raster: &mut Rasterizer<'_>, [a, b]: [&ClippedVertex; 
     });
 }
 
+/// Whether an edge has more rows than columns.
+const fn is_steep([[ax, ay], [bx, by]]: [[i32; 2]; 2]) -> bool {
+    ax.abs_diff(bx) < ay.abs_diff(by)
+}
+
 /// The pixels whose centers lie on either side of an edge: for each column that the edge passes, a pixel and the pixel
 /// below it, or, for each row that a steep edge passes, a pixel and the pixel on its right.
 ///
@@ -50,7 +55,7 @@ impl Straddle {
     #[inline]
     pub(crate) fn new(scissor: &Scissor, [a, b]: [&ScreenVertex; 2]) -> Option<Self> {
         let ([ax, ay], [bx, by]) = (a.screen, b.screen);
-        let is_steep = ax.abs_diff(bx) < ay.abs_diff(by);
+        let is_steep = is_steep([a.screen, b.screen]);
         let (mut from, mut to, along) = if is_steep {
             ([ax, ay], [bx, by], &scissor.rows)
         } else {
@@ -142,5 +147,71 @@ impl Straddle {
         } else {
             0
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fixtures::picture::{Picture, vertex};
+    use crate::random::{cases, within};
+    use crate::raster::{Triangle, area};
+    use rand::Rng;
+
+    const SIDES: [i32; 2] = [24, 18];
+
+    /// The pixels that a parallelogram covers: it has a side from a to b, and reaches from there along the axis that the
+    /// edge is crossed by, to the right or down.
+    fn beside(a: [i32; 2], b: [i32; 2], is_steep: bool) -> Picture {
+        let mut picture = Picture::new(SIDES[0] as usize, SIDES[1] as usize);
+        let scissor = picture.scissor();
+        let moved = |[x, y]: [i32; 2]| {
+            if is_steep {
+                [x + (40 << 8), y]
+            } else {
+                [x, y + (40 << 8)]
+            }
+        };
+        for corners in [[a, b, moved(a)], [moved(a), b, moved(b)]] {
+            let vertices = corners.map(vertex);
+            if let Some(triangle) =
+                &Triangle::new(vertices.each_ref(), None, area(&corners), &scissor)
+            {
+                picture.draw(&scissor, |raster| raster.triangle(triangle, None));
+            }
+        }
+        picture
+    }
+
+    /// Between the two pixels of each pair, and nowhere else in the columns or rows of the steps, triangles on one side of
+    /// the edge end. Many edges pass through the centers of pixels.
+    #[test]
+    fn triangles_end_between_the_pixels_of_a_pair() {
+        cases(4000, |random| {
+            let grid = 1 << random.random_range(0..8);
+            let ends = [0, 1].map(|_| {
+                within(random, [-4 << 8..28 << 8, -4 << 8..22 << 8]).map(|at| at / grid * grid)
+            });
+            let [a, b] = ends.map(vertex);
+            let picture = beside(ends[0], ends[1], is_steep(ends));
+            let scissor = picture.scissor();
+            let Some(mut straddle) = Straddle::new(&scissor, [&a, &b]) else {
+                return;
+            };
+            let rows = picture.text();
+            for step in straddle.steps.clone() {
+                let pair = straddle.next();
+                let count = SIDES[usize::from(!straddle.is_steep)];
+                for number in 0..count {
+                    let (x, y) = if straddle.is_steep {
+                        (number, step)
+                    } else {
+                        (step, number)
+                    };
+                    let is_drawn = rows[y as usize].as_bytes()[x as usize] != b'.';
+                    assert_eq!(is_drawn, number > pair.first, "{ends:?} {x} {y}");
+                }
+            }
+        });
     }
 }

@@ -25,13 +25,14 @@
 //! 15. [An edge](triangles#an-edge): on which side of an edge a pixel lies
 //! 16. [An area](triangles#an-area): its sign, and barycentric coordinates
 //! 17. [A shared edge](triangles#a-shared-edge): the top-left rule, by which each pixel is drawn once
-//! 18. [A normal](light#a-normal): the transpose of the inverse
-//! 19. [Matte surfaces](light#matte-surfaces): Lambert's cosine
-//! 20. [Highlights](light#highlights): Phong's mirror and Blinn's halfway direction
-//! 21. [An attribute](pixels#an-attribute): one reciprocal per pixel
-//! 22. [A depth step](pixels#a-depth-step): how far apart surfaces must be
-//! 23. [A mip level](pixels#a-mip-level): how many texels a pixel covers
-//! 24. [Fixed point](fixed_point#fixed-point): formats and errors
+//! 18. [A share](coverage#a-share): how much of a pixel lies beyond an edge
+//! 19. [A normal](light#a-normal): the transpose of the inverse
+//! 20. [Matte surfaces](light#matte-surfaces): Lambert's cosine
+//! 21. [Highlights](light#highlights): Phong's mirror and Blinn's halfway direction
+//! 22. [An attribute](pixels#an-attribute): one reciprocal per pixel
+//! 23. [A depth step](pixels#a-depth-step): how far apart surfaces must be
+//! 24. [A mip level](pixels#a-mip-level): how many texels a pixel covers
+//! 25. [Fixed point](fixed_point#fixed-point): formats and errors
 //!
 //! The axes are right-handed: x points to the right, and y points up. The eye is at the origin and looks along −z. The
 //! numbers *n* and *f* are the distances of the near and the far plane, both above zero. Each step ends with the names
@@ -40,6 +41,7 @@
 
 pub mod camera;
 pub mod clipping;
+pub mod coverage;
 pub mod fixed_point;
 pub mod light;
 pub mod lines;

@@ -101,4 +101,4 @@
 //! Tests: `accuracy/formulas/coverage.rs`; all kinds of meshes in `accuracy/coverage.rs`. Beside the code: edges in
 //! `src/raster/edge.rs`, pictures in `src/raster/triangle.rs`.
 //!
-//! Next page: [A normal](crate::guide::mathematics::light#a-normal).
+//! Next page: [A share](crate::guide::mathematics::coverage#a-share).

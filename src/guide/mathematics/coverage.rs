@@ -1,0 +1,75 @@
+//! Coverage: which share of a pixel lies beyond an edge, and what follows for the color of the pixel.
+//!
+//! # A share
+//!
+//! **The best color of a pixel is the mean of the picture over its square.** The [top-left
+//! rule](crate::guide::mathematics::triangles#a-shared-edge) gives each pixel the color at its center. Along an edge
+//! between two colors, this makes stairs. If the color is *A* on the pixel's own side of the edge and *B* beyond it, the
+//! mean needs only one number, the share *s* of the square that lies beyond the edge:
+//!
+#![doc = formula!({A + s (B - A)})]
+//!
+//! An edge with more columns than rows passes, in each column, between the centers of two pixels above each other. In a
+//! steep edge, rows and columns change places. Let *m* be the edge's slope, from 0 (level) to 1 (diagonal), and *d* the
+//! distance from a center straight up or down to the edge. Both pixels together have *d* + *d*′ = 1.
+//!
+#![doc = include_str!("../diagrams/share.svg")]
+//!
+//! Across the pixel, the edge rises by *m*. So its height above or below the center is from *d* − *m*/2 to *d* + *m*/2,
+//! and the pixel ends at ½. There are three cases.
+//!
+//! - *d* + *m*/2 ≤ ½: the edge leaves the pixel through its left and right side. Beyond it is a trapezoid of width 1,
+//!   with the mean height ½ − *d*.
+//! - *d* − *m*/2 ≥ ½: the edge misses the pixel.
+//! - Between these cases, it cuts off a corner. The triangle beyond it has the height *u* = ½ + *m*/2 − *d*, and the
+//!   width *u*/*m*:
+//!
+#![doc = formula!({s = frac(u^2)(2 m)} {u = frac(1 + m)(2) - d})]
+//!
+//! Where the cases meet, at *u* = *m* and *u* = 0, the shares are the same. Only the two pixels of a column can have a
+//! share: the next pixel's distance is above 1, and *m* is at most 1.
+//!
+//! ```
+//! use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+//! use fixel::prelude::*;
+//!
+//! /// The share beyond an edge of slope m at the distance d.
+//! fn share(m: f64, d: f64) -> f64 {
+//!     let u = (1. + m) / 2. - d;
+//!     if u >= m { 0.5 - d } else { u.max(0.).powi(2) / (2. * m) }
+//! }
+//!
+//! // White below an edge of slope ½ that passes 0.25 pixel below the middle of a canvas of 8x8.
+//! let positions = [vec3!(-8, -4.25, 0), vec3!(8, -4.25, 0), vec3!(8, 3.75, 0)];
+//! let half = Mesh::new(&positions, &[[0, 1, 2]])?;
+//! let edge = [[2, 0, 1, 2]]; // a border: from position 2 to position 0, beside the face 2 0 1
+//! let edge = Outline::new(&half, &edge, 0)?;
+//! let projection = Projection::orthographic(Window::centered(fx!(8), fx!(8)), fx!(-1), fx!(1))?;
+//! let mut pixels = [Gray8::BLACK; 64];
+//! let mut canvas = Canvas::new(&mut pixels, 8, 8)?;
+//! canvas.draw(&half, &projection, &Flat::new(Gray8::WHITE));
+//! canvas.smooth_edges(&DrawOptions::new(), &half, &edge, &projection);
+//! for (at, gray) in pixels.iter().enumerate() {
+//!     // How far the center is below the edge.
+//!     let (x, y) = ((at % 8) as f64 - 3.5, 3.5 - (at / 8) as f64);
+//!     let below = x / 2. - 0.25 - y;
+//!     let white = if below < 0. { share(0.5, -below) } else { 1. - share(0.5, below) };
+//!     assert!((f64::from(gray.luma()) / 255. - white).abs() < 3. / 256.);
+//! }
+//! # Ok::<(), Error>(())
+//! ```
+//!
+//! **The neighbor's color is *B*.** Of the two pixels, one shows what is on one side of the edge, and one shows what is
+//! on the other side. So [`Canvas::smooth_edges`](crate::Canvas::smooth_edges) mixes each of them with the color that
+//! the other had, and needs neither the shader nor the order in which things were drawn. The shape does not grow: over a
+//! column, what one pixel gains is what the exact picture has there. Two things remain. Colors are not constant, so the
+//! neighbor's center is only near the edge. And in the pixel of a corner, a second edge cuts the square, and each pixel
+//! is mixed by one edge only.
+//!
+//! **Rounding adds less than 3/256.** Positions have 8 fraction bits. The distance is a rest of the edge's exact division
+//! ([fixed point](crate::guide::mathematics::fixed_point#fixed-point)), rounded down to 1/256. The slope is rounded down
+//! to 1/256, which changes a share by at most an eighth of this. The share of a corner is rounded down once more.
+//!
+//! Tests: `accuracy/smooth_edges.rs`; pairs of pixels in `src/raster/straddle.rs`.
+//!
+//! Next page: [A normal](crate::guide::mathematics::light#a-normal).
