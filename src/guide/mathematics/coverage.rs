@@ -11,7 +11,7 @@
 //!
 //! An edge with more columns than rows passes, in each column, between the centers of two pixels above each other. In a
 //! steep edge, rows and columns change places. Let *m* be the edge's slope, from 0 (level) to 1 (diagonal), and *d* the
-//! distance from a center straight up or down to the edge. Both pixels together have *d* + *d*′ = 1.
+//! distance from a center straight up or down to the edge. The distances of both pixels add up to 1.
 //!
 #![doc = include_str!("../diagrams/share.svg")]
 //!
