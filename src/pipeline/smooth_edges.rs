@@ -34,7 +34,9 @@ impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ///
     /// Where two colors meet along a long edge, the result is within 3/256 of the exact share. Compared with a mean of
     /// 64 or 256 samples a pixel, the error along silhouettes falls by 70 to 90 %. On a Cortex-M4, smoothing adds a
-    /// tenth to two fifths to the instructions of a lit mesh. Formats with at most 4 bits per channel are dithered.
+    /// tenth to two fifths to the instructions of a lit mesh. Formats with at most 4 bits per channel are dithered. In
+    /// black and white this shows little, so draw and smooth a canvas of `Gray8`, and dither it when it is shown
+    /// ([`show_with`](Self::show_with), [`show_diffused`](Canvas::show_diffused)).
     ///
     /// Each pixel is mixed once. To mark it, its depth becomes the nearest one, so draw nothing with a depth test after
     /// it, except after [`clear_depth`](Self::clear_depth). Without a depth buffer, a pixel at a corner may be mixed
