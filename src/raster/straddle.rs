@@ -158,12 +158,12 @@ mod tests {
     use crate::raster::{Triangle, area};
     use rand::Rng;
 
-    const SIDES: [i32; 2] = [24, 18];
+    const SIDES: [usize; 2] = [24, 18];
 
     /// The pixels that a parallelogram covers: it has a side from a to b, and reaches from there along the axis that the
     /// edge is crossed by, to the right or down.
     fn beside(a: [i32; 2], b: [i32; 2], is_steep: bool) -> Picture {
-        let mut picture = Picture::new(SIDES[0] as usize, SIDES[1] as usize);
+        let mut picture = Picture::new(SIDES[0], SIDES[1]);
         let scissor = picture.scissor();
         let moved = |[x, y]: [i32; 2]| {
             if is_steep {
@@ -201,14 +201,14 @@ mod tests {
             let rows = picture.text();
             for step in straddle.steps.clone() {
                 let pair = straddle.next();
-                let count = SIDES[usize::from(!straddle.is_steep)];
-                for number in 0..count {
-                    let (x, y) = if straddle.is_steep {
-                        (number, step)
+                let step = usize::try_from(step).unwrap();
+                for (number, at) in (0..).zip(0..SIDES[usize::from(!straddle.is_steep)]) {
+                    let [x, y] = if straddle.is_steep {
+                        [at, step]
                     } else {
-                        (step, number)
+                        [step, at]
                     };
-                    let is_drawn = rows[y as usize].as_bytes()[x as usize] != b'.';
+                    let is_drawn = rows[y].as_bytes()[x] != b'.';
                     assert_eq!(is_drawn, number > pair.first, "{ends:?} {x} {y}");
                 }
             }
