@@ -85,7 +85,8 @@
 //! | [`Object`]s: meshes with their transforms and materials | [`Object::new`] | argument of [`DrawList::prepare`] |
 //! | [`Sprites`]: billboards, particles | [`Sprites::new`], [`Sprites::in_pixels`] | first argument of [`Canvas::draw`] |
 //! | Lines and points | [`Mesh::edges`], [`Mesh::outline`], [`Mesh::points`] with a [`LineStyle`] or [`PointStyle`] | first argument of [`Canvas::draw`] |
-//! | [`Ray`] of a pixel | [`Canvas::ray`] | [`Ray::hit`] finds the face of a mesh that is seen at this pixel |
+//! | [`Viewport`]: where the picture is | [`Viewport::new`], [`Canvas::viewport`] | without a canvas, tells where a point or a mesh is on the screen: [`Viewport::project`], [`rectangle_on_screen`](Viewport::rectangle_on_screen) |
+//! | [`Ray`] of a pixel | [`Viewport::ray`] | [`Ray::hit`] finds the face of a mesh that is seen at this pixel |
 //! | [`Canvas`]: colors, depth, rows | [`Canvas::new`], [`Canvas::band`], over your slices | the picture for a display: [`Canvas::show`] or [`Canvas::as_bytes`] |
 //!
 //! # Spaces

@@ -12,6 +12,7 @@ use super::depth::{DepthBuffer, LinearDepth, NoDepth};
 use super::storage::{Cell, Cells, Memory, Native, Storage};
 use crate::error::Error;
 use crate::error::{check_count, check_length, ok};
+use crate::view::Viewport;
 
 /// Largest width and height of a frame, in pixels.
 const MAX_SIZE: u32 = 2048;
@@ -212,6 +213,13 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         Size::new(self.width, self.height)
     }
 
+    /// The viewport of the whole frame, to which draw calls project unless their options name another viewport. Ask it
+    /// where points and meshes are on the screen: see [`Viewport::project`].
+    #[must_use]
+    pub const fn viewport(&self) -> Viewport {
+        Viewport::whole(self.frame_size())
+    }
+
     /// The rows of the frame that are in memory: all of them, unless the canvas is a band.
     #[must_use]
     pub const fn rows(&self) -> &Range<u32> {
@@ -396,8 +404,8 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// let mut canvas = Canvas::new(&mut pixels, 8, 8)?.with_depth(&mut depths)?;
     /// let projection = Projection::perspective(deg!(90), (1, 1), fx!(0.5), fx!(20))?;
     /// canvas.draw(&WALL, &(projection * Transform::translate(vec3!(0, 0, -3))), &Flat::new(Gray8::new(9)));
-    /// let behind = canvas.project(&DrawOptions::new(), &projection, vec3!(0, 0, -9)).unwrap();
-    /// assert!(canvas.depth_at(Point::new(4, 4)) > Some(behind.depth));
+    /// let behind = canvas.viewport().project(vec3!(0, 0, -9), &projection).unwrap();
+    /// assert!(canvas.depth_at(Point::new(4, 4)) > Some(behind.depth::<LinearDepth>()));
     /// assert_eq!(canvas.depth_at(Point::new(0, 0)), Some(0)); // nothing is there
     /// assert_eq!(canvas.depth_at(Point::new(8, 0)), None);
     /// # Ok::<(), Error>(())

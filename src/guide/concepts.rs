@@ -276,7 +276,7 @@
 //! | what you see | what to check |
 //! |---|---|
 //! | nothing, and [`submitted`](crate::Drawn::submitted) is 0 | the mesh has no faces |
-//! | nothing, and [`drawn`](crate::Drawn::drawn) is 0 | all triangles are culled or out of view. If the triangles appear with [`Cull::Nothing`](crate::Cull::Nothing), their corners are in clockwise order. [`Canvas::project`](crate::Canvas::project) gives the position of a point on the screen, or `None` if the point is nearer than the near plane, beyond the far plane, or far outside the viewport |
+//! | nothing, and [`drawn`](crate::Drawn::drawn) is 0 | all triangles are culled or out of view. If the triangles appear with [`Cull::Nothing`](crate::Cull::Nothing), their corners are in clockwise order. [`Viewport::project`](crate::Viewport::project) gives the position of a point on the screen, or `None` if the point is nearer than the near plane, beyond the far plane, or far outside the viewport |
 //! | nothing, although triangles are drawn | the depth buffer still has the depths of the last frame: call `clear` before each frame |
 //! | the inside of objects | the corners of triangles are in clockwise order: see [Mesh](#mesh) |
 //! | one color in place of a texture or of vertex colors | [`missing`](crate::Drawn::missing): the mesh lacks texture coordinates or colors |

@@ -18,7 +18,7 @@
 //! [Firmware](crate::guide::firmware) covers the whole chip: DMA, two cores, and Embassy and RTIC.
 //!
 #![doc = page_picture!(# "A window of the frame", "displays/", "window")]
-//! Most of a dashboard does not move. If you know where an object moves, draw and send only a window around the object.
+//! Most of a dashboard does not move. So draw and send only a window around the object that moves.
 //! In the picture, the window is yellow, and has a ninth of the frame's pixels.
 //!
 //! Make a canvas as large as the window. On this canvas, draw with the viewport of the whole frame, moved left and up
@@ -29,7 +29,8 @@
 //! coordinates of the window's corner must be multiples of 8. The method `translated` of embedded-graphics is used
 //! twice: with `canvas.translated`, text is placed by its position in the frame; with `display.translated`, the window
 //! goes to its place on the display. The window must contain both the old and the new position of the moving object.
-//! [`Canvas::project`](crate::Canvas::project) gives the position of a point of the scene in the frame.
+//! [`Viewport::rectangle_on_screen`](crate::Viewport::rectangle_on_screen) gives a rectangle around a mesh. This program
+//! uses the same window for all turns.
 //!
 //! ```ignore
 #![doc = include_str!("../../examples/cookbook/src/displays/window.rs")]

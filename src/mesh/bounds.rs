@@ -5,7 +5,8 @@ use crate::math::Vec3;
 
 /// A box with sides parallel to the axes of model space, such as the smallest box of this kind around a mesh.
 ///
-/// [`Canvas::is_in_view`](crate::Canvas::is_in_view) uses the box to tell whether a mesh may have pixels in the frame.
+/// [`Canvas::is_in_view`](crate::Canvas::is_in_view) uses the box to tell whether a mesh may have pixels in the canvas,
+/// and [`Viewport::rectangle_on_screen`](crate::Viewport::rectangle_on_screen) tells which pixels these may be.
 /// If the box is stored in a `static`, the compiler computes it:
 ///
 /// ```

@@ -1,8 +1,8 @@
 //! The draw call: a thing through its stages onto a canvas.
 //!
-//! [`Canvas::draw_with`] in this file starts the stages, and [`run`] has them in order. Two files have methods of the
-//! canvas that draw nothing: [`on_screen`] tells where a point or a mesh is on the screen, and [`ray`] tells what
-//! is seen at a pixel.
+//! [`Canvas::draw_with`] in this file starts the stages, and [`run`] has them in order. Three files have questions that
+//! draw nothing: [`on_screen`] tells where a point is on the screen, [`rectangle`] tells which pixels a mesh may change,
+//! and [`ray`] tells what is seen at a pixel.
 
 mod assemble;
 mod cache;
@@ -14,6 +14,7 @@ mod on_screen;
 mod options;
 mod points;
 mod ray;
+mod rectangle;
 mod run;
 mod smooth_edges;
 mod sprites;

@@ -1,4 +1,4 @@
-//! Where points and meshes are on the screen: questions to a canvas that draw nothing, and labels.
+//! Where points and meshes are on the screen: questions that draw nothing, and labels.
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::PixelColor;
@@ -10,19 +10,21 @@ use crate::math::Vec3;
 use crate::mesh::{Bounds, Positions};
 use crate::num::{Subpixel, block::BlockFloat};
 use crate::raster::ScreenVertex;
-use crate::view::{AsMvp, ProjectionKind};
+use crate::view::{AsMvp, ProjectionKind, Viewport};
 
-/// The screen position of a point of model space; [`Canvas::project`] returns it.
+/// The screen position of a point of model space; [`Viewport::project`] returns it.
 ///
 /// ```
-/// use embedded_graphics::pixelcolor::Gray8;
+/// use fixel::canvas::LinearDepth;
 /// use fixel::prelude::*;
-/// let mut pixels = [Gray8::new(0); 64];
-/// let canvas = Canvas::new(&mut pixels, 8, 8)?;
+/// let screen = Viewport::new(0, 0, 8, 8)?;
 /// let projection = Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(0.5), fx!(10))?;
-/// let at = canvas.project(&DrawOptions::new(), &projection, vec3!(0.5, 1, -2)).unwrap();
+/// let at = screen.project(vec3!(0.5, 1, -2), &projection).unwrap();
 /// assert_eq!((at.x.floor(), at.y.floor()), (5, 2));
-/// assert_eq!(at.depth, 65535 / 4);
+/// assert_eq!(at.depth::<LinearDepth>(), 65535 / 4);
+/// // Of two points, the nearer one has the greater nearness.
+/// let behind = screen.project(vec3!(0.5, 1, -3), &projection).unwrap();
+/// assert!(at.nearness > behind.nearness);
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -31,43 +33,56 @@ pub struct ScreenPoint {
     pub x: Subpixel,
     /// Rows from the frame's top edge, rounded to the nearest 1/256.
     pub y: Subpixel,
-    /// The depth as the canvas's depth buffer would store it; linear if the canvas has no depth buffer.
-    pub depth: u16,
+    /// How near the point is, as a code: a nearer point has a greater number, if both are seen through the same
+    /// projection. The code is finer than any depth buffer: its steps are 2⁻²⁵ of the distance.
+    pub nearness: u32,
 }
+
+/// The low bits of a nearness: how many bits of the depth it keeps. The higher bits are the exponent.
+const MANTISSA: u32 = 26;
+/// The greatest right shift of a depth, whose exponent is 0.
+const MOST_DOWN: u32 = 47;
 
 impl ScreenPoint {
     /// The same position, in front of everything: nothing hides a [label](Canvas::label) there.
     #[must_use]
     pub const fn on_top(self) -> Self {
         Self {
-            depth: u16::MAX,
+            nearness: u32::MAX,
             ..self
         }
     }
+
+    /// The depth of the point, as a depth buffer of the format `D` stores it.
+    #[must_use]
+    pub fn depth<D: DepthBuffer>(self) -> u16 {
+        let q = (self.nearness << (31 - MANTISSA)) & i32::MAX.cast_unsigned();
+        let down = MOST_DOWN.saturating_sub(self.nearness >> MANTISSA);
+        D::encode(q, down.max(15)) as u16
+    }
 }
 
-impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
-    /// The screen position of a point of model space: bit for bit the position at which a draw call draws the point.
+/// The nearness of a depth `q` · 2^-`down`, where `q` has 31 bits, and `down` is from 15 to 47.
+const fn nearness(q: u32, down: u32) -> u32 {
+    // Only under a parallel projection, the top bits of q may be 0. All formats drop the bits that are dropped here.
+    let up = q.leading_zeros().saturating_sub(1);
+    MOST_DOWN.saturating_sub(down + up) << MANTISSA | q.wrapping_shl(up) >> (31 - MANTISSA)
+}
+
+/// Questions about the screen that need no canvas, so you can ask them before you draw, or while another core draws.
+/// The viewport of a whole canvas is [`Canvas::viewport`].
+impl Viewport {
+    /// The screen position of a point of model space: bit for bit the position at which a draw call to this viewport
+    /// draws the point.
     ///
     /// The result is `None` if the point is nearer than the near plane, beyond the far plane, or more than 2048 pixels
     /// away from the viewport's center, horizontally or vertically. The position may lie outside the viewport.
     ///
-    /// Use it to place a [`label`](Self::label) beside an object. For the opposite direction, from a pixel into the
+    /// Use it to place a [`label`](Canvas::label) beside an object. For the opposite direction, from a pixel into the
     /// scene, see [`ray`](Self::ray).
     #[must_use]
-    pub fn project(
-        &self,
-        options: &DrawOptions<impl Copy, impl DepthTest, impl Copy>,
-        mvp: &impl AsMvp,
-        point: Vec3,
-    ) -> Option<ScreenPoint> {
-        let viewport = options.screen(self.frame_size()).viewport;
-        let projector = Projector::new(
-            Positions::of_one(&point),
-            mvp.projection_of(),
-            &mvp.model_view_of(),
-            &viewport,
-        );
+    pub fn project(&self, point: Vec3, mvp: &impl AsMvp) -> Option<ScreenPoint> {
+        let projector = self.projector(Positions::of_one(&point), mvp);
         let mut at = ScreenVertex::UNSET;
         projector.project(0, None, &mut at);
         if at.outcode != 0 {
@@ -77,10 +92,69 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         Some(ScreenPoint {
             x,
             y,
-            depth: D::encode(at.q, projector.depth_shift().right_shift(at.exponent)) as u16,
+            nearness: nearness(at.q, projector.depth_shift().right_shift(at.exponent)),
         })
     }
 
+    /// The transform of positions to the pixels of this viewport.
+    pub(super) fn projector<'p, V: AsMvp>(
+        &self,
+        positions: Positions<'p>,
+        mvp: &V,
+    ) -> Projector<'p, V::Kind> {
+        Projector::new(positions, mvp.projection_of(), &mvp.model_view_of(), self)
+    }
+
+    /// The size of `bounds` on the screen in whole pixels: the length of the box's diagonal, as seen at the distance of
+    /// the box's center. (If the mesh is a ball, its box is a cube, and the ball's diameter is 1/√3 of the diagonal.)
+    /// Use this size to choose among meshes with different levels of detail. The length is rounded to the nearest 1/256
+    /// pixel, then down to whole pixels.
+    ///
+    /// Under a perspective projection, the result is `u32::MAX` unless the center is ahead of the eye by more than half
+    /// of the diagonal. The corners of `bounds` are rounded to [`Scalar`](crate::Scalar)s in eye space, and saturate
+    /// there.
+    ///
+    /// ```
+    /// use fixel::mesh::Bounds;
+    /// use fixel::prelude::*;
+    /// static FINE: Mesh = shape!(sphere(24, 16));
+    /// static COARSE: Mesh = shape!(sphere(8, 6));
+    /// static BOUNDS: Bounds = FINE.bounds();
+    /// let screen = Viewport::new(0, 0, 64, 64)?;
+    /// let projection = Projection::perspective(deg!(60), (1, 1), fx!(0.5), fx!(100))?;
+    /// for (distance, wanted) in [(4, &FINE), (40, &COARSE)] {
+    ///     let mvp = projection * Transform::translate(Vec3::from_ints(0, 0, -distance));
+    ///     let level = match screen.size_on_screen(&BOUNDS, &mvp) {
+    ///         24.. => &FINE,
+    ///         _ => &COARSE,
+    ///     };
+    ///     assert_eq!(level, wanted);
+    /// }
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn size_on_screen<V: AsMvp>(&self, bounds: &Bounds, mvp: &V) -> u32 {
+        let view = mvp.model_view_of();
+        let (a, b) = (view.point(bounds.least), view.point(bounds.most));
+        let diagonal = a.wide_distance(b);
+        // How far the box's center is ahead of the eye, times two.
+        let ahead = -(i64::from(a.z.to_bits()) + i64::from(b.z.to_bits()));
+        if V::Kind::PERSPECTIVE && ahead <= diagonal {
+            return u32::MAX;
+        }
+        let [width, _] = mvp.projection_of().pixel(self);
+        let pixel = if V::Kind::PERSPECTIVE {
+            width.times(BlockFloat::new(ahead, 17))
+        } else {
+            width
+        };
+        let size = BlockFloat::new(diagonal, 16).over(pixel);
+        // The size is rounded to the nearest 2^-8, then down to a whole number.
+        u32::try_from(size.at(8) >> 8).unwrap_or(u32::MAX)
+    }
+}
+
+impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// A [`DrawTarget`](embedded_graphics::draw_target::DrawTarget) for text, or for anything else that
     /// embedded-graphics draws, at a point of the scene. Its origin is the pixel that contains `at`, and nearer
     /// surfaces hide what is drawn.
@@ -90,9 +164,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Drawing cannot fail. Any point and any rectangle is allowed; `clear` fills every pixel that the scene does not
     /// hide.
     ///
-    /// A label at a point of a surface may be hidden by parts of the same surface that are nearer. To avoid this, give
-    /// [`ScreenPoint::depth`] a greater value, or project a point in front of the surface. Nothing hides a label
-    /// [`on_top`](ScreenPoint::on_top).
+    /// A label at a point of a surface may be hidden by parts of the same surface that are nearer. To avoid this,
+    /// project a point in front of the surface. Nothing hides a label [`on_top`](ScreenPoint::on_top).
     ///
     /// ```
     /// use embedded_graphics::mock_display::MockDisplay;
@@ -111,7 +184,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// // One label behind the front of the wall, and one in front of it.
     /// let style = MonoTextStyle::new(&FONT_4X6, Rgb565::WHITE);
     /// for (text, point) in [("Behind", vec3!(-12, 1, -6)), ("Before", vec3!(-5.4, -2, -2.9))] {
-    ///     if let Some(at) = canvas.project(&DrawOptions::new(), &projection, point) {
+    ///     if let Some(at) = canvas.viewport().project(point, &projection) {
     ///         Text::new(text, Point::zero(), style).draw(&mut canvas.label(at))?;
     ///     }
     /// }
@@ -139,7 +212,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     pub fn label(&mut self, at: ScreenPoint) -> Label<'_, Self> {
         // A subpixel has eight fraction bits; a shift rounds down.
         let [x, y] = [at.x, at.y].map(|at| at.to_bits() >> 8);
-        Label::new(self, Point::new(x, y), at.depth)
+        Label::new(self, Point::new(x, y), at.depth::<D>())
     }
 
     /// Whether a mesh within `bounds` may have a pixel in this canvas. If the result is `false`, the mesh certainly has
@@ -186,61 +259,51 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         let scissor = screen.scissor(self.rows());
         !scissor.is_empty() && !projector.misses(bounds, &scissor)
     }
+}
 
-    /// The size of `bounds` on the screen in whole pixels: the length of the box's diagonal, as seen at the distance of
-    /// the box's center. (If the mesh is a ball, its box is a cube, and the ball's diameter is 1/√3 of the diagonal.)
-    /// Use this size to choose among meshes with different levels of detail. The length is rounded to the nearest 1/256
-    /// pixel, then down to whole pixels.
-    ///
-    /// Under a perspective projection, the result is `u32::MAX` unless the center is ahead of the eye by more than half
-    /// of the diagonal. The corners of `bounds` are rounded to [`Scalar`](crate::Scalar)s in eye space, and saturate
-    /// there.
-    ///
-    /// ```
-    /// use embedded_graphics::pixelcolor::Gray8;
-    /// use fixel::mesh::Bounds;
-    /// use fixel::prelude::*;
-    /// static FINE: Mesh = shape!(sphere(24, 16));
-    /// static COARSE: Mesh = shape!(sphere(8, 6));
-    /// static BOUNDS: Bounds = FINE.bounds();
-    /// let mut pixels = [Gray8::new(0); 64 * 64];
-    /// let mut canvas = Canvas::new(&mut pixels, 64, 64)?;
-    /// let projection = Projection::perspective(deg!(60), (1, 1), fx!(0.5), fx!(100))?;
-    /// for (distance, faces) in [(4, FINE.faces().len()), (40, COARSE.faces().len())] {
-    ///     let mvp = projection * Transform::translate(Vec3::from_ints(0, 0, -distance));
-    ///     let level = match canvas.size_on_screen(&DrawOptions::new(), &BOUNDS, &mvp) {
-    ///         24.. => &FINE,
-    ///         _ => &COARSE,
-    ///     };
-    ///     let drawn = canvas.draw(level, &mvp, &Flat::new(Gray8::new(9)));
-    ///     assert_eq!(drawn.submitted, faces as u32);
-    /// }
-    /// # Ok::<(), Error>(())
-    /// ```
-    #[must_use]
-    pub fn size_on_screen<V: AsMvp>(
-        &self,
-        options: &DrawOptions<impl Copy, impl DepthTest, impl Copy>,
-        bounds: &Bounds,
-        mvp: &V,
-    ) -> u32 {
-        let view = mvp.model_view_of();
-        let (a, b) = (view.point(bounds.least), view.point(bounds.most));
-        let diagonal = a.wide_distance(b);
-        // How far the box's center is ahead of the eye, times two.
-        let ahead = -(i64::from(a.z.to_bits()) + i64::from(b.z.to_bits()));
-        if V::Kind::PERSPECTIVE && ahead <= diagonal {
-            return u32::MAX;
-        }
-        let viewport = options.screen(self.frame_size()).viewport;
-        let [width, _] = mvp.projection_of().pixel(&viewport);
-        let pixel = if V::Kind::PERSPECTIVE {
-            width.times(BlockFloat::new(ahead, 17))
-        } else {
-            width
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::canvas::{FloatDepth, LinearDepth, NoDepth, WideFloatDepth};
+    use crate::random::cases;
+    use crate::raster::{LEAST_WEIGHT, MOST_WEIGHT};
+    use rand::Rng;
+
+    fn depth_in<D: DepthBuffer>(q: u32, down: u32) {
+        let at = ScreenPoint {
+            x: Subpixel::ZERO,
+            y: Subpixel::ZERO,
+            nearness: nearness(q, down),
         };
-        let size = BlockFloat::new(diagonal, 16).over(pixel);
-        // The size is rounded to the nearest 2^-8, then down to a whole number.
-        u32::try_from(size.at(8) >> 8).unwrap_or(u32::MAX)
+        let depth = u32::from(at.depth::<D>());
+        assert_eq!(depth, D::encode(q, down), "{q} >> {down}");
+        assert_eq!(at.on_top().depth::<D>(), u16::MAX);
+    }
+
+    /// From a nearness, each format makes the depth that it makes of the depth itself. In perspective, the top bit of q
+    /// is set. Under a parallel projection, the shift is 15.
+    #[test]
+    fn a_nearness_keeps_the_depth_of_every_format() {
+        cases(1 << 14, |random| {
+            let small =
+                random.random_range(LEAST_WEIGHT..MOST_WEIGHT) >> random.random_range(0..20);
+            let parallel = (small.max(LEAST_WEIGHT), 15);
+            let perspective = (
+                random.random_range(1 << 30..MOST_WEIGHT),
+                random.random_range(15..=47),
+            );
+            for (q, down) in [parallel, perspective] {
+                depth_in::<NoDepth>(q, down);
+                depth_in::<LinearDepth>(q, down);
+                depth_in::<FloatDepth>(q, down);
+                depth_in::<WideFloatDepth>(q, down);
+                // A depth that is nearer by a step of 2^-25 has a greater nearness.
+                let step = (q >> 25).max(1);
+                assert!(
+                    nearness(q + step, down) > nearness(q, down),
+                    "{q} >> {down}"
+                );
+            }
+        });
     }
 }

@@ -2,8 +2,6 @@
 
 use embedded_graphics::geometry::Point;
 
-use super::options::DrawOptions;
-use crate::canvas::{Canvas, DepthTest, Storage};
 use crate::error::Error;
 use crate::math::{Direction, NormalMatrix, Transform, Vec3};
 use crate::mesh::Mesh;
@@ -12,11 +10,11 @@ use crate::num::rsqrt::unit;
 use crate::num::wide::{dot, product};
 use crate::num::{Fraction, Scalar};
 use crate::raster::Cull;
-use crate::view::AsMvp;
+use crate::view::{AsMvp, Viewport};
 
 /// A half-line: the points that are seen at a pixel, or the path of a shot.
 ///
-/// [`Canvas::ray`] makes the ray of a pixel, and [`hit`](Self::hit) finds the face of a mesh that the ray meets first.
+/// [`Viewport::ray`] makes the ray of a pixel, and [`hit`](Self::hit) finds the face of a mesh that the ray meets first.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -289,9 +287,10 @@ fn in_model(
     Some((Vec3::from_bits(bits), direction))
 }
 
-impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
+impl Viewport {
     /// The ray of a pixel in model space: the points that `mvp` projects to the pixel's center. The ray starts at the
-    /// near plane. The ray passes through the faces that `options` cull.
+    /// near plane. Like a draw call without options, the ray passes through faces that it meets from behind. If you
+    /// draw with another [`Cull`], set [`Ray::cull`].
     ///
     /// The result is `None` if the pixel is outside the viewport, if the model's transform has no inverse, or if the
     /// ray's origin is not within ±32,768 in model space.
@@ -301,58 +300,50 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// twice the on-screen size of the model's smallest unit, 2⁻¹⁶. A ray also meets faces beyond the far plane.
     ///
     /// ```
-    /// use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
+    /// use embedded_graphics::geometry::Point;
     /// use fixel::prelude::*;
     /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
     /// let projection = Projection::perspective(deg!(60), (32, 24), fx!(0.5), fx!(20))?;
     /// let mvp = projection * Transform::translate(vec3!(0, 0, -5)) * Transform::rotate_y(deg!(90));
-    /// let mut pixels = [Gray8::new(0); 32 * 24];
-    /// let canvas = Canvas::new(&mut pixels, 32, 24)?;
+    /// let screen = Viewport::new(0, 0, 32, 24)?;
     ///
     /// // The side of the box with the least x has been turned toward the viewer.
     /// let touch = Point::new(16, 12);
-    /// let hit = canvas.ray(&DrawOptions::new(), &mvp, touch).unwrap().hit(&BOX).unwrap();
+    /// let hit = screen.ray(touch, &mvp).unwrap().hit(&BOX).unwrap();
     /// assert_eq!(hit.point.x, fx!(-1));
     /// // A hit is a point of the model, so it can be projected back.
-    /// let at = canvas.project(&DrawOptions::new(), &mvp, hit.point).unwrap();
+    /// let at = screen.project(hit.point, &mvp).unwrap();
     /// assert_eq!((at.x.floor(), at.y.floor()), (16, 12));
     ///
-    /// let beside = canvas.ray(&DrawOptions::new(), &mvp, Point::new(2, 12)).unwrap();
+    /// let beside = screen.ray(Point::new(2, 12), &mvp).unwrap();
     /// assert_eq!(beside.hit(&BOX), None);
     /// # Ok::<(), Error>(())
     /// ```
     ///
-    /// Distances to hits on two objects cannot be compared, because each is in its own object's units. Compare depths:
+    /// Distances to hits on two objects cannot be compared, because each is in its own object's units. Compare how near
+    /// they are on the screen:
     ///
     /// ```
-    /// # use embedded_graphics::{geometry::Point, pixelcolor::Gray8};
+    /// # use embedded_graphics::geometry::Point;
     /// # use fixel::prelude::*;
     /// # static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
     /// # static BALL: Mesh = shape!(sphere(12, 8));
     /// # let view = Projection::perspective(deg!(60), (32, 24), fx!(0.5), fx!(20))?;
-    /// # let mut pixels = [Gray8::new(0); 32 * 24];
-    /// # let canvas = Canvas::new(&mut pixels, 32, 24)?;
-    /// # let (options, touch) = (DrawOptions::new(), Point::new(16, 12));
+    /// # let (screen, touch) = (Viewport::new(0, 0, 32, 24)?, Point::new(16, 12));
     /// let far = Transform::translate(vec3!(0, 0, -9)) * Transform::scale(fx!(2));
     /// let objects = [(&BOX, Transform::translate(vec3!(0, 0, -5))), (&BALL, far)];
     /// let hits = objects.iter().enumerate().filter_map(|(object, &(mesh, model))| {
     ///     let mvp = view * model;
-    ///     let hit = canvas.ray(&options, &mvp, touch)?.hit(mesh)?;
-    ///     Some((canvas.project(&options, &mvp, hit.point)?.depth, object, hit.face))
+    ///     let hit = screen.ray(touch, &mvp)?.hit(mesh)?;
+    ///     Some((screen.project(hit.point, &mvp)?.nearness, object, hit.face))
     /// });
-    /// let nearest = hits.max_by_key(|&(depth, ..)| depth);
+    /// let nearest = hits.max_by_key(|&(nearness, ..)| nearness);
     /// assert!(matches!(nearest, Some((_, 0, _)))); // the box, although its hit has the greater distance
     /// # Ok::<(), Error>(())
     /// ```
     #[must_use]
-    pub fn ray(
-        &self,
-        options: &DrawOptions<impl Copy, impl DepthTest, impl Copy>,
-        mvp: &impl AsMvp,
-        pixel: Point,
-    ) -> Option<Ray> {
-        let screen = options.screen(self.frame_size());
-        let [columns, rows] = screen.viewport.pixels();
+    pub fn ray(&self, pixel: Point, mvp: &impl AsMvp) -> Option<Ray> {
+        let [columns, rows] = self.pixels();
         if !columns.contains(&pixel.x) || !rows.contains(&pixel.y) {
             return None;
         }
@@ -368,7 +359,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         Some(Ray {
             origin,
             direction: Direction::from_bits(direction),
-            cull: screen.cull,
+            cull: Cull::default(),
         })
     }
 }

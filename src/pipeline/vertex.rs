@@ -216,7 +216,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
 
     /// The homogeneous coordinate with the fraction bits of x or y: w in perspective, 1 under a parallel projection.
     #[inline]
-    fn w(&self, t: i64, axis: usize) -> i64 {
+    pub(super) fn w(&self, t: i64, axis: usize) -> i64 {
         if K::PERSPECTIVE {
             t
         } else {
@@ -266,7 +266,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
 
     /// One bit for each plane outside of which a position lies.
     #[inline]
-    fn outcode(&self, position: &ClipPosition) -> u8 {
+    pub(super) fn outcode(&self, position: &ClipPosition) -> u8 {
         let &[t, x, y] = position;
         // t, x and y are below 2^62.
         let [nearest, farthest] = self.ends;

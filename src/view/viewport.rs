@@ -11,6 +11,15 @@ use crate::error::{Error, check_count, ok};
 ///
 /// The rectangle may reach beyond the canvas; pixels outside the canvas are not drawn.
 ///
+/// A viewport and a model-view-projection are enough to tell where things are on the screen:
+///
+/// | you want to know | ask |
+/// |---|---|
+/// | where a point is, for a [label](crate::Canvas::label) | [`project`](Self::project) |
+/// | which pixels a mesh may change, to clear, draw and send only these | [`rectangle_on_screen`](Self::rectangle_on_screen) |
+/// | how large a mesh is, for a level of detail | [`size_on_screen`](Self::size_on_screen) |
+/// | what is seen at a pixel | [`ray`](Self::ray) |
+///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, primitives::Rectangle};
 /// use fixel::{Error, Viewport};

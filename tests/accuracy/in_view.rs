@@ -25,7 +25,7 @@ const PIXELS: f64 = 1.01;
 /// A box that is beyond the near or the far plane by this fraction of the plane's distance must count as out of view.
 const PART: f64 = 0.0001;
 
-fn corners(bounds: &Bounds) -> [Vec3; 8] {
+pub fn corners(bounds: &Bounds) -> [Vec3; 8] {
     let [a, b] = [bounds.least, bounds.most];
     from_fn(|i| {
         let pick = |bit: usize, a: Scalar, b: Scalar| if i >> bit & 1 == 0 { a } else { b };
@@ -95,9 +95,8 @@ fn sizes<K: ProjectionKind>(
 ) -> (u32, f64, f64) {
     let (transform, eye) = product(moves);
     let mvp = projection * transform;
-    let mut pixels = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
-    let canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
-    let found = canvas.size_on_screen(&DrawOptions::new(), bounds, &mvp);
+    let screen = Viewport::new(0, 0, SIZE.0, SIZE.1).unwrap();
+    let found = screen.size_on_screen(bounds, &mvp);
 
     let [a, b] = [bounds.least, bounds.most].map(|corner| point(&eye, exact(corner)));
     let diagonal = a
@@ -232,24 +231,22 @@ fn boxes_in_parallel_are_in_view_as_in_the_model() {
 /// The diagonal of a box can be longer than the largest `Scalar`.
 #[test]
 fn the_largest_boxes_have_their_sizes() {
-    let mut pixels = [Gray8::new(0); 64];
-    let canvas = Canvas::new(&mut pixels, 8, 8).unwrap();
-    let options = DrawOptions::new();
+    let screen = Viewport::new(0, 0, 8, 8).unwrap();
     let [side, depth] = [30_000_f64, 5_000.];
     let bounds = Bounds::new(vec3!(-15000, -15000, -32000), vec3!(15000, 15000, -27000));
     let diagonal = (2. * side * side + depth * depth).sqrt();
 
     let window = Window::centered(fx!(500), fx!(500));
     let flat = Projection::orthographic(window, fx!(0), fx!(32767)).unwrap();
-    let size = canvas.size_on_screen(&options, &bounds, &flat);
+    let size = screen.size_on_screen(&bounds, &flat);
     assert_eq!(size, (diagonal * 8. / 500.) as u32);
 
     // The sphere around the box, with half of the diagonal as its radius, ends 8,000 units before the eye.
     let lens = Projection::perspective(deg!(90), (1, 1), fx!(1), fx!(32767)).unwrap();
-    let size = canvas.size_on_screen(&options, &bounds, &lens);
+    let size = screen.size_on_screen(&bounds, &lens);
     assert_eq!(size, (diagonal * 4. / 29_500.) as u32);
 
     // In this viewport, pixels are a quarter as high as wide, so the width counts.
-    let tall = options.with_viewport(Viewport::new(0, 0, 8, 32).unwrap());
-    assert_eq!(canvas.size_on_screen(&tall, &bounds, &lens), size);
+    let tall = Viewport::new(0, 0, 8, 32).unwrap();
+    assert_eq!(tall.size_on_screen(&bounds, &lens), size);
 }

@@ -30,6 +30,7 @@ mod painter;
 mod picking;
 mod promises;
 mod quantized;
+mod rectangle;
 mod scenes;
 mod sine;
 mod sized_points;

@@ -2,7 +2,6 @@
 //! that the pixel's center is too close to an edge, or that two faces are equally deep there.
 
 use embedded_graphics::geometry::Point;
-use embedded_graphics::pixelcolor::Gray8;
 use fixel::Hit;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
@@ -121,13 +120,12 @@ fn check<K: ProjectionKind>(
     }
 
     let visible = drawing.faces();
-    let mut pixels = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
-    let canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
+    let screen = drawing.options.viewport.unwrap();
     for y in 0..SIZE.1.cast_signed() {
         for x in 0..SIZE.0.cast_signed() + LEFT {
-            let ray = canvas
-                .ray(&drawing.options, &drawing.mvp, Point::new(x, y))
-                .unwrap();
+            let ray = screen.ray(Point::new(x, y), &drawing.mvp).unwrap();
+            let cull = drawing.options.cull;
+            let ray = Ray { cull, ..ray };
             let hit = ray.hit(&drawing.mesh);
             let picked = hit.map(|hit| hit.face);
             let drawn = visible[(y * SIZE.0.cast_signed() + x) as usize];

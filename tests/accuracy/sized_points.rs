@@ -1,7 +1,6 @@
 //! Sized points. The pixels of a point are compared with exact integers, and sizes in world space with f64.
 
 use crate::bands::{CASES, Frame, SIZE, XRecorder, counts, drawn, modeled, point};
-use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
 use rand::Rng;
 use support::counter::{at_subpixel, pixel_projection};
@@ -112,11 +111,10 @@ fn attenuated_points_are_the_models() {
             let parallel = drawn(SIZE.1, &|frame, recorder| {
                 frame.draw_with(&options, mesh.points(style), &(window * model), recorder)
             });
-            let mut colors = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
-            let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
+            let screen = Viewport::new(0, 0, SIZE.0, SIZE.1).unwrap();
             let places = [
-                canvas.project(&options, &(focal * model), positions[0]),
-                canvas.project(&options, &(window * model), positions[0]),
+                screen.project(positions[0], &(focal * model)),
+                screen.project(positions[0], &(window * model)),
             ];
             let halves = [size * 50. / distance / 2., size * 10. / 2.];
             for ((seen, place), half) in [perspective, parallel].iter().zip(places).zip(halves) {

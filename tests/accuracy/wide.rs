@@ -283,11 +283,10 @@ fn smooth_lines_have_the_values_of_plain_ones() {
         let mvp = perspective();
         let plain = DrawOptions::new();
         let canvas_ends = |mvp: &Projection<_>| {
-            let mut colors = vec![Gray8::BLACK; (SIZE.0 * SIZE.1) as usize];
-            let canvas = Canvas::new(&mut colors, SIZE.0, SIZE.1).unwrap();
+            let screen = Viewport::new(0, 0, SIZE.0, SIZE.1).unwrap();
             let end = |at: usize| {
-                canvas
-                    .project(&plain, mvp, positions[at])
+                screen
+                    .project(positions[at], mvp)
                     .map(|at| [at.x, at.y].map(Subpixel::to_bits))
             };
             Some([end(0)?, end(1)?])

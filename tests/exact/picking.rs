@@ -3,7 +3,7 @@
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Dimensions, Point, Size};
 use embedded_graphics::mock_display::MockDisplay;
-use embedded_graphics::pixelcolor::{Gray8, Rgb565, RgbColor};
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::{Drawable, Pixel, prelude::Primitive as _, primitives::PrimitiveStyle};
 use fixel::ScreenPoint;
@@ -64,19 +64,17 @@ fn culling_decides_which_sides_a_ray_meets() {
 
 #[test]
 fn pixels_outside_and_models_without_an_inverse_have_no_ray() {
-    let mut pixels = [Gray8::new(0); 64];
-    let canvas = Canvas::new(&mut pixels, 8, 8).unwrap();
+    let screen = Viewport::new(0, 0, 8, 8).unwrap();
     let projection = Projection::perspective(deg!(60), (1, 1), fx!(0.1), fx!(100)).unwrap();
-    let options = DrawOptions::new();
     for (x, y) in [(-1, 0), (0, -1), (8, 0), (0, 8), (i32::MIN, i32::MAX)] {
-        assert_eq!(canvas.ray(&options, &projection, Point::new(x, y)), None);
+        assert_eq!(screen.ray(Point::new(x, y), &projection), None);
     }
     let flat = projection * Transform::scale_axes(vec3!(1, 0, 1));
-    assert_eq!(canvas.ray(&options, &flat, Point::zero()), None);
+    assert_eq!(screen.ray(Point::zero(), &flat), None);
     let tiny = projection * Transform::scale(Scalar::DELTA);
     assert_eq!(
-        canvas
-            .ray(&options, &tiny, Point::zero())
+        screen
+            .ray(Point::zero(), &tiny)
             .map(|ray| ray.origin.x.abs() < fx!(9999)),
         Some(true)
     );
@@ -85,16 +83,15 @@ fn pixels_outside_and_models_without_an_inverse_have_no_ray() {
 /// On the line of sight, x and y are exactly 0.
 #[test]
 fn the_middle_pixel_of_a_frame_of_odd_size_is_on_the_line_of_sight() {
-    let mut pixels = [Gray8::new(0); 81];
-    let canvas = Canvas::new(&mut pixels, 9, 9).unwrap();
+    let screen = Viewport::new(0, 0, 9, 9).unwrap();
     let place = Transform::translate(vec3!(0, 0, -5));
-    let (near, far, options) = (fx!(1), fx!(100), DrawOptions::new());
+    let (near, far) = (fx!(1), fx!(100));
     let perspective = Projection::perspective(deg!(60), (1, 1), near, far).unwrap() * place;
     let window = Window::centered(fx!(4), fx!(4));
     let parallel = Projection::orthographic(window, near, far).unwrap() * place;
     for ray in [
-        canvas.ray(&options, &perspective, Point::new(4, 4)),
-        canvas.ray(&options, &parallel, Point::new(4, 4)),
+        screen.ray(Point::new(4, 4), &perspective),
+        screen.ray(Point::new(4, 4), &parallel),
     ] {
         let ray = ray.unwrap();
         assert_eq!(ray.origin, vec3!(0, 0, 4));
@@ -155,8 +152,7 @@ fn labeled(
 /// the window's size.
 #[test]
 fn a_window_far_from_the_origin_shows_what_lies_in_it() {
-    let mut pixels = vec![Rgb565::BLACK; 320 * 240];
-    let canvas = Canvas::new(&mut pixels, 320, 240).unwrap();
+    let screen = Viewport::new(0, 0, 320, 240).unwrap();
     for place in [0, 300, -7_001, 20_000, -32_760] {
         let least = Vec3::from_bits([(place << 16) + 12_345, (place << 16) + 54_321, 0]);
         let window = Window {
@@ -169,7 +165,7 @@ fn a_window_far_from_the_origin_shows_what_lies_in_it() {
         // One unit is 40 pixels on the screen.
         for [x, y] in [[0, 0], [8, 6], [4, 3], [1, 5]] {
             let point = least + Vec3::from_ints(x, y, 0);
-            let at = canvas.project(&DrawOptions::new(), &projection, point);
+            let at = screen.project(point, &projection);
             let at = at.unwrap();
             let expected = [x * 40, 240 - y * 40].map(i32::from);
             for (found, expected) in [at.x, at.y].into_iter().zip(expected) {
@@ -197,12 +193,17 @@ fn the_distance_of_a_hit_is_rounded_to_nearest() {
     }
 }
 
+/// A point with a linear depth above 0.
 fn at(x: i32, y: i32, depth: u16) -> ScreenPoint {
-    ScreenPoint {
+    // A nearness has an exponent of 32 for depths from 2^15 to 2^16, and then the highest 26 bits of the depth.
+    let up = depth.leading_zeros();
+    let at = ScreenPoint {
         x: Subpixel::from_bits(x * 256 + 255),
         y: Subpixel::from_bits(y * 256),
-        depth,
-    }
+        nearness: (32 - up) << 26 | u32::from(depth) << (10 + up),
+    };
+    assert_eq!(at.depth::<LinearDepth>(), depth);
+    at
 }
 
 #[test]

@@ -169,14 +169,14 @@ fn rounding_moves_a_sphere_by_less_than_a_hundredth_of_a_pixel() {
         Projection::from_focal_length(fx!(200), (320, 240), fx!(0.25), fx!(100)).unwrap();
     let pose =
         Transform::translate(vec3!(0, 0, -2.256)) * Transform::rotate_x(Angle::from_degrees(20));
-    let (mvp, mut colors) = (projection * pose, vec![Rgb565::BLACK; 320 * 240]);
-    let canvas = Canvas::new(&mut colors, 320, 240).unwrap();
+    let mvp = projection * pose;
+    let screen = Viewport::new(0, 0, 320, 240).unwrap();
     let mut worst = 0_f64;
     for (long, short) in SPHERE.positions().iter().zip(short.positions().iter()) {
         let eye = pose.point(long);
         let w = -f64::from(eye.z);
         let place = |point| {
-            let place = canvas.project(&DrawOptions::new(), &mvp, point).unwrap();
+            let place = screen.project(point, &mvp).unwrap();
             [place.x, place.y].map(f64::from)
         };
         for ((a, b), side) in place(long)

@@ -110,13 +110,13 @@ fn a_mirror_shows_the_mirror_image() {
 
             // A ray meets the face that is drawn at its pixel.
             let shown = faces(&mirror);
-            let canvas_pixels = &mut vec![Gray8::BLACK; PIXELS];
-            let canvas = Canvas::new(canvas_pixels, SIZE.0, SIZE.1).unwrap();
+            let screen = Viewport::new(0, 0, SIZE.0, SIZE.1).unwrap();
             let mut met = 0;
             for (at, shown) in shown.iter().enumerate().filter(|(at, _)| at % 5 == 0) {
                 let at = (at as u32).cast_signed();
                 let pixel = Point::new(at % 64, at / 64);
-                let ray = canvas.ray(&options, &mirror, pixel).unwrap();
+                let ray = screen.ray(pixel, &mirror).unwrap();
+                let ray = Ray { cull, ..ray };
                 let color = ray.hit(&WEDGE).map_or(Gray8::BLACK, |hit| COLORS[hit.face]);
                 // Without a depth buffer, the last face shows.
                 met += usize::from(color == *shown || cull == Cull::Nothing);

@@ -123,16 +123,18 @@ impl<K: ProjectionKind> Call<'_, K> {
     pub fn check_picking(&self, options: &DrawOptions) {
         let (width, height) = self.scene.size;
         let (picture, _) = self.frame(&mut |canvas| {
+            let screen = options.viewport.unwrap_or(canvas.viewport());
             let label = |canvas: &mut Frame<'_>, point| {
-                if let Some(at) = canvas.project(options, &self.mvp, point) {
+                if let Some(at) = screen.project(point, &self.mvp) {
                     let area = Rectangle::new(Point::new(-2, -1), Size::new(4, 3));
                     let Ok(()) = canvas.label(at).fill_solid(&area, BACKGROUND);
                 }
             };
             for step in 0..4 {
                 let [x, y] = [width, height].map(|size| (size * step / 3).cast_signed());
-                let ray = canvas.ray(options, &self.mvp, Point::new(x, y));
-                if let Some(hit) = ray.and_then(|ray| ray.hit(self.mesh)) {
+                let ray = screen.ray(Point::new(x, y), &self.mvp);
+                let cull = options.cull;
+                if let Some(hit) = ray.and_then(|ray| Ray { cull, ..ray }.hit(self.mesh)) {
                     assert!(hit.face < self.mesh.faces().len());
                     label(canvas, hit.point);
                 }
@@ -204,18 +206,27 @@ impl<K: ProjectionKind> Call<'_, K> {
         call.check_frames(options, &Bits::<3>.lit(sun));
     }
 
-    /// Checks that a mesh that is reported as out of view has no pixels, and that normals can be computed for every
-    /// mesh.
+    /// Checks that a mesh that is reported as out of view has no pixels, that no mesh has pixels outside its rectangle,
+    /// and that normals can be computed for every mesh.
     pub fn check_mesh(&self, options: &DrawOptions) {
+        let (bounds, white) = (self.mesh.bounds(), Flat::new(Rgb565::WHITE));
         let (picture, _) = self.frame(&mut |canvas| {
-            let bounds = self.mesh.bounds();
-            let _ = canvas.size_on_screen(options, &bounds, &self.mvp);
-            if canvas.is_in_view(options, &bounds, &self.mvp) {
-                return Drawn::default();
+            let screen = options.viewport.unwrap_or(canvas.viewport());
+            let _ = screen.size_on_screen(&bounds, &self.mvp);
+            if !canvas.is_in_view(options, &bounds, &self.mvp) {
+                return canvas.draw_with(options, self.mesh, &self.mvp, &white);
             }
-            canvas.draw_with(options, self.mesh, &self.mvp, &Flat::new(Rgb565::WHITE))
+            let drawn = canvas.draw_with(options, self.mesh, &self.mvp, &white);
+            if let Some(area) = screen.rectangle_on_screen(&bounds, &self.mvp, 0) {
+                let Ok(()) = canvas.fill_solid(&area, BACKGROUND);
+            }
+            canvas.clear_depth();
+            drawn
         });
-        assert!(picture == self.blank(), "a mesh out of view has pixels");
+        assert!(
+            picture == self.blank(),
+            "a mesh has pixels outside its rectangle"
+        );
 
         let mut normals = vec![Vec3::ZERO; self.mesh.positions().len()];
         let smooth = self.mesh.with_smooth_normals(&mut normals);

@@ -5,7 +5,7 @@
 //! model-view-projection.
 
 use embedded_graphics::pixelcolor::Rgb565;
-use fixel::prelude::{Canvas, Cull, DrawOptions, Vec3};
+use fixel::prelude::{Cull, DrawOptions, Vec3, Viewport};
 
 use super::call::Call;
 use super::knowledge::Knowledge;
@@ -61,15 +61,15 @@ struct Ahead {
 impl Truth {
     pub fn new<K: fixel::view::ProjectionKind>(call: &Call<'_, K>, options: &DrawOptions) -> Self {
         let (width, height) = call.scene.size;
-        let mut pixels = vec![Rgb565::new(0, 0, 0); call.scene.pixels()];
-        let canvas = Canvas::new(&mut pixels, width, height).unwrap();
+        let whole = Viewport::new(0, 0, width, height).unwrap();
+        let screen = options.viewport.unwrap_or(whole);
         let window = call.window;
         let moves = call.scene.eye.moves().zip(call.scene.model.moves());
         let moves = moves.map(|(eye, model)| [eye, model].concat());
         let projection = call.scene.projection.model(call.scene.size);
         let place = |index: u16| {
             let position = call.mesh.positions().get(index.into()).unwrap();
-            let place = canvas.project(options, &call.mvp, position)?;
+            let place = screen.project(position, &call.mvp)?;
             Some([place.x.to_bits(), place.y.to_bits()])
         };
         let whole = |&[a, b, c]: &[u16; 3]| {

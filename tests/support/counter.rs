@@ -80,8 +80,9 @@ impl Counter {
     /// The position that the crate computes for a point, in 24.8 fixed point, before culling and the guard band.
     pub fn snapped<K: ProjectionKind>(&mut self, mvp: &Mvp<K>, point: Vec3) -> Option<[i32; 2]> {
         let (width, height) = self.size;
-        let canvas = Canvas::new(&mut self.pixels, width, height).unwrap();
-        let at = canvas.project(&DrawOptions::new(), mvp, point)?;
+        let at = Viewport::new(0, 0, width, height)
+            .unwrap()
+            .project(point, mvp)?;
         Some([at.x.to_bits(), at.y.to_bits()])
     }
 

@@ -139,15 +139,16 @@ impl<K: ProjectionKind> Drawing<'_, K> {
     /// The positions and depths that the crate computes for points; `None` for points that it clips.
     pub fn spots(&self, points: &[Vec3]) -> Vec<Option<Spot>> {
         let (mut pixels, _) = self.blank();
-        let canvas = self.canvas(&mut pixels);
+        let whole = self.canvas(&mut pixels).viewport();
+        let screen = self.options.viewport.unwrap_or(whole);
         points
             .iter()
             .map(|&point| {
-                let place = canvas.project(&self.options, &self.mvp, point)?;
+                let place = screen.project(point, &self.mvp)?;
                 Some(Spot {
                     x: place.x.to_bits(),
                     y: place.y.to_bits(),
-                    depth: place.depth,
+                    depth: place.depth::<LinearDepth>(),
                 })
             })
             .collect()

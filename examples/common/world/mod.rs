@@ -407,7 +407,7 @@ impl<M: Mode> Scene<M> {
         name: &str,
         point: Vec3,
     ) {
-        if let Some(at) = canvas.project(&self.options, &self.view, point) {
+        if let Some(at) = canvas.viewport().project(point, &self.view) {
             for (offset, color) in [(1, Rgb565::BLACK), (0, Rgb565::new(31, 58, 24))] {
                 let style = MonoTextStyle::new(&FONT_6X10, color);
                 let text = Text::with_alignment(

@@ -202,14 +202,13 @@ impl App {
         in_mode!(view.mode, view.tolerance, |mode| self
             .record(slot, &view, mode))?;
         let eye = Eye::new(&view);
-        let (mvp, options) = (view.mvp()?, DrawOptions::new());
+        let mvp = view.mvp()?;
         let (width, height) = (view.size.width, view.size.height);
-        let row = self.mono.get_mut(..width as usize).unwrap_or_default();
-        let canvas = Canvas::band(row, width, height, 0)?;
+        let screen = Viewport::new(0, 0, width, height)?;
         // The place that the crate gives a recorded corner.
         let place = |corner: &[i32]| {
             let at = Vec3::from_bits([corner[0], corner[1], corner[2]]);
-            let place = canvas.project(&options, &mvp, at)?;
+            let place = screen.project(at, &mvp)?;
             Some([place.x, place.y].map(|at| f64::from(at.to_bits()) / 256.0))
         };
         let (mut most, mut sum, mut count) = (0.0_f64, 0.0, 0.0);

@@ -134,13 +134,12 @@ fn expected(
     view: &View,
     drawn: &Record<2>,
 ) -> Result<Vec<Expected>> {
-    let mut pixels = blank();
-    let canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1)?;
+    let screen = Viewport::new(0, 0, SIZE.0, SIZE.1)?;
     let places: Vec<_> = mesh
         .positions()
         .iter()
         .map(|point| {
-            let place = canvas.project(&DrawOptions::new(), mvp, point)?;
+            let place = screen.project(point, mvp)?;
             Some([place.x.to_bits(), place.y.to_bits()])
         })
         .collect();

@@ -92,15 +92,14 @@
 //! | 1000 | 65 | 993.0 | 1008.2 | 15.3 |
 //!
 //! ```
-//! use embedded_graphics::pixelcolor::Gray8;
+//! use fixel::canvas::LinearDepth;
 //! use fixel::prelude::*;
 //!
-//! let mut pixels = [Gray8::new(0); 4];
-//! let canvas = Canvas::new(&mut pixels, 2, 2)?;
+//! let screen = Viewport::new(0, 0, 2, 2)?;
 //! let depths = |near| -> Result<_, Error> {
 //!     let projection = Projection::perspective(deg!(90), (1, 1), near, fx!(2000))?;
-//!     let at = |z| canvas.project(&DrawOptions::new(), &projection, Vec3::from_ints(0, 0, z));
-//!     Ok([-995, -1005].map(|z| at(z).unwrap().depth))
+//!     let at = |z| screen.project(Vec3::from_ints(0, 0, z), &projection);
+//!     Ok([-995, -1005].map(|z| at(z).unwrap().depth::<LinearDepth>()))
 //! };
 //! assert_eq!(depths(fx!(1))?, [65, 65]);
 //! assert_eq!(depths(fx!(2))?, [131, 130]);

@@ -194,16 +194,14 @@
 #![doc = formula!({column = frac(W)(2) (1 + x[ndc])} {row = frac(H)(2) (1 - y[ndc])})]
 //!
 //! ```
-//! use embedded_graphics::pixelcolor::Gray8;
 //! use fixel::prelude::*;
 //!
 //! // The practice cube's front corner, in a picture of 240x240 pixels.
 //! let projection = Projection::frustum(Window::centered(fx!(2), fx!(2)), fx!(2), fx!(10))?;
-//! let mut pixels = vec![Gray8::new(0); 240 * 240];
-//! let canvas = Canvas::new(&mut pixels, 240, 240)?;
-//! let at = canvas.project(&DrawOptions::new(), &projection, vec3!(1, 1, -3)).unwrap();
+//! let screen = Viewport::new(0, 0, 240, 240)?;
+//! let at = screen.project(vec3!(1, 1, -3), &projection).unwrap();
 //! assert_eq!([at.x, at.y].map(f64::from), [200.0, 40.0]); // 120 · (1 ± ⅔)
-//! let at = canvas.project(&DrawOptions::new(), &projection, vec3!(1, 1, -7)).unwrap();
+//! let at = screen.project(vec3!(1, 1, -7), &projection).unwrap();
 //! assert_eq!(f64::from(at.x), 39_497.0 / 256.0); // 120 · (1 + 2/7), to 1/256 pixel
 //! # Ok::<(), Error>(())
 //! ```
@@ -303,11 +301,10 @@
 //! let camera = Camera::look_at(vec3!(0, 0, 5), Vec3::ZERO, Vec3::Y)?;
 //! let projection = Projection::frustum(Window::centered(fx!(2), fx!(2)), fx!(2), fx!(10))?;
 //! let [turn, shift] = [Transform::rotate_z(deg!(90)), Transform::translate(vec3!(2, 0, 0))];
-//! let mut pixels = vec![Gray8::new(0); 240 * 240];
-//! let canvas = Canvas::new(&mut pixels, 240, 240)?;
+//! let screen = Viewport::new(0, 0, 240, 240)?;
 //! let place = |model| {
 //!     let mvp = projection * camera * model;
-//!     let at = canvas.project(&DrawOptions::new(), &mvp, Vec3::X).unwrap();
+//!     let at = screen.project(Vec3::X, &mvp).unwrap();
 //!     [at.x, at.y].map(f64::from)
 //! };
 //! assert_eq!(place(shift * turn), [216.0, 72.0]); // 120 · (1 + ⅘) and 120 · (1 − ⅖)

@@ -270,7 +270,7 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     /// for first_row in [0, 4, 8] {
     ///     let band = Canvas::band(&mut color, 16, 12, first_row)?;
     ///     let ball = &scene.objects()[0];
-    ///     let place = band.project(&options, &(view * ball.model), Vec3::ZERO);
+    ///     let place = band.viewport().project(Vec3::ZERO, &(view * ball.model));
     ///     assert_eq!((ball.material, place.map(|at| at.x.round())), ("ball", Some(8)));
     /// }
     /// # Ok::<(), Error>(())

@@ -193,8 +193,9 @@ impl Scene {
             (_, Mode::Affine) => self.draw_in(&options.with_mode(Affine), canvas, mesh, mvp),
         };
         assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);
+        let screen = options.viewport.unwrap_or(canvas.viewport());
         for &position in &self.positions {
-            let _ = canvas.project(options, mvp, position);
+            let _ = screen.project(position, mvp);
         }
     }
 

@@ -2,7 +2,6 @@
 
 use std::array::from_fn;
 
-use embedded_graphics::pixelcolor::Gray8;
 use fixel::prelude::*;
 use rand::Rng;
 
@@ -162,20 +161,14 @@ fn useless_cameras_are_refused() {
 /// The middle of the picture.
 const MIDDLE: [f64; 2] = [160.0, 120.0];
 
-fn canvas(pixels: &mut [Gray8]) -> Canvas<'_, Gray8> {
-    Canvas::new(pixels, 320, 240).unwrap()
-}
-
 #[test]
 fn the_mvp_applies_from_right_to_left() {
-    let mut pixels = vec![Gray8::new(0); 320 * 240];
-    let canvas = canvas(&mut pixels);
     let projection =
         Projection::perspective(Angle::from_degrees(90), (4, 3), fx!(0.5), fx!(100)).unwrap();
     let camera = Camera::look_at(vec3!(0, 0, 5), Vec3::ZERO, Vec3::Y).unwrap();
-    let options = DrawOptions::new().with_viewport(Viewport::new(32, 16, 160, 120).unwrap());
+    let screen = Viewport::new(32, 16, 160, 120).unwrap();
     let place = |mvp: &_, p| {
-        let place = canvas.project(&options, mvp, p).unwrap();
+        let place = screen.project(p, mvp).unwrap();
         [f64::from(place.x), f64::from(place.y)]
     };
     let (turn, shift) = (
@@ -201,8 +194,7 @@ fn the_mvp_applies_from_right_to_left() {
 #[test]
 fn a_line_projects_to_a_line() {
     cases(256, |random| {
-        let mut pixels = vec![Gray8::new(0); 320 * 240];
-        let canvas = canvas(&mut pixels);
+        let screen = Viewport::new(0, 0, 320, 240).unwrap();
         let size = (320, 240);
         let projection = Projection::from_focal_length(fx!(100), size, fx!(0.5), fx!(100)).unwrap();
         // Coordinates are multiples of four steps, so that the format represents every quarter of the way exactly.
@@ -217,7 +209,7 @@ fn a_line_projects_to_a_line() {
             let point = [0, 1, 2].map(|i| p[i] + t * v[i]);
             let [x, y] = [100.0 * point[0] / -point[2], 100.0 * point[1] / -point[2]];
             let mvp = projection * Transform::IDENTITY;
-            let place = canvas.project(&DrawOptions::new(), &mvp, Vec3::try_from(point).unwrap());
+            let place = screen.project(Vec3::try_from(point).unwrap(), &mvp);
             let place = place.expect("the point is ahead");
             // The position is rounded by up to half a subpixel.
             let expected = [MIDDLE[0] + x, MIDDLE[1] - y];

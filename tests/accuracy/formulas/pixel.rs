@@ -1,6 +1,7 @@
 //! Steps of depth, and mip levels.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+use fixel::canvas::LinearDepth;
 use fixel::prelude::*;
 use fixel::texture::Mipmap;
 
@@ -12,10 +13,9 @@ const PAGE: &str = include_str!("../../../src/guide/mathematics/pixels.rs");
 fn depth(w: f64) -> u16 {
     let projection =
         Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(1), fx!(2000)).unwrap();
-    let mut pixels = [Gray8::new(0); 1];
-    let canvas = Canvas::new(&mut pixels, 1, 1).unwrap();
-    let place = canvas.project(&DrawOptions::new(), &projection, vec(0.0, 0.0, -w));
-    place.unwrap().depth
+    let screen = Viewport::new(0, 0, 1, 1).unwrap();
+    let place = screen.project(vec(0.0, 0.0, -w), &projection);
+    place.unwrap().depth::<LinearDepth>()
 }
 
 #[test]

@@ -2,7 +2,6 @@
 
 use core::f64::consts::TAU;
 
-use embedded_graphics::pixelcolor::Gray8;
 use fixel::Matrix4;
 use fixel::prelude::*;
 use fixel::textbook::perspective_transform;
@@ -26,17 +25,12 @@ fn projection() -> Projection<Perspective> {
 #[test]
 fn points_beside_and_behind_the_eye_have_no_image() {
     let projection = projection();
-    let mut pixels = [Gray8::new(0); 64];
-    let canvas = Canvas::new(&mut pixels, 8, 8).unwrap();
+    let screen = Viewport::new(0, 0, 8, 8).unwrap();
     for z in [0.0, 1.0 / 65_536.0, 5.0] {
         let point = vec(0.1, 0.1, z);
         assert_eq!(projection.image(point), None);
         assert_eq!(projection.to_matrix().project(point), None);
-        let place = canvas.project(
-            &DrawOptions::new(),
-            &(projection * Transform::IDENTITY),
-            point,
-        );
+        let place = screen.project(point, &(projection * Transform::IDENTITY));
         assert_eq!(place, None);
     }
     let image = projection.image(vec(1.0, -0.5, -4.0)).unwrap();

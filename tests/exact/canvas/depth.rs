@@ -96,10 +96,8 @@ fn drawn_depth<F: DepthBuffer>() {
     let positions = [vec3!(-30, -30, -20), vec3!(30, -30, -20), vec3!(0, 30, -20)];
     let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
     canvas.draw(&mesh, &projection, &Flat::new(Gray8::WHITE));
-    let at = canvas
-        .project(&DrawOptions::new(), &projection, point)
-        .unwrap();
-    assert_eq!(canvas.depth_at(Point::new(4, 4)), Some(at.depth));
+    let at = canvas.viewport().project(point, &projection).unwrap();
+    assert_eq!(canvas.depth_at(Point::new(4, 4)), Some(at.depth::<F>()));
 }
 
 #[test]
@@ -131,7 +129,8 @@ fn depths_between_corners<F: DepthBuffer>(random: &mut Random, slack: u16) {
     // The depth of a corner outside the canvas is asked for at its foot on the middle axis.
     let corners = positions.map(|Vec3 { z, .. }| {
         let foot = Vec3::new(fx!(0), fx!(0), z);
-        canvas.project(&options, &projection, foot).unwrap().depth
+        let at = canvas.viewport().project(foot, &projection).unwrap();
+        at.depth::<F>()
     });
     let [least, most] = [corners.iter().min(), corners.iter().max()].map(|at| *at.unwrap());
     let between = least.saturating_sub(slack)..=most.saturating_add(slack);

@@ -230,8 +230,8 @@ fn areas_beyond_the_range_of_i32_are_filled() {
     let sides = sides.as_flattened();
     for origin in [-5, 0, 2] {
         let at = Subpixel::from_bits(origin * 256);
-        let (x, y, depth) = (at, at, 0);
-        let place = ScreenPoint { x, y, depth };
+        let (x, y, nearness) = (at, at, 0);
+        let place = ScreenPoint { x, y, nearness };
         // The pixel's place along one side of the area, or `None` if the area does not contain the pixel.
         let along = |at: u32, start: i32, length: u32| {
             let number = i64::from(at) - i64::from(origin) - i64::from(start);

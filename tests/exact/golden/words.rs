@@ -424,8 +424,7 @@ const WORDS: &[Word] = &[
     }),
     ("label", 0xc2e0_33e7, |c| {
         with(c, &RING, &PLAIN)?;
-        let options = OPTIONS;
-        if let Some(at) = c.project(&options, &view()?, vec3!(-0.9, 0.2, 0)) {
+        if let Some(at) = c.viewport().project(vec3!(-0.9, 0.2, 0), &view()?) {
             let style = MonoTextStyle::new(&FONT_6X10, Rgb888::WHITE);
             Text::new("Label", Point::zero(), style).draw(&mut c.label(at))?;
         }

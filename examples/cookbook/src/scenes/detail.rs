@@ -35,7 +35,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
                 continue;
             }
             // The diagonal of the box around the apple, in pixels and then in percent of the frame's height.
-            let pixels = canvas.size_on_screen(&options, &BOUNDS, &mvp);
+            let pixels = canvas.viewport().size_on_screen(&BOUNDS, &mvp);
             let (mesh, color) = match pixels.saturating_mul(100) / size.height {
                 40.. => (&FINE, Rgb888::new(235, 60, 40)),
                 20.. => (&MIDDLE, Rgb888::new(245, 190, 50)),

@@ -38,7 +38,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
         let stand = view * Transform::translate(place) * Transform::rotate_y(turn);
         let gate = stand * Transform::rotate_x(deg!(90)) * Transform::scale(fx!(1.5));
         canvas.draw(&GATE, &gate, &Flat::rgb(color).lit(sun).in_fog(fog));
-        if let Some(at) = canvas.project(&DrawOptions::new(), &view, place + vec3!(0, 2.1, 0)) {
+        if let Some(at) = canvas.viewport().project(place + vec3!(0, 2.1, 0), &view) {
             Text::with_alignment(distance, Point::zero(), style, Alignment::Center)
                 .draw(&mut canvas.label(at.on_top()))?;
         }

@@ -51,7 +51,10 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
         let place = vec3!(-2.2, 0, 2) + vec3!(1.3, 0.2, -1.7) * i;
         let mvp = view * Transform::translate(place) * Transform::rotate_y(deg!(140));
         canvas.draw_with(&both_sides, &bird, &mvp, &white);
-        if let Some(at) = canvas.project(&both_sides, &view, place - vec3!(-0.75, 1.7, 0)) {
+        if let Some(at) = canvas
+            .viewport()
+            .project(place - vec3!(-0.75, 1.7, 0), &view)
+        {
             Text::new(share, Point::zero(), text).draw(&mut canvas.label(at))?;
         }
     }

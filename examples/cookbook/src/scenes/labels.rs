@@ -46,7 +46,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let offset = frame.height.cast_signed() / 20;
     for &(name, distance, angle, color) in &PLANETS {
         let style = MonoTextStyle::new(font, color.into());
-        if let Some(at) = canvas.project(&options, &view, place(distance, angle)) {
+        if let Some(at) = canvas.viewport().project(place(distance, angle), &view) {
             Text::new(name, Point::new(offset, -offset), style).draw(&mut canvas.label(at))?;
         }
     }

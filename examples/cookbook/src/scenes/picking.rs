@@ -27,7 +27,8 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let frame = canvas.bounding_box();
     let touch = frame.center() + Point::new(46, 40) * frame.size.height.cast_signed() / 240;
     let Some(hit) = canvas
-        .ray(&options, &mvp, touch)
+        .viewport()
+        .ray(touch, &mvp)
         .and_then(|ray| ray.hit(&RING))
     else {
         return Ok(());

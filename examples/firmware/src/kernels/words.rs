@@ -88,7 +88,7 @@ pub fn measure(watch: &mut Stopwatch) -> Result<(), Error> {
 
     lit_in_bands(watch, list)?;
 
-    let ray = canvas.ray(&options, &mvp, Point::new(32, 32));
+    let ray = canvas.viewport().ray(Point::new(32, 32), &mvp);
     let ticks = watch.time(|| drawn(u32::from(ray.and_then(|ray| ray.hit(&BALL)).is_some())))?;
     watch.print("ray", "triangle", triangles, ticks);
 
