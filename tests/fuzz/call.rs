@@ -220,7 +220,6 @@ impl<K: ProjectionKind> Call<'_, K> {
             if let Some(area) = screen.rectangle_on_screen(&bounds, &self.mvp, 0) {
                 let Ok(()) = canvas.fill_solid(&area, BACKGROUND);
             }
-            canvas.clear_depth();
             drawn
         });
         assert!(
