@@ -223,7 +223,7 @@ impl<K: ProjectionKind> Call<'_, K> {
             drawn
         });
         assert!(
-            picture == self.blank(),
+            picture.colors == self.blank().colors,
             "a mesh has pixels outside its rectangle"
         );
 
