@@ -1,4 +1,4 @@
-//! A mesh in a draw call: where it is placed, and which attributes it lacks.
+//! A mesh in a draw call: where it is placed, and what it lacks.
 
 use core::cell::{Cell, OnceCell};
 use core::ops::AddAssign;
@@ -21,10 +21,10 @@ pub(crate) struct Placement<'a> {
     pub(crate) missing: Cell<Missing>,
 }
 
-/// The attributes that a shader asked for but the mesh lacks; a draw call returns this value.
+/// What a draw call asked for but the mesh lacks; the draw call returns this value.
 ///
-/// Without texture coordinates, a mesh shows a single texel everywhere; without colors, it is white. Neither is an
-/// error, because both may be intended.
+/// Without texture coordinates, a mesh shows a single texel everywhere; without colors, it is white; without edges,
+/// [`Mesh::edges`] draws nothing. None of this is an error, because all may be intended.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -42,11 +42,15 @@ pub(crate) struct Placement<'a> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
+#[repr(align(4))] // copied as one word
 pub struct Missing {
     /// Texture coordinates are missing; (0, 0) was used instead.
     pub uvs: bool,
     /// Colors are missing; white was used instead.
     pub colors: bool,
+    /// Edges are missing, so [`Mesh::edges`] drew nothing. [`Mesh::with_edges`] adds edges to a mesh. Meshes of `shape!`
+    /// and `include_mesh!` have edges; an [`Outline`](super::Outline) finds the edges of any mesh.
+    pub edges: bool,
 }
 
 impl AddAssign for Missing {
@@ -54,6 +58,7 @@ impl AddAssign for Missing {
     fn add_assign(&mut self, other: Self) {
         self.uvs |= other.uvs;
         self.colors |= other.colors;
+        self.edges |= other.edges;
     }
 }
 
@@ -100,17 +105,27 @@ impl<'a> Placement<'a> {
         self.missing.set(all);
     }
 
+    /// Notes that there are no edges to draw.
+    #[cold]
+    pub(crate) fn lacks_edges(&self) {
+        let mut missing = self.missing.get();
+        missing.edges = true;
+        self.missing.set(missing);
+    }
+
     #[cold]
     pub(super) fn lacks_uvs(&self) -> Vec2 {
-        let (uvs, colors) = (true, false);
-        self.miss(Missing { uvs, colors });
+        let mut missing = self.missing.get();
+        missing.uvs = true;
+        self.missing.set(missing);
         Vec2::default()
     }
 
     #[cold]
     pub(super) fn lacks_colors(&self) -> Rgb888 {
-        let (uvs, colors) = (false, true);
-        self.miss(Missing { uvs, colors });
+        let mut missing = self.missing.get();
+        missing.colors = true;
+        self.missing.set(missing);
         Rgb888::WHITE
     }
 }

@@ -32,7 +32,8 @@ pub(super) struct EdgesOf<'m> {
 
 impl Mesh<'_> {
     /// The mesh's [edges](Self::edge_indices), to be drawn as lines by [`Canvas::draw`](crate::Canvas::draw) or listed
-    /// by a [`DrawList`](crate::DrawList).
+    /// by a [`DrawList`](crate::DrawList). If the mesh has no edges, nothing is drawn, and the draw call returns
+    /// [`missing.edges`](crate::mesh::Missing::edges).
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -225,7 +226,8 @@ pub(super) fn draw<K: ProjectionKind>(
     blitter: &mut dyn Blitter,
 ) -> Drawn {
     let mut raster = call.rasterizer(blitter);
-    edges.assemble(call, |indices, ends, is_clipped, beside| {
+    let count = edges.count();
+    let kept = edges.assemble(call, |indices, ends, is_clipped, beside| {
         let [a, b] = ends;
         // Most edges have no pixel in a band. For such edges, no shader is called.
         if raster.meets([a.vertex.screen[1], b.vertex.screen[1]], reach) {
@@ -233,7 +235,11 @@ pub(super) fn draw<K: ProjectionKind>(
             line(&mut raster, ends);
         }
     });
-    Drawn::new(edges.count(), &raster)
+    if count == 0 {
+        call.placement.lacks_edges();
+    }
+    let counts = [count as u32, count.wrapping_sub(kept) as u32];
+    Drawn::new(counts, &raster, &call.placement)
 }
 
 impl<'m> EdgesOf<'m> {
@@ -265,13 +271,14 @@ impl<'m> EdgesOf<'m> {
 
     /// Assembles the chosen edges: all edges of a mesh, or the creases, silhouettes and borders of an outline with at
     /// least one face that is not culled. `each` receives the indices of an edge, the two ends of the part that is
-    /// inside all planes, whether the edge was clipped, and how steep the faces beside it are.
+    /// inside all planes, whether the edge was clipped, and how steep the faces beside it are. Returns how many edges
+    /// are not culled: the chosen edges, and edges with both faces outside the view.
     #[inline]
     pub(super) fn assemble<K: ProjectionKind>(
         self,
         call: &Call<'_, K>,
         mut each: impl FnMut(Indices, [&ClippedVertex; 2], bool, u16),
-    ) {
+    ) -> usize {
         match self.outline {
             None => {
                 let mut vertices = <VertexCache>::new(call.slots);
@@ -279,8 +286,10 @@ impl<'m> EdgesOf<'m> {
                     let indices = Indices::of_edge(edge, ends);
                     assemble::edge(call, &mut vertices, (indices, 0), &mut each);
                 }
+                self.count()
             }
             Some(outline) => {
+                let mut kept = 0;
                 let mut vertices = VertexCache::<OUTLINE_SIZE>::new(call.slots);
                 for (edge, faces) in outline.edges().iter().enumerate() {
                     let [left, right] = assemble::areas(call, &mut vertices, faces);
@@ -291,9 +300,12 @@ impl<'m> EdgesOf<'m> {
                         continue;
                     }
                     let hides = [left, -right].map(|area| call.cull.leaves_out(area));
-                    if left == 0 && right == 0 || hides == [true; 2] {
+                    if hides == [true; 2] {
+                        // Faces outside the view have no area.
+                        kept += usize::from(left == 0 && right == 0);
                         continue;
                     }
+                    kept += 1;
                     let beside = if call.is_biased {
                         steepness_beside(call, &mut vertices, *faces, (hides, is_crease))
                     } else {
@@ -303,6 +315,7 @@ impl<'m> EdgesOf<'m> {
                     let indices = Indices::of_edge(edge, [a, b]);
                     assemble::edge(call, &mut vertices, (indices, beside), &mut each);
                 }
+                kept
             }
         }
     }

@@ -366,6 +366,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
             scissor: screen.scissor(&(0..frame.height)),
             element: 0,
             needed: [0; 2],
+            outside: 0,
             rows: NO_ROWS,
             numbers: [(0, 0); cache::SIZE],
             numbered: cache::Slots::new(&[]),
@@ -403,6 +404,8 @@ struct Listing {
     first: u32,
     /// The rows in which any element of the thing may have pixels: the first row, and the row after the last.
     rows: [i16; 2],
+    /// How many elements of the thing are culled.
+    culled: u32,
     depth_shift: DepthShift,
 }
 
@@ -416,6 +419,8 @@ pub struct Filling<'l> {
     element: u32,
     /// How many elements and vertices the list needs so far.
     needed: [usize; 2],
+    /// How many elements of the present thing are outside the view.
+    outside: u32,
     /// The rows in which the present thing may have pixels.
     rows: [i16; 2],
     /// For recently added vertices of the present thing: the index of the mesh's position, and the vertex's number in
@@ -433,12 +438,16 @@ impl Filling<'_> {
         self.rows = NO_ROWS;
         self.numbers = [(0, 0); cache::SIZE];
         self.numbered = call.slots;
+        self.outside = 0;
+        let listed = self.needed[0];
         thing.fill(&call, self);
-        let first = self.element;
-        self.element = first.wrapping_add(thing.count() as u32);
+        let (first, count) = (self.element, thing.count() as u32);
+        self.element = first.wrapping_add(count);
+        let listed = self.needed[0].wrapping_sub(listed) as u32;
         Listing {
             first,
             rows: self.rows,
+            culled: count.wrapping_sub(listed.wrapping_add(self.outside)),
             depth_shift: call.projector.depth_shift(),
         }
     }
@@ -498,15 +507,22 @@ impl Filling<'_> {
             let rows = [triangle.rows.start as i16, triangle.rows.end as i16];
             let numbers = corners.map(|corner| self.number(corner));
             self.add(face, rows, Corners::Whole(numbers));
+        } else {
+            self.outside += 1;
         }
     }
 
     /// Adds what clipping left of a triangle, if it is not culled and may have pixels.
     fn clipped(&mut self, face: usize, outline: &[ClippedVertex], cull: Cull) {
-        let polygon = Polygon::new(outline, cull);
-        if let Some(rows) = polygon.and_then(|polygon| polygon.rows(&self.scissor)) {
+        let Some(polygon) = Polygon::new(outline, cull) else {
+            self.outside += u32::from(outline.is_empty());
+            return;
+        };
+        if let Some(rows) = polygon.rows(&self.scissor) {
             let corners = self.corners(outline, 0);
             self.add(face, [rows.start as i16, rows.end as i16], corners);
+        } else {
+            self.outside += 1;
         }
     }
 }
@@ -574,6 +590,8 @@ impl Listed for &Mesh<'_> {
             run::triangle(call, &mut vertices, corners, |triangle| match triangle {
                 OnScreen::Whole(corners, area) => filling.whole(face, corners, area),
                 OnScreen::Clipped(outline) => filling.clipped(face, outline, call.cull),
+                OnScreen::Culled => {}
+                OnScreen::Outside => filling.outside += 1,
             });
         }
     }
@@ -610,7 +628,8 @@ impl<const SMOOTH: bool> Listed for Edges<'_, SMOOTH> {
 
     #[inline]
     fn fill<K: ProjectionKind>(&self, call: &Call<'_, K>, filling: &mut Filling<'_>) {
-        self.of.assemble(call, |edge, ends, is_clipped, beside| {
+        let listed = filling.needed[0];
+        let kept = self.of.assemble(call, |edge, ends, is_clipped, beside| {
             let [a, b] = ends.map(|end| end.vertex.screen[1]);
             let corners = if is_clipped {
                 filling.corners(&ends.map(|end| *end), beside)
@@ -620,6 +639,8 @@ impl<const SMOOTH: bool> Listed for Edges<'_, SMOOTH> {
             };
             filling.add(edge.number(), Self::rows(a.min(b), a.max(b)), corners);
         });
+        let listed = filling.needed[0].wrapping_sub(listed);
+        filling.outside = kept.wrapping_sub(listed) as u32;
     }
 
     /// Rows fit into 16 bits: positions lie within the guard band, and the guard band's center is at most 6144 rows

@@ -33,26 +33,42 @@ use core::ops::AddAssign;
 use embedded_graphics::pixelcolor::PixelColor;
 
 use crate::canvas::{Blending, Canvas, DepthBuffer, DepthTest, Storage};
-use crate::mesh::Missing;
+use crate::mesh::{Missing, Placement};
 use crate::raster::Rasterizer;
 use crate::shade::ShaderFor;
 use crate::span::{Blit, Mode};
 use crate::view::AsMvp;
 use thing::Target;
 
-/// The result of a draw call: how many triangles, edges or points there were, and how many were drawn.
+/// The result of a draw call: how many triangles, edges or points there were, and what became of them.
+///
+/// Each of them was drawn, culled or [outside](Self::outside) the view. So if you see nothing, print this value:
+///
+/// | if all are | then |
+/// |---|---|
+/// | culled | the corners of the triangles run clockwise, seen from outside: see [`Cull`](crate::Cull) |
+/// | outside | the mesh is behind the eye, nearer than the near plane, beyond the far plane or beside the picture |
+/// | drawn | nearer depths hide them (is the depth buffer cleared in each frame?), or they have the background's color |
+///
+/// If there were none, then the mesh has no faces. If there were no edges, [`missing`](Self::missing) says so.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
 /// use fixel::prelude::*;
+/// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 /// let mut pixels = [Gray8::new(0); 64];
 /// let mut canvas = Canvas::new(&mut pixels, 8, 8)?;
 /// let projection = Projection::perspective(Angle::from_degrees(90), (1, 1), fx!(0.1), fx!(10))?;
-/// let mvp = projection * Transform::translate(vec3!(0, 0, -1));
-/// let positions = [vec3!(-1, -1, 0), vec3!(1, -1, 0), vec3!(-1, 1, 0)];
-/// let triangle = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 1]])?;
-/// let drawn = canvas.draw(&triangle, &mvp, &Flat::new(Gray8::new(255)));
-/// assert_eq!((drawn.submitted, drawn.drawn, drawn.clipped), (2, 1, 0));
+/// let white = Flat::new(Gray8::new(255));
+///
+/// let ahead = projection * Transform::translate(vec3!(0, 0, -3));
+/// let drawn = canvas.draw(&BOX, &ahead, &white);
+/// assert_eq!((drawn.submitted, drawn.drawn, drawn.culled), (12, 2, 10)); // the two triangles of the front
+/// assert_eq!((drawn.outside(), drawn.clipped), (0, 0));
+///
+/// let behind = projection * Transform::translate(vec3!(0, 0, 3));
+/// let drawn = canvas.draw(&BOX, &behind, &white);
+/// assert_eq!((drawn.drawn, drawn.culled, drawn.outside()), (0, 0, 12));
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -65,21 +81,39 @@ pub struct Drawn {
     /// point counts if any part of it is between the near and the far plane and in the guard band (±2048 pixels around
     /// the viewport's center), and may reach a row of the viewport in the canvas.
     pub drawn: u32,
+    /// The number of triangles that were [culled](crate::Cull), or that have no area on the screen. For an
+    /// [outline](crate::Mesh::outline), the number of edges that do not show the shape, as seen from the eye.
+    pub culled: u32,
     /// The number of triangles, edges or points that were clipped by a plane of the view volume or of the guard band.
     pub clipped: u32,
-    /// The attributes that the shader asked for and the mesh lacks.
+    /// What the draw call asked for and the mesh lacks.
     pub missing: Missing,
 }
 
 impl Drawn {
-    /// The result of a draw call that had this number of triangles, edges or points.
+    /// The number of triangles, edges or points that were neither drawn nor culled. They are nearer than the near plane
+    /// (perhaps behind the eye), beyond the far plane, or beside the picture. Triangles may also be so small that they
+    /// contain no pixel center. In a band, they may have no pixel in its rows.
+    #[must_use]
+    pub const fn outside(&self) -> u32 {
+        self.submitted
+            .saturating_sub(self.drawn.saturating_add(self.culled))
+    }
+
+    /// The result of a draw call that had this number of triangles, edges or points. (The missing attributes are read
+    /// from the call's own placement, because it takes more code to follow the rasterizer's reference to it.)
     #[inline]
-    fn new(submitted: usize, raster: &Rasterizer<'_>) -> Self {
+    fn new(
+        [submitted, culled]: [u32; 2],
+        raster: &Rasterizer<'_>,
+        placement: &Placement<'_>,
+    ) -> Self {
         Self {
-            submitted: submitted as u32,
+            submitted,
             drawn: raster.drawn,
+            culled,
             clipped: raster.clipped,
-            missing: raster.primitive.placement.missing.get(),
+            missing: placement.missing.get(),
         }
     }
 }
@@ -89,6 +123,7 @@ impl AddAssign for Drawn {
     fn add_assign(&mut self, other: Self) {
         self.submitted += other.submitted;
         self.drawn += other.drawn;
+        self.culled += other.culled;
         self.clipped += other.clipped;
         self.missing += other.missing;
     }

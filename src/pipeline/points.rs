@@ -169,5 +169,5 @@ fn each_point<K: ProjectionKind>(
             point(&mut raster, &at, half);
         }
     }
-    Drawn::new(count, &raster)
+    Drawn::new([count as u32, 0], &raster, &call.placement)
 }

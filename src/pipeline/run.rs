@@ -25,8 +25,9 @@ pub(super) fn draw<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blit
     // If the cache were made after the faces are found, Cortex-M0+ would need more registers.
     let mut vertices = VertexCache::new(call.slots);
     let faces = call.placement.mesh.faces();
-    draw_faces(call, (0, faces), &mut vertices, &mut raster);
-    Drawn::new(faces.len(), &raster)
+    let culled = draw_faces(call, (0, faces), &mut vertices, &mut raster);
+    let counts = [faces.len() as u32, culled];
+    Drawn::new(counts, &raster, &call.placement)
 }
 
 /// Draws triangles with the caller's cache. `first` is the index of the first triangle. (If [`draw`] had this loop, each
@@ -37,29 +38,39 @@ fn draw_faces<K: ProjectionKind>(
     (first, faces): (usize, &[[Index; 3]]),
     vertices: &mut VertexCache,
     raster: &mut Rasterizer<'_>,
-) {
+) -> u32 {
+    let mut culled = 0;
     for (face, corners) in (first..).zip(faces) {
         triangle(call, vertices, corners, |on_screen| {
             let indices = Indices::of_face(face, *corners);
             // 5 to 7. Rows, set-up, pixels.
             match on_screen {
                 OnScreen::Whole(corners, area) => raster.draw_whole(indices, corners, area),
-                OnScreen::Clipped(outline) => raster.draw_clipped(indices, outline, call.cull),
+                OnScreen::Clipped(outline) => {
+                    culled += raster.draw_clipped(indices, outline, call.cull);
+                }
+                OnScreen::Culled => culled += 1,
+                OnScreen::Outside => {}
             }
         });
     }
+    culled
 }
 
-/// A triangle on the screen, inside all planes.
+/// What a triangle is on the screen.
 pub(super) enum OnScreen<'v> {
     /// A triangle that is neither clipped nor culled: its corners, and twice its area.
     Whole([&'v ScreenVertex; 3], i64),
     /// What remains of a triangle after clipping. It may be empty or face away.
     Clipped(&'v [ClippedVertex]),
+    /// Nothing, because the triangle is culled.
+    Culled,
+    /// Nothing, because all corners are outside of one plane.
+    Outside,
 }
 
-/// Runs a triangle through stages 1 to 4, and calls `then` unless the triangle is rejected or culled. A triangle that is
-/// inside all planes is not clipped.
+/// Runs a triangle through stages 1 to 4, and calls `then` with the result. A triangle that is inside all planes is not
+/// clipped.
 #[inline]
 #[allow(clippy::trivially_copy_pass_by_ref)] // by value, the corners would be loaded before most of them are needed
 pub(super) fn triangle<K: ProjectionKind>(
@@ -82,7 +93,10 @@ pub(super) fn triangle<K: ProjectionKind>(
     if outcode == 0 {
         // 4. Culling. Back faces, half of most meshes, go here, before any attribute is read.
         let area = raster::area(&[a.screen, b.screen, c.screen]);
-        if !call.cull.leaves_out(area) {
+        // `then` is called in each branch, because the compiler merges calls with different variants badly.
+        if call.cull.leaves_out(area) {
+            then(OnScreen::Culled);
+        } else {
             then(OnScreen::Whole([a, b, c], area));
         }
     } else if a.outcode & b.outcode & c.outcode == 0 {
@@ -90,6 +104,8 @@ pub(super) fn triangle<K: ProjectionKind>(
         let mut outline = ClippedPolygon::new();
         clip(&call.projector, corners, outcode, &mut outline);
         then(OnScreen::Clipped(&outline));
+    } else {
+        then(OnScreen::Outside);
     }
 }
 
@@ -117,7 +133,8 @@ pub(super) fn quads<K: ProjectionKind>(
             draw_faces(call, (at, pair), vertices, &mut raster);
         }
     }
-    Drawn::new(faces.len(), &raster)
+    let counts = [faces.len() as u32, 0]; // sprites are not culled
+    Drawn::new(counts, &raster, &call.placement)
 }
 
 /// Fast path for two triangles that form an axis-aligned rectangle at one depth. The rectangle reaches from the first

@@ -43,7 +43,7 @@ impl<'r> Rasterizer<'r> {
         Self {
             coloring: blitter.begin(shift),
             blitter,
-            primitive: placement.primitive(Indices::of_point(0), 0),
+            primitive: placement.primitive(Indices::of_face(0, [0; 3]), 0),
             scissor,
             block: [[0; 2]; ROWS as usize],
             drawn: 0,
@@ -80,12 +80,17 @@ impl<'r> Rasterizer<'r> {
     /// The outline is drawn as a fan of triangles. Rounding may fold the fan. Triangles that turned over are left out
     /// then, and of each other triangle only the pixels that no triangle before it has: see [`Polygon`].
     #[inline(never)]
-    pub(crate) fn draw_clipped(&mut self, indices: Indices, outline: &[ClippedVertex], cull: Cull) {
+    pub(crate) fn draw_clipped(
+        &mut self,
+        indices: Indices,
+        outline: &[ClippedVertex],
+        cull: Cull,
+    ) -> u32 {
         let Some(polygon) = &Polygon::new(outline, cull) else {
-            return;
+            return u32::from(!outline.is_empty());
         };
         self.next_primitive(indices, polygon.area);
-        let mut is_drawn = false;
+        let mut drawn = 0; // or 1, as a number from the start: a condition takes an instruction more
         for (at, (corners, area)) in polygon.triangles().enumerate() {
             if !polygon.winds_as(area) {
                 continue;
@@ -96,11 +101,12 @@ impl<'r> Rasterizer<'r> {
             if let Some(triangle) = &triangle {
                 let part = FanTriangle { fan: polygon, at };
                 self.triangle(triangle, polygon.is_folded.then_some(&part));
-                is_drawn = true;
+                drawn = 1;
             }
         }
-        self.drawn += u32::from(is_drawn);
-        self.clipped += u32::from(is_drawn);
+        self.drawn += drawn;
+        self.clipped += drawn;
+        0
     }
 
     /// Moves on to an edge or a point that will be drawn, and counts it. For an outline's edge, `slope_beside` is how

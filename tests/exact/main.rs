@@ -12,6 +12,7 @@ mod assets;
 mod bands;
 mod canvas;
 mod colors;
+mod counts;
 mod depths;
 mod golden;
 mod mirrors;

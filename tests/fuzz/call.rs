@@ -115,7 +115,7 @@ impl<K: ProjectionKind> Call<'_, K> {
                 }
             }
         };
-        assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);
+        assert!(drawn.clipped <= drawn.drawn && drawn.drawn + drawn.culled <= drawn.submitted);
         drawn
     }
 
@@ -546,7 +546,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         let draw =
             &mut |canvas: &mut Frame<'_>| canvas.draw_with(options, smooth, &self.mvp, shader);
         let (frame, drawn) = self.frame(draw);
-        assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);
+        assert!(drawn.clipped <= drawn.drawn && drawn.drawn + drawn.culled <= drawn.submitted);
         assert!(self.in_bands(draw) == frame, "bands of smooth lines differ");
     }
 

@@ -156,9 +156,11 @@ impl<'a> Targets<'a> {
             let Drawn {
                 submitted,
                 drawn,
+                culled,
                 clipped,
                 ..
             } = total.counts;
+            let outside = total.counts.outside();
             if args.frames > 1 {
                 say(format!("{} frames, all together:", args.frames))?;
             }
@@ -167,7 +169,7 @@ impl<'a> Targets<'a> {
                 _ => "triangles",
             };
             say(format!(
-                "{what} {submitted} in, {drawn} drawn, {clipped} of them clipped"
+                "{what} {submitted} in, {culled} culled, {outside} outside, {drawn} drawn, {clipped} of them clipped"
             ))?;
             #[allow(clippy::cast_precision_loss)] // three digits are shown
             let each = total.time.as_nanos() as f64 / total.pixels.max(1) as f64;

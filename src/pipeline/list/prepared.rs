@@ -121,6 +121,7 @@ impl<T, G> Object<'_, T, G> {
             listing: Listing {
                 first: 0,
                 rows: NO_ROWS,
+                culled: 0,
                 depth_shift: DepthShift(0),
             },
             mesh: PhantomData,
@@ -513,7 +514,7 @@ impl<'r> Run<'r> {
                 }
             }
         }
-        Drawn::new(faces.len(), &raster)
+        self.drawn(faces.len(), &raster)
     }
 
     /// Draws edges, each by `line`. A line reaches up to `reach` rows beyond the rows of its ends.
@@ -541,7 +542,17 @@ impl<'r> Run<'r> {
                 line(&mut raster, [from, to]);
             }
         }
-        Drawn::new(edges.count(), &raster)
+        if edges.count() == 0 {
+            self.placement.lacks_edges();
+        }
+        self.drawn(edges.count(), &raster)
+    }
+
+    /// The result of a draw call of a thing with `submitted` elements.
+    #[inline]
+    fn drawn(&self, submitted: usize, raster: &Rasterizer<'_>) -> Drawn {
+        let counts = [submitted as u32, self.listing.culled];
+        Drawn::new(counts, raster, &self.placement)
     }
 
     /// Twice the area of a triangle on the screen; 0 for an edge. If culling has left only areas of one sign, the

@@ -192,7 +192,7 @@ impl Scene {
             }
             (_, Mode::Affine) => self.draw_in(&options.with_mode(Affine), canvas, mesh, mvp),
         };
-        assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);
+        assert!(drawn.clipped <= drawn.drawn && drawn.drawn + drawn.culled <= drawn.submitted);
         let screen = options.viewport.unwrap_or(canvas.viewport());
         for &position in &self.positions {
             let _ = screen.project(position, mvp);
