@@ -37,7 +37,7 @@ static STROKE: Keyframes = Keyframes::checked(Keyframes::new(
 ));
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
-    let size = canvas.frame_size();
+    let (size, screen) = (canvas.frame_size(), canvas.viewport());
     let projection = Projection::perspective(deg!(40), size, fx!(0.5), fx!(50))?;
     let view = projection * Camera::look_at(vec3!(0, 5, 8), vec3!(0, 0.4, 0), Vec3::Y)?;
     let sun = Light::new(vec3!(-1, 2, 1), fx!(0.35), fx!(0.65))?.two_sided(Viewer::of(&view));
@@ -51,10 +51,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
         let place = vec3!(-2.2, 0, 2) + vec3!(1.3, 0.2, -1.7) * i;
         let mvp = view * Transform::translate(place) * Transform::rotate_y(deg!(140));
         canvas.draw_with(&both_sides, &bird, &mvp, &white);
-        if let Some(at) = canvas
-            .viewport()
-            .project(place - vec3!(-0.75, 1.7, 0), &view)
-        {
+        if let Some(at) = screen.project(place - vec3!(-0.75, 1.7, 0), &view) {
             Text::new(share, Point::zero(), text).draw(&mut canvas.label(at))?;
         }
     }
