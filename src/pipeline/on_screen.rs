@@ -63,7 +63,7 @@ impl ScreenPoint {
 }
 
 /// The nearness of a depth `q` · 2^-`down`, where `q` has 31 bits, and `down` is from 15 to 47.
-const fn nearness(q: u32, down: u32) -> u32 {
+fn nearness(q: u32, down: u32) -> u32 {
     // Only under a parallel projection, the top bits of q may be 0. All formats drop the bits that are dropped here.
     let up = q.leading_zeros().saturating_sub(1);
     MOST_DOWN.saturating_sub(down + up) << MANTISSA | q.wrapping_shl(up) >> (31 - MANTISSA)
