@@ -38,7 +38,7 @@
 //!
 //! fn frame(now_ms: u64, display: &mut MockDisplay<Rgb565>) -> Result<(), Error> {
 //!     let projection = Projection::perspective(
-//!         deg!(60), (WIDTH, HEIGHT), fx!(0.1), fx!(100))?; // Err if near is 0
+//!         deg!(60), (WIDTH, HEIGHT), fx!(0.5), fx!(50))?; // Err if near is 0
 //!     let camera = Camera::look_at(vec3!(0, 1.5, 4), Vec3::ZERO, Vec3::Y)?;
 //!     let spin = Transform::rotate_y(Rate::rpm(10).angle_at(now_ms)); // time in, angle out
 //!     let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?;

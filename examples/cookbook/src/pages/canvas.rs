@@ -112,7 +112,7 @@ pub(super) fn blending(canvas: &mut Frame<'_>) -> Drawn {
 pub(super) fn modes(canvas: &mut Frame<'_>) -> Drawn {
     canvas.clear(SLATE);
     let (half, size) = (SIZE.width / 2, canvas.frame_size());
-    let projection = Projection::perspective(deg!(70), (half, size.height), fx!(0.1), fx!(100))?;
+    let projection = Projection::perspective(deg!(70), (half, size.height), fx!(0.1), fx!(50))?;
     let camera = Camera::look_at(vec3!(0, 1.1, 1.75), vec3!(0, -0.35, 0), Vec3::Y)?;
     let mvp = projection * camera * Transform::rotate_y(deg!(20));
     let part = |x| -> Result<DrawOptions, Error> {

@@ -166,7 +166,7 @@ pub(super) fn quantized(canvas: &mut Frame<'_>) -> Drawn {
     static SMALL: Mesh = shape!(torus(fx!(0.45), 32, 16), quantized_8);
     canvas.clear(SLATE);
     let (half, height) = (SIZE.width / 2, SIZE.height);
-    let projection = Projection::perspective(deg!(58), (half, height), fx!(0.1), fx!(100))?;
+    let projection = Projection::perspective(deg!(58), (half, height), fx!(0.1), fx!(50))?;
     let camera = Camera::look_at(vec3!(0, 2, 3.2), Vec3::ZERO, Vec3::Y)?;
     let mvp = projection * camera * Transform::rotate_z(deg!(25));
     let part = |x| -> Result<DrawOptions, Error> {
