@@ -70,7 +70,7 @@
 //! ```
 //!
 #![cfg_attr(doc, doc = page_picture!("first", "The program's scene on 240x160 pixels: a checkered cube, and a text"))]
-//! Import items of embedded-graphics one by one, because its prelude has its own `Angle`, `Primitive` and `Transform`.
+//! Import items of embedded-graphics one by one, because its prelude has its own `Angle` and `Transform`.
 //!
 //! # Parts
 //!
@@ -315,7 +315,6 @@ pub use error::Error;
 pub use pipeline::Thing;
 pub use pipeline::{
     DrawList, DrawOptions, Drawn, FacesOrEdges, Hit, Object, Prepared, Ray, ScreenPoint, ShadeList,
-    Shades,
 };
 pub use raster::{Cull, LineStyle, PointStyle};
 
@@ -325,7 +324,7 @@ pub use {
     canvas::Canvas,
     math::{Matrix4, Transform, Vec2, Vec3},
     mesh::{Corner, Index, Mesh, Outline, Primitive, Sprites},
-    num::{Angle, Fraction, Rate, Scalar, Spin, TexCoord},
+    num::{Angle, Fraction, Rate, Scalar, TexCoord},
     shade::{
         DepthView, FaceColors, Flat, Fog, Fragment, Gouraud, Lamp, Light, Lighting, NormalView,
         PixelFormat, PointLight, Shader, ShaderFor, SpotLight, Textured, Viewer,
@@ -341,8 +340,8 @@ struct Readme;
 
 /// The items that most programs import in order to draw.
 ///
-/// The prelude of embedded-graphics has its own `Angle`, `Primitive` and `Transform`. If a program imports both
-/// preludes and uses one of these three items, it must also import that item by name:
+/// The prelude of embedded-graphics has its own `Angle` and `Transform`. If a program imports both preludes and uses one
+/// of these two items, it must also import that item by name:
 ///
 /// ```
 /// use embedded_graphics::prelude::*;
@@ -359,11 +358,10 @@ pub mod prelude {
     pub use crate::canvas::{LinearDepth, Native};
     #[doc(no_inline)]
     pub use crate::{
-        Angle, Camera, Canvas, Corner, Cull, DepthView, DrawList, DrawOptions, Drawn, Error,
-        FaceColors, Flat, Fog, Fragment, Gouraud, Lamp, Light, Lighting, LineStyle, Mesh, Mvp,
-        NormalView, Object, Outline, PixelFormat, PointLight, PointStyle, Primitive, Projection,
-        Rate, Ray, Scalar, Shader, ShaderFor, SpotLight, Sprites, TexCoord, Texture, Textured,
-        Transform, Vec2, Vec3, Viewer, Viewport, Window,
+        Angle, Camera, Canvas, Corner, Cull, DrawList, DrawOptions, Drawn, Error, FaceColors, Flat,
+        Fog, Fragment, Gouraud, Lamp, Light, Lighting, LineStyle, Mesh, Mvp, Object, Outline,
+        PixelFormat, PointLight, PointStyle, Projection, Rate, Ray, Scalar, Shader, ShaderFor,
+        SpotLight, Sprites, TexCoord, Texture, Textured, Transform, Vec2, Vec3, Viewer, Viewport,
     };
     #[doc(no_inline)]
     pub use crate::{deg, fx, outline, shape, vec2, vec3};

@@ -288,6 +288,7 @@ impl<'a> Sprites<'a> {
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// // Two frames of two texels each: a dark frame and a bright frame.
     /// static SHEET: [[Gray8; 4]; 1] = [[Gray8::new(9), Gray8::new(9), Gray8::new(200), Gray8::new(200)]];
     /// let projection = Projection::orthographic(Window::centered(fx!(8), fx!(8)), fx!(-1), fx!(1))?;

@@ -47,7 +47,7 @@ use crate::sealed::Sealed;
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::{prelude::*, view::ProjectionKind};
+/// use fixel::{Window, prelude::*, view::ProjectionKind};
 /// static BALL: Mesh = shape!(sphere(8, 6));
 /// fn draw<K: ProjectionKind>(canvas: &mut Canvas<'_, Gray8>, view: &Mvp<K>) -> bool {
 ///     let ball = *view * Transform::translate(vec3!(0, 0, -4));

@@ -113,6 +113,7 @@ impl ProjectionRow {
 ///
 /// ```
 /// use fixel::prelude::*;
+/// use fixel::Window;
 /// let projection = Projection::perspective(deg!(60), (320, 240), fx!(0.5), fx!(50))?;
 /// let plan = Projection::orthographic(Window::centered(fx!(8), fx!(6)), fx!(0), fx!(10))?;
 /// assert!(Projection::perspective(deg!(60), (4, 3), fx!(0), fx!(100)).is_err());

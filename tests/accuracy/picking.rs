@@ -3,9 +3,9 @@
 
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::Gray8;
-use fixel::Hit;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
+use fixel::{Hit, Window};
 use rand::Rng;
 use rand::seq::IndexedRandom;
 

@@ -2,6 +2,7 @@
 
 use crate::bands::{CASES, Frame, SIZE, XRecorder, counts, drawn, modeled, point};
 use embedded_graphics::pixelcolor::Gray8;
+use fixel::Window;
 use fixel::prelude::*;
 use rand::Rng;
 use support::counter::{at_subpixel, pixel_projection};

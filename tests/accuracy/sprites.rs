@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 
 use embedded_graphics::pixelcolor::Gray8;
+use fixel::Window;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;

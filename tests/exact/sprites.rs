@@ -8,6 +8,7 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
 use fixel::shade::Texels;
 use fixel::view::ProjectionKind;
+use fixel::{Primitive, Window};
 
 use support::erased::Erased;
 use support::recorder::Probe;

@@ -214,13 +214,13 @@ impl Shape {
 /// assert!(CRATE.has_uvs() && RING.has_normals());
 /// ```
 ///
-/// A second argument, `short`, stores 16-bit positions, which take half the flash; see
-/// [`Mesh::short`](crate::Mesh::short). With `quantized_8`, [attributes take less
+/// A second argument, `quantized`, stores 16-bit positions, which take half the flash; see
+/// [`Mesh::quantized`](crate::Mesh::quantized). With `quantized_8`, [attributes take less
 /// flash](crate::mesh#less-flash), too.
 ///
 /// ```
 /// use fixel::prelude::*;
-/// static BALL: Mesh = shape!(sphere(16, 12), short); // steps of 2^-14
+/// static BALL: Mesh = shape!(sphere(16, 12), quantized); // steps of 2^-14
 /// assert_eq!(BALL.positions().get(0), Some(vec3!(0, 1, 0)));
 /// ```
 /// ```compile_fail
@@ -228,7 +228,7 @@ impl Shape {
 /// ```
 #[macro_export]
 macro_rules! shape {
-    ($name:ident($($argument:expr),* $(,)?) $(, $short:ident)? $(,)?) => {{
+    ($name:ident($($argument:expr),* $(,)?) $(, $format:ident)? $(,)?) => {{
         const SHAPE: $crate::mesh::Shape = $crate::mesh::flash::checked(
             $crate::mesh::Shape::$name($($argument),*),
             ::core::stringify!($name($($argument),*)),
@@ -241,6 +241,6 @@ macro_rules! shape {
             let _ = $crate::Mesh::checked(SHAPE.build(room.buffers()));
             room
         };
-        $crate::__mesh!(ROOM, COUNTS $(, $short)?)
+        $crate::__mesh!(ROOM, COUNTS $(, $format)?)
     }};
 }

@@ -99,6 +99,7 @@ impl Projection<Perspective> {
     ///
     /// ```
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// let window = Window { left: fx!(-1), right: fx!(2), bottom: fx!(-1), top: fx!(1) };
     /// let projection = Projection::frustum(window, fx!(2), fx!(10))?;
     /// assert_eq!(projection.window(), window);

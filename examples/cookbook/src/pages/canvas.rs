@@ -4,6 +4,7 @@ use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
+use fixel::Window;
 use fixel::canvas::{Add, Blending, Multiply, Opacity, Replace, TestOnly};
 use fixel::mode::Affine;
 use fixel::prelude::*;

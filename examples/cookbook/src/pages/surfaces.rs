@@ -5,6 +5,7 @@ use fixel::mesh::{Material, Part};
 use fixel::prelude::*;
 use fixel::shade::{Gradient, PartColors};
 use fixel::texture::Mipmap;
+use fixel::{DepthView, NormalView};
 
 use super::{
     BALL, CHECKERS, COARSE_BALL, COARSE_RING, CUBE, Drawn, ORANGE, RING, SIZE, SLATE, ball, cube,
