@@ -22,7 +22,7 @@ macro_rules! format {
 }
 
 format!(Display2Format: Error, Angle, Scalar, TexCoord, Subpixel, Fraction, Vec2, Vec3);
-format!(Debug2Format: Hit, Matrix4, PointStyle, ScreenPoint, Segment, Shape, Window, {K: ProjectionKind} Projection<K>);
+format!(Debug2Format: Hit, Matrix4, PointStyle, ScreenPoint, Segment, Shape<'_>, Window, {K: ProjectionKind} Projection<K>);
 
 #[cfg(test)]
 mod tests {

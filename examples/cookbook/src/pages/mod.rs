@@ -50,6 +50,7 @@ pub const PAGES: &[(&str, Draw)] = &[
     ("modes", canvas::modes),
     ("formats", canvas::formats),
     ("shaders", surfaces::shaders),
+    ("shapes", surfaces::shapes),
     ("measured", canvas::measured),
     ("firmware", programs::firmware),
 ];
