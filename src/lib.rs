@@ -83,7 +83,7 @@
 //! | [`DrawOptions`]: culling, viewport, interpolation mode, depth test, blending | [`DrawOptions::new`] | first argument of [`Canvas::draw_with`] |
 //! | [`DrawList`]: triangles or edges transformed once for all bands | [`DrawList::new`], [`prepare`](DrawList::prepare) | argument of [`Canvas::draw_prepared`] |
 //! | [`Object`]s: meshes with their transforms and materials | [`Object::new`] | argument of [`DrawList::prepare`] |
-//! | [`Sprites`]: billboards, particles | [`Sprites::new`], [`Sprites::in_pixels`] | first argument of [`Canvas::draw`] |
+//! | [`Sprites`]: billboards, particles, upright or turned | [`Sprites::new`], [`Sprites::in_pixels`] | first argument of [`Canvas::draw`] |
 //! | Lines and points | [`Mesh::edges`], [`Mesh::outline`], [`Mesh::points`] with a [`LineStyle`] or [`PointStyle`] | first argument of [`Canvas::draw`] |
 //! | [`Ray`] of a pixel | [`Canvas::ray`] | [`Ray::hit`] finds the face of a mesh that is seen at this pixel |
 //! | [`Canvas`]: colors, depth, rows | [`Canvas::new`], [`Canvas::band`], over your slices | the picture for a display: [`Canvas::show`] or [`Canvas::as_bytes`] |

@@ -1,7 +1,7 @@
 //! Things that stand on the map, except blocks: roofs, windows and lamps.
 
-use fixel::prelude::*;
 use fixel::Index;
+use fixel::prelude::*;
 
 /// For each roof, in sixteenths of a unit: its west, north, east and south edges, the height of its eaves, and its
 /// rise.
