@@ -227,6 +227,7 @@ pub trait Lighting: Copy {
     /// use embedded_graphics::mock_display::MockDisplay;
     /// use embedded_graphics::pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor};
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// static BALL: Mesh = shape!(sphere(24, 16));
     /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
     /// let mvp = projection * Camera::front(Vec3::ZERO, fx!(1));
